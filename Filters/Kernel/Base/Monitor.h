@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMonitor_h
+#define BitingMonitor_h
+
+namespace biting
+{
+
+/// Where the kernel reports how far it is, and learns whether to stop.
+/// Called from one thread; each stage calls Advance at least every 1000 steps of its work.
+class Monitor
+{
+public:
+  virtual ~Monitor() = default;
+
+  /// `fraction` in [0, 1] of the current stage. False means: stop, the result is not wanted.
+  virtual bool Advance(double fraction) = 0;
+
+  /// A new stage begins; `text` is shown to the user and outlives the call.
+  virtual void BeginStage(const char* text) = 0;
+};
+
+/// A monitor that shows nothing and never stops.
+class SilentMonitor : public Monitor
+{
+public:
+  bool Advance(double) override { return true; }
+  void BeginStage(const char*) override {}
+};
+
+} // namespace biting
+
+#endif

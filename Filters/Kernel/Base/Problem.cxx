@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Problem.h"
+
+#include <algorithm> // for find_if
+#include <utility>   // for move
+
+namespace biting
+{
+
+void ProblemList::Add(Problem problem)
+{
+  auto group = std::find_if(this->Kinds.begin(), this->Kinds.end(),
+    [&problem](const ProblemGroup& g) { return g.Code == problem.Code; });
+  if (group == this->Kinds.end())
+  {
+    this->Kinds.push_back({ problem.Code, 0, {} });
+    group = this->Kinds.end() - 1;
+  }
+  ++group->Count;
+  if (group->First.size() < KeptPerKind)
+  {
+    group->First.push_back(std::move(problem));
+  }
+}
+
+std::int64_t ProblemList::Count(ProblemCode code) const
+{
+  for (const ProblemGroup& group : this->Kinds)
+  {
+    if (group.Code == code)
+    {
+      return group.Count;
+    }
+  }
+  return 0;
+}
+
+bool ProblemList::HasErrors() const
+{
+  return std::any_of(this->Kinds.begin(), this->Kinds.end(),
+    [](const ProblemGroup& group) { return IsError(group.Code); });
+}
+
+bool IsError(ProblemCode code)
+{
+  return code >= ProblemCode::NoClosedLoop;
+}
+
+} // namespace biting

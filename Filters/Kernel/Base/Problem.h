@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingProblem_h
+#define BitingProblem_h
+
+#include "Ids.h"
+#include "Point2.h"
+
+#include <string> // for the detail
+#include <vector> // for lists of problems
+
+namespace biting
+{
+
+enum class ProblemCode
+{
+  // Repaired: the mesh is valid, the user is told.
+  DuplicatePoints,    ///< points with equal coordinates that are not shared (ids: point, point)
+  ZeroLengthSegments, ///< (ids: cell, point)
+  DuplicateSegments,  ///< equal or overlapping segments (ids: cell, cell)
+  Crossings,          ///< two segments cross in their interiors (ids: cell, cell)
+  Touches,            ///< a vertex lies on a segment (ids: cell, point)
+  OutsidePoints,      ///< an embedded point outside the domain, dropped (ids: point)
+  OutsideInterfaces,  ///< an interface outside the domain, dropped (ids: cell)
+  // Refused: no mesh.
+  NoClosedLoop,    ///< nothing bounds a domain
+  NotFinite,       ///< a coordinate is NaN or infinite (ids: point)
+  OutOfRange,      ///< coordinates too large or too small for the exact predicates (ids: point)
+  NotPlanar,       ///< a loop leaves the fitted plane (ids: point)
+  BadSpacing,      ///< the spacing is zero, negative or not finite (ids: point or cell)
+  TooManyVertices, ///< the estimate exceeds the limit
+  NotResolved,     ///< crossings that could not be resolved (ids: cell, cell)
+  CheckFailed,     ///< the result did not pass the check: a defect of this library
+  Aborted          ///< the monitor asked to stop; not an error
+};
+
+/// One thing that is wrong with the input: what, which, where.
+struct Problem
+{
+  ProblemCode Code = ProblemCode::CheckFailed;
+  std::vector<std::int64_t> Ids; ///< input ids, in the order that the code states
+  Point2 Place;                  ///< in input coordinates of the plane
+  std::string Detail;            ///< figures that ids and place do not say; may be empty
+};
+
+/// All problems of one kind: how many there were, and the first few.
+struct ProblemGroup
+{
+  ProblemCode Code = ProblemCode::CheckFailed;
+  std::int64_t Count = 0;
+  std::vector<Problem> First; ///< at most ProblemList::KeptPerKind
+};
+
+/// Collects problems by kind, in the order in which the kinds first occur.
+class ProblemList
+{
+public:
+  static constexpr std::size_t KeptPerKind = 10000;
+
+  void Add(Problem problem);
+  std::int64_t Count(ProblemCode code) const;
+  bool Has(ProblemCode code) const { return this->Count(code) > 0; }
+  bool HasErrors() const;
+  const std::vector<ProblemGroup>& Groups() const { return this->Kinds; }
+
+private:
+  std::vector<ProblemGroup> Kinds;
+};
+
+/// Whether the problem leaves no mesh (true), or was repaired (false).
+bool IsError(ProblemCode code);
+
+} // namespace biting
+
+#endif

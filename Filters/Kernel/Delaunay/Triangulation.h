@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTriangulation_h
+#define BitingTriangulation_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+
+#include <cstdint> // for flags
+#include <string>  // for the check
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// A triangulation with adjacency.
+/// Corner k (0..2) of triangle t is Corners[3t + k], counterclockwise. Neighbors[3t + k] lies across
+/// the edge opposite corner k, NoId where there is none. Constraints[3t + k] is the constraint that
+/// covers that edge, NoId where there is none. Regions[t] numbers the connected faces between
+/// constraints.
+struct Triangulation
+{
+  std::vector<Id> Corners;
+  std::vector<Id> Neighbors;
+  std::vector<Id> Constraints;
+  std::vector<Id> Regions;
+
+  Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
+};
+
+/// Edges that must be in the triangulation. Constraint c joins the points Starts[c] and Ends[c].
+struct ConstraintEdges
+{
+  std::vector<Id> Starts;
+  std::vector<Id> Ends;
+  std::vector<std::uint8_t> IsBoundary; ///< 1: inside and outside change across it
+};
+
+struct TriangulationOptions
+{
+  /// The phi of the phi-Delaunay criterion (paper, section 4.4): an edge is flipped only where the
+  /// opposite point lies within phi times the circumradius. In (0, 1]; 1 is Delaunay.
+  double Phi = 1.0;
+};
+
+/// Constraints that cannot both be edges: they cross because their ends were rounded.
+struct ConstraintConflict
+{
+  Id First = NoId;
+  Id Second = NoId;
+};
+
+struct TriangulationResult
+{
+  Triangulation Mesh;                        ///< inside triangles only
+  std::vector<ConstraintConflict> Conflicts; ///< where not empty, Mesh is empty
+  bool WasAborted = false;
+};
+
+/// The constrained phi-Delaunay triangulation of the even-odd inside of the constraints.
+///
+/// Points are inserted in an order of their own (Hilbert curve, rounds of doubling size), so the
+/// result depends only on the points and constraints; co-circular points are decided by the order of
+/// insertion. Constraints not present after insertion are recovered; a point that lies exactly on a
+/// constraint splits it (both parts carry the constraint's number). The outside is removed by flood
+/// fill across constraints, starting beyond the convex hull. Points that no inside triangle uses are
+/// allowed: they are simply not referred to. Region numbers are by the smallest constraint on each
+/// face's border.
+/// Precondition: points are distinct and finite. Cost O(n log n).
+/// Source: S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993;
+/// N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", 2003.
+TriangulationResult Triangulate(const std::vector<Point2>& points,
+  const ConstraintEdges& constraints, const TriangulationOptions& options, Monitor& monitor);
+
+/// Checks, exactly: corners counterclockwise; neighbors mutual; every unconstrained inner edge
+/// locally Delaunay (Phi = 1 only); constraint marks equal on both sides; every boundary constraint
+/// borders one inside triangle. Returns the first violation as text, empty where there is none.
+std::string CheckTriangulation(const std::vector<Point2>& points, const Triangulation& mesh,
+  const TriangulationOptions& options);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDomain_h
+#define BitingDomain_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Problem.h"
+#include "Polylines.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The domain to mesh: a planar straight-line graph (PSLG) and which side of each segment is inside.
+///
+/// Invariant, exact: segments meet at common end vertices only; no two vertices coincide; no vertex
+/// lies on the interior of a segment. The inside is the even-odd region of all boundary segments,
+/// each counted as often as it occurs in the input, whatever the orientation of the loops.
+/// Coordinates are those of the input, so that what is exact here is exact in the output.
+struct Domain
+{
+  // Vertices: ends of segments, and embedded points of the closed domain.
+  std::vector<Point2> Vertices;
+  std::vector<Id> VertexPoints; ///< first input point at each vertex; NoId where a crossing made it
+  std::vector<std::uint8_t> IsEmbedded; ///< 1 where an embedded point belongs to no segment
+
+  // Segments, those outside of the domain dropped.
+  std::vector<Id> Starts;
+  std::vector<Id> Ends;
+  std::vector<Id> Cells; ///< the input cell of each segment (the first, where several)
+  std::vector<std::uint8_t> IsBoundary; ///< 1: inside differs across it; 0: interface
+  std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
+  std::vector<std::uint8_t> RightInside;
+
+  Box2 Bounds;             ///< of the vertices
+  double Area = 0.0;       ///< of the even-odd region
+  double Resolution = 0.0; ///< rounding of the input coordinates: 4 ulp of the largest magnitude
+
+  Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }
+  Id NumberOfSegments() const { return static_cast<Id>(this->Starts.size()); }
+};
+
+struct DomainOptions
+{
+  /// True: crossings, touches, overlaps and duplicates are resolved into the arrangement and
+  /// reported as repairs. False: they are reported, and followed by ProblemCode::NotResolved.
+  bool Repair = true;
+};
+
+/// Makes the domain of `input`. Repairs and refusals are added to `problems`; where these have
+/// errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.
+Domain MakeDomain(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
+
+/// Checks the invariant of `domain`, exactly: finite distinct vertices; segments with distinct ends
+/// that meet at common vertices only; inside flags consistent with parity around each vertex.
+/// Returns the first violation as text, empty where there is none. For tests and debug builds.
+std::string CheckDomain(const Domain& domain);
+
+} // namespace biting
+
+#endif
