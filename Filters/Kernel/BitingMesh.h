@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMesh_h
+#define BitingMesh_h
+
+#include "Base/Ids.h"
+#include "Base/Monitor.h"
+#include "Base/Point2.h"
+#include "Base/Problem.h"
+#include "Biting/Bites.h"
+#include "Domain/Domain.h"
+#include "Domain/Polylines.h"
+#include "Quality/Quality.h"
+#include "Spacing/Spacing.h"
+
+#include <cstdint> // for limits
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// Which candidate of the front is bitten next.
+enum class FrontOrder
+{
+  Layers,  ///< first in, first out: layer by layer from the boundary
+  LargestY ///< the paper's sweep (section 5)
+};
+
+/// Where on the front a bite may sit.
+enum class Placement
+{
+  Corners ///< at vertices of the front, as in the paper
+};
+
+struct BitingMeshOptions
+{
+  DomainOptions Domain;
+  SpacingOptions Spacing;
+  double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
+  Placement Placement = Placement::Corners;
+  FrontOrder Order = FrontOrder::Layers;
+  std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
+  std::int64_t MaximumNumberOfVertices = 20000000;
+  double Phi = 1.0;       ///< of the phi-Delaunay criterion, (0, 1]
+  bool KeepBites = false; ///< fill Bites and Front of the mesh
+};
+
+enum class VertexKind : std::uint8_t
+{
+  Input = 0,
+  Boundary = 1, ///< new, on a boundary or interface segment
+  Interior = 2,
+  Embedded = 3
+};
+
+struct BitingMesh
+{
+  // Vertices.
+  std::vector<Point2> Points;
+  std::vector<double> Spacing;
+  std::vector<Id> BiteOrders; ///< NoId where biting was stopped before
+  std::vector<VertexKind> Kinds;
+  std::vector<Id> OriginalPoints; ///< input point id, NoId = new
+
+  // Triangles, counterclockwise; Neighbors as in Triangulation.
+  std::vector<Id> Corners;
+  std::vector<Id> Neighbors;
+  std::vector<Id> Regions;
+
+  // Mesh edges that cover boundary and interfaces.
+  std::vector<Id> EdgeStarts;
+  std::vector<Id> EdgeEnds;
+  std::vector<Id> EdgeCells; ///< input cell
+  std::vector<std::uint8_t> EdgeIsBoundary;
+
+  MeshQuality Quality;
+  double GivenLipschitz = 0.0; ///< of the spacing as given
+  double UsedLipschitz = 0.0;  ///< of the spacing as used, over the edges of the mesh
+
+  // Only with KeepBites.
+  biting::Bites Bites;
+  std::vector<Point2> Front; ///< two points a piece of the front that is left
+};
+
+/// The way of the data: polylines -> domain -> spacing -> biting -> Delaunay -> quality -> mesh.
+/// Repairs and refusals are added to `problems`; where it has errors afterwards the mesh is empty.
+/// Deterministic: the same input gives the same mesh, bit for bit.
+BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,
+  ProblemList& problems, Monitor& monitor);
+
+} // namespace biting
+
+#endif
