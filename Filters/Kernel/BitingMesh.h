@@ -38,7 +38,7 @@ struct BitingMeshOptions
   DomainOptions Domain;
   SpacingOptions Spacing;
   double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
-  Placement Placement = Placement::Corners;
+  biting::Placement Placement = biting::Placement::Corners;
   FrontOrder Order = FrontOrder::Layers;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
