@@ -9,6 +9,7 @@
 #include "Base/Point2.h"
 #include "Base/Problem.h"
 #include "Biting/Bites.h"
+#include "Biting/CandidateQueue.h" // for FrontOrder
 #include "Domain/Domain.h"
 #include "Domain/Polylines.h"
 #include "Quality/Quality.h"
@@ -19,13 +20,6 @@
 
 namespace biting
 {
-
-/// Which candidate of the front is bitten next.
-enum class FrontOrder
-{
-  Layers,  ///< first in, first out: layer by layer from the boundary
-  LargestY ///< the paper's sweep (section 5)
-};
 
 /// Where on the front a bite may sit.
 enum class Placement

@@ -7,7 +7,26 @@ set(biting_kernel_sources
   Predicates/Predicates.cxx
   Spacing/Spacing.cxx
   Domain/Domain.cxx
-  Biting/BiteSquares.cxx
+  Domain/DomainLocator.cxx
+  Biting/BiteGrid.cxx
+  Biting/BiteOutline.cxx
+  Biting/BitingScheme.cxx
+  Biting/CandidateQueue.cxx
+  Biting/EdgeDivision.cxx
+  Biting/FrontTrace.cxx
+  Biting/Orientation.cxx
+  Biting/VertexEstimate.cxx
+  Delaunay/SpatialOrder.cxx
+  Delaunay/Flips.cxx
+  Delaunay/Insertion.cxx
+  Delaunay/Cavity.cxx
+  Delaunay/ConstraintRecovery.cxx
+  Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
+  Delaunay/TriangulationCheck.cxx
+  Quality/MeshCheck.cxx
+  Quality/NearestNeighbors.cxx
+  Quality/PointTree.cxx
   Quality/Quality.cxx
-  BitingMesh.cxx)
+  BitingMesh.cxx
+  MeshAssembly.cxx)

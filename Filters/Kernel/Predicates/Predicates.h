@@ -15,8 +15,8 @@ namespace biting
 /// Each predicate is a filter in double arithmetic with a proven error bound, which answers nearly
 /// always, then a wider stage, then exact expansion arithmetic (J. R. Shewchuk, "Adaptive Precision
 /// Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
-/// Exact for finite input whose products neither overflow nor underflow: coordinates and their
-/// differences between LeastCoordinate and GreatestCoordinate in magnitude, or zero.
+/// Exact for coordinates that are zero or between LeastCoordinate and GreatestCoordinate in
+/// magnitude; their differences may be as small as they come.
 constexpr double GreatestCoordinate = 1e70;
 constexpr double LeastCoordinate = 1e-70;
 
@@ -48,10 +48,12 @@ bool IsOnSegment(const Point2& p, const Point2& a, const Point2& b);
 
 /// Where the lines ab and cd cross, rounded. Precondition: Meet(a, b, c, d) is Crossing.
 /// The result lies in the bounding boxes of both segments.
+/// Each coordinate is within one unit in its last place of the true one.
+/// Law: exchanging the segments, or the ends of one, keeps the result to the last bit.
 Point2 CrossingPoint(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 /// Calls answered by each stage since the program began, when counting is compiled in (tests only:
-/// BITING_COUNT_PREDICATES); otherwise zeros.
+/// BITING_COUNT_PREDICATES, for the whole program); otherwise zeros.
 struct PredicateCounts
 {
   long long Calls = 0;
@@ -61,5 +63,7 @@ struct PredicateCounts
 PredicateCounts GetPredicateCounts();
 
 } // namespace biting
+
+#include "PredicateFilters.h" // for the first stages, inline
 
 #endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBiteGrid_h
+#define BitingBiteGrid_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "Bites.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// Where the bites are: each is filed in every leaf that its bounding box meets, so that all bites
+/// that may contain a point, or meet its leaf, stand in one list.
+///
+/// A grid of about one cell per few bites; a crowded cell is divided into 4 x 4, again and again,
+/// so leaves follow the spacing wherever it leads. Filing costs O(1) amortised, as does a query:
+/// bites have bounded overlap (paper, lemma 5.2).
+class BiteGrid
+{
+public:
+  /// Prepares a grid over `bounds` for about `expectedBites` bites. `bites` must outlive the grid.
+  BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites);
+
+  /// Files `bite`. Bites are filed in ascending order of their ids.
+  void File(Id bite);
+
+  /// Calls visit(bite) for the bites of p's leaf, the newest first, until it returns true.
+  template <typename Visit>
+  bool VisitLeaf(const Point2& p, Visit&& visit) const;
+
+  /// Calls visit(bite) for the bites of all leaves that the square meets; a bite may come twice.
+  template <typename Visit>
+  void VisitSquare(const Point2& center, double reach, Visit&& visit) const;
+
+private:
+  static constexpr Id Division = 4;
+
+  struct Cell
+  {
+    Id FirstChild = NoId;
+    Id NewestBlock = NoId;
+    Id Count = 0;
+  };
+
+  // One cache line.
+  struct Block
+  {
+    static constexpr Id Capacity = 14;
+    Id Older = NoId;
+    Id Count = 0;
+    Id Entries[Capacity];
+  };
+
+  // A box in units of a cell, relative to its low corner.
+  struct LocalBox
+  {
+    double LowX, LowY, HighX, HighY;
+  };
+
+  static Id ClampedIndex(double position, Id count)
+  {
+    return position <= 0.0 ? 0 : (position >= count ? count - 1 : static_cast<Id>(position));
+  }
+
+  LocalBox ToGrid(const Point2& center, double reach) const
+  {
+    return { (center.X - reach - this->Origin.X) * this->CellsPerLength,
+      (center.Y - reach - this->Origin.Y) * this->CellsPerLength,
+      (center.X + reach - this->Origin.X) * this->CellsPerLength,
+      (center.Y + reach - this->Origin.Y) * this->CellsPerLength };
+  }
+
+  template <typename Visit>
+  bool VisitBlocks(const Cell& cell, Visit&& visit) const;
+  template <typename Visit>
+  void VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
+  // A cell's low corner and size, in units of a top cell.
+  struct Place
+  {
+    double X, Y, Size;
+  };
+
+  LocalBox Extent(Id bite) const;
+  void FileInCell(Id cell, const Place& place, Id bite, const LocalBox& extent);
+  void FileInChildren(Id cell, const Place& place, Id bite, const LocalBox& extent);
+  void Append(Id cell, Id bite);
+  void Divide(Id cell, const Place& place);
+
+  const Bites& Squares;
+  Point2 Origin;
+  double CellsPerLength = 1.0;
+  Id Columns = 1;
+  Id Rows = 1;
+  std::vector<Cell> Cells;
+  std::vector<Block> Blocks;
+};
+
+template <typename Visit>
+bool BiteGrid::VisitBlocks(const Cell& cell, Visit&& visit) const
+{
+  for (Id block = cell.NewestBlock; block != NoId; block = this->Blocks[block].Older)
+  {
+    const Block& entries = this->Blocks[block];
+    for (Id k = entries.Count; k-- > 0;)
+    {
+      if (visit(entries.Entries[k]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <typename Visit>
+bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
+{
+  double u = (p.X - this->Origin.X) * this->CellsPerLength;
+  double v = (p.Y - this->Origin.Y) * this->CellsPerLength;
+  Id column = ClampedIndex(u, this->Columns);
+  Id row = ClampedIndex(v, this->Rows);
+  const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
+  while (cell->FirstChild != NoId)
+  {
+    u = (u - column) * Division;
+    v = (v - row) * Division;
+    column = ClampedIndex(u, Division);
+    row = ClampedIndex(v, Division);
+    cell = &this->Cells[cell->FirstChild + row * Division + column];
+  }
+  return this->VisitBlocks(*cell, visit);
+}
+
+template <typename Visit>
+void BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) const
+{
+  const LocalBox box = this->ToGrid(center, reach);
+  const Id lastRow = ClampedIndex(box.HighY, this->Rows);
+  const Id lastColumn = ClampedIndex(box.HighX, this->Columns);
+  for (Id row = ClampedIndex(box.LowY, this->Rows); row <= lastRow; ++row)
+  {
+    for (Id column = ClampedIndex(box.LowX, this->Columns); column <= lastColumn; ++column)
+    {
+      const Cell& cell = this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
+      this->VisitCell(
+        cell, { box.LowX - column, box.LowY - row, box.HighX - column, box.HighY - row }, visit);
+    }
+  }
+}
+
+template <typename Visit>
+void BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
+{
+  if (cell.FirstChild == NoId)
+  {
+    this->VisitBlocks(cell,
+      [&visit](Id bite)
+      {
+        visit(bite);
+        return false;
+      });
+    return;
+  }
+  const double lowX = box.LowX * Division;
+  const double lowY = box.LowY * Division;
+  const double highX = box.HighX * Division;
+  const double highY = box.HighY * Division;
+  const Id lastRow = ClampedIndex(highY, Division);
+  const Id lastColumn = ClampedIndex(highX, Division);
+  for (Id row = ClampedIndex(lowY, Division); row <= lastRow; ++row)
+  {
+    for (Id column = ClampedIndex(lowX, Division); column <= lastColumn; ++column)
+    {
+      this->VisitCell(this->Cells[cell.FirstChild + row * Division + column],
+        { lowX - column, lowY - row, highX - column, highY - row }, visit);
+    }
+  }
+}
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingEdgeDivision_h
+#define BitingEdgeDivision_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "../Spacing/Spacing.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// The vertices that divide an edge, ascending from its start: their parameters in (0, 1) and the
+/// spacing at each.
+struct DivisionPoints
+{
+  std::vector<double> Parameters;
+  std::vector<double> Spacings;
+};
+
+/// Divides edges by equal integrals of 1/f.
+///
+/// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is the
+/// whole number nearest to I/TargetLength for which c_b <= I/n < 2 c_b: then no centre lies in its
+/// neighbour's bite (lemma 4.2), the bites cover the edge, and no odd gap is left at its end, as it
+/// is when an edge is walked from one end (paper, section 4.3, figure 11 c). Where f varies so fast
+/// that equal parts leave a gap between two bites, n grows until they meet.
+class EdgeDivider
+{
+public:
+  /// `bitingConstant` is c_b; `targetLength` the wanted length of a part in units of f.
+  EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength);
+
+  /// The points that divide the edge ab. At most `limit` points; where more are needed, returns
+  /// false.
+  bool Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);
+
+private:
+  // A stretch of the edge, with 1/f at its ends and middle, and the integral up to its start.
+  struct Panel
+  {
+    double Start, End;
+    double First, Middle, Last;
+    double Before;
+  };
+
+  bool Integrate(const Point2& a, const Point2& b, Id limit);
+  bool Covers(const Point2& a, const Point2& b, const DivisionPoints& points) const;
+  Id NumberOfParts() const;
+  double ParameterAt(double integral) const;
+  void Place(const Point2& a, const Point2& b, Id parts, DivisionPoints& points) const;
+
+  const Spacing& F;
+  double BitingConstant;
+  double TargetLength;
+  std::vector<Panel> Panels; ///< of the edge at hand
+  double Total = 0.0;        ///< integral of 1/f along the edge at hand
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FrontTrace.h"
+
+#include "BiteOutline.h"
+
+#include <algorithm> // for sort
+#include <utility>   // for pair
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double LeastPiece = 1e-9; // of a bite's half-width: shorter pieces are rounding
+
+class FrontTracer
+{
+public:
+  FrontTracer(
+    const Domain& domain, const DomainLocator& locator, const Bites& bites, const BiteGrid& grid)
+    : Geometry(domain)
+    , Locator(locator)
+    , Squares(bites)
+    , Grid(grid)
+  {
+  }
+
+  void TraceBite(Id bite);
+  void TraceSegment(Id segment);
+
+  std::vector<Point2> Pieces;
+
+private:
+  using Interval = std::pair<double, double>;
+
+  void KeepInside(const Point2& p, const Point2& q);
+  std::vector<double> BoundaryCrossings(const Point2& p, const Point2& q) const;
+  Interval CoveredPart(Id bite, const Point2& a, const Point2& b) const;
+
+  const Domain& Geometry;
+  const DomainLocator& Locator;
+  const Bites& Squares;
+  const BiteGrid& Grid;
+  BiteOutline Outline;
+};
+
+void FrontTracer::TraceBite(Id bite)
+{
+  this->Outline.Begin(this->Squares, bite);
+  this->Grid.VisitSquare(this->Squares.Centers[bite], 1.5 * this->Squares.HalfWidths[bite],
+    [this, bite](Id other)
+    {
+      if (other != bite)
+      {
+        this->Outline.Cover(this->Squares, other);
+      }
+    });
+  this->Outline.Finish();
+  for (int side = 0; side < 4; ++side)
+  {
+    for (const BiteOutline::Interval& gap : this->Outline.Gaps(side))
+    {
+      if (gap.High - gap.Low > LeastPiece * this->Squares.HalfWidths[bite])
+      {
+        this->KeepInside(this->Outline.At(side, gap.Low), this->Outline.At(side, gap.High));
+      }
+    }
+  }
+}
+
+// Cuts pq where it crosses the boundary and keeps the parts whose middle is inside.
+void FrontTracer::KeepInside(const Point2& p, const Point2& q)
+{
+  std::vector<double> cuts = this->BoundaryCrossings(p, q);
+  cuts.push_back(0.0);
+  cuts.push_back(1.0);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t k = 1; k < cuts.size(); ++k)
+  {
+    const Point2 middle = p + 0.5 * (cuts[k - 1] + cuts[k]) * (q - p);
+    if (cuts[k] - cuts[k - 1] > LeastPiece && this->Locator.IsInside(middle))
+    {
+      this->Pieces.push_back(p + cuts[k - 1] * (q - p));
+      this->Pieces.push_back(p + cuts[k] * (q - p));
+    }
+  }
+}
+
+std::vector<double> FrontTracer::BoundaryCrossings(const Point2& p, const Point2& q) const
+{
+  Box2 box;
+  box.Add(p);
+  box.Add(q);
+  std::vector<double> crossings;
+  this->Locator.VisitSegments(box,
+    [&](Id segment)
+    {
+      const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+      const Point2 along = this->Geometry.Vertices[this->Geometry.Ends[segment]] - a;
+      const double slope = Cross(along, q - p);
+      const double t = slope != 0.0 ? Cross(a - p, along) / Cross(q - p, along) : -1.0;
+      const double s = slope != 0.0 ? Cross(a - p, q - p) / Cross(q - p, along) : -1.0;
+      if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0)
+      {
+        crossings.push_back(t);
+      }
+      return false;
+    });
+  return crossings;
+}
+
+void FrontTracer::TraceSegment(Id segment)
+{
+  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  std::vector<Interval> covered;
+  this->Grid.VisitSquare(Midpoint(a, b), 0.5 * Distance(a, b),
+    [&](Id bite) { covered.push_back(this->CoveredPart(bite, a, b)); });
+  covered.push_back({ 1.0, 1.0 });
+  std::sort(covered.begin(), covered.end());
+  double end = 0.0;
+  for (const Interval& part : covered)
+  {
+    if (part.first - end > LeastPiece)
+    {
+      this->Pieces.push_back(a + end * (b - a));
+      this->Pieces.push_back(a + part.first * (b - a));
+    }
+    end = std::max(end, part.second);
+  }
+}
+
+// The parameters between which ab runs inside the bite; an empty interval at 1 where it does not.
+FrontTracer::Interval FrontTracer::CoveredPart(Id bite, const Point2& a, const Point2& b) const
+{
+  const Point2 offset = a - this->Squares.Centers[bite];
+  const Point2& axis = this->Squares.Axes[bite];
+  const double halfWidth = this->Squares.HalfWidths[bite];
+  Interval part{ 0.0, 1.0 };
+  const std::pair<double, double> slabs[2] = { { Dot(offset, axis), Dot(b - a, axis) },
+    { Cross(axis, offset), Cross(axis, b - a) } };
+  for (const auto& [start, slope] : slabs)
+  {
+    if (slope == 0.0 && std::abs(start) >= halfWidth)
+    {
+      return { 1.0, 1.0 };
+    }
+    if (slope != 0.0)
+    {
+      const double first = (-halfWidth - start) / slope;
+      const double second = (halfWidth - start) / slope;
+      part.first = std::max(part.first, std::min(first, second));
+      part.second = std::min(part.second, std::max(first, second));
+    }
+  }
+  return part.first < part.second ? part : Interval{ 1.0, 1.0 };
+}
+
+} // namespace
+
+std::vector<Point2> TraceFront(
+  const Domain& domain, const DomainLocator& locator, const Bites& bites, const BiteGrid& grid)
+{
+  FrontTracer tracer(domain, locator, bites, grid);
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    if (domain.IsBoundary[segment])
+    {
+      tracer.TraceSegment(segment);
+    }
+  }
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    tracer.TraceBite(bite);
+  }
+  return std::move(tracer.Pieces);
+}
+
+} // namespace biting

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "VertexEstimate.h"
+
+#include <algorithm> // for min, max
+#include <array>     // for samples
+#include <vector>    // for the cells to do
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int FirstDivision = 24;     // cells along the longer side
+constexpr int GreatestDepth = 14;     // halvings of these
+constexpr int BorderDepth = 2;        // halvings of a cell that is partly outside
+constexpr double GreatestRatio = 1.5; // of f within a cell
+constexpr int GreatestCells = 100000;
+
+struct Cell
+{
+  Box2 Box;
+  int Depth;
+};
+
+struct Sample
+{
+  double Density = 0.0; ///< mean over the cell
+  bool IsFine = true;   ///< needs no division
+};
+
+std::array<Box2, 4> Quarters(const Box2& box)
+{
+  const Point2 middle = box.Center();
+  std::array<Box2, 4> quarters;
+  for (int k = 0; k < 4; ++k)
+  {
+    quarters[k].Add(middle);
+    quarters[k].Add({ k % 2 ? box.High.X : box.Low.X, k / 2 ? box.High.Y : box.Low.Y });
+  }
+  return quarters;
+}
+
+Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing& spacing)
+{
+  Sample sample;
+  double least = spacing(cell.Box.Center());
+  double greatest = least;
+  int inside = 0;
+  for (const Box2& quarter : Quarters(cell.Box))
+  {
+    const Point2 p = quarter.Center();
+    const double f = spacing(p);
+    least = std::min(least, f);
+    greatest = std::max(greatest, f);
+    if (locator.IsInside(p))
+    {
+      sample.Density += 0.25 / (f * f);
+      ++inside;
+    }
+  }
+  const bool isBorder = inside > 0 && inside < 4 && cell.Depth < BorderDepth;
+  const bool isSteep = greatest > GreatestRatio * least && cell.Depth < GreatestDepth;
+  sample.IsFine = !isBorder && !isSteep;
+  return sample;
+}
+
+std::vector<Cell> FirstCells(const Box2& bounds)
+{
+  const double size = std::max(bounds.Width(), bounds.Height()) / FirstDivision;
+  const int columns = static_cast<int>(bounds.Width() / size) + 1;
+  const int rows = static_cast<int>(bounds.Height() / size) + 1;
+  std::vector<Cell> cells;
+  for (int k = 0; k < columns * rows; ++k)
+  {
+    Cell cell{ {}, 0 };
+    cell.Box.Low = { bounds.Low.X + k % columns * size, bounds.Low.Y + k / columns * size };
+    cell.Box.High = { cell.Box.Low.X + size, cell.Box.Low.Y + size };
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+} // namespace
+
+// Coarse cells first, so that where the number of cells ends the division, it ends evenly.
+double IntegrateDensity(const Box2& bounds, const DomainLocator& locator, const Spacing& spacing)
+{
+  std::vector<Cell> cells = FirstCells(bounds);
+  double integral = 0.0;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    const Cell cell = cells[k];
+    const Sample sample = TakeSample(cell, locator, spacing);
+    if (sample.IsFine || cells.size() > GreatestCells)
+    {
+      integral += sample.Density * cell.Box.Width() * cell.Box.Height();
+      continue;
+    }
+    for (const Box2& quarter : Quarters(cell.Box))
+    {
+      cells.push_back({ quarter, cell.Depth + 1 });
+    }
+  }
+  return integral;
+}
+
+} // namespace biting

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingVertexEstimate_h
+#define BitingVertexEstimate_h
+
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
+
+namespace biting
+{
+
+/// The integral of 1/f^2 over the domain, to about 5 % for a spacing that varies slowly; finer than
+/// an adaptive quadrature of bounded cost sees, it is too small. Cost independent of the mesh.
+double IntegrateDensity(const Box2& bounds, const DomainLocator& locator, const Spacing& spacing);
+
+} // namespace biting
+
+#endif

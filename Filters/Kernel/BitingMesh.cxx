@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingMesh.h"
+
+#include "Biting/BitingScheme.h"
+#include "Biting/VertexEstimate.h"
+#include "Delaunay/Triangulation.h"
+#include "Domain/DomainLocator.h"
+#include "MeshAssembly.h"
+#include "Quality/MeshCheck.h"
+
+#include <limits>  // for the largest id
+#include <sstream> // for figures in messages
+#include <utility> // for move
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostTriangulations = 5; // each later one has fewer constraints in conflict
+
+// The order of the mesh's figures.
+std::string Figure(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+void AddProblem(ProblemCode code, const std::string& detail, ProblemList& problems)
+{
+  Problem problem;
+  problem.Code = code;
+  problem.Detail = detail;
+  problems.Add(problem);
+}
+
+BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
+{
+  BitingOptions biting;
+  biting.BitingConstant = options.BitingConstant;
+  biting.Order = options.Order;
+  biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
+  biting.MaximumNumberOfVertices =
+    std::min<std::int64_t>(options.MaximumNumberOfVertices, std::numeric_limits<Id>::max() / 8);
+  biting.KeepFront = options.KeepBites;
+  return biting;
+}
+
+void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& problems)
+{
+  AddProblem(ProblemCode::TooManyVertices,
+    "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
+}
+
+BitingResult Bite(const Domain& domain, const Spacing& spacing, const BitingOptions& options,
+  ProblemList& problems, Monitor& monitor)
+{
+  const DomainLocator locator(domain);
+  const double density = IntegrateDensity(domain.Bounds, locator, spacing);
+  const double estimate = EstimateNumberOfVertices(density, options) + domain.NumberOfVertices();
+  if (!(estimate <= static_cast<double>(options.MaximumNumberOfVertices)))
+  {
+    AddTooManyVertices(estimate, options.MaximumNumberOfVertices, problems);
+    return {};
+  }
+  BitingResult bites = BiteDomain(domain, locator, spacing, estimate, options, monitor);
+  if (bites.End == BitingEnd::TooManyVertices)
+  {
+    // The estimate did not see all of f: more than the limit is what is known.
+    AddTooManyVertices(std::max(estimate, static_cast<double>(options.MaximumNumberOfVertices)),
+      options.MaximumNumberOfVertices, problems);
+  }
+  if (bites.End == BitingEnd::Aborted)
+  {
+    AddProblem(ProblemCode::Aborted, "", problems);
+  }
+  return bites;
+}
+
+ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
+{
+  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
+  for (Id segment : bites.EdgeSegments)
+  {
+    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
+  }
+  return constraints;
+}
+
+// Takes the new vertices off the segments of conflicting constraints, and these back to one edge
+// each: the segments themselves do not cross.
+void UndoDivisions(
+  const Domain& domain, const std::vector<ConstraintConflict>& conflicts, BitingResult& bites)
+{
+  std::vector<std::uint8_t> isUndone(domain.NumberOfSegments(), 0);
+  for (const ConstraintConflict& conflict : conflicts)
+  {
+    isUndone[bites.EdgeSegments[conflict.First]] = 1;
+    isUndone[bites.EdgeSegments[conflict.Second]] = 1;
+  }
+  BitingResult kept;
+  std::vector<Id> numbers;
+  for (std::size_t vertex = 0; vertex < bites.Points.size(); ++vertex)
+  {
+    const Id segment = bites.Segments[vertex];
+    const bool isKept = segment == NoId || !isUndone[segment];
+    numbers.push_back(isKept ? static_cast<Id>(kept.Points.size()) : NoId);
+    if (isKept)
+    {
+      kept.Points.push_back(bites.Points[vertex]);
+      kept.Spacings.push_back(bites.Spacings[vertex]);
+      kept.BiteOrders.push_back(bites.BiteOrders[vertex]);
+      kept.Segments.push_back(segment);
+    }
+  }
+  Id last = NoId;
+  for (std::size_t edge = 0; edge < bites.EdgeSegments.size(); ++edge)
+  {
+    const Id segment = bites.EdgeSegments[edge];
+    if (isUndone[segment] && segment == last)
+    {
+      continue;
+    }
+    last = segment;
+    kept.EdgeStarts.push_back(
+      isUndone[segment] ? domain.Starts[segment] : numbers[bites.EdgeStarts[edge]]);
+    kept.EdgeEnds.push_back(
+      isUndone[segment] ? domain.Ends[segment] : numbers[bites.EdgeEnds[edge]]);
+    kept.EdgeSegments.push_back(segment);
+  }
+  kept.Bites = std::move(bites.Bites);
+  kept.Front = std::move(bites.Front);
+  bites = std::move(kept);
+}
+
+// Where rounded points of two close segments make their parts cross, their division is taken back.
+Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions& options,
+  BitingResult& bites, ProblemList& problems, Monitor& monitor)
+{
+  for (int attempt = 0; attempt < MostTriangulations; ++attempt)
+  {
+    TriangulationResult result =
+      Triangulate(bites.Points, MakeConstraints(domain, bites), options, monitor);
+    if (result.WasAborted)
+    {
+      AddProblem(ProblemCode::Aborted, "", problems);
+      return {};
+    }
+    if (result.Conflicts.empty())
+    {
+      return std::move(result.Mesh);
+    }
+    UndoDivisions(domain, result.Conflicts, bites);
+  }
+  AddProblem(ProblemCode::CheckFailed, "constraints cross", problems);
+  return {};
+}
+
+void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& constraints,
+  ProblemList& problems)
+{
+  const std::string violation =
+    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area });
+  if (!violation.empty())
+  {
+    AddProblem(ProblemCode::CheckFailed, violation, problems);
+  }
+}
+
+} // namespace
+
+BitingMesh MakeBitingMesh(
+  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  monitor.BeginStage("Reading the domain");
+  const Domain domain = MakeDomain(input, options.Domain, problems, monitor);
+  if (problems.HasErrors() || domain.NumberOfSegments() == 0)
+  {
+    return {};
+  }
+  monitor.BeginStage("Preparing the spacing");
+  const Spacing spacing = MakeSpacing(options.Spacing, domain.Bounds, problems, monitor);
+  if (problems.HasErrors())
+  {
+    return {};
+  }
+  monitor.BeginStage("Biting");
+  BitingResult bites = Bite(domain, spacing, MakeBitingOptions(options), problems, monitor);
+  if (problems.HasErrors())
+  {
+    return {};
+  }
+  monitor.BeginStage("Triangulating");
+  Triangulation triangulation = TriangulateBites(domain, { options.Phi }, bites, problems, monitor);
+  if (problems.HasErrors())
+  {
+    return {};
+  }
+  monitor.BeginStage("Measuring quality");
+  BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation);
+  Check(domain, mesh, triangulation.Constraints, problems);
+  if (problems.HasErrors())
+  {
+    return {};
+  }
+  mesh.Quality = MeasureQuality({ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors });
+  mesh.GivenLipschitz = spacing.GivenLipschitz();
+  mesh.UsedLipschitz = LipschitzConstant(mesh);
+  return mesh;
+}
+
+} // namespace biting

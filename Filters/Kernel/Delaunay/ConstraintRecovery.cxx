@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ConstraintRecovery.h"
+
+#include "../Predicates/Predicates.h"
+#include "Cavity.h"
+#include "Flips.h"
+
+#include <algorithm> // for reverse
+#include <utility>   // for swap
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t MaximumNumberOfConflicts = 10000;
+
+/// Whether b, collinear with the two others, lies on the same side of `center` as a.
+bool IsForward(const Point2& center, const Point2& a, const Point2& b)
+{
+  return (center < a) == (center < b);
+}
+
+/// Goes around a vertex in search of the way to another one, a triangle a step.
+class StarSearch
+{
+public:
+  StarSearch(const HalfEdgeMesh& mesh, Id center, Id target)
+    : Mesh(mesh)
+    , Center(center)
+    , Target(target)
+    , Edge(mesh.VertexEdges[center])
+  {
+  }
+
+  /// Looks at one triangle; true where the way leads along its first edge, or through it.
+  bool Step();
+
+  /// Half-edge from the centre along the way, NoId where the way crosses CrossedEdge.
+  Id AlongEdge = NoId;
+  /// Half-edge opposite the centre that the way crosses.
+  Id CrossedEdge = NoId;
+
+private:
+  bool IsAlong(Id vertex) const;
+  int Side(Id vertex) const;
+
+  const HalfEdgeMesh& Mesh;
+  Id Center;
+  Id Target;
+  Id Edge; ///< half-edge opposite the centre in the next triangle
+};
+
+bool StarSearch::Step()
+{
+  const Id edge = this->Edge;
+  const Id right = this->Mesh.Origin(edge);
+  const Id left = this->Mesh.Target(edge);
+  if (right != NoId && this->IsAlong(right))
+  {
+    this->AlongEdge = HalfEdgeMesh::Previous(edge);
+    return true;
+  }
+  if ((right | left) >= 0 && this->Side(right) < 0 && this->Side(left) > 0)
+  {
+    this->CrossedEdge = edge;
+    return true;
+  }
+  this->Edge = HalfEdgeMesh::Next(this->Mesh.Twins[HalfEdgeMesh::Next(edge)]);
+  return false;
+}
+
+bool StarSearch::IsAlong(Id vertex) const
+{
+  if (vertex == this->Target)
+  {
+    return true;
+  }
+  return this->Side(vertex) == 0 &&
+    IsForward(this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target),
+      this->Mesh.PointAt(vertex));
+}
+
+int StarSearch::Side(Id vertex) const
+{
+  return Orient2D(
+    this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target), this->Mesh.PointAt(vertex));
+}
+
+class Recovery
+{
+public:
+  Recovery(HalfEdgeMesh& mesh, double phi, Pulse& pulse)
+    : Mesh(mesh)
+    , Phi(phi)
+    , Beats(pulse)
+  {
+    this->PrepareMesh();
+  }
+
+  void Recover(Id constraint, Id start, Id end, bool isBoundary);
+
+  std::vector<ConstraintConflict> Conflicts;
+
+private:
+  void PrepareMesh();
+  StarSearch FindWay();
+  Id Cross(Id crossedEdge);
+  Id CollectCavity(Id crossedEdge);
+  void NoteConflict(Id edge);
+  void MarkEdge(Id edge);
+
+  HalfEdgeMesh& Mesh;
+  double Phi;
+  Pulse& Beats;
+  std::vector<Id> Stack;
+  Cavity Crossed;
+
+  // The constraint at work; what is left of it leads from From to To.
+  Id Constraint = NoId;
+  bool IsBoundary = false;
+  Id From = NoId;
+  Id To = NoId;
+};
+
+void Recovery::PrepareMesh()
+{
+  this->Mesh.Marks.assign(this->Mesh.Corners.size(), NoId);
+  this->Mesh.VertexEdges.assign(this->Mesh.Points.size(), NoId);
+  for (Id edge = 0; edge < HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles); ++edge)
+  {
+    const bool isCorner = (edge & 3) != 3 && this->Mesh.Corners[edge] != NoId;
+    if (isCorner)
+    {
+      this->Mesh.VertexEdges[this->Mesh.Corners[edge]] = edge;
+    }
+  }
+}
+
+void Recovery::Recover(Id constraint, Id start, Id end, bool isBoundary)
+{
+  this->Constraint = constraint;
+  this->IsBoundary = isBoundary;
+  this->From = start;
+  this->To = end;
+  while (this->From != this->To && !this->Beats.HasStopped())
+  {
+    const StarSearch way = this->FindWay();
+    if (way.AlongEdge != NoId)
+    {
+      this->MarkEdge(way.AlongEdge);
+      this->From = this->Mesh.Target(way.AlongEdge);
+    }
+    else
+    {
+      this->From = this->Cross(way.CrossedEdge);
+    }
+  }
+}
+
+/// Searches around both ends by turns; From becomes the end where the way was found first.
+StarSearch Recovery::FindWay()
+{
+  StarSearch forward(this->Mesh, this->From, this->To);
+  StarSearch backward(this->Mesh, this->To, this->From);
+  while (true)
+  {
+    if (forward.Step())
+    {
+      return forward;
+    }
+    if (backward.Step())
+    {
+      std::swap(this->From, this->To);
+      return backward;
+    }
+  }
+}
+
+/// Makes an edge up to the first vertex on the way, and returns that vertex.
+Id Recovery::Cross(Id crossedEdge)
+{
+  const std::size_t conflictsBefore = this->Conflicts.size();
+  const Id vertex = this->CollectCavity(crossedEdge);
+  if (this->Conflicts.size() == conflictsBefore && !this->Beats.HasStopped())
+  {
+    this->MarkEdge(FillCavity(this->Mesh, this->Crossed, this->Stack));
+    RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
+  }
+  return vertex;
+}
+
+/// Walks along the way from the triangle left of `edge`, which it crosses, to the next vertex on it.
+Id Recovery::CollectCavity(Id edge)
+{
+  const HalfEdgeMesh& mesh = this->Mesh;
+  Cavity& cavity = this->Crossed;
+  cavity.Clear();
+  cavity.Triangles.push_back(HalfEdgeMesh::TriangleOf(edge));
+  cavity.Left.Vertices.push_back(this->From);
+  cavity.Left.Add(mesh.Target(edge), HalfEdgeMesh::Next(edge));
+  cavity.Right.Vertices.push_back(this->From);
+  cavity.Right.Add(mesh.Origin(edge), HalfEdgeMesh::Previous(edge));
+  Id vertex = NoId;
+  int side = 1;
+  while (side != 0 && this->Beats.Beat())
+  {
+    this->NoteConflict(edge);
+    const Id twin = mesh.Twins[edge];
+    vertex = mesh.Corners[twin];
+    side = Orient2D(mesh.PointAt(this->From), mesh.PointAt(this->To), mesh.PointAt(vertex));
+    cavity.Triangles.push_back(HalfEdgeMesh::TriangleOf(twin));
+    if (side >= 0)
+    {
+      cavity.Left.Add(vertex, HalfEdgeMesh::Previous(twin));
+    }
+    if (side <= 0)
+    {
+      cavity.Right.Add(vertex, HalfEdgeMesh::Next(twin));
+    }
+    edge = side > 0 ? HalfEdgeMesh::Next(twin) : HalfEdgeMesh::Previous(twin);
+  }
+  std::reverse(cavity.Right.Vertices.begin(), cavity.Right.Vertices.end());
+  std::reverse(cavity.Right.Edges.begin(), cavity.Right.Edges.end());
+  return vertex;
+}
+
+void Recovery::NoteConflict(Id edge)
+{
+  if (this->Mesh.Marks[edge] != NoId)
+  {
+    this->Conflicts.push_back({ this->Mesh.Marks[edge] / 2, this->Constraint });
+  }
+}
+
+void Recovery::MarkEdge(Id edge)
+{
+  const Id oddity = this->IsBoundary ? 1 : 0;
+  const Id old = this->Mesh.Marks[edge];
+  const Id mark = old == NoId ? 2 * this->Constraint + oddity : old ^ oddity;
+  this->Mesh.Marks[edge] = mark;
+  this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
+}
+
+} // namespace
+
+std::vector<ConstraintConflict> RecoverConstraints(
+  HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse)
+{
+  Recovery recovery(mesh, phi, pulse);
+  const Id numberOfConstraints = static_cast<Id>(constraints.Starts.size());
+  for (Id c = 0; c < numberOfConstraints && pulse.Beat(); ++c)
+  {
+    pulse.SetFraction(static_cast<double>(c) / numberOfConstraints);
+    recovery.Recover(c, constraints.Starts[c], constraints.Ends[c], constraints.IsBoundary[c] != 0);
+    if (recovery.Conflicts.size() >= MaximumNumberOfConflicts)
+    {
+      recovery.Conflicts.resize(MaximumNumberOfConflicts);
+      break;
+    }
+  }
+  return std::move(recovery.Conflicts);
+}
+
+} // namespace biting

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFlips_h
+#define BitingFlips_h
+
+#include "../Base/Ids.h"
+#include "HalfEdgeMesh.h"
+#include "Pulse.h"
+
+#include <vector> // for the stack
+
+namespace biting
+{
+
+/// Whether the edge between the triangles (p, a, b) and (d, b, a) breaks the Delaunay criterion:
+/// d lies inside the circle through p, a, b. Exact. The circle of a ghost triangle is the open half
+/// plane beyond its edge. Where true the quadrangle is strictly convex.
+bool BreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d);
+
+/// Replaces the edge by the other diagonal of its quadrangle. Marks and VertexEdges follow, where
+/// there are any.
+void FlipEdge(HalfEdgeMesh& mesh, Id edge);
+
+/// Makes the mesh phi-Delaunay, given that all edges that may not be so are on the stack. Edges that
+/// carry a mark stay. Each flip lowers the lifted surface, so it ends. On abort it just returns.
+void RestoreDelaunay(HalfEdgeMesh& mesh, double phi, std::vector<Id>& stack, Pulse& pulse);
+
+} // namespace biting
+
+#endif

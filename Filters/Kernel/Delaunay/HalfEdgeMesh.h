@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingHalfEdgeMesh_h
+#define BitingHalfEdgeMesh_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// The triangulation at work: it covers the whole plane. Beyond each edge of the convex hull lies a
+/// ghost triangle whose third corner, NoId, is the vertex at infinity.
+///
+/// Half-edge e = 4t + k (k = 0..2; 4t + 3 is unused) belongs to triangle t and lies opposite its
+/// corner k, Corners[e]. It runs from Corners[Next(e)] to Corners[Previous(e)], its triangle on the
+/// left. Twins[e] is the same edge in the triangle on its right: there is always one.
+struct HalfEdgeMesh
+{
+  std::vector<Point2> Points; ///< in the order of insertion
+  std::vector<Id> Corners;
+  std::vector<Id> Twins;
+  Id NumberOfTriangles = 0; ///< ghosts included
+
+  // Filled when constraints are recovered, empty before.
+  std::vector<Id> Marks;       ///< twice the constraint on the half-edge, plus 1 where inside and
+                               ///< outside change across it; NoId where there is none
+  std::vector<Id> VertexEdges; ///< a half-edge whose corner is the vertex
+
+  static Id Next(Id edge) { return (edge & 3) == 2 ? edge - 2 : edge + 1; }
+  static Id Previous(Id edge) { return (edge & 3) == 0 ? edge + 2 : edge - 1; }
+  static Id TriangleOf(Id edge) { return edge >> 2; }
+  static Id FirstEdge(Id triangle) { return triangle << 2; }
+
+  Id Origin(Id edge) const { return this->Corners[Next(edge)]; }
+  Id Target(Id edge) const { return this->Corners[Previous(edge)]; }
+  const Point2& PointAt(Id vertex) const { return this->Points[vertex]; }
+  Id NumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
+
+  bool IsGhost(Id triangle) const
+  {
+    const Id first = FirstEdge(triangle);
+    return (this->Corners[first] | this->Corners[first + 1] | this->Corners[first + 2]) < 0;
+  }
+
+  void Link(Id edge, Id twin)
+  {
+    this->Twins[edge] = twin;
+    this->Twins[twin] = edge;
+  }
+
+  void SetTriangle(Id triangle, Id a, Id b, Id c)
+  {
+    const Id first = FirstEdge(triangle);
+    this->Corners[first] = a;
+    this->Corners[first + 1] = b;
+    this->Corners[first + 2] = c;
+  }
+};
+
+} // namespace biting
+
+#endif

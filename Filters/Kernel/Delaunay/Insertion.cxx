@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Insertion.h"
+
+#include "../Predicates/Predicates.h"
+#include "Flips.h"
+#include "SpatialOrder.h"
+
+#include <cstdint> // for the generator of the walk
+#include <utility> // for swap, move
+
+namespace biting
+{
+
+namespace
+{
+
+/// Where a point lies: in a triangle, perhaps on one of its edges, or at a vertex.
+struct Location
+{
+  Id Triangle = NoId;
+  Id Edge = NoId;   ///< half-edge of Triangle that the point lies on
+  Id Vertex = NoId; ///< vertex that the point coincides with
+};
+
+class Inserter
+{
+public:
+  Inserter(HalfEdgeMesh& mesh, double phi, Pulse& pulse)
+    : Mesh(mesh)
+    , Phi(phi)
+    , Beats(pulse)
+  {
+  }
+
+  /// Makes the triangle of the vertices 0, 1, 2, and its three ghosts.
+  void MakeFirstTriangle();
+
+  /// Inserts the vertex, or returns the one that it coincides with.
+  Id Insert(Id vertex);
+
+private:
+  Location Locate(const Point2& point);
+  Id FirstEdgeBefore(const Point2& point) const;
+  bool IsOtherWayFirst();
+  int Side(Id edge, const Point2& point) const;
+
+  void Split(Id triangle, Id vertex);
+  Id CornerTriangle(Id triangle, Id edge) const;
+  void FlipAround(Id triangle);
+  void RestoreStar(Id triangle);
+  void RestorePhi(Id triangle);
+
+  HalfEdgeMesh& Mesh;
+  double Phi;
+  Pulse& Beats;
+  Id Last = 0; ///< triangle where the next walk starts
+  std::uint32_t Generator = 1;
+  std::vector<Id> Stack;
+};
+
+void Inserter::MakeFirstTriangle()
+{
+  const auto& points = this->Mesh.Points;
+  const bool isLeft = Orient2D(points[0], points[1], points[2]) > 0;
+  this->Mesh.SetTriangle(0, 0, isLeft ? 1 : 2, isLeft ? 2 : 1);
+  for (Id k = 0; k < 3; ++k)
+  {
+    this->Mesh.SetTriangle(k + 1, NoId, this->Mesh.Target(k), this->Mesh.Origin(k));
+    this->Mesh.Link(k, HalfEdgeMesh::FirstEdge(k + 1));
+    const Id ghostBefore = (k + 2) % 3 + 1;
+    this->Mesh.Link(HalfEdgeMesh::FirstEdge(k + 1) + 1, HalfEdgeMesh::FirstEdge(ghostBefore) + 2);
+  }
+  this->Mesh.NumberOfTriangles = 4;
+}
+
+Id Inserter::Insert(Id vertex)
+{
+  const Location location = this->Locate(this->Mesh.Points[vertex]);
+  if (location.Vertex != NoId)
+  {
+    return location.Vertex;
+  }
+  this->Split(location.Triangle, vertex);
+  if (location.Edge != NoId)
+  {
+    this->FlipAround(this->CornerTriangle(location.Triangle, location.Edge));
+  }
+  if (this->Phi < 1.0)
+  {
+    this->RestorePhi(location.Triangle);
+  }
+  else
+  {
+    this->RestoreStar(location.Triangle);
+  }
+  return vertex;
+}
+
+/// A visibility walk: leave by an edge that has the point strictly beyond it. In a Delaunay
+/// triangulation no triangle comes twice; in others chance sees to it (Devillers, Pion, Teillaud,
+/// "Walking in a triangulation", 2002).
+Location Inserter::Locate(const Point2& point)
+{
+  Id edge = this->FirstEdgeBefore(point);
+  while (true)
+  {
+    const bool isSwapped = this->IsOtherWayFirst();
+    const Id first = isSwapped ? HalfEdgeMesh::Previous(edge) : HalfEdgeMesh::Next(edge);
+    const Id second = isSwapped ? HalfEdgeMesh::Next(edge) : HalfEdgeMesh::Previous(edge);
+    const int firstSide = this->Side(first, point);
+    const int secondSide = firstSide < 0 ? 0 : this->Side(second, point);
+    if (firstSide >= 0 && secondSide >= 0)
+    {
+      const Id onEdge = firstSide == 0 ? first : (secondSide == 0 ? second : NoId);
+      const bool isCorner = firstSide == 0 && secondSide == 0;
+      return { HalfEdgeMesh::TriangleOf(edge), onEdge, isCorner ? this->Mesh.Corners[edge] : NoId };
+    }
+    edge = this->Mesh.Twins[firstSide < 0 ? first : second];
+    if (this->Mesh.Corners[edge] == NoId)
+    {
+      return { HalfEdgeMesh::TriangleOf(edge), NoId, NoId };
+    }
+  }
+}
+
+/// A half-edge of the last triangle that has the point strictly on its left: there is always one.
+Id Inserter::FirstEdgeBefore(const Point2& point) const
+{
+  Id edge = HalfEdgeMesh::FirstEdge(this->Last);
+  if (this->Mesh.IsGhost(this->Last))
+  {
+    while (this->Mesh.Corners[edge] != NoId)
+    {
+      ++edge;
+    }
+    edge = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]));
+  }
+  while (this->Side(edge, point) <= 0)
+  {
+    ++edge;
+  }
+  return edge;
+}
+
+bool Inserter::IsOtherWayFirst()
+{
+  if (this->Phi >= 1.0)
+  {
+    return false;
+  }
+  this->Generator = this->Generator * 1664525u + 1013904223u;
+  return (this->Generator >> 31) != 0u;
+}
+
+int Inserter::Side(Id edge, const Point2& point) const
+{
+  const auto& points = this->Mesh.Points;
+  return Orient2D(points[this->Mesh.Origin(edge)], points[this->Mesh.Target(edge)], point);
+}
+
+/// Into three; the vertex becomes corner 0 of each. The triangle keeps the edge opposite its corner
+/// 0, the two new ones take those opposite 1 and 2.
+void Inserter::Split(Id triangle, Id vertex)
+{
+  HalfEdgeMesh& mesh = this->Mesh;
+  const Id old = HalfEdgeMesh::FirstEdge(triangle);
+  const Id second = HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles);
+  const Id third = second + 4;
+  const Id a = mesh.Corners[old];
+  const Id b = mesh.Corners[old + 1];
+  const Id c = mesh.Corners[old + 2];
+  mesh.SetTriangle(triangle, vertex, b, c);
+  mesh.SetTriangle(mesh.NumberOfTriangles, vertex, c, a);
+  mesh.SetTriangle(mesh.NumberOfTriangles + 1, vertex, a, b);
+  mesh.NumberOfTriangles += 2;
+  mesh.Link(second, mesh.Twins[old + 1]);
+  mesh.Link(third, mesh.Twins[old + 2]);
+  mesh.Link(old + 1, second + 2);
+  mesh.Link(second + 1, third + 2);
+  mesh.Link(third + 1, old + 2);
+}
+
+/// Of the three triangles that Split has just made, the one that took `edge` of `triangle`.
+Id Inserter::CornerTriangle(Id triangle, Id edge) const
+{
+  const Id corner = edge & 3;
+  return corner == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + corner;
+}
+
+/// Flips the edge opposite corner 0, the new vertex, which becomes corner 0 of both triangles:
+/// (p, a, b) and (d, b, a) turn into (p, a, d) and (p, d, b).
+void Inserter::FlipAround(Id triangle)
+{
+  HalfEdgeMesh& mesh = this->Mesh;
+  const Id edge = HalfEdgeMesh::FirstEdge(triangle);
+  const Id twin = mesh.Twins[edge];
+  const Id other = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(twin));
+  const Id b = mesh.Corners[edge + 2];
+  const Id d = mesh.Corners[twin];
+  const Id beyondAd = mesh.Twins[HalfEdgeMesh::Next(twin)];
+  const Id beyondDb = mesh.Twins[HalfEdgeMesh::Previous(twin)];
+  const Id ahead = mesh.Twins[edge + 1];
+  mesh.Corners[edge + 2] = d;
+  mesh.SetTriangle(HalfEdgeMesh::TriangleOf(twin), mesh.Corners[edge], d, b);
+  mesh.Link(edge, beyondAd);
+  mesh.Link(other, beyondDb);
+  mesh.Link(other + 1, ahead);
+  mesh.Link(edge + 1, other + 2);
+}
+
+/// Goes once around the new vertex, corner 0 of all its triangles, and flips what its star may eat.
+void Inserter::RestoreStar(Id triangle)
+{
+  const auto& corners = this->Mesh.Corners;
+  Id edge = HalfEdgeMesh::FirstEdge(triangle);
+  const Id end = corners[edge + 1];
+  while (true)
+  {
+    const Id opposite = corners[this->Mesh.Twins[edge]];
+    if (BreaksDelaunay(this->Mesh, corners[edge], corners[edge + 1], corners[edge + 2], opposite))
+    {
+      this->FlipAround(HalfEdgeMesh::TriangleOf(edge));
+      continue;
+    }
+    if (corners[edge + 2] == end)
+    {
+      break;
+    }
+    edge = this->Mesh.Twins[edge + 1] - 2;
+  }
+  this->Last = HalfEdgeMesh::TriangleOf(edge);
+}
+
+/// With phi < 1 edges at the new vertex may break the criterion too: the general flips.
+void Inserter::RestorePhi(Id triangle)
+{
+  const Id begin = HalfEdgeMesh::FirstEdge(triangle);
+  Id edge = begin;
+  do
+  {
+    this->Stack.push_back(edge);
+    this->Stack.push_back(edge + 1);
+    edge = this->Mesh.Twins[edge + 1] - 2;
+  } while (edge != begin);
+  RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
+  this->Last = triangle;
+}
+
+/// Brings three vertices that are not collinear to the front; false where there are none.
+bool ChooseFirstTriangle(std::vector<Point2>& points, std::vector<Id>& order)
+{
+  std::size_t found = 1;
+  for (std::size_t i = 1; i < points.size() && found < 3; ++i)
+  {
+    const bool isNew =
+      found == 1 ? points[i] != points[0] : Orient2D(points[0], points[1], points[i]) != 0;
+    if (isNew)
+    {
+      std::swap(points[i], points[found]);
+      std::swap(order[i], order[found]);
+      ++found;
+    }
+  }
+  return found == 3;
+}
+
+void CopyPoints(const std::vector<Point2>& points, InsertionResult& result)
+{
+  result.Mesh.Points.reserve(points.size());
+  for (const Id point : result.Order)
+  {
+    result.Mesh.Points.push_back(points[point]);
+  }
+}
+
+void ReserveTriangles(HalfEdgeMesh& mesh)
+{
+  const std::size_t numberOfTriangles = 2 * mesh.Points.size() - 2;
+  mesh.Corners.resize(4 * numberOfTriangles);
+  mesh.Twins.resize(4 * numberOfTriangles);
+}
+
+} // namespace
+
+InsertionResult InsertPoints(const std::vector<Point2>& points, double phi, Pulse& pulse)
+{
+  InsertionResult result;
+  result.Order = SpatialOrder(points);
+  result.Vertex.resize(points.size());
+  CopyPoints(points, result);
+  if (!ChooseFirstTriangle(result.Mesh.Points, result.Order))
+  {
+    return result;
+  }
+  ReserveTriangles(result.Mesh);
+  Inserter inserter(result.Mesh, phi, pulse);
+  inserter.MakeFirstTriangle();
+  const Id numberOfPoints = result.Mesh.NumberOfVertices();
+  for (Id i = 0; i < numberOfPoints && pulse.Beat(); ++i)
+  {
+    pulse.SetFraction(static_cast<double>(i) / numberOfPoints);
+    result.Vertex[result.Order[i]] = i < 3 ? i : inserter.Insert(i);
+  }
+  return result;
+}
+
+} // namespace biting

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRegionFill_h
+#define BitingRegionFill_h
+
+#include "../Base/Ids.h"
+#include "HalfEdgeMesh.h"
+#include "Pulse.h"
+#include "Triangulation.h"
+
+#include <vector> // for the order
+
+namespace biting
+{
+
+/// The inside of the mesh: triangles that are an odd number of boundaries away from the ghosts.
+/// `constraints` have vertices of the mesh as ends; `order` maps these to the points of the caller,
+/// which the result refers to.
+/// Regions are numbered as one meets them along the constraints, in order of number, from start to
+/// end, the left side of each edge before the right. Triangles are ordered region by region, and
+/// breadth first within: neighbors are near each other in memory.
+/// On abort the result has no meaning.
+Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
+  const std::vector<Id>& order, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SpatialOrder.h"
+
+#include "../Base/Box2.h"
+
+#include <algorithm> // for sort, min
+#include <array>     // for tables
+#include <cstddef>   // for size_t
+#include <cstdint>   // for keys
+
+namespace biting
+{
+
+namespace
+{
+
+/// A run order[Begin .. End-1] that is still to be sorted.
+struct Run
+{
+  std::size_t Begin = 0;
+  std::size_t End = 0;
+
+  std::size_t Size() const { return this->End - this->Begin; }
+};
+
+/// Along the curve, and the position in `points` in the low half.
+using Key = std::uint64_t;
+constexpr int IndexBits = 32;
+
+/// Cells of the curve along each axis of a run's box: 16 bits, so a place on it has 32.
+constexpr double LastCell = 65535.0;
+
+/// Runs no longer than this stay in any order: a walk across them is as short.
+constexpr std::size_t LeastRun = 4;
+
+/// Below this many keys a comparison sort is faster than clearing the counters of a radix sort.
+constexpr std::size_t LeastRadixSort = 4096;
+
+/// Rounds begin with at least this many points.
+constexpr std::size_t LeastRound = 64;
+
+/// Position on the Hilbert curve, four levels at a time. The curve of a cell is the basic one with
+/// both axes reversed and/or exchanged; `state` has one bit for each. The two commute.
+constexpr int ReverseBit = 1;
+constexpr int ExchangeBit = 2;
+using HilbertTable = std::array<std::uint16_t, 4 * 256>;
+
+/// One level: the digit (0..3) of the quadrant (x, y) in `state`, which becomes that of the quadrant.
+constexpr int HilbertDigit(int x, int y, int& state)
+{
+  const int reverse = state & ReverseBit;
+  const bool isExchanged = (state & ExchangeBit) != 0;
+  const int u = (isExchanged ? y : x) ^ reverse;
+  const int v = (isExchanged ? x : y) ^ reverse;
+  if (v == 0)
+  {
+    state ^= ExchangeBit | (u != 0 ? ReverseBit : 0);
+  }
+  return (3 * u) ^ v;
+}
+
+/// Entry 256 s + 16 x + y: eight bits of the place of the cell (x, y) in state s, and the state there.
+constexpr HilbertTable MakeHilbertTable()
+{
+  HilbertTable table{};
+  for (int entry = 0; entry < 4 * 256; ++entry)
+  {
+    int state = entry >> 8;
+    int place = 0;
+    for (int bit = 3; bit >= 0; --bit)
+    {
+      place = 4 * place + HilbertDigit((entry >> (4 + bit)) & 1, (entry >> bit) & 1, state);
+    }
+    table[static_cast<std::size_t>(entry)] = static_cast<std::uint16_t>(256 * state + place);
+  }
+  return table;
+}
+
+constexpr HilbertTable Hilbert = MakeHilbertTable();
+
+std::uint32_t HilbertPlace(unsigned x, unsigned y)
+{
+  std::uint32_t place = 0;
+  unsigned state = 0;
+  for (int shift = 12; shift >= 0; shift -= 4)
+  {
+    const unsigned entry =
+      Hilbert[(state << 8) + (((x >> shift) & 15u) << 4) + ((y >> shift) & 15u)];
+    place = (place << 8) + (entry & 255u);
+    state = entry >> 8;
+  }
+  return place;
+}
+
+unsigned Cell(double offset, double scale)
+{
+  return static_cast<unsigned>(std::min(offset * scale, LastCell));
+}
+
+/// The round of a point, 0 the last: round r + 1 has a quarter of the points of round r.
+std::size_t RoundOf(std::size_t index, std::size_t lastRound)
+{
+  std::uint64_t hash = (static_cast<std::uint64_t>(index) + 1u) * 0x9E3779B97F4A7C15ull;
+  hash = (hash ^ (hash >> 32)) * 0xD1B54A32D192ED03ull;
+  hash ^= hash >> 29;
+  std::size_t round = 0;
+  while (round < lastRound && (hash & 3u) == 0u)
+  {
+    hash >>= 2;
+    ++round;
+  }
+  return round;
+}
+
+std::size_t LastRound(std::size_t numberOfPoints)
+{
+  std::size_t round = 0;
+  while ((numberOfPoints >> (2 * (round + 1))) >= LeastRound)
+  {
+    ++round;
+  }
+  return round;
+}
+
+/// Fills `order` round by round, the smallest first; returns where each round lies.
+std::vector<Run> SplitIntoRounds(std::vector<Id>& order)
+{
+  const std::size_t lastRound = LastRound(order.size());
+  std::vector<std::size_t> ends(lastRound + 2, 0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ++ends[lastRound - RoundOf(i, lastRound) + 1];
+  }
+  std::vector<Run> rounds;
+  for (std::size_t r = 0; r <= lastRound; ++r)
+  {
+    ends[r + 1] += ends[r];
+    rounds.push_back({ ends[r], ends[r + 1] });
+  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    order[ends[lastRound - RoundOf(i, lastRound)]++] = static_cast<Id>(i);
+  }
+  return rounds;
+}
+
+/// Sorts `keys` by their upper half, stably, in three passes of 11 bits.
+void RadixSort(std::vector<Key>& keys, std::vector<Key>& other)
+{
+  constexpr int digitBits = 11;
+  constexpr std::size_t digits = std::size_t(1) << digitBits;
+  other.resize(keys.size());
+  for (int shift = IndexBits; shift < 64; shift += digitBits)
+  {
+    std::array<std::size_t, digits + 1> begins{};
+    for (const Key key : keys)
+    {
+      ++begins[((key >> shift) & (digits - 1)) + 1];
+    }
+    for (std::size_t d = 1; d < digits; ++d)
+    {
+      begins[d] += begins[d - 1];
+    }
+    for (const Key key : keys)
+    {
+      other[begins[(key >> shift) & (digits - 1)]++] = key;
+    }
+    keys.swap(other);
+  }
+}
+
+/// Sorts runs along the curve; where many points share its last cell the run is sorted again,
+/// relative to the box of its own points.
+class CurveSorter
+{
+public:
+  CurveSorter(const std::vector<Point2>& points, std::vector<Id>& order)
+    : Points(points)
+    , Order(order)
+  {
+  }
+
+  void Sort(const Run& whole)
+  {
+    this->Pending.push_back(whole);
+    while (!this->Pending.empty())
+    {
+      const Run run = this->Pending.back();
+      this->Pending.pop_back();
+      if (this->MakeKeys(run))
+      {
+        this->SortKeys();
+        this->WriteBack(run);
+      }
+    }
+  }
+
+private:
+  /// False where all points of the run coincide.
+  bool MakeKeys(const Run& run)
+  {
+    Box2 box;
+    for (std::size_t i = run.Begin; i < run.End; ++i)
+    {
+      box.Add(this->PointAt(i));
+    }
+    const double size = std::max(box.Width(), box.Height());
+    if (!(size > 0.0))
+    {
+      return false;
+    }
+    const double scale = LastCell / size;
+    this->Keys.resize(run.Size());
+    for (std::size_t i = run.Begin; i < run.End; ++i)
+    {
+      const Point2 offset = this->PointAt(i) - box.Low;
+      const Key place = HilbertPlace(Cell(offset.X, scale), Cell(offset.Y, scale));
+      this->Keys[i - run.Begin] = (place << IndexBits) | static_cast<Key>(this->Order[i]);
+    }
+    return true;
+  }
+
+  void SortKeys()
+  {
+    if (this->Keys.size() < LeastRadixSort)
+    {
+      std::sort(this->Keys.begin(), this->Keys.end());
+    }
+    else
+    {
+      RadixSort(this->Keys, this->Scratch);
+    }
+  }
+
+  void WriteBack(const Run& run)
+  {
+    std::size_t begin = run.Begin;
+    for (std::size_t i = run.Begin; i < run.End; ++i)
+    {
+      const Key key = this->Keys[i - run.Begin];
+      this->Order[i] = static_cast<Id>(key & 0xFFFFFFFFull);
+      const bool isLast =
+        i + 1 == run.End || (this->Keys[i + 1 - run.Begin] >> IndexBits) != (key >> IndexBits);
+      if (isLast)
+      {
+        this->Refine({ begin, i + 1 });
+        begin = i + 1;
+      }
+    }
+  }
+
+  void Refine(const Run& run)
+  {
+    if (run.Size() > LeastRun)
+    {
+      this->Pending.push_back(run);
+    }
+  }
+
+  const Point2& PointAt(std::size_t position) const
+  {
+    return this->Points[static_cast<std::size_t>(this->Order[position])];
+  }
+
+  const std::vector<Point2>& Points;
+  std::vector<Id>& Order;
+  std::vector<Run> Pending;
+  std::vector<Key> Keys;
+  std::vector<Key> Scratch;
+};
+
+} // namespace
+
+std::vector<Id> SpatialOrder(const std::vector<Point2>& points)
+{
+  std::vector<Id> order(points.size());
+  CurveSorter sorter(points, order);
+  for (const Run& round : SplitIntoRounds(order))
+  {
+    sorter.Sort(round);
+  }
+  return order;
+}
+
+} // namespace biting

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingAreaSum_h
+#define BitingAreaSum_h
+
+#include "../Base/Point2.h"
+
+namespace biting
+{
+
+/// The area enclosed by directed segments, as the sum of triangles with one reference point.
+/// Products and sums carry their rounding errors along, so that the result is correct to a few ulp
+/// even where the area is tiny against the distances.
+class AreaSum
+{
+public:
+  explicit AreaSum(const Point2& reference)
+    : Reference(reference)
+  {
+  }
+
+  /// Adds the segment from `start` to `end`, with the area on its left.
+  void Add(const Point2& start, const Point2& end);
+
+  double Area() const { return 0.5 * (this->Sum + this->Error); }
+
+private:
+  void AddProduct(double a, double b);
+  void AddTerm(double term);
+
+  Point2 Reference;
+  double Sum = 0.0;
+  double Error = 0.0;
+};
+
+} // namespace biting
+
+#endif

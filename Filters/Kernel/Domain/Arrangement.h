@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingArrangement_h
+#define BitingArrangement_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Problem.h"
+#include "Domain.h"      // for DomainOptions
+#include "SegmentTree.h" // for SegmentEnds
+
+#include <cstddef> // for size_t
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// An edge of the arrangement, directed as the first chain that runs along it.
+struct ArrangementEdge
+{
+  SegmentEnds Ends;
+  Id Cell = NoId;           ///< of the first chain
+  Id BoundaryCount = 0;     ///< how often boundary chains run along it: by kind, or closed ones
+  Id OpenCount = 0;         ///< how often open chains of automatic kind do
+  bool IsInterface = false; ///< whether an interface chain does
+  bool IsNew = true;        ///< not yet tested against the others
+};
+
+/// What the input draws: distinct vertices, and edges in the order of the input's chains.
+struct Arrangement
+{
+  std::vector<Point2> Vertices;
+  std::vector<Id> VertexPoints; ///< first input point at each vertex; NoId where a crossing made it
+  std::vector<ArrangementEdge> Edges;
+  std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
+  double Resolution = 0.0;
+
+  const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
+  const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
+  std::vector<SegmentEnds> EdgeEnds() const;
+};
+
+/// Splits and merges edges until they meet at common ends only.
+///
+/// Each round finds all pairs of edges that meet elsewhere, and all vertices on edges or so close
+/// that rounding cannot tell (Resolution), then splits the edges there and merges those that have
+/// become equal, adding their counts. A vertex that was close bends the edge towards it; vertices
+/// never move. A crossing within Resolution of a vertex becomes that vertex. Both replace an edge by
+/// a path with the same ends, so the parity of closed chains is kept. The last round tests every
+/// pair and finds nothing.
+///
+/// What the first round finds is reported. False where the input is refused, cannot be resolved, or
+/// the monitor has asked to stop: `problems` then has the reason.
+/// Cost O((n + k) log n) a round, for k pairs whose boxes meet; nearly always 1 to 4 rounds.
+bool ResolveArrangement(
+  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
+
+} // namespace biting
+
+#endif

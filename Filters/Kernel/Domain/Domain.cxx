@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Domain.h"
+
+#include "../Predicates/Predicates.h" // for the range of coordinates
+#include "AreaSum.h"
+#include "Arrangement.h"
+#include "ChainKinds.h"
+#include "Nesting.h"
+#include "Welding.h"
+
+#include <algorithm> // for none_of, sort
+#include <cmath>     // for isfinite, abs
+#include <cstddef>   // for size_t
+#include <utility>   // for pair
+
+namespace biting
+{
+
+namespace
+{
+
+using Flags = std::vector<std::uint8_t>;
+
+bool IsUsable(const Polylines& input, ProblemList& problems);
+Flags MarkBoundary(const Arrangement& arrangement);
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
+void ReportOutside(
+  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
+double EnclosedArea(const Domain& domain);
+
+Domain Refuse(ProblemCode code, ProblemList& problems)
+{
+  problems.Add({ code, {}, {}, {} });
+  return {};
+}
+
+} // namespace
+
+Domain MakeDomain(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  if (input.NumberOfChains() == 0 || !IsUsable(input, problems))
+  {
+    return {};
+  }
+  Arrangement arrangement = WeldPolylines(input, problems);
+  if (!ResolveArrangement(arrangement, options, problems, monitor))
+  {
+    return {};
+  }
+  const Flags bounds = MarkBoundary(arrangement);
+  if (std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; }))
+  {
+    return Refuse(ProblemCode::NoClosedLoop, problems);
+  }
+  const InsideFlags inside =
+    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, monitor);
+  if (inside.WasAborted)
+  {
+    return Refuse(ProblemCode::Aborted, problems);
+  }
+  ReportOutside(arrangement, inside, problems);
+  Domain domain = KeepInside(arrangement, bounds, inside);
+  domain.Area = EnclosedArea(domain);
+  return domain;
+}
+
+namespace
+{
+
+Flags UsedPoints(const Polylines& input)
+{
+  Flags isUsed(input.Points.size(), 0);
+  for (const Id point : input.Connectivity)
+  {
+    isUsed[static_cast<std::size_t>(point)] = 1;
+  }
+  return isUsed;
+}
+
+/// A box smaller than LeastCoordinate would be flushed to a point.
+bool IsTooSmall(const Box2& bounds)
+{
+  const double size = std::max(bounds.Width(), bounds.Height());
+  return size > 0.0 && size < LeastCoordinate;
+}
+
+/// Refuses points that the predicates cannot handle.
+bool IsUsable(const Polylines& input, ProblemList& problems)
+{
+  const Flags isUsed = UsedPoints(input);
+  bool isUsable = true;
+  Box2 bounds;
+  for (std::size_t point = 0; point < isUsed.size(); ++point)
+  {
+    const Point2& p = input.Points[point];
+    const bool isFinite = std::isfinite(p.X) && std::isfinite(p.Y);
+    const bool isInRange =
+      std::abs(p.X) <= GreatestCoordinate && std::abs(p.Y) <= GreatestCoordinate;
+    if (isUsed[point] && !(isFinite && isInRange))
+    {
+      const ProblemCode code = isFinite ? ProblemCode::OutOfRange : ProblemCode::NotFinite;
+      problems.Add({ code, { static_cast<std::int64_t>(point) }, p, {} });
+      isUsable = false;
+    }
+    else if (isUsed[point])
+    {
+      bounds.Add(p);
+    }
+  }
+  if (isUsable && IsTooSmall(bounds))
+  {
+    problems.Add({ ProblemCode::OutOfRange, {}, bounds.Low, "smaller than 1e-70" });
+    isUsable = false;
+  }
+  return isUsable;
+}
+
+/// Chains that bound by kind or because they are closed are judged apart from open ones, so that a
+/// river that ends at a coast on both sides stays a river.
+Flags MarkBoundary(const Arrangement& arrangement)
+{
+  std::vector<Id> boundaryCounts;
+  std::vector<Id> openCounts;
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    boundaryCounts.push_back(edge.BoundaryCount);
+    openCounts.push_back(edge.OpenCount);
+  }
+  const std::vector<SegmentEnds> ends = arrangement.EdgeEnds();
+  Flags bounds = FindBoundary(arrangement.Vertices, ends, boundaryCounts);
+  const Flags openBounds = FindBoundary(arrangement.Vertices, ends, openCounts);
+  for (std::size_t e = 0; e < bounds.size(); ++e)
+  {
+    bounds[e] ^= openBounds[e];
+  }
+  return bounds;
+}
+
+bool IsKept(const InsideFlags& inside, std::size_t edge)
+{
+  return inside.Left[edge] || inside.Right[edge];
+}
+
+/// 1 for the ends of kept edges.
+Flags EndsOfKeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
+{
+  Flags isEnd(arrangement.Vertices.size(), 0);
+  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  {
+    if (IsKept(inside, e))
+    {
+      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.Start)] = 1;
+      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.End)] = 1;
+    }
+  }
+  return isEnd;
+}
+
+/// Whether a dropped edge is worth a word: a boundary drawn an even number of times is none.
+bool IsInterface(const ArrangementEdge& edge)
+{
+  return edge.IsInterface || (edge.BoundaryCount + edge.OpenCount) % 2 != 0;
+}
+
+void ReportOutsideInterfaces(
+  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
+{
+  std::vector<std::pair<Id, std::size_t>> dropped;
+  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  {
+    if (!IsKept(inside, e) && IsInterface(arrangement.Edges[e]))
+    {
+      dropped.emplace_back(arrangement.Edges[e].Cell, e);
+    }
+  }
+  std::sort(dropped.begin(), dropped.end());
+  for (std::size_t i = 0; i < dropped.size(); ++i)
+  {
+    if (i == 0 || dropped[i].first != dropped[i - 1].first)
+    {
+      const Id start = arrangement.Edges[dropped[i].second].Ends.Start;
+      problems.Add(
+        { ProblemCode::OutsideInterfaces, { dropped[i].first }, arrangement.At(start), {} });
+    }
+  }
+}
+
+void ReportOutside(const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
+{
+  ReportOutsideInterfaces(arrangement, inside, problems);
+  const Flags isEnd = EndsOfKeptEdges(arrangement, inside);
+  for (const Id vertex : arrangement.EmbeddedVertices)
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    if (!isEnd[v] && !inside.Vertices[v])
+    {
+      problems.Add({ ProblemCode::OutsidePoints, { arrangement.VertexPoints[v] },
+        arrangement.Vertices[v], {} });
+    }
+  }
+}
+
+/// Fills the vertices of the domain; returns their new numbers, NoId for those dropped.
+std::vector<Id> KeepVertices(
+  const Arrangement& arrangement, const InsideFlags& inside, Domain& domain)
+{
+  Flags isKept = EndsOfKeptEdges(arrangement, inside);
+  Flags isLone(isKept.size(), 0);
+  for (const Id vertex : arrangement.EmbeddedVertices)
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    isLone[v] = !isKept[v] && inside.Vertices[v];
+    isKept[v] = isKept[v] || isLone[v];
+  }
+  std::vector<Id> numbers(isKept.size(), NoId);
+  for (std::size_t v = 0; v < isKept.size(); ++v)
+  {
+    if (isKept[v])
+    {
+      numbers[v] = domain.NumberOfVertices();
+      domain.Vertices.push_back(arrangement.Vertices[v]);
+      domain.VertexPoints.push_back(arrangement.VertexPoints[v]);
+      domain.IsEmbedded.push_back(isLone[v]);
+      domain.Bounds.Add(arrangement.Vertices[v]);
+    }
+  }
+  return numbers;
+}
+
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside)
+{
+  Domain domain;
+  domain.Resolution = arrangement.Resolution;
+  const std::vector<Id> numbers = KeepVertices(arrangement, inside, domain);
+  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  {
+    if (IsKept(inside, e))
+    {
+      const ArrangementEdge& edge = arrangement.Edges[e];
+      domain.Starts.push_back(numbers[static_cast<std::size_t>(edge.Ends.Start)]);
+      domain.Ends.push_back(numbers[static_cast<std::size_t>(edge.Ends.End)]);
+      domain.Cells.push_back(edge.Cell);
+      domain.IsBoundary.push_back(bounds[e]);
+      domain.LeftInside.push_back(inside.Left[e]);
+      domain.RightInside.push_back(inside.Right[e]);
+    }
+  }
+  return domain;
+}
+
+double EnclosedArea(const Domain& domain)
+{
+  AreaSum sum(domain.Vertices.front());
+  for (std::size_t s = 0; s < domain.Starts.size(); ++s)
+  {
+    const Point2& start = domain.Vertices[static_cast<std::size_t>(domain.Starts[s])];
+    const Point2& end = domain.Vertices[static_cast<std::size_t>(domain.Ends[s])];
+    if (domain.IsBoundary[s])
+    {
+      sum.Add(domain.LeftInside[s] ? start : end, domain.LeftInside[s] ? end : start);
+    }
+  }
+  return sum.Area();
+}
+
+} // namespace
+
+} // namespace biting

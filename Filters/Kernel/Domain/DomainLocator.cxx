@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DomainLocator.h"
+
+#include "../Predicates/Predicates.h"
+
+#include <algorithm> // for clamp, sort, unique
+#include <array>     // for rows of a box
+#include <cmath>     // for sqrt
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr Id CrowdedCell = 12;      // segments above which a cell is divided
+constexpr int GreatestDepth = 12;   // 4^12 divisions: finer than double coordinates ask for
+constexpr double CellMargin = 1e-6; // of a cell's size: cells overlap by more than rounding
+constexpr Id LeastCells = 4096;
+
+Box2 ChildBox(const Box2& box, Id division, Id column, Id row)
+{
+  const double width = box.Width() / division;
+  const double height = box.Height() / division;
+  Box2 child;
+  child.Low = { box.Low.X + column * width, box.Low.Y + row * height };
+  child.High = { child.Low.X + width, child.Low.Y + height };
+  return child;
+}
+
+} // namespace
+
+DomainLocator::DomainLocator(const Domain& domain)
+  : Geometry(domain)
+{
+  this->MakeGrid();
+  this->SetReferences();
+  const Id numberOfTopCells = this->Columns * this->Rows;
+  for (Id cell = 0; cell < numberOfTopCells; ++cell)
+  {
+    if (this->Cells[cell].NumberOfSegments > CrowdedCell)
+    {
+      this->Divide(cell, this->TopBox(cell % this->Columns, cell / this->Columns), 0);
+    }
+  }
+}
+
+bool DomainLocator::IsInside(const Point2& p) const
+{
+  if (!this->Geometry.Bounds.Contains(p))
+  {
+    return false;
+  }
+  double u = (p.X - this->Origin.X) / this->CellSize;
+  double v = (p.Y - this->Origin.Y) / this->CellSize;
+  const Id column = ClampedIndex(u, this->Columns);
+  const Id row = ClampedIndex(v, this->Rows);
+  const Cell* cell = &this->Cells[row * this->Columns + column];
+  u -= column;
+  v -= row;
+  while (cell->FirstChild != NoId)
+  {
+    u *= Division;
+    v *= Division;
+    const Id childColumn = ClampedIndex(u, Division);
+    const Id childRow = ClampedIndex(v, Division);
+    cell = &this->Cells[cell->FirstChild + childRow * Division + childColumn];
+    u -= childColumn;
+    v -= childRow;
+  }
+  bool isInside = cell->ReferenceIsInside;
+  for (Id k = 0; k < cell->NumberOfSegments; ++k)
+  {
+    const Id segment = this->Segments[cell->FirstSegment + k];
+    if (IsOnSegment(p, this->Geometry.Vertices[this->Geometry.Starts[segment]],
+          this->Geometry.Vertices[this->Geometry.Ends[segment]]))
+    {
+      return false;
+    }
+    isInside ^= this->Separates(segment, cell->Reference, p);
+  }
+  return isInside;
+}
+
+void DomainLocator::MakeGrid()
+{
+  const Box2& bounds = this->Geometry.Bounds;
+  const double width = std::max(bounds.Width(), 1e-3 * bounds.Height());
+  const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
+  const double wanted = std::max(LeastCells, 2 * this->Geometry.NumberOfSegments());
+  this->CellSize = std::sqrt(width * height / wanted);
+  this->Origin = bounds.Low;
+  this->Columns = static_cast<Id>(width / this->CellSize) + 1;
+  this->Rows = static_cast<Id>(height / this->CellSize) + 1;
+  std::vector<std::vector<Id>> lists(static_cast<std::size_t>(this->Columns) * this->Rows);
+  for (Id segment = 0; segment < this->Geometry.NumberOfSegments(); ++segment)
+  {
+    if (this->Geometry.IsBoundary[segment])
+    {
+      this->FileSegment(segment, lists);
+    }
+  }
+  this->Cells.resize(lists.size());
+  for (std::size_t cell = 0; cell < lists.size(); ++cell)
+  {
+    this->Cells[cell].FirstSegment = static_cast<Id>(this->Segments.size());
+    this->Cells[cell].NumberOfSegments = static_cast<Id>(lists[cell].size());
+    this->Segments.insert(this->Segments.end(), lists[cell].begin(), lists[cell].end());
+  }
+}
+
+// Row by row, so that a long slanted segment costs the cells it meets, not those of its box.
+void DomainLocator::FileSegment(Id segment, std::vector<std::vector<Id>>& lists) const
+{
+  Point2 a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  Point2 b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  if (b.Y < a.Y)
+  {
+    std::swap(a, b);
+  }
+  const auto column = [this](double x)
+  { return ClampedIndex((x - this->Origin.X) / this->CellSize, this->Columns); };
+  const double margin = CellMargin * this->CellSize;
+  const Id firstRow = ClampedIndex((a.Y - margin - this->Origin.Y) / this->CellSize, this->Rows);
+  const Id lastRow = ClampedIndex((b.Y + margin - this->Origin.Y) / this->CellSize, this->Rows);
+  for (Id row = firstRow; row <= lastRow; ++row)
+  {
+    const double low = this->Origin.Y + row * this->CellSize - margin;
+    const double high = low + this->CellSize + 2.0 * margin;
+    const double height = b.Y - a.Y;
+    const double from = height > 0.0 ? std::clamp((low - a.Y) / height, 0.0, 1.0) : 0.0;
+    const double to = height > 0.0 ? std::clamp((high - a.Y) / height, 0.0, 1.0) : 1.0;
+    const double x0 = a.X + from * (b.X - a.X);
+    const double x1 = a.X + to * (b.X - a.X);
+    const Id lastColumn = column(std::max(x0, x1) + margin);
+    for (Id c = column(std::min(x0, x1) - margin); c <= lastColumn; ++c)
+    {
+      lists[static_cast<std::size_t>(row) * this->Columns + c].push_back(segment);
+    }
+  }
+}
+
+// Left of the grid is outside; each row is walked from reference point to reference point.
+void DomainLocator::SetReferences()
+{
+  std::vector<Id> between;
+  for (Id row = 0; row < this->Rows; ++row)
+  {
+    Cell outside;
+    const Box2 firstBox = this->TopBox(0, row);
+    outside.Reference = { firstBox.Low.X - this->CellSize, firstBox.Center().Y };
+    const Cell* previous = &outside;
+    for (Id column = 0; column < this->Columns; ++column)
+    {
+      Cell& cell = this->Cells[row * this->Columns + column];
+      cell.Reference = this->FreePoint(this->TopBox(column, row), cell);
+      between.clear();
+      for (const Cell* side : { previous, static_cast<const Cell*>(&cell) })
+      {
+        between.insert(between.end(), this->Segments.begin() + side->FirstSegment,
+          this->Segments.begin() + side->FirstSegment + side->NumberOfSegments);
+      }
+      std::sort(between.begin(), between.end());
+      between.erase(std::unique(between.begin(), between.end()), between.end());
+      cell.ReferenceIsInside = previous->ReferenceIsInside;
+      for (Id segment : between)
+      {
+        cell.ReferenceIsInside ^= this->Separates(segment, previous->Reference, cell.Reference);
+      }
+      previous = &cell;
+    }
+  }
+}
+
+void DomainLocator::Divide(Id cell, const Box2& box, int depth)
+{
+  const Id firstChild = static_cast<Id>(this->Cells.size());
+  const Cell parent = this->Cells[cell];
+  this->Cells.resize(this->Cells.size() + Division * Division);
+  this->Cells[cell].FirstChild = firstChild;
+  for (Id k = 0; k < Division * Division; ++k)
+  {
+    const Box2 childBox = ChildBox(box, Division, k % Division, k / Division);
+    this->MakeChild(firstChild + k, childBox, parent);
+    const Id count = this->Cells[firstChild + k].NumberOfSegments;
+    // A crowd that meets in one vertex cannot be divided: give up on it soon.
+    const int childDepth = depth + (count < parent.NumberOfSegments ? 1 : 4);
+    const bool isWorthwhile = count > CrowdedCell && childDepth < GreatestDepth &&
+      childBox.Width() > 16.0 * this->Geometry.Resolution;
+    if (isWorthwhile)
+    {
+      this->Divide(firstChild + k, childBox, childDepth);
+    }
+  }
+}
+
+void DomainLocator::MakeChild(Id child, const Box2& box, const Cell& parent)
+{
+  Cell cell;
+  cell.FirstSegment = static_cast<Id>(this->Segments.size());
+  for (Id k = 0; k < parent.NumberOfSegments; ++k)
+  {
+    const Id segment = this->Segments[parent.FirstSegment + k];
+    if (this->MeetsBox(segment, box))
+    {
+      this->Segments.push_back(segment);
+    }
+  }
+  cell.NumberOfSegments = static_cast<Id>(this->Segments.size()) - cell.FirstSegment;
+  cell.Reference = this->FreePoint(box, cell);
+  cell.ReferenceIsInside = parent.ReferenceIsInside;
+  for (Id k = 0; k < parent.NumberOfSegments; ++k)
+  {
+    cell.ReferenceIsInside ^=
+      this->Separates(this->Segments[parent.FirstSegment + k], parent.Reference, cell.Reference);
+  }
+  this->Cells[child] = cell;
+}
+
+// A point of the box on no line through one of the cell's segments, so that Separates is decided.
+Point2 DomainLocator::FreePoint(const Box2& box, const Cell& cell) const
+{
+  Point2 p = box.Center();
+  for (int attempt = 1; attempt < 16; ++attempt)
+  {
+    bool isFree = true;
+    for (Id k = 0; k < cell.NumberOfSegments && isFree; ++k)
+    {
+      const Id segment = this->Segments[cell.FirstSegment + k];
+      isFree = Orient2D(this->Geometry.Vertices[this->Geometry.Starts[segment]],
+                 this->Geometry.Vertices[this->Geometry.Ends[segment]], p) != 0;
+    }
+    if (isFree)
+    {
+      return p;
+    }
+    const double step = attempt / 32.0;
+    p = { box.Low.X + (0.5 + 0.71 * step) * box.Width(),
+      box.Low.Y + (0.5 - 0.93 * step) * box.Height() };
+  }
+  return p;
+}
+
+Box2 DomainLocator::TopBox(Id column, Id row) const
+{
+  Box2 box;
+  box.Low = { this->Origin.X + column * this->CellSize, this->Origin.Y + row * this->CellSize };
+  box.High = { box.Low.X + this->CellSize, box.Low.Y + this->CellSize };
+  return box;
+}
+
+// True also for segments that pass by within the margin.
+bool DomainLocator::MeetsBox(Id segment, const Box2& box) const
+{
+  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  const double margin = CellMargin * box.Width() + this->Geometry.Resolution;
+  Box2 grown = box;
+  grown.Grow(margin);
+  Box2 span;
+  span.Add(a);
+  span.Add(b);
+  if (!grown.Meets(span))
+  {
+    return false;
+  }
+  const Point2 direction = b - a;
+  const double reach =
+    0.5 * (std::abs(direction.X) * grown.Height() + std::abs(direction.Y) * grown.Width());
+  return std::abs(Cross(direction, grown.Center() - a)) <= reach * (1.0 + CellMargin);
+}
+
+// Whether the segment crosses pq, whose ends are not on it. A segment's end on the line pq counts as
+// left of it, for both segments that share that end: the parity along pq stays right.
+bool DomainLocator::Separates(Id segment, const Point2& p, const Point2& q) const
+{
+  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  if ((Orient2D(a, b, p) > 0) == (Orient2D(a, b, q) > 0))
+  {
+    return false;
+  }
+  return (Orient2D(p, q, a) >= 0) != (Orient2D(p, q, b) >= 0);
+}
+
+} // namespace biting

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDomainLocator_h
+#define BitingDomainLocator_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "Domain.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// Answers exactly whether a point lies inside a domain.
+///
+/// A grid over the domain whose crowded cells are divided again. A cell with boundary segments
+/// has a reference point of known side; a query counts the boundary segments between that point and
+/// its own. Queries cost O(1) away from the boundary and O(segments of one cell) near it.
+/// The domain must outlive the locator.
+class DomainLocator
+{
+public:
+  explicit DomainLocator(const Domain& domain);
+
+  /// True where p is inside; false outside and on the boundary itself.
+  bool IsInside(const Point2& p) const;
+
+  /// Calls visit(segment) for the boundary segments of all cells that `box` meets, until it returns
+  /// true. A segment may come several times, and one that only passes nearby may come too.
+  template <typename Visit>
+  bool VisitSegments(const Box2& box, Visit&& visit) const;
+
+  /// True only if no boundary segment meets `box` (false may also mean: not known).
+  bool IsClear(const Box2& box) const
+  {
+    return !this->VisitSegments(box, [](Id) { return true; });
+  }
+
+private:
+  struct Cell
+  {
+    Id FirstChild = NoId; ///< of Division x Division cells, or NoId for a leaf
+    Id FirstSegment = 0;
+    Id NumberOfSegments = 0;
+    bool ReferenceIsInside = false;
+    Point2 Reference;
+  };
+
+  void MakeGrid();
+  void FileSegment(Id segment, std::vector<std::vector<Id>>& lists) const;
+  void SetReferences();
+  void Divide(Id cell, const Box2& box, int depth);
+  void MakeChild(Id child, const Box2& box, const Cell& parent);
+  Point2 FreePoint(const Box2& box, const Cell& cell) const;
+  Box2 TopBox(Id column, Id row) const;
+  bool MeetsBox(Id segment, const Box2& box) const;
+  bool Separates(Id segment, const Point2& p, const Point2& q) const;
+
+  // A box in units of a cell, relative to its low corner.
+  struct LocalBox
+  {
+    double LowX, LowY, HighX, HighY;
+  };
+
+  static constexpr Id Division = 4; ///< a crowded cell is divided into 4 x 4
+
+  static Id ClampedIndex(double position, Id count)
+  {
+    return position <= 0.0 ? 0 : (position >= count ? count - 1 : static_cast<Id>(position));
+  }
+
+  template <typename Visit>
+  bool VisitCells(Id firstCell, Id columns, Id rows, const LocalBox& box, Visit&& visit) const;
+  template <typename Visit>
+  bool VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
+
+  const Domain& Geometry;
+  Point2 Origin;
+  double CellSize = 1.0;
+  Id Columns = 1;
+  Id Rows = 1;
+  std::vector<Cell> Cells;
+  std::vector<Id> Segments;
+};
+
+template <typename Visit>
+bool DomainLocator::VisitSegments(const Box2& box, Visit&& visit) const
+{
+  const LocalBox local{ (box.Low.X - this->Origin.X) / this->CellSize,
+    (box.Low.Y - this->Origin.Y) / this->CellSize, (box.High.X - this->Origin.X) / this->CellSize,
+    (box.High.Y - this->Origin.Y) / this->CellSize };
+  return this->VisitCells(0, this->Columns, this->Rows, local, visit);
+}
+
+template <typename Visit>
+bool DomainLocator::VisitCells(
+  Id firstCell, Id columns, Id rows, const LocalBox& box, Visit&& visit) const
+{
+  const Id lastRow = ClampedIndex(box.HighY, rows);
+  const Id lastColumn = ClampedIndex(box.HighX, columns);
+  for (Id row = ClampedIndex(box.LowY, rows); row <= lastRow; ++row)
+  {
+    for (Id column = ClampedIndex(box.LowX, columns); column <= lastColumn; ++column)
+    {
+      const LocalBox inCell{ box.LowX - column, box.LowY - row, box.HighX - column,
+        box.HighY - row };
+      if (this->VisitCell(this->Cells[firstCell + row * columns + column], inCell, visit))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <typename Visit>
+bool DomainLocator::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
+{
+  if (cell.FirstChild != NoId)
+  {
+    const LocalBox scaled{ box.LowX * Division, box.LowY * Division, box.HighX * Division,
+      box.HighY * Division };
+    return this->VisitCells(cell.FirstChild, Division, Division, scaled, visit);
+  }
+  for (Id k = 0; k < cell.NumberOfSegments; ++k)
+  {
+    if (visit(this->Segments[cell.FirstSegment + k]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Meetings.h"
+
+#include "../Predicates/Predicates.h"
+#include "SegmentTree.h"
+#include "VertexStars.h"
+
+#include <algorithm> // for sort, unique
+#include <cmath>     // for abs
+#include <cstddef>   // for size_t
+#include <tuple>     // for tie
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr Id AdvancePeriod = 500;
+
+class MeetingFinder
+{
+public:
+  MeetingFinder(const Arrangement& arrangement, Meetings& meetings)
+    : Input(arrangement)
+    , Found(meetings)
+    , Ends(arrangement.EdgeEnds())
+    , Stars(arrangement.Vertices, this->Ends)
+    , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution)
+  {
+  }
+
+  bool Run(Monitor& monitor);
+
+private:
+  bool TestEdges(Monitor& monitor);
+  void TestEdge(Id edge);
+  void TestApart(Id first, Id second);
+  void TestStars();
+  void TestStar(Id vertex);
+  bool TestFan(Id first, Id second, Id apex);
+  void TestLooseVertices();
+
+  bool TestVertex(Id edge, Id vertex);
+  bool IsOn(Id vertex, const SegmentEnds& ends) const;
+  void ReportOverlap(Id first, Id second, Id vertex);
+  void ReportTouch(Id edge, Id toucher, Id vertex);
+  void ReportCrossing(Id first, Id second);
+  bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
+  const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
+  Box2 BoxOf(Id edge) const;
+
+  const Arrangement& Input;
+  Meetings& Found;
+  const std::vector<SegmentEnds> Ends;
+  const VertexStars Stars;
+  const SegmentTree Tree;
+};
+
+bool MeetingFinder::Run(Monitor& monitor)
+{
+  if (!this->TestEdges(monitor))
+  {
+    return false;
+  }
+  this->TestStars();
+  this->TestLooseVertices();
+  return monitor.Advance(1.0);
+}
+
+bool MeetingFinder::TestEdges(Monitor& monitor)
+{
+  const Id count = static_cast<Id>(this->Ends.size());
+  for (Id edge = 0; edge < count; ++edge)
+  {
+    if (edge % AdvancePeriod == 0 && !monitor.Advance(static_cast<double>(edge) / count))
+    {
+      return false;
+    }
+    if (this->Input.Edge(edge).IsNew)
+    {
+      this->TestEdge(edge);
+    }
+  }
+  return true;
+}
+
+void MeetingFinder::TestEdge(Id edge)
+{
+  const auto test = [this, edge](Id other)
+  {
+    if (edge < other || !this->Input.Edge(other).IsNew)
+    {
+      this->TestApart(edge < other ? edge : other, edge < other ? other : edge);
+    }
+  };
+  this->Tree.Visit(this->BoxOf(edge), this->EndsOf(edge), test);
+}
+
+/// Two edges without a common end.
+void MeetingFinder::TestApart(Id first, Id second)
+{
+  const SegmentEnds& a = this->EndsOf(first);
+  const SegmentEnds& b = this->EndsOf(second);
+  const Meeting meeting = Meet(
+    this->Input.At(a.Start), this->Input.At(a.End), this->Input.At(b.Start), this->Input.At(b.End));
+  Id touched = NoId;
+  for (const Id vertex : { b.Start, b.End, a.Start, a.End })
+  {
+    const Id edge = a.Has(vertex) ? second : first;
+    if (this->TestVertex(edge, vertex))
+    {
+      touched = vertex;
+      if (meeting != Meeting::Overlap)
+      {
+        this->ReportTouch(edge, edge == first ? second : first, vertex);
+      }
+    }
+  }
+  if (touched != NoId && meeting == Meeting::Overlap)
+  {
+    this->ReportOverlap(first, second, touched);
+  }
+  if (touched == NoId && meeting == Meeting::Crossing)
+  {
+    this->ReportCrossing(first, second);
+    this->Found.Crossings.push_back({ first, second });
+  }
+}
+
+void MeetingFinder::TestStars()
+{
+  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
+  {
+    const auto isNew = [this](Id edge) { return this->Input.Edge(edge).IsNew; };
+    if (std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex), isNew))
+    {
+      this->TestStar(vertex);
+    }
+  }
+}
+
+/// From each edge counterclockwise, as long as the next lies along it.
+void MeetingFinder::TestStar(Id vertex)
+{
+  const Id degree = this->Stars.Degree(vertex);
+  const Id* star = this->Stars.Begin(vertex);
+  for (Id i = 0; i < degree; ++i)
+  {
+    Id step = 1;
+    while (step < degree && this->TestFan(star[i], star[(i + step) % degree], vertex))
+    {
+      ++step;
+    }
+  }
+}
+
+/// Two edges with the common end `apex`: whether the nearer of their other ends lies on the other.
+bool MeetingFinder::TestFan(Id first, Id second, Id apex)
+{
+  const Id a = OtherEnd(this->EndsOf(first), apex);
+  const Id b = OtherEnd(this->EndsOf(second), apex);
+  const bool isSecondNearer = this->TestVertex(first, b);
+  if (!isSecondNearer && !this->TestVertex(second, a))
+  {
+    return false;
+  }
+  const Id vertex = isSecondNearer ? b : a;
+  if (Orient2D(this->Input.At(apex), this->Input.At(a), this->Input.At(b)) == 0)
+  {
+    this->ReportOverlap(std::min(first, second), std::max(first, second), vertex);
+  }
+  else
+  {
+    this->ReportTouch(isSecondNearer ? first : second, isSecondNearer ? second : first, vertex);
+  }
+  return true;
+}
+
+/// Embedded points that end no edge split the edges on which they lie, without a word.
+void MeetingFinder::TestLooseVertices()
+{
+  for (const Id vertex : this->Input.EmbeddedVertices)
+  {
+    if (this->Stars.Degree(vertex) > 0)
+    {
+      continue;
+    }
+    Box2 place;
+    place.Add(this->Input.At(vertex));
+    this->Tree.Visit(
+      place, SegmentEnds(), [this, vertex](Id edge) { this->TestVertex(edge, vertex); });
+  }
+}
+
+bool MeetingFinder::TestVertex(Id edge, Id vertex)
+{
+  const bool isOn = this->IsOn(vertex, this->EndsOf(edge));
+  if (isOn)
+  {
+    this->Found.Splits.push_back({ edge, vertex });
+  }
+  return isOn;
+}
+
+bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
+{
+  const Point2& p = this->Input.At(vertex);
+  const Point2& a = this->Input.At(ends.Start);
+  const Point2& b = this->Input.At(ends.End);
+  if (Dot(a - p, b - p) >= 0.0)
+  {
+    return false;
+  }
+  const double reach = this->Input.Resolution * Distance(a, b);
+  return std::abs(Cross(b - a, p - a)) <= reach || IsOnSegment(p, a, b);
+}
+
+void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
+{
+  this->Found.Reports.push_back(
+    { ProblemCode::DuplicateSegments, first, second, NoId, this->Input.At(vertex) });
+}
+
+/// Interfaces may end anywhere; only boundaries that touch are worth a word.
+void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
+{
+  if (this->IsBoundary(edge) && this->IsBoundary(toucher))
+  {
+    this->Found.Reports.push_back(
+      { ProblemCode::Touches, edge, toucher, vertex, this->Input.At(vertex) });
+  }
+}
+
+void MeetingFinder::ReportCrossing(Id first, Id second)
+{
+  const SegmentEnds& a = this->EndsOf(first);
+  const SegmentEnds& b = this->EndsOf(second);
+  const Point2 place = CrossingPoint(
+    this->Input.At(a.Start), this->Input.At(a.End), this->Input.At(b.Start), this->Input.At(b.End));
+  this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId, place });
+}
+
+Box2 MeetingFinder::BoxOf(Id edge) const
+{
+  Box2 box;
+  box.Add(this->Input.At(this->EndsOf(edge).Start));
+  box.Add(this->Input.At(this->EndsOf(edge).End));
+  return box;
+}
+
+template <typename Entry, typename Key>
+void SortUnique(std::vector<Entry>& entries, Key key)
+{
+  std::stable_sort(entries.begin(), entries.end(),
+    [key](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  const auto last = std::unique(entries.begin(), entries.end(),
+    [key](const Entry& a, const Entry& b) { return key(a) == key(b); });
+  entries.erase(last, entries.end());
+}
+
+/// A touch is told once for each vertex on an edge, whatever edge brings the vertex.
+std::tuple<ProblemCode, Id, Id> MatterOf(const MeetingReport& report)
+{
+  const bool isTouch = report.Code == ProblemCode::Touches;
+  return { report.Code, report.First, isTouch ? report.Vertex : report.Second };
+}
+
+} // namespace
+
+bool FindMeetings(const Arrangement& arrangement, Meetings& meetings, Monitor& monitor)
+{
+  meetings = Meetings();
+  if (!MeetingFinder(arrangement, meetings).Run(monitor))
+  {
+    return false;
+  }
+  SortUnique(meetings.Splits,
+    [](const EdgeSplit& split) { return std::make_tuple(split.Edge, split.Vertex); });
+  SortUnique(meetings.Crossings,
+    [](const EdgeCrossing& crossing) { return std::make_tuple(crossing.First, crossing.Second); });
+  SortUnique(meetings.Reports, MatterOf);
+  return true;
+}
+
+} // namespace biting

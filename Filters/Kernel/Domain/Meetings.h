@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMeetings_h
+#define BitingMeetings_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Problem.h"
+#include "Arrangement.h"
+
+#include <vector> // for the lists
+
+namespace biting
+{
+
+/// An edge, and a vertex on it that splits it.
+struct EdgeSplit
+{
+  Id Edge = NoId;
+  Id Vertex = NoId;
+};
+
+/// Two edges that cross in their interiors, away from all their ends; First < Second.
+struct EdgeCrossing
+{
+  Id First = NoId;
+  Id Second = NoId;
+};
+
+/// What the user is told: two edges that cross or overlap, or a boundary that touches another.
+struct MeetingReport
+{
+  ProblemCode Code = ProblemCode::Crossings;
+  Id First = NoId;
+  Id Second = NoId;
+  Id Vertex = NoId; ///< of Second, on First; Touches only
+  Point2 Place;
+};
+
+/// All places where edges meet other than at common ends; sorted, each once.
+struct Meetings
+{
+  std::vector<EdgeSplit> Splits;
+  std::vector<EdgeCrossing> Crossings;
+  std::vector<MeetingReport> Reports;
+
+  bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
+};
+
+/// Finds the meetings of which at least one edge is new. False: the monitor has asked to stop.
+///
+/// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the edge
+/// and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge, so
+/// that splitting comes to an end.
+/// Edges that share a vertex can only overlap: each is tested against its neighbours in the order of
+/// directions around that vertex, as far as these are that near. Others are found by the tree.
+bool FindMeetings(const Arrangement& arrangement, Meetings& meetings, Monitor& monitor);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Nesting.h"
+
+#include "../Predicates/Predicates.h"
+#include "VertexStars.h"
+
+#include <algorithm> // for sort
+#include <cstddef>   // for size_t
+#include <iterator>  // for prev
+#include <numeric>   // for iota
+#include <set>       // for the segments that the sweep line cuts
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t AdvancePeriod = 500;
+
+/// Orders the segments that the sweep line cuts from below to above, and points among them.
+struct BelowOrder
+{
+  using is_transparent = void;
+
+  const std::vector<Point2>* Vertices;
+  const std::vector<SegmentEnds>* Segments; ///< from left to right
+
+  const Point2& Start(Id segment) const
+  {
+    const Id vertex = (*this->Segments)[static_cast<std::size_t>(segment)].Start;
+    return (*this->Vertices)[static_cast<std::size_t>(vertex)];
+  }
+  const Point2& End(Id segment) const
+  {
+    const Id vertex = (*this->Segments)[static_cast<std::size_t>(segment)].End;
+    return (*this->Vertices)[static_cast<std::size_t>(vertex)];
+  }
+  int Side(Id segment, const Point2& p) const
+  {
+    return Orient2D(this->Start(segment), this->End(segment), p);
+  }
+
+  bool operator()(Id segment, const Point2& p) const { return this->Side(segment, p) > 0; }
+  bool operator()(const Point2& p, Id segment) const { return this->Side(segment, p) < 0; }
+  bool operator()(Id a, Id b) const
+  {
+    if (a == b)
+    {
+      return false;
+    }
+    if (this->Start(b) < this->Start(a))
+    {
+      return this->Side(b, this->Start(a)) < 0;
+    }
+    const int side = this->Side(a, this->Start(b));
+    return side != 0 ? side > 0 : this->Side(a, this->End(b)) > 0;
+  }
+};
+
+std::vector<SegmentEnds> LeftToRight(
+  const std::vector<Point2>& vertices, const std::vector<SegmentEnds>& segments)
+{
+  std::vector<SegmentEnds> directed = segments;
+  for (SegmentEnds& ends : directed)
+  {
+    if (vertices[static_cast<std::size_t>(ends.End)] <
+      vertices[static_cast<std::size_t>(ends.Start)])
+    {
+      ends = { ends.End, ends.Start };
+    }
+  }
+  return directed;
+}
+
+class Sweep
+{
+public:
+  Sweep(const std::vector<Point2>& vertices, const std::vector<SegmentEnds>& segments,
+    const std::vector<std::uint8_t>& bounds)
+    : Vertices(vertices)
+    , Directed(LeftToRight(vertices, segments))
+    , Bounds(bounds)
+    , Stars(vertices, this->Directed)
+    , Cut(BelowOrder{ &vertices, &this->Directed })
+    , Places(segments.size(), this->Cut.end())
+    , Above(segments.size(), 0)
+    , LoneInside(vertices.size(), 0)
+  {
+  }
+
+  bool Run(Monitor& monitor);
+  InsideFlags Flags(const std::vector<SegmentEnds>& segments) const;
+
+private:
+  using CutSegments = std::set<Id, BelowOrder>;
+
+  std::vector<Id> EventOrder() const;
+  void Pass(Id vertex);
+  CutSegments::iterator EraseEnding(Id vertex, CutSegments::iterator above);
+  void InsertStarting(Id vertex, CutSegments::iterator above);
+  bool IsInsideBelow(CutSegments::iterator above) const;
+
+  const std::vector<Point2>& Vertices;
+  const std::vector<SegmentEnds> Directed;
+  const std::vector<std::uint8_t>& Bounds;
+  const VertexStars Stars;
+  CutSegments Cut;
+  std::vector<CutSegments::iterator> Places; ///< of each segment in Cut
+  std::vector<std::uint8_t> Above;           ///< whether the domain lies above each segment
+  std::vector<std::uint8_t> LoneInside;
+};
+
+bool Sweep::Run(Monitor& monitor)
+{
+  const std::vector<Id> order = this->EventOrder();
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i % AdvancePeriod == 0 &&
+      !monitor.Advance(static_cast<double>(i) / static_cast<double>(order.size())))
+    {
+      return false;
+    }
+    this->Pass(order[i]);
+  }
+  return true;
+}
+
+std::vector<Id> Sweep::EventOrder() const
+{
+  std::vector<Id> order(this->Vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [this](Id a, Id b)
+    {
+      return this->Vertices[static_cast<std::size_t>(a)] <
+        this->Vertices[static_cast<std::size_t>(b)];
+    });
+  return order;
+}
+
+/// Segments that end here make room for those that start here.
+void Sweep::Pass(Id vertex)
+{
+  const Id degree = this->Stars.Degree(vertex);
+  const Id* last = this->Stars.End(vertex) - 1;
+  const bool hasEnding =
+    degree > 0 && this->Directed[static_cast<std::size_t>(*last)].End == vertex;
+  const auto above = hasEnding
+    ? this->EraseEnding(vertex, this->Cut.end())
+    : this->Cut.lower_bound(this->Vertices[static_cast<std::size_t>(vertex)]);
+  if (degree == 0)
+  {
+    this->LoneInside[static_cast<std::size_t>(vertex)] = this->IsInsideBelow(above) ? 1 : 0;
+  }
+  this->InsertStarting(vertex, above);
+}
+
+/// Erases from below to above, which is the star backwards; returns what lies above them.
+Sweep::CutSegments::iterator Sweep::EraseEnding(Id vertex, CutSegments::iterator above)
+{
+  for (const Id* s = this->Stars.End(vertex); s != this->Stars.Begin(vertex); --s)
+  {
+    const auto segment = static_cast<std::size_t>(s[-1]);
+    if (this->Directed[segment].Start == vertex)
+    {
+      break;
+    }
+    above = this->Cut.erase(this->Places[segment]);
+  }
+  return above;
+}
+
+void Sweep::InsertStarting(Id vertex, CutSegments::iterator above)
+{
+  bool isInside = this->IsInsideBelow(above);
+  for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
+  {
+    const auto segment = static_cast<std::size_t>(*s);
+    if (this->Directed[segment].End == vertex)
+    {
+      break;
+    }
+    isInside = isInside != (this->Bounds[segment] != 0);
+    this->Above[segment] = isInside ? 1 : 0;
+    this->Places[segment] = this->Cut.insert(above, *s);
+  }
+}
+
+/// Whether the place just below `above` is inside.
+bool Sweep::IsInsideBelow(CutSegments::iterator above) const
+{
+  if (above == this->Cut.begin())
+  {
+    return false;
+  }
+  return this->Above[static_cast<std::size_t>(*std::prev(above))] != 0;
+}
+
+/// Above is the left of a segment that leads from left to right.
+InsideFlags Sweep::Flags(const std::vector<SegmentEnds>& segments) const
+{
+  InsideFlags flags;
+  flags.Vertices = this->LoneInside;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+  {
+    const std::uint8_t above = this->Above[s];
+    const auto below = static_cast<std::uint8_t>(above ^ this->Bounds[s]);
+    const bool isReversed = segments[s].Start != this->Directed[s].Start;
+    flags.Left.push_back(isReversed ? below : above);
+    flags.Right.push_back(isReversed ? above : below);
+  }
+  return flags;
+}
+
+} // namespace
+
+InsideFlags FindInside(const std::vector<Point2>& vertices,
+  const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds,
+  Monitor& monitor)
+{
+  Sweep sweep(vertices, segments, bounds);
+  InsideFlags flags;
+  flags.WasAborted = !sweep.Run(monitor);
+  return flags.WasAborted ? flags : sweep.Flags(segments);
+}
+
+} // namespace biting

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Welding.h"
+
+#include "../Predicates/Predicates.h" // for LeastCoordinate
+
+#include <algorithm> // for sort
+#include <cmath>     // for abs
+#include <cstdint>   // for masks
+#include <limits>    // for epsilon
+#include <utility>   // for pair, move
+
+namespace biting
+{
+
+namespace
+{
+
+/// Rounding of the coordinates, in ulp of the largest, below which nothing is told apart.
+constexpr double ResolutionInUlp = 4.0;
+
+class Welder
+{
+public:
+  Welder(const Polylines& input, ProblemList& problems)
+    : Input(input)
+    , Problems(problems)
+    , PointVertices(input.Points.size(), NoId)
+  {
+  }
+
+  Arrangement Run();
+
+private:
+  std::vector<Id> UsedPoints() const;
+  void MakeVertices();
+  std::vector<Id> FirstEquals(const std::vector<Id>& points) const;
+  void AppendChain(Id chain);
+  void AppendEdges(Id chain, bool isBoundary);
+  void AppendEmbeddedPoints(Id chain);
+  void MergeEmbeddedPoints();
+  void ReportEqualPoints(Id cell, Id first, Id second);
+  bool IsClosed(Id chain) const;
+
+  Id Offset(Id chain) const { return this->Input.Offsets[static_cast<std::size_t>(chain)]; }
+  Id PointAt(Id place) const { return this->Input.Connectivity[static_cast<std::size_t>(place)]; }
+  Id VertexOf(Id point) const { return this->PointVertices[static_cast<std::size_t>(point)]; }
+  Point2 Place(Id point) const;
+
+  const Polylines& Input;
+  ProblemList& Problems;
+  Arrangement Result;
+  std::vector<Id> PointVertices;                 ///< NoId: no chain uses the point
+  std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
+};
+
+Arrangement Welder::Run()
+{
+  this->MakeVertices();
+  this->Result.Edges.reserve(this->Input.Connectivity.size());
+  for (Id chain = 0; chain < this->Input.NumberOfChains(); ++chain)
+  {
+    this->AppendChain(chain);
+  }
+  this->MergeEmbeddedPoints();
+  return std::move(this->Result);
+}
+
+/// Ascending, each once.
+std::vector<Id> Welder::UsedPoints() const
+{
+  std::vector<std::uint8_t> isUsed(this->Input.Points.size(), 0);
+  for (const Id point : this->Input.Connectivity)
+  {
+    isUsed[static_cast<std::size_t>(point)] = 1;
+  }
+  std::vector<Id> points;
+  for (std::size_t point = 0; point < isUsed.size(); ++point)
+  {
+    if (isUsed[point])
+    {
+      points.push_back(static_cast<Id>(point));
+    }
+  }
+  return points;
+}
+
+double FlushTiny(double coordinate)
+{
+  return std::abs(coordinate) < LeastCoordinate ? 0.0 : coordinate;
+}
+
+Point2 Welder::Place(Id point) const
+{
+  const Point2& p = this->Input.Points[static_cast<std::size_t>(point)];
+  return { FlushTiny(p.X), FlushTiny(p.Y) };
+}
+
+/// Numbers the first points of equal place by point id, and gives the others their vertex.
+void Welder::MakeVertices()
+{
+  const std::vector<Id> points = this->UsedPoints();
+  const std::vector<Id> firstEquals = this->FirstEquals(points);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Id point = points[i];
+    Id vertex = this->VertexOf(firstEquals[i]);
+    if (firstEquals[i] == point)
+    {
+      vertex = static_cast<Id>(this->Result.Vertices.size());
+      this->Result.Vertices.push_back(this->Place(point));
+      this->Result.VertexPoints.push_back(point);
+    }
+    this->PointVertices[static_cast<std::size_t>(point)] = vertex;
+    const Point2 place = this->Place(point);
+    largest = std::max({ largest, std::abs(place.X), std::abs(place.Y) });
+  }
+  this->Result.Resolution = ResolutionInUlp * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// For each of `points`, which ascend, the first that lies at the same place.
+std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points) const
+{
+  std::vector<std::pair<Point2, std::size_t>> places;
+  places.reserve(points.size());
+  for (const Id point : points)
+  {
+    places.emplace_back(this->Place(point), places.size());
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Id> firstEquals(points.size());
+  for (std::size_t i = 0, first = 0; i < places.size(); ++i)
+  {
+    first = places[i].first == places[first].first ? first : i;
+    firstEquals[places[i].second] = points[places[first].second];
+  }
+  return firstEquals;
+}
+
+void Welder::AppendChain(Id chain)
+{
+  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
+  if (kind == ChainKind::EmbeddedPoint)
+  {
+    this->AppendEmbeddedPoints(chain);
+    return;
+  }
+  const bool isAutomatic = kind == ChainKind::Automatic;
+  this->AppendEdges(chain, kind == ChainKind::Boundary || (isAutomatic && this->IsClosed(chain)));
+}
+
+bool Welder::IsClosed(Id chain) const
+{
+  const Id first = this->Offset(chain);
+  const Id last = this->Offset(chain + 1) - 1;
+  return first <= last &&
+    this->VertexOf(this->PointAt(first)) == this->VertexOf(this->PointAt(last));
+}
+
+void Welder::AppendEdges(Id chain, bool isBoundary)
+{
+  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
+  ArrangementEdge edge;
+  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
+  edge.BoundaryCount = isBoundary ? 1 : 0;
+  edge.OpenCount = !isBoundary && kind == ChainKind::Automatic ? 1 : 0;
+  edge.IsInterface = kind == ChainKind::Interface;
+  for (Id place = this->Offset(chain) + 1; place < this->Offset(chain + 1); ++place)
+  {
+    const Id first = this->PointAt(place - 1);
+    const Id second = this->PointAt(place);
+    edge.Ends = { this->VertexOf(first), this->VertexOf(second) };
+    if (edge.Ends.Start == edge.Ends.End)
+    {
+      this->ReportEqualPoints(edge.Cell, first, second);
+      continue;
+    }
+    this->Result.Edges.push_back(edge);
+  }
+}
+
+void Welder::ReportEqualPoints(Id cell, Id first, Id second)
+{
+  const bool isRepeated = first == second;
+  this->Problems.Add({ isRepeated ? ProblemCode::ZeroLengthSegments : ProblemCode::DuplicatePoints,
+    { isRepeated ? cell : first, second }, this->Place(first), {} });
+}
+
+void Welder::AppendEmbeddedPoints(Id chain)
+{
+  for (Id place = this->Offset(chain); place < this->Offset(chain + 1); ++place)
+  {
+    const Id point = this->PointAt(place);
+    this->EmbeddedPoints.emplace_back(this->VertexOf(point), point);
+  }
+}
+
+void Welder::MergeEmbeddedPoints()
+{
+  std::sort(this->EmbeddedPoints.begin(), this->EmbeddedPoints.end());
+  Id first = NoId;
+  for (const auto& [vertex, point] : this->EmbeddedPoints)
+  {
+    std::vector<Id>& merged = this->Result.EmbeddedVertices;
+    if (!merged.empty() && merged.back() == vertex)
+    {
+      this->Problems.Add(
+        { ProblemCode::DuplicatePoints, { first, point }, this->Place(point), {} });
+      continue;
+    }
+    merged.push_back(vertex);
+    first = point;
+  }
+}
+
+} // namespace
+
+Arrangement WeldPolylines(const Polylines& input, ProblemList& problems)
+{
+  return Welder(input, problems).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Each vertex v starts with the squared length of its shortest edge, r^2. Let w be a vertex in the open
+// disc B(v, r). If no edge at v is a boundary edge, the triangles at v surround it, none contains w, and
+// none of their corners is in B; so the way from v to w leaves one of them, vab, through the inside of
+// ab. Let d be the apex beyond ab. Then w is d, or the way leaves abd through ad or bd, which B meets.
+// So N(v) is known from the corners of the triangles at v and the apexes beyond them, unless v has a
+// boundary edge, or B meets a boundary edge ab, or both ab and ad (or bd). Where the angles vad and vbd
+// are at least 90 degrees, B does not meet ad or bd outside of a and b, and vd is longer than va: the
+// usual case costs two dot products for both v and d. The other vertices are suspects: they are
+// searched for in a tree. The argument uses no property of the triangulation but that triangles do
+// not overlap.
+
+#include "NearestNeighbors.h"
+
+#include "../Base/Box2.h"
+#include "PointTree.h"
+
+#include <algorithm> // for min, max, fill, find
+#include <cmath>     // for sqrt
+#include <cstdint>   // for flags
+#include <limits>    // for infinity
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+double SquaredDistance(const Point2& a, const Point2& b)
+{
+  const Point2 offset = b - a;
+  return Dot(offset, offset);
+}
+
+// False only if the segment ab stays out of the open disc about `center`. Its ends must do so.
+// Cross is rounded by at most 4 epsilon |ca| |ab|; as 2 x y <= k x^2 + y^2 / k, that is covered by
+// k = 1e-6 of its square and 1e6 (4 epsilon)^2 < 1e-24 of |ca|^2 |ab|^2.
+bool Reaches(const Point2& center, double squaredRadius, const Point2& a, const Point2& b)
+{
+  const Point2 side = b - a;
+  const Point2 offset = center - a;
+  const double squaredLength = Dot(side, side);
+  const double along = Dot(offset, side);
+  if (along <= 0.0 || along >= squaredLength)
+  {
+    return false;
+  }
+  const double height = Cross(side, offset);
+  return height * height * (1.0 - 1e-6) <
+    squaredLength * (squaredRadius + 1e-24 * Dot(offset, offset));
+}
+
+// Cells of a grid that the discs of the suspects touch.
+class CellMask
+{
+public:
+  CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects);
+  bool IsFull() const { return this->Budget < 0; }
+  void Add(const Point2& center, double radius);
+  bool Contains(const Point2& p) const
+  {
+    return this->IsMarked[static_cast<std::size_t>(
+             this->Row(p.Y) * this->Columns + this->Column(p.X))] != 0;
+  }
+
+private:
+  std::int64_t Column(double x) const
+  {
+    return ToCell((x - this->Bounds.Low.X) * this->CellsPerLength, this->Columns);
+  }
+  std::int64_t Row(double y) const
+  {
+    return ToCell((y - this->Bounds.Low.Y) * this->CellsPerLength, this->Rows);
+  }
+  static std::int64_t ToCell(double position, std::int64_t count)
+  {
+    const double last = static_cast<double>(count - 1);
+    return position > 0.0 ? static_cast<std::int64_t>(std::min(position, last)) : 0;
+  }
+
+  Box2 Bounds;
+  double CellsPerLength = 0.0;
+  std::int64_t Columns = 1;
+  std::int64_t Rows = 1;
+  std::int64_t Budget; ///< cells that may still be marked: keeps the cost O(n) for any input
+  std::vector<std::uint8_t> IsMarked;
+};
+
+CellMask::CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects)
+  : Budget(static_cast<std::int64_t>(points.size() + 9 * numberOfSuspects))
+{
+  for (const Point2& p : points)
+  {
+    this->Bounds.Add(p);
+  }
+  const double root = std::sqrt(static_cast<double>(points.size()));
+  const double extent = std::max(this->Bounds.Width(), this->Bounds.Height());
+  this->CellsPerLength = extent > 0.0 ? root / extent : 0.0;
+  this->Columns += static_cast<std::int64_t>(this->Bounds.Width() * this->CellsPerLength);
+  this->Rows += static_cast<std::int64_t>(this->Bounds.Height() * this->CellsPerLength);
+  this->IsMarked.assign(static_cast<std::size_t>(this->Columns * this->Rows), 0);
+}
+
+void CellMask::Add(const Point2& center, double radius)
+{
+  const std::int64_t firstColumn = this->Column(center.X - radius);
+  const std::int64_t lastColumn = this->Column(center.X + radius);
+  const std::int64_t firstRow = this->Row(center.Y - radius);
+  const std::int64_t lastRow = this->Row(center.Y + radius);
+  this->Budget -= (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1);
+  for (std::int64_t row = firstRow; row <= lastRow && !this->IsFull(); ++row)
+  {
+    const auto begin = this->IsMarked.begin() + row * this->Columns;
+    std::fill(begin + firstColumn, begin + lastColumn + 1, std::uint8_t{ 1 });
+  }
+}
+
+class NeighborSearch
+{
+public:
+  NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
+    const std::vector<Id>& neighbors);
+  void VisitEdges();
+  void SearchSuspects();
+  std::vector<double> Distances() const;
+
+private:
+  void VisitEdge(Id triangle, int corner);
+  void JudgeBoundaryEdge(Id a, Id b, Id apex);
+  void JudgeApex(Id apex, Id a, Id b, Id beyond);
+  void Shorten(Id vertex, double squaredDistance);
+  std::vector<Id> Suspects() const;
+  CellMask CellsOf(const std::vector<Id>& suspects) const;
+  std::vector<PointTree::Item> Candidates(const CellMask& cells) const;
+
+  const Point2& Place(Id vertex) const { return this->Points[static_cast<std::size_t>(vertex)]; }
+
+  const std::vector<Point2>& Points;
+  const std::vector<Id>& Corners;
+  const std::vector<Id>& Neighbors;
+  std::vector<double> SquaredDistances;
+  std::vector<std::uint8_t> IsSuspect;
+};
+
+NeighborSearch::NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
+  const std::vector<Id>& neighbors)
+  : Points(points)
+  , Corners(corners)
+  , Neighbors(neighbors)
+  , SquaredDistances(points.size(), Infinity)
+  , IsSuspect(points.size(), 0)
+{
+}
+
+void NeighborSearch::VisitEdges()
+{
+  const Id numberOfTriangles = static_cast<Id>(this->Corners.size() / 3);
+  for (Id triangle = 0; triangle < numberOfTriangles; ++triangle)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      // An inner edge is visited from the triangle with the larger id.
+      if (this->Neighbors[3 * static_cast<std::size_t>(triangle) + corner] < triangle)
+      {
+        this->VisitEdge(triangle, corner);
+      }
+    }
+  }
+}
+
+void NeighborSearch::VisitEdge(Id triangle, int corner)
+{
+  const Id* own = &this->Corners[3 * static_cast<std::size_t>(triangle)];
+  const Id apex = own[corner];
+  const Id a = own[corner == 2 ? 0 : corner + 1];
+  const Id b = own[corner == 0 ? 2 : corner - 1];
+  const double squaredLength = SquaredDistance(this->Place(a), this->Place(b));
+  this->Shorten(a, squaredLength);
+  this->Shorten(b, squaredLength);
+  const Id across = this->Neighbors[3 * static_cast<std::size_t>(triangle) + corner];
+  if (across == NoId)
+  {
+    this->JudgeBoundaryEdge(a, b, apex);
+    return;
+  }
+  const Id* other = &this->Corners[3 * static_cast<std::size_t>(across)];
+  const Id beyond = other[0] ^ other[1] ^ other[2] ^ a ^ b;
+  const Point2& p = this->Place(apex);
+  const Point2& q = this->Place(beyond);
+  if (Dot(p - this->Place(a), q - this->Place(a)) > 0.0 ||
+    Dot(p - this->Place(b), q - this->Place(b)) > 0.0)
+  {
+    this->JudgeApex(apex, a, b, beyond);
+    this->JudgeApex(beyond, a, b, apex);
+  }
+}
+
+void NeighborSearch::JudgeBoundaryEdge(Id a, Id b, Id apex)
+{
+  // The boundary runs on from b: another edge marks that.
+  this->IsSuspect[static_cast<std::size_t>(a)] = 1;
+  const Point2& p = this->Place(apex);
+  const double squaredRadius =
+    std::min(SquaredDistance(p, this->Place(a)), SquaredDistance(p, this->Place(b)));
+  if (Reaches(p, squaredRadius, this->Place(a), this->Place(b)))
+  {
+    this->IsSuspect[static_cast<std::size_t>(apex)] = 1;
+  }
+}
+
+void NeighborSearch::JudgeApex(Id apex, Id a, Id b, Id beyond)
+{
+  const Point2& p = this->Place(apex);
+  const Point2& q = this->Place(beyond);
+  this->Shorten(apex, SquaredDistance(p, q));
+  const double squaredRadius = std::min({ this->SquaredDistances[static_cast<std::size_t>(apex)],
+    SquaredDistance(p, this->Place(a)), SquaredDistance(p, this->Place(b)) });
+  if (Reaches(p, squaredRadius, this->Place(a), this->Place(b)) &&
+    (Reaches(p, squaredRadius, this->Place(a), q) || Reaches(p, squaredRadius, this->Place(b), q)))
+  {
+    this->IsSuspect[static_cast<std::size_t>(apex)] = 1;
+  }
+}
+
+void NeighborSearch::Shorten(Id vertex, double squaredDistance)
+{
+  double& known = this->SquaredDistances[static_cast<std::size_t>(vertex)];
+  known = std::min(known, squaredDistance);
+}
+
+void NeighborSearch::SearchSuspects()
+{
+  const std::vector<Id> suspects = this->Suspects();
+  if (suspects.empty())
+  {
+    return;
+  }
+  const PointTree tree(this->Candidates(this->CellsOf(suspects)));
+  for (const Id suspect : suspects)
+  {
+    double& known = this->SquaredDistances[static_cast<std::size_t>(suspect)];
+    known = tree.NearestSquaredDistance(this->Place(suspect), suspect, known);
+  }
+}
+
+// A vertex without triangle is hidden from all others: where there is one, all are suspects.
+std::vector<Id> NeighborSearch::Suspects() const
+{
+  const bool areAllUsed = std::find(this->SquaredDistances.begin(), this->SquaredDistances.end(),
+                            Infinity) == this->SquaredDistances.end();
+  std::vector<Id> suspects;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    if (this->IsSuspect[i] != 0 || !areAllUsed)
+    {
+      suspects.push_back(static_cast<Id>(i));
+    }
+  }
+  return suspects;
+}
+
+CellMask NeighborSearch::CellsOf(const std::vector<Id>& suspects) const
+{
+  CellMask cells(this->Points, suspects.size());
+  for (const Id suspect : suspects)
+  {
+    const double radius = std::sqrt(this->SquaredDistances[static_cast<std::size_t>(suspect)]);
+    cells.Add(this->Place(suspect), radius);
+  }
+  return cells;
+}
+
+std::vector<PointTree::Item> NeighborSearch::Candidates(const CellMask& cells) const
+{
+  std::vector<PointTree::Item> candidates;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    if (cells.IsFull() || cells.Contains(this->Points[i]))
+    {
+      candidates.push_back({ this->Points[i], static_cast<Id>(i) });
+    }
+  }
+  return candidates;
+}
+
+std::vector<double> NeighborSearch::Distances() const
+{
+  std::vector<double> distances(this->SquaredDistances.size());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    distances[i] = std::sqrt(this->SquaredDistances[i]);
+  }
+  return distances;
+}
+
+} // namespace
+
+std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors)
+{
+  NeighborSearch search(points, corners, neighbors);
+  search.VisitEdges();
+  search.SearchSuspects();
+  return search.Distances();
+}
+
+} // namespace biting

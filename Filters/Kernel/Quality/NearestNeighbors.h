@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingNearestNeighbors_h
+#define BitingNearestNeighbors_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// The distance of each vertex of a triangulation to the nearest other vertex, wherever it is: joined
+/// by an edge or not, visible or hidden behind a hole or a slit. Infinite for a single vertex.
+/// `corners` and `neighbors` are as in Triangulation. The triangles may have any shape (they need not
+/// be Delaunay) but must not overlap.
+///
+/// Cost O(n) where triangles are well shaped and few vertices are near the boundary; O(n log n) for
+/// the vertices for which this does not hold.
+std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors);
+
+} // namespace biting
+
+#endif

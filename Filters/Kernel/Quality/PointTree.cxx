@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointTree.h"
+
+#include "../Base/Box2.h"
+
+#include <algorithm> // for nth_element
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+// Ranges of at most this many items are searched one by one.
+constexpr std::size_t LeafSize = 8;
+
+double Coordinate(const Point2& p, bool isX)
+{
+  return isX ? p.X : p.Y;
+}
+
+} // namespace
+
+PointTree::PointTree(std::vector<Item> items)
+  : Items(std::move(items))
+  , IsByX(this->Items.size(), 0)
+{
+  this->Build(0, this->Items.size());
+}
+
+void PointTree::Build(std::size_t first, std::size_t last)
+{
+  if (last - first <= LeafSize)
+  {
+    return;
+  }
+  const std::size_t middle = first + (last - first) / 2;
+  const bool isByX = this->IsWide(first, last);
+  const auto isBefore = [isByX](const Item& left, const Item& right)
+  { return Coordinate(left.Place, isByX) < Coordinate(right.Place, isByX); };
+  const auto at = [this](std::size_t i)
+  { return this->Items.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(middle), at(last), isBefore);
+  this->IsByX[middle] = isByX;
+  this->Build(first, middle);
+  this->Build(middle + 1, last);
+}
+
+bool PointTree::IsWide(std::size_t first, std::size_t last) const
+{
+  Box2 box;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    box.Add(this->Items[i].Place);
+  }
+  return box.Width() >= box.Height();
+}
+
+double PointTree::NearestSquaredDistance(const Point2& place, Id name, double limit) const
+{
+  Query query{ place, name, limit };
+  this->Search(0, this->Items.size(), query);
+  return query.Best;
+}
+
+void PointTree::Search(std::size_t first, std::size_t last, Query& query) const
+{
+  if (last - first <= LeafSize)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      this->Consider(this->Items[i], query);
+    }
+    return;
+  }
+  const std::size_t middle = first + (last - first) / 2;
+  const bool isByX = this->IsByX[middle] != 0;
+  const double ahead =
+    Coordinate(query.Place, isByX) - Coordinate(this->Items[middle].Place, isByX);
+  const bool isLow = ahead < 0.0;
+  this->Search(isLow ? first : middle + 1, isLow ? middle : last, query);
+  if (ahead * ahead < query.Best)
+  {
+    this->Consider(this->Items[middle], query);
+    this->Search(isLow ? middle + 1 : first, isLow ? last : middle, query);
+  }
+}
+
+void PointTree::Consider(const Item& item, Query& query) const
+{
+  const Point2 offset = item.Place - query.Place;
+  const double squaredDistance = Dot(offset, offset);
+  if (squaredDistance < query.Best && item.Name != query.Name)
+  {
+    query.Best = squaredDistance;
+  }
+}
+
+} // namespace biting

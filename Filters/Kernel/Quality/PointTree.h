@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingPointTree_h
+#define BitingPointTree_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <cstddef> // for positions
+#include <cstdint> // for axes
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// A balanced k-d tree over points of the plane, for the nearest one. Build O(n log n) with the
+/// points of each half in place, queries O(log n) for any distribution of the points.
+class PointTree
+{
+public:
+  struct Item
+  {
+    Point2 Place;
+    Id Name;
+  };
+
+  explicit PointTree(std::vector<Item> items);
+
+  /// The squared distance from `place` to the nearest item not called `name`, or `limit` where none
+  /// is nearer than that.
+  double NearestSquaredDistance(const Point2& place, Id name, double limit) const;
+
+private:
+  struct Query
+  {
+    Point2 Place;
+    Id Name;
+    double Best;
+  };
+
+  void Build(std::size_t first, std::size_t last);
+  bool IsWide(std::size_t first, std::size_t last) const;
+  void Search(std::size_t first, std::size_t last, Query& query) const;
+  void Consider(const Item& item, Query& query) const;
+
+  std::vector<Item> Items;         ///< the middle one of a range divides it
+  std::vector<std::uint8_t> IsByX; ///< for the middle of each range: divided by x, else by y
+};
+
+} // namespace biting
+
+#endif

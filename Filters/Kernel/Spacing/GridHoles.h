@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingGridHoles_h
+#define BitingGridHoles_h
+
+#include "Spacing.h"
+
+namespace biting
+{
+
+/// The grid with the value of the nearest given node at each node whose value is NaN; the grid
+/// itself where there is none. At least one value is given. Linear in the number of nodes.
+std::shared_ptr<const GridSource> FillHoles(std::shared_ptr<const GridSource> source);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSourceCheck_h
+#define BitingSourceCheck_h
+
+#include "Spacing.h"
+
+namespace biting
+{
+
+/// Adds a ProblemCode::BadSpacing for everything in `options` that cannot be a spacing; true if
+/// there was none. It checks:
+/// - Uniform, Scale, Minimum, Maximum and Gradation are finite and not negative, Scale is not zero,
+///   Minimum is not above a given Maximum (no ids; the detail names the parameter);
+/// - every value times Scale is positive and finite (id: point of the source), except that a NaN in
+///   a grid or triangulated source is a hole, as long as the source is not one single hole;
+/// - every position in use is finite, the nodes of a grid ascend.
+bool CheckSpacing(const SpacingOptions& options, ProblemList& problems);
+
+} // namespace biting
+
+#endif

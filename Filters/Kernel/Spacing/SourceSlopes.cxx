@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SourceSlopes.h"
+
+#include <algorithm> // for max
+#include <array>     // for corners
+
+namespace biting
+{
+namespace
+{
+
+/// 0 where the slope is not known: a hole, or a step of no length.
+double SlopeOf(double from, double to, double step)
+{
+  const double slope = std::abs(to - from) / step;
+  return step > 0.0 && std::isfinite(slope) ? slope : 0.0;
+}
+
+/// The slope of the piece of row j (or column i) that starts at node (i, j); 0 past the end.
+double SlopeAlongX(const GridSource& source, std::size_t i, std::size_t j)
+{
+  const std::size_t columns = source.XNodes.size();
+  if (i + 1 >= columns || j >= source.YNodes.size())
+  {
+    return 0.0;
+  }
+  const std::size_t node = i + j * columns;
+  return SlopeOf(
+    source.Values[node], source.Values[node + 1], source.XNodes[i + 1] - source.XNodes[i]);
+}
+
+double SlopeAlongY(const GridSource& source, std::size_t i, std::size_t j)
+{
+  const std::size_t columns = source.XNodes.size();
+  if (i >= columns || j + 1 >= source.YNodes.size())
+  {
+    return 0.0;
+  }
+  const std::size_t node = i + j * columns;
+  return SlopeOf(
+    source.Values[node], source.Values[node + columns], source.YNodes[j + 1] - source.YNodes[j]);
+}
+
+double TriangleSlope(const std::array<Point2, 3>& corners, const std::array<double, 3>& values)
+{
+  const Point2 first = corners[1] - corners[0];
+  const Point2 second = corners[2] - corners[0];
+  const double firstRise = values[1] - values[0];
+  const double secondRise = values[2] - values[0];
+  const Point2 gradientTimesArea = Perpendicular(firstRise * second - secondRise * first);
+  return SlopeOf(0.0, Length(gradientTimesArea), std::abs(Cross(first, second)));
+}
+
+} // namespace
+
+double LargestSlope(const GridSource& source)
+{
+  double largest = 0.0;
+  for (std::size_t j = 0; j < source.YNodes.size(); ++j)
+  {
+    for (std::size_t i = 0; i < source.XNodes.size(); ++i)
+    {
+      const double alongX = std::max(SlopeAlongX(source, i, j), SlopeAlongX(source, i, j + 1));
+      const double alongY = std::max(SlopeAlongY(source, i, j), SlopeAlongY(source, i + 1, j));
+      largest = std::max(largest, Length({ alongX, alongY }));
+    }
+  }
+  return largest;
+}
+
+double LargestSlope(const TriangulatedSource& source)
+{
+  double largest = 0.0;
+  for (std::size_t first = 0; first + 2 < source.Triangles.size(); first += 3)
+  {
+    std::array<Point2, 3> corners;
+    std::array<double, 3> values;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const auto pointId = static_cast<std::size_t>(source.Triangles[first + corner]);
+      corners[corner] = source.Points[pointId];
+      values[corner] = source.Values[pointId];
+    }
+    largest = std::max(largest, TriangleSlope(corners, values));
+  }
+  return largest;
+}
+
+double LargestSlope(const SegmentSource& source)
+{
+  double largest = 0.0;
+  for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
+  {
+    const auto a = static_cast<std::size_t>(source.Segments[first]);
+    const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
+    largest = std::max(largest,
+      SlopeOf(source.Values[a], source.Values[b], Distance(source.Points[a], source.Points[b])));
+  }
+  return largest;
+}
+
+} // namespace biting

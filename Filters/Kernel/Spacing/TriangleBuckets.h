@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTriangleBuckets_h
+#define BitingTriangleBuckets_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+
+#include <array>  // for corners
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// Which triangles may contain a point, for triangles of very different sizes.
+///
+/// A grid of cells over the box of all triangles; a cell that many triangles meet is itself cut by
+/// a grid, and so on. The cells of each grid have the shape and number of the triangles in it, so
+/// that graded and stretched triangulations need few levels. Cost: about linear to build, one
+/// arithmetic step a level to find a leaf, a handful of triangles in a leaf.
+class TriangleBuckets
+{
+public:
+  using Corners = std::array<Point2, 3>;
+
+  struct Range
+  {
+    const Id* First;
+    const Id* Last;
+    const Id* begin() const { return this->First; }
+    const Id* end() const { return this->Last; }
+  };
+
+  /// At least one triangle; each has an area.
+  explicit TriangleBuckets(const std::vector<Corners>& triangles);
+
+  /// All triangles that meet the leaf of x; outside, those of the nearest leaf along the axes.
+  Range Near(const Point2& x) const
+  {
+    const Cell* cell = &this->Cells.front();
+    while (cell->Count < 0)
+    {
+      const Grid& grid = this->Grids[static_cast<std::size_t>(cell->First)];
+      cell = &this->Cells[static_cast<std::size_t>(
+        grid.FirstCell + grid.Column(x.X) + grid.Columns * grid.Row(x.Y))];
+    }
+    const Id* first = this->Entries.data() + cell->First;
+    return { first, first + cell->Count };
+  }
+
+  /// Calls change(id) once an entry, leaf after leaf; the id may be replaced.
+  template <typename Change>
+  void ForEachEntry(Change change)
+  {
+    for (Id& entry : this->Entries)
+    {
+      change(entry);
+    }
+  }
+
+private:
+  struct Cell
+  {
+    Id First = 0; ///< of its entries, or the grid that cuts it
+    Id Count = 0; ///< of its entries, or -1: cut by a grid
+  };
+
+  /// Column and Row are monotone, also after rounding, and clamp what lies outside (or is NaN).
+  struct Grid
+  {
+    Point2 Low;
+    Point2 CellsPerLength;
+    Id Columns = 1;
+    Id Rows = 1;
+    Id FirstCell = 0;
+
+    Id Column(double x) const { return Clamp((x - Low.X) * CellsPerLength.X, Columns - 1); }
+    Id Row(double y) const { return Clamp((y - Low.Y) * CellsPerLength.Y, Rows - 1); }
+
+    static Id Clamp(double position, Id last)
+    {
+      const double least = position > 0.0 ? position : 0.0;
+      return least < last ? static_cast<Id>(least) : last;
+    }
+  };
+
+  struct Filing;
+  void Fill(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth);
+  void FillLeaf(Id cellId, const std::vector<Id>& ids);
+  Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids) const;
+  double ExpectedEntries(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
+  Filing File(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
+  template <typename Visit>
+  void ForEachMeeting(
+    const Grid& grid, const Box2& box, const std::vector<Id>& ids, Visit visit) const;
+
+  const std::vector<Corners>* Triangles = nullptr; ///< only while building
+  std::vector<Cell> Cells;                         ///< the first one is the root
+  std::vector<Grid> Grids;
+  std::vector<Id> Entries;
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TriangleInterpolator.h"
+
+#include <algorithm> // for sort, min, max
+#include <cstdint>   // for edge keys
+#include <limits>    // for infinity
+
+namespace biting
+{
+namespace
+{
+
+std::size_t PointOf(const Id* corners, std::size_t corner)
+{
+  return static_cast<std::size_t>(corners[corner]);
+}
+
+TriangleBuckets::Corners PointsOf(const TriangulatedSource& source, const Id* corners)
+{
+  return { source.Points[PointOf(corners, 0)], source.Points[PointOf(corners, 1)],
+    source.Points[PointOf(corners, 2)] };
+}
+
+/// A triangle too thin for its area to be seen is no source; its neighbors stand for it.
+bool IsUsable(const TriangulatedSource& source, const Id* corners)
+{
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    if (std::isnan(source.Values[PointOf(corners, corner)]))
+    {
+      return false;
+    }
+  }
+  const TriangleBuckets::Corners points = PointsOf(source, corners);
+  return std::isnormal(Cross(points[1] - points[0], points[2] - points[0]));
+}
+
+std::vector<const Id*> UsableTriangles(const TriangulatedSource& source)
+{
+  std::vector<const Id*> usable;
+  usable.reserve(source.Triangles.size() / 3);
+  for (std::size_t first = 0; first + 2 < source.Triangles.size(); first += 3)
+  {
+    if (IsUsable(source, &source.Triangles[first]))
+    {
+      usable.push_back(&source.Triangles[first]);
+    }
+  }
+  return usable;
+}
+
+/// Every edge of every triangle as one number: the smaller point id above the larger one.
+std::vector<std::uint64_t> SortedEdges(const std::vector<const Id*>& triangles)
+{
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Id* corners : triangles)
+  {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const std::uint64_t start = PointOf(corners, corner);
+      const std::uint64_t end = PointOf(corners, (corner + 1) % 3);
+      edges.push_back((std::min(start, end) << 32) | std::max(start, end));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The edges that belong to one triangle only.
+std::vector<BorderEdge> FindBorder(
+  const TriangulatedSource& source, const std::vector<const Id*>& triangles)
+{
+  const std::vector<std::uint64_t> edges = SortedEdges(triangles);
+  std::vector<BorderEdge> border;
+  for (std::size_t edge = 0, next = 0; edge < edges.size(); edge = next)
+  {
+    for (next = edge + 1; next < edges.size() && edges[next] == edges[edge];)
+    {
+      ++next;
+    }
+    if (next - edge == 1)
+    {
+      const auto low = static_cast<std::size_t>(edges[edge] >> 32);
+      const auto high = static_cast<std::size_t>(edges[edge] & 0xffffffffu);
+      border.push_back(
+        { source.Points[low], source.Points[high], source.Values[low], source.Values[high] });
+    }
+  }
+  return border;
+}
+
+} // namespace
+
+TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source)
+{
+  const std::vector<const Id*> usable = UsableTriangles(source);
+  if (usable.empty())
+  {
+    return;
+  }
+  std::vector<TriangleBuckets::Corners> corners;
+  corners.reserve(usable.size());
+  for (const Id* triangle : usable)
+  {
+    corners.push_back(PointsOf(source, triangle));
+  }
+  this->Buckets = std::make_unique<TriangleBuckets>(corners);
+  this->Border = BorderTree(FindBorder(source, usable));
+
+  this->Records.reserve(usable.size());
+  std::vector<Id> recordOf(usable.size(), NoId);
+  this->Buckets->ForEachEntry(
+    [this, &source, &usable, &recordOf](Id& entry)
+    {
+      const auto triangle = static_cast<std::size_t>(entry);
+      if (recordOf[triangle] == NoId)
+      {
+        recordOf[triangle] = static_cast<Id>(this->Records.size());
+        this->Records.push_back(MakeRecord(source, usable[triangle]));
+      }
+      entry = recordOf[triangle];
+    });
+}
+
+TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
+  const TriangulatedSource& source, const Id* corners)
+{
+  const TriangleBuckets::Corners points = PointsOf(source, corners);
+  const Point2 first = points[1] - points[0];
+  const Point2 second = points[2] - points[0];
+  const double area = Cross(first, second);
+  const double value = source.Values[PointOf(corners, 0)];
+  return { points[0], { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
+    value, source.Values[PointOf(corners, 1)] - value, source.Values[PointOf(corners, 2)] - value };
+}
+
+double TriangleInterpolator::operator()(const Point2& x) const
+{
+  for (Id id : this->Buckets->Near(x))
+  {
+    const Record& record = this->Records[static_cast<std::size_t>(id)];
+    const Point2 offset = x - record.Origin;
+    const double first = Dot(record.FirstWeight, offset);
+    const double second = Dot(record.SecondWeight, offset);
+    if (first >= 0.0 && second >= 0.0 && first + second <= 1.0)
+    {
+      return record.Value + first * record.FirstRise + second * record.SecondRise;
+    }
+  }
+  return this->Nearest(x);
+}
+
+/// The nearest point of the triangles around x closes the gaps between them; the nearest point of
+/// the border is the answer outside. Whichever is nearer decides, so no tolerance is needed.
+double TriangleInterpolator::Nearest(const Point2& x) const
+{
+  NearestValue best{ std::numeric_limits<double>::infinity(), this->Records.front().Value };
+  for (Id id : this->Buckets->Near(x))
+  {
+    const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
+    best = found.DistanceSquared < best.DistanceSquared ? found : best;
+  }
+  return this->Border.Nearest(x, best).Value;
+}
+
+/// For x outside the triangle. The rows of weights, inverted, give back its edges.
+NearestValue TriangleInterpolator::NearestOnTriangle(const Record& record, const Point2& x)
+{
+  const double area = 1.0 / Cross(record.FirstWeight, record.SecondWeight);
+  const Point2 origin = record.Origin;
+  const Point2 first = origin - area * Perpendicular(record.SecondWeight);
+  const Point2 second = origin + area * Perpendicular(record.FirstWeight);
+  const double firstValue = record.Value + record.FirstRise;
+  const double secondValue = record.Value + record.SecondRise;
+  const BorderEdge edges[3] = { { origin, first, record.Value, firstValue },
+    { first, second, firstValue, secondValue }, { second, origin, secondValue, record.Value } };
+  NearestValue best = NearestOnEdge(edges[0], x);
+  for (const BorderEdge& edge : { edges[1], edges[2] })
+  {
+    const NearestValue found = NearestOnEdge(edge, x);
+    best = found.DistanceSquared < best.DistanceSquared ? found : best;
+  }
+  return best;
+}
+
+} // namespace biting

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTriangleInterpolator_h
+#define BitingTriangleInterpolator_h
+
+#include "BorderTree.h"
+#include "Spacing.h"
+#include "TriangleBuckets.h"
+
+namespace biting
+{
+
+/// The piecewise linear interpolant of a triangulated source; in its holes and outside the value of
+/// the nearest point of it. Where triangles leave a gap by rounding, that is the value beside the
+/// gap. Where triangles overlap, one of them counts.
+class TriangleInterpolator
+{
+public:
+  /// Leaves out triangles that have no area or have a corner that is NaN.
+  explicit TriangleInterpolator(const TriangulatedSource& source);
+
+  /// No triangle is left: it must not be evaluated.
+  bool IsEmpty() const { return this->Records.empty(); }
+
+  double operator()(const Point2& x) const;
+
+private:
+  /// One triangle: the weights of corners 1 and 2 are linear in x - Origin (corner 0).
+  struct Record
+  {
+    Point2 Origin;
+    Point2 FirstWeight;
+    Point2 SecondWeight;
+    double Value;
+    double FirstRise;
+    double SecondRise;
+  };
+
+  static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
+  static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
+  double Nearest(const Point2& x) const;
+
+  std::unique_ptr<TriangleBuckets> Buckets; ///< of Records
+  std::vector<Record> Records;              ///< in the order of the buckets
+  BorderTree Border;
+};
+
+} // namespace biting
+
+#endif
