@@ -5,6 +5,7 @@
 
 #include "Biting/BitingScheme.h"
 #include "Biting/VertexEstimate.h"
+#include "Calibration.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
 #include "MeshAssembly.h"
@@ -57,7 +58,7 @@ void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& proble
     "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
 }
 
-BitingResult Bite(const Domain& domain, const Spacing& spacing, const BitingOptions& options,
+BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions options,
   ProblemList& problems, Monitor& monitor)
 {
   const DomainLocator locator(domain);
@@ -67,6 +68,12 @@ BitingResult Bite(const Domain& domain, const Spacing& spacing, const BitingOpti
   {
     AddTooManyVertices(estimate, options.MaximumNumberOfVertices, problems);
     return {};
+  }
+  if (options.BitingConstant == 0.0)
+  {
+    options.BitingConstant =
+      CalibrateBitingConstant(domain, locator, spacing, density, options, monitor);
+    options.PartLength = 1.0;
   }
   BitingResult bites = BiteDomain(domain, locator, spacing, estimate, options, monitor);
   if (bites.End == BitingEnd::TooManyVertices)
@@ -78,6 +85,10 @@ BitingResult Bite(const Domain& domain, const Spacing& spacing, const BitingOpti
   if (bites.End == BitingEnd::Aborted)
   {
     AddProblem(ProblemCode::Aborted, "", problems);
+  }
+  if (!options.KeepFront)
+  {
+    bites.Bites = {};
   }
   return bites;
 }

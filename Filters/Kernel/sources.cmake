@@ -6,7 +6,18 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Predicates/Predicates.cxx
   Spacing/Spacing.cxx
+  Domain/AreaSum.cxx
+  Domain/Arrangement.cxx
+  Domain/BoundaryComponents.cxx
+  Domain/ChainKinds.cxx
   Domain/Domain.cxx
+  Domain/DomainCheck.cxx
+  Domain/Meetings.cxx
+  Domain/Nesting.cxx
+  Domain/SegmentTree.cxx
+  Domain/VertexGrid.cxx
+  Domain/VertexStars.cxx
+  Domain/Welding.cxx
   Domain/DomainLocator.cxx
   Biting/BiteGrid.cxx
   Biting/BiteOutline.cxx
@@ -29,4 +40,5 @@ set(biting_kernel_sources
   Quality/PointTree.cxx
   Quality/Quality.cxx
   BitingMesh.cxx
+  Calibration.cxx
   MeshAssembly.cxx)

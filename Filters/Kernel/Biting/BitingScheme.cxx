@@ -19,9 +19,9 @@ namespace
 
 // Mean edge length / (f c_b) of the raw mesh, and vertices per integral of 1/(c_b f)^2, measured
 // over uniform and graded fields; see Testing/Benchmark.
-constexpr double LayersLength = 1.0 / 0.735;
-constexpr double SweepLength = 1.0 / 0.745;
-constexpr double VerticesPerDensity = 0.66;
+constexpr double LayersLength = 1.0 / 0.77;
+constexpr double SweepLength = 1.0 / 0.80;
+constexpr double VerticesPerDensity = 0.72;
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
 constexpr Id AdvanceInterval = 1000;
@@ -90,7 +90,8 @@ BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const S
   , Options(options)
   , Progress(monitor)
   , BitingConstant(UsedBitingConstant(options))
-  , PartLength(BitingConstant * LengthPerBitingConstant(options.Order))
+  , PartLength(options.PartLength > 0.0 ? options.PartLength
+                                        : BitingConstant * LengthPerBitingConstant(options.Order))
   , ExpectedVertices(expectedVertices)
   , Squares(Result.Bites)
   , Grid(Result.Bites, domain.Bounds, expectedVertices)
@@ -106,7 +107,8 @@ BitingResult BitingRun::Run()
   this->ProtectEdges();
   this->SeedFront();
   this->BiteInterior();
-  if (this->Options.KeepFront && this->Result.End == BitingEnd::Complete && !this->Queue.IsEmpty())
+  const bool isStopped = this->Result.End == BitingEnd::Complete && !this->MayBite();
+  if (this->Options.KeepFront && isStopped)
   {
     this->Result.Front = TraceFront(this->Geometry, this->Locator, this->Squares, this->Grid);
   }

@@ -21,7 +21,8 @@ namespace biting
 
 struct BitingOptions
 {
-  double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
+  double BitingConstant = 0.0; ///< c_b; 0 = AutomaticBitingConstant
+  double PartLength = 0.0;     ///< wanted length of boundary edges in units of f; 0 = as inside
   FrontOrder Order = FrontOrder::Layers;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
@@ -54,7 +55,7 @@ struct BitingResult
   BitingEnd End = BitingEnd::Complete;
 };
 
-/// The c_b for which the mean edge length of the mesh is f, by measurement.
+/// The c_b for which the mean edge length of the mesh is f, on average over domains.
 double AutomaticBitingConstant(FrontOrder order);
 
 /// How many vertices the mesh will have, by the integral of 1/f^2 (see VertexEstimate.h).

@@ -3,8 +3,9 @@
 
 #include "RegionFill.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for max, min, sort, stable_sort
 #include <cstdint>   // for flags
+#include <utility>   // for move
 
 namespace biting
 {
@@ -12,95 +13,17 @@ namespace biting
 namespace
 {
 
-/// The faces between constraints, the outside included. Face f has the triangles
-/// Triangles[Begins[f]] .. Triangles[Begins[f + 1] - 1].
-struct Faces
-{
-  std::vector<Id> FaceOf; ///< triangle -> face
-  std::vector<Id> Triangles;
-  std::vector<Id> Begins;
-  std::vector<std::uint8_t> IsInside;
-
-  Id Size() const { return static_cast<Id>(this->IsInside.size()); }
-};
-
-/// Where a face may begin: a triangle beyond a constraint.
-struct Seed
-{
-  Id Triangle = NoId;
-  std::uint8_t IsInside = 0;
-};
-
-Id FindGhost(const HalfEdgeMesh& mesh)
-{
-  Id triangle = 0;
-  while (!mesh.IsGhost(triangle))
-  {
-    ++triangle;
-  }
-  return triangle;
-}
-
-/// Adds the triangles that can be reached from the seed without crossing a constraint; what lies
-/// beyond the constraints becomes seeds.
-void FloodFace(
-  const HalfEdgeMesh& mesh, Seed seed, Faces& faces, std::vector<Seed>& seeds, Pulse& pulse)
-{
-  const Id face = faces.Size();
-  faces.IsInside.push_back(seed.IsInside);
-  faces.FaceOf[seed.Triangle] = face;
-  std::size_t next = faces.Triangles.size();
-  faces.Triangles.push_back(seed.Triangle);
-  for (; next < faces.Triangles.size() && pulse.Beat(); ++next)
-  {
-    const Id first = HalfEdgeMesh::FirstEdge(faces.Triangles[next]);
-    for (Id edge = first; edge < first + 3; ++edge)
-    {
-      const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
-      const Id mark = mesh.Marks[edge];
-      if (faces.FaceOf[neighbor] != NoId)
-      {
-        continue;
-      }
-      if (mark != NoId)
-      {
-        seeds.push_back({ neighbor, static_cast<std::uint8_t>(seed.IsInside ^ (mark & 1)) });
-        continue;
-      }
-      faces.FaceOf[neighbor] = face;
-      faces.Triangles.push_back(neighbor);
-    }
-  }
-  faces.Begins.push_back(static_cast<Id>(faces.Triangles.size()));
-}
-
-Faces FloodFaces(const HalfEdgeMesh& mesh, Pulse& pulse)
-{
-  Faces faces;
-  faces.FaceOf.assign(mesh.NumberOfTriangles, NoId);
-  faces.Triangles.reserve(mesh.NumberOfTriangles);
-  faces.Begins.push_back(0);
-  std::vector<Seed> seeds{ { FindGhost(mesh), 0 } };
-  for (std::size_t next = 0; next < seeds.size() && !pulse.HasStopped(); ++next)
-  {
-    if (faces.FaceOf[seeds[next].Triangle] == NoId)
-    {
-      FloodFace(mesh, seeds[next], faces, seeds, pulse);
-    }
-  }
-  return faces;
-}
-
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge
 {
+  Id Edge = NoId;
   Id Constraint = NoId;
   Point2 Place;           ///< the end that is nearer to the constraint's start
   bool IsReverse = false; ///< the constraint leads from greater points to less ones
   bool IsRight = false;   ///< the triangle is on the right of the constraint
-  Id Face = NoId;
 };
 
+/// Ends are compared along the constraint by the order of points: exact, as they are collinear.
 bool ComesBefore(const BorderEdge& a, const BorderEdge& b)
 {
   if (a.Constraint != b.Constraint)
@@ -114,9 +37,7 @@ bool ComesBefore(const BorderEdge& a, const BorderEdge& b)
   return !a.IsRight && b.IsRight;
 }
 
-/// Ends are compared along the constraint by the order of points: exact, as they are collinear.
-BorderEdge MakeBorderEdge(
-  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Id edge, Id face)
+BorderEdge MakeBorderEdge(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Id edge)
 {
   const Id constraint = mesh.Marks[edge] / 2;
   const Point2& origin = mesh.PointAt(mesh.Origin(edge));
@@ -124,41 +45,213 @@ BorderEdge MakeBorderEdge(
   const bool isReverse =
     mesh.PointAt(constraints.Ends[constraint]) < mesh.PointAt(constraints.Starts[constraint]);
   const bool isRight = (target < origin) != isReverse;
-  return { constraint, isRight ? target : origin, isReverse, isRight, face };
+  return { edge, constraint, isRight ? target : origin, isReverse, isRight };
 }
 
-std::vector<BorderEdge> CollectBorder(
-  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, const Faces& faces)
+/// All half-edges with a mark, along the constraints.
+std::vector<BorderEdge> CollectBorder(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints)
 {
   std::vector<BorderEdge> border;
-  for (Id triangle = 0; triangle < mesh.NumberOfTriangles; ++triangle)
+  for (Id edge = 0; edge < HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles); ++edge)
   {
-    const Id face = faces.FaceOf[triangle];
-    const Id first = HalfEdgeMesh::FirstEdge(triangle);
-    for (Id edge = first; edge < first + 3; ++edge)
+    if (mesh.Marks[edge] != NoId)
     {
-      if (faces.IsInside[face] != 0 && mesh.Marks[edge] != NoId)
-      {
-        border.push_back(MakeBorderEdge(mesh, constraints, edge, face));
-      }
+      border.push_back(MakeBorderEdge(mesh, constraints, edge));
     }
   }
   std::sort(border.begin(), border.end(), ComesBefore);
   return border;
 }
 
-/// Region -> face.
-std::vector<Id> NumberRegions(
-  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, const Faces& faces)
+/// All triangles, breadth first from all borders at once: layer by layer. Waves that meet within a
+/// face become one; a wave stands for the others of its face.
+class Flood
 {
-  std::vector<Id> regions;
-  std::vector<std::uint8_t> isNumbered(faces.IsInside.size(), 0);
-  for (const BorderEdge& edge : CollectBorder(mesh, constraints, faces))
+public:
+  Flood(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Pulse& pulse);
+
+  Id Size() const { return static_cast<Id>(this->Triangles.size()); }
+  Id NumberOfWaves() const { return static_cast<Id>(this->Parents.size()); }
+  Id TriangleAt(Id place) const { return this->Triangles[place]; }
+  Id PlaceOf(Id triangle) const { return this->Places[triangle]; }
+
+  /// The face of the triangle at a place: the number of one of its waves.
+  Id FaceAt(Id place) { return this->FaceOfWave(this->Waves[place]); }
+  Id FaceOf(Id triangle) { return this->FaceAt(this->Places[triangle]); }
+
+  /// The face beyond the convex hull.
+  Id OuterFace() { return this->FaceOf(this->Ghost); }
+
+private:
+  void Start(Id triangle);
+  void Spread(Id place);
+  void Add(Id triangle, Id wave);
+  void Unite(Id wave, Id other);
+  Id FaceOfWave(Id wave);
+
+  const HalfEdgeMesh& Mesh;
+  Id Ghost = 0;
+  std::vector<Id> Triangles; ///< place -> triangle
+  std::vector<Id> Places;    ///< triangle -> place
+  std::vector<Id> Waves;     ///< place -> wave
+  std::vector<Id> Parents;   ///< wave -> a wave of the same face, not greater
+};
+
+Flood::Flood(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Pulse& pulse)
+  : Mesh(mesh)
+  , Places(mesh.NumberOfTriangles, NoId)
+{
+  this->Triangles.reserve(mesh.NumberOfTriangles);
+  this->Waves.reserve(mesh.NumberOfTriangles);
+  for (const BorderEdge& edge : border)
   {
-    if (isNumbered[edge.Face] == 0)
+    this->Start(HalfEdgeMesh::TriangleOf(edge.Edge));
+  }
+  while (!mesh.IsGhost(this->Ghost))
+  {
+    ++this->Ghost;
+  }
+  this->Start(this->Ghost);
+  for (Id place = 0; place < this->Size() && pulse.Beat(); ++place)
+  {
+    this->Spread(place);
+  }
+}
+
+void Flood::Start(Id triangle)
+{
+  if (this->Places[triangle] == NoId)
+  {
+    this->Parents.push_back(this->NumberOfWaves());
+    this->Add(triangle, this->NumberOfWaves() - 1);
+  }
+}
+
+void Flood::Spread(Id place)
+{
+  const Id wave = this->Waves[place];
+  const Id first = HalfEdgeMesh::FirstEdge(this->Triangles[place]);
+  for (Id edge = first; edge < first + 3; ++edge)
+  {
+    if (this->Mesh.Marks[edge] != NoId)
     {
-      isNumbered[edge.Face] = 1;
-      regions.push_back(edge.Face);
+      continue;
+    }
+    const Id neighbor = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
+    if (this->Places[neighbor] == NoId)
+    {
+      this->Add(neighbor, wave);
+    }
+    else if (this->Waves[this->Places[neighbor]] != wave)
+    {
+      this->Unite(wave, this->Waves[this->Places[neighbor]]);
+    }
+  }
+}
+
+void Flood::Add(Id triangle, Id wave)
+{
+  this->Places[triangle] = this->Size();
+  this->Triangles.push_back(triangle);
+  this->Waves.push_back(wave);
+}
+
+void Flood::Unite(Id wave, Id other)
+{
+  const Id face = this->FaceOfWave(wave);
+  const Id otherFace = this->FaceOfWave(other);
+  this->Parents[std::max(face, otherFace)] = std::min(face, otherFace);
+}
+
+Id Flood::FaceOfWave(Id wave)
+{
+  while (this->Parents[wave] != wave)
+  {
+    this->Parents[wave] = this->Parents[this->Parents[wave]];
+    wave = this->Parents[wave];
+  }
+  return wave;
+}
+
+/// A step from face to face, across a half-edge with a mark.
+struct Step
+{
+  Id From = NoId;
+  Id To = NoId;
+  std::uint8_t IsOdd = 0;
+};
+
+/// The steps of all borders by the face they start from; those from face f are
+/// Steps[Begins[f]] .. Steps[Begins[f + 1] - 1].
+struct FaceGraph
+{
+  std::vector<Step> Steps;
+  std::vector<Id> Begins;
+};
+
+FaceGraph MakeFaceGraph(
+  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood)
+{
+  FaceGraph graph;
+  graph.Begins.assign(flood.NumberOfWaves() + 1, 0);
+  for (const BorderEdge& edge : border)
+  {
+    const Id from = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge.Edge));
+    const Id to = flood.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge.Edge]));
+    graph.Steps.push_back({ from, to, static_cast<std::uint8_t>(mesh.Marks[edge.Edge] & 1) });
+    ++graph.Begins[from + 1];
+  }
+  for (Id face = 0; face < flood.NumberOfWaves(); ++face)
+  {
+    graph.Begins[face + 1] += graph.Begins[face];
+  }
+  std::stable_sort(graph.Steps.begin(), graph.Steps.end(),
+    [](const Step& a, const Step& b) { return a.From < b.From; });
+  return graph;
+}
+
+/// Face -> 1 where it is an odd number of boundaries away from the outer face.
+std::vector<std::uint8_t> FindInside(const FaceGraph& graph, Id outerFace)
+{
+  constexpr std::uint8_t unknown = 2;
+  std::vector<std::uint8_t> isInside(graph.Begins.size() - 1, unknown);
+  std::vector<Id> queue{ outerFace };
+  isInside[outerFace] = 0;
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const Id face = queue[next];
+    for (Id i = graph.Begins[face]; i < graph.Begins[face + 1]; ++i)
+    {
+      const Step& step = graph.Steps[i];
+      if (isInside[step.To] == unknown)
+      {
+        isInside[step.To] = isInside[face] ^ step.IsOdd;
+        queue.push_back(step.To);
+      }
+    }
+  }
+  return isInside;
+}
+
+/// The regions: the faces inside.
+struct Regions
+{
+  std::vector<Id> OfFace; ///< face -> region, NoId outside
+  Id Size = 0;
+};
+
+Regions NumberRegions(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood)
+{
+  const std::vector<std::uint8_t> isInside =
+    FindInside(MakeFaceGraph(mesh, border, flood), flood.OuterFace());
+  Regions regions;
+  regions.OfFace.assign(flood.NumberOfWaves(), NoId);
+  for (const BorderEdge& edge : border)
+  {
+    const Id face = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge.Edge));
+    if (isInside[face] == 1 && regions.OfFace[face] == NoId)
+    {
+      regions.OfFace[face] = regions.Size++;
     }
   }
   return regions;
@@ -168,74 +261,79 @@ std::vector<Id> NumberRegions(
 class Writer
 {
 public:
-  Writer(const HalfEdgeMesh& mesh, const Faces& faces, const std::vector<Id>& order)
+  Writer(const HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood)
     : Mesh(mesh)
-    , AllFaces(faces)
     , Order(order)
-    , Numbers(mesh.NumberOfTriangles, NoId)
+    , Source(flood)
   {
   }
 
-  Triangulation Write(const std::vector<Id>& regions, Pulse& pulse);
+  Triangulation Write(const Regions& regions, Pulse& pulse);
 
 private:
-  void Number(const std::vector<Id>& regions);
-  void WriteTriangle(Id triangle, Id region);
-  Id NumberOf(Id edge) const { return this->Numbers[HalfEdgeMesh::TriangleOf(edge)]; }
+  void NumberTriangles(const Regions& regions);
+  void WriteTriangle(Id place);
 
   const HalfEdgeMesh& Mesh;
-  const Faces& AllFaces;
   const std::vector<Id>& Order;
-  std::vector<Id> Numbers; ///< triangle -> triangle of the result
-  Id NumberOfTriangles = 0;
+  Flood& Source;
+  std::vector<Id> Numbers; ///< place -> triangle of the result, NoId outside
   Triangulation Result;
 };
 
-Triangulation Writer::Write(const std::vector<Id>& regions, Pulse& pulse)
+Triangulation Writer::Write(const Regions& regions, Pulse& pulse)
 {
-  this->Number(regions);
-  const std::size_t size = this->NumberOfTriangles;
-  this->Result.Corners.reserve(3 * size);
-  this->Result.Neighbors.reserve(3 * size);
-  this->Result.Constraints.reserve(3 * size);
-  this->Result.Regions.reserve(size);
-  for (std::size_t region = 0; region < regions.size(); ++region)
+  this->NumberTriangles(regions);
+  const std::size_t size = this->Result.Regions.size();
+  this->Result.Corners.resize(3 * size);
+  this->Result.Neighbors.resize(3 * size);
+  this->Result.Constraints.resize(3 * size);
+  for (Id place = 0; place < this->Source.Size() && pulse.Beat(); ++place)
   {
-    const Id face = regions[region];
-    for (Id i = this->AllFaces.Begins[face]; i < this->AllFaces.Begins[face + 1]; ++i)
+    if (this->Numbers[place] != NoId)
     {
-      if (!pulse.Beat())
-      {
-        return {};
-      }
-      this->WriteTriangle(this->AllFaces.Triangles[i], static_cast<Id>(region));
+      this->WriteTriangle(place);
     }
   }
-  return std::move(this->Result);
+  return pulse.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
-void Writer::Number(const std::vector<Id>& regions)
+/// Region by region, in the order of the flood within; fills Regions of the result.
+void Writer::NumberTriangles(const Regions& regions)
 {
-  for (const Id face : regions)
+  this->Numbers.reserve(this->Source.Size());
+  std::vector<Id> begins(regions.Size + 1, 0);
+  for (Id place = 0; place < this->Source.Size(); ++place)
   {
-    for (Id i = this->AllFaces.Begins[face]; i < this->AllFaces.Begins[face + 1]; ++i)
+    this->Numbers.push_back(regions.OfFace[this->Source.FaceAt(place)]);
+    if (this->Numbers.back() != NoId)
     {
-      this->Numbers[this->AllFaces.Triangles[i]] = this->NumberOfTriangles++;
+      ++begins[this->Numbers.back() + 1];
     }
   }
+  for (Id region = 0; region < regions.Size; ++region)
+  {
+    this->Result.Regions.resize(this->Result.Regions.size() + begins[region + 1], region);
+    begins[region + 1] += begins[region];
+  }
+  for (Id& number : this->Numbers)
+  {
+    number = number == NoId ? NoId : begins[number]++;
+  }
 }
 
-void Writer::WriteTriangle(Id triangle, Id region)
+void Writer::WriteTriangle(Id place)
 {
-  const Id first = HalfEdgeMesh::FirstEdge(triangle);
-  for (Id edge = first; edge < first + 3; ++edge)
+  const Id first = HalfEdgeMesh::FirstEdge(this->Source.TriangleAt(place));
+  const std::size_t number = this->Numbers[place];
+  for (Id k = 0; k < 3; ++k)
   {
-    const Id mark = this->Mesh.Marks[edge];
-    this->Result.Corners.push_back(this->Order[this->Mesh.Corners[edge]]);
-    this->Result.Neighbors.push_back(this->NumberOf(this->Mesh.Twins[edge]));
-    this->Result.Constraints.push_back(mark == NoId ? NoId : mark / 2);
+    const Id neighbor = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[first + k]);
+    const Id mark = this->Mesh.Marks[first + k];
+    this->Result.Corners[3 * number + k] = this->Order[this->Mesh.Corners[first + k]];
+    this->Result.Neighbors[3 * number + k] = this->Numbers[this->Source.PlaceOf(neighbor)];
+    this->Result.Constraints[3 * number + k] = mark == NoId ? NoId : mark / 2;
   }
-  this->Result.Regions.push_back(region);
 }
 
 } // namespace
@@ -243,13 +341,14 @@ void Writer::WriteTriangle(Id triangle, Id region)
 Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse)
 {
-  const Faces faces = FloodFaces(mesh, pulse);
+  const std::vector<BorderEdge> border = CollectBorder(mesh, constraints);
+  Flood flood(mesh, border, pulse);
   if (pulse.HasStopped())
   {
     return {};
   }
-  const std::vector<Id> regions = NumberRegions(mesh, constraints, faces);
-  return Writer(mesh, faces, order).Write(regions, pulse);
+  const Regions regions = NumberRegions(mesh, border, flood);
+  return Writer(mesh, order, flood).Write(regions, pulse);
 }
 
 } // namespace biting

@@ -19,8 +19,8 @@ namespace biting
 /// which the result refers to.
 /// Regions are numbered as one meets them along the constraints, in order of number, from start to
 /// end, the left side of each edge before the right. Triangles are ordered region by region, and
-/// breadth first within: neighbors are near each other in memory.
-/// On abort the result has no meaning.
+/// within layer by layer, from all constraints inwards: neighbors are near each other in memory.
+/// On abort the result is empty.
 Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse);
 

@@ -4,26 +4,23 @@
 #ifndef BitingChainKinds_h
 #define BitingChainKinds_h
 
-#include "../Base/Ids.h"
-#include "../Base/Point2.h"
-#include "SegmentTree.h" // for SegmentEnds
+#include "Arrangement.h"
 
 #include <cstdint> // for flags
-#include <vector>  // for the arrays
+#include <vector>  // for flags
 
 namespace biting
 {
 
-/// Which segments of a graph bound, by even-odd parity; 1 where the inside changes.
+/// Which edges bound the domain: 1 where inside and outside change. Every vertex ends an even number
+/// of these.
 ///
-/// `counts` says how often each segment is drawn; 0: it does not belong to the graph. Segments meet
-/// at common ends only. Bridges do not bound. A component that is left after the bridges are taken
-/// away bounds by parity where all its vertices have even degree (counted as often as drawn), else
-/// by its outline: the segments that its outer face touches. In the result every vertex has even
-/// degree. Where the input has that already, the result is the parity of the counts.
-/// Cost O(n log n). Source: R. Tarjan, "A note on finding the bridges of a graph", 1974.
-std::vector<std::uint8_t> FindBoundary(const std::vector<Point2>& vertices,
-  const std::vector<SegmentEnds>& segments, const std::vector<Id>& counts);
+/// Boundary chains bound by parity; where they leave ends open, what remains closed of them does.
+/// Open chains of automatic kind are judged by their components (BoundaryComponents.h), apart from
+/// the boundary chains: a river from coast to coast bounds nothing. A component that is not a simple
+/// loop and lies within the domain of all the others only divides it: interfaces that cross, the
+/// borders of states within a coast.
+std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement);
 
 } // namespace biting
 

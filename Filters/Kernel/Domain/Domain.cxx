@@ -24,7 +24,6 @@ namespace
 using Flags = std::vector<std::uint8_t>;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
-Flags MarkBoundary(const Arrangement& arrangement);
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
 void ReportOutside(
   const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
@@ -50,7 +49,7 @@ Domain MakeDomain(
   {
     return {};
   }
-  const Flags bounds = MarkBoundary(arrangement);
+  const Flags bounds = FindBoundary(arrangement);
   if (std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; }))
   {
     return Refuse(ProblemCode::NoClosedLoop, problems);
@@ -116,27 +115,6 @@ bool IsUsable(const Polylines& input, ProblemList& problems)
     isUsable = false;
   }
   return isUsable;
-}
-
-/// Chains that bound by kind or because they are closed are judged apart from open ones, so that a
-/// river that ends at a coast on both sides stays a river.
-Flags MarkBoundary(const Arrangement& arrangement)
-{
-  std::vector<Id> boundaryCounts;
-  std::vector<Id> openCounts;
-  for (const ArrangementEdge& edge : arrangement.Edges)
-  {
-    boundaryCounts.push_back(edge.BoundaryCount);
-    openCounts.push_back(edge.OpenCount);
-  }
-  const std::vector<SegmentEnds> ends = arrangement.EdgeEnds();
-  Flags bounds = FindBoundary(arrangement.Vertices, ends, boundaryCounts);
-  const Flags openBounds = FindBoundary(arrangement.Vertices, ends, openCounts);
-  for (std::size_t e = 0; e < bounds.size(); ++e)
-  {
-    bounds[e] ^= openBounds[e];
-  }
-  return bounds;
 }
 
 bool IsKept(const InsideFlags& inside, std::size_t edge)

@@ -22,7 +22,12 @@ namespace biting
 /// Invariant, exact: segments meet at common end vertices only; no two vertices coincide; no vertex
 /// lies on the interior of a segment. The inside is the even-odd region of all boundary segments,
 /// each counted as often as it occurs in the input, whatever the orientation of the loops.
-/// Coordinates are those of the input, so that what is exact here is exact in the output.
+/// Coordinates are those of the input, so that what is exact here is exact in the output; but those
+/// below LeastCoordinate in magnitude count as zero.
+///
+/// Of ChainKind::Automatic, closed chains bound. Open ones bound where they form loops together: of
+/// their graph without its bridges, components of even degree by parity, others by their outline.
+/// What crosses itself, or has odd degrees, and lies within the domain of the others only divides it.
 struct Domain
 {
   // Vertices: ends of segments, and embedded points of the closed domain.
@@ -53,7 +58,9 @@ struct DomainOptions
   bool Repair = true;
 };
 
-/// Makes the domain of `input`. Repairs and refusals are added to `problems`; where these have
+/// Makes the domain of `input`: weld equal points, resolve the arrangement, find what bounds, find
+/// the inside, drop the outside. Vertices are numbered by their first input point, those made by
+/// crossings after them; segments by input chain and their place along it. Repairs and refusals are added to `problems`; where these have
 /// errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);

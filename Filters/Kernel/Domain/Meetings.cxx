@@ -38,9 +38,10 @@ private:
   bool TestEdges(Monitor& monitor);
   void TestEdge(Id edge);
   void TestApart(Id first, Id second);
+  bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
   void TestStars();
   void TestStar(Id vertex);
-  bool TestFan(Id first, Id second, Id apex);
+  bool TestFan(Id first, Id second, Id apex, bool tells);
   void TestLooseVertices();
 
   bool TestVertex(Id edge, Id vertex);
@@ -104,6 +105,10 @@ void MeetingFinder::TestApart(Id first, Id second)
 {
   const SegmentEnds& a = this->EndsOf(first);
   const SegmentEnds& b = this->EndsOf(second);
+  if (this->IsBeside(a, b) || this->IsBeside(b, a))
+  {
+    return;
+  }
   const Meeting meeting = Meet(
     this->Input.At(a.Start), this->Input.At(a.End), this->Input.At(b.Start), this->Input.At(b.End));
   Id touched = NoId;
@@ -113,7 +118,7 @@ void MeetingFinder::TestApart(Id first, Id second)
     if (this->TestVertex(edge, vertex))
     {
       touched = vertex;
-      if (meeting != Meeting::Overlap)
+      if (meeting == Meeting::Touch || meeting == Meeting::Crossing)
       {
         this->ReportTouch(edge, edge == first ? second : first, vertex);
       }
@@ -130,6 +135,23 @@ void MeetingFinder::TestApart(Id first, Id second)
   }
 }
 
+/// Whether `other` lies clearly on one side of the line along `ends`: further than Resolution at
+/// both of its ends, so that neither comes near the other anywhere. False where that is uncertain.
+///
+/// With u the unit roundoff and M the largest coordinate, a cross product of differences is off by
+/// at most 4 u times the product of their lengths in the 1-norm; that of the second is below 4 M,
+/// and Resolution is 8 u M: the error is below 2 Resolution times the 1-norm of the first.
+bool MeetingFinder::IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const
+{
+  const Point2& origin = this->Input.At(ends.Start);
+  const Point2 direction = this->Input.At(ends.End) - origin;
+  const double start = Cross(direction, this->Input.At(other.Start) - origin);
+  const double end = Cross(direction, this->Input.At(other.End) - origin);
+  const double bound =
+    4.0 * this->Input.Resolution * (std::abs(direction.X) + std::abs(direction.Y));
+  return (start > bound && end > bound) || (start < -bound && end < -bound);
+}
+
 void MeetingFinder::TestStars()
 {
   for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
@@ -142,23 +164,27 @@ void MeetingFinder::TestStars()
   }
 }
 
-/// From each edge counterclockwise, as long as the next lies along it.
+/// From each edge counterclockwise, as long as the next lies along it. The walk passes the end of
+/// the star and goes on from its beginning, unless all edges lie along the first.
 void MeetingFinder::TestStar(Id vertex)
 {
   const Id degree = this->Stars.Degree(vertex);
   const Id* star = this->Stars.Begin(vertex);
+  Id last = 2 * degree - 1;
   for (Id i = 0; i < degree; ++i)
   {
-    Id step = 1;
-    while (step < degree && this->TestFan(star[i], star[(i + step) % degree], vertex))
+    Id next = i + 1;
+    while (next < std::min(i + degree, last) &&
+      this->TestFan(star[i], star[next % degree], vertex, next == i + 1))
     {
-      ++step;
+      ++next;
     }
+    last = i == 0 && next == degree ? degree : last;
   }
 }
 
 /// Two edges with the common end `apex`: whether the nearer of their other ends lies on the other.
-bool MeetingFinder::TestFan(Id first, Id second, Id apex)
+bool MeetingFinder::TestFan(Id first, Id second, Id apex, bool tells)
 {
   const Id a = OtherEnd(this->EndsOf(first), apex);
   const Id b = OtherEnd(this->EndsOf(second), apex);
@@ -167,14 +193,9 @@ bool MeetingFinder::TestFan(Id first, Id second, Id apex)
   {
     return false;
   }
-  const Id vertex = isSecondNearer ? b : a;
-  if (Orient2D(this->Input.At(apex), this->Input.At(a), this->Input.At(b)) == 0)
+  if (tells && Orient2D(this->Input.At(apex), this->Input.At(a), this->Input.At(b)) == 0)
   {
-    this->ReportOverlap(std::min(first, second), std::max(first, second), vertex);
-  }
-  else
-  {
-    this->ReportTouch(isSecondNearer ? first : second, isSecondNearer ? second : first, vertex);
+    this->ReportOverlap(std::min(first, second), std::max(first, second), isSecondNearer ? b : a);
   }
   return true;
 }

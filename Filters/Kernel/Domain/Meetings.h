@@ -30,6 +30,8 @@ struct EdgeCrossing
 };
 
 /// What the user is told: two edges that cross or overlap, or a boundary that touches another.
+/// Vertices that lie near an edge but do not meet it, exactly, go without a word: their input is
+/// valid, and the edge is bent by less than its ends are rounded.
 struct MeetingReport
 {
   ProblemCode Code = ProblemCode::Crossings;

@@ -5,7 +5,7 @@
 
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for min, max
 #include <cmath>     // for abs
 #include <cstdint>   // for marks
 #include <limits>    // for epsilon
@@ -16,9 +16,6 @@ namespace biting
 
 namespace
 {
-
-// Marks of a triangle: bits 0 to 2, that a loop was traced along the edge opposite that corner.
-constexpr std::uint8_t Visited = 8;
 
 constexpr std::size_t Next(std::size_t slot)
 {
@@ -48,6 +45,57 @@ private:
   double Lost = 0.0;
 };
 
+// Parts of a whole that turn out to be connected (disjoint sets with path halving).
+class Parts
+{
+public:
+  Id Begin();
+  Id Join(Id part, Id other);
+  std::int64_t Count() const { return this->NumberOfParts; }
+
+private:
+  Id Root(Id part);
+
+  std::vector<Id> Parents; ///< of a root: itself
+  std::int64_t NumberOfParts = 0;
+};
+
+Id Parts::Begin()
+{
+  this->Parents.push_back(static_cast<Id>(this->Parents.size()));
+  this->NumberOfParts += 1;
+  return this->Parents.back();
+}
+
+// The root of both; `part` may be none.
+Id Parts::Join(Id part, Id other)
+{
+  if (part == other)
+  {
+    return part;
+  }
+  const Id otherRoot = this->Root(other);
+  const Id root = part == NoId ? otherRoot : this->Root(part);
+  if (root != otherRoot)
+  {
+    this->Parents[static_cast<std::size_t>(std::max(root, otherRoot))] = std::min(root, otherRoot);
+    this->NumberOfParts -= 1;
+  }
+  return std::min(root, otherRoot);
+}
+
+Id Parts::Root(Id part)
+{
+  std::size_t member = static_cast<std::size_t>(part);
+  while (this->Parents[member] != static_cast<Id>(member))
+  {
+    const std::size_t parent = static_cast<std::size_t>(this->Parents[member]);
+    this->Parents[member] = this->Parents[parent];
+    member = static_cast<std::size_t>(this->Parents[member]);
+  }
+  return static_cast<Id>(member);
+}
+
 class MeshChecker
 {
 public:
@@ -67,11 +115,11 @@ private:
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
   bool FulfilsEuler();
-  std::int64_t CountComponents();
-  void VisitComponent(Id triangle, std::vector<Id>& front);
-  std::int64_t CountLoops();
+  std::int64_t CountComponents() const;
+  std::int64_t CountLoops() const;
   std::size_t NextOnBoundary(std::size_t slot) const;
   bool CoversArea();
+  void AddArea(const Point2& a, const Point2& b, const Point2& c);
   double BoundaryRounding() const;
   bool Refuse(const std::string& violation);
   std::string EdgeText(std::size_t slot) const;
@@ -86,7 +134,8 @@ private:
   std::string Violation;
   std::vector<std::size_t> BoundarySlots;
   std::int64_t NumberOfInnerVertices = 0;
-  std::vector<std::uint8_t> Marks; ///< one a triangle
+  CompensatedSum DoubledArea;
+  double AreaMagnitude = 0.0; ///< sum of the terms of DoubledArea, all taken positive
 };
 
 std::string MeshChecker::Check()
@@ -122,16 +171,29 @@ bool MeshChecker::HasValidIds()
   return true;
 }
 
+// Adds the areas on the way, as the places are at hand.
 bool MeshChecker::IsCounterclockwise()
 {
   for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); slot += 3)
   {
-    if (Orient2D(this->Place(slot), this->Place(slot + 1), this->Place(slot + 2)) <= 0)
+    const Point2& a = this->Place(slot);
+    const Point2& b = this->Place(slot + 1);
+    const Point2& c = this->Place(slot + 2);
+    if (Orient2D(a, b, c) <= 0)
     {
       return this->Refuse("triangle " + std::to_string(slot / 3) + " is not counterclockwise");
     }
+    this->AddArea(a, b, c);
   }
   return true;
+}
+
+void MeshChecker::AddArea(const Point2& a, const Point2& b, const Point2& c)
+{
+  const Point2 u = b - a;
+  const Point2 v = c - a;
+  this->DoubledArea.Add(u.X * v.Y - u.Y * v.X);
+  this->AreaMagnitude += std::abs(u.X * v.Y) + std::abs(u.Y * v.X);
 }
 
 // A link to a smaller triangle is followed there, to a slot that must name this triangle. As no slot
@@ -167,15 +229,15 @@ bool MeshChecker::IsLink(std::size_t slot) const
 }
 
 // The slot of the neighbor whose edge starts where that of `slot` ends; any where there is none.
+// Without branches: which corner it is cannot be predicted.
 std::size_t MeshChecker::SlotAcross(std::size_t slot) const
 {
+  constexpr std::size_t SlotBefore[] = { 2, 0, 1, 1 };
   const std::size_t first = 3 * static_cast<std::size_t>(this->Mesh.Neighbors[slot]);
-  const std::size_t end = this->Corner(Previous(slot));
-  if (this->Corner(first) == end)
-  {
-    return first + 2;
-  }
-  return this->Corner(first + 1) == end ? first : first + 1;
+  const Id end = this->Mesh.Corners[Previous(slot)];
+  const std::size_t isSecond = this->Mesh.Corners[first + 1] == end ? 1 : 0;
+  const std::size_t isThird = this->Mesh.Corners[first + 2] == end ? 2 : 0;
+  return first + SlotBefore[isSecond + isThird];
 }
 
 bool MeshChecker::HasConstrainedBoundary()
@@ -225,7 +287,6 @@ bool MeshChecker::FulfilsEuler()
 {
   const std::int64_t numberOfTriangles = static_cast<std::int64_t>(this->Mesh.Corners.size() / 3);
   const std::int64_t numberOfBoundaryEdges = static_cast<std::int64_t>(this->BoundarySlots.size());
-  this->Marks.assign(this->Mesh.Corners.size() / 3, 0);
   const std::int64_t components = this->CountComponents();
   const std::int64_t loops = this->CountLoops();
   const std::int64_t found =
@@ -235,52 +296,38 @@ bool MeshChecker::FulfilsEuler()
       std::to_string(loops) + " boundary loops");
 }
 
-std::int64_t MeshChecker::CountComponents()
+// Each triangle takes the part of a neighbor before it, or begins a part where there is none; where
+// it has neighbors of different parts, these are one. There are few parts, so joining costs little.
+std::int64_t MeshChecker::CountComponents() const
 {
-  std::int64_t count = 0;
-  std::vector<Id> front;
-  for (std::size_t triangle = 0; triangle < this->Marks.size(); ++triangle)
+  Parts parts;
+  std::vector<Id> partOf(this->Mesh.Neighbors.size() / 3, NoId);
+  for (std::size_t triangle = 0; triangle < partOf.size(); ++triangle)
   {
-    if ((this->Marks[triangle] & Visited) == 0)
-    {
-      this->VisitComponent(static_cast<Id>(triangle), front);
-      count += 1;
-    }
-  }
-  return count;
-}
-
-void MeshChecker::VisitComponent(Id triangle, std::vector<Id>& front)
-{
-  this->Marks[static_cast<std::size_t>(triangle)] |= Visited;
-  front.push_back(triangle);
-  while (!front.empty())
-  {
-    const std::size_t first = 3 * static_cast<std::size_t>(front.back());
-    front.pop_back();
-    for (std::size_t slot = first; slot < first + 3; ++slot)
+    Id part = NoId;
+    for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
     {
       const Id neighbor = this->Mesh.Neighbors[slot];
-      if (neighbor != NoId && (this->Marks[static_cast<std::size_t>(neighbor)] & Visited) == 0)
+      if (neighbor != NoId && static_cast<std::size_t>(neighbor) < triangle)
       {
-        this->Marks[static_cast<std::size_t>(neighbor)] |= Visited;
-        front.push_back(neighbor);
+        part = parts.Join(part, partOf[static_cast<std::size_t>(neighbor)]);
       }
     }
+    partOf[triangle] = part == NoId ? parts.Begin() : part;
   }
+  return parts.Count();
 }
 
-std::int64_t MeshChecker::CountLoops()
+std::int64_t MeshChecker::CountLoops() const
 {
+  std::vector<bool> isTraced(this->Mesh.Neighbors.size(), false);
   std::int64_t count = 0;
   for (const std::size_t start : this->BoundarySlots)
   {
-    std::size_t slot = start;
-    while ((this->Marks[slot / 3] & (1 << slot % 3)) == 0)
+    count += isTraced[start] ? 0 : 1;
+    for (std::size_t slot = start; !isTraced[slot]; slot = this->NextOnBoundary(slot))
     {
-      this->Marks[slot / 3] |= static_cast<std::uint8_t>(1 << slot % 3);
-      slot = this->NextOnBoundary(slot);
-      count += slot == start ? 1 : 0;
+      isTraced[slot] = true;
     }
   }
   return count;
@@ -300,19 +347,10 @@ std::size_t MeshChecker::NextOnBoundary(std::size_t slot) const
 
 bool MeshChecker::CoversArea()
 {
-  CompensatedSum doubledArea;
-  double magnitude = 0.0;
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); slot += 3)
-  {
-    const Point2 u = this->Place(slot + 1) - this->Place(slot);
-    const Point2 v = this->Place(slot + 2) - this->Place(slot);
-    doubledArea.Add(u.X * v.Y - u.Y * v.X);
-    magnitude += std::abs(u.X * v.Y) + std::abs(u.Y * v.X);
-  }
-  const double area = 0.5 * doubledArea.Value();
+  const double area = 0.5 * this->DoubledArea.Value();
   const double expected = this->Mesh.ExpectedArea;
   const double rounding =
-    std::numeric_limits<double>::epsilon() * (magnitude + this->BoundaryRounding());
+    std::numeric_limits<double>::epsilon() * (this->AreaMagnitude + this->BoundaryRounding());
   if (std::abs(area - expected) <= rounding + this->Mesh.AreaTolerance * std::abs(expected))
   {
     return true;

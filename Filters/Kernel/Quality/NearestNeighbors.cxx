@@ -131,6 +131,7 @@ public:
 private:
   void VisitEdge(Id triangle, int corner);
   void JudgeBoundaryEdge(Id a, Id b, Id apex);
+  void JudgeInnerEdge(Id a, Id b, Id apex, Id beyond);
   void JudgeApex(Id apex, Id a, Id b, Id beyond);
   void Shorten(Id vertex, double squaredDistance);
   std::vector<Id> Suspects() const;
@@ -188,7 +189,11 @@ void NeighborSearch::VisitEdge(Id triangle, int corner)
     return;
   }
   const Id* other = &this->Corners[3 * static_cast<std::size_t>(across)];
-  const Id beyond = other[0] ^ other[1] ^ other[2] ^ a ^ b;
+  this->JudgeInnerEdge(a, b, apex, other[0] ^ other[1] ^ other[2] ^ a ^ b);
+}
+
+void NeighborSearch::JudgeInnerEdge(Id a, Id b, Id apex, Id beyond)
+{
   const Point2& p = this->Place(apex);
   const Point2& q = this->Place(beyond);
   if (Dot(p - this->Place(a), q - this->Place(a)) > 0.0 ||

@@ -28,10 +28,6 @@ constexpr double LargestVariation = 0.25;
 /// The share of the tolerance that the tested points may use: others may be worse.
 constexpr double TestedShare = 0.7;
 
-constexpr std::array<std::array<double, 2>, 13> TestPoints{ { { 0.5, 0.5 }, { 0.5, 0.0 },
-  { 0.0, 0.5 }, { 1.0, 0.5 }, { 0.5, 1.0 }, { 0.25, 0.25 }, { 0.75, 0.25 }, { 0.25, 0.75 },
-  { 0.75, 0.75 }, { 0.5, 0.25 }, { 0.25, 0.5 }, { 0.75, 0.5 }, { 0.5, 0.75 } } };
-
 double Bilinear(const std::array<double, 4>& corners, double u, double v)
 {
   const double low = (1.0 - u) * corners[0] + u * corners[1];
@@ -41,27 +37,21 @@ double Bilinear(const std::array<double, 4>& corners, double u, double v)
 
 } // namespace
 
-/// Refines the tree from the root down. Each square gets, from the list of its parent, the cones
-/// that may be lowest in it: all are Lipschitz with the same constant g, so these are the ones
-/// which at its center are within 2 g radius of the lowest.
+/// Refines the tree from the root down.
 class CarrierBuilder
 {
 public:
   CarrierBuilder(AdaptiveCarrier& carrier, Monitor& monitor)
     : Carrier(carrier)
-    , Cones(carrier.Extension.Cones)
-    , Gradation(carrier.Extension.Gradation)
+    , Gradation(carrier.Extension.Gradation())
     , Progress(monitor)
   {
   }
 
   void Build()
   {
-    for (std::size_t cone = 0; cone < this->Cones.size(); ++cone)
-    {
-      this->Candidates.push_back(static_cast<Id>(cone));
-    }
-    this->Refine(this->Carrier.Tree.Root(), 0);
+    Samples unknown;
+    this->Refine(this->Carrier.Tree.Root(), unknown);
     if (this->Carrier.Complete)
     {
       this->Carrier.Tree.Finish();
@@ -69,135 +59,217 @@ public:
   }
 
 private:
-  /// The candidates of the parent are those from `parentFirst` on.
-  void Refine(const Quadtree::Square& square, std::size_t parentFirst)
+  /// The extension at points of a square, NaN where not known yet: Grid[i + 3 j] at (i / 2, j / 2),
+  /// Quarters[k] at the center of quarter k. The quarters of the square start from these.
+  struct Samples
   {
-    const std::size_t first = this->Candidates.size();
+    Samples()
+    {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      this->Grid.fill(unknown);
+      this->Quarters.fill(unknown);
+    }
+
+    std::array<double, 9> Grid;
+    std::array<double, 4> Quarters;
+
+    double& Center() { return this->Grid[4]; }
+    std::array<double, 4> Corners() const
+    {
+      return { this->Grid[0], this->Grid[2], this->Grid[6], this->Grid[8] };
+    }
+  };
+
+  void Refine(const Quadtree::Square& square, Samples& samples)
+  {
     if (!this->Carrier.Bounds.Meets(square.Box()))
     {
-      this->AddUnusedLeaf(square);
+      this->AddInterpolatingLeaf(square, { 1.0, 1.0, 1.0, 1.0 });
       return;
     }
-    const double center = this->Select(square, parentFirst);
-    if (this->AddLeaf(square, first, center))
+    this->FindCones(square, samples);
+    if (this->AddLeaf(square, samples))
     {
-      this->Candidates.resize(first);
       return;
     }
     this->Carrier.Tree.Split(square);
     for (int quarter = 0; quarter < 4 && this->Carrier.Complete; ++quarter)
     {
-      this->Refine(this->Carrier.Tree.Quarter(square, quarter), first);
+      Samples known = KnownOfQuarter(samples, quarter);
+      this->Refine(this->Carrier.Tree.Quarter(square, quarter), known);
     }
-    this->Candidates.resize(first);
   }
 
-  /// Appends the candidates of a square; returns the extension at its center.
-  double Select(const Quadtree::Square& square, std::size_t parentFirst)
+  static Samples KnownOfQuarter(const Samples& samples, int quarter)
   {
-    const std::size_t parentLast = this->Candidates.size();
+    Samples known;
+    const auto first = static_cast<std::size_t>(quarter % 2 + 3 * (quarter / 2));
+    known.Grid[0] = samples.Grid[first];
+    known.Grid[2] = samples.Grid[first + 1];
+    known.Grid[6] = samples.Grid[first + 3];
+    known.Grid[8] = samples.Grid[first + 4];
+    known.Center() = samples.Quarters[static_cast<std::size_t>(quarter)];
+    return known;
+  }
+
+  /// Finds the cones that may be lowest somewhere in the square. All are Lipschitz with the same
+  /// constant g, so these are the ones which at the center are within 2 g radius of the lowest.
+  void FindCones(const Quadtree::Square& square, Samples& samples)
+  {
     const Point2 center = square.At(0.5, 0.5);
-    const double least = this->Evaluate(center, parentFirst);
-    const double limit = least + 2.0 * this->Gradation * square.Radius();
-    for (std::size_t position = parentFirst; position < parentLast; ++position)
+    this->HasAllCones = false;
+    if (std::isnan(samples.Center()))
     {
-      if (this->Values[position - parentFirst] <= limit)
-      {
-        this->Candidates.push_back(this->Candidates[position]);
-      }
+      samples.Center() =
+        this->Carrier.Extension.Evaluate(center, std::numeric_limits<double>::infinity());
     }
-    return least;
-  }
-
-  /// The lowest candidate from `first` on; leaves all values in Values.
-  double Evaluate(const Point2& x, std::size_t first)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    this->Values.resize(this->Candidates.size() - first);
-    for (std::size_t position = 0; position < this->Values.size(); ++position)
-    {
-      const auto cone = static_cast<std::size_t>(this->Candidates[first + position]);
-      this->Values[position] = this->Cones[cone](x, this->Gradation);
-      least = std::min(least, this->Values[position]);
-    }
-    return least;
+    const double limit = samples.Center() + 2.0 * this->Gradation * square.Radius();
+    this->Carrier.Extension.FindBelow(center, limit, MostConesToSift + 1, this->Cones);
+    this->HasAllCones = this->Cones.size() <= MostConesToSift;
   }
 
   /// False where the square is to be refined.
-  bool AddLeaf(const Quadtree::Square& square, std::size_t first, double center)
+  bool AddLeaf(const Quadtree::Square& square, Samples& samples)
   {
-    this->Sift(square, first);
-    if (this->Sifted.size() > FewCones && this->IsSmooth(square, first, center))
+    if (this->HasAllCones && this->Cones.size() > FewCones)
     {
-      this->AddInterpolatingLeaf(square);
+      this->Sift(square);
+    }
+    if (this->Cones.size() > FewCones && this->IsSmooth(square, samples))
+    {
+      this->AddInterpolatingLeaf(square, samples.Corners());
       return true;
     }
-    if (this->Sifted.size() > MostCones && this->CanSplit(square))
+    if (this->Cones.size() <= MostCones)
     {
-      return false;
+      this->AddExactLeaf(square);
+      return true;
     }
-    this->AddExactLeaf(square);
-    return true;
+    if (!this->CanSplit(square))
+    {
+      this->SampleCorners(square, samples);
+      this->AddInterpolatingLeaf(square, samples.Corners());
+      return true;
+    }
+    return false;
   }
 
-  /// Finds those candidates that are lowest somewhere, to half the tolerance: each of 4 x 4 parts
-  /// of the square keeps its own candidates.
-  void Sift(const Quadtree::Square& square, std::size_t first)
+  /// Keeps those cones that are lowest somewhere, to half the tolerance: each of 4 x 4 parts of the
+  /// square keeps its own.
+  void Sift(const Quadtree::Square& square)
   {
-    this->Sifted.assign(
-      this->Candidates.begin() + static_cast<std::ptrdiff_t>(first), this->Candidates.end());
-    if (this->Sifted.size() <= FewCones || this->Sifted.size() > MostConesToSift)
-    {
-      return;
-    }
-    this->IsLowest.assign(this->Sifted.size(), false);
+    this->IsLowest.assign(this->Cones.size(), 0);
     for (int part = 0; part < 16; ++part)
     {
-      this->SiftPart(
-        square.At(0.125 + 0.25 * (part % 4), 0.125 + 0.25 * (part / 4)), square.Radius(), first);
+      const Point2 center = square.At(0.125 + 0.25 * (part % 4), 0.125 + 0.25 * (part / 4));
+      this->SiftPart(center, 0.5 * this->Gradation * square.Radius());
     }
-    std::size_t kept = 0;
-    for (std::size_t position = 0; position < this->Sifted.size(); ++position)
+    this->AllCones = this->Cones;
+    this->Cones.clear();
+    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
     {
-      this->Sifted[kept] = this->Sifted[position];
-      kept += this->IsLowest[position] ? 1 : 0;
-    }
-    this->Sifted.resize(kept);
-  }
-
-  void SiftPart(const Point2& center, double radiusOfWhole, std::size_t first)
-  {
-    const double least = this->Evaluate(center, first);
-    const double variation = 0.5 * this->Gradation * radiusOfWhole;
-    const double margin = std::max(0.0, variation - 0.5 * AdaptiveCarrier::Tolerance * least);
-    for (std::size_t position = 0; position < this->Values.size(); ++position)
-    {
-      if (this->Values[position] <= least + margin)
+      if (this->IsLowest[position] != 0)
       {
-        this->IsLowest[position] = true;
+        this->Cones.push_back(this->AllCones[position]);
       }
     }
   }
 
-  /// Whether interpolation between the corners is good enough; leaves these in Corners.
-  bool IsSmooth(const Quadtree::Square& square, std::size_t first, double center)
+  void SiftPart(const Point2& center, double variation)
   {
-    if (this->Gradation * square.Radius() > LargestVariation * center)
+    double least = std::numeric_limits<double>::infinity();
+    this->Values.resize(this->Cones.size());
+    for (std::size_t position = 0; position < this->Cones.size(); ++position)
+    {
+      this->Values[position] = this->Carrier.Extension.ConeAt(this->Cones[position], center);
+      least = std::min(least, this->Values[position]);
+    }
+    const double limit =
+      least + std::max(0.0, variation - 0.5 * AdaptiveCarrier::Tolerance * least);
+    for (std::size_t position = 0; position < this->Cones.size(); ++position)
+    {
+      this->IsLowest[position] |= this->Values[position] <= limit ? 1 : 0;
+    }
+  }
+
+  /// Whether interpolation between the corners is good enough: tested where the samples are.
+  bool IsSmooth(const Quadtree::Square& square, Samples& samples)
+  {
+    if (this->Gradation * square.Radius() > LargestVariation * samples.Center())
     {
       return false;
     }
-    for (std::size_t corner = 0; corner < 4; ++corner)
+    this->SampleCorners(square, samples);
+    return this->FitsAt(samples, 0.5, 0.5, samples.Center()) && this->FitsGrid(square, samples) &&
+      this->FitsQuarters(square, samples);
+  }
+
+  void SampleCorners(const Quadtree::Square& square, Samples& samples)
+  {
+    for (std::size_t corner : { 0, 2, 6, 8 })
     {
-      const Point2 place = square.At(corner % 2 == 1 ? 1.0 : 0.0, corner > 1 ? 1.0 : 0.0);
-      this->Corners[corner] = this->Evaluate(place, first);
+      this->SampleGrid(square, corner, samples);
     }
-    return std::all_of(TestPoints.begin(), TestPoints.end(),
-      [this, &square, first](const auto& point)
+  }
+
+  bool FitsGrid(const Quadtree::Square& square, Samples& samples)
+  {
+    for (std::size_t node : { 1, 3, 5, 7 })
+    {
+      const double exact = this->SampleGrid(square, node, samples);
+      if (!this->FitsAt(samples, 0.5 * (node % 3), 0.5 * (node / 3), exact))
       {
-        const double exact = this->Evaluate(square.At(point[0], point[1]), first);
-        const double error = std::abs(Bilinear(this->Corners, point[0], point[1]) - exact);
-        return error <= TestedShare * AdaptiveCarrier::Tolerance * exact;
-      });
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool FitsQuarters(const Quadtree::Square& square, Samples& samples)
+  {
+    for (std::size_t quarter = 0; quarter < 4; ++quarter)
+    {
+      const double u = 0.25 + 0.5 * (quarter % 2);
+      const double v = 0.25 + 0.5 * (quarter / 2);
+      samples.Quarters[quarter] = this->Evaluate(square, u, v, samples);
+      if (!this->FitsAt(samples, u, v, samples.Quarters[quarter]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  static bool FitsAt(const Samples& samples, double u, double v, double exact)
+  {
+    const double error = std::abs(Bilinear(samples.Corners(), u, v) - exact);
+    return error <= TestedShare * AdaptiveCarrier::Tolerance * exact;
+  }
+
+  double SampleGrid(const Quadtree::Square& square, std::size_t node, Samples& samples)
+  {
+    double& value = samples.Grid[node];
+    if (std::isnan(value))
+    {
+      value = this->Evaluate(square, 0.5 * (node % 3), 0.5 * (node / 3), samples);
+    }
+    return value;
+  }
+
+  /// The extension at a point of the square, which is at most the center's cone there.
+  double Evaluate(const Quadtree::Square& square, double u, double v, Samples& samples)
+  {
+    const Point2 x = square.At(u, v);
+    double least = samples.Center() + this->Gradation * Distance(x, square.At(0.5, 0.5));
+    if (!this->HasAllCones)
+    {
+      return this->Carrier.Extension.Evaluate(x, least);
+    }
+    for (Id cone : this->AllCones)
+    {
+      least = std::min(least, this->Carrier.Extension.ConeAt(cone, x));
+    }
+    return least;
   }
 
   bool CanSplit(const Quadtree::Square& square) const
@@ -207,28 +279,21 @@ private:
     return square.Level < Quadtree::MaximumLevel && leaves + 8 < Quadtree::MaximumLeafNumber;
   }
 
-  void AddInterpolatingLeaf(const Quadtree::Square& square)
+  void AddInterpolatingLeaf(const Quadtree::Square& square, const std::array<double, 4>& corners)
   {
     const auto number = static_cast<Id>(this->Carrier.CornerValues.size());
-    this->Carrier.CornerValues.push_back(this->Corners);
+    this->Carrier.CornerValues.push_back(corners);
     this->Carrier.Tree.SetLeaf(square, 2 * number);
     this->Report(square);
   }
 
-  /// For squares outside of the box, which are never asked for.
-  void AddUnusedLeaf(const Quadtree::Square& square)
-  {
-    this->Corners.fill(this->Cones.front().Value);
-    this->AddInterpolatingLeaf(square);
-  }
-
   void AddExactLeaf(const Quadtree::Square& square)
   {
-    std::vector<Id>& cones = this->Carrier.ListedCones;
+    std::vector<Id>& listed = this->Carrier.ListedCones;
     const auto number = static_cast<Id>(this->Carrier.Lists.size());
     this->Carrier.Lists.push_back(
-      { static_cast<Id>(cones.size()), static_cast<Id>(this->Sifted.size()) });
-    cones.insert(cones.end(), this->Sifted.begin(), this->Sifted.end());
+      { static_cast<Id>(listed.size()), static_cast<Id>(this->Cones.size()) });
+    listed.insert(listed.end(), this->Cones.begin(), this->Cones.end());
     this->Carrier.Tree.SetLeaf(square, 2 * number + 1);
     this->Report(square);
   }
@@ -243,16 +308,17 @@ private:
   }
 
   AdaptiveCarrier& Carrier;
-  const std::vector<SegmentCone>& Cones;
   const double Gradation;
   Monitor& Progress;
-  std::vector<Id> Candidates; ///< a stack of lists, one a level
-  std::vector<double> Values;
-  std::vector<Id> Sifted;
-  std::vector<bool> IsLowest;
-  std::array<double, 4> Corners{};
   double AreaDone = 0.0;
   std::int64_t LeafCount = 0;
+
+  // Of the square at work.
+  bool HasAllCones = false; ///< AllCones is complete
+  std::vector<Id> AllCones; ///< that may be lowest somewhere
+  std::vector<Id> Cones;    ///< the same, as far as needed to half the tolerance
+  std::vector<double> Values;
+  std::vector<std::uint8_t> IsLowest;
 };
 
 AdaptiveCarrier::AdaptiveCarrier(SegmentExtension extension, const Box2& bounds, Monitor& monitor)
@@ -278,8 +344,7 @@ double AdaptiveCarrier::operator()(const Point2& x) const
   for (Id position = list.First; position < list.First + list.Count; ++position)
   {
     const Id cone = this->ListedCones[static_cast<std::size_t>(position)];
-    least = std::min(least,
-      this->Extension.Cones[static_cast<std::size_t>(cone)](inside, this->Extension.Gradation));
+    least = std::min(least, this->Extension.ConeAt(cone, inside));
   }
   return least;
 }

@@ -5,7 +5,6 @@
 
 #include "SourceSlopes.h"
 
-#include <limits>  // for infinity
 #include <utility> // for swap
 
 namespace biting
@@ -41,31 +40,65 @@ double UsedGradation(const SegmentSource& source, double gradation)
   return slope > 0.0 ? slope : SpacingOptions().Gradation;
 }
 
-} // namespace
-
-SegmentExtension MakeExtension(const SegmentSource& source, double gradation)
+std::vector<SegmentCone> MakeCones(const SegmentSource& source, double gradation)
 {
-  SegmentExtension extension;
-  extension.Gradation = UsedGradation(source, gradation);
-  extension.Cones.reserve(source.Segments.size() / 2);
+  std::vector<SegmentCone> cones;
+  cones.reserve(source.Segments.size() / 2);
   for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
   {
     const auto a = static_cast<std::size_t>(source.Segments[first]);
     const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
-    extension.Cones.push_back(MakeCone(
-      source.Points[a], source.Points[b], source.Values[a], source.Values[b], extension.Gradation));
+    cones.push_back(
+      MakeCone(source.Points[a], source.Points[b], source.Values[a], source.Values[b], gradation));
   }
-  return extension;
+  return cones;
 }
 
-double SegmentExtension::operator()(const Point2& x) const
+BoxTree MakeTree(const std::vector<SegmentCone>& cones)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const SegmentCone& cone : this->Cones)
+  std::vector<BoxTree::Item> items(cones.size());
+  for (std::size_t cone = 0; cone < cones.size(); ++cone)
   {
-    least = std::min(least, cone(x, this->Gradation));
+    items[cone].Box.Add(cones[cone].Start);
+    items[cone].Box.Add(cones[cone].Start + cones[cone].Length * cones[cone].Direction);
+    items[cone].Value = cones[cone].Value;
   }
-  return least;
+  return BoxTree(items);
+}
+
+} // namespace
+
+SegmentExtension::SegmentExtension(const SegmentSource& source, double gradation)
+  : Slope(UsedGradation(source, gradation))
+{
+  const std::vector<SegmentCone> cones = MakeCones(source, this->Slope);
+  this->Tree = MakeTree(cones);
+  this->Cones.reserve(cones.size());
+  for (Id cone : this->Tree.Order())
+  {
+    this->Cones.push_back(cones[static_cast<std::size_t>(cone)]);
+  }
+}
+
+double SegmentExtension::Evaluate(const Point2& x, double known) const
+{
+  return this->Tree.Search(x, this->Slope, known,
+    [this, &x](Id cone, double least) { return std::min(least, this->ConeAt(cone, x)); });
+}
+
+void SegmentExtension::FindBelow(
+  const Point2& x, double limit, std::size_t most, std::vector<Id>& found) const
+{
+  found.clear();
+  this->Tree.Search(x, this->Slope, limit,
+    [this, &x, limit, most, &found](Id cone, double)
+    {
+      if (found.size() < most && this->ConeAt(cone, x) <= limit)
+      {
+        found.push_back(cone);
+      }
+      return found.size() < most ? limit : 0.0;
+    });
 }
 
 } // namespace biting

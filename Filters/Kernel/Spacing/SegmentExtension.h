@@ -4,6 +4,7 @@
 #ifndef BitingSegmentExtension_h
 #define BitingSegmentExtension_h
 
+#include "BoxTree.h"
 #include "Spacing.h"
 
 #include <algorithm> // for min, max
@@ -40,21 +41,35 @@ private:
   static double Length2(double x, double y) { return std::sqrt(x * x + y * y); }
 };
 
-/// The extension of a segment source: the minimum of its cones. It is gradation-Lipschitz, equals
-/// the given values wherever these are, and is below them where they are steeper or a segment
-/// nearby asks for less.
-struct SegmentExtension
+/// The extension of a segment source: the minimum of its cones. It is g-Lipschitz, equals the given
+/// values wherever these are, and is below them where they are steeper or a segment nearby asks for
+/// less.
+class SegmentExtension
 {
-  std::vector<SegmentCone> Cones;
-  double Gradation = 0.0;
+public:
+  /// `gradation` 0: the largest slope along the segments themselves; where they are all level, the
+  /// default of SpacingOptions.
+  SegmentExtension(const SegmentSource& source, double gradation);
 
-  /// Exact, by trying all.
-  double operator()(const Point2& x) const;
+  double Gradation() const { return this->Slope; }
+
+  /// The value of one cone. Cones near each other have numbers near each other.
+  double ConeAt(Id cone, const Point2& x) const
+  {
+    return this->Cones[static_cast<std::size_t>(cone)](x, this->Slope);
+  }
+
+  /// The minimum over all cones, exact, if it is below `known`; otherwise `known`.
+  double Evaluate(const Point2& x, double known) const;
+
+  /// The cones not above `limit` at x, but no more than `most` of them; not in order.
+  void FindBelow(const Point2& x, double limit, std::size_t most, std::vector<Id>& found) const;
+
+private:
+  double Slope;
+  BoxTree Tree;
+  std::vector<SegmentCone> Cones; ///< in the order of the tree
 };
-
-/// `gradation` 0: the largest slope along the segments themselves; where they are all level but
-/// not equal, the default of SpacingOptions.
-SegmentExtension MakeExtension(const SegmentSource& source, double gradation);
 
 } // namespace biting
 

@@ -182,7 +182,7 @@ private:
       return true;
     }
     this->AddSlope(LargestSlope(*options.Segments));
-    this->Segments.emplace(MakeExtension(*options.Segments, options.Gradation),
+    this->Segments.emplace(SegmentExtension(*options.Segments, options.Gradation),
       CarrierBox(bounds, *options.Segments), monitor);
     if (!this->Segments->IsComplete())
     {

@@ -161,7 +161,7 @@ double TriangleInterpolator::Nearest(const Point2& x) const
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    best = found.DistanceSquared < best.DistanceSquared ? found : best;
+    best = found.Distance < best.Distance ? found : best;
   }
   return this->Border.Nearest(x, best).Value;
 }
@@ -181,7 +181,7 @@ NearestValue TriangleInterpolator::NearestOnTriangle(const Record& record, const
   for (const BorderEdge& edge : { edges[1], edges[2] })
   {
     const NearestValue found = NearestOnEdge(edge, x);
-    best = found.DistanceSquared < best.DistanceSquared ? found : best;
+    best = found.Distance < best.Distance ? found : best;
   }
   return best;
 }

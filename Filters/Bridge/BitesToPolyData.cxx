@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitesToPolyData.h"
+
+#include "ArrayFromVector.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array> // for corners
+#include <cmath> // for atan2
+
+namespace biting
+{
+
+namespace
+{
+
+// Collects points, lines and polygons, and what is known of each.
+struct Drawing
+{
+  std::vector<Point2> Points;
+  std::vector<Id> Lines;
+  std::vector<Id> PolygonPoints;
+  std::vector<Id> PolygonOffsets{ 0 };
+  std::vector<Id> Orders;
+  std::vector<BitePhase> Phases;
+};
+
+std::array<Point2, 4> CornersOfSquare(const Bites& bites, std::size_t square)
+{
+  const Point2 first = bites.HalfWidths[square] * bites.Axes[square];
+  const Point2 second = Perpendicular(first);
+  const Point2 none{};
+  return { first + second, second - first, (none - first) - second, first - second };
+}
+
+// Distance of `offset` from the centre, measured so that the square's sides are at 1.
+double SquareNorm(const Bites& bites, std::size_t square, const Point2& offset)
+{
+  const Point2& axis = bites.Axes[square];
+  const double norm =
+    std::max(std::abs(Dot(offset, axis)), std::abs(Dot(offset, Perpendicular(axis))));
+  return norm / bites.HalfWidths[square];
+}
+
+bool IsCovered(const Bites& bites, std::size_t first, std::size_t end, const Point2& offset)
+{
+  constexpr double Inside = 1.0 - 1e-9; // corners and crossings lie at 1 up to rounding
+  for (std::size_t square = first; square < end; ++square)
+  {
+    if (SquareNorm(bites, square, offset) < Inside)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Where the sides a0a1 and b0b1 cross; adds nothing where they do not.
+void AddCrossing(const Point2& a0, const Point2& a1, const Point2& b0, const Point2& b1,
+  std::vector<Point2>& outline)
+{
+  const double determinant = Cross(a1 - a0, b1 - b0);
+  const double s = Cross(b0 - a0, b1 - b0) / determinant;
+  const double t = Cross(b0 - a0, a1 - a0) / determinant;
+  if (determinant != 0.0 && s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)
+  {
+    outline.push_back(a0 + s * (a1 - a0));
+  }
+}
+
+void AddCrossings(
+  const Bites& bites, std::size_t one, std::size_t other, std::vector<Point2>& outline)
+{
+  const auto a = CornersOfSquare(bites, one);
+  const auto b = CornersOfSquare(bites, other);
+  for (std::size_t j = 0; j < 4; ++j)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      AddCrossing(a[j], a[(j + 1) % 4], b[k], b[(k + 1) % 4], outline);
+    }
+  }
+}
+
+void DrawBites(const Bites& bites, Drawing& drawing)
+{
+  Id end = 0;
+  for (Id first = 0; first < bites.Size(); first = end)
+  {
+    const auto bite = static_cast<std::size_t>(first);
+    do
+    {
+      ++end;
+    } while (
+      end < bites.Size() && bites.Orders[static_cast<std::size_t>(end)] == bites.Orders[bite]);
+    for (const Point2& corner : OutlineOfSquares(bites, first, end))
+    {
+      drawing.PolygonPoints.push_back(static_cast<Id>(drawing.Points.size()));
+      drawing.Points.push_back(corner);
+    }
+    drawing.PolygonOffsets.push_back(static_cast<Id>(drawing.PolygonPoints.size()));
+    drawing.Orders.push_back(bites.Orders[bite]);
+    drawing.Phases.push_back(bites.Phases[bite]);
+  }
+}
+
+void DrawFront(const std::vector<Point2>& front, Drawing& drawing)
+{
+  for (const Point2& end : front)
+  {
+    drawing.Lines.push_back(static_cast<Id>(drawing.Points.size()));
+    drawing.Points.push_back(end);
+  }
+  drawing.Orders.insert(drawing.Orders.end(), front.size() / 2, NoId);
+  drawing.Phases.insert(drawing.Phases.end(), front.size() / 2, BitePhase::Front);
+}
+
+vtkSmartPointer<vtkPoints> PointsInSpace(const std::vector<Point2>& places, const PlaneFrame& frame)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  double* to = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
+  for (const Point2& place : places)
+  {
+    const Point3 mapped = frame.ToSpace(place);
+    to = std::copy_n(mapped.begin(), 3, to);
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing)
+{
+  vtkNew<vtkIdTypeArray> points;
+  points->SetNumberOfValues(static_cast<vtkIdType>(drawing.PolygonPoints.size()));
+  std::copy(drawing.PolygonPoints.begin(), drawing.PolygonPoints.end(), points->GetPointer(0));
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(drawing.PolygonOffsets.size()));
+  std::copy(drawing.PolygonOffsets.begin(), drawing.PolygonOffsets.end(), offsets->GetPointer(0));
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  polygons->SetData(offsets, points);
+  return polygons;
+}
+
+} // namespace
+
+void BitesToPolyData(const BitingMesh& mesh, const PlaneFrame& frame, vtkPolyData* output)
+{
+  Drawing drawing;
+  DrawFront(mesh.Front, drawing);
+  DrawBites(mesh.Bites, drawing);
+  vtkNew<vtkCellArray> lines;
+  SetCells(lines, 2, drawing.Lines);
+  output->SetPoints(PointsInSpace(drawing.Points, frame));
+  output->SetLines(lines);
+  output->SetPolys(PolygonsOf(drawing));
+  AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", drawing.Orders);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", drawing.Phases);
+}
+
+std::vector<Point2> OutlineOfSquares(const Bites& bites, Id first, Id end)
+{
+  const auto begin = static_cast<std::size_t>(first);
+  const auto stop = static_cast<std::size_t>(end);
+  std::vector<Point2> outline;
+  for (std::size_t square = begin; square < stop; ++square)
+  {
+    const auto corners = CornersOfSquare(bites, square);
+    outline.insert(outline.end(), corners.begin(), corners.end());
+    for (std::size_t other = begin; other < square; ++other)
+    {
+      AddCrossings(bites, square, other, outline);
+    }
+  }
+  const auto isCovered = [&bites, begin, stop](const Point2& offset)
+  { return IsCovered(bites, begin, stop, offset); };
+  outline.erase(std::remove_if(outline.begin(), outline.end(), isCovered), outline.end());
+  std::sort(outline.begin(), outline.end(),
+    [](const Point2& a, const Point2& b) { return std::atan2(a.Y, a.X) < std::atan2(b.Y, b.X); });
+  for (Point2& corner : outline)
+  {
+    corner = bites.Centers[begin] + corner;
+  }
+  return outline;
+}
+
+} // namespace biting

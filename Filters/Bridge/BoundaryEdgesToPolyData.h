@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBoundaryEdgesToPolyData_h
+#define BitingBoundaryEdgesToPolyData_h
+
+#include "../Kernel/BitingMesh.h"
+
+class vtkPoints;
+class vtkPolyData;
+
+namespace biting
+{
+
+/// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and
+/// interfaces. Each edge carries the values of all cell arrays of `input` at its cell.
+void BoundaryEdgesToPolyData(
+  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output);
+
+} // namespace biting
+
+#endif

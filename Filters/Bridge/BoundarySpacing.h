@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBoundarySpacing_h
+#define BitingBoundarySpacing_h
+
+#include "../Kernel/Spacing/Spacing.h"
+#include "PolylinesFromPolyData.h"
+
+#include <string> // for the refusal
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace biting
+{
+
+/// Makes the spacing `values` at the points of `polyData`, which was read as `input`, a source of
+/// `options`: linear along the segments of every chain, and at every embedded point.
+/// Returns why the values cannot be used, empty where they can.
+std::string AddBoundarySpacing(
+  vtkPolyData* polyData, const PlanarInput& input, vtkDataArray* values, SpacingOptions& options);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDoubleArray_h
+#define BitingDoubleArray_h
+
+#include "vtkDoubleArray.h"  // for the return value
+#include "vtkSmartPointer.h" // for the return value
+
+class vtkDataArray;
+
+namespace biting
+{
+
+/// `array` itself where it holds doubles, otherwise a copy of it that does. Values are not rounded.
+vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array);
+
+} // namespace biting
+
+#endif

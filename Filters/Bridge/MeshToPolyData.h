@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMeshToPolyData_h
+#define BitingMeshToPolyData_h
+
+#include "../Kernel/BitingMesh.h"
+#include "PolylinesFromPolyData.h"
+
+#include "vtkPoints.h"       // for the points
+#include "vtkSmartPointer.h" // for the points
+
+class vtkPolyData;
+
+namespace biting
+{
+
+/// The vertices of `mesh` in space: those of the input bit for bit, the others mapped back.
+vtkSmartPointer<vtkPoints> PointsInSpace(const BitingMesh& mesh, const PlanarInput& input);
+
+/// Fills `output` with the triangles of `mesh` over `points`, the arrays on vertices and triangles,
+/// and the summary with the number of each repair as field data.
+void MeshToPolyData(
+  const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems, vtkPolyData* output);
+
+} // namespace biting
+
+#endif

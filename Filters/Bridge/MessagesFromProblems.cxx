@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MessagesFromProblems.h"
+
+#include <algorithm> // for min
+#include <sstream>   // for texts
+
+namespace biting
+{
+
+namespace
+{
+
+// The words for a kind of problem. FirstId and SecondId say what the ids of the problem number;
+// they are empty where it has none.
+struct Wording
+{
+  const char* What;
+  const char* FirstId;
+  const char* SecondId;
+  const char* Advice;
+};
+
+Wording WordingOfRepair(ProblemCode code)
+{
+  switch (code)
+  {
+    case ProblemCode::DuplicatePoints:
+      return { "Duplicate points", "point", "point", "They were merged." };
+    case ProblemCode::ZeroLengthSegments:
+      return { "Segments of zero length", "cell", "point", "They were dropped." };
+    case ProblemCode::DuplicateSegments:
+      return { "Duplicate or overlapping segments", "cell", "cell",
+        "They were merged; boundary segments that cover each other an even number of times bound "
+        "nothing." };
+    case ProblemCode::Crossings:
+      return { "Crossing segments", "cell", "cell", "They were split where they cross." };
+    case ProblemCode::Touches:
+      return { "Points that lie on segments", "cell", "point", "The segments were split there." };
+    case ProblemCode::OutsidePoints:
+      return { "Embedded points outside of the domain", "point", "", "They were dropped." };
+    default:
+      return { "Interfaces outside of the domain", "cell", "", "They were dropped." };
+  }
+}
+
+Wording WordingOf(ProblemCode code)
+{
+  switch (code)
+  {
+    case ProblemCode::NoClosedLoop:
+      return { "No closed loop bounds a domain", "", "",
+        "Close the polylines, or mark as Kind 0 what is boundary." };
+    case ProblemCode::NotFinite:
+      return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
+    case ProblemCode::OutOfRange:
+      return { "Coordinates that are too large, or too close together, to compute with", "point",
+        "", "Scale the input." };
+    case ProblemCode::NotPlanar:
+      return { "The input is not planar; points off the fitted plane", "point", "",
+        "Project the input onto a plane." };
+    case ProblemCode::BadSpacing:
+      return { "The spacing cannot be used", "", "", "Spacing is an edge length: positive." };
+    case ProblemCode::TooManyVertices:
+      return { "The mesh would be too large", "", "",
+        "Choose a larger spacing, or raise MaximumNumberOfVertices." };
+    case ProblemCode::NotResolved:
+      return { "Segments that cross, touch or overlap, and could not be resolved", "cell", "cell",
+        "Correct the input there." };
+    case ProblemCode::CheckFailed:
+      return { "The mesh failed its own check and is withheld", "", "",
+        "This is a defect of the mesher: please report it, with the input." };
+    case ProblemCode::Aborted:
+      return { "Aborted", "", "", "" };
+    default:
+      return WordingOfRepair(code);
+  }
+}
+
+std::string IdsText(const Problem& problem, const Wording& wording)
+{
+  std::ostringstream text;
+  text << wording.FirstId << ' ' << problem.Ids[0];
+  if (problem.Ids.size() > 1 && *wording.SecondId)
+  {
+    text << " with " << wording.SecondId << ' ' << problem.Ids[1];
+  }
+  return text.str();
+}
+
+// In space; where the problem is at a point of the input, exactly there.
+Point3 PlaceOf(const Problem& problem, const Wording& wording, const PlanarInput& input)
+{
+  const bool isAtPoint = std::string(wording.FirstId) == "point";
+  const std::int64_t point = problem.Ids[0];
+  if (isAtPoint && point >= 0 && point < static_cast<std::int64_t>(input.IsUsed.size()))
+  {
+    const double* place = input.Place(static_cast<Id>(point));
+    return { place[0], place[1], place[2] };
+  }
+  return input.Frame.ToSpace(problem.Place);
+}
+
+std::string Occurrences(const ProblemGroup& group, const Wording& wording, const PlanarInput& input)
+{
+  std::vector<std::string> first;
+  for (std::size_t k = 0; k < std::min(group.First.size(), ShownIds); ++k)
+  {
+    const Problem& problem = group.First[k];
+    first.push_back(IdsText(problem, wording));
+    if (k == 0)
+    {
+      first.back() += " near " + PlaceText(PlaceOf(problem, wording, input));
+      first.back() += problem.Detail.empty() ? "" : " (" + problem.Detail + ")";
+    }
+  }
+  return " (" + std::to_string(group.Count) + "): " + ListText(first, group.Count);
+}
+
+// What, how many, which and where.
+std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
+{
+  const Wording wording = WordingOf(group.Code);
+  const Problem& first = group.First.front();
+  if (*wording.FirstId && !first.Ids.empty())
+  {
+    return wording.What + Occurrences(group, wording, input) + ".";
+  }
+  return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) + ".";
+}
+
+} // namespace
+
+std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
+{
+  return FactsOf(group, input) + " " + WordingOf(group.Code).Advice;
+}
+
+std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input)
+{
+  std::string text = "RepairInput is off, and the input is not clean.";
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (!IsError(group.Code))
+    {
+      text += " " + FactsOf(group, input);
+    }
+  }
+  return text + " Correct the input, or turn RepairInput on.";
+}
+
+std::string PlaceText(const Point3& place)
+{
+  constexpr int Digits = 12;
+  std::ostringstream text;
+  text.precision(Digits);
+  text << '(' << place[0] << ", " << place[1] << ", " << place[2] << ')';
+  return text.str();
+}
+
+std::string ListText(const std::vector<std::string>& first, std::int64_t count)
+{
+  std::string text;
+  for (const std::string& entry : first)
+  {
+    text += (text.empty() ? "" : ", ") + entry;
+  }
+  const std::int64_t more = count - static_cast<std::int64_t>(first.size());
+  return more > 0 ? text + ", ... and " + std::to_string(more) + " more" : text;
+}
+
+} // namespace biting

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMessagesFromProblems_h
+#define BitingMessagesFromProblems_h
+
+#include "../Kernel/Base/Problem.h"
+#include "PolylinesFromPolyData.h"
+
+#include <cstdint> // for counts
+#include <string>  // for texts
+#include <vector>  // for lists
+
+namespace biting
+{
+
+/// How many ids a message shows before it only counts.
+constexpr std::size_t ShownIds = 5;
+
+/// The problems of `group` as one message: what, how many, which, where in space, and what was done
+/// or can be done.
+std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
+
+/// What was found wrong and left as it is, when repair is switched off: the message for
+/// ProblemCode::NotResolved, with the facts of every repair that would have been needed.
+std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input);
+
+/// "(x, y, z)".
+std::string PlaceText(const Point3& place);
+
+/// `first` joined by commas; where `count` is larger, "... and 37 more".
+std::string ListText(const std::vector<std::string>& first, std::int64_t count);
+
+} // namespace biting
+
+#endif

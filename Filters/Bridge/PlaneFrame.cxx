@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PlaneFrame.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for sqrt
+
+namespace biting
+{
+
+namespace
+{
+
+// The points to fit to, relative to the centre of their box and scaled to half extents of at most 1,
+// so that neither offsets nor units of the input matter.
+struct ScaledPoints
+{
+  const double* Coordinates;
+  const std::vector<Id>& Points;
+  Point3 Low;
+  Point3 High;
+  Point3 Center{ 0.0, 0.0, 0.0 };
+  double Scale = 1.0;
+
+  Point3 operator[](std::size_t k) const;
+};
+
+// A plane by a point of it and its normal.
+struct Plane
+{
+  Point3 Origin;
+  Point3 Normal;
+};
+
+Point3 operator-(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Point3 operator+(const Point3& a, const Point3& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+Point3 operator*(double factor, const Point3& a)
+{
+  return { factor * a[0], factor * a[1], factor * a[2] };
+}
+
+double Dot3(const Point3& a, const Point3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point3 Cross3(const Point3& a, const Point3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+Point3 Unit(const Point3& a)
+{
+  return (1.0 / std::sqrt(Dot3(a, a))) * a;
+}
+
+Point3 ScaledPoints::operator[](std::size_t k) const
+{
+  const double* place = this->Coordinates + 3 * static_cast<std::size_t>(this->Points[k]);
+  return (1.0 / this->Scale) * (Point3{ place[0], place[1], place[2] } - this->Center);
+}
+
+ScaledPoints Scaled(const double* coordinates, const std::vector<Id>& points)
+{
+  const double* first = coordinates + 3 * static_cast<std::size_t>(points.front());
+  const Point3 start{ first[0], first[1], first[2] };
+  ScaledPoints scaled{ coordinates, points, start, start };
+  for (const Id point : points)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double value = coordinates[3 * static_cast<std::size_t>(point) + axis];
+      scaled.Low[axis] = std::min(scaled.Low[axis], value);
+      scaled.High[axis] = std::max(scaled.High[axis], value);
+    }
+  }
+  scaled.Center = 0.5 * scaled.Low + 0.5 * scaled.High;
+  const Point3 half = 0.5 * scaled.High - 0.5 * scaled.Low;
+  scaled.Scale = std::max({ half[0], half[1], half[2] });
+  return scaled;
+}
+
+// The number of the point with the largest `measure`, the first of them where several are equal.
+template <typename Measure>
+std::size_t Largest(const ScaledPoints& points, Measure measure)
+{
+  std::size_t largest = 0;
+  double value = -1.0;
+  for (std::size_t k = 0; k < points.Points.size(); ++k)
+  {
+    const double candidate = measure(points[k]);
+    if (candidate > value)
+    {
+      value = candidate;
+      largest = k;
+    }
+  }
+  return largest;
+}
+
+Point3 AnyNormalTo(const Point3& direction)
+{
+  const auto least = std::min_element(direction.begin(), direction.end(),
+    [](double a, double b) { return std::abs(a) < std::abs(b); });
+  Point3 axis{ 0.0, 0.0, 0.0 };
+  axis[static_cast<std::size_t>(least - direction.begin())] = 1.0;
+  return Unit(Cross3(direction, axis));
+}
+
+// The plane through a triangle of three points that is large among all such.
+Plane ThroughLargeTriangle(const ScaledPoints& points)
+{
+  const Point3 a = points[Largest(points, [](const Point3& p) { return Dot3(p, p); })];
+  const Point3 b = points[Largest(points, [&a](const Point3& p) { return Dot3(p - a, p - a); })];
+  const auto area = [&a, &b](const Point3& p)
+  {
+    const Point3 cross = Cross3(b - a, p - a);
+    return Dot3(cross, cross);
+  };
+  const Point3 c = points[Largest(points, area)];
+  const Point3 normal = area(c) > 0.0 ? Unit(Cross3(b - a, c - a)) : AnyNormalTo(b - a);
+  return { a, normal };
+}
+
+// Least squares of the distances from `plane` over axes in it: the plane that is left after
+// subtracting what is linear in the distances.
+Plane Refined(const ScaledPoints& points, const Plane& plane)
+{
+  const Point3 first = AnyNormalTo(plane.Normal);
+  const Point3 second = Cross3(plane.Normal, first);
+  const double weight = 1.0 / static_cast<double>(points.Points.size());
+  Point3 mean{ 0.0, 0.0, 0.0 };
+  for (std::size_t k = 0; k < points.Points.size(); ++k)
+  {
+    mean = mean + weight * points[k];
+  }
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+  double uw = 0.0;
+  double vw = 0.0;
+  for (std::size_t k = 0; k < points.Points.size(); ++k)
+  {
+    const Point3 offset = points[k] - mean;
+    const double u = Dot3(offset, first);
+    const double v = Dot3(offset, second);
+    const double w = Dot3(offset, plane.Normal);
+    uu += weight * u * u;
+    uv += weight * u * v;
+    vv += weight * v * v;
+    uw += weight * u * w;
+    vw += weight * v * w;
+  }
+  const double determinant = uu * vv - uv * uv;
+  const double slopeU = (uw * vv - vw * uv) / determinant;
+  const double slopeV = (vw * uu - uw * uv) / determinant;
+  const Point3 normal = plane.Normal - (slopeU * first + slopeV * second);
+  // Collinear points have no such plane.
+  const bool isDefined = determinant > 0.0 && std::isfinite(Dot3(normal, normal));
+  return isDefined ? Plane{ mean, Unit(normal) } : plane;
+}
+
+double LargestDistance(const ScaledPoints& points, const Plane& plane)
+{
+  const auto distance = [&plane](const Point3& p)
+  { return std::abs(Dot3(p - plane.Origin, plane.Normal)); };
+  return distance(points[Largest(points, distance)]);
+}
+
+} // namespace
+
+PlaneFrame PlaneFrame::FitTo(const double* coordinates, const std::vector<Id>& points)
+{
+  if (points.empty())
+  {
+    return {};
+  }
+  const ScaledPoints scaled = Scaled(coordinates, points);
+  for (const std::size_t axis : { 2, 0, 1 })
+  {
+    if (scaled.Low[axis] == scaled.High[axis])
+    {
+      return Aligned(static_cast<int>(axis), scaled.Low[axis]);
+    }
+  }
+  const Plane rough = ThroughLargeTriangle(scaled);
+  const Plane refined = Refined(scaled, rough);
+  const bool isBetter = LargestDistance(scaled, refined) <= LargestDistance(scaled, rough);
+  const Plane& best = isBetter ? refined : rough;
+  // The box's centre, moved into the plane.
+  const double offset = Dot3(best.Origin, best.Normal);
+  return WithNormal(scaled.Center + (scaled.Scale * offset) * best.Normal, best.Normal);
+}
+
+PlaneFrame PlaneFrame::Aligned(int normalAxis, double level)
+{
+  PlaneFrame frame;
+  frame.Axes = { (normalAxis + 1) % 3, (normalAxis + 2) % 3, normalAxis };
+  frame.Level = level;
+  return frame;
+}
+
+PlaneFrame PlaneFrame::WithNormal(const Point3& origin, const Point3& normal)
+{
+  const auto largest = std::max_element(
+    normal.begin(), normal.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto normalAxis = static_cast<std::size_t>(largest - normal.begin());
+  PlaneFrame frame;
+  frame.IsAligned = false;
+  frame.Origin = origin;
+  frame.Normal = *largest > 0.0 ? normal : -1.0 * normal;
+  Point3 axis{ 0.0, 0.0, 0.0 };
+  axis[(normalAxis + 1) % 3] = 1.0;
+  frame.First = Unit(axis - Dot3(axis, frame.Normal) * frame.Normal);
+  frame.Second = Cross3(frame.Normal, frame.First);
+  return frame;
+}
+
+Point2 PlaneFrame::ToPlane(const double* place) const
+{
+  if (this->IsAligned)
+  {
+    return { place[this->Axes[0]], place[this->Axes[1]] };
+  }
+  const Point3 offset = Point3{ place[0], place[1], place[2] } - this->Origin;
+  return { Dot3(offset, this->First), Dot3(offset, this->Second) };
+}
+
+Point3 PlaneFrame::ToSpace(const Point2& p) const
+{
+  if (this->IsAligned)
+  {
+    Point3 place{};
+    place[static_cast<std::size_t>(this->Axes[0])] = p.X;
+    place[static_cast<std::size_t>(this->Axes[1])] = p.Y;
+    place[static_cast<std::size_t>(this->Axes[2])] = this->Level;
+    return place;
+  }
+  return this->Origin + (p.X * this->First + p.Y * this->Second);
+}
+
+double PlaneFrame::Distance(const double* place) const
+{
+  if (this->IsAligned)
+  {
+    return place[this->Axes[2]] - this->Level;
+  }
+  return Dot3(Point3{ place[0], place[1], place[2] } - this->Origin, this->Normal);
+}
+
+} // namespace biting

@@ -1,0 +1,420 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SourceSpacing.h"
+
+#include "DoubleArray.h"
+#include "PlaneCut.h"
+#include "SpacingValues.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm> // for is_sorted, minmax
+#include <array>     // for axes
+#include <cmath>     // for NaN
+#include <limits>    // for the size check
+
+namespace biting
+{
+
+namespace
+{
+
+using AxisNodes = std::array<std::vector<double>, 3>;
+
+bool HasGhosts(vtkDataSet* source)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  return source->GetAttributes(vtkDataObject::POINT)->HasArray(name) ||
+    source->GetAttributes(vtkDataObject::CELL)->HasArray(name);
+}
+
+// The coordinates of the grid lines of an image whose axes are those of space; empty for others.
+AxisNodes NodesOfImage(vtkImageData* image)
+{
+  AxisNodes nodes;
+  if (!image->GetDirectionMatrix()->IsIdentity())
+  {
+    return nodes;
+  }
+  const int* extent = image->GetExtent();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int k = extent[2 * axis]; k <= extent[2 * axis + 1]; ++k)
+    {
+      nodes[axis].push_back(image->GetOrigin()[axis] + k * image->GetSpacing()[axis]);
+    }
+  }
+  return nodes;
+}
+
+AxisNodes NodesOfRectilinearGrid(vtkRectilinearGrid* grid)
+{
+  AxisNodes nodes;
+  vtkDataArray* arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto doubles = AsDoubles(arrays[axis]);
+    const double* first = doubles->GetPointer(0);
+    nodes[axis].assign(first, first + doubles->GetNumberOfValues());
+  }
+  return nodes;
+}
+
+AxisNodes NodesOfGrid(vtkDataSet* source)
+{
+  if (auto* image = vtkImageData::SafeDownCast(source))
+  {
+    return NodesOfImage(image);
+  }
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(source))
+  {
+    return NodesOfRectilinearGrid(grid);
+  }
+  return {};
+}
+
+bool IsAscending(const std::vector<double>& nodes)
+{
+  const bool isFinite =
+    std::all_of(nodes.begin(), nodes.end(), [](double node) { return std::isfinite(node); });
+  const auto repeated = std::adjacent_find(
+    nodes.begin(), nodes.end(), [](double node, double next) { return !(node < next); });
+  return isFinite && !nodes.empty() && repeated == nodes.end();
+}
+
+// The source as a grid of the plane; null where it is none.
+std::shared_ptr<GridSource> GridFrom(
+  vtkDataSet* source, const double* values, const PlaneFrame& frame)
+{
+  const AxisNodes nodes = NodesOfGrid(source);
+  const auto first = static_cast<std::size_t>(frame.Axis(0));
+  const auto second = static_cast<std::size_t>(frame.Axis(1));
+  const auto normal = static_cast<std::size_t>(frame.Axis(2));
+  if (!frame.IsAxisAligned() || HasGhosts(source) || nodes[normal].size() != 1 ||
+    !IsAscending(nodes[first]) || !IsAscending(nodes[second]))
+  {
+    return nullptr;
+  }
+  const std::array<std::size_t, 3> strides{ 1, nodes[0].size(), nodes[0].size() * nodes[1].size() };
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = nodes[first];
+  grid->YNodes = nodes[second];
+  for (std::size_t j = 0; j < nodes[second].size(); ++j)
+  {
+    for (std::size_t i = 0; i < nodes[first].size(); ++i)
+    {
+      grid->Values.push_back(values[i * strides[first] + j * strides[second]]);
+    }
+  }
+  return grid;
+}
+
+// Turns the cells of any data into triangles of the plane.
+class CellCollector
+{
+public:
+  CellCollector(vtkDataSet* source, const PlaneFrame& frame);
+
+  std::string Collect();
+  std::vector<vtkIdType> UsedPoints() const;
+  std::shared_ptr<TriangulatedSource> Triangulation(const double* values) const;
+
+private:
+  int Dimension(int cellType);
+  bool IsSource(vtkIdType cell);
+  bool MeetsPlane() const;
+  void AddCell(vtkIdType cell, int dimension);
+  std::size_t NumberOfNodes() const { return this->Distances.size() + this->Cut.GetEdges().size(); }
+  Point2 PlaceOf(vtkIdType node) const;
+  double ValueOf(vtkIdType node, const double* values) const;
+
+  vtkSmartPointer<vtkDataSet> Source; // a shallow copy: asking it for cells changes nothing shared
+  const PlaneFrame& Frame;
+  vtkUnsignedCharArray* PointGhosts;
+  vtkUnsignedCharArray* CellGhosts;
+  std::vector<double> Distances;
+  PlaneCut Cut;
+  bool HasVolumes = false;
+  std::array<int, VTK_NUMBER_OF_CELL_TYPES> Dimensions;
+  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkIdList> Corners;
+  vtkNew<vtkPoints> Places;
+};
+
+vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
+{
+  auto copy = vtk::TakeSmartPointer(source->NewInstance());
+  copy->ShallowCopy(source);
+  return copy;
+}
+
+CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame)
+  : Source(ShallowCopyOf(source))
+  , Frame(frame)
+  , PointGhosts(this->Source->GetPointGhostArray())
+  , CellGhosts(this->Source->GetCellGhostArray())
+  , Distances(static_cast<std::size_t>(source->GetNumberOfPoints()))
+  , Cut(this->Distances)
+{
+  this->Dimensions.fill(-1);
+  double place[3];
+  for (std::size_t point = 0; point < this->Distances.size(); ++point)
+  {
+    this->Source->GetPoint(static_cast<vtkIdType>(point), place);
+    this->Distances[point] = frame.Distance(place);
+  }
+}
+
+std::string CellCollector::Collect()
+{
+  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
+  if (numberOfCells == 0)
+  {
+    return "The spacing source has no cells to interpolate in.";
+  }
+  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  {
+    const int dimension = this->Dimension(this->Source->GetCellType(cell));
+    this->HasVolumes = this->HasVolumes || dimension == 3;
+    if (dimension >= 2 && this->IsSource(cell))
+    {
+      this->AddCell(cell, dimension);
+    }
+  }
+  this->Cut.MergeEdges();
+  if (!this->Cut.GetTriangles().empty())
+  {
+    constexpr std::size_t Limit = std::numeric_limits<Id>::max();
+    const bool isTooLarge =
+      this->NumberOfNodes() > Limit || this->Cut.GetTriangles().size() > Limit;
+    return isTooLarge ? "The spacing source has more cells than 32-bit ids can number." : "";
+  }
+  return this->HasVolumes ? "The spacing source does not meet the plane of the input."
+                          : "The spacing source has no visible cells with an area or a volume.";
+}
+
+int CellCollector::Dimension(int cellType)
+{
+  const auto type = static_cast<std::size_t>(cellType);
+  if (type >= this->Dimensions.size())
+  {
+    return 0;
+  }
+  if (this->Dimensions[type] < 0)
+  {
+    this->Cell->SetCellType(cellType);
+    this->Dimensions[type] = this->Cell->GetCellDimension();
+  }
+  return this->Dimensions[type];
+}
+
+bool CellCollector::IsSource(vtkIdType cell)
+{
+  constexpr unsigned char NotHere =
+    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
+  if (this->CellGhosts && (this->CellGhosts->GetValue(cell) & NotHere) != 0)
+  {
+    return false;
+  }
+  this->Source->GetCellPoints(cell, this->Corners);
+  for (vtkIdType k = 0; this->PointGhosts && k < this->Corners->GetNumberOfIds(); ++k)
+  {
+    const unsigned char ghost = this->PointGhosts->GetValue(this->Corners->GetId(k));
+    if ((ghost & vtkDataSetAttributes::HIDDENPOINT) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CellCollector::MeetsPlane() const
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (vtkIdType k = 0; k < this->Corners->GetNumberOfIds(); ++k)
+  {
+    const double distance = this->Distances[static_cast<std::size_t>(this->Corners->GetId(k))];
+    low = std::min(low, distance);
+    high = std::max(high, distance);
+  }
+  return low <= 0.0 && high >= 0.0;
+}
+
+// Expects the points of the cell in Corners.
+void CellCollector::AddCell(vtkIdType cell, int dimension)
+{
+  if (dimension == 3 && !this->MeetsPlane())
+  {
+    return;
+  }
+  if (dimension == 2 && this->Corners->GetNumberOfIds() == 3)
+  {
+    this->Cut.AddTriangle(this->Corners->GetPointer(0));
+    return;
+  }
+  this->Source->GetCell(cell, this->Cell);
+  this->Cell->Triangulate(static_cast<int>(cell % 2), this->Corners, this->Places);
+  const vtkIdType size = dimension + 1;
+  for (vtkIdType k = 0; k + size <= this->Corners->GetNumberOfIds(); k += size)
+  {
+    const vtkIdType* points = this->Corners->GetPointer(k);
+    if (dimension == 3)
+    {
+      this->Cut.AddTetrahedron(points);
+    }
+    else
+    {
+      this->Cut.AddTriangle(points);
+    }
+  }
+}
+
+std::vector<vtkIdType> CellCollector::UsedPoints() const
+{
+  std::vector<std::uint8_t> isUsed(this->Distances.size(), 0);
+  for (const vtkIdType node : this->Cut.GetTriangles())
+  {
+    if (static_cast<std::size_t>(node) < isUsed.size())
+    {
+      isUsed[static_cast<std::size_t>(node)] = 1;
+    }
+  }
+  for (const PlaneCut::Edge& edge : this->Cut.GetEdges())
+  {
+    isUsed[static_cast<std::size_t>(edge.Low)] = 1;
+    isUsed[static_cast<std::size_t>(edge.High)] = 1;
+  }
+  std::vector<vtkIdType> used;
+  for (std::size_t point = 0; point < isUsed.size(); ++point)
+  {
+    if (isUsed[point])
+    {
+      used.push_back(static_cast<vtkIdType>(point));
+    }
+  }
+  return used;
+}
+
+std::shared_ptr<TriangulatedSource> CellCollector::Triangulation(const double* values) const
+{
+  auto triangulation = std::make_shared<TriangulatedSource>();
+  std::vector<Id> newIds(this->NumberOfNodes(), NoId);
+  for (const vtkIdType node : this->Cut.GetTriangles())
+  {
+    Id& newId = newIds[static_cast<std::size_t>(node)];
+    if (newId == NoId)
+    {
+      newId = static_cast<Id>(triangulation->Points.size());
+      triangulation->Points.push_back(this->PlaceOf(node));
+      triangulation->Values.push_back(this->ValueOf(node, values));
+    }
+    triangulation->Triangles.push_back(newId);
+  }
+  return triangulation;
+}
+
+Point2 CellCollector::PlaceOf(vtkIdType node) const
+{
+  double place[3];
+  const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
+  if (node < numberOfPoints)
+  {
+    this->Source->GetPoint(node, place);
+    return this->Frame.ToPlane(place);
+  }
+  const PlaneCut::Edge& edge =
+    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
+  this->Source->GetPoint(edge.Low, place);
+  const Point2 low = this->Frame.ToPlane(place);
+  this->Source->GetPoint(edge.High, place);
+  const Point2 high = this->Frame.ToPlane(place);
+  return low + this->Cut.Fraction(edge) * (high - low);
+}
+
+double CellCollector::ValueOf(vtkIdType node, const double* values) const
+{
+  const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
+  if (node < numberOfPoints)
+  {
+    return values[node];
+  }
+  const PlaneCut::Edge& edge =
+    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
+  return values[edge.Low] + this->Cut.Fraction(edge) * (values[edge.High] - values[edge.Low]);
+}
+
+bool HasArea(const TriangulatedSource& source)
+{
+  for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
+  {
+    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
+    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
+    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    if (Cross(b - a, c - a) != 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<GridSource> grid,
+  SpacingOptions& options)
+{
+  std::vector<vtkIdType> points(static_cast<std::size_t>(source->GetNumberOfPoints()));
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    points[point] = static_cast<vtkIdType>(point);
+  }
+  options.Grid = std::move(grid);
+  return CheckSpacingValues(source, values, points, NotANumber::Allowed);
+}
+
+std::string AddCells(
+  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options)
+{
+  CellCollector collector(source, frame);
+  std::string refusal = collector.Collect();
+  if (refusal.empty())
+  {
+    refusal = CheckSpacingValues(source, values, collector.UsedPoints(), NotANumber::Allowed);
+  }
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  const auto triangulation = collector.Triangulation(AsDoubles(values)->GetPointer(0));
+  options.Triangulation = triangulation;
+  return HasArea(*triangulation)
+    ? ""
+    : "The cells of the spacing source have no area in the plane of the input.";
+}
+
+} // namespace
+
+std::string AddSourceSpacing(
+  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options)
+{
+  if (values->GetNumberOfComponents() != 1)
+  {
+    return CheckSpacingValues(source, values, {}, NotANumber::Allowed);
+  }
+  auto grid = GridFrom(source, AsDoubles(values)->GetPointer(0), frame);
+  return grid ? AddGrid(source, values, std::move(grid), options)
+              : AddCells(source, values, frame, options);
+}
+
+} // namespace biting

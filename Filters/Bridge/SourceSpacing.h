@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSourceSpacing_h
+#define BitingSourceSpacing_h
+
+#include "../Kernel/Spacing/Spacing.h"
+#include "PlaneFrame.h"
+
+#include <string> // for the refusal
+
+class vtkDataArray;
+class vtkDataSet;
+
+namespace biting
+{
+
+/// Makes the spacing `values` at the points of `source` a source of `options`, in the plane `frame`.
+///
+/// Images and rectilinear grids of one layer along the plane, which is axis-aligned, are taken as
+/// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
+/// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with a
+/// hidden point, and cells without area are no source.
+/// Reads `source` without changing it. Returns why it cannot be used, empty where it can.
+std::string AddSourceSpacing(
+  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Calibration.h"
+
+#include "Delaunay/Triangulation.h"
+
+#include <algorithm> // for clamp, max
+#include <cmath>     // for sqrt, abs
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double TrialVertices = 6000.0;
+constexpr double LeastEstimate = 300.0; // a smaller mesh is all border
+constexpr int LeastInnerEdges = 300;
+constexpr int MostTrials = 2;
+constexpr double CloseEnough = 0.01;       // of the mean length
+constexpr double GreatestCorrection = 1.2; // of the constant: what packings differ by
+
+struct MeanLength
+{
+  double Sum = 0.0;
+  int Count = 0;
+};
+
+// Between vertices off the boundary: those on it are as near as the input wants them.
+MeanLength InnerMeanLength(
+  const BitingResult& bites, const Triangulation& mesh, Id numberOfOldVertices)
+{
+  const auto isInner = [&](Id vertex)
+  { return vertex >= numberOfOldVertices && bites.Segments[vertex] == NoId; };
+  MeanLength mean;
+  for (Id half = 0; half < static_cast<Id>(mesh.Corners.size()); ++half)
+  {
+    const Id u = mesh.Corners[half];
+    const Id v = mesh.Corners[half % 3 == 2 ? half - 2 : half + 1];
+    if (isInner(u) && isInner(v))
+    {
+      mean.Sum +=
+        2.0 * Distance(bites.Points[u], bites.Points[v]) / (bites.Spacings[u] + bites.Spacings[v]);
+      ++mean.Count;
+    }
+  }
+  return mean;
+}
+
+MeanLength RunTrial(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  const BitingOptions& options, double expectedVertices, Monitor& monitor)
+{
+  const BitingResult bites =
+    BiteDomain(domain, locator, spacing, expectedVertices, options, monitor);
+  if (bites.End != BitingEnd::Complete)
+  {
+    return {};
+  }
+  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
+  for (Id segment : bites.EdgeSegments)
+  {
+    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
+  }
+  const TriangulationResult result = Triangulate(bites.Points, constraints, {}, monitor);
+  return InnerMeanLength(bites, result.Mesh, domain.NumberOfVertices());
+}
+
+} // namespace
+
+// A coarser spacing k f is the same as k c_b and parts of length k.
+double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locator,
+  const Spacing& spacing, double integratedDensity, const BitingOptions& options, Monitor& monitor)
+{
+  const double first = AutomaticBitingConstant(options.Order);
+  BitingOptions trial = options;
+  trial.BitingConstant = first;
+  trial.MaximumNumberOfBites = -1;
+  trial.KeepFront = false;
+  const double wanted = EstimateNumberOfVertices(integratedDensity, trial);
+  if (wanted < LeastEstimate || domain.NumberOfVertices() > TrialVertices)
+  {
+    return first;
+  }
+  const double coarsening = std::max(1.0, std::sqrt(wanted / TrialVertices));
+  double constant = first;
+  for (int count = 0; count < MostTrials; ++count)
+  {
+    trial.BitingConstant = coarsening * constant;
+    trial.PartLength = coarsening;
+    const MeanLength mean =
+      RunTrial(domain, locator, spacing, trial, std::min(wanted, TrialVertices), monitor);
+    if (mean.Count < LeastInnerEdges)
+    {
+      return constant;
+    }
+    const double length = mean.Sum / mean.Count / coarsening;
+    if (std::abs(length - 1.0) < CloseEnough)
+    {
+      break; // what was tried stays: packings jump, a correction could only lose it
+    }
+    constant =
+      std::clamp(constant / length, first / GreatestCorrection, first * GreatestCorrection);
+  }
+  return constant;
+}
+
+} // namespace biting

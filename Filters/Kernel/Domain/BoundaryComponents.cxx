@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BoundaryComponents.h"
+
+#include "VertexStars.h"
+
+#include <algorithm> // for min, min_element, all_of
+#include <cstddef>   // for size_t
+
+namespace biting
+{
+
+namespace
+{
+
+/// Part of a graph: some of its segments, and the number that each has in the whole.
+struct Subgraph
+{
+  std::vector<SegmentEnds> Segments;
+  std::vector<Id> Numbers;
+  std::vector<Id> Counts;
+
+  void Add(const SegmentEnds& segment, Id number, Id count)
+  {
+    this->Segments.push_back(segment);
+    this->Numbers.push_back(number);
+    this->Counts.push_back(count);
+  }
+};
+
+Subgraph DrawnEdges(const Arrangement& arrangement, const std::vector<Id>& counts)
+{
+  Subgraph drawn;
+  for (std::size_t e = 0; e < counts.size(); ++e)
+  {
+    if (counts[e] > 0)
+    {
+      drawn.Add(arrangement.Edges[e].Ends, static_cast<Id>(e), counts[e]);
+    }
+  }
+  return drawn;
+}
+
+std::vector<std::uint8_t> OddVertices(std::size_t vertices, const Subgraph& graph)
+{
+  std::vector<std::uint8_t> isOdd(vertices, 0);
+  for (std::size_t s = 0; s < graph.Segments.size(); ++s)
+  {
+    const auto parity = static_cast<std::uint8_t>(graph.Counts[s] % 2);
+    isOdd[static_cast<std::size_t>(graph.Segments[s].Start)] ^= parity;
+    isOdd[static_cast<std::size_t>(graph.Segments[s].End)] ^= parity;
+  }
+  return isOdd;
+}
+
+/// Depth-first search with an explicit stack.
+class BridgeFinder
+{
+public:
+  BridgeFinder(const std::vector<Point2>& vertices, const Subgraph& graph)
+    : Graph(graph)
+    , Stars(vertices, graph.Segments)
+    , Entry(vertices.size(), NoId)
+    , Low(vertices.size(), NoId)
+    , Next(vertices.size(), 0)
+    , IsBridge(graph.Segments.size(), 0)
+  {
+  }
+
+  std::vector<std::uint8_t> Run();
+
+private:
+  struct Visit
+  {
+    Id Vertex = NoId;
+    Id Arrival = NoId; ///< the segment by which the search came
+  };
+
+  void Search(Id root);
+  void Enter(Id vertex, Id arrival);
+  void Leave();
+
+  const Subgraph& Graph;
+  const VertexStars Stars;
+  std::vector<Id> Entry; ///< when the search entered each vertex
+  std::vector<Id> Low;   ///< the earliest entry that its subtree reaches by another way
+  std::vector<Id> Next;  ///< how much of its star has been followed
+  std::vector<std::uint8_t> IsBridge;
+  std::vector<Visit> Path;
+  Id Clock = 0;
+};
+
+std::vector<std::uint8_t> BridgeFinder::Run()
+{
+  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
+  {
+    if (this->Stars.Degree(vertex) > 0 && this->Entry[static_cast<std::size_t>(vertex)] == NoId)
+    {
+      this->Search(vertex);
+    }
+  }
+  return std::move(this->IsBridge);
+}
+
+void BridgeFinder::Search(Id root)
+{
+  this->Enter(root, NoId);
+  while (!this->Path.empty())
+  {
+    const Visit here = this->Path.back();
+    const auto vertex = static_cast<std::size_t>(here.Vertex);
+    if (this->Next[vertex] == this->Stars.Degree(here.Vertex))
+    {
+      this->Leave();
+      continue;
+    }
+    const Id segment = this->Stars.Begin(here.Vertex)[this->Next[vertex]++];
+    const Id other = OtherEnd(this->Graph.Segments[static_cast<std::size_t>(segment)], here.Vertex);
+    const Id entry = this->Entry[static_cast<std::size_t>(other)];
+    if (entry == NoId)
+    {
+      this->Enter(other, segment);
+    }
+    else if (segment != here.Arrival)
+    {
+      this->Low[vertex] = std::min(this->Low[vertex], entry);
+    }
+  }
+}
+
+void BridgeFinder::Enter(Id vertex, Id arrival)
+{
+  this->Entry[static_cast<std::size_t>(vertex)] = this->Clock;
+  this->Low[static_cast<std::size_t>(vertex)] = this->Clock++;
+  this->Path.push_back({ vertex, arrival });
+}
+
+/// A segment drawn more than once is no bridge: its copies close a loop.
+void BridgeFinder::Leave()
+{
+  const Visit left = this->Path.back();
+  this->Path.pop_back();
+  if (this->Path.empty())
+  {
+    return;
+  }
+  const auto parent = static_cast<std::size_t>(this->Path.back().Vertex);
+  const Id low = this->Low[static_cast<std::size_t>(left.Vertex)];
+  this->Low[parent] = std::min(this->Low[parent], low);
+  const auto arrival = static_cast<std::size_t>(left.Arrival);
+  const bool isLone = this->Graph.Counts[arrival] == 1;
+  this->IsBridge[arrival] = isLone && low > this->Entry[parent] ? 1 : 0;
+}
+
+Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& graph)
+{
+  const std::vector<std::uint8_t> isBridge = BridgeFinder(vertices, graph).Run();
+  Subgraph rest;
+  for (std::size_t s = 0; s < isBridge.size(); ++s)
+  {
+    if (!isBridge[s])
+    {
+      rest.Add(graph.Segments[s], graph.Numbers[s], graph.Counts[s]);
+    }
+  }
+  return rest;
+}
+
+/// Judges the components of a graph without bridges, one by one.
+class ComponentJudge
+{
+public:
+  ComponentJudge(const Arrangement& arrangement, const Subgraph& graph)
+    : Drawing(arrangement)
+    , Graph(graph)
+    , Stars(arrangement.Vertices, graph.Segments)
+    , IsOdd(OddVertices(arrangement.Vertices.size(), graph))
+    , IsSeen(arrangement.Vertices.size(), 0)
+  {
+  }
+
+  std::vector<BoundaryComponent> Run();
+
+private:
+  BoundaryComponent Judge(const std::vector<Id>& vertices) const;
+  bool IsSimpleLoop(const std::vector<Id>& vertices) const;
+  std::vector<Id> Connected(Id seed);
+  std::vector<Id> OddEdges(const std::vector<Id>& vertices) const;
+  std::vector<Id> Outline(Id leftmost) const;
+  const SegmentEnds& Ends(Id segment) const
+  {
+    return this->Graph.Segments[static_cast<std::size_t>(segment)];
+  }
+  Id NumberOf(Id segment) const { return this->Graph.Numbers[static_cast<std::size_t>(segment)]; }
+
+  const Arrangement& Drawing;
+  const Subgraph& Graph;
+  const VertexStars Stars;
+  const std::vector<std::uint8_t> IsOdd;
+  std::vector<std::uint8_t> IsSeen;
+};
+
+std::vector<BoundaryComponent> ComponentJudge::Run()
+{
+  std::vector<BoundaryComponent> components;
+  for (Id seed = 0; seed < this->Stars.NumberOfVertices(); ++seed)
+  {
+    if (this->Stars.Degree(seed) > 0 && !this->IsSeen[static_cast<std::size_t>(seed)])
+    {
+      components.push_back(this->Judge(this->Connected(seed)));
+    }
+  }
+  return components;
+}
+
+BoundaryComponent ComponentJudge::Judge(const std::vector<Id>& vertices) const
+{
+  const auto isLeft = [this](Id a, Id b) { return this->Drawing.At(a) < this->Drawing.At(b); };
+  const auto isEven = [this](Id vertex) { return !this->IsOdd[static_cast<std::size_t>(vertex)]; };
+  const Id leftmost = *std::min_element(vertices.begin(), vertices.end(), isLeft);
+  const Id lowest = *this->Stars.Begin(leftmost);
+  BoundaryComponent component;
+  component.Lowest = { leftmost, OtherEnd(this->Ends(lowest), leftmost) };
+  component.LowestEdge = this->NumberOf(lowest);
+  component.IsSimpleLoop = this->IsSimpleLoop(vertices);
+  component.Edges = std::all_of(vertices.begin(), vertices.end(), isEven) ? this->OddEdges(vertices)
+                                                                          : this->Outline(leftmost);
+  return component;
+}
+
+bool ComponentJudge::IsSimpleLoop(const std::vector<Id>& vertices) const
+{
+  return std::all_of(vertices.begin(), vertices.end(),
+    [this](Id vertex)
+    {
+      const bool isCrossing = this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)] == NoId;
+      return this->Stars.Degree(vertex) == 2 && !isCrossing;
+    });
+}
+
+std::vector<Id> ComponentJudge::Connected(Id seed)
+{
+  std::vector<Id> component{ seed };
+  this->IsSeen[static_cast<std::size_t>(seed)] = 1;
+  for (std::size_t i = 0; i < component.size(); ++i)
+  {
+    const Id vertex = component[i];
+    for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
+    {
+      const Id other = OtherEnd(this->Ends(*s), vertex);
+      if (!this->IsSeen[static_cast<std::size_t>(other)])
+      {
+        this->IsSeen[static_cast<std::size_t>(other)] = 1;
+        component.push_back(other);
+      }
+    }
+  }
+  return component;
+}
+
+std::vector<Id> ComponentJudge::OddEdges(const std::vector<Id>& vertices) const
+{
+  std::vector<Id> edges;
+  for (const Id vertex : vertices)
+  {
+    for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
+    {
+      const bool isOdd = this->Graph.Counts[static_cast<std::size_t>(*s)] % 2 != 0;
+      if (isOdd && this->Ends(*s).Start == vertex)
+      {
+        edges.push_back(this->NumberOf(*s));
+      }
+    }
+  }
+  return edges;
+}
+
+/// Walks the outer face with the component on the left, from the lowest edge of its leftmost
+/// vertex. An edge walked both ways is a doubled bridge, with the outside on both sides: it is
+/// there twice.
+std::vector<Id> ComponentJudge::Outline(Id leftmost) const
+{
+  const Id first = *this->Stars.Begin(leftmost);
+  Id vertex = leftmost;
+  Id segment = first;
+  std::vector<Id> edges;
+  do
+  {
+    edges.push_back(this->NumberOf(segment));
+    vertex = OtherEnd(this->Ends(segment), vertex);
+    segment = this->Stars.Next(vertex, segment);
+  } while (vertex != leftmost || segment != first);
+  return edges;
+}
+
+} // namespace
+
+std::vector<BoundaryComponent> FindBoundaryComponents(
+  const Arrangement& arrangement, const std::vector<Id>& counts)
+{
+  const Subgraph drawn = DrawnEdges(arrangement, counts);
+  if (drawn.Segments.empty())
+  {
+    return {};
+  }
+  return ComponentJudge(arrangement, WithoutBridges(arrangement.Vertices, drawn)).Run();
+}
+
+} // namespace biting

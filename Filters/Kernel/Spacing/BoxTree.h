@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBoxTree_h
+#define BitingBoxTree_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+
+#include <array>   // for the stack
+#include <utility> // for swap
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// Branch and bound over many items: each lies in a box, and its cost at x is at least its value
+/// plus slope times the distance from x to the box. A balanced binary tree of boxes; the cost of a
+/// search is logarithmic in ordinary cases.
+class BoxTree
+{
+public:
+  struct Item
+  {
+    Box2 Box;
+    double Value = 0.0;
+  };
+
+  BoxTree() = default;
+  explicit BoxTree(const std::vector<Item>& items);
+
+  /// The items in the order of the tree: items near each other have positions near each other.
+  const std::vector<Id>& Order() const { return this->Items; }
+
+  /// Calls visit(position, limit) for all items whose cost at x may be below `limit`, likely ones
+  /// first; each call returns the limit from then on. Returns the last limit.
+  template <typename Visit>
+  double Search(const Point2& x, double slope, double limit, Visit visit) const;
+
+private:
+  /// Leaf: positions [First, First + Count). Otherwise the children are nodes First and First + 1.
+  struct Node
+  {
+    Box2 Box;
+    double Value = 0.0;
+    Id First = 0;
+    Id Count = 0;
+
+    double Bound(const Point2& x, double slope) const
+    {
+      const double left = this->Box.Low.X - x.X;
+      const double right = x.X - this->Box.High.X;
+      const double below = this->Box.Low.Y - x.Y;
+      const double above = x.Y - this->Box.High.Y;
+      const double across = std::max(std::max(left, right), 0.0);
+      const double along = std::max(std::max(below, above), 0.0);
+      return this->Value + slope * Length({ across, along });
+    }
+  };
+
+  struct Waiting
+  {
+    double Bound;
+    Id Node;
+  };
+
+  /// The tree is halved at every level: ids of 32 bits need less.
+  static constexpr std::size_t StackSize = 64;
+
+  const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
+  void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last);
+  Node Enclose(const std::vector<Item>& items, Id first, Id last) const;
+
+  std::vector<Id> Items;
+  std::vector<Node> Nodes;
+};
+
+template <typename Visit>
+double BoxTree::Search(const Point2& x, double slope, double limit, Visit visit) const
+{
+  std::array<Waiting, StackSize> stack;
+  std::size_t depth = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[depth++] = { this->NodeAt(0).Bound(x, slope), 0 };
+  }
+  while (depth > 0)
+  {
+    const Waiting next = stack[--depth];
+    if (!(next.Bound < limit))
+    {
+      continue;
+    }
+    const Node& node = this->NodeAt(next.Node);
+    for (Id position = node.First; position < node.First + node.Count; ++position)
+    {
+      limit = visit(position, limit);
+    }
+    if (node.Count == 0)
+    {
+      Waiting nearer{ this->NodeAt(node.First).Bound(x, slope), node.First };
+      Waiting farther{ this->NodeAt(node.First + 1).Bound(x, slope), node.First + 1 };
+      if (farther.Bound < nearer.Bound)
+      {
+        std::swap(nearer, farther);
+      }
+      stack[depth++] = farther;
+      stack[depth++] = nearer;
+    }
+  }
+  return limit;
+}
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The only file that knows versions of VTK: what newer ones have and 9.1 has not.
+ */
+
+#ifndef vtkBitingCompat_h
+#define vtkBitingCompat_h
+
+#include "vtkAlgorithm.h"     // for the abort request
+#include "vtkVersionMacros.h" // for VTK_VERSION_NUMBER
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220801)
+#include "vtkABINamespace.h" // for the namespace macros
+#endif
+
+#ifndef VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
+
+namespace vtkBitingCompat
+{
+
+/**
+ * Whether somebody asked the algorithm to stop; newer versions also ask the pipeline around it.
+ */
+inline bool IsAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220801)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/**
+ * Forgets a request to stop that an earlier execution has answered. 9.1 does so by itself; newer
+ * versions keep it, and the algorithm would never work again.
+ */
+inline void ForgetAbort(vtkAlgorithm* algorithm)
+{
+  algorithm->SetAbortExecute(0);
+}
+
+} // namespace vtkBitingCompat
+
+#endif

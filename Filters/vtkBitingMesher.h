@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkBitingMesher
+ * @brief   meshes a planar domain with triangles by biting squares
+ *
+ * vtkBitingMesher fills the inside of closed polylines with triangles whose edges are as long as a
+ * spacing function f asks for. It bites squares of half-width c_b f(x) out of the domain, centred on
+ * the front between what is bitten and what is left, until nothing is left. The centres are the
+ * vertices of the mesh: no two are nearer than a fixed share of f, and none is farther from the next
+ * than another share of it. A constrained Delaunay triangulation joins them.
+ *
+ * @par Steps:
+ * The input is welded, split where segments meet, and divided into inside and outside by even-odd
+ * parity; f is prepared; the vertices of the domain are bitten, then points along its edges, then
+ * the interior; the centres are triangulated, with all input segments as edges; the mesh is checked
+ * (orientation, area, every segment covered) and measured.
+ *
+ * @par Input:
+ * Port 0: a vtkPolyData. Lines and polylines may be merged or not, in any order and orientation;
+ * closed chains bound the domain, by even-odd nesting; open chains are interfaces, which become
+ * edges of the mesh. Polygons are closed boundary chains, and each point of a vertex cell is an
+ * embedded point, which becomes a vertex of the mesh. Triangle strips are ignored, with a warning. A
+ * numeric cell array `Kind` decides instead what a line or polygon is: 0 boundary, 1 interface, 2
+ * embedded points. Points that no cell uses are ignored.
+ * The chains may lie in any plane: it is fitted, meshed in and mapped back. In a plane of constant
+ * x, y or z the coordinates are used as they are. Triangles are counterclockwise seen from the side
+ * of the normal whose largest component is positive.
+ * @par
+ * Port 1, optional: any vtkDataSet with a point array, the spacing source. Images and rectilinear
+ * grids of one layer are interpolated as grids; other cells with an area are triangulated and
+ * projected into the plane, cells with a volume are cut by it. Hidden and ghost cells, and places
+ * where the array is NaN, are no source.
+ *
+ * @par Spacing:
+ * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
+ * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear along
+ * chains, inwards growing with the slope Gradation); the source array (SetInputArrayToProcess(1, 1,
+ * 0, POINTS, name): interpolated, and outside of the source the nearest value of its border). Then
+ * it is multiplied by SpacingScale and clamped to [MinimumSpacing, MaximumSpacing]. Where nothing is
+ * given it is 2 % of the diagonal of the domain's bounding box.
+ * An array named `Spacing` is taken where no other name was set; where there is no such array, there
+ * is no such source. The name "None", or an empty one, takes no array. Any other name that does not
+ * exist is an error.
+ *
+ * @par Output 0, the mesh:
+ * Triangles; points are doubles, and vertices of the input are there bit for bit. Point data:
+ * `Spacing` (f, double), `NearestNeighborDistance` (N, double), `Conformity` (min(N/f, f/N), double),
+ * `BiteOrder` (int, -1 where biting stopped before), `VertexKind` (unsigned char: 0 input vertex, 1
+ * new on an input segment, 2 interior, 3 embedded point), `OriginalPointId` (vtkIdType, -1 where
+ * new). Cell data: `RegionId` (int, connected faces, by their first input segment), `MinimumAngle`
+ * (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
+ * smallest containing and the inscribed circle, 2 is best). Field data, one value each:
+ * `NumberOfVertices`, `NumberOfTriangles`, `SmallestAngle`, `LargestRadiusEdgeRatio`,
+ * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand`
+ * (of [1/sqrt(2), sqrt(2)] f), `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the
+ * used spacing), and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
+ * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `DroppedOutsidePoints`,
+ * `DroppedOutsideInterfaces`. Field data of the input is passed on.
+ *
+ * @par Output 1, the boundary edges:
+ * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
+ * input at its cell, of any type. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell
+ * data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1 interface).
+ *
+ * @par Output 2, the bites (only with GenerateBites):
+ * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:
+ * `BiteOrder` (int, -1 for the front), `Phase` (unsigned char: 0 vertex protection, 1 edge
+ * protection, 2 interior, 3 front).
+ *
+ * @par Guarantees:
+ * The mesh is valid (all triangles counterclockwise, decided exactly; no overlaps, no duplicate and
+ * no unused points; every input segment a union of edges) or there is none. Defects of the input are
+ * repaired with a warning for each kind, which says how many, which and where, or refused with one
+ * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
+ * size from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
+ * empty. An empty input gives empty outputs and no message. After an abort the outputs are empty.
+ * Same input and parameters, same bytes: any run, any thread.
+ *
+ * @par Limits:
+ * f is neither capped by the distance of neighbouring features nor limited in its slope: where it is
+ * much larger than a gap, or much steeper than 0.3, triangles are valid but may be thin. Vertices
+ * are not moved after they were placed.
+ *
+ * @par Cost:
+ * O(n log n) for n vertices; memory about 0.5 kB a vertex. One thread. Different filters may run in
+ * different threads at once, also on shared input.
+ *
+ * @par Sources:
+ * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000, bites
+ * circles; their follow-up "Generate good triangular meshes, conforming to control spacing
+ * requirements" bites squares: sections 3.1 (the three phases) and 4.4 (phi-Delaunay). J. R.
+ * Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
+ * 1997. S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993.
+ */
+
+#ifndef vtkBitingMesher_h
+#define vtkBitingMesher_h
+
+#include "vtkBitingCompat.h"        // for the ABI namespace
+#include "vtkBitingFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+
+class VTKBITINGFILTERS_EXPORT vtkBitingMesher : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBitingMesher* New();
+  vtkTypeMacro(vtkBitingMesher, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BiteShapeType
+  {
+    SQUARE = 0
+  };
+
+  enum PlacementType
+  {
+    CORNERS = 0
+  };
+
+  enum FrontOrderType
+  {
+    LAYERS = 0,
+    LARGEST_Y = 1
+  };
+
+  ///@{
+  /**
+   * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
+   */
+  void SetSpacingSourceData(vtkDataSet* source);
+  void SetSpacingSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * Constant spacing, in units of the coordinates, >= 0. Where other sources give a spacing too, the
+   * minimum counts. 0 (default): none, or 2 % of the diagonal of the domain's bounding box where
+   * nothing else is given. Negative or not finite: an error.
+   */
+  vtkSetMacro(UniformSpacing, double);
+  vtkGetMacro(UniformSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the whole spacing, without unit, > 0. Default 1. Other values: an error.
+   */
+  vtkSetMacro(SpacingScale, double);
+  vtkGetMacro(SpacingScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * The spacing is raised to at least this, in units of the coordinates, >= 0. 0 (default): no
+   * bound. Negative, not finite, or above MaximumSpacing: an error.
+   */
+  vtkSetMacro(MinimumSpacing, double);
+  vtkGetMacro(MinimumSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The spacing is lowered to at most this, in units of the coordinates, >= 0. 0 (default): no
+   * bound. Negative or not finite: an error.
+   */
+  vtkSetMacro(MaximumSpacing, double);
+  vtkGetMacro(MaximumSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The slope, without unit and >= 0, with which a spacing that is given on the boundary grows
+   * inwards. Default 0.3; above 0.5 triangles become thin. 0: the largest slope that the values on
+   * the boundary have. Negative or not finite: an error.
+   */
+  vtkSetMacro(Gradation, double);
+  vtkGetMacro(Gradation, double);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): crossings, touches and overlaps of segments are resolved, each kind with a
+   * warning. Off: they are an error that says the same.
+   */
+  vtkSetMacro(RepairInput, bool);
+  vtkGetMacro(RepairInput, bool);
+  vtkBooleanMacro(RepairInput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The shape of a bite. SQUARE (default): as in the paper, section 3.1.
+   */
+  vtkSetClampMacro(BiteShape, int, SQUARE, SQUARE);
+  vtkGetMacro(BiteShape, int);
+  void SetBiteShapeToSquare() { this->SetBiteShape(SQUARE); }
+  ///@}
+
+  ///@{
+  /**
+   * The biting constant c_b: half the width of a bite at x is c_b f(x) (paper, section 3.1). Without
+   * unit, in [0.1, 1]. 0 (default): automatic, so that the mean edge length of the mesh is f. Other
+   * values: an error.
+   */
+  vtkSetMacro(BitingConstant, double);
+  vtkGetMacro(BitingConstant, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where on the front the next bite may sit. CORNERS (default): at its corners, as in the paper.
+   */
+  vtkSetClampMacro(Placement, int, CORNERS, CORNERS);
+  vtkGetMacro(Placement, int);
+  void SetPlacementToCorners() { this->SetPlacement(CORNERS); }
+  ///@}
+
+  ///@{
+  /**
+   * Which corner of the front is bitten next. LAYERS (default): first in, first out, layer by layer
+   * from the boundary. LARGEST_Y: the one with the largest second coordinate in the plane, the sweep
+   * of the paper's section 5.
+   */
+  vtkSetClampMacro(FrontOrder, int, LAYERS, LARGEST_Y);
+  vtkGetMacro(FrontOrder, int);
+  void SetFrontOrderToLayers() { this->SetFrontOrder(LAYERS); }
+  void SetFrontOrderToLargestY() { this->SetFrontOrder(LARGEST_Y); }
+  ///@}
+
+  ///@{
+  /**
+   * Stops after so many bites, to look at the front with GenerateBites; the mesh is that of the
+   * vertices so far. -1 (default): until the front is empty. Below -1: an error.
+   */
+  vtkSetMacro(MaximumNumberOfBites, vtkIdType);
+  vtkGetMacro(MaximumNumberOfBites, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge is flipped only
+   * where the opposite vertex lies within phi times the circumradius of the triangle's
+   * circumcentre. 1 (default): Delaunay. Other values: an error.
+   */
+  vtkSetMacro(Phi, double);
+  vtkGetMacro(Phi, double);
+  ///@}
+
+  ///@{
+  /**
+   * Inputs whose estimated number of vertices is larger are refused before any work is done, with
+   * the estimate in the error. >= 1. Default 20 000 000.
+   */
+  vtkSetMacro(MaximumNumberOfVertices, vtkIdType);
+  vtkGetMacro(MaximumNumberOfVertices, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Whether output 2 shows the bites and the front that is left. Default off.
+   */
+  vtkSetMacro(GenerateBites, bool);
+  vtkGetMacro(GenerateBites, bool);
+  vtkBooleanMacro(GenerateBites, bool);
+  ///@}
+
+protected:
+  vtkBitingMesher();
+  ~vtkBitingMesher() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkBitingMesher(const vtkBitingMesher&) = delete;
+  void operator=(const vtkBitingMesher&) = delete;
+
+  class Execution;
+
+  double UniformSpacing = 0.0;
+  double SpacingScale = 1.0;
+  double MinimumSpacing = 0.0;
+  double MaximumSpacing = 0.0;
+  double Gradation = 0.3;
+  bool RepairInput = true;
+  int BiteShape = SQUARE;
+  double BitingConstant = 0.0;
+  int Placement = CORNERS;
+  int FrontOrder = LAYERS;
+  vtkIdType MaximumNumberOfBites = -1;
+  double Phi = 1.0;
+  vtkIdType MaximumNumberOfVertices = 20000000;
+  bool GenerateBites = false;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,470 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The kernel room by room, in points per second of CPU time (items_per_second). What a point is, the
+// name says: a vertex of the mesh, a point of a query, a call of a predicate.
+// Links to BitingKernel (as the kernel tests do: -ffp-contract=off, include folder Filters/Kernel)
+// and benchmark::benchmark; needs no VTK.
+
+#include "PaperSpacing.h"
+
+#include "Biting/BitingScheme.h"
+#include "Biting/VertexEstimate.h"
+#include "BitingMesh.h"
+#include "Delaunay/Triangulation.h"
+#include "Domain/DomainLocator.h"
+#include "Predicates/Predicates.h"
+#include "Quality/MeshCheck.h"
+#include "Quality/Quality.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>   // for sqrt, sin, cos, floor
+#include <cstdint> // for random numbers
+#include <map>     // for meshes already made
+#include <memory>  // for sources
+#include <vector>  // for points
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr Id NumberOfQueries = 1 << 16;
+
+// Points of the unit square, the same everywhere.
+std::vector<Point2> RandomPoints(Id count)
+{
+  std::vector<Point2> points;
+  std::uint64_t state = 1;
+  const auto roll = [&state]()
+  {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 33) * 0x1p-31;
+  };
+  for (Id i = 0; i < count; ++i)
+  {
+    const double x = roll();
+    points.push_back({ x, roll() });
+  }
+  return points;
+}
+
+Polylines Loop(const std::vector<Point2>& points)
+{
+  Polylines loop;
+  loop.Points = points;
+  for (std::size_t i = 0; i <= points.size(); ++i)
+  {
+    loop.Connectivity.push_back(static_cast<Id>(i % points.size()));
+  }
+  loop.Offsets.push_back(static_cast<Id>(loop.Connectivity.size()));
+  loop.Kinds = { ChainKind::Automatic };
+  loop.Cells = { 0 };
+  return loop;
+}
+
+Polylines Square(double side)
+{
+  return Loop({ { 0, 0 }, { side, 0 }, { side, side }, { 0, side } });
+}
+
+// A coast: a closed curve with bays of all lengths, without crossings.
+Polylines Coast(Id numberOfPoints)
+{
+  std::vector<Point2> points;
+  for (Id i = 0; i < numberOfPoints; ++i)
+  {
+    const double angle = 6.283185307179586 * i / numberOfPoints;
+    double radius = 0.4;
+    for (int wave = 3; wave < 1000; wave *= 3)
+    {
+      radius += 0.1 / wave * std::sin(wave * angle + wave);
+    }
+    points.push_back({ 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) });
+  }
+  return Loop(points);
+}
+
+Domain DomainOf(const Polylines& input)
+{
+  ProblemList problems;
+  SilentMonitor monitor;
+  return MakeDomain(input, {}, problems, monitor);
+}
+
+BitingMeshOptions UniformOptions(double vertices)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = std::sqrt(1.25 / vertices);
+  return options;
+}
+
+const BitingMesh& UniformMesh(std::int64_t vertices)
+{
+  static std::map<std::int64_t, BitingMesh> meshes;
+  const auto [entry, isNew] = meshes.try_emplace(vertices);
+  if (isNew)
+  {
+    ProblemList problems;
+    SilentMonitor monitor;
+    entry->second =
+      MakeBitingMesh(Square(1.0), UniformOptions(static_cast<double>(vertices)), problems, monitor);
+  }
+  return entry->second;
+}
+
+template <typename Count>
+void Report(benchmark::State& state, Count pointsPerIteration)
+{
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pointsPerIteration));
+}
+
+// Predicates.
+
+// Points of a lattice of `state.range(0)` steps: the coarser, the more are collinear or cocircular.
+std::vector<Point2> LatticePoints(double steps)
+{
+  std::vector<Point2> points = RandomPoints(NumberOfQueries);
+  for (Point2& p : points)
+  {
+    p = { std::floor(p.X * steps) / steps, std::floor(p.Y * steps) / steps };
+  }
+  return points;
+}
+
+void PredicatesOrient2D(benchmark::State& state)
+{
+  const std::vector<Point2> points = LatticePoints(static_cast<double>(state.range(0)));
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    int sum = 0;
+    for (std::size_t i = 2; i < points.size(); ++i)
+    {
+      sum += Orient2D(points[i - 2], points[i - 1], points[i]);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  Report(state, points.size() - 2);
+}
+BENCHMARK(PredicatesOrient2D)->Arg(1 << 30)->Arg(16);
+
+void PredicatesInCircle(benchmark::State& state)
+{
+  const std::vector<Point2> points = LatticePoints(static_cast<double>(state.range(0)));
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    int sum = 0;
+    for (std::size_t i = 3; i < points.size(); ++i)
+    {
+      sum += InCircle(points[i - 3], points[i - 2], points[i - 1], points[i]);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  Report(state, points.size() - 3);
+}
+BENCHMARK(PredicatesInCircle)->Arg(1 << 30)->Arg(16);
+
+// Domain.
+
+void DomainOfCoast(benchmark::State& state)
+{
+  const Polylines coast = Coast(static_cast<Id>(state.range(0)));
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(DomainOf(coast).Area);
+  }
+  Report(state, state.range(0));
+}
+BENCHMARK(DomainOfCoast)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+void DomainLocatorQueries(benchmark::State& state)
+{
+  const Domain domain = DomainOf(Coast(static_cast<Id>(state.range(0))));
+  const DomainLocator locator(domain);
+  const std::vector<Point2> points = RandomPoints(NumberOfQueries);
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    int inside = 0;
+    for (const Point2& p : points)
+    {
+      inside += locator.IsInside(p) ? 1 : 0;
+    }
+    benchmark::DoNotOptimize(inside);
+  }
+  Report(state, points.size());
+}
+BENCHMARK(DomainLocatorQueries)->Arg(10000)->Arg(100000);
+
+// Spacing: what is made once, and what is asked several times for each vertex.
+
+SpacingOptions UniformSource()
+{
+  SpacingOptions options;
+  options.Uniform = 0.01;
+  return options;
+}
+
+SpacingOptions GridOfNodes()
+{
+  constexpr int Intervals = 1000;
+  auto grid = std::make_shared<GridSource>();
+  for (int i = 0; i <= Intervals; ++i)
+  {
+    grid->XNodes.push_back(1.0 * i / Intervals);
+    grid->YNodes.push_back(1.0 * i / Intervals);
+  }
+  for (const double y : grid->YNodes)
+  {
+    for (const double x : grid->XNodes)
+    {
+      grid->Values.push_back(0.01 * (1.0 + 0.5 * std::sin(9.0 * x) * std::cos(7.0 * y)));
+    }
+  }
+  SpacingOptions options;
+  options.Grid = grid;
+  return options;
+}
+
+SpacingOptions TrianglesOfSource()
+{
+  const BitingMesh& mesh = UniformMesh(100000);
+  auto source = std::make_shared<TriangulatedSource>();
+  source->Points = mesh.Points;
+  source->Triangles = mesh.Corners;
+  for (const Point2& p : mesh.Points)
+  {
+    source->Values.push_back(0.01 * (1.0 + 0.5 * std::sin(9.0 * p.X) * std::cos(7.0 * p.Y)));
+  }
+  SpacingOptions options;
+  options.Triangulation = source;
+  return options;
+}
+
+SpacingOptions SegmentsOfCoast()
+{
+  const Polylines coast = Coast(10000);
+  auto source = std::make_shared<SegmentSource>();
+  source->Points = coast.Points;
+  source->Values.assign(coast.Points.size(), 0.001);
+  for (std::size_t i = 0; i + 1 < coast.Connectivity.size(); ++i)
+  {
+    source->Segments.push_back(coast.Connectivity[i]);
+    source->Segments.push_back(coast.Connectivity[i + 1]);
+  }
+  SpacingOptions options;
+  options.Segments = source;
+  return options;
+}
+
+Spacing SpacingOf(const SpacingOptions& options)
+{
+  ProblemList problems;
+  SilentMonitor monitor;
+  return MakeSpacing(options, { { 0, 0 }, { 1, 1 } }, problems, monitor);
+}
+
+void SpacingPreparation(benchmark::State& state, SpacingOptions (*source)())
+{
+  const SpacingOptions options = source();
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(SpacingOf(options)({ 0.5, 0.5 }));
+  }
+}
+BENCHMARK_CAPTURE(SpacingPreparation, Grid1M, GridOfNodes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SpacingPreparation, Triangles200k, TrianglesOfSource)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SpacingPreparation, Segments10k, SegmentsOfCoast)->Unit(benchmark::kMillisecond);
+
+void SpacingQueries(benchmark::State& state, SpacingOptions (*source)())
+{
+  const Spacing spacing = SpacingOf(source());
+  const std::vector<Point2> points = RandomPoints(NumberOfQueries);
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    double sum = 0.0;
+    for (const Point2& p : points)
+    {
+      sum += spacing(p);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  Report(state, points.size());
+}
+BENCHMARK_CAPTURE(SpacingQueries, Uniform, UniformSource);
+BENCHMARK_CAPTURE(SpacingQueries, Grid1M, GridOfNodes);
+BENCHMARK_CAPTURE(SpacingQueries, Triangles200k, TrianglesOfSource);
+BENCHMARK_CAPTURE(SpacingQueries, Segments10k, SegmentsOfCoast);
+
+// Biting.
+
+SpacingOptions PaperOptions(double vertices)
+{
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = { 0.0 };
+  for (int i = 0; i <= PaperIntervals; ++i)
+  {
+    grid->YNodes.push_back(PaperSide * i / PaperIntervals);
+    grid->Values.push_back(PaperSpacing(grid->YNodes.back()));
+  }
+  SpacingOptions options;
+  options.Grid = grid;
+  options.Scale = std::sqrt(3000.0 / vertices);
+  options.Gradation = 0.0;
+  return options;
+}
+
+void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions& options)
+{
+  const Domain domain = DomainOf(input);
+  ProblemList problems;
+  SilentMonitor monitor;
+  const Spacing spacing = MakeSpacing(options, domain.Bounds, problems, monitor);
+  std::size_t vertices = 0;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    const DomainLocator locator(domain);
+    const double density = IntegrateDensity(domain.Bounds, locator, spacing);
+    const double estimate = EstimateNumberOfVertices(density, {});
+    vertices = BiteDomain(domain, locator, spacing, estimate, {}, monitor).Points.size();
+  }
+  Report(state, vertices);
+}
+
+void BitingUniformVertices(benchmark::State& state)
+{
+  Bite(state, Square(1.0), UniformOptions(static_cast<double>(state.range(0))).Spacing);
+}
+BENCHMARK(BitingUniformVertices)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+void BitingVerticesOfSectionSix(benchmark::State& state)
+{
+  Bite(state, Square(PaperSide), PaperOptions(static_cast<double>(state.range(0))));
+}
+BENCHMARK(BitingVerticesOfSectionSix)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+// Delaunay.
+
+ConstraintEdges BoundaryOf(const BitingMesh& mesh)
+{
+  return { mesh.EdgeStarts, mesh.EdgeEnds, mesh.EdgeIsBoundary };
+}
+
+void DelaunayVertices(benchmark::State& state)
+{
+  const BitingMesh& mesh = UniformMesh(state.range(0));
+  const ConstraintEdges boundary = BoundaryOf(mesh);
+  SilentMonitor monitor;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(Triangulate(mesh.Points, boundary, {}, monitor).Mesh.Corners.data());
+  }
+  Report(state, mesh.Points.size());
+}
+BENCHMARK(DelaunayVertices)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+void DelaunayRandomPoints(benchmark::State& state)
+{
+  std::vector<Point2> points = RandomPoints(static_cast<Id>(state.range(0)));
+  const Id first = static_cast<Id>(points.size());
+  points.insert(points.end(), { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
+  const ConstraintEdges square{ { first, first + 1, first + 2, first + 3 },
+    { first + 1, first + 2, first + 3, first }, { 1, 1, 1, 1 } };
+  SilentMonitor monitor;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(Triangulate(points, square, {}, monitor).Mesh.Corners.data());
+  }
+  Report(state, points.size());
+}
+BENCHMARK(DelaunayRandomPoints)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+// Quality.
+
+void QualityMeasuredVertices(benchmark::State& state)
+{
+  const BitingMesh& mesh = UniformMesh(state.range(0));
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(
+      MeasureQuality({ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors }).MeanConformity);
+  }
+  Report(state, mesh.Points.size());
+}
+BENCHMARK(QualityMeasuredVertices)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+void QualityCheckedVertices(benchmark::State& state)
+{
+  const BitingMesh& mesh = UniformMesh(state.range(0));
+  const std::vector<Id> constraints(mesh.Corners.size(), 0);
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    const std::string violation =
+      CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, 1.0 });
+    if (!violation.empty())
+    {
+      state.SkipWithError(violation.c_str());
+      break;
+    }
+  }
+  Report(state, mesh.Points.size());
+}
+BENCHMARK(QualityCheckedVertices)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+// All rooms in a row.
+
+void FacadeVertices(benchmark::State& state)
+{
+  const BitingMeshOptions options = UniformOptions(static_cast<double>(state.range(0)));
+  const Polylines square = Square(1.0);
+  std::size_t vertices = 0;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    ProblemList problems;
+    SilentMonitor monitor;
+    vertices = MakeBitingMesh(square, options, problems, monitor).Points.size();
+  }
+  Report(state, vertices);
+}
+BENCHMARK(FacadeVertices)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+} // namespace biting
+
+BENCHMARK_MAIN();

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTesting.h"
+
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_filters;
+
+namespace
+{
+
+std::string RefusalOf(vtkPolyData* input, vtkBitingMesher* mesher)
+{
+  Messages messages(mesher);
+  mesher->SetInputData(input);
+  mesher->Update();
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(messages.Warnings.empty());
+  EXPECT_TRUE(AreAllEmpty(mesher));
+  return messages.Errors.empty() ? "" : messages.Errors.front();
+}
+
+std::string RefusalOf(vtkPolyData* input)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  return RefusalOf(input, mesher);
+}
+
+std::vector<std::string> WarningsOf(vtkPolyData* input, vtkBitingMesher* mesher)
+{
+  Messages messages(mesher);
+  mesher->SetInputData(input);
+  mesher->SetUniformSpacing(0.1);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 0);
+  return messages.Warnings;
+}
+
+std::string WarningOf(vtkPolyData* input)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  const auto warnings = WarningsOf(input, mesher);
+  EXPECT_EQ(warnings.size(), 1u);
+  return warnings.empty() ? "" : warnings.front();
+}
+
+// Two squares at height 2 whose sides cross at (1, 0.5) and (0.5, 1).
+vtkSmartPointer<vtkPolyData> CrossingSquares()
+{
+  auto input = UnitSquare(2.0);
+  AddChain(input, Rectangle(0.5, 0.5, 1.5, 1.5, 2.0), true);
+  return input;
+}
+
+} // namespace
+
+TEST(BitingMesherMessages, NameCrossingSegmentsAndTheirPlaceInSpace)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  const auto warnings = WarningsOf(CrossingSquares(), mesher);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(Has(warnings[0], "Crossing segments (2): cell 0 with cell 1 near (")) << warnings[0];
+  EXPECT_TRUE(Has(warnings[0], "(1, 0.5, 2)") || Has(warnings[0], "(0.5, 1, 2)")) << warnings[0];
+  EXPECT_EQ(Figure(mesher->GetOutput(), "RepairedCrossings"), 2.0);
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.5, 1e-12);
+}
+
+TEST(BitingMesherMessages, SayTheSameAsAnErrorWhereRepairIsOff)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->RepairInputOff();
+  const std::string refusal = RefusalOf(CrossingSquares(), mesher);
+  EXPECT_TRUE(Has(refusal, "Crossing segments (2): cell 0 with cell 1 near (")) << refusal;
+  EXPECT_TRUE(Has(refusal, "RepairInput")) << refusal;
+}
+
+TEST(BitingMesherMessages, CountWhatTheyDoNotList)
+{
+  auto input = UnitSquare();
+  for (int k = 0; k < 12; ++k)
+  {
+    AddVertex(input, { 2.0 + k, 3.0, 0.0 });
+  }
+  const std::string warning = WarningOf(input);
+  EXPECT_TRUE(Has(warning, "Embedded points outside of the domain (12)")) << warning;
+  EXPECT_TRUE(Has(warning,
+    "point 4 near (2, 3, 0), point 5, point 6, point 7, point 8, ... and "
+    "7 more"))
+    << warning;
+}
+
+TEST(BitingMesherMessages, NameZeroLengthSegments)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, true);
+  vtkNew<vtkBitingMesher> mesher;
+  const auto warnings = WarningsOf(input, mesher);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
+}
+
+TEST(BitingMesherMessages, NameInterfacesOutside)
+{
+  auto input = UnitSquare();
+  AddChain(input, { { 3, 3, 0 }, { 4, 4, 0 } }, false);
+  EXPECT_TRUE(Has(WarningOf(input), "Interfaces outside of the domain (1): cell 1"));
+}
+
+TEST(BitingMesherMessages, RefuseInputWithoutALoop)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, false);
+  EXPECT_TRUE(Has(RefusalOf(input), "No closed loop bounds a domain"));
+}
+
+TEST(BitingMesherMessages, RefuseCoordinatesThatAreNotFinite)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { std::nan(""), 1, 0 } }, true);
+  const std::string refusal = RefusalOf(input);
+  EXPECT_TRUE(Has(refusal, "not finite (1): point 2 near (nan, 1, 0)")) << refusal;
+}
+
+TEST(BitingMesherMessages, RefuseLoopsThatAreNotPlanar)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 0.1 }, { 1, 0, -0.1 }, { 1, 1, 0.1 }, { 0, 1, -0.1 } }, true);
+  const std::string refusal = RefusalOf(input);
+  EXPECT_TRUE(Has(refusal, "not planar")) << refusal;
+  EXPECT_TRUE(Has(refusal, "(4): point 0 near (0, 0, 0.1) (it lies 0.09")) << refusal;
+}
+
+TEST(BitingMesherMessages, AcceptLoopsThatArePlanarWithinTheTolerance)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 1e-7 }, { 1, 0, -1e-7 }, { 1, 1, 1e-7 }, { 0, 1, -1e-7 } }, true);
+  vtkNew<vtkBitingMesher> mesher;
+  EXPECT_TRUE(WarningsOf(input, mesher).empty());
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-6);
+}
+
+TEST(BitingMesherMessages, RefuseABoundarySpacingThatIsNotPositive)
+{
+  for (const double bad : { 0.0, -1.0, std::nan("") })
+  {
+    auto input = UnitSquare();
+    AddArray<vtkDoubleArray>(input->GetPointData(), "Spacing", { 0.1, 0.1, bad, 0.1 });
+    const std::string refusal = RefusalOf(input);
+    EXPECT_TRUE(Has(refusal, "The spacing array Spacing has values")) << refusal;
+    EXPECT_TRUE(Has(refusal, "(1): point 2 with")) << refusal;
+    EXPECT_TRUE(Has(refusal, "at (1, 1, 0)")) << refusal;
+  }
+}
+
+TEST(BitingMesherMessages, RefuseMoreVerticesThanAllowedWithTheEstimate)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetUniformSpacing(1e-9);
+  const std::string refusal = RefusalOf(UnitSquare(), mesher);
+  EXPECT_TRUE(Has(refusal, "MaximumNumberOfVertices")) << refusal;
+  EXPECT_TRUE(Has(refusal, "e+18")) << refusal;
+}
+
+TEST(BitingMesherMessages, RefuseAnUnknownKindWithItsCell)
+{
+  auto input = UnitSquare();
+  AddArray<vtkDoubleArray>(input->GetCellData(), "Kind", { 7.0 });
+  EXPECT_TRUE(Has(RefusalOf(input), "Cell 0 has an unknown Kind, 7"));
+  auto named = UnitSquare();
+  vtkNew<vtkStringArray> names;
+  names->SetName("Kind");
+  names->InsertNextValue("boundary");
+  named->GetCellData()->AddArray(names);
+  EXPECT_TRUE(Has(RefusalOf(named), "Kind is not numeric"));
+}
+
+TEST(BitingMesherMessages, RefuseCellsWhosePointsDoNotExist)
+{
+  auto input = UnitSquare();
+  input->GetLines()->InsertNextCell({ 0, 99 });
+  EXPECT_TRUE(Has(RefusalOf(input), "Cell 1 refers to point 99"));
+}
+
+TEST(BitingMesherMessages, RefuseParametersOutOfRangeByName)
+{
+  const auto refusal = [](void (*change)(vtkBitingMesher*))
+  {
+    vtkNew<vtkBitingMesher> mesher;
+    change(mesher);
+    return RefusalOf(UnitSquare(), mesher);
+  };
+  using Mesher = vtkBitingMesher*;
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetUniformSpacing(-1.0); }), "UniformSpacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetSpacingScale(0.0); }), "SpacingScale"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMinimumSpacing(-1.0); }), "MinimumSpacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMaximumSpacing(HUGE_VAL); }), "MaximumSpacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetGradation(std::nan("")); }), "Gradation"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetBitingConstant(0.05); }), "BitingConstant"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetPhi(0.0); }), "Phi"));
+  EXPECT_TRUE(
+    Has(refusal([](Mesher m) { m->SetMaximumNumberOfBites(-2); }), "MaximumNumberOfBites"));
+  EXPECT_TRUE(
+    Has(refusal([](Mesher m) { m->SetMaximumNumberOfVertices(0); }), "MaximumNumberOfVertices"));
+}
+
+TEST(BitingMesherMessages, WarnOfTriangleStripsWhichAreIgnored)
+{
+  auto input = UnitSquare();
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  input->SetStrips(strips);
+  EXPECT_TRUE(Has(WarningOf(input), "triangle strips"));
+}
+
+TEST(BitingMesherMessages, AreAbsentForEmptyInput)
+{
+  vtkNew<vtkPolyData> nothing;
+  auto onlyPoints = EmptyInput();
+  const Place place{ 1.0, 2.0, 3.0 };
+  onlyPoints->GetPoints()->InsertNextPoint(place.data());
+  for (vtkPolyData* input : { nothing.GetPointer(), onlyPoints.GetPointer() })
+  {
+    vtkNew<vtkBitingMesher> mesher;
+    Messages messages(mesher);
+    mesher->SetInputData(input);
+    mesher->Update();
+    EXPECT_TRUE(messages.Errors.empty());
+    EXPECT_TRUE(messages.Warnings.empty());
+    EXPECT_TRUE(messages.OfExecutive.empty());
+    EXPECT_TRUE(AreAllEmpty(mesher));
+  }
+}

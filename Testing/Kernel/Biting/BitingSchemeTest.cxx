@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshRun.h"
+#include "../Support/MeshShapes.h"
+#include "Biting/BiteOutline.h"
+#include "Domain/DomainLocator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>   // for sqrt
+#include <ostream> // for the name of a case
+
+namespace biting
+{
+
+namespace
+{
+
+/// A domain and a spacing within the theory: alpha c_b < 1 / (4 + sqrt 2), and f nowhere above the
+/// local feature size.
+struct LawCase
+{
+  std::string Name;
+  Polylines Input;
+  SpacingOptions Spacing;
+  double Alpha;          ///< the Lipschitz constant of the spacing
+  double BitingConstant; ///< 0: automatic
+};
+
+struct LawRun
+{
+  LawCase Case;
+  FrontOrder Order;
+};
+
+std::ostream& operator<<(std::ostream& stream, const LawRun& run)
+{
+  return stream << run.Case.Name << (run.Order == FrontOrder::Layers ? ", layers" : ", largest y");
+}
+
+Polylines Loops(const std::vector<std::vector<Point2>>& loops)
+{
+  PolylineBuilder builder;
+  for (const std::vector<Point2>& loop : loops)
+  {
+    builder.Loop(loop);
+  }
+  return builder.Lines();
+}
+
+Polylines NestedIslands()
+{
+  return PolylineBuilder()
+    .Box(0.0, 0.0, 1.0, 1.0)
+    .Box(0.2, 0.2, 0.8, 0.8)
+    .Box(0.35, 0.35, 0.65, 0.65)
+    .Lines();
+}
+
+Polylines SquareWithInterface()
+{
+  return PolylineBuilder()
+    .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.4 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.4 } })
+    .Chain({ { 0.0, 0.4 }, { 1.0, 0.4 } })
+    .Chain({ { 0.3, 0.7 } }, ChainKind::EmbeddedPoint)
+    .Chain({ { 0.6, 0.75 } }, ChainKind::EmbeddedPoint)
+    .Chain({ { 0.55, 0.2 } }, ChainKind::EmbeddedPoint)
+    .Lines();
+}
+
+Polylines SeveralSquares()
+{
+  return PolylineBuilder()
+    .Box(0.0, 0.0, 1.0, 1.0)
+    .Box(1.25, 0.0, 1.75, 0.5)
+    .Box(1.25, 0.75, 2.0, 1.5)
+    .Lines();
+}
+
+std::vector<LawCase> Cases()
+{
+  const std::vector<Point2> square{ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } };
+  const std::vector<Point2> turned = RegularPolygon({ 0.0, 0.0 }, 1.0, 4, 30.0);
+  const std::vector<Point2> triangle = RegularPolygon({ 0.0, 0.0 }, 1.0, 3, 90.0);
+  const std::vector<Point2> ell = EllShape(1.0);
+  const Polylines plate = Loops({ square, RegularPolygon({ 0.5, 0.5 }, 0.25, 24) });
+  const Polylines ring =
+    Loops({ RegularPolygon({ 0.0, 0.0 }, 1.0, 32), RegularPolygon({ 0.0, 0.0 }, 0.5, 20) });
+  const Polylines disc = Loops({ RegularPolygon({ 0.0, 0.0 }, 1.0, 24) });
+  return {
+    { "square, uniform", Loops({ square }), UniformSpacing(0.07), 0.0, 0.25 },
+    { "square, gradient", Loops({ square }), LinearSpacing(0.02, 0.3, 1.0), 0.3, 0.5 },
+    { "square, radial", Loops({ square }), RadialSpacing({ 0.4, 0.55 }, 0.01, 0.3), 0.3, 0.33 },
+    { "square, radial at a side", Loops({ square }), RadialSpacing({ 0.37, 0.0 }, 0.01, 0.2), 0.2,
+      0.0 },
+    { "ell, uniform", Loops({ ell }), UniformSpacing(0.04), 0.0, 0.5 },
+    { "ell, radial", Loops({ ell }), RadialSpacing({ 0.5, 0.5 }, 0.015, 0.2), 0.2, 0.0 },
+    { "disc, uniform", disc, UniformSpacing(0.2), 0.0, 0.33 },
+    { "disc, gradient", disc, LinearSpacing(0.08, 0.1, 1.0), 0.1, 0.25 },
+    { "plate, radial", plate, RadialSpacing({ 0.5, 0.5 }, 0.02, 0.12), 0.12, 0.5 },
+    { "plate, uniform", plate, UniformSpacing(0.05), 0.0, 0.0 },
+    { "nested islands, uniform", NestedIslands(), UniformSpacing(0.04), 0.0, 0.0 },
+    { "nested islands, gradient", NestedIslands(), LinearSpacing(0.02, 0.05, 1.0), 0.05, 0.33 },
+    { "turned square, uniform", Loops({ turned }), UniformSpacing(0.06), 0.0, 0.5 },
+    { "turned square, gradient", Loops({ turned }), LinearSpacing(0.08, 0.15, 0.9), 0.15, 0.5 },
+    { "triangle, gradient", Loops({ triangle }), LinearSpacing(0.05, 0.2, 1.0), 0.2, 0.5 },
+    { "triangle, uniform", Loops({ triangle }), UniformSpacing(0.05), 0.0, 0.33 },
+    { "ring, uniform", ring, UniformSpacing(0.1), 0.0, 0.0 },
+    { "ring, radial", ring, RadialSpacing({ 0.0, 0.0 }, 0.03, 0.1), 0.1, 0.5 },
+    { "interface, gradient", SquareWithInterface(), LinearSpacing(0.04, 0.1, 1.0), 0.1, 0.5 },
+    { "interface, uniform", SquareWithInterface(), UniformSpacing(0.05), 0.0, 0.33 },
+    { "several squares, uniform", SeveralSquares(), UniformSpacing(0.06), 0.0, 0.5 },
+    { "several squares, radial", SeveralSquares(), RadialSpacing({ 1.3, 0.2 }, 0.02, 0.1), 0.1,
+      0.0 },
+  };
+}
+
+std::vector<LawRun> Runs()
+{
+  std::vector<LawRun> runs;
+  for (const LawCase& lawCase : Cases())
+  {
+    runs.push_back({ lawCase, FrontOrder::Layers });
+    runs.push_back({ lawCase, FrontOrder::LargestY });
+  }
+  return runs;
+}
+
+/// Remembers where something was worst.
+struct Worst
+{
+  double Excess = -1e300;
+  std::string What;
+
+  void See(double excess, const Point2& place, const std::string& figures)
+  {
+    if (excess > this->Excess)
+    {
+      this->Excess = excess;
+      this->What = Text(place) + " " + figures;
+    }
+  }
+};
+
+/// Meshes with all laws of the paper to check. Made once for each run.
+class BitingLaws : public testing::TestWithParam<LawRun>
+{
+protected:
+  static constexpr double Rounding = 1e-9; ///< relative
+
+  void SetUp() override
+  {
+    const LawRun& run = this->GetParam();
+    BitingMeshOptions options;
+    options.Spacing = run.Case.Spacing;
+    options.BitingConstant = run.Case.BitingConstant;
+    options.Order = run.Order;
+    options.KeepBites = true;
+    this->Run = RunMesh(run.Case.Input, options);
+    ASSERT_EQ(this->Run.Error(), "");
+    ASSERT_GT(this->Run.NumberOfVertices(), 100);
+    const BitingMesh& mesh = this->Run.Mesh;
+    this->BitingConstant = mesh.Bites.HalfWidths[0] / mesh.Spacing[0];
+    this->Product = run.Case.Alpha * this->BitingConstant;
+    ASSERT_LT(this->Product, 1.0 / (4.0 + std::sqrt(2.0)));
+    ASSERT_LE(mesh.UsedLipschitz, run.Case.Alpha * (1.0 + Rounding) + Rounding);
+  }
+
+  void CheckCenters() const;
+  void CheckCoverage() const;
+  void CheckPacking() const;
+  void CheckBand() const;
+  void CheckShapes() const;
+
+  MeshRun Run;
+  double BitingConstant = 0.0;
+  double Product = 0.0; ///< alpha c_b
+};
+
+// Section 3.1.
+void BitingLaws::CheckCenters() const
+{
+  const Bites& bites = this->Run.Mesh.Bites;
+  const BiteBuckets buckets(bites);
+  Worst worst;
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    buckets.VisitNear(bites.Centers[bite],
+      [&](Id other)
+      {
+        if (bites.Orders[other] < bites.Orders[bite])
+        {
+          worst.See(Depth(bites, other, bites.Centers[bite]) / bites.HalfWidths[other],
+            bites.Centers[bite],
+            "bite " + std::to_string(bites.Orders[bite]) + " in " +
+              std::to_string(bites.Orders[other]));
+        }
+      });
+  }
+  EXPECT_LE(worst.Excess, Rounding) << "centre in an earlier bite: " << worst.What;
+}
+
+// Section 4.3.
+void BitingLaws::CheckCoverage() const
+{
+  constexpr int Samples = 20000;
+  const MadeDomain made = Make(this->GetParam().Case.Input);
+  const DomainLocator locator(made.Domain);
+  const Bites& bites = this->Run.Mesh.Bites;
+  const BiteBuckets buckets(bites);
+  const Box2& box = made.Domain.Bounds;
+  TestNumbers numbers(7);
+  Worst worst;
+  for (int sample = 0; sample < Samples;)
+  {
+    const Point2 p{ box.Low.X + numbers.Unit() * box.Width(),
+      box.Low.Y + numbers.Unit() * box.Height() };
+    if (!locator.IsInside(p))
+    {
+      continue;
+    }
+    ++sample;
+    double depth = -1.0;
+    buckets.VisitNear(p,
+      [&](Id bite)
+      { depth = std::max(depth, Depth(bites, bite, p) / bites.HalfWidths[bite]); });
+    worst.See(-depth, p, "");
+  }
+  EXPECT_LE(worst.Excess, Rounding) << "in no bite: " << worst.What;
+}
+
+// Lemma 4.2, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
+// overlap most are joined by an edge.
+void BitingLaws::CheckPacking() const
+{
+  const BitingMesh& mesh = this->Run.Mesh;
+  const double packing = this->BitingConstant / (2.0 + this->Product);
+  Worst worst;
+  for (std::size_t half = 0; half < mesh.Corners.size(); ++half)
+  {
+    const Id u = mesh.Corners[half];
+    const Id v = mesh.Corners[half % 3 == 2 ? half - 2 : half + 1];
+    const double reach = packing * (mesh.Spacing[u] + mesh.Spacing[v]);
+    const double distance = Distance(mesh.Points[u], mesh.Points[v]);
+    worst.See(reach / distance - 1.0, mesh.Points[u],
+      "radii " + std::to_string(reach) + ", distance " + std::to_string(distance));
+  }
+  EXPECT_LE(worst.Excess, Rounding) << "discs overlap: " << worst.What;
+}
+
+// Theorem 4.6.
+void BitingLaws::CheckBand() const
+{
+  const BitingMesh& mesh = this->Run.Mesh;
+  const double factor = 1.0 - std::sqrt(2.0) * this->Product;
+  const double least = this->BitingConstant * factor;
+  const double greatest = 2.0 * std::sqrt(2.0) * this->BitingConstant / factor;
+  Worst low;
+  Worst high;
+  for (Id vertex = 0; vertex < this->Run.NumberOfVertices(); ++vertex)
+  {
+    const double nearest = mesh.Quality.NearestNeighborDistance[vertex] / mesh.Spacing[vertex];
+    low.See(least / nearest - 1.0, mesh.Points[vertex], "N / f = " + std::to_string(nearest));
+    high.See(nearest / greatest - 1.0, mesh.Points[vertex], "N / f = " + std::to_string(nearest));
+  }
+  EXPECT_LE(low.Excess, Rounding) << "N too small: " << low.What << " < " << least;
+  EXPECT_LE(high.Excess, Rounding) << "N too large: " << high.What << " > " << greatest;
+}
+
+Point2 Circumcenter(const Point2& a, const Point2& b, const Point2& c)
+{
+  const Point2 u = b - a;
+  const Point2 v = c - a;
+  const Point2 turned = Perpendicular(Dot(u, u) * v - Dot(v, v) * u);
+  return a + (-0.5 / Cross(u, v)) * turned;
+}
+
+// Lemmas 4.10 and 4.11.
+void BitingLaws::CheckShapes() const
+{
+  const BitingMesh& mesh = this->Run.Mesh;
+  const MadeDomain made = Make(this->GetParam().Case.Input);
+  const DomainLocator locator(made.Domain);
+  const double t = this->Product;
+  const double innerBound = std::sqrt(2.0) / (1.0 - 2.0 * std::sqrt(2.0) * t);
+  const double outerBound = (t * t - 2.0 * t + 2.0) / (6.0 * t * t - 8.0 * t + 2.0);
+  Worst inner;
+  Worst outer;
+  for (Id triangle = 0; triangle < this->Run.NumberOfTriangles(); ++triangle)
+  {
+    const Point2 center = Circumcenter(mesh.Points[mesh.Corners[3 * triangle]],
+      mesh.Points[mesh.Corners[3 * triangle + 1]], mesh.Points[mesh.Corners[3 * triangle + 2]]);
+    const double ratio = mesh.Quality.RadiusEdgeRatio[triangle];
+    const bool isInside = locator.IsInside(center);
+    (isInside ? inner : outer)
+      .See(ratio / (isInside ? innerBound : outerBound) - 1.0, center,
+        "R/l = " + std::to_string(ratio));
+  }
+  EXPECT_LE(inner.Excess, Rounding) << "too thin: " << inner.What << " > " << innerBound;
+  EXPECT_LE(outer.Excess, Rounding) << "too thin: " << outer.What << " > " << outerBound;
+}
+
+// One test: the laws are of one mesh.
+TEST_P(BitingLaws, Hold)
+{
+  this->CheckCenters();
+  this->CheckCoverage();
+  this->CheckPacking();
+  this->CheckBand();
+  this->CheckShapes();
+}
+
+INSTANTIATE_TEST_SUITE_P(BitingScheme, BitingLaws, testing::ValuesIn(Runs()));
+
+} // namespace
+
+} // namespace biting

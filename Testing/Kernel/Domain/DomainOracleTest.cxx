@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Support/PolylineShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp> // for exact rationals
+
+#include <cmath>    // for sqrt, ldexp
+#include <iterator> // for next
+#include <set>      // for the slabs
+
+namespace biting
+{
+
+namespace
+{
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/// A segment from left to right with whole coordinates; not vertical.
+struct GridSegment
+{
+  int X0;
+  int Y0;
+  int X1;
+  int Y1;
+
+  Rational At(const Rational& x) const
+  {
+    return this->Y0 + (x - this->X0) * (this->Y1 - this->Y0) / (this->X1 - this->X0);
+  }
+};
+
+/// The sloped segments of boundary chains: vertical ones enclose no area.
+std::vector<GridSegment> SlopedSegments(const Polylines& input)
+{
+  std::vector<GridSegment> segments;
+  for (std::size_t c = 0; c < input.Kinds.size(); ++c)
+  {
+    for (Id i = input.Offsets[c] + 1; i < input.Offsets[c + 1]; ++i)
+    {
+      const auto at = static_cast<std::size_t>(i);
+      const Point2& a = input.Points[static_cast<std::size_t>(input.Connectivity[at - 1])];
+      const Point2& b = input.Points[static_cast<std::size_t>(input.Connectivity[at])];
+      if (input.Kinds[c] == ChainKind::Boundary && a.X != b.X)
+      {
+        const Point2& left = a.X < b.X ? a : b;
+        const Point2& right = a.X < b.X ? b : a;
+        segments.push_back({ static_cast<int>(left.X), static_cast<int>(left.Y),
+          static_cast<int>(right.X), static_cast<int>(right.Y) });
+      }
+    }
+  }
+  return segments;
+}
+
+/// Where slabs begin and end: at all ends, and where two segments cross.
+std::set<Rational> SlabBorders(const std::vector<GridSegment>& segments)
+{
+  std::set<Rational> borders;
+  for (const GridSegment& a : segments)
+  {
+    borders.insert(a.X0);
+    borders.insert(a.X1);
+    for (const GridSegment& b : segments)
+    {
+      const int turn = (a.Y1 - a.Y0) * (b.X1 - b.X0) - (b.Y1 - b.Y0) * (a.X1 - a.X0);
+      if (turn != 0)
+      {
+        const Rational gap = b.At(0) - a.At(0);
+        borders.insert(gap * (a.X1 - a.X0) * (b.X1 - b.X0) / turn);
+      }
+    }
+  }
+  return borders;
+}
+
+/// The even-odd area by trapezoids in slabs, exact.
+Rational ExactArea(const Polylines& input)
+{
+  const std::vector<GridSegment> segments = SlopedSegments(input);
+  const std::set<Rational> borders = SlabBorders(segments);
+  Rational area = 0;
+  for (auto left = borders.begin(); left != borders.end() && std::next(left) != borders.end();
+       ++left)
+  {
+    const Rational& right = *std::next(left);
+    const Rational middle = (*left + right) / 2;
+    std::multiset<Rational> heights;
+    for (const GridSegment& segment : segments)
+    {
+      if (segment.X0 <= *left && segment.X1 >= right)
+      {
+        heights.insert(segment.At(middle));
+      }
+    }
+    Rational height = 0;
+    int sign = -1;
+    for (const Rational& y : heights)
+    {
+      height += sign * y;
+      sign = -sign;
+    }
+    area += height * (right - *left);
+  }
+  return area;
+}
+
+/// Loops on a small grid, where everything touches, crosses and overlaps; interfaces and points.
+Polylines RandomDrawing(std::uint64_t seed)
+{
+  TestNumbers numbers(seed);
+  const int size = 3 + numbers.Below(7);
+  const auto place = [&numbers, size]()
+  {
+    const double x = numbers.Below(size);
+    return Point2{ x, static_cast<double>(numbers.Below(size)) };
+  };
+  PolylineBuilder builder;
+  const int loops = 1 + numbers.Below(3);
+  for (int loop = 0; loop < loops; ++loop)
+  {
+    std::vector<Point2> places(static_cast<std::size_t>(3 + numbers.Below(4)));
+    std::generate(places.begin(), places.end(), place);
+    builder.Loop(places, ChainKind::Boundary);
+  }
+  builder.Chain({ place(), place(), place() }, ChainKind::Interface);
+  builder.Chain({ place(), place() }, ChainKind::EmbeddedPoint);
+  return builder.Lines();
+}
+
+void ExpectExactArea(const MadeDomain& made, double area)
+{
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_NEAR(made.Domain.Area, area, 1e-12);
+  EXPECT_EQ(made.Problems.HasErrors(), area == 0.0);
+  EXPECT_FALSE(made.Problems.Has(ProblemCode::NotResolved));
+}
+
+TEST(DomainOracle, RandomDrawingsHaveTheExactArea)
+{
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Polylines input = RandomDrawing(seed);
+    const double area = static_cast<double>(ExactArea(input));
+    ExpectExactArea(Make(input), area);
+    ExpectExactArea(Make(Unmerge(input)), area);
+  }
+}
+
+/// A drawing turned by an angle that has no exact sine, and moved: no place is exact any more.
+TEST(DomainOracle, TurnedDrawingsKeepTheAreaToRounding)
+{
+  const double cosine = std::sqrt(0.9);
+  const double sine = std::sqrt(0.1);
+  const auto turn = [cosine, sine](const Point2& p) {
+    return Point2{ cosine * p.X - sine * p.Y + 7.1, sine * p.X + cosine * p.Y - 3.3 };
+  };
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Polylines input = RandomDrawing(seed);
+    const MadeDomain straight = Make(input);
+    const MadeDomain turned = Make(Move(input, turn));
+    EXPECT_EQ(straight.Violation + turned.Violation, "");
+    EXPECT_NEAR(straight.Domain.Area, turned.Domain.Area, 1e-11);
+    EXPECT_FALSE(turned.Problems.Has(ProblemCode::NotResolved));
+  }
+}
+
+/// Open chains of automatic kind in any confusion: whatever bounds, it bounds something.
+TEST(DomainOracle, RandomOpenChainsGiveAValidDomain)
+{
+  int domains = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    TestNumbers numbers(seed);
+    const int size = 3 + numbers.Below(6);
+    PolylineBuilder builder;
+    for (int chain = 4 + numbers.Below(14); chain > 0; --chain)
+    {
+      const double x = numbers.Below(size);
+      const double y = numbers.Below(size);
+      builder.Chain({ { x, y }, { x + numbers.Below(5) - 2, y + numbers.Below(5) - 2 } });
+    }
+    const MadeDomain made = Make(builder);
+    const bool isRefused = made.Problems.Has(ProblemCode::NoClosedLoop);
+    EXPECT_EQ(made.Violation, "");
+    EXPECT_EQ(made.Domain.Area > 0.0, !isRefused);
+    EXPECT_EQ(made.Problems.HasErrors(), isRefused);
+    domains += isRefused ? 0 : 1;
+  }
+  EXPECT_GT(domains, 1000);
+}
+
+/// Coordinates so coarse that most vertices lie within rounding of several segments.
+TEST(DomainOracle, DrawingsOfAFewUlpAreResolved)
+{
+  const double ulp = std::ldexp(1.0, -52);
+  const auto shrink = [ulp](const Point2& p) { return Point2{ 1.0 + ulp * p.X, 1.0 + ulp * p.Y }; };
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const MadeDomain made = Make(Move(RandomDrawing(seed), shrink));
+    EXPECT_EQ(made.Violation, "");
+    EXPECT_FALSE(made.Problems.Has(ProblemCode::NotResolved));
+  }
+}
+
+} // namespace
+
+} // namespace biting

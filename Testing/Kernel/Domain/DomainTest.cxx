@@ -1,0 +1,555 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Support/PolylineShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for count, reverse
+#include <cmath>     // for cos, sin
+#include <limits>    // for NaN, infinity
+#include <set>       // for distinct places
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// A valid domain of that area, and nothing said but `repairs` kinds.
+void ExpectDomain(const MadeDomain& made, double area, std::size_t repairs = 0)
+{
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_FALSE(made.Problems.HasErrors());
+  EXPECT_EQ(made.Problems.Groups().size(), repairs);
+  EXPECT_DOUBLE_EQ(made.Domain.Area, area);
+}
+
+void ExpectRefused(const MadeDomain& made, ProblemCode code)
+{
+  EXPECT_TRUE(made.Problems.Has(code));
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 0);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 0);
+  EXPECT_EQ(made.Domain.Area, 0.0);
+}
+
+std::vector<std::int64_t> FirstIds(const MadeDomain& made, ProblemCode code)
+{
+  for (const ProblemGroup& group : made.Problems.Groups())
+  {
+    if (group.Code == code)
+    {
+      return group.First.front().Ids;
+    }
+  }
+  return {};
+}
+
+using Ids = std::vector<std::int64_t>;
+
+Id InterfaceCount(const Domain& domain)
+{
+  return static_cast<Id>(std::count(domain.IsBoundary.begin(), domain.IsBoundary.end(), 0));
+}
+
+std::vector<Point2> WigglyCircle(int count)
+{
+  std::vector<Point2> places;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2 * Pi * i / count;
+    const double radius = 1.0 + 0.05 * std::cos(50 * angle);
+    places.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+  }
+  return places;
+}
+
+/// Equal but for the numbers of vertices and segments and the direction of segments.
+std::set<std::pair<Point2, Point2>> Drawing(const Domain& domain, bool boundary)
+{
+  std::set<std::pair<Point2, Point2>> drawing;
+  for (std::size_t s = 0; s < domain.Starts.size(); ++s)
+  {
+    const Point2& a = domain.Vertices[static_cast<std::size_t>(domain.Starts[s])];
+    const Point2& b = domain.Vertices[static_cast<std::size_t>(domain.Ends[s])];
+    if ((domain.IsBoundary[s] != 0) == boundary)
+    {
+      drawing.emplace(std::min(a, b), std::max(a, b));
+    }
+  }
+  return drawing;
+}
+
+TEST(Domain, OfNothingIsEmptyWithoutAWord)
+{
+  const MadeDomain made = Make(Polylines());
+  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 0);
+  EXPECT_EQ(made.Violation, "");
+}
+
+TEST(Domain, KeepsTheSquareAsItComes)
+{
+  const MadeDomain made = Make(PolylineBuilder().Box(0, 0, 2, 3));
+  ExpectDomain(made, 6.0);
+  EXPECT_EQ(made.Domain.VertexPoints, (std::vector<Id>{ 0, 1, 2, 3 }));
+  EXPECT_EQ(made.Domain.Starts, (std::vector<Id>{ 0, 1, 2, 3 }));
+  EXPECT_EQ(made.Domain.Ends, (std::vector<Id>{ 1, 2, 3, 0 }));
+  EXPECT_EQ(made.Domain.LeftInside, (std::vector<std::uint8_t>{ 1, 1, 1, 1 }));
+  EXPECT_EQ(made.Domain.RightInside, (std::vector<std::uint8_t>{ 0, 0, 0, 0 }));
+}
+
+TEST(Domain, IgnoresPointsThatNoChainUses)
+{
+  Polylines input = PolylineBuilder().Box(0, 0, 1, 1).Lines();
+  input.Points.push_back({ std::numeric_limits<double>::quiet_NaN(), 0.0 });
+  ExpectDomain(Make(input), 1.0);
+}
+
+TEST(Domain, CountsInsideByEvenOddToAnyDepth)
+{
+  PolylineBuilder builder;
+  double area = 0.0;
+  for (int depth = 0; depth < 6; ++depth)
+  {
+    const double low = depth;
+    const double high = 20.0 - depth;
+    const bool isForward = depth % 3 == 0;
+    builder.Loop({ { low, low }, isForward ? Point2{ high, low } : Point2{ low, high },
+      { high, high }, isForward ? Point2{ low, high } : Point2{ high, low } });
+    area += (depth % 2 == 0 ? 1.0 : -1.0) * (high - low) * (high - low);
+  }
+  ExpectDomain(Make(builder), area);
+}
+
+TEST(Domain, MergesLoopsThatTouchAtAVertexSilently)
+{
+  ExpectDomain(Make(PolylineBuilder().Box(0, 0, 1, 1).Box(1, 1, 2, 2)), 2.0);
+}
+
+TEST(Domain, ReportsPointsThatAreNotFinite)
+{
+  const double bad = std::numeric_limits<double>::quiet_NaN();
+  const double far = std::numeric_limits<double>::infinity();
+  const MadeDomain made =
+    Make(PolylineBuilder().Loop({ { 0, 0 }, { 1, bad }, { 1, 1 }, { -far, 1 } }));
+  ExpectRefused(made, ProblemCode::NotFinite);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NotFinite), 2);
+  EXPECT_EQ(FirstIds(made, ProblemCode::NotFinite), Ids{ 1 });
+}
+
+TEST(Domain, RefusesCoordinatesOutOfRange)
+{
+  const MadeDomain large = Make(PolylineBuilder().Box(0, 0, 1e300, 1));
+  ExpectRefused(large, ProblemCode::OutOfRange);
+  EXPECT_EQ(FirstIds(large, ProblemCode::OutOfRange), Ids{ 1 });
+  ExpectRefused(Make(PolylineBuilder().Box(0, 0, 1e-80, 1e-80)), ProblemCode::OutOfRange);
+}
+
+TEST(Domain, TakesTheExtremesOfTheRange)
+{
+  ExpectDomain(Make(PolylineBuilder().Box(-1e70, -1e70, 1e70, 1e70)), 4e140);
+  ExpectDomain(Make(PolylineBuilder().Box(0, 0, 1e-69, 1e-69)), 1e-69 * 1e-69);
+}
+
+TEST(Domain, CountsTinyCoordinatesAsZero)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder().Loop({ { 1e-200, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, -1e-300 } }));
+  ExpectDomain(made, 1.0, 1);
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 4);
+}
+
+TEST(Domain, RefusesWhatHasNoClosedLoop)
+{
+  ExpectRefused(Make(PolylineBuilder().Chain({ { 0, 0 }, { 1, 0 } })), ProblemCode::NoClosedLoop);
+  ExpectRefused(Make(PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 } })), ProblemCode::NoClosedLoop);
+  ExpectRefused(Make(PolylineBuilder().Chain({ { 0, 0 } }, ChainKind::EmbeddedPoint)),
+    ProblemCode::NoClosedLoop);
+  ExpectRefused(
+    Make(PolylineBuilder().Box(0, 0, 1, 1, ChainKind::Interface)), ProblemCode::NoClosedLoop);
+  const MadeDomain twice = Make(PolylineBuilder().Box(0, 0, 1, 1).Box(0, 0, 1, 1));
+  ExpectRefused(twice, ProblemCode::NoClosedLoop);
+  EXPECT_EQ(twice.Problems.Count(ProblemCode::DuplicateSegments), 4);
+}
+
+TEST(Domain, DropsRepeatedPointsWithAWord)
+{
+  Polylines input = PolylineBuilder().Box(0, 0, 1, 1).Lines();
+  input.Connectivity.insert(input.Connectivity.begin(), 0);
+  input.Offsets.back() += 1;
+  const MadeDomain sameId = Make(input);
+  ExpectDomain(sameId, 1.0, 1);
+  EXPECT_EQ(FirstIds(sameId, ProblemCode::ZeroLengthSegments), (Ids{ 0, 0 }));
+  const MadeDomain samePlace =
+    Make(PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 }, { 1, 0 }, { 1, 1 } }));
+  ExpectDomain(samePlace, 0.5, 1);
+  EXPECT_EQ(FirstIds(samePlace, ProblemCode::DuplicatePoints), (Ids{ 1, 2 }));
+}
+
+TEST(Domain, SplitsACrossing)
+{
+  const MadeDomain made = Make(PolylineBuilder().Loop({ { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }));
+  ExpectDomain(made, 0.5, 1);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::Crossings), 1);
+  EXPECT_EQ(FirstIds(made, ProblemCode::Crossings), (Ids{ 0, 0 }));
+  EXPECT_EQ(made.Domain.Vertices.back(), (Point2{ 0.5, 0.5 }));
+  EXPECT_EQ(made.Domain.VertexPoints.back(), NoId);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 6);
+}
+
+TEST(Domain, ResolvesOverlapsByParity)
+{
+  const MadeDomain beside = Make(PolylineBuilder().Box(0, 0, 2, 2).Box(2, 1, 4, 3));
+  ExpectDomain(beside, 8.0, 2);
+  EXPECT_EQ(FirstIds(beside, ProblemCode::DuplicateSegments), (Ids{ 0, 1 }));
+  EXPECT_EQ(beside.Problems.Count(ProblemCode::Touches), 2);
+  EXPECT_EQ(InterfaceCount(beside.Domain), 1);
+  const MadeDomain hole = Make(PolylineBuilder().Box(0, 0, 4, 4).Box(1, 0, 2, 1));
+  ExpectDomain(hole, 15.0, 2);
+  EXPECT_EQ(InterfaceCount(hole.Domain), 0);
+}
+
+TEST(Domain, TellsATouchOnce)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder().Box(0, 0, 4, 4).Loop({ { 2, 4 }, { 3, 6 }, { 1, 6 } }));
+  ExpectDomain(made, 18.0, 1);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::Touches), 1);
+  EXPECT_EQ(FirstIds(made, ProblemCode::Touches), (Ids{ 0, 4 }));
+}
+
+TEST(Domain, RefusesDefectsWithoutRepair)
+{
+  const MadeDomain crossing = Make(PolylineBuilder().Box(0, 0, 2, 2).Box(1, 1, 3, 3), false);
+  ExpectRefused(crossing, ProblemCode::NotResolved);
+  EXPECT_EQ(FirstIds(crossing, ProblemCode::NotResolved), (Ids{ 0, 1 }));
+  EXPECT_EQ(crossing.Problems.Count(ProblemCode::Crossings), 2);
+  ExpectRefused(
+    Make(PolylineBuilder().Box(0, 0, 1, 1).Box(1, 0, 2, 1), false), ProblemCode::NotResolved);
+  ExpectDomain(Make(PolylineBuilder().Box(0, 0, 1, 1), false), 1.0);
+}
+
+TEST(Domain, LetsInterfacesEndOnBoundariesSilently)
+{
+  const PolylineBuilder builder =
+    PolylineBuilder().Box(0, 0, 4, 4).Chain({ { 1, 0 }, { 1, 4 } }).Chain({ { 2, 2 }, { 3, 3 } });
+  const MadeDomain made = Make(builder, false);
+  ExpectDomain(made, 16.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 2);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 8);
+}
+
+TEST(Domain, DropsInterfacesOutside)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder().Box(0, 0, 1, 1).Chain({ { 5, 5 }, { 6, 6 }, { 7, 5 } }));
+  ExpectDomain(made, 1.0, 1);
+  EXPECT_EQ(FirstIds(made, ProblemCode::OutsideInterfaces), Ids{ 1 });
+  EXPECT_EQ(made.Problems.Count(ProblemCode::OutsideInterfaces), 1);
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 4);
+}
+
+TEST(Domain, LetsASpikeVanishOutsideAndCutInside)
+{
+  const std::vector<Point2> outward{ { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 1, 1 },
+    { 0, 1 } };
+  const MadeDomain outside = Make(PolylineBuilder().Loop(outward));
+  ExpectDomain(outside, 2.0, 1);
+  EXPECT_EQ(InterfaceCount(outside.Domain), 0);
+  const std::vector<Point2> inward{ { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 0.5 }, { 1, 1 },
+    { 0, 1 } };
+  const MadeDomain inside = Make(PolylineBuilder().Loop(inward));
+  ExpectDomain(inside, 2.0, 1);
+  EXPECT_EQ(InterfaceCount(inside.Domain), 1);
+}
+
+TEST(Domain, SortsEmbeddedPoints)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder()
+           .Box(0, 0, 2, 2)
+           .Box(0.5, 0.5, 1, 1)
+           .Chain({ { 1, 0 }, { 0, 0 }, { 1.5, 1.5 }, { 7, 7 }, { 0.75, 0.75 }, { 1.5, 1.5 } },
+             ChainKind::EmbeddedPoint));
+  ExpectDomain(made, 3.75, 2);
+  EXPECT_EQ(made.Domain.VertexPoints, (std::vector<Id>{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 10 }));
+  EXPECT_EQ(std::count(made.Domain.IsEmbedded.begin(), made.Domain.IsEmbedded.end(), 1), 1);
+  EXPECT_EQ(made.Domain.IsEmbedded.back(), 1);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::OutsidePoints), 2);
+  EXPECT_EQ(FirstIds(made, ProblemCode::OutsidePoints), Ids{ 11 });
+  EXPECT_EQ(FirstIds(made, ProblemCode::DuplicatePoints), (Ids{ 10, 13 }));
+}
+
+TEST(Domain, BendsASegmentToAVertexThatRoundingCannotTell)
+{
+  const double height = std::nextafter(1.0, 2.0);
+  const MadeDomain made =
+    Make(PolylineBuilder().Box(0, 0, 3, 1).Loop({ { 1, height }, { 2, 2 }, { 1, 2 } }));
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 7);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 8);
+  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_NEAR(made.Domain.Area, 3.5, 1e-15);
+}
+
+TEST(Domain, KeepsAGapThatIsWiderThanRounding)
+{
+  ExpectDomain(Make(PolylineBuilder().Box(0, 0, 1, 1).Box(1 + 1e-12, 0, 2, 1)), 2.0 - 1e-12);
+}
+
+TEST(Domain, ResolvesLinesThroughOnePoint)
+{
+  PolylineBuilder builder;
+  builder.Box(-2, -2, 2, 2);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double angle = Pi * (i + 0.3) / 20;
+    const Point2 end{ 1.9 * std::cos(angle), 1.9 * std::sin(angle) };
+    builder.Chain({ end, { -end.X, -end.Y } });
+  }
+  const MadeDomain made = Make(builder);
+  ExpectDomain(made, 16.0, 1);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::Crossings), 190);
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 4 + 40 + 1);
+}
+
+TEST(Domain, ResolvesCollinearSegmentsOfOneVertex)
+{
+  PolylineBuilder builder;
+  builder.Box(-1, -1, 400, 1);
+  for (int i = 1; i < 400; ++i)
+  {
+    builder.Chain({ { 0, 0 }, { static_cast<double>(i), 0 } });
+  }
+  const MadeDomain made = Make(builder);
+  ExpectDomain(made, 802.0, 1);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 4 + 399);
+}
+
+TEST(Domain, ResolvesAFanOfTenThousandSpokes)
+{
+  PolylineBuilder builder;
+  const std::vector<Point2> rim = WigglyCircle(10000);
+  builder.Loop(rim);
+  for (const Point2& place : rim)
+  {
+    builder.Chain({ { 0, 0 }, place });
+  }
+  const MadeDomain made = Make(builder);
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 20000);
+}
+
+TEST(Domain, OfAPlanarSubdivisionIsItsOutline)
+{
+  const PolylineBuilder cells = PolylineBuilder().Box(0, 0, 1, 1).Box(1, 0, 2, 1).Box(0, 1, 2, 2);
+  PolylineBuilder grid;
+  for (int i = 0; i <= 3; ++i)
+  {
+    const double at = i;
+    for (int k = 0; k < 3; ++k)
+    {
+      grid.Chain({ { at, k * 1.0 }, { at, k + 1.0 } }).Chain({ { k * 1.0, at }, { k + 1.0, at } });
+    }
+  }
+  const MadeDomain made = Make(grid);
+  ExpectDomain(made, 9.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 12);
+  EXPECT_DOUBLE_EQ(Make(cells).Domain.Area, 4.0);
+}
+
+TEST(Domain, OfAThetaGraphIsItsOutline)
+{
+  const MadeDomain made = Make(PolylineBuilder()
+                                 .Chain({ { 0, 0 }, { 1, 1 }, { 2, 0 } })
+                                 .Chain({ { 0, 0 }, { 1, -1 }, { 2, 0 } })
+                                 .Chain({ { 0, 0 }, { 2, 0 } }));
+  ExpectDomain(made, 2.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 1);
+}
+
+TEST(Domain, TakesOpenChainsThatCloseTogetherAsLoops)
+{
+  const MadeDomain made = Make(PolylineBuilder()
+                                 .Chain({ { 0, 0 }, { 4, 0 }, { 4, 4 } })
+                                 .Chain({ { 0, 0 }, { 0, 4 }, { 4, 4 } })
+                                 .Chain({ { 4, 4 }, { 2, 2 }, { 1, 2 } }));
+  ExpectDomain(made, 16.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 2);
+}
+
+TEST(Domain, TakesABridgeBetweenLoopsAsInterface)
+{
+  const Polylines loops = Unmerge(
+    PolylineBuilder().Box(0, 0, 8, 8).Box(2, 2, 4, 4).Chain({ { 0, 3 }, { 2, 3 } }).Lines());
+  const MadeDomain made = Make(loops);
+  ExpectDomain(made, 60.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 1);
+}
+
+TEST(Domain, TakesInterfacesThatCrossWithinTheDomainAsInterfaces)
+{
+  PolylineBuilder lines;
+  lines.Chain({ { 1, 2 }, { 7, 2 } }).Chain({ { 1, 5 }, { 7, 5 } });
+  lines.Chain({ { 2, 1 }, { 2, 7 } }).Chain({ { 5, 1 }, { 5, 7 } });
+  PolylineBuilder inClosed = lines;
+  inClosed.Box(0, 0, 8, 8);
+  ExpectDomain(Make(inClosed), 64.0, 1);
+  ExpectDomain(Make(Unmerge(inClosed.Lines())), 64.0, 1);
+  ExpectDomain(Make(lines), 9.0, 2);
+}
+
+TEST(Domain, TakesBordersOfStatesWithinACoastAsInterfaces)
+{
+  const MadeDomain made = Make(PolylineBuilder()
+                                 .Box(0, 0, 8, 8)
+                                 .Chain({ { 0, 4 }, { 2, 4 } })
+                                 .Chain({ { 2, 4 }, { 4, 6 }, { 6, 4 } })
+                                 .Chain({ { 2, 4 }, { 4, 2 }, { 6, 4 } })
+                                 .Chain({ { 2, 4 }, { 6, 4 } })
+                                 .Chain({ { 6, 4 }, { 8, 4 } }));
+  ExpectDomain(made, 64.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 7);
+}
+
+TEST(Domain, KeepsAHoleFromWhichACrackStarts)
+{
+  const PolylineBuilder builder =
+    PolylineBuilder().Box(0, 0, 8, 8).Box(2, 2, 4, 4).Chain({ { 4, 3 }, { 6, 3 } });
+  ExpectDomain(Make(builder), 60.0);
+  ExpectDomain(Make(Unmerge(builder.Lines())), 60.0);
+}
+
+TEST(Domain, DemotesBoundaryChainsThatDoNotClose)
+{
+  const MadeDomain made = Make(PolylineBuilder()
+                                 .Box(0, 0, 4, 4, ChainKind::Boundary)
+                                 .Chain({ { 1, 1 }, { 2, 2 } }, ChainKind::Boundary));
+  ExpectDomain(made, 16.0);
+  EXPECT_EQ(InterfaceCount(made.Domain), 1);
+}
+
+TEST(Domain, StopsWhenAsked)
+{
+  class Stopper : public SilentMonitor
+  {
+  public:
+    bool Advance(double) override { return false; }
+  };
+  Stopper stopper;
+  ProblemList problems;
+  const Polylines input = PolylineBuilder().Box(0, 0, 1, 1).Lines();
+  const Domain domain = MakeDomain(input, DomainOptions(), problems, stopper);
+  EXPECT_TRUE(problems.Has(ProblemCode::Aborted));
+  EXPECT_EQ(domain.NumberOfVertices(), 0);
+}
+
+TEST(Domain, AreaIsExactFarFromTheOrigin)
+{
+  const auto move = [](const Point2& p) { return Point2{ p.X + 1e8, p.Y - 1e8 }; };
+  const double side = std::ldexp(1.0, -20);
+  const Polylines input = PolylineBuilder().Box(0, 0, side, side).Lines();
+  ExpectDomain(Make(Move(input, move)), side * side);
+}
+
+Polylines CrossingShapes()
+{
+  return PolylineBuilder()
+    .Loop({ { 0, 0 }, { 7, 1 }, { 6, 6 }, { 1, 5 } })
+    .Loop({ { 3, -1 }, { 5, 7 }, { 2, 7 }, { 4, 3 } })
+    .Loop({ { 2, 2 }, { 6, 6 }, { 3, 4 } })
+    .Chain({ { 0, 3 }, { 4, 3 }, { 8, 4 } })
+    .Lines();
+}
+
+TEST(Domain, ReversedChainsDrawTheSame)
+{
+  const MadeDomain made = Make(CrossingShapes());
+  const MadeDomain reversed = Make(Reverse(CrossingShapes()));
+  EXPECT_EQ(made.Violation + reversed.Violation, "");
+  EXPECT_EQ(Drawing(made.Domain, true), Drawing(reversed.Domain, true));
+  EXPECT_EQ(Drawing(made.Domain, false), Drawing(reversed.Domain, false));
+}
+
+TEST(Domain, OrderOfChainsDoesNotMatter)
+{
+  const Polylines input = Unmerge(CrossingShapes());
+  Polylines permuted = input;
+  std::reverse(permuted.Connectivity.begin(), permuted.Connectivity.end());
+  std::reverse(permuted.Kinds.begin(), permuted.Kinds.end());
+  std::reverse(permuted.Cells.begin(), permuted.Cells.end());
+  const MadeDomain made = Make(input);
+  const MadeDomain other = Make(permuted);
+  EXPECT_EQ(made.Violation + other.Violation, "");
+  EXPECT_EQ(Drawing(made.Domain, true), Drawing(other.Domain, true));
+  EXPECT_EQ(Drawing(made.Domain, false), Drawing(other.Domain, false));
+  EXPECT_NEAR(made.Domain.Area, other.Domain.Area, 1e-13);
+}
+
+TEST(Domain, TakesACombOfTwoThousandTeeth)
+{
+  std::vector<Point2> places{ { 4000, 2 }, { 0, 2 } };
+  for (int tooth = 0; tooth < 2000; ++tooth)
+  {
+    const double x = 2.0 * tooth;
+    places.insert(places.end(), { { x, 0 }, { x + 1, 0 }, { x + 1, 1 }, { x + 2, 1 } });
+  }
+  ExpectDomain(Make(PolylineBuilder().Loop(places), false), 6000.0);
+}
+
+TEST(Domain, ScaledByAPowerOfTwoScalesToTheLastBit)
+{
+  const double factor = std::ldexp(1.0, 37);
+  const auto scale = [factor](const Point2& p) { return factor * p; };
+  const MadeDomain made = Make(CrossingShapes());
+  const MadeDomain scaled = Make(Move(CrossingShapes(), scale));
+  EXPECT_EQ(scaled.Domain.Area, factor * factor * made.Domain.Area);
+  ASSERT_EQ(scaled.Domain.NumberOfVertices(), made.Domain.NumberOfVertices());
+  for (std::size_t v = 0; v < made.Domain.Vertices.size(); ++v)
+  {
+    EXPECT_EQ(scaled.Domain.Vertices[v], factor * made.Domain.Vertices[v]);
+  }
+  EXPECT_EQ(scaled.Domain.LeftInside, made.Domain.LeftInside);
+}
+
+TEST(Domain, TurnedByNinetyDegreesOrMirroredKeepsItsGraph)
+{
+  const MadeDomain made = Make(CrossingShapes());
+  const MadeDomain turned = Make(Move(CrossingShapes(), Perpendicular));
+  const auto mirror = [](const Point2& p) { return Point2{ -p.X, p.Y }; };
+  const MadeDomain mirrored = Make(Move(CrossingShapes(), mirror));
+  EXPECT_EQ(turned.Violation + mirrored.Violation, "");
+  EXPECT_EQ(turned.Domain.Starts, made.Domain.Starts);
+  EXPECT_EQ(turned.Domain.Ends, made.Domain.Ends);
+  EXPECT_EQ(turned.Domain.LeftInside, made.Domain.LeftInside);
+  EXPECT_EQ(mirrored.Domain.Starts, made.Domain.Starts);
+  EXPECT_EQ(mirrored.Domain.LeftInside, made.Domain.RightInside);
+  EXPECT_NEAR(turned.Domain.Area, made.Domain.Area, 1e-13);
+}
+
+TEST(Domain, CheckFindsWhatIsWrong)
+{
+  const Domain good = Make(PolylineBuilder().Box(0, 0, 2, 2).Box(3, 0, 4, 1)).Domain;
+  Domain moved = good;
+  moved.Vertices[4] = { 1.5, 1 };
+  moved.Bounds.Add({ 1.5, 1 });
+  EXPECT_NE(CheckDomain(moved), "");
+  Domain same = good;
+  same.Vertices[4] = same.Vertices[0];
+  EXPECT_NE(CheckDomain(same), "");
+  Domain flipped = good;
+  std::swap(flipped.LeftInside[0], flipped.RightInside[0]);
+  EXPECT_NE(CheckDomain(flipped), "");
+  Domain demoted = good;
+  demoted.IsBoundary[2] = 0;
+  EXPECT_NE(CheckDomain(demoted), "");
+  EXPECT_EQ(CheckDomain(good), "");
+}
+
+} // namespace
+
+} // namespace biting

@@ -1,0 +1,505 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshRun.h"
+#include "../Support/MeshShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for max_element, count
+#include <array>     // for histograms
+#include <chrono>    // for a time limit
+#include <cmath>     // for abs, sqrt
+#include <cstring>   // for memcmp
+#include <map>       // for lookups
+#include <set>       // for distinct places
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr FrontOrder Orders[] = { FrontOrder::Layers, FrontOrder::LargestY };
+
+Polylines UnitSquare()
+{
+  return PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines();
+}
+
+/// A square with a round hole, an interface from side to side and an embedded point.
+Polylines Plate()
+{
+  return PolylineBuilder()
+    .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.125 }, { 1.0, 1.0 }, { 0.0, 1.0 },
+      { 0.0, 0.125 } })
+    .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 24))
+    .Chain({ { 0.0, 0.125 }, { 1.0, 0.125 } })
+    .Chain({ { 0.25, 0.875 } }, ChainKind::EmbeddedPoint)
+    .Lines();
+}
+
+BitingMeshOptions UniformOptions(double length, double bitingConstant = 0.0)
+{
+  BitingMeshOptions options;
+  options.Spacing = UniformSpacing(length);
+  options.BitingConstant = bitingConstant;
+  return options;
+}
+
+BitingMeshOptions RadialOptions()
+{
+  BitingMeshOptions options;
+  options.Spacing = RadialSpacing({ 0.3, 0.25 }, 0.01, 0.1);
+  options.KeepBites = true;
+  return options;
+}
+
+MeshRun SectionSix(double bitingConstant, FrontOrder order)
+{
+  BitingMeshOptions options;
+  options.Spacing = SectionSixSpacing();
+  options.BitingConstant = bitingConstant;
+  options.Order = order;
+  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 9.0, 9.0).Lines(), options);
+}
+
+template <typename Value>
+bool HaveSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+void ExpectSameTopology(const BitingMesh& a, const BitingMesh& b)
+{
+  EXPECT_TRUE(HaveSameBytes(a.BiteOrders, b.BiteOrders));
+  EXPECT_TRUE(HaveSameBytes(a.Kinds, b.Kinds));
+  EXPECT_TRUE(HaveSameBytes(a.OriginalPoints, b.OriginalPoints));
+  EXPECT_TRUE(HaveSameBytes(a.Corners, b.Corners));
+  EXPECT_TRUE(HaveSameBytes(a.Neighbors, b.Neighbors));
+  EXPECT_TRUE(HaveSameBytes(a.Regions, b.Regions));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeStarts, b.EdgeStarts));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeEnds, b.EdgeEnds));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeCells, b.EdgeCells));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeIsBoundary, b.EdgeIsBoundary));
+  EXPECT_TRUE(HaveSameBytes(a.Bites.Orders, b.Bites.Orders));
+  EXPECT_TRUE(HaveSameBytes(a.Bites.Phases, b.Bites.Phases));
+}
+
+/// Valid, of the area `area`, and with about as many vertices as `other`.
+void ExpectEquivalent(const MeshRun& run, const MeshRun& other, double area)
+{
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_NEAR(Area(run.Mesh), area, 1e-9 * area);
+  EXPECT_NEAR(run.NumberOfVertices(), other.NumberOfVertices(), 0.1 * other.NumberOfVertices());
+}
+
+double LengthOfEdges(const BitingMesh& mesh)
+{
+  double length = 0.0;
+  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
+  {
+    length += Distance(mesh.Points[mesh.EdgeStarts[edge]], mesh.Points[mesh.EdgeEnds[edge]]);
+  }
+  return length;
+}
+
+double LengthOfInput(const Polylines& input)
+{
+  double length = 0.0;
+  for (Id chain = 0; chain < input.NumberOfChains(); ++chain)
+  {
+    for (Id k = input.Offsets[chain] + 1; k < input.Offsets[chain + 1]; ++k)
+    {
+      length += Distance(
+        input.Points[input.Connectivity[k - 1]], input.Points[input.Connectivity[k]]);
+    }
+  }
+  return length;
+}
+
+/// Each vertex of the mesh by the input point that it is.
+std::map<Id, Id> VerticesOfInput(const BitingMesh& mesh)
+{
+  std::map<Id, Id> vertices;
+  for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
+  {
+    if (mesh.OriginalPoints[vertex] != NoId)
+    {
+      vertices[mesh.OriginalPoints[vertex]] = vertex;
+    }
+  }
+  return vertices;
+}
+
+/// A valid mesh in which every segment and every input point is present, whatever f.
+void ExpectCovered(const Polylines& input, const MeshRun& run)
+{
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_TRUE(run.Problems.Groups().empty());
+  EXPECT_NEAR(LengthOfEdges(run.Mesh), LengthOfInput(input), 1e-9 * LengthOfInput(input));
+  const std::map<Id, Id> vertices = VerticesOfInput(run.Mesh);
+  const std::set<Point2> places(input.Points.begin(), input.Points.end());
+  EXPECT_EQ(vertices.size(), places.size());
+  for (const auto& [point, vertex] : vertices)
+  {
+    EXPECT_EQ(run.Mesh.Points[vertex], input.Points[point]);
+  }
+}
+
+/// Shares of the vertices with conformity in bins of 0.05.
+std::array<int, 21> ConformityHistogram(const BitingMesh& mesh)
+{
+  std::array<int, 21> bins{};
+  for (double conformity : mesh.Quality.Conformity)
+  {
+    ++bins[static_cast<std::size_t>(conformity / 0.05)];
+  }
+  return bins;
+}
+
+TEST(BitingMesh, SameInputGivesSameBytes)
+{
+  for (FrontOrder order : Orders)
+  {
+    BitingMeshOptions options = RadialOptions();
+    options.Order = order;
+    const BitingMesh first = RunMesh(Plate(), options).Mesh;
+    const BitingMesh second = RunMesh(Plate(), options).Mesh;
+    ASSERT_GT(first.Points.size(), 500u);
+    ExpectSameTopology(first, second);
+    EXPECT_TRUE(HaveSameBytes(first.Points, second.Points));
+    EXPECT_TRUE(HaveSameBytes(first.Spacing, second.Spacing));
+    EXPECT_TRUE(HaveSameBytes(first.Bites.Centers, second.Bites.Centers));
+    EXPECT_TRUE(HaveSameBytes(first.Bites.Axes, second.Bites.Axes));
+    EXPECT_TRUE(HaveSameBytes(first.Quality.MinimumAngle, second.Quality.MinimumAngle));
+    EXPECT_TRUE(HaveSameBytes(first.Quality.Conformity, second.Quality.Conformity));
+  }
+}
+
+TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBit)
+{
+  const BitingMesh mesh = RunMesh(Plate(), UniformOptions(0.03)).Mesh;
+  for (double scale : { 0x1p-40, 0.25, 0x1p30 })
+  {
+    const Polylines input =
+      Move(Plate(), [scale](const Point2& p) { return scale * p; });
+    const BitingMesh scaled = RunMesh(input, UniformOptions(scale * 0.03)).Mesh;
+    ExpectSameTopology(mesh, scaled);
+    ASSERT_EQ(mesh.Points.size(), scaled.Points.size());
+    for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+    {
+      ASSERT_EQ(scale * mesh.Points[vertex], scaled.Points[vertex]);
+      ASSERT_EQ(scale * mesh.Spacing[vertex], scaled.Spacing[vertex]);
+    }
+  }
+}
+
+TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBitOfGradedMesh)
+{
+  constexpr double Scale = 0x1p-20;
+  const BitingMesh mesh = RunMesh(Plate(), RadialOptions()).Mesh;
+  BitingMeshOptions options = RadialOptions();
+  options.Spacing = RadialSpacing({ Scale * 0.3, Scale * 0.25 }, Scale * 0.01, 0.1);
+  const Polylines input = Move(Plate(), [](const Point2& p) { return Scale * p; });
+  const BitingMesh scaled = RunMesh(input, options).Mesh;
+  ExpectSameTopology(mesh, scaled);
+  ASSERT_EQ(mesh.Points.size(), scaled.Points.size());
+  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+  {
+    ASSERT_EQ(Scale * mesh.Points[vertex], scaled.Points[vertex]);
+  }
+}
+
+TEST(BitingMesh, ShiftGivesValidMesh)
+{
+  const MeshRun run = RunMesh(UnitSquare(), UniformOptions(0.04));
+  for (const Point2& offset : { Point2{ 1024.0, -4096.0 }, Point2{ 0x1p30, 0x1p29 },
+         Point2{ -0x1p40, 3.0 } })
+  {
+    const Polylines input = Move(UnitSquare(), [&](const Point2& p) { return p + offset; });
+    ExpectEquivalent(RunMesh(input, UniformOptions(0.04)), run, 1.0);
+  }
+}
+
+TEST(BitingMesh, TurnsMirrorsAndReversalsAreEquivalent)
+{
+  const Polylines plate = Plate();
+  const auto mesh = [](const Polylines& input) { return RunMesh(input, UniformOptions(0.03)); };
+  const MeshRun run = mesh(plate);
+  const double area = Area(run.Mesh);
+  ExpectEquivalent(mesh(Move(plate, Perpendicular)), run, area);
+  ExpectEquivalent(mesh(Move(plate, [](const Point2& p) { return Point2{ -p.X, p.Y }; })), run,
+    area);
+  ExpectEquivalent(mesh(Move(plate, [](const Point2& p) { return Point2{ p.Y, p.X }; })), run,
+    area);
+  ExpectEquivalent(mesh(Reverse(plate)), run, area);
+  ExpectEquivalent(mesh(Unmerge(plate)), run, area);
+  const Point2 axis = UnitVector(17.0);
+  ExpectEquivalent(mesh(Move(plate,
+                     [&axis](const Point2& p) {
+                       return p.X * axis + p.Y * Perpendicular(axis);
+                     })),
+    run, area);
+}
+
+TEST(BitingMesh, PermutedChainsAreEquivalent)
+{
+  const MeshRun run = RunMesh(Plate(), UniformOptions(0.03));
+  const Polylines permuted = PolylineBuilder()
+                               .Chain({ { 0.25, 0.875 } }, ChainKind::EmbeddedPoint)
+                               .Chain({ { 1.0, 0.125 }, { 0.0, 0.125 } })
+                               .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 24))
+                               .Loop({ { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.125 }, { 0.0, 0.0 },
+                                 { 1.0, 0.0 }, { 1.0, 0.125 } })
+                               .Lines();
+  ExpectEquivalent(RunMesh(permuted, UniformOptions(0.03)), run, Area(run.Mesh));
+}
+
+TEST(BitingMesh, SectionSixHasThePapersFigures)
+{
+  struct Figures
+  {
+    double BitingConstant;
+    int Vertices;
+    double Angle;
+  };
+  for (const Figures& paper : { Figures{ 0.5, 6728, 13.0 }, Figures{ 0.7, 3435, 7.0 } })
+  {
+    for (FrontOrder order : Orders)
+    {
+      const MeshRun run = SectionSix(paper.BitingConstant, order);
+      ASSERT_EQ(run.Error(), "");
+      EXPECT_NEAR(run.NumberOfVertices(), paper.Vertices, 0.15 * paper.Vertices);
+      EXPECT_GE(run.Mesh.Quality.SmallestAngle, paper.Angle);
+      const std::array<int, 21> bins = ConformityHistogram(run.Mesh);
+      const auto peak = std::max_element(bins.begin(), bins.end()) - bins.begin();
+      EXPECT_NEAR(static_cast<double>(peak), std::floor(paper.BitingConstant / 0.05 + 1e-9), 1.0);
+    }
+  }
+}
+
+TEST(BitingMesh, AutomaticConstantGivesMeanLengthOfF)
+{
+  for (FrontOrder order : Orders)
+  {
+    const MeshRun sectionSix = SectionSix(0.0, order);
+    EXPECT_NEAR(sectionSix.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << "section 6";
+    for (double length : { 0.04, 0.02, 0.01 })
+    {
+      BitingMeshOptions options = UniformOptions(length);
+      options.Order = order;
+      const MeshRun run = RunMesh(UnitSquare(), options);
+      EXPECT_NEAR(run.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << length;
+    }
+  }
+}
+
+TEST(BitingMesh, HalfTheSpacingGivesFourTimesTheTriangles)
+{
+  for (FrontOrder order : Orders)
+  {
+    BitingMeshOptions options = UniformOptions(0.02, 0.5);
+    options.Order = order;
+    const MeshRun coarse = RunMesh(UnitSquare(), options);
+    options.Spacing.Uniform *= 0.5;
+    const MeshRun fine = RunMesh(UnitSquare(), options);
+    EXPECT_NEAR(fine.NumberOfTriangles(), 4.0 * coarse.NumberOfTriangles(),
+      0.05 * fine.NumberOfTriangles());
+  }
+}
+
+TEST(BitingMesh, StopsAfterTheWantedNumberOfBites)
+{
+  BitingMeshOptions options = UniformOptions(0.05, 0.5);
+  options.KeepBites = true;
+  const MeshRun whole = RunMesh(Plate(), options);
+  EXPECT_TRUE(whole.Mesh.Front.empty());
+  const Id all = whole.Mesh.Bites.Orders.back() + 1;
+  for (Id bites : { 0, 1, 17, 60, 150, all - 1, all })
+  {
+    options.MaximumNumberOfBites = bites;
+    const MeshRun run = RunMesh(Plate(), options);
+    ASSERT_EQ(run.Error(), "") << bites;
+    ExpectCovered(Plate(), run);
+    EXPECT_EQ(run.Mesh.Bites.Orders.empty() ? 0 : run.Mesh.Bites.Orders.back() + 1, bites);
+    EXPECT_EQ(run.Mesh.Front.empty(), bites == all) << bites;
+    const auto unbitten =
+      std::count(run.Mesh.BiteOrders.begin(), run.Mesh.BiteOrders.end(), NoId);
+    EXPECT_EQ(run.NumberOfVertices() - unbitten, bites);
+  }
+}
+
+TEST(BitingMesh, WithoutKeepBitesThereAreNone)
+{
+  BitingMeshOptions options = UniformOptions(0.1);
+  options.MaximumNumberOfBites = 40;
+  const MeshRun run = RunMesh(UnitSquare(), options);
+  EXPECT_EQ(run.Mesh.Bites.Size(), 0);
+  EXPECT_TRUE(run.Mesh.Front.empty());
+}
+
+TEST(BitingMesh, RefusesTooManyVerticesAtOnceAndSaysHowMany)
+{
+  BitingMeshOptions options = UniformOptions(1e-5);
+  const auto start = std::chrono::steady_clock::now();
+  const MeshRun run = RunMesh(UnitSquare(), options);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(time.count(), 2.0);
+  EXPECT_TRUE(run.Mesh.Points.empty());
+  ASSERT_TRUE(run.Problems.Has(ProblemCode::TooManyVertices));
+  const std::string& detail = run.Problems.Groups().front().First.front().Detail;
+  const double estimate = std::stod(detail.substr(detail.find_first_of("0123456789")));
+  EXPECT_NEAR(estimate, 1.15e10, 0.25e10) << detail;
+  EXPECT_NE(detail.find("20000000"), std::string::npos) << detail;
+}
+
+TEST(BitingMesh, SaysWhatEachVertexIs)
+{
+  const Polylines input = Plate();
+  const BitingMesh mesh = RunMesh(input, UniformOptions(0.06)).Mesh;
+  std::vector<bool> isOnEdge(mesh.Points.size(), false);
+  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
+  {
+    isOnEdge[mesh.EdgeStarts[edge]] = isOnEdge[mesh.EdgeEnds[edge]] = true;
+  }
+  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+  {
+    const VertexKind kind = mesh.Kinds[vertex];
+    const bool isOld = kind == VertexKind::Input || kind == VertexKind::Embedded;
+    EXPECT_EQ(isOld, mesh.OriginalPoints[vertex] != NoId);
+    EXPECT_EQ(isOnEdge[vertex], kind == VertexKind::Input || kind == VertexKind::Boundary);
+  }
+  const Id embedded = static_cast<Id>(input.Points.size()) - 1;
+  const Id vertex = VerticesOfInput(mesh).at(embedded);
+  EXPECT_EQ(mesh.Kinds[vertex], VertexKind::Embedded);
+  EXPECT_EQ(std::count(mesh.Kinds.begin(), mesh.Kinds.end(), VertexKind::Embedded), 1);
+  EXPECT_EQ(std::count(mesh.Kinds.begin(), mesh.Kinds.end(), VertexKind::Input), 30);
+}
+
+TEST(BitingMesh, InterfaceEdgesCarryTheirCell)
+{
+  const BitingMesh mesh = RunMesh(Plate(), UniformOptions(0.06)).Mesh;
+  double interfaceLength = 0.0;
+  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
+  {
+    const Point2& start = mesh.Points[mesh.EdgeStarts[edge]];
+    const Point2& end = mesh.Points[mesh.EdgeEnds[edge]];
+    const bool isInterface = mesh.EdgeCells[edge] == 2;
+    EXPECT_EQ(isInterface, mesh.EdgeIsBoundary[edge] == 0);
+    if (isInterface)
+    {
+      EXPECT_EQ(start.Y, 0.125);
+      EXPECT_LT(start.X, end.X);
+      interfaceLength += Distance(start, end);
+    }
+  }
+  EXPECT_NEAR(interfaceLength, 1.0, 1e-12);
+}
+
+TEST(BitingMesh, NestedRegionsAreNumberedByTheirFirstSegment)
+{
+  const Polylines input = PolylineBuilder()
+                            .Box(0.0, 0.0, 1.0, 1.0)
+                            .Box(0.2, 0.2, 0.8, 0.8)
+                            .Box(0.4, 0.4, 0.6, 0.6)
+                            .Box(2.0, 0.0, 3.0, 1.0)
+                            .Lines();
+  const BitingMesh mesh = RunMesh(input, UniformOptions(0.07)).Mesh;
+  const double areas[] = { 0.64, 0.04, 1.0 };
+  double sums[3] = {};
+  for (std::size_t triangle = 0; triangle < mesh.Regions.size(); ++triangle)
+  {
+    ASSERT_GE(mesh.Regions[triangle], 0);
+    ASSERT_LT(mesh.Regions[triangle], 3);
+    const Point2& a = mesh.Points[mesh.Corners[3 * triangle]];
+    const Point2& b = mesh.Points[mesh.Corners[3 * triangle + 1]];
+    const Point2& c = mesh.Points[mesh.Corners[3 * triangle + 2]];
+    sums[mesh.Regions[triangle]] += 0.5 * Cross(b - a, c - a);
+  }
+  for (int region = 0; region < 3; ++region)
+  {
+    EXPECT_NEAR(sums[region], areas[region], 1e-12);
+  }
+}
+
+TEST(BitingMesh, SpacingLargerThanTheDomainKeepsIt)
+{
+  for (FrontOrder order : Orders)
+  {
+    for (double length : { 0.9, 10.0, 1e6 })
+    {
+      BitingMeshOptions options = UniformOptions(length);
+      options.Order = order;
+      const MeshRun square = RunMesh(UnitSquare(), options);
+      ExpectCovered(UnitSquare(), square);
+      EXPECT_LE(square.NumberOfVertices(), 9);
+      ExpectCovered(Plate(), RunMesh(Plate(), options));
+    }
+  }
+}
+
+TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
+{
+  const Polylines comb = PolylineBuilder().Loop(Comb(20, 0.005)).Lines();
+  const Polylines slit =
+    PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Box(0.3, 0.5, 0.7, 0.5001).Lines();
+  const Polylines holes = PolylineBuilder()
+                            .Box(0.0, 0.0, 1.0, 1.0)
+                            .Box(0.2, 0.3, 0.4995, 0.7)
+                            .Box(0.5005, 0.3, 0.8, 0.7)
+                            .Lines();
+  const Polylines disc =
+    PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 200)).Lines();
+  for (FrontOrder order : Orders)
+  {
+    BitingMeshOptions options = UniformOptions(0.1);
+    options.Order = order;
+    for (const Polylines* input : { &comb, &slit, &holes, &disc })
+    {
+      ExpectCovered(*input, RunMesh(*input, options));
+    }
+    options.Spacing.Uniform = 10.0 * Distance(disc.Points[0], disc.Points[1]);
+    ExpectCovered(disc, RunMesh(disc, options));
+  }
+}
+
+TEST(BitingMesh, EmptyInputGivesEmptyMeshInSilence)
+{
+  const MeshRun run = RunMesh(Polylines(), UniformOptions(0.1));
+  EXPECT_TRUE(run.Mesh.Points.empty());
+  EXPECT_TRUE(run.Problems.Groups().empty());
+}
+
+/// Stops at the given call of Advance.
+class StoppingMonitor : public Monitor
+{
+public:
+  explicit StoppingMonitor(int calls)
+    : CallsLeft(calls)
+  {
+  }
+
+  bool Advance(double) override { return this->CallsLeft-- > 0; }
+  void BeginStage(const char*) override {}
+
+private:
+  int CallsLeft;
+};
+
+TEST(BitingMesh, AbortAtAnyMomentLeavesNoMesh)
+{
+  for (int calls : { 0, 1, 2, 5, 9 })
+  {
+    StoppingMonitor monitor(calls);
+    ProblemList problems;
+    const BitingMesh mesh = MakeBitingMesh(Plate(), UniformOptions(0.01), problems, monitor);
+    EXPECT_TRUE(problems.Has(ProblemCode::Aborted)) << calls;
+    EXPECT_TRUE(mesh.Points.empty());
+  }
+}
+
+} // namespace
+
+} // namespace biting

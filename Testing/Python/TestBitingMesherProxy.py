@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The filter as a script in pvpython sees it: the names that scripts and state files keep."""
+
+import os
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+
+DEFAULTS = {
+    'UniformSpacing': 0.0,
+    'BoundarySpacingArray': ['POINTS', 'Spacing'],
+    'SourceSpacingArray': ['POINTS', 'Spacing'],
+    'SpacingScale': 1.0,
+    'MinimumSpacing': 0.0,
+    'MaximumSpacing': 0.0,
+    'Gradation': 0.3,
+    'RepairInput': 1,
+    'BiteShape': 'Square',
+    'BitingConstant': 0.0,
+    'Placement': 'Corners',
+    'FrontOrder': 'Layers',
+    'MaximumNumberOfBites': -1,
+    'Phi': 1.0,
+    'MaximumNumberOfVertices': 20000000,
+    'GenerateBites': 0,
+}
+
+ON_THE_PANEL = {
+    'UniformSpacing', 'BoundarySpacingArray', 'SourceSpacingArray', 'SpacingScale', 'Gradation',
+    'GenerateBites',
+}
+
+SQUARE = '# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\n' \
+    'POINTS 4 double\n0 0 0 9 0 0 9 9 0 0 9 0\nLINES 1 6\n5 0 1 2 3 0\n'
+SQUARE_SPACING = 'POINT_DATA 4\nSCALARS {name} double 1\nLOOKUP_TABLE default\n1 1 1 1\n'
+IMAGE = '# vtk DataFile Version 3.0\nimage\nASCII\nDATASET STRUCTURED_POINTS\n' \
+    'DIMENSIONS 2 2 1\nORIGIN 0 0 0\nSPACING 9 9 1\nPOINT_DATA 4\n' \
+    'SCALARS {name} double 1\nLOOKUP_TABLE default\n0.5 0.5 0.5 0.5\n'
+
+
+def triangles(mesher):
+    mesher.UpdatePipeline()
+    return mesher.GetDataInformation().GetNumberOfCells()
+
+
+class TestBitingMesherProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def read(self, name, text):
+        path = os.path.join(self.folder.name, name)
+        with open(path, 'w', encoding='ascii') as file:
+            file.write(text)
+        return simple.LegacyVTKReader(FileNames=[path])
+
+    def square(self, array=None):
+        text = SQUARE if array is None else SQUARE + SQUARE_SPACING.format(name=array)
+        return self.read('square_%s.vtk' % array, text)
+
+    def image(self, array):
+        return self.read('image_%s.vtk' % array, IMAGE.format(name=array))
+
+    def test_properties_have_their_documented_names_and_defaults(self):
+        mesher = BitingMesher(Input=self.square())
+        for name, value in DEFAULTS.items():
+            found = getattr(mesher, name)
+            self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
+        self.assertEqual(set(mesher.ListProperties()), set(DEFAULTS) | {'Input', 'SpacingSource'})
+
+    def test_labels_are_the_spaced_names(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        self.assertEqual(proxy.GetXMLLabel(), 'Biting Mesher')
+        for name in list(DEFAULTS) + ['SpacingSource']:
+            label = proxy.GetProperty(name).GetXMLLabel()
+            self.assertEqual(label.replace(' ', ''), name)
+
+    def test_every_property_is_explained(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        for name in DEFAULTS:
+            text = proxy.GetProperty(name).GetDocumentation().GetDescription()
+            self.assertGreater(len(text.split()), 8, name)
+        self.assertGreater(len(proxy.GetDocumentation().GetShortHelp()), 20)
+        self.assertGreater(len(proxy.GetDocumentation().GetLongHelp()), 40)
+
+    def test_the_panel_shows_the_everyday_properties(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        shown = {name for name in DEFAULTS
+                 if proxy.GetProperty(name).GetPanelVisibility() == 'default'}
+        self.assertEqual(shown, ON_THE_PANEL)
+
+    def test_outputs_have_names(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        names = [proxy.GetOutputPortName(port) for port in range(3)]
+        self.assertEqual(names, ['Mesh', 'Boundary Edges', 'Bites'])
+
+    def test_without_any_number_the_mesh_is_neither_coarse_nor_huge(self):
+        count = triangles(BitingMesher(Input=self.square()))
+        self.assertGreater(count, 1000)
+        self.assertLess(count, 20000)
+
+    def test_half_the_scale_gives_about_four_times_the_triangles(self):
+        square = self.square()
+        coarse = triangles(BitingMesher(Input=square, UniformSpacing=1.0))
+        fine = triangles(BitingMesher(Input=square, UniformSpacing=1.0, SpacingScale=0.5))
+        self.assertGreater(fine, 2.5 * coarse)
+
+    def test_arrays_named_spacing_are_chosen_by_default(self):
+        coarse = triangles(BitingMesher(Input=self.square('Spacing')))
+        self.assertLess(coarse, 400)
+        fine = triangles(BitingMesher(Input=self.square('Spacing'),
+                                      SpacingSource=self.image('Spacing')))
+        self.assertGreater(fine, 2.5 * coarse)
+
+    def test_arrays_of_other_names_can_be_chosen(self):
+        by_array = triangles(BitingMesher(Input=self.square('h'),
+                                          BoundarySpacingArray=['POINTS', 'h']))
+        self.assertLess(by_array, 400)
+        by_source = triangles(BitingMesher(Input=self.square(), SpacingSource=self.image('h'),
+                                           SourceSpacingArray=['POINTS', 'h']))
+        self.assertGreater(by_source, 2.5 * by_array)
+
+    def test_none_leaves_the_array_out(self):
+        mesher = BitingMesher(Input=self.square('Spacing'), UniformSpacing=3.0)
+        mesher.BoundarySpacingArray = ['POINTS', 'None']
+        self.assertLess(triangles(mesher), 60)
+
+    def test_the_source_can_be_taken_away(self):
+        mesher = BitingMesher(Input=self.square('Spacing'), SpacingSource=self.image('Spacing'))
+        fine = triangles(mesher)
+        mesher.SpacingSource = None
+        self.assertGreater(fine, 2.5 * triangles(mesher))
+
+    def test_bites_and_boundary_are_outputs(self):
+        mesher = BitingMesher(Input=self.square(), UniformSpacing=1.0, GenerateBites=1,
+                              FrontOrder='Largest Y')
+        mesher.UpdatePipeline()
+        for port in (1, 2):
+            self.assertGreater(mesher[port].GetDataInformation().GetNumberOfCells(), 0, port)
+
+    def test_a_state_gives_the_same_mesh(self):
+        mesher = BitingMesher(registrationName='Mesher', Input=self.square(), UniformSpacing=0.7)
+        before = triangles(mesher)
+        path = os.path.join(self.folder.name, 'state.pvsm')
+        servermanager.SaveState(path)
+        simple.ResetSession()
+        simple.LoadState(path)
+        self.assertEqual(triangles(simple.FindSource('Mesher')), before)
+
+
+if __name__ == '__main__':
+    unittest.main()

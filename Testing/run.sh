@@ -1,0 +1,125 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# All tests in one command, from a bare Debian 12: sh Testing/run.sh (as root, if packages are missing).
+#
+# Installs what is missing, builds for ParaView and for the stand-alone VTK, and the kernel with
+# sanitizers; runs every test of each; checks format and clang-tidy. Ends with the sum of all of them;
+# the status is 0 if and only if nothing failed. What the stages said is in build/log.
+#
+#   BITING_WARNINGS_AS_ERRORS=ON   warnings of compiler and clang-tidy are failures
+#   BITING_SHARED_INPUTS=folder    more inputs for the tests; default ../shared/inputs, may be absent
+
+set -u
+root=$(cd "$(dirname "$0")/.." && pwd)
+. "$root/Testing/setup.sh"
+log_folder="$build_root/log"
+passed=0
+failed=0
+failures=
+
+main()
+{
+  mkdir -p "$log_folder"
+  begin=$(date +%s)
+  stage packages install_packages $paraview_packages $vtk_packages $test_packages
+  stage build-paraview build_paraview
+  stage build-vtk build_vtk
+  stage build-sanitizer build_sanitizer
+  suite paraview "$paraview_build"
+  suite vtk "$vtk_build" LD_LIBRARY_PATH="${vtk_library_path:-}" PYTHONPATH="${vtk_python_path:-}"
+  suite sanitizer "$sanitizer_build"
+  stage format check_format
+  stage clang-tidy check_with_clang_tidy
+  summarize
+}
+
+# A stage is one test: it passes if its command does. Quiet, unless it fails.
+stage()
+{
+  name="$1"
+  shift
+  stage_begin=$(date +%s)
+  if "$@" > "$log_folder/$name.log" 2>&1; then
+    passed=$((passed + 1))
+    report "$name" Passed
+  else
+    tail -n 60 "$log_folder/$name.log"
+    failed=$((failed + 1))
+    failures="$failures $name"
+    report "$name" '***Failed'
+  fi
+}
+
+report()
+{
+  printf '%-24s %-10s %5d sec\n' "Stage $1" "$2" $(($(date +%s) - stage_begin))
+}
+
+# All tests of one build, counted one by one: name, folder, then variables for the environment.
+suite()
+{
+  name="$1"
+  folder="$2"
+  shift 2
+  stage_begin=$(date +%s)
+  env "$@" ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(nproc)" \
+    > "$log_folder/test-$name.log" 2>&1
+  status=$?
+  count "$log_folder/test-$name.log"
+  if [ $status -eq 0 ]; then
+    report "test-$name" Passed
+  else
+    cat "$log_folder/test-$name.log"
+    failures="$failures test-$name"
+    report "test-$name" '***Failed'
+  fi
+}
+
+# Adds the numbers of CTest's closing line; a log without one counts as a failure.
+count()
+{
+  line=$(grep -E 'tests passed, [0-9]+ tests failed out of [0-9]+' "$1" | tail -n 1)
+  if [ -z "$line" ]; then
+    failed=$((failed + 1))
+    return
+  fi
+  suite_failed=$(echo "$line" | sed 's/.*passed, \([0-9]*\) tests failed.*/\1/')
+  suite_total=$(echo "$line" | sed 's/.*out of \([0-9]*\).*/\1/')
+  failed=$((failed + suite_failed))
+  passed=$((passed + suite_total - suite_failed))
+}
+
+sources()
+{
+  find "$root/Filters" "$root/Testing" -name '*.cxx' -o -name '*.h' | LC_ALL=C sort
+}
+
+check_format()
+{
+  sources | xargs clang-format --dry-run -Werror
+}
+
+# Only the sources of the library: they include all of its headers.
+check_with_clang_tidy()
+{
+  errors=
+  [ "$warnings_as_errors" = OFF ] || errors='-warnings-as-errors=*'
+  sources | grep '/Filters/.*\.cxx$' | grep -v '/Testing/' |
+    xargs -P "$(nproc)" -n 1 clang-tidy --quiet $errors -p "$paraview_build"
+}
+
+summarize()
+{
+  total=$((passed + failed))
+  [ $failed -eq 0 ] || printf '\nThe following stages failed:%s (logs in %s)\n' "$failures" "$log_folder"
+  [ -n "$(find "${BITING_SHARED_INPUTS:-$root/../shared/inputs}" -name '*.vtk' 2>/dev/null | head -n 1)" ] ||
+    printf '\nThe shared inputs were absent: only those of Data were tested.\n'
+  printf '\n%d%% tests passed, %d tests failed out of %d\n' \
+    $((100 * passed / total)) $failed $total
+  printf '\nTotal Test time (real) = %d sec\n' $(($(date +%s) - begin))
+  [ $failed -eq 0 ]
+}
+
+main
