@@ -12,6 +12,6 @@ def edge_lengths(loop):
 
 
 def graded(points, values, slope):
-    """The largest function below the values whose slope between any two points is at most `slope`."""
+    """The largest function below the values with at most this slope between any two points."""
     return [min(value + slope * math.dist(point, other) for other, value in zip(points, values))
         for point in points]

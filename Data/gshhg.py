@@ -3,8 +3,8 @@
 """Reads shorelines from GSHHG files in the form that GMT uses ("binned", netCDF).
 
 The globe is cut into square bins, counted eastward from Greenwich and southward from the pole. The
-shorelines end at the borders of bins; points are 16-bit offsets from the south-west corner of their bin,
-so that two pieces of one shoreline meet in exactly the same point.
+shorelines end at the borders of bins; points are 16-bit offsets from the south-west corner of their
+bin, so that two pieces of one shoreline meet in exactly the same point.
 """
 
 import ctypes

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the inputs of this folder as legacy VTK files: ASCII, coordinates exact to the last bit."""
+"""Writes the inputs of this folder as legacy VTK files: ASCII, numbers exact to the last bit."""
 
 import os
 
@@ -8,7 +8,7 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 
 def write_polydata(name, title, points, lines, vertices=(), point_arrays=None, cell_arrays=None):
-    """Lines and vertices are tuples of point ids; cell arrays hold the vertices first, then the lines."""
+    """Lines are tuples of point ids, vertices point ids; cell arrays hold vertices first."""
     text = _header(title, "POLYDATA")
     text.append(f"POINTS {len(points)} double")
     text += [f"{float(x)!r} {float(y)!r} 0" for x, y in points]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes naca_airfoil.vtk: a NACA 2412 section in a circular far field, chord 1, from its formula."""
+"""Writes naca_airfoil.vtk: a NACA 2412 section of chord 1, from its formula, in a far field."""
 
 import math
 
@@ -49,9 +49,9 @@ def airfoil():
 
 
 def far_field():
-    step = 2 * math.pi / FAR_FIELD_POINTS
-    return [(FAR_FIELD_CENTER[0] + FAR_FIELD_RADIUS * math.cos(step * i),
-        FAR_FIELD_CENTER[1] + FAR_FIELD_RADIUS * math.sin(step * i)) for i in range(FAR_FIELD_POINTS)]
+    (x, y), radius = FAR_FIELD_CENTER, FAR_FIELD_RADIUS
+    angles = [2 * math.pi * i / FAR_FIELD_POINTS for i in range(FAR_FIELD_POINTS)]
+    return [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
 
 
 def closed(first, count):

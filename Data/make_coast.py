@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes coast.vtk: the seas around Britain and Ireland, for a model of tides.
 
-Source: GSHHG 2.3.7, intermediate resolution, as packed by Debian (gmt-gshhg-low). The shorelines are
-projected, cut at a rectangle, freed of what the tide does not see, and given a spacing: fine at the
-coast and in straits, coarse offshore.
+Source: GSHHG 2.3.7, intermediate resolution, as packed by Debian (gmt-gshhg-low). The shorelines
+are projected, cut at a rectangle, freed of what the tide does not see, and given a spacing: fine at
+the coast and in straits, coarse offshore.
 """
 
 import bisect
@@ -40,7 +40,7 @@ def main():
 
 
 def freed_of_detail(loops):
-    """No short edges, sharp inlets and narrow straits; mending one may make another, hence rounds."""
+    """Without short edges, sharp inlets and narrow straits; mending one may make another."""
     for _ in range(ROUNDS):
         shores = Shores([generalised(loop, loops) for loop in loops])
         shores.widen_straits()
@@ -115,7 +115,7 @@ def crossing(start, end, axis, border):
 
 
 def join_along_border(chains):
-    """The largest loop of chains, sea on their left, joined counterclockwise along the rectangle."""
+    """The largest loop of chains, sea on the left, joined counterclockwise along the border."""
     starts = {border_place(chain[0]): chain for chain in chains}
     loops = []
     while starts:
@@ -152,7 +152,7 @@ def area(loop):
 
 
 def generalised(loop, loops):
-    """Drops, one by one, ends of short edges and tips of inlets where no other shore is in the way."""
+    """Drops ends of short edges and tips of inlets where no other shore is in the way."""
     loop, at = list(loop), 0
     while at < len(loop):
         corner = loop[at - 1], loop[at], loop[(at + 1) % len(loop)]
@@ -215,8 +215,9 @@ class Shores:
         widths = [self.nearest_shore(i)[0] for i in range(len(self.Points))]
         crossings = sum(do_cross(*self.ends(edge), *self.ends(other))
             for edge in self.Edges for other in self.NearEdges[edge[0]] if edge[1] not in other)
-        angles = [sea_angle(self.Points[loop[i - 2]], self.Points[loop[i - 1]], self.Points[loop[i]])
-            for loop in self.Loops for i in range(len(loop))]
+        loops = [self.loop_points(loop) for loop in self.Loops]
+        angles = [sea_angle(loop[i - 2], loop[i - 1], loop[i])
+            for loop in loops for i in range(len(loop))]
         print(f"coast.vtk: {len(self.Loops) - 1} islands, {len(self.Points)} points on shores, "
             f"sharpest inlet {min(angles):.0f} degrees, narrowest water {min(widths):.0f} m, "
             f"{crossings} crossings")
@@ -257,7 +258,8 @@ def is_left(a, b, c):
 
 def is_open(start, end):
     """Along one side of the rectangle."""
-    return any(start[axis] == end[axis] and start[axis] in (LOW[axis], HIGH[axis]) for axis in (0, 1))
+    return any(
+        start[axis] == end[axis] and start[axis] in (LOW[axis], HIGH[axis]) for axis in (0, 1))
 
 
 def spaced(shores):
@@ -280,12 +282,13 @@ def spaced(shores):
 
 def divided(start, end, spacing):
     """Points on a straight way by equal integrals of 1 / f; enters their spacing."""
-    steps = math.ceil(math.dist(start, end) / 500)
+    length = math.dist(start, end)
+    steps = math.ceil(length / 500)
     ways = [tuple(a + i / steps * (b - a) for a, b in zip(start, end)) for i in range(steps + 1)]
     ways[0], ways[-1] = start, end
     values = [min(OFFSHORE, *(f + SLOPE * math.dist(way, shore) for shore, f in spacing.items()))
         for way in ways]
-    sums = list(itertools.accumulate(math.dist(start, end) / steps / value for value in values[:-1]))
+    sums = list(itertools.accumulate(length / steps / value for value in values[:-1]))
     count = max(1, round(sums[-1]))
     inner = [bisect.bisect(sums, sums[-1] * i / count) + 1 for i in range(1, count)]
     for way in (0, *inner, steps):
@@ -295,8 +298,9 @@ def divided(start, end, spacing):
 
 def write(runs, spacing):
     ids = {point: i for i, point in enumerate(dict.fromkeys(p for _, run in runs for p in run))}
-    write_polydata("coast.vtk", "Seas around Britain and Ireland, from GSHHG 2.3.7 (LGPL-3+), metres",
-        list(ids), [tuple(ids[point] for point in run) for _, run in runs],
+    title = "Seas around Britain and Ireland, in metres; from GSHHG 2.3.7 (LGPL-3+)"
+    lines = [tuple(ids[point] for point in run) for _, run in runs]
+    write_polydata("coast.vtk", title, list(ids), lines,
         point_arrays={"Spacing": [spacing[point] for point in ids]},
         cell_arrays={"Tag": [tag for tag, _ in runs]})
 

@@ -28,7 +28,7 @@ class Drawing:
         self.LineTags.append(tag)
 
     def add_weld(self, inner_points, first, last):
-        """A chain between two points that exist: the interface shares the vertices of the outline."""
+        """A chain between two points that exist."""
         middle = range(len(self.Points), len(self.Points) + len(inner_points))
         self.Points += inner_points
         self.Lines.append((first, *middle, last))
@@ -55,7 +55,8 @@ def weld():
 
 def main():
     drawing = Drawing()
-    drawing.add_loop([(0, 0), (6.6, 0), (WIDTH, 0), (WIDTH, HEIGHT), (6.6, HEIGHT), (0, HEIGHT)], OUTLINE)
+    lower, upper = [(0, 0), (6.6, 0), (WIDTH, 0)], [(WIDTH, HEIGHT), (6.6, HEIGHT), (0, HEIGHT)]
+    drawing.add_loop(lower + upper, OUTLINE)
     for center, radius in BOLT_HOLES:
         drawing.add_loop(arc(center, radius, 0, 360, 20)[:-1], HOLE)
     drawing.add_loop(slot(), HOLE)

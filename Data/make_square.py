@@ -10,7 +10,7 @@ STEPS = 180  # steps of 0.05: the kinks at 2, 4.5 and 7 are nodes, linear in bet
 
 
 def spacing(y):
-    """The paper's f with its misprints mended: continuous, from 1 down to 0.05, up to 1, 0.2 and 1."""
+    """The paper's f with its misprints mended: continuous; 1, 0.05, 1, 0.2, 1 at its kinks."""
     if y <= 2:
         return 1 - 0.95 * y / 2
     if y <= 4.5:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws how biting goes on, and the paper's meshes: pvpython pictures.py BitingMesh.so OUTPUT_FOLDER"""
+"""Draws bites and the paper's meshes: pvpython pictures.py BitingMesh.so OUTPUT_FOLDER"""
 
 import os
 import sys
@@ -18,7 +18,7 @@ def main(plugin, folder):
 
 
 def draw_bites(path):
-    """The plate after the bites at vertices, after those on edges, half way inside, and its mesh."""
+    """The plate after the bites at vertices, after those on edges, half way inside; its mesh."""
     plate = read('plate.vtk')
     whole = BitingMesher(Input=plate, UniformSpacing=0.4, GenerateBites=1)
     phases = bite_phases(whole)
@@ -27,9 +27,9 @@ def draw_bites(path):
     for bites in (first, second, (second + last) // 2):
         stopped = BitingMesher(Input=plate, UniformSpacing=0.4, GenerateBites=1,
             MaximumNumberOfBites=bites)
-        views.append(new_view([6, 3], 6.4, [750, 400]))
+        views.append(new_view([6, 3], 6.9, [750, 400]))
         show_bites(stopped, views[-1])
-    views.append(new_view([6, 3], 6.4, [750, 400]))
+    views.append(new_view([6, 3], 6.9, [750, 400]))
     show_mesh(whole, views[-1])
     save(path, views, 2)
 
@@ -40,7 +40,7 @@ def draw_section6(path):
     views = []
     for constant in (0.5, 0.7):
         mesh = BitingMesher(Input=square, SpacingSource=spacing, UniformSpacing=0,
-            SourceSpacingArray=['POINTS', 'Spacing'], BitingConstant=constant)
+            BitingConstant=constant)
         views.append(new_view([4.5, 4.5], 9.2, [750, 750]))
         show_mesh(mesh, views[-1])
         data = servermanager.Fetch(mesh).GetFieldData()
@@ -79,7 +79,7 @@ def show_bites(mesher, view):
     ordered = CellDatatoPointData(Input=phases_between(mesher, 0, 2), PassCellData=1)
     stacked = WarpByScalar(Input=ordered, Scalars=['POINTS', 'BiteOrder'], ScaleFactor=-1e-3)
     bites = Show(stacked, view, Representation='Surface With Edges', Ambient=1, Diffuse=0,
-        EdgeColor=[0.3, 0.3, 0.3], LineWidth=1)
+        EdgeColor=[0.3, 0.3, 0.3], Position=[0, 0, -0.1])
     ColorBy(bites, ('CELLS', 'Phase'))
     colors = GetColorTransferFunction('Phase')
     colors.RGBPoints, colors.ColorSpace = PHASE_COLORS, 'RGB'
@@ -94,13 +94,15 @@ def phases_between(mesher, first, last):
 
 
 def show_mesh(mesher, view):
+    fill = [0.9, 0.95, 1]
     Show(mesher, view, Representation='Surface With Edges', ColorArrayName=[None, ''], Ambient=1,
-        Diffuse=0, AmbientColor=[0.9, 0.95, 1], DiffuseColor=[0.9, 0.95, 1], EdgeColor=[0.2, 0.25, 0.35])
+        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.2, 0.25, 0.35])
     show_lines(OutputPort(mesher, 1), view, [0, 0, 0])
 
 
 def show_lines(lines, view, color):
-    Show(lines, view, ColorArrayName=[None, ''], LineWidth=2, AmbientColor=color, DiffuseColor=color)
+    Show(lines, view, ColorArrayName=[None, ''], LineWidth=2, AmbientColor=color,
+        DiffuseColor=color)
 
 
 def save(path, views, columns):

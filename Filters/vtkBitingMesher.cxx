@@ -23,6 +23,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>  // for isfinite
+#include <new>    // for bad_alloc
 #include <string> // for refusals
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -97,6 +98,15 @@ std::string CheckAtLeastZero(const char* name, double value)
     return {};
   }
   return std::string(name) + " is " + std::to_string(value) + "; it must be finite, and 0 or more.";
+}
+
+//------------------------------------------------------------------------------
+void EmptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkPolyData::GetData(outputs, port)->Initialize();
+  }
 }
 
 } // namespace
@@ -184,10 +194,19 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
   vtkBitingCompat::ForgetAbort(this);
   Execution execution(
     this, vtkPolyData::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
-  if (execution.ReadParameters() && execution.ReadChains() && execution.ReadSpacing() &&
-    execution.MakeMesh())
+  try
   {
-    execution.Write(outputVector);
+    if (execution.ReadParameters() && execution.ReadChains() && execution.ReadSpacing() &&
+      execution.MakeMesh())
+    {
+      execution.Write(outputVector);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    EmptyOutputs(outputVector);
+    vtkErrorMacro("There is not enough memory for this mesh. Choose a larger spacing.");
+    return 0;
   }
   return execution.HasFailed() ? 0 : 1;
 }

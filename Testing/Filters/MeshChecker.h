@@ -13,6 +13,7 @@
 #include <algorithm> // for sort
 #include <cmath>     // for abs
 #include <map>       // for places
+#include <set>       // for visited vertices
 #include <string>    // for the verdict
 #include <vector>    // for the arrays
 
@@ -62,8 +63,8 @@ private:
   }
   double SignedArea(vtkIdType a, vtkIdType b) const;
   double BoundaryArea() const;
-  vtkIdType NextOnSegment(
-    vtkIdType vertex, const biting::Point2& a, const biting::Point2& b, double tolerance) const;
+  void AddNextOnSegment(vtkIdType vertex, const biting::Point2& a, const biting::Point2& b,
+    double tolerance, std::vector<vtkIdType>& next) const;
 
   std::vector<biting::Point2> Points;
   std::vector<vtkIdType> Corners;
@@ -182,36 +183,37 @@ inline bool MeshChecker::Covers(
   {
     return false;
   }
-  vtkIdType vertex = start->second;
-  while (vertex >= 0 && vertex != end->second)
+  // Where two chains nearly coincide there are several ways on: all are tried.
+  std::vector<vtkIdType> open{ start->second };
+  std::set<vtkIdType> seen;
+  while (!open.empty() && open.back() != end->second)
   {
-    vertex = this->NextOnSegment(vertex, a, b, tolerance);
+    const vtkIdType vertex = open.back();
+    open.pop_back();
+    if (seen.insert(vertex).second)
+    {
+      this->AddNextOnSegment(vertex, a, b, tolerance, open);
+    }
   }
-  return vertex >= 0;
+  return !open.empty();
 }
 
-// The neighbour nearest to the segment among those that are nearer to b than `vertex`; -1 where none
-// is near enough.
-inline vtkIdType MeshChecker::NextOnSegment(
-  vtkIdType vertex, const biting::Point2& a, const biting::Point2& b, double tolerance) const
+// The neighbours of `vertex` that are nearer to b, and near enough to the segment.
+inline void MeshChecker::AddNextOnSegment(vtkIdType vertex, const biting::Point2& a,
+  const biting::Point2& b, double tolerance, std::vector<vtkIdType>& next) const
 {
   const double length = Distance(a, b);
   const double remaining = Distance(this->At(vertex), b);
-  vtkIdType next = -1;
-  double least = tolerance;
   for (auto edge =
          std::lower_bound(this->Undirected.begin(), this->Undirected.end(), Edge{ vertex, -1 });
        edge != this->Undirected.end() && edge->Start == vertex; ++edge)
   {
     const biting::Point2& p = this->At(edge->End);
-    const double deviation = std::abs(Cross(b - a, p - a)) / length;
-    if (deviation <= least && Distance(p, b) < remaining)
+    if (std::abs(Cross(b - a, p - a)) <= tolerance * length && Distance(p, b) < remaining)
     {
-      least = deviation;
-      next = edge->End;
+      next.push_back(edge->End);
     }
   }
-  return next;
 }
 
 } // namespace testing_filters

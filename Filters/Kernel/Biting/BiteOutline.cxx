@@ -12,6 +12,13 @@ namespace
 {
 
 constexpr int NumberOfProbes = 64;
+constexpr double AxisTolerance = 1e-12; // of a unit vector: the rounding of one direction
+
+// Squares with these axes have parallel sides.
+bool AreParallel(const Point2& a, const Point2& b)
+{
+  return std::min(std::abs(Cross(a, b)), std::abs(Dot(a, b))) <= AxisTolerance;
+}
 
 std::array<Point2, NumberOfProbes> MakeProbes()
 {
@@ -69,7 +76,7 @@ void BiteOutline::Cover(const Bites& bites, Id other)
   const Point2 center{ Dot(offset, this->Axis), Cross(this->Axis, offset) };
   const double halfWidth = bites.HalfWidths[other];
   const Point2& axis = bites.Axes[other];
-  if (axis == this->Axis)
+  if (AreParallel(axis, this->Axis))
   {
     this->CoverAligned(center, halfWidth);
     return;

@@ -14,7 +14,12 @@ namespace biting
 namespace
 {
 
-constexpr double LeastPiece = 1e-9; // of a bite's half-width: shorter pieces are rounding
+// Squares are seen a little larger, so that those side by side leave nothing between them; the older
+// the larger, so that of two sides that coincide the older one is seen.
+constexpr double GrowthOfOlder = 1.0 + 4e-9;
+constexpr double GrowthOfTraced = 1.0 + 2e-9;
+constexpr double GrowthOfNewer = 1.0 + 1e-9;
+constexpr double LeastPiece = 1e-8; // of a bite's half-width: shorter pieces are rounding
 
 class FrontTracer
 {
@@ -26,8 +31,13 @@ public:
     , Squares(bites)
     , Grid(grid)
   {
+    for (double& halfWidth : this->Squares.HalfWidths)
+    {
+      halfWidth *= GrowthOfNewer;
+    }
   }
 
+  /// To be called for all bites, in their order.
   void TraceBite(Id bite);
   void TraceSegment(Id segment);
 
@@ -42,15 +52,17 @@ private:
 
   const Domain& Geometry;
   const DomainLocator& Locator;
-  const Bites& Squares;
+  Bites Squares; ///< grown, by less than the margin of their filing
   const BiteGrid& Grid;
   BiteOutline Outline;
 };
 
 void FrontTracer::TraceBite(Id bite)
 {
+  double& halfWidth = this->Squares.HalfWidths[bite];
+  halfWidth *= GrowthOfTraced / GrowthOfNewer;
   this->Outline.Begin(this->Squares, bite);
-  this->Grid.VisitSquare(this->Squares.Centers[bite], 1.5 * this->Squares.HalfWidths[bite],
+  this->Grid.VisitSquare(this->Squares.Centers[bite], 1.5 * halfWidth,
     [this, bite](Id other)
     {
       if (other != bite)
@@ -63,12 +75,13 @@ void FrontTracer::TraceBite(Id bite)
   {
     for (const BiteOutline::Interval& gap : this->Outline.Gaps(side))
     {
-      if (gap.High - gap.Low > LeastPiece * this->Squares.HalfWidths[bite])
+      if (gap.High - gap.Low > LeastPiece * halfWidth)
       {
         this->KeepInside(this->Outline.At(side, gap.Low), this->Outline.At(side, gap.High));
       }
     }
   }
+  halfWidth *= GrowthOfOlder / GrowthOfTraced;
 }
 
 // Cuts pq where it crosses the boundary and keeps the parts whose middle is inside.

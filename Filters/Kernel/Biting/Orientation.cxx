@@ -6,7 +6,7 @@
 #include "../Predicates/Predicates.h"
 
 #include <algorithm> // for sort
-#include <cmath>     // for sqrt
+#include <cmath>     // for abs
 
 namespace biting
 {
@@ -14,7 +14,6 @@ namespace biting
 namespace
 {
 
-const double HalfRoot = std::sqrt(0.5); // cos 45 degrees = -cos 135 degrees = -cos 225 degrees
 constexpr double SameSquareTolerance = 1e-12; // of a unit vector: rounding of the same square
 
 // A segment as seen from one of its ends.
@@ -141,7 +140,8 @@ VertexAxes OrientVertexBites(const Domain& domain)
 // with it the difference between a sector and its complement, does not matter.
 Point2 SectorAxis(const Point2& first, const Point2& last)
 {
-  if (Dot(first, last) <= -HalfRoot)
+  const bool isWithin135And225 = Dot(first, last) <= -std::abs(Cross(first, last));
+  if (isWithin135And225)
   {
     const Point2 across = first - last; // perpendicular to the bisector, and well away from zero
     return 1.0 / Length(across) * across;

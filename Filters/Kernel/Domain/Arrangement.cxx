@@ -5,6 +5,7 @@
 
 #include "../Predicates/Predicates.h"
 #include "Meetings.h"
+#include "PartOfStage.h"
 #include "VertexGrid.h"
 
 #include <algorithm> // for sort, minmax
@@ -62,9 +63,12 @@ bool Resolver::Run(const DomainOptions& options, Monitor& monitor)
 {
   this->MergeEqualEdges();
   bool isFullRound = true;
+  double rest = 1.0;
   for (int round = 0; round < MostRounds; ++round)
   {
-    if (!FindMeetings(this->Data, this->Found, monitor))
+    PartOfStage half(monitor, 1.0 - rest, 1.0 - 0.5 * rest);
+    rest *= 0.5;
+    if (!FindMeetings(this->Data, this->Found, half))
     {
       return this->Refuse(ProblemCode::Aborted);
     }

@@ -8,6 +8,7 @@
 #include "Arrangement.h"
 #include "ChainKinds.h"
 #include "Nesting.h"
+#include "PartOfStage.h"
 #include "Welding.h"
 
 #include <algorithm> // for none_of, sort
@@ -22,6 +23,9 @@ namespace
 {
 
 using Flags = std::vector<std::uint8_t>;
+
+/// Of the time for clean input; the rest is the sweep.
+constexpr double ShareOfResolving = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
@@ -45,7 +49,8 @@ Domain MakeDomain(
     return {};
   }
   Arrangement arrangement = WeldPolylines(input, problems);
-  if (!ResolveArrangement(arrangement, options, problems, monitor))
+  PartOfStage resolving(monitor, 0.0, ShareOfResolving);
+  if (!ResolveArrangement(arrangement, options, problems, resolving))
   {
     return {};
   }
@@ -54,8 +59,9 @@ Domain MakeDomain(
   {
     return Refuse(ProblemCode::NoClosedLoop, problems);
   }
+  PartOfStage nesting(monitor, ShareOfResolving, 1.0);
   const InsideFlags inside =
-    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, monitor);
+    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, nesting);
   if (inside.WasAborted)
   {
     return Refuse(ProblemCode::Aborted, problems);

@@ -46,6 +46,7 @@ private:
 
   bool TestVertex(Id edge, Id vertex);
   bool IsOn(Id vertex, const SegmentEnds& ends) const;
+  bool IsSpike(Id vertex, const SegmentEnds& ends) const;
   void ReportOverlap(Id first, Id second, Id vertex);
   void ReportTouch(Id edge, Id toucher, Id vertex);
   void ReportCrossing(Id first, Id second);
@@ -236,7 +237,17 @@ bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
     return false;
   }
   const double reach = this->Input.Resolution * Distance(a, b);
-  return std::abs(Cross(b - a, p - a)) <= reach || IsOnSegment(p, a, b);
+  const bool isNear = std::abs(Cross(b - a, p - a)) <= reach && !this->IsSpike(vertex, ends);
+  return isNear || IsOnSegment(p, a, b);
+}
+
+/// Whether an edge joins the vertex to an end of the edge beside it: both are the sides of a spike.
+/// Thinner than Resolution it stays open, or its tip would be lost.
+bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
+{
+  return this->Stars.Degree(vertex) > 0 &&
+    std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex),
+      [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
 }
 
 void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)

@@ -55,7 +55,8 @@ struct Meetings
 ///
 /// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the edge
 /// and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge, so
-/// that splitting comes to an end.
+/// that splitting comes to an end. A vertex that an edge joins to an end of the edge beside it must lie
+/// on it exactly: these are the sides of a spike, which stays open however thin.
 /// Edges that share a vertex can only overlap: each is tested against its neighbours in the order of
 /// directions around that vertex, as far as these are that near. Others are found by the tree.
 bool FindMeetings(const Arrangement& arrangement, Meetings& meetings, Monitor& monitor);

@@ -28,6 +28,9 @@ constexpr double LargestVariation = 0.25;
 /// The share of the tolerance that the tested points may use: others may be worse.
 constexpr double TestedShare = 0.7;
 
+/// The share of the tolerance by which a sample may be too high.
+constexpr double SearchShare = 0.1;
+
 double Bilinear(const std::array<double, 4>& corners, double u, double v)
 {
   const double low = (1.0 - u) * corners[0] + u * corners[1];
@@ -51,6 +54,7 @@ public:
   void Build()
   {
     Samples unknown;
+    unknown.Part = this->Carrier.Extension.Whole();
     this->Refine(this->Carrier.Tree.Root(), unknown);
     if (this->Carrier.Complete)
     {
@@ -59,24 +63,21 @@ public:
   }
 
 private:
-  /// The extension at points of a square, NaN where not known yet: Grid[i + 3 j] at (i / 2, j / 2),
-  /// Quarters[k] at the center of quarter k. The quarters of the square start from these.
+  using Sample = LowestCone;
+
+  /// The extension at points of a square, no cone where not known yet: Grid[i + 3 j] at
+  /// (i / 2, j / 2), Quarters[k] at the center of quarter k. The quarters of the square start from
+  /// these.
   struct Samples
   {
-    Samples()
-    {
-      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-      this->Grid.fill(unknown);
-      this->Quarters.fill(unknown);
-    }
+    std::array<Sample, 9> Grid;
+    std::array<Sample, 4> Quarters;
+    SegmentExtension::Part Part; ///< what matters in the square
 
-    std::array<double, 9> Grid;
-    std::array<double, 4> Quarters;
-
-    double& Center() { return this->Grid[4]; }
+    Sample& Center() { return this->Grid[4]; }
     std::array<double, 4> Corners() const
     {
-      return { this->Grid[0], this->Grid[2], this->Grid[6], this->Grid[8] };
+      return { this->Grid[0].Value, this->Grid[2].Value, this->Grid[6].Value, this->Grid[8].Value };
     }
   };
 
@@ -108,6 +109,7 @@ private:
     known.Grid[2] = samples.Grid[first + 1];
     known.Grid[6] = samples.Grid[first + 3];
     known.Grid[8] = samples.Grid[first + 4];
+    known.Part = samples.Part;
     known.Center() = samples.Quarters[static_cast<std::size_t>(quarter)];
     return known;
   }
@@ -118,13 +120,14 @@ private:
   {
     const Point2 center = square.At(0.5, 0.5);
     this->HasAllCones = false;
-    if (std::isnan(samples.Center()))
+    if (samples.Center().Cone == NoId)
     {
-      samples.Center() =
-        this->Carrier.Extension.Evaluate(center, std::numeric_limits<double>::infinity());
+      samples.Center() = this->Carrier.Extension.Evaluate(samples.Part, center, Sample(), 0.0);
     }
-    const double limit = samples.Center() + 2.0 * this->Gradation * square.Radius();
-    this->Carrier.Extension.FindBelow(center, limit, MostConesToSift + 1, this->Cones);
+    const double limit = samples.Center().Value + 2.0 * this->Gradation * square.Radius();
+    samples.Part = this->Carrier.Extension.Narrow(samples.Part, center, limit);
+    this->Carrier.Extension.FindBelow(
+      samples.Part, center, limit, MostConesToSift + 1, this->Cones);
     this->HasAllCones = this->Cones.size() <= MostConesToSift;
   }
 
@@ -195,13 +198,13 @@ private:
   /// Whether interpolation between the corners is good enough: tested where the samples are.
   bool IsSmooth(const Quadtree::Square& square, Samples& samples)
   {
-    if (this->Gradation * square.Radius() > LargestVariation * samples.Center())
+    if (this->Gradation * square.Radius() > LargestVariation * samples.Center().Value)
     {
       return false;
     }
     this->SampleCorners(square, samples);
-    return this->FitsAt(samples, 0.5, 0.5, samples.Center()) && this->FitsGrid(square, samples) &&
-      this->FitsQuarters(square, samples);
+    return this->FitsAt(samples, 0.5, 0.5, samples.Center().Value) &&
+      this->FitsGrid(square, samples) && this->FitsQuarters(square, samples);
   }
 
   void SampleCorners(const Quadtree::Square& square, Samples& samples)
@@ -232,7 +235,7 @@ private:
       const double u = 0.25 + 0.5 * (quarter % 2);
       const double v = 0.25 + 0.5 * (quarter / 2);
       samples.Quarters[quarter] = this->Evaluate(square, u, v, samples);
-      if (!this->FitsAt(samples, u, v, samples.Quarters[quarter]))
+      if (!this->FitsAt(samples, u, v, samples.Quarters[quarter].Value))
       {
         return false;
       }
@@ -248,28 +251,42 @@ private:
 
   double SampleGrid(const Quadtree::Square& square, std::size_t node, Samples& samples)
   {
-    double& value = samples.Grid[node];
-    if (std::isnan(value))
+    Sample& sample = samples.Grid[node];
+    if (sample.Cone == NoId)
     {
-      value = this->Evaluate(square, 0.5 * (node % 3), 0.5 * (node / 3), samples);
+      sample = this->Evaluate(square, 0.5 * (node % 3), 0.5 * (node / 3), samples);
     }
-    return value;
+    return sample.Value;
   }
 
-  /// The extension at a point of the square, which is at most the center's cone there.
-  double Evaluate(const Quadtree::Square& square, double u, double v, Samples& samples)
+  /// The extension at a point of the square: cones that are lowest nearby are tried first.
+  Sample Evaluate(const Quadtree::Square& square, double u, double v, const Samples& samples)
   {
     const Point2 x = square.At(u, v);
-    double least = samples.Center() + this->Gradation * Distance(x, square.At(0.5, 0.5));
-    if (!this->HasAllCones)
+    Sample lowest;
+    if (this->HasAllCones)
     {
-      return this->Carrier.Extension.Evaluate(x, least);
+      for (Id cone : this->AllCones)
+      {
+        this->Try(cone, x, lowest);
+      }
+      return lowest;
     }
-    for (Id cone : this->AllCones)
+    for (std::size_t node : { 4, 0, 2, 6, 8 })
     {
-      least = std::min(least, this->Carrier.Extension.ConeAt(cone, x));
+      this->Try(samples.Grid[node].Cone, x, lowest);
     }
-    return least;
+    return this->Carrier.Extension.Evaluate(
+      samples.Part, x, lowest, SearchShare * AdaptiveCarrier::Tolerance);
+  }
+
+  void Try(Id cone, const Point2& x, Sample& lowest) const
+  {
+    if (cone != NoId && cone != lowest.Cone)
+    {
+      const double value = this->Carrier.Extension.ConeAt(cone, x);
+      lowest = value < lowest.Value ? Sample{ value, cone } : lowest;
+    }
   }
 
   bool CanSplit(const Quadtree::Square& square) const

@@ -32,10 +32,23 @@ public:
   /// The items in the order of the tree: items near each other have positions near each other.
   const std::vector<Id>& Order() const { return this->Items; }
 
-  /// Calls visit(position, limit) for all items whose cost at x may be below `limit`, likely ones
-  /// first; each call returns the limit from then on. Returns the last limit.
+  /// A few nodes of the tree, which together have all items that matter in some region.
+  struct Part
+  {
+    std::array<Id, 16> Nodes{};
+    std::size_t Count = 0;
+  };
+
+  Part Whole() const;
+
+  /// Without the nodes whose items all cost more than `limit` at x; smaller nodes where there is
+  /// room for them.
+  Part Narrow(const Part& part, const Point2& x, double slope, double limit) const;
+
+  /// Calls visit(position, limit) for all items of the part whose cost at x may be below `limit`;
+  /// in each node of it likely ones first. Each call returns the limit from then on.
   template <typename Visit>
-  double Search(const Point2& x, double slope, double limit, Visit visit) const;
+  void Search(const Part& part, const Point2& x, double slope, double limit, Visit visit) const;
 
 private:
   /// Leaf: positions [First, First + Count). Otherwise the children are nodes First and First + 1.
@@ -71,19 +84,29 @@ private:
   void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last);
   Node Enclose(const std::vector<Item>& items, Id first, Id last) const;
 
+  template <typename Visit>
+  double SearchNode(Id root, const Point2& x, double slope, double limit, Visit& visit) const;
+
   std::vector<Id> Items;
   std::vector<Node> Nodes;
 };
 
 template <typename Visit>
-double BoxTree::Search(const Point2& x, double slope, double limit, Visit visit) const
+void BoxTree::Search(
+  const Part& part, const Point2& x, double slope, double limit, Visit visit) const
+{
+  for (std::size_t index = 0; index < part.Count; ++index)
+  {
+    limit = this->SearchNode(part.Nodes[index], x, slope, limit, visit);
+  }
+}
+
+template <typename Visit>
+double BoxTree::SearchNode(Id root, const Point2& x, double slope, double limit, Visit& visit) const
 {
   std::array<Waiting, StackSize> stack;
   std::size_t depth = 0;
-  if (!this->Nodes.empty())
-  {
-    stack[depth++] = { this->NodeAt(0).Bound(x, slope), 0 };
-  }
+  stack[depth++] = { this->NodeAt(root).Bound(x, slope), root };
   while (depth > 0)
   {
     const Waiting next = stack[--depth];

@@ -80,17 +80,29 @@ SegmentExtension::SegmentExtension(const SegmentSource& source, double gradation
   }
 }
 
-double SegmentExtension::Evaluate(const Point2& x, double known) const
+LowestCone SegmentExtension::Evaluate(
+  const Part& part, const Point2& x, const LowestCone& known, double slack) const
 {
-  return this->Tree.Search(x, this->Slope, known,
-    [this, &x](Id cone, double least) { return std::min(least, this->ConeAt(cone, x)); });
+  LowestCone lowest = known;
+  const double share = 1.0 - slack;
+  this->Tree.Search(part, x, this->Slope, share * known.Value,
+    [this, &x, &lowest, share](Id cone, double)
+    {
+      const double value = this->ConeAt(cone, x);
+      if (value < lowest.Value)
+      {
+        lowest = { value, cone };
+      }
+      return share * lowest.Value;
+    });
+  return lowest;
 }
 
 void SegmentExtension::FindBelow(
-  const Point2& x, double limit, std::size_t most, std::vector<Id>& found) const
+  const Part& part, const Point2& x, double limit, std::size_t most, std::vector<Id>& found) const
 {
   found.clear();
-  this->Tree.Search(x, this->Slope, limit,
+  this->Tree.Search(part, x, this->Slope, limit,
     [this, &x, limit, most, &found](Id cone, double)
     {
       if (found.size() < most && this->ConeAt(cone, x) <= limit)

@@ -8,6 +8,7 @@
 #include "Spacing.h"
 
 #include <algorithm> // for min, max
+#include <limits>    // for infinity
 
 namespace biting
 {
@@ -41,6 +42,13 @@ private:
   static double Length2(double x, double y) { return std::sqrt(x * x + y * y); }
 };
 
+/// A cone, and its value at some point.
+struct LowestCone
+{
+  double Value = std::numeric_limits<double>::infinity();
+  Id Cone = NoId;
+};
+
 /// The extension of a segment source: the minimum of its cones. It is g-Lipschitz, equals the given
 /// values wherever these are, and is below them where they are steeper or a segment nearby asks for
 /// less.
@@ -59,11 +67,31 @@ public:
     return this->Cones[static_cast<std::size_t>(cone)](x, this->Slope);
   }
 
-  /// The minimum over all cones, exact, if it is below `known`; otherwise `known`.
-  double Evaluate(const Point2& x, double known) const;
+  /// All cones, or those that matter in some region.
+  using Part = BoxTree::Part;
+  Part Whole() const { return this->Tree.Whole(); }
 
-  /// The cones not above `limit` at x, but no more than `most` of them; not in order.
-  void FindBelow(const Point2& x, double limit, std::size_t most, std::vector<Id>& found) const;
+  /// The cones of a part that may be not above `limit` at x, and perhaps some more.
+  Part Narrow(const Part& part, const Point2& x, double limit) const
+  {
+    return this->Tree.Narrow(part, x, this->Slope, limit);
+  }
+
+  /// The lowest cone of a part at x if it is below `known`, otherwise `known`. Cones that are lower
+  /// by less than `slack`, relative to the value, may be missed: far from a finely cut line so many
+  /// are nearly lowest that telling them apart is most of the work.
+  LowestCone Evaluate(
+    const Part& part, const Point2& x, const LowestCone& known, double slack) const;
+
+  /// The minimum, exact.
+  double operator()(const Point2& x) const
+  {
+    return this->Evaluate(this->Whole(), x, LowestCone(), 0.0).Value;
+  }
+
+  /// The cones of a part that are not above `limit` at x, but no more than `most` of them.
+  void FindBelow(const Part& part, const Point2& x, double limit, std::size_t most,
+    std::vector<Id>& found) const;
 
 private:
   double Slope;

@@ -222,9 +222,8 @@ void BitingLaws::CheckCoverage() const
     }
     ++sample;
     double depth = -1.0;
-    buckets.VisitNear(p,
-      [&](Id bite)
-      { depth = std::max(depth, Depth(bites, bite, p) / bites.HalfWidths[bite]); });
+    buckets.VisitNear(
+      p, [&](Id bite) { depth = std::max(depth, Depth(bites, bite, p) / bites.HalfWidths[bite]); });
     worst.See(-depth, p, "");
   }
   EXPECT_LE(worst.Excess, Rounding) << "in no bite: " << worst.What;

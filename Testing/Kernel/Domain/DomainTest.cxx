@@ -266,6 +266,16 @@ TEST(Domain, LetsASpikeVanishOutsideAndCutInside)
   EXPECT_EQ(InterfaceCount(inside.Domain), 1);
 }
 
+TEST(Domain, KeepsTheTipOfASpikeThinnerThanResolution)
+{
+  const double ulp = std::nextafter(1.0, 2.0) - 1.0;
+  const MadeDomain made = Make(PolylineBuilder().Loop(
+    { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1 + ulp, 1 }, { 1, 3 }, { 1, 1 }, { 0, 1 } }));
+  ExpectDomain(made, 2.0 + ulp);
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 7);
+  EXPECT_LT(ulp, made.Domain.Resolution);
+}
+
 TEST(Domain, SortsEmbeddedPoints)
 {
   const MadeDomain made =
@@ -446,6 +456,31 @@ TEST(Domain, StopsWhenAsked)
   const Domain domain = MakeDomain(input, DomainOptions(), problems, stopper);
   EXPECT_TRUE(problems.Has(ProblemCode::Aborted));
   EXPECT_EQ(domain.NumberOfVertices(), 0);
+}
+
+TEST(Domain, ProgressOnlyGrows)
+{
+  class Watcher : public SilentMonitor
+  {
+  public:
+    bool Advance(double fraction) override
+    {
+      this->IsGrowing = this->IsGrowing && fraction >= this->Last && fraction <= 1.0;
+      this->Last = fraction;
+      this->Calls += 1;
+      return true;
+    }
+    bool IsGrowing = true;
+    double Last = 0.0;
+    int Calls = 0;
+  };
+  Watcher watcher;
+  ProblemList problems;
+  const Polylines input = PolylineBuilder().Loop(WigglyCircle(20000)).Box(0, 0, 2, 2).Lines();
+  MakeDomain(input, DomainOptions(), problems, watcher);
+  EXPECT_TRUE(watcher.IsGrowing);
+  EXPECT_GE(watcher.Calls, 40);
+  EXPECT_GE(watcher.Last, 0.9);
 }
 
 TEST(Domain, AreaIsExactFarFromTheOrigin)

@@ -31,8 +31,8 @@ Polylines UnitSquare()
 Polylines Plate()
 {
   return PolylineBuilder()
-    .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.125 }, { 1.0, 1.0 }, { 0.0, 1.0 },
-      { 0.0, 0.125 } })
+    .Loop(
+      { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.125 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.125 } })
     .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 24))
     .Chain({ { 0.0, 0.125 }, { 1.0, 0.125 } })
     .Chain({ { 0.25, 0.875 } }, ChainKind::EmbeddedPoint)
@@ -112,8 +112,8 @@ double LengthOfInput(const Polylines& input)
   {
     for (Id k = input.Offsets[chain] + 1; k < input.Offsets[chain + 1]; ++k)
     {
-      length += Distance(
-        input.Points[input.Connectivity[k - 1]], input.Points[input.Connectivity[k]]);
+      length +=
+        Distance(input.Points[input.Connectivity[k - 1]], input.Points[input.Connectivity[k]]);
     }
   }
   return length;
@@ -183,8 +183,7 @@ TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBit)
   const BitingMesh mesh = RunMesh(Plate(), UniformOptions(0.03)).Mesh;
   for (double scale : { 0x1p-40, 0.25, 0x1p30 })
   {
-    const Polylines input =
-      Move(Plate(), [scale](const Point2& p) { return scale * p; });
+    const Polylines input = Move(Plate(), [scale](const Point2& p) { return scale * p; });
     const BitingMesh scaled = RunMesh(input, UniformOptions(scale * 0.03)).Mesh;
     ExpectSameTopology(mesh, scaled);
     ASSERT_EQ(mesh.Points.size(), scaled.Points.size());
@@ -215,8 +214,8 @@ TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBitOfGradedMesh)
 TEST(BitingMesh, ShiftGivesValidMesh)
 {
   const MeshRun run = RunMesh(UnitSquare(), UniformOptions(0.04));
-  for (const Point2& offset : { Point2{ 1024.0, -4096.0 }, Point2{ 0x1p30, 0x1p29 },
-         Point2{ -0x1p40, 3.0 } })
+  for (const Point2& offset :
+    { Point2{ 1024.0, -4096.0 }, Point2{ 0x1p30, 0x1p29 }, Point2{ -0x1p40, 3.0 } })
   {
     const Polylines input = Move(UnitSquare(), [&](const Point2& p) { return p + offset; });
     ExpectEquivalent(RunMesh(input, UniformOptions(0.04)), run, 1.0);
@@ -230,17 +229,21 @@ TEST(BitingMesh, TurnsMirrorsAndReversalsAreEquivalent)
   const MeshRun run = mesh(plate);
   const double area = Area(run.Mesh);
   ExpectEquivalent(mesh(Move(plate, Perpendicular)), run, area);
-  ExpectEquivalent(mesh(Move(plate, [](const Point2& p) { return Point2{ -p.X, p.Y }; })), run,
-    area);
-  ExpectEquivalent(mesh(Move(plate, [](const Point2& p) { return Point2{ p.Y, p.X }; })), run,
-    area);
+  ExpectEquivalent(mesh(Move(plate,
+                     [](const Point2& p) {
+                       return Point2{ -p.X, p.Y };
+                     })),
+    run, area);
+  ExpectEquivalent(mesh(Move(plate,
+                     [](const Point2& p) {
+                       return Point2{ p.Y, p.X };
+                     })),
+    run, area);
   ExpectEquivalent(mesh(Reverse(plate)), run, area);
   ExpectEquivalent(mesh(Unmerge(plate)), run, area);
   const Point2 axis = UnitVector(17.0);
-  ExpectEquivalent(mesh(Move(plate,
-                     [&axis](const Point2& p) {
-                       return p.X * axis + p.Y * Perpendicular(axis);
-                     })),
+  ExpectEquivalent(
+    mesh(Move(plate, [&axis](const Point2& p) { return p.X * axis + p.Y * Perpendicular(axis); })),
     run, area);
 }
 
@@ -305,8 +308,8 @@ TEST(BitingMesh, HalfTheSpacingGivesFourTimesTheTriangles)
     const MeshRun coarse = RunMesh(UnitSquare(), options);
     options.Spacing.Uniform *= 0.5;
     const MeshRun fine = RunMesh(UnitSquare(), options);
-    EXPECT_NEAR(fine.NumberOfTriangles(), 4.0 * coarse.NumberOfTriangles(),
-      0.05 * fine.NumberOfTriangles());
+    EXPECT_NEAR(
+      fine.NumberOfTriangles(), 4.0 * coarse.NumberOfTriangles(), 0.05 * fine.NumberOfTriangles());
   }
 }
 
@@ -325,8 +328,7 @@ TEST(BitingMesh, StopsAfterTheWantedNumberOfBites)
     ExpectCovered(Plate(), run);
     EXPECT_EQ(run.Mesh.Bites.Orders.empty() ? 0 : run.Mesh.Bites.Orders.back() + 1, bites);
     EXPECT_EQ(run.Mesh.Front.empty(), bites == all) << bites;
-    const auto unbitten =
-      std::count(run.Mesh.BiteOrders.begin(), run.Mesh.BiteOrders.end(), NoId);
+    const auto unbitten = std::count(run.Mesh.BiteOrders.begin(), run.Mesh.BiteOrders.end(), NoId);
     EXPECT_EQ(run.NumberOfVertices() - unbitten, bites);
   }
 }
@@ -450,8 +452,7 @@ TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
                             .Box(0.2, 0.3, 0.4995, 0.7)
                             .Box(0.5005, 0.3, 0.8, 0.7)
                             .Lines();
-  const Polylines disc =
-    PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 200)).Lines();
+  const Polylines disc = PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 200)).Lines();
   for (FrontOrder order : Orders)
   {
     BitingMeshOptions options = UniformOptions(0.1);

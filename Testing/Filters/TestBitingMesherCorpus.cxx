@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CorpusIndex.h"
+#include "FilterTesting.h"
+#include "MeshChecker.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetReader.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <iostream>
+
+using namespace testing_filters;
+
+namespace
+{
+
+// An input as it lies in the corpus or changed, and what is expected of its mesh.
+struct Case
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Input;
+  double Spacing = 0.0;
+  double Area = 0.0; // not a number where it is not known
+};
+
+using Change = std::function<void(Case&)>;
+
+vtkSmartPointer<vtkDataSet> Read(const std::string& path)
+{
+  vtkNew<vtkDataSetReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllFieldsOn();
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path)
+{
+  return vtkPolyData::SafeDownCast(Read(path));
+}
+
+double SizeOf(vtkPolyData* input)
+{
+  return input->GetLength();
+}
+
+// How far a vertex may lie from a segment that it divides: the rounding of coordinates.
+double RoundingOf(vtkPolyData* input)
+{
+  double bounds[6];
+  input->GetBounds(bounds);
+  double largest = 0.0;
+  for (int k = 0; k < 4; ++k)
+  {
+    largest = std::max(largest, std::abs(bounds[k]));
+  }
+  return 16.0 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+double PerimeterOf(vtkPolyData* input)
+{
+  double perimeter = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    input->GetCellPoints(cell, ids);
+    for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k)
+    {
+      const Place a = PointOf(input, ids->GetId(k - 1));
+      const Place b = PointOf(input, ids->GetId(k));
+      perimeter += std::hypot(b[0] - a[0], b[1] - a[1]);
+    }
+  }
+  return perimeter;
+}
+
+void MapPoints(Case& example, const std::function<Place(const Place&)>& map)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType point = 0; point < example.Input->GetNumberOfPoints(); ++point)
+  {
+    points->InsertNextPoint(map(PointOf(example.Input, point)).data());
+  }
+  example.Input->SetPoints(points);
+}
+
+void Turn(Case& example)
+{
+  const double cosine = std::sqrt(0.75);
+  MapPoints(example,
+    [cosine](const Place& p) {
+      return Place{ cosine * p[0] - 0.5 * p[1], 0.5 * p[0] + cosine * p[1], p[2] };
+    });
+}
+
+void Move(Case& example)
+{
+  const double shift = 1e6 * SizeOf(example.Input);
+  MapPoints(example, [shift](const Place& p) { return Place{ p[0] + shift, p[1] - shift, p[2] }; });
+}
+
+void Scale(Case& example, double factor)
+{
+  MapPoints(example,
+    [factor](const Place& p) {
+      return Place{ factor * p[0], factor * p[1], factor * p[2] };
+    });
+  example.Spacing *= factor;
+  example.Area *= factor * factor;
+}
+
+// Rebuilds lines and polygons from their point ids.
+void MapCells(
+  Case& example, const std::function<void(vtkIdList*, vtkPolyData* from, vtkPolyData* to)>& insert)
+{
+  auto changed = vtkSmartPointer<vtkPolyData>::New();
+  changed->SetPoints(example.Input->GetPoints());
+  changed->SetVerts(example.Input->GetVerts());
+  changed->SetLines(vtkNew<vtkCellArray>());
+  changed->SetPolys(example.Input->GetPolys());
+  changed->GetCellData()->ShallowCopy(example.Input->GetCellData());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < example.Input->GetNumberOfLines(); ++cell)
+  {
+    example.Input->GetLines()->GetCellAtId(cell, ids);
+    insert(ids, example.Input, changed);
+  }
+  example.Input = changed;
+}
+
+void Reverse(Case& example)
+{
+  MapCells(example,
+    [](vtkIdList* ids, vtkPolyData*, vtkPolyData* to)
+    {
+      std::reverse(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfIds());
+      to->GetLines()->InsertNextCell(ids);
+    });
+}
+
+// Gives every cell points of its own; a closed line stays closed by place only.
+void Unmerge(Case& example)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(example.Input->GetPoints());
+  MapCells(example,
+    [&points](vtkIdList* ids, vtkPolyData* from, vtkPolyData* to)
+    {
+      to->GetLines()->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        to->GetLines()->InsertCellPoint(
+          points->InsertNextPoint(PointOf(from, ids->GetId(k)).data()));
+      }
+    });
+  example.Input->SetPoints(points);
+}
+
+double KindOf(vtkPolyData* input, vtkIdType cell)
+{
+  vtkDataArray* kinds = input->GetCellData()->GetArray("Kind");
+  return kinds ? kinds->GetComponent(cell, 0) : 0.0;
+}
+
+// Checks that the lines of the input are unions of edges; interfaces only where none was dropped, and
+// without the two that cancel each other in every overlap that was repaired.
+std::string CheckLines(vtkPolyData* input, vtkPolyData* mesh, const MeshChecker& checker)
+{
+  const bool areInterfacesKept = Figure(mesh, "DroppedOutsideInterfaces") == 0.0;
+  const double rounding = RoundingOf(input);
+  double mayMiss = 2.0 * Figure(mesh, "RepairedDuplicateSegments");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
+  {
+    const double kind = KindOf(input, input->GetNumberOfVerts() + line);
+    input->GetLines()->GetCellAtId(line, ids);
+    for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k)
+    {
+      const Place a = PointOf(input, ids->GetId(k - 1));
+      const Place b = PointOf(input, ids->GetId(k));
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+      const bool isWanted = kind == 0.0 || (kind == 1.0 && areInterfacesKept);
+      if (isWanted && length > 0.0 &&
+        !checker.Covers({ a[0], a[1] }, { b[0], b[1] }, rounding + 1e-12 * length) &&
+        mayMiss-- < 1.0)
+      {
+        return "line " + std::to_string(line) + ", segment " + std::to_string(k - 1) +
+          " is no union of edges";
+      }
+    }
+  }
+  return "";
+}
+
+std::string CheckEmbeddedPoints(vtkPolyData* input, vtkPolyData* mesh, const MeshChecker& checker)
+{
+  double missing = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfVerts(); ++cell)
+  {
+    input->GetVerts()->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const Place place = PointOf(input, ids->GetId(k));
+      missing += checker.HasVertex({ place[0], place[1] }) ? 0.0 : 1.0;
+    }
+  }
+  return missing <= Figure(mesh, "DroppedOutsidePoints") ? "" : "an embedded point is missing";
+}
+
+// Checks the area, up to the rounding of the input's coordinates.
+std::string CheckArea(const Case& example, const MeshChecker& checker)
+{
+  const double rounding = PerimeterOf(example.Input) * RoundingOf(example.Input);
+  return std::isnan(example.Area) ? ""
+                                  : checker.CheckArea(example.Area, 1e-9 * example.Area + rounding);
+}
+
+// Meshes and judges. Returns the first thing that is wrong, empty where nothing is.
+std::string Judge(const Case& example)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  Messages messages(mesher);
+  mesher->SetInputData(example.Input);
+  mesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  mesher->SetUniformSpacing(example.Spacing);
+  mesher->Update();
+  if (!messages.Errors.empty())
+  {
+    return messages.Errors.front();
+  }
+  vtkPolyData* mesh = mesher->GetOutput();
+  const MeshChecker checker(mesh);
+  std::string verdict = checker.CheckValidity();
+  verdict = verdict.empty() ? CheckArea(example, checker) : verdict;
+  verdict = verdict.empty() ? CheckLines(example.Input, mesh, checker) : verdict;
+  return verdict.empty() ? CheckEmbeddedPoints(example.Input, mesh, checker) : verdict;
+}
+
+bool IsFlat(vtkPolyData* input)
+{
+  double bounds[6];
+  input->GetBounds(bounds);
+  return bounds[4] == bounds[5];
+}
+
+Case CaseOf(const CorpusEntry& entry)
+{
+  return { entry.File, ReadPolyData(SharedInputs() + "/" + entry.File), entry.Spacing, entry.Area };
+}
+
+// Judges all valid inputs of the shared corpus after a change; those that do not lie in a plane of
+// constant z are left to the tests of planes.
+void JudgeSharedInputs(const Change& change)
+{
+  const auto entries = SharedEntries({ "V", "W" });
+  if (entries.empty())
+  {
+    std::cout << "No shared inputs: nothing judged.\n";
+  }
+  for (const CorpusEntry& entry : entries)
+  {
+    Case example = CaseOf(entry);
+    if (IsFlat(example.Input))
+    {
+      change(example);
+      EXPECT_EQ(Judge(example), "") << entry.File;
+    }
+  }
+}
+
+} // namespace
+
+TEST(Corpus, OfDataIsNotEmptyAndIsMeshed)
+{
+  const std::string folder = std::string(BITING_SOURCE_DIR) + "/Data/";
+  int inputs = 0;
+  for (const std::string& file : DataFiles(folder))
+  {
+    const auto data = Read(folder + file);
+    ASSERT_TRUE(data) << file;
+    auto* input = vtkPolyData::SafeDownCast(data);
+    if (input && input->GetNumberOfLines() > 0)
+    {
+      ++inputs;
+      EXPECT_EQ(Judge({ file, input, 0.01 * SizeOf(input), std::nan("") }), "") << file;
+    }
+  }
+  EXPECT_GT(inputs, 0);
+}
+
+TEST(Corpus, OfDataIsMeshedWithItsOwnSpacing)
+{
+  const std::string folder = std::string(BITING_SOURCE_DIR) + "/Data/";
+  for (const std::string& file : DataFiles(folder))
+  {
+    auto input = vtkPolyData::SafeDownCast(Read(folder + file));
+    if (input && input->GetPointData()->HasArray("Spacing"))
+    {
+      vtkNew<vtkBitingMesher> mesher;
+      Messages messages(mesher);
+      mesher->SetInputData(input);
+      mesher->Update();
+      EXPECT_TRUE(messages.Errors.empty()) << file;
+      EXPECT_EQ(MeshChecker(mesher->GetOutput()).CheckValidity(), "") << file;
+    }
+  }
+}
+
+TEST(SharedCorpus, IsMeshedAsItIs)
+{
+  JudgeSharedInputs([](Case&) {});
+}
+
+TEST(SharedCorpus, IsMeshedTurnedByThirtyDegrees)
+{
+  JudgeSharedInputs(Turn);
+}
+
+TEST(SharedCorpus, IsMeshedFarFromTheOrigin)
+{
+  JudgeSharedInputs(Move);
+}
+
+TEST(SharedCorpus, IsMeshedAtTinyScale)
+{
+  JudgeSharedInputs([](Case& example) { Scale(example, 1e-9); });
+}
+
+TEST(SharedCorpus, IsMeshedAtHugeScale)
+{
+  JudgeSharedInputs([](Case& example) { Scale(example, 1e9); });
+}
+
+TEST(SharedCorpus, IsMeshedWithReversedPolylines)
+{
+  JudgeSharedInputs(Reverse);
+}
+
+TEST(SharedCorpus, IsMeshedWithUnmergedPoints)
+{
+  JudgeSharedInputs(Unmerge);
+}
+
+TEST(SharedCorpus, IsMeshedOrRefusedWithAWordWhereItIsDefective)
+{
+  for (const CorpusEntry& entry : SharedEntries({ "R" }))
+  {
+    const Case example = CaseOf(entry);
+    vtkNew<vtkBitingMesher> mesher;
+    Messages messages(mesher);
+    mesher->SetInputData(example.Input);
+    mesher->SetUniformSpacing(std::isnan(entry.Spacing) ? 0.0 : entry.Spacing);
+    mesher->Update();
+    if (!messages.Errors.empty() || entry.Area == 0.0)
+    {
+      EXPECT_TRUE(AreAllEmpty(mesher)) << entry.File;
+      EXPECT_GT(messages.Errors.size() + messages.Warnings.size(), 0u) << entry.File;
+      continue;
+    }
+    const MeshChecker checker(mesher->GetOutput());
+    const bool isClean = example.Input->GetNumberOfPolys() > 0;
+    EXPECT_EQ(checker.CheckValidity(), "") << entry.File;
+    EXPECT_EQ(CheckArea(example, checker), "") << entry.File;
+    EXPECT_TRUE(isClean || !messages.Warnings.empty()) << entry.File;
+  }
+}
+
+TEST(SharedCorpus, IsRefusedWithOneErrorWhereNothingCanBeMeshed)
+{
+  for (const CorpusEntry& entry : SharedEntries({ "E", "E*" }))
+  {
+    const Case example = CaseOf(entry);
+    vtkNew<vtkBitingMesher> mesher;
+    Messages messages(mesher);
+    mesher->SetInputData(example.Input);
+    mesher->Update();
+    const bool hasCells = example.Input->GetNumberOfCells() > 0;
+    EXPECT_EQ(messages.Errors.size(), hasCells ? 1u : 0u) << entry.File;
+    EXPECT_TRUE(AreAllEmpty(mesher)) << entry.File;
+  }
+}

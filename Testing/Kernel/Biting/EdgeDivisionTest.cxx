@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Biting/EdgeDivision.h"
+#include "../Support/MeshShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath> // for log, exp
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr Id NoLimit = 1000000;
+
+Spacing Make(const SpacingOptions& options)
+{
+  Box2 box;
+  box.Add({ -1.0, -1.0 });
+  box.Add({ 2.0, 2.0 });
+  ProblemList problems;
+  SilentMonitor monitor;
+  return MakeSpacing(options, box, problems, monitor);
+}
+
+DivisionPoints Divide(const SpacingOptions& options, double bitingConstant, double targetLength,
+  const Point2& a, const Point2& b)
+{
+  const Spacing spacing = Make(options);
+  EdgeDivider divider(spacing, bitingConstant, targetLength);
+  DivisionPoints points;
+  EXPECT_TRUE(divider.Divide(a, b, NoLimit, points));
+  EXPECT_EQ(points.Parameters.size(), points.Spacings.size());
+  return points;
+}
+
+/// One value below y = 0.5, the other above.
+SpacingOptions Jump(double first, double last)
+{
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = { 0.0 };
+  grid->YNodes = { 0.5, std::nextafter(0.5, 1.0) };
+  grid->Values = { first, last };
+  SpacingOptions options;
+  options.Gradation = 0.0;
+  options.Grid = grid;
+  return options;
+}
+
+/// Whether the bites of neighbours on the edge from (0, 0) to (0, 1) meet.
+bool AreCovering(
+  const DivisionPoints& points, double bitingConstant, double firstSpacing, double lastSpacing)
+{
+  double place = 0.0;
+  double spacing = firstSpacing;
+  bool isCovering = true;
+  for (std::size_t k = 0; k <= points.Parameters.size(); ++k)
+  {
+    const bool isLast = k == points.Parameters.size();
+    const double next = isLast ? 1.0 : points.Parameters[k];
+    const double nextSpacing = isLast ? lastSpacing : points.Spacings[k];
+    isCovering = isCovering && next - place <= bitingConstant * (spacing + nextSpacing);
+    place = next;
+    spacing = nextSpacing;
+  }
+  return isCovering;
+}
+
+TEST(EdgeDivider, PartsHaveEqualIntegrals)
+{
+  for (double slope : { 0.02, 0.1, 0.3 })
+  {
+    const double low = 0.02;
+    const DivisionPoints points =
+      Divide(LinearSpacing(low, slope, 1.0), 0.5, 0.7, { 0.3, 0.0 }, { 0.3, 1.0 });
+    const double integral = std::log((low + slope) / low) / slope;
+    const auto parts = static_cast<double>(points.Parameters.size() + 1);
+    for (std::size_t k = 0; k < points.Parameters.size(); ++k)
+    {
+      const double place =
+        low * std::expm1(slope * integral * static_cast<double>(k + 1) / parts) / slope;
+      EXPECT_NEAR(points.Parameters[k], place, 1e-6) << slope;
+      EXPECT_NEAR(points.Spacings[k], low + slope * points.Parameters[k], 1e-15);
+    }
+  }
+}
+
+TEST(EdgeDivider, PartsAreAtLeastOneAndBelowTwoBites)
+{
+  const double low = 0.1;
+  for (double slope : { 0.05, 0.2 })
+  {
+    for (double length = 0.01; length < 2.0; length *= 1.03)
+    {
+      for (double bitingConstant : { 0.25, 0.5, 0.8 })
+      {
+        const DivisionPoints points = Divide(LinearSpacing(low, slope, 2.0), bitingConstant,
+          1.3 * bitingConstant, { 0.0, 0.0 }, { 0.0, length });
+        const double integral = std::log((low + slope * length) / low) / slope;
+        const double part = integral / static_cast<double>(points.Parameters.size() + 1);
+        EXPECT_LT(part, 2.0 * bitingConstant);
+        EXPECT_TRUE(points.Parameters.empty() || part >= bitingConstant * (1.0 - 1e-6))
+          << part << " " << bitingConstant;
+      }
+    }
+  }
+}
+
+TEST(EdgeDivider, PartsAreAsNearToTheWantedLengthAsTheyCanBe)
+{
+  for (int parts = 1; parts < 40; ++parts)
+  {
+    const DivisionPoints points =
+      Divide(UniformSpacing(0.1), 0.8, 1.0, { 0.0, 0.0 }, { 0.1 * parts, 0.0 });
+    EXPECT_EQ(static_cast<int>(points.Parameters.size()) + 1, parts);
+  }
+}
+
+TEST(EdgeDivider, ReversedEdgeHasMirroredPoints)
+{
+  const Point2 a{ 0.1, 0.05 };
+  const Point2 b{ 0.7, 0.95 };
+  for (double slope : { 0.05, 0.2 })
+  {
+    const SpacingOptions spacing = LinearSpacing(0.02, slope, 1.0);
+    const DivisionPoints there = Divide(spacing, 0.5, 0.65, a, b);
+    const DivisionPoints back = Divide(spacing, 0.5, 0.65, b, a);
+    ASSERT_EQ(there.Parameters.size(), back.Parameters.size());
+    for (std::size_t k = 0; k < there.Parameters.size(); ++k)
+    {
+      EXPECT_NEAR(there.Parameters[k], 1.0 - back.Parameters[back.Parameters.size() - 1 - k], 1e-9)
+        << slope;
+    }
+  }
+}
+
+TEST(EdgeDivider, BitesMeetWhereSpacingJumps)
+{
+  for (double bitingConstant : { 0.25, 0.5, 0.8 })
+  {
+    for (double ratio : { 2.0, 10.0, 50.0 })
+    {
+      const double low = 0.005;
+      const DivisionPoints up =
+        Divide(Jump(low, ratio * low), bitingConstant, 1.3 * bitingConstant, {}, { 0.0, 1.0 });
+      EXPECT_TRUE(AreCovering(up, bitingConstant, low, ratio * low)) << ratio;
+      const DivisionPoints down =
+        Divide(Jump(ratio * low, low), bitingConstant, 1.3 * bitingConstant, {}, { 0.0, 1.0 });
+      EXPECT_TRUE(AreCovering(down, bitingConstant, ratio * low, low)) << ratio;
+    }
+  }
+}
+
+TEST(EdgeDivider, RefusesMorePointsThanTheLimit)
+{
+  const Spacing spacing = Make(UniformSpacing(0.01));
+  EdgeDivider divider(spacing, 0.8, 1.0);
+  DivisionPoints points;
+  EXPECT_TRUE(divider.Divide({ 0.0, 0.0 }, { 1.0, 0.0 }, 120, points));
+  EXPECT_EQ(points.Parameters.size(), 99u);
+  EXPECT_FALSE(divider.Divide({ 0.0, 0.0 }, { 1.0, 0.0 }, 80, points));
+  EXPECT_FALSE(divider.Divide({ 0.0, 0.0 }, { 1e18, 0.0 }, 1000, points));
+}
+
+TEST(EdgeDivider, EdgeShorterThanABiteStaysWhole)
+{
+  EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 1e-9 }).Parameters.empty());
+  EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 0.49 }).Parameters.empty());
+}
+
+} // namespace
+
+} // namespace biting

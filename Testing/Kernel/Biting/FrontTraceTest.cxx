@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshRun.h"
+#include "../Support/MeshShapes.h"
+#include "Biting/BiteOutline.h"
+#include "Domain/DomainLocator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for sort
+#include <cmath>     // for hypot
+
+namespace biting
+{
+
+namespace
+{
+
+Polylines Plate()
+{
+  return PolylineBuilder()
+    .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.25 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.25 } })
+    .Loop(RegularPolygon({ 0.5, 0.6 }, 0.2, 15))
+    .Chain({ { 0.0, 0.25 }, { 1.0, 0.25 } })
+    .Lines();
+}
+
+Polylines TurnedSquare()
+{
+  return PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.7, 4, 20.0)).Lines();
+}
+
+std::vector<BitingMeshOptions> Fields(FrontOrder order)
+{
+  std::vector<BitingMeshOptions> fields(3);
+  fields[0].Spacing = UniformSpacing(0.05);
+  fields[0].BitingConstant = 0.5; // many sides that coincide
+  fields[1].Spacing = UniformSpacing(0.07);
+  fields[2].Spacing = RadialSpacing({ 0.4, 0.3 }, 0.02, 0.15);
+  for (BitingMeshOptions& field : fields)
+  {
+    field.Order = order;
+    field.KeepBites = true;
+  }
+  return fields;
+}
+
+/// The ends of pieces that are the end of an odd number of them, within `tolerance`.
+std::vector<Point2> OddEnds(std::vector<Point2> ends, double tolerance)
+{
+  std::sort(ends.begin(), ends.end());
+  std::vector<bool> isPaired(ends.size(), false);
+  std::vector<Point2> odd;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+  {
+    for (std::size_t m = k + 1; !isPaired[k] && m < ends.size(); ++m)
+    {
+      if (ends[m].X > ends[k].X + tolerance)
+      {
+        break;
+      }
+      isPaired[k] = !isPaired[m] && std::abs(ends[m].Y - ends[k].Y) <= tolerance;
+      isPaired[m] = isPaired[m] || isPaired[k];
+    }
+    if (!isPaired[k])
+    {
+      odd.push_back(ends[k]);
+    }
+  }
+  return odd;
+}
+
+/// Whether the domain near p is neither all bitten nor all left.
+bool SeparatesBitten(const Point2& p, const Point2& normal, const DomainLocator& locator,
+  const BiteBuckets& buckets, const Bites& bites)
+{
+  const auto isLeft = [&](const Point2& q)
+  {
+    bool isBitten = false;
+    buckets.VisitNear(q, [&](Id bite) { isBitten = isBitten || Depth(bites, bite, q) > 0.0; });
+    return !isBitten && locator.IsInside(q);
+  };
+  return isLeft(p + normal) != isLeft(p - normal);
+}
+
+void CheckFront(const Polylines& input, const BitingMesh& mesh)
+{
+  constexpr double Step = 1e-7;
+  EXPECT_FALSE(mesh.Front.empty());
+  const std::vector<Point2> odd = OddEnds(mesh.Front, Step);
+  EXPECT_TRUE(odd.empty()) << odd.size() << " open ends, the first at " << Text(odd.front());
+  const MadeDomain made = Make(input);
+  const DomainLocator locator(made.Domain);
+  const BiteBuckets buckets(mesh.Bites);
+  for (std::size_t k = 0; k + 1 < mesh.Front.size(); k += 2)
+  {
+    const Point2 span = mesh.Front[k + 1] - mesh.Front[k];
+    if (Length(span) > 10.0 * Step)
+    {
+      const Point2 normal = (Step / Length(span)) * Perpendicular(span);
+      const Point2 middle = Midpoint(mesh.Front[k], mesh.Front[k + 1]);
+      ASSERT_TRUE(SeparatesBitten(middle, normal, locator, buckets, mesh.Bites)) << Text(middle);
+    }
+  }
+}
+
+TEST(FrontTrace, PiecesCloseAndSeparateBittenFromLeft)
+{
+  for (const Polylines& input : { Plate(), TurnedSquare() })
+  {
+    for (FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+    {
+      for (BitingMeshOptions options : Fields(order))
+      {
+        const Id all = RunMesh(input, options).Mesh.Bites.Orders.back() + 1;
+        for (Id bites : { 0, 1, 3, 10, 40, all / 3, all / 2, all - 10, all - 1 })
+        {
+          options.MaximumNumberOfBites = bites;
+          SCOPED_TRACE(std::to_string(bites) + " bites of " + std::to_string(all));
+          CheckFront(input, RunMesh(input, options).Mesh);
+        }
+      }
+    }
+  }
+}
+
+TEST(FrontTrace, NothingIsLeftAfterTheLastBite)
+{
+  for (const Polylines& input : { Plate(), TurnedSquare() })
+  {
+    for (FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+    {
+      for (BitingMeshOptions options : Fields(order))
+      {
+        options.MaximumNumberOfBites = RunMesh(input, options).Mesh.Bites.Orders.back() + 1;
+        EXPECT_TRUE(RunMesh(input, options).Mesh.Front.empty());
+      }
+    }
+  }
+}
+
+} // namespace
+
+} // namespace biting

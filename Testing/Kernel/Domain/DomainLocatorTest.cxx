@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Domain/DomainLocator.h"
+#include "../Support/MeshShapes.h"
+#include "Predicates/Predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono> // for a time limit
+#include <set>    // for what was visited
+
+namespace biting
+{
+
+namespace
+{
+
+/// Even-odd parity over all boundary segments, exactly.
+bool IsInsideByParity(const Domain& domain, const Point2& p)
+{
+  bool isInside = false;
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    if (!domain.IsBoundary[segment])
+    {
+      continue;
+    }
+    Point2 low = domain.Vertices[domain.Starts[segment]];
+    Point2 high = domain.Vertices[domain.Ends[segment]];
+    if (IsOnSegment(p, low, high))
+    {
+      return false;
+    }
+    if (high.Y < low.Y)
+    {
+      std::swap(low, high);
+    }
+    const bool isBeside = low.Y <= p.Y && p.Y < high.Y;
+    isInside ^= isBeside && Orient2D(low, high, p) > 0;
+  }
+  return isInside;
+}
+
+/// A star-shaped loop with integer coordinates, radii from `least` to `greatest`.
+std::vector<Point2> RandomStar(
+  const Point2& center, int corners, int least, int greatest, TestNumbers& numbers)
+{
+  std::vector<Point2> places;
+  for (int k = 0; k < corners; ++k)
+  {
+    const double radius = least + numbers.Below(greatest - least);
+    const Point2 place = center + radius * UnitVector(DegreesPerTurn * k / corners);
+    places.push_back({ std::round(place.X), std::round(place.Y) });
+  }
+  return places;
+}
+
+void CheckEverywhere(const Domain& domain, double step, TestNumbers& numbers)
+{
+  const DomainLocator locator(domain);
+  const Box2& box = domain.Bounds;
+  for (double y = box.Low.Y - step; y <= box.High.Y + step; y += step)
+  {
+    for (double x = box.Low.X - step; x <= box.High.X + step; x += step)
+    {
+      const Point2 p{ x, y };
+      ASSERT_EQ(locator.IsInside(p), IsInsideByParity(domain, p)) << x << " " << y;
+    }
+  }
+  for (int k = 0; k < 500; ++k)
+  {
+    const Point2 p{ box.Low.X + numbers.Unit() * box.Width(),
+      box.Low.Y + numbers.Unit() * box.Height() };
+    ASSERT_EQ(locator.IsInside(p), IsInsideByParity(domain, p)) << p.X << " " << p.Y;
+  }
+}
+
+TEST(DomainLocator, AgreesWithParityOnStarsWithHoles)
+{
+  TestNumbers numbers(1);
+  for (int run = 0; run < 12; ++run)
+  {
+    PolylineBuilder builder;
+    builder.Loop(RandomStar({ 0.0, 0.0 }, 5 + 9 * run, 40, 100, numbers));
+    builder.Loop(RandomStar({ 3.0, -2.0 }, 4 + run, 10, 35, numbers));
+    builder.Loop(RandomStar({ 3.0, -2.0 }, 6, 3, 9, numbers));
+    const MadeDomain made = Make(builder);
+    ASSERT_EQ(made.Violation, "");
+    CheckEverywhere(made.Domain, 5.0, numbers);
+  }
+}
+
+TEST(DomainLocator, VerticesAndPointsOnSegmentsAreNotInside)
+{
+  TestNumbers numbers(2);
+  const MadeDomain made = Make(
+    PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 60, 200, 500, numbers)).Loop(EllShape(64.0)));
+  const DomainLocator locator(made.Domain);
+  for (const Point2& vertex : made.Domain.Vertices)
+  {
+    EXPECT_FALSE(locator.IsInside(vertex));
+  }
+  for (Id segment = 0; segment < made.Domain.NumberOfSegments(); ++segment)
+  {
+    const Point2& a = made.Domain.Vertices[made.Domain.Starts[segment]];
+    const Point2& b = made.Domain.Vertices[made.Domain.Ends[segment]];
+    for (int k = 1; k < 16; ++k)
+    {
+      const Point2 p = a + (k / 16.0) * (b - a);
+      EXPECT_FALSE(locator.IsInside(p));
+    }
+  }
+}
+
+// One unit in the last place on both sides of each segment's middle.
+TEST(DomainLocator, AgreesWithParityNextToSegments)
+{
+  TestNumbers numbers(3);
+  const MadeDomain made =
+    Make(PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 40, 200, 500, numbers)));
+  const DomainLocator locator(made.Domain);
+  for (Id segment = 0; segment < made.Domain.NumberOfSegments(); ++segment)
+  {
+    const Point2 middle = made.Domain.Vertices[made.Domain.Starts[segment]] +
+      numbers.Unit() *
+        (made.Domain.Vertices[made.Domain.Ends[segment]] -
+          made.Domain.Vertices[made.Domain.Starts[segment]]);
+    for (double side : { -1e9, 1e9 })
+    {
+      for (const Point2& p : { Point2{ std::nextafter(middle.X, side), middle.Y },
+             Point2{ middle.X, std::nextafter(middle.Y, side) } })
+      {
+        EXPECT_EQ(locator.IsInside(p), IsInsideByParity(made.Domain, p));
+      }
+    }
+  }
+}
+
+TEST(DomainLocator, AgreesWithParityFarFromTheOriginAndWhenFlat)
+{
+  TestNumbers numbers(4);
+  const std::vector<Point2> star = RandomStar({ 0.0, 0.0 }, 50, 40, 100, numbers);
+  const auto far = [](const Point2& p) { return Point2{ p.X + 0x1p40, p.Y - 0x1p38 }; };
+  const auto flat = [](const Point2& p) { return Point2{ p.X, 0x1p-30 * p.Y }; };
+  const Polylines input = PolylineBuilder().Loop(star).Lines();
+  const MadeDomain farDomain = Make(Move(input, far));
+  CheckEverywhere(farDomain.Domain, 5.0, numbers);
+  const MadeDomain flatDomain = Make(Move(input, flat));
+  const DomainLocator locator(flatDomain.Domain);
+  for (int k = 0; k < 2000; ++k)
+  {
+    const Point2 p = flat({ 200.0 * numbers.Unit() - 100.0, 200.0 * numbers.Unit() - 100.0 });
+    ASSERT_EQ(locator.IsInside(p), IsInsideByParity(flatDomain.Domain, p));
+  }
+}
+
+TEST(DomainLocator, InterfacesBoundNothing)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder().Box(0.0, 0.0, 4.0, 4.0).Chain({ { 0.0, 2.0 }, { 4.0, 2.0 } }));
+  const DomainLocator locator(made.Domain);
+  EXPECT_TRUE(locator.IsInside({ 1.0, 1.0 }));
+  EXPECT_TRUE(locator.IsInside({ 1.0, 2.0 }));
+  EXPECT_TRUE(locator.IsInside({ 1.0, 3.0 }));
+}
+
+TEST(DomainLocator, VisitsEverySegmentThatMeetsABox)
+{
+  TestNumbers numbers(5);
+  const MadeDomain made =
+    Make(PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 300, 100, 400, numbers)));
+  const Domain& domain = made.Domain;
+  const DomainLocator locator(domain);
+  for (int k = 0; k < 200; ++k)
+  {
+    Box2 box;
+    box.Add({ 800.0 * numbers.Unit() - 400.0, 800.0 * numbers.Unit() - 400.0 });
+    box.Grow(40.0 * numbers.Unit() * numbers.Unit());
+    std::set<Id> visited;
+    locator.VisitSegments(box,
+      [&visited](Id segment)
+      {
+        visited.insert(segment);
+        return false;
+      });
+    EXPECT_TRUE(visited.empty() || !locator.IsClear(box));
+    const Point2 corners[4] = { box.Low, { box.High.X, box.Low.Y }, box.High,
+      { box.Low.X, box.High.Y } };
+    for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+    {
+      const Point2& a = domain.Vertices[domain.Starts[segment]];
+      const Point2& b = domain.Vertices[domain.Ends[segment]];
+      bool doesMeet = box.Contains(a) || box.Contains(b);
+      for (int side = 0; side < 4; ++side)
+      {
+        doesMeet = doesMeet || Meet(a, b, corners[side], corners[(side + 1) % 4]) != Meeting::None;
+      }
+      ASSERT_TRUE(!doesMeet || visited.count(segment) > 0);
+    }
+  }
+}
+
+// Thin triangles that all meet in one point.
+TEST(DomainLocator, FanOfTenThousandSpokesIsAnsweredInTime)
+{
+  constexpr int Blades = 5000;
+  PolylineBuilder builder;
+  for (int blade = 0; blade < Blades; ++blade)
+  {
+    const double degrees = DegreesPerTurn * blade / Blades;
+    builder.Loop(
+      { { 0.0, 0.0 }, UnitVector(degrees), UnitVector(degrees + 0.5 * DegreesPerTurn / Blades) });
+  }
+  const MadeDomain made = Make(builder);
+  const auto start = std::chrono::steady_clock::now();
+  const DomainLocator locator(made.Domain);
+  int inside = 0;
+  for (int k = 0; k < 2 * Blades; ++k)
+  {
+    const double degrees = DegreesPerTurn * (k + 0.5) / (2 * Blades);
+    const bool isBlade = k % 2 == 0;
+    for (double radius : { 1e-3, 0.5, 0.9 })
+    {
+      ASSERT_EQ(locator.IsInside(radius * UnitVector(degrees)), isBlade) << k << " " << radius;
+      inside += isBlade;
+    }
+  }
+  EXPECT_EQ(inside, 3 * Blades);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(time.count(), 5.0);
+}
+
+} // namespace
+
+} // namespace biting
