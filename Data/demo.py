@@ -18,7 +18,7 @@ picture_size = [1500, 950]
 # grows by 0.15 metres a metre offshore.
 LoadPlugin(plugin, remote=False, ns=globals())
 coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
-mesh = BitingMesher(Input=coast, UniformSpacing=0, Gradation=0.15)
+mesh = BitingMesher(Input=coast, Gradation=0.15)
 mesh.UpdatePipeline()
 shores = OutputPort(mesh, 1)
 

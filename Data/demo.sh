@@ -11,23 +11,23 @@
 set -u
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/Testing/setup.sh"
-folder="$build_root/demo"
-paraview_build="$folder/build"
+output="$build_root/demo"
+paraview_build="$output/build"
 plugin="$paraview_build/lib/BitingMesh/BitingMesh.so"
-log="$folder/demo.log"
+log="$output/demo.log"
 
 main()
 {
-  mkdir -p "$folder" || exit
+  mkdir -p "$output" || exit
   : > "$log"
   stage 'Installing packages' install_packages $paraview_packages
   stage 'Building the plugin' build_paraview -DBITING_BUILD_TESTING=OFF
   stage 'Meshing the coast' mesh_coast
-  cat "$folder/summary.txt"
+  cat "$output/summary.txt"
   echo
-  echo "Mesh:    $folder/coast_mesh.vtk"
-  echo "Shores:  $folder/coast_shores.vtk"
-  echo "Picture: $folder/coast_mesh.png"
+  echo "Mesh:    $output/coast_mesh.vtk"
+  echo "Shores:  $output/coast_shores.vtk"
+  echo "Picture: $output/coast_mesh.png"
 }
 
 # Says what it does only to a person who waits.
@@ -43,9 +43,24 @@ stage()
 
 mesh_coast()
 {
-  rm -f "$folder"/coast_* "$folder/summary.txt"
-  xvfb-run -a pvpython "$root/Data/demo.py" "$plugin" "$folder" > "$folder/summary.txt" &&
-    [ -s "$folder/coast_mesh.png" ]
+  rm -f "$output"/coast_* "$output/summary.txt"
+  with_display pvpython "$root/Data/demo.py" "$plugin" "$output" > "$output/summary.txt" &&
+    [ -s "$output/coast_mesh.png" ]
+}
+
+# A screen in memory; the server itself chooses a number that nobody else uses.
+with_display()
+{
+  : > "$output/display"
+  Xvfb -displayfd 3 -screen 0 1600x1000x24 3> "$output/display" &
+  server=$!
+  while [ ! -s "$output/display" ] && kill -0 $server; do
+    sleep 0.2
+  done
+  DISPLAY=":$(cat "$output/display")" "$@"
+  status=$?
+  kill $server
+  return $status
 }
 
 main

@@ -39,8 +39,7 @@ def draw_section6(path):
     square, spacing = read('square_9x9.vtk'), read('section6_spacing.vtk')
     views = []
     for constant in (0.5, 0.7):
-        mesh = BitingMesher(Input=square, SpacingSource=spacing, UniformSpacing=0,
-            BitingConstant=constant)
+        mesh = BitingMesher(Input=square, SpacingSource=spacing, BitingConstant=constant)
         views.append(new_view([4.5, 4.5], 9.2, [750, 750]))
         show_mesh(mesh, views[-1])
         data = servermanager.Fetch(mesh).GetFieldData()

@@ -71,7 +71,7 @@ suite()
   if [ $status -eq 0 ]; then
     report "test-$name" Passed
   else
-    cat "$log_folder/test-$name.log"
+    grep -vE '^ +Start |[0-9]+/[0-9]+ Test .*( Passed |Skipped )' "$log_folder/test-$name.log"
     failures="$failures test-$name"
     report "test-$name" '***Failed'
   fi

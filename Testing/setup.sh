@@ -70,7 +70,7 @@ fetch_vtk()
 {
   rm -rf "$vtk_prefix"
   mkdir -p "$vtk_prefix/packages" || return
-  (cd "$vtk_prefix/packages" && fetch_packages libvtk9.1 libvtk9-dev python3-vtk9) || return
+  (cd "$vtk_prefix/packages" && fetch_packages libvtk9.1 libvtk9-dev python3-vtk9 vtk9) || return
   for archive in "$vtk_prefix"/packages/*.deb; do
     dpkg -x "$archive" "$vtk_prefix" || return
   done

@@ -89,6 +89,17 @@ void AddCrossings(
   }
 }
 
+// Leaves what is on the outline of all squares, in counterclockwise order.
+void KeepUncovered(
+  const Bites& bites, std::size_t first, std::size_t end, std::vector<Point2>& outline)
+{
+  const auto isCovered = [&bites, first, end](const Point2& offset)
+  { return IsCovered(bites, first, end, offset); };
+  outline.erase(std::remove_if(outline.begin(), outline.end(), isCovered), outline.end());
+  std::sort(outline.begin(), outline.end(),
+    [](const Point2& a, const Point2& b) { return std::atan2(a.Y, a.X) < std::atan2(b.Y, b.X); });
+}
+
 void DrawBites(const Bites& bites, Drawing& drawing)
 {
   Id end = 0;
@@ -179,11 +190,10 @@ std::vector<Point2> OutlineOfSquares(const Bites& bites, Id first, Id end)
       AddCrossings(bites, square, other, outline);
     }
   }
-  const auto isCovered = [&bites, begin, stop](const Point2& offset)
-  { return IsCovered(bites, begin, stop, offset); };
-  outline.erase(std::remove_if(outline.begin(), outline.end(), isCovered), outline.end());
-  std::sort(outline.begin(), outline.end(),
-    [](const Point2& a, const Point2& b) { return std::atan2(a.Y, a.X) < std::atan2(b.Y, b.X); });
+  if (stop - begin > 1)
+  {
+    KeepUncovered(bites, begin, stop, outline);
+  }
   for (Point2& corner : outline)
   {
     corner = bites.Centers[begin] + corner;

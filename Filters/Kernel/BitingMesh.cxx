@@ -62,7 +62,7 @@ BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions op
   ProblemList& problems, Monitor& monitor)
 {
   const DomainLocator locator(domain);
-  const double density = IntegrateDensity(domain.Bounds, locator, spacing);
+  const double density = IntegrateDensity(domain, locator, spacing);
   const double estimate = EstimateNumberOfVertices(density, options) + domain.NumberOfVertices();
   if (!(estimate <= static_cast<double>(options.MaximumNumberOfVertices)))
   {

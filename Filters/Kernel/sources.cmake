@@ -5,7 +5,18 @@
 set(biting_kernel_sources
   Base/Problem.cxx
   Predicates/Predicates.cxx
+  Spacing/AdaptiveCarrier.cxx
+  Spacing/BorderTree.cxx
+  Spacing/BoxTree.cxx
+  Spacing/GridHoles.cxx
+  Spacing/GridInterpolator.cxx
+  Spacing/Quadtree.cxx
+  Spacing/SegmentExtension.cxx
+  Spacing/SourceCheck.cxx
+  Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
+  Spacing/TriangleBuckets.cxx
+  Spacing/TriangleInterpolator.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx
   Domain/BoundaryComponents.cxx

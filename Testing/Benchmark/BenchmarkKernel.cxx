@@ -333,7 +333,7 @@ void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions&
   {
     static_cast<void>(step);
     const DomainLocator locator(domain);
-    const double density = IntegrateDensity(domain.Bounds, locator, spacing);
+    const double density = IntegrateDensity(domain, locator, spacing);
     const double estimate = EstimateNumberOfVertices(density, {});
     vertices = BiteDomain(domain, locator, spacing, estimate, {}, monitor).Points.size();
   }

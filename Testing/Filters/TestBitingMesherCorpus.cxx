@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <iostream>
+#include <limits>
+#include <sstream>
 
 using namespace testing_filters;
 
@@ -28,6 +31,10 @@ struct Case
 };
 
 using Change = std::function<void(Case&)>;
+
+// Numbers of points: of inputs for every change, and for those that the largest inputs undergo too.
+constexpr vtkIdType Ordinary = 20000;
+constexpr vtkIdType AnySize = std::numeric_limits<vtkIdType>::max();
 
 vtkSmartPointer<vtkDataSet> Read(const std::string& path)
 {
@@ -169,30 +176,113 @@ double KindOf(vtkPolyData* input, vtkIdType cell)
   return kinds ? kinds->GetComponent(cell, 0) : 0.0;
 }
 
-// Checks that the lines of the input are unions of edges; interfaces only where none was dropped, and
-// without the two that cancel each other in every overlap that was repaired.
-std::string CheckLines(vtkPolyData* input, vtkPolyData* mesh, const MeshChecker& checker)
+struct Segment
 {
-  const bool areInterfacesKept = Figure(mesh, "DroppedOutsideInterfaces") == 0.0;
-  const double rounding = RoundingOf(input);
-  double mayMiss = 2.0 * Figure(mesh, "RepairedDuplicateSegments");
+  vtkIdType Line;
+  biting::Point2 Start;
+  biting::Point2 End;
+};
+
+std::vector<Segment> SegmentsOf(vtkPolyData* input)
+{
+  std::vector<Segment> segments;
   vtkNew<vtkIdList> ids;
   for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
   {
-    const double kind = KindOf(input, input->GetNumberOfVerts() + line);
     input->GetLines()->GetCellAtId(line, ids);
     for (vtkIdType k = 1; k < ids->GetNumberOfIds(); ++k)
     {
       const Place a = PointOf(input, ids->GetId(k - 1));
       const Place b = PointOf(input, ids->GetId(k));
-      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-      const bool isWanted = kind == 0.0 || (kind == 1.0 && areInterfacesKept);
-      if (isWanted && length > 0.0 &&
-        !checker.Covers({ a[0], a[1] }, { b[0], b[1] }, rounding + 1e-12 * length) &&
-        mayMiss-- < 1.0)
+      if (a != b)
       {
-        return "line " + std::to_string(line) + ", segment " + std::to_string(k - 1) +
-          " is no union of edges";
+        segments.push_back({ line, { a[0], a[1] }, { b[0], b[1] } });
+      }
+    }
+  }
+  return segments;
+}
+
+double DistanceTo(const Segment& segment, const biting::Point2& p)
+{
+  const biting::Point2 along = segment.End - segment.Start;
+  const double share = Dot(p - segment.Start, along) / Dot(along, along);
+  const double t = std::min(std::max(share, 0.0), 1.0);
+  return Distance(p, segment.Start + t * along);
+}
+
+// Whether another segment runs so near that the two cannot be told apart: as boundary they cancel.
+bool HasTwin(const std::vector<Segment>& segments, const Segment& segment, double rounding)
+{
+  const biting::Point2 middle = Midpoint(segment.Start, segment.End);
+  int near = 0;
+  for (const Segment& other : segments)
+  {
+    near += DistanceTo(other, middle) <= rounding ? 1 : 0;
+  }
+  return near > 1;
+}
+
+// The segment, divided at all ends of other segments that cannot be told from points on it.
+std::vector<Segment> PartsOf(
+  const std::vector<Segment>& segments, const Segment& segment, double rounding)
+{
+  std::vector<biting::Point2> places{ segment.End };
+  for (const Segment& other : segments)
+  {
+    if (DistanceTo(segment, other.Start) <= rounding)
+    {
+      places.push_back(other.Start);
+    }
+  }
+  std::sort(places.begin(), places.end(),
+    [&segment](const biting::Point2& a, const biting::Point2& b)
+    { return Distance(a, segment.Start) < Distance(b, segment.Start); });
+  std::vector<Segment> parts;
+  biting::Point2 start = segment.Start;
+  for (const biting::Point2& place : places)
+  {
+    if (place != start)
+    {
+      parts.push_back({ segment.Line, start, place });
+    }
+    start = place;
+  }
+  return parts;
+}
+
+std::string TextOf(const biting::Point2& p)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << '(' << p.X << ", " << p.Y << ')';
+  return text.str();
+}
+
+// Checks that the lines of the input are unions of edges; interfaces only where none was dropped.
+std::string CheckLines(vtkPolyData* input, vtkPolyData* mesh, const MeshChecker& checker)
+{
+  const bool areInterfacesKept = Figure(mesh, "DroppedOutsideInterfaces") == 0.0;
+  const double rounding = RoundingOf(input);
+  const std::vector<Segment> segments = SegmentsOf(input);
+  const auto isCovered = [&](const Segment& segment)
+  {
+    const double tolerance = rounding + 1e-12 * Distance(segment.Start, segment.End);
+    return checker.Covers(segment.Start, segment.End, tolerance);
+  };
+  const auto isCoveredOrCancelled = [&](const Segment& segment)
+  { return isCovered(segment) || HasTwin(segments, segment, rounding); };
+  for (const Segment& segment : segments)
+  {
+    const double kind = KindOf(input, input->GetNumberOfVerts() + segment.Line);
+    const bool isWanted = kind == 0.0 || (kind == 1.0 && areInterfacesKept);
+    if (isWanted && !isCovered(segment))
+    {
+      const std::vector<Segment> parts = PartsOf(segments, segment, rounding);
+      if (!std::all_of(parts.begin(), parts.end(), isCoveredOrCancelled))
+      {
+        return "the segment of line " + std::to_string(segment.Line) + " from " +
+          TextOf(segment.Start) + " to " + TextOf(segment.End) + " is no union of edges";
       }
     }
   }
@@ -256,9 +346,9 @@ Case CaseOf(const CorpusEntry& entry)
   return { entry.File, ReadPolyData(SharedInputs() + "/" + entry.File), entry.Spacing, entry.Area };
 }
 
-// Judges all valid inputs of the shared corpus after a change; those that do not lie in a plane of
-// constant z are left to the tests of planes.
-void JudgeSharedInputs(const Change& change)
+// Judges the valid inputs of the shared corpus with up to `limit` points after a change; those that
+// do not lie in a plane of constant z are left to the tests of planes.
+void JudgeSharedInputs(vtkIdType limit, const Change& change)
 {
   const auto entries = SharedEntries({ "V", "W" });
   if (entries.empty())
@@ -268,7 +358,7 @@ void JudgeSharedInputs(const Change& change)
   for (const CorpusEntry& entry : entries)
   {
     Case example = CaseOf(entry);
-    if (IsFlat(example.Input))
+    if (IsFlat(example.Input) && example.Input->GetNumberOfPoints() <= limit)
     {
       change(example);
       EXPECT_EQ(Judge(example), "") << entry.File;
@@ -316,37 +406,37 @@ TEST(Corpus, OfDataIsMeshedWithItsOwnSpacing)
 
 TEST(SharedCorpus, IsMeshedAsItIs)
 {
-  JudgeSharedInputs([](Case&) {});
+  JudgeSharedInputs(AnySize, [](Case&) {});
 }
 
 TEST(SharedCorpus, IsMeshedTurnedByThirtyDegrees)
 {
-  JudgeSharedInputs(Turn);
+  JudgeSharedInputs(AnySize, Turn);
 }
 
 TEST(SharedCorpus, IsMeshedFarFromTheOrigin)
 {
-  JudgeSharedInputs(Move);
+  JudgeSharedInputs(Ordinary, Move);
 }
 
 TEST(SharedCorpus, IsMeshedAtTinyScale)
 {
-  JudgeSharedInputs([](Case& example) { Scale(example, 1e-9); });
+  JudgeSharedInputs(Ordinary, [](Case& example) { Scale(example, 1e-9); });
 }
 
 TEST(SharedCorpus, IsMeshedAtHugeScale)
 {
-  JudgeSharedInputs([](Case& example) { Scale(example, 1e9); });
+  JudgeSharedInputs(Ordinary, [](Case& example) { Scale(example, 1e9); });
 }
 
 TEST(SharedCorpus, IsMeshedWithReversedPolylines)
 {
-  JudgeSharedInputs(Reverse);
+  JudgeSharedInputs(Ordinary, Reverse);
 }
 
 TEST(SharedCorpus, IsMeshedWithUnmergedPoints)
 {
-  JudgeSharedInputs(Unmerge);
+  JudgeSharedInputs(Ordinary, Unmerge);
 }
 
 TEST(SharedCorpus, IsMeshedOrRefusedWithAWordWhereItIsDefective)
@@ -381,7 +471,10 @@ TEST(SharedCorpus, IsRefusedWithOneErrorWhereNothingCanBeMeshed)
     vtkNew<vtkBitingMesher> mesher;
     Messages messages(mesher);
     mesher->SetInputData(example.Input);
+    const auto start = std::chrono::steady_clock::now();
     mesher->Update();
+    // Two seconds are promised; a busy machine may need some more.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << entry.File;
     const bool hasCells = example.Input->GetNumberOfCells() > 0;
     EXPECT_EQ(messages.Errors.size(), hasCells ? 1u : 0u) << entry.File;
     EXPECT_TRUE(AreAllEmpty(mesher)) << entry.File;

@@ -3,7 +3,7 @@
 
 #include "EdgeDivision.h"
 
-#include <algorithm> // for upper_bound, clamp
+#include <algorithm> // for upper_bound, clamp, reverse
 #include <cmath>     // for round
 
 namespace biting
@@ -12,10 +12,10 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 0.5; // of f: two panels a part, Simpson's rule on each
-constexpr double LeastPanel = 1e-3; // of f: where f jumps, a panel is no shorter
-constexpr double PanelRatio = 1.5;  // of f at the ends of a panel
-constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
+constexpr double PanelLength = 0.25; // of f: four panels a part, Simpson's rule on each
+constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
+constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
+constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 
@@ -28,10 +28,32 @@ EdgeDivider::EdgeDivider(const Spacing& spacing, double bitingConstant, double t
 {
 }
 
+// Edges are divided from their lexicographically smaller end, so that it does not matter which end
+// is the start.
 bool EdgeDivider::Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points)
 {
   points.Parameters.clear();
   points.Spacings.clear();
+  const bool isReversed = b < a;
+  if (isReversed ? !this->DivideForward(b, a, limit, points)
+                 : !this->DivideForward(a, b, limit, points))
+  {
+    return false;
+  }
+  if (isReversed)
+  {
+    std::reverse(points.Parameters.begin(), points.Parameters.end());
+    std::reverse(points.Spacings.begin(), points.Spacings.end());
+    for (double& parameter : points.Parameters)
+    {
+      parameter = 1.0 - parameter;
+    }
+  }
+  return true;
+}
+
+bool EdgeDivider::DivideForward(const Point2& a, const Point2& b, Id limit, DivisionPoints& points)
+{
   if (!this->Integrate(a, b, limit) || this->Total / this->TargetLength > limit)
   {
     return false;

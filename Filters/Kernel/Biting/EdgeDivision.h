@@ -35,7 +35,7 @@ public:
   EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength);
 
   /// The points that divide the edge ab. At most `limit` points; where more are needed, returns
-  /// false.
+  /// false. Law: the edge ba has the same points, its parameters mirrored.
   bool Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);
 
 private:
@@ -47,6 +47,7 @@ private:
     double Before;
   };
 
+  bool DivideForward(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);
   bool Integrate(const Point2& a, const Point2& b, Id limit);
   bool Covers(const Point2& a, const Point2& b, const DivisionPoints& points) const;
   Id NumberOfParts() const;

@@ -27,7 +27,8 @@ struct Cell
 
 struct Sample
 {
-  double Density = 0.0; ///< mean over the cell
+  double Inside = 0.0;  ///< share of the cell
+  double Density = 0.0; ///< mean over the cell, 0 outside
   bool IsFine = true;   ///< needs no division
 };
 
@@ -48,7 +49,6 @@ Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing&
   Sample sample;
   double least = spacing(cell.Box.Center());
   double greatest = least;
-  int inside = 0;
   for (const Box2& quarter : Quarters(cell.Box))
   {
     const Point2 p = quarter.Center();
@@ -57,11 +57,11 @@ Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing&
     greatest = std::max(greatest, f);
     if (locator.IsInside(p))
     {
+      sample.Inside += 0.25;
       sample.Density += 0.25 / (f * f);
-      ++inside;
     }
   }
-  const bool isBorder = inside > 0 && inside < 4 && cell.Depth < BorderDepth;
+  const bool isBorder = cell.Depth < BorderDepth && !locator.IsClear(cell.Box);
   const bool isSteep = greatest > GreatestRatio * least && cell.Depth < GreatestDepth;
   sample.IsFine = !isBorder && !isSteep;
   return sample;
@@ -83,20 +83,37 @@ std::vector<Cell> FirstCells(const Box2& bounds)
   return cells;
 }
 
+// Where no sample is inside.
+double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing)
+{
+  double sum = 0.0;
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const double f = spacing(
+      Midpoint(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
+    sum += 1.0 / (f * f);
+  }
+  return sum / std::max(1, domain.NumberOfSegments());
+}
+
 } // namespace
 
-// Coarse cells first, so that where the number of cells ends the division, it ends evenly.
-double IntegrateDensity(const Box2& bounds, const DomainLocator& locator, const Spacing& spacing)
+// Coarse cells first, so that where the number of cells ends the division, it ends evenly. The area
+// is known: what the samples make of it corrects the integral, so that a sliver is not lost.
+double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing)
 {
-  std::vector<Cell> cells = FirstCells(bounds);
+  std::vector<Cell> cells = FirstCells(domain.Bounds);
   double integral = 0.0;
+  double area = 0.0;
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
     const Cell cell = cells[k];
     const Sample sample = TakeSample(cell, locator, spacing);
     if (sample.IsFine || cells.size() > GreatestCells)
     {
-      integral += sample.Density * cell.Box.Width() * cell.Box.Height();
+      const double size = cell.Box.Width() * cell.Box.Height();
+      integral += sample.Density * size;
+      area += sample.Inside * size;
       continue;
     }
     for (const Box2& quarter : Quarters(cell.Box))
@@ -104,7 +121,8 @@ double IntegrateDensity(const Box2& bounds, const DomainLocator& locator, const 
       cells.push_back({ quarter, cell.Depth + 1 });
     }
   }
-  return integral;
+  const double mean = area > 0.0 ? integral / area : MeanDensityOfSegments(domain, spacing);
+  return mean * domain.Area;
 }
 
 } // namespace biting

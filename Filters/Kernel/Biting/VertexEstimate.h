@@ -4,6 +4,7 @@
 #ifndef BitingVertexEstimate_h
 #define BitingVertexEstimate_h
 
+#include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
 
@@ -12,7 +13,7 @@ namespace biting
 
 /// The integral of 1/f^2 over the domain, to about 5 % for a spacing that varies slowly; finer than
 /// an adaptive quadrature of bounded cost sees, it is too small. Cost independent of the mesh.
-double IntegrateDensity(const Box2& bounds, const DomainLocator& locator, const Spacing& spacing);
+double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing);
 
 } // namespace biting
 

@@ -15,7 +15,9 @@ namespace biting
 namespace
 {
 
-constexpr Id CrowdedCell = 12;      // segments above which a cell is divided
+constexpr Id CrowdedCell = 12; // segments above which a cell is divided
+// Of a segment, while its top cell is divided: else a fan of n spokes would cost n^2.
+constexpr std::size_t MostCopies = 24;
 constexpr int GreatestDepth = 12;   // 4^12 divisions: finer than double coordinates ask for
 constexpr double CellMargin = 1e-6; // of a cell's size: cells overlap by more than rounding
 constexpr Id LeastCells = 4096;
@@ -40,8 +42,10 @@ DomainLocator::DomainLocator(const Domain& domain)
   const Id numberOfTopCells = this->Columns * this->Rows;
   for (Id cell = 0; cell < numberOfTopCells; ++cell)
   {
-    if (this->Cells[cell].NumberOfSegments > CrowdedCell)
+    const Id count = this->Cells[cell].NumberOfSegments;
+    if (count > CrowdedCell)
     {
+      this->MostEntries = this->Segments.size() + MostCopies * static_cast<std::size_t>(count);
       this->Divide(cell, this->TopBox(cell % this->Columns, cell / this->Columns), 0);
     }
   }
@@ -188,6 +192,7 @@ void DomainLocator::Divide(Id cell, const Box2& box, int depth)
     // A crowd that meets in one vertex cannot be divided: give up on it soon.
     const int childDepth = depth + (count < parent.NumberOfSegments ? 1 : 4);
     const bool isWorthwhile = count > CrowdedCell && childDepth < GreatestDepth &&
+      this->Segments.size() < this->MostEntries &&
       childBox.Width() > 16.0 * this->Geometry.Resolution;
     if (isWorthwhile)
     {

@@ -9,7 +9,7 @@
 #include "../Base/Point2.h"
 #include "Domain.h"
 
-#include <cstdint> // for flags
+#include <cstddef> // for size_t
 #include <vector>  // for the arrays
 
 namespace biting
@@ -85,6 +85,7 @@ private:
   Id Rows = 1;
   std::vector<Cell> Cells;
   std::vector<Id> Segments;
+  std::size_t MostEntries = 0; ///< of Segments, while a top cell is divided
 };
 
 template <typename Visit>

@@ -17,16 +17,16 @@ namespace
 constexpr std::size_t FewCones = 2;
 
 /// With more cones, evaluation takes longer than a deeper tree; with fewer, the tree grows.
-constexpr std::size_t MostCones = 8;
+constexpr std::size_t MostCones = 10;
 
 /// Lists longer than this are not looked through for cones that are nowhere lowest.
 constexpr std::size_t MostConesToSift = 32;
 
 /// Squares in which the extension may vary by more than this share of itself are not tried.
-constexpr double LargestVariation = 0.25;
+constexpr double LargestVariation = 0.35;
 
 /// The share of the tolerance that the tested points may use: others may be worse.
-constexpr double TestedShare = 0.7;
+constexpr double TestedShare = 0.5;
 
 /// The share of the tolerance by which a sample may be too high.
 constexpr double SearchShare = 0.1;
@@ -129,45 +129,46 @@ private:
     this->Carrier.Extension.FindBelow(
       samples.Part, center, limit, MostConesToSift + 1, this->Cones);
     this->HasAllCones = this->Cones.size() <= MostConesToSift;
+    this->AllCones = this->Cones;
   }
 
   /// False where the square is to be refined.
   bool AddLeaf(const Quadtree::Square& square, Samples& samples)
   {
-    if (this->HasAllCones && this->Cones.size() > FewCones)
-    {
-      this->Sift(square);
-    }
-    if (this->Cones.size() > FewCones && this->IsSmooth(square, samples))
+    const bool isSimple = this->HasAllCones && this->Cones.size() <= FewCones;
+    if (!isSimple && this->IsSmooth(square, samples))
     {
       this->AddInterpolatingLeaf(square, samples.Corners());
       return true;
+    }
+    if (this->HasAllCones && !isSimple)
+    {
+      this->Sift(square);
     }
     if (this->Cones.size() <= MostCones)
     {
       this->AddExactLeaf(square);
       return true;
     }
-    if (!this->CanSplit(square))
+    if (this->CanSplit(square))
     {
-      this->SampleCorners(square, samples);
-      this->AddInterpolatingLeaf(square, samples.Corners());
-      return true;
+      return false;
     }
-    return false;
+    this->SampleCorners(square, samples);
+    this->AddInterpolatingLeaf(square, samples.Corners());
+    return true;
   }
 
   /// Keeps those cones that are lowest somewhere, to half the tolerance: each of 4 x 4 parts of the
   /// square keeps its own.
   void Sift(const Quadtree::Square& square)
   {
-    this->IsLowest.assign(this->Cones.size(), 0);
+    this->IsLowest.assign(this->AllCones.size(), 0);
     for (int part = 0; part < 16; ++part)
     {
       const Point2 center = square.At(0.125 + 0.25 * (part % 4), 0.125 + 0.25 * (part / 4));
       this->SiftPart(center, 0.5 * this->Gradation * square.Radius());
     }
-    this->AllCones = this->Cones;
     this->Cones.clear();
     for (std::size_t position = 0; position < this->AllCones.size(); ++position)
     {
@@ -181,17 +182,20 @@ private:
   void SiftPart(const Point2& center, double variation)
   {
     double least = std::numeric_limits<double>::infinity();
-    this->Values.resize(this->Cones.size());
-    for (std::size_t position = 0; position < this->Cones.size(); ++position)
+    this->Values.resize(this->AllCones.size());
+    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
     {
-      this->Values[position] = this->Carrier.Extension.ConeAt(this->Cones[position], center);
+      this->Values[position] = this->Carrier.Extension.ConeAt(this->AllCones[position], center);
       least = std::min(least, this->Values[position]);
     }
     const double limit =
       least + std::max(0.0, variation - 0.5 * AdaptiveCarrier::Tolerance * least);
-    for (std::size_t position = 0; position < this->Cones.size(); ++position)
+    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
     {
-      this->IsLowest[position] |= this->Values[position] <= limit ? 1 : 0;
+      if (this->Values[position] <= limit)
+      {
+        this->IsLowest[position] = 1;
+      }
     }
   }
 
@@ -209,7 +213,7 @@ private:
 
   void SampleCorners(const Quadtree::Square& square, Samples& samples)
   {
-    for (std::size_t corner : { 0, 2, 6, 8 })
+    for (int corner : { 0, 2, 6, 8 })
     {
       this->SampleGrid(square, corner, samples);
     }
@@ -217,7 +221,7 @@ private:
 
   bool FitsGrid(const Quadtree::Square& square, Samples& samples)
   {
-    for (std::size_t node : { 1, 3, 5, 7 })
+    for (int node : { 1, 3, 5, 7 })
     {
       const double exact = this->SampleGrid(square, node, samples);
       if (!this->FitsAt(samples, 0.5 * (node % 3), 0.5 * (node / 3), exact))
@@ -230,12 +234,13 @@ private:
 
   bool FitsQuarters(const Quadtree::Square& square, Samples& samples)
   {
-    for (std::size_t quarter = 0; quarter < 4; ++quarter)
+    for (int quarter = 0; quarter < 4; ++quarter)
     {
       const double u = 0.25 + 0.5 * (quarter % 2);
       const double v = 0.25 + 0.5 * (quarter / 2);
-      samples.Quarters[quarter] = this->Evaluate(square, u, v, samples);
-      if (!this->FitsAt(samples, u, v, samples.Quarters[quarter].Value))
+      Sample& sample = samples.Quarters[static_cast<std::size_t>(quarter)];
+      sample = this->Evaluate(square, u, v, samples);
+      if (!this->FitsAt(samples, u, v, sample.Value))
       {
         return false;
       }
@@ -249,9 +254,9 @@ private:
     return error <= TestedShare * AdaptiveCarrier::Tolerance * exact;
   }
 
-  double SampleGrid(const Quadtree::Square& square, std::size_t node, Samples& samples)
+  double SampleGrid(const Quadtree::Square& square, int node, Samples& samples)
   {
-    Sample& sample = samples.Grid[node];
+    Sample& sample = samples.Grid[static_cast<std::size_t>(node)];
     if (sample.Cone == NoId)
     {
       sample = this->Evaluate(square, 0.5 * (node % 3), 0.5 * (node / 3), samples);
@@ -272,9 +277,10 @@ private:
       }
       return lowest;
     }
-    for (std::size_t node : { 4, 0, 2, 6, 8 })
+    for (const Sample* known :
+      { &samples.Grid[4], &samples.Grid[0], &samples.Grid[2], &samples.Grid[6], &samples.Grid[8] })
     {
-      this->Try(samples.Grid[node].Cone, x, lowest);
+      this->Try(known->Cone, x, lowest);
     }
     return this->Carrier.Extension.Evaluate(
       samples.Part, x, lowest, SearchShare * AdaptiveCarrier::Tolerance);

@@ -22,7 +22,7 @@ namespace biting
 class AdaptiveCarrier
 {
 public:
-  static constexpr double Tolerance = 0.005;
+  static constexpr double Tolerance = 0.01;
 
   /// Incomplete if the monitor asks to stop; it must not be evaluated then. The extension has at
   /// least one cone, the box an extent.

@@ -18,8 +18,8 @@ namespace biting
 {
 
 /// A spacing given on a regular or rectilinear grid: bilinear between its nodes, the nearest border
-/// value outside. Values[i + j * XNodes.size()] is at (XNodes[i], YNodes[j]). A node that is not
-/// finite is no source: see TriangulatedSource.
+/// value outside. Values[i + j * XNodes.size()] is at (XNodes[i], YNodes[j]). A node whose value is
+/// NaN is a hole: it takes the value of the nearest node that has one. Without nodes: no source.
 struct GridSource
 {
   std::vector<double> XNodes; ///< ascending, at least one
@@ -27,8 +27,9 @@ struct GridSource
   std::vector<double> Values;
 };
 
-/// A spacing given on triangles: linear on each, the nearest border value outside.
-/// Triangles with a corner value that is not finite are no source.
+/// A spacing given on triangles: linear on each, the value of the nearest border point outside.
+/// Triangles without an area, and those with a corner value that is NaN, are holes: they count as
+/// outside. Points without triangles are refused; without points: no source.
 struct TriangulatedSource
 {
   std::vector<Point2> Points;
@@ -37,7 +38,14 @@ struct TriangulatedSource
 };
 
 /// A spacing given at the ends of segments: linear along them, inwards the Lipschitz extension
-/// min_i(f_i + g |x - x_i|). A point source is a segment with equal ends.
+/// min_i(f_i + g |x - x_i|). A point source is a segment with equal ends. Without segments: no
+/// source.
+///
+/// The extension is the largest g-Lipschitz function that is nowhere above the given values: where
+/// these are steeper than g, or a segment nearby asks for less, it is below them. It is kept to
+/// within 1 % of its value, over the bounds of the domain; beyond these it is that of the nearest
+/// point of the bounds. With gradation 0, g is the largest slope along the segments; where all are
+/// level and equal, f is their value everywhere; where all are level but differ, g is the default.
 struct SegmentSource
 {
   std::vector<Point2> Points;
@@ -60,8 +68,8 @@ struct SpacingOptions
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite
-/// everywhere. Constant cost per evaluation; evaluation changes nothing, so any number of threads
-/// may evaluate at once.
+/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source, where
+/// it is logarithmic. Evaluation changes nothing, so any number of threads may evaluate at once.
 class Spacing
 {
 public:
@@ -84,8 +92,14 @@ private:
   std::unique_ptr<const Implementation> Data;
 };
 
-/// Prepares f over `bounds` (the box of the domain). Values that are zero, negative or not finite
-/// are refused: ProblemCode::BadSpacing with the point id of the source and its place.
+/// Prepares f over `bounds` (the box of the domain). Where f cannot be, `problems` has the reasons
+/// and the result is 1 everywhere: ProblemCode::BadSpacing
+/// - with the point id of the source, its place, and a detail like "value -3 in the grid source",
+///   for each value that is zero, negative or not finite (a NaN of a segment source; elsewhere it is
+///   a hole, unless there is nothing else), also after scaling, and each position not finite;
+/// - without ids, and a detail that names the parameter, where an option is negative or not finite,
+///   Scale is zero, or Minimum is above Maximum.
+/// ProblemCode::Aborted where the monitor asked to stop.
 Spacing MakeSpacing(
   const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor);
 

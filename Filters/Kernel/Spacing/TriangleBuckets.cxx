@@ -15,8 +15,9 @@ namespace
 constexpr std::size_t EntriesPerLeaf = 12;
 constexpr double TrianglesPerCell = 2.0;
 
-/// A grid whose cells hold, all together, more than this many entries a triangle is made coarser.
-constexpr double MaximumCopies = 8;
+/// How often a triangle may be filed, about: a grid that needs more is made coarser. All levels
+/// share what is allowed, or long triangles, which no grid can tell apart, would multiply.
+constexpr double MaximumCopies = 16.0;
 
 /// Many triangles around one vertex cannot be told apart by any number of levels.
 constexpr int MaximumDepth = 10;
@@ -78,13 +79,14 @@ TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles)
     box.Add(own.High);
   }
   this->Cells.resize(1);
-  this->Fill(0, box, ids, 0);
+  this->Fill(0, box, ids, 0, MaximumCopies);
   this->Triangles = nullptr;
 }
 
-void TriangleBuckets::Fill(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth)
+void TriangleBuckets::Fill(
+  Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies)
 {
-  Grid grid = this->ChooseGrid(box, ids);
+  Grid grid = this->ChooseGrid(box, ids, copies);
   if (ids.size() <= EntriesPerLeaf || depth == MaximumDepth || grid.Columns * grid.Rows < 2)
   {
     this->FillLeaf(cellId, ids);
@@ -100,9 +102,10 @@ void TriangleBuckets::Fill(Id cellId, const Box2& box, const std::vector<Id>& id
   {
     const Point2 low{ box.Low.X + (cell % grid.Columns) * size.X,
       box.Low.Y + (cell / grid.Columns) * size.Y };
-    const auto own = filing.Starts.begin() + cell;
-    this->Fill(grid.FirstCell + cell, { low, low + size },
-      { filing.Ids.begin() + own[0], filing.Ids.begin() + own[1] }, depth + 1);
+    const auto first = filing.Starts.begin() + cell;
+    const std::vector<Id> own(filing.Ids.begin() + first[0], filing.Ids.begin() + first[1]);
+    const double copiesLeft = copies / this->ExpectedCopies(grid, box, own);
+    this->Fill(grid.FirstCell + cell, { low, low + size }, own, depth + 1, copiesLeft);
   }
 }
 
@@ -115,7 +118,8 @@ void TriangleBuckets::FillLeaf(Id cellId, const std::vector<Id>& ids)
 
 /// As many cells as asked for by the number of triangles, in the proportions of their mean box, but
 /// not so many that long triangles are filed again and again.
-TriangleBuckets::Grid TriangleBuckets::ChooseGrid(const Box2& box, const std::vector<Id>& ids) const
+TriangleBuckets::Grid TriangleBuckets::ChooseGrid(
+  const Box2& box, const std::vector<Id>& ids, double copies) const
 {
   Point2 extent;
   for (Id id : ids)
@@ -135,12 +139,13 @@ TriangleBuckets::Grid TriangleBuckets::ChooseGrid(const Box2& box, const std::ve
     grid.Rows = std::max(static_cast<Id>(std::min(ratio.Y * shrink, count)), 1);
     grid.CellsPerLength = { grid.Columns / box.Width(), grid.Rows / box.Height() };
     shrink *= 0.7;
-  } while (this->ExpectedEntries(grid, box, ids) > MaximumCopies * count);
+  } while (grid.Columns * grid.Rows > 1 && this->ExpectedCopies(grid, box, ids) > copies);
   return grid;
 }
 
-/// A convex shape meets about as many cells as its area and its two extents, in cells, add up to.
-double TriangleBuckets::ExpectedEntries(
+/// In how many cells of a grid each triangle is filed, in the mean. A convex shape meets about as
+/// many cells as its area and its two extents, in cells, add up to.
+double TriangleBuckets::ExpectedCopies(
   const Grid& grid, const Box2& box, const std::vector<Id>& ids) const
 {
   double entries = 0.0;
@@ -154,7 +159,7 @@ double TriangleBuckets::ExpectedEntries(
       grid.CellsPerLength.X * grid.CellsPerLength.Y;
     entries += 1.0 + columns + rows + std::min(area, columns * rows);
   }
-  return grid.Columns * grid.Rows == 1 ? 0.0 : entries;
+  return ids.empty() ? 1.0 : entries / static_cast<double>(ids.size());
 }
 
 TriangleBuckets::Filing TriangleBuckets::File(

@@ -86,10 +86,10 @@ private:
   };
 
   struct Filing;
-  void Fill(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth);
+  void Fill(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies);
   void FillLeaf(Id cellId, const std::vector<Id>& ids);
-  Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids) const;
-  double ExpectedEntries(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
+  Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids, double copies) const;
+  double ExpectedCopies(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
   Filing File(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
   template <typename Visit>
   void ForEachMeeting(

@@ -131,7 +131,7 @@ TEST(EdgeDivider, ReversedEdgeHasMirroredPoints)
     ASSERT_EQ(there.Parameters.size(), back.Parameters.size());
     for (std::size_t k = 0; k < there.Parameters.size(); ++k)
     {
-      EXPECT_NEAR(there.Parameters[k], 1.0 - back.Parameters[back.Parameters.size() - 1 - k], 1e-9)
+      EXPECT_NEAR(there.Parameters[k], 1.0 - back.Parameters[back.Parameters.size() - 1 - k], 1e-15)
         << slope;
     }
   }

@@ -25,7 +25,7 @@ double Integral(const Polylines& input, const SpacingOptions& options)
   ProblemList problems;
   SilentMonitor monitor;
   const Spacing spacing = MakeSpacing(options, made.Domain.Bounds, problems, monitor);
-  return IntegrateDensity(made.Domain.Bounds, locator, spacing);
+  return IntegrateDensity(made.Domain, locator, spacing);
 }
 
 Polylines Box(double width, double height)

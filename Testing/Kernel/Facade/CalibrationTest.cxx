@@ -24,7 +24,7 @@ double Calibrate(const Polylines& input, const SpacingOptions& spacingOptions, F
   const Spacing spacing = MakeSpacing(spacingOptions, made.Domain.Bounds, problems, monitor);
   BitingOptions options;
   options.Order = order;
-  const double density = IntegrateDensity(made.Domain.Bounds, locator, spacing);
+  const double density = IntegrateDensity(made.Domain, locator, spacing);
   return CalibrateBitingConstant(made.Domain, locator, spacing, density, options, monitor);
 }
 

@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RandomDrawing.h"
+
+#include <algorithm> // for reverse
+#include <cmath>     // for nextafter
+#include <limits>    // for poison
+#include <map>       // for merged points
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+using Places = std::vector<Point2>;
+
+enum class KindStyle
+{
+  Explicit,  ///< loops bound, open chains are interfaces
+  Automatic, ///< all but points
+  Any        ///< whatever comes
+};
+
+/// A turn without sine and cosine, which are not the same everywhere: t = tan of half the angle.
+struct Turn
+{
+  double Cosine = 1.0;
+  double Sine = 0.0;
+
+  static Turn OfHalfTangent(double t)
+  {
+    return { (1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t) };
+  }
+
+  Point2 operator()(const Point2& p) const
+  {
+    return { this->Cosine * p.X - this->Sine * p.Y, this->Sine * p.X + this->Cosine * p.Y };
+  }
+};
+
+class DrawingMaker
+{
+public:
+  explicit DrawingMaker(FuzzNumbers& numbers)
+    : Numbers(numbers)
+    , Width(numbers.Between(4, 12))
+    , Merging(numbers.Below(3))
+  {
+    const int style = numbers.Below(10);
+    this->Style = style < 6 ? KindStyle::Explicit
+      : style < 9           ? KindStyle::Automatic
+                            : KindStyle::Any;
+  }
+
+  Polylines Make();
+
+private:
+  void DrawLoops();
+  void DrawExtras();
+  Places Loop();
+  Places WildLoop();
+  Places Box();
+  Places Tube();
+  Places Star(int tips);
+  Places Several(int count);
+  Point2 Place();
+  void EmitLoop(Places places);
+  void Emit(const Places& places, ChainKind kind);
+  void EmitPairs(const Places& places, ChainKind kind);
+  ChainKind KindOf(ChainKind wanted);
+  Id PointAt(const Point2& place);
+
+  FuzzNumbers& Numbers;
+  int Width;
+  int Merging; ///< 0 all points, 1 none, 2 some
+  KindStyle Style = KindStyle::Explicit;
+  Polylines Result;
+  std::map<Point2, Id> Known;
+};
+
+Polylines DrawingMaker::Make()
+{
+  this->DrawLoops();
+  this->DrawExtras();
+  return std::move(this->Result);
+}
+
+void DrawingMaker::DrawLoops()
+{
+  if (this->Numbers.OneIn(4000))
+  {
+    this->EmitLoop(this->Star(this->Numbers.Between(200, 1500)));
+    return;
+  }
+  if (this->Numbers.OneIn(500))
+  {
+    this->Width = 60;
+    this->EmitLoop(this->Several(this->Numbers.Between(20, 120)));
+  }
+  const int loops = this->Numbers.OneIn(40) ? 0 : this->Numbers.Between(1, 3);
+  for (int k = 0; k < loops; ++k)
+  {
+    const Places loop = this->Loop();
+    this->EmitLoop(loop);
+    if (this->Numbers.OneIn(16))
+    {
+      this->EmitLoop(loop);
+    }
+  }
+}
+
+void DrawingMaker::DrawExtras()
+{
+  for (int chains = this->Numbers.Below(6) - 2; chains > 0; --chains)
+  {
+    const Places chain = this->Several(this->Numbers.Between(1, 4));
+    this->Emit(chain, this->KindOf(ChainKind::Interface));
+  }
+  for (int chains = this->Numbers.Below(5) - 2; chains > 0; --chains)
+  {
+    const Places points = this->Several(this->Numbers.Between(0, 4));
+    this->Emit(points, this->KindOf(ChainKind::EmbeddedPoint));
+  }
+}
+
+Places DrawingMaker::Loop()
+{
+  switch (this->Numbers.Below(6))
+  {
+    case 0:
+    case 1:
+      return this->Box();
+    case 2:
+      return this->Tube();
+    case 3:
+      return this->Star(this->Numbers.Between(2, 8));
+    default:
+      return this->WildLoop();
+  }
+}
+
+/// Crosses itself more often than not.
+Places DrawingMaker::WildLoop()
+{
+  return this->Several(this->Numbers.Between(3, 8));
+}
+
+Places DrawingMaker::Box()
+{
+  const Point2 a = this->Place();
+  const Point2 b = this->Place();
+  return { a, { b.X, a.Y }, b, { a.X, b.Y } };
+}
+
+/// A simple loop: its lower side below the middle of the grid, its upper side not.
+Places DrawingMaker::Tube()
+{
+  const int columns = this->Numbers.Between(2, this->Width);
+  const int middle = this->Width / 2;
+  Places lower;
+  Places upper;
+  for (int column = 0; column < columns; ++column)
+  {
+    const double x = column;
+    lower.push_back({ x, static_cast<double>(this->Numbers.Below(middle)) });
+    upper.push_back({ x, static_cast<double>(this->Numbers.Between(middle, this->Width - 1)) });
+  }
+  lower.insert(lower.end(), upper.rbegin(), upper.rend());
+  return lower;
+}
+
+/// A star that closes, or winds several times.
+Places DrawingMaker::Star(int tips)
+{
+  const Turn step = Turn::OfHalfTangent(this->Numbers.OneIn(4) ? 0.7 : 1.5707963267948966 / tips);
+  const double ratio = 0.2 + 0.8 * this->Numbers.Unit();
+  const Point2 center = this->Place();
+  Point2 arm{ 0.5 * this->Width, 0.0 };
+  Places places;
+  for (int k = 0; k < 2 * tips; ++k)
+  {
+    places.push_back(center + (k % 2 ? ratio : 1.0) * arm);
+    arm = step(arm);
+  }
+  return places;
+}
+
+Places DrawingMaker::Several(int count)
+{
+  Places places;
+  for (int k = 0; k < count; ++k)
+  {
+    places.push_back(this->Place());
+    if (this->Numbers.OneIn(50))
+    {
+      places.push_back(places.back());
+    }
+  }
+  return places;
+}
+
+Point2 DrawingMaker::Place()
+{
+  const double x = this->Numbers.Below(this->Width);
+  return { x, static_cast<double>(this->Numbers.Below(this->Width)) };
+}
+
+/// In one chain, in two, or each segment by itself.
+void DrawingMaker::EmitLoop(Places places)
+{
+  if (this->Numbers.OneIn(4))
+  {
+    std::reverse(places.begin(), places.end());
+  }
+  const ChainKind kind = this->KindOf(ChainKind::Boundary);
+  places.push_back(places.front());
+  const int form = this->Numbers.Below(6);
+  if (form == 5)
+  {
+    this->EmitPairs(places, kind);
+  }
+  else if (form == 4)
+  {
+    const auto middle = places.begin() + this->Numbers.Below(static_cast<int>(places.size()));
+    this->Emit(Places(places.begin(), middle + 1), kind);
+    this->Emit(Places(middle, places.end()), kind);
+  }
+  else
+  {
+    this->Emit(places, kind);
+  }
+}
+
+void DrawingMaker::EmitPairs(const Places& places, ChainKind kind)
+{
+  for (std::size_t k = 1; k < places.size(); ++k)
+  {
+    this->Emit({ places[k - 1], places[k] }, kind);
+  }
+}
+
+void DrawingMaker::Emit(const Places& places, ChainKind kind)
+{
+  for (const Point2& place : places)
+  {
+    this->Result.Connectivity.push_back(this->PointAt(place));
+  }
+  this->Result.Cells.push_back(this->Result.NumberOfChains());
+  this->Result.Kinds.push_back(kind);
+  this->Result.Offsets.push_back(static_cast<Id>(this->Result.Connectivity.size()));
+}
+
+ChainKind DrawingMaker::KindOf(ChainKind wanted)
+{
+  if (this->Style == KindStyle::Any)
+  {
+    return static_cast<ChainKind>(this->Numbers.Between(-1, 2));
+  }
+  const bool isOverruled =
+    this->Style == KindStyle::Automatic && wanted != ChainKind::EmbeddedPoint;
+  return isOverruled ? ChainKind::Automatic : wanted;
+}
+
+Id DrawingMaker::PointAt(const Point2& place)
+{
+  const Id next = static_cast<Id>(this->Result.Points.size());
+  const bool isMerged = this->Merging == 0 || (this->Merging == 2 && this->Numbers.OneIn(2));
+  const auto known = this->Known.emplace(place, next);
+  if (isMerged && !known.second)
+  {
+    return known.first->second;
+  }
+  this->Result.Points.push_back(place);
+  return next;
+}
+
+/// Moves the drawing to where numbers are less friendly.
+class Mover
+{
+public:
+  explicit Mover(FuzzNumbers& numbers)
+    : Numbers(numbers)
+  {
+  }
+
+  void Move(Places& places);
+
+private:
+  void Shake(Places& places);
+  double Shaken(double coordinate, int kind);
+  void Shift(Places& places);
+  void Scale(Places& places, double factorX, double factorY);
+  void Poison(Places& places);
+
+  FuzzNumbers& Numbers;
+};
+
+void Mover::Move(Places& places)
+{
+  if (this->Numbers.OneIn(3))
+  {
+    const Turn turn = Turn::OfHalfTangent(2.0 * this->Numbers.Unit() - 1.0);
+    std::transform(places.begin(), places.end(), places.begin(), turn);
+  }
+  if (this->Numbers.OneIn(16))
+  {
+    this->Scale(places, 1.0, this->Numbers.Power(-40, 0));
+  }
+  if (this->Numbers.OneIn(4))
+  {
+    const double factor = this->Numbers.Power(-30, 30);
+    this->Scale(places, factor, factor);
+  }
+  if (this->Numbers.OneIn(4))
+  {
+    this->Shift(places);
+  }
+  if (this->Numbers.OneIn(4))
+  {
+    this->Shake(places);
+  }
+  if (this->Numbers.OneIn(100))
+  {
+    this->Poison(places);
+  }
+}
+
+void Mover::Shake(Places& places)
+{
+  const int kind = this->Numbers.Below(4);
+  for (Point2& place : places)
+  {
+    place.X = this->Shaken(place.X, kind);
+    place.Y = this->Shaken(place.Y, kind);
+  }
+}
+
+/// By a few ulp, or a part of the coordinate that is small.
+double Mover::Shaken(double coordinate, int kind)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  if (kind == 3)
+  {
+    return coordinate * (1.0 + this->Numbers.Power(-50, -20));
+  }
+  for (int ulps = this->Numbers.Below(2 + 4 * kind); ulps > 0; --ulps)
+  {
+    coordinate = std::nextafter(coordinate, kind == 0 ? Infinity : -Infinity);
+  }
+  return coordinate;
+}
+
+/// By up to a million sizes.
+void Mover::Shift(Places& places)
+{
+  double size = 0.0;
+  for (const Point2& place : places)
+  {
+    size = std::max({ size, std::abs(place.X), std::abs(place.Y) });
+  }
+  const Point2 shift{ size * this->Numbers.Power(-4, 20), -size * this->Numbers.Power(-4, 20) };
+  for (Point2& place : places)
+  {
+    place = place + shift;
+  }
+}
+
+void Mover::Scale(Places& places, double factorX, double factorY)
+{
+  for (Point2& place : places)
+  {
+    place = { factorX * place.X, factorY * place.Y };
+  }
+}
+
+void Mover::Poison(Places& places)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const double poisons[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity, 1e80,
+    1e-80, -1e-310, 1e308, 1e69 };
+  if (places.empty())
+  {
+    return;
+  }
+  Point2& place = places[static_cast<std::size_t>(
+    this->Numbers.Below(static_cast<int>(places.size())))];
+  (this->Numbers.OneIn(2) ? place.X : place.Y) = poisons[this->Numbers.Below(8)];
+}
+
+} // namespace
+
+Polylines MakeRandomDrawing(FuzzNumbers& numbers)
+{
+  Polylines drawing = DrawingMaker(numbers).Make();
+  Mover(numbers).Move(drawing.Points);
+  return drawing;
+}
+
+} // namespace biting

@@ -1,0 +1,453 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/Spacing.h"
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+#include <thread> // for evaluation from several threads
+
+namespace
+{
+
+using namespace biting;
+
+double Wave(const Point2& x)
+{
+  return 0.05 + 0.03 * std::sin(7.0 * x.X) * std::cos(5.0 * x.Y);
+}
+
+SpacingOptions WithGrid(GridSource grid)
+{
+  SpacingOptions options;
+  options.Grid = Share(std::move(grid));
+  return options;
+}
+
+SpacingOptions WithTriangles(TriangulatedSource source)
+{
+  SpacingOptions options;
+  options.Triangulation = Share(std::move(source));
+  return options;
+}
+
+SpacingOptions WithSegments(SegmentSource source)
+{
+  SpacingOptions options;
+  options.Segments = Share(std::move(source));
+  return options;
+}
+
+SpacingOptions WithEverything()
+{
+  SpacingOptions options = WithGrid(MakeGrid(21, 31, Wave));
+  options.Triangulation =
+    Share(MakeTriangulation(15, [](const Point2& x) { return 0.03 + 0.1 * x.X; }));
+  options.Segments =
+    Share(MakeLoop(90, [](double angle) { return 0.03 + 0.01 * std::sin(angle); }));
+  options.Uniform = 0.06;
+  return options;
+}
+
+/// All problems of options that are expected to be bad; f is 1 then.
+std::vector<Problem> ProblemsOf(const SpacingOptions& options)
+{
+  ProblemList problems;
+  SilentMonitor monitor;
+  const Spacing spacing = MakeSpacing(options, UnitBox(), problems, monitor);
+  EXPECT_TRUE(problems.HasErrors());
+  EXPECT_EQ(spacing({ 0.5, 0.5 }), 1.0);
+  EXPECT_EQ(problems.Groups().size(), 1u);
+  EXPECT_EQ(problems.Groups().front().Code, ProblemCode::BadSpacing);
+  return problems.Groups().front().First;
+}
+
+void ExpectRefused(const SpacingOptions& options, const std::string& detail)
+{
+  const std::vector<Problem> problems = ProblemsOf(options);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems.front().Detail, detail);
+  EXPECT_TRUE(problems.front().Ids.empty());
+}
+
+void ExpectRefusedValue(
+  const SpacingOptions& options, std::int64_t id, const Point2& place, const std::string& detail)
+{
+  const std::vector<Problem> problems = ProblemsOf(options);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems.front().Detail, detail);
+  EXPECT_EQ(problems.front().Ids, std::vector<std::int64_t>{ id });
+  EXPECT_EQ(problems.front().Place, place);
+}
+
+std::vector<Point2> Probes(int count)
+{
+  Sampler sampler(21);
+  std::vector<Point2> probes;
+  for (int probe = 0; probe < count; ++probe)
+  {
+    probes.push_back(sampler.NextIn({ { -0.2, -0.2 }, { 1.2, 1.2 } }));
+  }
+  return probes;
+}
+
+void ScaleBy(double factor, std::vector<double>& numbers)
+{
+  for (double& number : numbers)
+  {
+    number *= factor;
+  }
+}
+
+void ScaleBy(double factor, std::vector<Point2>& points)
+{
+  for (Point2& point : points)
+  {
+    point = factor * point;
+  }
+}
+
+SpacingOptions ScaledBy(double factor, const SpacingOptions& options)
+{
+  GridSource grid = *options.Grid;
+  ScaleBy(factor, grid.XNodes);
+  ScaleBy(factor, grid.YNodes);
+  ScaleBy(factor, grid.Values);
+  TriangulatedSource triangulation = *options.Triangulation;
+  ScaleBy(factor, triangulation.Points);
+  ScaleBy(factor, triangulation.Values);
+  SegmentSource segments = *options.Segments;
+  ScaleBy(factor, segments.Points);
+  ScaleBy(factor, segments.Values);
+  SpacingOptions scaled = options;
+  scaled.Grid = Share(std::move(grid));
+  scaled.Triangulation = Share(std::move(triangulation));
+  scaled.Segments = Share(std::move(segments));
+  scaled.Uniform *= factor;
+  return scaled;
+}
+
+SpacingOptions ShiftedBy(const Point2& shift, const SpacingOptions& options)
+{
+  GridSource grid = *options.Grid;
+  TriangulatedSource triangulation = *options.Triangulation;
+  SegmentSource segments = *options.Segments;
+  std::for_each(grid.XNodes.begin(), grid.XNodes.end(), [&shift](double& x) { x += shift.X; });
+  std::for_each(grid.YNodes.begin(), grid.YNodes.end(), [&shift](double& y) { y += shift.Y; });
+  const auto move = [&shift](Point2& point) { point = point + shift; };
+  std::for_each(triangulation.Points.begin(), triangulation.Points.end(), move);
+  std::for_each(segments.Points.begin(), segments.Points.end(), move);
+  SpacingOptions shifted = options;
+  shifted.Grid = Share(std::move(grid));
+  shifted.Triangulation = Share(std::move(triangulation));
+  shifted.Segments = Share(std::move(segments));
+  return shifted;
+}
+
+} // namespace
+
+TEST(Spacing, IsOneByDefault)
+{
+  EXPECT_EQ(Spacing()({ 3.0, 4.0 }), 1.0);
+  EXPECT_TRUE(Spacing().IsUniform());
+}
+
+TEST(Spacing, IsTwoPercentOfTheDiagonalWhereNothingIsGiven)
+{
+  SpacingOptions options;
+  const Spacing spacing = MakeGoodSpacing(options, { { 1.0, 1.0 }, { 4.0, 5.0 } });
+  EXPECT_DOUBLE_EQ(spacing({ 2.0, 2.0 }), 0.1);
+  EXPECT_TRUE(spacing.IsUniform());
+  options.Grid = Share(GridSource());
+  options.Triangulation = Share(TriangulatedSource());
+  options.Segments = Share(SegmentSource());
+  EXPECT_DOUBLE_EQ(MakeGoodSpacing(options, { { 1.0, 1.0 }, { 4.0, 5.0 } })({ 0.0, 0.0 }), 0.1);
+}
+
+TEST(Spacing, IsPositiveInABoxOfNoExtent)
+{
+  EXPECT_GT(MakeGoodSpacing({}, Box2())({ 0.0, 0.0 }), 0.0);
+  EXPECT_GT(MakeGoodSpacing({}, { { 1.0, 1.0 }, { 1.0, 1.0 } })({ 0.0, 0.0 }), 0.0);
+  const Spacing point = MakeGoodSpacing(
+    WithSegments({ { { 1.0, 2.0 } }, { 0.25 }, { 0, 0 } }), { { 1.0, 2.0 }, { 1.0, 2.0 } });
+  EXPECT_NEAR(point({ 1.0, 2.0 }), 0.25, 0.0025);
+}
+
+TEST(Spacing, IsTheMinimumOfItsSources)
+{
+  const SpacingOptions all = WithEverything();
+  SpacingOptions grid;
+  grid.Grid = all.Grid;
+  SpacingOptions triangulation;
+  triangulation.Triangulation = all.Triangulation;
+  SpacingOptions segments;
+  segments.Segments = all.Segments;
+  const Spacing f = MakeGoodSpacing(all);
+  const Spacing fGrid = MakeGoodSpacing(grid);
+  const Spacing fTriangulation = MakeGoodSpacing(triangulation);
+  const Spacing fSegments = MakeGoodSpacing(segments);
+  for (const Point2& x : Probes(2000))
+  {
+    ASSERT_EQ(f(x), std::min({ fGrid(x), fTriangulation(x), fSegments(x), 0.06 }));
+  }
+  EXPECT_FALSE(f.IsUniform());
+}
+
+TEST(Spacing, IsScaledThenClamped)
+{
+  SpacingOptions options = WithEverything();
+  const Spacing plain = MakeGoodSpacing(options);
+  options.Scale = 3.0;
+  options.Minimum = 0.1;
+  options.Maximum = 0.15;
+  const Spacing bounded = MakeGoodSpacing(options);
+  for (const Point2& x : Probes(2000))
+  {
+    ASSERT_EQ(bounded(x), std::min(std::max(3.0 * plain(x), 0.1), 0.15));
+  }
+  options.Maximum = options.Minimum;
+  EXPECT_EQ(MakeGoodSpacing(options)({ 0.3, 0.3 }), 0.1);
+}
+
+TEST(Spacing, GrowsWithEachSource)
+{
+  const SpacingOptions options = WithEverything();
+  SpacingOptions larger = options;
+  GridSource grid = *options.Grid;
+  ScaleBy(1.25, grid.Values);
+  larger.Grid = Share(std::move(grid));
+  TriangulatedSource triangulation = *options.Triangulation;
+  ScaleBy(1.25, triangulation.Values);
+  larger.Triangulation = Share(std::move(triangulation));
+  const Spacing f = MakeGoodSpacing(options);
+  const Spacing g = MakeGoodSpacing(larger);
+  for (const Point2& x : Probes(2000))
+  {
+    ASSERT_LE(f(x), g(x));
+  }
+}
+
+TEST(Spacing, KnowsTheLargestSlopeOfWhatIsGiven)
+{
+  const auto plane = [](const Point2& x) { return 2.0 + 0.3 * x.X - 0.4 * x.Y; };
+  EXPECT_NEAR(MakeGoodSpacing(WithGrid(MakeGrid(7, 9, plane))).GivenLipschitz(), 0.5, 1e-12);
+  EXPECT_NEAR(
+    MakeGoodSpacing(WithTriangles(MakeTriangulation(7, plane))).GivenLipschitz(), 0.5, 1e-12);
+  SpacingOptions segments =
+    WithSegments({ { { 0.0, 0.0 }, { 3.0, 4.0 } }, { 1.0, 2.0 }, { 0, 1 } });
+  segments.Scale = 10.0;
+  EXPECT_NEAR(MakeGoodSpacing(segments).GivenLipschitz(), 2.0, 1e-12);
+  segments.Segments = nullptr;
+  EXPECT_EQ(MakeGoodSpacing(segments).GivenLipschitz(), 0.0);
+}
+
+TEST(Spacing, OfSourcesWithOneValueIsUniform)
+{
+  const auto level = [](const Point2&) { return 0.5; };
+  SpacingOptions options = WithGrid(MakeGrid(4, 4, level));
+  options.Triangulation = Share(MakeTriangulation(4, level));
+  options.Segments = Share(MakeLoop(10, [](double) { return 0.25; }));
+  options.Gradation = 0.0;
+  const Spacing spacing = MakeGoodSpacing(options);
+  EXPECT_TRUE(spacing.IsUniform());
+  EXPECT_EQ(spacing({ 0.5, 0.5 }), 0.25);
+}
+
+TEST(Spacing, FillsHolesFromTheirBorder)
+{
+  const auto holed = [](const Point2& x) { return x.X > 0.45 ? NotANumber : 1.0 + x.Y; };
+  const Spacing grid = MakeGoodSpacing(WithGrid(MakeGrid(11, 11, holed)));
+  const Spacing triangulation = MakeGoodSpacing(WithTriangles(MakeTriangulation(11, holed)));
+  for (const Point2& x : Probes(1000))
+  {
+    const double expected = 1.0 + std::min(std::max(x.Y, 0.0), 1.0);
+    ASSERT_NEAR(grid(x), expected, 1e-12);
+    ASSERT_NEAR(triangulation(x), expected, 1e-12);
+  }
+}
+
+TEST(Spacing, IsTheSameFromAnyThread)
+{
+  const Spacing spacing = MakeGoodSpacing(WithEverything());
+  const std::vector<Point2> probes = Probes(20000);
+  std::vector<std::vector<double>> values(4, std::vector<double>(probes.size()));
+  std::vector<std::thread> threads;
+  for (std::vector<double>& own : values)
+  {
+    threads.emplace_back(
+      [&spacing, &probes, &own]()
+      {
+        std::transform(probes.begin(), probes.end(), own.begin(),
+          [&spacing](const Point2& x) { return spacing(x); });
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const std::vector<double>& own : values)
+  {
+    EXPECT_EQ(own, values.front());
+  }
+}
+
+TEST(Spacing, ScalesExactlyWithPowersOfTwo)
+{
+  const SpacingOptions options = WithEverything();
+  const Spacing spacing = MakeGoodSpacing(options);
+  for (double factor : { std::ldexp(1.0, -40), 0.5, std::ldexp(1.0, 33) })
+  {
+    const Spacing scaled =
+      MakeGoodSpacing(ScaledBy(factor, options), { { 0.0, 0.0 }, { factor, factor } });
+    for (const Point2& x : Probes(2000))
+    {
+      ASSERT_EQ(scaled(factor * x), factor * spacing(x));
+    }
+  }
+}
+
+TEST(Spacing, MovesWithItsSources)
+{
+  const SpacingOptions options = WithEverything();
+  const Spacing spacing = MakeGoodSpacing(options);
+  const Point2 shift{ 1e6, -2e6 };
+  const Spacing shifted =
+    MakeGoodSpacing(ShiftedBy(shift, options), { shift, shift + Point2{ 1.0, 1.0 } });
+  for (const Point2& x : Probes(2000))
+  {
+    ASSERT_NEAR(shifted(x + shift) / spacing(x), 1.0, 0.02);
+  }
+}
+
+TEST(Spacing, IsPositiveAndFiniteWhereverItIsAsked)
+{
+  const Spacing spacing = MakeGoodSpacing(WithEverything());
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double wild : { NotANumber, infinity, -infinity, 1e300, -1e300 })
+  {
+    for (const Point2& x : { Point2{ wild, 0.5 }, Point2{ 0.5, wild }, Point2{ wild, wild } })
+    {
+      EXPECT_TRUE(spacing(x) > 0.0 && std::isfinite(spacing(x)));
+    }
+  }
+}
+
+TEST(MakeSpacing, RefusesValuesOfTheGridThatAreNoSpacing)
+{
+  const std::pair<double, const char*> cases[] = { { 0.0, "value 0 in the grid source" },
+    { -3.0, "value -3 in the grid source" },
+    { std::numeric_limits<double>::infinity(), "value inf in the grid source" },
+    { -std::numeric_limits<double>::infinity(), "value -inf in the grid source" } };
+  for (const auto& bad : cases)
+  {
+    GridSource grid = MakeGrid(5, 3, Wave);
+    grid.Values[7] = bad.first;
+    ExpectRefusedValue(WithGrid(grid), 7, { 0.5, 0.5 }, bad.second);
+  }
+}
+
+TEST(MakeSpacing, RefusesValuesOfTrianglesThatAreNoSpacing)
+{
+  TriangulatedSource source = MakeTriangulation(3, Wave);
+  source.Values[5] = -0.25;
+  ExpectRefusedValue(
+    WithTriangles(source), 5, { 1.0, 0.5 }, "value -0.25 in the triangulated source");
+}
+
+TEST(MakeSpacing, RefusesValuesOfSegmentsThatAreNoSpacing)
+{
+  for (double bad : { 0.0, -1.0, NotANumber })
+  {
+    SegmentSource source = MakeLoop(8, [](double) { return 1.0; });
+    source.Values[3] = bad;
+    const std::string text = std::isnan(bad) ? "nan" : bad < 0.0 ? "-1" : "0";
+    ExpectRefusedValue(
+      WithSegments(source), 3, source.Points[3], "value " + text + " in the segment source");
+  }
+}
+
+TEST(MakeSpacing, ReportsEveryBadValue)
+{
+  GridSource grid = MakeGrid(5, 3, Wave);
+  grid.Values[2] = 0.0;
+  grid.Values[9] = -1.0;
+  SpacingOptions options = WithGrid(grid);
+  SegmentSource segments = MakeLoop(8, [](double) { return 1.0; });
+  segments.Values[0] = -2.0;
+  options.Segments = Share(segments);
+  options.Scale = -1.0;
+  EXPECT_EQ(ProblemsOf(options).size(), 4u);
+}
+
+TEST(MakeSpacing, RefusesASourceThatIsOneHole)
+{
+  const auto hole = [](const Point2&) { return NotANumber; };
+  ExpectRefused(WithGrid(MakeGrid(4, 4, hole)), "every value is nan in the grid source");
+  ExpectRefused(
+    WithTriangles(MakeTriangulation(4, hole)), "every value is nan in the triangulated source");
+}
+
+TEST(MakeSpacing, RefusesTriangulationsWithoutAUsableTriangle)
+{
+  const TriangulatedSource points{ { { 0.0, 0.0 }, { 1.0, 0.0 } }, { 1.0, 2.0 }, {} };
+  ExpectRefused(
+    WithTriangles(points), "there are points but no triangles in the triangulated source");
+  const TriangulatedSource flat{ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 0.0 } }, { 1.0, 2.0, 3.0 },
+    { 0, 1, 2 } };
+  ExpectRefused(
+    WithTriangles(flat), "no triangle has an area and three values in the triangulated source");
+}
+
+TEST(MakeSpacing, RefusesPositionsThatAreNotFinite)
+{
+  SegmentSource source = MakeLoop(8, [](double) { return 1.0; });
+  source.Points[2].Y = NotANumber;
+  const std::vector<Problem> problems = ProblemsOf(WithSegments(source));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems.front().Ids, std::vector<std::int64_t>{ 2 });
+  EXPECT_EQ(problems.front().Detail, "position in the segment source");
+}
+
+TEST(MakeSpacing, RefusesNodesThatDoNotAscend)
+{
+  GridSource grid = MakeGrid(4, 4, Wave);
+  std::swap(grid.YNodes[1], grid.YNodes[2]);
+  ExpectRefused(WithGrid(grid), "y nodes do not ascend in the grid source");
+}
+
+TEST(MakeSpacing, RefusesParametersThatAreNoSpacing)
+{
+  SpacingOptions options;
+  options.Uniform = -1.0;
+  ExpectRefused(options, "UniformSpacing is -1");
+  options = {};
+  options.Scale = 0.0;
+  ExpectRefused(options, "SpacingScale is 0");
+  options = {};
+  options.Scale = NotANumber;
+  ExpectRefused(options, "SpacingScale is nan");
+  options = {};
+  options.Minimum = std::numeric_limits<double>::infinity();
+  ExpectRefused(options, "MinimumSpacing is inf");
+  options = {};
+  options.Maximum = -2.0;
+  ExpectRefused(options, "MaximumSpacing is -2");
+  options = {};
+  options.Gradation = NotANumber;
+  ExpectRefused(options, "Gradation is nan");
+  options = {};
+  options.Minimum = 2.0;
+  options.Maximum = 1.0;
+  ExpectRefused(options, "MinimumSpacing 2 is above MaximumSpacing 1");
+}
+
+TEST(MakeSpacing, RefusesValuesThatLeaveTheRangeWhenScaled)
+{
+  GridSource grid = MakeGrid(5, 3, Wave);
+  grid.Values[7] = 1e300;
+  SpacingOptions options = WithGrid(grid);
+  options.Scale = 1e10;
+  ExpectRefusedValue(options, 7, { 0.5, 0.5 }, "value 1e+300 in the grid source");
+}
