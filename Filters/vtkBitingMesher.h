@@ -75,7 +75,7 @@
  * repaired with a warning for each kind, which says how many, which and where, or refused with one
  * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
  * size from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
- * empty. An empty input gives empty outputs and no message. After an abort the outputs are empty.
+ * empty; so they are, with an error, where memory does not suffice. An empty input gives empty outputs and no message. After an abort the outputs are empty.
  * Same input and parameters, same bytes: any run, any thread.
  *
  * @par Limits:

@@ -91,7 +91,7 @@ build()
   folder="$1"
   shift
   cmake -G Ninja -S "$root" -B "$folder" \
-    -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
+    -DBITING_BUILD_TESTING=ON -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
   cmake --build "$folder" --parallel "$(nproc)"
 }

@@ -5,9 +5,12 @@
 #define BitingBitesToPolyData_h
 
 #include "../Kernel/BitingMesh.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PlaneFrame.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -5,9 +5,12 @@
 #define BitingBoundaryEdgesToPolyData_h
 
 #include "../Kernel/BitingMesh.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPoints;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -5,12 +5,15 @@
 #define BitingBoundarySpacing_h
 
 #include "../Kernel/Spacing/Spacing.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PolylinesFromPolyData.h"
 
 #include <string> // for the refusal
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -4,10 +4,14 @@
 #ifndef BitingDoubleArray_h
 #define BitingDoubleArray_h
 
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
 #include "vtkDoubleArray.h"  // for the return value
 #include "vtkSmartPointer.h" // for the return value
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -5,12 +5,15 @@
 #define BitingMeshToPolyData_h
 
 #include "../Kernel/BitingMesh.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PolylinesFromPolyData.h"
 
 #include "vtkPoints.h"       // for the points
 #include "vtkSmartPointer.h" // for the points
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

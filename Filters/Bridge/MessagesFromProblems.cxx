@@ -80,6 +80,10 @@ Wording WordingOf(ProblemCode code)
 
 std::string IdsText(const Problem& problem, const Wording& wording)
 {
+  if (problem.Ids.empty())
+  {
+    return problem.Detail;
+  }
   std::ostringstream text;
   text << wording.FirstId << ' ' << problem.Ids[0];
   if (problem.Ids.size() > 1 && *wording.SecondId)

@@ -5,10 +5,13 @@
 #define BitingMonitorOfFilter_h
 
 #include "../Kernel/Base/Monitor.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 
 #include <chrono> // for the time of the last report
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

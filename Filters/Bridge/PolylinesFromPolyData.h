@@ -6,6 +6,7 @@
 
 #include "../Kernel/Base/Problem.h"
 #include "../Kernel/Domain/Polylines.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PlaneFrame.h"
 
 #include "vtkDoubleArray.h"  // for coordinates
@@ -15,7 +16,9 @@
 #include <string>  // for the refusal
 #include <vector>  // for points
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -5,12 +5,15 @@
 #define BitingSourceSpacing_h
 
 #include "../Kernel/Spacing/Spacing.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PlaneFrame.h"
 
 #include <string> // for the refusal
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

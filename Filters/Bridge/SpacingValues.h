@@ -4,13 +4,17 @@
 #ifndef BitingSpacingValues_h
 #define BitingSpacingValues_h
 
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
 #include "vtkType.h" // for vtkIdType
 
 #include <string> // for the refusal
 #include <vector> // for points
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace biting
 {

@@ -103,17 +103,28 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
   return constraints;
 }
 
-// Takes the new vertices off the segments of conflicting constraints, and these back to one edge
-// each: the segments themselves do not cross.
-void UndoDivisions(
-  const Domain& domain, const std::vector<ConstraintConflict>& conflicts, BitingResult& bites)
+using Flags = std::vector<std::uint8_t>;
+
+// 1 for the segments whose parts cross or coincide with those of others.
+Flags SegmentsInConflict(
+  const Domain& domain, const TriangulationResult& result, const BitingResult& bites)
 {
-  std::vector<std::uint8_t> isUndone(domain.NumberOfSegments(), 0);
-  for (const ConstraintConflict& conflict : conflicts)
+  Flags isInConflict(domain.NumberOfSegments(), 0);
+  for (const auto* pairs : { &result.Conflicts, &result.Coincidences })
   {
-    isUndone[bites.EdgeSegments[conflict.First]] = 1;
-    isUndone[bites.EdgeSegments[conflict.Second]] = 1;
+    for (const ConstraintConflict& pair : *pairs)
+    {
+      isInConflict[bites.EdgeSegments[pair.First]] = 1;
+      isInConflict[bites.EdgeSegments[pair.Second]] = 1;
+    }
   }
+  return isInConflict;
+}
+
+// Takes the new vertices off segments, and these back to one edge each: the segments themselves do
+// not cross.
+void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites)
+{
   BitingResult kept;
   std::vector<Id> numbers;
   for (std::size_t vertex = 0; vertex < bites.Points.size(); ++vertex)
@@ -149,7 +160,8 @@ void UndoDivisions(
   bites = std::move(kept);
 }
 
-// Where rounded points of two close segments make their parts cross, their division is taken back.
+// Where rounded points of two close segments make their parts cross or coincide, their division is
+// taken back; before the last attempt that of all segments.
 Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions& options,
   BitingResult& bites, ProblemList& problems, Monitor& monitor)
 {
@@ -162,13 +174,17 @@ Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions&
       AddProblem(ProblemCode::Aborted, "", problems);
       return {};
     }
-    if (result.Conflicts.empty())
+    if (result.Conflicts.empty() && result.Coincidences.empty())
     {
       return std::move(result.Mesh);
     }
-    UndoDivisions(domain, result.Conflicts, bites);
+    const bool isLastChance = attempt == MostTriangulations - 2;
+    UndoDivisions(domain,
+      isLastChance ? Flags(domain.NumberOfSegments(), 1)
+                   : SegmentsInConflict(domain, result, bites),
+      bites);
   }
-  AddProblem(ProblemCode::CheckFailed, "constraints cross", problems);
+  AddProblem(ProblemCode::CheckFailed, "constraints cross or coincide", problems);
   return {};
 }
 

@@ -439,6 +439,22 @@ TEST(SharedCorpus, IsMeshedWithUnmergedPoints)
   JudgeSharedInputs(Ordinary, Unmerge);
 }
 
+TEST(SharedCorpus, IsMeshedInTiltedPlanes)
+{
+  for (const CorpusEntry& entry : SharedEntries({ "V", "W" }))
+  {
+    const Case example = CaseOf(entry);
+    if (!IsFlat(example.Input))
+    {
+      vtkNew<vtkBitingMesher> mesher;
+      mesher->SetInputData(example.Input);
+      mesher->SetUniformSpacing(entry.Spacing);
+      mesher->Update();
+      EXPECT_NEAR(AreaOf(mesher->GetOutput()), entry.Area, 1e-9 * entry.Area) << entry.File;
+    }
+  }
+}
+
 TEST(SharedCorpus, IsMeshedOrRefusedWithAWordWhereItIsDefective)
 {
   for (const CorpusEntry& entry : SharedEntries({ "R" }))

@@ -165,6 +165,23 @@ TEST(BitingMesherInput, MayHoldPointsThatNoCellUses)
   EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
 }
 
+TEST(BitingMesherInput, MayHoldCellsWithTooFewPoints)
+{
+  auto input = UnitSquare();
+  AddChain(input, { { 0.5, 0.5, 0.0 } }, false);
+  AddChain(input, { { 0.25, 0.5, 0.0 } }, true);
+  input->GetLines()->InsertNextCell(0);
+  input->GetVerts()->InsertNextCell(0);
+  input->GetPolys()->InsertNextCell({ 0 });
+  input->GetPolys()->InsertNextCell({ 0, 1 });
+  vtkNew<vtkBitingMesher> mesher;
+  Messages messages(mesher);
+  mesher->SetInputData(input);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
+}
+
 TEST(BitingMesherInput, BecomesAHoleByNestingWhateverItsOrientation)
 {
   for (const bool isReversed : { false, true })

@@ -315,6 +315,24 @@ TEST(BitingMesherBoundaryArray, HoldsOnTheBoundaryAndGrowsByGradation)
     0.02);
 }
 
+TEST(BitingMesherBoundaryArray, HoldsAtEmbeddedPoints)
+{
+  auto input = UnitSquare();
+  AddVertex(input, { 0.5, 0.5, 0.0 });
+  AddArray<vtkDoubleArray>(input->GetPointData(), "Spacing", { 0.2, 0.2, 0.2, 0.2, 0.01 });
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  ExpectSpacing(
+    mesher,
+    [](const Place& place)
+    {
+      const double inside =
+        std::min(std::min(place[0], 1.0 - place[0]), std::min(place[1], 1.0 - place[1]));
+      return std::min(0.2 + 0.3 * inside, 0.01 + 0.3 * std::hypot(place[0] - 0.5, place[1] - 0.5));
+    },
+    0.02);
+}
+
 TEST(BitingMesherArrays, MayHaveOtherNames)
 {
   auto source = vtkSmartPointer<vtkImageData>::New();

@@ -133,8 +133,8 @@ std::vector<SlopedSegment> SlopedSegments(const Drawing& drawing)
       const bool isForward = segment.Start.X < segment.End.X;
       const Point2& left = isForward ? segment.Start : segment.End;
       const Point2& right = isForward ? segment.End : segment.Start;
-      sloped.push_back({ Wide(left.X) - origin.X, Wide(left.Y) - origin.Y,
-        Wide(right.X) - origin.X, Wide(right.Y) - origin.Y });
+      sloped.push_back({ Wide(left.X) - origin.X, Wide(left.Y) - origin.Y, Wide(right.X) - origin.X,
+        Wide(right.Y) - origin.Y });
     }
   }
   return sloped;
@@ -218,8 +218,8 @@ EvenOddArea MeasureEvenOddArea(const Drawing& drawing)
   Wide area = 0;
   for (std::size_t k = 1; k < borders.size(); ++k)
   {
-    area += HeightWithin(segments, borders[k - 1], borders[k], heights) *
-      (borders[k] - borders[k - 1]);
+    area +=
+      HeightWithin(segments, borders[k - 1], borders[k], heights) * (borders[k] - borders[k - 1]);
   }
   const double length = BoundaryLength(drawing);
   const double rounding = static_cast<double>(segments.size()) *

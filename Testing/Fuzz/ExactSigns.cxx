@@ -114,7 +114,8 @@ int ExactInCircle(const Point2& a, const Point2& b, const Point2& c, const Point
   const Point2 u = a - d;
   const Point2 v = b - d;
   const Point2 w = c - d;
-  const double determinant = Dot(u, u) * Cross(v, w) + Dot(v, v) * Cross(w, u) + Dot(w, w) * Cross(u, v);
+  const double determinant =
+    Dot(u, u) * Cross(v, w) + Dot(v, v) * Cross(w, u) + Dot(w, w) * Cross(u, v);
   const double magnitude = Dot(u, u) * CrossMagnitude(v, w) + Dot(v, v) * CrossMagnitude(w, u) +
     Dot(w, w) * CrossMagnitude(u, v);
   const int certain = CertainSign(determinant, magnitude, InCircleBound, LeastInCircle);
@@ -126,8 +127,8 @@ int ExactInCircle(const Point2& a, const Point2& b, const Point2& c, const Point
   const WholePoint p = Difference(whole[0], whole[3]);
   const WholePoint q = Difference(whole[1], whole[3]);
   const WholePoint r = Difference(whole[2], whole[3]);
-  const Whole sum =
-    SquaredLength(p) * Cross(q, r) + SquaredLength(q) * Cross(r, p) + SquaredLength(r) * Cross(p, q);
+  const Whole sum = SquaredLength(p) * Cross(q, r) + SquaredLength(q) * Cross(r, p) +
+    SquaredLength(r) * Cross(p, q);
   return sum.sign();
 }
 

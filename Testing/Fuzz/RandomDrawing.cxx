@@ -385,8 +385,8 @@ void Mover::Poison(Places& places)
   {
     return;
   }
-  Point2& place = places[static_cast<std::size_t>(
-    this->Numbers.Below(static_cast<int>(places.size())))];
+  Point2& place =
+    places[static_cast<std::size_t>(this->Numbers.Below(static_cast<int>(places.size())))];
   (this->Numbers.OneIn(2) ? place.X : place.Y) = poisons[this->Numbers.Below(8)];
 }
 

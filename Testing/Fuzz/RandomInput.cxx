@@ -99,7 +99,7 @@ double SpacingMaker::Length()
 {
   const int kind = this->Numbers.Below(64);
   return this->Size *
-    (kind == 63     ? this->Numbers.Power(-200, -12)
+    (kind == 63      ? this->Numbers.Power(-200, -12)
         : kind == 62 ? this->Numbers.Power(4, 80)
         : kind > 58  ? this->Numbers.Power(-6, -4)
                      : this->Numbers.Power(-4, 2));
@@ -112,7 +112,7 @@ double SpacingMaker::Value()
 
 double SpacingMaker::Poison()
 {
-  const double poisons[] = { 0.0, Nan, -this->Size, Infinity, -Infinity, 1e-320, 1e308, 1e-200 };
+  const double poisons[] = { 0.0, Nan, -this->Size, Infinity, -Infinity, 1e-320, 1e100, 1e-200 };
   return poisons[this->Numbers.Below(8)];
 }
 

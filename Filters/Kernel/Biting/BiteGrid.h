@@ -33,9 +33,10 @@ public:
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit) const;
 
-  /// Calls visit(bite) for the bites of all leaves that the square meets; a bite may come twice.
+  /// Calls visit(bite) for the bites of all leaves that the square meets, until it returns true; a
+  /// bite may come twice.
   template <typename Visit>
-  void VisitSquare(const Point2& center, double reach, Visit&& visit) const;
+  bool VisitSquare(const Point2& center, double reach, Visit&& visit) const;
 
 private:
   static constexpr Id Division = 4;
@@ -78,7 +79,7 @@ private:
   template <typename Visit>
   bool VisitBlocks(const Cell& cell, Visit&& visit) const;
   template <typename Visit>
-  void VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
+  bool VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
   // A cell's low corner and size, in units of a top cell.
   struct Place
   {
@@ -137,7 +138,7 @@ bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
 }
 
 template <typename Visit>
-void BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) const
+bool BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) const
 {
   const LocalBox box = this->ToGrid(center, reach);
   const Id lastRow = ClampedIndex(box.HighY, this->Rows);
@@ -147,24 +148,23 @@ void BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) co
     for (Id column = ClampedIndex(box.LowX, this->Columns); column <= lastColumn; ++column)
     {
       const Cell& cell = this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
-      this->VisitCell(
-        cell, { box.LowX - column, box.LowY - row, box.HighX - column, box.HighY - row }, visit);
+      const LocalBox local{ box.LowX - column, box.LowY - row, box.HighX - column,
+        box.HighY - row };
+      if (this->VisitCell(cell, local, visit))
+      {
+        return true;
+      }
     }
   }
+  return false;
 }
 
 template <typename Visit>
-void BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
+bool BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
 {
   if (cell.FirstChild == NoId)
   {
-    this->VisitBlocks(cell,
-      [&visit](Id bite)
-      {
-        visit(bite);
-        return false;
-      });
-    return;
+    return this->VisitBlocks(cell, visit);
   }
   const double lowX = box.LowX * Division;
   const double lowY = box.LowY * Division;
@@ -176,10 +176,14 @@ void BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) c
   {
     for (Id column = ClampedIndex(lowX, Division); column <= lastColumn; ++column)
     {
-      this->VisitCell(this->Cells[cell.FirstChild + row * Division + column],
-        { lowX - column, lowY - row, highX - column, highY - row }, visit);
+      if (this->VisitCell(this->Cells[cell.FirstChild + row * Division + column],
+            { lowX - column, lowY - row, highX - column, highY - row }, visit))
+      {
+        return true;
+      }
     }
   }
+  return false;
 }
 
 } // namespace biting

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr int NumberOfProbes = 64;
+constexpr double BoxMargin = 1e-12;     // of a half-width: far above the rounding of a place
 constexpr double AxisTolerance = 1e-12; // of a unit vector: the rounding of one direction
 
 // Squares with these axes have parallel sides.
@@ -158,6 +159,25 @@ void BiteOutline::FindGaps(int side)
   {
     gaps.push_back({ end, this->HalfWidth });
   }
+}
+
+bool BiteOutline::IsHiddenWithin(const Box2& box) const
+{
+  for (int side = 0; side < 4; ++side)
+  {
+    for (const Interval& gap : this->Uncovered[side])
+    {
+      Box2 extent;
+      extent.Add(this->At(side, gap.Low));
+      extent.Add(this->At(side, gap.High));
+      extent.Grow(BoxMargin * this->HalfWidth);
+      if (extent.Meets(box))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 Point2 BiteOutline::At(int side, double place) const

@@ -4,6 +4,7 @@
 #ifndef BitingBiteOutline_h
 #define BitingBiteOutline_h
 
+#include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "Bites.h"
@@ -56,6 +57,9 @@ public:
 
   /// Finds the gaps of all sides, to be called after the last Cover.
   void Finish();
+
+  /// Whether all gaps lie outside of `box`, and so would those that more bites leave. After Finish.
+  bool IsHiddenWithin(const Box2& box) const;
 
   /// The uncovered intervals of side 0..3, ascending.
   const std::vector<Interval>& Gaps(int side) const { return this->Uncovered[side]; }

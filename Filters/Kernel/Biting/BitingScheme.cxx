@@ -25,6 +25,7 @@ constexpr double VerticesPerDensity = 0.72;
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
 constexpr Id AdvanceInterval = 1000;
+constexpr int FirstCheck = 64; // more bites than overlap where f follows the domain
 
 class BitingRun
 {
@@ -46,11 +47,13 @@ private:
   void AddEdge(Id start, Id end, Id segment);
   void Bite(Id vertex, const Point2& axis, BitePhase phase);
   void PutCandidates(Id bite);
+  bool IsHidden(Id bite, double reach);
   bool IsUncovered(const Candidate& candidate) const;
   bool IsSurrounded(const Point2& p) const;
   double Slack(Id bite) const;
   bool MayBite() const;
   void Advance();
+  void AdvanceSometimes(Id steps);
 
   const Domain& Geometry;
   const DomainLocator& Locator;
@@ -62,6 +65,7 @@ private:
   double ExpectedVertices;
   BitingResult Result;
   Bites& Squares;
+  Box2 Reach; ///< the box of the domain, and what rounding may add to it
   BiteGrid Grid;
   CandidateQueue Queue;
   EdgeDivider Divider;
@@ -94,10 +98,12 @@ BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const S
                                         : BitingConstant * LengthPerBitingConstant(options.Order))
   , ExpectedVertices(expectedVertices)
   , Squares(Result.Bites)
-  , Grid(Result.Bites, domain.Bounds, expectedVertices)
+  , Reach(domain.Bounds)
+  , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices())
   , Queue(options.Order)
   , Divider(spacing, BitingConstant, PartLength)
 {
+  this->Reach.Grow(domain.Resolution);
 }
 
 BitingResult BitingRun::Run()
@@ -189,9 +195,10 @@ void BitingRun::ProtectEdge(Id segment)
 // Once all of the boundary is bitten: most corners of its bites are covered by then.
 void BitingRun::SeedFront()
 {
-  for (Id bite = 0; bite < this->Squares.Size(); ++bite)
+  for (Id bite = 0; bite < this->Squares.Size() && this->Result.End == BitingEnd::Complete; ++bite)
   {
     this->PutCandidates(bite);
+    this->AdvanceSometimes(bite);
   }
 }
 
@@ -254,16 +261,10 @@ void BitingRun::PutCandidates(Id bite)
   const Point2 axis = this->Squares.Axes[bite];
   const double reach = this->Squares.HalfWidths[bite] * (std::abs(axis.X) + std::abs(axis.Y));
   this->Seen[bite] = bite;
-  this->Grid.VisitSquare(center, reach,
-    [this, bite](Id other)
-    {
-      if (this->Seen[other] != bite)
-      {
-        this->Seen[other] = bite;
-        this->Outline.Cover(this->Squares, other);
-      }
-    });
-  this->Outline.Finish();
+  if (this->IsHidden(bite, reach))
+  {
+    return;
+  }
   Box2 box;
   box.Add(center);
   box.Grow(reach);
@@ -277,6 +278,33 @@ void BitingRun::PutCandidates(Id bite)
         this->Queue.Put({ place, newest });
       }
     });
+}
+
+// Finds the gaps of the bite's outline. Where bites are crowded, some of them hide it as well as all
+// do: then there is nothing of it within the domain, whatever is left to look at.
+bool BitingRun::IsHidden(Id bite, double reach)
+{
+  int looked = 0;
+  int nextCheck = FirstCheck;
+  const bool isHidden = this->Grid.VisitSquare(this->Squares.Centers[bite], reach,
+    [this, bite, &looked, &nextCheck](Id other)
+    {
+      if (this->Seen[other] == bite)
+      {
+        return false;
+      }
+      this->Seen[other] = bite;
+      this->Outline.Cover(this->Squares, other);
+      if (++looked < nextCheck)
+      {
+        return false;
+      }
+      nextCheck *= 2;
+      this->Outline.Finish();
+      return this->Outline.IsHiddenWithin(this->Reach);
+    });
+  this->Outline.Finish();
+  return isHidden;
 }
 
 // Against the bites since the candidate's birth first: most candidates end there.
@@ -322,8 +350,13 @@ void BitingRun::Advance()
   {
     this->Result.End = BitingEnd::TooManyVertices;
   }
+  this->AdvanceSometimes(this->NumberOfBites);
+}
+
+void BitingRun::AdvanceSometimes(Id steps)
+{
   const double done = this->NumberOfBites / this->ExpectedVertices;
-  if (this->NumberOfBites % AdvanceInterval == 0 && !this->Progress.Advance(std::min(done, 1.0)))
+  if (steps % AdvanceInterval == 0 && !this->Progress.Advance(std::min(done, 1.0)))
   {
     this->Result.End = BitingEnd::Aborted;
   }

@@ -12,10 +12,13 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 0.25; // of f: four panels a part, Simpson's rule on each
+constexpr double PanelLength = 0.25; // of a part: Simpson's rule on each of its panels
 constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
 constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
-constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
+// Of c_b: 1 / cos(22.5 degrees), how far the bite of an input vertex with an angle of 45..315 degrees
+// reaches along its edges (figure 7).
+constexpr double LeastPart = 1.0824;
+constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 
@@ -70,7 +73,7 @@ bool EdgeDivider::DivideForward(const Point2& a, const Point2& b, Id limit, Divi
   return true;
 }
 
-// Panels follow f: half a spacing each, shorter where f changes fast.
+// Panels follow f: a quarter of a part each, shorter where f changes fast.
 bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 {
   const double length = Distance(a, b);
@@ -81,7 +84,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   double first = density(0.0);
   while (t < 1.0)
   {
-    double step = PanelLength / first;
+    double step = PanelLength * this->TargetLength / first;
     double last = density(std::min(1.0, t + step));
     while ((last > PanelRatio * first || first > PanelRatio * last) && step * first > LeastPanel)
     {
@@ -108,7 +111,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 Id EdgeDivider::NumberOfParts() const
 {
   const double least = std::ceil(this->Total / (2.0 * this->BitingConstant) * (1.0 + PartMargin));
-  const double greatest = std::floor(this->Total / this->BitingConstant);
+  const double greatest = std::floor(this->Total / (LeastPart * this->BitingConstant));
   const double wanted = std::round(this->Total / this->TargetLength);
   return static_cast<Id>(std::max(1.0, std::max(least, std::min(wanted, greatest))));
 }

@@ -24,10 +24,12 @@ struct DivisionPoints
 /// Divides edges by equal integrals of 1/f.
 ///
 /// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is the
-/// whole number nearest to I/TargetLength for which c_b <= I/n < 2 c_b: then no centre lies in its
-/// neighbour's bite (lemma 4.2), the bites cover the edge, and no odd gap is left at its end, as it
-/// is when an edge is walked from one end (paper, section 4.3, figure 11 c). Where f varies so fast
-/// that equal parts leave a gap between two bites, n grows until they meet.
+/// whole number nearest to I/TargetLength for which c_b <= I/n < 2 c_b: then the bites cover the edge,
+/// and no odd gap is left at its end, as it is when an edge is walked from one end (paper, section
+/// 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had, which keeps centres out of the
+/// bites of the edge's ends and of neighbours with a larger f; for I from 2 to 2.165 c_b it cannot,
+/// and the one centre may lie up to 8 % deep in them. Where f varies so fast that equal parts leave a
+/// gap between two bites, n grows until they meet.
 class EdgeDivider
 {
 public:

@@ -69,6 +69,7 @@ void FrontTracer::TraceBite(Id bite)
       {
         this->Outline.Cover(this->Squares, other);
       }
+      return false;
     });
   this->Outline.Finish();
   for (int side = 0; side < 4; ++side)
@@ -131,7 +132,11 @@ void FrontTracer::TraceSegment(Id segment)
   const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
   std::vector<Interval> covered;
   this->Grid.VisitSquare(Midpoint(a, b), 0.5 * Distance(a, b),
-    [&](Id bite) { covered.push_back(this->CoveredPart(bite, a, b)); });
+    [&](Id bite)
+    {
+      covered.push_back(this->CoveredPart(bite, a, b));
+      return false;
+    });
   covered.push_back({ 1.0, 1.0 });
   std::sort(covered.begin(), covered.end());
   double end = 0.0;

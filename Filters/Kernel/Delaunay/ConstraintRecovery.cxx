@@ -16,7 +16,7 @@ namespace biting
 namespace
 {
 
-constexpr std::size_t MaximumNumberOfConflicts = 10000;
+constexpr std::size_t MaximumNumberOfPairs = 10000;
 
 /// Whether b, collinear with the two others, lies on the same side of `center` as a.
 bool IsForward(const Point2& center, const Point2& a, const Point2& b)
@@ -103,7 +103,7 @@ public:
 
   void Recover(Id constraint, Id start, Id end, bool isBoundary);
 
-  std::vector<ConstraintConflict> Conflicts;
+  RecoveryResult Result;
 
 private:
   void PrepareMesh();
@@ -183,9 +183,9 @@ StarSearch Recovery::FindWay()
 /// Makes an edge up to the first vertex on the way, and returns that vertex.
 Id Recovery::Cross(Id crossedEdge)
 {
-  const std::size_t conflictsBefore = this->Conflicts.size();
+  const std::size_t conflictsBefore = this->Result.Conflicts.size();
   const Id vertex = this->CollectCavity(crossedEdge);
-  if (this->Conflicts.size() == conflictsBefore && !this->Beats.HasStopped())
+  if (this->Result.Conflicts.size() == conflictsBefore && !this->Beats.HasStopped())
   {
     this->MarkEdge(FillCavity(this->Mesh, this->Crossed, this->Stack));
     RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
@@ -232,7 +232,7 @@ void Recovery::NoteConflict(Id edge)
 {
   if (this->Mesh.Marks[edge] != NoId)
   {
-    this->Conflicts.push_back({ this->Mesh.Marks[edge] / 2, this->Constraint });
+    this->Result.Conflicts.push_back({ this->Mesh.Marks[edge] / 2, this->Constraint });
   }
 }
 
@@ -240,6 +240,10 @@ void Recovery::MarkEdge(Id edge)
 {
   const Id oddity = this->IsBoundary ? 1 : 0;
   const Id old = this->Mesh.Marks[edge];
+  if (old != NoId && this->Result.Coincidences.size() < MaximumNumberOfPairs)
+  {
+    this->Result.Coincidences.push_back({ old / 2, this->Constraint });
+  }
   const Id mark = old == NoId ? 2 * this->Constraint + oddity : old ^ oddity;
   this->Mesh.Marks[edge] = mark;
   this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
@@ -247,7 +251,7 @@ void Recovery::MarkEdge(Id edge)
 
 } // namespace
 
-std::vector<ConstraintConflict> RecoverConstraints(
+RecoveryResult RecoverConstraints(
   HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse)
 {
   Recovery recovery(mesh, phi, pulse);
@@ -256,13 +260,13 @@ std::vector<ConstraintConflict> RecoverConstraints(
   {
     pulse.SetFraction(static_cast<double>(c) / numberOfConstraints);
     recovery.Recover(c, constraints.Starts[c], constraints.Ends[c], constraints.IsBoundary[c] != 0);
-    if (recovery.Conflicts.size() >= MaximumNumberOfConflicts)
+    if (recovery.Result.Conflicts.size() >= MaximumNumberOfPairs)
     {
-      recovery.Conflicts.resize(MaximumNumberOfConflicts);
+      recovery.Result.Conflicts.resize(MaximumNumberOfPairs);
       break;
     }
   }
-  return std::move(recovery.Conflicts);
+  return std::move(recovery.Result);
 }
 
 } // namespace biting

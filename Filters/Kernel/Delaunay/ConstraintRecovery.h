@@ -8,10 +8,17 @@
 #include "Pulse.h"
 #include "Triangulation.h"
 
-#include <vector> // for the conflicts
+#include <vector> // for the pairs
 
 namespace biting
 {
+
+/// Pairs of constraints that are in each other's way, the first 10000 of each kind.
+struct RecoveryResult
+{
+  std::vector<ConstraintConflict> Conflicts;    ///< they cross: the mesh has no meaning
+  std::vector<ConstraintConflict> Coincidences; ///< they cover the same edge
+};
 
 /// Makes edges of the constraints, whose ends are vertices of the mesh, one after the other, and
 /// marks them (HalfEdgeMesh::Marks). A constraint that meets vertices on its way becomes several
@@ -19,8 +26,7 @@ namespace biting
 /// it toggles the parity of its mark.
 /// Missing edges are found from both ends at once, so that a fan of constraints costs no more than
 /// the degrees of its outer ends; the crossed triangles are replaced in linear time, then flips.
-/// Returns pairs of constraints that cross, the first 10000; the mesh has no meaning then.
-std::vector<ConstraintConflict> RecoverConstraints(
+RecoveryResult RecoverConstraints(
   HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse);
 
 } // namespace biting

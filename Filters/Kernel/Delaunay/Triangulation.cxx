@@ -48,7 +48,9 @@ TriangulationResult Triangulate(const std::vector<Point2>& points,
   {
     const ConstraintEdges edges = Renumber(constraints, inserted.Vertex);
     pulse.BeginPart(InsertionEnd, RecoveryEnd);
-    result.Conflicts = RecoverConstraints(inserted.Mesh, edges, options.Phi, pulse);
+    RecoveryResult recovery = RecoverConstraints(inserted.Mesh, edges, options.Phi, pulse);
+    result.Conflicts = std::move(recovery.Conflicts);
+    result.Coincidences = std::move(recovery.Coincidences);
     if (result.Conflicts.empty() && !pulse.HasStopped())
     {
       pulse.BeginPart(RecoveryEnd, 1.0);

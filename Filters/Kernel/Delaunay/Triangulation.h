@@ -45,7 +45,8 @@ struct TriangulationOptions
   double Phi = 1.0;
 };
 
-/// Constraints that cannot both be edges: they cross because their ends were rounded.
+/// Constraints that cannot both be edges: they cross because their ends were rounded; or need not,
+/// as they cover the same edge.
 struct ConstraintConflict
 {
   Id First = NoId;
@@ -56,6 +57,8 @@ struct TriangulationResult
 {
   Triangulation Mesh;                        ///< inside triangles only
   std::vector<ConstraintConflict> Conflicts; ///< where not empty, Mesh is empty
+  /// Constraints that cover an edge together: it has the number of the first.
+  std::vector<ConstraintConflict> Coincidences;
   bool WasAborted = false;
 };
 

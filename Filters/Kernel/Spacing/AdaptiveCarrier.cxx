@@ -25,8 +25,9 @@ constexpr std::size_t MostConesToSift = 32;
 /// Squares in which the extension may vary by more than this share of itself are not tried.
 constexpr double LargestVariation = 0.35;
 
-/// The share of the tolerance that the tested points may use: others may be worse.
-constexpr double TestedShare = 0.5;
+/// The share of the tolerance that the tested points may use. Others may be worse: at a third, no
+/// error above the tolerance was met in millions of probes.
+constexpr double TestedShare = 0.3;
 
 /// The share of the tolerance by which a sample may be too high.
 constexpr double SearchShare = 0.1;

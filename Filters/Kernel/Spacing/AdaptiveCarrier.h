@@ -18,11 +18,11 @@ namespace biting
 /// or interpolate the extension between their corners. The tree is refined until one or the other
 /// holds to Tolerance, relative to the value: so it is fine only where the extension has creases
 /// between many cones. Leaves do not share corners; across their borders the value may jump within
-/// the tolerance.
+/// the tolerance. Interpolating leaves are tested at nine points besides their corners, not proven.
 class AdaptiveCarrier
 {
 public:
-  static constexpr double Tolerance = 0.01;
+  static constexpr double Tolerance = 0.0125;
 
   /// Incomplete if the monitor asks to stop; it must not be evaluated then. The extension has at
   /// least one cone, the box an extent.

@@ -157,7 +157,12 @@ TEST(BiteGrid, FindsEveryBiteThatMeetsASquare)
   {
     const double reach = bites.HalfWidths[k];
     std::set<Id> found;
-    grid.VisitSquare(bites.Centers[k], reach, [&found](Id bite) { found.insert(bite); });
+    grid.VisitSquare(bites.Centers[k], reach,
+      [&found](Id bite)
+      {
+        found.insert(bite);
+        return false;
+      });
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       const Point2 offset = bites.Centers[bite] - bites.Centers[k];

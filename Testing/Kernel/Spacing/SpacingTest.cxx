@@ -172,7 +172,7 @@ TEST(Spacing, IsPositiveInABoxOfNoExtent)
   EXPECT_GT(MakeGoodSpacing({}, { { 1.0, 1.0 }, { 1.0, 1.0 } })({ 0.0, 0.0 }), 0.0);
   const Spacing point = MakeGoodSpacing(
     WithSegments({ { { 1.0, 2.0 } }, { 0.25 }, { 0, 0 } }), { { 1.0, 2.0 }, { 1.0, 2.0 } });
-  EXPECT_NEAR(point({ 1.0, 2.0 }), 0.25, 0.0025);
+  EXPECT_NEAR(point({ 1.0, 2.0 }), 0.25, 0.004);
 }
 
 TEST(Spacing, IsTheMinimumOfItsSources)
@@ -317,7 +317,7 @@ TEST(Spacing, MovesWithItsSources)
     MakeGoodSpacing(ShiftedBy(shift, options), { shift, shift + Point2{ 1.0, 1.0 } });
   for (const Point2& x : Probes(2000))
   {
-    ASSERT_NEAR(shifted(x + shift) / spacing(x), 1.0, 0.02);
+    ASSERT_NEAR(shifted(x + shift) / spacing(x), 1.0, 0.025);
   }
 }
 

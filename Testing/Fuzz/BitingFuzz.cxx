@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The long run: as many made-up inputs as there is time for, each judged by the oracle.
+//
+//   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]
+//
+// Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it was
+// found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and what
+// became of them. The first violation, and the first case that takes longer than ten seconds, is told
+// with its seed and ends the run with status 1. Best built with sanitizers:
+//
+//   cmake -D BITING_SDK=Kernel -D BITING_SANITIZE=address,undefined,float-cast-overflow ...
+//
+// GuidedFuzz.cxx is the same under the guidance of a fuzzer that watches the branches taken.
+
+#include "Oracle.h"
+
+#include <array>    // for the counts
+#include <chrono>   // for rates
+#include <csignal>  // for the alarm
+#include <cstdio>   // for messages
+#include <cstdlib>  // for numbers
+#include <fstream>  // for the file
+#include <iostream> // for the report
+#include <string>   // for arguments
+
+#include <unistd.h> // for alarm
+
+namespace
+{
+
+using namespace biting;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned SecondsPerCase = 10;
+constexpr double SecondsPerReport = 60.0;
+
+struct Arguments
+{
+  std::uint64_t Cases = 1000000;
+  std::uint64_t Seed = 1;
+  double Seconds = 1e9;
+  std::string File;
+  bool AreValid = true;
+};
+
+Arguments ReadArguments(int count, char** texts)
+{
+  Arguments arguments;
+  for (int k = 1; k + 1 < count; k += 2)
+  {
+    const std::string name = texts[k];
+    const char* value = texts[k + 1];
+    arguments.Cases = name == "--cases" ? std::strtoull(value, nullptr, 10) : arguments.Cases;
+    arguments.Seed = name == "--seed" ? std::strtoull(value, nullptr, 10) : arguments.Seed;
+    arguments.Seconds = name == "--seconds" ? std::strtod(value, nullptr) : arguments.Seconds;
+    arguments.File = name == "--write" ? value : arguments.File;
+    arguments.AreValid = arguments.AreValid &&
+      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--write");
+  }
+  arguments.AreValid = arguments.AreValid && count % 2 == 1;
+  return arguments;
+}
+
+/// What the alarm tells: a signal handler may neither format nor allocate.
+char SlowCase[64];
+
+extern "C" void TellSlowCase(int)
+{
+  const std::size_t length = std::char_traits<char>::length(SlowCase);
+  const bool isWritten = write(STDERR_FILENO, SlowCase, length) > 0;
+  _exit(isWritten ? 1 : 2);
+}
+
+void BeginCase(std::uint64_t seed)
+{
+  std::snprintf(SlowCase, sizeof(SlowCase), "seed %llu takes too long\n",
+    static_cast<unsigned long long>(seed));
+  alarm(SecondsPerCase);
+}
+
+class Counts
+{
+public:
+  void Add(Verdict verdict)
+  {
+    ++this->Cases;
+    ++this->Verdicts[static_cast<std::size_t>(verdict)];
+  }
+
+  void Print() const
+  {
+    const std::chrono::duration<double> seconds = Clock::now() - this->Begin;
+    std::cout << this->Cases << " cases in " << seconds.count() << " s, "
+              << static_cast<double>(this->Cases) / seconds.count()
+              << " a second: " << this->Verdicts[0] << " meshes, " << this->Verdicts[1]
+              << " repaired meshes, " << this->Verdicts[2] << " refusals, " << this->Verdicts[3]
+              << " aborted, " << this->Verdicts[4] << " violations" << std::endl;
+  }
+
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(Clock::now() - this->Begin).count();
+  }
+
+private:
+  Clock::time_point Begin = Clock::now();
+  std::uint64_t Cases = 0;
+  std::array<std::uint64_t, 5> Verdicts{};
+};
+
+bool RunCase(std::uint64_t seed, const std::string& file, Counts& counts)
+{
+  FuzzNumbers numbers(seed);
+  const FuzzCase fuzzCase = MakeFuzzCase(numbers);
+  if (!file.empty())
+  {
+    std::ofstream stream(file);
+    WriteLegacyVtk(stream, fuzzCase.Input, "seed " + std::to_string(seed));
+    std::cout << Describe(fuzzCase) << std::endl;
+  }
+  BeginCase(seed);
+  const FuzzOutcome outcome = RunFuzzCase(fuzzCase);
+  alarm(0);
+  counts.Add(outcome.Kind);
+  if (outcome.Kind == Verdict::Violation)
+  {
+    std::cout << "seed " << seed << ": " << outcome.Violation << "\n"
+              << Describe(fuzzCase) << std::endl;
+  }
+  return outcome.Kind != Verdict::Violation;
+}
+
+int RunAll(const Arguments& arguments)
+{
+  Counts counts;
+  double nextReport = SecondsPerReport;
+  bool isQuiet = true;
+  for (std::uint64_t k = 0; isQuiet && k < arguments.Cases; ++k)
+  {
+    isQuiet = RunCase(arguments.Seed + k, arguments.File, counts);
+    if (counts.Seconds() > arguments.Seconds)
+    {
+      break;
+    }
+    if (counts.Seconds() > nextReport)
+    {
+      counts.Print();
+      nextReport += SecondsPerReport;
+    }
+  }
+  counts.Print();
+  return isQuiet ? 0 : 1;
+}
+
+} // namespace
+
+int main(int count, char** texts)
+{
+  const Arguments arguments = ReadArguments(count, texts);
+  if (!arguments.AreValid)
+  {
+    std::cerr << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]\n";
+    return 2;
+  }
+  std::signal(SIGALRM, TellSlowCase);
+  return RunAll(arguments);
+}

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Oracle.h"
+
+#include "Drawing.h"
+#include "MeshOracle.h"
+
+#include <algorithm> // for all_of
+#include <cmath>     // for isfinite, ldexp
+#include <cstring>   // for memcmp
+#include <memory>    // for sources
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t RepeatPeriod = 16; // of cases, by the number of their points and chains
+constexpr int Magnification = 5;         // as a power of two
+
+/// Says stop at a given call and ever after; remembers what it was told.
+class StoppingMonitor : public Monitor
+{
+public:
+  explicit StoppingMonitor(std::int64_t stopAtCall)
+    : Rest(stopAtCall)
+  {
+  }
+
+  bool Advance(double fraction) override
+  {
+    this->HasBadFraction = this->HasBadFraction || !(fraction >= 0.0 && fraction <= 1.0);
+    this->SaidStop = this->SaidStop || this->Rest == 0;
+    --this->Rest;
+    return !this->SaidStop;
+  }
+
+  void BeginStage(const char*) override {}
+
+  bool SaidStop = false;
+  bool HasBadFraction = false;
+
+private:
+  std::int64_t Rest;
+};
+
+struct FuzzRun
+{
+  BitingMesh Mesh;
+  ProblemList Problems;
+  bool SaidStop = false;
+  bool HasBadFraction = false;
+};
+
+FuzzRun Run(const FuzzCase& fuzzCase)
+{
+  FuzzRun run;
+  StoppingMonitor monitor(fuzzCase.StopAtCall);
+  run.Mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, run.Problems, monitor);
+  run.SaidStop = monitor.SaidStop;
+  run.HasBadFraction = monitor.HasBadFraction;
+  return run;
+}
+
+bool IsEmpty(const BitingMesh& mesh)
+{
+  return mesh.Points.empty() && mesh.Corners.empty() && mesh.EdgeStarts.empty() &&
+    mesh.Spacing.empty() && mesh.Bites.Size() == 0 && mesh.Front.empty() &&
+    mesh.Quality.MinimumAngle.empty();
+}
+
+bool IsResolution(ProblemCode code)
+{
+  return code == ProblemCode::DuplicateSegments || code == ProblemCode::Crossings ||
+    code == ProblemCode::Touches;
+}
+
+/// Which of the ids of a problem number points; the others number cells.
+bool IsPointId(const Problem& problem, std::size_t k)
+{
+  switch (problem.Code)
+  {
+    case ProblemCode::DuplicatePoints:
+    case ProblemCode::OutsidePoints:
+    case ProblemCode::NotFinite:
+    case ProblemCode::OutOfRange:
+      return true;
+    case ProblemCode::ZeroLengthSegments:
+    case ProblemCode::Touches:
+      return k == 1;
+    default:
+      return false;
+  }
+}
+
+std::size_t ExpectedIds(const Problem& problem)
+{
+  switch (problem.Code)
+  {
+    case ProblemCode::OutsidePoints:
+    case ProblemCode::OutsideInterfaces:
+    case ProblemCode::NotFinite:
+      return 1;
+    case ProblemCode::DuplicatePoints:
+    case ProblemCode::ZeroLengthSegments:
+    case ProblemCode::DuplicateSegments:
+    case ProblemCode::Crossings:
+    case ProblemCode::Touches:
+    case ProblemCode::NotResolved:
+      return 2;
+    default:
+      return problem.Ids.size();
+  }
+}
+
+std::size_t MostValues(const SpacingOptions& spacing)
+{
+  std::size_t most = spacing.Grid ? spacing.Grid->Values.size() : 0;
+  most = std::max(most, spacing.Triangulation ? spacing.Triangulation->Values.size() : 0);
+  return std::max(most, spacing.Segments ? spacing.Segments->Values.size() : 0);
+}
+
+bool HasValidIds(const Problem& problem, const FuzzCase& fuzzCase)
+{
+  if (problem.Ids.size() != ExpectedIds(problem))
+  {
+    return false;
+  }
+  const bool isSpacing = problem.Code == ProblemCode::BadSpacing;
+  const std::size_t points = fuzzCase.Input.Points.size();
+  const std::size_t values = MostValues(fuzzCase.Options.Spacing);
+  for (std::size_t k = 0; k < problem.Ids.size(); ++k)
+  {
+    const std::size_t end = isSpacing ? values
+      : IsPointId(problem, k)         ? points
+                                      : fuzzCase.Input.Cells.size();
+    const bool isCrossingVertex = problem.Code == ProblemCode::Touches && k == 1;
+    if (problem.Ids[k] < (isCrossingVertex ? NoId : 0) ||
+      problem.Ids[k] >= static_cast<std::int64_t>(end))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool HasValidPlace(const Problem& problem)
+{
+  const bool isWhatIsWrong =
+    problem.Code == ProblemCode::NotFinite || problem.Code == ProblemCode::BadSpacing;
+  return isWhatIsWrong || (std::isfinite(problem.Place.X) && std::isfinite(problem.Place.Y));
+}
+
+/// What is wrong with what was said, whether there is a mesh or not.
+std::string JudgeProblems(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  int errors = 0;
+  for (const ProblemGroup& group : run.Problems.Groups())
+  {
+    errors += IsError(group.Code) ? 1 : 0;
+    const bool areValid = std::all_of(group.First.begin(), group.First.end(),
+      [&fuzzCase](const Problem& problem)
+      { return HasValidIds(problem, fuzzCase) && HasValidPlace(problem); });
+    if (!areValid || group.Count < 1 || group.First.empty())
+    {
+      return "a problem of code " + std::to_string(static_cast<int>(group.Code)) +
+        " has wrong ids or no place";
+    }
+    if (group.Code == ProblemCode::CheckFailed)
+    {
+      return "the kernel's own check failed: " + group.First.front().Detail;
+    }
+  }
+  return errors > 1 ? "more than one kind of error" : "";
+}
+
+bool HasFinitePoints(const Polylines& input)
+{
+  return std::all_of(input.Connectivity.begin(), input.Connectivity.end(),
+    [&input](Id id)
+    {
+      const Point2& point = input.Points[static_cast<std::size_t>(id)];
+      return std::isfinite(point.X) && std::isfinite(point.Y);
+    });
+}
+
+/// Whether the refusal is one that the input deserves.
+std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  if (run.Problems.Has(ProblemCode::NoClosedLoop))
+  {
+    const Drawing drawing = ReadDrawing(fuzzCase.Input);
+    const EvenOddArea area = MeasureEvenOddArea(drawing);
+    return drawing.IsExplicit && area.Area > area.Tolerance ? "there is a closed loop" : "";
+  }
+  if (run.Problems.Has(ProblemCode::NotFinite))
+  {
+    return HasFinitePoints(fuzzCase.Input) ? "all points are finite" : "";
+  }
+  if (run.Problems.Has(ProblemCode::NotResolved))
+  {
+    return fuzzCase.Options.Domain.Repair ? "not resolved" : "";
+  }
+  return "";
+}
+
+/// What must hold of a mesh besides itself.
+std::string JudgeMesh(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  for (const ProblemGroup& group : run.Problems.Groups())
+  {
+    if (!fuzzCase.Options.Domain.Repair && IsResolution(group.Code))
+    {
+      return "resolved without leave";
+    }
+  }
+  return FindMeshViolation(run.Mesh, fuzzCase.Input, fuzzCase.Options);
+}
+
+FuzzOutcome Violated(const std::string& violation)
+{
+  return { Verdict::Violation, violation };
+}
+
+FuzzOutcome Judge(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  const bool wasAborted = run.Problems.Has(ProblemCode::Aborted);
+  const bool hasErrors = run.Problems.HasErrors();
+  std::string violation = JudgeProblems(run, fuzzCase);
+  if (violation.empty() && run.HasBadFraction)
+  {
+    violation = "progress is not within 0 and 1";
+  }
+  if (violation.empty() && wasAborted != run.SaidStop && (wasAborted || !hasErrors))
+  {
+    violation = wasAborted ? "aborted for no reason" : "stop was not heard";
+  }
+  if (violation.empty() && hasErrors)
+  {
+    violation = IsEmpty(run.Mesh) ? JudgeRefusal(run, fuzzCase) : "an error and a mesh";
+  }
+  if (!violation.empty() || hasErrors)
+  {
+    return { !violation.empty() ? Verdict::Violation
+        : wasAborted            ? Verdict::Aborted
+                                : Verdict::Refusal,
+      violation };
+  }
+  if (IsEmpty(run.Mesh) && fuzzCase.Input.Kinds.empty())
+  {
+    return { Verdict::Mesh, "" };
+  }
+  violation = JudgeMesh(run, fuzzCase);
+  const bool isRepaired = !run.Problems.Groups().empty();
+  return { !violation.empty() ? Verdict::Violation
+      : isRepaired            ? Verdict::RepairedMesh
+                              : Verdict::Mesh,
+    violation };
+}
+
+double Magnified(double length)
+{
+  return std::ldexp(length, Magnification);
+}
+
+void Magnify(std::vector<double>& lengths)
+{
+  std::transform(lengths.begin(), lengths.end(), lengths.begin(), Magnified);
+}
+
+void Magnify(std::vector<Point2>& points)
+{
+  for (Point2& point : points)
+  {
+    point = { Magnified(point.X), Magnified(point.Y) };
+  }
+}
+
+template <typename Source>
+std::shared_ptr<Source> Copy(const std::shared_ptr<const Source>& source)
+{
+  return source ? std::make_shared<Source>(*source) : nullptr;
+}
+
+FuzzCase Magnify(FuzzCase fuzzCase)
+{
+  SpacingOptions& spacing = fuzzCase.Options.Spacing;
+  Magnify(fuzzCase.Input.Points);
+  spacing.Uniform = Magnified(spacing.Uniform);
+  spacing.Minimum = Magnified(spacing.Minimum);
+  spacing.Maximum = Magnified(spacing.Maximum);
+  if (const auto grid = Copy(spacing.Grid))
+  {
+    Magnify(grid->XNodes);
+    Magnify(grid->YNodes);
+    Magnify(grid->Values);
+    spacing.Grid = grid;
+  }
+  if (const auto triangulation = Copy(spacing.Triangulation))
+  {
+    Magnify(triangulation->Points);
+    Magnify(triangulation->Values);
+    spacing.Triangulation = triangulation;
+  }
+  if (const auto segments = Copy(spacing.Segments))
+  {
+    Magnify(segments->Points);
+    Magnify(segments->Values);
+    spacing.Segments = segments;
+  }
+  return fuzzCase;
+}
+
+/// Far from where numbers overflow, underflow or are taken for zero.
+bool IsOrdinary(double x)
+{
+  return x == 0.0 || (std::abs(x) > 1e-40 && std::abs(x) < 1e40);
+}
+
+bool IsOrdinary(const std::vector<double>& numbers)
+{
+  return std::all_of(
+    numbers.begin(), numbers.end(), [](double x) { return std::isnan(x) || IsOrdinary(x); });
+}
+
+bool IsOrdinary(const std::vector<Point2>& points)
+{
+  return std::all_of(points.begin(), points.end(),
+    [](const Point2& p) { return IsOrdinary(p.X) && IsOrdinary(p.Y); });
+}
+
+bool IsOrdinary(const FuzzCase& fuzzCase)
+{
+  const SpacingOptions& spacing = fuzzCase.Options.Spacing;
+  return IsOrdinary(fuzzCase.Input.Points) && IsOrdinary(spacing.Uniform) &&
+    IsOrdinary(spacing.Minimum) && IsOrdinary(spacing.Maximum) && IsOrdinary(spacing.Scale) &&
+    IsOrdinary(spacing.Gradation) && (!spacing.Grid || IsOrdinary(spacing.Grid->Values)) &&
+    (!spacing.Triangulation ||
+      (IsOrdinary(spacing.Triangulation->Values) && IsOrdinary(spacing.Triangulation->Points))) &&
+    (!spacing.Segments ||
+      (IsOrdinary(spacing.Segments->Values) && IsOrdinary(spacing.Segments->Points)));
+}
+
+template <typename Value>
+bool IsSame(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+bool IsSame(const BitingMesh& a, const BitingMesh& b)
+{
+  return IsSame(a.Points, b.Points) && IsSame(a.Spacing, b.Spacing) &&
+    IsSame(a.Corners, b.Corners) && IsSame(a.Neighbors, b.Neighbors) && IsSame(a.Kinds, b.Kinds) &&
+    IsSame(a.Regions, b.Regions) && IsSame(a.BiteOrders, b.BiteOrders) &&
+    IsSame(a.EdgeStarts, b.EdgeStarts) && IsSame(a.EdgeCells, b.EdgeCells) &&
+    IsSame(a.Front, b.Front) && IsSame(a.Quality.AspectRatio, b.Quality.AspectRatio) &&
+    IsSame(a.Bites.Centers, b.Bites.Centers);
+}
+
+/// Runs the case again, and once more magnified.
+std::string JudgeRepetition(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  if (!IsSame(run.Mesh, Run(fuzzCase).Mesh))
+  {
+    return "the same input gives another mesh";
+  }
+  if (IsOrdinary(fuzzCase))
+  {
+    std::vector<Point2> points = run.Mesh.Points;
+    Magnify(points);
+    const FuzzRun magnified = Run(Magnify(fuzzCase));
+    if (!IsSame(points, magnified.Mesh.Points) || !IsSame(run.Mesh.Corners, magnified.Mesh.Corners))
+    {
+      return "a larger unit of length gives another mesh";
+    }
+  }
+  return "";
+}
+
+} // namespace
+
+FuzzOutcome RunFuzzCase(const FuzzCase& fuzzCase)
+{
+  const FuzzRun run = Run(fuzzCase);
+  FuzzOutcome outcome = Judge(run, fuzzCase);
+  const std::size_t choice = fuzzCase.Input.Points.size() + fuzzCase.Input.Connectivity.size();
+  if (outcome.Violation.empty() && choice % RepeatPeriod == 0)
+  {
+    const std::string violation = JudgeRepetition(run, fuzzCase);
+    return violation.empty() ? outcome : Violated(violation);
+  }
+  return outcome;
+}
+
+} // namespace biting
