@@ -7,6 +7,7 @@
 #include "PlaneCut.h"
 #include "SpacingValues.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
@@ -16,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -153,8 +155,39 @@ private:
   vtkNew<vtkPoints> Places;
 };
 
+// The entries of a ghost array for the cells from `first` on.
+void CopyGhosts(vtkPolyData* source, vtkIdType first, vtkPolyData* copy)
+{
+  vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> kept;
+  kept->SetName(vtkDataSetAttributes::GhostArrayName());
+  kept->InsertTuples(0, ghosts->GetNumberOfTuples() - first, first, ghosts);
+  copy->GetCellData()->AddArray(kept);
+}
+
+// Without vertices and lines: they are no source, and where a line has one point, VTK 9.1 cannot
+// build the list of cells.
+vtkSmartPointer<vtkDataSet> FacesOf(vtkPolyData* source)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(source->GetPoints());
+  copy->GetPointData()->ShallowCopy(source->GetPointData());
+  copy->SetPolys(source->GetPolys());
+  copy->SetStrips(source->GetStrips());
+  CopyGhosts(source, source->GetNumberOfVerts() + source->GetNumberOfLines(), copy);
+  return copy;
+}
+
 vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
 {
+  if (auto* polyData = vtkPolyData::SafeDownCast(source))
+  {
+    return FacesOf(polyData);
+  }
   auto copy = vtk::TakeSmartPointer(source->NewInstance());
   copy->ShallowCopy(source);
   return copy;

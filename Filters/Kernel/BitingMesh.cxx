@@ -63,7 +63,8 @@ BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions op
 {
   const DomainLocator locator(domain);
   const double density = IntegrateDensity(domain, locator, spacing);
-  const double estimate = EstimateNumberOfVertices(density, options) + domain.NumberOfVertices();
+  const double estimate = EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() +
+    EstimateDivisionPoints(domain, spacing, 1.0);
   if (!(estimate <= static_cast<double>(options.MaximumNumberOfVertices)))
   {
     AddTooManyVertices(estimate, options.MaximumNumberOfVertices, problems);

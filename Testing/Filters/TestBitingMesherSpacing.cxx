@@ -242,6 +242,31 @@ TEST(BitingMesherSource, ThatDoesNotCoverTheDomainGoesOnWithItsBorder)
     });
 }
 
+TEST(BitingMesherSource, MayHoldVerticesAndLinesOfOnePoint)
+{
+  const auto polygons = Polygons(true);
+  auto* source = vtkPolyData::SafeDownCast(polygons);
+  source->GetVerts()->InsertNextCell({ 0 });
+  source->GetLines()->InsertNextCell({ 1 });
+  ExpectSpacing(MesherWith(source), Linear);
+}
+
+TEST(BitingMesherSource, WithHiddenPolygonsBesideVerticesIsReadElsewhere)
+{
+  const auto polygons = Polygons(true);
+  auto* source = vtkPolyData::SafeDownCast(polygons);
+  source->GetVerts()->InsertNextCell({ 0 });
+  vtkUnsignedCharArray* ghosts = source->AllocateCellGhostArray();
+  ghosts->SetValue(1, vtkDataSetAttributes::HIDDENCELL);
+  ghosts->SetValue(2, vtkDataSetAttributes::HIDDENCELL);
+  source->GetPointData()->GetArray("Spacing")->SetComponent(0, 0, -1.0);
+  const auto mesher = MesherWith(source);
+  Messages messages(mesher);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+}
+
 TEST(BitingMesherSource, IsNotReadWhereCellsAreHidden)
 {
   const auto image = Image(3, 3, 1);

@@ -48,6 +48,8 @@ private:
   void Bite(Id vertex, const Point2& axis, BitePhase phase);
   void PutCandidates(Id bite);
   bool IsHidden(Id bite, double reach);
+  void LookAround(Id bite);
+  bool Look(Id bite, Id other);
   bool IsUncovered(const Candidate& candidate) const;
   bool IsSurrounded(const Point2& p) const;
   double Slack(Id bite) const;
@@ -281,7 +283,8 @@ void BitingRun::PutCandidates(Id bite)
 }
 
 // Finds the gaps of the bite's outline. Where bites are crowded, some of them hide it as well as all
-// do: then there is nothing of it within the domain, whatever is left to look at.
+// do: then there is nothing of it within the domain, whatever is left to look at. Those around it are
+// the ones to ask.
 bool BitingRun::IsHidden(Id bite, double reach)
 {
   int looked = 0;
@@ -289,15 +292,14 @@ bool BitingRun::IsHidden(Id bite, double reach)
   const bool isHidden = this->Grid.VisitSquare(this->Squares.Centers[bite], reach,
     [this, bite, &looked, &nextCheck](Id other)
     {
-      if (this->Seen[other] == bite)
+      looked += this->Look(bite, other) ? 1 : 0;
+      if (looked < nextCheck)
       {
         return false;
       }
-      this->Seen[other] = bite;
-      this->Outline.Cover(this->Squares, other);
-      if (++looked < nextCheck)
+      if (nextCheck == FirstCheck)
       {
-        return false;
+        this->LookAround(bite);
       }
       nextCheck *= 2;
       this->Outline.Finish();
@@ -305,6 +307,36 @@ bool BitingRun::IsHidden(Id bite, double reach)
     });
   this->Outline.Finish();
   return isHidden;
+}
+
+// At the corners of the bite, and midway between them.
+void BitingRun::LookAround(Id bite)
+{
+  const double halfWidth = this->Squares.HalfWidths[bite];
+  for (int place = 0; place < 8; ++place)
+  {
+    int rest = FirstCheck;
+    const int side = place % 4;
+    const double corner = side == 0 || side == 3 ? halfWidth : -halfWidth;
+    this->Grid.VisitLeaf(this->Outline.At(side, place < 4 ? 0.0 : corner),
+      [this, bite, &rest](Id other)
+      {
+        this->Look(bite, other);
+        return --rest == 0;
+      });
+  }
+}
+
+// Takes away what `other` covers, unless it has been asked before.
+bool BitingRun::Look(Id bite, Id other)
+{
+  if (this->Seen[other] == bite)
+  {
+    return false;
+  }
+  this->Seen[other] = bite;
+  this->Outline.Cover(this->Squares, other);
+  return true;
 }
 
 // Against the bites since the candidate's birth first: most candidates end there.

@@ -18,6 +18,7 @@ constexpr int GreatestDepth = 14;     // halvings of these
 constexpr int BorderDepth = 2;        // halvings of a cell that is partly outside
 constexpr double GreatestRatio = 1.5; // of f within a cell
 constexpr int GreatestCells = 100000;
+constexpr double MostPanels = 64.0; // along a segment
 
 struct Cell
 {
@@ -123,6 +124,26 @@ double IntegrateDensity(const Domain& domain, const DomainLocator& locator, cons
   }
   const double mean = area > 0.0 ? integral / area : MeanDensityOfSegments(domain, spacing);
   return mean * domain.Area;
+}
+
+double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength)
+{
+  double points = 0.0;
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Point2& a = domain.Vertices[domain.Starts[segment]];
+    const Point2& b = domain.Vertices[domain.Ends[segment]];
+    const double length = Distance(a, b);
+    const double least = std::min(spacing(a), spacing(b));
+    const int panels = static_cast<int>(std::max(1.0, std::min(MostPanels, length / least)));
+    double density = 0.0;
+    for (int k = 0; k < panels; ++k)
+    {
+      density += 1.0 / spacing(a + (k + 0.5) / panels * (b - a));
+    }
+    points += std::max(0.0, density / panels * length / partLength - 1.0);
+  }
+  return points;
 }
 
 } // namespace biting

@@ -15,6 +15,11 @@ namespace biting
 /// an adaptive quadrature of bounded cost sees, it is too small. Cost independent of the mesh.
 double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing);
 
+/// How many vertices divide the segments of the domain into parts of `partLength` spacings: the
+/// integral of 1/f along each, by a rule of at most 64 points. Sees a spacing that is fine on the
+/// boundary alone, which no quadrature over the domain does.
+double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength);
+
 } // namespace biting
 
 #endif
