@@ -148,6 +148,7 @@ private:
   vtkUnsignedCharArray* CellGhosts;
   std::vector<double> Distances;
   PlaneCut Cut;
+  bool HasCells;
   bool HasVolumes = false;
   std::array<int, VTK_NUMBER_OF_CELL_TYPES> Dimensions;
   vtkNew<vtkGenericCell> Cell;
@@ -200,6 +201,7 @@ CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame)
   , CellGhosts(this->Source->GetCellGhostArray())
   , Distances(static_cast<std::size_t>(source->GetNumberOfPoints()))
   , Cut(this->Distances)
+  , HasCells(source->GetNumberOfCells() > 0)
 {
   this->Dimensions.fill(-1);
   double place[3];
@@ -212,11 +214,11 @@ CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame)
 
 std::string CellCollector::Collect()
 {
-  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
-  if (numberOfCells == 0)
+  if (!this->HasCells)
   {
     return "The spacing source has no cells to interpolate in.";
   }
+  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
   {
     const int dimension = this->Dimension(this->Source->GetCellType(cell));

@@ -11,6 +11,7 @@
 #include "MeshAssembly.h"
 #include "Quality/MeshCheck.h"
 
+#include <cmath>   // for abs
 #include <limits>  // for the largest id
 #include <sstream> // for figures in messages
 #include <utility> // for move
@@ -22,6 +23,8 @@ namespace
 {
 
 constexpr int MostTriangulations = 5; // each later one has fewer constraints in conflict
+constexpr double CoverageTolerance =
+  1e-6; // of a length: rounding of the sum, and of close vertices
 
 // The order of the mesh's figures.
 std::string Figure(double value)
@@ -106,9 +109,43 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
 
 using Flags = std::vector<std::uint8_t>;
 
-// 1 for the segments whose parts cross or coincide with those of others.
-Flags SegmentsInConflict(
-  const Domain& domain, const TriangulationResult& result, const BitingResult& bites)
+// The constraints that are not a union of mesh edges: as long as these are together.
+std::vector<Id> FindUncovered(const BitingResult& bites, const Triangulation& triangulation)
+{
+  std::vector<double> rest;
+  for (std::size_t edge = 0; edge < bites.EdgeStarts.size(); ++edge)
+  {
+    rest.push_back(
+      Distance(bites.Points[bites.EdgeStarts[edge]], bites.Points[bites.EdgeEnds[edge]]));
+  }
+  const std::vector<double> lengths = rest;
+  for (std::size_t half = 0; half < triangulation.Corners.size(); ++half)
+  {
+    const Id constraint = triangulation.Constraints[half];
+    const bool isFirst = triangulation.Neighbors[half] < static_cast<Id>(half / 3);
+    if (constraint != NoId && isFirst)
+    {
+      const std::size_t corner = half % 3;
+      const Id u = triangulation.Corners[half - corner + (corner + 1) % 3];
+      const Id v = triangulation.Corners[half - corner + (corner + 2) % 3];
+      rest[constraint] -= Distance(bites.Points[u], bites.Points[v]);
+    }
+  }
+  std::vector<Id> uncovered;
+  for (std::size_t edge = 0; edge < rest.size(); ++edge)
+  {
+    if (!(std::abs(rest[edge]) <= CoverageTolerance * lengths[edge]))
+    {
+      uncovered.push_back(static_cast<Id>(edge));
+    }
+  }
+  return uncovered;
+}
+
+// 1 for the segments whose parts cross or coincide with those of others, and for those that share an
+// end with one that the parts of others cut off from the mesh.
+Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result,
+  const std::vector<Id>& uncovered, const BitingResult& bites)
 {
   Flags isInConflict(domain.NumberOfSegments(), 0);
   for (const auto* pairs : { &result.Conflicts, &result.Coincidences })
@@ -118,6 +155,17 @@ Flags SegmentsInConflict(
       isInConflict[bites.EdgeSegments[pair.First]] = 1;
       isInConflict[bites.EdgeSegments[pair.Second]] = 1;
     }
+  }
+  Flags isAtConflict(domain.NumberOfVertices(), 0);
+  for (const Id edge : uncovered)
+  {
+    isAtConflict[domain.Starts[bites.EdgeSegments[edge]]] = 1;
+    isAtConflict[domain.Ends[bites.EdgeSegments[edge]]] = 1;
+  }
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    isInConflict[segment] |=
+      isAtConflict[domain.Starts[segment]] | isAtConflict[domain.Ends[segment]];
   }
   return isInConflict;
 }
@@ -161,12 +209,12 @@ void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bi
   bites = std::move(kept);
 }
 
-// Where rounded points of two close segments make their parts cross or coincide, their division is
-// taken back; before the last attempt that of all segments.
+// Where rounded points of two close segments make their parts cross or coincide, or cut one off from
+// the mesh, their division is taken back; before the last attempt that of all segments.
 Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions& options,
   BitingResult& bites, ProblemList& problems, Monitor& monitor)
 {
-  for (int attempt = 0; attempt < MostTriangulations; ++attempt)
+  for (int attempt = 1; attempt <= MostTriangulations; ++attempt)
   {
     TriangulationResult result =
       Triangulate(bites.Points, MakeConstraints(domain, bites), options, monitor);
@@ -175,17 +223,19 @@ Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions&
       AddProblem(ProblemCode::Aborted, "", problems);
       return {};
     }
-    if (result.Conflicts.empty() && result.Coincidences.empty())
+    const std::vector<Id> uncovered =
+      result.Conflicts.empty() ? FindUncovered(bites, result.Mesh) : std::vector<Id>();
+    if (result.Conflicts.empty() && result.Coincidences.empty() && uncovered.empty())
     {
       return std::move(result.Mesh);
     }
-    const bool isLastChance = attempt == MostTriangulations - 2;
+    const bool isLastChance = attempt == MostTriangulations - 1;
     UndoDivisions(domain,
       isLastChance ? Flags(domain.NumberOfSegments(), 1)
-                   : SegmentsInConflict(domain, result, bites),
+                   : SegmentsInConflict(domain, result, uncovered, bites),
       bites);
   }
-  AddProblem(ProblemCode::CheckFailed, "constraints cross or coincide", problems);
+  AddProblem(ProblemCode::CheckFailed, "a part of a segment is not in the mesh", problems);
   return {};
 }
 

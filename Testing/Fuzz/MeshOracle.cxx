@@ -101,6 +101,7 @@ private:
   bool HasArea();
   bool KeepsPoints();
   bool KeepsPoint(const Point2& p, const char* what);
+  bool IsAtBoundary(const Point2& p) const;
   bool Covers(const Point2& p) const;
   bool CoversSegments();
   bool CoversSegment(const DrawnSegment& segment);
@@ -429,7 +430,7 @@ bool MeshOracle::KeepsPoints()
 bool MeshOracle::KeepsPoint(const Point2& p, const char* what)
 {
   if (std::binary_search(this->SortedPoints.begin(), this->SortedPoints.end(), p) ||
-    !this->Covers(p))
+    !this->Covers(p) || this->IsAtBoundary(p))
   {
     return true;
   }
@@ -437,6 +438,15 @@ bool MeshOracle::KeepsPoint(const Point2& p, const char* what)
   text.precision(17);
   text << what << " is no vertex: (" << p.X << ", " << p.Y << ")";
   return this->Refuse(text.str());
+}
+
+/// Nearer to the boundary than rounding, p may as well be outside.
+bool MeshOracle::IsAtBoundary(const Point2& p) const
+{
+  return std::any_of(this->BoundarySlots.begin(), this->BoundarySlots.end(),
+    [this, &p](std::size_t slot) {
+      return DistanceTo(p, this->Corner(Next(slot)), this->Corner(Next(Next(slot)))) <= this->Slack;
+    });
 }
 
 /// Whether p lies in a triangle, exactly; its border included.

@@ -21,7 +21,8 @@ namespace biting
 /// - the boundary winds once about every triangle looked at: nothing overlaps;
 /// - regions are what interfaces leave connected;
 /// - with explicit boundaries the area is that of the drawing;
-/// - every end of a segment and every embedded point that the mesh covers is a vertex, bit for bit;
+/// - every end of a segment and every embedded point that the mesh covers is a vertex, bit for bit,
+///   unless it is nearer to the boundary than rounding;
 /// - every segment, as far as the mesh covers it, is covered by edges; every covering edge lies on
 ///   its input cell;
 /// - kinds and original points are true;

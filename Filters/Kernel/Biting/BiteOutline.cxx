@@ -167,17 +167,25 @@ bool BiteOutline::IsHiddenWithin(const Box2& box) const
   {
     for (const Interval& gap : this->Uncovered[side])
     {
-      Box2 extent;
-      extent.Add(this->At(side, gap.Low));
-      extent.Add(this->At(side, gap.High));
-      extent.Grow(BoxMargin * this->HalfWidth);
-      if (extent.Meets(box))
+      const Interval part = this->PartWithin(side, gap, box);
+      if (part.Low < part.High)
       {
         return false;
       }
     }
   }
   return true;
+}
+
+BiteOutline::Interval BiteOutline::PartWithin(int side, const Interval& gap, const Box2& box) const
+{
+  const double margin = BoxMargin * this->HalfWidth;
+  const Point2 origin = this->At(side, 0.0) - box.Center();
+  const Point2 direction = side % 2 == 0 ? Perpendicular(this->Axis) : this->Axis;
+  Interval part{ gap.Low - margin, gap.High + margin };
+  ClipToSlab(origin.X, direction.X, 0.5 * box.Width() + margin, part.Low, part.High);
+  ClipToSlab(origin.Y, direction.Y, 0.5 * box.Height() + margin, part.Low, part.High);
+  return part;
 }
 
 Point2 BiteOutline::At(int side, double place) const

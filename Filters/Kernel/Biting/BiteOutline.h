@@ -61,6 +61,10 @@ public:
   /// Whether all gaps lie outside of `box`, and so would those that more bites leave. After Finish.
   bool IsHiddenWithin(const Box2& box) const;
 
+  /// The part of a gap within `box`, and a margin for rounding; it ends before it starts where there
+  /// is none.
+  Interval PartWithin(int side, const Interval& gap, const Box2& box) const;
+
   /// The uncovered intervals of side 0..3, ascending.
   const std::vector<Interval>& Gaps(int side) const { return this->Uncovered[side]; }
 

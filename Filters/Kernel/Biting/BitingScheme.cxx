@@ -25,7 +25,7 @@ constexpr double VerticesPerDensity = 0.72;
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
 constexpr Id AdvanceInterval = 1000;
-constexpr int FirstCheck = 64; // more bites than overlap where f follows the domain
+constexpr int LeastCrowd = 64; // more bites than overlap where f follows the domain
 
 class BitingRun
 {
@@ -48,7 +48,7 @@ private:
   void Bite(Id vertex, const Point2& axis, BitePhase phase);
   void PutCandidates(Id bite);
   bool IsHidden(Id bite, double reach);
-  void LookAround(Id bite);
+  bool HideGaps(Id bite);
   bool Look(Id bite, Id other);
   bool IsUncovered(const Candidate& candidate) const;
   bool IsSurrounded(const Point2& p) const;
@@ -283,48 +283,56 @@ void BitingRun::PutCandidates(Id bite)
 }
 
 // Finds the gaps of the bite's outline. Where bites are crowded, some of them hide it as well as all
-// do: then there is nothing of it within the domain, whatever is left to look at. Those around it are
-// the ones to ask.
+// do, and there is nothing of it within the domain, whatever is left to look at.
 bool BitingRun::IsHidden(Id bite, double reach)
 {
+  const Point2& center = this->Squares.Centers[bite];
   int looked = 0;
-  int nextCheck = FirstCheck;
-  const bool isHidden = this->Grid.VisitSquare(this->Squares.Centers[bite], reach,
-    [this, bite, &looked, &nextCheck](Id other)
+  const auto makesCrowd = [this, bite, &looked](Id other)
+  {
+    looked += this->Look(bite, other) ? 1 : 0;
+    return looked == LeastCrowd;
+  };
+  if (this->Grid.VisitSquare(center, reach, makesCrowd))
+  {
+    do
     {
-      looked += this->Look(bite, other) ? 1 : 0;
-      if (looked < nextCheck)
+      this->Outline.Finish();
+      if (this->Outline.IsHiddenWithin(this->Reach))
+      {
+        return true;
+      }
+    } while (this->HideGaps(bite));
+    this->Grid.VisitSquare(center, reach,
+      [this, bite](Id other)
+      {
+        this->Look(bite, other);
+        return false;
+      });
+  }
+  this->Outline.Finish();
+  return false;
+}
+
+// Looks for a bite on the middle of each gap, as far as it matters. False where there is none that
+// was not asked before.
+bool BitingRun::HideGaps(Id bite)
+{
+  for (int side = 0; side < 4; ++side)
+  {
+    for (const BiteOutline::Interval& gap : this->Outline.Gaps(side))
+    {
+      const BiteOutline::Interval part = this->Outline.PartWithin(side, gap, this->Reach);
+      const Point2 middle = this->Outline.At(side, 0.5 * (part.Low + part.High));
+      const auto hides = [this, bite, &middle](Id other)
+      { return Depth(this->Squares, other, middle) > 0.0 && this->Look(bite, other); };
+      if (part.Low < part.High && !this->Grid.VisitLeaf(middle, hides))
       {
         return false;
       }
-      if (nextCheck == FirstCheck)
-      {
-        this->LookAround(bite);
-      }
-      nextCheck *= 2;
-      this->Outline.Finish();
-      return this->Outline.IsHiddenWithin(this->Reach);
-    });
-  this->Outline.Finish();
-  return isHidden;
-}
-
-// At the corners of the bite, and midway between them.
-void BitingRun::LookAround(Id bite)
-{
-  const double halfWidth = this->Squares.HalfWidths[bite];
-  for (int place = 0; place < 8; ++place)
-  {
-    int rest = FirstCheck;
-    const int side = place % 4;
-    const double corner = side == 0 || side == 3 ? halfWidth : -halfWidth;
-    this->Grid.VisitLeaf(this->Outline.At(side, place < 4 ? 0.0 : corner),
-      [this, bite, &rest](Id other)
-      {
-        this->Look(bite, other);
-        return --rest == 0;
-      });
+    }
   }
+  return true;
 }
 
 // Takes away what `other` covers, unless it has been asked before.
