@@ -107,6 +107,15 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
   return constraints;
 }
 
+// Vertices nearer to each other than rounding are none.
+SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
+{
+  const bool isBelow = spacing.Minimum >= 0.0 && spacing.Minimum < domain.Resolution;
+  const bool isFree = spacing.Maximum == 0.0 || spacing.Maximum > domain.Resolution;
+  spacing.Minimum = isBelow && isFree ? domain.Resolution : spacing.Minimum;
+  return spacing;
+}
+
 using Flags = std::vector<std::uint8_t>;
 
 // The constraints that are not a union of mesh edges: as long as these are together.
@@ -262,7 +271,8 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   monitor.BeginStage("Preparing the spacing");
-  const Spacing spacing = MakeSpacing(options.Spacing, domain.Bounds, problems, monitor);
+  const Spacing spacing =
+    MakeSpacing(AboveRounding(options.Spacing, domain), domain.Bounds, problems, monitor);
   if (problems.HasErrors())
   {
     return {};

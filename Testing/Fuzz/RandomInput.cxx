@@ -143,10 +143,11 @@ std::vector<double> SpacingMaker::Values(std::size_t count)
   {
     values[k] = style == 1 ? values[0] * (1.0 + this->Numbers.Unit()) : this->Value();
   }
+  const bool mayPoison = this->Numbers.OneIn(8);
   for (double& value : values)
   {
-    value = this->Numbers.OneIn(style == 3 ? 5 : 200) ? Nan : value;
-    value = this->Numbers.OneIn(200) ? this->Poison() : value;
+    value = mayPoison && this->Numbers.OneIn(8) ? Nan : value;
+    value = mayPoison && this->Numbers.OneIn(50) ? this->Poison() : value;
   }
   return values;
 }

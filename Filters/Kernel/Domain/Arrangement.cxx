@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr int MostRounds = 40;
+constexpr int MostRoundsWithSpikes = 6; // twice what is seen where edges are not crowded
 
 class Resolver
 {
@@ -68,6 +69,7 @@ bool Resolver::Run(const DomainOptions& options, Monitor& monitor)
   {
     PartOfStage half(monitor, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
+    this->Data.KeepsSpikes = round < MostRoundsWithSpikes;
     if (!FindMeetings(this->Data, this->Found, half))
     {
       return this->Refuse(ProblemCode::Aborted);

@@ -36,6 +36,7 @@ struct Arrangement
   std::vector<ArrangementEdge> Edges;
   std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
   double Resolution = 0.0;
+  bool KeepsSpikes = true; ///< thinner than Resolution, between edges that share an end
 
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
   const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
@@ -50,6 +51,10 @@ struct Arrangement
 /// never move. A crossing within Resolution of a vertex becomes that vertex. Both replace an edge by
 /// a path with the same ends, so the parity of closed chains is kept. The last round tests every
 /// pair and finds nothing.
+///
+/// The sides of a spike are not welded, or its tip would be lost. But many edges within Resolution of
+/// each other, which rounded crossings have cut and bent, may make new ones without end: after some
+/// rounds these are welded too.
 ///
 /// What the first round finds is reported. False where the input is refused, cannot be resolved, or
 /// the monitor has asked to stop: `problems` then has the reason.

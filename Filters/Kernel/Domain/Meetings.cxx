@@ -245,7 +245,7 @@ bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
 /// Thinner than Resolution it stays open, or its tip would be lost.
 bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
 {
-  return this->Stars.Degree(vertex) > 0 &&
+  return this->Input.KeepsSpikes && this->Stars.Degree(vertex) > 0 &&
     std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex),
       [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
 }
