@@ -172,10 +172,11 @@ Places DrawingMaker::Tube()
   return lower;
 }
 
-/// A star that closes, or winds several times.
+/// A star that closes nearly, or a small one that winds many times.
 Places DrawingMaker::Star(int tips)
 {
-  const Turn step = Turn::OfHalfTangent(this->Numbers.OneIn(4) ? 0.7 : 1.5707963267948966 / tips);
+  const bool isWinding = tips < 60 && this->Numbers.OneIn(4);
+  const Turn step = Turn::OfHalfTangent(isWinding ? 0.7 : 1.5707963267948966 / tips);
   const double ratio = 0.2 + 0.8 * this->Numbers.Unit();
   const Point2 center = this->Place();
   Point2 arm{ 0.5 * this->Width, 0.0 };

@@ -74,12 +74,12 @@ private:
 SpacingOptions SpacingMaker::Make()
 {
   SpacingOptions options;
-  const int sources = this->Numbers.Below(8);
-  options.Uniform = sources < 6 ? this->Length() : 0.0;
+  const int sources = this->Numbers.Below(16);
+  options.Uniform = sources < 14 ? this->Length() : 0.0;
   options.Gradation = this->Gradation();
-  options.Grid = sources == 5 || sources == 6 ? this->Grid() : nullptr;
-  options.Triangulation = sources == 4 || sources == 6 ? this->Triangulation() : nullptr;
-  options.Segments = sources == 3 || sources == 6 ? this->Segments() : nullptr;
+  options.Grid = sources == 12 || sources == 15 ? this->Grid() : nullptr;
+  options.Triangulation = sources == 13 || sources == 15 ? this->Triangulation() : nullptr;
+  options.Segments = sources == 11 || sources == 15 ? this->Segments() : nullptr;
   if (this->Numbers.OneIn(8))
   {
     options.Scale = this->Numbers.Power(-2, 2);
@@ -102,12 +102,12 @@ double SpacingMaker::Length()
     (kind == 63      ? this->Numbers.Power(-200, -12)
         : kind == 62 ? this->Numbers.Power(4, 80)
         : kind > 58  ? this->Numbers.Power(-6, -4)
-                     : this->Numbers.Power(-4, 2));
+                     : this->Numbers.Power(-3, 2));
 }
 
 double SpacingMaker::Value()
 {
-  return this->Size * this->Numbers.Power(-5, 2);
+  return this->Size * this->Numbers.Power(-4, 2);
 }
 
 double SpacingMaker::Poison()

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshOracle.h"
+#include "Oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for reverse
+#include <cmath>     // for nextafter
+#include <fstream>   // for inputs to look at
+#include <limits>    // for infinity
+#include <memory>    // for sources
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::uint64_t FirstSeed = 1;
+constexpr std::uint64_t NumberOfCases = 1500;
+
+FuzzCase CaseOfSeed(std::uint64_t seed)
+{
+  FuzzNumbers numbers(seed);
+  return MakeFuzzCase(numbers);
+}
+
+/// Judges a case; where it fails, its input is written to be looked at.
+void ExpectKept(const FuzzCase& fuzzCase, const std::string& name)
+{
+  const FuzzOutcome outcome = RunFuzzCase(fuzzCase);
+  if (outcome.Kind == Verdict::Violation)
+  {
+    const std::string path = "fuzz-" + name + ".vtk";
+    std::ofstream file(path);
+    WriteLegacyVtk(file, fuzzCase.Input, name);
+    ADD_FAILURE() << name << ": " << outcome.Violation << "\n"
+                  << Describe(fuzzCase) << "\nThe input is in " << path;
+  }
+}
+
+void ExpectKept(std::uint64_t seed)
+{
+  ExpectKept(CaseOfSeed(seed), std::to_string(seed));
+}
+
+/// Chains of boundary, each with points of its own.
+FuzzCase BoundaryOf(const std::vector<std::vector<Point2>>& chains, double spacing)
+{
+  FuzzCase fuzzCase;
+  Polylines& input = fuzzCase.Input;
+  for (const std::vector<Point2>& chain : chains)
+  {
+    for (const Point2& place : chain)
+    {
+      input.Connectivity.push_back(static_cast<Id>(input.Points.size()));
+      input.Points.push_back(place);
+    }
+    input.Cells.push_back(input.NumberOfChains());
+    input.Kinds.push_back(ChainKind::Boundary);
+    input.Offsets.push_back(static_cast<Id>(input.Connectivity.size()));
+  }
+  fuzzCase.Options.Spacing.Uniform = spacing;
+  return fuzzCase;
+}
+
+const std::vector<Point2> UnitSquare{ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 },
+  { 0.0, 0.0 } };
+
+TEST(Fuzz, MadeUpInputGivesAValidMeshOrOneClearMessage)
+{
+  for (std::uint64_t seed = FirstSeed; seed < FirstSeed + NumberOfCases; ++seed)
+  {
+    ExpectKept(seed);
+  }
+}
+
+/// Without this, a generator that makes nothing would pass.
+TEST(Fuzz, AllVerdictsOccur)
+{
+  int counts[5] = {};
+  for (std::uint64_t seed = 1; seed <= 100; ++seed)
+  {
+    ++counts[static_cast<int>(RunFuzzCase(CaseOfSeed(seed)).Kind)];
+  }
+  EXPECT_GT(counts[static_cast<int>(Verdict::Mesh)], 2);
+  EXPECT_GT(counts[static_cast<int>(Verdict::RepairedMesh)], 20);
+  EXPECT_GT(counts[static_cast<int>(Verdict::Refusal)], 10);
+  EXPECT_GT(counts[static_cast<int>(Verdict::Aborted)], 0);
+}
+
+TEST(Fuzz, BytesMakeCasesToo)
+{
+  std::vector<std::uint8_t> bytes;
+  for (int length = 0; length < 200; ++length)
+  {
+    FuzzNumbers numbers(bytes.data(), bytes.size());
+    ExpectKept(MakeFuzzCase(numbers), "bytes-" + std::to_string(length));
+    bytes.push_back(static_cast<std::uint8_t>(length * 73 + 5));
+  }
+}
+
+/// The oracle must see what is wrong, or its silence means nothing.
+TEST(Oracle, SeesWhatIsWrongWithAMesh)
+{
+  const FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.25);
+  ProblemList problems;
+  SilentMonitor monitor;
+  const BitingMesh mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, problems, monitor);
+  const auto violationOf = [&fuzzCase](const BitingMesh& spoiled)
+  { return FindMeshViolation(spoiled, fuzzCase.Input, fuzzCase.Options); };
+  EXPECT_EQ(violationOf(mesh), "");
+
+  BitingMesh spoiled = mesh;
+  std::swap(spoiled.Corners[0], spoiled.Corners[1]);
+  EXPECT_NE(violationOf(spoiled), "");
+  spoiled = mesh;
+  spoiled.Points.back() = spoiled.Points.front();
+  EXPECT_NE(violationOf(spoiled), "");
+  spoiled = mesh;
+  spoiled.Neighbors[4] = 0;
+  EXPECT_NE(violationOf(spoiled), "");
+  spoiled = mesh;
+  spoiled.EdgeIsBoundary[0] = 0;
+  EXPECT_NE(violationOf(spoiled), "");
+  spoiled = mesh;
+  spoiled.Regions[0] = 1;
+  EXPECT_NE(violationOf(spoiled), "");
+  spoiled = mesh;
+  spoiled.Quality.MinimumAngle[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(violationOf(spoiled), "");
+}
+
+TEST(Oracle, SeesAMissingSegmentPointAndArea)
+{
+  const FuzzCase small = BoundaryOf({ UnitSquare }, 0.25);
+  ProblemList problems;
+  SilentMonitor monitor;
+  const BitingMesh mesh = MakeBitingMesh(small.Input, small.Options, problems, monitor);
+  const auto violationFor = [&mesh](FuzzCase other, ChainKind kind)
+  {
+    other.Input.Kinds.back() = kind;
+    return FindMeshViolation(mesh, other.Input, other.Options);
+  };
+  const std::vector<Point2> hole{ { 0.3, 0.3 }, { 0.6, 0.3 }, { 0.6, 0.6 }, { 0.3, 0.3 } };
+  const std::vector<Point2> line{ { 0.31, 0.3 }, { 0.61, 0.6 } };
+  EXPECT_NE(violationFor(BoundaryOf({ UnitSquare, hole }, 0.25), ChainKind::Boundary), "");
+  EXPECT_NE(violationFor(BoundaryOf({ UnitSquare, line }, 0.25), ChainKind::Interface), "");
+  EXPECT_NE(violationFor(BoundaryOf({ UnitSquare, line }, 0.25), ChainKind::EmbeddedPoint), "");
+}
+
+/// Both long sides were divided at the same places, and nothing of the triangle was left.
+TEST(FuzzRegression, ATriangleThinnerThanRoundingHasAMesh)
+{
+  const std::vector<Point2> sliver{ { std::nextafter(1.0, 2.0), 4.0 },
+    { 3.0, std::nextafter(4.0, 5.0) }, { 1.0, 4.0 }, { std::nextafter(1.0, 2.0), 4.0 } };
+  const FuzzCase fuzzCase = BoundaryOf({ sliver }, 0.84);
+  ExpectKept(fuzzCase, "sliver");
+  EXPECT_NE(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
+}
+
+/// The parts of two segments became one mesh edge, which was told to bound and did not.
+TEST(FuzzRegression, PartsOfSegmentsNearerThanRoundingDoNotCoincide)
+{
+  const double beyond = std::nextafter(2.0, 3.0);
+  ExpectKept(BoundaryOf({ { { 2.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 2.0, 1.0 }, { 2.0, 0.0 } },
+                          { { beyond, 3.0 }, { 0.0, 0.0 }, { 1.0, 0.0 }, { beyond, 0.0 },
+                            { beyond, 3.0 } } },
+               0.12),
+    "coincident parts");
+}
+
+/// Interfaces within rounding of the boundary were cut off from the mesh by the parts of the boundary.
+TEST(FuzzRegression, SegmentsWithinRoundingOfTheBoundaryAreCovered)
+{
+  const Point2 a{ 244359.96647437123, -127637.07442542458 };
+  const Point2 b{ 110262.86551667644, -201145.65143654219 };
+  const Point2 c{ 67048.550478847406, 36754.288505558812 };
+  const Point2 d{ 311408.51695321867, -90882.785919865753 };
+  const Point2 e{ 103802.83898440622, -30294.261973288591 };
+  const Point2 f{ 237899.93994210099, 43214.315037829037 };
+  ExpectKept(BoundaryOf({ { a, b, b, a }, { c, b, d, e, f, c } }, 61119.5), "twice");
+
+  const Point2 g{ 3.1592810987475941, 0.13763335023240686 };
+  const Point2 h{ 3.7085573083576686, 2.0607286795274447 };
+  const Point2 i{ 1.2361857694525562, 0.68690955984248148 };
+  const Point2 j{ 2.1977334341000749, 0.41227145503744422 };
+  const Point2 k{ 2.4723715389051124, 1.373819119684963 };
+  const Point2 l{ 1.7854619790626307, 2.6100048891375192 };
+  const std::vector<Point2> spikes{ j, h, { 0.27463810480503731, 0.96154766464751884 }, j,
+    { 0.96154766464751884, -0.27463810480503731 }, g, { 1.5108238742575935, 1.6484572244900004 },
+    h };
+  FuzzCase fuzzCase = BoundaryOf({ { i, g, h, l, i }, { j, k, k, j }, { j, j, k, k, j }, spikes,
+                                   { { 2.8846429939425566, -0.82391431441511198 }, g,
+                                     { 3.4339192035526311, 1.0991810148799257 } } },
+    0.8);
+  fuzzCase.Input.Kinds.back() = ChainKind::Interface;
+  ExpectKept(fuzzCase, "cut off");
+}
+
+/// Each crossing of edges within rounding of each other made new ones, 40 rounds long.
+TEST(FuzzRegression, BundlesOfEdgesNearerThanRoundingAreResolved)
+{
+  const Point2 a{ 12388834.166693177, -1289154.2822932133 };
+  const Point2 b{ 12388925.747086674, -1289107.8850331386 };
+  const Point2 c{ 12388880.563953253, -1289245.8626867102 };
+  const Point2 d{ 12388857.972386541, -1289314.8515134961 };
+  const Point2 e{ 12388788.983559756, -1289292.2599467849 };
+  const std::vector<Point2> loop{ e, c, { 12388834.773756504, -1289269.0613167477 },
+    { 12388926.961213326, -1289337.4430802073 }, { 12388857.365323214, -1289200.0724899617 },
+    { 12388881.171016578, -1289360.6417102446 }, { 12388948.945716711, -1289153.6752298872 }, a,
+    e };
+  const std::vector<Point2> strokes{ b, { 12388835.380819829, -1289383.8403402818 }, b,
+    { 12388835.380819829, -1289383.8403402818 }, c, d, b };
+  FuzzCase fuzzCase = BoundaryOf({ loop, strokes, { c, { 12388879.956889926, -1289131.083663176 } },
+                                   { c, { 12388811.575126465, -1289223.2711199992 } } },
+    6.8);
+  fuzzCase.Input.Kinds[2] = ChainKind::Interface;
+  fuzzCase.Input.Kinds[3] = ChainKind::Interface;
+  ExpectKept(fuzzCase, "bundle");
+}
+
+/// All bites overlap all others: each was compared with each, for minutes.
+TEST(FuzzRegression, ManyVerticesWithinOneSpacingAreMeshedSoon)
+{
+  FuzzNumbers numbers(1);
+  std::vector<Point2> tangle;
+  for (int k = 0; k < 120; ++k)
+  {
+    const double x = numbers.Below(60);
+    tangle.push_back({ x, static_cast<double>(numbers.Below(60)) });
+  }
+  tangle.push_back(tangle.front());
+  ExpectKept(BoundaryOf({ tangle }, 300.0), "tangle");
+}
+
+/// A spacing that touches zero made vertices nearer to each other than a distance can tell.
+TEST(FuzzRegression, SpacingBelowRoundingIsThatOfRounding)
+{
+  FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.3);
+  auto source = std::make_shared<SegmentSource>();
+  source->Points = { { 0.0, 0.0 } };
+  source->Values = { 1e-200 };
+  source->Segments = { 0, 0 };
+  fuzzCase.Options.Spacing.Segments = source;
+  fuzzCase.Options.Spacing.Gradation = 8.0;
+  ExpectKept(fuzzCase, "tiny spacing");
+  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
+}
+
+/// With few bites to make, nobody asked the monitor between the trial of the calibration and the end.
+TEST(FuzzRegression, StopIsHeardWhereverItIsSaid)
+{
+  FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.04);
+  fuzzCase.Options.MaximumNumberOfBites = 22;
+  for (fuzzCase.StopAtCall = 0; fuzzCase.StopAtCall < 40; ++fuzzCase.StopAtCall)
+  {
+    ExpectKept(fuzzCase, "stop");
+  }
+}
+
+} // namespace
+
+} // namespace biting
