@@ -3,18 +3,24 @@
 
 #include "BitingMesh.h"
 
+#include "Base/PartOfStage.h"
+#include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Biting/VertexEstimate.h"
 #include "Calibration.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
+#include "DomainFeatures.h"
 #include "MeshAssembly.h"
+#include "MeshingStages.h"
+#include "PreservedSpacing.h"
 #include "Quality/MeshCheck.h"
 
-#include <cmath>   // for abs
-#include <limits>  // for the largest id
-#include <sstream> // for figures in messages
-#include <utility> // for move
+#include <algorithm> // for transform, find, max
+#include <cmath>     // for abs
+#include <limits>    // for the largest id, infinity
+#include <sstream>   // for figures in messages
+#include <utility>   // for move
 
 namespace biting
 {
@@ -25,6 +31,18 @@ namespace
 constexpr int MostTriangulations = 5; // each later one has fewer constraints in conflict
 constexpr double CoverageTolerance =
   1e-6; // of a length: rounding of the sum, and of close vertices
+
+// Where steps end, as shares of the time of a stage: of preparing the spacing, biting, a
+// triangulation, and the last stage.
+constexpr double ChoiceEnd = 0.05;
+constexpr double LocatorEnd = 0.01;
+constexpr double EstimateEnd = 0.02;
+constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
+constexpr double FirstAttemptEnd = 0.9;
+constexpr double TriangulationEnd = 0.95;
+constexpr double AssemblyEnd = 0.2;
+constexpr double CheckEnd = 0.4;
+constexpr double QualityEnd = 0.95;
 
 // The order of the mesh's figures.
 std::string Figure(double value)
@@ -43,15 +61,28 @@ void AddProblem(ProblemCode code, const std::string& detail, ProblemList& proble
   problems.Add(problem);
 }
 
+// Whether the part was stopped, which is noted then.
+bool AddAborted(const PartOfStage& part, ProblemList& problems)
+{
+  if (part.HasStopped() && !problems.Has(ProblemCode::Aborted))
+  {
+    AddProblem(ProblemCode::Aborted, "", problems);
+  }
+  return part.HasStopped();
+}
+
 BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
 {
   BitingOptions biting;
   biting.BitingConstant = options.BitingConstant;
+  biting.Shape = options.BiteShape;
+  biting.Placement = options.Placement;
   biting.Order = options.Order;
   biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
   biting.MaximumNumberOfVertices =
     std::min<std::int64_t>(options.MaximumNumberOfVertices, std::numeric_limits<Id>::max() / 8);
   biting.KeepFront = options.KeepBites;
+  biting.PreserveBoundary = options.PreserveBoundary;
   return biting;
 }
 
@@ -61,39 +92,85 @@ void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& proble
     "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
 }
 
+// What is known of the mesh beforehand.
+struct Forecast
+{
+  double Density = 0.0; ///< integral of 1/f^2
+  double Vertices = 0.0;
+};
+
+Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  const BitingOptions& options, Monitor& monitor)
+{
+  PartOfStage integrating(monitor, 0.0, 0.5);
+  const double density = IntegrateDensity(domain, locator, spacing, integrating);
+  PartOfStage dividing(monitor, 0.5, 1.0);
+  const double divisionPoints =
+    options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing);
+  return { density,
+    EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() + divisionPoints };
+}
+
+double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
+{
+  const double trials = options.BitingConstant == 0.0 ? VerticesOfTrials : 0.0;
+  return EstimateEnd + (1.0 - EstimateEnd) * trials / (trials + forecast.Vertices);
+}
+
+void Release(Bites& bites, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  pulse.SetFraction(1.0);
+  ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
+}
+
 BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions options,
   ProblemList& problems, Monitor& monitor)
 {
-  const DomainLocator locator(domain);
-  const double density = IntegrateDensity(domain, locator, spacing);
-  const double estimate = EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() +
-    EstimateDivisionPoints(domain, spacing, 1.0);
-  if (!(estimate <= static_cast<double>(options.MaximumNumberOfVertices)))
+  PartOfStage locating(monitor, 0.0, LocatorEnd);
+  Pulse pulse(locating);
+  const DomainLocator locator(domain, pulse);
+  if (AddAborted(locating, problems))
   {
-    AddTooManyVertices(estimate, options.MaximumNumberOfVertices, problems);
     return {};
   }
+  PartOfStage estimating(monitor, LocatorEnd, EstimateEnd);
+  const Forecast forecast = MakeForecast(domain, locator, spacing, options, estimating);
+  const double most = static_cast<double>(options.MaximumNumberOfVertices);
+  if (AddAborted(estimating, problems))
+  {
+    return {};
+  }
+  if (!(forecast.Vertices <= most))
+  {
+    AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
+    return {};
+  }
+  const double trialsEnd = EndOfTrials(options, forecast);
+  PartOfStage trying(monitor, EstimateEnd, trialsEnd);
   if (options.BitingConstant == 0.0)
   {
     options.BitingConstant =
-      CalibrateBitingConstant(domain, locator, spacing, density, options, monitor);
+      CalibrateBitingConstant(domain, locator, spacing, forecast.Density, options, trying);
     options.PartLength = 1.0;
   }
-  BitingResult bites = BiteDomain(domain, locator, spacing, estimate, options, monitor);
+  if (AddAborted(trying, problems))
+  {
+    return {};
+  }
+  PartOfStage rest(monitor, trialsEnd, 1.0);
+  BitingResult bites = BiteDomain(domain, locator, spacing, forecast.Vertices, options, rest);
   if (bites.End == BitingEnd::TooManyVertices)
   {
     // The estimate did not see all of f: more than the limit is what is known.
-    AddTooManyVertices(std::max(estimate, static_cast<double>(options.MaximumNumberOfVertices)),
-      options.MaximumNumberOfVertices, problems);
-  }
-  if (bites.End == BitingEnd::Aborted)
-  {
-    AddProblem(ProblemCode::Aborted, "", problems);
+    AddTooManyVertices(
+      std::max(forecast.Vertices, most), options.MaximumNumberOfVertices, problems);
   }
   if (!options.KeepFront)
   {
-    bites.Bites = {};
+    Release(bites.Bites, rest);
   }
+  AddAborted(rest, problems);
   return bites;
 }
 
@@ -107,6 +184,17 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
   return constraints;
 }
 
+// Whether the uniform spacing alone asks for more vertices: the input will be refused, and to look for
+// features in units of such an f would take very long. Far below what the estimate will be.
+bool IsTooFine(const SpacingOptions& spacing, const Domain& domain, double mostVertices)
+{
+  const double largest =
+    spacing.Maximum > 0.0 ? spacing.Maximum : std::numeric_limits<double>::infinity();
+  const double f = std::max(spacing.Minimum, std::min(spacing.Scale * spacing.Uniform, largest));
+  const double vertices = 0.25 * domain.Area / (f * f) + domain.Bounds.Diagonal() / f;
+  return spacing.Uniform > 0.0 && f > 0.0 && vertices > mostVertices;
+}
+
 // Vertices nearer to each other than rounding are none.
 SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
 {
@@ -116,38 +204,65 @@ SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
   return spacing;
 }
 
+SpacingOptions ChooseSpacing(
+  const BitingMeshOptions& options, const Domain& domain, Monitor& monitor)
+{
+  SpacingOptions spacing = AboveRounding(options.Spacing, domain);
+  if (options.PreserveBoundary)
+  {
+    return FollowSegments(spacing, domain);
+  }
+  const bool isLimited = options.LimitByFeatureSize &&
+    !IsTooFine(spacing, domain, static_cast<double>(options.MaximumNumberOfVertices));
+  spacing.Features = isLimited ? FeaturesOf(domain) : nullptr;
+  PartOfStage part(monitor, 0.0, ChoiceEnd);
+  Pulse pulse(part);
+  spacing.IsUnused = OutsideOf(domain, pulse);
+  return spacing;
+}
+
 using Flags = std::vector<std::uint8_t>;
 
-// The constraints that are not a union of mesh edges: as long as these are together.
-std::vector<Id> FindUncovered(const BitingResult& bites, const Triangulation& triangulation)
+std::vector<double> LengthsOfConstraints(const BitingResult& bites, Pulse& pulse)
 {
-  std::vector<double> rest;
-  for (std::size_t edge = 0; edge < bites.EdgeStarts.size(); ++edge)
-  {
-    rest.push_back(
-      Distance(bites.Points[bites.EdgeStarts[edge]], bites.Points[bites.EdgeEnds[edge]]));
-  }
-  const std::vector<double> lengths = rest;
-  for (std::size_t half = 0; half < triangulation.Corners.size(); ++half)
-  {
-    const Id constraint = triangulation.Constraints[half];
-    const bool isFirst = triangulation.Neighbors[half] < static_cast<Id>(half / 3);
-    if (constraint != NoId && isFirst)
+  std::vector<double> lengths(bites.EdgeStarts.size());
+  pulse.ForEach(lengths.size(),
+    [&bites, &lengths](std::size_t edge)
     {
-      const std::size_t corner = half % 3;
-      const Id u = triangulation.Corners[half - corner + (corner + 1) % 3];
-      const Id v = triangulation.Corners[half - corner + (corner + 2) % 3];
-      rest[constraint] -= Distance(bites.Points[u], bites.Points[v]);
-    }
-  }
+      lengths[edge] =
+        Distance(bites.Points[bites.EdgeStarts[edge]], bites.Points[bites.EdgeEnds[edge]]);
+    });
+  return lengths;
+}
+
+// The constraints that are not a union of mesh edges: as long as these are together.
+std::vector<Id> FindUncovered(
+  const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
+{
+  const std::vector<double> lengths = LengthsOfConstraints(bites, pulse);
+  std::vector<double> rest = lengths;
+  pulse.ForEach(triangulation.Corners.size(),
+    [&bites, &triangulation, &rest](std::size_t half)
+    {
+      const Id constraint = triangulation.Constraints[half];
+      const bool isFirst = triangulation.Neighbors[half] < static_cast<Id>(half / 3);
+      if (constraint != NoId && isFirst)
+      {
+        const std::size_t corner = half % 3;
+        const Id u = triangulation.Corners[half - corner + (corner + 1) % 3];
+        const Id v = triangulation.Corners[half - corner + (corner + 2) % 3];
+        rest[constraint] -= Distance(bites.Points[u], bites.Points[v]);
+      }
+    });
   std::vector<Id> uncovered;
-  for (std::size_t edge = 0; edge < rest.size(); ++edge)
-  {
-    if (!(std::abs(rest[edge]) <= CoverageTolerance * lengths[edge]))
+  pulse.ForEach(rest.size(),
+    [&lengths, &rest, &uncovered](std::size_t edge)
     {
-      uncovered.push_back(static_cast<Id>(edge));
-    }
-  }
+      if (!(std::abs(rest[edge]) <= CoverageTolerance * lengths[edge]))
+      {
+        uncovered.push_back(static_cast<Id>(edge));
+      }
+    });
   return uncovered;
 }
 
@@ -179,25 +294,38 @@ Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result
   return isInConflict;
 }
 
+// Removes vertices at which no constraint ends.
+void RemoveVertices(const Flags& isRemoved, BitingResult& bites)
+{
+  std::vector<Id> numbers;
+  std::size_t next = 0;
+  for (std::size_t vertex = 0; vertex < isRemoved.size(); ++vertex)
+  {
+    numbers.push_back(isRemoved[vertex] ? NoId : static_cast<Id>(next));
+    if (!isRemoved[vertex])
+    {
+      bites.Points[next] = bites.Points[vertex];
+      bites.Spacings[next] = bites.Spacings[vertex];
+      bites.BiteOrders[next] = bites.BiteOrders[vertex];
+      bites.Segments[next++] = bites.Segments[vertex];
+    }
+  }
+  bites.Points.resize(next);
+  bites.Spacings.resize(next);
+  bites.BiteOrders.resize(next);
+  bites.Segments.resize(next);
+  for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
+  {
+    std::transform(
+      ends->begin(), ends->end(), ends->begin(), [&numbers](Id end) { return numbers[end]; });
+  }
+}
+
 // Takes the new vertices off segments, and these back to one edge each: the segments themselves do
 // not cross.
 void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites)
 {
-  BitingResult kept;
-  std::vector<Id> numbers;
-  for (std::size_t vertex = 0; vertex < bites.Points.size(); ++vertex)
-  {
-    const Id segment = bites.Segments[vertex];
-    const bool isKept = segment == NoId || !isUndone[segment];
-    numbers.push_back(isKept ? static_cast<Id>(kept.Points.size()) : NoId);
-    if (isKept)
-    {
-      kept.Points.push_back(bites.Points[vertex]);
-      kept.Spacings.push_back(bites.Spacings[vertex]);
-      kept.BiteOrders.push_back(bites.BiteOrders[vertex]);
-      kept.Segments.push_back(segment);
-    }
-  }
+  std::size_t next = 0;
   Id last = NoId;
   for (std::size_t edge = 0; edge < bites.EdgeSegments.size(); ++edge)
   {
@@ -207,34 +335,91 @@ void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bi
       continue;
     }
     last = segment;
-    kept.EdgeStarts.push_back(
-      isUndone[segment] ? domain.Starts[segment] : numbers[bites.EdgeStarts[edge]]);
-    kept.EdgeEnds.push_back(
-      isUndone[segment] ? domain.Ends[segment] : numbers[bites.EdgeEnds[edge]]);
-    kept.EdgeSegments.push_back(segment);
+    bites.EdgeStarts[next] = isUndone[segment] ? domain.Starts[segment] : bites.EdgeStarts[edge];
+    bites.EdgeEnds[next] = isUndone[segment] ? domain.Ends[segment] : bites.EdgeEnds[edge];
+    bites.EdgeSegments[next++] = segment;
   }
-  kept.Bites = std::move(bites.Bites);
-  kept.Front = std::move(bites.Front);
-  bites = std::move(kept);
+  bites.EdgeStarts.resize(next);
+  bites.EdgeEnds.resize(next);
+  bites.EdgeSegments.resize(next);
+  Flags isRemoved;
+  for (const Id segment : bites.Segments)
+  {
+    isRemoved.push_back(segment != NoId && isUndone[segment]);
+  }
+  RemoveVertices(isRemoved, bites);
+}
+
+// 1 for the vertices that the triangulation found on constraints, though none begins or ends there:
+// by rounding, beside segments as short as that.
+Flags VerticesOnConstraints(
+  const Domain& domain, const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
+{
+  Flags isOn(bites.Points.size(), 0);
+  pulse.ForEach(triangulation.Corners.size(),
+    [&domain, &bites, &triangulation, &isOn](std::size_t half)
+    {
+      const std::size_t corner = half % 3;
+      for (const std::size_t other : { (corner + 1) % 3, (corner + 2) % 3 })
+      {
+        const Id vertex = triangulation.Corners[half - corner + other];
+        isOn[vertex] |= triangulation.Constraints[half] != NoId &&
+          vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
+      }
+    });
+  return isOn;
+}
+
+// Leaves one edge for each segment. Whether vertices had to be removed.
+bool ClearConstraints(
+  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
+{
+  const Flags isOn = VerticesOnConstraints(domain, bites, triangulation, pulse);
+  const bool hasSome = std::find(isOn.begin(), isOn.end(), 1) != isOn.end();
+  if (hasSome)
+  {
+    RemoveVertices(isOn, bites);
+  }
+  return hasSome;
+}
+
+// The first attempt is nearly always the only one.
+PartOfStage PartOfAttempt(int attempt, Monitor& monitor)
+{
+  const auto begin = [](int count)
+  { return count == 1 ? 0.0 : 1.0 - (1.0 - FirstAttemptEnd) / (count - 1); };
+  return { monitor, begin(attempt), begin(attempt + 1) };
 }
 
 // Where rounded points of two close segments make their parts cross or coincide, or cut one off from
-// the mesh, their division is taken back; before the last attempt that of all segments.
-Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions& options,
+// the mesh, their division is taken back; before the last attempt that of all segments. Where these
+// are to be preserved, inner vertices that rounding put on them are removed.
+Triangulation TriangulateBites(const Domain& domain, const BitingMeshOptions& options,
   BitingResult& bites, ProblemList& problems, Monitor& monitor)
 {
   for (int attempt = 1; attempt <= MostTriangulations; ++attempt)
   {
+    PartOfStage part = PartOfAttempt(attempt, monitor);
+    PartOfStage triangulating(part, 0.0, TriangulationEnd);
     TriangulationResult result =
-      Triangulate(bites.Points, MakeConstraints(domain, bites), options, monitor);
-    if (result.WasAborted)
+      Triangulate(bites.Points, MakeConstraints(domain, bites), { options.Phi }, triangulating);
+    PartOfStage looking(part, TriangulationEnd, 1.0);
+    Pulse pulse(looking);
+    const std::vector<Id> uncovered =
+      result.Conflicts.empty() ? FindUncovered(bites, result.Mesh, pulse) : std::vector<Id>();
+    const bool isSound =
+      result.Conflicts.empty() && result.Coincidences.empty() && uncovered.empty();
+    const bool isCleared =
+      isSound && options.PreserveBoundary && ClearConstraints(domain, result.Mesh, bites, pulse);
+    if (AddAborted(part, problems))
     {
-      AddProblem(ProblemCode::Aborted, "", problems);
       return {};
     }
-    const std::vector<Id> uncovered =
-      result.Conflicts.empty() ? FindUncovered(bites, result.Mesh) : std::vector<Id>();
-    if (result.Conflicts.empty() && result.Coincidences.empty() && uncovered.empty())
+    if (isCleared)
+    {
+      continue;
+    }
+    if (isSound)
     {
       return std::move(result.Mesh);
     }
@@ -249,14 +434,48 @@ Triangulation TriangulateBites(const Domain& domain, const TriangulationOptions&
 }
 
 void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& constraints,
-  ProblemList& problems)
+  ProblemList& problems, Monitor& monitor)
 {
+  PartOfStage part(monitor, AssemblyEnd, CheckEnd);
   const std::string violation =
-    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area });
-  if (!violation.empty())
+    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area }, part);
+  if (!AddAborted(part, problems) && !violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, problems);
   }
+}
+
+// The mesh as it is handed out, but for its quality.
+BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
+  ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage part(monitor, 0.0, AssemblyEnd);
+  BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation, part);
+  if (!AddAborted(part, problems))
+  {
+    Check(domain, mesh, triangulation.Constraints, problems, monitor);
+  }
+  return mesh;
+}
+
+void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
+{
+  const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
+  PartOfStage measuring(monitor, CheckEnd, QualityEnd);
+  mesh.Quality = MeasureQuality(view, measuring);
+  if (!AddAborted(measuring, problems))
+  {
+    PartOfStage comparing(monitor, QualityEnd, 1.0);
+    mesh.UsedLipschitz = LargestSlope(view, comparing);
+    AddAborted(comparing, problems);
+  }
+}
+
+// Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
+bool IsOver(const PartOfStage& whole, ProblemList& problems)
+{
+  AddAborted(whole, problems);
+  return problems.HasErrors();
 }
 
 } // namespace
@@ -264,42 +483,46 @@ void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& 
 BitingMesh MakeBitingMesh(
   const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
-  monitor.BeginStage("Reading the domain");
-  const Domain domain = MakeDomain(input, options.Domain, problems, monitor);
-  if (problems.HasErrors() || domain.NumberOfSegments() == 0)
+  PartOfStage whole(monitor, 0.0, 1.0);
+  monitor.BeginStage(MeshingStages::Domain.Text);
+  const Domain domain = MakeDomain(input, options.Domain, problems, whole);
+  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0)
   {
     return {};
   }
-  monitor.BeginStage("Preparing the spacing");
-  const Spacing spacing =
-    MakeSpacing(AboveRounding(options.Spacing, domain), domain.Bounds, problems, monitor);
-  if (problems.HasErrors())
+  monitor.BeginStage(MeshingStages::Spacing.Text);
+  const SpacingOptions wanted = ChooseSpacing(options, domain, whole);
+  if (IsOver(whole, problems))
   {
     return {};
   }
-  monitor.BeginStage("Biting");
-  BitingResult bites = Bite(domain, spacing, MakeBitingOptions(options), problems, monitor);
-  if (problems.HasErrors())
+  PartOfStage preparing(whole, ChoiceEnd, 1.0);
+  const Spacing spacing = MakeSpacing(wanted, domain.Bounds, problems, preparing);
+  if (IsOver(whole, problems))
   {
     return {};
   }
-  monitor.BeginStage("Triangulating");
-  Triangulation triangulation = TriangulateBites(domain, { options.Phi }, bites, problems, monitor);
-  if (problems.HasErrors())
+  monitor.BeginStage(MeshingStages::Biting.Text);
+  BitingResult bites = Bite(domain, spacing, MakeBitingOptions(options), problems, whole);
+  if (IsOver(whole, problems))
   {
     return {};
   }
-  monitor.BeginStage("Measuring quality");
-  BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation);
-  Check(domain, mesh, triangulation.Constraints, problems);
-  if (problems.HasErrors())
+  monitor.BeginStage(MeshingStages::Triangulation.Text);
+  Triangulation triangulation = TriangulateBites(domain, options, bites, problems, whole);
+  if (IsOver(whole, problems))
   {
     return {};
   }
-  mesh.Quality = MeasureQuality({ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors });
+  monitor.BeginStage(MeshingStages::Quality.Text);
+  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
   mesh.GivenLipschitz = spacing.GivenLipschitz();
-  mesh.UsedLipschitz = LipschitzConstant(mesh);
-  return mesh;
+  Measure(mesh, problems, whole);
+  return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }
 
 } // namespace biting

@@ -21,22 +21,28 @@
 namespace biting
 {
 
-/// Where on the front a bite may sit.
-enum class Placement
-{
-  Corners ///< at vertices of the front, as in the paper
-};
-
 struct BitingMeshOptions
 {
   DomainOptions Domain;
   SpacingOptions Spacing;
+
+  /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is
+  /// replaced). Without effect where the boundary is preserved.
+  bool LimitByFeatureSize = true;
+
   double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
+  biting::BiteShape BiteShape = biting::BiteShape::Square;
   biting::Placement Placement = biting::Placement::Corners;
   FrontOrder Order = FrontOrder::Layers;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
-  double Phi = 1.0;       ///< of the phi-Delaunay criterion, (0, 1]
+  double Phi = 1.0; ///< of the phi-Delaunay criterion, (0, 1]
+
+  /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that of
+  /// FollowSegments (PreservedSpacing.h). Repairs of the input still make vertices where segments
+  /// meet.
+  bool PreserveBoundary = false;
+
   bool KeepBites = false; ///< fill Bites and Front of the mesh
 };
 

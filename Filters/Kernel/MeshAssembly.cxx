@@ -3,8 +3,10 @@
 
 #include "MeshAssembly.h"
 
-#include <algorithm> // for max, sort
-#include <cmath>     // for abs
+#include "Base/Pulse.h"
+#include "Base/SortInSteps.h"
+
+#include <algorithm> // for max
 #include <utility>   // for move
 
 namespace biting
@@ -12,6 +14,11 @@ namespace biting
 
 namespace
 {
+
+// Where steps end, as shares of the time.
+constexpr double NumbersEnd = 0.3;
+constexpr double VerticesEnd = 0.6;
+constexpr double EdgesEnd = 0.8;
 
 VertexKind KindOf(const Domain& domain, const BitingResult& bites, Id vertex)
 {
@@ -26,36 +33,57 @@ VertexKind KindOf(const Domain& domain, const BitingResult& bites, Id vertex)
   return domain.VertexPoints[vertex] == NoId ? VertexKind::Boundary : VertexKind::Input;
 }
 
-std::vector<Id> NumberUsedVertices(const Triangulation& mesh, std::size_t numberOfPoints)
+// The new numbers of the used vertices, NoId for the others.
+struct Numbering
 {
-  std::vector<Id> numbers(numberOfPoints, NoId);
-  for (Id corner : mesh.Corners)
-  {
-    numbers[corner] = 0;
-  }
-  Id next = 0;
-  for (Id& number : numbers)
-  {
-    number = number == NoId ? NoId : next++;
-  }
-  return numbers;
+  std::vector<Id> Numbers;
+  Id Size = 0;
+};
+
+Numbering NumberUsedVertices(const Triangulation& mesh, std::size_t numberOfPoints, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, NumbersEnd);
+  Numbering used{ std::vector<Id>(numberOfPoints, NoId) };
+  pulse.ForEach(mesh.Corners.size(),
+    [&used, &mesh](std::size_t half) { used.Numbers[mesh.Corners[half]] = 0; });
+  pulse.ForEach(numberOfPoints,
+    [&used](std::size_t vertex)
+    {
+      Id& number = used.Numbers[vertex];
+      number = number == NoId ? NoId : used.Size++;
+    });
+  return used;
 }
 
-void CopyVertices(
-  const Domain& domain, const BitingResult& bites, const std::vector<Id>& numbers, BitingMesh& mesh)
+void MakeRoom(std::size_t size, BitingMesh& mesh, Pulse& pulse)
 {
-  for (Id vertex = 0; vertex < static_cast<Id>(numbers.size()); ++vertex)
-  {
-    if (numbers[vertex] != NoId)
+  mesh.Points.reserve(size);
+  mesh.Spacing.reserve(size);
+  mesh.BiteOrders.reserve(size);
+  mesh.Kinds.reserve(size);
+  mesh.OriginalPoints.reserve(size);
+  pulse.Ask();
+}
+
+void CopyVertices(const Domain& domain, const BitingResult& bites, const Numbering& used,
+  BitingMesh& mesh, Pulse& pulse)
+{
+  const PulsePart part(pulse, NumbersEnd, VerticesEnd);
+  MakeRoom(static_cast<std::size_t>(used.Size), mesh, pulse);
+  pulse.ForEach(used.Numbers.size(),
+    [&domain, &bites, &used, &mesh](std::size_t place)
     {
-      const bool isOld = vertex < domain.NumberOfVertices();
-      mesh.Points.push_back(bites.Points[vertex]);
-      mesh.Spacing.push_back(bites.Spacings[vertex]);
-      mesh.BiteOrders.push_back(bites.BiteOrders[vertex]);
-      mesh.Kinds.push_back(KindOf(domain, bites, vertex));
-      mesh.OriginalPoints.push_back(isOld ? domain.VertexPoints[vertex] : NoId);
-    }
-  }
+      const Id vertex = static_cast<Id>(place);
+      if (used.Numbers[vertex] != NoId)
+      {
+        const bool isOld = vertex < domain.NumberOfVertices();
+        mesh.Points.push_back(bites.Points[vertex]);
+        mesh.Spacing.push_back(bites.Spacings[vertex]);
+        mesh.BiteOrders.push_back(bites.BiteOrders[vertex]);
+        mesh.Kinds.push_back(KindOf(domain, bites, vertex));
+        mesh.OriginalPoints.push_back(isOld ? domain.VertexPoints[vertex] : NoId);
+      }
+    });
 }
 
 // A mesh edge that a constraint covers, in the direction of its segment.
@@ -67,80 +95,84 @@ struct CoveringEdge
   Id End;
 };
 
-std::vector<CoveringEdge> FindCoveringEdges(const BitingResult& bites, const Triangulation& mesh)
+CoveringEdge MakeCoveringEdge(const BitingResult& bites, const Triangulation& mesh, Id half)
+{
+  const Id triangle = half / 3;
+  const Id constraint = mesh.Constraints[half];
+  Id start = mesh.Corners[3 * triangle + (half + 1) % 3];
+  Id end = mesh.Corners[3 * triangle + (half + 2) % 3];
+  const Point2 from = bites.Points[bites.EdgeStarts[constraint]];
+  const Point2 direction = bites.Points[bites.EdgeEnds[constraint]] - from;
+  if (Dot(bites.Points[end] - bites.Points[start], direction) < 0.0)
+  {
+    std::swap(start, end);
+  }
+  return { constraint, Dot(bites.Points[start] - from, direction), start, end };
+}
+
+std::vector<CoveringEdge> FindCoveringEdges(
+  const BitingResult& bites, const Triangulation& mesh, Pulse& pulse)
 {
   std::vector<CoveringEdge> edges;
-  for (Id half = 0; half < static_cast<Id>(mesh.Corners.size()); ++half)
-  {
-    const Id constraint = mesh.Constraints[half];
-    const Id triangle = half / 3;
-    if (constraint == NoId || (mesh.Neighbors[half] != NoId && mesh.Neighbors[half] < triangle))
+  pulse.ForEach(mesh.Corners.size(),
+    [&bites, &mesh, &edges](std::size_t slot)
     {
-      continue;
-    }
-    Id start = mesh.Corners[3 * triangle + (half + 1) % 3];
-    Id end = mesh.Corners[3 * triangle + (half + 2) % 3];
-    const Point2 from = bites.Points[bites.EdgeStarts[constraint]];
-    const Point2 direction = bites.Points[bites.EdgeEnds[constraint]] - from;
-    if (Dot(bites.Points[end] - bites.Points[start], direction) < 0.0)
-    {
-      std::swap(start, end);
-    }
-    edges.push_back({ constraint, Dot(bites.Points[start] - from, direction), start, end });
-  }
-  std::sort(edges.begin(), edges.end(),
+      const Id half = static_cast<Id>(slot);
+      const bool isFirst = mesh.Neighbors[half] == NoId || mesh.Neighbors[half] >= half / 3;
+      if (mesh.Constraints[half] != NoId && isFirst)
+      {
+        edges.push_back(MakeCoveringEdge(bites, mesh, half));
+      }
+    });
+  SortInSteps(
+    edges,
     [](const CoveringEdge& a, const CoveringEdge& b)
-    { return a.Constraint != b.Constraint ? a.Constraint < b.Constraint : a.Along < b.Along; });
+    { return a.Constraint != b.Constraint ? a.Constraint < b.Constraint : a.Along < b.Along; },
+    pulse);
   return edges;
 }
 
 void CopyEdges(const Domain& domain, const BitingResult& bites, const Triangulation& triangulation,
-  const std::vector<Id>& numbers, BitingMesh& mesh)
+  const Numbering& used, BitingMesh& mesh, Pulse& pulse)
 {
-  for (const CoveringEdge& edge : FindCoveringEdges(bites, triangulation))
-  {
-    const Id segment = bites.EdgeSegments[edge.Constraint];
-    mesh.EdgeStarts.push_back(numbers[edge.Start]);
-    mesh.EdgeEnds.push_back(numbers[edge.End]);
-    mesh.EdgeCells.push_back(domain.Cells[segment]);
-    mesh.EdgeIsBoundary.push_back(domain.IsBoundary[segment]);
-  }
+  const PulsePart part(pulse, VerticesEnd, EdgesEnd);
+  const std::vector<CoveringEdge> edges = FindCoveringEdges(bites, triangulation, pulse);
+  pulse.ForEach(edges.size(),
+    [&domain, &bites, &used, &mesh, &edges](std::size_t k)
+    {
+      const Id segment = bites.EdgeSegments[edges[k].Constraint];
+      mesh.EdgeStarts.push_back(used.Numbers[edges[k].Start]);
+      mesh.EdgeEnds.push_back(used.Numbers[edges[k].End]);
+      mesh.EdgeCells.push_back(domain.Cells[segment]);
+      mesh.EdgeIsBoundary.push_back(domain.IsBoundary[segment]);
+    });
+}
+
+void MoveTriangles(
+  const Numbering& used, Triangulation& triangulation, BitingMesh& mesh, Pulse& pulse)
+{
+  const PulsePart part(pulse, EdgesEnd, 1.0);
+  mesh.Corners = std::move(triangulation.Corners);
+  mesh.Neighbors = std::move(triangulation.Neighbors);
+  mesh.Regions = std::move(triangulation.Regions);
+  pulse.ForEach(mesh.Corners.size(),
+    [&used, &mesh](std::size_t half) { mesh.Corners[half] = used.Numbers[mesh.Corners[half]]; });
 }
 
 } // namespace
 
-BitingMesh AssembleMesh(const Domain& domain, BitingResult bites, Triangulation& triangulation)
+BitingMesh AssembleMesh(
+  const Domain& domain, BitingResult bites, Triangulation& triangulation, Monitor& monitor)
 {
-  const std::vector<Id> numbers = NumberUsedVertices(triangulation, bites.Points.size());
+  Pulse pulse(monitor);
+  const Numbering used = NumberUsedVertices(triangulation, bites.Points.size(), pulse);
   BitingMesh mesh;
-  CopyVertices(domain, bites, numbers, mesh);
-  CopyEdges(domain, bites, triangulation, numbers, mesh);
-  for (Id& corner : triangulation.Corners)
-  {
-    corner = numbers[corner];
-  }
-  mesh.Corners = triangulation.Corners;
-  mesh.Neighbors = triangulation.Neighbors;
-  mesh.Regions = triangulation.Regions;
+  CopyVertices(domain, bites, used, mesh, pulse);
+  CopyEdges(domain, bites, triangulation, used, mesh, pulse);
+  MoveTriangles(used, triangulation, mesh, pulse);
   mesh.Bites = std::move(bites.Bites);
   mesh.Front = std::move(bites.Front);
   return mesh;
-}
-
-double LipschitzConstant(const BitingMesh& mesh)
-{
-  double greatest = 0.0;
-  for (std::size_t half = 0; half < mesh.Corners.size(); ++half)
-  {
-    const Id u = mesh.Corners[half];
-    const Id v = mesh.Corners[half % 3 == 2 ? half - 2 : half + 1];
-    const double rise = std::abs(mesh.Spacing[u] - mesh.Spacing[v]);
-    if (rise > greatest * Distance(mesh.Points[u], mesh.Points[v]))
-    {
-      greatest = rise / Distance(mesh.Points[u], mesh.Points[v]);
-    }
-  }
-  return greatest;
 }
 
 } // namespace biting

@@ -14,11 +14,10 @@ namespace biting
 
 /// Puts the results of the rooms together: drops vertices that no triangle uses, says what each
 /// vertex is, and lists the mesh edges that cover segments, in the order of these.
-/// `mesh` refers to the points and edges of `bites`; its corners are renumbered in place.
-BitingMesh AssembleMesh(const Domain& domain, BitingResult bites, Triangulation& mesh);
-
-/// The largest slope |f(u) - f(v)| / |u - v| over the edges of the mesh.
-double LipschitzConstant(const BitingMesh& mesh);
+/// `mesh` refers to the points and edges of `bites`; all but its constraints moves into the result.
+/// Where the monitor asks to stop the result has no meaning.
+BitingMesh AssembleMesh(
+  const Domain& domain, BitingResult bites, Triangulation& mesh, Monitor& monitor);
 
 } // namespace biting
 

@@ -8,12 +8,19 @@ set(biting_kernel_sources
   Spacing/AdaptiveCarrier.cxx
   Spacing/BorderTree.cxx
   Spacing/BoxTree.cxx
+  Spacing/ConeCollector.cxx
+  Spacing/FeatureSize.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
+  Spacing/GridLimit.cxx
+  Spacing/LowerBound.cxx
+  Spacing/OutsideJumps.cxx
+  Spacing/HessianRecovery.cxx
   Spacing/Quadtree.cxx
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
+  Spacing/SteepTriangles.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
@@ -21,6 +28,7 @@ set(biting_kernel_sources
   Domain/Arrangement.cxx
   Domain/BoundaryComponents.cxx
   Domain/ChainKinds.cxx
+  Domain/CollinearCrowds.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
   Domain/Meetings.cxx
@@ -30,6 +38,7 @@ set(biting_kernel_sources
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
+  Biting/Bisectors.cxx
   Biting/BiteGrid.cxx
   Biting/BiteOutline.cxx
   Biting/BitingScheme.cxx
@@ -37,6 +46,7 @@ set(biting_kernel_sources
   Biting/EdgeDivision.cxx
   Biting/FrontTrace.cxx
   Biting/Orientation.cxx
+  Biting/OutlineCover.cxx
   Biting/VertexEstimate.cxx
   Delaunay/SpatialOrder.cxx
   Delaunay/Flips.cxx
@@ -46,10 +56,26 @@ set(biting_kernel_sources
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
   Delaunay/TriangulationCheck.cxx
+  Relaxation/Climbing.cxx
+  Relaxation/DelaunayFlips.cxx
+  Relaxation/DividedSegments.cxx
+  Relaxation/Hill.cxx
+  Relaxation/MeshExchange.cxx
+  Relaxation/MutableMesh.cxx
+  Relaxation/Patch.cxx
+  Relaxation/Relaxation.cxx
+  Relaxation/Rescue.cxx
+  Relaxation/Smoothing.cxx
+  Relaxation/Star.cxx
+  Relaxation/ValenceRound.cxx
+  Quality/Histogram.cxx
   Quality/MeshCheck.cxx
   Quality/NearestNeighbors.cxx
   Quality/PointTree.cxx
   Quality/Quality.cxx
+  Quality/TriangleLinks.cxx
   BitingMesh.cxx
   Calibration.cxx
-  MeshAssembly.cxx)
+  DomainFeatures.cxx
+  MeshAssembly.cxx
+  PreservedSpacing.cxx)

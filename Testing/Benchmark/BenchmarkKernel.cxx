@@ -16,6 +16,7 @@
 #include "Predicates/Predicates.h"
 #include "Quality/MeshCheck.h"
 #include "Quality/Quality.h"
+#include "Relaxation/Relaxation.h"
 
 #include <benchmark/benchmark.h>
 
@@ -23,6 +24,8 @@
 #include <cstdint> // for random numbers
 #include <map>     // for meshes already made
 #include <memory>  // for sources
+#include <tuple>   // for tie
+#include <utility> // for pair, move
 #include <vector>  // for points
 
 namespace biting
@@ -180,7 +183,115 @@ void DomainOfCoast(benchmark::State& state)
   }
   Report(state, state.range(0));
 }
-BENCHMARK(DomainOfCoast)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(DomainOfCoast)->RangeMultiplier(10)->Range(10000, 1000000)->Unit(benchmark::kMillisecond);
+
+// An open chain of its own.
+void AddSegment(const Point2& start, const Point2& end, Polylines& lines)
+{
+  for (const Point2& p : { start, end })
+  {
+    lines.Connectivity.push_back(static_cast<Id>(lines.Points.size()));
+    lines.Points.push_back(p);
+  }
+  lines.Offsets.push_back(static_cast<Id>(lines.Connectivity.size()));
+  lines.Kinds.push_back(ChainKind::Interface);
+  lines.Cells.push_back(static_cast<Id>(lines.Cells.size()));
+}
+
+// As many crossings as the square of the number of lines each way.
+Polylines CrossingLines(Id numberOfCrossings)
+{
+  const Id count = static_cast<Id>(std::sqrt(static_cast<double>(numberOfCrossings)));
+  Polylines lines = Square(1.0);
+  for (const Point2& p : RandomPoints(count))
+  {
+    AddSegment({ 0.0, p.X }, { 1.0, p.X + 0.01 / count }, lines);
+    AddSegment({ p.Y, 0.0 }, { p.Y + 0.01 / count, 1.0 }, lines);
+  }
+  return lines;
+}
+
+// Random segments, each of which crosses about one other.
+Polylines ShortSegments(Id count)
+{
+  const double length = 1.2 / std::sqrt(static_cast<double>(count));
+  const std::vector<Point2> places = RandomPoints(2 * count);
+  Polylines lines = Square(1.0);
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+  {
+    AddSegment(places[i], places[i] + length * (places[i + 1] - Point2{ 0.5, 0.5 }), lines);
+  }
+  return lines;
+}
+
+// Spokes from one point across one long segment.
+Polylines Spokes(Id count)
+{
+  Polylines lines = Square(1.0);
+  for (Id i = 0; i < count; ++i)
+  {
+    AddSegment({ 0.5, 0.25 }, { (i + 0.5) / count, 0.875 }, lines);
+  }
+  AddSegment({ 0.0, 0.6 }, { 1.0, 0.65 }, lines);
+  return lines;
+}
+
+// One loop with long teeth side by side.
+Polylines Comb(Id numberOfTeeth)
+{
+  std::vector<Point2> points{ { 1.0, 0.0 }, { 0.0, 0.0 } };
+  for (Id i = 0; i < numberOfTeeth; ++i)
+  {
+    points.push_back({ (i + 0.25) / numberOfTeeth, 1.0 });
+    points.push_back({ (i + 0.75) / numberOfTeeth, 0.5 });
+  }
+  return Loop(points);
+}
+
+// Items are segments of the arrangement.
+void MeasureDomain(benchmark::State& state, Polylines (*draw)(Id))
+{
+  const Polylines input = draw(static_cast<Id>(state.range(0)));
+  Id segments = 0;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    segments = DomainOf(input).NumberOfSegments();
+  }
+  Report(state, segments);
+}
+BENCHMARK_CAPTURE(MeasureDomain, CrossingLines, CrossingLines)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(MeasureDomain, ShortSegments, ShortSegments)
+  ->RangeMultiplier(10)
+  ->Range(10000, 100000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(MeasureDomain, Spokes, Spokes)
+  ->RangeMultiplier(10)
+  ->Range(1000, 10000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(MeasureDomain, Comb, Comb)
+  ->RangeMultiplier(10)
+  ->Range(10000, 100000)
+  ->Unit(benchmark::kMillisecond);
+
+void DomainLocatorOfComb(benchmark::State& state)
+{
+  const Domain domain = DomainOf(Comb(static_cast<Id>(state.range(0))));
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    const DomainLocator locator(domain);
+    benchmark::DoNotOptimize(locator.IsInside({ 0.5, 0.25 }));
+  }
+  Report(state, domain.NumberOfSegments());
+}
+BENCHMARK(DomainLocatorOfComb)
+  ->RangeMultiplier(10)
+  ->Range(10000, 100000)
+  ->Unit(benchmark::kMillisecond);
 
 void DomainLocatorQueries(benchmark::State& state)
 {
@@ -322,8 +433,15 @@ SpacingOptions PaperOptions(double vertices)
   return options;
 }
 
-void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions& options)
+constexpr std::pair<BiteShape, Placement> SquaresAtCorners{ BiteShape::Square, Placement::Corners };
+constexpr std::pair<BiteShape, Placement> Squares{ BiteShape::Square, Placement::Bisectors };
+constexpr std::pair<BiteShape, Placement> Circles{ BiteShape::Circle, Placement::Bisectors };
+
+void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions& options,
+  const std::pair<BiteShape, Placement>& bites)
 {
+  BitingOptions biting;
+  std::tie(biting.Shape, biting.Placement) = bites;
   const Domain domain = DomainOf(input);
   ProblemList problems;
   SilentMonitor monitor;
@@ -334,26 +452,43 @@ void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions&
     static_cast<void>(step);
     const DomainLocator locator(domain);
     const double density = IntegrateDensity(domain, locator, spacing);
-    const double estimate = EstimateNumberOfVertices(density, {});
-    vertices = BiteDomain(domain, locator, spacing, estimate, {}, monitor).Points.size();
+    const double estimate = EstimateNumberOfVertices(density, biting);
+    vertices = BiteDomain(domain, locator, spacing, estimate, biting, monitor).Points.size();
   }
   Report(state, vertices);
 }
 
-void BitingUniformVertices(benchmark::State& state)
+void BitingUniformVertices(benchmark::State& state, const std::pair<BiteShape, Placement>& bites)
 {
-  Bite(state, Square(1.0), UniformOptions(static_cast<double>(state.range(0))).Spacing);
+  Bite(state, Square(1.0), UniformOptions(static_cast<double>(state.range(0))).Spacing, bites);
 }
-BENCHMARK(BitingUniformVertices)
+BENCHMARK_CAPTURE(BitingUniformVertices, SquaresAtCorners, SquaresAtCorners)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BitingUniformVertices, Squares, Squares)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BitingUniformVertices, Circles, Circles)
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)
   ->Unit(benchmark::kMillisecond);
 
-void BitingVerticesOfSectionSix(benchmark::State& state)
+void BitingVerticesOfSectionSix(
+  benchmark::State& state, const std::pair<BiteShape, Placement>& bites)
 {
-  Bite(state, Square(PaperSide), PaperOptions(static_cast<double>(state.range(0))));
+  Bite(state, Square(PaperSide), PaperOptions(static_cast<double>(state.range(0))), bites);
 }
-BENCHMARK(BitingVerticesOfSectionSix)
+BENCHMARK_CAPTURE(BitingVerticesOfSectionSix, SquaresAtCorners, SquaresAtCorners)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BitingVerticesOfSectionSix, Squares, Squares)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BitingVerticesOfSectionSix, Circles, Circles)
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)
   ->Unit(benchmark::kMillisecond);
@@ -400,6 +535,52 @@ void DelaunayRandomPoints(benchmark::State& state)
 BENCHMARK(DelaunayRandomPoints)
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+// Relaxation: the mesh of section 6 as it was bitten; the effort is 0 (Fast) or 1 (Best).
+
+RelaxationMesh BittenMesh(const Domain& domain, const Spacing& spacing)
+{
+  SilentMonitor monitor;
+  const DomainLocator locator(domain);
+  const double density = IntegrateDensity(domain, locator, spacing);
+  BitingResult bites =
+    BiteDomain(domain, locator, spacing, EstimateNumberOfVertices(density, {}), {}, monitor);
+  const std::vector<std::uint8_t> areBoundary(bites.EdgeStarts.size(), 1);
+  RelaxationMesh mesh;
+  mesh.Triangles =
+    Triangulate(bites.Points, { bites.EdgeStarts, bites.EdgeEnds, areBoundary }, {}, monitor).Mesh;
+  mesh.Points = std::move(bites.Points);
+  mesh.Spacings = std::move(bites.Spacings);
+  mesh.Segments = std::move(bites.Segments);
+  mesh.EdgeStarts = std::move(bites.EdgeStarts);
+  mesh.EdgeEnds = std::move(bites.EdgeEnds);
+  mesh.EdgeSegments = std::move(bites.EdgeSegments);
+  return mesh;
+}
+
+void RelaxedVerticesOfSectionSix(benchmark::State& state)
+{
+  const Domain domain = DomainOf(Square(PaperSide));
+  ProblemList problems;
+  SilentMonitor monitor;
+  const Spacing spacing = MakeSpacing(
+    PaperOptions(static_cast<double>(state.range(0))), domain.Bounds, problems, monitor);
+  const RelaxationMesh bitten = BittenMesh(domain, spacing);
+  RelaxationOptions options;
+  options.Effort = state.range(1) == 0 ? RelaxationEffort::Fast : RelaxationEffort::Best;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    state.PauseTiming();
+    RelaxationMesh mesh = bitten;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(Relax(domain, spacing, options, mesh, monitor).Origins.data());
+  }
+  Report(state, bitten.Points.size());
+}
+BENCHMARK(RelaxedVerticesOfSectionSix)
+  ->ArgsProduct({ { 10000, 100000, 1000000 }, { 0, 1 } })
   ->Unit(benchmark::kMillisecond);
 
 // Quality.

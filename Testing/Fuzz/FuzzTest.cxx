@@ -250,6 +250,18 @@ TEST(FuzzRegression, SpacingBelowRoundingIsThatOfRounding)
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
 }
 
+/// The channel was divided into pieces as short as itself, to find how far f is to be lowered there.
+TEST(FuzzRegression, TinySpacingIsRefusedSoonWhereAChannelIsNarrow)
+{
+  const std::vector<Point2> frame{ { -1, -1 }, { 3, -1 }, { 3, 3 }, { -1, 3 }, { -1, -1 } };
+  const std::vector<Point2> close{ { 1 + 1e-12, 0 }, { 2, 0 }, { 2, 1 }, { 1 + 1e-12, 1 },
+    { 1 + 1e-12, 0 } };
+  FuzzCase fuzzCase = BoundaryOf({ frame, UnitSquare, close }, 1e-30);
+  fuzzCase.Options.LimitByFeatureSize = true;
+  ExpectKept(fuzzCase, "channel");
+  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
+}
+
 /// With few bites to make, nobody asked the monitor between the trial of the calibration and the end.
 TEST(FuzzRegression, StopIsHeardWhereverItIsSaid)
 {

@@ -111,6 +111,7 @@ private:
   bool LiesOnCell(const Point2& p, Id cell) const;
   bool HasKinds();
   bool HasKind(std::size_t vertex, bool isOnEdge);
+  bool PreservesBoundary();
   bool IsDelaunay();
   bool HasQuality();
   bool HasQualityOfTriangles();
@@ -143,8 +144,8 @@ std::string MeshOracle::Find()
     this->HasPointsOnce() && this->UsesAllPoints() && this->IsCounterclockwise() &&
     this->IsManifold() && this->HasCoveringEdges() && this->CoversOnce() && this->HasRegions() &&
     this->HasArea() && this->KeepsPoints() && this->CoversSegments() && this->LiesOnInput() &&
-    this->HasKinds() && this->IsDelaunay() && this->HasQuality() && this->HasDistances() &&
-    this->HasBites() && this->HasBiteOrders());
+    this->HasKinds() && this->PreservesBoundary() && this->IsDelaunay() && this->HasQuality() &&
+    this->HasDistances() && this->HasBites() && this->HasBiteOrders());
   return this->Violation;
 }
 
@@ -590,6 +591,26 @@ bool MeshOracle::HasKind(std::size_t vertex, bool isOnEdge)
     isOnEdge == (kind == VertexKind::Input || kind == VertexKind::Boundary);
 }
 
+/// With that option, new vertices on segments are where two of these meet.
+bool MeshOracle::PreservesBoundary()
+{
+  for (std::size_t vertex = 0; vertex < this->Mesh.Points.size(); ++vertex)
+  {
+    if (this->Options.PreserveBoundary && this->Mesh.Kinds[vertex] == VertexKind::Boundary)
+    {
+      const Point2& p = this->Mesh.Points[vertex];
+      const auto segments = std::count_if(this->Drawn.Segments.begin(), this->Drawn.Segments.end(),
+        [this, &p](const DrawnSegment& segment)
+        { return DistanceTo(p, segment.Start, segment.End) <= this->Slack; });
+      if (segments < 2)
+      {
+        return this->Refuse("vertex " + std::to_string(vertex) + " was added on a segment");
+      }
+    }
+  }
+  return true;
+}
+
 bool MeshOracle::IsDelaunay()
 {
   for (const HalfEdge& half : this->Halves)
@@ -677,9 +698,10 @@ bool MeshOracle::HasBites()
   bool areValid = true;
   for (std::size_t bite = 0; bite < bites.HalfWidths.size(); ++bite)
   {
-    const Point2 axis = bites.Axes[bite];
+    const double axis = std::hypot(bites.Axes[bite].X, bites.Axes[bite].Y);
+    const bool isCircle = axis == 0.0 && this->Options.BiteShape == BiteShape::Circle;
     areValid = areValid && std::isfinite(bites.HalfWidths[bite]) && bites.HalfWidths[bite] > 0.0 &&
-      std::abs(std::hypot(axis.X, axis.Y) - 1.0) <= QualityRounding && bites.Orders[bite] >= 0 &&
+      (isCircle || std::abs(axis - 1.0) <= QualityRounding) && bites.Orders[bite] >= 0 &&
       (most < 0 || bites.Orders[bite] < most);
   }
   return this->Require(areValid, "bites have a size, an axis and a number") &&

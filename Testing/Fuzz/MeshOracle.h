@@ -26,6 +26,7 @@ namespace biting
 /// - every segment, as far as the mesh covers it, is covered by edges; every covering edge lies on
 ///   its input cell;
 /// - kinds and original points are true;
+/// - with PreserveBoundary no vertex is added on a segment, but where two meet;
 /// - with phi = 1, edges that cover nothing are Delaunay;
 /// - quality figures are within their ranges; distances to neighbors, in small meshes, are right;
 /// - bites are there if they were asked for, not more than asked for, and centred at vertices.

@@ -84,6 +84,7 @@ bool IsPointId(const Problem& problem, std::size_t k)
   {
     case ProblemCode::DuplicatePoints:
     case ProblemCode::OutsidePoints:
+    case ProblemCode::NoClosedLoop:
     case ProblemCode::NotFinite:
     case ProblemCode::OutOfRange:
       return true;
@@ -186,6 +187,15 @@ bool HasFinitePoints(const Polylines& input)
     });
 }
 
+/// Whether most of the drawing is smaller than the rounding of its largest coordinate.
+bool IsBlurred(const Drawing& drawing)
+{
+  const auto isShort = [&drawing](const DrawnSegment& segment)
+  { return Distance(segment.Start, segment.End) <= drawing.Slack(); };
+  const auto shortOnes = std::count_if(drawing.Segments.begin(), drawing.Segments.end(), isShort);
+  return 2 * static_cast<std::size_t>(shortOnes) > drawing.Segments.size();
+}
+
 /// Whether the refusal is one that the input deserves.
 std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
@@ -201,7 +211,9 @@ std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
   }
   if (run.Problems.Has(ProblemCode::NotResolved))
   {
-    return fuzzCase.Options.Domain.Repair ? "not resolved" : "";
+    const bool isDeserved =
+      !fuzzCase.Options.Domain.Repair || IsBlurred(ReadDrawing(fuzzCase.Input));
+    return isDeserved ? "" : "not resolved";
   }
   return "";
 }

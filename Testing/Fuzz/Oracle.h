@@ -31,6 +31,7 @@ struct FuzzOutcome
 /// - a mesh is what MeshOracle.h says;
 /// - a refusal has one kind of error, ids that exist, a place, and no mesh;
 /// - a drawing that encloses a safe area is not refused for want of a closed loop;
+/// - with Repair, a drawing is resolved, unless most of it is smaller than rounding;
 /// - without Repair, nothing that Repair resolves is in a mesh;
 /// - only a monitor that said stop makes an abort, and it is heard;
 /// - progress is a number in [0, 1];

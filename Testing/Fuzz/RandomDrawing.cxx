@@ -58,13 +58,15 @@ public:
   Polylines Make();
 
 private:
+  void DrawClean();
+  void DrawLot(const Point2& corner, bool isFilled);
   void DrawLoops();
   void DrawExtras();
   Places Loop();
   Places WildLoop();
   Places Box();
-  Places Tube();
-  Places Star(int tips);
+  Places Tube(int columns);
+  Places Star(int tips, bool mayWind);
   Places Several(int count);
   Point2 Place();
   void EmitLoop(Places places);
@@ -83,16 +85,78 @@ private:
 
 Polylines DrawingMaker::Make()
 {
-  this->DrawLoops();
-  this->DrawExtras();
+  if (this->Numbers.OneIn(3))
+  {
+    this->DrawClean();
+  }
+  else
+  {
+    this->DrawLoops();
+    this->DrawExtras();
+  }
   return std::move(this->Result);
+}
+
+/// Simple loops side by side, or as holes of a frame: nothing that needs repair.
+void DrawingMaker::DrawClean()
+{
+  const int columns = this->Numbers.Between(1, 3);
+  const int rows = this->Numbers.Between(1, 2);
+  const bool isFramed = this->Numbers.OneIn(3);
+  const double pitch = this->Width + 1;
+  if (isFramed)
+  {
+    const Point2 far{ columns * pitch, rows * pitch };
+    this->EmitLoop({ { -1.0, -1.0 }, { far.X, -1.0 }, far, { -1.0, far.Y } });
+  }
+  for (int lot = 0; lot < columns * rows; ++lot)
+  {
+    this->DrawLot({ lot % columns * pitch, lot / columns * pitch }, !isFramed);
+  }
+}
+
+/// A simple loop between `corner` and one Width further. Of a tube, the line below the middle of the
+/// grid lies within: `isFilled` may put an interface and points there.
+void DrawingMaker::DrawLot(const Point2& corner, bool isFilled)
+{
+  const auto moved = [&corner](Places places)
+  {
+    std::transform(places.begin(), places.end(), places.begin(),
+      [&corner](const Point2& place) { return corner + place; });
+    return places;
+  };
+  const Point2 half{ 0.5 * this->Width, 0.5 * this->Width };
+  switch (this->Numbers.Below(4))
+  {
+    case 0:
+      this->EmitLoop(moved({ {}, { half.X, 0.0 }, half, { 0.0, half.Y } }));
+      return;
+    case 1:
+      this->EmitLoop(moved(this->Star(this->Numbers.Between(2, 10), false)));
+      return;
+    default:
+      break;
+  }
+  const int columns = this->Numbers.Between(2, this->Width);
+  this->EmitLoop(moved(this->Tube(columns)));
+  const double level = this->Width / 2 - 0.5;
+  if (isFilled && this->Numbers.OneIn(2))
+  {
+    this->Emit(moved({ { 0.0, level }, { 0.25, level }, { columns - 1.25, level } }),
+      this->KindOf(ChainKind::Interface));
+  }
+  if (isFilled && this->Numbers.OneIn(2))
+  {
+    this->Emit(moved({ { 0.125, level + 0.125 }, { columns - 1.125, level } }),
+      this->KindOf(ChainKind::EmbeddedPoint));
+  }
 }
 
 void DrawingMaker::DrawLoops()
 {
   if (this->Numbers.OneIn(4000))
   {
-    this->EmitLoop(this->Star(this->Numbers.Between(200, 1500)));
+    this->EmitLoop(this->Star(this->Numbers.Between(100, 500), false));
     return;
   }
   if (this->Numbers.OneIn(500))
@@ -134,9 +198,9 @@ Places DrawingMaker::Loop()
     case 1:
       return this->Box();
     case 2:
-      return this->Tube();
+      return this->Tube(this->Numbers.Between(2, this->Width));
     case 3:
-      return this->Star(this->Numbers.Between(2, 8));
+      return this->Star(this->Numbers.Between(2, 8), true);
     default:
       return this->WildLoop();
   }
@@ -156,9 +220,8 @@ Places DrawingMaker::Box()
 }
 
 /// A simple loop: its lower side below the middle of the grid, its upper side not.
-Places DrawingMaker::Tube()
+Places DrawingMaker::Tube(int columns)
 {
-  const int columns = this->Numbers.Between(2, this->Width);
   const int middle = this->Width / 2;
   Places lower;
   Places upper;
@@ -172,13 +235,13 @@ Places DrawingMaker::Tube()
   return lower;
 }
 
-/// A star that closes nearly, or a small one that winds many times.
-Places DrawingMaker::Star(int tips)
+/// A star that closes nearly, or one that winds many times.
+Places DrawingMaker::Star(int tips, bool mayWind)
 {
-  const bool isWinding = tips < 60 && this->Numbers.OneIn(4);
+  const bool isWinding = mayWind && this->Numbers.OneIn(4);
   const Turn step = Turn::OfHalfTangent(isWinding ? 0.7 : 1.5707963267948966 / tips);
   const double ratio = 0.2 + 0.8 * this->Numbers.Unit();
-  const Point2 center = this->Place();
+  const Point2 center = mayWind ? this->Place() : Point2{ 0.5 * this->Width, 0.5 * this->Width };
   Point2 arm{ 0.5 * this->Width, 0.0 };
   Places places;
   for (int k = 0; k < 2 * tips; ++k)

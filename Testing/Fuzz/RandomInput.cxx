@@ -217,11 +217,18 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
 {
   options.Domain.Repair = !numbers.OneIn(8);
   options.BitingConstant = numbers.OneIn(4) ? 0.1 + 0.9 * numbers.Unit() : 0.0;
-  options.Order = numbers.OneIn(3) ? FrontOrder::LargestY : FrontOrder::Layers;
+  options.BiteShape = numbers.OneIn(3) ? BiteShape::Circle : BiteShape::Square;
+  options.Placement = numbers.OneIn(2) ? Placement::Bisectors : Placement::Corners;
+  const FrontOrder orders[] = { FrontOrder::Layers, FrontOrder::LargestY, FrontOrder::BestFirst };
+  options.Order = orders[numbers.Below(3)];
   options.Phi = numbers.OneIn(4) ? 0.05 + 0.95 * numbers.Unit() : 1.0;
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
-  options.MaximumNumberOfVertices = numbers.OneIn(32) ? numbers.Below(100) : 4000;
+  options.PreserveBoundary = numbers.OneIn(5);
+  options.LimitByFeatureSize = numbers.OneIn(2);
+  options.MaximumNumberOfVertices = numbers.OneIn(32) ? numbers.Below(100)
+    : options.PreserveBoundary                        ? 1000
+                                                      : 2500;
 }
 
 const char* KindName(ChainKind kind)
@@ -307,7 +314,10 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " triangulation=" << (spacing.Triangulation ? 1 : 0)
        << " segments=" << (spacing.Segments ? 1 : 0) << " repair=" << options.Domain.Repair
        << " constant=" << options.BitingConstant
-       << " sweep=" << (options.Order == FrontOrder::LargestY) << " phi=" << options.Phi
+       << " circles=" << (options.BiteShape == BiteShape::Circle)
+       << " bisectors=" << (options.Placement == Placement::Bisectors)
+       << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
+       << " phi=" << options.Phi << " preserve=" << options.PreserveBoundary
        << " keep=" << options.KeepBites << " bites=" << options.MaximumNumberOfBites
        << " vertices=" << options.MaximumNumberOfVertices << " stop=" << fuzzCase.StopAtCall;
   return text.str();

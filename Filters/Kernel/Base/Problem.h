@@ -13,6 +13,7 @@
 namespace biting
 {
 
+/// The numbers stand in files, as the kind of a problem: new codes come before Aborted.
 enum class ProblemCode
 {
   // Repaired: the mesh is valid, the user is told.
@@ -24,7 +25,7 @@ enum class ProblemCode
   OutsidePoints,      ///< an embedded point outside the domain, dropped (ids: point)
   OutsideInterfaces,  ///< an interface outside the domain, dropped (ids: cell)
   // Refused: no mesh.
-  NoClosedLoop,    ///< nothing bounds a domain
+  NoClosedLoop,    ///< nothing bounds a domain (ids: point, an open end; none where all is closed)
   NotFinite,       ///< a coordinate is NaN or infinite (ids: point)
   OutOfRange,      ///< coordinates too large or too small for the exact predicates (ids: point)
   NotPlanar,       ///< a loop leaves the fitted plane (ids: point)

@@ -12,30 +12,47 @@ namespace biting
 namespace
 {
 
-constexpr double BitesPerCell = 3.0;  // measured: 2 to 4 are equally fast
-constexpr Id CrowdedLeaf = 40;        // a leaf of two spacings holds 10 to 15 bites
-constexpr double LeastLeaf = 0.75;    // of a bite's reach: a smaller leaf holds no fewer bites
-constexpr double MostCells = 3e7;     // 360 MB
+// Measured, also where f varies twentyfold: 2 to 4; filed by near reach, 4.
+constexpr double BitesPerCell = 3.0;
+constexpr double BitesPerWideCell = 4.0;
+// A leaf of two spacings holds 10 to 15 bites; filed by near reach, 20 to 30.
+constexpr Id CrowdedLeaf = 40;
+constexpr Id CrowdedWideLeaf = 64;
+constexpr double LeastLeaf = 0.75; // of a bite's reach: a smaller leaf holds no fewer bites
+constexpr double MostCells = 3e7;  // 360 MB
+// Measured: 1 to 2 where bites are not crowded. Room that is not used costs nothing, but to move many
+// blocks takes a second.
+constexpr double BlocksPerCell = 2.5;
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
+
+// Of entries: single precision, after the rounding of a place in units of a top cell.
+constexpr double EntryMargin = 4e-6;
+constexpr double PlaceRounding = 1e-15;
 
 } // namespace
 
-BiteGrid::BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites)
+BiteGrid::BiteGrid(
+  const Bites& bites, const Box2& bounds, double expectedBites, double nearReach, double slack)
   : Squares(bites)
   , Origin(bounds.Low)
+  , NearReach(nearReach)
+  , Slack(slack)
 {
   const double width = std::max(bounds.Width(), 1e-3 * bounds.Height());
   const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
-  const double cells = std::min(std::max(expectedBites / BitesPerCell, 1.0), MostCells);
+  const double bitesPerCell = nearReach > 0.0 ? BitesPerWideCell : BitesPerCell;
+  const double cells = std::min(std::max(expectedBites / bitesPerCell, 1.0), MostCells);
   this->CellsPerLength = std::sqrt(cells / (width * height));
   this->Columns = static_cast<Id>(width * this->CellsPerLength) + 1;
   this->Rows = static_cast<Id>(height * this->CellsPerLength) + 1;
   this->Cells.resize(static_cast<std::size_t>(this->Columns) * this->Rows);
-  this->Blocks.reserve(this->Cells.size());
+  this->Blocks.reserve(
+    static_cast<std::size_t>(BlocksPerCell * static_cast<double>(this->Cells.size())));
 }
 
 void BiteGrid::File(Id bite)
 {
+  this->CircleAbout = this->Squares.IsCircle(bite) ? this->CircleAbout : 2.0f;
   const LocalBox extent = this->Extent(bite);
   const Id lastRow = ClampedIndex(extent.HighY, this->Rows);
   const Id lastColumn = ClampedIndex(extent.HighX, this->Columns);
@@ -56,9 +73,10 @@ void BiteGrid::FileInCell(Id cell, const Place& place, Id bite, const LocalBox& 
     this->FileInChildren(cell, place, bite, extent);
     return;
   }
-  this->Append(cell, bite);
+  this->Append(cell, place, bite);
   const double reach = 0.5 * (extent.HighX - extent.LowX);
-  if (this->Cells[cell].Count > CrowdedLeaf && place.Size > LeastLeaf * reach)
+  const Id crowd = this->NearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf;
+  if (this->Cells[cell].Count > crowd && place.Size > LeastLeaf * reach)
   {
     this->Divide(cell, place);
   }
@@ -82,7 +100,7 @@ void BiteGrid::FileInChildren(Id cell, const Place& place, Id bite, const LocalB
   }
 }
 
-void BiteGrid::Append(Id cell, Id bite)
+void BiteGrid::Append(Id cell, const Place& place, Id bite)
 {
   Cell& leaf = this->Cells[cell];
   ++leaf.Count;
@@ -94,7 +112,21 @@ void BiteGrid::Append(Id cell, Id bite)
     this->Blocks.push_back(block);
   }
   Block& newest = this->Blocks[leaf.NewestBlock];
-  newest.Entries[newest.Count++] = bite;
+  newest.Entries[newest.Count++] = this->MakeEntry(place, bite);
+}
+
+BiteGrid::Entry BiteGrid::MakeEntry(const Place& place, Id bite) const
+{
+  const Point2 center = this->Squares.Centers[bite];
+  const double scale = this->CellsPerLength / place.Size;
+  const double x = (center.X - this->Origin.X) * this->CellsPerLength;
+  const double y = (center.Y - this->Origin.Y) * this->CellsPerLength;
+  const double rounding =
+    EntryMargin + PlaceRounding * (static_cast<double>(this->Columns) + this->Rows) / place.Size;
+  const double reach =
+    (this->Squares.HalfWidths[bite] + this->Slack) * scale * (1.0 + EntryMargin) + rounding;
+  return { static_cast<float>((x - place.X) / place.Size),
+    static_cast<float>((y - place.Y) / place.Size), static_cast<float>(reach * reach), bite };
 }
 
 // Deals the leaf's bites to its new children in the order of their filing.
@@ -102,9 +134,9 @@ void BiteGrid::Divide(Id cell, const Place& place)
 {
   std::vector<Id> entries;
   this->VisitBlocks(this->Cells[cell],
-    [&entries](Id bite)
+    [&entries](const Entry& entry)
     {
-      entries.push_back(bite);
+      entries.push_back(entry.Bite);
       return false;
     });
   const Id firstChild = static_cast<Id>(this->Cells.size());
@@ -116,11 +148,19 @@ void BiteGrid::Divide(Id cell, const Place& place)
   }
 }
 
-BiteGrid::LocalBox BiteGrid::Extent(Id bite) const
+// Of the bite's bounding box, or of its near reach where that is larger: half its width, in
+// half-widths.
+double BiteGrid::Spread(Id bite) const
 {
   const Point2& axis = this->Squares.Axes[bite];
+  const double spread = this->Squares.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
+  return std::max(spread, this->NearReach);
+}
+
+BiteGrid::LocalBox BiteGrid::Extent(Id bite) const
+{
   const double reach =
-    this->Squares.HalfWidths[bite] * (std::abs(axis.X) + std::abs(axis.Y)) * (1.0 + FilingMargin);
+    this->Spread(bite) * this->Squares.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
   return this->ToGrid(this->Squares.Centers[bite], reach);
 }
 

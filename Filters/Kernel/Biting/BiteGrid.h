@@ -7,6 +7,7 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "Bites.h"
 
 #include <vector> // for the arrays
@@ -17,6 +18,8 @@ namespace biting
 /// Where the bites are: each is filed in every leaf that its bounding box meets, so that all bites
 /// that may contain a point, or meet its leaf, stand in one list.
 ///
+/// Beside each bite stand its place and reach in units of the leaf, rounded: they tell most of those
+/// that are out of reach without a look at the bites themselves.
 /// A grid of about one cell per few bites; a crowded cell is divided into 4 x 4, again and again,
 /// so leaves follow the spacing wherever it leads. Filing costs O(1) amortised, as does a query:
 /// bites have bounded overlap (paper, lemma 5.2).
@@ -24,22 +27,35 @@ class BiteGrid
 {
 public:
   /// Prepares a grid over `bounds` for about `expectedBites` bites. `bites` must outlive the grid.
-  BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites);
+  /// `nearReach`: how far from a bite's centre VisitNear is sure to find it, in half-widths. `slack`: how far
+  /// outside of a bite, as a length, VisitLeaf still finds it.
+  BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites, double nearReach = 0.0,
+    double slack = 0.0);
 
   /// Files `bite`. Bites are filed in ascending order of their ids.
   void File(Id bite);
 
-  /// Calls visit(bite) for the bites of p's leaf, the newest first, until it returns true.
+  /// Calls visit(bite) for the bites of p's leaf that may contain p, the newest first, until it
+  /// returns true.
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit) const;
+
+  /// Calls visit(bite) for bites whose centres are within `reach` of their half-widths from p, the
+  /// newest first, until it returns true: all of them up to the near reach, beyond it those of p's
+  /// leaf.
+  template <typename Visit>
+  bool VisitNear(const Point2& p, double reach, Visit&& visit) const;
 
   /// Calls visit(bite) for the bites of all leaves that the square meets, until it returns true; a
   /// bite may come twice.
   template <typename Visit>
   bool VisitSquare(const Point2& center, double reach, Visit&& visit) const;
 
+  /// Gives the memory back; there is nothing to be asked for afterwards.
+  void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->Blocks, this->Cells); }
+
 private:
-  static constexpr Id Division = 4;
+  static constexpr Id Division = 2;
 
   struct Cell
   {
@@ -48,13 +64,28 @@ private:
     Id Count = 0;
   };
 
-  // One cache line.
+  // A bite as its leaf sees it, in units of the leaf.
+  struct Entry
+  {
+    float X, Y;   ///< its centre, from the low corner
+    float Square; ///< of its half-width
+    Id Bite;
+  };
+
+  // Four cache lines.
   struct Block
   {
-    static constexpr Id Capacity = 14;
+    static constexpr Id Capacity = 15;
     Id Older = NoId;
     Id Count = 0;
-    Id Entries[Capacity];
+    Entry Entries[Capacity];
+  };
+
+  // A place in a leaf, in its units.
+  struct LeafPlace
+  {
+    const Cell* Leaf;
+    float X, Y;
   };
 
   // A box in units of a cell, relative to its low corner.
@@ -78,6 +109,7 @@ private:
 
   template <typename Visit>
   bool VisitBlocks(const Cell& cell, Visit&& visit) const;
+  LeafPlace Locate(const Point2& p) const;
   template <typename Visit>
   bool VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
   // A cell's low corner and size, in units of a top cell.
@@ -86,15 +118,20 @@ private:
     double X, Y, Size;
   };
 
+  double Spread(Id bite) const;
   LocalBox Extent(Id bite) const;
   void FileInCell(Id cell, const Place& place, Id bite, const LocalBox& extent);
   void FileInChildren(Id cell, const Place& place, Id bite, const LocalBox& extent);
-  void Append(Id cell, Id bite);
+  void Append(Id cell, const Place& place, Id bite);
+  Entry MakeEntry(const Place& place, Id bite) const;
   void Divide(Id cell, const Place& place);
 
   const Bites& Squares;
   Point2 Origin;
   double CellsPerLength = 1.0;
+  double NearReach;         ///< in half-widths
+  double Slack;             ///< a length
+  float CircleAbout = 1.0f; ///< squared radius of the circle about a bite, in squared half-widths
   Id Columns = 1;
   Id Rows = 1;
   std::vector<Cell> Cells;
@@ -118,8 +155,7 @@ bool BiteGrid::VisitBlocks(const Cell& cell, Visit&& visit) const
   return false;
 }
 
-template <typename Visit>
-bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
+inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
 {
   double u = (p.X - this->Origin.X) * this->CellsPerLength;
   double v = (p.Y - this->Origin.Y) * this->CellsPerLength;
@@ -134,7 +170,33 @@ bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
     row = ClampedIndex(v, Division);
     cell = &this->Cells[cell->FirstChild + row * Division + column];
   }
-  return this->VisitBlocks(*cell, visit);
+  return { cell, static_cast<float>(u - column), static_cast<float>(v - row) };
+}
+
+template <typename Visit>
+bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
+{
+  const LeafPlace place = this->Locate(p);
+  return this->VisitBlocks(*place.Leaf,
+    [&place, &visit, reach = this->CircleAbout](const Entry& entry)
+    {
+      const float x = entry.X - place.X;
+      const float y = entry.Y - place.Y;
+      return x * x + y * y <= reach * entry.Square && visit(entry.Bite);
+    });
+}
+
+template <typename Visit>
+bool BiteGrid::VisitNear(const Point2& p, double reach, Visit&& visit) const
+{
+  const LeafPlace place = this->Locate(p);
+  return this->VisitBlocks(*place.Leaf,
+    [&place, &visit, square = static_cast<float>(reach * reach)](const Entry& entry)
+    {
+      const float x = entry.X - place.X;
+      const float y = entry.Y - place.Y;
+      return x * x + y * y <= square * entry.Square && visit(entry.Bite);
+    });
 }
 
 template <typename Visit>
@@ -164,7 +226,7 @@ bool BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) c
 {
   if (cell.FirstChild == NoId)
   {
-    return this->VisitBlocks(cell, visit);
+    return this->VisitBlocks(cell, [&visit](const Entry& entry) { return visit(entry.Bite); });
   }
   const double lowX = box.LowX * Division;
   const double lowY = box.LowY * Division;

@@ -17,14 +17,24 @@
 namespace biting
 {
 
-/// How deep p lies in bite `bite`: its distance to the nearest side, negative outside.
-inline double Depth(const Bites& bites, Id bite, const Point2& p)
+/// The half-width with which bite `bite` would reach p.
+inline double Gauge(const Bites& bites, Id bite, const Point2& p)
 {
   const Point2 offset = p - bites.Centers[bite];
+  if (bites.IsCircle(bite))
+  {
+    return Length(offset);
+  }
   const Point2& axis = bites.Axes[bite];
   const double along = std::abs(Dot(offset, axis));
   const double across = std::abs(Cross(axis, offset));
-  return bites.HalfWidths[bite] - (along > across ? along : across);
+  return along > across ? along : across;
+}
+
+/// How deep p lies in bite `bite`: its distance to the nearest side, negative outside.
+inline double Depth(const Bites& bites, Id bite, const Point2& p)
+{
+  return bites.HalfWidths[bite] - Gauge(bites, bite, p);
 }
 
 /// Whether the sides of the bite are parallel to the axes of the plane.
@@ -37,7 +47,8 @@ inline bool IsAxisAligned(const Bites& bites, Id bite)
 ///
 /// Works in the frame of the bite: centre at the origin, axis along x. Side k has the outward normal
 /// at 90 k degrees; a place on it is its coordinate along the side, from -half-width to half-width,
-/// growing with y on sides 0 and 2 and with x on sides 1 and 3.
+/// growing with y on sides 0 and 2 and with x on sides 1 and 3. A circle is told by the square about
+/// it: a place on that is the place on the circle in the same direction.
 /// Other bites cover their open interior: of two sides that coincide neither covers the other, so no
 /// vertex of the front is lost to a tie (rounding is antisymmetric here: it cannot let both cover).
 class BiteOutline
@@ -72,11 +83,19 @@ public:
   Point2 At(int side, double place) const;
 
   /// Calls visit(point) for the ends of all gaps: the vertices of the front on this bite. A corner
-  /// that two gaps share comes once.
+  /// that two gaps share comes once; a circle has no corners.
   template <typename Visit>
   void VisitEnds(Visit&& visit) const;
 
 private:
+  Interval ArcWithin(int side, const Interval& gap, const Box2& box) const;
+  void CoverBySquare(const Point2& center, const Point2& axis, double halfWidth);
+  void CoverByCircle(const Point2& center, double radius);
+  void CoverSquareByCircle(const Point2& center, double radius);
+  void CoverCircleBySquare(const Point2& center, const Point2& axis, double halfWidth);
+  void CoverCircleByCircle(const Point2& center, double radius);
+  void CoverAll();
+  void AddArc(const Point2& first, const Point2& last);
   void CoverAligned(const Point2& center, double halfWidth);
   void CoverTurned(const Point2& center, const Point2& axis, double halfWidth);
   void Add(int side, double low, double high);
@@ -85,6 +104,7 @@ private:
   Point2 Center;
   Point2 Axis;
   double HalfWidth = 0.0;
+  bool IsCircle = false;
   std::array<std::vector<Interval>, 4> Covered;
   std::array<std::vector<Interval>, 4> Uncovered;
 };
@@ -113,7 +133,7 @@ void BiteOutline::VisitEnds(Visit&& visit) const
   }
   for (int corner = 0; corner < 4; ++corner)
   {
-    if (corners[corner])
+    if (!this->IsCircle && corners[corner])
     {
       const bool isRight = corner == 0 || corner == 3;
       visit(this->At(isRight ? 0 : 2, corner < 2 ? this->HalfWidth : -this->HalfWidth));
@@ -124,7 +144,7 @@ void BiteOutline::VisitEnds(Visit&& visit) const
 /// The directions in which p's near surroundings are covered, as a set of probes: probe i points at
 /// (i + 1/2) 360/64 degrees, so that none is parallel to an axis.
 /// A bite with p on its side (within a slack) covers a half plane of directions, with p at its corner
-/// a quadrant. An uncovered wedge below 5.6 degrees may be missed; any uncovered region has a wider
+/// a quadrant, with p on its circle a half plane. An uncovered wedge below 5.6 degrees may be missed; any uncovered region has a wider
 /// one (the angles of a polygon with n corners add up to (n - 2) 180 degrees).
 class DirectionMask
 {
@@ -135,6 +155,8 @@ public:
   bool IsFull() const { return this->Covered == ~std::uint64_t{ 0 }; }
 
 private:
+  void AddCircle(const Point2& offset, double depth, double slack);
+
   std::uint64_t Covered = 0;
 };
 

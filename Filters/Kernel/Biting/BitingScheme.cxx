@@ -3,13 +3,18 @@
 
 #include "BitingScheme.h"
 
+#include "../Base/Pulse.h"
+#include "Bisectors.h"
 #include "BiteGrid.h"
 #include "BiteOutline.h"
 #include "EdgeDivision.h"
 #include "FrontTrace.h"
 #include "Orientation.h"
+#include "OutlineCover.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for min, max, all_of
+#include <iterator>  // for begin, end
+#include <numeric>   // for iota
 
 namespace biting
 {
@@ -17,15 +22,31 @@ namespace biting
 namespace
 {
 
-// Mean edge length / (f c_b) of the raw mesh, and vertices per integral of 1/(c_b f)^2, measured
-// over uniform and graded fields; see Testing/Benchmark.
-constexpr double LayersLength = 1.0 / 0.77;
-constexpr double SweepLength = 1.0 / 0.80;
-constexpr double VerticesPerDensity = 0.72;
+// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured over uniform and
+// graded fields.
+constexpr double SquareCornerConstant = 0.77;
+constexpr double SquareCornerSweepConstant = 0.80;
+constexpr double SquareBisectorConstant = 0.82;
+constexpr double CircleCornerConstant = 0.91;
+constexpr double CircleBisectorConstant = 0.95;
+constexpr double VerticesPerDensity = 1.21;
+
+constexpr double SquareTolerance = 0.9;
+constexpr double CircleTolerance = 0.8;
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
-constexpr Id AdvanceInterval = 1000;
-constexpr int LeastCrowd = 64; // more bites than overlap where f follows the domain
+
+// Of the parts of an edge that is not divided: their least length and the wanted one, in units of
+// c_b f. Where long edges meet short ones, smaller shields leave thinner triangles on the edges, and
+// larger ones thinner triangles beside these.
+constexpr double LeastShieldLength = 1.7;
+constexpr double ShieldLength = 2.6;
+constexpr double ShieldOverlap = 1.0625;     // of neighbours: their common border lies inside both
+constexpr std::int64_t FewShields = 1000000; // for which no limit of vertices is meant
+
+constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
+constexpr int LeastCrowd = 64;                // more bites than overlap where f follows the domain
+constexpr double GreatestReach = 2.83; // of half-widths: equal bites further apart do not meet
 
 class BitingRun
 {
@@ -40,13 +61,24 @@ private:
   void ProtectVertices();
   void ProtectEdges();
   void ProtectEdge(Id segment);
+  void ShieldEdges();
+  void ShieldEdge(Id segment, EdgeDivider& divider);
+  void ShieldPart(Id segment, double from, double to);
+  bool IsHeld(Id segment, const Point2& center, const Point2& along) const;
+  bool IsWithinBite(const Point2& first, const Point2& last, Id vertex, const Point2& across) const;
   void SeedFront();
   void BiteInterior();
   void BiteCandidate(const Candidate& candidate);
   Id AddVertex(const Point2& place, double spacing, Id segment);
   void AddEdge(Id start, Id end, Id segment);
   void Bite(Id vertex, const Point2& axis, BitePhase phase);
+  void AddSquare(const Point2& center, const Point2& axis, double halfWidth, BitePhase phase);
   void PutCandidates(Id bite);
+  void PutBisectorPoints(Id bite);
+  void PutFrontVertices(Id bite);
+  bool PutLeftOvers();
+  bool IsEnclosed(Id bite) const;
+  Point2 AxisOf(const Candidate& candidate) const;
   bool IsHidden(Id bite, double reach);
   bool HideGaps(Id bite);
   bool Look(Id bite, Id other);
@@ -55,13 +87,14 @@ private:
   double Slack(Id bite) const;
   bool MayBite() const;
   void Advance();
-  void AdvanceSometimes(Id steps);
+  void Step();
+  BitingEnd ReasonNotToDivide() const;
 
   const Domain& Geometry;
   const DomainLocator& Locator;
   const Spacing& F;
   const BitingOptions& Options;
-  Monitor& Progress;
+  Pulse Progress;
   double BitingConstant;
   double PartLength; ///< wanted length of boundary edges in units of f
   double ExpectedVertices;
@@ -69,23 +102,57 @@ private:
   Bites& Squares;
   Box2 Reach; ///< the box of the domain, and what rounding may add to it
   BiteGrid Grid;
+  Bisectors Points; ///< where bites may sit, with Placement::Bisectors
   CandidateQueue Queue;
   EdgeDivider Divider;
   DivisionPoints Division; ///< of the edge at hand
   BiteOutline Outline;     ///< of the bite at hand
+  VertexAxes Axes;         ///< of the bites of input vertices, which come first
   std::vector<Id> Seen;    ///< per bite: the last bite whose outline it was asked for
   Id NumberOfBites = 0;
+  Id NumberOfChecked = 0; ///< bites that have nothing left over, from the first
 };
-
-double LengthPerBitingConstant(FrontOrder order)
-{
-  return order == FrontOrder::Layers ? LayersLength : SweepLength;
-}
 
 double UsedBitingConstant(const BitingOptions& options)
 {
-  return options.BitingConstant > 0.0 ? options.BitingConstant
-                                      : AutomaticBitingConstant(options.Order);
+  return options.BitingConstant > 0.0 ? options.BitingConstant : AutomaticBitingConstant(options);
+}
+
+double UsedTolerance(const BitingOptions& options)
+{
+  return options.Tolerance > 0.0 ? options.Tolerance : AutomaticTolerance(options);
+}
+
+// The wanted length of edges, in units of f.
+double UsedPartLength(const BitingOptions& options)
+{
+  return options.PartLength > 0.0 ? options.PartLength
+                                  : UsedBitingConstant(options) / AutomaticBitingConstant(options);
+}
+
+// How far the grid finds neighbours: as far as the placement asks for them.
+double NearReach(const BitingOptions& options)
+{
+  return options.Placement == Placement::Corners
+    ? 0.0
+    : Bisectors::GreatestBond * UsedPartLength(options) / UsedBitingConstant(options);
+}
+
+// How near centres on one edge may be, in half-widths.
+double LeastPart(const BitingOptions& options)
+{
+  const bool isExact = options.Placement == Placement::Corners;
+  return isExact ? EdgeDivider::LeastPart : UsedTolerance(options) * EdgeDivider::LeastPart;
+}
+
+// For circles: one bite a vertex.
+VertexAxes WithoutAxes(Id numberOfVertices)
+{
+  VertexAxes none;
+  none.Axes.resize(numberOfVertices);
+  none.Offsets.resize(static_cast<std::size_t>(numberOfVertices) + 1);
+  std::iota(none.Offsets.begin(), none.Offsets.end(), 0);
+  return none;
 }
 
 BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
@@ -96,14 +163,16 @@ BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const S
   , Options(options)
   , Progress(monitor)
   , BitingConstant(UsedBitingConstant(options))
-  , PartLength(options.PartLength > 0.0 ? options.PartLength
-                                        : BitingConstant * LengthPerBitingConstant(options.Order))
+  , PartLength(UsedPartLength(options))
   , ExpectedVertices(expectedVertices)
   , Squares(Result.Bites)
   , Reach(domain.Bounds)
-  , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices())
+  , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
+      NearReach(options), domain.Resolution)
+  , Points(
+      Result.Bites, Grid, PartLength / BitingConstant, UsedTolerance(options), domain.Resolution)
   , Queue(options.Order)
-  , Divider(spacing, BitingConstant, PartLength)
+  , Divider(spacing, BitingConstant, PartLength, Progress, LeastPart(options))
 {
   this->Reach.Grow(domain.Resolution);
 }
@@ -112,20 +181,31 @@ BitingResult BitingRun::Run()
 {
   this->CopyDomain(this->ExpectedVertices);
   this->ProtectVertices();
-  this->ProtectEdges();
+  if (this->Options.PreserveBoundary)
+  {
+    this->ShieldEdges();
+  }
+  else
+  {
+    this->ProtectEdges();
+  }
   this->SeedFront();
   this->BiteInterior();
   const bool isStopped = this->Result.End == BitingEnd::Complete && !this->MayBite();
   if (this->Options.KeepFront && isStopped)
   {
-    this->Result.Front = TraceFront(this->Geometry, this->Locator, this->Squares, this->Grid);
+    this->Result.Front =
+      TraceFront(this->Geometry, this->Locator, this->Squares, this->Grid, this->Progress);
+    this->Step();
   }
+  this->Grid.Release(this->Progress);
+  ReleaseInSteps(this->Progress, this->Seen);
   return std::move(this->Result);
 }
 
 void BitingRun::CopyDomain(double expectedVertices)
 {
-  const std::size_t expected = static_cast<std::size_t>(1.05 * expectedVertices) + 16;
+  const std::size_t expected = static_cast<std::size_t>(1.25 * expectedVertices) + 16;
   this->Result.Points.reserve(expected);
   this->Result.Spacings.reserve(expected);
   this->Squares.Centers.reserve(expected);
@@ -134,17 +214,20 @@ void BitingRun::CopyDomain(double expectedVertices)
   for (const Point2& vertex : this->Geometry.Vertices)
   {
     this->AddVertex(vertex, this->F(vertex), NoId);
+    this->Step();
   }
 }
 
 void BitingRun::ProtectVertices()
 {
-  const VertexAxes axes = OrientVertexBites(this->Geometry);
+  this->Axes = this->Options.Shape == BiteShape::Circle
+    ? WithoutAxes(this->Geometry.NumberOfVertices())
+    : OrientVertexBites(this->Geometry, this->Progress);
   for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->MayBite(); ++vertex)
   {
-    for (Id k = axes.Offsets[vertex]; k < axes.Offsets[vertex + 1]; ++k)
+    for (Id k = this->Axes.Offsets[vertex]; k < this->Axes.Offsets[vertex + 1]; ++k)
     {
-      this->Bite(vertex, axes.Axes[k], BitePhase::VertexProtection);
+      this->Bite(vertex, this->Axes.Axes[k], BitePhase::VertexProtection);
     }
     ++this->NumberOfBites;
     this->Advance();
@@ -176,7 +259,7 @@ void BitingRun::ProtectEdge(Id segment)
   const auto limit = this->Options.MaximumNumberOfVertices - this->Result.Points.size();
   if (!this->Divider.Divide(a, b, static_cast<Id>(limit), this->Division))
   {
-    this->Result.End = BitingEnd::TooManyVertices;
+    this->Result.End = this->ReasonNotToDivide();
     return;
   }
   const Point2 axis = 1.0 / Distance(a, b) * (b - a);
@@ -194,21 +277,112 @@ void BitingRun::ProtectEdge(Id segment)
   this->AddEdge(last, end, segment);
 }
 
+// Instead of vertices on the edges, squares that make none, one for each part of an edge. Their size
+// follows f as that of bites does, so that they hide little of what is behind the edges, and the
+// front rises from the ends of a long edge as f does.
+void BitingRun::ShieldEdges()
+{
+  EdgeDivider divider(this->F, LeastShieldLength * this->BitingConstant,
+    ShieldLength * this->BitingConstant, this->Progress);
+  for (Id segment = 0; segment < this->Geometry.NumberOfSegments(); ++segment)
+  {
+    this->AddEdge(this->Geometry.Starts[segment], this->Geometry.Ends[segment], segment);
+    if (this->MayBite())
+    {
+      this->ShieldEdge(segment, divider);
+    }
+  }
+}
+
+void BitingRun::ShieldEdge(Id segment, EdgeDivider& divider)
+{
+  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  const std::int64_t limit =
+    std::max(this->Options.MaximumNumberOfVertices, FewShields) - this->Squares.Size();
+  if (!divider.Divide(a, b, static_cast<Id>(std::max<std::int64_t>(limit, 0)), this->Division))
+  {
+    this->Result.End = this->ReasonNotToDivide();
+    return;
+  }
+  // Where f is steep, rounding may exchange neighbours.
+  this->Division.Parameters.push_back(1.0);
+  double last = 0.0;
+  for (const double parameter : this->Division.Parameters)
+  {
+    if (parameter > last)
+    {
+      this->ShieldPart(segment, last, parameter);
+      last = parameter;
+    }
+  }
+}
+
+void BitingRun::ShieldPart(Id segment, double from, double to)
+{
+  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  const double length = Distance(a, b);
+  const double halfWidth = 0.5 * ShieldOverlap * (to - from) * length;
+  const Point2 center = a + 0.5 * (from + to) * (b - a);
+  const Point2 axis = 1.0 / length * (b - a);
+  if (this->MayBite() && !this->IsHeld(segment, center, halfWidth * axis))
+  {
+    this->AddSquare(center, axis, halfWidth, BitePhase::EdgeProtection);
+    ++this->NumberOfBites;
+    this->Advance();
+  }
+}
+
+// Whether the bites of the segment's ends cover the square about `center` that reaches `along` to
+// the middle of a side: each half of it lies in one of them.
+bool BitingRun::IsHeld(Id segment, const Point2& center, const Point2& along) const
+{
+  const Point2 across = Perpendicular(along);
+  const Id start = this->Geometry.Starts[segment];
+  const Id end = this->Geometry.Ends[segment];
+  const auto isHeld = [this, &center, &across, start, end](const Point2& side)
+  {
+    return this->IsWithinBite(side, center, start, across) ||
+      this->IsWithinBite(side, center, end, across);
+  };
+  return isHeld(center - along) && isHeld(center + along);
+}
+
+// Whether the rectangle about the line from `first` to `last`, reaching `across` to both sides, lies
+// in one of the squares of an input vertex.
+bool BitingRun::IsWithinBite(
+  const Point2& first, const Point2& last, Id vertex, const Point2& across) const
+{
+  const Point2 corners[4] = { first + across, first - across, last + across, last - across };
+  for (Id bite = this->Axes.Offsets[vertex]; bite < this->Axes.Offsets[vertex + 1]; ++bite)
+  {
+    const auto isInside = [this, bite](const Point2& p)
+    { return Depth(this->Squares, bite, p) >= 0.0; };
+    if (std::all_of(std::begin(corners), std::end(corners), isInside))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Once all of the boundary is bitten: most corners of its bites are covered by then.
 void BitingRun::SeedFront()
 {
   for (Id bite = 0; bite < this->Squares.Size() && this->Result.End == BitingEnd::Complete; ++bite)
   {
     this->PutCandidates(bite);
-    this->AdvanceSometimes(bite);
+    this->Step();
   }
 }
 
 void BitingRun::BiteInterior()
 {
-  while (!this->Queue.IsEmpty() && this->MayBite())
+  while (this->MayBite() && (!this->Queue.IsEmpty() || this->PutLeftOvers()))
   {
     this->BiteCandidate(this->Queue.Take());
+    this->Step();
   }
 }
 
@@ -219,10 +393,22 @@ void BitingRun::BiteCandidate(const Candidate& candidate)
     return;
   }
   const Id vertex = this->AddVertex(candidate.Place, this->F(candidate.Place), NoId);
-  this->Bite(vertex, { 1.0, 0.0 }, BitePhase::Interior);
+  this->Bite(vertex, this->AxisOf(candidate), BitePhase::Interior);
   ++this->NumberOfBites;
   this->PutCandidates(this->Squares.Size() - 1);
   this->Advance();
+}
+
+// The bond of the two bites that the candidate stands on.
+Point2 BitingRun::AxisOf(const Candidate& candidate) const
+{
+  if (candidate.Parents[0] == NoId)
+  {
+    return { 1.0, 0.0 };
+  }
+  const Point2 bond =
+    this->Squares.Centers[candidate.Parents[1]] - this->Squares.Centers[candidate.Parents[0]];
+  return 1.0 / Length(bond) * bond;
 }
 
 Id BitingRun::AddVertex(const Point2& place, double spacing, Id segment)
@@ -243,25 +429,100 @@ void BitingRun::AddEdge(Id start, Id end, Id segment)
 
 void BitingRun::Bite(Id vertex, const Point2& axis, BitePhase phase)
 {
+  this->AddSquare(this->Result.Points[vertex],
+    this->Options.Shape == BiteShape::Circle ? Point2{} : axis,
+    this->BitingConstant * this->Result.Spacings[vertex], phase);
+  this->Result.BiteOrders[vertex] = this->NumberOfBites;
+}
+
+void BitingRun::AddSquare(
+  const Point2& center, const Point2& axis, double halfWidth, BitePhase phase)
+{
   const Id bite = this->Squares.Size();
-  this->Squares.Centers.push_back(this->Result.Points[vertex]);
+  this->Squares.Centers.push_back(center);
   this->Squares.Axes.push_back(axis);
-  this->Squares.HalfWidths.push_back(this->BitingConstant * this->Result.Spacings[vertex]);
+  this->Squares.HalfWidths.push_back(halfWidth);
   this->Squares.Orders.push_back(this->NumberOfBites);
   this->Squares.Phases.push_back(phase);
-  this->Result.BiteOrders[vertex] = this->NumberOfBites;
   this->Seen.push_back(NoId);
   this->Grid.File(bite);
 }
 
+void BitingRun::PutCandidates(Id bite)
+{
+  if (this->Options.Placement == Placement::Corners)
+  {
+    this->PutFrontVertices(bite);
+  }
+  else
+  {
+    this->PutBisectorPoints(bite);
+  }
+}
+
+void BitingRun::PutBisectorPoints(Id bite)
+{
+  const Id newest = this->Squares.Size() - 1;
+  this->Points.VisitPoints(bite,
+    [this, bite, newest](const BisectorPoint& point)
+    {
+      this->Queue.Put(
+        { point.Place, newest, { bite, point.Neighbor }, this->Queue.ClassOf(point.Misfit) });
+    });
+}
+
+// The vertices of the front on bites that are not all covered, once there are no other candidates.
+// All bites are looked at once: a vertex that another bite makes later is one of that bite too.
+bool BitingRun::PutLeftOvers()
+{
+  const bool isLastResort = this->Options.Placement != Placement::Corners;
+  while (isLastResort && this->Queue.IsEmpty() && this->NumberOfChecked < this->Squares.Size() &&
+    this->MayBite())
+  {
+    const Id bite = this->NumberOfChecked++;
+    if (!this->IsEnclosed(bite))
+    {
+      this->PutFrontVertices(bite);
+    }
+    this->Step();
+  }
+  return !this->Queue.IsEmpty();
+}
+
+// Whether other bites cover the bite's outline, as far as a cheap test can tell: mostly the nearest
+// ones do.
+bool BitingRun::IsEnclosed(Id bite) const
+{
+  OutlineCover cover(this->Squares, bite);
+  for (const double reach : { NearReach(this->Options), GreatestReach })
+  {
+    int looked = 0;
+    this->Grid.VisitNear(this->Squares.Centers[bite], reach,
+      [bite, &cover, &looked](Id other)
+      {
+        if (other != bite)
+        {
+          cover.Cover(other);
+        }
+        return ++looked == LeastCrowd;
+      });
+    if (cover.IsFull())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // The vertices of the front that the bite makes: its uncovered corners, and where the sides of other
 // bites cross its own.
-void BitingRun::PutCandidates(Id bite)
+void BitingRun::PutFrontVertices(Id bite)
 {
   this->Outline.Begin(this->Squares, bite);
   const Point2 center = this->Squares.Centers[bite];
   const Point2 axis = this->Squares.Axes[bite];
-  const double reach = this->Squares.HalfWidths[bite] * (std::abs(axis.X) + std::abs(axis.Y));
+  const double spread = this->Squares.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
+  const double reach = this->Squares.HalfWidths[bite] * spread;
   this->Seen[bite] = bite;
   if (this->IsHidden(bite, reach))
   {
@@ -277,7 +538,7 @@ void BitingRun::PutCandidates(Id bite)
     {
       if (isClear || this->Locator.IsInside(place))
       {
-        this->Queue.Put({ place, newest });
+        this->Queue.Put({ place, newest, { NoId, NoId }, 0 });
       }
     });
 }
@@ -350,6 +611,10 @@ bool BitingRun::Look(Id bite, Id other)
 // Against the bites since the candidate's birth first: most candidates end there.
 bool BitingRun::IsUncovered(const Candidate& candidate) const
 {
+  if (candidate.Parents[0] != NoId)
+  {
+    return !this->Points.IsCovered(candidate.Place) && this->Locator.IsInside(candidate.Place);
+  }
   bool isCovered = false;
   this->Grid.VisitLeaf(candidate.Place,
     [this, &candidate, &isCovered](Id bite)
@@ -390,29 +655,50 @@ void BitingRun::Advance()
   {
     this->Result.End = BitingEnd::TooManyVertices;
   }
-  this->AdvanceSometimes(this->NumberOfBites);
+  this->Step();
 }
 
-void BitingRun::AdvanceSometimes(Id steps)
+void BitingRun::Step()
 {
-  const double done = this->NumberOfBites / this->ExpectedVertices;
-  if (steps % AdvanceInterval == 0 && !this->Progress.Advance(std::min(done, 1.0)))
+  this->Progress.SetFraction(std::min(this->NumberOfBites / this->ExpectedVertices, 1.0));
+  if (!this->Progress.Beat(CheapStepsPerBite))
   {
     this->Result.End = BitingEnd::Aborted;
   }
 }
 
+BitingEnd BitingRun::ReasonNotToDivide() const
+{
+  return this->Progress.HasStopped() ? BitingEnd::Aborted : BitingEnd::TooManyVertices;
+}
+
 } // namespace
 
-double AutomaticBitingConstant(FrontOrder order)
+double AutomaticBitingConstant(const BitingOptions& options)
 {
-  return 1.0 / LengthPerBitingConstant(order);
+  const bool isCircle = options.Shape == BiteShape::Circle;
+  if (options.Placement == Placement::Bisectors)
+  {
+    return isCircle ? CircleBisectorConstant : SquareBisectorConstant;
+  }
+  const bool isSweep = options.Order == FrontOrder::LargestY;
+  const double square = isSweep ? SquareCornerSweepConstant : SquareCornerConstant;
+  return isCircle ? CircleCornerConstant : square;
+}
+
+double AutomaticTolerance(const BitingOptions& options)
+{
+  if (options.Placement == Placement::Corners)
+  {
+    return 1.0;
+  }
+  return options.Shape == BiteShape::Circle ? CircleTolerance : SquareTolerance;
 }
 
 double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& options)
 {
-  const double bitingConstant = UsedBitingConstant(options);
-  return VerticesPerDensity * integratedDensity / (bitingConstant * bitingConstant);
+  const double length = UsedBitingConstant(options) / AutomaticBitingConstant(options);
+  return VerticesPerDensity * integratedDensity / (length * length);
 }
 
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,

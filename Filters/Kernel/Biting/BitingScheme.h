@@ -23,10 +23,20 @@ struct BitingOptions
 {
   double BitingConstant = 0.0; ///< c_b; 0 = AutomaticBitingConstant
   double PartLength = 0.0;     ///< wanted length of boundary edges in units of f; 0 = as inside
+  BiteShape Shape = BiteShape::Square;
+  biting::Placement Placement = biting::Placement::Corners;
   FrontOrder Order = FrontOrder::Layers;
+
+  /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1]. 0:
+  /// AutomaticTolerance; 1: the laws to the letter.
+  double Tolerance = 0.0;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
   bool KeepFront = false; ///< fill Front
+
+  /// True: no segment is divided. Shields cover what the bites of its ends do not: squares along it
+  /// that make no vertex and keep those of the interior away.
+  bool PreserveBoundary = false;
 };
 
 enum class BitingEnd
@@ -55,20 +65,36 @@ struct BitingResult
   BitingEnd End = BitingEnd::Complete;
 };
 
-/// The c_b for which the mean edge length of the mesh is f, on average over domains.
-double AutomaticBitingConstant(FrontOrder order);
+/// The c_b for which the mean edge length of the mesh is f, on average over domains, for the shape,
+/// placement and order of `options`.
+double AutomaticBitingConstant(const BitingOptions& options);
+
+/// The tolerance t that gives the best shapes: 1 at corners, 0.9 for squares and 0.8 for circles at
+/// bisectors.
+double AutomaticTolerance(const BitingOptions& options);
 
 /// How many vertices the mesh will have, by the integral of 1/f^2 (see VertexEstimate.h).
 double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& options);
 
 /// Bites the domain until nothing is left of it (paper, section 3.1): the vertices of the domain,
-/// points on its segments, then vertices of the front, each bite a square of half-width c_b f.
+/// points on its segments, then places of the front, each bite a square of half-width c_b f or a
+/// circle with that radius.
 ///
 /// Laws (PAPER-NOTES; alpha the Lipschitz constant of f): no centre lies inside an earlier bite,
 /// except that all input vertices are bitten however near they are; every point of the domain lies in
 /// a bite. The front is kept as the set of its uncovered vertices: it needs no linked list, no
 /// priority search tree, no cuts at holes (paper, section 5).
-/// Cost O(n) for Layers, O(n log n) for LargestY.
+/// With PreserveBoundary the shields of segments are bites of the second phase: they count, and no
+/// centre lies inside them, but they make no vertex. All else holds, but for theorem 4.6 and lemma
+/// 4.11, which need vertices along the edges.
+/// With Bisectors a centre may lie in an inner bite, but not in its core, t times as wide; all points
+/// of the domain lie in a bite all the same: what bisector points leave over, is bitten at vertices of
+/// the front. Inner squares are turned to the bond of the two bites that they stand on.
+/// With N the distance to the nearest vertex, t c_b f / (1 + t alpha c_b) <= N <= 2 r c_b f /
+/// (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for that of lemma 4.2,
+/// and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for squares, 1 for circles.
+/// BestFirst at corners is the same as Layers.
+/// Cost O(n) for Layers and BestFirst, O(n log n) for LargestY.
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   double expectedVertices, const BitingOptions& options, Monitor& monitor);
 

@@ -7,8 +7,9 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 
+#include <array>   // for the lines
 #include <cstddef> // for size_t
-#include <vector>  // for the queue
+#include <vector>  // for each line
 
 namespace biting
 {
@@ -16,35 +17,52 @@ namespace biting
 /// Which candidate of the front is bitten next.
 enum class FrontOrder
 {
-  Layers,  ///< first in, first out: layer by layer from the boundary
-  LargestY ///< the paper's sweep (section 5)
+  Layers, ///< first in, first out: layer by layer from the boundary; good candidates before others
+  LargestY, ///< the paper's sweep (section 5)
+  BestFirst ///< by the shape they promise, in 32 classes; first in, first out in each
 };
 
-/// A vertex of the front, as it was when the bite `Birth` made it.
+/// A place of the front, as it was when the bite `Birth` made it.
 struct Candidate
 {
   Point2 Place;
   Id Birth = NoId;
+
+  // Of a bisector point (Bisectors.h).
+  Id Parents[2] = { NoId, NoId };
+  int Class = 0; ///< 0 the best
 };
 
 /// The front as a set of candidates. Candidates that later bites cover stay in the queue until they
 /// are taken: nothing is ever searched for or deleted.
-/// Layers: O(1) a candidate. LargestY: a heap, O(log n); equal y by age.
+/// A line for each class, the best class first, first in and first out: O(1) a candidate. LargestY: a
+/// heap, O(log n); equal y by age.
 class CandidateQueue
 {
 public:
+  static constexpr int NumberOfClasses = 32;
+
   explicit CandidateQueue(FrontOrder order);
 
-  bool IsEmpty() const { return this->Taken == this->Waiting.size(); }
+  bool IsEmpty() const { return this->Best == NumberOfClasses; }
   void Put(const Candidate& candidate);
   Candidate Take();
 
+  /// The class of a candidate whose triangle misses its wanted lengths by `misfit` (Bisectors.h).
+  int ClassOf(double misfit) const;
+
 private:
-  void Compact();
+  struct Line
+  {
+    std::vector<Candidate> Waiting;
+    std::size_t Taken = 0; ///< of the front part of Waiting
+  };
+
+  static void Compact(Line& line);
 
   FrontOrder Order;
-  std::vector<Candidate> Waiting;
-  std::size_t Taken = 0; ///< of the front part of Waiting (Layers)
+  std::array<Line, NumberOfClasses> Lines;
+  int Best = NumberOfClasses; ///< the first line that is not empty
 };
 
 } // namespace biting

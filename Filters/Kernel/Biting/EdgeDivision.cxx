@@ -15,19 +15,19 @@ namespace
 constexpr double PanelLength = 0.25; // of a part: Simpson's rule on each of its panels
 constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
 constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
-// Of c_b: 1 / cos(22.5 degrees), how far the bite of an input vertex with an angle of 45..315 degrees
-// reaches along its edges (figure 7).
-constexpr double LeastPart = 1.0824;
-constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
+constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 
 } // namespace
 
-EdgeDivider::EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength)
+EdgeDivider::EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength,
+  Pulse& pulse, double leastPart)
   : F(spacing)
   , BitingConstant(bitingConstant)
   , TargetLength(targetLength)
+  , LeastLength(leastPart)
+  , Beats(pulse)
 {
 }
 
@@ -70,7 +70,7 @@ bool EdgeDivider::DivideForward(const Point2& a, const Point2& b, Id limit, Divi
       break;
     }
   }
-  return true;
+  return !this->Beats.HasStopped();
 }
 
 // Panels follow f: a quarter of a part each, shorter where f changes fast.
@@ -100,7 +100,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
     t = end;
     first = last;
     const bool isStuck = this->Panels.back().Start == end;
-    if (isStuck || this->Total > this->TargetLength * limit)
+    if (isStuck || this->Total > this->TargetLength * limit || !this->Beats.Beat())
     {
       return false;
     }
@@ -111,7 +111,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 Id EdgeDivider::NumberOfParts() const
 {
   const double least = std::ceil(this->Total / (2.0 * this->BitingConstant) * (1.0 + PartMargin));
-  const double greatest = std::floor(this->Total / (LeastPart * this->BitingConstant));
+  const double greatest = std::floor(this->Total / (this->LeastLength * this->BitingConstant));
   const double wanted = std::round(this->Total / this->TargetLength);
   return static_cast<Id>(std::max(1.0, std::max(least, std::min(wanted, greatest))));
 }
@@ -120,7 +120,7 @@ void EdgeDivider::Place(const Point2& a, const Point2& b, Id parts, DivisionPoin
 {
   points.Parameters.clear();
   points.Spacings.clear();
-  for (Id k = 1; k < parts; ++k)
+  for (Id k = 1; k < parts && this->Beats.Beat(); ++k)
   {
     const double t = this->ParameterAt(this->Total * k / parts);
     points.Parameters.push_back(t);
@@ -154,7 +154,7 @@ bool EdgeDivider::Covers(const Point2& a, const Point2& b, const DivisionPoints&
   const double length = Distance(a, b);
   double parameter = 0.0;
   double spacing = this->F(a);
-  for (std::size_t k = 0; k <= points.Parameters.size(); ++k)
+  for (std::size_t k = 0; k <= points.Parameters.size() && this->Beats.Beat(); ++k)
   {
     const bool isLast = k == points.Parameters.size();
     const double nextParameter = isLast ? 1.0 : points.Parameters[k];

@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "../Spacing/Spacing.h"
 
 #include <vector> // for the arrays
@@ -33,11 +34,17 @@ struct DivisionPoints
 class EdgeDivider
 {
 public:
-  /// `bitingConstant` is c_b; `targetLength` the wanted length of a part in units of f.
-  EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength);
+  /// Of c_b: 1 / cos(22.5 degrees), how far the square of an input vertex with an angle of 45..315
+  /// degrees reaches along its edges (figure 7). For circles it is a margin where f varies.
+  static constexpr double LeastPart = 1.0824;
 
-  /// The points that divide the edge ab. At most `limit` points; where more are needed, returns
-  /// false. Law: the edge ba has the same points, its parameters mirrored.
+  /// `bitingConstant` is c_b; `targetLength` the wanted length of a part in units of f; `leastPart`
+  /// the least one, in units of c_b f, that is not passed as long as the bites cover the edge.
+  EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength, Pulse& pulse,
+    double leastPart = LeastPart);
+
+  /// The points that divide the edge ab. At most `limit` points; where more are needed, and on abort,
+  /// returns false. Law: the edge ba has the same points, its parameters mirrored.
   bool Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);
 
 private:
@@ -59,6 +66,8 @@ private:
   const Spacing& F;
   double BitingConstant;
   double TargetLength;
+  double LeastLength;
+  Pulse& Beats;
   std::vector<Panel> Panels; ///< of the edge at hand
   double Total = 0.0;        ///< integral of 1/f along the edge at hand
 };

@@ -6,6 +6,7 @@
 #include "BiteOutline.h"
 
 #include <algorithm> // for sort
+#include <cmath>     // for sqrt, ceil
 #include <utility>   // for pair
 
 namespace biting
@@ -19,17 +20,32 @@ namespace
 constexpr double GrowthOfOlder = 1.0 + 4e-9;
 constexpr double GrowthOfTraced = 1.0 + 2e-9;
 constexpr double GrowthOfNewer = 1.0 + 1e-9;
+constexpr double ChordsPerHalfSide = 4.0;
 constexpr double LeastPiece = 1e-8; // of a bite's half-width: shorter pieces are rounding
+
+// The parameters in [0, 1] between which start + t span lies in the circle about the origin; an empty
+// interval at 1 where it does not.
+std::pair<double, double> PartInCircle(const Point2& start, const Point2& span, double radius)
+{
+  const double square = Dot(span, span);
+  const double middle = -Dot(start, span) / square;
+  const double away = Cross(start, span);
+  const double half = std::sqrt(std::max(0.0, radius * radius * square - away * away)) / square;
+  const double low = std::max(0.0, middle - half);
+  const double high = std::min(1.0, middle + half);
+  return low < high ? std::make_pair(low, high) : std::make_pair(1.0, 1.0);
+}
 
 class FrontTracer
 {
 public:
-  FrontTracer(
-    const Domain& domain, const DomainLocator& locator, const Bites& bites, const BiteGrid& grid)
+  FrontTracer(const Domain& domain, const DomainLocator& locator, const Bites& bites,
+    const BiteGrid& grid, Pulse& pulse)
     : Geometry(domain)
     , Locator(locator)
     , Squares(bites)
     , Grid(grid)
+    , Beats(pulse)
   {
     for (double& halfWidth : this->Squares.HalfWidths)
     {
@@ -46,6 +62,7 @@ public:
 private:
   using Interval = std::pair<double, double>;
 
+  void TraceGap(int side, const BiteOutline::Interval& gap, double chord);
   void KeepInside(const Point2& p, const Point2& q);
   std::vector<double> BoundaryCrossings(const Point2& p, const Point2& q) const;
   Interval CoveredPart(Id bite, const Point2& a, const Point2& b) const;
@@ -54,6 +71,7 @@ private:
   const DomainLocator& Locator;
   Bites Squares; ///< grown, by less than the margin of their filing
   const BiteGrid& Grid;
+  Pulse& Beats;
   BiteOutline Outline;
 };
 
@@ -78,11 +96,27 @@ void FrontTracer::TraceBite(Id bite)
     {
       if (gap.High - gap.Low > LeastPiece * halfWidth)
       {
-        this->KeepInside(this->Outline.At(side, gap.Low), this->Outline.At(side, gap.High));
+        this->TraceGap(
+          side, gap, this->Squares.IsCircle(bite) ? halfWidth / ChordsPerHalfSide : 0.0);
       }
     }
   }
   halfWidth *= GrowthOfOlder / GrowthOfTraced;
+}
+
+// In one piece, or in as many chords as are needed that none is longer than `chord` along the side.
+void FrontTracer::TraceGap(int side, const BiteOutline::Interval& gap, double chord)
+{
+  const double length = gap.High - gap.Low;
+  const int pieces = chord > 0.0 ? static_cast<int>(std::ceil(length / chord)) : 1;
+  Point2 last = this->Outline.At(side, gap.Low);
+  for (int k = 1; k <= pieces; ++k)
+  {
+    const double place = k == pieces ? gap.High : gap.Low + k * length / pieces;
+    const Point2 next = this->Outline.At(side, place);
+    this->KeepInside(last, next);
+    last = next;
+  }
 }
 
 // Cuts pq where it crosses the boundary and keeps the parts whose middle is inside.
@@ -134,8 +168,12 @@ void FrontTracer::TraceSegment(Id segment)
   this->Grid.VisitSquare(Midpoint(a, b), 0.5 * Distance(a, b),
     [&](Id bite)
     {
-      covered.push_back(this->CoveredPart(bite, a, b));
-      return false;
+      const Interval part = this->CoveredPart(bite, a, b);
+      if (part.first < part.second)
+      {
+        covered.push_back(part);
+      }
+      return !this->Beats.Beat();
     });
   covered.push_back({ 1.0, 1.0 });
   std::sort(covered.begin(), covered.end());
@@ -157,6 +195,10 @@ FrontTracer::Interval FrontTracer::CoveredPart(Id bite, const Point2& a, const P
   const Point2 offset = a - this->Squares.Centers[bite];
   const Point2& axis = this->Squares.Axes[bite];
   const double halfWidth = this->Squares.HalfWidths[bite];
+  if (this->Squares.IsCircle(bite))
+  {
+    return PartInCircle(offset, b - a, halfWidth);
+  }
   Interval part{ 0.0, 1.0 };
   const std::pair<double, double> slabs[2] = { { Dot(offset, axis), Dot(b - a, axis) },
     { Cross(axis, offset), Cross(axis, b - a) } };
@@ -179,19 +221,20 @@ FrontTracer::Interval FrontTracer::CoveredPart(Id bite, const Point2& a, const P
 
 } // namespace
 
-std::vector<Point2> TraceFront(
-  const Domain& domain, const DomainLocator& locator, const Bites& bites, const BiteGrid& grid)
+std::vector<Point2> TraceFront(const Domain& domain, const DomainLocator& locator,
+  const Bites& bites, const BiteGrid& grid, Pulse& pulse)
 {
-  FrontTracer tracer(domain, locator, bites, grid);
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  FrontTracer tracer(domain, locator, bites, grid, pulse);
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
   {
     if (domain.IsBoundary[segment])
     {
       tracer.TraceSegment(segment);
     }
   }
-  for (Id bite = 0; bite < bites.Size(); ++bite)
+  for (Id bite = 0; bite < bites.Size() && pulse.Beat(); ++bite)
   {
+    pulse.SetFraction(static_cast<double>(bite) / bites.Size());
     tracer.TraceBite(bite);
   }
   return std::move(tracer.Pieces);

@@ -110,12 +110,13 @@ void AddAxis(const Point2& axis, Id first, std::vector<Point2>& axes)
 
 } // namespace
 
-VertexAxes OrientVertexBites(const Domain& domain)
+VertexAxes OrientVertexBites(const Domain& domain, Pulse& pulse)
 {
   const SpokesOfVertices spokesOfVertices(domain);
   VertexAxes result;
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
+    pulse.Beat();
     const Id first = static_cast<Id>(result.Axes.size());
     result.Offsets.push_back(first);
     const std::vector<Spoke> spokes = spokesOfVertices.Around(vertex);

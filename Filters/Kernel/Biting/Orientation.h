@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 
 #include <vector> // for the arrays
@@ -26,7 +27,7 @@ struct VertexAxes
 /// angle is within 135..225 degrees a side of the square is aligned with its bisector, otherwise the
 /// diagonal. Sectors that ask for the same square share it. An embedded point is bitten along the
 /// axes of the plane.
-VertexAxes OrientVertexBites(const Domain& domain);
+VertexAxes OrientVertexBites(const Domain& domain, Pulse& pulse);
 
 /// The axis of a square in the sector that begins at direction `first` and ends, counterclockwise,
 /// at direction `last` (unit vectors).

@@ -3,6 +3,8 @@
 
 #include "VertexEstimate.h"
 
+#include "../Base/Pulse.h"
+
 #include <algorithm> // for min, max
 #include <array>     // for samples
 #include <vector>    // for the cells to do
@@ -17,6 +19,7 @@ constexpr int FirstDivision = 24;     // cells along the longer side
 constexpr int GreatestDepth = 14;     // halvings of these
 constexpr int BorderDepth = 2;        // halvings of a cell that is partly outside
 constexpr double GreatestRatio = 1.5; // of f within a cell
+constexpr double LeastShare = 0.01;   // of a vertex, that a cell may hold, to be worth a division
 constexpr int GreatestCells = 100000;
 constexpr double MostPanels = 64.0; // along a segment
 
@@ -39,8 +42,8 @@ std::array<Box2, 4> Quarters(const Box2& box)
   std::array<Box2, 4> quarters;
   for (int k = 0; k < 4; ++k)
   {
-    quarters[k].Add(middle);
-    quarters[k].Add({ k % 2 ? box.High.X : box.Low.X, k / 2 ? box.High.Y : box.Low.Y });
+    quarters[k].Low = { k % 2 ? middle.X : box.Low.X, k / 2 ? middle.Y : box.Low.Y };
+    quarters[k].High = { k % 2 ? box.High.X : middle.X, k / 2 ? box.High.Y : middle.Y };
   }
   return quarters;
 }
@@ -62,9 +65,10 @@ Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing&
       sample.Density += 0.25 / (f * f);
     }
   }
-  const bool isBorder = cell.Depth < BorderDepth && !locator.IsClear(cell.Box);
+  const bool isWorthwhile = cell.Box.Width() * cell.Box.Height() > LeastShare * least * least;
   const bool isSteep = greatest > GreatestRatio * least && cell.Depth < GreatestDepth;
-  sample.IsFine = !isBorder && !isSteep;
+  const bool isBorder = cell.Depth < BorderDepth && isWorthwhile && !locator.IsClear(cell.Box);
+  sample.IsFine = !isWorthwhile || !(isBorder || isSteep);
   return sample;
 }
 
@@ -85,10 +89,10 @@ std::vector<Cell> FirstCells(const Box2& bounds)
 }
 
 // Where no sample is inside.
-double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing)
+double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing, Pulse& pulse)
 {
   double sum = 0.0;
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
   {
     const double f = spacing(
       Midpoint(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
@@ -101,13 +105,16 @@ double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing)
 
 // Coarse cells first, so that where the number of cells ends the division, it ends evenly. The area
 // is known: what the samples make of it corrects the integral, so that a sliver is not lost.
-double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing)
+double IntegrateDensity(
+  const Domain& domain, const DomainLocator& locator, const Spacing& spacing, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   std::vector<Cell> cells = FirstCells(domain.Bounds);
   double integral = 0.0;
   double area = 0.0;
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  for (std::size_t k = 0; k < cells.size() && pulse.Beat(); ++k)
   {
+    pulse.SetFraction(static_cast<double>(k) / GreatestCells / 4.0);
     const Cell cell = cells[k];
     const Sample sample = TakeSample(cell, locator, spacing);
     if (sample.IsFine || cells.size() > GreatestCells)
@@ -122,22 +129,25 @@ double IntegrateDensity(const Domain& domain, const DomainLocator& locator, cons
       cells.push_back({ quarter, cell.Depth + 1 });
     }
   }
-  const double mean = area > 0.0 ? integral / area : MeanDensityOfSegments(domain, spacing);
+  const double mean = area > 0.0 ? integral / area : MeanDensityOfSegments(domain, spacing, pulse);
   return mean * domain.Area;
 }
 
-double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength)
+double EstimateDivisionPoints(
+  const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   double points = 0.0;
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
   {
+    pulse.SetFraction(static_cast<double>(segment) / domain.NumberOfSegments());
     const Point2& a = domain.Vertices[domain.Starts[segment]];
     const Point2& b = domain.Vertices[domain.Ends[segment]];
     const double length = Distance(a, b);
     const double least = std::min(spacing(a), spacing(b));
     const int panels = static_cast<int>(std::max(1.0, std::min(MostPanels, length / least)));
     double density = 0.0;
-    for (int k = 0; k < panels; ++k)
+    for (int k = 0; k < panels && pulse.Beat(); ++k)
     {
       density += 1.0 / spacing(a + (k + 0.5) / panels * (b - a));
     }

@@ -4,6 +4,7 @@
 #ifndef BitingVertexEstimate_h
 #define BitingVertexEstimate_h
 
+#include "../Base/Monitor.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
@@ -13,12 +14,15 @@ namespace biting
 
 /// The integral of 1/f^2 over the domain, to about 5 % for a spacing that varies slowly; finer than
 /// an adaptive quadrature of bounded cost sees, it is too small. Cost independent of the mesh.
-double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing);
+/// Where the monitor asks to stop the result has no meaning; so it is with the next one.
+double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  Monitor& monitor = NoMonitor());
 
 /// How many vertices divide the segments of the domain into parts of `partLength` spacings: the
 /// integral of 1/f along each, by a rule of at most 64 points. Sees a spacing that is fine on the
 /// boundary alone, which no quadrature over the domain does.
-double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength);
+double EstimateDivisionPoints(
+  const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor = NoMonitor());
 
 } // namespace biting
 

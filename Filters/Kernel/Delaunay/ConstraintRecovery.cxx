@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr std::size_t MaximumNumberOfPairs = 10000;
+constexpr double PreparationEnd = 0.5; // of the time, where constraints are few
 
 /// Whether b, collinear with the two others, lies on the same side of `center` as a.
 bool IsForward(const Point2& center, const Point2& a, const Point2& b)
@@ -128,16 +129,18 @@ private:
 
 void Recovery::PrepareMesh()
 {
-  this->Mesh.Marks.assign(this->Mesh.Corners.size(), NoId);
-  this->Mesh.VertexEdges.assign(this->Mesh.Points.size(), NoId);
-  for (Id edge = 0; edge < HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles); ++edge)
-  {
-    const bool isCorner = (edge & 3) != 3 && this->Mesh.Corners[edge] != NoId;
-    if (isCorner)
+  const PulsePart part(this->Beats, 0.0, PreparationEnd);
+  GrowInSteps(this->Mesh.Marks, this->Mesh.Corners.size(), NoId, this->Beats);
+  GrowInSteps(this->Mesh.VertexEdges, this->Mesh.Points.size(), NoId, this->Beats);
+  this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
+    [this](std::size_t edge)
     {
-      this->Mesh.VertexEdges[this->Mesh.Corners[edge]] = edge;
-    }
-  }
+      const bool isCorner = (edge & 3) != 3 && this->Mesh.Corners[edge] != NoId;
+      if (isCorner)
+      {
+        this->Mesh.VertexEdges[this->Mesh.Corners[edge]] = static_cast<Id>(edge);
+      }
+    });
 }
 
 void Recovery::Recover(Id constraint, Id start, Id end, bool isBoundary)
@@ -149,6 +152,10 @@ void Recovery::Recover(Id constraint, Id start, Id end, bool isBoundary)
   while (this->From != this->To && !this->Beats.HasStopped())
   {
     const StarSearch way = this->FindWay();
+    if (way.AlongEdge == NoId && way.CrossedEdge == NoId)
+    {
+      return;
+    }
     if (way.AlongEdge != NoId)
     {
       this->MarkEdge(way.AlongEdge);
@@ -161,14 +168,15 @@ void Recovery::Recover(Id constraint, Id start, Id end, bool isBoundary)
   }
 }
 
-/// Searches around both ends by turns; From becomes the end where the way was found first.
+/// Searches around both ends by turns; From becomes the end where the way was found first. On abort
+/// there is no way.
 StarSearch Recovery::FindWay()
 {
   StarSearch forward(this->Mesh, this->From, this->To);
   StarSearch backward(this->Mesh, this->To, this->From);
   while (true)
   {
-    if (forward.Step())
+    if (forward.Step() || !this->Beats.Beat())
     {
       return forward;
     }
@@ -255,6 +263,7 @@ RecoveryResult RecoverConstraints(
   HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse)
 {
   Recovery recovery(mesh, phi, pulse);
+  const PulsePart part(pulse, PreparationEnd, 1.0);
   const Id numberOfConstraints = static_cast<Id>(constraints.Starts.size());
   for (Id c = 0; c < numberOfConstraints && pulse.Beat(); ++c)
   {

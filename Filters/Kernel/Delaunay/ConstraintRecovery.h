@@ -4,8 +4,8 @@
 #ifndef BitingConstraintRecovery_h
 #define BitingConstraintRecovery_h
 
+#include "../Base/Pulse.h"
 #include "HalfEdgeMesh.h"
-#include "Pulse.h"
 #include "Triangulation.h"
 
 #include <vector> // for the pairs

@@ -5,8 +5,8 @@
 #define BitingFlips_h
 
 #include "../Base/Ids.h"
+#include "../Base/Pulse.h"
 #include "HalfEdgeMesh.h"
-#include "Pulse.h"
 
 #include <vector> // for the stack
 

@@ -5,7 +5,6 @@
 
 #include "../Predicates/Predicates.h"
 #include "Flips.h"
-#include "SpatialOrder.h"
 
 #include <cstdint> // for the generator of the walk
 #include <utility> // for swap, move
@@ -15,6 +14,10 @@ namespace biting
 
 namespace
 {
+
+// Where steps end, as shares of the time.
+constexpr double CopyingEnd = 0.05;
+constexpr double RoomEnd = 0.1;
 
 /// Where a point lies: in a triangle, perhaps on one of its edges, or at a vertex.
 struct Location
@@ -266,35 +269,37 @@ bool ChooseFirstTriangle(std::vector<Point2>& points, std::vector<Id>& order)
   return found == 3;
 }
 
-void CopyPoints(const std::vector<Point2>& points, InsertionResult& result)
+void CopyPoints(const std::vector<Point2>& points, InsertionResult& result, Pulse& pulse)
 {
-  result.Mesh.Points.reserve(points.size());
-  for (const Id point : result.Order)
-  {
-    result.Mesh.Points.push_back(points[point]);
-  }
+  const PulsePart part(pulse, 0.0, CopyingEnd);
+  result.Mesh.Points.resize(points.size());
+  pulse.ForEach(points.size(),
+    [&points, &result](std::size_t i) { result.Mesh.Points[i] = points[result.Order[i]]; });
 }
 
-void ReserveTriangles(HalfEdgeMesh& mesh)
+bool MakeRoom(HalfEdgeMesh& mesh, Pulse& pulse)
 {
+  const PulsePart part(pulse, CopyingEnd, RoomEnd);
   const std::size_t numberOfTriangles = 2 * mesh.Points.size() - 2;
-  mesh.Corners.resize(4 * numberOfTriangles);
-  mesh.Twins.resize(4 * numberOfTriangles);
+  return GrowInSteps(mesh.Corners, 4 * numberOfTriangles, Id(0), pulse) &&
+    GrowInSteps(mesh.Twins, 4 * numberOfTriangles, Id(0), pulse);
 }
 
 } // namespace
 
-InsertionResult InsertPoints(const std::vector<Point2>& points, double phi, Pulse& pulse)
+InsertionResult InsertPoints(
+  const std::vector<Point2>& points, std::vector<Id> order, double phi, Pulse& pulse)
 {
   InsertionResult result;
-  result.Order = SpatialOrder(points);
+  result.Order = std::move(order);
   result.Vertex.resize(points.size());
-  CopyPoints(points, result);
-  if (!ChooseFirstTriangle(result.Mesh.Points, result.Order))
+  CopyPoints(points, result, pulse);
+  if (pulse.HasStopped() || !ChooseFirstTriangle(result.Mesh.Points, result.Order) ||
+    !MakeRoom(result.Mesh, pulse))
   {
     return result;
   }
-  ReserveTriangles(result.Mesh);
+  const PulsePart part(pulse, RoomEnd, 1.0);
   Inserter inserter(result.Mesh, phi, pulse);
   inserter.MakeFirstTriangle();
   const Id numberOfPoints = result.Mesh.NumberOfVertices();

@@ -6,8 +6,8 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "HalfEdgeMesh.h"
-#include "Pulse.h"
 
 #include <vector> // for the points
 
@@ -23,9 +23,10 @@ struct InsertionResult
 };
 
 /// Inserts `points` one after the other: a walk from the last one finds the triangle, which is split;
-/// flips around the new vertex restore the criterion. Hilbert order keeps the walks at three steps
-/// or so, for any number of points. On abort the mesh has no meaning.
-InsertionResult InsertPoints(const std::vector<Point2>& points, double phi, Pulse& pulse);
+/// flips around the new vertex restore the criterion. `order` is that of SpatialOrder: it keeps the
+/// walks at three steps or so, for any number of points. On abort the mesh has no meaning.
+InsertionResult InsertPoints(
+  const std::vector<Point2>& points, std::vector<Id> order, double phi, Pulse& pulse);
 
 } // namespace biting
 

@@ -3,7 +3,9 @@
 
 #include "RegionFill.h"
 
-#include <algorithm> // for max, min, sort, stable_sort
+#include "../Base/SortInSteps.h"
+
+#include <algorithm> // for max, min
 #include <cstdint>   // for flags
 #include <utility>   // for move
 
@@ -12,6 +14,14 @@ namespace biting
 
 namespace
 {
+
+// Where steps end, as shares of the time for a million points: of all, and of numbering triangles.
+constexpr double FindingEnd = 0.15;
+constexpr double BorderEnd = 0.17;
+constexpr double FloodEnd = 0.6;
+constexpr double RegionsEnd = 0.62;
+constexpr double NumbersEnd = 0.75;
+constexpr double CountingEnd = 0.7;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge
@@ -48,18 +58,29 @@ BorderEdge MakeBorderEdge(const HalfEdgeMesh& mesh, const ConstraintEdges& const
   return { edge, constraint, isRight ? target : origin, isReverse, isRight };
 }
 
-/// All half-edges with a mark, along the constraints.
-std::vector<BorderEdge> CollectBorder(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints)
+std::vector<BorderEdge> FindBorder(
+  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Pulse& pulse)
 {
+  const PulsePart part(pulse, 0.0, FindingEnd);
   std::vector<BorderEdge> border;
-  for (Id edge = 0; edge < HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles); ++edge)
-  {
-    if (mesh.Marks[edge] != NoId)
+  pulse.ForEach(HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles),
+    [&mesh, &constraints, &border](std::size_t edge)
     {
-      border.push_back(MakeBorderEdge(mesh, constraints, edge));
-    }
-  }
-  std::sort(border.begin(), border.end(), ComesBefore);
+      if (mesh.Marks[edge] != NoId)
+      {
+        border.push_back(MakeBorderEdge(mesh, constraints, static_cast<Id>(edge)));
+      }
+    });
+  return border;
+}
+
+/// All half-edges with a mark, along the constraints.
+std::vector<BorderEdge> CollectBorder(
+  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Pulse& pulse)
+{
+  std::vector<BorderEdge> border = FindBorder(mesh, constraints, pulse);
+  const PulsePart part(pulse, FindingEnd, BorderEnd);
+  SortInSteps(border, ComesBefore, pulse);
   return border;
 }
 
@@ -101,19 +122,21 @@ Flood::Flood(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Pu
   : Mesh(mesh)
   , Places(mesh.NumberOfTriangles, NoId)
 {
+  const PulsePart part(pulse, BorderEnd, FloodEnd);
   this->Triangles.reserve(mesh.NumberOfTriangles);
   this->Waves.reserve(mesh.NumberOfTriangles);
-  for (const BorderEdge& edge : border)
+  for (std::size_t k = 0; k < border.size() && pulse.Beat(); ++k)
   {
-    this->Start(HalfEdgeMesh::TriangleOf(edge.Edge));
+    this->Start(HalfEdgeMesh::TriangleOf(border[k].Edge));
   }
-  while (!mesh.IsGhost(this->Ghost))
+  while (!mesh.IsGhost(this->Ghost) && pulse.Beat())
   {
     ++this->Ghost;
   }
   this->Start(this->Ghost);
   for (Id place = 0; place < this->Size() && pulse.Beat(); ++place)
   {
+    pulse.SetFraction(static_cast<double>(place) / mesh.NumberOfTriangles);
     this->Spread(place);
   }
 }
@@ -190,28 +213,33 @@ struct FaceGraph
 };
 
 FaceGraph MakeFaceGraph(
-  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood)
+  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood, Pulse& pulse)
 {
   FaceGraph graph;
   graph.Begins.assign(flood.NumberOfWaves() + 1, 0);
-  for (const BorderEdge& edge : border)
-  {
-    const Id from = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge.Edge));
-    const Id to = flood.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge.Edge]));
-    graph.Steps.push_back({ from, to, static_cast<std::uint8_t>(mesh.Marks[edge.Edge] & 1) });
-    ++graph.Begins[from + 1];
-  }
-  for (Id face = 0; face < flood.NumberOfWaves(); ++face)
+  std::vector<Step> steps(border.size());
+  pulse.ForEach(border.size(),
+    [&mesh, &border, &flood, &graph, &steps](std::size_t k)
+    {
+      const Id edge = border[k].Edge;
+      const Id from = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge));
+      const Id to = flood.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge]));
+      steps[k] = { from, to, static_cast<std::uint8_t>(mesh.Marks[edge] & 1) };
+      ++graph.Begins[from + 1];
+    });
+  for (Id face = 0; face < flood.NumberOfWaves() && pulse.Beat(); ++face)
   {
     graph.Begins[face + 1] += graph.Begins[face];
   }
-  std::stable_sort(graph.Steps.begin(), graph.Steps.end(),
-    [](const Step& a, const Step& b) { return a.From < b.From; });
+  graph.Steps.resize(steps.size());
+  std::vector<Id> next = graph.Begins;
+  pulse.ForEach(steps.size(),
+    [&graph, &steps, &next](std::size_t k) { graph.Steps[next[steps[k].From]++] = steps[k]; });
   return graph;
 }
 
 /// Face -> 1 where it is an odd number of boundaries away from the outer face.
-std::vector<std::uint8_t> FindInside(const FaceGraph& graph, Id outerFace)
+std::vector<std::uint8_t> FindInside(const FaceGraph& graph, Id outerFace, Pulse& pulse)
 {
   constexpr std::uint8_t unknown = 2;
   std::vector<std::uint8_t> isInside(graph.Begins.size() - 1, unknown);
@@ -220,7 +248,7 @@ std::vector<std::uint8_t> FindInside(const FaceGraph& graph, Id outerFace)
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
     const Id face = queue[next];
-    for (Id i = graph.Begins[face]; i < graph.Begins[face + 1]; ++i)
+    for (Id i = graph.Begins[face]; i < graph.Begins[face + 1] && pulse.Beat(); ++i)
     {
       const Step& step = graph.Steps[i];
       if (isInside[step.To] == unknown)
@@ -240,15 +268,17 @@ struct Regions
   Id Size = 0;
 };
 
-Regions NumberRegions(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood)
+Regions NumberRegions(
+  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood, Pulse& pulse)
 {
+  const PulsePart part(pulse, FloodEnd, RegionsEnd);
   const std::vector<std::uint8_t> isInside =
-    FindInside(MakeFaceGraph(mesh, border, flood), flood.OuterFace());
+    FindInside(MakeFaceGraph(mesh, border, flood, pulse), flood.OuterFace(), pulse);
   Regions regions;
   regions.OfFace.assign(flood.NumberOfWaves(), NoId);
-  for (const BorderEdge& edge : border)
+  for (std::size_t k = 0; k < border.size() && pulse.Beat(); ++k)
   {
-    const Id face = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge.Edge));
+    const Id face = flood.FaceOf(HalfEdgeMesh::TriangleOf(border[k].Edge));
     if (isInside[face] == 1 && regions.OfFace[face] == NoId)
     {
       regions.OfFace[face] = regions.Size++;
@@ -261,64 +291,91 @@ Regions NumberRegions(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& b
 class Writer
 {
 public:
-  Writer(const HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood)
+  Writer(const HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood, Pulse& pulse)
     : Mesh(mesh)
     , Order(order)
     , Source(flood)
+    , Beats(pulse)
   {
   }
 
-  Triangulation Write(const Regions& regions, Pulse& pulse);
+  /// Empty on abort.
+  Triangulation Write(const Regions& regions);
 
 private:
   void NumberTriangles(const Regions& regions);
+  std::vector<Id> CountTriangles(const Regions& regions);
+  void MakeRoom();
   void WriteTriangle(Id place);
 
   const HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
   Flood& Source;
+  Pulse& Beats;
   std::vector<Id> Numbers; ///< place -> triangle of the result, NoId outside
   Triangulation Result;
 };
 
-Triangulation Writer::Write(const Regions& regions, Pulse& pulse)
+Triangulation Writer::Write(const Regions& regions)
 {
   this->NumberTriangles(regions);
-  const std::size_t size = this->Result.Regions.size();
-  this->Result.Corners.resize(3 * size);
-  this->Result.Neighbors.resize(3 * size);
-  this->Result.Constraints.resize(3 * size);
-  for (Id place = 0; place < this->Source.Size() && pulse.Beat(); ++place)
-  {
-    if (this->Numbers[place] != NoId)
+  this->MakeRoom();
+  const PulsePart part(this->Beats, NumbersEnd, 1.0);
+  this->Beats.ForEach(this->Numbers.size(),
+    [this](std::size_t place)
     {
-      this->WriteTriangle(place);
-    }
-  }
-  return pulse.HasStopped() ? Triangulation() : std::move(this->Result);
+      if (this->Numbers[place] != NoId)
+      {
+        this->WriteTriangle(static_cast<Id>(place));
+      }
+    });
+  return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
 /// Region by region, in the order of the flood within; fills Regions of the result.
 void Writer::NumberTriangles(const Regions& regions)
 {
-  this->Numbers.reserve(this->Source.Size());
-  std::vector<Id> begins(regions.Size + 1, 0);
-  for (Id place = 0; place < this->Source.Size(); ++place)
-  {
-    this->Numbers.push_back(regions.OfFace[this->Source.FaceAt(place)]);
-    if (this->Numbers.back() != NoId)
-    {
-      ++begins[this->Numbers.back() + 1];
-    }
-  }
-  for (Id region = 0; region < regions.Size; ++region)
+  const PulsePart part(this->Beats, RegionsEnd, NumbersEnd);
+  std::vector<Id> begins = this->CountTriangles(regions);
+  for (Id region = 0; region < regions.Size && !this->Beats.HasStopped(); ++region)
   {
     this->Result.Regions.resize(this->Result.Regions.size() + begins[region + 1], region);
     begins[region + 1] += begins[region];
   }
-  for (Id& number : this->Numbers)
+  const PulsePart rest(this->Beats, CountingEnd, 1.0);
+  this->Beats.ForEach(this->Numbers.size(),
+    [this, &begins](std::size_t place)
+    {
+      Id& number = this->Numbers[place];
+      number = number == NoId ? NoId : begins[number]++;
+    });
+}
+
+/// Numbers become those of the regions; returns the size of region r as entry r + 1.
+std::vector<Id> Writer::CountTriangles(const Regions& regions)
+{
+  const PulsePart part(this->Beats, 0.0, CountingEnd);
+  std::vector<Id> sizes(regions.Size + 1, 0);
+  this->Numbers.resize(this->Source.Size());
+  this->Beats.ForEach(this->Numbers.size(),
+    [this, &regions, &sizes](std::size_t place)
+    {
+      const Id region = regions.OfFace[this->Source.FaceAt(static_cast<Id>(place))];
+      this->Numbers[place] = region;
+      if (region != NoId)
+      {
+        ++sizes[region + 1];
+      }
+    });
+  return sizes;
+}
+
+void Writer::MakeRoom()
+{
+  const std::size_t size = 3 * this->Result.Regions.size();
+  for (auto* array : { &this->Result.Corners, &this->Result.Neighbors, &this->Result.Constraints })
   {
-    number = number == NoId ? NoId : begins[number]++;
+    GrowInSteps(*array, size, NoId, this->Beats);
   }
 }
 
@@ -341,14 +398,10 @@ void Writer::WriteTriangle(Id place)
 Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse)
 {
-  const std::vector<BorderEdge> border = CollectBorder(mesh, constraints);
+  const std::vector<BorderEdge> border = CollectBorder(mesh, constraints, pulse);
   Flood flood(mesh, border, pulse);
-  if (pulse.HasStopped())
-  {
-    return {};
-  }
-  const Regions regions = NumberRegions(mesh, border, flood);
-  return Writer(mesh, order, flood).Write(regions, pulse);
+  const Regions regions = NumberRegions(mesh, border, flood, pulse);
+  return Writer(mesh, order, flood, pulse).Write(regions);
 }
 
 } // namespace biting

@@ -5,8 +5,8 @@
 #define BitingRegionFill_h
 
 #include "../Base/Ids.h"
+#include "../Base/Pulse.h"
 #include "HalfEdgeMesh.h"
-#include "Pulse.h"
 #include "Triangulation.h"
 
 #include <vector> // for the order

@@ -41,6 +41,12 @@ constexpr std::size_t LeastRadixSort = 4096;
 /// Rounds begin with at least this many points.
 constexpr std::size_t LeastRound = 64;
 
+/// Where steps end, as shares of the time: that of all, and that of one round.
+constexpr double SplittingEnd = 0.2;
+constexpr double BoxEnd = 0.1;
+constexpr double KeysEnd = 0.4;
+constexpr double SortEnd = 0.8;
+
 /// Position on the Hilbert curve, four levels at a time. The curve of a cell is the basic one with
 /// both axes reversed and/or exchanged; `state` has one bit for each. The two commute.
 constexpr int ReverseBit = 1;
@@ -125,48 +131,45 @@ std::size_t LastRound(std::size_t numberOfPoints)
 }
 
 /// Fills `order` round by round, the smallest first; returns where each round lies.
-std::vector<Run> SplitIntoRounds(std::vector<Id>& order)
+std::vector<Run> SplitIntoRounds(std::vector<Id>& order, Pulse& pulse)
 {
+  const PulsePart part(pulse, 0.0, SplittingEnd);
   const std::size_t lastRound = LastRound(order.size());
   std::vector<std::size_t> ends(lastRound + 2, 0);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    ++ends[lastRound - RoundOf(i, lastRound) + 1];
-  }
+  pulse.ForEach(order.size(),
+    [&ends, lastRound](std::size_t i) { ++ends[lastRound - RoundOf(i, lastRound) + 1]; });
   std::vector<Run> rounds;
   for (std::size_t r = 0; r <= lastRound; ++r)
   {
     ends[r + 1] += ends[r];
     rounds.push_back({ ends[r], ends[r + 1] });
   }
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    order[ends[lastRound - RoundOf(i, lastRound)]++] = static_cast<Id>(i);
-  }
+  pulse.ForEach(order.size(),
+    [&order, &ends, lastRound](std::size_t i)
+    { order[ends[lastRound - RoundOf(i, lastRound)]++] = static_cast<Id>(i); });
   return rounds;
 }
 
 /// Sorts `keys` by their upper half, stably, in three passes of 11 bits.
-void RadixSort(std::vector<Key>& keys, std::vector<Key>& other)
+void RadixSort(std::vector<Key>& keys, std::vector<Key>& other, Pulse& pulse)
 {
   constexpr int digitBits = 11;
   constexpr std::size_t digits = std::size_t(1) << digitBits;
   other.resize(keys.size());
   for (int shift = IndexBits; shift < 64; shift += digitBits)
   {
+    const PulsePart part(pulse, (shift - IndexBits) / 33.0, (shift - IndexBits + digitBits) / 33.0);
     std::array<std::size_t, digits + 1> begins{};
-    for (const Key key : keys)
-    {
-      ++begins[((key >> shift) & (digits - 1)) + 1];
-    }
+    pulse.ForEach(keys.size(),
+      [&keys, &begins, shift](std::size_t i)
+      { ++begins[((keys[i] >> shift) & (digits - 1)) + 1]; });
     for (std::size_t d = 1; d < digits; ++d)
     {
       begins[d] += begins[d - 1];
     }
-    for (const Key key : keys)
-    {
-      other[begins[(key >> shift) & (digits - 1)]++] = key;
-    }
+    pulse.ForEach(keys.size(),
+      [&keys, &other, &begins, shift](std::size_t i)
+      { other[begins[(keys[i] >> shift) & (digits - 1)]++] = keys[i]; });
     keys.swap(other);
   }
 }
@@ -176,16 +179,17 @@ void RadixSort(std::vector<Key>& keys, std::vector<Key>& other)
 class CurveSorter
 {
 public:
-  CurveSorter(const std::vector<Point2>& points, std::vector<Id>& order)
+  CurveSorter(const std::vector<Point2>& points, std::vector<Id>& order, Pulse& pulse)
     : Points(points)
     , Order(order)
+    , Beats(pulse)
   {
   }
 
   void Sort(const Run& whole)
   {
     this->Pending.push_back(whole);
-    while (!this->Pending.empty())
+    while (!this->Pending.empty() && !this->Beats.HasStopped())
     {
       const Run run = this->Pending.back();
       this->Pending.pop_back();
@@ -198,28 +202,34 @@ public:
   }
 
 private:
-  /// False where all points of the run coincide.
+  /// False where all points of the run coincide, and on abort.
   bool MakeKeys(const Run& run)
   {
-    Box2 box;
-    for (std::size_t i = run.Begin; i < run.End; ++i)
-    {
-      box.Add(this->PointAt(i));
-    }
+    const Box2 box = this->BoxOf(run);
     const double size = std::max(box.Width(), box.Height());
     if (!(size > 0.0))
     {
       return false;
     }
     const double scale = LastCell / size;
+    const PulsePart part(this->Beats, BoxEnd, KeysEnd);
     this->Keys.resize(run.Size());
-    for (std::size_t i = run.Begin; i < run.End; ++i)
-    {
-      const Point2 offset = this->PointAt(i) - box.Low;
-      const Key place = HilbertPlace(Cell(offset.X, scale), Cell(offset.Y, scale));
-      this->Keys[i - run.Begin] = (place << IndexBits) | static_cast<Key>(this->Order[i]);
-    }
-    return true;
+    return this->Beats.ForEach(run.Size(),
+      [this, &run, &box, scale](std::size_t i)
+      {
+        const Point2 offset = this->PointAt(run.Begin + i) - box.Low;
+        const Key place = HilbertPlace(Cell(offset.X, scale), Cell(offset.Y, scale));
+        this->Keys[i] = (place << IndexBits) | static_cast<Key>(this->Order[run.Begin + i]);
+      });
+  }
+
+  Box2 BoxOf(const Run& run)
+  {
+    const PulsePart part(this->Beats, 0.0, BoxEnd);
+    Box2 box;
+    this->Beats.ForEach(
+      run.Size(), [this, &run, &box](std::size_t i) { box.Add(this->PointAt(run.Begin + i)); });
+    return box;
   }
 
   void SortKeys()
@@ -230,25 +240,28 @@ private:
     }
     else
     {
-      RadixSort(this->Keys, this->Scratch);
+      const PulsePart part(this->Beats, KeysEnd, SortEnd);
+      RadixSort(this->Keys, this->Scratch, this->Beats);
     }
   }
 
   void WriteBack(const Run& run)
   {
+    const PulsePart part(this->Beats, SortEnd, 1.0);
     std::size_t begin = run.Begin;
-    for (std::size_t i = run.Begin; i < run.End; ++i)
-    {
-      const Key key = this->Keys[i - run.Begin];
-      this->Order[i] = static_cast<Id>(key & 0xFFFFFFFFull);
-      const bool isLast =
-        i + 1 == run.End || (this->Keys[i + 1 - run.Begin] >> IndexBits) != (key >> IndexBits);
-      if (isLast)
+    this->Beats.ForEach(run.Size(),
+      [this, &run, &begin](std::size_t i)
       {
-        this->Refine({ begin, i + 1 });
-        begin = i + 1;
-      }
-    }
+        const Key key = this->Keys[i];
+        this->Order[run.Begin + i] = static_cast<Id>(key & 0xFFFFFFFFull);
+        const bool isLast =
+          i + 1 == run.Size() || (this->Keys[i + 1] >> IndexBits) != (key >> IndexBits);
+        if (isLast)
+        {
+          this->Refine({ begin, run.Begin + i + 1 });
+          begin = run.Begin + i + 1;
+        }
+      });
   }
 
   void Refine(const Run& run)
@@ -266,6 +279,7 @@ private:
 
   const std::vector<Point2>& Points;
   std::vector<Id>& Order;
+  Pulse& Beats;
   std::vector<Run> Pending;
   std::vector<Key> Keys;
   std::vector<Key> Scratch;
@@ -273,12 +287,16 @@ private:
 
 } // namespace
 
-std::vector<Id> SpatialOrder(const std::vector<Point2>& points)
+std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse)
 {
   std::vector<Id> order(points.size());
-  CurveSorter sorter(points, order);
-  for (const Run& round : SplitIntoRounds(order))
+  CurveSorter sorter(points, order, pulse);
+  const std::vector<Run> rounds = SplitIntoRounds(order, pulse);
+  const PulsePart sorting(pulse, SplittingEnd, 1.0);
+  for (const Run& round : rounds)
   {
+    const double count = static_cast<double>(points.size());
+    const PulsePart part(pulse, round.Begin / count, round.End / count);
     sorter.Sort(round);
   }
   return order;

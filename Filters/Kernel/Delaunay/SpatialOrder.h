@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 
 #include <vector> // for the order
 
@@ -18,7 +19,8 @@ namespace biting
 /// The curve is refined where points crowd, whatever the grading. Deterministic. Cost O(n) for
 /// coordinates of bounded grading.
 /// Source: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", 2003.
-std::vector<Id> SpatialOrder(const std::vector<Point2>& points);
+/// On abort the order has no meaning.
+std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse);
 
 } // namespace biting
 

@@ -3,10 +3,11 @@
 
 #include "Triangulation.h"
 
+#include "../Base/Pulse.h"
 #include "ConstraintRecovery.h"
 #include "Insertion.h"
-#include "Pulse.h"
 #include "RegionFill.h"
+#include "SpatialOrder.h"
 
 #include <utility> // for move
 
@@ -16,23 +17,57 @@ namespace biting
 namespace
 {
 
-// Shares of the time that the three steps take, roughly, for a million points.
+// Where the steps end, as shares of the time, roughly, for a million points.
+constexpr double OrderEnd = 0.15;
 constexpr double InsertionEnd = 0.75;
-constexpr double RecoveryEnd = 0.85;
+constexpr double RecoveryEnd = 0.8;
+
+std::vector<Id> Order(const std::vector<Point2>& points, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, OrderEnd);
+  return SpatialOrder(points, pulse);
+}
+
+InsertionResult Insert(
+  const std::vector<Point2>& points, std::vector<Id> order, double phi, Pulse& pulse)
+{
+  const PulsePart part(pulse, OrderEnd, InsertionEnd);
+  return InsertPoints(points, std::move(order), phi, pulse);
+}
 
 /// The constraints with vertices of the mesh in place of points.
-ConstraintEdges Renumber(const ConstraintEdges& constraints, const std::vector<Id>& vertex)
+ConstraintEdges Renumber(
+  const ConstraintEdges& constraints, const std::vector<Id>& vertex, Pulse& pulse)
 {
   ConstraintEdges renumbered = constraints;
-  for (Id& start : renumbered.Starts)
-  {
-    start = vertex[start];
-  }
-  for (Id& end : renumbered.Ends)
-  {
-    end = vertex[end];
-  }
+  const PulsePart part(pulse, InsertionEnd, InsertionEnd);
+  pulse.ForEach(constraints.Starts.size(),
+    [&renumbered, &vertex](std::size_t constraint)
+    {
+      renumbered.Starts[constraint] = vertex[renumbered.Starts[constraint]];
+      renumbered.Ends[constraint] = vertex[renumbered.Ends[constraint]];
+    });
   return renumbered;
+}
+
+RecoveryResult Recover(
+  HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse)
+{
+  const PulsePart part(pulse, InsertionEnd, RecoveryEnd);
+  return RecoverConstraints(mesh, constraints, phi, pulse);
+}
+
+Triangulation Take(
+  const InsertionResult& inserted, const ConstraintEdges& constraints, Pulse& pulse)
+{
+  const PulsePart part(pulse, RecoveryEnd, 1.0);
+  return TakeInside(inserted.Mesh, constraints, inserted.Order, pulse);
+}
+
+void Release(InsertionResult& inserted, Pulse& pulse)
+{
+  HalfEdgeMesh& mesh = inserted.Mesh;
+  ReleaseInSteps(pulse, mesh.Marks, mesh.Twins, mesh.Corners, mesh.Points, mesh.VertexEdges);
 }
 
 } // namespace
@@ -42,21 +77,19 @@ TriangulationResult Triangulate(const std::vector<Point2>& points,
 {
   TriangulationResult result;
   Pulse pulse(monitor);
-  pulse.BeginPart(0.0, InsertionEnd);
-  InsertionResult inserted = InsertPoints(points, options.Phi, pulse);
+  InsertionResult inserted = Insert(points, Order(points, pulse), options.Phi, pulse);
   if (inserted.Mesh.NumberOfTriangles > 0 && !pulse.HasStopped())
   {
-    const ConstraintEdges edges = Renumber(constraints, inserted.Vertex);
-    pulse.BeginPart(InsertionEnd, RecoveryEnd);
-    RecoveryResult recovery = RecoverConstraints(inserted.Mesh, edges, options.Phi, pulse);
+    const ConstraintEdges edges = Renumber(constraints, inserted.Vertex, pulse);
+    RecoveryResult recovery = Recover(inserted.Mesh, edges, options.Phi, pulse);
     result.Conflicts = std::move(recovery.Conflicts);
     result.Coincidences = std::move(recovery.Coincidences);
     if (result.Conflicts.empty() && !pulse.HasStopped())
     {
-      pulse.BeginPart(RecoveryEnd, 1.0);
-      result.Mesh = TakeInside(inserted.Mesh, edges, inserted.Order, pulse);
+      result.Mesh = Take(inserted, edges, pulse);
     }
   }
+  Release(inserted, pulse);
   if (pulse.HasStopped())
   {
     result = {};

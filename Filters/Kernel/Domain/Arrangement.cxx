@@ -3,15 +3,18 @@
 
 #include "Arrangement.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
+#include "CollinearCrowds.h"
 #include "Meetings.h"
-#include "PartOfStage.h"
 #include "VertexGrid.h"
 
-#include <algorithm> // for sort, minmax
-#include <cmath>     // for abs
-#include <cstdint>   // for masks
-#include <utility>   // for pair
+#include <algorithm>  // for sort, minmax, count_if
+#include <cmath>      // for abs
+#include <cstdint>    // for masks and counts
+#include <functional> // for less
+#include <limits>     // for no limit
+#include <utility>    // for pair
 
 namespace biting
 {
@@ -20,24 +23,31 @@ namespace
 {
 
 constexpr int MostRounds = 40;
-constexpr int MostRoundsWithSpikes = 6; // twice what is seen where edges are not crowded
+constexpr std::size_t LeastSplits = 100000;
+constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
+constexpr int MostRoundsWithSpikes = 6;   // twice what is seen where edges are not crowded
 
 class Resolver
 {
 public:
-  Resolver(Arrangement& arrangement, ProblemList& problems)
+  Resolver(Arrangement& arrangement, ProblemList& problems, Pulse& pulse)
     : Data(arrangement)
     , Problems(problems)
+    , Beats(pulse)
     , Grid(arrangement.Vertices, arrangement.Resolution)
   {
   }
 
-  bool Run(const DomainOptions& options, Monitor& monitor);
+  bool Run(const DomainOptions& options);
 
 private:
+  MeetingLimits LimitsFor(const DomainOptions& options) const;
+  void MergeCrowds();
   void ReportMeetings();
   void Report(const MeetingReport& report);
+  Point2 PlaceOf(const MeetingReport& report) const;
   void RememberFirst(Id firstCell, Id secondCell, const Point2& place);
+  void RememberLast();
   bool Refuse(ProblemCode code);
 
   void MakeCrossingVertices();
@@ -50,31 +60,45 @@ private:
   void MergeEqualEdges();
   std::vector<std::uint8_t> AbsorbEqualEdges();
   void Absorb(ArrangementEdge& kept, const ArrangementEdge& other);
-  void MarkAllNew();
+  bool MarkAllNew(bool isWanted);
 
   Arrangement& Data;
   ProblemList& Problems;
+  Pulse& Beats;
   VertexGrid Grid;
   Meetings Found;
   bool IsFirstRound = true;
+  bool HasMergedCrowds = false;
   Problem FirstDefect; ///< the cells and the place of the first report
+  Problem LastDefect;  ///< of something that the last round has found
 };
 
-bool Resolver::Run(const DomainOptions& options, Monitor& monitor)
+bool Resolver::Run(const DomainOptions& options)
 {
   this->MergeEqualEdges();
   bool isFullRound = true;
   double rest = 1.0;
   for (int round = 0; round < MostRounds; ++round)
   {
-    PartOfStage half(monitor, 1.0 - rest, 1.0 - 0.5 * rest);
+    PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes = round < MostRoundsWithSpikes;
-    if (!FindMeetings(this->Data, this->Found, half))
+    if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
     {
       return this->Refuse(ProblemCode::Aborted);
     }
+    if (this->Found.HasTooManyCrossings)
+    {
+      this->RememberLast();
+      return this->Refuse(ProblemCode::NotResolved);
+    }
+    if (this->Found.HasTooManySplits)
+    {
+      this->MergeCrowds();
+      continue;
+    }
     this->ReportMeetings();
+    this->RememberLast();
     if (!options.Repair && !this->FirstDefect.Ids.empty())
     {
       return this->Refuse(ProblemCode::NotResolved);
@@ -86,21 +110,43 @@ bool Resolver::Run(const DomainOptions& options, Monitor& monitor)
     }
     this->SplitEdges();
     this->MergeEqualEdges();
-    isFullRound = isClean;
-    if (isFullRound)
+    isFullRound = this->MarkAllNew(isClean);
+  }
+  return this->Refuse(this->Beats.HasStopped() ? ProblemCode::Aborted : ProblemCode::NotResolved);
+}
+
+MeetingLimits Resolver::LimitsFor(const DomainOptions& options) const
+{
+  MeetingLimits limits;
+  limits.Crossings =
+    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
+  limits.Splits = this->HasMergedCrowds ? std::numeric_limits<std::size_t>::max()
+                                        : LeastSplits + CrowdedSplits * this->Data.Edges.size();
+  return limits;
+}
+
+/// Once, and the round begins again. In the first round the user is told.
+void Resolver::MergeCrowds()
+{
+  ProblemList unheard;
+  MergeCollinearCrowds(this->Data, this->IsFirstRound ? this->Problems : unheard, this->Beats);
+  for (const ProblemGroup& group : this->Problems.Groups())
+  {
+    if (group.Code == ProblemCode::DuplicateSegments && this->FirstDefect.Ids.empty())
     {
-      this->MarkAllNew();
+      this->FirstDefect = group.First.front();
     }
   }
-  return this->Refuse(ProblemCode::NotResolved);
+  this->MarkAllNew(true);
+  this->HasMergedCrowds = true;
 }
 
 /// Later rounds mend what the first one has bent: no news for the user.
 void Resolver::ReportMeetings()
 {
-  if (this->IsFirstRound)
+  for (const MeetingReport& report : this->Found.Reports)
   {
-    for (const MeetingReport& report : this->Found.Reports)
+    if (this->IsFirstRound && this->Beats.Beat())
     {
       this->Report(report);
     }
@@ -115,8 +161,23 @@ void Resolver::Report(const MeetingReport& report)
   const Id other = report.Code == ProblemCode::Touches
     ? this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)]
     : second;
-  this->Problems.Add({ report.Code, { first, other }, report.Place, {} });
-  this->RememberFirst(first, second, report.Place);
+  constexpr auto MostKept = static_cast<std::int64_t>(ProblemList::KeptPerKind);
+  const bool isKept = this->Problems.Count(report.Code) < MostKept;
+  const Point2 place = isKept ? this->PlaceOf(report) : Point2();
+  this->Problems.Add({ report.Code, { first, other }, place, {} });
+  this->RememberFirst(first, second, place);
+}
+
+Point2 Resolver::PlaceOf(const MeetingReport& report) const
+{
+  if (report.Vertex != NoId)
+  {
+    return this->Data.At(report.Vertex);
+  }
+  const SegmentEnds& a = this->Data.Edge(report.First).Ends;
+  const SegmentEnds& b = this->Data.Edge(report.Second).Ends;
+  return CrossingPoint(
+    this->Data.At(a.Start), this->Data.At(a.End), this->Data.At(b.Start), this->Data.At(b.End));
 }
 
 void Resolver::RememberFirst(Id firstCell, Id secondCell, const Point2& place)
@@ -128,12 +189,31 @@ void Resolver::RememberFirst(Id firstCell, Id secondCell, const Point2& place)
   }
 }
 
+/// For a refusal where the first round had nothing to report, as all was within rounding.
+void Resolver::RememberLast()
+{
+  if (!this->Found.Splits.empty())
+  {
+    const EdgeSplit& split = this->Found.Splits.front();
+    const Id cell = this->Data.Edge(split.Edge).Cell;
+    this->LastDefect.Ids = { cell, cell };
+    this->LastDefect.Place = this->Data.At(split.Vertex);
+  }
+  else if (!this->Found.Crossings.empty())
+  {
+    const EdgeCrossing& crossing = this->Found.Crossings.front();
+    const ArrangementEdge& edge = this->Data.Edge(crossing.First);
+    this->LastDefect.Ids = { edge.Cell, this->Data.Edge(crossing.Second).Cell };
+    this->LastDefect.Place = this->Data.At(edge.Ends.Start);
+  }
+}
+
 bool Resolver::Refuse(ProblemCode code)
 {
   Problem problem;
   if (code != ProblemCode::Aborted)
   {
-    problem = this->FirstDefect;
+    problem = this->FirstDefect.Ids.empty() ? this->LastDefect : this->FirstDefect;
   }
   problem.Code = code;
   this->Problems.Add(problem);
@@ -149,6 +229,10 @@ void Resolver::MakeCrossingVertices()
   this->Grid.Update();
   for (const EdgeCrossing& crossing : this->Found.Crossings)
   {
+    if (!this->Beats.Beat(16))
+    {
+      return;
+    }
     const SegmentEnds& a = this->Data.Edge(crossing.First).Ends;
     const SegmentEnds& b = this->Data.Edge(crossing.Second).Ends;
     const Id vertex = this->VertexAt(CrossingPoint(
@@ -176,14 +260,19 @@ void Resolver::SplitEdges()
 {
   this->MakeCrossingVertices();
   std::vector<EdgeSplit>& splits = this->Found.Splits;
-  std::stable_sort(splits.begin(), splits.end(),
-    [](const EdgeSplit& a, const EdgeSplit& b) { return a.Edge < b.Edge; });
+  const auto isBefore = [](const EdgeSplit& a, const EdgeSplit& b)
+  { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Vertex < b.Vertex; };
+  SortInSteps(splits, isBefore, this->Beats);
   std::vector<ArrangementEdge> pieces;
   pieces.reserve(this->Data.Edges.size() + splits.size());
   std::size_t next = 0;
   std::vector<Id> path;
   for (const ArrangementEdge& edge : this->Data.Edges)
   {
+    if (!this->Beats.Beat())
+    {
+      return;
+    }
     const Id id = static_cast<Id>(&edge - this->Data.Edges.data());
     path.clear();
     for (; next < splits.size() && splits[next].Edge == id; ++next)
@@ -256,9 +345,9 @@ std::vector<std::uint8_t> Resolver::AbsorbEqualEdges()
   {
     keys.emplace_back(std::minmax({ edge.Ends.Start, edge.Ends.End }), keys.size());
   }
-  std::sort(keys.begin(), keys.end());
   std::vector<std::uint8_t> isAbsorbed(keys.size(), 0);
-  for (std::size_t i = 1, kept = 0; i < keys.size(); ++i)
+  const bool isSorted = SortInSteps(keys, std::less<>(), this->Beats);
+  for (std::size_t i = 1, kept = 0; i < keys.size() && isSorted; ++i)
   {
     if (keys[i].first != keys[kept].first)
     {
@@ -285,12 +374,21 @@ void Resolver::Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
   }
 }
 
-void Resolver::MarkAllNew()
+/// Where that is wanted, or most are new anyway: one round then does for two. Returns whether it did.
+bool Resolver::MarkAllNew(bool isWanted)
 {
-  for (ArrangementEdge& edge : this->Data.Edges)
+  std::vector<ArrangementEdge>& edges = this->Data.Edges;
+  const auto isNew = [](const ArrangementEdge& edge) { return edge.IsNew; };
+  const auto count = std::count_if(edges.begin(), edges.end(), isNew);
+  if (!isWanted && 2 * static_cast<std::size_t>(count) < edges.size())
+  {
+    return false;
+  }
+  for (ArrangementEdge& edge : edges)
   {
     edge.IsNew = true;
   }
+  return true;
 }
 
 } // namespace
@@ -307,9 +405,9 @@ std::vector<SegmentEnds> Arrangement::EdgeEnds() const
 }
 
 bool ResolveArrangement(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Monitor& monitor)
+  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  return Resolver(arrangement, problems).Run(options, monitor);
+  return Resolver(arrangement, problems, pulse).Run(options);
 }
 
 } // namespace biting

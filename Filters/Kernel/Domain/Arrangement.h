@@ -5,9 +5,9 @@
 #define BitingArrangement_h
 
 #include "../Base/Ids.h"
-#include "../Base/Monitor.h"
 #include "../Base/Point2.h"
 #include "../Base/Problem.h"
+#include "../Base/Pulse.h"
 #include "Domain.h"      // for DomainOptions
 #include "SegmentTree.h" // for SegmentEnds
 
@@ -56,11 +56,16 @@ struct Arrangement
 /// each other, which rounded crossings have cut and bent, may make new ones without end: after some
 /// rounds these are welded too.
 ///
+/// Where so many vertices lie on edges that many edges must lie along one line, these are merged all
+/// at once (see CollinearCrowds.h).
+///
+/// A round tests what is new; where that is half of all or more, it tests all.
+///
 /// What the first round finds is reported. False where the input is refused, cannot be resolved, or
 /// the monitor has asked to stop: `problems` then has the reason.
 /// Cost O((n + k) log n) a round, for k pairs whose boxes meet; nearly always 1 to 4 rounds.
 bool ResolveArrangement(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
+  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting
 

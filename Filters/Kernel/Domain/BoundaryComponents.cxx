@@ -58,9 +58,10 @@ std::vector<std::uint8_t> OddVertices(std::size_t vertices, const Subgraph& grap
 class BridgeFinder
 {
 public:
-  BridgeFinder(const std::vector<Point2>& vertices, const Subgraph& graph)
+  BridgeFinder(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
     : Graph(graph)
-    , Stars(vertices, graph.Segments)
+    , Beats(pulse)
+    , Stars(vertices, graph.Segments, pulse)
     , Entry(vertices.size(), NoId)
     , Low(vertices.size(), NoId)
     , Next(vertices.size(), 0)
@@ -82,6 +83,7 @@ private:
   void Leave();
 
   const Subgraph& Graph;
+  Pulse& Beats;
   const VertexStars Stars;
   std::vector<Id> Entry; ///< when the search entered each vertex
   std::vector<Id> Low;   ///< the earliest entry that its subtree reaches by another way
@@ -106,7 +108,7 @@ std::vector<std::uint8_t> BridgeFinder::Run()
 void BridgeFinder::Search(Id root)
 {
   this->Enter(root, NoId);
-  while (!this->Path.empty())
+  while (!this->Path.empty() && this->Beats.Beat())
   {
     const Visit here = this->Path.back();
     const auto vertex = static_cast<std::size_t>(here.Vertex);
@@ -153,9 +155,9 @@ void BridgeFinder::Leave()
   this->IsBridge[arrival] = isLone && low > this->Entry[parent] ? 1 : 0;
 }
 
-Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& graph)
+Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
 {
-  const std::vector<std::uint8_t> isBridge = BridgeFinder(vertices, graph).Run();
+  const std::vector<std::uint8_t> isBridge = BridgeFinder(vertices, graph, pulse).Run();
   Subgraph rest;
   for (std::size_t s = 0; s < isBridge.size(); ++s)
   {
@@ -171,10 +173,11 @@ Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& gra
 class ComponentJudge
 {
 public:
-  ComponentJudge(const Arrangement& arrangement, const Subgraph& graph)
+  ComponentJudge(const Arrangement& arrangement, const Subgraph& graph, Pulse& pulse)
     : Drawing(arrangement)
     , Graph(graph)
-    , Stars(arrangement.Vertices, graph.Segments)
+    , Beats(pulse)
+    , Stars(arrangement.Vertices, graph.Segments, pulse)
     , IsOdd(OddVertices(arrangement.Vertices.size(), graph))
     , IsSeen(arrangement.Vertices.size(), 0)
   {
@@ -196,6 +199,7 @@ private:
 
   const Arrangement& Drawing;
   const Subgraph& Graph;
+  Pulse& Beats;
   const VertexStars Stars;
   const std::vector<std::uint8_t> IsOdd;
   std::vector<std::uint8_t> IsSeen;
@@ -204,7 +208,7 @@ private:
 std::vector<BoundaryComponent> ComponentJudge::Run()
 {
   std::vector<BoundaryComponent> components;
-  for (Id seed = 0; seed < this->Stars.NumberOfVertices(); ++seed)
+  for (Id seed = 0; seed < this->Stars.NumberOfVertices() && this->Beats.Beat(1); ++seed)
   {
     if (this->Stars.Degree(seed) > 0 && !this->IsSeen[static_cast<std::size_t>(seed)])
     {
@@ -246,6 +250,7 @@ std::vector<Id> ComponentJudge::Connected(Id seed)
   for (std::size_t i = 0; i < component.size(); ++i)
   {
     const Id vertex = component[i];
+    this->Beats.Beat();
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
       const Id other = OtherEnd(this->Ends(*s), vertex);
@@ -297,14 +302,15 @@ std::vector<Id> ComponentJudge::Outline(Id leftmost) const
 } // namespace
 
 std::vector<BoundaryComponent> FindBoundaryComponents(
-  const Arrangement& arrangement, const std::vector<Id>& counts)
+  const Arrangement& arrangement, const std::vector<Id>& counts, Pulse& pulse)
 {
   const Subgraph drawn = DrawnEdges(arrangement, counts);
   if (drawn.Segments.empty())
   {
     return {};
   }
-  return ComponentJudge(arrangement, WithoutBridges(arrangement.Vertices, drawn)).Run();
+  return ComponentJudge(arrangement, WithoutBridges(arrangement.Vertices, drawn, pulse), pulse)
+    .Run();
 }
 
 } // namespace biting

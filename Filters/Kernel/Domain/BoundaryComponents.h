@@ -29,7 +29,7 @@ struct BoundaryComponent
 /// edges that its outer face touches.
 /// Cost O(n log n). Source: R. Tarjan, "A note on finding the bridges of a graph", 1974.
 std::vector<BoundaryComponent> FindBoundaryComponents(
-  const Arrangement& arrangement, const std::vector<Id>& counts);
+  const Arrangement& arrangement, const std::vector<Id>& counts, Pulse& pulse);
 
 } // namespace biting
 

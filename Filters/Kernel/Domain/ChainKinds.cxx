@@ -18,15 +18,15 @@ namespace
 using Flags = std::vector<std::uint8_t>;
 using Counts = std::vector<Id>;
 
-Flags FindGivenBoundary(const Arrangement& arrangement);
-void AddOpenChains(const Arrangement& arrangement, Flags& bounds);
+Flags FindGivenBoundary(const Arrangement& arrangement, Pulse& pulse);
+void AddOpenChains(const Arrangement& arrangement, Flags& bounds, Pulse& pulse);
 
 } // namespace
 
-std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement)
+std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement, Pulse& pulse)
 {
-  Flags bounds = FindGivenBoundary(arrangement);
-  AddOpenChains(arrangement, bounds);
+  Flags bounds = FindGivenBoundary(arrangement, pulse);
+  AddOpenChains(arrangement, bounds, pulse);
   return bounds;
 }
 
@@ -53,7 +53,7 @@ void Toggle(const BoundaryComponent& component, Flags& bounds)
 }
 
 /// Of chains that are boundary by kind or because they are closed.
-Flags FindGivenBoundary(const Arrangement& arrangement)
+Flags FindGivenBoundary(const Arrangement& arrangement, Pulse& pulse)
 {
   Counts counts;
   Flags parity;
@@ -67,7 +67,7 @@ Flags FindGivenBoundary(const Arrangement& arrangement)
     return parity;
   }
   Flags bounds(counts.size(), 0);
-  for (const BoundaryComponent& component : FindBoundaryComponents(arrangement, counts))
+  for (const BoundaryComponent& component : FindBoundaryComponents(arrangement, counts, pulse))
   {
     Toggle(component, bounds);
   }
@@ -83,14 +83,14 @@ bool IsWithin(
   return (isForward ? inside.Right[edge] : inside.Left[edge]) != 0;
 }
 
-void AddOpenChains(const Arrangement& arrangement, Flags& bounds)
+void AddOpenChains(const Arrangement& arrangement, Flags& bounds, Pulse& pulse)
 {
   Counts counts;
   for (const ArrangementEdge& edge : arrangement.Edges)
   {
     counts.push_back(edge.OpenCount);
   }
-  const auto components = FindBoundaryComponents(arrangement, counts);
+  const auto components = FindBoundaryComponents(arrangement, counts, pulse);
   for (const BoundaryComponent& component : components)
   {
     Toggle(component, bounds);
@@ -100,9 +100,12 @@ void AddOpenChains(const Arrangement& arrangement, Flags& bounds)
   {
     return;
   }
-  SilentMonitor monitor;
   const InsideFlags inside =
-    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, monitor);
+    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, pulse);
+  if (pulse.HasStopped())
+  {
+    return;
+  }
   for (const BoundaryComponent& component : components)
   {
     if (!component.IsSimpleLoop && IsWithin(component, arrangement, inside))

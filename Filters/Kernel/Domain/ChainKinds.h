@@ -20,7 +20,7 @@ namespace biting
 /// the boundary chains: a river from coast to coast bounds nothing. A component that is not a simple
 /// loop and lies within the domain of all the others only divides it: interfaces that cross, the
 /// borders of states within a coast.
-std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement);
+std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement, Pulse& pulse);
 
 } // namespace biting
 

@@ -3,12 +3,12 @@
 
 #include "Domain.h"
 
+#include "../Base/Pulse.h"
 #include "../Predicates/Predicates.h" // for the range of coordinates
 #include "AreaSum.h"
 #include "Arrangement.h"
 #include "ChainKinds.h"
 #include "Nesting.h"
-#include "PartOfStage.h"
 #include "Welding.h"
 
 #include <algorithm> // for none_of, sort
@@ -25,9 +25,16 @@ namespace
 using Flags = std::vector<std::uint8_t>;
 
 /// Of the time for clean input; the rest is the sweep.
-constexpr double ShareOfResolving = 0.7;
+constexpr double EndOfWelding = 0.15;
+constexpr double EndOfResolving = 0.6;
+constexpr double EndOfBoundary = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
+Arrangement Weld(const Polylines& input, ProblemList& problems, Pulse& pulse);
+bool Resolve(
+  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
+Flags Bound(const Arrangement& arrangement, Pulse& pulse);
+InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse);
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
 void ReportOutside(
   const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
@@ -39,6 +46,8 @@ Domain Refuse(ProblemCode code, ProblemList& problems)
   return {};
 }
 
+Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems);
+
 } // namespace
 
 Domain MakeDomain(
@@ -48,21 +57,21 @@ Domain MakeDomain(
   {
     return {};
   }
-  Arrangement arrangement = WeldPolylines(input, problems);
-  PartOfStage resolving(monitor, 0.0, ShareOfResolving);
-  if (!ResolveArrangement(arrangement, options, problems, resolving))
+  Pulse pulse(monitor);
+  Arrangement arrangement = Weld(input, problems, pulse);
+  if (!Resolve(arrangement, options, problems, pulse))
   {
     return {};
   }
-  const Flags bounds = FindBoundary(arrangement);
-  if (std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; }))
+  const Flags bounds = Bound(arrangement, pulse);
+  const bool isOpen =
+    std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; });
+  if (isOpen && !pulse.HasStopped())
   {
-    return Refuse(ProblemCode::NoClosedLoop, problems);
+    return RefuseOpen(arrangement, problems);
   }
-  PartOfStage nesting(monitor, ShareOfResolving, 1.0);
-  const InsideFlags inside =
-    FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, nesting);
-  if (inside.WasAborted)
+  const InsideFlags inside = Nest(arrangement, bounds, pulse);
+  if (!pulse.Ask())
   {
     return Refuse(ProblemCode::Aborted, problems);
   }
@@ -121,6 +130,60 @@ bool IsUsable(const Polylines& input, ProblemList& problems)
     isUsable = false;
   }
   return isUsable;
+}
+
+Arrangement Weld(const Polylines& input, ProblemList& problems, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, EndOfWelding);
+  return WeldPolylines(input, problems, pulse);
+}
+
+bool Resolve(
+  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  const PulsePart part(pulse, EndOfWelding, EndOfResolving);
+  return ResolveArrangement(arrangement, options, problems, pulse);
+}
+
+Flags Bound(const Arrangement& arrangement, Pulse& pulse)
+{
+  const PulsePart part(pulse, EndOfResolving, EndOfBoundary);
+  return FindBoundary(arrangement, pulse);
+}
+
+InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse)
+{
+  const PulsePart part(pulse, EndOfBoundary, 1.0);
+  return FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, pulse);
+}
+
+/// How many edges end at each vertex.
+std::vector<Id> Degrees(const Arrangement& arrangement)
+{
+  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    ++degrees[static_cast<std::size_t>(edge.Ends.Start)];
+    ++degrees[static_cast<std::size_t>(edge.Ends.End)];
+  }
+  return degrees;
+}
+
+/// Says where chains could be closed: one problem for each end at which nothing goes on; a single one
+/// without a place where there is no such end.
+Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
+{
+  const std::vector<Id> degrees = Degrees(arrangement);
+  for (std::size_t v = 0; v < degrees.size(); ++v)
+  {
+    if (degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
+    {
+      problems.Add({ ProblemCode::NoClosedLoop, { arrangement.VertexPoints[v] },
+        arrangement.Vertices[v], {} });
+    }
+  }
+  return problems.Has(ProblemCode::NoClosedLoop) ? Domain()
+                                                 : Refuse(ProblemCode::NoClosedLoop, problems);
 }
 
 bool IsKept(const InsideFlags& inside, std::size_t edge)

@@ -56,6 +56,10 @@ struct DomainOptions
   /// True: crossings, touches, overlaps and duplicates are resolved into the arrangement and
   /// reported as repairs. False: they are reported, and followed by ProblemCode::NotResolved.
   bool Repair = true;
+
+  /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
+  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.
+  std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 
 /// Makes the domain of `input`: weld equal points, resolve the arrangement, find what bounds, find

@@ -5,8 +5,7 @@
 
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for clamp, sort, unique
-#include <array>     // for rows of a box
+#include <algorithm> // for clamp, max, sort, unique
 #include <cmath>     // for sqrt
 
 namespace biting
@@ -18,18 +17,19 @@ namespace
 constexpr Id CrowdedCell = 12; // segments above which a cell is divided
 // Of a segment, while its top cell is divided: else a fan of n spokes would cost n^2.
 constexpr std::size_t MostCopies = 24;
-constexpr int GreatestDepth = 12;   // 4^12 divisions: finer than double coordinates ask for
-constexpr double CellMargin = 1e-6; // of a cell's size: cells overlap by more than rounding
+constexpr int GreatestDepth = 12;    // 4^12 divisions: finer than double coordinates ask for
+constexpr double MostTopCells = 8.0; // that a segment meets, on average
+constexpr double CellMargin = 1e-6;  // of a cell's size: cells overlap by more than rounding
 constexpr Id LeastCells = 4096;
 
-Box2 ChildBox(const Box2& box, Id division, Id column, Id row)
+Box2 ChildBox(const Box2& box, Id columns, Id rows, Id child)
 {
-  const double width = box.Width() / division;
-  const double height = box.Height() / division;
-  Box2 child;
-  child.Low = { box.Low.X + column * width, box.Low.Y + row * height };
-  child.High = { child.Low.X + width, child.Low.Y + height };
-  return child;
+  const double width = box.Width() / columns;
+  const double height = box.Height() / rows;
+  Box2 childBox;
+  childBox.Low = { box.Low.X + child % columns * width, box.Low.Y + child / columns * height };
+  childBox.High = { childBox.Low.X + width, childBox.Low.Y + height };
+  return childBox;
 }
 
 } // namespace
@@ -37,16 +37,29 @@ Box2 ChildBox(const Box2& box, Id division, Id column, Id row)
 DomainLocator::DomainLocator(const Domain& domain)
   : Geometry(domain)
 {
-  this->MakeGrid();
-  this->SetReferences();
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  this->Build(pulse);
+}
+
+DomainLocator::DomainLocator(const Domain& domain, Pulse& pulse)
+  : Geometry(domain)
+{
+  this->Build(pulse);
+}
+
+void DomainLocator::Build(Pulse& pulse)
+{
+  this->MakeGrid(pulse);
+  this->SetReferences(pulse);
   const Id numberOfTopCells = this->Columns * this->Rows;
-  for (Id cell = 0; cell < numberOfTopCells; ++cell)
+  for (Id cell = 0; cell < numberOfTopCells && pulse.Beat(1); ++cell)
   {
     const Id count = this->Cells[cell].NumberOfSegments;
     if (count > CrowdedCell)
     {
       this->MostEntries = this->Segments.size() + MostCopies * static_cast<std::size_t>(count);
-      this->Divide(cell, this->TopBox(cell % this->Columns, cell / this->Columns), 0);
+      this->Divide(cell, this->TopBox(cell % this->Columns, cell / this->Columns), 0, pulse);
     }
   }
 }
@@ -66,11 +79,12 @@ bool DomainLocator::IsInside(const Point2& p) const
   v -= row;
   while (cell->FirstChild != NoId)
   {
-    u *= Division;
-    v *= Division;
-    const Id childColumn = ClampedIndex(u, Division);
-    const Id childRow = ClampedIndex(v, Division);
-    cell = &this->Cells[cell->FirstChild + childRow * Division + childColumn];
+    const Id columns = cell->ChildColumns;
+    u *= columns;
+    v *= NumberOfChildren / columns;
+    const Id childColumn = ClampedIndex(u, columns);
+    const Id childRow = ClampedIndex(v, NumberOfChildren / columns);
+    cell = &this->Cells[cell->FirstChild + childRow * columns + childColumn];
     u -= childColumn;
     v -= childRow;
   }
@@ -88,35 +102,62 @@ bool DomainLocator::IsInside(const Point2& p) const
   return isInside;
 }
 
-void DomainLocator::MakeGrid()
+void DomainLocator::MakeGrid(Pulse& pulse)
 {
   const Box2& bounds = this->Geometry.Bounds;
   const double width = std::max(bounds.Width(), 1e-3 * bounds.Height());
   const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
   const double wanted = std::max(LeastCells, 2 * this->Geometry.NumberOfSegments());
-  this->CellSize = std::sqrt(width * height / wanted);
+  this->CellSize = std::max(std::sqrt(width * height / wanted), this->LeastCellSize());
   this->Origin = bounds.Low;
   this->Columns = static_cast<Id>(width / this->CellSize) + 1;
   this->Rows = static_cast<Id>(height / this->CellSize) + 1;
-  std::vector<std::vector<Id>> lists(static_cast<std::size_t>(this->Columns) * this->Rows);
+  this->Cells.resize(static_cast<std::size_t>(this->Columns) * this->Rows);
+  this->FileSegments(pulse);
+}
+
+// Long segments side by side would be filed in too many cells.
+double DomainLocator::LeastCellSize() const
+{
+  double length = 0.0;
   for (Id segment = 0; segment < this->Geometry.NumberOfSegments(); ++segment)
   {
-    if (this->Geometry.IsBoundary[segment])
-    {
-      this->FileSegment(segment, lists);
-    }
+    const Point2 direction = this->Geometry.Vertices[this->Geometry.Ends[segment]] -
+      this->Geometry.Vertices[this->Geometry.Starts[segment]];
+    length += std::abs(direction.X) + std::abs(direction.Y);
   }
-  this->Cells.resize(lists.size());
-  for (std::size_t cell = 0; cell < lists.size(); ++cell)
+  return length / (MostTopCells * std::max(LeastCells, this->Geometry.NumberOfSegments()));
+}
+
+// Counts first, so that the segments of a cell lie together without a list of its own.
+void DomainLocator::FileSegments(Pulse& pulse)
+{
+  const auto fileAll = [this, &pulse](const auto& file)
   {
-    this->Cells[cell].FirstSegment = static_cast<Id>(this->Segments.size());
-    this->Cells[cell].NumberOfSegments = static_cast<Id>(lists[cell].size());
-    this->Segments.insert(this->Segments.end(), lists[cell].begin(), lists[cell].end());
+    for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && pulse.Beat(); ++segment)
+    {
+      if (this->Geometry.IsBoundary[segment])
+      {
+        this->VisitTopCells(segment, [segment, &file](Cell& cell) { file(cell, segment); });
+      }
+    }
+  };
+  fileAll([](Cell& cell, Id) { ++cell.NumberOfSegments; });
+  Id count = 0;
+  for (Cell& cell : this->Cells)
+  {
+    cell.FirstSegment = count;
+    count += cell.NumberOfSegments;
+    cell.NumberOfSegments = 0;
   }
+  this->Segments.resize(count);
+  fileAll([this](Cell& cell, Id segment)
+    { this->Segments[cell.FirstSegment + cell.NumberOfSegments++] = segment; });
 }
 
 // Row by row, so that a long slanted segment costs the cells it meets, not those of its box.
-void DomainLocator::FileSegment(Id segment, std::vector<std::vector<Id>>& lists) const
+template <typename Visit>
+void DomainLocator::VisitTopCells(Id segment, const Visit& visit)
 {
   Point2 a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
   Point2 b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
@@ -141,16 +182,16 @@ void DomainLocator::FileSegment(Id segment, std::vector<std::vector<Id>>& lists)
     const Id lastColumn = column(std::max(x0, x1) + margin);
     for (Id c = column(std::min(x0, x1) - margin); c <= lastColumn; ++c)
     {
-      lists[static_cast<std::size_t>(row) * this->Columns + c].push_back(segment);
+      visit(this->Cells[static_cast<std::size_t>(row) * this->Columns + c]);
     }
   }
 }
 
 // Left of the grid is outside; each row is walked from reference point to reference point.
-void DomainLocator::SetReferences()
+void DomainLocator::SetReferences(Pulse& pulse)
 {
   std::vector<Id> between;
-  for (Id row = 0; row < this->Rows; ++row)
+  for (Id row = 0; row < this->Rows && pulse.Beat(static_cast<std::size_t>(this->Columns)); ++row)
   {
     Cell outside;
     const Box2 firstBox = this->TopBox(0, row);
@@ -160,45 +201,89 @@ void DomainLocator::SetReferences()
     {
       Cell& cell = this->Cells[row * this->Columns + column];
       cell.Reference = this->FreePoint(this->TopBox(column, row), cell);
-      between.clear();
-      for (const Cell* side : { previous, static_cast<const Cell*>(&cell) })
-      {
-        between.insert(between.end(), this->Segments.begin() + side->FirstSegment,
-          this->Segments.begin() + side->FirstSegment + side->NumberOfSegments);
-      }
-      std::sort(between.begin(), between.end());
-      between.erase(std::unique(between.begin(), between.end()), between.end());
       cell.ReferenceIsInside = previous->ReferenceIsInside;
-      for (Id segment : between)
+      if (previous->NumberOfSegments > 0 || cell.NumberOfSegments > 0)
       {
-        cell.ReferenceIsInside ^= this->Separates(segment, previous->Reference, cell.Reference);
+        this->CollectSegments(*previous, cell, between);
+        for (const Id segment : between)
+        {
+          cell.ReferenceIsInside ^= this->Separates(segment, previous->Reference, cell.Reference);
+        }
       }
       previous = &cell;
     }
   }
 }
 
-void DomainLocator::Divide(Id cell, const Box2& box, int depth)
+// Each once.
+void DomainLocator::CollectSegments(const Cell& a, const Cell& b, std::vector<Id>& segments) const
+{
+  segments.clear();
+  for (const Cell* cell : { &a, &b })
+  {
+    const auto first = this->Segments.begin() + cell->FirstSegment;
+    segments.insert(segments.end(), first, first + cell->NumberOfSegments);
+  }
+  std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+}
+
+void DomainLocator::Divide(Id cell, const Box2& box, int depth, Pulse& pulse)
 {
   const Id firstChild = static_cast<Id>(this->Cells.size());
-  const Cell parent = this->Cells[cell];
-  this->Cells.resize(this->Cells.size() + Division * Division);
+  const Id columns = this->BestColumns(this->Cells[cell], box);
+  this->Cells.resize(this->Cells.size() + NumberOfChildren);
   this->Cells[cell].FirstChild = firstChild;
-  for (Id k = 0; k < Division * Division; ++k)
+  this->Cells[cell].ChildColumns = columns;
+  const Cell parent = this->Cells[cell];
+  for (Id k = 0; k < NumberOfChildren; ++k)
   {
-    const Box2 childBox = ChildBox(box, Division, k % Division, k / Division);
+    const Box2 childBox = ChildBox(box, columns, NumberOfChildren / columns, k);
+    if (!pulse.Beat(static_cast<std::size_t>(parent.NumberOfSegments)))
+    {
+      return;
+    }
     this->MakeChild(firstChild + k, childBox, parent);
     const Id count = this->Cells[firstChild + k].NumberOfSegments;
     // A crowd that meets in one vertex cannot be divided: give up on it soon.
     const int childDepth = depth + (count < parent.NumberOfSegments ? 1 : 4);
     const bool isWorthwhile = count > CrowdedCell && childDepth < GreatestDepth &&
-      this->Segments.size() < this->MostEntries &&
-      childBox.Width() > 16.0 * this->Geometry.Resolution;
+      this->Segments.size() < this->MostEntries && this->IsDivisible(childBox, columns);
     if (isWorthwhile)
     {
-      this->Divide(firstChild + k, childBox, childDepth);
+      this->Divide(firstChild + k, childBox, childDepth, pulse);
     }
   }
+}
+
+// Whether a cell is still larger than rounding, the way its parent was divided.
+bool DomainLocator::IsDivisible(const Box2& box, Id columns) const
+{
+  const double least = NumberOfChildren * this->Geometry.Resolution;
+  return (columns == 1 || box.Width() > least) &&
+    (columns == NumberOfChildren || box.Height() > least);
+}
+
+// The division with the fewest entries: a segment has about one for each border that it crosses.
+Id DomainLocator::BestColumns(const Cell& parent, const Box2& box) const
+{
+  double across = 0.0; // widths of the cell
+  double along = 0.0;  // heights
+  for (Id k = 0; k < parent.NumberOfSegments; ++k)
+  {
+    const Id segment = this->Segments[parent.FirstSegment + k];
+    const Point2 direction = this->Geometry.Vertices[this->Geometry.Ends[segment]] -
+      this->Geometry.Vertices[this->Geometry.Starts[segment]];
+    const double x = std::abs(direction.X) / box.Width();
+    const double y = std::abs(direction.Y) / box.Height();
+    const double longer = std::max({ 1.0, x, y });
+    across += x / longer;
+    along += y / longer;
+  }
+  const double square = 4.0 * across + 4.0 * along;
+  const double columns = 16.0 * across + along;
+  const double rows = across + 16.0 * along;
+  return square <= std::min(columns, rows) ? 4 : (columns < rows ? NumberOfChildren : 1);
 }
 
 void DomainLocator::MakeChild(Id child, const Box2& box, const Cell& parent)

@@ -7,6 +7,7 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "Domain.h"
 
 #include <cstddef> // for size_t
@@ -17,14 +18,19 @@ namespace biting
 
 /// Answers exactly whether a point lies inside a domain.
 ///
-/// A grid over the domain whose crowded cells are divided again. A cell with boundary segments
-/// has a reference point of known side; a query counts the boundary segments between that point and
-/// its own. Queries cost O(1) away from the boundary and O(segments of one cell) near it.
+/// A grid over the domain whose crowded cells are divided again, into strips where the segments in
+/// them are nearly parallel to an axis. A cell with boundary segments has a reference point of known
+/// side; a query counts the boundary segments between that point and its own. Queries cost O(1) away
+/// from the boundary and O(segments of one cell) near it. Made in O(n log n), in memory for some ten
+/// entries a segment.
 /// The domain must outlive the locator.
 class DomainLocator
 {
 public:
   explicit DomainLocator(const Domain& domain);
+
+  /// Where the monitor wants to stop, the answers are of no use.
+  DomainLocator(const Domain& domain, Pulse& pulse);
 
   /// True where p is inside; false outside and on the boundary itself.
   bool IsInside(const Point2& p) const;
@@ -43,17 +49,25 @@ public:
 private:
   struct Cell
   {
-    Id FirstChild = NoId; ///< of Division x Division cells, or NoId for a leaf
+    Id FirstChild = NoId; ///< of NumberOfChildren cells, row by row; or NoId for a leaf
+    Id ChildColumns = 1;
     Id FirstSegment = 0;
     Id NumberOfSegments = 0;
     bool ReferenceIsInside = false;
     Point2 Reference;
   };
 
-  void MakeGrid();
-  void FileSegment(Id segment, std::vector<std::vector<Id>>& lists) const;
-  void SetReferences();
-  void Divide(Id cell, const Box2& box, int depth);
+  void Build(Pulse& pulse);
+  void MakeGrid(Pulse& pulse);
+  double LeastCellSize() const;
+  void FileSegments(Pulse& pulse);
+  template <typename Visit>
+  void VisitTopCells(Id segment, const Visit& visit);
+  void SetReferences(Pulse& pulse);
+  void CollectSegments(const Cell& a, const Cell& b, std::vector<Id>& segments) const;
+  void Divide(Id cell, const Box2& box, int depth, Pulse& pulse);
+  bool IsDivisible(const Box2& box, Id columns) const;
+  Id BestColumns(const Cell& parent, const Box2& box) const;
   void MakeChild(Id child, const Box2& box, const Cell& parent);
   Point2 FreePoint(const Box2& box, const Cell& cell) const;
   Box2 TopBox(Id column, Id row) const;
@@ -66,7 +80,7 @@ private:
     double LowX, LowY, HighX, HighY;
   };
 
-  static constexpr Id Division = 4; ///< a crowded cell is divided into 4 x 4
+  static constexpr Id NumberOfChildren = 16; ///< 16 x 1, 4 x 4 or 1 x 16
 
   static Id ClampedIndex(double position, Id count)
   {
@@ -123,9 +137,11 @@ bool DomainLocator::VisitCell(const Cell& cell, const LocalBox& box, Visit&& vis
 {
   if (cell.FirstChild != NoId)
   {
-    const LocalBox scaled{ box.LowX * Division, box.LowY * Division, box.HighX * Division,
-      box.HighY * Division };
-    return this->VisitCells(cell.FirstChild, Division, Division, scaled, visit);
+    const Id columns = cell.ChildColumns;
+    const Id rows = NumberOfChildren / columns;
+    const LocalBox scaled{ box.LowX * columns, box.LowY * rows, box.HighX * columns,
+      box.HighY * rows };
+    return this->VisitCells(cell.FirstChild, columns, rows, scaled, visit);
   }
   for (Id k = 0; k < cell.NumberOfSegments; ++k)
   {

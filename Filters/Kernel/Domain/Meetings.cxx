@@ -3,13 +3,15 @@
 
 #include "Meetings.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
-#include <algorithm> // for sort, unique
+#include <algorithm> // for unique, any_of, all_of
 #include <cmath>     // for abs
 #include <cstddef>   // for size_t
+#include <limits>    // for infinity
 #include <tuple>     // for tie
 
 namespace biting
@@ -18,31 +20,39 @@ namespace biting
 namespace
 {
 
-constexpr Id AdvancePeriod = 500;
+// Of the time for clean input.
+constexpr double ShareOfPreparing = 0.4;
+constexpr double ShareOfTesting = 0.5;
 
 class MeetingFinder
 {
 public:
-  MeetingFinder(const Arrangement& arrangement, Meetings& meetings)
+  MeetingFinder(
+    const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
     : Input(arrangement)
+    , Limits(limits)
     , Found(meetings)
+    , Beats(pulse)
     , Ends(arrangement.EdgeEnds())
-    , Stars(arrangement.Vertices, this->Ends)
-    , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution)
+    , Stars(arrangement.Vertices, this->Ends, pulse)
+    , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution, pulse)
+    , AllAreNew(std::all_of(arrangement.Edges.begin(), arrangement.Edges.end(),
+        [](const ArrangementEdge& edge) { return edge.IsNew; }))
   {
   }
 
-  bool Run(Monitor& monitor);
+  void TestEdges();
+  void TestStars();
+  void TestLooseVertices();
 
 private:
-  bool TestEdges(Monitor& monitor);
   void TestEdge(Id edge);
+  double LengthOf(Id edge) const;
   void TestApart(Id first, Id second);
   bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
-  void TestStars();
+  bool GoesOn();
   void TestStar(Id vertex);
   bool TestFan(Id first, Id second, Id apex, bool tells);
-  void TestLooseVertices();
 
   bool TestVertex(Id edge, Id vertex);
   bool IsOn(Id vertex, const SegmentEnds& ends) const;
@@ -52,53 +62,61 @@ private:
   void ReportCrossing(Id first, Id second);
   bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
   const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
-  Box2 BoxOf(Id edge) const;
 
   const Arrangement& Input;
+  const MeetingLimits& Limits;
   Meetings& Found;
+  Pulse& Beats;
   const std::vector<SegmentEnds> Ends;
   const VertexStars Stars;
   const SegmentTree Tree;
+  const bool AllAreNew;
 };
 
-bool MeetingFinder::Run(Monitor& monitor)
-{
-  if (!this->TestEdges(monitor))
-  {
-    return false;
-  }
-  this->TestStars();
-  this->TestLooseVertices();
-  return monitor.Advance(1.0);
-}
-
-bool MeetingFinder::TestEdges(Monitor& monitor)
+void MeetingFinder::TestEdges()
 {
   const Id count = static_cast<Id>(this->Ends.size());
-  for (Id edge = 0; edge < count; ++edge)
+  for (Id edge = 0; edge < count && this->GoesOn(); ++edge)
   {
-    if (edge % AdvancePeriod == 0 && !monitor.Advance(static_cast<double>(edge) / count))
-    {
-      return false;
-    }
     if (this->Input.Edge(edge).IsNew)
     {
       this->TestEdge(edge);
     }
+    this->Beats.SetFraction(static_cast<double>(edge) / count);
   }
-  return true;
 }
 
+/// Whether there is time and room to look for more.
+bool MeetingFinder::GoesOn()
+{
+  Meetings& found = this->Found;
+  found.HasTooManySplits = found.Splits.size() > this->Limits.Splits;
+  found.HasTooManyCrossings = found.Crossings.size() > this->Limits.Crossings;
+  return !found.HasTooManySplits && !found.HasTooManyCrossings && this->Beats.Beat();
+}
+
+/// Of two new edges the longer one asks for the pair.
 void MeetingFinder::TestEdge(Id edge)
 {
-  const auto test = [this, edge](Id other)
+  const double length = this->LengthOf(edge);
+  const auto test = [this, edge, length](Id other)
   {
-    if (edge < other || !this->Input.Edge(other).IsNew)
+    const double otherLength = this->LengthOf(other);
+    const bool isFirst = otherLength < length || (otherLength == length && edge < other);
+    if ((isFirst || !this->Input.Edge(other).IsNew) && this->GoesOn())
     {
       this->TestApart(edge < other ? edge : other, edge < other ? other : edge);
     }
   };
-  this->Tree.Visit(this->BoxOf(edge), this->EndsOf(edge), test);
+  const SegmentEnds& ends = this->EndsOf(edge);
+  const double longest = this->AllAreNew ? length : std::numeric_limits<double>::infinity();
+  this->Tree.VisitAlong(this->Input.At(ends.Start), this->Input.At(ends.End), longest, ends, test);
+}
+
+double MeetingFinder::LengthOf(Id edge) const
+{
+  const SegmentEnds& ends = this->EndsOf(edge);
+  return SegmentTree::LengthOf(this->Input.At(ends.Start), this->Input.At(ends.End));
 }
 
 /// Two edges without a common end.
@@ -155,9 +173,9 @@ bool MeetingFinder::IsBeside(const SegmentEnds& ends, const SegmentEnds& other) 
 
 void MeetingFinder::TestStars()
 {
-  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
+  const auto isNew = [this](Id edge) { return this->Input.Edge(edge).IsNew; };
+  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices() && this->GoesOn(); ++vertex)
   {
-    const auto isNew = [this](Id edge) { return this->Input.Edge(edge).IsNew; };
     if (std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex), isNew))
     {
       this->TestStar(vertex);
@@ -172,7 +190,7 @@ void MeetingFinder::TestStar(Id vertex)
   const Id degree = this->Stars.Degree(vertex);
   const Id* star = this->Stars.Begin(vertex);
   Id last = 2 * degree - 1;
-  for (Id i = 0; i < degree; ++i)
+  for (Id i = 0; i < degree && this->GoesOn(); ++i)
   {
     Id next = i + 1;
     while (next < std::min(i + degree, last) &&
@@ -206,7 +224,7 @@ void MeetingFinder::TestLooseVertices()
 {
   for (const Id vertex : this->Input.EmbeddedVertices)
   {
-    if (this->Stars.Degree(vertex) > 0)
+    if (this->Stars.Degree(vertex) > 0 || !this->GoesOn())
     {
       continue;
     }
@@ -252,8 +270,7 @@ bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
 
 void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
 {
-  this->Found.Reports.push_back(
-    { ProblemCode::DuplicateSegments, first, second, NoId, this->Input.At(vertex) });
+  this->Found.Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
 }
 
 /// Interfaces may end anywhere; only boundaries that touch are worth a word.
@@ -261,36 +278,29 @@ void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
 {
   if (this->IsBoundary(edge) && this->IsBoundary(toucher))
   {
-    this->Found.Reports.push_back(
-      { ProblemCode::Touches, edge, toucher, vertex, this->Input.At(vertex) });
+    this->Found.Reports.push_back({ ProblemCode::Touches, edge, toucher, vertex });
   }
 }
 
 void MeetingFinder::ReportCrossing(Id first, Id second)
 {
-  const SegmentEnds& a = this->EndsOf(first);
-  const SegmentEnds& b = this->EndsOf(second);
-  const Point2 place = CrossingPoint(
-    this->Input.At(a.Start), this->Input.At(a.End), this->Input.At(b.Start), this->Input.At(b.End));
-  this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId, place });
+  this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
 }
 
-Box2 MeetingFinder::BoxOf(Id edge) const
+/// Of entries with equal keys the least is kept.
+template <typename Entry, typename Key, typename Rest>
+bool SortUnique(std::vector<Entry>& entries, Key key, Rest rest, Pulse& pulse)
 {
-  Box2 box;
-  box.Add(this->Input.At(this->EndsOf(edge).Start));
-  box.Add(this->Input.At(this->EndsOf(edge).End));
-  return box;
-}
-
-template <typename Entry, typename Key>
-void SortUnique(std::vector<Entry>& entries, Key key)
-{
-  std::stable_sort(entries.begin(), entries.end(),
-    [key](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  const auto isBefore = [key, rest](const Entry& a, const Entry& b)
+  { return key(a) != key(b) ? key(a) < key(b) : rest(a) < rest(b); };
+  if (!SortInSteps(entries, isBefore, pulse))
+  {
+    return false;
+  }
   const auto last = std::unique(entries.begin(), entries.end(),
     [key](const Entry& a, const Entry& b) { return key(a) == key(b); });
   entries.erase(last, entries.end());
+  return true;
 }
 
 /// A touch is told once for each vertex on an edge, whatever edge brings the vertex.
@@ -300,21 +310,36 @@ std::tuple<ProblemCode, Id, Id> MatterOf(const MeetingReport& report)
   return { report.Code, report.First, isTouch ? report.Vertex : report.Second };
 }
 
+std::tuple<Id, Id> RestOf(const MeetingReport& report)
+{
+  return { report.Second, report.Vertex };
+}
+
+bool SortMeetings(Meetings& meetings, Pulse& pulse)
+{
+  const auto none = [](const auto&) { return 0; };
+  const auto split = [](const EdgeSplit& s) { return std::make_tuple(s.Edge, s.Vertex); };
+  const auto crossing = [](const EdgeCrossing& c) { return std::make_tuple(c.First, c.Second); };
+  return SortUnique(meetings.Splits, split, none, pulse) &&
+    SortUnique(meetings.Crossings, crossing, none, pulse) &&
+    SortUnique(meetings.Reports, MatterOf, RestOf, pulse);
+}
+
 } // namespace
 
-bool FindMeetings(const Arrangement& arrangement, Meetings& meetings, Monitor& monitor)
+bool FindMeetings(
+  const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
 {
   meetings = Meetings();
-  if (!MeetingFinder(arrangement, meetings).Run(monitor))
+  MeetingFinder finder(arrangement, limits, meetings, pulse);
   {
-    return false;
+    PulsePart testing(pulse, ShareOfPreparing, ShareOfPreparing + ShareOfTesting);
+    finder.TestEdges();
   }
-  SortUnique(meetings.Splits,
-    [](const EdgeSplit& split) { return std::make_tuple(split.Edge, split.Vertex); });
-  SortUnique(meetings.Crossings,
-    [](const EdgeCrossing& crossing) { return std::make_tuple(crossing.First, crossing.Second); });
-  SortUnique(meetings.Reports, MatterOf);
-  return true;
+  pulse.SetFraction(ShareOfPreparing + ShareOfTesting);
+  finder.TestStars();
+  finder.TestLooseVertices();
+  return SortMeetings(meetings, pulse);
 }
 
 } // namespace biting

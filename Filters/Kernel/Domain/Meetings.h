@@ -5,12 +5,13 @@
 #define BitingMeetings_h
 
 #include "../Base/Ids.h"
-#include "../Base/Monitor.h"
 #include "../Base/Point2.h"
 #include "../Base/Problem.h"
+#include "../Base/Pulse.h"
 #include "Arrangement.h"
 
-#include <vector> // for the lists
+#include <cstddef> // for size_t
+#include <vector>  // for the lists
 
 namespace biting
 {
@@ -37,8 +38,7 @@ struct MeetingReport
   ProblemCode Code = ProblemCode::Crossings;
   Id First = NoId;
   Id Second = NoId;
-  Id Vertex = NoId; ///< of Second, on First; Touches only
-  Point2 Place;
+  Id Vertex = NoId; ///< of Second, on First, or where an overlap begins or ends; not of crossings
 };
 
 /// All places where edges meet other than at common ends; sorted, each once.
@@ -47,8 +47,17 @@ struct Meetings
   std::vector<EdgeSplit> Splits;
   std::vector<EdgeCrossing> Crossings;
   std::vector<MeetingReport> Reports;
+  bool HasTooManySplits = false;    ///< the search was given up
+  bool HasTooManyCrossings = false; ///< the search was given up
 
   bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
+};
+
+/// When to give up.
+struct MeetingLimits
+{
+  std::size_t Splits = 0;
+  std::size_t Crossings = 0;
 };
 
 /// Finds the meetings of which at least one edge is new. False: the monitor has asked to stop.
@@ -59,7 +68,8 @@ struct Meetings
 /// on it exactly: these are the sides of a spike, which stays open however thin.
 /// Edges that share a vertex can only overlap: each is tested against its neighbours in the order of
 /// directions around that vertex, as far as these are that near. Others are found by the tree.
-bool FindMeetings(const Arrangement& arrangement, Meetings& meetings, Monitor& monitor);
+bool FindMeetings(
+  const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse);
 
 } // namespace biting
 

@@ -3,22 +3,20 @@
 
 #include "Nesting.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
 #include "VertexStars.h"
 
-#include <algorithm> // for sort
-#include <cstddef>   // for size_t
-#include <iterator>  // for prev
-#include <numeric>   // for iota
-#include <set>       // for the segments that the sweep line cuts
+#include <cstddef>  // for size_t
+#include <iterator> // for prev
+#include <numeric>  // for iota
+#include <set>      // for the segments that the sweep line cuts
 
 namespace biting
 {
 
 namespace
 {
-
-constexpr std::size_t AdvancePeriod = 500;
 
 /// Orders the segments that the sweep line cuts from below to above, and points among them.
 struct BelowOrder
@@ -79,11 +77,12 @@ class Sweep
 {
 public:
   Sweep(const std::vector<Point2>& vertices, const std::vector<SegmentEnds>& segments,
-    const std::vector<std::uint8_t>& bounds)
+    const std::vector<std::uint8_t>& bounds, Pulse& pulse)
     : Vertices(vertices)
     , Directed(LeftToRight(vertices, segments))
     , Bounds(bounds)
-    , Stars(vertices, this->Directed)
+    , Beats(pulse)
+    , Stars(vertices, this->Directed, pulse)
     , Cut(BelowOrder{ &vertices, &this->Directed })
     , Places(segments.size(), this->Cut.end())
     , Above(segments.size(), 0)
@@ -91,7 +90,7 @@ public:
   {
   }
 
-  bool Run(Monitor& monitor);
+  bool Run();
   InsideFlags Flags(const std::vector<SegmentEnds>& segments) const;
 
 private:
@@ -106,6 +105,7 @@ private:
   const std::vector<Point2>& Vertices;
   const std::vector<SegmentEnds> Directed;
   const std::vector<std::uint8_t>& Bounds;
+  Pulse& Beats;
   const VertexStars Stars;
   CutSegments Cut;
   std::vector<CutSegments::iterator> Places; ///< of each segment in Cut
@@ -113,31 +113,27 @@ private:
   std::vector<std::uint8_t> LoneInside;
 };
 
-bool Sweep::Run(Monitor& monitor)
+bool Sweep::Run()
 {
   const std::vector<Id> order = this->EventOrder();
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < order.size() && this->Beats.Beat(); ++i)
   {
-    if (i % AdvancePeriod == 0 &&
-      !monitor.Advance(static_cast<double>(i) / static_cast<double>(order.size())))
-    {
-      return false;
-    }
     this->Pass(order[i]);
+    this->Beats.SetFraction(static_cast<double>(i) / static_cast<double>(order.size()));
   }
-  return true;
+  return !this->Beats.HasStopped();
 }
 
 std::vector<Id> Sweep::EventOrder() const
 {
   std::vector<Id> order(this->Vertices.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [this](Id a, Id b)
-    {
-      return this->Vertices[static_cast<std::size_t>(a)] <
-        this->Vertices[static_cast<std::size_t>(b)];
-    });
+  const auto isBefore = [this](Id a, Id b)
+  {
+    return this->Vertices[static_cast<std::size_t>(a)] <
+      this->Vertices[static_cast<std::size_t>(b)];
+  };
+  SortInSteps(order, isBefore, this->Beats);
   return order;
 }
 
@@ -218,13 +214,10 @@ InsideFlags Sweep::Flags(const std::vector<SegmentEnds>& segments) const
 } // namespace
 
 InsideFlags FindInside(const std::vector<Point2>& vertices,
-  const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds,
-  Monitor& monitor)
+  const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds, Pulse& pulse)
 {
-  Sweep sweep(vertices, segments, bounds);
-  InsideFlags flags;
-  flags.WasAborted = !sweep.Run(monitor);
-  return flags.WasAborted ? flags : sweep.Flags(segments);
+  Sweep sweep(vertices, segments, bounds, pulse);
+  return sweep.Run() ? sweep.Flags(segments) : InsideFlags();
 }
 
 } // namespace biting

@@ -5,8 +5,8 @@
 #define BitingNesting_h
 
 #include "../Base/Ids.h"
-#include "../Base/Monitor.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "SegmentTree.h" // for SegmentEnds
 
 #include <cstdint> // for flags
@@ -21,7 +21,6 @@ struct InsideFlags
   std::vector<std::uint8_t> Left;     ///< of each segment
   std::vector<std::uint8_t> Right;    ///< of each segment
   std::vector<std::uint8_t> Vertices; ///< of vertices without segments; 0 for others
-  bool WasAborted = false;
 };
 
 /// Finds the sides of every segment, and the place of lone vertices, by a sweep over the vertices in
@@ -31,8 +30,7 @@ struct InsideFlags
 /// but those they end. Cost O(n log n).
 /// Source: M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976 (the sweep).
 InsideFlags FindInside(const std::vector<Point2>& vertices,
-  const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds,
-  Monitor& monitor);
+  const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds, Pulse& pulse);
 
 } // namespace biting
 

@@ -7,7 +7,9 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 
+#include <cmath>  // for abs
 #include <vector> // for nodes and items
 
 namespace biting
@@ -30,7 +32,10 @@ struct SegmentEnds
 class SegmentTree
 {
 public:
-  /// `margin` is added to every box, on all sides.
+  /// `margin` is added to every box, on all sides. Where the monitor wants to stop, the tree is left
+  /// unfinished: not to be asked.
+  SegmentTree(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
+    double margin, Pulse& pulse);
   SegmentTree(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
 
@@ -39,18 +44,30 @@ public:
   template <typename Visitor>
   void Visit(const Box2& box, const SegmentEnds& skipped, Visitor&& visit) const
   {
-    Id node = 0;
-    while (node < static_cast<Id>(this->Nodes.size()))
-    {
-      const Node& here = this->Nodes[static_cast<std::size_t>(node)];
-      if (!here.Bounds.Meets(box) || IsFanOf(here.Common, skipped))
-      {
-        node = here.Next;
-        continue;
-      }
-      this->VisitItems(here, box, skipped, visit);
-      ++node;
-    }
+    const auto meets = [&box](const auto& part) { return part.Bounds.Meets(box); };
+    this->VisitWhere(meets, skipped, visit);
+  }
+
+  /// Calls visit(segment) for each segment without an end in `skipped` whose grown box the segment
+  /// from `start` to `end` meets; and for some whose box it passes within a few roundings. Segments
+  /// longer than `longest` may be left out.
+  ///
+  /// A box says much about where a short segment is and little about a long one. Where each pair is
+  /// asked for by the longer of the two, a crowd of long segments costs the short ones nothing.
+  template <typename Visitor>
+  void VisitAlong(const Point2& start, const Point2& end, double longest,
+    const SegmentEnds& skipped, Visitor&& visit) const
+  {
+    const Probe probe(start, end, this->Rounding);
+    const auto meets = [&probe, longest](const auto& part)
+    { return part.Shortest <= longest && probe.Meets(part.Bounds); };
+    this->VisitWhere(meets, skipped, visit);
+  }
+
+  /// By which segments are longer than others: in the 1-norm.
+  static double LengthOf(const Point2& start, const Point2& end)
+  {
+    return std::abs(end.X - start.X) + std::abs(end.Y - start.Y);
   }
 
 private:
@@ -59,6 +76,7 @@ private:
     Box2 Bounds;
     SegmentEnds Ends;
     Id Segment = NoId;
+    double Shortest = 0.0; ///< its own length
   };
 
   /// Nodes lie in preorder: the first child follows its parent, Next is the node after the subtree.
@@ -69,7 +87,54 @@ private:
     Id Next = NoId;
     Id FirstItem = 0; ///< leaves only
     Id ItemCount = 0; ///< 0: an inner node
+    double Shortest = 0.0;
   };
+
+  /// A segment that asks which boxes it meets.
+  class Probe
+  {
+  public:
+    Probe(const Point2& start, const Point2& end, double rounding)
+      : Start(start)
+      , Direction(end - start)
+      , Slack(rounding * (std::abs(this->Direction.X) + std::abs(this->Direction.Y)))
+    {
+      this->Bounds.Add(start);
+      this->Bounds.Add(end);
+    }
+
+    /// Whether the line through the segment separates the corners of a box that meets its own.
+    bool Meets(const Box2& box) const
+    {
+      const double reach = 0.5 *
+        (std::abs(this->Direction.X) * box.Height() + std::abs(this->Direction.Y) * box.Width());
+      return this->Bounds.Meets(box) &&
+        std::abs(Cross(this->Direction, box.Center() - this->Start)) <= reach + this->Slack;
+    }
+
+  private:
+    Point2 Start;
+    Point2 Direction;
+    double Slack;
+    Box2 Bounds;
+  };
+
+  template <typename Condition, typename Visitor>
+  void VisitWhere(const Condition& meets, const SegmentEnds& skipped, Visitor& visit) const
+  {
+    Id node = 0;
+    while (node < static_cast<Id>(this->Nodes.size()))
+    {
+      const Node& here = this->Nodes[static_cast<std::size_t>(node)];
+      if (IsFanOf(here.Common, skipped) || !meets(here))
+      {
+        node = here.Next;
+        continue;
+      }
+      this->VisitItems(here, meets, skipped, visit);
+      ++node;
+    }
+  }
 
   static bool IsFanOf(const SegmentEnds& common, const SegmentEnds& skipped)
   {
@@ -77,25 +142,28 @@ private:
       (common.End != NoId && skipped.Has(common.End));
   }
 
-  template <typename Visitor>
+  template <typename Condition, typename Visitor>
   void VisitItems(
-    const Node& node, const Box2& box, const SegmentEnds& skipped, Visitor& visit) const
+    const Node& node, const Condition& meets, const SegmentEnds& skipped, Visitor& visit) const
   {
     for (Id i = node.FirstItem; i < node.FirstItem + node.ItemCount; ++i)
     {
       const Item& item = this->Items[static_cast<std::size_t>(i)];
-      if (item.Bounds.Meets(box) && !item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End))
+      if (!item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End) && meets(item))
       {
         visit(item.Segment);
       }
     }
   }
 
-  void Build(Id first, Id last);
+  void FileItems(
+    const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
+  void Build(Id first, Id last, Pulse& pulse);
   void Halve(Id first, Id middle, Id last);
 
   std::vector<Item> Items;
   std::vector<Node> Nodes;
+  double Rounding = 0.0; ///< of a cross product with a direction, over the latter's 1-norm
 };
 
 } // namespace biting

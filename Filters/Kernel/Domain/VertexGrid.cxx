@@ -3,8 +3,7 @@
 
 #include "VertexGrid.h"
 
-#include <cmath>   // for floor
-#include <cstddef> // for size_t
+#include <cmath> // for floor
 
 namespace biting
 {
@@ -12,58 +11,84 @@ namespace biting
 namespace
 {
 
-/// Columns and rows are below 2^51 in magnitude, as the reach is a few ulp of the coordinates; cells
-/// that share a key cost time only.
-std::uint64_t KeyOf(double column, double row)
-{
-  const auto x = static_cast<std::uint64_t>(static_cast<std::int64_t>(column));
-  const auto y = static_cast<std::uint64_t>(static_cast<std::int64_t>(row));
-  const std::uint64_t mixed = x * 0x9E3779B97F4A7C15u + y;
-  return mixed ^ (mixed >> 29);
-}
+constexpr double CellSizeInReach = 16.0;
+constexpr std::size_t LeastEntries = 1024;
 
 } // namespace
 
 VertexGrid::VertexGrid(const std::vector<Point2>& points, double reach)
   : Points(points)
   , Reach(reach)
+  , CellSize(CellSizeInReach * reach)
 {
 }
 
 void VertexGrid::Update()
 {
-  this->Cells.reserve(this->Points.size());
-  for (std::size_t v = this->Cells.size(); v < this->Points.size(); ++v)
+  if (this->Points.size() > this->Heads.size())
   {
-    const Point2& p = this->Points[v];
-    const std::uint64_t key = KeyOf(std::floor(p.X / this->Reach), std::floor(p.Y / this->Reach));
-    this->Cells.emplace(key, static_cast<Id>(v));
+    this->Grow();
   }
+  while (this->Nexts.size() < this->Points.size())
+  {
+    this->File(static_cast<Id>(this->Nexts.size()));
+  }
+}
+
+void VertexGrid::Grow()
+{
+  std::size_t entries = LeastEntries;
+  while (entries < 2 * this->Points.size())
+  {
+    entries *= 2;
+  }
+  this->Heads.assign(entries, NoId);
+  this->Nexts.clear();
+  this->Nexts.reserve(entries);
+}
+
+void VertexGrid::File(Id vertex)
+{
+  const Point2& p = this->Points[static_cast<std::size_t>(vertex)];
+  Id& head =
+    this->Heads[this->EntryOf(std::floor(p.X / this->CellSize), std::floor(p.Y / this->CellSize))];
+  this->Nexts.push_back(head);
+  head = vertex;
 }
 
 Id VertexGrid::Find(const Point2& place) const
 {
-  const double column = std::floor(place.X / this->Reach);
-  const double row = std::floor(place.Y / this->Reach);
+  const double lastColumn = std::floor((place.X + this->Reach) / this->CellSize);
+  const double lastRow = std::floor((place.Y + this->Reach) / this->CellSize);
   Id nearest = NoId;
   double least = this->Reach;
-  for (int neighbor = 0; neighbor < 9; ++neighbor)
+  for (double row = std::floor((place.Y - this->Reach) / this->CellSize); row <= lastRow; ++row)
   {
-    const auto range =
-      this->Cells.equal_range(KeyOf(column + neighbor % 3 - 1, row + neighbor / 3 - 1));
-    for (auto cell = range.first; cell != range.second; ++cell)
+    for (double column = std::floor((place.X - this->Reach) / this->CellSize); column <= lastColumn;
+         ++column)
     {
-      const Id vertex = cell->second;
-      const double distance = Distance(place, this->Points[static_cast<std::size_t>(vertex)]);
-      const bool isTie = distance == least && (nearest == NoId || vertex < nearest);
-      if (distance < least || isTie)
+      for (Id vertex = this->Heads[this->EntryOf(column, row)]; vertex != NoId;
+           vertex = this->Nexts[static_cast<std::size_t>(vertex)])
       {
-        nearest = vertex;
-        least = distance;
+        const double distance = Distance(place, this->Points[static_cast<std::size_t>(vertex)]);
+        const bool isTie = distance == least && (nearest == NoId || vertex < nearest);
+        nearest = distance < least || isTie ? vertex : nearest;
+        least = distance < least ? distance : least;
       }
     }
   }
   return nearest;
+}
+
+/// Columns and rows are below 2^47 in magnitude, as the reach is a few ulp of the coordinates; cells
+/// that share an entry cost time only.
+std::size_t VertexGrid::EntryOf(double column, double row) const
+{
+  const auto x = static_cast<std::uint64_t>(static_cast<std::int64_t>(column));
+  const auto y = static_cast<std::uint64_t>(static_cast<std::int64_t>(row));
+  std::uint64_t key = (x ^ (y * 0xD6E8FEB86659FD93u)) * 0x9E3779B97F4A7C15u;
+  key = (key ^ (key >> 32)) * 0xD6E8FEB86659FD93u;
+  return static_cast<std::size_t>((key ^ (key >> 32)) & (this->Heads.size() - 1));
 }
 
 } // namespace biting

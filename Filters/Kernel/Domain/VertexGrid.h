@@ -7,14 +7,17 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 
-#include <cstdint>       // for cell keys
-#include <unordered_map> // for the cells
-#include <vector>        // for points
+#include <cstddef> // for size_t
+#include <cstdint> // for keys
+#include <vector>  // for the table
 
 namespace biting
 {
 
-/// Finds the vertex within a small distance of a place. Constant cost.
+/// Finds the vertex within a small distance of a place. Constant cost, unless vertices are crowded.
+///
+/// A hash table of the cells of a grid, with a chain of vertices at each entry. Cells are so much
+/// larger than the distance that nearly always one of them is looked at.
 class VertexGrid
 {
 public:
@@ -28,9 +31,15 @@ public:
   Id Find(const Point2& place) const;
 
 private:
+  void Grow();
+  void File(Id vertex);
+  std::size_t EntryOf(double column, double row) const;
+
   const std::vector<Point2>& Points;
   double Reach;
-  std::unordered_multimap<std::uint64_t, Id> Cells;
+  double CellSize;
+  std::vector<Id> Heads; ///< of the chain at each entry of the table; as many as a power of two
+  std::vector<Id> Nexts; ///< of each vertex in its chain
 };
 
 } // namespace biting

@@ -3,9 +3,10 @@
 
 #include "VertexStars.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for sort, find
+#include <algorithm> // for sort, find, copy
 #include <cstddef>   // for size_t
 
 namespace biting
@@ -13,6 +14,8 @@ namespace biting
 
 namespace
 {
+
+constexpr Id LargeDegree = 4096; // sorting takes milliseconds
 
 /// Orders segments by their direction seen from one vertex.
 struct DirectionOrder
@@ -61,6 +64,14 @@ std::vector<Id> CountDegrees(std::size_t vertices, const std::vector<SegmentEnds
 
 VertexStars::VertexStars(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments)
+{
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  *this = VertexStars(points, segments, pulse);
+}
+
+VertexStars::VertexStars(
+  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, Pulse& pulse)
   : Offsets(CountDegrees(points.size(), segments))
   , Segments(2 * segments.size())
 {
@@ -73,12 +84,27 @@ VertexStars::VertexStars(
       this->Segments[static_cast<std::size_t>(place)] = static_cast<Id>(s);
     }
   }
-  for (Id vertex = 0; vertex < this->NumberOfVertices(); ++vertex)
+  for (Id vertex = 0; vertex < this->NumberOfVertices() && !pulse.HasStopped(); ++vertex)
   {
-    const auto begin = this->Segments.begin();
-    std::sort(begin + this->Offset(vertex), begin + this->Offset(vertex + 1),
-      DirectionOrder{ points, segments, vertex });
+    this->SortStar(vertex, points, segments, pulse);
   }
+}
+
+void VertexStars::SortStar(Id vertex, const std::vector<Point2>& points,
+  const std::vector<SegmentEnds>& segments, Pulse& pulse)
+{
+  const DirectionOrder order{ points, segments, vertex };
+  const auto begin = this->Segments.begin() + this->Offset(vertex);
+  const auto end = this->Segments.begin() + this->Offset(vertex + 1);
+  if (this->Degree(vertex) <= LargeDegree)
+  {
+    std::sort(begin, end, order);
+    pulse.Beat(1 + static_cast<std::size_t>(this->Degree(vertex)));
+    return;
+  }
+  std::vector<Id> star(begin, end);
+  SortInSteps(star, order, pulse);
+  std::copy(star.begin(), star.end(), begin);
 }
 
 Id VertexStars::Next(Id vertex, Id segment) const

@@ -21,6 +21,9 @@ namespace biting
 class VertexStars
 {
 public:
+  /// Where the monitor wants to stop, the order is not yet that.
+  VertexStars(
+    const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, Pulse& pulse);
   VertexStars(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments);
 
   Id NumberOfVertices() const { return static_cast<Id>(this->Offsets.size()) - 1; }
@@ -32,6 +35,8 @@ public:
   Id Next(Id vertex, Id segment) const;
 
 private:
+  void SortStar(Id vertex, const std::vector<Point2>& points,
+    const std::vector<SegmentEnds>& segments, Pulse& pulse);
   Id Offset(Id vertex) const { return this->Offsets[static_cast<std::size_t>(vertex)]; }
 
   std::vector<Id> Offsets;

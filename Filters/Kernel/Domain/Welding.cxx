@@ -3,13 +3,15 @@
 
 #include "Welding.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h" // for LeastCoordinate
 
-#include <algorithm> // for sort
-#include <cmath>     // for abs
-#include <cstdint>   // for masks
-#include <limits>    // for epsilon
-#include <utility>   // for pair, move
+#include <algorithm>  // for max
+#include <cmath>      // for abs
+#include <cstdint>    // for masks
+#include <functional> // for less
+#include <limits>     // for epsilon
+#include <utility>    // for pair, move
 
 namespace biting
 {
@@ -23,9 +25,10 @@ constexpr double ResolutionInUlp = 4.0;
 class Welder
 {
 public:
-  Welder(const Polylines& input, ProblemList& problems)
+  Welder(const Polylines& input, ProblemList& problems, Pulse& pulse)
     : Input(input)
     , Problems(problems)
+    , Beats(pulse)
     , PointVertices(input.Points.size(), NoId)
   {
   }
@@ -50,6 +53,7 @@ private:
 
   const Polylines& Input;
   ProblemList& Problems;
+  Pulse& Beats;
   Arrangement Result;
   std::vector<Id> PointVertices;                 ///< NoId: no chain uses the point
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
@@ -59,7 +63,7 @@ Arrangement Welder::Run()
 {
   this->MakeVertices();
   this->Result.Edges.reserve(this->Input.Connectivity.size());
-  for (Id chain = 0; chain < this->Input.NumberOfChains(); ++chain)
+  for (Id chain = 0; chain < this->Input.NumberOfChains() && this->Beats.Beat(); ++chain)
   {
     this->AppendChain(chain);
   }
@@ -102,6 +106,10 @@ void Welder::MakeVertices()
 {
   const std::vector<Id> points = this->UsedPoints();
   const std::vector<Id> firstEquals = this->FirstEquals(points);
+  if (this->Beats.HasStopped())
+  {
+    return;
+  }
   double largest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -129,9 +137,9 @@ std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points) const
   {
     places.emplace_back(this->Place(point), places.size());
   }
-  std::sort(places.begin(), places.end());
   std::vector<Id> firstEquals(points.size());
-  for (std::size_t i = 0, first = 0; i < places.size(); ++i)
+  const bool isSorted = SortInSteps(places, std::less<>(), this->Beats);
+  for (std::size_t i = 0, first = 0; i < places.size() && isSorted; ++i)
   {
     first = places[i].first == places[first].first ? first : i;
     firstEquals[places[i].second] = points[places[first].second];
@@ -167,7 +175,8 @@ void Welder::AppendEdges(Id chain, bool isBoundary)
   edge.BoundaryCount = isBoundary ? 1 : 0;
   edge.OpenCount = !isBoundary && kind == ChainKind::Automatic ? 1 : 0;
   edge.IsInterface = kind == ChainKind::Interface;
-  for (Id place = this->Offset(chain) + 1; place < this->Offset(chain + 1); ++place)
+  const Id end = this->Offset(chain + 1);
+  for (Id place = this->Offset(chain) + 1; place < end && this->Beats.Beat(1); ++place)
   {
     const Id first = this->PointAt(place - 1);
     const Id second = this->PointAt(place);
@@ -190,7 +199,8 @@ void Welder::ReportEqualPoints(Id cell, Id first, Id second)
 
 void Welder::AppendEmbeddedPoints(Id chain)
 {
-  for (Id place = this->Offset(chain); place < this->Offset(chain + 1); ++place)
+  const Id end = this->Offset(chain + 1);
+  for (Id place = this->Offset(chain); place < end && this->Beats.Beat(1); ++place)
   {
     const Id point = this->PointAt(place);
     this->EmbeddedPoints.emplace_back(this->VertexOf(point), point);
@@ -199,7 +209,10 @@ void Welder::AppendEmbeddedPoints(Id chain)
 
 void Welder::MergeEmbeddedPoints()
 {
-  std::sort(this->EmbeddedPoints.begin(), this->EmbeddedPoints.end());
+  if (!SortInSteps(this->EmbeddedPoints, std::less<>(), this->Beats))
+  {
+    return;
+  }
   Id first = NoId;
   for (const auto& [vertex, point] : this->EmbeddedPoints)
   {
@@ -217,9 +230,9 @@ void Welder::MergeEmbeddedPoints()
 
 } // namespace
 
-Arrangement WeldPolylines(const Polylines& input, ProblemList& problems)
+Arrangement WeldPolylines(const Polylines& input, ProblemList& problems, Pulse& pulse)
 {
-  return Welder(input, problems).Run();
+  return Welder(input, problems, pulse).Run();
 }
 
 } // namespace biting

@@ -3,6 +3,7 @@
 
 #include "MeshCheck.h"
 
+#include "../Base/Pulse.h"
 #include "../Predicates/Predicates.h"
 
 #include <algorithm> // for min, max
@@ -16,6 +17,13 @@ namespace biting
 
 namespace
 {
+
+// Where the checks end, as shares of the time.
+constexpr double IdsEnd = 0.1;
+constexpr double TurnsEnd = 0.4;
+constexpr double NeighborsEnd = 0.7;
+constexpr double UsesEnd = 0.8;
+constexpr double ComponentsEnd = 0.98;
 
 constexpr std::size_t Next(std::size_t slot)
 {
@@ -96,11 +104,20 @@ Id Parts::Root(Id part)
   return static_cast<Id>(member);
 }
 
+// How a vertex is used.
+enum Use : std::uint8_t
+{
+  None,
+  Inner,
+  Boundary
+};
+
 class MeshChecker
 {
 public:
-  explicit MeshChecker(const MeshCheckInput& mesh)
+  MeshChecker(const MeshCheckInput& mesh, Pulse& pulse)
     : Mesh(mesh)
+    , Beats(pulse)
   {
   }
   std::string Check();
@@ -114,13 +131,15 @@ private:
   std::size_t SlotAcross(std::size_t slot) const;
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
+  std::vector<std::uint8_t> FindUses();
   bool FulfilsEuler();
-  std::int64_t CountComponents() const;
-  std::int64_t CountLoops() const;
+  std::int64_t CountComponents();
+  std::int64_t CountLoops();
   std::size_t NextOnBoundary(std::size_t slot) const;
   bool CoversArea();
   void AddArea(const Point2& a, const Point2& b, const Point2& c);
   double BoundaryRounding() const;
+  bool IsGoingOn(std::size_t slot);
   bool Refuse(const std::string& violation);
   std::string EdgeText(std::size_t slot) const;
 
@@ -131,6 +150,7 @@ private:
   const Point2& Place(std::size_t slot) const { return this->Mesh.Points[this->Corner(slot)]; }
 
   const MeshCheckInput& Mesh;
+  Pulse& Beats;
   std::string Violation;
   std::vector<std::size_t> BoundarySlots;
   std::int64_t NumberOfInnerVertices = 0;
@@ -156,8 +176,9 @@ bool MeshChecker::HasValidSizes()
 
 bool MeshChecker::HasValidIds()
 {
+  const PulsePart part(this->Beats, 0.0, IdsEnd);
   const std::size_t numberOfTriangles = this->Mesh.Corners.size() / 3;
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
+  for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->IsGoingOn(slot); ++slot)
   {
     const Id neighbor = this->Mesh.Neighbors[slot];
     // A negative id becomes a large number.
@@ -174,7 +195,8 @@ bool MeshChecker::HasValidIds()
 // Adds the areas on the way, as the places are at hand.
 bool MeshChecker::IsCounterclockwise()
 {
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); slot += 3)
+  const PulsePart part(this->Beats, IdsEnd, TurnsEnd);
+  for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->IsGoingOn(slot); slot += 3)
   {
     const Point2& a = this->Place(slot);
     const Point2& b = this->Place(slot + 1);
@@ -200,8 +222,9 @@ void MeshChecker::AddArea(const Point2& a, const Point2& b, const Point2& c)
 // can answer two triangles, all links to larger triangles are answered too if there are as many.
 bool MeshChecker::HasMutualNeighbors()
 {
+  const PulsePart part(this->Beats, TurnsEnd, NeighborsEnd);
   std::int64_t unanswered = 0;
-  for (std::size_t slot = 0; slot < this->Mesh.Neighbors.size(); ++slot)
+  for (std::size_t slot = 0; slot < this->Mesh.Neighbors.size() && this->IsGoingOn(slot); ++slot)
   {
     const Id neighbor = this->Mesh.Neighbors[slot];
     if (neighbor == NoId)
@@ -242,8 +265,9 @@ std::size_t MeshChecker::SlotAcross(std::size_t slot) const
 
 bool MeshChecker::HasConstrainedBoundary()
 {
-  for (const std::size_t slot : this->BoundarySlots)
+  for (std::size_t k = 0; k < this->BoundarySlots.size() && this->IsGoingOn(k); ++k)
   {
+    const std::size_t slot = this->BoundarySlots[k];
     if (this->Mesh.Constraints[slot] == NoId)
     {
       return this->Refuse("no constraint covers the boundary at " + this->EdgeText(slot));
@@ -254,22 +278,8 @@ bool MeshChecker::HasConstrainedBoundary()
 
 bool MeshChecker::HasNoUnusedVertex()
 {
-  enum Use : std::uint8_t
-  {
-    None,
-    Inner,
-    Boundary
-  };
-  std::vector<std::uint8_t> uses(this->Mesh.Points.size(), None);
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
-  {
-    uses[this->Corner(slot)] = Inner;
-  }
-  for (const std::size_t slot : this->BoundarySlots)
-  {
-    uses[this->Corner(Next(slot))] = Boundary;
-  }
-  for (std::size_t vertex = 0; vertex < uses.size(); ++vertex)
+  const std::vector<std::uint8_t> uses = this->FindUses();
+  for (std::size_t vertex = 0; vertex < uses.size() && this->IsGoingOn(vertex); ++vertex)
   {
     this->NumberOfInnerVertices += uses[vertex] == Inner ? 1 : 0;
     if (uses[vertex] == None)
@@ -278,6 +288,18 @@ bool MeshChecker::HasNoUnusedVertex()
     }
   }
   return true;
+}
+
+// The Use of each vertex.
+std::vector<std::uint8_t> MeshChecker::FindUses()
+{
+  const PulsePart part(this->Beats, NeighborsEnd, UsesEnd);
+  std::vector<std::uint8_t> uses(this->Mesh.Points.size(), None);
+  this->Beats.ForEach(this->Mesh.Corners.size(),
+    [this, &uses](std::size_t slot) { uses[this->Corner(slot)] = Inner; });
+  this->Beats.ForEach(this->BoundarySlots.size(),
+    [this, &uses](std::size_t k) { uses[this->Corner(Next(this->BoundarySlots[k]))] = Boundary; });
+  return uses;
 }
 
 // Each fan of triangles at the boundary has one boundary edge that leaves its vertex: with B boundary
@@ -298,11 +320,12 @@ bool MeshChecker::FulfilsEuler()
 
 // Each triangle takes the part of a neighbor before it, or begins a part where there is none; where
 // it has neighbors of different parts, these are one. There are few parts, so joining costs little.
-std::int64_t MeshChecker::CountComponents() const
+std::int64_t MeshChecker::CountComponents()
 {
+  const PulsePart counting(this->Beats, UsesEnd, ComponentsEnd);
   Parts parts;
   std::vector<Id> partOf(this->Mesh.Neighbors.size() / 3, NoId);
-  for (std::size_t triangle = 0; triangle < partOf.size(); ++triangle)
+  for (std::size_t triangle = 0; triangle < partOf.size() && this->IsGoingOn(triangle); ++triangle)
   {
     Id part = NoId;
     for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
@@ -318,14 +341,16 @@ std::int64_t MeshChecker::CountComponents() const
   return parts.Count();
 }
 
-std::int64_t MeshChecker::CountLoops() const
+std::int64_t MeshChecker::CountLoops()
 {
+  const PulsePart part(this->Beats, ComponentsEnd, 1.0);
   std::vector<bool> isTraced(this->Mesh.Neighbors.size(), false);
   std::int64_t count = 0;
   for (const std::size_t start : this->BoundarySlots)
   {
     count += isTraced[start] ? 0 : 1;
-    for (std::size_t slot = start; !isTraced[slot]; slot = this->NextOnBoundary(slot))
+    for (std::size_t slot = start; !isTraced[slot] && this->Beats.Beat();
+         slot = this->NextOnBoundary(slot))
     {
       isTraced[slot] = true;
     }
@@ -376,6 +401,18 @@ double MeshChecker::BoundaryRounding() const
   return 4.0 * length * largest;
 }
 
+// Asks the monitor now and then; slots that are counted by threes are asked as often.
+bool MeshChecker::IsGoingOn(std::size_t slot)
+{
+  if (slot % 4096 != 0)
+  {
+    return true;
+  }
+  this->Beats.SetFraction(
+    static_cast<double>(slot) / static_cast<double>(this->Mesh.Corners.size()));
+  return this->Beats.Ask();
+}
+
 bool MeshChecker::Refuse(const std::string& violation)
 {
   this->Violation = violation;
@@ -395,9 +432,10 @@ std::string MeshChecker::EdgeText(std::size_t slot) const
 
 } // namespace
 
-std::string CheckMesh(const MeshCheckInput& mesh)
+std::string CheckMesh(const MeshCheckInput& mesh, Monitor& monitor)
 {
-  return MeshChecker(mesh).Check();
+  Pulse pulse(monitor);
+  return MeshChecker(mesh, pulse).Check();
 }
 
 } // namespace biting

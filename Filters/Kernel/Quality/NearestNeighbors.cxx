@@ -15,12 +15,14 @@
 #include "NearestNeighbors.h"
 
 #include "../Base/Box2.h"
+#include "../Base/Pulse.h"
 #include "PointTree.h"
 
 #include <algorithm> // for min, max, fill, find
 #include <cmath>     // for sqrt
 #include <cstdint>   // for flags
 #include <limits>    // for infinity
+#include <utility>   // for move
 
 namespace biting
 {
@@ -29,6 +31,11 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// Where steps end, as shares of the time for a mesh with few suspects; of all points, the tree.
+constexpr double VisitEnd = 0.8;
+constexpr double SearchEnd = 0.95;
+constexpr double TreeEnd = 0.4;
 
 double SquaredDistance(const Point2& a, const Point2& b)
 {
@@ -58,7 +65,7 @@ bool Reaches(const Point2& center, double squaredRadius, const Point2& a, const 
 class CellMask
 {
 public:
-  CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects);
+  CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects, Pulse& pulse);
   bool IsFull() const { return this->Budget < 0; }
   void Add(const Point2& center, double radius);
   bool Contains(const Point2& p) const
@@ -90,13 +97,10 @@ private:
   std::vector<std::uint8_t> IsMarked;
 };
 
-CellMask::CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects)
+CellMask::CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects, Pulse& pulse)
   : Budget(static_cast<std::int64_t>(points.size() + 9 * numberOfSuspects))
 {
-  for (const Point2& p : points)
-  {
-    this->Bounds.Add(p);
-  }
+  pulse.ForEach(points.size(), [this, &points](std::size_t i) { this->Bounds.Add(points[i]); });
   const double root = std::sqrt(static_cast<double>(points.size()));
   const double extent = std::max(this->Bounds.Width(), this->Bounds.Height());
   this->CellsPerLength = extent > 0.0 ? root / extent : 0.0;
@@ -123,18 +127,20 @@ class NeighborSearch
 {
 public:
   NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
-    const std::vector<Id>& neighbors);
+    const std::vector<Id>& neighbors, Pulse& pulse);
   void VisitEdges();
   void SearchSuspects();
   std::vector<double> Distances() const;
 
 private:
+  void VisitTriangle(Id triangle);
   void VisitEdge(Id triangle, int corner);
   void JudgeBoundaryEdge(Id a, Id b, Id apex);
   void JudgeInnerEdge(Id a, Id b, Id apex, Id beyond);
   void JudgeApex(Id apex, Id a, Id b, Id beyond);
   void Shorten(Id vertex, double squaredDistance);
   std::vector<Id> Suspects() const;
+  PointTree TreeFor(const std::vector<Id>& suspects) const;
   CellMask CellsOf(const std::vector<Id>& suspects) const;
   std::vector<PointTree::Item> Candidates(const CellMask& cells) const;
 
@@ -143,15 +149,17 @@ private:
   const std::vector<Point2>& Points;
   const std::vector<Id>& Corners;
   const std::vector<Id>& Neighbors;
+  Pulse& Beats;
   std::vector<double> SquaredDistances;
   std::vector<std::uint8_t> IsSuspect;
 };
 
 NeighborSearch::NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
-  const std::vector<Id>& neighbors)
+  const std::vector<Id>& neighbors, Pulse& pulse)
   : Points(points)
   , Corners(corners)
   , Neighbors(neighbors)
+  , Beats(pulse)
   , SquaredDistances(points.size(), Infinity)
   , IsSuspect(points.size(), 0)
 {
@@ -159,16 +167,19 @@ NeighborSearch::NeighborSearch(const std::vector<Point2>& points, const std::vec
 
 void NeighborSearch::VisitEdges()
 {
-  const Id numberOfTriangles = static_cast<Id>(this->Corners.size() / 3);
-  for (Id triangle = 0; triangle < numberOfTriangles; ++triangle)
+  const PulsePart part(this->Beats, 0.0, VisitEnd);
+  this->Beats.ForEach(this->Corners.size() / 3,
+    [this](std::size_t triangle) { this->VisitTriangle(static_cast<Id>(triangle)); });
+}
+
+void NeighborSearch::VisitTriangle(Id triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    // An inner edge is visited from the triangle with the larger id.
+    if (this->Neighbors[3 * static_cast<std::size_t>(triangle) + corner] < triangle)
     {
-      // An inner edge is visited from the triangle with the larger id.
-      if (this->Neighbors[3 * static_cast<std::size_t>(triangle) + corner] < triangle)
-      {
-        this->VisitEdge(triangle, corner);
-      }
+      this->VisitEdge(triangle, corner);
     }
   }
 }
@@ -239,17 +250,26 @@ void NeighborSearch::Shorten(Id vertex, double squaredDistance)
 
 void NeighborSearch::SearchSuspects()
 {
+  const PulsePart part(this->Beats, VisitEnd, SearchEnd);
   const std::vector<Id> suspects = this->Suspects();
-  if (suspects.empty())
+  if (suspects.empty() || this->Beats.HasStopped())
   {
     return;
   }
-  const PointTree tree(this->Candidates(this->CellsOf(suspects)));
-  for (const Id suspect : suspects)
+  const PointTree tree = this->TreeFor(suspects);
+  const PulsePart search(this->Beats, TreeEnd, 1.0);
+  for (std::size_t k = 0; k < suspects.size() && this->Beats.Beat(); ++k)
   {
-    double& known = this->SquaredDistances[static_cast<std::size_t>(suspect)];
-    known = tree.NearestSquaredDistance(this->Place(suspect), suspect, known);
+    this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(suspects.size()));
+    double& known = this->SquaredDistances[static_cast<std::size_t>(suspects[k])];
+    known = tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known);
   }
+}
+
+PointTree NeighborSearch::TreeFor(const std::vector<Id>& suspects) const
+{
+  const PulsePart part(this->Beats, 0.0, 0.0);
+  return PointTree(this->Candidates(this->CellsOf(suspects)), this->Beats);
 }
 
 // A vertex without triangle is hidden from all others: where there is one, all are suspects.
@@ -258,59 +278,81 @@ std::vector<Id> NeighborSearch::Suspects() const
   const bool areAllUsed = std::find(this->SquaredDistances.begin(), this->SquaredDistances.end(),
                             Infinity) == this->SquaredDistances.end();
   std::vector<Id> suspects;
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
-  {
-    if (this->IsSuspect[i] != 0 || !areAllUsed)
+  this->Beats.ForEach(this->Points.size(),
+    [this, areAllUsed, &suspects](std::size_t i)
     {
-      suspects.push_back(static_cast<Id>(i));
-    }
-  }
+      if (this->IsSuspect[i] != 0 || !areAllUsed)
+      {
+        suspects.push_back(static_cast<Id>(i));
+      }
+    });
   return suspects;
 }
 
 CellMask NeighborSearch::CellsOf(const std::vector<Id>& suspects) const
 {
-  CellMask cells(this->Points, suspects.size());
-  for (const Id suspect : suspects)
-  {
-    const double radius = std::sqrt(this->SquaredDistances[static_cast<std::size_t>(suspect)]);
-    cells.Add(this->Place(suspect), radius);
-  }
+  CellMask cells(this->Points, suspects.size(), this->Beats);
+  this->Beats.ForEach(suspects.size(),
+    [this, &suspects, &cells](std::size_t k)
+    {
+      const auto suspect = static_cast<std::size_t>(suspects[k]);
+      cells.Add(this->Points[suspect], std::sqrt(this->SquaredDistances[suspect]));
+    });
   return cells;
 }
 
 std::vector<PointTree::Item> NeighborSearch::Candidates(const CellMask& cells) const
 {
   std::vector<PointTree::Item> candidates;
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
-  {
-    if (cells.IsFull() || cells.Contains(this->Points[i]))
+  this->Beats.ForEach(this->Points.size(),
+    [this, &cells, &candidates](std::size_t i)
     {
-      candidates.push_back({ this->Points[i], static_cast<Id>(i) });
-    }
-  }
+      if (cells.IsFull() || cells.Contains(this->Points[i]))
+      {
+        candidates.push_back({ this->Points[i], static_cast<Id>(i) });
+      }
+    });
   return candidates;
 }
 
 std::vector<double> NeighborSearch::Distances() const
 {
+  const PulsePart part(this->Beats, SearchEnd, 1.0);
   std::vector<double> distances(this->SquaredDistances.size());
-  for (std::size_t i = 0; i < distances.size(); ++i)
-  {
-    distances[i] = std::sqrt(this->SquaredDistances[i]);
-  }
-  return distances;
+  this->Beats.ForEach(distances.size(),
+    [this, &distances](std::size_t i) { distances[i] = std::sqrt(this->SquaredDistances[i]); });
+  return this->Beats.HasStopped() ? std::vector<double>() : distances;
 }
 
 } // namespace
 
 std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& neighbors)
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor)
 {
-  NeighborSearch search(points, corners, neighbors);
+  Pulse pulse(monitor);
+  NeighborSearch search(points, corners, neighbors, pulse);
   search.VisitEdges();
   search.SearchSuspects();
   return search.Distances();
+}
+
+std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  std::vector<PointTree::Item> items(points.size());
+  std::vector<double> distances(points.size());
+  for (std::size_t i = 0; i < points.size() && pulse.Beat(); ++i)
+  {
+    items[i] = { points[i], static_cast<Id>(i) };
+  }
+  const PointTree tree(std::move(items), pulse);
+  for (std::size_t i = 0; i < points.size() && pulse.Beat(); ++i)
+  {
+    pulse.SetFraction(static_cast<double>(i) / static_cast<double>(points.size()));
+    const double square = tree.NearestSquaredDistance(points[i], static_cast<Id>(i), Infinity);
+    distances[i] = std::sqrt(square);
+  }
+  return pulse.HasStopped() ? std::vector<double>() : distances;
 }
 
 } // namespace biting

@@ -5,6 +5,7 @@
 #define BitingNearestNeighbors_h
 
 #include "../Base/Ids.h"
+#include "../Base/Monitor.h"
 #include "../Base/Point2.h"
 
 #include <vector> // for the arrays
@@ -18,9 +19,13 @@ namespace biting
 /// be Delaunay) but must not overlap, and `neighbors` must be mutual (see CheckMesh).
 ///
 /// Cost O(n) where triangles are well shaped and few vertices are near the boundary; O(n log n) for
-/// the vertices for which this does not hold.
+/// the vertices for which this does not hold. Empty where the monitor asked to stop.
 std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& neighbors);
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor = NoMonitor());
+
+/// The same of any points, without a triangulation; equal points have the distance 0.
+/// Cost O(n log n). Empty where the monitor asked to stop.
+std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points, Monitor& monitor);
 
 } // namespace biting
 

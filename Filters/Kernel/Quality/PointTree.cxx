@@ -17,6 +17,9 @@ namespace
 // Ranges of at most this many items are searched one by one.
 constexpr std::size_t LeafSize = 8;
 
+// The monitor is asked before each division of more items than this.
+constexpr std::size_t LeastLongStep = 4096;
+
 double Coordinate(const Point2& p, bool isX)
 {
   return isX ? p.X : p.Y;
@@ -24,20 +27,21 @@ double Coordinate(const Point2& p, bool isX)
 
 } // namespace
 
-PointTree::PointTree(std::vector<Item> items)
+PointTree::PointTree(std::vector<Item> items, Pulse& pulse)
   : Items(std::move(items))
   , IsByX(this->Items.size(), 0)
 {
-  this->Build(0, this->Items.size());
+  this->Build(0, this->Items.size(), pulse);
 }
 
-void PointTree::Build(std::size_t first, std::size_t last)
+void PointTree::Build(std::size_t first, std::size_t last, Pulse& pulse)
 {
-  if (last - first <= LeafSize)
+  const std::size_t size = last - first;
+  if (size <= LeafSize || !(size > LeastLongStep ? pulse.Ask() : pulse.Beat()))
   {
     return;
   }
-  const std::size_t middle = first + (last - first) / 2;
+  const std::size_t middle = first + size / 2;
   const bool isByX = this->IsWide(first, last);
   const auto isBefore = [isByX](const Item& left, const Item& right)
   { return Coordinate(left.Place, isByX) < Coordinate(right.Place, isByX); };
@@ -45,8 +49,8 @@ void PointTree::Build(std::size_t first, std::size_t last)
   { return this->Items.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last), isBefore);
   this->IsByX[middle] = isByX;
-  this->Build(first, middle);
-  this->Build(middle + 1, last);
+  this->Build(first, middle, pulse);
+  this->Build(middle + 1, last, pulse);
 }
 
 bool PointTree::IsWide(std::size_t first, std::size_t last) const

@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 
 #include <cstddef> // for positions
 #include <cstdint> // for axes
@@ -25,7 +26,8 @@ public:
     Id Name;
   };
 
-  explicit PointTree(std::vector<Item> items);
+  /// On abort it is incomplete and must not be asked.
+  PointTree(std::vector<Item> items, Pulse& pulse);
 
   /// The squared distance from `place` to the nearest item not called `name`, or `limit` where none
   /// is nearer than that.
@@ -39,7 +41,7 @@ private:
     double Best;
   };
 
-  void Build(std::size_t first, std::size_t last);
+  void Build(std::size_t first, std::size_t last, Pulse& pulse);
   bool IsWide(std::size_t first, std::size_t last) const;
   void Search(std::size_t first, std::size_t last, Query& query) const;
   void Consider(const Item& item, Query& query) const;

@@ -5,6 +5,7 @@
 #define BitingQuality_h
 
 #include "../Base/Ids.h"
+#include "../Base/Monitor.h"
 #include "../Base/Point2.h"
 
 #include <cstdint> // for counts
@@ -43,11 +44,34 @@ struct MeshView
   const std::vector<double>& Spacing;
   const std::vector<Id>& Corners;
   const std::vector<Id>& Neighbors; ///< as in Triangulation: across the edge opposite each corner
+
+  /// The spacing at EdgeMiddles, in their order; null: the mean of that at the ends.
+  const std::vector<double>* MiddleSpacing = nullptr;
 };
 
 /// Measures `mesh`. Cost O(n) for a Delaunay mesh.
 /// N is exact also where the nearest vertex is not joined by an edge (across a hole or a slit).
-MeshQuality MeasureQuality(const MeshView& mesh);
+/// Where the monitor asks to stop the result has no meaning; so it is with all that is below.
+MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor = NoMonitor());
+
+/// The same of any triangles, also where they overlap or are not counterclockwise, with N from
+/// elsewhere (see NearestNeighborDistances). `Neighbors` then only tells which edges are the same:
+/// an edge is counted at each slot where they have no or a smaller id than the triangle.
+MeshQuality MeasureQuality(const MeshView& mesh, std::vector<double> nearestNeighborDistances,
+  Monitor& monitor = NoMonitor());
+
+/// The middle of each edge, each edge once, in the order of the slots where it is counted.
+std::vector<Point2> EdgeMiddles(const MeshView& mesh, Monitor& monitor = NoMonitor());
+
+/// The length of each edge divided by the spacing at its middle, in the order of EdgeMiddles: by the
+/// midpoint rule, the integral of 1 / f along the edge.
+std::vector<double> RelativeLengths(const MeshView& mesh, Monitor& monitor = NoMonitor());
+
+/// All angles in degrees, one a slot. 0 where a side has no length.
+std::vector<double> AnglesOf(const MeshView& mesh, Monitor& monitor = NoMonitor());
+
+/// The largest slope |f(u) - f(v)| / |u - v| of the spacing along edges that have a length.
+double LargestSlope(const MeshView& mesh, Monitor& monitor = NoMonitor());
 
 /// The three measures of one triangle, for tests and for other rooms.
 double MinimumAngle(const Point2& a, const Point2& b, const Point2& c);

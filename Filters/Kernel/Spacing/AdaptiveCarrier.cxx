@@ -3,7 +3,7 @@
 
 #include "AdaptiveCarrier.h"
 
-#include <algorithm> // for all_of
+#include <algorithm> // for min, max, find, transform
 #include <cstdint>   // for counts
 #include <limits>    // for infinity
 #include <utility>   // for move
@@ -13,30 +13,42 @@ namespace biting
 namespace
 {
 
-/// With so few cones a leaf is as fast as an interpolating one, and exact.
+/// With so few cones a leaf is as fast as an interpolating one, and exact, however large.
 constexpr std::size_t FewCones = 2;
 
-/// With more cones, evaluation takes longer than a deeper tree; with fewer, the tree grows.
-constexpr std::size_t MostCones = 10;
+/// With more cones, evaluation takes longer than in a deeper tree.
+constexpr std::size_t MostCones = 12;
 
-/// Lists longer than this are not looked through for cones that are nowhere lowest.
-constexpr std::size_t MostConesToSift = 32;
+/// Squares in which the extension may vary by more than this share of itself are not interpolated:
+/// there the tests would see too little.
+constexpr double InterpolatedVariation = 0.35;
 
-/// Squares in which the extension may vary by more than this share of itself are not tried.
-constexpr double LargestVariation = 0.35;
+/// The same for squares of many cones that the samples have to find: a cone that no sample sees is
+/// lower than the others by no more than a small share of the variation.
+constexpr double SampledVariation = 0.1;
 
-/// The share of the tolerance that the tested points may use. Others may be worse: at a third, no
-/// error above the tolerance was met in millions of probes.
-constexpr double TestedShare = 0.3;
+/// The share of the tolerance that an interpolating leaf may use where it is tested: elsewhere it is
+/// a few times as wrong.
+constexpr double TestedShare = 0.2;
 
 /// The share of the tolerance by which a sample may be too high.
 constexpr double SearchShare = 0.1;
 
-double Bilinear(const std::array<double, 4>& corners, double u, double v)
+/// Searches between two calls of the monitor.
+constexpr std::int64_t StepsPerReport = 1000;
+
+/// The parabola through three values at 0, 1/2 and 1.
+double Parabola(const double* values, std::size_t step, double u)
 {
-  const double low = (1.0 - u) * corners[0] + u * corners[1];
-  const double high = (1.0 - u) * corners[2] + u * corners[3];
-  return (1.0 - v) * low + v * high;
+  return values[0] * (1.0 - u) * (1.0 - 2.0 * u) + values[step] * 4.0 * u * (1.0 - u) +
+    values[2 * step] * u * (2.0 * u - 1.0);
+}
+
+double Biquadratic(const std::array<double, 9>& nodes, double u, double v)
+{
+  const double rows[3] = { Parabola(&nodes[0], 1, u), Parabola(&nodes[3], 1, u),
+    Parabola(&nodes[6], 1, u) };
+  return Parabola(rows, 1, v);
 }
 
 } // namespace
@@ -45,9 +57,10 @@ double Bilinear(const std::array<double, 4>& corners, double u, double v)
 class CarrierBuilder
 {
 public:
-  CarrierBuilder(AdaptiveCarrier& carrier, Monitor& monitor)
+  CarrierBuilder(AdaptiveCarrier& carrier, const AdaptiveCarrier::Relief& relief, Monitor& monitor)
     : Carrier(carrier)
     , Gradation(carrier.Extension.Gradation())
+    , Relief(relief)
     , Progress(monitor)
   {
   }
@@ -76,9 +89,12 @@ private:
     SegmentExtension::Part Part; ///< what matters in the square
 
     Sample& Center() { return this->Grid[4]; }
-    std::array<double, 4> Corners() const
+    std::array<double, 9> Values() const
     {
-      return { this->Grid[0].Value, this->Grid[2].Value, this->Grid[6].Value, this->Grid[8].Value };
+      std::array<double, 9> values;
+      std::transform(this->Grid.begin(), this->Grid.end(), values.begin(),
+        [](const Sample& sample) { return sample.Value; });
+      return values;
     }
   };
 
@@ -86,10 +102,9 @@ private:
   {
     if (!this->Carrier.Bounds.Meets(square.Box()))
     {
-      this->AddInterpolatingLeaf(square, { 1.0, 1.0, 1.0, 1.0 });
+      this->AddLevelLeaf(square, 1.0);
       return;
     }
-    this->FindCones(square, samples);
     if (this->AddLeaf(square, samples))
     {
       return;
@@ -110,180 +125,108 @@ private:
     known.Grid[2] = samples.Grid[first + 1];
     known.Grid[6] = samples.Grid[first + 3];
     known.Grid[8] = samples.Grid[first + 4];
-    known.Part = samples.Part;
     known.Center() = samples.Quarters[static_cast<std::size_t>(quarter)];
+    known.Part = samples.Part;
     return known;
   }
 
-  /// Finds the cones that may be lowest somewhere in the square. All are Lipschitz with the same
-  /// constant g, so these are the ones which at the center are within 2 g radius of the lowest.
-  void FindCones(const Quadtree::Square& square, Samples& samples)
-  {
-    const Point2 center = square.At(0.5, 0.5);
-    this->HasAllCones = false;
-    if (samples.Center().Cone == NoId)
-    {
-      samples.Center() = this->Carrier.Extension.Evaluate(samples.Part, center, Sample(), 0.0);
-    }
-    const double limit = samples.Center().Value + 2.0 * this->Gradation * square.Radius();
-    samples.Part = this->Carrier.Extension.Narrow(samples.Part, center, limit);
-    this->Carrier.Extension.FindBelow(
-      samples.Part, center, limit, MostConesToSift + 1, this->Cones);
-    this->HasAllCones = this->Cones.size() <= MostConesToSift;
-    this->AllCones = this->Cones;
-  }
-
-  /// False where the square is to be refined.
+  /// False where the square is to be refined. All cones are Lipschitz with the same constant g, so
+  /// those that may be lowest somewhere in a square are those which at the center are within
+  /// 2 g radius of the lowest.
   bool AddLeaf(const Quadtree::Square& square, Samples& samples)
   {
-    const bool isSimple = this->HasAllCones && this->Cones.size() <= FewCones;
-    if (!isSimple && this->IsSmooth(square, samples))
+    const double variation = this->Gradation * square.Radius();
+    this->Complete(square, 0.5, 0.5, samples, samples.Center());
+    const double value = samples.Center().Value;
+    const bool isRough = variation <= InterpolatedVariation * value;
+    if (value - variation >= this->Relief.Most ||
+      (isRough && this->Relief.IsUnused && this->Relief.IsUnused(square.Box())))
     {
-      this->AddInterpolatingLeaf(square, samples.Corners());
+      this->AddLevelLeaf(square, value);
       return true;
     }
-    if (this->HasAllCones && !isSimple)
-    {
-      this->Sift(square);
-    }
-    if (this->Cones.size() <= MostCones)
-    {
-      this->AddExactLeaf(square);
-      return true;
-    }
-    if (this->CanSplit(square))
-    {
-      return false;
-    }
-    this->SampleCorners(square, samples);
-    this->AddInterpolatingLeaf(square, samples.Corners());
-    return true;
+    const Point2 center = square.At(0.5, 0.5);
+    const double limit = value + 2.0 * variation;
+    samples.Part = this->Carrier.Extension.Narrow(samples.Part, center, limit);
+    this->Carrier.Extension.FindBelow(samples.Part, center, limit, MostCones + 1, this->Cones);
+    const bool isLast = !this->CanSplit(square);
+    return (this->Cones.size() <= FewCones && this->AddListLeaf(square)) ||
+      (isRough && this->AddSmoothLeaf(square, samples)) ||
+      (this->Cones.size() <= MostCones && this->AddListLeaf(square)) ||
+      ((variation <= SampledVariation * value || isLast) &&
+        this->AddSampledLeaf(square, samples, isLast));
   }
 
-  /// Keeps those cones that are lowest somewhere, to half the tolerance: each of 4 x 4 parts of the
-  /// square keeps its own.
-  void Sift(const Quadtree::Square& square)
+  /// A leaf that interpolates, if it does so well.
+  bool AddSmoothLeaf(const Quadtree::Square& square, Samples& samples)
   {
-    this->IsLowest.assign(this->AllCones.size(), 0);
-    for (int part = 0; part < 16; ++part)
+    for (int node = 0; node < 9; ++node)
     {
-      const Point2 center = square.At(0.125 + 0.25 * (part % 4), 0.125 + 0.25 * (part / 4));
-      this->SiftPart(center, 0.5 * this->Gradation * square.Radius());
+      this->Complete(square, 0.5 * (node % 3), 0.5 * (node / 3), samples,
+        samples.Grid[static_cast<std::size_t>(node)]);
     }
-    this->Cones.clear();
-    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
-    {
-      if (this->IsLowest[position] != 0)
-      {
-        this->Cones.push_back(this->AllCones[position]);
-      }
-    }
-  }
-
-  void SiftPart(const Point2& center, double variation)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    this->Values.resize(this->AllCones.size());
-    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
-    {
-      this->Values[position] = this->Carrier.Extension.ConeAt(this->AllCones[position], center);
-      least = std::min(least, this->Values[position]);
-    }
-    const double limit =
-      least + std::max(0.0, variation - 0.5 * AdaptiveCarrier::Tolerance * least);
-    for (std::size_t position = 0; position < this->AllCones.size(); ++position)
-    {
-      if (this->Values[position] <= limit)
-      {
-        this->IsLowest[position] = 1;
-      }
-    }
-  }
-
-  /// Whether interpolation between the corners is good enough: tested where the samples are.
-  bool IsSmooth(const Quadtree::Square& square, Samples& samples)
-  {
-    if (this->Gradation * square.Radius() > LargestVariation * samples.Center().Value)
-    {
-      return false;
-    }
-    this->SampleCorners(square, samples);
-    return this->FitsAt(samples, 0.5, 0.5, samples.Center().Value) &&
-      this->FitsGrid(square, samples) && this->FitsQuarters(square, samples);
-  }
-
-  void SampleCorners(const Quadtree::Square& square, Samples& samples)
-  {
-    for (int corner : { 0, 2, 6, 8 })
-    {
-      this->SampleGrid(square, corner, samples);
-    }
-  }
-
-  bool FitsGrid(const Quadtree::Square& square, Samples& samples)
-  {
-    for (int node : { 1, 3, 5, 7 })
-    {
-      const double exact = this->SampleGrid(square, node, samples);
-      if (!this->FitsAt(samples, 0.5 * (node % 3), 0.5 * (node / 3), exact))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool FitsQuarters(const Quadtree::Square& square, Samples& samples)
-  {
+    const std::array<double, 9> values = samples.Values();
     for (int quarter = 0; quarter < 4; ++quarter)
     {
       const double u = 0.25 + 0.5 * (quarter % 2);
       const double v = 0.25 + 0.5 * (quarter / 2);
       Sample& sample = samples.Quarters[static_cast<std::size_t>(quarter)];
-      sample = this->Evaluate(square, u, v, samples);
-      if (!this->FitsAt(samples, u, v, sample.Value))
+      this->Complete(square, u, v, samples, sample);
+      const double error = std::abs(Biquadratic(values, u, v) - sample.Value);
+      if (error > TestedShare * AdaptiveCarrier::Tolerance * sample.Value)
       {
         return false;
       }
     }
+    this->AddNodes(square, values);
     return true;
   }
 
-  static bool FitsAt(const Samples& samples, double u, double v, double exact)
+  /// A leaf of the cones that are lowest at the samples. All are known: the square was tried for
+  /// interpolation.
+  bool AddSampledLeaf(const Quadtree::Square& square, const Samples& samples, bool isLast)
   {
-    const double error = std::abs(Bilinear(samples.Corners(), u, v) - exact);
-    return error <= TestedShare * AdaptiveCarrier::Tolerance * exact;
-  }
-
-  double SampleGrid(const Quadtree::Square& square, int node, Samples& samples)
-  {
-    Sample& sample = samples.Grid[static_cast<std::size_t>(node)];
-    if (sample.Cone == NoId)
+    this->Cones.clear();
+    for (const Sample& sample : samples.Grid)
     {
-      sample = this->Evaluate(square, 0.5 * (node % 3), 0.5 * (node / 3), samples);
+      this->List(sample.Cone);
     }
-    return sample.Value;
+    for (const Sample& sample : samples.Quarters)
+    {
+      this->List(sample.Cone);
+    }
+    return (this->Cones.size() <= MostCones || isLast) && this->AddListLeaf(square);
   }
 
-  /// The extension at a point of the square: cones that are lowest nearby are tried first.
-  Sample Evaluate(const Quadtree::Square& square, double u, double v, const Samples& samples)
+  void List(Id cone)
   {
+    if (cone != NoId &&
+      std::find(this->Cones.begin(), this->Cones.end(), cone) == this->Cones.end())
+    {
+      this->Cones.push_back(cone);
+    }
+  }
+
+  /// Finds the extension at (u, v) of the square, if it is not known. Cones that are lowest nearby
+  /// are tried first.
+  void Complete(
+    const Quadtree::Square& square, double u, double v, const Samples& samples, Sample& sample)
+  {
+    if (sample.Cone != NoId)
+    {
+      return;
+    }
+    if (++this->StepCount % StepsPerReport == 0)
+    {
+      this->Carrier.Complete = this->Progress.Advance(std::min(this->AreaDone, 1.0));
+    }
     const Point2 x = square.At(u, v);
     Sample lowest;
-    if (this->HasAllCones)
+    for (int known : { 4, 0, 2, 6, 8 })
     {
-      for (Id cone : this->AllCones)
-      {
-        this->Try(cone, x, lowest);
-      }
-      return lowest;
+      this->Try(samples.Grid[static_cast<std::size_t>(known)].Cone, x, lowest);
     }
-    for (const Sample* known :
-      { &samples.Grid[4], &samples.Grid[0], &samples.Grid[2], &samples.Grid[6], &samples.Grid[8] })
-    {
-      this->Try(known->Cone, x, lowest);
-    }
-    return this->Carrier.Extension.Evaluate(
+    sample = this->Carrier.Extension.Evaluate(
       samples.Part, x, lowest, SearchShare * AdaptiveCarrier::Tolerance);
   }
 
@@ -299,19 +242,26 @@ private:
   bool CanSplit(const Quadtree::Square& square) const
   {
     const std::size_t leaves =
-      2 * std::max(this->Carrier.CornerValues.size(), this->Carrier.Lists.size());
+      2 * std::max(this->Carrier.NodeValues.size(), this->Carrier.Lists.size());
     return square.Level < Quadtree::MaximumLevel && leaves + 8 < Quadtree::MaximumLeafNumber;
   }
 
-  void AddInterpolatingLeaf(const Quadtree::Square& square, const std::array<double, 4>& corners)
+  void AddLevelLeaf(const Quadtree::Square& square, double value)
   {
-    const auto number = static_cast<Id>(this->Carrier.CornerValues.size());
-    this->Carrier.CornerValues.push_back(corners);
-    this->Carrier.Tree.SetLeaf(square, 2 * number);
-    this->Report(square);
+    std::array<double, 9> values;
+    values.fill(value);
+    this->AddNodes(square, values);
   }
 
-  void AddExactLeaf(const Quadtree::Square& square)
+  void AddNodes(const Quadtree::Square& square, const std::array<double, 9>& values)
+  {
+    const auto number = static_cast<Id>(this->Carrier.NodeValues.size());
+    this->Carrier.NodeValues.push_back(values);
+    this->Carrier.Tree.SetLeaf(square, 2 * number);
+    this->AreaDone += std::ldexp(1.0, -2 * square.Level);
+  }
+
+  bool AddListLeaf(const Quadtree::Square& square)
   {
     std::vector<Id>& listed = this->Carrier.ListedCones;
     const auto number = static_cast<Id>(this->Carrier.Lists.size());
@@ -319,38 +269,26 @@ private:
       { static_cast<Id>(listed.size()), static_cast<Id>(this->Cones.size()) });
     listed.insert(listed.end(), this->Cones.begin(), this->Cones.end());
     this->Carrier.Tree.SetLeaf(square, 2 * number + 1);
-    this->Report(square);
-  }
-
-  void Report(const Quadtree::Square& square)
-  {
     this->AreaDone += std::ldexp(1.0, -2 * square.Level);
-    if (++this->LeafCount % 1000 == 0)
-    {
-      this->Carrier.Complete = this->Progress.Advance(std::min(this->AreaDone, 1.0));
-    }
+    return true;
   }
 
   AdaptiveCarrier& Carrier;
   const double Gradation;
+  const AdaptiveCarrier::Relief& Relief;
   Monitor& Progress;
   double AreaDone = 0.0;
-  std::int64_t LeafCount = 0;
-
-  // Of the square at work.
-  bool HasAllCones = false; ///< AllCones is complete
-  std::vector<Id> AllCones; ///< that may be lowest somewhere
-  std::vector<Id> Cones;    ///< the same, as far as needed to half the tolerance
-  std::vector<double> Values;
-  std::vector<std::uint8_t> IsLowest;
+  std::int64_t StepCount = 0;
+  std::vector<Id> Cones; ///< of the square at work
 };
 
-AdaptiveCarrier::AdaptiveCarrier(SegmentExtension extension, const Box2& bounds, Monitor& monitor)
+AdaptiveCarrier::AdaptiveCarrier(
+  SegmentExtension extension, const Box2& bounds, const Relief& relief, Monitor& monitor)
   : Extension(std::move(extension))
   , Bounds(bounds)
   , Tree(bounds)
 {
-  CarrierBuilder(*this, monitor).Build();
+  CarrierBuilder(*this, relief, monitor).Build();
 }
 
 double AdaptiveCarrier::operator()(const Point2& x) const
@@ -361,7 +299,7 @@ double AdaptiveCarrier::operator()(const Point2& x) const
   const auto number = static_cast<std::size_t>(place.Leaf / 2);
   if (place.Leaf % 2 == 0)
   {
-    return Bilinear(this->CornerValues[number], place.U, place.V);
+    return Biquadratic(this->NodeValues[number], place.U, place.V);
   }
   const ConeList& list = this->Lists[number];
   double least = std::numeric_limits<double>::infinity();

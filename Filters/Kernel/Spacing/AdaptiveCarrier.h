@@ -7,26 +7,39 @@
 #include "Quadtree.h"
 #include "SegmentExtension.h"
 
-#include <array> // for corner values
+#include <array>      // for node values
+#include <functional> // for what is not needed
 
 namespace biting
 {
 
 /// The extension of a segment source, ready for fast evaluation over a box.
 ///
-/// A quadtree whose leaves either keep the few cones that can be the lowest there, and are exact,
-/// or interpolate the extension between their corners. The tree is refined until one or the other
-/// holds to Tolerance, relative to the value: so it is fine only where the extension has creases
-/// between many cones. Leaves do not share corners; across their borders the value may jump within
-/// the tolerance. Interpolating leaves are tested at nine points besides their corners, not proven.
+/// A quadtree whose leaves either keep the few cones that are lowest there, or interpolate the
+/// extension by a quadratic in x and y between three by three nodes. The tree is refined until one
+/// or the other holds to Tolerance, relative to the value: leaves are about as large as the value
+/// divided by its slope where the extension is smooth, and smaller where many cones meet. Leaves do
+/// not share values; across their borders the carrier may jump within the tolerance. Lists of up to
+/// twelve cones are complete and exact; the other leaves are tested, not proven.
+/// Cost: logarithmic in the number of cones for each of about as many leaves as a mesh of this
+/// spacing has vertices.
 class AdaptiveCarrier
 {
 public:
-  static constexpr double Tolerance = 0.0125;
+  static constexpr double Tolerance = 0.005;
+
+  /// Where it need not be exact.
+  struct Relief
+  {
+    double Most =
+      std::numeric_limits<double>::infinity(); ///< values above this need not be told apart
+    std::function<bool(const Box2&)> IsUnused; ///< may be empty: boxes where half the value will do
+  };
 
   /// Incomplete if the monitor asks to stop; it must not be evaluated then. The extension has at
   /// least one cone, the box an extent.
-  AdaptiveCarrier(SegmentExtension extension, const Box2& bounds, Monitor& monitor);
+  AdaptiveCarrier(
+    SegmentExtension extension, const Box2& bounds, const Relief& relief, Monitor& monitor);
 
   bool IsComplete() const { return this->Complete; }
 
@@ -44,8 +57,8 @@ private:
 
   SegmentExtension Extension;
   Box2 Bounds;
-  Quadtree Tree; ///< an even leaf 2i interpolates CornerValues[i], an odd one 2i + 1 has Lists[i]
-  std::vector<std::array<double, 4>> CornerValues; ///< in the order of quarters
+  Quadtree Tree; ///< an even leaf 2i interpolates NodeValues[i], an odd one 2i + 1 has Lists[i]
+  std::vector<std::array<double, 9>> NodeValues; ///< [i + 3 j] at (i / 2, j / 2)
   std::vector<ConeList> Lists;
   std::vector<Id> ListedCones;
   bool Complete = true;

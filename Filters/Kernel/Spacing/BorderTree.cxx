@@ -10,7 +10,7 @@ namespace biting
 namespace
 {
 
-BoxTree MakeTree(const std::vector<BorderEdge>& edges)
+BoxTree MakeTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
 {
   std::vector<BoxTree::Item> items(edges.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
@@ -18,7 +18,7 @@ BoxTree MakeTree(const std::vector<BorderEdge>& edges)
     items[edge].Box.Add(edges[edge].Start);
     items[edge].Box.Add(edges[edge].End);
   }
-  return BoxTree(items);
+  return BoxTree(items, pulse);
 }
 
 } // namespace
@@ -30,12 +30,13 @@ NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
   const double length = Dot(direction, direction);
   const double along = length > 0.0 ? Dot(offset, direction) / length : 0.0;
   const double weight = std::min(std::max(0.0, along), 1.0);
-  return { Length(offset - weight * direction),
-    (1.0 - weight) * edge.StartValue + weight * edge.EndValue };
+  const Point2 toFoot = weight * direction;
+  return { Length(offset - toFoot), (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
+    edge.Start + toFoot };
 }
 
-BorderTree::BorderTree(const std::vector<BorderEdge>& edges)
-  : Tree(MakeTree(edges))
+BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
+  : Tree(MakeTree(edges, pulse))
 {
   this->Edges.reserve(edges.size());
   for (Id edge : this->Tree.Order())

@@ -23,6 +23,7 @@ struct NearestValue
 {
   double Distance;
   double Value;
+  Point2 Foot{}; ///< where it is
 };
 
 /// The nearest point of an edge, and its value.
@@ -33,10 +34,12 @@ class BorderTree
 {
 public:
   BorderTree() = default;
-  explicit BorderTree(const std::vector<BorderEdge>& edges);
+  BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse);
 
   /// The value at the nearest point of all edges, or `known` where none is nearer than that.
   NearestValue Nearest(const Point2& x, const NearestValue& known) const;
+
+  const std::vector<BorderEdge>& AllEdges() const { return this->Edges; }
 
 private:
   BoxTree Tree;

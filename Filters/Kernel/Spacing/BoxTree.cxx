@@ -21,7 +21,7 @@ double SortKey(const Box2& box, bool alongX)
 
 } // namespace
 
-BoxTree::BoxTree(const std::vector<Item>& items)
+BoxTree::BoxTree(const std::vector<Item>& items, Pulse& pulse)
   : Items(items.size())
 {
   std::iota(this->Items.begin(), this->Items.end(), 0);
@@ -29,12 +29,20 @@ BoxTree::BoxTree(const std::vector<Item>& items)
   {
     this->Nodes.reserve(items.size());
     this->Nodes.resize(1);
-    this->Build(items, 0, 0, static_cast<Id>(items.size()));
+    this->Build(items, 0, 0, static_cast<Id>(items.size()), pulse);
+  }
+  if (pulse.HasStopped())
+  {
+    *this = BoxTree();
   }
 }
 
-void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last)
+void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last, Pulse& pulse)
 {
+  if (!pulse.Beat(4 * static_cast<std::size_t>(last - first)))
+  {
+    return;
+  }
   Node node = this->Enclose(items, first, last);
   if (node.Count > ItemsPerLeaf)
   {
@@ -51,8 +59,8 @@ void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last
     node.First = static_cast<Id>(this->Nodes.size());
     node.Count = 0;
     this->Nodes.resize(this->Nodes.size() + 2);
-    this->Build(items, node.First, first, middle);
-    this->Build(items, node.First + 1, middle, last);
+    this->Build(items, node.First, first, middle, pulse);
+    this->Build(items, node.First + 1, middle, last, pulse);
   }
   this->Nodes[static_cast<std::size_t>(nodeId)] = node;
 }

@@ -6,6 +6,7 @@
 
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
+#include "../Base/Pulse.h"
 
 #include <array>   // for the stack
 #include <utility> // for swap
@@ -27,7 +28,9 @@ public:
   };
 
   BoxTree() = default;
-  explicit BoxTree(const std::vector<Item>& items);
+
+  /// Empty if the pulse stops.
+  BoxTree(const std::vector<Item>& items, Pulse& pulse);
 
   /// The items in the order of the tree: items near each other have positions near each other.
   const std::vector<Id>& Order() const { return this->Items; }
@@ -81,7 +84,7 @@ private:
   static constexpr std::size_t StackSize = 64;
 
   const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
-  void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last);
+  void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last, Pulse& pulse);
   Node Enclose(const std::vector<Item>& items, Id first, Id last) const;
 
   template <typename Visit>

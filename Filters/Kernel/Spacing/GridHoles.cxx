@@ -3,6 +3,8 @@
 
 #include "GridHoles.h"
 
+#include "../Base/Pulse.h"
+
 #include <algorithm> // for any_of
 #include <limits>    // for infinity
 
@@ -17,16 +19,16 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 class ColumnNearest
 {
 public:
-  explicit ColumnNearest(const GridSource& source)
+  ColumnNearest(const GridSource& source, Pulse& pulse)
     : Source(source)
     , Rows(source.Values.size(), NoId)
   {
     const auto rowCount = static_cast<Id>(source.YNodes.size());
-    for (Id row = 0; row < rowCount; ++row)
+    for (Id row = 0; row < rowCount && pulse.Beat(source.XNodes.size()); ++row)
     {
       this->Adopt(row, row - 1);
     }
-    for (Id row = rowCount - 1; row >= 0; --row)
+    for (Id row = rowCount - 1; row >= 0 && pulse.Beat(source.XNodes.size()); --row)
     {
       this->Adopt(row, row + 1);
     }
@@ -169,7 +171,8 @@ void FillRow(const GridSource& source, const ColumnNearest& nearest, Id row, Row
 
 } // namespace
 
-std::shared_ptr<const GridSource> FillHoles(std::shared_ptr<const GridSource> source)
+std::shared_ptr<const GridSource> FillHoles(
+  std::shared_ptr<const GridSource> source, Monitor& monitor)
 {
   const bool hasHoles = std::any_of(
     source->Values.begin(), source->Values.end(), [](double value) { return std::isnan(value); });
@@ -178,10 +181,15 @@ std::shared_ptr<const GridSource> FillHoles(std::shared_ptr<const GridSource> so
     return source;
   }
   auto filled = std::make_shared<GridSource>(*source);
-  const ColumnNearest nearest(*source);
+  Pulse pulse(monitor);
+  const ColumnNearest nearest(*source, pulse);
   RowEnvelope envelope(source->XNodes);
   for (Id row = 0; row < static_cast<Id>(source->YNodes.size()); ++row)
   {
+    if (!pulse.Beat(4 * source->XNodes.size()))
+    {
+      return nullptr;
+    }
     FillRow(*source, nearest, row, envelope, filled->Values);
   }
   return filled;

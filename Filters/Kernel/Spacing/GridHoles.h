@@ -10,8 +10,10 @@ namespace biting
 {
 
 /// The grid with the value of the nearest given node at each node whose value is NaN; the grid
-/// itself where there is none. At least one value is given. Linear in the number of nodes.
-std::shared_ptr<const GridSource> FillHoles(std::shared_ptr<const GridSource> source);
+/// itself where there is none. At least one value is given. Linear in the number of nodes. Null if
+/// the monitor asks to stop.
+std::shared_ptr<const GridSource> FillHoles(
+  std::shared_ptr<const GridSource> source, Monitor& monitor = NoMonitor());
 
 } // namespace biting
 

@@ -40,11 +40,11 @@ double UsedGradation(const SegmentSource& source, double gradation)
   return slope > 0.0 ? slope : SpacingOptions().Gradation;
 }
 
-std::vector<SegmentCone> MakeCones(const SegmentSource& source, double gradation)
+std::vector<SegmentCone> MakeCones(const SegmentSource& source, double gradation, Pulse& pulse)
 {
   std::vector<SegmentCone> cones;
   cones.reserve(source.Segments.size() / 2);
-  for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
+  for (std::size_t first = 0; first + 1 < source.Segments.size() && pulse.Beat(); first += 2)
   {
     const auto a = static_cast<std::size_t>(source.Segments[first]);
     const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
@@ -54,7 +54,7 @@ std::vector<SegmentCone> MakeCones(const SegmentSource& source, double gradation
   return cones;
 }
 
-BoxTree MakeTree(const std::vector<SegmentCone>& cones)
+BoxTree MakeTree(const std::vector<SegmentCone>& cones, Pulse& pulse)
 {
   std::vector<BoxTree::Item> items(cones.size());
   for (std::size_t cone = 0; cone < cones.size(); ++cone)
@@ -63,21 +63,64 @@ BoxTree MakeTree(const std::vector<SegmentCone>& cones)
     items[cone].Box.Add(cones[cone].Start + cones[cone].Length * cones[cone].Direction);
     items[cone].Value = cones[cone].Value;
   }
-  return BoxTree(items);
+  return BoxTree(items, pulse);
 }
 
 } // namespace
 
-SegmentExtension::SegmentExtension(const SegmentSource& source, double gradation)
+SegmentExtension::SegmentExtension(const SegmentSource& source, double gradation, Monitor& monitor)
   : Slope(UsedGradation(source, gradation))
 {
-  const std::vector<SegmentCone> cones = MakeCones(source, this->Slope);
-  this->Tree = MakeTree(cones);
+  Pulse pulse(monitor);
+  this->File(MakeCones(source, this->Slope, pulse), pulse);
+  std::vector<SegmentCone> bounding;
+  for (Id cone = 0; cone < static_cast<Id>(this->Cones.size()) && pulse.Beat(64); ++cone)
+  {
+    if (!this->IsBounded(cone))
+    {
+      bounding.push_back(this->Cones[static_cast<std::size_t>(cone)]);
+    }
+  }
+  this->File(bounding, pulse);
+}
+
+void SegmentExtension::File(const std::vector<SegmentCone>& cones, Pulse& pulse)
+{
+  this->Tree = MakeTree(cones, pulse);
+  this->Cones.clear();
   this->Cones.reserve(cones.size());
   for (Id cone : this->Tree.Order())
   {
     this->Cones.push_back(cones[static_cast<std::size_t>(cone)]);
   }
+}
+
+/// A cone is convex, and linear along its own segment: another one that is lower at both ends of that
+/// is lower along it, and so everywhere. Of equal cones the first one counts.
+bool SegmentExtension::IsBounded(Id coneId) const
+{
+  const SegmentCone& cone = this->Cones[static_cast<std::size_t>(coneId)];
+  const Point2 end = cone.Start + cone.Length * cone.Direction;
+  const double endValue = cone.Value + cone.Slope * cone.Length;
+  const auto isLower = [this, coneId](Id other, const Point2& x, double value)
+  {
+    const double otherValue = this->ConeAt(other, x);
+    return otherValue < value || (otherValue == value && other < coneId);
+  };
+  const auto isBoundedBy = [&](Id other)
+  {
+    return other != coneId && isLower(other, cone.Start, cone.Value) &&
+      (cone.Length == 0.0 || isLower(other, end, endValue));
+  };
+  bool isBounded = false;
+  const double limit = std::nextafter(cone.Value, std::numeric_limits<double>::infinity());
+  this->Tree.Search(this->Tree.Whole(), cone.Start, this->Slope, limit,
+    [&isBounded, &isBoundedBy, limit](Id other, double)
+    {
+      isBounded = isBounded || isBoundedBy(other);
+      return isBounded ? -std::numeric_limits<double>::infinity() : limit;
+    });
+  return isBounded;
 }
 
 LowestCone SegmentExtension::Evaluate(

@@ -51,13 +51,16 @@ struct LowestCone
 
 /// The extension of a segment source: the minimum of its cones. It is g-Lipschitz, equals the given
 /// values wherever these are, and is below them where they are steeper or a segment nearby asks for
-/// less.
+/// less. Cones that are nowhere the lowest are left out.
 class SegmentExtension
 {
 public:
   /// `gradation` 0: the largest slope along the segments themselves; where they are all level, the
   /// default of SpacingOptions.
-  SegmentExtension(const SegmentSource& source, double gradation);
+  /// Empty if the monitor asks to stop: it must not be evaluated then.
+  SegmentExtension(const SegmentSource& source, double gradation, Monitor& monitor = NoMonitor());
+
+  bool IsEmpty() const { return this->Cones.empty(); }
 
   double Gradation() const { return this->Slope; }
 
@@ -94,6 +97,9 @@ public:
     std::vector<Id>& found) const;
 
 private:
+  void File(const std::vector<SegmentCone>& cones, Pulse& pulse);
+  bool IsBounded(Id cone) const;
+
   double Slope;
   BoxTree Tree;
   std::vector<SegmentCone> Cones; ///< in the order of the tree

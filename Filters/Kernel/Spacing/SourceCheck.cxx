@@ -3,6 +3,8 @@
 
 #include "SourceCheck.h"
 
+#include "../Base/Pulse.h"
+
 #include <algorithm> // for is_sorted, all_of
 #include <cassert>   // for our own mistakes
 #include <locale>    // for numbers that look the same everywhere
@@ -73,11 +75,13 @@ bool CheckParameters(const SpacingOptions& options, ProblemList& problems)
 class ValueCheck
 {
 public:
-  ValueCheck(const char* sourceName, double scale, HolePolicy holes, ProblemList& problems)
+  ValueCheck(
+    const char* sourceName, double scale, HolePolicy holes, ProblemList& problems, Pulse& pulse)
     : SourceName(sourceName)
     , Scale(scale)
     , Holes(holes)
     , Problems(problems)
+    , Beats(pulse)
   {
   }
 
@@ -85,7 +89,7 @@ public:
   bool operator()(const std::vector<double>& values, PositionOf positionOf)
   {
     bool valid = true;
-    for (std::size_t id = 0; id < values.size(); ++id)
+    for (std::size_t id = 0; id < values.size() && this->Beats.Beat(1); ++id)
     {
       const Point2 place = positionOf(id);
       if (!std::isfinite(place.X) || !std::isfinite(place.Y))
@@ -99,7 +103,7 @@ public:
         valid = false;
       }
     }
-    return valid && this->CheckNotAllHoles(values);
+    return valid && !this->Beats.HasStopped() && this->CheckNotAllHoles(values);
   }
 
 private:
@@ -134,6 +138,7 @@ private:
   double Scale;
   HolePolicy Holes;
   ProblemList& Problems;
+  Pulse& Beats;
 };
 
 bool CheckNodes(const char* axis, const std::vector<double>& nodes, ProblemList& problems)
@@ -146,11 +151,11 @@ bool CheckNodes(const char* axis, const std::vector<double>& nodes, ProblemList&
   return false;
 }
 
-bool CheckGrid(const GridSource& grid, double scale, ProblemList& problems)
+bool CheckGrid(const GridSource& grid, double scale, ProblemList& problems, Pulse& pulse)
 {
   const std::size_t columns = grid.XNodes.size();
   assert(grid.Values.size() == columns * grid.YNodes.size());
-  ValueCheck check("grid source", scale, HolePolicy::Allowed, problems);
+  ValueCheck check("grid source", scale, HolePolicy::Allowed, problems, pulse);
   const bool valid = check(grid.Values,
     [&grid, columns](std::size_t id) {
       return Point2{ grid.XNodes[id % columns], grid.YNodes[id / columns] };
@@ -158,7 +163,8 @@ bool CheckGrid(const GridSource& grid, double scale, ProblemList& problems)
   return valid && CheckNodes("x", grid.XNodes, problems) && CheckNodes("y", grid.YNodes, problems);
 }
 
-bool CheckTriangulation(const TriangulatedSource& source, double scale, ProblemList& problems)
+bool CheckTriangulation(
+  const TriangulatedSource& source, double scale, ProblemList& problems, Pulse& pulse)
 {
   assert(source.Values.size() == source.Points.size() && source.Triangles.size() % 3 == 0);
   if (source.Triangles.empty() && !source.Points.empty())
@@ -166,33 +172,40 @@ bool CheckTriangulation(const TriangulatedSource& source, double scale, ProblemL
     Refuse(problems, "there are points but no triangles in the triangulated source");
     return false;
   }
-  ValueCheck check("triangulated source", scale, HolePolicy::Allowed, problems);
+  ValueCheck check("triangulated source", scale, HolePolicy::Allowed, problems, pulse);
   return check(source.Values, [&source](std::size_t id) { return source.Points[id]; });
 }
 
-bool CheckSegments(const SegmentSource& source, double scale, ProblemList& problems)
+bool CheckSegments(
+  const char* name, const SegmentSource& source, double scale, ProblemList& problems, Pulse& pulse)
 {
   assert(source.Values.size() == source.Points.size() && source.Segments.size() % 2 == 0);
-  ValueCheck check("segment source", scale, HolePolicy::Refused, problems);
+  ValueCheck check(name, scale, HolePolicy::Refused, problems, pulse);
   return check(source.Values, [&source](std::size_t id) { return source.Points[id]; });
 }
 
 } // namespace
 
-bool CheckSpacing(const SpacingOptions& options, ProblemList& problems)
+bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   bool valid = CheckParameters(options, problems);
   if (options.Grid)
   {
-    valid = CheckGrid(*options.Grid, options.Scale, problems) && valid;
+    valid = CheckGrid(*options.Grid, options.Scale, problems, pulse) && valid;
   }
   if (options.Triangulation)
   {
-    valid = CheckTriangulation(*options.Triangulation, options.Scale, problems) && valid;
+    valid = CheckTriangulation(*options.Triangulation, options.Scale, problems, pulse) && valid;
   }
   if (options.Segments)
   {
-    valid = CheckSegments(*options.Segments, options.Scale, problems) && valid;
+    valid =
+      CheckSegments("segment source", *options.Segments, options.Scale, problems, pulse) && valid;
+  }
+  if (options.Floor)
+  {
+    valid = CheckSegments("floor of the spacing", *options.Floor, 1.0, problems, pulse) && valid;
   }
   return valid;
 }

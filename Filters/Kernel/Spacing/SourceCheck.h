@@ -16,7 +16,10 @@ namespace biting
 /// - every value times Scale is positive and finite (id: point of the source), except that a NaN in
 ///   a grid or triangulated source is a hole, as long as the source is not one single hole;
 /// - every position in use is finite, the nodes of a grid ascend.
-bool CheckSpacing(const SpacingOptions& options, ProblemList& problems);
+///
+/// Also false if the monitor asks to stop.
+bool CheckSpacing(
+  const SpacingOptions& options, ProblemList& problems, Monitor& monitor = NoMonitor());
 
 } // namespace biting
 

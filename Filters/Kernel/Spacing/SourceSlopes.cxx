@@ -3,6 +3,8 @@
 
 #include "SourceSlopes.h"
 
+#include "../Base/Pulse.h"
+
 #include <algorithm> // for max
 #include <array>     // for corners
 
@@ -55,10 +57,11 @@ double TriangleSlope(const std::array<Point2, 3>& corners, const std::array<doub
 
 } // namespace
 
-double LargestSlope(const GridSource& source)
+double LargestSlope(const GridSource& source, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   double largest = 0.0;
-  for (std::size_t j = 0; j < source.YNodes.size(); ++j)
+  for (std::size_t j = 0; j < source.YNodes.size() && pulse.Beat(4 * source.XNodes.size()); ++j)
   {
     for (std::size_t i = 0; i < source.XNodes.size(); ++i)
     {
@@ -70,22 +73,28 @@ double LargestSlope(const GridSource& source)
   return largest;
 }
 
-double LargestSlope(const TriangulatedSource& source)
+double LargestSlope(const TriangulatedSource& source, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   double largest = 0.0;
-  for (std::size_t first = 0; first + 2 < source.Triangles.size(); first += 3)
+  for (std::size_t first = 0; first + 2 < source.Triangles.size() && pulse.Beat(); first += 3)
   {
-    std::array<Point2, 3> corners;
-    std::array<double, 3> values;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      const auto pointId = static_cast<std::size_t>(source.Triangles[first + corner]);
-      corners[corner] = source.Points[pointId];
-      values[corner] = source.Values[pointId];
-    }
-    largest = std::max(largest, TriangleSlope(corners, values));
+    largest = std::max(largest, SlopeOfTriangle(source, first));
   }
   return largest;
+}
+
+double SlopeOfTriangle(const TriangulatedSource& source, std::size_t first)
+{
+  std::array<Point2, 3> corners;
+  std::array<double, 3> values;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    const auto pointId = static_cast<std::size_t>(source.Triangles[first + corner]);
+    corners[corner] = source.Points[pointId];
+    values[corner] = source.Values[pointId];
+  }
+  return TriangleSlope(corners, values);
 }
 
 double LargestSlope(const SegmentSource& source)

@@ -13,9 +13,13 @@ namespace biting
 /// nothing.
 /// Grid: over each cell, the length of the largest slopes along x and along y.
 /// Triangulation: the length of the gradient. Segments: the slope along them.
-double LargestSlope(const GridSource& source);
-double LargestSlope(const TriangulatedSource& source);
+/// Of what was seen, if the monitor asks to stop.
+double LargestSlope(const GridSource& source, Monitor& monitor = NoMonitor());
+double LargestSlope(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
 double LargestSlope(const SegmentSource& source);
+
+/// The length of the gradient in the triangle whose corners start at `first`.
+double SlopeOfTriangle(const TriangulatedSource& source, std::size_t first);
 
 } // namespace biting
 

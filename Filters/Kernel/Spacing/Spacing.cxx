@@ -3,11 +3,18 @@
 
 #include "Spacing.h"
 
+#include "../Base/PartOfStage.h"
 #include "AdaptiveCarrier.h"
+#include "ConeCollector.h"
+#include "FeatureSize.h"
 #include "GridHoles.h"
 #include "GridInterpolator.h"
+#include "GridLimit.h"
+#include "LowerBound.h"
+#include "OutsideJumps.h"
 #include "SourceCheck.h"
 #include "SourceSlopes.h"
+#include "SteepTriangles.h"
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
@@ -56,6 +63,44 @@ bool HasSegments(const std::shared_ptr<const SegmentSource>& source)
   return source && !source->Segments.empty();
 }
 
+/// Whether a source is given that is not one value everywhere.
+bool HasGrid(const SpacingOptions& options)
+{
+  return HasValues(options.Grid) && OnlyValue(options.Grid->Values) == Infinity;
+}
+
+bool HasTriangulation(const SpacingOptions& options)
+{
+  return HasTriangles(options.Triangulation) &&
+    OnlyValue(options.Triangulation->Values) == Infinity;
+}
+
+/// The same for boundary values, from which f grows.
+bool HasExtension(const SpacingOptions& options)
+{
+  return HasSegments(options.Segments) &&
+    (options.Gradation > 0.0 || OnlyValue(options.Segments->Values) == Infinity);
+}
+
+/// The least of what is one value everywhere; infinite where there is none.
+double UniformOf(const SpacingOptions& options)
+{
+  double uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
+  if (HasValues(options.Grid))
+  {
+    uniform = std::min(uniform, OnlyValue(options.Grid->Values));
+  }
+  if (HasTriangles(options.Triangulation))
+  {
+    uniform = std::min(uniform, OnlyValue(options.Triangulation->Values));
+  }
+  if (HasSegments(options.Segments) && !HasExtension(options))
+  {
+    uniform = std::min(uniform, OnlyValue(options.Segments->Values));
+  }
+  return uniform;
+}
+
 /// The domain's box; a box of no extent is replaced by that of the source, grown to have one.
 Box2 CarrierBox(const Box2& bounds, const SegmentSource& source)
 {
@@ -72,39 +117,50 @@ Box2 CarrierBox(const Box2& bounds, const SegmentSource& source)
   return box;
 }
 
+/// The slope of what grows from features, and falls from a floor, also where f is as given.
+double GradationOf(const SpacingOptions& options)
+{
+  return options.Gradation > 0.0 ? options.Gradation : SpacingOptions().Gradation;
+}
+
 } // namespace
 
-/// What is left of the sources after preparation. A source that is one value everywhere becomes part
-/// of Uniform.
+/// What is left of the sources after preparation: what is given, and what limits it. A source that is
+/// one value everywhere becomes part of Uniform. Boundary values are among the limits, as long as they
+/// grow inwards with the gradation itself.
 struct Spacing::Implementation
 {
   std::optional<GridInterpolator> Grid;
   std::optional<TriangleInterpolator> Triangulation;
-  std::optional<AdaptiveCarrier> Segments;
+  std::optional<AdaptiveCarrier> Segments; ///< before scale and clamp
+  std::optional<AdaptiveCarrier> Limit;    ///< of f itself
+  std::optional<LowerBound> Floor;
   double Uniform = Infinity; ///< infinite: none
-  double Scale = 1.0;
-  double Least = std::numeric_limits<double>::min();
-  double Greatest = std::numeric_limits<double>::max();
+  ValueRange Range{ 1.0, std::numeric_limits<double>::min(), std::numeric_limits<double>::max() };
   double GivenLipschitz = 0.0;
 
-  bool Prepare(
-    const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor)
+  Implementation() = default;
+
+  Implementation(const SpacingOptions& options, const Box2& bounds)
   {
-    this->SetParameters(options);
-    this->AddGrid(options);
-    const bool isComplete = this->AddTriangulation(options, problems) &&
-      this->AddSegments(options, bounds, problems, monitor);
-    if (this->IsUniform() && this->Uniform == Infinity)
+    this->Range.Scale = options.Scale;
+    this->Range.Least = std::max(this->Range.Least, options.Minimum);
+    this->Range.Most = options.Maximum > 0.0 ? options.Maximum : this->Range.Most;
+    this->Uniform = UniformOf(options);
+    if (this->Uniform == Infinity && !HasGrid(options) && !HasTriangulation(options) &&
+      !HasExtension(options))
     {
       const double diagonal = bounds.Diagonal();
       this->Uniform = diagonal > 0.0 ? DefaultShareOfDiagonal * diagonal : 1.0;
     }
-    return isComplete;
   }
 
-  bool IsUniform() const { return !this->Grid && !this->Triangulation && !this->Segments; }
+  bool IsUniform() const
+  {
+    return !this->Grid && !this->Triangulation && !this->Segments && !this->Limit && !this->Floor;
+  }
 
-  double Evaluate(const Point2& x) const
+  double EvaluateGiven(const Point2& x) const
   {
     double least = this->Uniform;
     if (this->Grid)
@@ -119,82 +175,195 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Segments)(x));
     }
-    return std::min(std::max(this->Scale * least, this->Least), this->Greatest);
+    return this->Range(least);
+  }
+
+  double Evaluate(const Point2& x) const
+  {
+    const double given = this->EvaluateGiven(x);
+    const double limited =
+      this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
+    return this->Floor ? this->Floor->Raise(x, limited) : limited;
+  }
+};
+
+/// Fills in the implementation. Each step is false where f cannot be, or the monitor asks to stop.
+class Spacing::Preparation
+{
+public:
+  Preparation(const SpacingOptions& options, const Box2& bounds, Implementation& data,
+    ProblemList& problems, PartOfStage& stage)
+    : Options(options)
+    , Bounds(bounds)
+    , Data(data)
+    , Problems(problems)
+    , Stage(stage)
+    , Cones({ data.Range.Scale, data.Range.Least, data.Range(data.Uniform) })
+  {
+  }
+
+  bool Run()
+  {
+    return this->AddGrid() && this->AddTriangulation() && this->AddSegments() &&
+      this->AddFeatures() && this->AddLimit() && this->AddFloor();
   }
 
 private:
-  void SetParameters(const SpacingOptions& options)
+  bool AddGrid()
   {
-    this->Uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
-    this->Scale = options.Scale;
-    this->Least = std::max(this->Least, options.Minimum);
-    this->Greatest = options.Maximum > 0.0 ? options.Maximum : this->Greatest;
-  }
-
-  void AddGrid(const SpacingOptions& options)
-  {
-    if (!HasValues(options.Grid))
-    {
-      return;
-    }
-    const double only = OnlyValue(options.Grid->Values);
-    this->Uniform = std::min(this->Uniform, only);
-    if (only == Infinity)
-    {
-      this->AddSlope(LargestSlope(*options.Grid));
-      this->Grid.emplace(FillHoles(options.Grid));
-    }
-  }
-
-  bool AddTriangulation(const SpacingOptions& options, ProblemList& problems)
-  {
-    if (!HasTriangles(options.Triangulation))
+    if (!HasGrid(this->Options))
     {
       return true;
     }
-    const double only = OnlyValue(options.Triangulation->Values);
-    this->Uniform = std::min(this->Uniform, only);
-    if (only == Infinity)
+    PartOfStage measuring(this->Stage, 0.05, 0.08);
+    this->AddSlope(LargestSlope(*this->Options.Grid, measuring));
+    PartOfStage filling(this->Stage, 0.08, 0.15);
+    std::shared_ptr<const GridSource> grid = FillHoles(this->Options.Grid, filling);
+    if (grid && this->Options.Gradation > 0.0)
     {
-      this->AddSlope(LargestSlope(*options.Triangulation));
-      this->Triangulation.emplace(*options.Triangulation);
+      PartOfStage limiting(this->Stage, 0.15, 0.3);
+      grid = LimitGrid(grid, this->Options.Gradation, this->Cones, limiting);
     }
-    const bool isUsable = !this->Triangulation || !this->Triangulation->IsEmpty();
-    if (!isUsable)
+    if (grid && !this->Stage.HasStopped())
     {
-      problems.Add({ ProblemCode::BadSpacing, {}, {},
+      this->Data.Grid.emplace(grid);
+    }
+    return !this->Stage.HasStopped();
+  }
+
+  bool AddTriangulation()
+  {
+    if (!HasTriangulation(this->Options))
+    {
+      return true;
+    }
+    PartOfStage measuring(this->Stage, 0.3, 0.32);
+    this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
+    PartOfStage sorting(this->Stage, 0.32, 0.45);
+    this->Data.Triangulation.emplace(*this->Options.Triangulation, sorting);
+    if (this->Stage.HasStopped())
+    {
+      return false;
+    }
+    if (this->Data.Triangulation->IsEmpty())
+    {
+      this->Problems.Add({ ProblemCode::BadSpacing, {}, {},
         "no triangle has an area and three values in the triangulated source" });
+      return false;
     }
-    return isUsable;
+    return this->Options.Gradation == 0.0 || this->LimitTriangulation();
   }
 
-  bool AddSegments(
-    const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor)
+  bool LimitTriangulation()
   {
-    if (!HasSegments(options.Segments))
+    PartOfStage inside(this->Stage, 0.45, 0.48);
+    PartOfStage outside(this->Stage, 0.48, 0.5);
+    return AddSteepTriangles(
+             *this->Options.Triangulation, this->Options.Gradation, this->Cones, inside) &&
+      AddOutsideJumps(
+        *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
+  }
+
+  bool AddSegments()
+  {
+    if (!HasExtension(this->Options))
     {
       return true;
     }
-    const double only = OnlyValue(options.Segments->Values);
-    if (only < Infinity && options.Gradation == 0.0)
+    const SegmentSource& source = *this->Options.Segments;
+    this->AddSlope(LargestSlope(source));
+    PartOfStage sorting(this->Stage, 0.5, 0.52);
+    SegmentExtension extension(source, this->Options.Gradation, sorting);
+    if (this->Stage.HasStopped())
     {
-      this->Uniform = std::min(this->Uniform, only);
+      return false;
+    }
+    if (this->Options.Gradation > 0.0 && this->Options.Scale >= 1.0)
+    {
+      this->AddScaled(source);
+      this->Exact.emplace(std::move(extension));
       return true;
     }
-    this->AddSlope(LargestSlope(*options.Segments));
-    this->Segments.emplace(SegmentExtension(*options.Segments, options.Gradation),
-      CarrierBox(bounds, *options.Segments), monitor);
-    if (!this->Segments->IsComplete())
+    PartOfStage refining(this->Stage, 0.52, 0.6);
+    const double most = std::min(this->Data.Uniform, this->Data.Range.Most / this->Options.Scale);
+    this->Data.Segments.emplace(std::move(extension), CarrierBox(this->Bounds, source),
+      AdaptiveCarrier::Relief{ most, this->Options.IsUnused }, refining);
+    return this->Data.Segments->IsComplete();
+  }
+
+  /// The extension is scaled, then clamped: below the least value m of f it is cut off at a distance
+  /// of (m / scale - f_i) / g from its segments. From there on f grows with g, and not scale times g.
+  void AddScaled(const SegmentSource& source)
+  {
+    const double scale = this->Options.Scale;
+    const double least = this->Data.Range.Least;
+    const auto grown = [scale, least](double value)
+    { return std::max(scale * value, value + least * (1.0 - 1.0 / scale)); };
+    for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
     {
-      problems.Add({ ProblemCode::Aborted, {}, {}, {} });
+      const auto a = static_cast<std::size_t>(source.Segments[first]);
+      const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
+      this->Cones.AddSegment(
+        source.Points[a], source.Points[b], grown(source.Values[a]), grown(source.Values[b]));
     }
-    return this->Segments->IsComplete();
+  }
+
+  bool AddFeatures()
+  {
+    PartOfStage sampling(this->Stage, 0.6, 0.7);
+    return !this->Options.Features ||
+      AddFeatureSizes(
+        *this->Options.Features, [this](const Point2& x) { return this->EvaluateGiven(x); },
+        this->Data.Range(this->Data.Uniform), GradationOf(this->Options), this->Cones, sampling);
+  }
+
+  double EvaluateGiven(const Point2& x) const
+  {
+    const double given = this->Data.EvaluateGiven(x);
+    return this->Exact ? std::min(given, this->Data.Range((*this->Exact)(x))) : given;
+  }
+
+  bool AddLimit()
+  {
+    const SegmentSource& source = this->Cones.Segments();
+    if (source.Segments.empty())
+    {
+      return true;
+    }
+    PartOfStage sorting(this->Stage, 0.7, 0.75);
+    SegmentExtension extension(source, GradationOf(this->Options), sorting);
+    if (this->Stage.HasStopped())
+    {
+      return false;
+    }
+    PartOfStage refining(this->Stage, 0.75, 1.0);
+    this->Data.Limit.emplace(std::move(extension), CarrierBox(this->Bounds, source),
+      AdaptiveCarrier::Relief{ this->Cones.Values().Most, this->Options.IsUnused }, refining);
+    return this->Data.Limit->IsComplete();
+  }
+
+  bool AddFloor()
+  {
+    if (HasSegments(this->Options.Floor))
+    {
+      PartOfStage sorting(this->Stage, 1.0, 1.0);
+      this->Data.Floor.emplace(*this->Options.Floor, GradationOf(this->Options), sorting);
+    }
+    return !this->Stage.HasStopped();
   }
 
   void AddSlope(double slope)
   {
-    this->GivenLipschitz = std::max(this->GivenLipschitz, this->Scale * slope);
+    this->Data.GivenLipschitz = std::max(this->Data.GivenLipschitz, this->Data.Range.Scale * slope);
   }
+
+  const SpacingOptions& Options;
+  const Box2& Bounds;
+  Implementation& Data;
+  ProblemList& Problems;
+  PartOfStage& Stage;
+  ConeCollector Cones;
+  std::optional<SegmentExtension> Exact; ///< of boundary values that are among the cones
 };
 
 Spacing::Spacing()
@@ -227,14 +396,17 @@ Spacing MakeSpacing(
   const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor)
 {
   Spacing spacing;
-  if (!CheckSpacing(options, problems))
-  {
-    return spacing;
-  }
-  auto data = std::make_unique<Spacing::Implementation>();
-  if (data->Prepare(options, bounds, problems, monitor))
+  PartOfStage stage(monitor, 0.0, 1.0);
+  PartOfStage checking(stage, 0.0, 0.05);
+  auto data = std::make_unique<Spacing::Implementation>(options, bounds);
+  if (CheckSpacing(options, problems, checking) &&
+    Spacing::Preparation(options, bounds, *data, problems, stage).Run())
   {
     spacing.Data = std::move(data);
+  }
+  else if (stage.HasStopped())
+  {
+    problems.Add({ ProblemCode::Aborted, {}, {}, {} });
   }
   return spacing;
 }

@@ -66,8 +66,9 @@ struct TriangleBuckets::Filing
   std::vector<Id> Ids;
 };
 
-TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles)
+TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles, Pulse& pulse)
   : Triangles(&triangles)
+  , Beats(&pulse)
 {
   Box2 box;
   std::vector<Id> ids(triangles.size());
@@ -81,6 +82,7 @@ TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles)
   this->Cells.resize(1);
   this->Fill(0, box, ids, 0, MaximumCopies);
   this->Triangles = nullptr;
+  this->Beats = nullptr;
 }
 
 void TriangleBuckets::Fill(
@@ -98,7 +100,7 @@ void TriangleBuckets::Fill(
   this->Grids.push_back(grid);
   this->Cells.resize(this->Cells.size() + static_cast<std::size_t>(grid.Columns * grid.Rows));
   const Point2 size{ box.Width() / grid.Columns, box.Height() / grid.Rows };
-  for (Id cell = 0; cell < grid.Columns * grid.Rows; ++cell)
+  for (Id cell = 0; cell < grid.Columns * grid.Rows && this->Beats->Beat(); ++cell)
   {
     const Point2 low{ box.Low.X + (cell % grid.Columns) * size.X,
       box.Low.Y + (cell / grid.Columns) * size.Y };
@@ -124,6 +126,7 @@ TriangleBuckets::Grid TriangleBuckets::ChooseGrid(
   Point2 extent;
   for (Id id : ids)
   {
+    this->Beats->Beat();
     const Box2 own = Intersection(box, BoxOf((*this->Triangles)[static_cast<std::size_t>(id)]));
     extent = extent + Point2{ std::max(own.Width(), 0.0), std::max(own.Height(), 0.0) };
   }
@@ -151,6 +154,7 @@ double TriangleBuckets::ExpectedCopies(
   double entries = 0.0;
   for (Id id : ids)
   {
+    this->Beats->Beat();
     const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
     const Box2 own = Intersection(box, BoxOf(corners));
     const double columns = std::max(own.Width(), 0.0) * grid.CellsPerLength.X;
@@ -186,6 +190,7 @@ void TriangleBuckets::ForEachMeeting(
   const Point2 half{ 0.5 * box.Width() / grid.Columns, 0.5 * box.Height() / grid.Rows };
   for (Id id : ids)
   {
+    this->Beats->Beat();
     const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
     const Box2 own = BoxOf(corners);
     for (Id row = grid.Row(own.Low.Y); row <= grid.Row(own.High.Y); ++row)

@@ -6,6 +6,7 @@
 
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
+#include "../Base/Pulse.h"
 
 #include <array>  // for corners
 #include <vector> // for the arrays
@@ -33,7 +34,8 @@ public:
   };
 
   /// At least one triangle; each has an area.
-  explicit TriangleBuckets(const std::vector<Corners>& triangles);
+  /// Incomplete if the pulse stops: it must not be asked then.
+  TriangleBuckets(const std::vector<Corners>& triangles, Pulse& pulse);
 
   /// All triangles that meet the leaf of x; outside, those of the nearest leaf along the axes.
   Range Near(const Point2& x) const
@@ -96,6 +98,7 @@ private:
     const Grid& grid, const Box2& box, const std::vector<Id>& ids, Visit visit) const;
 
   const std::vector<Corners>* Triangles = nullptr; ///< only while building
+  Pulse* Beats = nullptr;                          ///< only while building
   std::vector<Cell> Cells;                         ///< the first one is the root
   std::vector<Grid> Grids;
   std::vector<Id> Entries;

@@ -3,9 +3,12 @@
 
 #include "TriangleInterpolator.h"
 
-#include <algorithm> // for sort, min, max
-#include <cstdint>   // for edge keys
-#include <limits>    // for infinity
+#include "../Base/SortInSteps.h"
+
+#include <algorithm>  // for min, max
+#include <cstdint>    // for edge keys
+#include <functional> // for less
+#include <limits>     // for infinity
 
 namespace biting
 {
@@ -37,11 +40,11 @@ bool IsUsable(const TriangulatedSource& source, const Id* corners)
   return std::isnormal(Cross(points[1] - points[0], points[2] - points[0]));
 }
 
-std::vector<const Id*> UsableTriangles(const TriangulatedSource& source)
+std::vector<const Id*> UsableTriangles(const TriangulatedSource& source, Pulse& pulse)
 {
   std::vector<const Id*> usable;
   usable.reserve(source.Triangles.size() / 3);
-  for (std::size_t first = 0; first + 2 < source.Triangles.size(); first += 3)
+  for (std::size_t first = 0; first + 2 < source.Triangles.size() && pulse.Beat(); first += 3)
   {
     if (IsUsable(source, &source.Triangles[first]))
     {
@@ -52,12 +55,13 @@ std::vector<const Id*> UsableTriangles(const TriangulatedSource& source)
 }
 
 /// Every edge of every triangle as one number: the smaller point id above the larger one.
-std::vector<std::uint64_t> SortedEdges(const std::vector<const Id*>& triangles)
+std::vector<std::uint64_t> SortedEdges(const std::vector<const Id*>& triangles, Pulse& pulse)
 {
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * triangles.size());
   for (const Id* corners : triangles)
   {
+    pulse.Beat(1);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       const std::uint64_t start = PointOf(corners, corner);
@@ -65,17 +69,17 @@ std::vector<std::uint64_t> SortedEdges(const std::vector<const Id*>& triangles)
       edges.push_back((std::min(start, end) << 32) | std::max(start, end));
     }
   }
-  std::sort(edges.begin(), edges.end());
+  SortInSteps(edges, std::less<>(), pulse);
   return edges;
 }
 
 /// The edges that belong to one triangle only.
 std::vector<BorderEdge> FindBorder(
-  const TriangulatedSource& source, const std::vector<const Id*>& triangles)
+  const TriangulatedSource& source, const std::vector<const Id*>& triangles, Pulse& pulse)
 {
-  const std::vector<std::uint64_t> edges = SortedEdges(triangles);
+  const std::vector<std::uint64_t> edges = SortedEdges(triangles, pulse);
   std::vector<BorderEdge> border;
-  for (std::size_t edge = 0, next = 0; edge < edges.size(); edge = next)
+  for (std::size_t edge = 0, next = 0; edge < edges.size() && pulse.Beat(1); edge = next)
   {
     for (next = edge + 1; next < edges.size() && edges[next] == edges[edge];)
     {
@@ -94,10 +98,11 @@ std::vector<BorderEdge> FindBorder(
 
 } // namespace
 
-TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source)
+TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor)
 {
-  const std::vector<const Id*> usable = UsableTriangles(source);
-  if (usable.empty())
+  Pulse pulse(monitor);
+  const std::vector<const Id*> usable = UsableTriangles(source, pulse);
+  if (usable.empty() || pulse.HasStopped())
   {
     return;
   }
@@ -107,14 +112,15 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source)
   {
     corners.push_back(PointsOf(source, triangle));
   }
-  this->Buckets = std::make_unique<TriangleBuckets>(corners);
-  this->Border = BorderTree(FindBorder(source, usable));
+  this->Buckets = std::make_unique<TriangleBuckets>(corners, pulse);
+  this->Border = BorderTree(FindBorder(source, usable, pulse), pulse);
 
   this->Records.reserve(usable.size());
   std::vector<Id> recordOf(usable.size(), NoId);
   this->Buckets->ForEachEntry(
-    [this, &source, &usable, &recordOf](Id& entry)
+    [this, &source, &usable, &recordOf, &pulse](Id& entry)
     {
+      pulse.Beat();
       const auto triangle = static_cast<std::size_t>(entry);
       if (recordOf[triangle] == NoId)
       {
@@ -139,6 +145,18 @@ TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
 
 double TriangleInterpolator::operator()(const Point2& x) const
 {
+  const Record* record = this->Find(x);
+  return record ? ValueAt(*record, x) : this->NearestOutside(x).Value;
+}
+
+NearestValue TriangleInterpolator::Nearest(const Point2& x) const
+{
+  const Record* record = this->Find(x);
+  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x);
+}
+
+const TriangleInterpolator::Record* TriangleInterpolator::Find(const Point2& x) const
+{
   for (Id id : this->Buckets->Near(x))
   {
     const Record& record = this->Records[static_cast<std::size_t>(id)];
@@ -147,23 +165,31 @@ double TriangleInterpolator::operator()(const Point2& x) const
     const double second = Dot(record.SecondWeight, offset);
     if (first >= 0.0 && second >= 0.0 && first + second <= 1.0)
     {
-      return record.Value + first * record.FirstRise + second * record.SecondRise;
+      return &record;
     }
   }
-  return this->Nearest(x);
+  return nullptr;
+}
+
+double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
+{
+  const Point2 offset = x - record.Origin;
+  return record.Value + Dot(record.FirstWeight, offset) * record.FirstRise +
+    Dot(record.SecondWeight, offset) * record.SecondRise;
 }
 
 /// The nearest point of the triangles around x closes the gaps between them; the nearest point of
 /// the border is the answer outside. Whichever is nearer decides, so no tolerance is needed.
-double TriangleInterpolator::Nearest(const Point2& x) const
+NearestValue TriangleInterpolator::NearestOutside(const Point2& x) const
 {
-  NearestValue best{ std::numeric_limits<double>::infinity(), this->Records.front().Value };
+  NearestValue best{ std::numeric_limits<double>::infinity(), this->Records.front().Value,
+    this->Records.front().Origin };
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
     best = found.Distance < best.Distance ? found : best;
   }
-  return this->Border.Nearest(x, best).Value;
+  return this->Border.Nearest(x, best);
 }
 
 /// For x outside the triangle. The rows of weights, inverted, give back its edges.

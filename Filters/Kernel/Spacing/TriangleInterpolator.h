@@ -18,12 +18,19 @@ class TriangleInterpolator
 {
 public:
   /// Leaves out triangles that have no area or have a corner that is NaN.
-  explicit TriangleInterpolator(const TriangulatedSource& source);
+  /// Incomplete if the monitor asks to stop: it must not be evaluated then.
+  explicit TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
 
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Records.empty(); }
 
   double operator()(const Point2& x) const;
+
+  /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
+  /// distance of 0.
+  NearestValue Nearest(const Point2& x) const;
+
+  const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
 
 private:
   /// One triangle: the weights of corners 1 and 2 are linear in x - Origin (corner 0).
@@ -38,8 +45,10 @@ private:
   };
 
   static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
+  const Record* Find(const Point2& x) const;
+  static double ValueAt(const Record& record, const Point2& x);
+  NearestValue NearestOutside(const Point2& x) const;
   static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
-  double Nearest(const Point2& x) const;
 
   std::unique_ptr<TriangleBuckets> Buckets; ///< of Records
   std::vector<Record> Records;              ///< in the order of the buckets

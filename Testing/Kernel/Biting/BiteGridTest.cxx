@@ -172,6 +172,48 @@ TEST(BiteGrid, FindsEveryBiteThatMeetsASquare)
   }
 }
 
+Bites CirclesOf(Bites bites)
+{
+  bites.Axes.assign(bites.Axes.size(), Point2{});
+  return bites;
+}
+
+TEST(BiteGrid, FindsEveryCircleThatHoldsAPoint)
+{
+  CheckContaining(CirclesOf(RandomBites(1000, 0.02, 2.0, { 0.5, 0.5 }, 14)), 1000.0, 15);
+  CheckContaining(CirclesOf(RandomBites(1500, 1e-9, 1e8, { 1.0, 1.0 }, 16)), 1500.0, 17);
+}
+
+TEST(BiteGrid, FindsEveryBiteThatIsNear)
+{
+  constexpr double NearReach = 1.7;
+  for (const bool areCircles : { false, true })
+  {
+    const Bites squares = RandomBites(1500, 1e-6, 1e5, { 0.6, 0.4 }, 18);
+    const Bites bites = areCircles ? CirclesOf(squares) : squares;
+    BiteGrid grid(bites, UnitBox(), 1500.0, NearReach);
+    for (Id bite = 0; bite < bites.Size(); ++bite)
+    {
+      grid.File(bite);
+    }
+    for (const Point2& p : bites.Centers)
+    {
+      std::set<Id> found;
+      grid.VisitNear(p, NearReach,
+        [&found](Id bite)
+        {
+          found.insert(bite);
+          return false;
+        });
+      for (Id bite = 0; bite < bites.Size(); ++bite)
+      {
+        const double reach = NearReach * bites.HalfWidths[bite];
+        ASSERT_TRUE(Distance(p, bites.Centers[bite]) > reach || found.count(bite) > 0);
+      }
+    }
+  }
+}
+
 } // namespace
 
 } // namespace biting

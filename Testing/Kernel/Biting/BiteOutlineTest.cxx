@@ -84,6 +84,17 @@ Bites RandomSurroundings(bool areTurned, TestNumbers& numbers)
   return bites;
 }
 
+/// Bit k of `circles` says whether every second bite, from bite k, is a circle.
+Bites RandomMixture(int circles, TestNumbers& numbers)
+{
+  Bites bites = RandomSurroundings(true, numbers);
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    bites.Axes[bite] = (circles >> (bite % 2) & 1) != 0 ? Point2{} : bites.Axes[bite];
+  }
+  return bites;
+}
+
 TEST(BiteOutline, LoneBiteIsAllGap)
 {
   const Bites bites = MakeBites({ { 1.0, 2.0 } }, { UnitVector(30.0) }, 0.5);
@@ -121,6 +132,46 @@ TEST(BiteOutline, GapsAreWhatSamplesFindForTurnedSquares)
   {
     CheckAgainstSamples(RandomSurroundings(true, numbers));
   }
+}
+
+TEST(BiteOutline, GapsAreWhatSamplesFindForCirclesAndSquares)
+{
+  TestNumbers numbers(7);
+  for (int run = 0; run < 900; ++run)
+  {
+    CheckAgainstSamples(RandomMixture(1 + run % 3, numbers));
+  }
+}
+
+TEST(BiteOutline, PlacesOfACircleLieOnIt)
+{
+  const Bites bites = MakeBites({ { 1.0, 2.0 } }, { Point2{} }, 0.5);
+  const BiteOutline outline = OutlineOf(bites, 0);
+  outline.VisitEnds([](const Point2&) { FAIL() << "a circle has no corners"; });
+  for (int side = 0; side < 4; ++side)
+  {
+    ASSERT_EQ(outline.Gaps(side).size(), 1u);
+    for (const double place : { -0.5, -0.2, 0.0, 0.5 })
+    {
+      EXPECT_NEAR(Distance(outline.At(side, place), { 1.0, 2.0 }), 0.5, 1e-15);
+    }
+  }
+}
+
+TEST(BiteOutline, EndsOfACircleAreWhereItMeetsOthers)
+{
+  const Bites bites =
+    MakeBites({ { 0.0, 0.0 }, { 1.0, 0.0 }, { -1.5, 0.0 } }, { {}, {}, { 1.0, 0.0 } }, 1.0);
+  const BiteOutline outline = OutlineOf(bites, 0);
+  int ends = 0;
+  outline.VisitEnds(
+    [&](const Point2& p)
+    {
+      ++ends;
+      EXPECT_NEAR(Length(p), 1.0, 1e-15);
+      EXPECT_NEAR(std::abs(p.X), 0.5, 1e-15);
+    });
+  EXPECT_EQ(ends, 4);
 }
 
 TEST(BiteOutline, SidesThatCoincideCoverNeither)
@@ -207,6 +258,19 @@ TEST(DirectionMask, SquareBeyondThePointCoversNothing)
   const Bites bites =
     AlignedBites({ { 1.1, 0.0 }, { -1.1, 0.0 }, { 0.0, 1.1 }, { 0.0, -1.1 } }, 1.0);
   EXPECT_FALSE(MaskAtOrigin(bites).IsFull());
+}
+
+TEST(DirectionMask, CirclesSurroundAPointFromAllSides)
+{
+  const Bites bites = MakeBites({ UnitVector(10.0), UnitVector(130.0), UnitVector(250.0) },
+    std::vector<Point2>(3, Point2{}), 1.0);
+  DirectionMask mask;
+  for (Id bite = 0; bite < 3; ++bite)
+  {
+    EXPECT_FALSE(mask.IsFull());
+    mask.Add(bites, bite, { 0.0, 0.0 }, 1e-12);
+  }
+  EXPECT_TRUE(mask.IsFull());
 }
 
 } // namespace

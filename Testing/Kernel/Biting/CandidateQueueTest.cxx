@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for max_element
+#include <algorithm> // for min_element, max_element
 #include <deque>     // for the oracle
 
 namespace biting
@@ -17,8 +17,11 @@ namespace
 
 Candidate RandomCandidate(Id birth, TestNumbers& numbers)
 {
-  return { { static_cast<double>(numbers.Below(50)), static_cast<double>(numbers.Below(50)) },
-    birth };
+  Candidate candidate;
+  candidate.Place = { static_cast<double>(numbers.Below(50)),
+    static_cast<double>(numbers.Below(50)) };
+  candidate.Birth = birth;
+  return candidate;
 }
 
 TEST(CandidateQueue, LayersComeFirstInFirstOut)
@@ -71,11 +74,52 @@ TEST(CandidateQueue, SweepTakesTheSmallestXOfOneBirth)
   CandidateQueue queue(FrontOrder::LargestY);
   for (double x : { 3.0, 1.0, 2.0 })
   {
-    queue.Put({ { x, 5.0 }, 7 });
+    Candidate candidate;
+    candidate.Place = { x, 5.0 };
+    candidate.Birth = 7;
+    queue.Put(candidate);
   }
   EXPECT_EQ(queue.Take().Place.X, 1.0);
   EXPECT_EQ(queue.Take().Place.X, 2.0);
   EXPECT_EQ(queue.Take().Place.X, 3.0);
+}
+
+TEST(CandidateQueue, TakesTheBestClassAndTheOldestOfIt)
+{
+  CandidateQueue queue(FrontOrder::BestFirst);
+  std::vector<Candidate> oracle;
+  TestNumbers numbers(3);
+  for (Id step = 0; step < 4000; ++step)
+  {
+    if (oracle.empty() || numbers.Below(100) < (step < 2000 ? 70 : 20))
+    {
+      oracle.push_back(RandomCandidate(step, numbers));
+      oracle.back().Class = numbers.Below(CandidateQueue::NumberOfClasses);
+      queue.Put(oracle.back());
+      continue;
+    }
+    const auto next = std::min_element(oracle.begin(), oracle.end(),
+      [](const Candidate& a, const Candidate& b)
+      { return a.Class != b.Class ? a.Class < b.Class : a.Birth < b.Birth; });
+    ASSERT_EQ(queue.Take().Birth, next->Birth);
+    oracle.erase(next);
+    ASSERT_EQ(queue.IsEmpty(), oracle.empty());
+  }
+}
+
+TEST(CandidateQueue, ClassesGrowWithTheMisfit)
+{
+  const CandidateQueue layers(FrontOrder::Layers);
+  EXPECT_EQ(layers.ClassOf(0.0), 0);
+  EXPECT_EQ(layers.ClassOf(0.2), 1);
+  const CandidateQueue bestFirst(FrontOrder::BestFirst);
+  int last = 0;
+  for (double misfit = 0.0; misfit < 2.0; misfit += 0.01)
+  {
+    EXPECT_GE(bestFirst.ClassOf(misfit), last);
+    last = bestFirst.ClassOf(misfit);
+  }
+  EXPECT_EQ(last, CandidateQueue::NumberOfClasses - 1);
 }
 
 } // namespace

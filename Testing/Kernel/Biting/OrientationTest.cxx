@@ -30,7 +30,8 @@ bool HasDiagonalAlong(const Point2& axis, const Point2& direction)
 
 std::vector<Point2> AxesAt(const Domain& domain, const Point2& place)
 {
-  const VertexAxes axes = OrientVertexBites(domain);
+  Pulse pulse(NoMonitor());
+  const VertexAxes axes = OrientVertexBites(domain, pulse);
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
     if (domain.Vertices[vertex] == place)
@@ -90,7 +91,8 @@ TEST(SectorAxis, ExchangedSidesGiveTheSameSquare)
 TEST(OrientVertexBites, RightAnglesShareTheSquareOfTheirSides)
 {
   const MadeDomain made = Make(PolylineBuilder().Loop(EllShape(2.0)));
-  const VertexAxes axes = OrientVertexBites(made.Domain);
+  Pulse pulse(NoMonitor());
+  const VertexAxes axes = OrientVertexBites(made.Domain, pulse);
   ASSERT_EQ(axes.Axes.size(), made.Domain.Vertices.size());
   for (const Point2& axis : axes.Axes)
   {

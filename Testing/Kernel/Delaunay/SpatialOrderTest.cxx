@@ -22,6 +22,12 @@ void ExpectPermutation(std::vector<Id> order, std::size_t size)
   EXPECT_EQ(order, all);
 }
 
+std::vector<Id> SpatialOrder(const std::vector<Point2>& points)
+{
+  Pulse pulse(NoMonitor());
+  return biting::SpatialOrder(points, pulse);
+}
+
 double MeanStep(const std::vector<Point2>& points, const std::vector<Id>& order)
 {
   double sum = 0.0;

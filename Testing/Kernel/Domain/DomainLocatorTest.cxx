@@ -90,6 +90,27 @@ TEST(DomainLocator, AgreesWithParityOnStarsWithHoles)
   }
 }
 
+/// Long teeth side by side, of which a square cell of the grid holds parts of many.
+TEST(DomainLocator, AgreesWithParityInACombEitherWay)
+{
+  TestNumbers numbers(7);
+  for (const bool isUpright : { true, false })
+  {
+    std::vector<Point2> places;
+    for (int tooth = 0; tooth < 400; ++tooth)
+    {
+      const double x = 4.0 * tooth + numbers.Below(3);
+      const double y = tooth % 2 == 0 ? numbers.Below(200) : 1500 - numbers.Below(200);
+      places.push_back(isUpright ? Point2{ x, y } : Point2{ y, x });
+    }
+    places.push_back({ isUpright ? 1600.0 : -10.0, isUpright ? -10.0 : 1600.0 });
+    places.push_back({ isUpright ? -1.0 : -10.0, isUpright ? -10.0 : -1.0 });
+    const MadeDomain made = Make(PolylineBuilder().Loop(places));
+    ASSERT_EQ(made.Violation, "");
+    CheckEverywhere(made.Domain, 31.0, numbers);
+  }
+}
+
 TEST(DomainLocator, VerticesAndPointsOnSegmentsAreNotInside)
 {
   TestNumbers numbers(2);

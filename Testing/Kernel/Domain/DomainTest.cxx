@@ -82,6 +82,35 @@ std::set<std::pair<Point2, Point2>> Drawing(const Domain& domain, bool boundary)
   return drawing;
 }
 
+/// Says stop at one call, and counts them.
+class Stopper : public SilentMonitor
+{
+public:
+  explicit Stopper(int stopAtCall = -1)
+    : StopAtCall(stopAtCall)
+  {
+  }
+  bool Advance(double) override { return this->Calls++ != this->StopAtCall; }
+
+  int StopAtCall;
+  int Calls = 0;
+};
+
+/// Much of everything: holes, crossing interfaces and open chains, points.
+Polylines Medley(int size)
+{
+  PolylineBuilder builder;
+  builder.Box(-1, -1, size + 1, size + 1, ChainKind::Boundary);
+  for (int i = 0; i < size; ++i)
+  {
+    builder.Box(i + 0.25, 0.25, i + 0.5, 0.5, ChainKind::Boundary);
+    builder.Chain({ { 0.0, i + 0.625 }, { size - 0.5, i + 0.75 } }, ChainKind::Interface);
+    builder.Chain({ { i + 0.75, 0.0 }, { i + 0.625, size - 0.5 } });
+    builder.Chain({ { i + 0.875, 0.875 }, { i + 0.25, 0.375 } }, ChainKind::EmbeddedPoint);
+  }
+  return builder.Lines();
+}
+
 TEST(Domain, OfNothingIsEmptyWithoutAWord)
 {
   const MadeDomain made = Make(Polylines());
@@ -173,6 +202,18 @@ TEST(Domain, RefusesWhatHasNoClosedLoop)
   const MadeDomain twice = Make(PolylineBuilder().Box(0, 0, 1, 1).Box(0, 0, 1, 1));
   ExpectRefused(twice, ProblemCode::NoClosedLoop);
   EXPECT_EQ(twice.Problems.Count(ProblemCode::DuplicateSegments), 4);
+}
+
+TEST(Domain, NamesTheOpenEndsWhereNothingIsClosed)
+{
+  // Two chains that meet in one end, by coordinates: what is open are the others.
+  const MadeDomain made =
+    Make(PolylineBuilder().Chain({ { 0, 0 }, { 1, 0 }, { 1, 1 } }).Chain({ { 1, 1 }, { 0, 1 } }));
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NoClosedLoop), 2);
+  EXPECT_EQ(FirstIds(made, ProblemCode::NoClosedLoop), Ids{ 0 });
+  const MadeDomain closed = Make(PolylineBuilder().Box(0, 0, 1, 1, ChainKind::Interface));
+  EXPECT_EQ(closed.Problems.Count(ProblemCode::NoClosedLoop), 1);
+  EXPECT_EQ(FirstIds(closed, ProblemCode::NoClosedLoop), Ids());
 }
 
 TEST(Domain, DropsRepeatedPointsWithAWord)
@@ -354,6 +395,51 @@ TEST(Domain, ResolvesAFanOfTenThousandSpokes)
   EXPECT_EQ(made.Domain.NumberOfSegments(), 20000);
 }
 
+/// Each overlaps all others: split in pairs there were 4 n^2 parts.
+TEST(Domain, ResolvesACrowdOfNestedSegments)
+{
+  constexpr int Count = 500;
+  PolylineBuilder builder;
+  builder.Box(-1, -1, 2 * Count, 1);
+  for (int i = 0; i < Count; ++i)
+  {
+    builder.Chain({ { static_cast<double>(i), 0 }, { 2.0 * Count - 1 - i, 0 } },
+      i % 2 == 0 ? ChainKind::Interface : ChainKind::Automatic);
+  }
+  const MadeDomain made = Make(builder);
+  ExpectDomain(made, 2.0 * (2 * Count + 1), 1);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 4 + 2 * Count - 1);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::DuplicateSegments), 2 * Count - 3);
+  ExpectRefused(Make(builder, false), ProblemCode::NotResolved);
+}
+
+TEST(Domain, CountsTheParityOfACrowdOfSegmentsOnOneSlantedLine)
+{
+  constexpr int Count = 600;
+  PolylineBuilder builder;
+  double area = 0.0;
+  for (int i = 1; i <= Count; ++i)
+  {
+    builder.Loop({ { 0, 0 }, { 2.0 * i, 1.0 * i }, { 2.0 * i, 1.0 * i + 1 }, { 0, 1 } });
+    area += i % 2 == 0 ? 2.0 : 0.0;
+  }
+  const MadeDomain made = Make(builder);
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_DOUBLE_EQ(made.Domain.Area, area);
+}
+
+TEST(Domain, RefusesMoreCrossingsThanAllowed)
+{
+  const Polylines input = Medley(10);
+  DomainOptions options;
+  options.MaximumNumberOfCrossings = 20;
+  ProblemList problems;
+  SilentMonitor monitor;
+  EXPECT_EQ(MakeDomain(input, options, problems, monitor).NumberOfSegments(), 0);
+  ASSERT_EQ(problems.Count(ProblemCode::NotResolved), 1);
+  EXPECT_EQ(problems.Groups().back().First.front().Ids.size(), 2u);
+}
+
 TEST(Domain, OfAPlanarSubdivisionIsItsOutline)
 {
   const PolylineBuilder cells = PolylineBuilder().Box(0, 0, 1, 1).Box(1, 0, 2, 1).Box(0, 1, 2, 2);
@@ -443,19 +529,37 @@ TEST(Domain, DemotesBoundaryChainsThatDoNotClose)
   EXPECT_EQ(InterfaceCount(made.Domain), 1);
 }
 
-TEST(Domain, StopsWhenAsked)
+TEST(Domain, StopsAtEachCall)
 {
-  class Stopper : public SilentMonitor
+  const Polylines input = Medley(25);
+  Stopper counter;
+  ProblemList nothing;
+  EXPECT_GT(MakeDomain(input, DomainOptions(), nothing, counter).NumberOfSegments(), 0);
+  EXPECT_FALSE(nothing.HasErrors());
+  for (int call = 0; call < counter.Calls; ++call)
   {
-  public:
-    bool Advance(double) override { return false; }
+    Stopper stopper(call);
+    ProblemList problems;
+    const Domain domain = MakeDomain(input, DomainOptions(), problems, stopper);
+    EXPECT_EQ(problems.Count(ProblemCode::Aborted), 1) << "call " << call;
+    EXPECT_EQ(domain.NumberOfVertices(), 0);
+    EXPECT_EQ(stopper.Calls, call + 1) << "asked again after call " << call;
+  }
+}
+
+TEST(Domain, AsksTheMoreOftenTheMoreThereIsToDo)
+{
+  const auto callsOf = [](const Polylines& input)
+  {
+    Stopper counter;
+    ProblemList problems;
+    MakeDomain(input, DomainOptions(), problems, counter);
+    return counter.Calls;
   };
-  Stopper stopper;
-  ProblemList problems;
-  const Polylines input = PolylineBuilder().Box(0, 0, 1, 1).Lines();
-  const Domain domain = MakeDomain(input, DomainOptions(), problems, stopper);
-  EXPECT_TRUE(problems.Has(ProblemCode::Aborted));
-  EXPECT_EQ(domain.NumberOfVertices(), 0);
+  EXPECT_GT(callsOf(Medley(80)), 5 * callsOf(Medley(20)));
+  const Polylines small = PolylineBuilder().Loop(WigglyCircle(1000)).Lines();
+  const Polylines large = PolylineBuilder().Loop(WigglyCircle(32000)).Lines();
+  EXPECT_GT(callsOf(large), 10 * callsOf(small));
 }
 
 TEST(Domain, ProgressOnlyGrows)

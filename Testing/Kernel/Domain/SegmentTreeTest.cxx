@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Domain/SegmentTree.h"
+#include "Predicates/Predicates.h"
 #include "Support/PolylineShapes.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,32 @@ TEST(SegmentTree, FindsWhatBruteForceFinds)
       tree.Visit(box, ends, [&found](Id segment) { found.push_back(segment); });
       std::sort(found.begin(), found.end());
       EXPECT_EQ(found, BruteForce(segments, box, ends, margin));
+    }
+  }
+}
+
+TEST(SegmentTree, FindsAlongASegmentWhatMeetsItAndNoMoreThanItsBox)
+{
+  const Segments segments = RandomSegments(300, 5);
+  const SegmentTree tree(segments.Points, segments.Ends, 0.0);
+  const auto at = [&segments](Id point)
+  { return segments.Points[static_cast<std::size_t>(point)]; };
+  for (const SegmentEnds& ends : segments.Ends)
+  {
+    std::vector<Id> found;
+    const double length = SegmentTree::LengthOf(at(ends.Start), at(ends.End));
+    tree.VisitAlong(at(ends.Start), at(ends.End), length, ends,
+      [&found](Id segment) { found.push_back(segment); });
+    std::sort(found.begin(), found.end());
+    const std::vector<Id> inBox = BruteForce(segments, BoxOf(segments, ends), ends, 0.0);
+    EXPECT_TRUE(std::includes(inBox.begin(), inBox.end(), found.begin(), found.end()));
+    for (const Id other : inBox)
+    {
+      const SegmentEnds& b = segments.Ends[static_cast<std::size_t>(other)];
+      const bool isShorter = SegmentTree::LengthOf(at(b.Start), at(b.End)) <= length;
+      const bool isMet =
+        Meet(at(ends.Start), at(ends.End), at(b.Start), at(b.End)) != Meeting::None;
+      EXPECT_TRUE(!isShorter || !isMet || std::binary_search(found.begin(), found.end(), other));
     }
   }
 }

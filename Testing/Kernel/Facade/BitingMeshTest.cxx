@@ -473,34 +473,6 @@ TEST(BitingMesh, EmptyInputGivesEmptyMeshInSilence)
   EXPECT_TRUE(run.Problems.Groups().empty());
 }
 
-/// Stops at the given call of Advance.
-class StoppingMonitor : public Monitor
-{
-public:
-  explicit StoppingMonitor(int calls)
-    : CallsLeft(calls)
-  {
-  }
-
-  bool Advance(double) override { return this->CallsLeft-- > 0; }
-  void BeginStage(const char*) override {}
-
-private:
-  int CallsLeft;
-};
-
-TEST(BitingMesh, AbortAtAnyMomentLeavesNoMesh)
-{
-  for (int calls : { 0, 1, 2, 5, 9 })
-  {
-    StoppingMonitor monitor(calls);
-    ProblemList problems;
-    const BitingMesh mesh = MakeBitingMesh(Plate(), UniformOptions(0.01), problems, monitor);
-    EXPECT_TRUE(problems.Has(ProblemCode::Aborted)) << calls;
-    EXPECT_TRUE(mesh.Points.empty());
-  }
-}
-
 } // namespace
 
 } // namespace biting

@@ -7,21 +7,22 @@
 
 #include <gtest/gtest.h>
 
+#include <vector> // for settings
+
 namespace biting
 {
 
 namespace
 {
 
-double Calibrate(const Polylines& input, const SpacingOptions& spacingOptions, FrontOrder order)
+double Calibrate(
+  const Polylines& input, const SpacingOptions& spacingOptions, const BitingOptions& options = {})
 {
   const MadeDomain made = Make(input);
   const DomainLocator locator(made.Domain);
   ProblemList problems;
   SilentMonitor monitor;
   const Spacing spacing = MakeSpacing(spacingOptions, made.Domain.Bounds, problems, monitor);
-  BitingOptions options;
-  options.Order = order;
   const double density = IntegrateDensity(made.Domain, locator, spacing);
   return CalibrateBitingConstant(made.Domain, locator, spacing, density, options, monitor);
 }
@@ -36,18 +37,37 @@ Polylines Disc()
   return PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 100)).Lines();
 }
 
-constexpr FrontOrder Orders[] = { FrontOrder::Layers, FrontOrder::LargestY };
+std::vector<BitingOptions> Settings()
+{
+  std::vector<BitingOptions> settings;
+  for (const BiteShape shape : { BiteShape::Square, BiteShape::Circle })
+  {
+    for (const Placement placement : { Placement::Corners, Placement::Bisectors })
+    {
+      for (const FrontOrder order :
+        { FrontOrder::Layers, FrontOrder::LargestY, FrontOrder::BestFirst })
+      {
+        BitingOptions options;
+        options.Shape = shape;
+        options.Placement = placement;
+        options.Order = order;
+        settings.push_back(options);
+      }
+    }
+  }
+  return settings;
+}
 
 TEST(CalibrateBitingConstant, StaysWithinAFifthOfTheAutomaticConstant)
 {
-  for (FrontOrder order : Orders)
+  for (const BitingOptions& options : Settings())
   {
-    const double automatic = AutomaticBitingConstant(order);
-    for (double length : { 0.03, 0.01, 0.001 })
+    const double automatic = AutomaticBitingConstant(options);
+    for (double length : { 0.03, 0.001 })
     {
       for (const Polylines& input : { Square(1.0), Disc() })
       {
-        const double constant = Calibrate(input, UniformSpacing(length), order);
+        const double constant = Calibrate(input, UniformSpacing(length), options);
         EXPECT_LE(constant, 1.2 * automatic);
         EXPECT_GE(constant, automatic / 1.2);
       }
@@ -57,33 +77,34 @@ TEST(CalibrateBitingConstant, StaysWithinAFifthOfTheAutomaticConstant)
 
 TEST(CalibrateBitingConstant, TellsDomainsApart)
 {
-  const double square = Calibrate(Square(1.0), UniformSpacing(0.01), FrontOrder::Layers);
-  const double disc = Calibrate(Disc(), UniformSpacing(0.01), FrontOrder::Layers);
+  const double square = Calibrate(Square(1.0), UniformSpacing(0.01));
+  const double disc = Calibrate(Disc(), UniformSpacing(0.01));
   EXPECT_GT(square, disc);
 }
 
 TEST(CalibrateBitingConstant, LeavesSmallMeshesAlone)
 {
-  for (FrontOrder order : Orders)
+  for (const BitingOptions& options : Settings())
   {
-    EXPECT_EQ(Calibrate(Square(1.0), UniformSpacing(0.1), order), AutomaticBitingConstant(order));
+    EXPECT_EQ(
+      Calibrate(Square(1.0), UniformSpacing(0.1), options), AutomaticBitingConstant(options));
   }
 }
 
 TEST(CalibrateBitingConstant, DoesNotDependOnTheUnit)
 {
-  for (FrontOrder order : Orders)
+  for (const BitingOptions& options : Settings())
   {
-    EXPECT_EQ(Calibrate(Square(1.0), UniformSpacing(0.01), order),
-      Calibrate(Square(0x1p20), UniformSpacing(0x1p20 * 0.01), order));
+    EXPECT_EQ(Calibrate(Square(1.0), UniformSpacing(0.01), options),
+      Calibrate(Square(0x1p20), UniformSpacing(0x1p20 * 0.01), options));
   }
 }
 
 // A trial at the size of the mesh would have 1e12 vertices, and never end.
 TEST(CalibrateBitingConstant, AnswersWhateverTheSizeOfTheMesh)
 {
-  const double fine = Calibrate(Square(1.0), UniformSpacing(1e-6), FrontOrder::Layers);
-  const double coarse = Calibrate(Square(1.0), UniformSpacing(1e-2), FrontOrder::Layers);
+  const double fine = Calibrate(Square(1.0), UniformSpacing(1e-6));
+  const double coarse = Calibrate(Square(1.0), UniformSpacing(1e-2));
   EXPECT_NEAR(fine, coarse, 0.05 * coarse);
 }
 

@@ -252,4 +252,14 @@ TEST(NearestNeighbors, AreNowhereForASingleVertex)
   EXPECT_TRUE(biting::NearestNeighborDistances({}, {}, {}).empty());
 }
 
+TEST(NearestNeighbors, OfPointsAloneAreTheSame)
+{
+  TestMesh mesh = TestMesh::Random(400, 31);
+  mesh.Points.push_back(mesh.Points[17]);
+  biting::SilentMonitor monitor;
+  const std::vector<double> distances = biting::NearestNeighborDistances(mesh.Points, monitor);
+  EXPECT_EQ(distances, DistancesOfAllPairs(mesh.Points));
+  EXPECT_EQ(distances[17], 0.0);
+}
+
 } // namespace

@@ -44,7 +44,8 @@ double NearestOfAll(const std::vector<PointTree::Item>& items, const Point2& pla
 
 void ExpectTruth(const std::vector<PointTree::Item>& items)
 {
-  const PointTree tree(items);
+  biting::Pulse pulse(biting::NoMonitor());
+  const PointTree tree(items, pulse);
   for (const PointTree::Item& item : items)
   {
     EXPECT_EQ(tree.NearestSquaredDistance(item.Place, item.Name, FarAway),
@@ -88,14 +89,16 @@ TEST(PointTree, FindsTheNearestOfClusters)
 
 TEST(PointTree, FindsNothingNearerThanTheLimit)
 {
-  const PointTree tree({ { { 0, 0 }, 0 }, { { 3, 4 }, 1 } });
+  biting::Pulse pulse(biting::NoMonitor());
+  const PointTree tree({ { { 0, 0 }, 0 }, { { 3, 4 }, 1 } }, pulse);
   EXPECT_EQ(tree.NearestSquaredDistance({ 0, 0 }, 0, 24.0), 24.0);
   EXPECT_EQ(tree.NearestSquaredDistance({ 0, 0 }, 0, 26.0), 25.0);
 }
 
 TEST(PointTree, FindsNothingAmongNothing)
 {
-  EXPECT_EQ(PointTree({}).NearestSquaredDistance({ 0, 0 }, 0, 7.0), 7.0);
+  biting::Pulse pulse(biting::NoMonitor());
+  EXPECT_EQ(PointTree({}, pulse).NearestSquaredDistance({ 0, 0 }, 0, 7.0), 7.0);
 }
 
 } // namespace

@@ -308,6 +308,53 @@ TEST(MeasureQuality, DoesNotDependOnTheDirectionOfTheAxes)
   ExpectSameShapes(before, Measure(mesh, UniformSpacing(mesh, 0.1)));
 }
 
+TEST(MeasureQuality, TakesTheSpacingAtTheMiddleOfAnEdgeWhereItIsKnown)
+{
+  TestMesh mesh;
+  mesh.Points = { { 0, 0 }, { 4, 0 }, { 0, 3 } };
+  mesh.Corners = { 0, 1, 2 };
+  mesh.Link();
+  const std::vector<double> spacing{ 1.0, 3.0, 5.0 };
+  const biting::MeshView ofEnds{ mesh.Points, spacing, mesh.Corners, mesh.Neighbors };
+  std::vector<double> middles;
+  for (const Point2& middle : biting::EdgeMiddles(ofEnds))
+  {
+    middles.push_back(1.0 + middle.X + middle.Y);
+  }
+  const biting::MeshView mesh2{ mesh.Points, spacing, mesh.Corners, mesh.Neighbors, &middles };
+  EXPECT_EQ(
+    biting::RelativeLengths(mesh2), (std::vector<double>{ 5.0 / 4.5, 3.0 / 2.5, 4.0 / 3.0 }));
+  EXPECT_DOUBLE_EQ(
+    MeasureQuality(mesh2).MeanRelativeLength, (5.0 / 4.5 + 3.0 / 2.5 + 4.0 / 3.0) / 3.0);
+}
+
+TEST(MeasureQuality, FindsAnglesThatAddUpAndTheSmallestAmongThem)
+{
+  const TestMesh mesh = HoledMesh();
+  const std::vector<double> spacing = UniformSpacing(mesh, 0.1);
+  const std::vector<double> angles =
+    biting::AnglesOf({ mesh.Points, spacing, mesh.Corners, mesh.Neighbors });
+  for (std::size_t slot = 0; slot < angles.size(); slot += 3)
+  {
+    EXPECT_NEAR(angles[slot] + angles[slot + 1] + angles[slot + 2], 180.0, 1e-11);
+    EXPECT_NEAR(*std::min_element(&angles[slot], &angles[slot] + 3),
+      MinimumAngle(mesh.Place(slot), mesh.Place(slot + 1), mesh.Place(slot + 2)), 1e-11);
+  }
+}
+
+TEST(MeasureQuality, FindsTheSlopeOfALinearSpacing)
+{
+  const TestMesh mesh = TestMesh::Grid(
+    biting::UnitLines(4), biting::UnitLines(3), [](std::size_t, std::size_t) { return true; });
+  std::vector<double> spacing;
+  for (const Point2& p : mesh.Points)
+  {
+    spacing.push_back(1.0 + 0.25 * (p.X + p.Y));
+  }
+  EXPECT_DOUBLE_EQ(biting::LargestSlope({ mesh.Points, spacing, mesh.Corners, mesh.Neighbors }),
+    0.25 * SquareRootOf2);
+}
+
 TEST(MeasureQuality, FindsNothingInNothing)
 {
   const MeshQuality quality = Measure({}, {});

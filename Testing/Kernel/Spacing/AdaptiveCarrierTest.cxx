@@ -50,7 +50,7 @@ Errors LargestErrors(const SegmentSource& source, double gradation, int probes)
 {
   SilentMonitor monitor;
   const SegmentExtension exact(source, gradation);
-  const AdaptiveCarrier carrier(exact, UnitBox(), monitor);
+  const AdaptiveCarrier carrier(exact, UnitBox(), {}, monitor);
   Sampler sampler(11);
   Errors errors;
   for (int probe = 0; probe < probes; ++probe)
@@ -131,7 +131,7 @@ TEST(AdaptiveCarrier, IsTheGivenValueOnTheSegments)
   const SegmentSource source =
     MakeLoop(200, [](double angle) { return 0.02 + 0.015 * std::sin(3.0 * angle); });
   SilentMonitor monitor;
-  const AdaptiveCarrier carrier(SegmentExtension(source, 0.0), UnitBox(), monitor);
+  const AdaptiveCarrier carrier(SegmentExtension(source, 0.0), UnitBox(), {}, monitor);
   Sampler sampler(14);
   for (std::size_t point = 0; point < source.Points.size(); ++point)
   {
@@ -147,7 +147,7 @@ TEST(AdaptiveCarrier, IsNearlyLipschitzAndJumpsOnlyWithinItsTolerance)
 {
   const SegmentSource source = MakeScatter(100, 0.2, 15);
   SilentMonitor monitor;
-  const AdaptiveCarrier carrier(SegmentExtension(source, 0.3), UnitBox(), monitor);
+  const AdaptiveCarrier carrier(SegmentExtension(source, 0.3), UnitBox(), {}, monitor);
   Sampler sampler(16);
   for (int probe = 0; probe < 20000; ++probe)
   {
@@ -162,7 +162,7 @@ TEST(AdaptiveCarrier, IsTheNearestValueBeyondItsBox)
 {
   SilentMonitor monitor;
   const AdaptiveCarrier carrier(
-    SegmentExtension(MakeScatter(20, 0.2, 17), 0.3), UnitBox(), monitor);
+    SegmentExtension(MakeScatter(20, 0.2, 17), 0.3), UnitBox(), {}, monitor);
   EXPECT_EQ(carrier({ 7.0, 0.25 }), carrier({ 1.0, 0.25 }));
   EXPECT_EQ(carrier({ -7.0, 9.0 }), carrier({ 0.0, 1.0 }));
 }
@@ -172,7 +172,7 @@ TEST(AdaptiveCarrier, TakesBoxesOfAnyProportion)
   SilentMonitor monitor;
   const SegmentExtension exact(MakeScatter(20, 0.2, 18), 0.3);
   const Box2 thin{ { 0.0, 0.4 }, { 1.0, 0.4 + 1e-7 } };
-  const AdaptiveCarrier carrier(exact, thin, monitor);
+  const AdaptiveCarrier carrier(exact, thin, {}, monitor);
   Sampler sampler(19);
   for (int probe = 0; probe < 2000; ++probe)
   {
@@ -185,6 +185,6 @@ TEST(AdaptiveCarrier, StopsWhenAsked)
 {
   StoppingMonitor monitor;
   const AdaptiveCarrier carrier(
-    SegmentExtension(MakeLoop(2000, [](double) { return 0.0005; }), 0.3), UnitBox(), monitor);
+    SegmentExtension(MakeLoop(2000, [](double) { return 0.0005; }), 0.3), UnitBox(), {}, monitor);
   EXPECT_FALSE(carrier.IsComplete());
 }

@@ -198,6 +198,7 @@ TEST(Spacing, IsTheMinimumOfItsSources)
 TEST(Spacing, IsScaledThenClamped)
 {
   SpacingOptions options = WithEverything();
+  options.Gradation = 0.0;
   const Spacing plain = MakeGoodSpacing(options);
   options.Scale = 3.0;
   options.Minimum = 0.1;
@@ -258,8 +259,11 @@ TEST(Spacing, OfSourcesWithOneValueIsUniform)
 TEST(Spacing, FillsHolesFromTheirBorder)
 {
   const auto holed = [](const Point2& x) { return x.X > 0.45 ? NotANumber : 1.0 + x.Y; };
-  const Spacing grid = MakeGoodSpacing(WithGrid(MakeGrid(11, 11, holed)));
-  const Spacing triangulation = MakeGoodSpacing(WithTriangles(MakeTriangulation(11, holed)));
+  SpacingOptions withGrid = WithGrid(MakeGrid(11, 11, holed));
+  SpacingOptions withTriangles = WithTriangles(MakeTriangulation(11, holed));
+  withGrid.Gradation = withTriangles.Gradation = 0.0;
+  const Spacing grid = MakeGoodSpacing(withGrid);
+  const Spacing triangulation = MakeGoodSpacing(withTriangles);
   for (const Point2& x : Probes(1000))
   {
     const double expected = 1.0 + std::min(std::max(x.Y, 0.0), 1.0);

@@ -34,6 +34,22 @@ inline std::vector<Point2> RegularPolygon(
   return places;
 }
 
+/// The loop through `corners` with side k divided into parts[k] equal parts.
+inline std::vector<Point2> DividedLoop(
+  const std::vector<Point2>& corners, const std::vector<int>& parts)
+{
+  std::vector<Point2> places;
+  for (std::size_t side = 0; side < corners.size(); ++side)
+  {
+    const Point2 span = corners[(side + 1) % corners.size()] - corners[side];
+    for (int k = 0; k < parts[side]; ++k)
+    {
+      places.push_back(corners[side] + static_cast<double>(k) / parts[side] * span);
+    }
+  }
+  return places;
+}
+
 /// The square [0, size]^2 without its upper right quarter.
 inline std::vector<Point2> EllShape(double size)
 {

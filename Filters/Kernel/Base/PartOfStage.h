@@ -4,12 +4,13 @@
 #ifndef BitingPartOfStage_h
 #define BitingPartOfStage_h
 
-#include "../Base/Monitor.h"
+#include "Monitor.h"
 
 namespace biting
 {
 
-/// Shows the progress of one part of a stage as progress of the whole.
+/// Shows the progress of one part of a stage as progress of the whole, and remembers whether the
+/// monitor wanted to stop: the whole is not asked again then.
 class PartOfStage : public Monitor
 {
 public:
@@ -23,15 +24,20 @@ public:
 
   bool Advance(double fraction) override
   {
-    return this->Whole.Advance(this->First + (this->Last - this->First) * fraction);
+    this->Stopped =
+      this->Stopped || !this->Whole.Advance(this->First + (this->Last - this->First) * fraction);
+    return !this->Stopped;
   }
 
   void BeginStage(const char* text) override { this->Whole.BeginStage(text); }
+
+  bool HasStopped() const { return this->Stopped; }
 
 private:
   Monitor& Whole;
   double First;
   double Last;
+  bool Stopped = false;
 };
 
 } // namespace biting

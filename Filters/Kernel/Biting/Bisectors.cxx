@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Bisectors.h"
+
+#include "BiteOutline.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for abs, sqrt
+#include <limits>    // for infinity
+#include <utility>   // for pair
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double TieTolerance = 1e-12;    // of a half-width: a point this near a side lies on it
+constexpr std::size_t MostNeighbors = 64; // more than there are where f follows the domain
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+double GaugeOf(const Point2& axis, const Point2& offset)
+{
+  if (axis == Point2{})
+  {
+    return Length(offset);
+  }
+  return std::max(std::abs(Dot(offset, axis)), std::abs(Cross(axis, offset)));
+}
+
+// Narrows [enter, leave] to where |offset + t slope| <= halfWidth.
+void ClipToSlab(double offset, double slope, double halfWidth, double& enter, double& leave)
+{
+  if (slope == 0.0)
+  {
+    leave = std::abs(offset) <= halfWidth ? leave : -Infinity;
+    return;
+  }
+  const double middle = -offset / slope;
+  const double half = std::abs(halfWidth / slope);
+  enter = std::max(enter, middle - half);
+  leave = std::min(leave, middle + half);
+}
+
+// Where the line offset + t direction runs inside a bite about the origin; it leaves before it enters
+// where it misses the bite.
+std::pair<double, double> InsideOf(
+  const Point2& axis, double halfWidth, const Point2& offset, const Point2& direction)
+{
+  double enter = -Infinity;
+  double leave = Infinity;
+  if (axis != Point2{})
+  {
+    ClipToSlab(Dot(offset, axis), Dot(direction, axis), halfWidth, enter, leave);
+    ClipToSlab(Cross(axis, offset), Cross(axis, direction), halfWidth, enter, leave);
+    return { enter, leave };
+  }
+  const double square = Dot(direction, direction);
+  const double middle = -Dot(offset, direction) / square;
+  const Point2 nearest = offset + middle * direction;
+  const double rest = (halfWidth * halfWidth - Dot(nearest, nearest)) / square;
+  const double half = rest >= 0.0 ? std::sqrt(rest) : -Infinity;
+  return { middle - half, middle + half };
+}
+
+} // namespace
+
+Bisectors::Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerHalfWidth,
+  double tolerance, double slack)
+  : All(bites)
+  , Grid(grid)
+  , LengthPerHalfWidth(lengthPerHalfWidth)
+  , Tolerance(tolerance)
+  , Slack(slack)
+{
+}
+
+void Bisectors::Gather(Id bite)
+{
+  this->Neighbors.clear();
+  this->Bite = this->MakeNeighbor(bite);
+  const double reach = GreatestBond * this->LengthPerHalfWidth;
+  this->Grid.VisitNear(this->Bite.Center, reach,
+    [this, reach](Id other)
+    {
+      const Point2 bond = this->All.Centers[other] - this->Bite.Center;
+      const double limit = reach * this->All.HalfWidths[other];
+      const double square = Dot(bond, bond);
+      if (square > 0.0 && square < limit * limit)
+      {
+        this->Neighbors.push_back(this->MakeNeighbor(other));
+      }
+      return this->Neighbors.size() == MostNeighbors;
+    });
+}
+
+Bisectors::Neighbor Bisectors::MakeNeighbor(Id bite) const
+{
+  return { bite, this->All.Centers[bite], this->All.Axes[bite], this->All.HalfWidths[bite],
+    this->CoreOf(bite) };
+}
+
+double Bisectors::CoreOf(Id bite) const
+{
+  const bool isInner = this->All.Phases[bite] == BitePhase::Interior;
+  const double tolerance = isInner ? this->Tolerance : 1.0;
+  return (1.0 - TieTolerance) * tolerance * this->All.HalfWidths[bite] - this->Slack;
+}
+
+Bisectors::Heights Bisectors::HeightsOver(const Neighbor& other, const Point2& bond) const
+{
+  const Point2 half = 0.5 * bond;
+  const Point2 direction = Perpendicular(bond);
+  Heights heights{ 0.0, 0.0 };
+  const std::pair<double, double> inside[2] = { InsideOf(this->Bite.Axis, this->Bite.HalfWidth,
+                                                  half, direction),
+    InsideOf(other.Axis, other.HalfWidth, -1.0 * half, direction) };
+  for (const auto& [enter, leave] : inside)
+  {
+    if (enter <= leave)
+    {
+      heights = { std::max(heights.Left, leave), std::min(heights.Right, enter) };
+    }
+  }
+  return heights;
+}
+
+// The mean over the three sides of |length / wanted - 1|. Circles fix two of the sides, so the third
+// one tells.
+double Bisectors::Misfit(const Neighbor& other, const Point2& bond, double height) const
+{
+  const double perWanted =
+    2.0 / (this->LengthPerHalfWidth * (this->Bite.HalfWidth + other.HalfWidth));
+  const double base = perWanted * Length(bond);
+  if (this->Bite.Axis == Point2{})
+  {
+    return std::abs(base - 1.0);
+  }
+  const double leg = base * std::sqrt(0.25 + height * height);
+  return (std::abs(base - 1.0) + 2.0 * std::abs(leg - 1.0)) / 3.0;
+}
+
+bool Bisectors::IsCoveredNearby(const Point2& p) const
+{
+  for (const Neighbor& neighbor : this->Neighbors)
+  {
+    if (GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Bisectors::IsCovered(const Point2& p) const
+{
+  return this->Grid.VisitLeaf(
+    p, [this, &p](Id bite) { return Gauge(this->All, bite, p) < this->CoreOf(bite); });
+}
+
+} // namespace biting

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBisectors_h
+#define BitingBisectors_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "BiteGrid.h"
+#include "Bites.h"
+
+#include <vector> // for the neighbours
+
+namespace biting
+{
+
+/// A point of the front at equal distances from two bites.
+struct BisectorPoint
+{
+  Point2 Place;
+  Id Neighbor = NoId;  ///< the other bite
+  double Misfit = 0.0; ///< of the triangle with the two centres: 0 where its sides are as wanted
+};
+
+/// Finds the points of the front where the bisector of two bites leaves both.
+///
+/// A bite may sit anywhere on the front, as far as the theory of the paper goes (section 4 needs only
+/// that no centre lies in an earlier bite and that nothing is left uncovered). Where the bisector of
+/// the centres a and b leaves both bites is a point of the front, unless a third bite covers it, and
+/// with a and b it makes an isosceles triangle. Circles of equal radius meet there; squares with half-width
+/// sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular lattice and nothing else.
+///
+/// Inner bites cover only their concentric core, `tolerance` times as wide: a good place is not given
+/// up for one that an inner bite just reaches. Bites on the boundary cover all of themselves, so
+/// that no vertex comes near the middle of an edge.
+class Bisectors
+{
+public:
+  /// How far apart the centres may be, in units of the wanted length.
+  static constexpr double GreatestBond = 1.4;
+
+  /// `lengthPerHalfWidth`: the wanted distance of neighbours, in half-widths of bites. `tolerance`:
+  /// in (0, 1]. `slack`: how far inside of a bite, as a length, a point still lies on its outline.
+  /// Grid and bites must outlive this object; the grid's near reach must be
+  /// GreatestBond lengthPerHalfWidth.
+  Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerHalfWidth, double tolerance,
+    double slack);
+
+  /// Calls visit(BisectorPoint) for those of `bite` with bites nearer than GreatestBond, by the length
+  /// at the other one, that none of these covers. Others may, and they may lie outside of the domain.
+  template <typename Visit>
+  void VisitPoints(Id bite, Visit&& visit);
+
+  /// Whether a bite covers p.
+  bool IsCovered(const Point2& p) const;
+
+private:
+  // A bite by value, so that pairs read nothing else.
+  struct Neighbor
+  {
+    Id Bite;
+    Point2 Center;
+    Point2 Axis;
+    double HalfWidth;
+    double Core; ///< half-width of what it covers
+  };
+
+  // Of the points over a bond, in units of the bond: left of it, and right of it, negative. 0: none.
+  struct Heights
+  {
+    double Left;
+    double Right;
+  };
+
+  void Gather(Id bite);
+  Neighbor MakeNeighbor(Id bite) const;
+  double CoreOf(Id bite) const;
+  Heights HeightsOver(const Neighbor& other, const Point2& bond) const;
+  double Misfit(const Neighbor& other, const Point2& bond, double height) const;
+  template <typename Visit>
+  void VisitPair(const Neighbor& other, Visit&& visit) const;
+  bool IsCoveredNearby(const Point2& p) const;
+
+  const Bites& All;
+  const BiteGrid& Grid;
+  double LengthPerHalfWidth;
+  double Tolerance;
+  double Slack;
+  Neighbor Bite;                   ///< the bite at hand
+  std::vector<Neighbor> Neighbors; ///< of it
+};
+
+template <typename Visit>
+void Bisectors::VisitPoints(Id bite, Visit&& visit)
+{
+  this->Gather(bite);
+  for (const Neighbor& other : this->Neighbors)
+  {
+    this->VisitPair(other, visit);
+  }
+}
+
+template <typename Visit>
+void Bisectors::VisitPair(const Neighbor& other, Visit&& visit) const
+{
+  const Point2 bond = other.Center - this->Bite.Center;
+  const Heights heights = this->HeightsOver(other, bond);
+  for (const double height : { heights.Left, heights.Right })
+  {
+    const Point2 place = this->Bite.Center + 0.5 * bond + height * Perpendicular(bond);
+    if (height != 0.0 && !this->IsCoveredNearby(place))
+    {
+      visit({ place, other.Bite, this->Misfit(other, bond, height) });
+    }
+  }
+}
+
+} // namespace biting
+
+#endif

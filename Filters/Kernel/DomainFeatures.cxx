@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DomainFeatures.h"
+
+#include "Domain/DomainLocator.h"
+
+namespace biting
+{
+
+std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain)
+{
+  auto features = std::make_shared<FeatureSource>();
+  features->Points = domain.Vertices;
+  features->Starts = domain.Starts;
+  features->Ends = domain.Ends;
+  features->LeftInside = domain.LeftInside;
+  features->RightInside = domain.RightInside;
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (domain.IsEmbedded[vertex])
+    {
+      features->Starts.push_back(vertex);
+      features->Ends.push_back(vertex);
+      features->LeftInside.push_back(1);
+      features->RightInside.push_back(1);
+    }
+  }
+  return features;
+}
+
+std::function<bool(const Box2&)> OutsideOf(const Domain& domain, Pulse& pulse)
+{
+  const auto locator = std::make_shared<const DomainLocator>(domain, pulse);
+  return [locator](const Box2& box)
+  { return locator->IsClear(box) && !locator->IsInside(box.Center()); };
+}
+
+} // namespace biting

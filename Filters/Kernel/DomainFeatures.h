@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDomainFeatures_h
+#define BitingDomainFeatures_h
+
+#include "Base/Pulse.h"
+#include "Domain/Domain.h"
+#include "Spacing/Spacing.h"
+
+#include <functional> // for what is outside
+#include <memory>     // for sources
+
+namespace biting
+{
+
+/// The segments and embedded points of a domain, for the limit by local feature size.
+std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain);
+
+/// True for boxes that lie outside of a domain: nobody asks for f there. The domain must outlive it.
+/// On abort it must not be asked.
+std::function<bool(const Box2&)> OutsideOf(const Domain& domain, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PreservedSpacing.h"
+
+#include "Spacing/SegmentExtension.h"
+#include "Spacing/SourceCheck.h"
+
+#include <algorithm> // for min, transform
+#include <limits>    // for the largest number
+#include <memory>    // for sources
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+bool IsValid(const SpacingOptions& spacing)
+{
+  ProblemList problems;
+  return CheckSpacing(spacing, problems);
+}
+
+template <typename Source>
+void ScaleValues(double scale, std::shared_ptr<const Source>& source)
+{
+  if (source)
+  {
+    auto scaled = std::make_shared<Source>(*source);
+    std::transform(scaled->Values.begin(), scaled->Values.end(), scaled->Values.begin(),
+      [scale](double value) { return scale * value; });
+    source = std::move(scaled);
+  }
+}
+
+void ApplyScale(SpacingOptions& spacing)
+{
+  if (spacing.Scale != 1.0)
+  {
+    spacing.Uniform = std::min(spacing.Scale * spacing.Uniform, std::numeric_limits<double>::max());
+    ScaleValues(spacing.Scale, spacing.Grid);
+    ScaleValues(spacing.Scale, spacing.Triangulation);
+    ScaleValues(spacing.Scale, spacing.Segments);
+    spacing.Scale = 1.0;
+  }
+}
+
+// Adds each segment of the domain, with its length along all of it.
+void AddLengths(const Domain& domain, SegmentSource& source)
+{
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Point2& start = domain.Vertices[domain.Starts[segment]];
+    const Point2& end = domain.Vertices[domain.Ends[segment]];
+    for (const Point2& point : { start, end })
+    {
+      source.Segments.push_back(static_cast<Id>(source.Points.size()));
+      source.Points.push_back(point);
+      source.Values.push_back(Distance(start, end));
+    }
+  }
+}
+
+void AddPoint(const Point2& point, double value, SegmentSource& source)
+{
+  const Id id = static_cast<Id>(source.Points.size());
+  source.Points.push_back(point);
+  source.Values.push_back(value);
+  source.Segments.insert(source.Segments.end(), 2, id);
+}
+
+// Whether anything but the lengths can make the spacing small.
+bool IsAsked(const SpacingOptions& spacing)
+{
+  return spacing.Uniform > 0.0 || spacing.Maximum > 0.0 || spacing.Grid || spacing.Triangulation ||
+    spacing.Segments;
+}
+
+// Points only: between them L may be lower than on a straight line.
+std::shared_ptr<const SegmentSource> MakeFloor(const Domain& domain, double gradation)
+{
+  SegmentSource lengths;
+  AddLengths(domain, lengths);
+  const SegmentExtension extension(lengths, gradation);
+  auto floor = std::make_shared<SegmentSource>();
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (!domain.IsEmbedded[vertex])
+    {
+      AddPoint(domain.Vertices[vertex], extension(domain.Vertices[vertex]), *floor);
+    }
+  }
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Point2 middle =
+      Midpoint(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]);
+    AddPoint(middle, extension(middle), *floor);
+  }
+  return floor;
+}
+
+} // namespace
+
+// The points of a source that is there already keep their numbers: messages tell them. What is
+// refused anyway is left as it is.
+SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain)
+{
+  if (!IsValid(spacing))
+  {
+    return spacing;
+  }
+  spacing.Gradation = spacing.Gradation == 0.0 ? SpacingOptions().Gradation : spacing.Gradation;
+  ApplyScale(spacing);
+  spacing.Floor = IsAsked(spacing) ? MakeFloor(domain, spacing.Gradation) : nullptr;
+  auto sources = spacing.Segments ? std::make_shared<SegmentSource>(*spacing.Segments)
+                                  : std::make_shared<SegmentSource>();
+  AddLengths(domain, *sources);
+  spacing.Segments = std::move(sources);
+  return spacing;
+}
+
+} // namespace biting

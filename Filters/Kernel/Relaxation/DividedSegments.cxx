@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DividedSegments.h"
+
+#include "../Domain/SegmentTree.h"
+#include "../Domain/VertexStars.h"
+
+#include <algorithm> // for min, clamp
+#include <cmath>     // for abs
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double NearInResolutions = 4.0; // two rounded vertices, each off by less than one
+constexpr double LeastPart = 0.25;        // of the spacing
+
+double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+{
+  const Point2 direction = b - a;
+  const double parameter = std::clamp(Dot(p - a, direction) / Dot(direction, direction), 0.0, 1.0);
+  return Distance(p, a + parameter * direction);
+}
+
+class ClearanceSearch
+{
+public:
+  ClearanceSearch(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+    : Geometry(domain)
+    , F(spacing)
+    , Progress(pulse)
+    , Near(NearInResolutions * domain.Resolution)
+    , IsDivided(domain.NumberOfSegments(), 1)
+  {
+    for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+    {
+      this->Segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
+    }
+  }
+
+  std::vector<std::uint8_t> Run()
+  {
+    if (!this->Segments.empty())
+    {
+      this->CompareApart();
+      this->CompareAtVertices();
+    }
+    return this->IsDivided;
+  }
+
+private:
+  void CompareApart();
+  void CompareAtVertices();
+  bool AreNear(Id segment, Id other) const;
+  bool AreNearAt(Id vertex, Id segment, Id other) const;
+  const Point2& Start(Id segment) const
+  {
+    return this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  }
+  const Point2& End(Id segment) const
+  {
+    return this->Geometry.Vertices[this->Geometry.Ends[segment]];
+  }
+
+  const Domain& Geometry;
+  const Spacing& F;
+  Pulse& Progress;
+  double Near;
+  std::vector<SegmentEnds> Segments;
+  std::vector<std::uint8_t> IsDivided;
+};
+
+// Each pair is asked for by the longer of the two.
+void ClearanceSearch::CompareApart()
+{
+  const SegmentTree tree(this->Geometry.Vertices, this->Segments, this->Near, this->Progress);
+  for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && this->Progress.Beat();
+       ++segment)
+  {
+    const Point2& start = this->Start(segment);
+    const Point2& end = this->End(segment);
+    tree.VisitAlong(start, end, SegmentTree::LengthOf(start, end), this->Segments[segment],
+      [this, segment](Id other)
+      {
+        if (this->AreNear(segment, other))
+        {
+          this->IsDivided[segment] = 0;
+          this->IsDivided[other] = 0;
+        }
+      });
+  }
+}
+
+// Segments do not cross, so an end of one is nearest.
+bool ClearanceSearch::AreNear(Id segment, Id other) const
+{
+  const Point2& a = this->Start(segment);
+  const Point2& b = this->End(segment);
+  const Point2& c = this->Start(other);
+  const Point2& d = this->End(other);
+  const double distance = std::min(std::min(DistanceToSegment(a, c, d), DistanceToSegment(b, c, d)),
+    std::min(DistanceToSegment(c, a, b), DistanceToSegment(d, a, b)));
+  return !(distance > this->Near);
+}
+
+void ClearanceSearch::CompareAtVertices()
+{
+  const VertexStars stars(this->Geometry.Vertices, this->Segments, this->Progress);
+  for (Id vertex = 0; vertex < stars.NumberOfVertices() && this->Progress.Beat(); ++vertex)
+  {
+    for (const Id* segment = stars.Begin(vertex); segment != stars.End(vertex); ++segment)
+    {
+      const Id next = stars.Next(vertex, *segment);
+      if (next != *segment && this->AreNearAt(vertex, *segment, next))
+      {
+        this->IsDivided[*segment] = 0;
+        this->IsDivided[next] = 0;
+      }
+    }
+  }
+}
+
+bool ClearanceSearch::AreNearAt(Id vertex, Id segment, Id other) const
+{
+  const Point2& center = this->Geometry.Vertices[vertex];
+  const Point2 p = this->Geometry.Vertices[OtherEnd(this->Segments[segment], vertex)] - center;
+  const Point2 q = this->Geometry.Vertices[OtherEnd(this->Segments[other], vertex)] - center;
+  const double lengths = Length(p) * Length(q);
+  const double reach = std::min(std::min(Length(p), Length(q)), LeastPart * this->F(center));
+  return Dot(p, q) > 0.0 && !(std::abs(Cross(p, q)) * reach > this->Near * lengths);
+}
+
+} // namespace
+
+std::vector<std::uint8_t> FindDividedSegments(
+  const Domain& domain, const Spacing& spacing, Pulse& pulse)
+{
+  return ClearanceSearch(domain, spacing, pulse).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDividedSegments_h
+#define BitingDividedSegments_h
+
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the result
+
+namespace biting
+{
+
+/// 1 for the segments on which vertices may lie anywhere: a vertex is off its segment by rounding,
+/// and what lies beyond the border is not triangulated, so nothing there would notice if the parts
+/// of two segments met. Segments nearer to another than rounding can bridge have 0, and so have
+/// two that leave a vertex so close together that they are that near at a quarter of the spacing.
+/// Cost O(n log n). Where the monitor wants to stop the result has no meaning.
+std::vector<std::uint8_t> FindDividedSegments(
+  const Domain& domain, const Spacing& spacing, Pulse& pulse);
+
+} // namespace biting
+
+#endif

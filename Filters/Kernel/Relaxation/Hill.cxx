@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Hill.h"
+
+#include <algorithm> // for max, min
+#include <limits>    // for infinity
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double ShortLength = 0.74;
+constexpr double LongLength = 1.36;
+constexpr double CotangentPerLength = 3.0; // what a spacing out of the band counts
+constexpr double GreatestPenalty = 1.6;    // cotangent of 32 degrees
+constexpr double SlimmestFit = 1e-3;       // of a square matrix that is not near a singular one
+
+/// As WorstCotangent, without the angles that are fixed.
+double WorstOfOthers(const Point2& p, const Point2& q, const Hill::FixedAngles& fixed)
+{
+  const double product = Dot(p, q);
+  const double cross = Cross(p, q);
+  double largest = fixed.IsAtCenter ? 0.0 : product;
+  largest = fixed.IsAtFirst ? largest : std::max(largest, Dot(p, p) - product);
+  largest = fixed.IsAtSecond ? largest : std::max(largest, Dot(q, q) - product);
+  return cross > 0.0 ? largest / cross : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+Hill::Hill(const MutableMesh& mesh, Id vertex, const Star& star)
+  : Around(star)
+  , Spacing(mesh.Spacings[vertex])
+{
+  for (int k = 0; k <= star.NumberOfTriangles; ++k)
+  {
+    this->Spacings[k] = mesh.Spacings[star.Vertices[k]];
+  }
+  this->FitSlope();
+  this->HasLengths = mesh.Freedoms[vertex] != Freedom::Fixed;
+  if (mesh.Freedoms[vertex] != Freedom::Free)
+  {
+    this->FindFixedAngles(mesh);
+  }
+  this->FindSteepest();
+}
+
+void Hill::FindSteepest()
+{
+  double worst = -1.0;
+  for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
+  {
+    const double height = this->TriangleAt(k, {});
+    this->Steepest = height > worst ? k : this->Steepest;
+    worst = std::max(worst, height);
+  }
+  this->Here = this->HasLengths ? std::max(worst, this->WorstLength({})) : worst;
+}
+
+double Hill::TriangleAt(int k, const Point2& shift) const
+{
+  const Point2 p = this->Around.Spokes[k] - shift;
+  const Point2 q = this->Around.Spokes[k + 1] - shift;
+  return this->HasFixedAngles && this->Fixed[k].HasAny()
+    ? WorstOfOthers(p, q, this->Fixed[k])
+    : WorstCotangent(p, q, Dot(p, p), Dot(q, q));
+}
+
+// The linear function through the spacing at the center that fits those at the outer corners best:
+// moves are short, and this saves an evaluation for each place that is tried.
+void Hill::FitSlope()
+{
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  Point2 moment;
+  for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
+  {
+    const Point2& p = this->Around.Spokes[k];
+    xx += p.X * p.X;
+    xy += p.X * p.Y;
+    yy += p.Y * p.Y;
+    moment = moment + (this->Spacings[k] - this->Spacing) * p;
+  }
+  const double determinant = xx * yy - xy * xy;
+  if (determinant > SlimmestFit * xx * yy)
+  {
+    this->SlopeOfSpacing =
+      (1.0 / determinant) * Point2{ yy * moment.X - xy * moment.Y, xx * moment.Y - xy * moment.X };
+  }
+}
+
+void Hill::FindFixedAngles(const MutableMesh& mesh)
+{
+  for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
+  {
+    const Id edge = this->Around.Edges[k];
+    const bool isFirstMarked = mesh.Marks[MutableMesh::Previous(edge)] != NoId;
+    const bool isSecondMarked = mesh.Marks[MutableMesh::Next(edge)] != NoId;
+    const bool isOuterMarked = mesh.Marks[edge] != NoId;
+    this->Fixed[k] = { isFirstMarked && isSecondMarked, isOuterMarked && isFirstMarked,
+      isOuterMarked && isSecondMarked };
+    this->HasFixedAngles |= this->Fixed[k].HasAny();
+  }
+}
+
+double Hill::Height(const Point2& shift, double limit) const
+{
+  const double worst = this->WorstTriangle(shift, limit);
+  const bool isDone = worst >= limit || !this->HasLengths;
+  return isDone ? worst : std::max(worst, this->WorstLength(shift));
+}
+
+double Hill::WorstTriangle(const Point2& shift, double limit) const
+{
+  double worst = this->TriangleAt(this->Steepest, shift);
+  for (int k = 0; k < this->Around.NumberOfTriangles && worst < limit; ++k)
+  {
+    worst = std::max(worst, this->TriangleAt(k, shift));
+  }
+  return worst;
+}
+
+// Roots are taken only of lengths that are out of the band.
+double Hill::WorstLength(const Point2& shift) const
+{
+  const double spacing = this->Spacing + Dot(this->SlopeOfSpacing, shift);
+  const int last = this->Around.NumberOfTriangles - (this->Around.IsClosed ? 1 : 0);
+  double excess = 0.0;
+  for (int k = 0; k <= last; ++k)
+  {
+    const Point2 p = this->Around.Spokes[k] - shift;
+    const double mean = 0.5 * (spacing + this->Spacings[k]);
+    const double square = Dot(p, p);
+    if (square > LongLength * LongLength * mean * mean ||
+      square < ShortLength * ShortLength * mean * mean)
+    {
+      const double length = std::sqrt(square) / mean;
+      excess = std::max(excess, std::max(ShortLength - length, length - LongLength));
+    }
+  }
+  return excess > 0.0
+    ? std::min(CotangentOf38Degrees + CotangentPerLength * excess, GreatestPenalty)
+    : 0.0;
+}
+
+bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent)
+{
+  const Id first = 4 * triangle;
+  const Point2& a = mesh.Points[mesh.Corners[first]];
+  const Point2& b = mesh.Points[mesh.Corners[first + 1]];
+  const Point2& c = mesh.Points[mesh.Corners[first + 2]];
+  if (!(WorstCotangent(a, b, c) > cotangent))
+  {
+    return false;
+  }
+  const Point2 sides[] = { c - b, a - c, b - a };
+  const double area = Cross(sides[0], sides[1]);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const int next = (corner + 1) % 3;
+    const int previous = (corner + 2) % 3;
+    const bool isFixed = mesh.Marks[first + next] != NoId && mesh.Marks[first + previous] != NoId;
+    if (!isFixed && !(-Dot(sides[next], sides[previous]) <= cotangent * area))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IsOutOfBand(const MutableMesh& mesh, Id edge)
+{
+  const Id u = mesh.Origin(edge);
+  const Id v = mesh.Target(edge);
+  const Point2 p = mesh.Points[v] - mesh.Points[u];
+  const double mean = 0.5 * (mesh.Spacings[u] + mesh.Spacings[v]);
+  const double square = Dot(p, p) / (mean * mean);
+  return !(square >= ShortLength * ShortLength && square <= LongLength * LongLength);
+}
+
+} // namespace biting

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingHill_h
+#define BitingHill_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "MutableMesh.h"
+#include "Star.h"
+
+namespace biting
+{
+
+/// How bad the surroundings of a vertex are, wherever it is put: the cotangent of the smallest
+/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts:
+/// as an angle below 38 but not below 32 degrees.
+/// An angle between two segments at an input vertex is what it is and does not count, nor do the
+/// lengths of the edges of a vertex that cannot move.
+class Hill
+{
+public:
+  /// Which angles of a triangle are between segments.
+  struct FixedAngles
+  {
+    bool IsAtCenter;
+    bool IsAtFirst; ///< of the two outer corners
+    bool IsAtSecond;
+
+    bool HasAny() const { return this->IsAtCenter || this->IsAtFirst || this->IsAtSecond; }
+  };
+
+  Hill(const MutableMesh& mesh, Id vertex, const Star& star);
+
+  /// Where the vertex is.
+  double HeightHere() const { return this->Here; }
+
+  /// With the vertex moved by `shift`; or anything not below `limit`, where it is not below that.
+  double Height(const Point2& shift, double limit) const;
+
+private:
+  void FitSlope();
+  void FindFixedAngles(const MutableMesh& mesh);
+  void FindSteepest();
+  double WorstTriangle(const Point2& shift, double limit) const;
+  double TriangleAt(int k, const Point2& shift) const;
+  double WorstLength(const Point2& shift) const;
+
+  const Star& Around;
+  double Spacing;
+  Point2 SlopeOfSpacing;
+  double Spacings[Star::Capacity + 1];
+  double Here = 0.0;
+  int Steepest = 0; ///< the triangle that is worst here: looked at first, as it mostly decides
+  bool HasLengths = true;
+  bool HasFixedAngles = false;
+  FixedAngles Fixed[Star::Capacity]; ///< of each triangle; set where there are any
+};
+
+/// Whether the triangle has an angle below `cotangent` says, those between two segments apart.
+bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent);
+
+/// Whether the edge is shorter than 0.74 or longer than 1.36 spacings.
+bool IsOutOfBand(const MutableMesh& mesh, Id edge);
+
+} // namespace biting
+
+#endif

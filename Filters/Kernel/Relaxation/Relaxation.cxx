@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Relaxation.h"
+
+#include "../Base/Pulse.h"
+#include "Climbing.h"
+#include "DelaunayFlips.h"
+#include "DividedSegments.h"
+#include "MeshExchange.h"
+#include "MutableMesh.h"
+#include "Patch.h"
+#include "Rescue.h"
+#include "Smoothing.h"
+#include "Star.h"
+#include "ValenceRound.h"
+
+#include <cstddef> // for limits
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t LeastNumberOfRescues = 8;
+constexpr std::size_t FastVerticesPerRescue = 20000;
+constexpr std::size_t BestVerticesPerRescue = 5000;
+
+/// The operations with all that they work on.
+class Relaxer
+{
+public:
+  Relaxer(MutableMesh& mesh, Pulse& pulse)
+    : Mesh(mesh)
+    , Progress(pulse)
+    , Flips(mesh)
+    , Surroundings(mesh)
+    , Valences(mesh, Flips, Surroundings)
+    , Climber(mesh, Flips, Surroundings)
+    , Rescuer(mesh, Flips, Surroundings, Climber)
+  {
+  }
+
+  void RelaxFast()
+  {
+    this->MendValences(0.0, 0.2, 2);
+    this->Smooth(0.2, 0.4, 1, CotangentOf30Degrees);
+    this->MendValences(0.4, 0.55, 1);
+    this->Smooth(0.55, 0.75, 1, CotangentOf30Degrees);
+    this->Climb(0.75, 0.9, 2);
+    this->RescueLast(0.9, 1.0, FastVerticesPerRescue);
+  }
+
+  void RelaxBest()
+  {
+    this->MendValences(0.0, 0.1, 2);
+    this->Smooth(0.1, 0.3, 2, CotangentOf30Degrees);
+    this->MendValences(0.3, 0.4, 2);
+    this->Smooth(0.4, 0.6, 2, CotangentOf30Degrees);
+    this->Climb(0.6, 0.7, 3);
+    this->Smooth(0.7, 0.8, 1, CotangentOf39Degrees);
+    this->Climb(0.8, 0.9, 3);
+    this->RescueLast(0.9, 1.0, BestVerticesPerRescue);
+  }
+
+private:
+  void MendValences(double begin, double end, int rings)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    this->Valences.Run(rings, 1, this->Progress);
+  }
+
+  void Smooth(double begin, double end, int sweeps, double allowedCotangent)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    SmoothAll(this->Mesh, this->Flips, sweeps, allowedCotangent, this->Progress);
+  }
+
+  void Climb(double begin, double end, int rounds)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    this->Climber.Run(1, rounds, this->Progress);
+  }
+
+  void RescueLast(double begin, double end, std::size_t verticesPerRescue)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    this->Rescuer.Run(
+      LeastNumberOfRescues + this->Mesh.Points.size() / verticesPerRescue, this->Progress);
+  }
+
+  MutableMesh& Mesh;
+  Pulse& Progress;
+  DelaunayFlips Flips;
+  Patch Surroundings;
+  ValenceRound Valences;
+  Climbing Climber;
+  Rescue Rescuer;
+};
+
+} // namespace
+
+RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
+  const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  MutableMesh work(domain, spacing);
+  work.IsDivided = FindDividedSegments(domain, spacing, pulse);
+  work.DividesSegments = options.DividesSegments;
+  const std::vector<Id> origins = ReadMesh(mesh, work);
+  Relaxer relaxer(work, pulse);
+  if (options.Effort == RelaxationEffort::Fast)
+  {
+    relaxer.RelaxFast();
+  }
+  else
+  {
+    relaxer.RelaxBest();
+  }
+  RelaxationResult result;
+  result.WasAborted = !pulse.Ask();
+  if (!result.WasAborted)
+  {
+    result.Origins = WriteMesh(work, origins, mesh);
+  }
+  return result;
+}
+
+} // namespace biting

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRelaxation_h
+#define BitingRelaxation_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+enum class RelaxationEffort
+{
+  Fast, ///< two rounds of collapses and splits, two sweeps
+  Best  ///< more sweeps and climbing: the last degree, for about twice the time
+};
+
+struct RelaxationOptions
+{
+  RelaxationEffort Effort = RelaxationEffort::Fast;
+
+  /// False: no vertex is added on segments; those that are there may slide, or go.
+  bool DividesSegments = true;
+};
+
+/// A mesh of a domain, and what binds it.
+struct RelaxationMesh
+{
+  // Vertices: those of the domain in their order, then the others.
+  std::vector<Point2> Points;
+  std::vector<double> Spacings;
+  std::vector<Id> Segments; ///< the domain segment on which a new vertex lies, or NoId
+
+  // The parts into which the segments are divided; Triangles.Constraints refers to them.
+  std::vector<Id> EdgeStarts;
+  std::vector<Id> EdgeEnds;
+  std::vector<Id> EdgeSegments;
+
+  Triangulation Triangles;
+};
+
+struct RelaxationResult
+{
+  std::vector<Id> Origins; ///< of each vertex: what it was before, NoId where it is new
+  bool WasAborted = false; ///< the mesh is as it was before
+};
+
+/// Makes the triangles of `mesh` better: vertices move, come and go, and edges flip.
+///
+/// - Collapses and splits of edges bring the number of triangles at each vertex towards six and the
+///   lengths of edges towards the spacing.
+/// - All vertices are smoothed for the mean ratio of the triangles around them.
+/// - The worst triangles are improved one by one.
+///
+/// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
+/// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and
+/// may slide, come and go there, unless other segments are so near that rounding could make them
+/// meet. Edges on segments are listed segment by segment, from start to end, each the whole of one
+/// mesh edge.
+///
+/// Laws: all triangles are counterclockwise, exactly; the union of triangles, and that of the
+/// edges on each segment, stay what they were, to rounding; the mesh is constrained Delaunay,
+/// exactly, hence phi-Delaunay for any phi; no smallest angle falls below both 20 degrees and the
+/// smallest of the mesh before; the result depends on the arguments alone. A mesh with nothing to
+/// improve stays nearly the same.
+/// Not promised: more than the input allows. A triangle in an input angle is no better than that
+/// angle, and where input vertices are much nearer to each other than the spacing, edges there are
+/// out of proportion to it.
+/// Cost O(n): it grows with the share of triangles that are poor.
+/// Precondition: `mesh` passes CheckTriangulation but for the Delaunay criterion.
+RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
+  const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Rescue.h"
+
+#include "Hill.h"
+#include "Smoothing.h"
+#include "Star.h"
+
+#include <algorithm> // for sort, max, min
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int JudgedRings = 4;
+constexpr int MovedRings = 2;
+constexpr int MovingRounds = 2;
+
+} // namespace
+
+void Rescue::Run(std::size_t limit, Pulse& pulse)
+{
+  this->FindPoor(pulse);
+  const std::size_t count = std::min(limit, this->Poor.size());
+  for (std::size_t k = 0; k < count && pulse.Ask(); ++k)
+  {
+    pulse.SetFraction(static_cast<double>(k) / static_cast<double>(count));
+    const Id triangle = this->Poor[k].Triangle;
+    if (this->Mesh.IsEdge(4 * triangle) && IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees))
+    {
+      this->Improve(triangle, pulse);
+    }
+  }
+}
+
+void Rescue::FindPoor(Pulse& pulse)
+{
+  this->Poor.clear();
+  const Id numberOfTriangles = static_cast<Id>(this->Mesh.Regions.size());
+  for (Id triangle = 0; triangle < numberOfTriangles && pulse.Beat(); ++triangle)
+  {
+    const Id* corners = this->Mesh.Corners.data() + 4 * static_cast<std::size_t>(triangle);
+    if (corners[0] != NoId && IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees))
+    {
+      const auto& points = this->Mesh.Points;
+      this->Poor.push_back(
+        { WorstCotangent(points[corners[0]], points[corners[1]], points[corners[2]]), triangle });
+    }
+  }
+  std::sort(this->Poor.begin(), this->Poor.end(),
+    [](const PoorTriangle& a, const PoorTriangle& b)
+    { return a.Cotangent != b.Cotangent ? a.Cotangent > b.Cotangent : a.Triangle < b.Triangle; });
+}
+
+bool Rescue::Improve(Id triangle, Pulse& pulse)
+{
+  const Id* first = this->Mesh.Corners.data() + 4 * static_cast<std::size_t>(triangle);
+  const std::vector<Id> corners(first, first + 3);
+  this->FindEdges(corners);
+  this->Judged = this->Surroundings.Around(corners, JudgedRings);
+  Trial best;
+  best.Worst = this->WorstOfPatch(NoId);
+  for (const Id edge : this->Edges)
+  {
+    for (const bool isCollapse : { true, false })
+    {
+      Trial trial{ edge, isCollapse, 0.0 };
+      this->Mesh.BeginTrial();
+      const Id vertex = this->Perform(trial);
+      trial.Worst = vertex == NoId ? best.Worst : this->WorstOfPatch(vertex);
+      this->Mesh.EndTrial(false);
+      best = trial.Worst < best.Worst ? trial : best;
+    }
+    if (!pulse.Beat())
+    {
+      return false;
+    }
+  }
+  return best.Edge != NoId && this->Perform(best) != NoId;
+}
+
+// Those of the triangles around the corners, each once.
+void Rescue::FindEdges(const std::vector<Id>& corners)
+{
+  this->Edges.clear();
+  for (const Id vertex : corners)
+  {
+    if (this->Mesh.Degrees[vertex] > Star::Capacity)
+    {
+      continue;
+    }
+    const Id first = this->Mesh.FirstAround(vertex);
+    Id edge = first;
+    do
+    {
+      for (const Id side : { edge, MutableMesh::Next(edge), MutableMesh::Previous(edge) })
+      {
+        this->Edges.push_back(this->Mesh.IsFirstHalf(side) ? side : this->Mesh.Twins[side]);
+      }
+      edge = this->Mesh.Turn(edge);
+    } while (edge != NoId && edge != first);
+  }
+  std::sort(this->Edges.begin(), this->Edges.end());
+  this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+}
+
+Id Rescue::Perform(const Trial& trial)
+{
+  const Id vertex =
+    trial.IsCollapse ? this->Mesh.Collapse(trial.Edge) : this->Mesh.Split(trial.Edge);
+  if (vertex == NoId || this->Mesh.Degrees[vertex] > Star::Capacity)
+  {
+    return NoId;
+  }
+  this->Flips.RestoreAround(vertex);
+  this->Moved = this->Surroundings.Around(vertex, MovedRings);
+  for (const Id near : this->Moved)
+  {
+    if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
+    {
+      this->Mesh.RefreshSpacing(near);
+      this->Flips.RestoreAround(near);
+    }
+  }
+  for (int round = 0; round < MovingRounds; ++round)
+  {
+    for (const Id near : this->Moved)
+    {
+      this->Climber.Climb(near, CotangentOf40Degrees);
+    }
+  }
+  return vertex;
+}
+
+double Rescue::WorstOfPatch(Id added) const
+{
+  double worst = added == NoId ? 0.0 : this->WorstAround(added);
+  for (const Id vertex : this->Judged)
+  {
+    worst = std::max(worst, this->Mesh.IsAlive(vertex) ? this->WorstAround(vertex) : 0.0);
+  }
+  return worst;
+}
+
+double Rescue::WorstAround(Id vertex) const
+{
+  Star star;
+  if (!star.Read(this->Mesh, vertex))
+  {
+    return 0.0;
+  }
+  return Hill(this->Mesh, vertex, star).HeightHere();
+}
+
+} // namespace biting

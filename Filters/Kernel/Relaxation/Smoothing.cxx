@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Smoothing.h"
+
+#include "Star.h"
+
+#include <algorithm> // for max
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostAttempts = 3;
+constexpr double Overrelaxation = 1.3;
+constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
+constexpr double CrossOfEquilateral = 0.8660254037844386; // of two sides of length one
+
+/// Gradient and Hessian of the energy at the center, and the worst cotangent.
+struct EnergyExpansion
+{
+  Point2 Gradient;
+  double XX = 0.0;
+  double XY = 0.0;
+  double YY = 0.0;
+  double Worst = 0.0;
+
+  /// A term of the energy with the given slope, and the second derivative `bend` along it.
+  void Add(const Point2& slope, double first, double bend)
+  {
+    this->Gradient = this->Gradient + first * slope;
+    this->XX += bend * slope.X * slope.X;
+    this->XY += bend * slope.X * slope.Y;
+    this->YY += bend * slope.Y * slope.Y;
+  }
+};
+
+// With r = s / c, s = pp + qq - pq and c the cross product, up to the factor sqrt(3): both s and c
+// are polynomials of the center, s of degree two and c of degree one.
+void AddShape(const Point2& p, const Point2& q, double s, double inverse, EnergyExpansion& sum)
+{
+  const double r = s * inverse;
+  const Point2 slopeOfCross = Perpendicular(q - p);
+  const Point2 slope = inverse * (-1.0 * (p + q) - r * slopeOfCross);
+  const double first = 4.0 * r * r * r;
+  const double scaled = first * inverse;
+  sum.Add(slope, first, 12.0 * r * r);
+  sum.XX += scaled * (2.0 - 2.0 * slope.X * slopeOfCross.X);
+  sum.YY += scaled * (2.0 - 2.0 * slope.Y * slopeOfCross.Y);
+  sum.XY -= scaled * (slope.X * slopeOfCross.Y + slope.Y * slopeOfCross.X);
+}
+
+// The term a + 1/a, where a is c in units of `wanted`.
+void AddSize(const Point2& p, const Point2& q, double inverse, double wanted, EnergyExpansion& sum)
+{
+  const double inverseSize = wanted * inverse;
+  const double scale = SizeWeight / wanted;
+  sum.Add(Perpendicular(q - p), scale * (1.0 - inverseSize * inverseSize),
+    2.0 * scale * inverseSize * inverseSize * inverse);
+}
+
+EnergyExpansion ExpandEnergy(const MutableMesh& mesh, Id vertex, const Star& star)
+{
+  EnergyExpansion sum;
+  Point2 p = star.Spokes[0];
+  double pp = Dot(p, p);
+  double spacing = mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[0]];
+  for (int k = 1; k <= star.NumberOfTriangles; ++k)
+  {
+    const Point2 q = star.Spokes[k];
+    const double qq = Dot(q, q);
+    const double nextSpacing = mesh.Spacings[star.Vertices[k]];
+    const double product = Dot(p, q);
+    const double inverse = 1.0 / Cross(p, q);
+    const double mean = (spacing + nextSpacing) / 3.0;
+    AddShape(p, q, pp + qq - product, inverse, sum);
+    AddSize(p, q, inverse, CrossOfEquilateral * mean * mean, sum);
+    sum.Worst = std::max(sum.Worst, std::max(product, std::max(pp, qq) - product) * inverse);
+    p = q;
+    pp = qq;
+    spacing = mesh.Spacings[vertex] + nextSpacing;
+  }
+  return sum;
+}
+
+/// The way to where the quadratic has its least value, along the segment for a sliding vertex; zero
+/// where it has none.
+Point2 NewtonStep(const MutableMesh& mesh, Id vertex, const EnergyExpansion& sum)
+{
+  const Point2& g = sum.Gradient;
+  if (mesh.Freedoms[vertex] == Freedom::Sliding)
+  {
+    const Id segment = mesh.Segments[vertex];
+    const Point2 d = mesh.Geometry.Vertices[mesh.Geometry.Ends[segment]] -
+      mesh.Geometry.Vertices[mesh.Geometry.Starts[segment]];
+    const double bend = sum.XX * d.X * d.X + 2.0 * sum.XY * d.X * d.Y + sum.YY * d.Y * d.Y;
+    return bend > 0.0 ? (-Dot(g, d) / bend) * d : Point2{};
+  }
+  const double determinant = sum.XX * sum.YY - sum.XY * sum.XY;
+  if (!(determinant > 0.0 && sum.XX > 0.0))
+  {
+    return {};
+  }
+  return (1.0 / determinant) * Point2{ sum.XY * g.Y - sum.YY * g.X, sum.XY * g.X - sum.XX * g.Y };
+}
+
+} // namespace
+
+bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
+{
+  Star star;
+  if (mesh.Freedoms[vertex] == Freedom::Fixed || !star.Read(mesh, vertex))
+  {
+    return false;
+  }
+  const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
+  const double allowed = std::max(sum.Worst, allowedCotangent);
+  Point2 step = Overrelaxation * NewtonStep(mesh, vertex, sum);
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    const Point2 place = mesh.PlaceFor(vertex, star.Center + step);
+    const double worst = star.Worst(place - star.Center);
+    if (worst <= allowed && (worst < CertainCotangent || IsValidAt(mesh, star, place)))
+    {
+      mesh.Move(vertex, place);
+      return true;
+    }
+    step = 0.5 * step;
+  }
+  return false;
+}
+
+void SmoothAll(
+  MutableMesh& mesh, DelaunayFlips& flips, int sweeps, double allowedCotangent, Pulse& pulse)
+{
+  const Id numberOfVertices = mesh.NumberOfVertices();
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    const PulsePart part(pulse, sweep / (sweeps + 1.0), (sweep + 1) / (sweeps + 1.0));
+    for (Id vertex = 0; vertex < numberOfVertices && pulse.Beat(); ++vertex)
+    {
+      pulse.SetFraction(static_cast<double>(vertex) / numberOfVertices);
+      if (mesh.IsAlive(vertex))
+      {
+        SmoothVertex(mesh, vertex, allowedCotangent);
+      }
+    }
+    flips.RestoreAll(pulse);
+  }
+  for (Id vertex = 0; vertex < numberOfVertices && pulse.Beat(); ++vertex)
+  {
+    if (mesh.IsAlive(vertex) && mesh.Freedoms[vertex] != Freedom::Fixed)
+    {
+      mesh.RefreshSpacing(vertex);
+    }
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSmoothing_h
+#define BitingSmoothing_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "DelaunayFlips.h"
+#include "MutableMesh.h"
+
+namespace biting
+{
+
+/// Moves the vertex by a Newton step towards the least energy of the triangles around it: the sum
+/// of 9 r^4 + 3 (a + 1/a). r is the inverse of the mean ratio, (sum of squared sides) / (4 sqrt(3)
+/// area), 1 for an equilateral triangle; a is the area in units of that of the equilateral
+/// triangle whose side is the mean spacing of the corners.
+/// The step is 1.3 times Newton's: swept over all vertices it then spreads faster. It is halved,
+/// then given up, where it would leave a triangle that is both worse than the worst around the
+/// vertex before, and than `allowedCotangent`. Returns whether it moved; its spacing is not
+/// refreshed.
+bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent);
+
+/// Smooths all vertices `sweeps` times, with flips after each sweep, then refreshes the spacings.
+void SmoothAll(
+  MutableMesh& mesh, DelaunayFlips& flips, int sweeps, double allowedCotangent, Pulse& pulse);
+
+} // namespace biting
+
+#endif

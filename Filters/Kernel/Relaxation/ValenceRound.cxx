@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ValenceRound.h"
+
+#include "Smoothing.h"
+#include "Star.h"
+
+#include <algorithm> // for sort, max
+#include <limits>    // for infinity
+#include <utility>   // for swap
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double LengthWeight = 12.0;
+constexpr double CollapseLength = 0.75;
+constexpr double SplitLength = 1.33;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+double ChangeOfSquare(double excess, double change)
+{
+  return change * (2.0 * excess + change);
+}
+
+} // namespace
+
+void ValenceRound::Run(int rings, int passes, Pulse& pulse)
+{
+  this->FindCandidates(pulse);
+  this->Locks.assign(this->Mesh.Points.size(), 0);
+  for (const Candidate& candidate : this->Candidates)
+  {
+    if (!pulse.Beat())
+    {
+      return;
+    }
+    const Id vertex = this->Perform(candidate);
+    if (vertex != NoId)
+    {
+      this->Lock(vertex);
+      this->SmoothAround(vertex, rings, passes);
+    }
+  }
+}
+
+void ValenceRound::FindCandidates(Pulse& pulse)
+{
+  this->Candidates.clear();
+  for (Id edge = 0; edge < this->Mesh.NumberOfEdges() && pulse.Beat(); ++edge)
+  {
+    if (this->Mesh.IsFirstHalf(edge))
+    {
+      this->AddCandidate(edge, true);
+      this->AddCandidate(edge, false);
+    }
+  }
+  std::sort(this->Candidates.begin(), this->Candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.Score != b.Score ? a.Score < b.Score : a.Edge < b.Edge; });
+}
+
+void ValenceRound::AddCandidate(Id edge, bool isCollapse)
+{
+  const double score = this->Score(edge, isCollapse);
+  if (score < 0.0)
+  {
+    this->Candidates.push_back({ score, edge, isCollapse });
+  }
+}
+
+double ValenceRound::Score(Id edge, bool isCollapse) const
+{
+  return isCollapse ? this->CollapseScore(edge) : this->SplitScore(edge);
+}
+
+double ValenceRound::CollapseScore(Id edge) const
+{
+  const MutableMesh& mesh = this->Mesh;
+  Id kept = mesh.Origin(edge);
+  Id gone = mesh.Target(edge);
+  if (mesh.Freedoms[gone] < mesh.Freedoms[kept])
+  {
+    std::swap(kept, gone);
+  }
+  if (mesh.Freedoms[gone] == Freedom::Fixed)
+  {
+    return Infinity;
+  }
+  const Id twin = mesh.Twins[edge];
+  const double sides = twin == NoId ? 1.0 : 2.0;
+  const double goneExcess = mesh.Excess(gone);
+  double score = LengthWeight * (mesh.RelativeLength(edge) - CollapseLength) -
+    goneExcess * goneExcess + ChangeOfSquare(mesh.Excess(kept), mesh.Degrees[gone] - 2.0 * sides) +
+    ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), -1.0);
+  score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), -1.0);
+  return score;
+}
+
+double ValenceRound::SplitScore(Id edge) const
+{
+  const MutableMesh& mesh = this->Mesh;
+  const Id twin = mesh.Twins[edge];
+  const double excess = twin == NoId ? -1.0 : -2.0;
+  double score = LengthWeight * (SplitLength - mesh.RelativeLength(edge)) + excess * excess +
+    ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), 1.0);
+  score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), 1.0);
+  return score;
+}
+
+bool ValenceRound::IsLocked(Id edge) const
+{
+  const MutableMesh& mesh = this->Mesh;
+  const Id twin = mesh.Twins[edge];
+  const auto isLocked = [this](Id vertex)
+  { return vertex >= static_cast<Id>(this->Locks.size()) || this->Locks[vertex] != 0; };
+  return isLocked(mesh.Origin(edge)) || isLocked(mesh.Target(edge)) ||
+    isLocked(mesh.Corners[edge]) || (twin != NoId && isLocked(mesh.Corners[twin]));
+}
+
+Id ValenceRound::Perform(const Candidate& candidate)
+{
+  MutableMesh& mesh = this->Mesh;
+  const Id edge = candidate.Edge;
+  if (!mesh.IsEdge(edge) || this->IsLocked(edge) ||
+    !(this->Score(edge, candidate.IsCollapse) < 0.0))
+  {
+    return NoId;
+  }
+  const double before =
+    std::max(this->WorstAround(mesh.Origin(edge)), this->WorstAround(mesh.Target(edge)));
+  if (before == Infinity)
+  {
+    return NoId;
+  }
+  mesh.BeginTrial();
+  const Id vertex = candidate.IsCollapse ? mesh.Collapse(edge) : mesh.Split(edge);
+  const bool isGood =
+    vertex != NoId && this->WorstAround(vertex) <= std::max(before, CotangentOf20Degrees);
+  mesh.EndTrial(isGood);
+  return isGood ? vertex : NoId;
+}
+
+double ValenceRound::WorstAround(Id vertex) const
+{
+  Star star;
+  return star.Read(this->Mesh, vertex) ? star.Worst({}) : Infinity;
+}
+
+void ValenceRound::Lock(Id vertex)
+{
+  this->Locks.resize(this->Mesh.Points.size(), 1);
+  for (const Id near : this->Surroundings.Around(vertex, 1))
+  {
+    this->Locks[near] = 1;
+  }
+}
+
+void ValenceRound::SmoothAround(Id vertex, int rings, int passes)
+{
+  this->Flips.RestoreAround(vertex);
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    for (const Id near : this->Surroundings.Around(vertex, rings))
+    {
+      if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
+      {
+        this->Mesh.RefreshSpacing(near);
+        this->Flips.RestoreAround(near);
+      }
+    }
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingValenceRound_h
+#define BitingValenceRound_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "DelaunayFlips.h"
+#include "MutableMesh.h"
+#include "Patch.h"
+
+#include <cstdint> // for locks
+#include <vector>  // for the candidates
+
+namespace biting
+{
+
+/// Collapses and splits edges where vertices have too many or too few triangles, or edges are too
+/// short or too long.
+///
+/// An operation is scored by the change of the sum of squared excesses (see MutableMesh::Excess)
+/// of the vertices it touches, plus 12 (l - 0.75) for a collapse and 12 (1.33 - l) for a split of
+/// an edge of l spacings. Those with a negative score are done, the lowest first, each vertex at
+/// most once; then the vertices nearby are smoothed. None is done that would leave a triangle both
+/// with an angle below 20 degrees and worse than the worst around it before.
+class ValenceRound
+{
+public:
+  ValenceRound(MutableMesh& mesh, DelaunayFlips& flips, Patch& patch)
+    : Mesh(mesh)
+    , Flips(flips)
+    , Surroundings(patch)
+  {
+  }
+
+  /// One round; the `rings` around each operation are smoothed `passes` times.
+  void Run(int rings, int passes, Pulse& pulse);
+
+private:
+  struct Candidate
+  {
+    double Score;
+    Id Edge;
+    bool IsCollapse;
+  };
+
+  void FindCandidates(Pulse& pulse);
+  void AddCandidate(Id edge, bool isCollapse);
+  double Score(Id edge, bool isCollapse) const;
+  double CollapseScore(Id edge) const;
+  double SplitScore(Id edge) const;
+  bool IsLocked(Id edge) const;
+  Id Perform(const Candidate& candidate);
+  double WorstAround(Id vertex) const;
+  void Lock(Id vertex);
+  void SmoothAround(Id vertex, int rings, int passes);
+
+  MutableMesh& Mesh;
+  DelaunayFlips& Flips;
+  Patch& Surroundings;
+  std::vector<Candidate> Candidates;
+  std::vector<std::uint8_t> Locks; ///< one a vertex
+};
+
+} // namespace biting
+
+#endif

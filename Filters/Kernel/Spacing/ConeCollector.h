@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingConeCollector_h
+#define BitingConeCollector_h
+
+#include "Spacing.h"
+
+#include <algorithm> // for min, max
+
+namespace biting
+{
+
+/// How values as given become spacing: scaled, then clamped.
+struct ValueRange
+{
+  double Scale = 1.0;
+  double Least = 0.0;
+  double Most = 0.0;
+
+  double operator()(double value) const
+  {
+    return std::min(std::max(this->Scale * value, this->Least), this->Most);
+  }
+};
+
+/// Collects the segments from which f may grow no faster than the gradation.
+class ConeCollector
+{
+public:
+  explicit ConeCollector(const ValueRange& range)
+    : Range(range)
+  {
+  }
+
+  const ValueRange& Values() const { return this->Range; }
+
+  void AddPoint(const Point2& place, double spacing);
+
+  /// `startSpacing` and `endSpacing` are the values of f.
+  void AddSegment(const Point2& start, const Point2& end, double startSpacing, double endSpacing);
+
+  /// Values as given, linear along the segment: what they become along it is up to three pieces, of
+  /// which those at the most bound nothing.
+  void AddGiven(const Point2& start, const Point2& end, double startValue, double endValue);
+
+  const SegmentSource& Segments() const { return this->Source; }
+
+private:
+  ValueRange Range;
+  SegmentSource Source;
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FeatureSize.h"
+
+namespace biting
+{
+namespace
+{
+
+/// f is at most this many feature sizes: one layer of triangles fits into a channel.
+constexpr double SizesPerSpacing = 1.0;
+
+/// But at least this share of what is given: of many narrow channels and thin walls.
+constexpr double LeastShare = 0.25;
+
+/// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is: then
+/// most triangles on it have angles above 25 degrees, and there are about two of them more for each
+/// segment.
+constexpr double LengthsPerSpacing = 2.0;
+
+/// But at least this share of what is given: of points that are nearly equal.
+constexpr double LeastShareOnShort = 0.003;
+
+/// Pieces of segments along which the feature size is taken for linear, in units of f.
+constexpr double PieceLength = 0.5;
+
+constexpr int DeepestPiece = 40;
+
+BoxTree MakeTree(const FeatureSource& source, Pulse& pulse)
+{
+  std::vector<BoxTree::Item> items(source.Starts.size());
+  for (std::size_t segment = 0; segment < items.size(); ++segment)
+  {
+    items[segment].Box.Add(source.Points[static_cast<std::size_t>(source.Starts[segment])]);
+    items[segment].Box.Add(source.Points[static_cast<std::size_t>(source.Ends[segment])]);
+  }
+  return BoxTree(items, pulse);
+}
+
+/// A segment of the source.
+struct Feature
+{
+  Id StartId;
+  Id EndId;
+  Point2 Start;
+  Point2 End;
+  bool LeftInside;
+  bool RightInside;
+
+  Feature(const FeatureSource& source, Id segmentId)
+  {
+    const auto segment = static_cast<std::size_t>(segmentId);
+    this->StartId = source.Starts[segment];
+    this->EndId = source.Ends[segment];
+    this->Start = source.Points[static_cast<std::size_t>(this->StartId)];
+    this->End = source.Points[static_cast<std::size_t>(this->EndId)];
+    this->LeftInside = source.LeftInside[segment] != 0;
+    this->RightInside = source.RightInside[segment] != 0;
+  }
+
+  bool IsPoint() const { return this->StartId == this->EndId; }
+
+  bool IsIncident(const Feature& other) const
+  {
+    return this->StartId == other.StartId || this->StartId == other.EndId ||
+      this->EndId == other.StartId || this->EndId == other.EndId;
+  }
+};
+
+double DistanceToSegment(const Point2& x, const Point2& start, const Point2& end)
+{
+  const Point2 direction = end - start;
+  const double square = Dot(direction, direction);
+  const double along = square > 0.0 ? Dot(x - start, direction) / square : 0.0;
+  return Length(x - start - std::min(std::max(along, 0.0), 1.0) * direction);
+}
+
+/// From x on a feature to another one, as far as it lies on the given side (+1 left, -1 right).
+double DistanceOnSide(const Feature& own, const Point2& x, const Feature& other, double side)
+{
+  const Point2 direction = own.End - own.Start;
+  const double startHeight = side * Cross(direction, other.Start - own.Start);
+  const double endHeight = side * Cross(direction, other.End - own.Start);
+  if (startHeight <= 0.0 && endHeight <= 0.0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double weight = startHeight / (startHeight - endHeight);
+  const Point2 cut = other.Start + weight * (other.End - other.Start);
+  return DistanceToSegment(
+    x, startHeight < 0.0 ? cut : other.Start, endHeight < 0.0 ? cut : other.End);
+}
+
+double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
+{
+  if (own.IsPoint() || (own.LeftInside && own.RightInside))
+  {
+    return DistanceToSegment(x, other.Start, other.End);
+  }
+  return DistanceOnSide(own, x, other, own.LeftInside ? 1.0 : -1.0);
+}
+
+/// Lowers f along one segment after the other.
+class FeatureCap
+{
+public:
+  FeatureCap(const FeatureSource& source, const std::function<double(const Point2&)>& given,
+    double most, double gradation, ConeCollector& cones, Monitor& monitor)
+    : Source(source)
+    , Beats(monitor)
+    , Size(source, this->Beats)
+    , Given(given)
+    , Most(most)
+    , Gradation(gradation)
+    , Cones(cones)
+  {
+  }
+
+  bool Run()
+  {
+    const auto count = static_cast<Id>(this->Source.Starts.size());
+    for (this->Segment = 0; this->Segment < count && this->Beats.Beat(16); ++this->Segment)
+    {
+      const Feature feature(this->Source, this->Segment);
+      const double length = Distance(feature.Start, feature.End);
+      this->MostByLength =
+        length > 0.0 ? LengthsPerSpacing * length : std::numeric_limits<double>::infinity();
+      const Sample start = this->TakeSample(feature.Start, length);
+      if (length > 0.0)
+      {
+        this->AddPiece(start, this->TakeSample(feature.End, length), length, 0);
+      }
+      else if (start.Capped < start.Given)
+      {
+        this->Cones.AddPoint(start.Place, start.Capped);
+      }
+    }
+    return !this->Beats.HasStopped();
+  }
+
+private:
+  struct Sample
+  {
+    Point2 Place;
+    double Given;  ///< f without the cap
+    double Size;   ///< feature size in units of f, as far as it matters
+    double Capped; ///< f with the cap
+  };
+
+  /// `reach` is how far from here the feature size is to be known.
+  Sample TakeSample(const Point2& place, double reach)
+  {
+    this->Beats.SetFraction(
+      static_cast<double>(this->Segment) / static_cast<double>(this->Source.Starts.size()));
+    this->Beats.Beat(16);
+    Sample sample;
+    sample.Place = place;
+    sample.Given = this->Given(place);
+    const double known = sample.Given / SizesPerSpacing + reach;
+    sample.Size = SizesPerSpacing * this->Size(this->Segment, place, known);
+    const double bySize = std::max(sample.Size, LeastShare * sample.Given);
+    const double byLength = std::max(this->MostByLength, LeastShareOnShort * sample.Given);
+    sample.Capped =
+      std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
+    return sample;
+  }
+
+  /// The feature size changes no faster than the place, and f in the end no faster than the gradation:
+  /// from their values at the ends follows how small the one, how large the other can be between.
+  void AddPiece(const Sample& start, const Sample& end, double length, int depth)
+  {
+    const double least = 0.5 * (start.Size + end.Size - SizesPerSpacing * length);
+    const double most =
+      std::min(this->Most, 0.5 * (start.Given + end.Given + this->Gradation * length));
+    if (this->Beats.HasStopped() || std::min(least, this->MostByLength) >= most)
+    {
+      return;
+    }
+    const bool isShort = length <= PieceLength * std::min(start.Capped, end.Capped);
+    if (isShort || depth == DeepestPiece)
+    {
+      if (start.Capped < start.Given || end.Capped < end.Given)
+      {
+        this->Cones.AddSegment(start.Place, end.Place, start.Capped, end.Capped);
+      }
+      return;
+    }
+    const Sample middle = this->TakeSample(Midpoint(start.Place, end.Place), 0.5 * length);
+    this->AddPiece(start, middle, 0.5 * length, depth + 1);
+    this->AddPiece(middle, end, 0.5 * length, depth + 1);
+  }
+
+  const FeatureSource& Source;
+  Pulse Beats;
+  const FeatureSize Size;
+  const std::function<double(const Point2&)>& Given;
+  const double Most;
+  const double Gradation;
+  ConeCollector& Cones;
+  Id Segment = 0;
+  double MostByLength = 0.0; ///< f on that segment
+};
+
+} // namespace
+
+FeatureSize::FeatureSize(const FeatureSource& source, Pulse& pulse)
+  : Source(source)
+  , Tree(MakeTree(source, pulse))
+{
+}
+
+double FeatureSize::operator()(Id segment, const Point2& x, double known) const
+{
+  const Feature own(this->Source, segment);
+  double least = known;
+  this->Tree.Search(this->Tree.Whole(), x, 1.0, least,
+    [this, &own, &x, &least](Id position, double)
+    {
+      const Feature other(this->Source, this->Tree.Order()[static_cast<std::size_t>(position)]);
+      if (!own.IsIncident(other))
+      {
+        least = std::min(least, DistanceInside(own, x, other));
+      }
+      return least;
+    });
+  return least;
+}
+
+bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
+  double most, double gradation, ConeCollector& cones, Monitor& monitor)
+{
+  return FeatureCap(source, given, most, gradation, cones, monitor).Run();
+}
+
+} // namespace biting

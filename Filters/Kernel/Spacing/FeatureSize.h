@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFeatureSize_h
+#define BitingFeatureSize_h
+
+#include "BoxTree.h"
+#include "ConeCollector.h"
+
+#include <functional> // for the spacing as given
+
+namespace biting
+{
+
+/// Local feature size along the segments of a domain: the distance to the nearest feature that is not
+/// incident, seen through the domain. (The paper, section 2.1, after Ruppert: the radius of the
+/// smallest disc that meets two features which are not incident. At a point of a segment one of the
+/// two is the segment itself.)
+class FeatureSize
+{
+public:
+  FeatureSize(const FeatureSource& source, Pulse& pulse);
+
+  /// At a point of a segment; `known` where no feature is nearer than that. That the ends of the
+  /// segment are not incident to each other is left to its length.
+  double operator()(Id segment, const Point2& x, double known) const;
+
+private:
+  const FeatureSource& Source;
+  BoxTree Tree; ///< of the segments
+};
+
+/// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature size;
+/// see FeatureSource for the rule. `given(x)` is f without it, nowhere above `most`;
+/// `gradation` the Lipschitz constant that it will have in the end. False if the monitor asks to stop.
+bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
+  double most, double gradation, ConeCollector& cones, Monitor& monitor);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HessianRecovery.h"
+
+#include "../Base/Pulse.h"
+
+#include <algorithm> // for min, max
+#include <array>     // for the columns
+#include <cmath>     // for sqrt
+#include <limits>    // for NaN
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostRings = 4;
+constexpr std::size_t MostPatchPoints = 64;
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+// The least sine between a column of the fit and those before it. A fit with less would multiply
+// errors of the values by more than its reciprocal.
+constexpr double LeastSine = 0.02;
+
+// The cells at each point: those of point p are in Cells from Offsets[p] on, ascending.
+struct CellsByPoint
+{
+  std::vector<Id> Offsets;
+  std::vector<Id> Cells;
+};
+
+CellsByPoint Distribute(const CellsView& view)
+{
+  CellsByPoint result;
+  result.Offsets.assign(view.Points.size() + 1, 0);
+  result.Cells.resize(view.Corners.size());
+  for (const Id corner : view.Corners)
+  {
+    ++result.Offsets[static_cast<std::size_t>(corner)];
+  }
+  Id sum = 0;
+  for (Id& offset : result.Offsets)
+  {
+    sum += offset;
+    offset = sum;
+  }
+  for (std::size_t cell = view.Offsets.size() - 1; cell-- > 0;)
+  {
+    for (Id k = view.Offsets[cell]; k < view.Offsets[cell + 1]; ++k)
+    {
+      const auto point = static_cast<std::size_t>(view.Corners[static_cast<std::size_t>(k)]);
+      result.Cells[static_cast<std::size_t>(--result.Offsets[point])] = static_cast<Id>(cell);
+    }
+  }
+  return result;
+}
+
+// The points around a point, ring by ring. Only those with a finite value.
+class PatchWalk
+{
+public:
+  PatchWalk(const CellsView& view, const std::vector<double>& values);
+
+  void Start(Id point);
+  bool Grow(); // false where nothing was added
+  const std::vector<Id>& Points() const { return this->Patch; }
+
+private:
+  void AddCell(Id cell);
+
+  const CellsView& View;
+  const std::vector<double>& Values;
+  CellsByPoint AtPoint;
+  std::vector<Id> Patch;
+  std::size_t RingBegin = 0;
+  std::vector<Id> LastStart; // the point whose patch this one was last in
+};
+
+PatchWalk::PatchWalk(const CellsView& view, const std::vector<double>& values)
+  : View(view)
+  , Values(values)
+  , AtPoint(Distribute(view))
+  , LastStart(view.Points.size(), NoId)
+{
+  this->Patch.reserve(MostPatchPoints);
+}
+
+void PatchWalk::Start(Id point)
+{
+  this->Patch.assign(1, point);
+  this->RingBegin = 0;
+  this->LastStart[static_cast<std::size_t>(point)] = point;
+}
+
+bool PatchWalk::Grow()
+{
+  const std::size_t ringEnd = this->Patch.size();
+  for (std::size_t k = this->RingBegin; k < ringEnd; ++k)
+  {
+    const auto point = static_cast<std::size_t>(this->Patch[k]);
+    const Id end = this->AtPoint.Offsets[point + 1];
+    for (Id i = this->AtPoint.Offsets[point]; i < end && this->Patch.size() < MostPatchPoints; ++i)
+    {
+      this->AddCell(this->AtPoint.Cells[static_cast<std::size_t>(i)]);
+    }
+  }
+  this->RingBegin = ringEnd;
+  return this->Patch.size() > ringEnd;
+}
+
+void PatchWalk::AddCell(Id cell)
+{
+  const Id start = this->Patch.front();
+  const Id end = this->View.Offsets[static_cast<std::size_t>(cell) + 1];
+  for (Id k = this->View.Offsets[static_cast<std::size_t>(cell)]; k < end; ++k)
+  {
+    const Id corner = this->View.Corners[static_cast<std::size_t>(k)];
+    const auto slot = static_cast<std::size_t>(corner);
+    if (this->LastStart[slot] != start && this->Patch.size() < MostPatchPoints &&
+      std::isfinite(this->Values[slot]))
+    {
+      this->LastStart[slot] = start;
+      this->Patch.push_back(corner);
+    }
+  }
+}
+
+// Fits 1, u, v, u^2 / 2, u v, v^2 / 2 to the values of a patch. (u, v) are coordinates in which the
+// patch is as wide in every direction, so that stretched meshes are fitted as well as others.
+class QuadraticFit
+{
+public:
+  // Returns whether the patch determines the polynomial well.
+  bool Fit(const CellsView& view, const std::vector<double>& values, const std::vector<Id>& patch);
+  Hessian2 Hessian() const;
+
+private:
+  static constexpr std::size_t Terms = 6;
+  using Column = std::array<double, MostPatchPoints>;
+
+  bool ReadPlaces(const std::vector<Point2>& points, const std::vector<Id>& patch);
+  void FillColumns();
+  bool Orthogonalize();
+  void Solve();
+  double Product(const Column& a, const Column& b) const;
+  void Subtract(double factor, const Column& a, Column& b) const;
+
+  std::size_t Count = 0;
+  // The factor of Cholesky of the offsets' second moments: dx = ScaleX u, dy = Shear u + ScaleY v.
+  double ScaleX = 0.0;
+  double Shear = 0.0;
+  double ScaleY = 0.0;
+  std::array<Column, Terms> Columns;
+  Column Residual;
+  std::array<std::array<double, Terms>, Terms> Upper;
+  std::array<double, Terms> Projections;
+  std::array<double, Terms> Coefficients;
+};
+
+bool QuadraticFit::Fit(
+  const CellsView& view, const std::vector<double>& values, const std::vector<Id>& patch)
+{
+  this->Count = patch.size();
+  if (this->Count < Terms || !this->ReadPlaces(view.Points, patch))
+  {
+    return false;
+  }
+  // Differences to the value of the point itself: what they have in common is not rounded.
+  const double own = values[static_cast<std::size_t>(patch.front())];
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    this->Residual[k] = values[static_cast<std::size_t>(patch[k])] - own;
+  }
+  this->FillColumns();
+  if (!this->Orthogonalize())
+  {
+    return false;
+  }
+  this->Solve();
+  return true;
+}
+
+// Leaves u and v in columns 1 and 2; false where the points are on a line.
+bool QuadraticFit::ReadPlaces(const std::vector<Point2>& points, const std::vector<Id>& patch)
+{
+  const Point2& own = points[static_cast<std::size_t>(patch.front())];
+  Column& u = this->Columns[1];
+  Column& v = this->Columns[2];
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    const Point2 offset = points[static_cast<std::size_t>(patch[k])] - own;
+    u[k] = offset.X;
+    v[k] = offset.Y;
+  }
+  const double share = 1.0 / static_cast<double>(this->Count);
+  this->ScaleX = std::sqrt(share * this->Product(u, u));
+  if (!(this->ScaleX > 0.0))
+  {
+    return false;
+  }
+  this->Shear = share * this->Product(u, v) / this->ScaleX;
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    u[k] /= this->ScaleX;
+    v[k] -= this->Shear * u[k];
+  }
+  this->ScaleY = std::sqrt(share * this->Product(v, v));
+  // Offsets are rounded by epsilon: what is left of them must be far more than that.
+  constexpr double LeastWidth = 1e-10;
+  if (!(this->ScaleY > LeastWidth * std::max(this->ScaleX, std::abs(this->Shear))))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    v[k] /= this->ScaleY;
+  }
+  return true;
+}
+
+void QuadraticFit::FillColumns()
+{
+  const Column& u = this->Columns[1];
+  const Column& v = this->Columns[2];
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    this->Columns[0][k] = 1.0;
+    this->Columns[3][k] = 0.5 * u[k] * u[k];
+    this->Columns[4][k] = u[k] * v[k];
+    this->Columns[5][k] = 0.5 * v[k] * v[k];
+  }
+}
+
+// Gram-Schmidt, one column after the other taken out of all that follow and of the values.
+bool QuadraticFit::Orthogonalize()
+{
+  std::array<double, Terms> squares;
+  for (std::size_t term = 0; term < Terms; ++term)
+  {
+    squares[term] = this->Product(this->Columns[term], this->Columns[term]);
+  }
+  for (std::size_t term = 0; term < Terms; ++term)
+  {
+    const Column& column = this->Columns[term];
+    const double square = this->Product(column, column);
+    if (!(square > LeastSine * LeastSine * squares[term]))
+    {
+      return false;
+    }
+    for (std::size_t later = term + 1; later < Terms; ++later)
+    {
+      this->Upper[term][later] = this->Product(column, this->Columns[later]) / square;
+      this->Subtract(this->Upper[term][later], column, this->Columns[later]);
+    }
+    this->Projections[term] = this->Product(column, this->Residual) / square;
+    this->Subtract(this->Projections[term], column, this->Residual);
+  }
+  return true;
+}
+
+void QuadraticFit::Solve()
+{
+  for (std::size_t term = Terms; term-- > 0;)
+  {
+    this->Coefficients[term] = this->Projections[term];
+    for (std::size_t later = term + 1; later < Terms; ++later)
+    {
+      this->Coefficients[term] -= this->Upper[term][later] * this->Coefficients[later];
+    }
+  }
+}
+
+// u = x / ScaleX, v = (y - Shear / ScaleX x) / ScaleY.
+Hessian2 QuadraticFit::Hessian() const
+{
+  const double ux = 1.0 / this->ScaleX;
+  const double vx = -this->Shear / (this->ScaleX * this->ScaleY);
+  const double vy = 1.0 / this->ScaleY;
+  const double uu = this->Coefficients[3];
+  const double uv = this->Coefficients[4];
+  const double vv = this->Coefficients[5];
+  return { uu * ux * ux + 2.0 * uv * ux * vx + vv * vx * vx, uv * ux * vy + vv * vx * vy,
+    vv * vy * vy };
+}
+
+double QuadraticFit::Product(const Column& a, const Column& b) const
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    sum += a[k] * b[k];
+  }
+  return sum;
+}
+
+void QuadraticFit::Subtract(double factor, const Column& a, Column& b) const
+{
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    b[k] -= factor * a[k];
+  }
+}
+
+Hessian2 RecoverAt(Id point, const CellsView& cells, const std::vector<double>& values,
+  PatchWalk& walk, QuadraticFit& fit)
+{
+  walk.Start(point);
+  bool isFitted = false;
+  const bool isKnown = std::isfinite(values[static_cast<std::size_t>(point)]);
+  for (int ring = 0; ring < MostRings && isKnown && !isFitted && walk.Grow(); ++ring)
+  {
+    isFitted = fit.Fit(cells, values, walk.Points());
+  }
+  return isFitted ? fit.Hessian() : Hessian2{ Unknown, Unknown, Unknown };
+}
+
+} // namespace
+
+std::vector<Hessian2> RecoverHessians(
+  const CellsView& cells, const std::vector<double>& values, Monitor& monitor)
+{
+  PatchWalk walk(cells, values);
+  QuadraticFit fit;
+  std::vector<Hessian2> hessians(cells.Points.size());
+  Pulse pulse(monitor);
+  pulse.ForEach(hessians.size(),
+    [&cells, &values, &walk, &fit, &hessians](std::size_t point)
+    { hessians[point] = RecoverAt(static_cast<Id>(point), cells, values, walk, fit); });
+  return pulse.HasStopped() ? std::vector<Hessian2>() : hessians;
+}
+
+double SpectralNorm(const Hessian2& hessian)
+{
+  const double half = 0.5 * (hessian.XX - hessian.YY);
+  const double mean = 0.5 * (hessian.XX + hessian.YY);
+  return std::abs(mean) + std::sqrt(half * half + hessian.XY * hessian.XY);
+}
+
+double NumericalSpacing(double norm, double errorTolerance, double minimum, double maximum)
+{
+  if (std::isnan(norm))
+  {
+    return Unknown;
+  }
+  const double spacing = norm > 0.0 ? std::sqrt(errorTolerance / norm) : maximum;
+  return std::max(minimum, std::min(spacing, maximum));
+}
+
+} // namespace biting

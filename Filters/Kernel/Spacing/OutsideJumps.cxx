@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OutsideJumps.h"
+
+#include "../Base/Pulse.h"
+
+#include <array> // for samples
+
+namespace biting
+{
+namespace
+{
+
+/// Perpendiculars along an edge: so many f / g apart, but no more than so many.
+constexpr double FootDistance = 0.05;
+constexpr double MostFeet = 64.0;
+
+/// Jumps by less than this share of f do not matter.
+constexpr double LeastJump = 0.002;
+
+/// Squares that are searched first, along the longer side of the bounds, and last: g / f times their
+/// side.
+constexpr int FirstSquares = 64;
+constexpr double LastSquare = 0.01;
+constexpr int DeepestLevel = 24;
+
+/// Feet farther apart than this many times the points themselves belong to two parts of the border.
+constexpr double LargestExpansion = 1.5;
+
+/// Ends of neighboring perpendiculars that are farther apart than so many times their feet or their
+/// lengths may have anything between them.
+constexpr double LargestStep = 4.0;
+
+/// Halvings of the length of a perpendicular, and the room for rounding in comparing lengths.
+constexpr int LengthSteps = 30;
+constexpr double SameLength = 1e-6;
+
+/// Where a perpendicular ends, and the value along it.
+struct RayEnd
+{
+  Point2 Foot;
+  Point2 Place;
+  double Spacing = 0.0;
+  bool IsLow = false; ///< f is larger beyond
+};
+
+class JumpFinder
+{
+public:
+  JumpFinder(const TriangleInterpolator& field, const Box2& bounds, double gradation,
+    ConeCollector& cones, Monitor& monitor)
+    : Field(field)
+    , Bounds(bounds)
+    , Gradation(gradation)
+    , Cones(cones)
+    , Beats(monitor)
+  {
+  }
+
+  bool Run()
+  {
+    for (const BorderEdge& edge : this->Field.BorderEdges())
+    {
+      const double length = Distance(edge.Start, edge.End);
+      if (!this->Beats.Beat() || !(length > 0.0))
+      {
+        continue;
+      }
+      const Point2 normal = (1.0 / length) * Perpendicular(edge.End - edge.Start);
+      for (double side : { -1.0, 1.0 })
+      {
+        if (this->LeavesTriangles(Midpoint(edge.Start, edge.End), side * normal, length))
+        {
+          this->AddPerpendicular(edge, side * normal);
+          this->AddEnds(edge, side * normal);
+        }
+      }
+    }
+    this->SearchAll();
+    return !this->Beats.HasStopped();
+  }
+
+private:
+  double SpacingAt(const Point2& x) const
+  {
+    return this->Cones.Values()(this->Field.Nearest(x).Value);
+  }
+
+  /// Whether a direction leads from the border to the outside, within the bounds.
+  bool LeavesTriangles(const Point2& start, const Point2& direction, double length) const
+  {
+    const double step = std::min(SameLength * length, 0.5 * this->Reach(start, direction));
+    return step > 0.0 && this->Field.Nearest(start + step * direction).Distance > 0.0;
+  }
+
+  /// How far it is along a unit vector to the end of the bounds; 0 where that is behind.
+  double Reach(const Point2& start, const Point2& direction) const
+  {
+    const auto along = [](double from, double slope, double low, double high)
+    {
+      const double end = slope > 0.0 ? high : low;
+      return slope == 0.0 ? std::numeric_limits<double>::infinity() : (end - from) / slope;
+    };
+    const double reach =
+      std::min(along(start.X, direction.X, this->Bounds.Low.X, this->Bounds.High.X),
+        along(start.Y, direction.Y, this->Bounds.Low.Y, this->Bounds.High.Y));
+    return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
+  }
+
+  /// How far along a unit vector a point of the border stays the nearest one.
+  double LengthAlong(const Point2& start, const Point2& direction)
+  {
+    double length = 0.0;
+    double tooLong = this->Reach(start, direction);
+    for (int step = 0; step < LengthSteps; ++step)
+    {
+      const double tried = step == 0 ? tooLong : 0.5 * (length + tooLong);
+      const bool isNearest =
+        this->Field.Nearest(start + tried * direction).Distance >= (1.0 - SameLength) * tried;
+      if (isNearest && step == 0)
+      {
+        return tried;
+      }
+      length = isNearest ? tried : length;
+      tooLong = isNearest ? tooLong : tried;
+    }
+    this->Beats.Beat(512);
+    return length;
+  }
+
+  /// From the lower end of a steep edge.
+  void AddPerpendicular(const BorderEdge& edge, const Point2& normal)
+  {
+    const ValueRange& range = this->Cones.Values();
+    const bool isRising = edge.StartValue < edge.EndValue;
+    const Point2& lowEnd = isRising ? edge.Start : edge.End;
+    const Point2& highEnd = isRising ? edge.End : edge.Start;
+    const double low = range.Scale * std::min(edge.StartValue, edge.EndValue);
+    const double high = range.Scale * std::max(edge.StartValue, edge.EndValue);
+    const bool isSteep = high - low > this->Gradation * Distance(lowEnd, highEnd);
+    if (isSteep && low < range.Most && high > range.Least)
+    {
+      const double weight = std::max(0.0, (range.Least - low) / (high - low));
+      const Point2 start = lowEnd + weight * (highEnd - lowEnd);
+      const Point2 end = start + this->LengthAlong(start, normal) * normal;
+      this->Cones.AddSegment(start, end, std::max(low, range.Least), std::max(low, range.Least));
+    }
+  }
+
+  /// The jumps before an edge.
+  void AddEnds(const BorderEdge& edge, const Point2& normal)
+  {
+    const double least = this->Cones.Values()(std::min(edge.StartValue, edge.EndValue));
+    const double length = Distance(edge.Start, edge.End);
+    const double feet =
+      std::min(std::ceil(length * this->Gradation / (FootDistance * least)), MostFeet);
+    RayEnd last;
+    for (double foot = 0.0; foot <= feet && !this->Beats.HasStopped(); foot += 1.0)
+    {
+      const RayEnd next =
+        this->FindEnd(edge.Start + (foot / feet) * (edge.End - edge.Start), normal);
+      this->Connect(last, next, foot > 0.0);
+      last = next;
+    }
+  }
+
+  RayEnd FindEnd(const Point2& foot, const Point2& direction)
+  {
+    const double reach = this->Reach(foot, direction);
+    const double length = this->LengthAlong(foot, direction);
+    RayEnd end;
+    end.Foot = foot;
+    end.Place = foot + length * direction;
+    end.Spacing = this->SpacingAt(foot);
+    const double beyond = std::min((1.0 + 1000.0 * SameLength) * length, reach);
+    end.IsLow =
+      length<reach&& this->SpacingAt(foot + beyond * direction)>(1.0 + LeastJump) * end.Spacing;
+    return end;
+  }
+
+  void Connect(const RayEnd& last, const RayEnd& next, bool hasLast)
+  {
+    const double step = Distance(last.Place, next.Place);
+    const double usual = std::max(Distance(last.Foot, next.Foot),
+      0.25 * std::min(Distance(last.Place, last.Foot), Distance(next.Place, next.Foot)));
+    if (hasLast && last.IsLow && next.IsLow && step <= LargestStep * usual)
+    {
+      this->Cones.AddSegment(last.Place, next.Place, last.Spacing, next.Spacing);
+    }
+    else if (next.IsLow)
+    {
+      this->Cones.AddPoint(next.Place, next.Spacing);
+    }
+  }
+
+  // What corners of the border are nearest to has no perpendiculars: squares find the jumps.
+
+  void SearchAll()
+  {
+    const double size = std::max(this->Bounds.Width(), this->Bounds.Height()) / FirstSquares;
+    for (int row = 0; row * size < this->Bounds.Height(); ++row)
+    {
+      this->Beats.SetFraction(0.5 + 0.5 * row / FirstSquares);
+      for (int column = 0; column * size < this->Bounds.Width(); ++column)
+      {
+        this->Search(this->Bounds.Low + Point2{ column * size, row * size }, size, 0);
+      }
+    }
+  }
+
+  struct Sample
+  {
+    Point2 Place;
+    NearestValue Nearest;
+    double Spacing;
+  };
+  using Samples = std::array<Sample, 5>; ///< the corners, and the center
+
+  Samples TakeSamples(const Point2& low, double size)
+  {
+    Samples samples;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      const Point2 offset = k == 4
+        ? Point2{ 0.5 * size, 0.5 * size }
+        : Point2{ static_cast<double>(k % 2) * size, static_cast<double>(k / 2) * size };
+      samples[k].Place = low + offset;
+      samples[k].Nearest = this->Field.Nearest(samples[k].Place);
+      samples[k].Spacing = this->Cones.Values()(samples[k].Nearest.Value);
+    }
+    this->Beats.Beat(64);
+    return samples;
+  }
+
+  void Search(const Point2& low, double size, int level)
+  {
+    if (this->Beats.HasStopped())
+    {
+      return;
+    }
+    const Samples samples = this->TakeSamples(low, size);
+    double least = samples[4].Spacing;
+    bool areApart = false;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      least = std::min(least, samples[k].Spacing);
+      for (std::size_t other = 0; other < k; ++other)
+      {
+        areApart = areApart || AreApart(samples[k], samples[other]);
+      }
+    }
+    const bool isLast = this->Gradation * size <= LastSquare * least || level == DeepestLevel;
+    if (areApart && isLast)
+    {
+      this->AddLowSides(samples);
+    }
+    for (int quarter = 0; quarter < 4 && areApart && !isLast; ++quarter)
+    {
+      const Point2 offset{ 0.5 * size * (quarter % 2), 0.5 * size * (quarter / 2) };
+      this->Search(low + offset, 0.5 * size, level + 1);
+    }
+  }
+
+  static bool AreApart(const Sample& a, const Sample& b)
+  {
+    const double jump = std::abs(a.Spacing - b.Spacing);
+    return a.Nearest.Distance + b.Nearest.Distance > 0.0 &&
+      jump > LeastJump * std::min(a.Spacing, b.Spacing) &&
+      Distance(a.Nearest.Foot, b.Nearest.Foot) > LargestExpansion * Distance(a.Place, b.Place);
+  }
+
+  void AddLowSides(const Samples& samples)
+  {
+    for (const Sample& sample : samples)
+    {
+      const bool isLow = std::any_of(samples.begin(), samples.end(),
+        [this, &sample](const Sample& other) {
+          return other.Spacing >
+            sample.Spacing + this->Gradation * Distance(sample.Place, other.Place);
+        });
+      if (isLow)
+      {
+        this->Cones.AddPoint(sample.Place, sample.Spacing);
+      }
+    }
+  }
+
+  const TriangleInterpolator& Field;
+  const Box2& Bounds;
+  const double Gradation;
+  ConeCollector& Cones;
+  Pulse Beats;
+};
+
+} // namespace
+
+bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
+  ConeCollector& cones, Monitor& monitor)
+{
+  return !(bounds.Diagonal() > 0.0) || JumpFinder(field, bounds, gradation, cones, monitor).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Biting/OutlineCover.h"
+#include "../Support/MeshShapes.h"
+#include "Biting/BiteOutline.h"
+
+#include <gtest/gtest.h>
+
+namespace biting
+{
+
+namespace
+{
+
+bool IsFull(const Bites& bites)
+{
+  OutlineCover cover(bites, 0);
+  for (Id other = 1; other < bites.Size(); ++other)
+  {
+    cover.Cover(other);
+  }
+  return cover.IsFull();
+}
+
+bool HasGap(const Bites& bites)
+{
+  BiteOutline outline;
+  outline.Begin(bites, 0);
+  for (Id other = 1; other < bites.Size(); ++other)
+  {
+    outline.Cover(bites, other);
+  }
+  outline.Finish();
+  for (int side = 0; side < 4; ++side)
+  {
+    if (!outline.Gaps(side).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+enum class Mix
+{
+  Squares,
+  Circles,
+  Both
+};
+
+/// A bite among others that often surround it.
+Bites RandomSurroundings(Mix mix, TestNumbers& numbers)
+{
+  Bites bites;
+  const int count = 5 + numbers.Below(10);
+  for (int k = 0; k < count; ++k)
+  {
+    const double angle = DegreesPerTurn * (k + numbers.Unit()) / (count - 1);
+    const bool isCircle = mix == Mix::Circles || (mix == Mix::Both && numbers.Below(2) == 0);
+    bites.Centers.push_back(k == 0 ? Point2{} : (0.6 + 0.6 * numbers.Unit()) * UnitVector(angle));
+    bites.Axes.push_back(isCircle ? Point2{} : UnitVector(DegreesPerTurn * numbers.Unit()));
+    bites.HalfWidths.push_back(0.7 + 0.4 * numbers.Unit());
+  }
+  return bites;
+}
+
+TEST(OutlineCover, FullOutlinesHaveNoGap)
+{
+  TestNumbers numbers(1);
+  for (const Mix mix : { Mix::Squares, Mix::Circles, Mix::Both })
+  {
+    int full = 0;
+    for (int run = 0; run < 3000; ++run)
+    {
+      const Bites bites = RandomSurroundings(mix, numbers);
+      const bool isFull = IsFull(bites);
+      full += isFull ? 1 : 0;
+      EXPECT_FALSE(isFull && HasGap(bites));
+      EXPECT_TRUE(mix == Mix::Both || isFull || HasGap(bites));
+    }
+    EXPECT_GT(full, 100);
+  }
+}
+
+TEST(OutlineCover, BitesThatOnlyTouchCoverNothing)
+{
+  Bites bites;
+  bites.Centers = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.0, 2.0 }, { -2.0, 0.0 }, { 0.0, -2.0 } };
+  for (const Point2& axis : { Point2{ 1.0, 0.0 }, Point2{} })
+  {
+    bites.Axes.assign(5, axis);
+    bites.HalfWidths.assign(5, 1.0);
+    EXPECT_FALSE(IsFull(bites));
+  }
+}
+
+TEST(OutlineCover, SquareWithinALargerOneIsCovered)
+{
+  Bites bites;
+  bites.Centers = { { 0.1, 0.0 }, { 0.0, 0.0 } };
+  bites.Axes = { UnitVector(20.0), { 1.0, 0.0 } };
+  bites.HalfWidths = { 1.0, 2.0 };
+  EXPECT_TRUE(IsFull(bites));
+}
+
+} // namespace
+
+} // namespace biting

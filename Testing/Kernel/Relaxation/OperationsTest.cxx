@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RawMesh.h"
+
+#include "Base/Pulse.h"
+#include "Relaxation/Climbing.h"
+#include "Relaxation/DelaunayFlips.h"
+#include "Relaxation/Hill.h"
+#include "Relaxation/Patch.h"
+#include "Relaxation/Rescue.h"
+#include "Relaxation/Smoothing.h"
+#include "Relaxation/ValenceRound.h"
+
+#include <gtest/gtest.h>
+
+namespace biting
+{
+
+namespace
+{
+
+/// A mesh with all the tools.
+struct Tools : Workshop
+{
+  explicit Tools(RawMesh raw)
+    : Workshop(std::move(raw))
+    , Progress(Listener)
+    , Flips(this->Mesh)
+    , Surroundings(this->Mesh)
+    , Valences(this->Mesh, Flips, Surroundings)
+    , Climber(this->Mesh, Flips, Surroundings)
+    , Rescuer(this->Mesh, Flips, Surroundings, Climber)
+  {
+  }
+
+  SilentMonitor Listener;
+  Pulse Progress;
+  DelaunayFlips Flips;
+  Patch Surroundings;
+  ValenceRound Valences;
+  Climbing Climber;
+  Rescue Rescuer;
+};
+
+constexpr double Rounding = 1e-9; // of a cotangent
+
+/// The law of all operations but one: no angle falls below the floor and what was smallest.
+void ExpectLawful(const Tools& tools, double worstBefore, double floor)
+{
+  ASSERT_EQ(tools.Violation(true), "");
+  EXPECT_LE(tools.WorstCotangentOfAll(), std::max(worstBefore, floor) * (1.0 + Rounding));
+}
+
+double SumOfSquaredExcess(const MutableMesh& mesh)
+{
+  double sum = 0.0;
+  for (Id vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const double excess = mesh.IsAlive(vertex) ? mesh.Excess(vertex) : 0.0;
+    sum += excess * excess;
+  }
+  return sum;
+}
+
+Id NumberOfEdgesOutOfBand(const MutableMesh& mesh)
+{
+  Id count = 0;
+  for (Id edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    count += mesh.IsFirstHalf(edge) && IsOutOfBand(mesh, edge) ? 1 : 0;
+  }
+  return count;
+}
+
+Id NumberOfPoorTriangles(const MutableMesh& mesh)
+{
+  Id count = 0;
+  for (Id triangle = 0; triangle < static_cast<Id>(mesh.Regions.size()); ++triangle)
+  {
+    count += mesh.IsEdge(4 * triangle) && IsWorseThan(mesh, triangle, CotangentOf38Degrees) ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST(Smoothing, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    for (int sweep = 0; sweep < 4; ++sweep)
+    {
+      const double worst = tools.WorstCotangentOfAll();
+      SmoothAll(tools.Mesh, tools.Flips, 1, CotangentOf30Degrees, tools.Progress);
+      ExpectLawful(tools, worst, CotangentOf30Degrees);
+    }
+  }
+}
+
+TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
+{
+  PolylineBuilder builder;
+  builder.Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 6));
+  RawMesh raw(builder.Lines(), UniformSpacing(1.0), 0.7, 0);
+  raw = RawMesh(
+    builder.Chain({ { 0.2, 0.13 } }, ChainKind::EmbeddedPoint).Lines(), UniformSpacing(1.0), 1, 0);
+  Tools tools(std::move(raw));
+  Id center = 0;
+  while (tools.Mesh.Degrees[center] != 6)
+  {
+    ++center;
+  }
+  tools.Mesh.Freedoms[center] = Freedom::Free;
+  for (int step = 0; step < 40; ++step)
+  {
+    SmoothVertex(tools.Mesh, center, CotangentOf30Degrees);
+  }
+  EXPECT_LT(Length(tools.Mesh.Points[center]), 1e-9);
+}
+
+TEST(Smoothing, RefreshesTheSpacings)
+{
+  Tools tools(GradedSquare());
+  SmoothAll(tools.Mesh, tools.Flips, 2, CotangentOf30Degrees, tools.Progress);
+  for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
+  {
+    ASSERT_EQ(tools.Mesh.Spacings[vertex], tools.Raw.Spacing(tools.Mesh.Points[vertex]));
+  }
+}
+
+TEST(ValenceRound, LowersNoAngleBelow20DegreesAndKeepsDelaunay)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    for (int round = 0; round < 4; ++round)
+    {
+      const double worst = tools.WorstCotangentOfAll();
+      tools.Valences.Run(2, 1, tools.Progress);
+      ExpectLawful(tools, worst, CotangentOf20Degrees);
+    }
+  }
+}
+
+TEST(ValenceRound, BringsTheNumbersOfTrianglesTowardsSix)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    const double before = SumOfSquaredExcess(tools.Mesh);
+    tools.Valences.Run(1, 1, tools.Progress);
+    EXPECT_LT(SumOfSquaredExcess(tools.Mesh), 0.95 * before);
+  }
+}
+
+TEST(Climbing, LowersNoAngleBelow32DegreesAndKeepsDelaunay)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    const double worst = tools.WorstCotangentOfAll();
+    tools.Climber.Run(1, 3, tools.Progress);
+    ExpectLawful(tools, worst, 1.6);
+  }
+}
+
+TEST(Climbing, BringsEdgesIntoTheBand)
+{
+  Tools tools(UnitSquare());
+  const Id before = NumberOfEdgesOutOfBand(tools.Mesh);
+  tools.Climber.Run(1, 3, tools.Progress);
+  EXPECT_LT(2 * NumberOfEdgesOutOfBand(tools.Mesh), before);
+}
+
+TEST(Rescue, LeavesFewerTrianglesBelow38DegreesInAll)
+{
+  Id before = 0;
+  Id after = 0;
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    tools.Climber.Run(1, 3, tools.Progress);
+    before += NumberOfPoorTriangles(tools.Mesh);
+    tools.Rescuer.Run(20, tools.Progress);
+    after += NumberOfPoorTriangles(tools.Mesh);
+  }
+  EXPECT_LT(after, before);
+}
+
+TEST(Rescue, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    const double worst = tools.WorstCotangentOfAll();
+    tools.Rescuer.Run(8, tools.Progress);
+    ExpectLawful(tools, worst, CotangentOf30Degrees);
+  }
+}
+
+TEST(Hill, DoesNotCountTheAngleBetweenTwoSegments)
+{
+  // An angle of 10 degrees cut off where both segments are one long: apart from it 85 and 85.
+  const Point2 tip = UnitVector(10.0);
+  const RawMesh raw(PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, tip }).Lines(),
+    UniformSpacing(1.0), 1.0, 0);
+  MutableMesh mesh(raw.Domain, raw.Spacing);
+  mesh.IsDivided.assign(3, 1);
+  ReadMesh(raw.Mesh, mesh);
+  EXPECT_FALSE(IsWorseThan(mesh, 0, CotangentOf30Degrees));
+  mesh.Marks[0] = mesh.Marks[1] = mesh.Marks[2] = NoId;
+  EXPECT_TRUE(IsWorseThan(mesh, 0, CotangentOf30Degrees));
+}
+
+} // namespace biting

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/FeatureSize.h"
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+/// Closed loops with the domain on their left.
+FeatureSource Loops(const std::vector<std::vector<Point2>>& loops)
+{
+  FeatureSource source;
+  for (const std::vector<Point2>& loop : loops)
+  {
+    const auto first = static_cast<Id>(source.Points.size());
+    const auto count = static_cast<Id>(loop.size());
+    source.Points.insert(source.Points.end(), loop.begin(), loop.end());
+    for (Id corner = 0; corner < count; ++corner)
+    {
+      source.Starts.push_back(first + corner);
+      source.Ends.push_back(first + (corner + 1) % count);
+    }
+  }
+  source.LeftInside.assign(source.Starts.size(), 1);
+  source.RightInside.assign(source.Starts.size(), 0);
+  return source;
+}
+
+std::vector<Point2> Rectangle(double lowX, double lowY, double highX, double highY)
+{
+  return { { lowX, lowY }, { highX, lowY }, { highX, highY }, { lowX, highY } };
+}
+
+std::vector<Point2> Reversed(std::vector<Point2> loop)
+{
+  return { loop.rbegin(), loop.rend() };
+}
+
+void AddPoint(const Point2& place, FeatureSource& source)
+{
+  const auto point = static_cast<Id>(source.Points.size());
+  source.Points.push_back(place);
+  source.Starts.push_back(point);
+  source.Ends.push_back(point);
+  source.LeftInside.push_back(1);
+  source.RightInside.push_back(1);
+}
+
+double SizeAt(const FeatureSource& source, Id segment, const Point2& x)
+{
+  Pulse pulse(NoMonitor());
+  return FeatureSize(source, pulse)(segment, x, 100.0);
+}
+
+Spacing WithFeatures(FeatureSource source, double uniform, const Box2& bounds = UnitBox())
+{
+  SpacingOptions options;
+  options.Uniform = uniform;
+  options.Features = Share(std::move(source));
+  return MakeGoodSpacing(options, bounds);
+}
+
+/// By sampling the definition: points of the others on the inner side of the own segment.
+double SampledSize(const FeatureSource& source, std::size_t own, const Point2& x)
+{
+  const Point2 start = source.Points[static_cast<std::size_t>(source.Starts[own])];
+  const Point2 end = source.Points[static_cast<std::size_t>(source.Ends[own])];
+  double least = 100.0;
+  for (std::size_t other = 0; other < source.Starts.size(); ++other)
+  {
+    const Id a = source.Starts[other];
+    const Id b = source.Ends[other];
+    const bool isIncident = a == source.Starts[own] || a == source.Ends[own] ||
+      b == source.Starts[own] || b == source.Ends[own];
+    for (int step = 0; step <= 400 && !isIncident; ++step)
+    {
+      const Point2& from = source.Points[static_cast<std::size_t>(a)];
+      const Point2 y = from + (step / 400.0) * (source.Points[static_cast<std::size_t>(b)] - from);
+      if (Cross(end - start, y - start) > 0.0)
+      {
+        least = std::min(least, Distance(x, y));
+      }
+    }
+  }
+  return least;
+}
+
+} // namespace
+
+TEST(FeatureSize, IsTheWidthOfAChannel)
+{
+  const FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 2.0, 0.1) });
+  EXPECT_NEAR(SizeAt(channel, 0, { 1.0, 0.0 }), 0.1, 1e-12);
+  EXPECT_NEAR(SizeAt(channel, 2, { 0.3, 0.1 }), 0.1, 1e-12);
+}
+
+TEST(FeatureSize, IsWhatIsKnownWhereNothingIsNearer)
+{
+  const FeatureSource square = Loops({ Rectangle(0.0, 0.0, 1.0, 1.0) });
+  Pulse pulse(NoMonitor());
+  EXPECT_EQ(FeatureSize(square, pulse)(0, { 0.5, 0.0 }, 0.3), 0.3);
+}
+
+TEST(FeatureSize, DoesNotCountSegmentsThatShareAnEnd)
+{
+  const FeatureSource wedge = Loops({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.05 } } });
+  EXPECT_EQ(SizeAt(wedge, 0, { 0.01, 0.0 }), 100.0);
+}
+
+TEST(FeatureSize, DoesNotLookThroughTheOutside)
+{
+  const FeatureSource slab =
+    Loops({ Rectangle(-1.0, -1.0, 2.0, 2.0), Reversed(Rectangle(0.0, 0.4, 1.0, 0.4 + 1e-3)) });
+  EXPECT_NEAR(SizeAt(slab, 4, { 0.5, 0.4 + 1e-3 }), 1.5, 1e-12);
+  EXPECT_NEAR(SizeAt(slab, 6, { 0.5, 0.4 }), 1.4, 1e-12);
+}
+
+TEST(FeatureSize, CountsEmbeddedPoints)
+{
+  FeatureSource square = Loops({ Rectangle(0.0, 0.0, 1.0, 1.0) });
+  AddPoint({ 0.5, 0.02 }, square);
+  EXPECT_NEAR(SizeAt(square, 0, { 0.5, 0.0 }), 0.02, 1e-12);
+  EXPECT_NEAR(SizeAt(square, 4, { 0.5, 0.02 }), 0.02, 1e-12);
+}
+
+TEST(FeatureSize, IsTheDistanceThatItsDefinitionSays)
+{
+  std::vector<Point2> star;
+  Sampler sampler(41);
+  for (int corner = 0; corner < 60; ++corner)
+  {
+    const double angle = 6.283185307179586 * corner / 60.0;
+    const double radius = 0.1 + 0.4 * sampler.Next();
+    star.push_back({ 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) });
+  }
+  const FeatureSource source = Loops({ star });
+  for (std::size_t segment = 0; segment < star.size(); ++segment)
+  {
+    const Point2 x = Midpoint(star[segment], star[(segment + 1) % star.size()]);
+    const double sampled = SampledSize(source, segment, x);
+    const double size = SizeAt(source, static_cast<Id>(segment), x);
+    ASSERT_LE(size, sampled + 1e-12);
+    ASSERT_GE(size, sampled - 0.002);
+  }
+}
+
+TEST(FeatureLimit, IsTheFeatureSizeInAChannel)
+{
+  const Spacing f = WithFeatures(Loops({ Rectangle(0.0, 0.0, 1.0, 0.05) }), 0.1);
+  EXPECT_NEAR(f({ 0.5, 0.0 }), 0.05, 0.05 * 0.01);
+  EXPECT_NEAR(f({ 0.5, 0.05 }), 0.05, 0.05 * 0.01);
+}
+
+TEST(FeatureLimit, IsNotBelowAQuarterOfWhatIsGiven)
+{
+  const Spacing f = WithFeatures(Loops({ Rectangle(0.0, 0.0, 1.0, 1e-5) }), 0.1);
+  Sampler sampler(42);
+  for (int probe = 0; probe < 1000; ++probe)
+  {
+    const double value = f({ 0.2 + 0.6 * sampler.Next(), 1e-5 * sampler.Next() });
+    ASSERT_GE(value, 0.025 * 0.99);
+    ASSERT_LE(value, 0.025 * 1.01);
+  }
+}
+
+TEST(FeatureLimit, IsTwiceTheLengthOfShortSegments)
+{
+  std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);
+  loop.insert(loop.begin() + 1, { { 0.5, 0.0 }, { 0.5 + 1e-3, 0.0 } });
+  const Spacing f = WithFeatures(Loops({ loop }), 0.1);
+  EXPECT_NEAR(f({ 0.5, 0.0 }), 2e-3, 2e-5);
+  EXPECT_NEAR(f({ 0.5, 0.1 }), 2e-3 + 0.03, 1e-3);
+  EXPECT_EQ(f({ 0.5, 0.9 }), 0.1);
+}
+
+TEST(FeatureLimit, IsNotMuchBelowWhatIsGivenWhereSegmentsAreTiny)
+{
+  std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);
+  loop.insert(loop.begin() + 1, { { 0.5, 0.0 }, { 0.5 + 1e-12, 0.0 } });
+  EXPECT_NEAR(WithFeatures(Loops({ loop }), 0.1)({ 0.5, 0.0 }), 3e-4, 3e-6);
+}
+
+TEST(FeatureLimit, IsNotBelowTheMinimum)
+{
+  SpacingOptions options;
+  options.Uniform = 0.1;
+  options.Minimum = 0.08;
+  options.Features = Share(Loops({ Rectangle(0.0, 0.0, 1.0, 0.01) }));
+  EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.08, 1e-12);
+}
+
+TEST(FeatureLimit, LeavesAWideDomainAlone)
+{
+  const Spacing f = WithFeatures(Loops({ Rectangle(0.0, 0.0, 1.0, 1.0) }), 0.1);
+  EXPECT_TRUE(f.IsUniform());
+  EXPECT_EQ(f({ 0.0, 0.0 }), 0.1);
+}
+
+TEST(FeatureLimit, FindsANarrowPlaceInTheMiddleOfLongSegments)
+{
+  const Spacing f =
+    WithFeatures(Loops({ Rectangle(0.0, 0.0, 1.0, 1.0),
+                   { { 0.37, 0.5 }, { 0.5, 0.9 }, { 0.39, 0.51 }, { 0.372, 0.03 } } }),
+      0.1);
+  EXPECT_NEAR(f({ 0.372, 0.0 }), 0.03, 0.03 * 0.1);
+  EXPECT_NEAR(f({ 0.9, 0.0 }), 0.1, 1e-12);
+}
+
+TEST(FeatureLimit, IsLipschitz)
+{
+  std::vector<Point2> comb;
+  for (int tooth = 0; tooth < 20; ++tooth)
+  {
+    comb.push_back({ 0.05 * tooth, 0.9 });
+    comb.push_back({ 0.05 * tooth + 0.02, 0.05 });
+  }
+  comb.insert(comb.end(), { { 1.0, 1.0 }, { 0.0, 1.0 } });
+  const Spacing f = WithFeatures(Loops({ comb }), 0.1);
+  Sampler sampler(43);
+  for (int probe = 0; probe < 20000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    const Point2 y = x + 0.1 * (sampler.NextIn(UnitBox()) - Point2{ 0.5, 0.5 });
+    if (UnitBox().Contains(y))
+    {
+      ASSERT_LE(std::abs(f(x) - f(y)), 0.3 * Distance(x, y) + 0.01 * std::min(f(x), f(y)));
+    }
+  }
+}
+
+TEST(FeatureLimit, FollowsWhatIsGiven)
+{
+  SpacingOptions options;
+  options.Grid = Share(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; }));
+  options.Features = Share(Loops({ Rectangle(0.0, 0.0, 1.0, 0.1) }));
+  const Spacing f = MakeGoodSpacing(options);
+  EXPECT_NEAR(f({ 0.1, 0.0 }), 0.04, 1e-3);
+  EXPECT_NEAR(f({ 0.7, 0.0 }), 0.1, 1e-3);
+}

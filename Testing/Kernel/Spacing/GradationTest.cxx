@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The largest Lipschitz function below what is given, against its definition.
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+constexpr double Tolerance = 0.01;
+
+struct Case
+{
+  const char* Name;
+  SpacingOptions Options;
+};
+
+double Jump(const Point2& x)
+{
+  return Length(x - Point2{ 0.4, 0.45 }) < 0.3 + 0.05 * std::sin(9.0 * x.X) ? 0.002 : 0.1;
+}
+
+double Steep(const Point2& x)
+{
+  return 0.02 + 0.3 * x.X * x.X + 0.15 * x.Y * (1.0 - x.X);
+}
+
+SpacingOptions OfGrid(int nodes, const Field& field, double power = 1.0)
+{
+  SpacingOptions options;
+  options.Grid = Share(MakeGrid(nodes, nodes, field, power));
+  return options;
+}
+
+SpacingOptions OfTriangles(int nodes, const Field& field)
+{
+  SpacingOptions options;
+  options.Triangulation = Share(MakeTriangulation(nodes, field));
+  return options;
+}
+
+SpacingOptions Bounded(SpacingOptions options)
+{
+  options.Scale = 1.5;
+  options.Minimum = 0.03;
+  options.Maximum = 0.12;
+  return options;
+}
+
+std::vector<Case> Cases()
+{
+  Sampler sampler(5);
+  const auto noise = [&sampler](const Point2&) { return 0.02 * std::exp(2.0 * sampler.Next()); };
+  const auto dots = [&sampler](const Point2&) { return sampler.Next() < 0.01 ? 0.002 : 0.1; };
+  const auto holed = [](const Point2& x) {
+    return Length(x - Point2{ 0.5, 0.5 }) < 0.35 ? NotANumber : x.X < 0.5 ? 0.01 : 0.08;
+  };
+  SpacingOptions both = OfGrid(17, Jump);
+  both.Segments = Share(MakeLoop(40, [](double angle) { return 0.03 + 0.02 * std::sin(angle); }));
+  both.Uniform = 0.09;
+  SpacingOptions scaled;
+  scaled.Segments = Share(MakeScatter(30, 0.1, 8));
+  scaled.Scale = 2.5;
+  SpacingOptions shrunk = scaled;
+  shrunk.Scale = 0.5;
+  return { { "smooth grid", OfGrid(40, [](const Point2& x) { return 0.1 + 0.1 * x.X * x.Y; }) },
+    { "jump in a coarse grid", OfGrid(30, Jump) }, { "jump in a fine grid", OfGrid(400, Jump) },
+    { "jump in a graded grid", OfGrid(40, Jump, 2.0) }, { "steep, few nodes", OfGrid(3, Steep) },
+    { "steep, more nodes", OfGrid(20, Steep) }, { "noise", OfGrid(25, noise) },
+    { "dots", OfGrid(60, dots) }, { "bounded", Bounded(OfGrid(300, Steep)) },
+    { "triangles with a jump", OfTriangles(25, Jump) },
+    { "steep triangles", OfTriangles(6, Steep) }, { "noisy triangles", OfTriangles(25, noise) },
+    { "bounded triangles", Bounded(OfTriangles(9, Steep)) },
+    { "triangles around a hole", OfTriangles(25, holed) }, { "several sources", both },
+    { "scaled up boundary values", scaled }, { "scaled down boundary values", shrunk } };
+}
+
+/// What is given, without any limit.
+Spacing GivenOf(SpacingOptions options)
+{
+  if (!options.Segments)
+  {
+    options.Gradation = 0.0;
+    return MakeGoodSpacing(options);
+  }
+  options.Grid = nullptr;
+  options.Triangulation = nullptr;
+  return MakeGoodSpacing(options);
+}
+
+/// The coordinates of the nodes, and of as many points between them as make some hundreds.
+std::vector<double> Refined(const std::vector<double>& nodes)
+{
+  const auto parts = static_cast<int>(1 + 240 / nodes.size());
+  std::vector<double> refined{ nodes.front() };
+  for (std::size_t node = 1; node < nodes.size(); ++node)
+  {
+    for (int part = 1; part <= parts; ++part)
+    {
+      refined.push_back(
+        nodes[node - 1] + (nodes[node] - nodes[node - 1]) * part / static_cast<double>(parts));
+    }
+  }
+  return refined;
+}
+
+std::vector<double> NodesOf(const SpacingOptions& options)
+{
+  if (options.Grid)
+  {
+    return options.Grid->XNodes;
+  }
+  const auto count = static_cast<double>(options.Triangulation->Points.size());
+  return UnitNodes(static_cast<int>(std::lround(std::sqrt(count))));
+}
+
+/// min over many points y of f(y) + g |x - y|, all nodes of the source among them.
+class SampledLimit
+{
+public:
+  explicit SampledLimit(const SpacingOptions& options)
+    : Gradation(options.Gradation)
+  {
+    const Spacing given = GivenOf(options);
+    const std::vector<double> nodes = Refined(NodesOf(options));
+    for (std::size_t node = 1; node < nodes.size(); ++node)
+    {
+      this->Step = std::max(this->Step, nodes[node] - nodes[node - 1]);
+    }
+    for (double y : nodes)
+    {
+      for (double x : nodes)
+      {
+        this->Points.push_back({ x, y });
+        this->Values.push_back(given({ x, y }));
+      }
+    }
+  }
+
+  double At(const Point2& x) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t point = 0; point < this->Points.size(); ++point)
+    {
+      const Point2 offset = x - this->Points[point];
+      const double room = (least - this->Values[point]) / this->Gradation;
+      if (room > 0.0 && Dot(offset, offset) < room * room)
+      {
+        least = this->Values[point] + this->Gradation * Length(offset);
+      }
+    }
+    return least;
+  }
+
+  double Uncertainty() const { return 1.5 * this->Gradation * this->Step; }
+
+private:
+  double Gradation;
+  double Step = 0.0;
+  std::vector<Point2> Points;
+  std::vector<double> Values;
+};
+
+} // namespace
+
+TEST(Gradation, LeavesNothingAboveWhatIsGiven)
+{
+  for (const Case& test : Cases())
+  {
+    if (!test.Options.Segments)
+    {
+      const Spacing given = GivenOf(test.Options);
+      const Spacing used = MakeGoodSpacing(test.Options);
+      Sampler sampler(31);
+      for (int probe = 0; probe < 20000; ++probe)
+      {
+        const Point2 x = sampler.NextIn({ { -0.1, -0.1 }, { 1.1, 1.1 } });
+        ASSERT_LE(used(x), given(x) * (1.0 + 1e-12)) << test.Name;
+      }
+    }
+  }
+}
+
+TEST(Gradation, BoundsTheSlopeOverAnyDistance)
+{
+  for (const Case& test : Cases())
+  {
+    const Spacing used = MakeGoodSpacing(test.Options);
+    Sampler sampler(32);
+    for (int probe = 0; probe < 20000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      const double f = used(x);
+      const double reach = f * std::exp(6.0 * sampler.Next() - 3.0);
+      const double angle = 6.283185307179586 * sampler.Next();
+      const Point2 y = x + reach * Point2{ std::cos(angle), std::sin(angle) };
+      if (UnitBox().Contains(y))
+      {
+        ASSERT_LE(std::abs(f - used(y)), 0.3 * reach + Tolerance * std::min(f, used(y)))
+          << test.Name << " at " << x.X << ' ' << x.Y << " and " << y.X << ' ' << y.Y;
+      }
+    }
+  }
+}
+
+TEST(Gradation, IsTheLargestFunctionBelow)
+{
+  for (const Case& test : Cases())
+  {
+    if (test.Options.Segments)
+    {
+      continue;
+    }
+    const SampledLimit exact(test.Options);
+    const Spacing used = MakeGoodSpacing(test.Options);
+    Sampler sampler(33);
+    for (int probe = 0; probe < 40; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      const double limit = exact.At(x);
+      ASSERT_LE(used(x), limit * (1.0 + Tolerance)) << test.Name << " at " << x.X << ' ' << x.Y;
+      ASSERT_GE(used(x), (limit - exact.Uncertainty()) * (1.0 - Tolerance))
+        << test.Name << " at " << x.X << ' ' << x.Y;
+    }
+  }
+}
+
+TEST(Gradation, ChangesNothingWhereNothingIsSteep)
+{
+  const SpacingOptions options = OfGrid(40, [](const Point2& x) { return 0.1 + 0.1 * x.X * x.Y; });
+  const Spacing given = GivenOf(options);
+  const Spacing used = MakeGoodSpacing(options);
+  Sampler sampler(34);
+  for (int probe = 0; probe < 1000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    ASSERT_EQ(used(x), given(x));
+  }
+}
+
+TEST(Gradation, OfZeroLeavesEverythingAsGiven)
+{
+  SpacingOptions options = OfGrid(30, Jump);
+  options.Gradation = 0.0;
+  const Spacing used = MakeGoodSpacing(options);
+  EXPECT_EQ(used({ 0.4, 0.45 }), 0.002);
+  EXPECT_EQ(used({ 0.0, 0.0 }), 0.1);
+}
