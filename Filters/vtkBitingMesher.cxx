@@ -6,12 +6,18 @@
 #include "Bridge/BitesToPolyData.h"
 #include "Bridge/BoundaryEdgesToPolyData.h"
 #include "Bridge/BoundarySpacing.h"
+#include "Bridge/ChosenArray.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
+#include "Bridge/ParameterCheck.h"
 #include "Bridge/PolylinesFromPolyData.h"
+#include "Bridge/ProblemPlaces.h"
+#include "Bridge/ProblemsToPolyData.h"
 #include "Bridge/SourceSpacing.h"
+#include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
+#include "Kernel/MeshingStages.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
@@ -22,82 +28,43 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>  // for isfinite
 #include <new>    // for bad_alloc
 #include <string> // for refusals
+#include <vector> // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
 
-constexpr const char* DefaultArrayName = "Spacing";
+static_assert(
+  static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
+    static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
+    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::CHECK_FAILED + 1,
+  "The kinds of problems that users see are those of the kernel.");
 
-// A point array of a dataset, or why there is none; neither where none is wanted.
-struct ChosenArray
-{
-  vtkDataArray* Array = nullptr;
-  bool IsByDefault = false; // nobody chose it
-  std::string Refusal;
-};
+// The stages around those of the kernel, with their shares of the time of a run.
+constexpr biting::Stage ReadingStage{ "Reading the input", 0.02 };
+constexpr biting::Stage WritingStage{ "Writing the mesh", 0.06 };
 
-//------------------------------------------------------------------------------
-ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const char* role)
-{
-  ChosenArray chosen;
-  chosen.Array = data->GetPointData()->GetArray(name);
-  const std::string text = name;
-  const bool mayBeMissing = text.empty() || text == "None" || text == DefaultArrayName;
-  if (!chosen.Array && data->GetPointData()->GetAbstractArray(name))
-  {
-    chosen.Refusal = "The spacing array " + text + " of the " + role + " is not numeric.";
-  }
-  else if (!chosen.Array && !mayBeMissing)
-  {
-    chosen.Refusal = "The " + std::string(role) + " has no point array named " + text + ".";
-  }
-  return chosen;
-}
+// Where steps of reading and of writing end, as shares of their time.
+constexpr double ChainsEnd = 0.5;
+constexpr double BoundaryEnd = 0.6;
+constexpr double PointsEnd = 0.15;
+constexpr double MeshEnd = 0.7;
+constexpr double EdgesEnd = 0.8;
 
 //------------------------------------------------------------------------------
-// `choice` is what SetInputArrayToProcess left; `role` names the dataset in messages.
-ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const char* role)
+std::vector<double> SharesOfStages()
 {
-  const bool isSet = choice->Has(vtkDataObject::FIELD_ASSOCIATION());
-  if (isSet &&
-    choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  std::vector<double> shares{ ReadingStage.Share };
+  const double rest = 1.0 - ReadingStage.Share - WritingStage.Share;
+  for (const biting::Stage& stage : biting::MeshingStages::InOrder)
   {
-    ChosenArray chosen;
-    chosen.Refusal = "The spacing array of the " + std::string(role) + " must be point data.";
-    return chosen;
+    shares.push_back(rest * stage.Share);
   }
-  if (choice->Has(vtkDataObject::FIELD_NAME()))
-  {
-    return ArrayNamed(choice->Get(vtkDataObject::FIELD_NAME()), data, role);
-  }
-  if (choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-  {
-    ChosenArray chosen;
-    chosen.Array =
-      data->GetPointData()->GetAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-    chosen.Refusal = chosen.Array
-      ? ""
-      : "The " + std::string(role) + " has no active point array of the chosen kind.";
-    return chosen;
-  }
-  ChosenArray chosen = ArrayNamed(DefaultArrayName, data, role);
-  chosen.IsByDefault = true;
-  return chosen;
-}
-
-//------------------------------------------------------------------------------
-std::string CheckAtLeastZero(const char* name, double value)
-{
-  if (value >= 0.0 && std::isfinite(value))
-  {
-    return {};
-  }
-  return std::string(name) + " is " + std::to_string(value) + "; it must be finite, and 0 or more.";
+  shares.push_back(WritingStage.Share);
+  return shares;
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +88,7 @@ public:
     : Filter(filter)
     , Input(input)
     , Source(source)
+    , Monitor(filter, SharesOfStages())
   {
   }
 
@@ -128,9 +96,11 @@ public:
   bool ReadChains();
   bool ReadSpacing();
   bool MakeMesh();
-  void Write(vtkInformationVector* outputs) const;
+  void Write(vtkInformationVector* outputs);
+  void WriteProblems(vtkPolyData* output);
 
   bool HasFailed() const { return this->IsRefused; }
+  bool WasAborted() const { return this->Monitor.HasStopped(); }
 
 private:
   bool Accept(const std::string& refusal);
@@ -139,6 +109,9 @@ private:
   std::string AddSourceArray();
   bool ReportErrors();
   void ReportRepairs() const;
+  vtkSmartPointer<vtkPoints> MakePoints(biting::Pulse& pulse) const;
+  void WriteMesh(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
+  void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
 
   vtkBitingMesher* Filter;
   vtkPolyData* Input;
@@ -146,7 +119,9 @@ private:
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
   biting::ProblemList Problems;
+  biting::ProblemPlaces Places; // of what is refused before the kernel sees it
   biting::BitingMesh Mesh;
+  biting::MonitorOfFilter Monitor;
   bool IsRefused = false;
 };
 
@@ -156,7 +131,7 @@ vtkStandardNewMacro(vtkBitingMesher);
 vtkBitingMesher::vtkBitingMesher()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   // Made here, so that asking for the choice of arrays while executing changes nothing.
   this->GetInputArrayInformation(0);
   this->GetInputArrayInformation(1);
@@ -201,6 +176,11 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
     {
       execution.Write(outputVector);
     }
+    execution.WriteProblems(vtkPolyData::GetData(outputVector, PROBLEMS));
+    if (execution.WasAborted())
+    {
+      EmptyOutputs(outputVector);
+    }
   }
   catch (const std::bad_alloc&)
   {
@@ -224,11 +204,17 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Minimum = filter.MinimumSpacing;
   this->Options.Spacing.Maximum = filter.MaximumSpacing;
   this->Options.Spacing.Gradation = filter.Gradation;
+  this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.PreserveBoundary = filter.PreserveBoundary;
   this->Options.BitingConstant = filter.BitingConstant;
-  this->Options.Placement = biting::Placement::Corners;
-  this->Options.Order =
-    filter.FrontOrder == LARGEST_Y ? biting::FrontOrder::LargestY : biting::FrontOrder::Layers;
+  this->Options.BiteShape =
+    filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
+  this->Options.Placement =
+    filter.Placement == BISECTORS ? biting::Placement::Bisectors : biting::Placement::Corners;
+  constexpr biting::FrontOrder Orders[] = { biting::FrontOrder::Layers,
+    biting::FrontOrder::LargestY, biting::FrontOrder::BestFirst };
+  this->Options.Order = Orders[filter.FrontOrder];
   this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.Phi = filter.Phi;
@@ -251,11 +237,12 @@ bool vtkBitingMesher::Execution::Accept(const std::string& refusal)
 std::string vtkBitingMesher::Execution::ParameterRefusal() const
 {
   const vtkBitingMesher& filter = *this->Filter;
-  for (const std::string& refusal : { CheckAtLeastZero("UniformSpacing", filter.UniformSpacing),
-         CheckAtLeastZero("SpacingScale", filter.SpacingScale),
-         CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
-         CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
-         CheckAtLeastZero("Gradation", filter.Gradation) })
+  for (const std::string& refusal :
+    { biting::CheckAtLeastZero("UniformSpacing", filter.UniformSpacing),
+      biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
+      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
+      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
+      biting::CheckAtLeastZero("Gradation", filter.Gradation) })
   {
     if (!refusal.empty())
     {
@@ -298,26 +285,32 @@ bool vtkBitingMesher::Execution::ReadChains()
       this->Filter, << "The triangle strips of the input are ignored; lines, polygons and "
                        "vertex cells describe a domain.");
   }
-  return this->Accept(biting::PolylinesFromPolyData(this->Input, this->Planar, this->Problems)) &&
-    !this->ReportErrors() && this->Planar.Chains.NumberOfChains() > 0;
+  this->Monitor.BeginStage(ReadingStage.Text);
+  biting::PartOfStage part(this->Monitor, 0.0, ChainsEnd);
+  return this->Accept(
+           biting::PolylinesFromPolyData(this->Input, this->Planar, this->Problems, part)) &&
+    !this->ReportErrors() && !this->WasAborted() && this->Planar.Chains.NumberOfChains() > 0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadSpacing()
 {
-  return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray());
+  return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray()) &&
+    !this->WasAborted();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkBitingMesher::Execution::AddBoundaryArray()
 {
-  const ChosenArray chosen =
-    ChooseArray(this->Filter->GetInputArrayInformation(0), this->Input, "input");
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
-  return biting::AddBoundarySpacing(this->Input, this->Planar, chosen.Array, this->Options.Spacing);
+  biting::PartOfStage part(this->Monitor, ChainsEnd, BoundaryEnd);
+  return biting::AddBoundarySpacing(
+    this->Input, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -327,29 +320,29 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
   {
     return {};
   }
-  const ChosenArray chosen =
-    ChooseArray(this->Filter->GetInputArrayInformation(1), this->Source, "spacing source");
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(1), this->Source, { "spacing array", "spacing source" });
   if (chosen.IsByDefault && !chosen.Array && chosen.Refusal.empty())
   {
     vtkWarningWithObjectMacro(
       this->Filter, << "The spacing source is not used: it has no point array named "
-                    << DefaultArrayName << ", and no other was chosen.");
+                    << biting::SpacingArrayName << ", and no other was chosen.");
   }
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
+  biting::PartOfStage part(this->Monitor, BoundaryEnd, 1.0);
   return biting::AddSourceSpacing(
-    this->Source, chosen.Array, this->Planar.Frame, this->Options.Spacing);
+    this->Source, chosen.Array, this->Planar.Frame, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::MakeMesh()
 {
-  constexpr int NumberOfStages = 5;
-  biting::MonitorOfFilter monitor(this->Filter, NumberOfStages);
-  this->Mesh = biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, monitor);
-  if (this->Problems.Has(biting::ProblemCode::Aborted) || this->ReportErrors())
+  this->Mesh =
+    biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Monitor);
+  if (this->WasAborted() || this->ReportErrors())
   {
     return false;
   }
@@ -384,15 +377,54 @@ void vtkBitingMesher::Execution::ReportRepairs() const
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs) const
+void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
 {
-  const auto points = biting::PointsInSpace(this->Mesh, this->Planar);
-  biting::MeshToPolyData(this->Mesh, points, this->Problems, vtkPolyData::GetData(outputs, 0));
-  biting::BoundaryEdgesToPolyData(
-    this->Mesh, points, this->Input, vtkPolyData::GetData(outputs, 1));
+  this->Monitor.BeginStage(WritingStage.Text);
+  biting::Pulse pulse(this->Monitor);
+  const auto points = this->MakePoints(pulse);
+  this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
+  this->WriteEdges(points, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
   if (this->Filter->GenerateBites)
   {
-    biting::BitesToPolyData(this->Mesh, this->Planar.Frame, vtkPolyData::GetData(outputs, 2));
+    const biting::PulsePart part(pulse, EdgesEnd, 1.0);
+    biting::BitesToPolyData(
+      this->Mesh, this->Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> vtkBitingMesher::Execution::MakePoints(biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, 0.0, PointsEnd);
+  return biting::PointsInSpace(this->Mesh, this->Planar, pulse);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::WriteMesh(
+  vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, PointsEnd, MeshEnd);
+  biting::MeshToPolyData(this->Mesh, points, this->Problems, output, pulse);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::WriteEdges(
+  vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, MeshEnd, EdgesEnd);
+  biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Input, output, pulse);
+}
+
+//------------------------------------------------------------------------------
+// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
+void vtkBitingMesher::Execution::WriteProblems(vtkPolyData* output)
+{
+  if (!this->Problems.Has(biting::ProblemCode::Aborted))
+  {
+    const auto policy =
+      this->Options.Domain.Repair ? biting::RepairPolicy::Repaired : biting::RepairPolicy::Left;
+    biting::AddPlaces(this->Problems, this->Planar, policy, this->Places);
+    biting::ProblemsToPolyData(this->Places, output);
   }
 }
 
@@ -405,7 +437,9 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
      << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n"
      << indent << "Gradation: " << this->Gradation << "\n"
+     << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
      << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
+     << indent << "PreserveBoundary: " << (this->PreserveBoundary ? "on" : "off") << "\n"
      << indent << "BiteShape: " << this->BiteShape << "\n"
      << indent << "BitingConstant: " << this->BitingConstant << "\n"
      << indent << "Placement: " << this->Placement << "\n"

@@ -38,8 +38,10 @@
  * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear along
  * chains, inwards growing with the slope Gradation); the source array (SetInputArrayToProcess(1, 1,
  * 0, POINTS, name): interpolated, and outside of the source the nearest value of its border). Then
- * it is multiplied by SpacingScale and clamped to [MinimumSpacing, MaximumSpacing]. Where nothing is
- * given it is 2 % of the diagonal of the domain's bounding box.
+ * it is multiplied by SpacingScale and clamped to [MinimumSpacing, MaximumSpacing], lowered to the
+ * local feature size (LimitByFeatureSize), and last to the largest function below all that with no
+ * slope above Gradation, to within 0.5 %. Where nothing is given it is 2 % of the diagonal of the
+ * domain's bounding box.
  * An array named `Spacing` is taken where no other name was set; where there is no such array, there
  * is no such source. The name "None", or an empty one, takes no array. Any other name that does not
  * exist is an error.
@@ -67,7 +69,19 @@
  * @par Output 2, the bites (only with GenerateBites):
  * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:
  * `BiteOrder` (int, -1 for the front), `Phase` (unsigned char: 0 vertex protection, 1 edge
- * protection, 2 interior, 3 front).
+ * protection, 2 interior, 3 front). With PreserveBoundary, bites of phase 1 are squares along
+ * segments that make no vertex and keep those of the interior away.
+ *
+ * @par Output 3, the problems:
+ * What was repaired or refused, to look at: one vertex cell a place, in space, also where there is
+ * no mesh. The first 10 000 places of each kind are kept. Point data: `ProblemKind` (unsigned char, a
+ * ProblemKindType), `IsError` (unsigned char: 0 repaired, 1 a reason why there is no mesh), `FirstId`
+ * and `SecondId` (vtkIdType, -1 where there is none; ProblemKindType says what they number),
+ * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames` (string)
+ * and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A problem at a
+ * point of the input lies exactly there; a point that is not finite is shown at the finite one
+ * before it in its chain, else after it. Too many vertices, parameters out of range, missing arrays
+ * and cells that cannot be read have no place.
  *
  * @par Guarantees:
  * The mesh is valid (all triangles counterclockwise, decided exactly; no overlaps, no duplicate and
@@ -75,8 +89,16 @@
  * repaired with a warning for each kind, which says how many, which and where, or refused with one
  * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
  * size from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
- * empty; so they are, with an error, where memory does not suffice. An empty input gives empty outputs and no message. After an abort the outputs are empty.
+ * empty, but for the problems; so they are, with an error, where memory does not suffice. An
+ * empty input gives empty outputs and no message.
  * Same input and parameters, same bytes: any run, any thread.
+ *
+ * @par Progress and abort:
+ * The progress text names the stage, from reading the input to writing the mesh; the progress grows
+ * about as time goes, and is reported at each percent or tenth of a second. SetAbortExecute, from an
+ * observer of the progress, stops the filter within half a second wherever it is: success, all outputs
+ * empty. As with other filters the outputs count as up to date then; any change, or Modified(), makes
+ * it run again.
  *
  * @par Limits:
  * f is neither capped by the distance of neighbouring features nor limited in its slope: where it is
@@ -112,20 +134,54 @@ public:
   vtkTypeMacro(vtkBitingMesher, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum OutputPort
+  {
+    MESH = 0,
+    BOUNDARY_EDGES = 1,
+    BITES = 2,
+    PROBLEMS = 3
+  };
+
+  /**
+   * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and cells
+   * of the input. The first seven are repaired, the others refused.
+   */
+  enum ProblemKindType
+  {
+    DUPLICATE_POINTS = 0,     ///< equal coordinates, not shared (point, point)
+    ZERO_LENGTH_SEGMENTS = 1, ///< (cell, point)
+    DUPLICATE_SEGMENTS = 2, ///< equal or overlapping, at the start of what they share (cell, cell)
+    CROSSINGS = 3,          ///< (cell, cell)
+    TOUCHES = 4,            ///< a point on a segment (cell, point; -1 where a crossing made it)
+    OUTSIDE_POINTS = 5,     ///< embedded, but not in the domain (point)
+    OUTSIDE_INTERFACES = 6, ///< at their first end outside (cell)
+    NO_CLOSED_LOOP = 7,     ///< at each open end of a chain (point)
+    NOT_FINITE = 8,         ///< (point)
+    OUT_OF_RANGE = 9,       ///< (point)
+    NOT_PLANAR = 10,        ///< off the plane, worst first (point)
+    BAD_SPACING = 11,       ///< (point of the dataset that `Message` names, input or source)
+    TOO_MANY_VERTICES = 12, ///< no place
+    NOT_RESOLVED = 13,      ///< where repair found no end (cell, cell)
+    CHECK_FAILED = 14       ///< a defect of this class, no place
+  };
+
   enum BiteShapeType
   {
-    SQUARE = 0
+    SQUARE = 0,
+    CIRCLE = 1
   };
 
   enum PlacementType
   {
-    CORNERS = 0
+    CORNERS = 0,
+    BISECTORS = 1
   };
 
   enum FrontOrderType
   {
     LAYERS = 0,
-    LARGEST_Y = 1
+    LARGEST_Y = 1,
+    BEST_FIRST = 2
   };
 
   ///@{
@@ -174,12 +230,31 @@ public:
 
   ///@{
   /**
-   * The slope, without unit and >= 0, with which a spacing that is given on the boundary grows
-   * inwards. Default 0.3; above 0.5 triangles become thin. 0: the largest slope that the values on
-   * the boundary have. Negative or not finite: an error.
+   * The largest slope that f may have, without unit and >= 0. Default 0.3; above 0.5 triangles become
+   * thin. Where what is given is steeper, or jumps, f is the largest function below it that is not
+   * (paper, section 2.1): distances are those of the plane, also across holes. A spacing that is
+   * given on the boundary grows inwards with this slope. 0: f is as given, boundary values grow with
+   * the largest slope that they have themselves. Negative or not finite: an error.
    */
   vtkSetMacro(Gradation, double);
   vtkGetMacro(Gradation, double);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): f is capped by the local feature size on the segments of the input (paper, section
+   * 2.1: the control spacing). There it is at most the distance through the domain to the nearest
+   * segment or embedded point that does not share an end with it, so that narrow channels get
+   * triangles as narrow, but not lowered below a quarter of what is given: a slit far narrower than
+   * the spacing gets thin triangles, not a multitude of them. And it is at most twice the length of
+   * the segment, which is an edge of the mesh in any case, but not lowered below 0.003 of what is
+   * given. Neither goes below MinimumSpacing. Segments that meet in a sharp angle do not count for
+   * each other. From there f grows with the Gradation (0.3 where it is 0).
+   * Off: f is what is given, whatever the domain. Without effect where PreserveBoundary is on.
+   */
+  vtkSetMacro(LimitByFeatureSize, bool);
+  vtkGetMacro(LimitByFeatureSize, bool);
+  vtkBooleanMacro(LimitByFeatureSize, bool);
   ///@}
 
   ///@{
@@ -194,17 +269,37 @@ public:
 
   ///@{
   /**
-   * The shape of a bite. SQUARE (default): as in the paper, section 3.1.
+   * On: not one vertex is added on the segments of the input, boundary and interfaces; each is one
+   * edge of the mesh. Off (default): they are divided as the spacing asks (paper, section 3.1, the
+   * second phase). Where RepairInput resolves crossings and touches, segments still end there.
+   *
+   * The lengths of the segments then bound the spacing. With L(x) = min(l_i + g d_i(x)), l_i the
+   * length of segment i, d_i the distance from it and g the Gradation (0.3 where it is 0), f is L on
+   * the boundary, whatever else is given, and up to 2 g d above or below what L is there at a
+   * distance d: a spacing much finer or coarser than the segments is reached away from them only.
+   * Where nothing else is given, f is L. SpacingScale does not apply to L. Where long segments meet
+   * short ones, or pass near them, triangles are valid but thin.
    */
-  vtkSetClampMacro(BiteShape, int, SQUARE, SQUARE);
-  vtkGetMacro(BiteShape, int);
-  void SetBiteShapeToSquare() { this->SetBiteShape(SQUARE); }
+  vtkSetMacro(PreserveBoundary, bool);
+  vtkGetMacro(PreserveBoundary, bool);
+  vtkBooleanMacro(PreserveBoundary, bool);
   ///@}
 
   ///@{
   /**
-   * The biting constant c_b: half the width of a bite at x is c_b f(x) (paper, section 3.1). Without
-   * unit, in [0.1, 1]. 0 (default): automatic, so that the mean edge length of the mesh is f. Other
+   * The shape of a bite. SQUARE (default): as in the paper, section 3.1. CIRCLE: as in its
+   * predecessor (Li, Teng and Uengoer, "Biting: advancing front meets sphere packing", 2000).
+   */
+  vtkSetClampMacro(BiteShape, int, SQUARE, CIRCLE);
+  vtkGetMacro(BiteShape, int);
+  void SetBiteShapeToSquare() { this->SetBiteShape(SQUARE); }
+  void SetBiteShapeToCircle() { this->SetBiteShape(CIRCLE); }
+  ///@}
+
+  ///@{
+  /**
+   * The biting constant c_b: half the width of a bite at x, or its radius, is c_b f(x) (paper, section
+   * 3.1). Without unit, in [0.1, 1]. 0 (default): automatic, so that the mean edge length of the mesh is f. Other
    * values: an error.
    */
   vtkSetMacro(BitingConstant, double);
@@ -213,23 +308,31 @@ public:
 
   ///@{
   /**
-   * Where on the front the next bite may sit. CORNERS (default): at its corners, as in the paper.
+   * Where on the front the next bite may sit. CORNERS (default): at its corners, as in the paper; no
+   * centre lies in an earlier bite. BISECTORS: where the bisector of two bites leaves both, as far from
+   * one as from the other, which makes triangles nearly equilateral, 5 to 9 degrees better in the
+   * mean of their smallest angles; inner squares are turned to the bond of the two bites. A centre may
+   * then lie in an inner bite, but not within 0.9 (squares) or 0.8 (circles) of its half-width. With
+   * both, nothing of the domain is left without a bite.
    */
-  vtkSetClampMacro(Placement, int, CORNERS, CORNERS);
+  vtkSetClampMacro(Placement, int, CORNERS, BISECTORS);
   vtkGetMacro(Placement, int);
   void SetPlacementToCorners() { this->SetPlacement(CORNERS); }
+  void SetPlacementToBisectors() { this->SetPlacement(BISECTORS); }
   ///@}
 
   ///@{
   /**
-   * Which corner of the front is bitten next. LAYERS (default): first in, first out, layer by layer
-   * from the boundary. LARGEST_Y: the one with the largest second coordinate in the plane, the sweep
-   * of the paper's section 5.
+   * Which place of the front is bitten next. LAYERS (default): first in, first out, layer by layer
+   * from the boundary; with BISECTORS, places that promise good triangles before others. LARGEST_Y: the
+   * one with the largest second coordinate in the plane, the sweep of the paper's section 5.
+   * BEST_FIRST: the one that promises the best triangle, in 32 classes; at CORNERS the same as LAYERS.
    */
-  vtkSetClampMacro(FrontOrder, int, LAYERS, LARGEST_Y);
+  vtkSetClampMacro(FrontOrder, int, LAYERS, BEST_FIRST);
   vtkGetMacro(FrontOrder, int);
   void SetFrontOrderToLayers() { this->SetFrontOrder(LAYERS); }
   void SetFrontOrderToLargestY() { this->SetFrontOrder(LARGEST_Y); }
+  void SetFrontOrderToBestFirst() { this->SetFrontOrder(BEST_FIRST); }
   ///@}
 
   ///@{
@@ -288,7 +391,9 @@ private:
   double MinimumSpacing = 0.0;
   double MaximumSpacing = 0.0;
   double Gradation = 0.3;
+  bool LimitByFeatureSize = true;
   bool RepairInput = true;
+  bool PreserveBoundary = false;
   int BiteShape = SQUARE;
   double BitingConstant = 0.0;
   int Placement = CORNERS;

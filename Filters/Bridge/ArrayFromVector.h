@@ -5,45 +5,78 @@
 #define BitingArrayFromVector_h
 
 #include "../Kernel/Base/Ids.h"
+#include "../Kernel/Base/Pulse.h"
 
 #include "vtkCellArray.h"   // for cells
+#include "vtkDoubleArray.h" // for figures
 #include "vtkFieldData.h"   // for the owner of the array
 #include "vtkIdTypeArray.h" // for connectivity
 #include "vtkNew.h"         // for new arrays
 
-#include <algorithm> // for transform
-#include <vector>    // for the values
+#include <cstdint> // for counts
+#include <vector>  // for the values
 
 namespace biting
 {
 
-/// Adds the array `name` of type ArrayType with `values` to `data`.
+/// Adds the array `name` of type ArrayType with `values` to `data`. On abort its values have no
+/// meaning; so it is with all that is below.
 template <typename ArrayType, typename Value>
-void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& values)
+void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& values, Pulse& pulse)
 {
   vtkNew<ArrayType> array;
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::transform(values.begin(), values.end(), array->GetPointer(0),
-    [](const Value& value) { return static_cast<typename ArrayType::ValueType>(value); });
+  auto* to = array->GetPointer(0);
+  pulse.ForEach(values.size(),
+    [&values, to](std::size_t k)
+    { to[k] = static_cast<typename ArrayType::ValueType>(values[k]); });
   data->AddArray(array);
 }
 
+/// The same for few values.
+template <typename ArrayType, typename Value>
+void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& values)
+{
+  Pulse pulse(NoMonitor());
+  AddArray<ArrayType>(data, name, values, pulse);
+}
+
+/// Adds an array of one value.
+inline void AddCount(vtkFieldData* data, const char* name, std::int64_t count)
+{
+  AddArray<vtkIdTypeArray>(data, name, std::vector<std::int64_t>{ count });
+}
+
+inline void AddFigure(vtkFieldData* data, const char* name, double figure)
+{
+  AddArray<vtkDoubleArray>(data, name, std::vector<double>{ figure });
+}
+
 /// Makes `connectivity` cells of `cellSize` points each.
-inline void SetCells(vtkCellArray* cells, vtkIdType cellSize, const std::vector<Id>& connectivity)
+inline void SetCells(
+  vtkCellArray* cells, vtkIdType cellSize, const std::vector<Id>& connectivity, Pulse& pulse)
 {
   vtkNew<vtkIdTypeArray> points;
   points->SetNumberOfValues(static_cast<vtkIdType>(connectivity.size()));
-  std::copy(connectivity.begin(), connectivity.end(), points->GetPointer(0));
+  vtkIdType* point = points->GetPointer(0);
+  pulse.ForEach(
+    connectivity.size(), [&connectivity, point](std::size_t k) { point[k] = connectivity[k]; });
   vtkNew<vtkIdTypeArray> offsets;
   const vtkIdType numberOfCells = points->GetNumberOfValues() / cellSize;
   offsets->SetNumberOfValues(numberOfCells + 1);
   vtkIdType* offset = offsets->GetPointer(0);
-  for (vtkIdType cell = 0; cell <= numberOfCells; ++cell)
-  {
-    offset[cell] = cell * cellSize;
-  }
+  pulse.ForEach(static_cast<std::size_t>(numberOfCells + 1),
+    [offset, cellSize](std::size_t cell)
+    { offset[cell] = static_cast<vtkIdType>(cell) * cellSize; });
   cells->SetData(offsets, points);
+}
+
+/// The same for few cells.
+inline void SetCells(vtkCellArray* cells, vtkIdType cellSize, const std::vector<Id>& connectivity)
+{
+  Pulse pulse(NoMonitor());
+  SetCells(cells, cellSize, connectivity, pulse);
 }
 
 } // namespace biting

@@ -13,13 +13,16 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array> // for corners
-#include <cmath> // for atan2
+#include <cmath> // for atan2, cos, sin
 
 namespace biting
 {
 
 namespace
 {
+
+constexpr double DrawingEnd = 0.7; // of the time
+constexpr int CornersOfCircle = 32;
 
 // Collects points, lines and polygons, and what is known of each.
 struct Drawing
@@ -100,18 +103,32 @@ void KeepUncovered(
     [](const Point2& a, const Point2& b) { return std::atan2(a.Y, a.X) < std::atan2(b.Y, b.X); });
 }
 
-void DrawBites(const Bites& bites, Drawing& drawing)
+std::vector<Point2> PolygonOfCircle(const Point2& center, double radius)
 {
-  Id end = 0;
-  for (Id first = 0; first < bites.Size(); first = end)
+  constexpr double DegreesToRadians = 3.14159265358979323846 / 180.0;
+  std::vector<Point2> polygon;
+  for (int k = 0; k < CornersOfCircle; ++k)
   {
+    const double angle = 360.0 * k / CornersOfCircle * DegreesToRadians;
+    polygon.push_back(center + radius * Point2{ std::cos(angle), std::sin(angle) });
+  }
+  return polygon;
+}
+
+void DrawBites(const Bites& bites, Drawing& drawing, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, DrawingEnd);
+  Id end = 0;
+  for (Id first = 0; first < bites.Size() && pulse.Beat(); first = end)
+  {
+    pulse.SetFraction(static_cast<double>(first) / bites.Size());
     const auto bite = static_cast<std::size_t>(first);
     do
     {
       ++end;
     } while (
       end < bites.Size() && bites.Orders[static_cast<std::size_t>(end)] == bites.Orders[bite]);
-    for (const Point2& corner : OutlineOfSquares(bites, first, end))
+    for (const Point2& corner : OutlineOfBite(bites, first, end))
     {
       drawing.PolygonPoints.push_back(static_cast<Id>(drawing.Points.size()));
       drawing.Points.push_back(corner);
@@ -122,39 +139,46 @@ void DrawBites(const Bites& bites, Drawing& drawing)
   }
 }
 
-void DrawFront(const std::vector<Point2>& front, Drawing& drawing)
+void DrawFront(const std::vector<Point2>& front, Drawing& drawing, Pulse& pulse)
 {
-  for (const Point2& end : front)
+  for (std::size_t k = 0; k < front.size() && pulse.Beat(); ++k)
   {
     drawing.Lines.push_back(static_cast<Id>(drawing.Points.size()));
-    drawing.Points.push_back(end);
+    drawing.Points.push_back(front[k]);
   }
   drawing.Orders.insert(drawing.Orders.end(), front.size() / 2, NoId);
   drawing.Phases.insert(drawing.Phases.end(), front.size() / 2, BitePhase::Front);
 }
 
-vtkSmartPointer<vtkPoints> PointsInSpace(const std::vector<Point2>& places, const PlaneFrame& frame)
+vtkSmartPointer<vtkPoints> PointsInSpace(
+  const std::vector<Point2>& places, const PlaneFrame& frame, Pulse& pulse)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
   double* to = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
-  for (const Point2& place : places)
-  {
-    const Point3 mapped = frame.ToSpace(place);
-    to = std::copy_n(mapped.begin(), 3, to);
-  }
+  pulse.ForEach(places.size(),
+    [&places, &frame, to](std::size_t k)
+    {
+      const Point3 mapped = frame.ToSpace(places[k]);
+      std::copy_n(mapped.begin(), 3, to + 3 * k);
+    });
   return points;
 }
 
-vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing)
+void CopyIds(const std::vector<Id>& from, vtkIdTypeArray* to, Pulse& pulse)
+{
+  to->SetNumberOfValues(static_cast<vtkIdType>(from.size()));
+  vtkIdType* ids = to->GetPointer(0);
+  pulse.ForEach(from.size(), [&from, ids](std::size_t k) { ids[k] = from[k]; });
+}
+
+vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing, Pulse& pulse)
 {
   vtkNew<vtkIdTypeArray> points;
-  points->SetNumberOfValues(static_cast<vtkIdType>(drawing.PolygonPoints.size()));
-  std::copy(drawing.PolygonPoints.begin(), drawing.PolygonPoints.end(), points->GetPointer(0));
+  CopyIds(drawing.PolygonPoints, points, pulse);
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(drawing.PolygonOffsets.size()));
-  std::copy(drawing.PolygonOffsets.begin(), drawing.PolygonOffsets.end(), offsets->GetPointer(0));
+  CopyIds(drawing.PolygonOffsets, offsets, pulse);
   auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->SetData(offsets, points);
   return polygons;
@@ -162,22 +186,29 @@ vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing)
 
 } // namespace
 
-void BitesToPolyData(const BitingMesh& mesh, const PlaneFrame& frame, vtkPolyData* output)
+void BitesToPolyData(
+  const BitingMesh& mesh, const PlaneFrame& frame, vtkPolyData* output, Pulse& pulse)
 {
   Drawing drawing;
-  DrawFront(mesh.Front, drawing);
-  DrawBites(mesh.Bites, drawing);
+  DrawFront(mesh.Front, drawing, pulse);
+  DrawBites(mesh.Bites, drawing, pulse);
+  const PulsePart part(pulse, DrawingEnd, 1.0);
   vtkNew<vtkCellArray> lines;
-  SetCells(lines, 2, drawing.Lines);
-  output->SetPoints(PointsInSpace(drawing.Points, frame));
+  SetCells(lines, 2, drawing.Lines, pulse);
+  output->SetPoints(PointsInSpace(drawing.Points, frame, pulse));
   output->SetLines(lines);
-  output->SetPolys(PolygonsOf(drawing));
-  AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", drawing.Orders);
-  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", drawing.Phases);
+  output->SetPolys(PolygonsOf(drawing, pulse));
+  AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", drawing.Orders, pulse);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", drawing.Phases, pulse);
 }
 
-std::vector<Point2> OutlineOfSquares(const Bites& bites, Id first, Id end)
+std::vector<Point2> OutlineOfBite(const Bites& bites, Id first, Id end)
 {
+  if (bites.IsCircle(first))
+  {
+    return PolygonOfCircle(bites.Centers[static_cast<std::size_t>(first)],
+      bites.HalfWidths[static_cast<std::size_t>(first)]);
+  }
   const auto begin = static_cast<std::size_t>(first);
   const auto stop = static_cast<std::size_t>(end);
   std::vector<Point2> outline;

@@ -15,7 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <string> // for names
+#include <numeric> // for iota
+#include <string>  // for names
 
 namespace biting
 {
@@ -30,28 +31,31 @@ struct EdgeVertices
   std::vector<Id> Connectivity;
 };
 
-EdgeVertices VerticesOfEdges(const BitingMesh& mesh)
+EdgeVertices VerticesOfEdges(const BitingMesh& mesh, Pulse& pulse)
 {
   std::vector<Id> newIds(mesh.Points.size(), NoId);
-  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
-  {
-    newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])] = 0;
-    newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])] = 0;
-  }
-  EdgeVertices vertices;
-  for (std::size_t vertex = 0; vertex < newIds.size(); ++vertex)
-  {
-    if (newIds[vertex] != NoId)
+  pulse.ForEach(mesh.EdgeStarts.size(),
+    [&mesh, &newIds](std::size_t edge)
     {
-      newIds[vertex] = static_cast<Id>(vertices.MeshIds.size());
-      vertices.MeshIds.push_back(static_cast<Id>(vertex));
-    }
-  }
-  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
-  {
-    vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])]);
-    vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])]);
-  }
+      newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])] = 0;
+      newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])] = 0;
+    });
+  EdgeVertices vertices;
+  pulse.ForEach(newIds.size(),
+    [&newIds, &vertices](std::size_t vertex)
+    {
+      if (newIds[vertex] != NoId)
+      {
+        newIds[vertex] = static_cast<Id>(vertices.MeshIds.size());
+        vertices.MeshIds.push_back(static_cast<Id>(vertex));
+      }
+    });
+  pulse.ForEach(mesh.EdgeStarts.size(),
+    [&mesh, &newIds, &vertices](std::size_t edge)
+    {
+      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])]);
+      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])]);
+    });
   return vertices;
 }
 
@@ -69,14 +73,31 @@ vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* mes
   return points;
 }
 
+// In steps, as tuples of some arrays are slow.
+void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to, Pulse& pulse)
+{
+  constexpr vtkIdType Step = 1024;
+  for (vtkIdType first = 0; first < tuples->GetNumberOfIds() && pulse.Ask(); first += Step)
+  {
+    const vtkIdType size = std::min(Step, tuples->GetNumberOfIds() - first);
+    vtkNew<vtkIdList> some;
+    some->SetNumberOfIds(size);
+    std::copy_n(tuples->GetPointer(first), size, some->GetPointer(0));
+    vtkNew<vtkIdList> places;
+    places->SetNumberOfIds(size);
+    std::iota(places->GetPointer(0), places->GetPointer(0) + size, first);
+    to->InsertTuples(places, some, from);
+  }
+}
+
 // Any kind of array, numbers or not; never as the active attribute that it may be in the input,
 // since an id that is unique there is not unique here.
-void CarryCellArrays(const BitingMesh& mesh, vtkCellData* from, vtkCellData* to)
+void CarryCellArrays(const BitingMesh& mesh, vtkCellData* from, vtkCellData* to, Pulse& pulse)
 {
   vtkNew<vtkIdList> cells;
   cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
   std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
-  for (int k = 0; k < from->GetNumberOfArrays(); ++k)
+  for (int k = 0; k < from->GetNumberOfArrays() && pulse.Ask(); ++k)
   {
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
@@ -89,7 +110,7 @@ void CarryCellArrays(const BitingMesh& mesh, vtkCellData* from, vtkCellData* to)
     carried->SetNumberOfComponents(given->GetNumberOfComponents());
     carried->CopyComponentNames(given);
     carried->SetNumberOfTuples(cells->GetNumberOfIds());
-    given->GetTuples(cells, carried);
+    CopyTuples(given, cells, carried, pulse);
     to->AddArray(carried);
   }
 }
@@ -108,17 +129,17 @@ std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
 } // namespace
 
 void BoundaryEdgesToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output)
+  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output, Pulse& pulse)
 {
-  const EdgeVertices vertices = VerticesOfEdges(mesh);
+  const EdgeVertices vertices = VerticesOfEdges(mesh, pulse);
   vtkNew<vtkCellArray> lines;
-  SetCells(lines, 2, vertices.Connectivity);
+  SetCells(lines, 2, vertices.Connectivity, pulse);
   output->SetPoints(PointsOf(vertices, points));
   output->SetLines(lines);
-  AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", vertices.MeshIds);
-  CarryCellArrays(mesh, input->GetCellData(), output->GetCellData());
-  AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells);
-  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh));
+  AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", vertices.MeshIds, pulse);
+  CarryCellArrays(mesh, input->GetCellData(), output->GetCellData(), pulse);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);
 }
 
 } // namespace biting

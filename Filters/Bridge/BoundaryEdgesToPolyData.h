@@ -4,6 +4,7 @@
 #ifndef BitingBoundaryEdgesToPolyData_h
 #define BitingBoundaryEdgesToPolyData_h
 
+#include "../Kernel/Base/Pulse.h"
 #include "../Kernel/BitingMesh.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 
@@ -17,8 +18,9 @@ namespace biting
 
 /// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and
 /// interfaces. Each edge carries the values of all cell arrays of `input` at its cell.
+/// On abort `output` has no meaning.
 void BoundaryEdgesToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output);
+  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output, Pulse& pulse);
 
 } // namespace biting
 

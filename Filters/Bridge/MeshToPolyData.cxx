@@ -4,6 +4,7 @@
 #include "MeshToPolyData.h"
 
 #include "ArrayFromVector.h"
+#include "QualityArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -17,47 +18,30 @@ namespace biting
 namespace
 {
 
-void AddPointData(const BitingMesh& mesh, vtkPointData* data)
+// Where steps end, as shares of the time.
+constexpr double CellsEnd = 0.4;
+constexpr double PointDataEnd = 0.65;
+
+void SetTriangles(const BitingMesh& mesh, vtkCellArray* triangles, Pulse& pulse)
 {
-  AddArray<vtkDoubleArray>(data, "Spacing", mesh.Spacing);
-  AddArray<vtkDoubleArray>(data, "NearestNeighborDistance", mesh.Quality.NearestNeighborDistance);
-  AddArray<vtkDoubleArray>(data, "Conformity", mesh.Quality.Conformity);
-  AddArray<vtkIntArray>(data, "BiteOrder", mesh.BiteOrders);
-  AddArray<vtkUnsignedCharArray>(data, "VertexKind", mesh.Kinds);
-  AddArray<vtkIdTypeArray>(data, "OriginalPointId", mesh.OriginalPoints);
+  const PulsePart part(pulse, 0.0, CellsEnd);
+  SetCells(triangles, 3, mesh.Corners, pulse);
 }
 
-void AddCellData(const BitingMesh& mesh, vtkCellData* data)
+void AddPointData(const BitingMesh& mesh, vtkPointData* data, Pulse& pulse)
 {
-  AddArray<vtkIntArray>(data, "RegionId", mesh.Regions);
-  AddArray<vtkDoubleArray>(data, "MinimumAngle", mesh.Quality.MinimumAngle);
-  AddArray<vtkDoubleArray>(data, "RadiusEdgeRatio", mesh.Quality.RadiusEdgeRatio);
-  AddArray<vtkDoubleArray>(data, "AspectRatio", mesh.Quality.AspectRatio);
+  const PulsePart part(pulse, CellsEnd, PointDataEnd);
+  AddConformityArrays(mesh.Quality, mesh.Spacing, data, pulse);
+  AddArray<vtkIntArray>(data, "BiteOrder", mesh.BiteOrders, pulse);
+  AddArray<vtkUnsignedCharArray>(data, "VertexKind", mesh.Kinds, pulse);
+  AddArray<vtkIdTypeArray>(data, "OriginalPointId", mesh.OriginalPoints, pulse);
 }
 
-void AddCount(vtkFieldData* data, const char* name, std::int64_t count)
+void AddCellData(const BitingMesh& mesh, vtkCellData* data, Pulse& pulse)
 {
-  AddArray<vtkIdTypeArray>(data, name, std::vector<std::int64_t>{ count });
-}
-
-void AddFigure(vtkFieldData* data, const char* name, double figure)
-{
-  AddArray<vtkDoubleArray>(data, name, std::vector<double>{ figure });
-}
-
-void AddSummary(const BitingMesh& mesh, vtkFieldData* data)
-{
-  const MeshQuality& quality = mesh.Quality;
-  AddCount(data, "NumberOfVertices", quality.NumberOfVertices);
-  AddCount(data, "NumberOfTriangles", quality.NumberOfTriangles);
-  AddFigure(data, "SmallestAngle", quality.SmallestAngle);
-  AddFigure(data, "LargestRadiusEdgeRatio", quality.LargestRadiusEdgeRatio);
-  AddFigure(data, "SmallestConformity", quality.SmallestConformity);
-  AddFigure(data, "MeanConformity", quality.MeanConformity);
-  AddFigure(data, "MeanRelativeLength", quality.MeanRelativeLength);
-  AddFigure(data, "ShareOfEdgesInBand", quality.ShareOfEdgesInBand);
-  AddFigure(data, "GivenLipschitz", mesh.GivenLipschitz);
-  AddFigure(data, "UsedLipschitz", mesh.UsedLipschitz);
+  const PulsePart part(pulse, PointDataEnd, 1.0);
+  AddArray<vtkIntArray>(data, "RegionId", mesh.Regions, pulse);
+  AddShapeArrays(mesh.Quality, data, pulse);
 }
 
 void AddRepairs(const ProblemList& problems, vtkFieldData* data)
@@ -75,38 +59,43 @@ void AddRepairs(const ProblemList& problems, vtkFieldData* data)
 
 } // namespace
 
-vtkSmartPointer<vtkPoints> PointsInSpace(const BitingMesh& mesh, const PlanarInput& input)
+vtkSmartPointer<vtkPoints> PointsInSpace(
+  const BitingMesh& mesh, const PlanarInput& input, Pulse& pulse)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  double* place = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
-  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex, place += 3)
-  {
-    const Id original = mesh.OriginalPoints[vertex];
-    if (original != NoId)
+  double* places = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
+  pulse.ForEach(mesh.Points.size(),
+    [&mesh, &input, places](std::size_t vertex)
     {
-      std::copy_n(input.Place(original), 3, place);
-    }
-    else
-    {
-      const Point3 mapped = input.Frame.ToSpace(mesh.Points[vertex]);
-      std::copy_n(mapped.begin(), 3, place);
-    }
-  }
+      const Id original = mesh.OriginalPoints[vertex];
+      if (original != NoId)
+      {
+        std::copy_n(input.Place(original), 3, places + 3 * vertex);
+      }
+      else
+      {
+        const Point3 mapped = input.Frame.ToSpace(mesh.Points[vertex]);
+        std::copy_n(mapped.begin(), 3, places + 3 * vertex);
+      }
+    });
   return points;
 }
 
-void MeshToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems, vtkPolyData* output)
+void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems,
+  vtkPolyData* output, Pulse& pulse)
 {
   vtkNew<vtkCellArray> triangles;
-  SetCells(triangles, 3, mesh.Corners);
+  SetTriangles(mesh, triangles, pulse);
   output->SetPoints(points);
   output->SetPolys(triangles);
-  AddPointData(mesh, output->GetPointData());
-  AddCellData(mesh, output->GetCellData());
-  AddSummary(mesh, output->GetFieldData());
+  AddPointData(mesh, output->GetPointData(), pulse);
+  AddCellData(mesh, output->GetCellData(), pulse);
+  AddShapeSummary(mesh.Quality, output->GetFieldData());
+  AddConformitySummary(mesh.Quality, output->GetFieldData());
+  AddFigure(output->GetFieldData(), "GivenLipschitz", mesh.GivenLipschitz);
+  AddFigure(output->GetFieldData(), "UsedLipschitz", mesh.UsedLipschitz);
   AddRepairs(problems, output->GetFieldData());
 }
 

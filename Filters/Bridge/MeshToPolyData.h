@@ -4,6 +4,7 @@
 #ifndef BitingMeshToPolyData_h
 #define BitingMeshToPolyData_h
 
+#include "../Kernel/Base/Pulse.h"
 #include "../Kernel/BitingMesh.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PolylinesFromPolyData.h"
@@ -19,12 +20,13 @@ namespace biting
 {
 
 /// The vertices of `mesh` in space: those of the input bit for bit, the others mapped back.
-vtkSmartPointer<vtkPoints> PointsInSpace(const BitingMesh& mesh, const PlanarInput& input);
+vtkSmartPointer<vtkPoints> PointsInSpace(
+  const BitingMesh& mesh, const PlanarInput& input, Pulse& pulse);
 
 /// Fills `output` with the triangles of `mesh` over `points`, the arrays on vertices and triangles,
-/// and the summary with the number of each repair as field data.
-void MeshToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems, vtkPolyData* output);
+/// and the summary with the number of each repair as field data. On abort `output` has no meaning.
+void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems,
+  vtkPolyData* output, Pulse& pulse);
 
 } // namespace biting
 

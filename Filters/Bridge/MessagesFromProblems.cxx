@@ -50,7 +50,7 @@ Wording WordingOf(ProblemCode code)
   switch (code)
   {
     case ProblemCode::NoClosedLoop:
-      return { "No closed loop bounds a domain", "", "",
+      return { "No closed loop bounds a domain", "open end at point", "",
         "Close the polylines, or mark as Kind 0 what is boundary." };
     case ProblemCode::NotFinite:
       return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
@@ -80,30 +80,39 @@ Wording WordingOf(ProblemCode code)
 
 std::string IdsText(const Problem& problem, const Wording& wording)
 {
-  if (problem.Ids.empty())
+  const std::vector<std::int64_t> ids = ShownIdsOf(problem);
+  if (ids.empty())
   {
     return problem.Detail;
   }
   std::ostringstream text;
-  text << wording.FirstId << ' ' << problem.Ids[0];
-  if (problem.Ids.size() > 1 && *wording.SecondId)
+  text << wording.FirstId << ' ' << ids[0];
+  if (ids.size() > 1 && ids[1] >= 0)
   {
-    text << " with " << wording.SecondId << ' ' << problem.Ids[1];
+    text << " with " << wording.SecondId << ' ' << ids[1];
   }
   return text.str();
 }
 
-// In space; where the problem is at a point of the input, exactly there.
-Point3 PlaceOf(const Problem& problem, const Wording& wording, const PlanarInput& input)
+// Which id of the problem is the point of the input where it is; none where there is no such point.
+std::size_t PointIdOf(ProblemCode code)
 {
-  const bool isAtPoint = std::string(wording.FirstId) == "point";
-  const std::int64_t point = problem.Ids[0];
-  if (isAtPoint && point >= 0 && point < static_cast<std::int64_t>(input.IsUsed.size()))
+  constexpr std::size_t None = 2;
+  switch (code)
   {
-    const double* place = input.Place(static_cast<Id>(point));
-    return { place[0], place[1], place[2] };
+    case ProblemCode::DuplicatePoints:
+    case ProblemCode::OutsidePoints:
+    case ProblemCode::NoClosedLoop:
+    case ProblemCode::NotFinite:
+    case ProblemCode::OutOfRange:
+    case ProblemCode::NotPlanar:
+      return 0;
+    case ProblemCode::ZeroLengthSegments:
+    case ProblemCode::Touches:
+      return 1;
+    default:
+      return None;
   }
-  return input.Frame.ToSpace(problem.Place);
 }
 
 std::string Occurrences(const ProblemGroup& group, const Wording& wording, const PlanarInput& input)
@@ -115,7 +124,7 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
     first.push_back(IdsText(problem, wording));
     if (k == 0)
     {
-      first.back() += " near " + PlaceText(PlaceOf(problem, wording, input));
+      first.back() += " near " + PlaceText(PlaceInSpace(problem, input));
       first.back() += problem.Detail.empty() ? "" : " (" + problem.Detail + ")";
     }
   }
@@ -127,7 +136,7 @@ std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
 {
   const Wording wording = WordingOf(group.Code);
   const Problem& first = group.First.front();
-  if (*wording.FirstId && !first.Ids.empty())
+  if (!ShownIdsOf(first).empty())
   {
     return wording.What + Occurrences(group, wording, input) + ".";
   }
@@ -152,6 +161,36 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
     }
   }
   return text + " Correct the input, or turn RepairInput on.";
+}
+
+std::string MessageOfPlace(const Problem& problem, const PlanarInput& input)
+{
+  const Wording wording = WordingOf(problem.Code);
+  const bool hasIds = !ShownIdsOf(problem).empty();
+  return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
+    PlaceText(PlaceInSpace(problem, input)) +
+    (hasIds && !problem.Detail.empty() ? " (" + problem.Detail + ")" : "");
+}
+
+std::vector<std::int64_t> ShownIdsOf(const Problem& problem)
+{
+  const Wording wording = WordingOf(problem.Code);
+  const std::size_t most = *wording.SecondId ? 2 : *wording.FirstId ? 1 : 0;
+  std::vector<std::int64_t> ids = problem.Ids;
+  ids.resize(std::min(ids.size(), most));
+  return ids;
+}
+
+Point3 PlaceInSpace(const Problem& problem, const PlanarInput& input)
+{
+  const std::size_t which = PointIdOf(problem.Code);
+  const std::int64_t point = which < problem.Ids.size() ? problem.Ids[which] : NoId;
+  if (point >= 0 && point < static_cast<std::int64_t>(input.IsUsed.size()))
+  {
+    const double* place = input.Place(static_cast<Id>(point));
+    return { place[0], place[1], place[2] };
+  }
+  return input.Frame.ToSpace(problem.Place);
 }
 
 std::string PlaceText(const Point3& place)

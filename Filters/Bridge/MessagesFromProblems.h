@@ -25,6 +25,15 @@ std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 /// ProblemCode::NotResolved, with the facts of every repair that would have been needed.
 std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input);
 
+/// One problem as one line: its kind in words, its ids, its place, and its figures.
+std::string MessageOfPlace(const Problem& problem, const PlanarInput& input);
+
+/// The ids of `problem` that number points and cells of the input, in the order that its code states.
+std::vector<std::int64_t> ShownIdsOf(const Problem& problem);
+
+/// In space; where the problem is at a point of the input, exactly there.
+Point3 PlaceInSpace(const Problem& problem, const PlanarInput& input);
+
 /// "(x, y, z)".
 std::string PlaceText(const Point3& place);
 

@@ -7,7 +7,9 @@
 #include "../Kernel/Base/Monitor.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 
-#include <chrono> // for the time of the last report
+#include <chrono>  // for the time of the last report
+#include <cstddef> // for the number of the stage
+#include <vector>  // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
@@ -16,27 +18,36 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Shows the kernel's stages as progress text and progress of a filter, and asks the filter whether
-/// to stop. Each stage is given an equal share of the progress; it is reported when it has moved by
-/// one percent or when a tenth of a second has passed.
+/// Shows stages as progress text and progress of a filter, and asks the filter whether to stop. Once
+/// it wanted to, it is not asked again: all later answers are the same.
+/// Progress is reported when it has moved by one percent or when a tenth of a second has passed.
 class MonitorOfFilter : public Monitor
 {
 public:
+  /// `shares` of the whole that the stages take, in their order; their sum is 1.
+  MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares);
+
+  /// Stages with equal shares.
   MonitorOfFilter(vtkAlgorithm* filter, int numberOfStages);
 
   bool Advance(double fraction) override;
   void BeginStage(const char* text) override;
 
+  bool HasStopped() const { return this->Stopped; }
+
 private:
   using Clock = std::chrono::steady_clock;
 
+  double ShareOfStage() const;
   void Report(double progress);
 
   vtkAlgorithm* Filter;
-  int NumberOfStages;
-  int Stage = -1;
+  std::vector<double> Shares;
+  std::size_t NextStage = 0;
+  double Begin = 0.0; ///< progress where the stage begins
   double Reported = 0.0;
   Clock::time_point ReportTime;
+  bool Stopped = false;
 };
 
 } // namespace biting

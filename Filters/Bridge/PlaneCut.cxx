@@ -3,9 +3,12 @@
 
 #include "PlaneCut.h"
 
-#include <algorithm> // for sort
-#include <array>     // for nodes of a polygon
-#include <tuple>     // for tie
+#include "../Kernel/Base/SortInSteps.h"
+
+#include <algorithm>  // for unique, lower_bound
+#include <array>      // for nodes of a polygon
+#include <functional> // for less
+#include <tuple>      // for tie
 
 namespace biting
 {
@@ -93,21 +96,26 @@ vtkIdType PlaneCut::EdgeNode(vtkIdType a, vtkIdType b)
   return static_cast<vtkIdType>(this->Distances.size() + this->Edges.size()) - 1;
 }
 
-void PlaneCut::MergeEdges()
+void PlaneCut::MergeEdges(Pulse& pulse)
 {
   const std::vector<Edge> given = this->Edges;
-  std::sort(this->Edges.begin(), this->Edges.end());
+  if (!SortInSteps(this->Edges, std::less<Edge>(), pulse))
+  {
+    return;
+  }
   this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
   const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
-  for (vtkIdType& node : this->Triangles)
-  {
-    if (node >= numberOfPoints)
+  pulse.ForEach(this->Triangles.size(),
+    [this, &given, numberOfPoints](std::size_t k)
     {
-      const Edge& edge = given[static_cast<std::size_t>(node - numberOfPoints)];
-      const auto found = std::lower_bound(this->Edges.begin(), this->Edges.end(), edge);
-      node = numberOfPoints + static_cast<vtkIdType>(found - this->Edges.begin());
-    }
-  }
+      vtkIdType& node = this->Triangles[k];
+      if (node >= numberOfPoints)
+      {
+        const Edge& edge = given[static_cast<std::size_t>(node - numberOfPoints)];
+        const auto found = std::lower_bound(this->Edges.begin(), this->Edges.end(), edge);
+        node = numberOfPoints + static_cast<vtkIdType>(found - this->Edges.begin());
+      }
+    });
 }
 
 double PlaneCut::Fraction(const Edge& edge) const

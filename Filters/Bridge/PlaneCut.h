@@ -4,6 +4,8 @@
 #ifndef BitingPlaneCut_h
 #define BitingPlaneCut_h
 
+#include "../Kernel/Base/Pulse.h"
+
 #include "vtkType.h" // for vtkIdType
 
 #include <vector> // for the arrays
@@ -36,7 +38,7 @@ public:
   void AddTriangle(const vtkIdType* points);
 
   /// Makes equal edges one node. Call once, after the last cell.
-  void MergeEdges();
+  void MergeEdges(Pulse& pulse);
 
   const std::vector<vtkIdType>& GetTriangles() const { return this->Triangles; }
   const std::vector<Edge>& GetEdges() const { return this->Edges; }

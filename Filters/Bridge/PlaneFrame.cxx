@@ -18,6 +18,7 @@ struct ScaledPoints
 {
   const double* Coordinates;
   const std::vector<Id>& Points;
+  Pulse& Beats;
   Point3 Low;
   Point3 High;
   Point3 Center{ 0.0, 0.0, 0.0 };
@@ -69,20 +70,21 @@ Point3 ScaledPoints::operator[](std::size_t k) const
   return (1.0 / this->Scale) * (Point3{ place[0], place[1], place[2] } - this->Center);
 }
 
-ScaledPoints Scaled(const double* coordinates, const std::vector<Id>& points)
+ScaledPoints Scaled(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
 {
   const double* first = coordinates + 3 * static_cast<std::size_t>(points.front());
   const Point3 start{ first[0], first[1], first[2] };
-  ScaledPoints scaled{ coordinates, points, start, start };
-  for (const Id point : points)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+  ScaledPoints scaled{ coordinates, points, pulse, start, start };
+  pulse.ForEach(points.size(),
+    [coordinates, &points, &scaled](std::size_t k)
     {
-      const double value = coordinates[3 * static_cast<std::size_t>(point) + axis];
-      scaled.Low[axis] = std::min(scaled.Low[axis], value);
-      scaled.High[axis] = std::max(scaled.High[axis], value);
-    }
-  }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double value = coordinates[3 * static_cast<std::size_t>(points[k]) + axis];
+        scaled.Low[axis] = std::min(scaled.Low[axis], value);
+        scaled.High[axis] = std::max(scaled.High[axis], value);
+      }
+    });
   scaled.Center = 0.5 * scaled.Low + 0.5 * scaled.High;
   const Point3 half = 0.5 * scaled.High - 0.5 * scaled.Low;
   scaled.Scale = std::max({ half[0], half[1], half[2] });
@@ -95,15 +97,16 @@ std::size_t Largest(const ScaledPoints& points, Measure measure)
 {
   std::size_t largest = 0;
   double value = -1.0;
-  for (std::size_t k = 0; k < points.Points.size(); ++k)
-  {
-    const double candidate = measure(points[k]);
-    if (candidate > value)
+  points.Beats.ForEach(points.Points.size(),
+    [&points, &measure, &largest, &value](std::size_t k)
     {
-      value = candidate;
-      largest = k;
-    }
-  }
+      const double candidate = measure(points[k]);
+      if (candidate > value)
+      {
+        value = candidate;
+        largest = k;
+      }
+    });
   return largest;
 }
 
@@ -139,16 +142,14 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
   const Point3 second = Cross3(plane.Normal, first);
   const double weight = 1.0 / static_cast<double>(points.Points.size());
   Point3 mean{ 0.0, 0.0, 0.0 };
-  for (std::size_t k = 0; k < points.Points.size(); ++k)
-  {
-    mean = mean + weight * points[k];
-  }
+  points.Beats.ForEach(points.Points.size(),
+    [&points, &mean, weight](std::size_t k) { mean = mean + weight * points[k]; });
   double uu = 0.0;
   double uv = 0.0;
   double vv = 0.0;
   double uw = 0.0;
   double vw = 0.0;
-  for (std::size_t k = 0; k < points.Points.size(); ++k)
+  for (std::size_t k = 0; k < points.Points.size() && points.Beats.Beat(); ++k)
   {
     const Point3 offset = points[k] - mean;
     const double u = Dot3(offset, first);
@@ -178,13 +179,14 @@ double LargestDistance(const ScaledPoints& points, const Plane& plane)
 
 } // namespace
 
-PlaneFrame PlaneFrame::FitTo(const double* coordinates, const std::vector<Id>& points)
+PlaneFrame PlaneFrame::FitTo(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
 {
+  const PulsePart part(pulse, 0.0, 0.0);
   if (points.empty())
   {
     return {};
   }
-  const ScaledPoints scaled = Scaled(coordinates, points);
+  const ScaledPoints scaled = Scaled(coordinates, points, pulse);
   for (const std::size_t axis : { 2, 0, 1 })
   {
     if (scaled.Low[axis] == scaled.High[axis])

@@ -6,6 +6,7 @@
 
 #include "../Kernel/Base/Ids.h"
 #include "../Kernel/Base/Point2.h"
+#include "../Kernel/Base/Pulse.h"
 
 #include <array>  // for places in space
 #include <vector> // for point lists
@@ -26,8 +27,9 @@ class PlaneFrame
 {
 public:
   /// Fits to the `points` among `coordinates` (three a point, finite). Cost O(n).
-  /// Points that are collinear in space, or all equal, get one of the planes that hold them.
-  static PlaneFrame FitTo(const double* coordinates, const std::vector<Id>& points);
+  /// Points that are collinear in space, or all equal, get one of the planes that hold them. On abort
+  /// the plane has no meaning.
+  static PlaneFrame FitTo(const double* coordinates, const std::vector<Id>& points, Pulse& pulse);
 
   Point2 ToPlane(const double* place) const;
   Point3 ToSpace(const Point2& p) const;

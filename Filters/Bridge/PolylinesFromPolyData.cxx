@@ -4,6 +4,8 @@
 #include "PolylinesFromPolyData.h"
 
 #include "../Kernel/Base/Box2.h"
+#include "../Kernel/Base/Pulse.h"
+#include "../Kernel/Base/SortInSteps.h"
 #include "DoubleArray.h"
 
 #include "vtkCellArray.h"
@@ -15,6 +17,7 @@
 #include <algorithm> // for all_of
 #include <cmath>     // for isfinite
 #include <limits>    // for the size check
+#include <utility>   // for pair
 
 namespace biting
 {
@@ -22,13 +25,19 @@ namespace biting
 namespace
 {
 
+// Where steps end, as shares of the time: of all, and of what follows the cells.
+constexpr double CellsEnd = 0.4;
+constexpr double FrameEnd = 0.5;
+constexpr double MapEnd = 0.7;
+
 // Reads one kind of cells after the other into the chains of a PlanarInput.
 class ChainReader
 {
 public:
-  ChainReader(vtkPolyData* input, PlanarInput& result)
+  ChainReader(vtkPolyData* input, PlanarInput& result, Pulse& pulse)
     : Input(input)
     , Result(result)
+    , Beats(pulse)
   {
   }
 
@@ -43,6 +52,7 @@ private:
 
   vtkPolyData* Input;
   PlanarInput& Result;
+  Pulse& Beats;
   vtkDataArray* Kinds = nullptr;
   vtkIdType NextCell = 0;
 };
@@ -95,9 +105,12 @@ std::string ChainReader::ReadCells(vtkCellArray* cells, ChainKind kind)
 {
   std::string refusal;
   auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal() && refusal.empty();
+  for (iterator->GoToFirstCell();
+       !iterator->IsDoneWithTraversal() && refusal.empty() && this->Beats.Beat();
        iterator->GoToNextCell(), ++this->NextCell)
   {
+    this->Beats.SetFraction(
+      CellsEnd * static_cast<double>(this->NextCell) / this->Input->GetNumberOfCells());
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     iterator->GetCurrentCell(size, points);
@@ -113,7 +126,7 @@ std::string ChainReader::ReadCells(vtkCellArray* cells, ChainKind kind)
 
 std::string ChainReader::UsePoints(Id cell, vtkIdType size, const vtkIdType* points)
 {
-  for (vtkIdType k = 0; k < size; ++k)
+  for (vtkIdType k = 0; k < size && this->Beats.Beat(); ++k)
   {
     if (points[k] < 0 || points[k] >= this->Input->GetNumberOfPoints())
     {
@@ -167,78 +180,118 @@ std::string ChainReader::KindOf(Id cell, ChainKind& kind) const
   return {};
 }
 
-void ListUsedPoints(PlanarInput& input)
+void ListUsedPoints(PlanarInput& input, Pulse& pulse)
 {
-  for (std::size_t point = 0; point < input.IsUsed.size(); ++point)
-  {
-    if (input.IsUsed[point])
+  const PulsePart part(pulse, 0.0, 0.0);
+  pulse.ForEach(input.IsUsed.size(),
+    [&input](std::size_t point)
     {
-      input.UsedPoints.push_back(static_cast<Id>(point));
-    }
-  }
+      if (input.IsUsed[point])
+      {
+        input.UsedPoints.push_back(static_cast<Id>(point));
+      }
+    });
 }
 
-void RefuseNotFinite(const PlanarInput& input, ProblemList& problems)
+void RefuseNotFinite(const PlanarInput& input, ProblemList& problems, Pulse& pulse)
 {
-  for (const Id point : input.UsedPoints)
-  {
-    const double* place = input.Place(point);
-    if (!std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }))
+  const PulsePart part(pulse, 0.0, 0.0);
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, &problems](std::size_t k)
     {
-      problems.Add({ ProblemCode::NotFinite, { point }, {}, {} });
-    }
-  }
+      const Id point = input.UsedPoints[k];
+      const double* place = input.Place(point);
+      if (!std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }))
+      {
+        problems.Add({ ProblemCode::NotFinite, { point }, {}, {} });
+      }
+    });
 }
 
-double Diagonal(const PlanarInput& input)
+void MapToPlane(PlanarInput& input, Pulse& pulse)
+{
+  const PulsePart part(pulse, FrameEnd, MapEnd);
+  input.Chains.Points.resize(input.IsUsed.size());
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input](std::size_t k)
+    {
+      const Id point = input.UsedPoints[k];
+      input.Chains.Points[static_cast<std::size_t>(point)] =
+        input.Frame.ToPlane(input.Place(point));
+    });
+}
+
+double Diagonal(const PlanarInput& input, Pulse& pulse)
 {
   Box2 box;
-  for (const Id point : input.UsedPoints)
-  {
-    box.Add(input.Chains.Points[static_cast<std::size_t>(point)]);
-  }
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, &box](std::size_t k)
+    { box.Add(input.Chains.Points[static_cast<std::size_t>(input.UsedPoints[k])]); });
   return box.Diagonal();
 }
 
-void RefuseNotPlanar(const PlanarInput& input, ProblemList& problems)
+// A point and its distance from the plane, worst first.
+using Distances = std::vector<std::pair<double, Id>>;
+
+Distances FindNotPlanar(const PlanarInput& input, Pulse& pulse)
 {
-  const double size = Diagonal(input);
-  for (const Id point : input.UsedPoints)
-  {
-    const double distance = std::abs(input.Frame.Distance(input.Place(point)));
-    if (distance > PlanarTolerance * size)
+  const double size = Diagonal(input, pulse);
+  Distances off;
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, size, &off](std::size_t k)
     {
-      problems.Add(
-        { ProblemCode::NotPlanar, { point }, input.Chains.Points[static_cast<std::size_t>(point)],
-          "it lies " + vtkVariant(distance).ToString() + " from the plane" });
+      const Id point = input.UsedPoints[k];
+      const double distance = std::abs(input.Frame.Distance(input.Place(point)));
+      if (distance > PlanarTolerance * size)
+      {
+        off.emplace_back(distance, point);
+      }
+    });
+  SortInSteps(
+    off,
+    [](const auto& a, const auto& b)
+    { return a.first != b.first ? a.first > b.first : a.second < b.second; },
+    pulse);
+  return off;
+}
+
+void RefuseNotPlanar(const PlanarInput& input, ProblemList& problems, Pulse& pulse)
+{
+  const PulsePart part(pulse, MapEnd, 1.0);
+  for (const auto& [distance, point] : FindNotPlanar(input, pulse))
+  {
+    if (!pulse.Beat())
+    {
+      return;
     }
+    problems.Add(
+      { ProblemCode::NotPlanar, { point }, input.Chains.Points[static_cast<std::size_t>(point)],
+        "it lies " + vtkVariant(distance).ToString() + " from the plane" });
   }
 }
 
 } // namespace
 
-std::string PolylinesFromPolyData(vtkPolyData* input, PlanarInput& result, ProblemList& problems)
+std::string PolylinesFromPolyData(
+  vtkPolyData* input, PlanarInput& result, ProblemList& problems, Monitor& monitor)
 {
-  const std::string refusal = ChainReader(input, result).Read();
+  Pulse pulse(monitor);
+  const std::string refusal = ChainReader(input, result, pulse).Read();
   if (!refusal.empty() || result.Chains.NumberOfChains() == 0)
   {
     return refusal;
   }
+  const PulsePart part(pulse, CellsEnd, 1.0);
   result.Coordinates = AsDoubles(input->GetPoints()->GetData());
-  ListUsedPoints(result);
-  RefuseNotFinite(result, problems);
-  if (problems.HasErrors())
+  ListUsedPoints(result, pulse);
+  RefuseNotFinite(result, problems, pulse);
+  if (problems.HasErrors() || pulse.HasStopped())
   {
     return {};
   }
-  result.Frame = PlaneFrame::FitTo(result.Coordinates->GetPointer(0), result.UsedPoints);
-  result.Chains.Points.resize(result.IsUsed.size());
-  for (const Id point : result.UsedPoints)
-  {
-    result.Chains.Points[static_cast<std::size_t>(point)] =
-      result.Frame.ToPlane(result.Place(point));
-  }
-  RefuseNotPlanar(result, problems);
+  result.Frame = PlaneFrame::FitTo(result.Coordinates->GetPointer(0), result.UsedPoints, pulse);
+  MapToPlane(result, pulse);
+  RefuseNotPlanar(result, problems, pulse);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #ifndef BitingPolylinesFromPolyData_h
 #define BitingPolylinesFromPolyData_h
 
+#include "../Kernel/Base/Monitor.h"
 #include "../Kernel/Base/Problem.h"
 #include "../Kernel/Domain/Polylines.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
@@ -42,8 +43,10 @@ constexpr double PlanarTolerance = 1e-6;
 /// Reads `input`. Lines are chains; polygons are closed boundary chains; each point of a vertex cell
 /// is an embedded point; triangle strips are left out. A numeric cell array `Kind` decides instead
 /// what a line or polygon is. Returns why the input cannot be read, as text, empty where it can;
-/// coordinates that are not finite, or off the plane, are added to `problems`.
-std::string PolylinesFromPolyData(vtkPolyData* input, PlanarInput& result, ProblemList& problems);
+/// coordinates that are not finite, or off the plane, worst first, are added to `problems`. Where the
+/// monitor asks to stop the result has no meaning.
+std::string PolylinesFromPolyData(
+  vtkPolyData* input, PlanarInput& result, ProblemList& problems, Monitor& monitor);
 
 } // namespace biting
 

@@ -3,6 +3,7 @@
 
 #include "SourceSpacing.h"
 
+#include "../Kernel/Base/Pulse.h"
 #include "DoubleArray.h"
 #include "PlaneCut.h"
 #include "SpacingValues.h"
@@ -31,6 +32,14 @@ namespace biting
 
 namespace
 {
+
+// Where steps end, as shares of the time: the grid, or what reads cells instead.
+constexpr double GridEnd = 0.1;
+constexpr double DistancesEnd = 0.2;
+constexpr double CellsEnd = 0.8;
+constexpr double PointsEnd = 0.9;
+
+constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
 
 using AxisNodes = std::array<std::vector<double>, 3>;
 
@@ -98,8 +107,9 @@ bool IsAscending(const std::vector<double>& nodes)
 
 // The source as a grid of the plane; null where it is none.
 std::shared_ptr<GridSource> GridFrom(
-  vtkDataSet* source, const double* values, const PlaneFrame& frame)
+  vtkDataSet* source, const double* values, const PlaneFrame& frame, Pulse& pulse)
 {
+  const PulsePart part(pulse, 0.0, GridEnd);
   const AxisNodes nodes = NodesOfGrid(source);
   const auto first = static_cast<std::size_t>(frame.Axis(0));
   const auto second = static_cast<std::size_t>(frame.Axis(1));
@@ -113,13 +123,11 @@ std::shared_ptr<GridSource> GridFrom(
   auto grid = std::make_shared<GridSource>();
   grid->XNodes = nodes[first];
   grid->YNodes = nodes[second];
-  for (std::size_t j = 0; j < nodes[second].size(); ++j)
-  {
-    for (std::size_t i = 0; i < nodes[first].size(); ++i)
-    {
-      grid->Values.push_back(values[i * strides[first] + j * strides[second]]);
-    }
-  }
+  const std::size_t width = nodes[first].size();
+  GrowInSteps(grid->Values, width * nodes[second].size(), 0.0, pulse);
+  pulse.ForEach(grid->Values.size(),
+    [values, &grid, width, along = strides[first], across = strides[second]](std::size_t k)
+    { grid->Values[k] = values[k % width * along + k / width * across]; });
   return grid;
 }
 
@@ -127,13 +135,15 @@ std::shared_ptr<GridSource> GridFrom(
 class CellCollector
 {
 public:
-  CellCollector(vtkDataSet* source, const PlaneFrame& frame);
+  CellCollector(vtkDataSet* source, const PlaneFrame& frame, Pulse& pulse);
 
   std::string Collect();
   std::vector<vtkIdType> UsedPoints() const;
   std::shared_ptr<TriangulatedSource> Triangulation(const double* values) const;
 
 private:
+  void MeasureDistances();
+  void CollectCells();
   int Dimension(int cellType);
   bool IsSource(vtkIdType cell);
   bool MeetsPlane() const;
@@ -144,6 +154,7 @@ private:
 
   vtkSmartPointer<vtkDataSet> Source; // a shallow copy: asking it for cells changes nothing shared
   const PlaneFrame& Frame;
+  Pulse& Beats;
   vtkUnsignedCharArray* PointGhosts;
   vtkUnsignedCharArray* CellGhosts;
   std::vector<double> Distances;
@@ -194,9 +205,10 @@ vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
   return copy;
 }
 
-CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame)
+CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame, Pulse& pulse)
   : Source(ShallowCopyOf(source))
   , Frame(frame)
+  , Beats(pulse)
   , PointGhosts(this->Source->GetPointGhostArray())
   , CellGhosts(this->Source->GetCellGhostArray())
   , Distances(static_cast<std::size_t>(source->GetNumberOfPoints()))
@@ -204,12 +216,6 @@ CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame)
   , HasCells(source->GetNumberOfCells() > 0)
 {
   this->Dimensions.fill(-1);
-  double place[3];
-  for (std::size_t point = 0; point < this->Distances.size(); ++point)
-  {
-    this->Source->GetPoint(static_cast<vtkIdType>(point), place);
-    this->Distances[point] = frame.Distance(place);
-  }
 }
 
 std::string CellCollector::Collect()
@@ -218,17 +224,9 @@ std::string CellCollector::Collect()
   {
     return "The spacing source has no cells to interpolate in.";
   }
-  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
-  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
-  {
-    const int dimension = this->Dimension(this->Source->GetCellType(cell));
-    this->HasVolumes = this->HasVolumes || dimension == 3;
-    if (dimension >= 2 && this->IsSource(cell))
-    {
-      this->AddCell(cell, dimension);
-    }
-  }
-  this->Cut.MergeEdges();
+  this->MeasureDistances();
+  this->CollectCells();
+  this->Cut.MergeEdges(this->Beats);
   if (!this->Cut.GetTriangles().empty())
   {
     constexpr std::size_t Limit = std::numeric_limits<Id>::max();
@@ -238,6 +236,34 @@ std::string CellCollector::Collect()
   }
   return this->HasVolumes ? "The spacing source does not meet the plane of the input."
                           : "The spacing source has no visible cells with an area or a volume.";
+}
+
+void CellCollector::MeasureDistances()
+{
+  const PulsePart part(this->Beats, GridEnd, DistancesEnd);
+  this->Beats.ForEach(this->Distances.size(),
+    [this](std::size_t point)
+    {
+      double place[3];
+      this->Source->GetPoint(static_cast<vtkIdType>(point), place);
+      this->Distances[point] = this->Frame.Distance(place);
+    });
+}
+
+void CellCollector::CollectCells()
+{
+  const PulsePart part(this->Beats, DistancesEnd, CellsEnd);
+  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < numberOfCells && this->Beats.Beat(CheapStepsPerCell); ++cell)
+  {
+    this->Beats.SetFraction(static_cast<double>(cell) / static_cast<double>(numberOfCells));
+    const int dimension = this->Dimension(this->Source->GetCellType(cell));
+    this->HasVolumes = this->HasVolumes || dimension == 3;
+    if (dimension >= 2 && this->IsSource(cell))
+    {
+      this->AddCell(cell, dimension);
+    }
+  }
 }
 
 int CellCollector::Dimension(int cellType)
@@ -319,27 +345,34 @@ void CellCollector::AddCell(vtkIdType cell, int dimension)
 
 std::vector<vtkIdType> CellCollector::UsedPoints() const
 {
+  const PulsePart part(this->Beats, CellsEnd, PointsEnd);
   std::vector<std::uint8_t> isUsed(this->Distances.size(), 0);
-  for (const vtkIdType node : this->Cut.GetTriangles())
-  {
-    if (static_cast<std::size_t>(node) < isUsed.size())
+  const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
+  this->Beats.ForEach(nodes.size(),
+    [&nodes, &isUsed](std::size_t k)
     {
-      isUsed[static_cast<std::size_t>(node)] = 1;
-    }
-  }
-  for (const PlaneCut::Edge& edge : this->Cut.GetEdges())
-  {
-    isUsed[static_cast<std::size_t>(edge.Low)] = 1;
-    isUsed[static_cast<std::size_t>(edge.High)] = 1;
-  }
+      const auto node = static_cast<std::size_t>(nodes[k]);
+      if (node < isUsed.size())
+      {
+        isUsed[node] = 1;
+      }
+    });
+  const std::vector<PlaneCut::Edge>& edges = this->Cut.GetEdges();
+  this->Beats.ForEach(edges.size(),
+    [&edges, &isUsed](std::size_t k)
+    {
+      isUsed[static_cast<std::size_t>(edges[k].Low)] = 1;
+      isUsed[static_cast<std::size_t>(edges[k].High)] = 1;
+    });
   std::vector<vtkIdType> used;
-  for (std::size_t point = 0; point < isUsed.size(); ++point)
-  {
-    if (isUsed[point])
+  this->Beats.ForEach(isUsed.size(),
+    [&isUsed, &used](std::size_t point)
     {
-      used.push_back(static_cast<vtkIdType>(point));
-    }
-  }
+      if (isUsed[point])
+      {
+        used.push_back(static_cast<vtkIdType>(point));
+      }
+    });
   return used;
 }
 
@@ -347,17 +380,20 @@ std::shared_ptr<TriangulatedSource> CellCollector::Triangulation(const double* v
 {
   auto triangulation = std::make_shared<TriangulatedSource>();
   std::vector<Id> newIds(this->NumberOfNodes(), NoId);
-  for (const vtkIdType node : this->Cut.GetTriangles())
-  {
-    Id& newId = newIds[static_cast<std::size_t>(node)];
-    if (newId == NoId)
+  const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
+  const PulsePart part(this->Beats, PointsEnd, 1.0);
+  this->Beats.ForEach(nodes.size(),
+    [this, values, &triangulation, &newIds, &nodes](std::size_t k)
     {
-      newId = static_cast<Id>(triangulation->Points.size());
-      triangulation->Points.push_back(this->PlaceOf(node));
-      triangulation->Values.push_back(this->ValueOf(node, values));
-    }
-    triangulation->Triangles.push_back(newId);
-  }
+      Id& newId = newIds[static_cast<std::size_t>(nodes[k])];
+      if (newId == NoId)
+      {
+        newId = static_cast<Id>(triangulation->Points.size());
+        triangulation->Points.push_back(this->PlaceOf(nodes[k]));
+        triangulation->Values.push_back(this->ValueOf(nodes[k], values));
+      }
+      triangulation->Triangles.push_back(newId);
+    });
   return triangulation;
 }
 
@@ -391,9 +427,9 @@ double CellCollector::ValueOf(vtkIdType node, const double* values) const
   return values[edge.Low] + this->Cut.Fraction(edge) * (values[edge.High] - values[edge.Low]);
 }
 
-bool HasArea(const TriangulatedSource& source)
+bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 {
-  for (std::size_t k = 0; k < source.Triangles.size(); k += 3)
+  for (std::size_t k = 0; k < source.Triangles.size() && pulse.Beat(); k += 3)
   {
     const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
     const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
@@ -407,7 +443,7 @@ bool HasArea(const TriangulatedSource& source)
 }
 
 std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<GridSource> grid,
-  SpacingOptions& options)
+  SpacingOptions& options, ProblemPlaces& places)
 {
   std::vector<vtkIdType> points(static_cast<std::size_t>(source->GetNumberOfPoints()));
   for (std::size_t point = 0; point < points.size(); ++point)
@@ -415,17 +451,18 @@ std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<Gr
     points[point] = static_cast<vtkIdType>(point);
   }
   options.Grid = std::move(grid);
-  return CheckSpacingValues(source, values, points, NotANumber::Allowed);
+  return CheckSpacingValues(source, values, points, SpacingOwner::Source, places);
 }
 
-std::string AddCells(
-  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options)
+std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
+  SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
-  CellCollector collector(source, frame);
+  CellCollector collector(source, frame, pulse);
   std::string refusal = collector.Collect();
   if (refusal.empty())
   {
-    refusal = CheckSpacingValues(source, values, collector.UsedPoints(), NotANumber::Allowed);
+    refusal =
+      CheckSpacingValues(source, values, collector.UsedPoints(), SpacingOwner::Source, places);
   }
   if (!refusal.empty())
   {
@@ -433,23 +470,25 @@ std::string AddCells(
   }
   const auto triangulation = collector.Triangulation(AsDoubles(values)->GetPointer(0));
   options.Triangulation = triangulation;
-  return HasArea(*triangulation)
+  return HasArea(*triangulation, pulse)
     ? ""
     : "The cells of the spacing source have no area in the plane of the input.";
 }
 
 } // namespace
 
-std::string AddSourceSpacing(
-  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options)
+std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
+  SpacingOptions& options, ProblemPlaces& places, Monitor& monitor)
 {
   if (values->GetNumberOfComponents() != 1)
   {
-    return CheckSpacingValues(source, values, {}, NotANumber::Allowed);
+    return CheckSpacingValues(source, values, {}, SpacingOwner::Source, places);
   }
-  auto grid = GridFrom(source, AsDoubles(values)->GetPointer(0), frame);
-  return grid ? AddGrid(source, values, std::move(grid), options)
-              : AddCells(source, values, frame, options);
+  Pulse pulse(monitor);
+  auto grid = GridFrom(source, AsDoubles(values)->GetPointer(0), frame, pulse);
+  const std::string refusal = grid ? AddGrid(source, values, std::move(grid), options, places)
+                                   : AddCells(source, values, frame, options, places, pulse);
+  return pulse.HasStopped() ? "" : refusal;
 }
 
 } // namespace biting

@@ -7,6 +7,7 @@
 #include "../Kernel/Spacing/Spacing.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PlaneFrame.h"
+#include "ProblemPlaces.h"
 
 #include <string> // for the refusal
 
@@ -24,9 +25,11 @@ namespace biting
 /// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
 /// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with a
 /// hidden point, and cells without area are no source.
-/// Reads `source` without changing it. Returns why it cannot be used, empty where it can.
-std::string AddSourceSpacing(
-  vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame, SpacingOptions& options);
+/// Reads `source` without changing it. Returns why it cannot be used, empty where it can; `places`
+/// gets the values that are no spacing. Where the monitor asks to stop nothing is refused, and the
+/// options have no meaning.
+std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
+  SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
 
 } // namespace biting
 

@@ -8,8 +8,9 @@
 
 #include "vtkDataSet.h"
 
-#include <cmath>   // for isfinite
-#include <sstream> // for the text
+#include <algorithm> // for all_of, min
+#include <cmath>     // for isfinite
+#include <sstream>   // for the text
 
 namespace biting
 {
@@ -17,50 +18,71 @@ namespace biting
 namespace
 {
 
-std::string Describe(vtkDataSet* data, const double* values, vtkIdType point)
+bool IsSpacing(double value, SpacingOwner owner)
 {
-  double place[3];
-  data->GetPoint(point, place);
+  const bool isHole = owner == SpacingOwner::Source && std::isnan(value);
+  return isHole || (value > 0.0 && std::isfinite(value));
+}
+
+std::string Describe(vtkIdType point, double value, const Point3& place)
+{
   std::ostringstream text;
-  text << "point " << point << " with " << values[point] << " at "
-       << PlaceText({ place[0], place[1], place[2] });
+  text << "point " << point << " with " << value << " at " << PlaceText(place);
   return text.str();
+}
+
+void AddPlace(
+  vtkIdType point, const Point3& place, const std::string& message, ProblemPlaces& places)
+{
+  ProblemPlace bad;
+  bad.Kind = ProblemCode::BadSpacing;
+  bad.FirstId = point;
+  bad.Place = place;
+  bad.Message = message;
+  const bool isFinite = std::all_of(
+    place.begin(), place.end(), [](double coordinate) { return std::isfinite(coordinate); });
+  if (isFinite && places.Places.size() < ProblemList::KeptPerKind)
+  {
+    places.Places.push_back(bad);
+  }
 }
 
 } // namespace
 
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, NotANumber notANumber)
+  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places)
 {
-  const std::string name = values->GetName() ? values->GetName() : "";
+  const std::string array =
+    std::string("The spacing array ") + (values->GetName() ? values->GetName() : "");
   if (values->GetNumberOfComponents() != 1)
   {
-    return "The spacing array " + name + " has " + std::to_string(values->GetNumberOfComponents()) +
+    return array + " has " + std::to_string(values->GetNumberOfComponents()) +
       " components; it takes one.";
   }
+  const std::string subject =
+    array + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
   const auto doubles = AsDoubles(values);
-  const double* pointer = doubles->GetPointer(0);
   std::vector<std::string> bad;
   std::int64_t count = 0;
   for (const vtkIdType point : points)
   {
-    const double value = pointer[point];
-    const bool isSkipped = notANumber == NotANumber::Allowed && std::isnan(value);
-    if (!isSkipped && !(value > 0.0 && std::isfinite(value)))
+    const double value = doubles->GetValue(point);
+    if (!IsSpacing(value, owner) && static_cast<std::size_t>(++count) <= ProblemList::KeptPerKind)
     {
-      ++count;
-      if (bad.size() < ShownIds)
-      {
-        bad.push_back(Describe(data, pointer, point));
-      }
+      Point3 place;
+      data->GetPoint(point, place.data());
+      bad.push_back(Describe(point, value, place));
+      AddPlace(point, place, subject + bad.back(), places);
     }
   }
   if (count == 0)
   {
     return {};
   }
-  return "The spacing array " + name + " has values that are zero, negative or not finite (" +
-    std::to_string(count) + "): " + ListText(bad, count) + ". Spacing is an edge length.";
+  places.Counts[static_cast<std::size_t>(ProblemCode::BadSpacing)] += count;
+  bad.resize(std::min(bad.size(), ShownIds));
+  return array + " has values that are zero, negative or not finite (" + std::to_string(count) +
+    "): " + ListText(bad, count) + ". Spacing is an edge length.";
 }
 
 } // namespace biting

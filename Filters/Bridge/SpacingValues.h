@@ -5,6 +5,7 @@
 #define BitingSpacingValues_h
 
 #include "../vtkBitingCompat.h" // for the ABI namespace
+#include "ProblemPlaces.h"
 
 #include "vtkType.h" // for vtkIdType
 
@@ -19,17 +20,18 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Whether a value that is no number is allowed, as a place where there is no source.
-enum class NotANumber
+/// The dataset that gives the spacing. Of a source, a value that is NaN says that there is none.
+enum class SpacingOwner
 {
-  Refused,
-  Allowed
+  Input,
+  Source
 };
 
 /// Checks the spacing in `values` at `points` of `data`: one component, positive, finite.
-/// Returns what is wrong, with the points and their places, empty where nothing is.
+/// Returns what is wrong, with the points and their places, empty where nothing is; all places are
+/// added to `places`.
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, NotANumber notANumber);
+  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places);
 
 } // namespace biting
 

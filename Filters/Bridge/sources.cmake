@@ -6,12 +6,17 @@ set(biting_bridge_sources
   BitesToPolyData.cxx
   BoundaryEdgesToPolyData.cxx
   BoundarySpacing.cxx
+  ChosenArray.cxx
   DoubleArray.cxx
+  FacesFromDataSet.cxx
   MeshToPolyData.cxx
   MessagesFromProblems.cxx
   MonitorOfFilter.cxx
   PlaneCut.cxx
   PlaneFrame.cxx
   PolylinesFromPolyData.cxx
+  ProblemPlaces.cxx
+  ProblemsToPolyData.cxx
+  QualityArrays.cxx
   SourceSpacing.cxx
   SpacingValues.cxx)

@@ -100,12 +100,12 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& v
 class Messages
 {
 public:
-  explicit Messages(vtkBitingMesher* mesher)
+  explicit Messages(vtkAlgorithm* filter)
   {
-    this->Listen(mesher, vtkCommand::ErrorEvent, &this->Errors);
-    this->Listen(mesher, vtkCommand::WarningEvent, &this->Warnings);
+    this->Listen(filter, vtkCommand::ErrorEvent, &this->Errors);
+    this->Listen(filter, vtkCommand::WarningEvent, &this->Warnings);
     // The executive adds a word of its own when a filter fails.
-    this->Listen(mesher->GetExecutive(), vtkCommand::ErrorEvent, &this->OfExecutive);
+    this->Listen(filter->GetExecutive(), vtkCommand::ErrorEvent, &this->OfExecutive);
   }
 
   ~Messages()

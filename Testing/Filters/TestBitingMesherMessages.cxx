@@ -114,7 +114,8 @@ TEST(BitingMesherMessages, RefuseInputWithoutALoop)
 {
   auto input = EmptyInput();
   AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, false);
-  EXPECT_TRUE(Has(RefusalOf(input), "No closed loop bounds a domain"));
+  const std::string refusal = RefusalOf(input);
+  EXPECT_TRUE(Has(refusal, "No closed loop bounds a domain (2): open end at point 0")) << refusal;
 }
 
 TEST(BitingMesherMessages, RefuseCoordinatesThatAreNotFinite)
@@ -131,7 +132,7 @@ TEST(BitingMesherMessages, RefuseLoopsThatAreNotPlanar)
   AddChain(input, { { 0, 0, 0.1 }, { 1, 0, -0.1 }, { 1, 1, 0.1 }, { 0, 1, -0.1 } }, true);
   const std::string refusal = RefusalOf(input);
   EXPECT_TRUE(Has(refusal, "not planar")) << refusal;
-  EXPECT_TRUE(Has(refusal, "(4): point 0 near (0, 0, 0.1) (it lies 0.09")) << refusal;
+  EXPECT_TRUE(Has(refusal, "(4): point 3 near (0, 1, -0.1) (it lies 0.10")) << refusal;
 }
 
 TEST(BitingMesherMessages, AcceptLoopsThatArePlanarWithinTheTolerance)

@@ -36,11 +36,11 @@ vtkSmartPointer<vtkBitingMesher> MesherOf(vtkPolyData* input)
 
 } // namespace
 
-TEST(BitingMesherPorts, AreTwoInAndThreeOut)
+TEST(BitingMesherPorts, AreTwoInAndFourOut)
 {
   vtkNew<vtkBitingMesher> mesher;
   EXPECT_EQ(mesher->GetNumberOfInputPorts(), 2);
-  EXPECT_EQ(mesher->GetNumberOfOutputPorts(), 3);
+  EXPECT_EQ(mesher->GetNumberOfOutputPorts(), 4);
   vtkInformation* source = mesher->GetInputPortInformation(1);
   EXPECT_TRUE(source->Get(vtkAlgorithm::INPUT_IS_OPTIONAL()));
   EXPECT_STREQ(source->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()), "vtkDataSet");
@@ -57,6 +57,7 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_EQ(mesher->GetMaximumSpacing(), 0.0);
   EXPECT_EQ(mesher->GetGradation(), 0.3);
   EXPECT_TRUE(mesher->GetRepairInput());
+  EXPECT_FALSE(mesher->GetPreserveBoundary());
   EXPECT_EQ(mesher->GetBiteShape(), vtkBitingMesher::SQUARE);
   EXPECT_EQ(mesher->GetBitingConstant(), 0.0);
   EXPECT_EQ(mesher->GetPlacement(), vtkBitingMesher::CORNERS);
@@ -75,13 +76,53 @@ TEST(BitingMesherParameters, AreAllPrinted)
   mesher->SetPlacementToCorners();
   std::ostringstream text;
   mesher->Print(text);
-  for (const char* name : { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0",
-         "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "BiteShape: 0",
-         "BitingConstant: 0", "Placement: 0", "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1",
-         "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
+  for (const char* name :
+    { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0", "MaximumSpacing: 0",
+      "Gradation: 0.3", "RepairInput: on", "PreserveBoundary: off", "BiteShape: 0",
+      "BitingConstant: 0", "Placement: 0", "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1",
+      "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }
+}
+
+TEST(BitingMesherParameters, BisectorsMakeBetterTrianglesOfSquaresAndOfCircles)
+{
+  const auto meanSmallestAngle = [](vtkBitingMesher* mesher)
+  {
+    mesher->SetUniformSpacing(0.03);
+    mesher->Update();
+    vtkDataArray* angles = mesher->GetOutput(0)->GetCellData()->GetArray("MinimumAngle");
+    double sum = 0.0;
+    for (vtkIdType cell = 0; cell < angles->GetNumberOfTuples(); ++cell)
+    {
+      sum += angles->GetComponent(cell, 0);
+    }
+    return sum / static_cast<double>(angles->GetNumberOfTuples());
+  };
+  const auto mesher = MesherOf(UnitSquare());
+  for (const int shape : { vtkBitingMesher::SQUARE, vtkBitingMesher::CIRCLE })
+  {
+    mesher->SetBiteShape(shape);
+    mesher->SetPlacementToCorners();
+    const double corners = meanSmallestAngle(mesher);
+    mesher->SetPlacementToBisectors();
+    EXPECT_GT(meanSmallestAngle(mesher), corners + 2.0);
+    mesher->SetFrontOrderToBestFirst();
+    EXPECT_GT(meanSmallestAngle(mesher), corners + 2.0);
+    mesher->SetFrontOrderToLayers();
+  }
+}
+
+TEST(BitingMesherBites, CirclesAreDrawnAsPolygonsWith32Corners)
+{
+  const auto mesher = MesherOf(UnitSquare());
+  mesher->SetBiteShapeToCircle();
+  mesher->GenerateBitesOn();
+  mesher->Update();
+  vtkPolyData* bites = mesher->GetOutput(2);
+  ASSERT_EQ(bites->GetNumberOfPolys(), mesher->GetOutput(0)->GetNumberOfPoints());
+  EXPECT_EQ(bites->GetPolys()->GetNumberOfConnectivityIds(), 32 * bites->GetNumberOfPolys());
 }
 
 TEST(BitingMesherMesh, CarriesTheDocumentedArrays)

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 DEFAULTS = {
     'UniformSpacing': 0.0,
@@ -17,7 +18,9 @@ DEFAULTS = {
     'MinimumSpacing': 0.0,
     'MaximumSpacing': 0.0,
     'Gradation': 0.3,
+    'LimitByFeatureSize': 1,
     'RepairInput': 1,
+    'PreserveBoundary': 0,
     'BiteShape': 'Square',
     'BitingConstant': 0.0,
     'Placement': 'Corners',
@@ -36,6 +39,9 @@ ON_THE_PANEL = {
 SQUARE = '# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\n' \
     'POINTS 4 double\n0 0 0 9 0 0 9 9 0 0 9 0\nLINES 1 6\n5 0 1 2 3 0\n'
 SQUARE_SPACING = 'POINT_DATA 4\nSCALARS {name} double 1\nLOOKUP_TABLE default\n1 1 1 1\n'
+OPEN_CHAIN = SQUARE.replace('LINES 1 6\n5 0 1 2 3 0', 'LINES 1 5\n4 0 1 2 3')
+SQUARE_WITH_STRAY_POINT = SQUARE.replace('POINTS 4', 'POINTS 5').replace(
+    '0 9 0\nLINES', '0 9 0 20 5 0\nVERTICES 1 2\n1 4\nLINES')
 IMAGE = '# vtk DataFile Version 3.0\nimage\nASCII\nDATASET STRUCTURED_POINTS\n' \
     'DIMENSIONS 2 2 1\nORIGIN 0 0 0\nSPACING 9 9 1\nPOINT_DATA 4\n' \
     'SCALARS {name} double 1\nLOOKUP_TABLE default\n0.5 0.5 0.5 0.5\n'
@@ -99,8 +105,8 @@ class TestBitingMesherProxy(unittest.TestCase):
 
     def test_outputs_have_names(self):
         proxy = BitingMesher(Input=self.square()).SMProxy
-        names = [proxy.GetOutputPortName(port) for port in range(3)]
-        self.assertEqual(names, ['Mesh', 'Boundary Edges', 'Bites'])
+        names = [proxy.GetOutputPortName(port) for port in range(proxy.GetNumberOfOutputPorts())]
+        self.assertEqual(names, ['Mesh', 'Boundary Edges', 'Bites', 'Problems'])
 
     def test_without_any_number_the_mesh_is_neither_coarse_nor_huge(self):
         count = triangles(BitingMesher(Input=self.square()))
@@ -145,6 +151,37 @@ class TestBitingMesherProxy(unittest.TestCase):
         mesher.UpdatePipeline()
         for port in (1, 2):
             self.assertGreater(mesher[port].GetDataInformation().GetNumberOfCells(), 0, port)
+
+    def test_problems_of_a_refused_input_reach_the_client_and_the_next_filter(self):
+        mesher = BitingMesher(Input=self.read('open.vtk', OPEN_CHAIN))
+        output = vtkOutputWindow.GetInstance()
+        output.SetDisplayModeToNever()
+        try:
+            mesher.UpdatePipeline()
+        except RuntimeError:
+            pass
+        problems = servermanager.Fetch(mesher, idx=3)
+        glyphs = simple.Glyph(Input=simple.OutputPort(mesher, 3), GlyphType='Sphere')
+        glyphs.UpdatePipeline()
+        output.SetDisplayModeToDefault()
+        self.assertEqual(triangles(mesher), 0)
+        self.assertEqual(problems.GetNumberOfPoints(), 2)
+        messages = problems.GetPointData().GetAbstractArray('Message')
+        self.assertIn('open end at point 3', messages.GetValue(1))
+        self.assertGreater(glyphs.GetDataInformation().GetNumberOfCells(), 20)
+
+    def test_problems_of_a_repaired_input_have_places_and_kinds(self):
+        mesher = BitingMesher(Input=self.read('outside.vtk', SQUARE_WITH_STRAY_POINT))
+        output = vtkOutputWindow.GetInstance()
+        output.SetDisplayModeToNever()
+        problems = servermanager.Fetch(mesher, idx=3)
+        output.SetDisplayModeToDefault()
+        self.assertGreater(triangles(mesher), 0)
+        self.assertEqual(problems.GetNumberOfPoints(), 1)
+        self.assertEqual(problems.GetPoint(0), (20.0, 5.0, 0.0))
+        kind = problems.GetPointData().GetArray('ProblemKind').GetValue(0)
+        names = problems.GetFieldData().GetAbstractArray('ProblemKindNames')
+        self.assertEqual(names.GetValue(kind), 'OutsidePoints')
 
     def test_a_state_gives_the_same_mesh(self):
         mesher = BitingMesher(registrationName='Mesher', Input=self.square(), UniformSpacing=0.7)

@@ -15,7 +15,9 @@ DEFAULTS = {
     'MinimumSpacing': 0.0,
     'MaximumSpacing': 0.0,
     'Gradation': 0.3,
+    'LimitByFeatureSize': True,
     'RepairInput': True,
+    'PreserveBoundary': False,
     'BiteShape': 0,
     'BitingConstant': 0.0,
     'Placement': 0,
@@ -32,7 +34,9 @@ OTHER_VALUES = {
     'MinimumSpacing': 0.01,
     'MaximumSpacing': 2.0,
     'Gradation': 0.1,
+    'LimitByFeatureSize': False,
     'RepairInput': False,
+    'PreserveBoundary': True,
     'BitingConstant': 0.5,
     'FrontOrder': 1,
     'MaximumNumberOfBites': 7,
@@ -92,10 +96,10 @@ class TestBitingMesherWrapping(unittest.TestCase):
         mesher.SetPlacementToCorners()
         self.assertEqual(mesher.GetFrontOrder(), 0)
 
-    def test_there_are_two_inputs_and_three_outputs(self):
+    def test_there_are_two_inputs_and_four_outputs(self):
         mesher = vtkBitingMesher()
         self.assertEqual(mesher.GetNumberOfInputPorts(), 2)
-        self.assertEqual(mesher.GetNumberOfOutputPorts(), 3)
+        self.assertEqual(mesher.GetNumberOfOutputPorts(), 4)
 
     def test_a_square_is_covered_and_its_arrays_are_there(self):
         mesher = vtkBitingMesher()
@@ -131,6 +135,10 @@ class TestBitingMesherWrapping(unittest.TestCase):
         mesher.Update()
         self.assertEqual(len(errors), 1)
         self.assertEqual(mesher.GetOutput().GetNumberOfPoints(), 0)
+        problems = mesher.GetOutput(vtkBitingMesher.PROBLEMS)
+        self.assertEqual(problems.GetNumberOfVerts(), 2)
+        kinds = problems.GetPointData().GetArray('ProblemKind')
+        self.assertEqual(kinds.GetValue(0), vtkBitingMesher.NO_CLOSED_LOOP)
 
 
 if __name__ == '__main__':

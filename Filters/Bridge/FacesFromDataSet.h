@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFacesFromDataSet_h
+#define BitingFacesFromDataSet_h
+
+#include "../Kernel/Base/Ids.h"
+#include "../Kernel/Base/Monitor.h"
+#include "../Kernel/Base/Point2.h"
+#include "../vtkBitingCompat.h" // for the ABI namespace
+#include "PlaneFrame.h"
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string> // for the refusal
+#include <vector> // for the arrays
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// Which cells of two dimensions are read; any other is a refusal.
+enum class FaceRule
+{
+  Triangles, ///< linear ones
+  Polygons   ///< linear cells of any number of corners
+};
+
+/// The faces of a dataset in its plane. Only points that a face uses are vertices.
+struct PlanarFaces
+{
+  PlaneFrame Frame;
+  std::vector<vtkIdType> PointIds; ///< of each vertex, ascending
+  std::vector<Point2> Points;      ///< of each vertex
+  std::vector<vtkIdType> CellIds;  ///< of each face, ascending
+  std::vector<Id> Offsets{ 0 };    ///< face c has Corners[Offsets[c] .. Offsets[c + 1])
+  std::vector<Id> Corners;         ///< vertices
+};
+
+/// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, and hidden and
+/// ghost cells, are left out. Reads without changing anything of `data`.
+/// Returns why it cannot be read, empty where it can: a cell that is neither (the first one is
+/// named), more points or corners than 32-bit ids can number, coordinates that are not finite, points
+/// farther from the plane than PlanarTolerance. Where the monitor asks to stop `faces` have no meaning.
+std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Monitor& monitor);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHessianSpacing.h"
+
+#include "Bridge/ArrayFromVector.h"
+#include "Bridge/ChosenArray.h"
+#include "Bridge/DoubleArray.h"
+#include "Bridge/FacesFromDataSet.h"
+#include "Bridge/MonitorOfFilter.h"
+#include "Bridge/ParameterCheck.h"
+#include "Kernel/Base/Box2.h"
+#include "Kernel/Spacing/HessianRecovery.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <algorithm> // for all_of, count_if, max
+#include <cmath>     // for isfinite
+#include <limits>    // for NaN
+#include <new>       // for bad_alloc
+#include <string>    // for messages
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+constexpr double DefaultShareOfRange = 0.01;
+
+//------------------------------------------------------------------------------
+std::int64_t CountNotFinite(const std::vector<double>& values)
+{
+  return std::count_if(
+    values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+}
+
+//------------------------------------------------------------------------------
+// Largest minus smallest finite value; 0 where there is none.
+double RangeOf(const std::vector<double>& values)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values)
+  {
+    if (std::isfinite(value))
+    {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return std::max(high - low, 0.0);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+// One execution. Methods return false where nothing is left to do.
+class vtkHessianSpacing::Execution
+{
+public:
+  Execution(vtkHessianSpacing* filter, vtkDataSet* input)
+    : Filter(filter)
+    , Input(input)
+    , Monitor(filter, 2)
+  {
+  }
+
+  bool ReadFaces();
+  bool ReadScalar();
+  bool Recover();
+  void Write(vtkDataSet* output) const;
+
+  bool HasFailed() const { return this->IsRefused; }
+
+private:
+  bool Accept(const std::string& refusal);
+  std::string ParameterRefusal() const;
+  double Tolerance() const;
+  double LargestSpacing() const;
+
+  vtkHessianSpacing* Filter;
+  vtkDataSet* Input;
+  biting::MonitorOfFilter Monitor;
+  biting::PlanarFaces Faces;
+  std::vector<double> Values;
+  std::vector<double> Norms;
+  bool IsRefused = false;
+};
+
+vtkStandardNewMacro(vtkHessianSpacing);
+
+//------------------------------------------------------------------------------
+vtkHessianSpacing::vtkHessianSpacing()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+int vtkHessianSpacing::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkBitingCompat::ForgetAbort(this);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  Execution execution(this, vtkDataSet::GetData(inputVector[0]));
+  try
+  {
+    if (execution.ReadFaces() && execution.ReadScalar() && execution.Recover())
+    {
+      execution.Write(output);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("There is not enough memory for the Hessian of this input.");
+    return 0;
+  }
+  return execution.HasFailed() ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHessianSpacing::Execution::ReadFaces()
+{
+  this->Monitor.BeginStage("Reading the faces");
+  if (!this->Accept(this->ParameterRefusal()) ||
+    !this->Accept(biting::FacesFromDataSet(
+      this->Input, biting::FaceRule::Polygons, this->Faces, this->Monitor)) ||
+    !this->Monitor.Advance(1.0))
+  {
+    return false;
+  }
+  const bool isEmpty = this->Faces.CellIds.empty();
+  if (isEmpty && this->Input->GetNumberOfCells() > 0)
+  {
+    return this->Accept("The input has no faces to recover a Hessian on.");
+  }
+  return !isEmpty;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHessianSpacing::Execution::ParameterRefusal() const
+{
+  const vtkHessianSpacing& filter = *this->Filter;
+  for (const std::string& refusal :
+    { biting::CheckAtLeastZero("ErrorTolerance", filter.ErrorTolerance),
+      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
+      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing) })
+  {
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
+  }
+  const bool isReversed =
+    filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing;
+  return isReversed ? "MinimumSpacing is above MaximumSpacing." : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHessianSpacing::Execution::Accept(const std::string& refusal)
+{
+  if (!refusal.empty())
+  {
+    this->IsRefused = true;
+    vtkErrorWithObjectMacro(this->Filter, << refusal);
+  }
+  return refusal.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHessianSpacing::Execution::ReadScalar()
+{
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Input, { "scalar array", "input" });
+  if (!this->Accept(chosen.Refusal) ||
+    !this->Accept(chosen.Array ? "" : "No scalar point array of the input was chosen."))
+  {
+    return false;
+  }
+  if (chosen.Array->GetNumberOfComponents() != 1)
+  {
+    return this->Accept("The scalar array " +
+      std::string(chosen.Array->GetName() ? chosen.Array->GetName() : "") + " has " +
+      std::to_string(chosen.Array->GetNumberOfComponents()) + " components; it takes one.");
+  }
+  const auto doubles = biting::AsDoubles(chosen.Array);
+  for (const vtkIdType point : this->Faces.PointIds)
+  {
+    this->Values.push_back(doubles->GetValue(point));
+  }
+  const std::int64_t count = CountNotFinite(this->Values);
+  if (count > 0)
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, << "The scalar is not finite at " << count << " points; they get no spacing.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHessianSpacing::Execution::Recover()
+{
+  this->Monitor.BeginStage("Recovering the Hessian");
+  const std::vector<biting::Hessian2> hessians = biting::RecoverHessians(
+    { this->Faces.Points, this->Faces.Offsets, this->Faces.Corners }, this->Values, this->Monitor);
+  if (hessians.empty())
+  {
+    return false;
+  }
+  for (const biting::Hessian2& hessian : hessians)
+  {
+    this->Norms.push_back(biting::SpectralNorm(hessian));
+  }
+  const std::int64_t unknown = CountNotFinite(this->Norms);
+  if (unknown == static_cast<std::int64_t>(this->Norms.size()))
+  {
+    return this->Accept("No point has enough finite values around it to determine a Hessian: at "
+                        "least six points that are not on two lines, joined by cells.");
+  }
+  const std::int64_t isolated = unknown - CountNotFinite(this->Values);
+  if (isolated > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << isolated
+                                            << " points have too few others around them to "
+                                               "determine a Hessian; they get no spacing.");
+  }
+  return this->Monitor.Advance(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkHessianSpacing::Execution::Write(vtkDataSet* output) const
+{
+  const double tolerance = this->Tolerance();
+  const double maximum = this->LargestSpacing();
+  const auto size = static_cast<std::size_t>(this->Input->GetNumberOfPoints());
+  std::vector<double> norms(size, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> spacings = norms;
+  for (std::size_t vertex = 0; vertex < this->Norms.size(); ++vertex)
+  {
+    const auto point = static_cast<std::size_t>(this->Faces.PointIds[vertex]);
+    norms[point] = this->Norms[vertex];
+    spacings[point] = biting::NumericalSpacing(
+      this->Norms[vertex], tolerance, this->Filter->MinimumSpacing, maximum);
+  }
+  output->ShallowCopy(this->Input);
+  biting::AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", spacings);
+  biting::AddArray<vtkDoubleArray>(output->GetPointData(), "HessianNorm", norms);
+  biting::AddFigure(output->GetFieldData(), "ErrorTolerance", tolerance);
+}
+
+//------------------------------------------------------------------------------
+double vtkHessianSpacing::Execution::Tolerance() const
+{
+  return this->Filter->ErrorTolerance > 0.0 ? this->Filter->ErrorTolerance
+                                            : DefaultShareOfRange * RangeOf(this->Values);
+}
+
+//------------------------------------------------------------------------------
+double vtkHessianSpacing::Execution::LargestSpacing() const
+{
+  biting::Box2 box;
+  for (const biting::Point2& point : this->Faces.Points)
+  {
+    box.Add(point);
+  }
+  return this->Filter->MaximumSpacing > 0.0
+    ? this->Filter->MaximumSpacing
+    : std::max(box.Diagonal(), this->Filter->MinimumSpacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkHessianSpacing::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n"
+     << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
+     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""vtkHessianSpacing and vtkMeshConformity as Python sees them, without ParaView's proxies."""
+
+import math
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from biting.vtkBitingFilters import vtkBitingMesher, vtkHessianSpacing, vtkMeshConformity
+from TestBitingMesherWrapping import square
+
+DEFAULTS = {
+    vtkHessianSpacing: {'ErrorTolerance': 0.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0},
+    vtkMeshConformity: {'NumberOfBins': 60},
+}
+
+
+def image_of(function, nodes):
+    """The function of x and y as the array `u` over the square of side 2."""
+    image = vtkImageData()
+    image.SetDimensions(nodes, nodes, 1)
+    image.SetSpacing(2.0 / (nodes - 1), 2.0 / (nodes - 1), 1.0)
+    values = vtkDoubleArray()
+    values.SetName('u')
+    for point in range(image.GetNumberOfPoints()):
+        values.InsertNextValue(function(*image.GetPoint(point)[:2]))
+    image.GetPointData().SetScalars(values)
+    return image
+
+
+class TestSpacingFiltersWrapping(unittest.TestCase):
+    def test_parameters_have_their_documented_defaults_and_keep_what_is_set(self):
+        for kind, defaults in DEFAULTS.items():
+            instance = kind()
+            for name, value in defaults.items():
+                self.assertEqual(getattr(instance, 'Get' + name)(), value, name)
+                getattr(instance, 'Set' + name)(value + 3)
+                self.assertEqual(getattr(instance, 'Get' + name)(), value + 3, name)
+
+    def test_ports_are_as_documented(self):
+        conformity, hessian = vtkMeshConformity(), vtkHessianSpacing()
+        self.assertEqual(conformity.GetNumberOfInputPorts(), 2)
+        self.assertEqual(conformity.GetNumberOfOutputPorts(), 2)
+        self.assertEqual(hessian.GetNumberOfInputPorts(), 1)
+        self.assertEqual(hessian.GetNumberOfOutputPorts(), 1)
+
+    def test_the_loop_of_solution_spacing_mesh_and_judgement_closes(self):
+        hessian = vtkHessianSpacing()
+        hessian.SetInputData(image_of(lambda x, y: math.sin(2.0 * x) + y * y, 41))
+        hessian.SetInputArrayToProcess(
+            0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, 'u')
+        hessian.SetErrorTolerance(0.05)
+        mesher = vtkBitingMesher()
+        mesher.SetInputData(square(2.0))
+        mesher.SetSpacingSourceConnection(hessian.GetOutputPort())
+        conformity = vtkMeshConformity()
+        conformity.SetInputConnection(mesher.GetOutputPort())
+        conformity.SetSpacingSourceConnection(hessian.GetOutputPort())
+        conformity.SetNumberOfBins(20)
+        conformity.Update()
+        summary = conformity.GetOutput().GetFieldData()
+        self.assertGreater(summary.GetArray('MeanConformity').GetValue(0), 0.5)
+        self.assertAlmostEqual(summary.GetArray('MeanRelativeLength').GetValue(0), 1.0, delta=0.2)
+        table = conformity.GetHistograms()
+        self.assertEqual(table.GetNumberOfRows(), 20)
+        names = [table.GetColumnName(column) for column in range(table.GetNumberOfColumns())]
+        self.assertEqual(names, ['Angle', 'AnglePercent', 'Conformity', 'ConformityPercent',
+                                 'RelativeLength', 'RelativeLengthPercent'])
+
+
+if __name__ == '__main__':
+    unittest.main()
