@@ -212,9 +212,9 @@ SpacingOptions ChooseSpacing(
   {
     return FollowSegments(spacing, domain);
   }
-  const bool isLimited = options.LimitByFeatureSize &&
-    !IsTooFine(spacing, domain, static_cast<double>(options.MaximumNumberOfVertices));
-  spacing.Features = isLimited ? FeaturesOf(domain) : nullptr;
+  const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
+  const bool isLimited = options.LimitByFeatureSize && !IsTooFine(spacing, domain, mostVertices);
+  spacing.Features = isLimited ? FeaturesOf(domain, mostVertices) : nullptr;
   PartOfStage part(monitor, 0.0, ChoiceEnd);
   Pulse pulse(part);
   spacing.IsUnused = OutsideOf(domain, pulse);

@@ -8,10 +8,11 @@
 namespace biting
 {
 
-std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain)
+std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain, double mostVertices)
 {
   auto features = std::make_shared<FeatureSource>();
   features->Points = domain.Vertices;
+  features->MostPieces = 2.0 * mostVertices; // two for an edge
   features->Starts = domain.Starts;
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;

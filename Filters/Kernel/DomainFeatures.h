@@ -14,8 +14,9 @@
 namespace biting
 {
 
-/// The segments and embedded points of a domain, for the limit by local feature size.
-std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain);
+/// The segments and embedded points of a domain, for the limit by local feature size; of a mesh that
+/// is refused if it has more vertices than that.
+std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain, double mostVertices);
 
 /// True for boxes that lie outside of a domain: nobody asks for f there. The domain must outlive it.
 /// On abort it must not be asked.

@@ -260,6 +260,15 @@ TEST(FuzzRegression, TinySpacingIsRefusedSoonWhereAChannelIsNarrow)
   fuzzCase.Options.LimitByFeatureSize = true;
   ExpectKept(fuzzCase, "channel");
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
+
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = { -1.0, 3.0 };
+  grid->YNodes = { -1.0, 3.0 };
+  grid->Values = { 1e-11, 1e-11, 1e-11, 2e-11 };
+  fuzzCase.Options.Spacing.Grid = grid;
+  fuzzCase.Options.Spacing.Uniform = 0.0;
+  ExpectKept(fuzzCase, "channel under a grid");
+  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
 }
 
 /// With few bites to make, nobody asked the monitor between the trial of the calibration and the end.

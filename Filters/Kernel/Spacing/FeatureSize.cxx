@@ -27,6 +27,10 @@ constexpr double PieceLength = 0.5;
 
 constexpr int DeepestPiece = 40;
 
+/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too many.
+constexpr int FewParts = 2;
+constexpr int ManyParts = 64;
+
 BoxTree MakeTree(const FeatureSource& source, Pulse& pulse)
 {
   std::vector<BoxTree::Item> items(source.Starts.size());
@@ -119,6 +123,11 @@ public:
 
   bool Run()
   {
+    const double most = this->Source.MostPieces;
+    if (this->CountPieces(FewParts) > most && this->CountPieces(ManyParts) > most)
+    {
+      return !this->Beats.HasStopped();
+    }
     const auto count = static_cast<Id>(this->Source.Starts.size());
     for (this->Segment = 0; this->Segment < count && this->Beats.Beat(16); ++this->Segment)
     {
@@ -140,6 +149,25 @@ public:
   }
 
 private:
+  /// Of f as given, sampled at the ends of parts of each segment.
+  double CountPieces(int parts)
+  {
+    double pieces = 0.0;
+    for (std::size_t segment = 0; segment < this->Source.Starts.size(); ++segment)
+    {
+      const Feature feature(this->Source, static_cast<Id>(segment));
+      const Point2 step = 1.0 / parts * (feature.End - feature.Start);
+      double last = this->Given(feature.Start);
+      for (int part = 1; part <= parts && this->Beats.Beat(); ++part)
+      {
+        const double next = this->Given(feature.Start + static_cast<double>(part) * step);
+        pieces += Length(step) / (PieceLength * std::max(last, next));
+        last = next;
+      }
+    }
+    return pieces;
+  }
+
   struct Sample
   {
     Point2 Place;
@@ -154,6 +182,7 @@ private:
     this->Beats.SetFraction(
       static_cast<double>(this->Segment) / static_cast<double>(this->Source.Starts.size()));
     this->Beats.Beat(16);
+    this->NumberOfSamples += 1.0;
     Sample sample;
     sample.Place = place;
     sample.Given = this->Given(place);
@@ -173,7 +202,8 @@ private:
     const double least = 0.5 * (start.Size + end.Size - SizesPerSpacing * length);
     const double most =
       std::min(this->Most, 0.5 * (start.Given + end.Given + this->Gradation * length));
-    if (this->Beats.HasStopped() || std::min(least, this->MostByLength) >= most)
+    const bool isOver = this->Beats.HasStopped() || this->NumberOfSamples > this->MostSamples();
+    if (isOver || std::min(least, this->MostByLength) >= most)
     {
       return;
     }
@@ -191,6 +221,12 @@ private:
     this->AddPiece(middle, end, 0.5 * length, depth + 1);
   }
 
+  /// Two at the ends of each segment, one where a piece is halved; capped f may be a quarter.
+  double MostSamples() const
+  {
+    return 2.0 * static_cast<double>(this->Source.Starts.size()) + 4.0 * this->Source.MostPieces;
+  }
+
   const FeatureSource& Source;
   Pulse Beats;
   const FeatureSize Size;
@@ -200,6 +236,7 @@ private:
   ConeCollector& Cones;
   Id Segment = 0;
   double MostByLength = 0.0; ///< f on that segment
+  double NumberOfSamples = 0.0;
 };
 
 } // namespace

@@ -477,7 +477,7 @@ private:
 
 } // namespace
 
-std::shared_ptr<const GridSource> LimitGrid(std::shared_ptr<const GridSource> source,
+std::shared_ptr<const GridSource> LimitGrid(const std::shared_ptr<const GridSource>& source,
   double gradation, ConeCollector& cones, Monitor& monitor)
 {
   GridLimiter limiter(*source, gradation, cones, monitor);

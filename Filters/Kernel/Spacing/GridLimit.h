@@ -19,7 +19,7 @@ namespace biting
 /// Method: nodes hand on to their neighbors, in two sweeps, the node that bounds them (vector
 /// propagation, after Danielsson 1980), so that distances are those of the plane and not of paths
 /// along the grid.
-std::shared_ptr<const GridSource> LimitGrid(std::shared_ptr<const GridSource> source,
+std::shared_ptr<const GridSource> LimitGrid(const std::shared_ptr<const GridSource>& source,
   double gradation, ConeCollector& cones, Monitor& monitor);
 
 } // namespace biting

@@ -20,10 +20,13 @@ constexpr double MostFeet = 64.0;
 constexpr double LeastJump = 0.002;
 
 /// Squares that are searched first, along the longer side of the bounds, and last: g / f times their
-/// side.
+/// side, where g above 1 counts as 1, as nobody sees slopes on less than a hundredth of f.
 constexpr int FirstSquares = 64;
 constexpr double LastSquare = 0.01;
 constexpr int DeepestLevel = 24;
+
+/// Where jumps are so long, in units of f, that more squares are needed, the rest is found less finely.
+constexpr int MostSquares = 1 << 21;
 
 /// Feet farther apart than this many times the points themselves belong to two parts of the border.
 constexpr double LargestExpansion = 1.5;
@@ -250,7 +253,8 @@ private:
         areApart = areApart || AreApart(samples[k], samples[other]);
       }
     }
-    const bool isLast = this->Gradation * size <= LastSquare * least || level == DeepestLevel;
+    const bool isFine = std::min(this->Gradation, 1.0) * size <= LastSquare * least;
+    const bool isLast = isFine || level == DeepestLevel || ++this->Squares > MostSquares;
     if (areApart && isLast)
     {
       this->AddLowSides(samples);
@@ -291,6 +295,7 @@ private:
   const double Gradation;
   ConeCollector& Cones;
   Pulse Beats;
+  int Squares = 0; ///< searched and divided
 };
 
 } // namespace

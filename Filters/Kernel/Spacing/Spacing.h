@@ -69,6 +69,10 @@ struct FeatureSource
   std::vector<Id> Ends;   ///< a point on no segment is given as one whose ends are equal
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
+
+  /// About how many pieces half as long as f the segments may have. Where they have more, nothing more
+  /// is capped: a mesh that fine will be refused, and this should be soon.
+  double MostPieces = std::numeric_limits<double>::infinity();
 };
 
 /// How fine the mesh shall be, as the user gives it: the minimum of what is given, times Scale,

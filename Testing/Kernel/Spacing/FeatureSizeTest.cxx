@@ -212,6 +212,19 @@ TEST(FeatureLimit, FindsANarrowPlaceInTheMiddleOfLongSegments)
   EXPECT_NEAR(f({ 0.9, 0.0 }), 0.1, 1e-12);
 }
 
+/// What is that fine will be refused: the limit may be left out, but not searched for without end.
+TEST(FeatureLimit, IsNotSearchedForBeyondTheWantedNumberOfPieces)
+{
+  SpacingOptions options;
+  options.Grid = Share(MakeGrid(3, 3, [](const Point2& x) { return 1e-9 + 1e-9 * x.X; }));
+  FeatureSource features =
+    Loops({ Rectangle(0.0, 0.0, 1.0, 1.0), Rectangle(0.0, 1.0 + 1e-10, 1.0, 2.0) });
+  features.MostPieces = 5000.0;
+  options.Features = Share(features);
+  const Spacing f = MakeGoodSpacing(options);
+  EXPECT_NEAR(f({ 0.5, 1.0 }), 1.5e-9, 1e-12);
+}
+
 TEST(FeatureLimit, IsLipschitz)
 {
   std::vector<Point2> comb;
