@@ -18,7 +18,7 @@
 
 #include <algorithm> // for transform, find, max
 #include <cmath>     // for abs
-#include <limits>    // for the largest id, infinity
+#include <limits>    // for the largest id
 #include <sstream>   // for figures in messages
 #include <utility>   // for move
 
@@ -184,17 +184,6 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
   return constraints;
 }
 
-// Whether the uniform spacing alone asks for more vertices: the input will be refused, and to look for
-// features in units of such an f would take very long. Far below what the estimate will be.
-bool IsTooFine(const SpacingOptions& spacing, const Domain& domain, double mostVertices)
-{
-  const double largest =
-    spacing.Maximum > 0.0 ? spacing.Maximum : std::numeric_limits<double>::infinity();
-  const double f = std::max(spacing.Minimum, std::min(spacing.Scale * spacing.Uniform, largest));
-  const double vertices = 0.25 * domain.Area / (f * f) + domain.Bounds.Diagonal() / f;
-  return spacing.Uniform > 0.0 && f > 0.0 && vertices > mostVertices;
-}
-
 // Vertices nearer to each other than rounding are none.
 SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
 {
@@ -213,8 +202,7 @@ SpacingOptions ChooseSpacing(
     return FollowSegments(spacing, domain);
   }
   const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  const bool isLimited = options.LimitByFeatureSize && !IsTooFine(spacing, domain, mostVertices);
-  spacing.Features = isLimited ? FeaturesOf(domain, mostVertices) : nullptr;
+  spacing.Features = options.LimitByFeatureSize ? FeaturesOf(domain, mostVertices) : nullptr;
   PartOfStage part(monitor, 0.0, ChoiceEnd);
   Pulse pulse(part);
   spacing.IsUnused = OutsideOf(domain, pulse);

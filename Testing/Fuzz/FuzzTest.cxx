@@ -271,6 +271,20 @@ TEST(FuzzRegression, TinySpacingIsRefusedSoonWhereAChannelIsNarrow)
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Refusal);
 }
 
+/// The jump between two triangles was followed down to squares that are nothing to a mesh.
+TEST(FuzzRegression, JumpsOutsideOfATriangulationAreFoundSoonAtAHugeGradation)
+{
+  auto source = std::make_shared<TriangulatedSource>();
+  source->Points = { { 0, 0 }, { 0.1, 0 }, { 0, 0.1 }, { 1, 1 }, { 0.9, 1 }, { 1, 0.9 } };
+  source->Values = { 0.1, 0.1, 0.1, 0.3, 0.3, 0.3 };
+  source->Triangles = { 0, 1, 2, 3, 4, 5 };
+  FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.0);
+  fuzzCase.Options.Spacing.Triangulation = source;
+  fuzzCase.Options.Spacing.Gradation = 1e100;
+  ExpectKept(fuzzCase, "jump");
+  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
+}
+
 /// With few bites to make, nobody asked the monitor between the trial of the calibration and the end.
 TEST(FuzzRegression, StopIsHeardWhereverItIsSaid)
 {
