@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws bites and the paper's meshes: pvpython pictures.py BitingMesh.so OUTPUT_FOLDER"""
+"""Draws bites: pvpython pictures.py BitingMesh.so OUTPUT_FOLDER"""
 
 import os
 import sys
@@ -14,7 +14,6 @@ PHASE_COLORS = [0, 0.88, 0.45, 0.25, 1, 0.95, 0.75, 0.35, 2, 0.55, 0.75, 0.9]
 def main(plugin, folder):
     LoadPlugin(plugin, remote=False, ns=globals())
     draw_bites(os.path.join(folder, 'bites.png'))
-    draw_section6(os.path.join(folder, 'section6.png'))
 
 
 def draw_bites(path):
@@ -31,21 +30,6 @@ def draw_bites(path):
         show_bites(stopped, views[-1])
     views.append(new_view([6, 3], 6.9, [750, 400]))
     show_mesh(whole, views[-1])
-    save(path, views, 2)
-
-
-def draw_section6(path):
-    """Figure 16 of the paper: biting constants 0.5 and 0.7."""
-    square, spacing = read('square_9x9.vtk'), read('section6_spacing.vtk')
-    views = []
-    for constant in (0.5, 0.7):
-        mesh = BitingMesher(Input=square, SpacingSource=spacing, BitingConstant=constant)
-        views.append(new_view([4.5, 4.5], 9.2, [750, 750]))
-        show_mesh(mesh, views[-1])
-        data = servermanager.Fetch(mesh).GetFieldData()
-        print(f'section 6, biting constant {constant}:', ', '.join(
-            f'{name} {data.GetArray(name).GetValue(0):g}'
-            for name in ('NumberOfVertices', 'SmallestAngle', 'MeanConformity')))
     save(path, views, 2)
 
 

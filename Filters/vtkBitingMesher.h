@@ -14,8 +14,9 @@
  * @par Steps:
  * The input is welded, split where segments meet, and divided into inside and outside by even-odd
  * parity; f is prepared; the vertices of the domain are bitten, then points along its edges, then
- * the interior; the centres are triangulated, with all input segments as edges; the mesh is checked
- * (orientation, area, every segment covered) and measured.
+ * the interior; the centres are triangulated, with all input segments as edges; the mesh is relaxed:
+ * vertices move, come and go, and edges flip, until triangles are well shaped and edges as long as f;
+ * it is checked (orientation, area, every segment covered) and measured.
  *
  * @par Input:
  * Port 0: a vtkPolyData. Lines and polylines may be merged or not, in any order and orientation;
@@ -49,7 +50,7 @@
  * @par Output 0, the mesh:
  * Triangles; points are doubles, and vertices of the input are there bit for bit. Point data:
  * `Spacing` (f, double), `NearestNeighborDistance` (N, double), `Conformity` (min(N/f, f/N), double),
- * `BiteOrder` (int, -1 where biting stopped before), `VertexKind` (unsigned char: 0 input vertex, 1
+ * `BiteOrder` (int, -1 where biting stopped before, or Relaxation made the vertex), `VertexKind` (unsigned char: 0 input vertex, 1
  * new on an input segment, 2 interior, 3 embedded point), `OriginalPointId` (vtkIdType, -1 where
  * new). Cell data: `RegionId` (int, connected faces, by their first input segment), `MinimumAngle`
  * (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
@@ -57,7 +58,9 @@
  * `NumberOfVertices`, `NumberOfTriangles`, `SmallestAngle`, `LargestRadiusEdgeRatio`,
  * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand`
  * (of [1/sqrt(2), sqrt(2)] f), `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the
- * used spacing), and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
+ * used spacing), `NumberOfSharpCornerTriangles` (with an angle below 30 degrees and all vertices on
+ * the sides of one corner of the input below 60 degrees: with this f they cannot be much better),
+ * and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
  * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `DroppedOutsidePoints`,
  * `DroppedOutsideInterfaces`. Field data of the input is passed on.
  *
@@ -70,7 +73,8 @@
  * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:
  * `BiteOrder` (int, -1 for the front), `Phase` (unsigned char: 0 vertex protection, 1 edge
  * protection, 2 interior, 3 front). With PreserveBoundary, bites of phase 1 are squares along
- * segments that make no vertex and keep those of the interior away.
+ * segments that make no vertex and keep those of the interior away. Relaxation moves vertices off the
+ * centres of their bites.
  *
  * @par Output 3, the problems:
  * What was repaired or refused, to look at: one vertex cell a place, in space, also where there is
@@ -101,9 +105,8 @@
  * it run again.
  *
  * @par Limits:
- * f is neither capped by the distance of neighbouring features nor limited in its slope: where it is
- * much larger than a gap, or much steeper than 0.3, triangles are valid but may be thin. Vertices
- * are not moved after they were placed.
+ * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be thin; so
+ * they are in sharp angles of the input.
  *
  * @par Cost:
  * O(n log n) for n vertices; memory about 0.5 kB a vertex. One thread. Different filters may run in
@@ -175,6 +178,12 @@ public:
   {
     CORNERS = 0,
     BISECTORS = 1
+  };
+
+  enum RelaxationEffortType
+  {
+    FAST = 0,
+    BEST = 1
   };
 
   enum FrontOrderType
@@ -308,12 +317,13 @@ public:
 
   ///@{
   /**
-   * Where on the front the next bite may sit. CORNERS (default): at its corners, as in the paper; no
-   * centre lies in an earlier bite. BISECTORS: where the bisector of two bites leaves both, as far from
-   * one as from the other, which makes triangles nearly equilateral, 5 to 9 degrees better in the
-   * mean of their smallest angles; inner squares are turned to the bond of the two bites. A centre may
-   * then lie in an inner bite, but not within 0.9 (squares) or 0.8 (circles) of its half-width. With
-   * both, nothing of the domain is left without a bite.
+   * Where on the front the next bite may sit. CORNERS: at its corners, as in the paper; no
+   * centre lies in an earlier bite. BISECTORS (default): over two bites, where their bisector
+   * leaves both, which makes triangles nearly equilateral, 5 to 9 degrees better in the mean of their
+   * smallest angles; squares are shifted from there until both new edges are as long as f asks for, and
+   * turned to the bond of the two bites. A centre may then lie in an inner bite, but not within 0.9
+   * (squares) or 0.8 (circles) of its half-width. With both, nothing of the domain is left without a
+   * bite.
    */
   vtkSetClampMacro(Placement, int, CORNERS, BISECTORS);
   vtkGetMacro(Placement, int);
@@ -338,7 +348,7 @@ public:
   ///@{
   /**
    * Stops after so many bites, to look at the front with GenerateBites; the mesh is that of the
-   * vertices so far. -1 (default): until the front is empty. Below -1: an error.
+   * vertices so far, without Relaxation. -1 (default): until the front is empty. Below -1: an error.
    */
   vtkSetMacro(MaximumNumberOfBites, vtkIdType);
   vtkGetMacro(MaximumNumberOfBites, vtkIdType);
@@ -348,10 +358,37 @@ public:
   /**
    * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge is flipped only
    * where the opposite vertex lies within phi times the circumradius of the triangle's
-   * circumcentre. 1 (default): Delaunay. Other values: an error.
+   * circumcentre. 1 (default): Delaunay. Other values: an error. Relaxation makes any mesh Delaunay.
    */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): the mesh of the bites is relaxed. Edges far too short or too long, and those that
+   * vertices have too many or too few of, are collapsed and split; vertices are moved for the mean
+   * ratio of their triangles; the worst triangles are improved one by one. New vertices on segments of
+   * the input slide along these, come and go there, except with PreserveBoundary; vertices and embedded
+   * points of the input stay, bit for bit. f is the target of the lengths, and the number of vertices
+   * changes by a few percent.
+   * Off: vertices are the centres of bites, as in the paper, which is what its theorems are about. So
+   * it is also where MaximumNumberOfBites is set.
+   */
+  vtkSetMacro(Relaxation, bool);
+  vtkGetMacro(Relaxation, bool);
+  vtkBooleanMacro(Relaxation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How much time Relaxation takes. FAST (default): about as long as biting. BEST: more of the same, and
+   * more triangles improved one by one, for the last degree of the smallest angle; about twice as long.
+   */
+  vtkSetClampMacro(RelaxationEffort, int, FAST, BEST);
+  vtkGetMacro(RelaxationEffort, int);
+  void SetRelaxationEffortToFast() { this->SetRelaxationEffort(FAST); }
+  void SetRelaxationEffortToBest() { this->SetRelaxationEffort(BEST); }
   ///@}
 
   ///@{
@@ -396,10 +433,12 @@ private:
   bool PreserveBoundary = false;
   int BiteShape = SQUARE;
   double BitingConstant = 0.0;
-  int Placement = CORNERS;
+  int Placement = BISECTORS;
   int FrontOrder = LAYERS;
   vtkIdType MaximumNumberOfBites = -1;
   double Phi = 1.0;
+  bool Relaxation = true;
+  int RelaxationEffort = FAST;
   vtkIdType MaximumNumberOfVertices = 20000000;
   bool GenerateBites = false;
 };

@@ -425,8 +425,9 @@ bool vtkMeshConformity::Execution::ReportErrors(const biting::ProblemList& probl
 bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
 {
   biting::ProblemPlaces places;
+  biting::Pulse pulse(this->Monitor);
   if (!this->Accept(biting::CheckSpacingValues(
-        this->Input, values, this->Faces.PointIds, biting::SpacingOwner::Input, places)))
+        this->Input, values, this->Faces.PointIds, biting::SpacingOwner::Input, places, pulse)))
   {
     return false;
   }

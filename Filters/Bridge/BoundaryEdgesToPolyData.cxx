@@ -91,9 +91,11 @@ void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to,
 }
 
 // Any kind of array, numbers or not; never as the active attribute that it may be in the input,
-// since an id that is unique there is not unique here.
-void CarryCellArrays(const BitingMesh& mesh, vtkCellData* from, vtkCellData* to, Pulse& pulse)
+// since an id that is unique there is not unique here. An array that has no value for some cell is left
+// out.
+void CarryCellArrays(const BitingMesh& mesh, vtkPolyData* input, vtkCellData* to, Pulse& pulse)
 {
+  vtkCellData* from = input->GetCellData();
   vtkNew<vtkIdList> cells;
   cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
   std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
@@ -101,7 +103,8 @@ void CarryCellArrays(const BitingMesh& mesh, vtkCellData* from, vtkCellData* to,
   {
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
-    if (name == vtkDataSetAttributes::GhostArrayName())
+    const bool isShort = given->GetNumberOfTuples() < input->GetNumberOfCells();
+    if (isShort || name == vtkDataSetAttributes::GhostArrayName())
     {
       continue;
     }
@@ -137,7 +140,7 @@ void BoundaryEdgesToPolyData(
   output->SetPoints(PointsOf(vertices, points));
   output->SetLines(lines);
   AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", vertices.MeshIds, pulse);
-  CarryCellArrays(mesh, input->GetCellData(), output->GetCellData(), pulse);
+  CarryCellArrays(mesh, input, output->GetCellData(), pulse);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
   AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);
 }

@@ -38,7 +38,7 @@ std::string AddBoundarySpacing(vtkPolyData* polyData, const PlanarInput& input,
   Pulse pulse(monitor);
   const std::vector<vtkIdType> used(input.UsedPoints.begin(), input.UsedPoints.end());
   const std::string refusal =
-    CheckSpacingValues(polyData, values, used, SpacingOwner::Input, places);
+    CheckSpacingValues(polyData, values, used, SpacingOwner::Input, places, pulse);
   if (!refusal.empty())
   {
     return refusal;

@@ -94,6 +94,8 @@ void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList
   AddCellData(mesh, output->GetCellData(), pulse);
   AddShapeSummary(mesh.Quality, output->GetFieldData());
   AddConformitySummary(mesh.Quality, output->GetFieldData());
+  AddCount(
+    output->GetFieldData(), "NumberOfSharpCornerTriangles", mesh.NumberOfSharpCornerTriangles);
   AddFigure(output->GetFieldData(), "GivenLipschitz", mesh.GivenLipschitz);
   AddFigure(output->GetFieldData(), "UsedLipschitz", mesh.UsedLipschitz);
   AddRepairs(problems, output->GetFieldData());

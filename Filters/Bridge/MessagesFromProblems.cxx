@@ -140,7 +140,9 @@ std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
   {
     return wording.What + Occurrences(group, wording, input) + ".";
   }
-  return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) + ".";
+  const bool hasPlace = first.Code == ProblemCode::NoClosedLoop && !first.Detail.empty();
+  return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) +
+    (hasPlace ? " near " + PlaceText(PlaceInSpace(first, input)) : "") + ".";
 }
 
 } // namespace
@@ -155,7 +157,7 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
   std::string text = "RepairInput is off, and the input is not clean.";
   for (const ProblemGroup& group : problems.Groups())
   {
-    if (!IsError(group.Code))
+    if (!IsError(group.Code) || !group.First.front().Detail.empty())
     {
       text += " " + FactsOf(group, input);
     }

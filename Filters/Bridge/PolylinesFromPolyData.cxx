@@ -98,6 +98,13 @@ std::string ChainReader::FindKinds()
     return "The cell array Kind is not numeric; it takes 0 (boundary), 1 (interface) and 2 "
            "(embedded points).";
   }
+  const vtkIdType kinds = this->Kinds ? this->Kinds->GetNumberOfTuples() : 0;
+  const vtkIdType cells = this->Input->GetNumberOfCells();
+  if (this->Kinds && kinds < cells)
+  {
+    return "The cell array Kind has " + std::to_string(kinds) + " values for " +
+      std::to_string(cells) + " cells.";
+  }
   return {};
 }
 

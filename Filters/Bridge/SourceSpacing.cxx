@@ -443,7 +443,7 @@ bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 }
 
 std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<GridSource> grid,
-  SpacingOptions& options, ProblemPlaces& places)
+  SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
   std::vector<vtkIdType> points(static_cast<std::size_t>(source->GetNumberOfPoints()));
   for (std::size_t point = 0; point < points.size(); ++point)
@@ -451,7 +451,7 @@ std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<Gr
     points[point] = static_cast<vtkIdType>(point);
   }
   options.Grid = std::move(grid);
-  return CheckSpacingValues(source, values, points, SpacingOwner::Source, places);
+  return CheckSpacingValues(source, values, points, SpacingOwner::Source, places, pulse);
 }
 
 std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
@@ -461,8 +461,8 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
   std::string refusal = collector.Collect();
   if (refusal.empty())
   {
-    refusal =
-      CheckSpacingValues(source, values, collector.UsedPoints(), SpacingOwner::Source, places);
+    refusal = CheckSpacingValues(
+      source, values, collector.UsedPoints(), SpacingOwner::Source, places, pulse);
   }
   if (!refusal.empty())
   {
@@ -480,14 +480,15 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
 std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
   SpacingOptions& options, ProblemPlaces& places, Monitor& monitor)
 {
+  Pulse pulse(monitor);
   if (values->GetNumberOfComponents() != 1)
   {
-    return CheckSpacingValues(source, values, {}, SpacingOwner::Source, places);
+    return CheckSpacingValues(source, values, {}, SpacingOwner::Source, places, pulse);
   }
-  Pulse pulse(monitor);
   auto grid = GridFrom(source, AsDoubles(values)->GetPointer(0), frame, pulse);
-  const std::string refusal = grid ? AddGrid(source, values, std::move(grid), options, places)
-                                   : AddCells(source, values, frame, options, places, pulse);
+  const std::string refusal = grid
+    ? AddGrid(source, values, std::move(grid), options, places, pulse)
+    : AddCells(source, values, frame, options, places, pulse);
   return pulse.HasStopped() ? "" : refusal;
 }
 

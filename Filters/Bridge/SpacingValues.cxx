@@ -50,7 +50,7 @@ void AddPlace(
 } // namespace
 
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places)
+  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse)
 {
   const std::string array =
     std::string("The spacing array ") + (values->GetName() ? values->GetName() : "");
@@ -59,6 +59,11 @@ std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
     return array + " has " + std::to_string(values->GetNumberOfComponents()) +
       " components; it takes one.";
   }
+  if (values->GetNumberOfTuples() < data->GetNumberOfPoints())
+  {
+    return array + " has " + std::to_string(values->GetNumberOfTuples()) + " values for " +
+      std::to_string(data->GetNumberOfPoints()) + " points.";
+  }
   const std::string subject =
     array + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
   const auto doubles = AsDoubles(values);
@@ -66,6 +71,10 @@ std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
   std::int64_t count = 0;
   for (const vtkIdType point : points)
   {
+    if (!pulse.Beat(1))
+    {
+      return {};
+    }
     const double value = doubles->GetValue(point);
     if (!IsSpacing(value, owner) && static_cast<std::size_t>(++count) <= ProblemList::KeptPerKind)
     {

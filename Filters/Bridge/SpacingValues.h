@@ -4,7 +4,8 @@
 #ifndef BitingSpacingValues_h
 #define BitingSpacingValues_h
 
-#include "../vtkBitingCompat.h" // for the ABI namespace
+#include "../Kernel/Base/Pulse.h" // for progress
+#include "../vtkBitingCompat.h"   // for the ABI namespace
 #include "ProblemPlaces.h"
 
 #include "vtkType.h" // for vtkIdType
@@ -29,9 +30,9 @@ enum class SpacingOwner
 
 /// Checks the spacing in `values` at `points` of `data`: one component, positive, finite.
 /// Returns what is wrong, with the points and their places, empty where nothing is; all places are
-/// added to `places`.
+/// added to `places`. Where the monitor asks to stop nothing is wrong.
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places);
+  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse);
 
 } // namespace biting
 

@@ -15,6 +15,8 @@
 #include "MeshingStages.h"
 #include "PreservedSpacing.h"
 #include "Quality/MeshCheck.h"
+#include "RelaxedBites.h"
+#include "SharpCornerTriangles.h"
 
 #include <algorithm> // for transform, find, max
 #include <cmath>     // for abs
@@ -38,8 +40,10 @@ constexpr double ChoiceEnd = 0.05;
 constexpr double LocatorEnd = 0.01;
 constexpr double EstimateEnd = 0.02;
 constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
+constexpr double RoomForRounding = 1.02;
 constexpr double FirstAttemptEnd = 0.9;
 constexpr double TriangulationEnd = 0.95;
+constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
 constexpr double QualityEnd = 0.95;
@@ -61,10 +65,10 @@ void AddProblem(ProblemCode code, const std::string& detail, ProblemList& proble
   problems.Add(problem);
 }
 
-// Whether the part was stopped, which is noted then.
+// Whether the part was stopped, which is noted then where nothing was refused before.
 bool AddAborted(const PartOfStage& part, ProblemList& problems)
 {
-  if (part.HasStopped() && !problems.Has(ProblemCode::Aborted))
+  if (part.HasStopped() && !problems.HasErrors())
   {
     AddProblem(ProblemCode::Aborted, "", problems);
   }
@@ -111,9 +115,26 @@ Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const 
     EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() + divisionPoints };
 }
 
+// Before f is ready: what is refused then would take long to prepare. The forecast is as good as the
+// later one, but for the rounding of f, which is left room for.
+bool IsAffordable(
+  const Domain& domain, const Spacing& spacing, const BitingOptions& options, ProblemList& problems)
+{
+  const DomainLocator locator(domain);
+  const Forecast forecast = MakeForecast(domain, locator, spacing, options, NoMonitor());
+  const bool isAffordable =
+    forecast.Vertices <= RoomForRounding * static_cast<double>(options.MaximumNumberOfVertices);
+  if (!isAffordable)
+  {
+    AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
+  }
+  return isAffordable;
+}
+
 double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
 {
-  const double trials = options.BitingConstant == 0.0 ? VerticesOfTrials : 0.0;
+  const bool hasTrials = options.BitingConstant == 0.0 && options.Placement == Placement::Corners;
+  const double trials = hasTrials ? VerticesOfTrials : 0.0;
   return EstimateEnd + (1.0 - EstimateEnd) * trials / (trials + forecast.Vertices);
 }
 
@@ -153,6 +174,7 @@ BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions op
     options.BitingConstant =
       CalibrateBitingConstant(domain, locator, spacing, forecast.Density, options, trying);
     options.PartLength = 1.0;
+    options.FollowSlope = true;
   }
   if (AddAborted(trying, problems))
   {
@@ -371,6 +393,27 @@ bool ClearConstraints(
   return hasSome;
 }
 
+// Inner vertices that rounding put on a constraint divide it: they are on its segment.
+void AdoptVertices(
+  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
+{
+  pulse.ForEach(triangulation.Corners.size(),
+    [&domain, &triangulation, &bites](std::size_t half)
+    {
+      const Id constraint = triangulation.Constraints[half];
+      const std::size_t corner = half % 3;
+      for (const std::size_t other : { (corner + 1) % 3, (corner + 2) % 3 })
+      {
+        const Id vertex = triangulation.Corners[half - corner + other];
+        if (constraint != NoId && vertex >= domain.NumberOfVertices() &&
+          bites.Segments[vertex] == NoId)
+        {
+          bites.Segments[vertex] = bites.EdgeSegments[constraint];
+        }
+      }
+    });
+}
+
 // The first attempt is nearly always the only one.
 PartOfStage PartOfAttempt(int attempt, Monitor& monitor)
 {
@@ -399,6 +442,10 @@ Triangulation TriangulateBites(const Domain& domain, const BitingMeshOptions& op
       result.Conflicts.empty() && result.Coincidences.empty() && uncovered.empty();
     const bool isCleared =
       isSound && options.PreserveBoundary && ClearConstraints(domain, result.Mesh, bites, pulse);
+    if (isSound && !isCleared)
+    {
+      AdoptVertices(domain, result.Mesh, bites, pulse);
+    }
     if (AddAborted(part, problems))
     {
       return {};
@@ -421,6 +468,23 @@ Triangulation TriangulateBites(const Domain& domain, const BitingMeshOptions& op
   return {};
 }
 
+// Not where biting was stopped: then the front is to be seen as it is.
+void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOptions& options,
+  BitingResult& bites, Triangulation& triangulation, ProblemList& problems, Monitor& monitor)
+{
+  if (!options.Relaxation || options.MaximumNumberOfBites >= 0)
+  {
+    return;
+  }
+  PartOfStage part(monitor, 0.0, 1.0);
+  const std::string violation = RelaxBites(domain, spacing,
+    { options.RelaxationEffort, !options.PreserveBoundary }, bites, triangulation, part);
+  if (!AddAborted(part, problems) && !violation.empty())
+  {
+    AddProblem(ProblemCode::CheckFailed, violation, problems);
+  }
+}
+
 void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& constraints,
   ProblemList& problems, Monitor& monitor)
 {
@@ -437,7 +501,7 @@ void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& 
 BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
   ProblemList& problems, Monitor& monitor)
 {
-  PartOfStage part(monitor, 0.0, AssemblyEnd);
+  PartOfStage part(monitor, CountingEnd, AssemblyEnd);
   BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation, part);
   if (!AddAborted(part, problems))
   {
@@ -479,11 +543,14 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   monitor.BeginStage(MeshingStages::Spacing.Text);
-  const SpacingOptions wanted = ChooseSpacing(options, domain, whole);
+  SpacingOptions wanted = ChooseSpacing(options, domain, whole);
   if (IsOver(whole, problems))
   {
     return {};
   }
+  wanted.ManyVertices = static_cast<double>(options.MaximumNumberOfVertices);
+  wanted.IsAffordable = [&domain, &options, &problems](const Spacing& slow)
+  { return IsAffordable(domain, slow, MakeBitingOptions(options), problems); };
   PartOfStage preparing(whole, ChoiceEnd, 1.0);
   const Spacing spacing = MakeSpacing(wanted, domain.Bounds, problems, preparing);
   if (IsOver(whole, problems))
@@ -502,12 +569,21 @@ BitingMesh MakeBitingMesh(
   {
     return {};
   }
+  monitor.BeginStage(MeshingStages::Relaxation.Text);
+  RelaxMesh(domain, spacing, options, bites, triangulation, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
   monitor.BeginStage(MeshingStages::Quality.Text);
+  PartOfStage counting(whole, 0.0, CountingEnd);
+  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
   BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};
   }
+  mesh.NumberOfSharpCornerTriangles = sharp;
   mesh.GivenLipschitz = spacing.GivenLipschitz();
   Measure(mesh, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);

@@ -13,6 +13,7 @@
 #include "Domain/Domain.h"
 #include "Domain/Polylines.h"
 #include "Quality/Quality.h"
+#include "Relaxation/Relaxation.h" // for RelaxationEffort
 #include "Spacing/Spacing.h"
 
 #include <cstdint> // for limits
@@ -32,11 +33,17 @@ struct BitingMeshOptions
 
   double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
   biting::BiteShape BiteShape = biting::BiteShape::Square;
-  biting::Placement Placement = biting::Placement::Corners;
+  biting::Placement Placement = biting::Placement::Bisectors;
   FrontOrder Order = FrontOrder::Layers;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
-  double Phi = 1.0; ///< of the phi-Delaunay criterion, (0, 1]
+  double Phi = 1.0; ///< of the phi-Delaunay criterion, (0, 1]; relaxed meshes are Delaunay anyway
+
+  /// True: vertices are moved, added and removed until triangles and lengths are good
+  /// (Relaxation/Relaxation.h). False: the mesh of the bites. It is that, too, where
+  /// MaximumNumberOfBites is set.
+  bool Relaxation = true;
+  biting::RelaxationEffort RelaxationEffort = biting::RelaxationEffort::Fast;
 
   /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that of
   /// FollowSegments (PreservedSpacing.h). Repairs of the input still make vertices where segments
@@ -59,7 +66,7 @@ struct BitingMesh
   // Vertices.
   std::vector<Point2> Points;
   std::vector<double> Spacing;
-  std::vector<Id> BiteOrders; ///< NoId where biting was stopped before
+  std::vector<Id> BiteOrders; ///< NoId: biting was stopped before, or relaxation made the vertex
   std::vector<VertexKind> Kinds;
   std::vector<Id> OriginalPoints; ///< input point id, NoId = new
 
@@ -75,15 +82,17 @@ struct BitingMesh
   std::vector<std::uint8_t> EdgeIsBoundary;
 
   MeshQuality Quality;
-  double GivenLipschitz = 0.0; ///< of the spacing as given
-  double UsedLipschitz = 0.0;  ///< of the spacing as used, over the edges of the mesh
+  double GivenLipschitz = 0.0;         ///< of the spacing as given
+  double UsedLipschitz = 0.0;          ///< of the spacing as used, over the edges of the mesh
+  Id NumberOfSharpCornerTriangles = 0; ///< poor only because the input is (SharpCornerTriangles.h)
 
   // Only with KeepBites.
   biting::Bites Bites;
   std::vector<Point2> Front; ///< two points a piece of the front that is left
 };
 
-/// The way of the data: polylines -> domain -> spacing -> biting -> Delaunay -> quality -> mesh.
+/// The way of the data: polylines -> domain -> spacing -> biting -> Delaunay -> relaxation ->
+/// quality -> mesh.
 /// Repairs and refusals are added to `problems`; where it has errors afterwards the mesh is empty.
 /// Deterministic: the same input gives the same mesh, bit for bit.
 BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,

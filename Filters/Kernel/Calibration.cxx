@@ -7,7 +7,7 @@
 #include "Delaunay/Triangulation.h"
 
 #include <algorithm> // for clamp, min, max
-#include <cmath>     // for sqrt, abs, log
+#include <cmath>     // for sqrt, abs
 
 namespace biting
 {
@@ -22,12 +22,6 @@ constexpr int MostTrials = 2;
 constexpr double TrialBitingEnd = 0.6;     // of the time of a trial
 constexpr double CloseEnough = 0.01;       // of the mean length
 constexpr double GreatestCorrection = 1.2; // of the constant: what packings differ by
-
-// With bisectors a finer mesh has larger crystals and fewer faults, and the constant grows by this
-// share each time that the number of vertices grows e-fold (measured from 6k to 270k vertices).
-constexpr double SquareGrowth = 0.005;
-constexpr double CircleGrowth = 0.0085;
-constexpr double MostGrowth = 5.0; // times that share
 
 struct MeanLength
 {
@@ -76,17 +70,6 @@ MeanLength RunTrial(const Domain& domain, const DomainLocator& locator, const Sp
   return InnerMeanLength(bites, result.Mesh, domain.NumberOfVertices());
 }
 
-// How much larger the constant is than that of a trial mesh with spacing `coarsening` f.
-double GrowthOfConstant(const BitingOptions& options, double coarsening)
-{
-  if (options.Placement == Placement::Corners)
-  {
-    return 1.0;
-  }
-  const double share = options.Shape == BiteShape::Circle ? CircleGrowth : SquareGrowth;
-  return 1.0 + share * std::min(2.0 * std::log(coarsening), MostGrowth);
-}
-
 } // namespace
 
 // A coarser spacing k f is the same as k c_b and parts of length k.
@@ -94,6 +77,10 @@ double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locato
   const Spacing& spacing, double integratedDensity, const BitingOptions& options, Monitor& monitor)
 {
   const double first = AutomaticBitingConstant(options);
+  if (options.Placement == Placement::Bisectors)
+  {
+    return first;
+  }
   BitingOptions trial = options;
   trial.BitingConstant = first;
   trial.MaximumNumberOfBites = -1;
@@ -124,7 +111,7 @@ double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locato
     constant =
       std::clamp(constant / length, first / GreatestCorrection, first * GreatestCorrection);
   }
-  return constant * GrowthOfConstant(options, coarsening);
+  return constant;
 }
 
 } // namespace biting

@@ -13,15 +13,15 @@
 namespace biting
 {
 
-/// The biting constant for which the mean edge length is f, found by trial.
+/// The biting constant for which the mean edge length is f.
 ///
+/// With Bisectors it is AutomaticBitingConstant, to be used with BitingOptions::FollowSlope.
 /// Squares at corners pack in rows along straight sides and at random elsewhere; the mean length
-/// differs by 15 % between the two, so no one constant serves all domains. Bites at bisectors pack in
-/// lattices with faults between them, of which fields and sizes have more or fewer. Trial meshes of the same domain with
-/// a coarser spacing k f, of some thousand vertices, show which it is: at most two, each corrects the
-/// constant by the mean length that it finds between inner vertices. Where a trial has too few of
-/// these to tell, the constant stays that of AutomaticBitingConstant.
-/// Cost: that of a few thousand vertices, whatever the size of the mesh.
+/// differs by 15 % between the two, so no one constant serves all domains. Trial meshes of the same
+/// domain with a coarser spacing k f, of some thousand vertices, show which it is: at most two,
+/// each corrects the constant by the mean length that it finds between inner vertices. Where a
+/// trial has too few of these to tell, the constant stays that of AutomaticBitingConstant.
+/// Cost: that of a few thousand vertices, whatever the size of the mesh; none with Bisectors.
 double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double integratedDensity, const BitingOptions& options, Monitor& monitor);
 

@@ -29,6 +29,7 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/ChainKinds.cxx
   Domain/CollinearCrowds.cxx
+  Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
   Domain/Meetings.cxx
@@ -38,6 +39,7 @@ set(biting_kernel_sources
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
+  Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
   Biting/BiteGrid.cxx
   Biting/BiteOutline.cxx
@@ -47,6 +49,9 @@ set(biting_kernel_sources
   Biting/FrontTrace.cxx
   Biting/Orientation.cxx
   Biting/OutlineCover.cxx
+  Biting/ReachFactor.cxx
+  Biting/SharpCorners.cxx
+  Biting/Spokes.cxx
   Biting/VertexEstimate.cxx
   Delaunay/SpatialOrder.cxx
   Delaunay/Flips.cxx
@@ -78,4 +83,6 @@ set(biting_kernel_sources
   Calibration.cxx
   DomainFeatures.cxx
   MeshAssembly.cxx
-  PreservedSpacing.cxx)
+  SharpCornerTriangles.cxx
+  PreservedSpacing.cxx
+  RelaxedBites.cxx)

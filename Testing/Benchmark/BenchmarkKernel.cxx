@@ -442,6 +442,7 @@ void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions&
 {
   BitingOptions biting;
   std::tie(biting.Shape, biting.Placement) = bites;
+  biting.FollowSlope = true;
   const Domain domain = DomainOf(input);
   ProblemList problems;
   SilentMonitor monitor;

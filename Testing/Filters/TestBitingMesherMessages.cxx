@@ -118,6 +118,39 @@ TEST(BitingMesherMessages, RefuseInputWithoutALoop)
   EXPECT_TRUE(Has(refusal, "No closed loop bounds a domain (2): open end at point 0")) << refusal;
 }
 
+TEST(BitingMesherMessages, RefuseAKindArrayThatIsTooShort)
+{
+  auto input = UnitSquare();
+  AddArray<vtkDoubleArray>(input->GetCellData(), "Kind", {});
+  EXPECT_TRUE(Has(RefusalOf(input), "The cell array Kind has 0 values for 1 cells."));
+}
+
+TEST(BitingMesherMessages, RefuseASpacingArrayThatIsTooShort)
+{
+  auto input = UnitSquare();
+  AddArray<vtkDoubleArray>(input->GetPointData(), "Spacing", { 0.1, 0.1 });
+  EXPECT_TRUE(Has(RefusalOf(input), "The spacing array Spacing has 2 values for 4 points."));
+}
+
+TEST(BitingMesherMessages, LeaveOutACellArrayThatIsTooShort)
+{
+  auto input = UnitSquare();
+  AddArray<vtkDoubleArray>(input->GetCellData(), "Tag", {});
+  vtkNew<vtkBitingMesher> mesher;
+  EXPECT_TRUE(WarningsOf(input, mesher).empty());
+  EXPECT_EQ(mesher->GetOutput(1)->GetCellData()->GetArray("Tag"), nullptr);
+}
+
+TEST(BitingMesherMessages, RefuseALoopDrawnTwiceAndSayWhy)
+{
+  auto input = UnitSquare();
+  AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, true);
+  const std::string refusal = RefusalOf(input);
+  EXPECT_TRUE(Has(refusal, "No closed loop bounds a domain: 4 boundary segments are drawn an even"))
+    << refusal;
+  EXPECT_TRUE(Has(refusal, "near (0, 0, 0). Close")) << refusal;
+}
+
 TEST(BitingMesherMessages, RefuseCoordinatesThatAreNotFinite)
 {
   auto input = EmptyInput();

@@ -60,10 +60,12 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_FALSE(mesher->GetPreserveBoundary());
   EXPECT_EQ(mesher->GetBiteShape(), vtkBitingMesher::SQUARE);
   EXPECT_EQ(mesher->GetBitingConstant(), 0.0);
-  EXPECT_EQ(mesher->GetPlacement(), vtkBitingMesher::CORNERS);
+  EXPECT_EQ(mesher->GetPlacement(), vtkBitingMesher::BISECTORS);
   EXPECT_EQ(mesher->GetFrontOrder(), vtkBitingMesher::LAYERS);
   EXPECT_EQ(mesher->GetMaximumNumberOfBites(), -1);
   EXPECT_EQ(mesher->GetPhi(), 1.0);
+  EXPECT_TRUE(mesher->GetRelaxation());
+  EXPECT_EQ(mesher->GetRelaxationEffort(), vtkBitingMesher::FAST);
   EXPECT_EQ(mesher->GetMaximumNumberOfVertices(), 20000000);
   EXPECT_FALSE(mesher->GetGenerateBites());
 }
@@ -76,11 +78,11 @@ TEST(BitingMesherParameters, AreAllPrinted)
   mesher->SetPlacementToCorners();
   std::ostringstream text;
   mesher->Print(text);
-  for (const char* name :
-    { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0", "MaximumSpacing: 0",
-      "Gradation: 0.3", "RepairInput: on", "PreserveBoundary: off", "BiteShape: 0",
-      "BitingConstant: 0", "Placement: 0", "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1",
-      "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
+  for (const char* name : { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0",
+         "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "PreserveBoundary: off",
+         "BiteShape: 0", "BitingConstant: 0", "Placement: 0", "FrontOrder: 1",
+         "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on", "RelaxationEffort: 0",
+         "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }
@@ -101,6 +103,7 @@ TEST(BitingMesherParameters, BisectorsMakeBetterTrianglesOfSquaresAndOfCircles)
     return sum / static_cast<double>(angles->GetNumberOfTuples());
   };
   const auto mesher = MesherOf(UnitSquare());
+  mesher->RelaxationOff();
   for (const int shape : { vtkBitingMesher::SQUARE, vtkBitingMesher::CIRCLE })
   {
     mesher->SetBiteShape(shape);
@@ -118,6 +121,7 @@ TEST(BitingMesherBites, CirclesAreDrawnAsPolygonsWith32Corners)
 {
   const auto mesher = MesherOf(UnitSquare());
   mesher->SetBiteShapeToCircle();
+  mesher->RelaxationOff();
   mesher->GenerateBitesOn();
   mesher->Update();
   vtkPolyData* bites = mesher->GetOutput(2);
@@ -159,6 +163,7 @@ TEST(BitingMesherMesh, CarriesItsSummaryAsFieldData)
   EXPECT_GT(Figure(mesh, "MeanConformity"), 0.6);
   EXPECT_NEAR(Figure(mesh, "MeanRelativeLength"), 1.0, 0.15);
   EXPECT_GT(Figure(mesh, "ShareOfEdgesInBand"), 0.7);
+  EXPECT_EQ(Figure(mesh, "NumberOfSharpCornerTriangles"), 0.0);
   EXPECT_EQ(Figure(mesh, "GivenLipschitz"), 0.0);
   EXPECT_EQ(Figure(mesh, "UsedLipschitz"), 0.0);
   for (const char* name :
@@ -192,6 +197,8 @@ TEST(BitingMesherBoundaryEdges, CarryTheDocumentedArrays)
 TEST(BitingMesherBites, AreOnePolygonEachInOrder)
 {
   const auto mesher = MesherOf(UnitSquare());
+  mesher->RelaxationOff();
+  mesher->Update();
   vtkPolyData* bites = mesher->GetOutput(2);
   EXPECT_EQ(bites->GetNumberOfPolys(), mesher->GetOutput(0)->GetNumberOfPoints());
   EXPECT_EQ(bites->GetNumberOfLines(), 0);

@@ -184,6 +184,7 @@ TEST(BitingMesherPreserveBoundary, KeepsTagsAndIdsOfEverySegment)
 TEST(BitingMesherPreserveBoundary, ShowsShieldsAmongTheBitesOfEdges)
 {
   const auto mesher = MesherOf(TaggedSquare(), 0.05);
+  mesher->RelaxationOff();
   mesher->GenerateBitesOn();
   mesher->Update();
   vtkPolyData* bites = mesher->GetOutput(2);

@@ -296,6 +296,89 @@ TEST(FuzzRegression, StopIsHeardWhereverItIsSaid)
   }
 }
 
+/// Relaxation put a vertex on a segment of two ulp, and it slid away along what rounding made its
+/// direction.
+TEST(FuzzRegression, VerticesDoNotComeOnSegmentsAsShortAsRounding)
+{
+  FuzzCase fuzzCase = BoundaryOf(
+    { { { 5.0895762534802973, -1.7596060809196621 }, { 4.9943264533173792, 0.23812450040729119 },
+        { 3.9954611626539056, 0.19049960032583285 }, { 4.0907109628168223, -1.8072309810011202 },
+        { 5.0895762534802973, -1.7596060809196621 } },
+      { { 3.9954611626539056, 0.19049960032583296 }, { 4.0430860627353598, -0.80836569033764383 },
+        { 2.0453554814084103, -0.90361549050056023 }, { 0.99886529066347607, 0.047624900081458234 },
+        { 3.9954611626539056, 0.19049960032583285 } },
+      { { 0.99886529066347607, 0.047624900081458227 }, { 2.0453554814084103, -0.90361549050056023 },
+        { 4.0430860627353598, -0.80836569033764383 } },
+      { { 4.0430860627353598, -0.80836569033764383 }, { 3.9954611626539047, 0.19049960032583296 },
+        { 0.99886529066347618, 0.04762490008145822 } },
+      { { 2.1882301816527843, -3.9002113624909898 }, { 4.0907109628168179, -1.8072309810011202 },
+        { 2.140605281571327, -2.901346071827513 }, { 0.14287470024437457, -2.9965958719904293 },
+        { 2.1882301816527852, -3.9002113624909902 } },
+      { { 4.9943264533173792, 0.23812450040729119 },
+        { 2.1882301816527843, -3.9002113624909898 } } },
+    0.0);
+  fuzzCase.Options.Spacing.Gradation = 20.0;
+  fuzzCase.Input.Kinds.assign(6, ChainKind::Automatic);
+  fuzzCase.Options.RelaxationEffort = RelaxationEffort::Best;
+  for (const FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+  {
+    fuzzCase.Options.Order = order;
+    fuzzCase.Options.Placement = Placement::Corners;
+    ExpectKept(fuzzCase, "short");
+  }
+}
+
+/// Centres of bites beside a strip as thin as rounding were on the constraint, and called interior.
+TEST(FuzzRegression, VerticesThatDivideAConstraintAreOnTheBoundary)
+{
+  const std::vector<std::vector<Point2>> chains = {
+    { { 2.9999999999999987, 4.999999999999992 }, { 5.9999999999999991, 4.9999999999999982 },
+      { 6, 5.9999999999999991 }, { 2.9999999999999991, 5.999999999999992 },
+      { 2.9999999999999964, 4.9999999999999947 } },
+    { { 5.9999999999999991, 5.9999999999999964 }, { 5.9999999999999956, 5.9999999999999938 },
+      { 5.999999999999992, 0.0 }, { 5.9999999999999973, -1.9762625833649862e-323 },
+      { 5.9999999999999938, 5.9999999999999938 } }
+  };
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = { 3.857, 4.821, 5.143, 5.464 };
+  grid->YNodes = { 0.911, 2.304, 3.0, 5.089 };
+  grid->Values = { 0.889, 0.702, 3.05, 2.767, 14.654, 20.717, 0.398, 0.71, 10.942, 16.803, 9.976,
+    0.695, 2.278, 0.842, 5.713, 5.926 };
+  FuzzCase fuzzCase = BoundaryOf(chains, 2.23);
+  fuzzCase.Options.Spacing.Grid = grid;
+  fuzzCase.Options.Spacing.Gradation = 1.0;
+  fuzzCase.Options.LimitByFeatureSize = false;
+  fuzzCase.Options.Relaxation = false;
+  fuzzCase.Options.Placement = Placement::Bisectors;
+  fuzzCase.Options.Order = FrontOrder::BestFirst;
+  for (double constant = 0.17; constant < 0.2; constant += 0.001)
+  {
+    fuzzCase.Options.BitingConstant = constant;
+    ExpectKept(fuzzCase, "constraint");
+  }
+}
+
+/// A stop that came after biting had refused was a second error. Its estimate did not see the segments
+/// where both chains nearly meet, a few ulp long.
+TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)
+{
+  constexpr double gap = 1.4e-9;
+  FuzzCase fuzzCase =
+    BoundaryOf({ { { 3839849, 323591 }, { 3643425, 474381 }, { 3418646, 578276 },
+                   { 3209219, 446139 }, { 3033983, 271175 }, { 3085520, 28969 },
+                   { 3189066, -195972 }, { 3434147, -231400 }, { 3681019 + gap, -212055 } },
+                 { { 3681019, -212055 }, { 3799037, 5641 }, { 3839849 + gap, 323591 } } },
+      1e6);
+  fuzzCase.Options.Spacing.Gradation = 20.0;
+  fuzzCase.Options.Placement = Placement::Bisectors;
+  fuzzCase.Options.PreserveBoundary = true;
+  fuzzCase.Options.MaximumNumberOfVertices = 1000;
+  for (fuzzCase.StopAtCall = 0; fuzzCase.StopAtCall < 40; ++fuzzCase.StopAtCall)
+  {
+    ExpectKept(fuzzCase, "stop");
+  }
+}
+
 } // namespace
 
 } // namespace biting

@@ -118,8 +118,13 @@ private:
   bool HasDistances();
   bool HasBites();
   bool HasBiteOrders();
+  bool IsCentreOf(std::size_t vertex, Id order) const;
 
   bool Refuse(const std::string& violation);
+  bool IsRelaxed() const
+  {
+    return this->Options.Relaxation && this->Options.MaximumNumberOfBites < 0;
+  }
   bool Require(bool holds, const char* promise) { return holds || this->Refuse(promise); }
   const Point2& Place(Id vertex) const { return this->Mesh.Points[At(vertex)]; }
   const Point2& Corner(std::size_t slot) const { return this->Place(this->Mesh.Corners[slot]); }
@@ -616,7 +621,8 @@ bool MeshOracle::IsDelaunay()
   for (const HalfEdge& half : this->Halves)
   {
     const HalfEdge* twin = this->FindHalf(half.End, half.Start);
-    if (this->Options.Phi == 1.0 && twin && half.Start < half.End && !this->IsCovering(half))
+    const bool isExpected = this->Options.Phi == 1.0 || this->IsRelaxed();
+    if (isExpected && twin && half.Start < half.End && !this->IsCovering(half))
     {
       const std::size_t first = half.Slot / 3 * 3;
       if (ExactInCircle(this->Corner(first), this->Corner(first + 1), this->Corner(first + 2),
@@ -709,20 +715,16 @@ bool MeshOracle::HasBites()
     this->Require(most >= 0 || this->Mesh.Front.empty(), "no front is left");
 }
 
+/// A relaxed mesh has vertices without a bite, and others are not where they were bitten.
 bool MeshOracle::HasBiteOrders()
 {
-  const Bites& bites = this->Mesh.Bites;
   const std::int64_t most = this->Options.MaximumNumberOfBites;
+  const Id least = most < 0 && !this->IsRelaxed() ? 0 : NoId;
   std::vector<Id> orders;
   for (std::size_t vertex = 0; vertex < this->Mesh.Points.size(); ++vertex)
   {
     const Id order = this->Mesh.BiteOrders[vertex];
-    const auto bite = std::lower_bound(bites.Orders.begin(), bites.Orders.end(), order);
-    const bool isHere = order == NoId || !this->Options.KeepBites ||
-      (bite != bites.Orders.end() && *bite == order &&
-        bites.Centers[static_cast<std::size_t>(bite - bites.Orders.begin())] ==
-          this->Mesh.Points[vertex]);
-    if (!isHere || order < (most < 0 ? 0 : NoId) || (most >= 0 && order >= most))
+    if (order < least || (most >= 0 && order >= most) || !this->IsCentreOf(vertex, order))
     {
       return this->Refuse(
         "vertex " + std::to_string(vertex) + " has no bite " + std::to_string(order));
@@ -735,6 +737,22 @@ bool MeshOracle::HasBiteOrders()
   std::sort(orders.begin(), orders.end());
   return this->Require(
     std::adjacent_find(orders.begin(), orders.end()) == orders.end(), "a bite makes one vertex");
+}
+
+/// True also where bites were not kept, or the vertex has none.
+bool MeshOracle::IsCentreOf(std::size_t vertex, Id order) const
+{
+  const Bites& bites = this->Mesh.Bites;
+  if (order == NoId || !this->Options.KeepBites)
+  {
+    return true;
+  }
+  const auto bite = std::lower_bound(bites.Orders.begin(), bites.Orders.end(), order);
+  const bool mayHaveMoved = this->IsRelaxed() && this->Mesh.OriginalPoints[vertex] == NoId;
+  return bite != bites.Orders.end() && *bite == order &&
+    (mayHaveMoved ||
+      bites.Centers[static_cast<std::size_t>(bite - bites.Orders.begin())] ==
+        this->Mesh.Points[vertex]);
 }
 
 bool MeshOracle::Refuse(const std::string& violation)

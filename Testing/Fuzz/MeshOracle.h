@@ -27,9 +27,10 @@ namespace biting
 ///   its input cell;
 /// - kinds and original points are true;
 /// - with PreserveBoundary no vertex is added on a segment, but where two meet;
-/// - with phi = 1, edges that cover nothing are Delaunay;
+/// - with phi = 1, and in relaxed meshes, edges that cover nothing are Delaunay;
 /// - quality figures are within their ranges; distances to neighbors, in small meshes, are right;
-/// - bites are there if they were asked for, not more than asked for, and centred at vertices.
+/// - bites are there if they were asked for, not more than asked for, and centred at vertices; in
+///   relaxed meshes, at those of the input.
 /// Returns the first violation, empty where there is none.
 std::string FindMeshViolation(
   const BitingMesh& mesh, const Polylines& input, const BitingMeshOptions& options);

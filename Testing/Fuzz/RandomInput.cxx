@@ -222,6 +222,8 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   const FrontOrder orders[] = { FrontOrder::Layers, FrontOrder::LargestY, FrontOrder::BestFirst };
   options.Order = orders[numbers.Below(3)];
   options.Phi = numbers.OneIn(4) ? 0.05 + 0.95 * numbers.Unit() : 1.0;
+  options.Relaxation = !numbers.OneIn(3);
+  options.RelaxationEffort = numbers.OneIn(2) ? RelaxationEffort::Best : RelaxationEffort::Fast;
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
   options.PreserveBoundary = numbers.OneIn(5);
@@ -317,8 +319,10 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " circles=" << (options.BiteShape == BiteShape::Circle)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
-       << " phi=" << options.Phi << " preserve=" << options.PreserveBoundary
-       << " keep=" << options.KeepBites << " bites=" << options.MaximumNumberOfBites
+       << " phi=" << options.Phi << " relaxation=" << options.Relaxation
+       << " best=" << (options.RelaxationEffort == RelaxationEffort::Best)
+       << " preserve=" << options.PreserveBoundary << " keep=" << options.KeepBites
+       << " bites=" << options.MaximumNumberOfBites
        << " vertices=" << options.MaximumNumberOfVertices << " stop=" << fuzzCase.StopAtCall;
   return text.str();
 }

@@ -23,17 +23,19 @@ DEFAULTS = {
     'PreserveBoundary': 0,
     'BiteShape': 'Square',
     'BitingConstant': 0.0,
-    'Placement': 'Corners',
+    'Placement': 'Bisectors',
     'FrontOrder': 'Layers',
     'MaximumNumberOfBites': -1,
     'Phi': 1.0,
+    'Relaxation': 1,
+    'RelaxationEffort': 'Fast',
     'MaximumNumberOfVertices': 20000000,
     'GenerateBites': 0,
 }
 
 ON_THE_PANEL = {
     'UniformSpacing', 'BoundarySpacingArray', 'SourceSpacingArray', 'SpacingScale', 'Gradation',
-    'GenerateBites',
+    'Relaxation', 'GenerateBites',
 }
 
 SQUARE = '# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\n' \
@@ -81,6 +83,17 @@ class TestBitingMesherProxy(unittest.TestCase):
             found = getattr(mesher, name)
             self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
         self.assertEqual(set(mesher.ListProperties()), set(DEFAULTS) | {'Input', 'SpacingSource'})
+
+    def test_relaxation_makes_the_smallest_angle_larger(self):
+        mesher = BitingMesher(Input=self.square(), UniformSpacing=0.4, Relaxation=0)
+        angles = []
+        for relaxation, effort in ((0, 'Fast'), (1, 'Fast'), (1, 'Best')):
+            mesher.Relaxation, mesher.RelaxationEffort = relaxation, effort
+            mesher.UpdatePipeline()
+            summary = servermanager.Fetch(mesher).GetFieldData()
+            angles.append(summary.GetArray('SmallestAngle').GetValue(0))
+        self.assertGreater(angles[1], angles[0] + 3)
+        self.assertGreater(angles[2], angles[0] + 3)
 
     def test_labels_are_the_spaced_names(self):
         proxy = BitingMesher(Input=self.square()).SMProxy

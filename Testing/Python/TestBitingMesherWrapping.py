@@ -20,10 +20,12 @@ DEFAULTS = {
     'PreserveBoundary': False,
     'BiteShape': 0,
     'BitingConstant': 0.0,
-    'Placement': 0,
+    'Placement': 1,
     'FrontOrder': 0,
     'MaximumNumberOfBites': -1,
     'Phi': 1.0,
+    'Relaxation': True,
+    'RelaxationEffort': 0,
     'MaximumNumberOfVertices': 20000000,
     'GenerateBites': False,
 }
@@ -41,6 +43,8 @@ OTHER_VALUES = {
     'FrontOrder': 1,
     'MaximumNumberOfBites': 7,
     'Phi': 0.75,
+    'Relaxation': False,
+    'RelaxationEffort': 1,
     'MaximumNumberOfVertices': 1000,
     'GenerateBites': True,
 }
@@ -95,6 +99,10 @@ class TestBitingMesherWrapping(unittest.TestCase):
         mesher.SetBiteShapeToSquare()
         mesher.SetPlacementToCorners()
         self.assertEqual(mesher.GetFrontOrder(), 0)
+        mesher.SetRelaxationEffortToBest()
+        self.assertEqual(mesher.GetRelaxationEffort(), 1)
+        mesher.SetRelaxationEffortToFast()
+        self.assertEqual(mesher.GetRelaxationEffort(), 0)
 
     def test_there_are_two_inputs_and_four_outputs(self):
         mesher = vtkBitingMesher()

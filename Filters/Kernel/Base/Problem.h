@@ -25,7 +25,8 @@ enum class ProblemCode
   OutsidePoints,      ///< an embedded point outside the domain, dropped (ids: point)
   OutsideInterfaces,  ///< an interface outside the domain, dropped (ids: cell)
   // Refused: no mesh.
-  NoClosedLoop,    ///< nothing bounds a domain (ids: point, an open end; none where all is closed)
+  NoClosedLoop,    ///< nothing bounds a domain (ids: point, an open end; none where all is closed,
+                   ///< with a place where boundaries are drawn an even number of times)
   NotFinite,       ///< a coordinate is NaN or infinite (ids: point)
   OutOfRange,      ///< coordinates too large or too small for the exact predicates (ids: point)
   NotPlanar,       ///< a loop leaves the fitted plane (ids: point)

@@ -30,6 +30,11 @@ struct BisectorPoint
 /// with a and b it makes an isosceles triangle. Circles of equal radius meet there; squares with half-width
 /// sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular lattice and nothing else.
 ///
+/// Squares are then shifted to where f asks for them (BalancedTop.h).
+///
+/// Where more than 64 bites of the boundary crowd about one of them, its points are left out: each of
+/// them would be looked for in the crowd, and hardly one is a point of the front.
+///
 /// Inner bites cover only their concentric core, `tolerance` times as wide: a good place is not given
 /// up for one that an inner bite just reaches. Bites on the boundary cover all of themselves, so
 /// that no vertex comes near the middle of an edge.
@@ -54,6 +59,9 @@ public:
   /// Whether a bite covers p.
   bool IsCovered(const Point2& p) const;
 
+  /// Whether this one does.
+  bool IsCoveredBy(Id bite, const Point2& p) const;
+
 private:
   // A bite by value, so that pairs read nothing else.
   struct Neighbor
@@ -73,6 +81,7 @@ private:
   };
 
   void Gather(Id bite);
+  bool IsCrowded() const;
   Neighbor MakeNeighbor(Id bite) const;
   double CoreOf(Id bite) const;
   Heights HeightsOver(const Neighbor& other, const Point2& bond) const;
@@ -94,6 +103,10 @@ template <typename Visit>
 void Bisectors::VisitPoints(Id bite, Visit&& visit)
 {
   this->Gather(bite);
+  if (this->IsCrowded())
+  {
+    return;
+  }
   for (const Neighbor& other : this->Neighbors)
   {
     this->VisitPair(other, visit);

@@ -33,7 +33,7 @@ constexpr double PlaceRounding = 1e-15;
 
 BiteGrid::BiteGrid(
   const Bites& bites, const Box2& bounds, double expectedBites, double nearReach, double slack)
-  : Squares(bites)
+  : All(bites)
   , Origin(bounds.Low)
   , NearReach(nearReach)
   , Slack(slack)
@@ -52,7 +52,7 @@ BiteGrid::BiteGrid(
 
 void BiteGrid::File(Id bite)
 {
-  this->CircleAbout = this->Squares.IsCircle(bite) ? this->CircleAbout : 2.0f;
+  this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
   const LocalBox extent = this->Extent(bite);
   const Id lastRow = ClampedIndex(extent.HighY, this->Rows);
   const Id lastColumn = ClampedIndex(extent.HighX, this->Columns);
@@ -117,14 +117,14 @@ void BiteGrid::Append(Id cell, const Place& place, Id bite)
 
 BiteGrid::Entry BiteGrid::MakeEntry(const Place& place, Id bite) const
 {
-  const Point2 center = this->Squares.Centers[bite];
+  const Point2 center = this->All.Centers[bite];
   const double scale = this->CellsPerLength / place.Size;
   const double x = (center.X - this->Origin.X) * this->CellsPerLength;
   const double y = (center.Y - this->Origin.Y) * this->CellsPerLength;
   const double rounding =
     EntryMargin + PlaceRounding * (static_cast<double>(this->Columns) + this->Rows) / place.Size;
   const double reach =
-    (this->Squares.HalfWidths[bite] + this->Slack) * scale * (1.0 + EntryMargin) + rounding;
+    (this->All.HalfWidths[bite] + this->Slack) * scale * (1.0 + EntryMargin) + rounding;
   return { static_cast<float>((x - place.X) / place.Size),
     static_cast<float>((y - place.Y) / place.Size), static_cast<float>(reach * reach), bite };
 }
@@ -152,16 +152,16 @@ void BiteGrid::Divide(Id cell, const Place& place)
 // half-widths.
 double BiteGrid::Spread(Id bite) const
 {
-  const Point2& axis = this->Squares.Axes[bite];
-  const double spread = this->Squares.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
+  const Point2& axis = this->All.Axes[bite];
+  const double spread = this->All.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
   return std::max(spread, this->NearReach);
 }
 
 BiteGrid::LocalBox BiteGrid::Extent(Id bite) const
 {
   const double reach =
-    this->Spread(bite) * this->Squares.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
-  return this->ToGrid(this->Squares.Centers[bite], reach);
+    this->Spread(bite) * this->All.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
+  return this->ToGrid(this->All.Centers[bite], reach);
 }
 
 } // namespace biting

@@ -126,7 +126,7 @@ private:
   Entry MakeEntry(const Place& place, Id bite) const;
   void Divide(Id cell, const Place& place);
 
-  const Bites& Squares;
+  const Bites& All;
   Point2 Origin;
   double CellsPerLength = 1.0;
   double NearReach;         ///< in half-widths

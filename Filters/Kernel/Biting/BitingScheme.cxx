@@ -4,6 +4,7 @@
 #include "BitingScheme.h"
 
 #include "../Base/Pulse.h"
+#include "BalancedTop.h"
 #include "Bisectors.h"
 #include "BiteGrid.h"
 #include "BiteOutline.h"
@@ -11,6 +12,8 @@
 #include "FrontTrace.h"
 #include "Orientation.h"
 #include "OutlineCover.h"
+#include "ReachFactor.h"
+#include "SharpCorners.h"
 
 #include <algorithm> // for min, max, all_of
 #include <iterator>  // for begin, end
@@ -22,19 +25,23 @@ namespace biting
 namespace
 {
 
-// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured over uniform and
-// graded fields.
+// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured: corners over uniform
+// and graded fields, bisectors where f is level (elsewhere see ReachFactor.h).
 constexpr double SquareCornerConstant = 0.77;
 constexpr double SquareCornerSweepConstant = 0.80;
-constexpr double SquareBisectorConstant = 0.82;
+constexpr double SquareBisectorConstant = 0.824;
 constexpr double CircleCornerConstant = 0.91;
-constexpr double CircleBisectorConstant = 0.95;
+constexpr double CircleBisectorConstant = 0.995;
 constexpr double VerticesPerDensity = 1.21;
 
 constexpr double SquareTolerance = 0.9;
 constexpr double CircleTolerance = 0.8;
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
+
+// Of a half-width: where bites are as small as the rounding of places, each takes something away all
+// the same.
+constexpr double GreatestSlack = 0.5;
 
 // Of the parts of an edge that is not divided: their least length and the wanted one, in units of
 // c_b f. Where long edges meet short ones, smaller shields leave thinner triangles on the edges, and
@@ -60,7 +67,7 @@ private:
   void CopyDomain(double expectedVertices);
   void ProtectVertices();
   void ProtectEdges();
-  void ProtectEdge(Id segment);
+  void ProtectEdge(Id segment, const SharpCorners& corners);
   void ShieldEdges();
   void ShieldEdge(Id segment, EdgeDivider& divider);
   void ShieldPart(Id segment, double from, double to);
@@ -71,14 +78,17 @@ private:
   void BiteCandidate(const Candidate& candidate);
   Id AddVertex(const Point2& place, double spacing, Id segment);
   void AddEdge(Id start, Id end, Id segment);
-  void Bite(Id vertex, const Point2& axis, BitePhase phase);
-  void AddSquare(const Point2& center, const Point2& axis, double halfWidth, BitePhase phase);
+  void Bite(Id vertex, const Point2& axis, double reach, BitePhase phase);
+  void AddBite(
+    const Point2& center, const Point2& axis, double halfWidth, double spacing, BitePhase phase);
   void PutCandidates(Id bite);
   void PutBisectorPoints(Id bite);
+  Point2 PlaceOf(Id bite, const BisectorPoint& point) const;
   void PutFrontVertices(Id bite);
   bool PutLeftOvers();
   bool IsEnclosed(Id bite) const;
   Point2 AxisOf(const Candidate& candidate) const;
+  double ReachOf(const Candidate& candidate, Id vertex) const;
   bool IsHidden(Id bite, double reach);
   bool HideGaps(Id bite);
   bool Look(Id bite, Id other);
@@ -99,16 +109,17 @@ private:
   double PartLength; ///< wanted length of boundary edges in units of f
   double ExpectedVertices;
   BitingResult Result;
-  Bites& Squares;
-  Box2 Reach; ///< the box of the domain, and what rounding may add to it
+  Bites& Placed; ///< the bites so far
+  Box2 Reach;    ///< the box of the domain, and what rounding may add to it
   BiteGrid Grid;
   Bisectors Points; ///< where bites may sit, with Placement::Bisectors
   CandidateQueue Queue;
   EdgeDivider Divider;
-  DivisionPoints Division; ///< of the edge at hand
-  BiteOutline Outline;     ///< of the bite at hand
-  VertexAxes Axes;         ///< of the bites of input vertices, which come first
-  std::vector<Id> Seen;    ///< per bite: the last bite whose outline it was asked for
+  DivisionPoints Division;            ///< of the edge at hand
+  BiteOutline Outline;                ///< of the bite at hand
+  VertexAxes Axes;                    ///< of the bites of input vertices, which come first
+  std::vector<double> PlacedSpacings; ///< f at each bite, where reaches follow its slope
+  std::vector<Id> Seen;               ///< per bite: the last bite whose outline it was asked for
   Id NumberOfBites = 0;
   Id NumberOfChecked = 0; ///< bites that have nothing left over, from the first
 };
@@ -165,7 +176,7 @@ BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const S
   , BitingConstant(UsedBitingConstant(options))
   , PartLength(UsedPartLength(options))
   , ExpectedVertices(expectedVertices)
-  , Squares(Result.Bites)
+  , Placed(Result.Bites)
   , Reach(domain.Bounds)
   , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
       NearReach(options), domain.Resolution)
@@ -195,11 +206,11 @@ BitingResult BitingRun::Run()
   if (this->Options.KeepFront && isStopped)
   {
     this->Result.Front =
-      TraceFront(this->Geometry, this->Locator, this->Squares, this->Grid, this->Progress);
+      TraceFront(this->Geometry, this->Locator, this->Placed, this->Grid, this->Progress);
     this->Step();
   }
   this->Grid.Release(this->Progress);
-  ReleaseInSteps(this->Progress, this->Seen);
+  ReleaseInSteps(this->Progress, this->Seen, this->PlacedSpacings);
   return std::move(this->Result);
 }
 
@@ -208,9 +219,9 @@ void BitingRun::CopyDomain(double expectedVertices)
   const std::size_t expected = static_cast<std::size_t>(1.25 * expectedVertices) + 16;
   this->Result.Points.reserve(expected);
   this->Result.Spacings.reserve(expected);
-  this->Squares.Centers.reserve(expected);
-  this->Squares.Axes.reserve(expected);
-  this->Squares.HalfWidths.reserve(expected);
+  this->Placed.Centers.reserve(expected);
+  this->Placed.Axes.reserve(expected);
+  this->Placed.HalfWidths.reserve(expected);
   for (const Point2& vertex : this->Geometry.Vertices)
   {
     this->AddVertex(vertex, this->F(vertex), NoId);
@@ -227,7 +238,7 @@ void BitingRun::ProtectVertices()
   {
     for (Id k = this->Axes.Offsets[vertex]; k < this->Axes.Offsets[vertex + 1]; ++k)
     {
-      this->Bite(vertex, this->Axes.Axes[k], BitePhase::VertexProtection);
+      this->Bite(vertex, this->Axes.Axes[k], 1.0, BitePhase::VertexProtection);
     }
     ++this->NumberOfBites;
     this->Advance();
@@ -237,11 +248,13 @@ void BitingRun::ProtectVertices()
 // Where biting stops before, the edges that are left stay undivided.
 void BitingRun::ProtectEdges()
 {
+  const SharpCorners corners(this->Geometry, this->F, this->PartLength,
+    static_cast<Id>(this->Options.MaximumNumberOfVertices), this->Progress);
   for (Id segment = 0; segment < this->Geometry.NumberOfSegments(); ++segment)
   {
     if (this->MayBite())
     {
-      this->ProtectEdge(segment);
+      this->ProtectEdge(segment, corners);
     }
     else
     {
@@ -250,14 +263,15 @@ void BitingRun::ProtectEdges()
   }
 }
 
-void BitingRun::ProtectEdge(Id segment)
+void BitingRun::ProtectEdge(Id segment, const SharpCorners& corners)
 {
   const Id start = this->Geometry.Starts[segment];
   const Id end = this->Geometry.Ends[segment];
   const Point2 a = this->Geometry.Vertices[start];
   const Point2 b = this->Geometry.Vertices[end];
   const auto limit = this->Options.MaximumNumberOfVertices - this->Result.Points.size();
-  if (!this->Divider.Divide(a, b, static_cast<Id>(limit), this->Division))
+  if (!this->Divider.Divide(
+        a, b, corners.ShellsOn(segment), static_cast<Id>(limit), this->Division))
   {
     this->Result.End = this->ReasonNotToDivide();
     return;
@@ -268,7 +282,7 @@ void BitingRun::ProtectEdge(Id segment)
   {
     const Point2 place = a + this->Division.Parameters[k] * (b - a);
     const Id vertex = this->AddVertex(place, this->Division.Spacings[k], segment);
-    this->Bite(vertex, axis, BitePhase::EdgeProtection);
+    this->Bite(vertex, axis, 1.0, BitePhase::EdgeProtection);
     ++this->NumberOfBites;
     this->AddEdge(last, vertex, segment);
     last = vertex;
@@ -299,7 +313,7 @@ void BitingRun::ShieldEdge(Id segment, EdgeDivider& divider)
   const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
   const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
   const std::int64_t limit =
-    std::max(this->Options.MaximumNumberOfVertices, FewShields) - this->Squares.Size();
+    std::max(this->Options.MaximumNumberOfVertices, FewShields) - this->Placed.Size();
   if (!divider.Divide(a, b, static_cast<Id>(std::max<std::int64_t>(limit, 0)), this->Division))
   {
     this->Result.End = this->ReasonNotToDivide();
@@ -328,7 +342,7 @@ void BitingRun::ShieldPart(Id segment, double from, double to)
   const Point2 axis = 1.0 / length * (b - a);
   if (this->MayBite() && !this->IsHeld(segment, center, halfWidth * axis))
   {
-    this->AddSquare(center, axis, halfWidth, BitePhase::EdgeProtection);
+    this->AddBite(center, axis, halfWidth, this->F(center), BitePhase::EdgeProtection);
     ++this->NumberOfBites;
     this->Advance();
   }
@@ -358,7 +372,7 @@ bool BitingRun::IsWithinBite(
   for (Id bite = this->Axes.Offsets[vertex]; bite < this->Axes.Offsets[vertex + 1]; ++bite)
   {
     const auto isInside = [this, bite](const Point2& p)
-    { return Depth(this->Squares, bite, p) >= 0.0; };
+    { return Depth(this->Placed, bite, p) >= 0.0; };
     if (std::all_of(std::begin(corners), std::end(corners), isInside))
     {
       return true;
@@ -370,7 +384,7 @@ bool BitingRun::IsWithinBite(
 // Once all of the boundary is bitten: most corners of its bites are covered by then.
 void BitingRun::SeedFront()
 {
-  for (Id bite = 0; bite < this->Squares.Size() && this->Result.End == BitingEnd::Complete; ++bite)
+  for (Id bite = 0; bite < this->Placed.Size() && this->Result.End == BitingEnd::Complete; ++bite)
   {
     this->PutCandidates(bite);
     this->Step();
@@ -393,9 +407,10 @@ void BitingRun::BiteCandidate(const Candidate& candidate)
     return;
   }
   const Id vertex = this->AddVertex(candidate.Place, this->F(candidate.Place), NoId);
-  this->Bite(vertex, this->AxisOf(candidate), BitePhase::Interior);
+  this->Bite(
+    vertex, this->AxisOf(candidate), this->ReachOf(candidate, vertex), BitePhase::Interior);
   ++this->NumberOfBites;
-  this->PutCandidates(this->Squares.Size() - 1);
+  this->PutCandidates(this->Placed.Size() - 1);
   this->Advance();
 }
 
@@ -407,8 +422,22 @@ Point2 BitingRun::AxisOf(const Candidate& candidate) const
     return { 1.0, 0.0 };
   }
   const Point2 bond =
-    this->Squares.Centers[candidate.Parents[1]] - this->Squares.Centers[candidate.Parents[0]];
+    this->Placed.Centers[candidate.Parents[1]] - this->Placed.Centers[candidate.Parents[0]];
   return 1.0 / Length(bond) * bond;
+}
+
+// The half-width of the bite at the candidate, in units of c_b f.
+double BitingRun::ReachOf(const Candidate& candidate, Id vertex) const
+{
+  if (!this->Options.FollowSlope || candidate.Parents[0] == NoId)
+  {
+    return 1.0;
+  }
+  const Id left = candidate.Parents[0];
+  const Id right = candidate.Parents[1];
+  return ReachFactor(this->Options.Shape, this->Options.Order,
+    { this->Placed.Centers[left], this->Placed.Centers[right], candidate.Place,
+      this->PlacedSpacings[left], this->PlacedSpacings[right], this->Result.Spacings[vertex] });
 }
 
 Id BitingRun::AddVertex(const Point2& place, double spacing, Id segment)
@@ -427,24 +456,30 @@ void BitingRun::AddEdge(Id start, Id end, Id segment)
   this->Result.EdgeSegments.push_back(segment);
 }
 
-void BitingRun::Bite(Id vertex, const Point2& axis, BitePhase phase)
+// A bite of half-width `reach` c_b f.
+void BitingRun::Bite(Id vertex, const Point2& axis, double reach, BitePhase phase)
 {
-  this->AddSquare(this->Result.Points[vertex],
+  const double spacing = this->Result.Spacings[vertex];
+  this->AddBite(this->Result.Points[vertex],
     this->Options.Shape == BiteShape::Circle ? Point2{} : axis,
-    this->BitingConstant * this->Result.Spacings[vertex], phase);
+    reach * this->BitingConstant * spacing, spacing, phase);
   this->Result.BiteOrders[vertex] = this->NumberOfBites;
 }
 
-void BitingRun::AddSquare(
-  const Point2& center, const Point2& axis, double halfWidth, BitePhase phase)
+void BitingRun::AddBite(
+  const Point2& center, const Point2& axis, double halfWidth, double spacing, BitePhase phase)
 {
-  const Id bite = this->Squares.Size();
-  this->Squares.Centers.push_back(center);
-  this->Squares.Axes.push_back(axis);
-  this->Squares.HalfWidths.push_back(halfWidth);
-  this->Squares.Orders.push_back(this->NumberOfBites);
-  this->Squares.Phases.push_back(phase);
+  const Id bite = this->Placed.Size();
+  this->Placed.Centers.push_back(center);
+  this->Placed.Axes.push_back(axis);
+  this->Placed.HalfWidths.push_back(halfWidth);
+  this->Placed.Orders.push_back(this->NumberOfBites);
+  this->Placed.Phases.push_back(phase);
   this->Seen.push_back(NoId);
+  if (this->Options.FollowSlope)
+  {
+    this->PlacedSpacings.push_back(spacing);
+  }
   this->Grid.File(bite);
 }
 
@@ -462,13 +497,34 @@ void BitingRun::PutCandidates(Id bite)
 
 void BitingRun::PutBisectorPoints(Id bite)
 {
-  const Id newest = this->Squares.Size() - 1;
+  const Id newest = this->Placed.Size() - 1;
   this->Points.VisitPoints(bite,
     [this, bite, newest](const BisectorPoint& point)
     {
-      this->Queue.Put(
-        { point.Place, newest, { bite, point.Neighbor }, this->Queue.ClassOf(point.Misfit) });
+      this->Queue.Put({ this->PlaceOf(bite, point), newest, { bite, point.Neighbor },
+        this->Queue.ClassOf(point.Misfit) });
     });
+}
+
+// Squares go where f asks for them, unless one of the two bites covers that; circles are made larger
+// or smaller instead (ReachFactor.h).
+Point2 BitingRun::PlaceOf(Id bite, const BisectorPoint& point) const
+{
+  if (!this->Options.FollowSlope || this->Options.Shape != BiteShape::Square)
+  {
+    return point.Place;
+  }
+  const Id other = point.Neighbor;
+  const double left = this->PlacedSpacings[bite];
+  const double right = this->PlacedSpacings[other];
+  const double reach = (this->Placed.HalfWidths[bite] + this->Placed.HalfWidths[other]) /
+    (this->BitingConstant * (left + right));
+  const Point2 top = BalancedTop({ this->Placed.Centers[bite], this->Placed.Centers[other],
+                                   point.Place, left, right, this->F(point.Place) },
+    reach * this->PartLength);
+  const bool isCovered =
+    this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
+  return isCovered ? point.Place : top;
 }
 
 // The vertices of the front on bites that are not all covered, once there are no other candidates.
@@ -476,7 +532,7 @@ void BitingRun::PutBisectorPoints(Id bite)
 bool BitingRun::PutLeftOvers()
 {
   const bool isLastResort = this->Options.Placement != Placement::Corners;
-  while (isLastResort && this->Queue.IsEmpty() && this->NumberOfChecked < this->Squares.Size() &&
+  while (isLastResort && this->Queue.IsEmpty() && this->NumberOfChecked < this->Placed.Size() &&
     this->MayBite())
   {
     const Id bite = this->NumberOfChecked++;
@@ -493,18 +549,18 @@ bool BitingRun::PutLeftOvers()
 // ones do.
 bool BitingRun::IsEnclosed(Id bite) const
 {
-  OutlineCover cover(this->Squares, bite);
+  OutlineCover cover(this->Placed, bite);
   for (const double reach : { NearReach(this->Options), GreatestReach })
   {
     int looked = 0;
-    this->Grid.VisitNear(this->Squares.Centers[bite], reach,
+    this->Grid.VisitNear(this->Placed.Centers[bite], reach,
       [bite, &cover, &looked](Id other)
       {
         if (other != bite)
         {
           cover.Cover(other);
         }
-        return ++looked == LeastCrowd;
+        return ++looked == LeastCrowd || cover.IsFull();
       });
     if (cover.IsFull())
     {
@@ -518,11 +574,11 @@ bool BitingRun::IsEnclosed(Id bite) const
 // bites cross its own.
 void BitingRun::PutFrontVertices(Id bite)
 {
-  this->Outline.Begin(this->Squares, bite);
-  const Point2 center = this->Squares.Centers[bite];
-  const Point2 axis = this->Squares.Axes[bite];
-  const double spread = this->Squares.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
-  const double reach = this->Squares.HalfWidths[bite] * spread;
+  this->Outline.Begin(this->Placed, bite);
+  const Point2 center = this->Placed.Centers[bite];
+  const Point2 axis = this->Placed.Axes[bite];
+  const double spread = this->Placed.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
+  const double reach = this->Placed.HalfWidths[bite] * spread;
   this->Seen[bite] = bite;
   if (this->IsHidden(bite, reach))
   {
@@ -532,7 +588,7 @@ void BitingRun::PutFrontVertices(Id bite)
   box.Add(center);
   box.Grow(reach);
   const bool isClear = this->Locator.IsClear(box);
-  const Id newest = this->Squares.Size() - 1;
+  const Id newest = this->Placed.Size() - 1;
   this->Outline.VisitEnds(
     [this, isClear, newest](const Point2& place)
     {
@@ -547,7 +603,7 @@ void BitingRun::PutFrontVertices(Id bite)
 // do, and there is nothing of it within the domain, whatever is left to look at.
 bool BitingRun::IsHidden(Id bite, double reach)
 {
-  const Point2& center = this->Squares.Centers[bite];
+  const Point2& center = this->Placed.Centers[bite];
   int looked = 0;
   const auto makesCrowd = [this, bite, &looked](Id other)
   {
@@ -586,7 +642,7 @@ bool BitingRun::HideGaps(Id bite)
       const BiteOutline::Interval part = this->Outline.PartWithin(side, gap, this->Reach);
       const Point2 middle = this->Outline.At(side, 0.5 * (part.Low + part.High));
       const auto hides = [this, bite, &middle](Id other)
-      { return Depth(this->Squares, other, middle) > 0.0 && this->Look(bite, other); };
+      { return Depth(this->Placed, other, middle) > 0.0 && this->Look(bite, other); };
       if (part.Low < part.High && !this->Grid.VisitLeaf(middle, hides))
       {
         return false;
@@ -604,7 +660,7 @@ bool BitingRun::Look(Id bite, Id other)
     return false;
   }
   this->Seen[other] = bite;
-  this->Outline.Cover(this->Squares, other);
+  this->Outline.Cover(this->Placed, other);
   return true;
 }
 
@@ -620,7 +676,7 @@ bool BitingRun::IsUncovered(const Candidate& candidate) const
     [this, &candidate, &isCovered](Id bite)
     {
       isCovered =
-        bite > candidate.Birth && Depth(this->Squares, bite, candidate.Place) > this->Slack(bite);
+        bite > candidate.Birth && Depth(this->Placed, bite, candidate.Place) > this->Slack(bite);
       return isCovered || bite <= candidate.Birth;
     });
   return !isCovered && !this->IsSurrounded(candidate.Place);
@@ -632,7 +688,7 @@ bool BitingRun::IsSurrounded(const Point2& p) const
   this->Grid.VisitLeaf(p,
     [this, &p, &mask](Id bite)
     {
-      mask.Add(this->Squares, bite, p, this->Slack(bite));
+      mask.Add(this->Placed, bite, p, this->Slack(bite));
       return mask.IsFull();
     });
   return mask.IsFull();
@@ -640,7 +696,8 @@ bool BitingRun::IsSurrounded(const Point2& p) const
 
 double BitingRun::Slack(Id bite) const
 {
-  return TieTolerance * this->Squares.HalfWidths[bite] + this->Geometry.Resolution;
+  const double halfWidth = this->Placed.HalfWidths[bite];
+  return TieTolerance * halfWidth + std::min(this->Geometry.Resolution, GreatestSlack * halfWidth);
 }
 
 bool BitingRun::MayBite() const

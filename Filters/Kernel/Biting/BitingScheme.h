@@ -27,6 +27,12 @@ struct BitingOptions
   biting::Placement Placement = biting::Placement::Corners;
   FrontOrder Order = FrontOrder::Layers;
 
+  /// True: with Bisectors, inner bites are larger or smaller than c_b f by what the slope of f does to
+  /// lengths (ReachFactor.h), and squares shifted by it (BalancedTop.h), so that with
+  /// AutomaticBitingConstant the mean edge length is f, whatever f. False: their half-width is c_b f,
+  /// as in the paper.
+  bool FollowSlope = false;
+
   /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1]. 0:
   /// AutomaticTolerance; 1: the laws to the letter.
   double Tolerance = 0.0;
@@ -93,6 +99,8 @@ double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& o
 /// With N the distance to the nearest vertex, t c_b f / (1 + t alpha c_b) <= N <= 2 r c_b f /
 /// (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for that of lemma 4.2,
 /// and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for squares, 1 for circles.
+/// With FollowSlope all c_b in these are the least of any bite for what is bounded below by it, and the
+/// greatest for what is bounded above: c_b times the bounds of ReachFactor for alpha.
 /// BestFirst at corners is the same as Layers.
 /// Cost O(n) for Layers and BestFirst, O(n log n) for LargestY.
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,

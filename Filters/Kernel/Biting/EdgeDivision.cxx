@@ -3,8 +3,8 @@
 
 #include "EdgeDivision.h"
 
-#include <algorithm> // for upper_bound, clamp, reverse
-#include <cmath>     // for round
+#include <algorithm> // for upper_bound, min, max, reverse
+#include <cmath>     // for round, abs
 
 namespace biting
 {
@@ -18,6 +18,13 @@ constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
 constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
+constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
+constexpr double SmallestStep = 1e-12;
+
+bool IsSteep(double first, double last)
+{
+  return last > PanelRatio * first || first > PanelRatio * last;
+}
 
 } // namespace
 
@@ -31,15 +38,21 @@ EdgeDivider::EdgeDivider(const Spacing& spacing, double bitingConstant, double t
 {
 }
 
+bool EdgeDivider::Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points)
+{
+  return this->Divide(a, b, {}, limit, points);
+}
+
 // Edges are divided from their lexicographically smaller end, so that it does not matter which end
 // is the start.
-bool EdgeDivider::Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points)
+bool EdgeDivider::Divide(
+  const Point2& a, const Point2& b, const EndShells& shells, Id limit, DivisionPoints& points)
 {
   points.Parameters.clear();
   points.Spacings.clear();
   const bool isReversed = b < a;
-  if (isReversed ? !this->DivideForward(b, a, limit, points)
-                 : !this->DivideForward(a, b, limit, points))
+  if (isReversed ? !this->DivideForward(b, a, shells.End, shells.Start, limit, points)
+                 : !this->DivideForward(a, b, shells.Start, shells.End, limit, points))
   {
     return false;
   }
@@ -55,12 +68,15 @@ bool EdgeDivider::Divide(const Point2& a, const Point2& b, Id limit, DivisionPoi
   return true;
 }
 
-bool EdgeDivider::DivideForward(const Point2& a, const Point2& b, Id limit, DivisionPoints& points)
+bool EdgeDivider::DivideForward(const Point2& a, const Point2& b,
+  const std::vector<double>& startShells, const std::vector<double>& endShells, Id limit,
+  DivisionPoints& points)
 {
   if (!this->Integrate(a, b, limit) || this->Total / this->TargetLength > limit)
   {
     return false;
   }
+  this->FitShells(Distance(a, b), startShells, endShells);
   const Id parts = this->NumberOfParts();
   for (int refinement = 0; refinement <= GreatestRefinement; ++refinement)
   {
@@ -71,6 +87,36 @@ bool EdgeDivider::DivideForward(const Point2& a, const Point2& b, Id limit, Divi
     }
   }
   return !this->Beats.HasStopped();
+}
+
+// Takes the shells that leave enough between them.
+void EdgeDivider::FitShells(
+  double length, const std::vector<double>& startShells, const std::vector<double>& endShells)
+{
+  this->Before.clear();
+  this->Behind.clear();
+  for (const double distance : startShells)
+  {
+    this->Before.push_back(distance / length);
+  }
+  for (const double distance : endShells)
+  {
+    this->Behind.push_back(1.0 - distance / length);
+  }
+  while (true)
+  {
+    const double before = this->Before.empty() ? 0.0 : this->Before.back();
+    const double behind = this->Behind.empty() ? 1.0 : this->Behind.back();
+    this->From = before > 0.0 ? this->IntegralAt(before) : 0.0;
+    this->To = behind < 1.0 ? this->IntegralAt(behind) : this->Total;
+    const bool isEnough = this->To - this->From >= LeastRest * this->TargetLength;
+    if (isEnough || (this->Before.empty() && this->Behind.empty()))
+    {
+      return;
+    }
+    const bool isStartFarther = before > 1.0 - behind;
+    (isStartFarther ? this->Before : this->Behind).pop_back();
+  }
 }
 
 // Panels follow f: a quarter of a part each, shorter where f changes fast.
@@ -86,15 +132,19 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   {
     double step = PanelLength * this->TargetLength / first;
     double last = density(std::min(1.0, t + step));
-    while ((last > PanelRatio * first || first > PanelRatio * last) && step * first > LeastPanel)
+    while (IsSteep(first, last) && step * first > LeastPanel)
     {
       step *= 0.5;
       last = density(std::min(1.0, t + step));
     }
-    // A remainder of up to half a panel is taken along.
-    const double end = t + 1.5 * step >= 1.0 ? 1.0 : t + step;
-    last = end == 1.0 ? density(1.0) : last;
-    const double middle = density(0.5 * (t + end));
+    // A remainder of up to half a panel is taken along, where f changes no faster there.
+    const bool isNearEnd = t + 1.5 * step >= 1.0;
+    const double atEnd = isNearEnd ? density(1.0) : last;
+    const bool isLast = t + step >= 1.0 || (isNearEnd && !IsSteep(first, atEnd));
+    const double end = isLast ? 1.0 : t + step;
+    last = isLast ? atEnd : last;
+    // As much as keeps the parabola through the three from falling below zero.
+    const double middle = std::max(density(0.5 * (t + end)), 0.25 * (first + last));
     this->Panels.push_back({ t, end, first, middle, last, this->Total });
     this->Total += (end - t) * (first + 4.0 * middle + last) / 6.0;
     t = end;
@@ -108,11 +158,13 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   return true;
 }
 
+// Of what lies between the shells.
 Id EdgeDivider::NumberOfParts() const
 {
-  const double least = std::ceil(this->Total / (2.0 * this->BitingConstant) * (1.0 + PartMargin));
-  const double greatest = std::floor(this->Total / (this->LeastLength * this->BitingConstant));
-  const double wanted = std::round(this->Total / this->TargetLength);
+  const double whole = this->To - this->From;
+  const double least = std::ceil(whole / (2.0 * this->BitingConstant) * (1.0 + PartMargin));
+  const double greatest = std::floor(whole / (this->LeastLength * this->BitingConstant));
+  const double wanted = std::round(whole / this->TargetLength);
   return static_cast<Id>(std::max(1.0, std::max(least, std::min(wanted, greatest))));
 }
 
@@ -120,15 +172,30 @@ void EdgeDivider::Place(const Point2& a, const Point2& b, Id parts, DivisionPoin
 {
   points.Parameters.clear();
   points.Spacings.clear();
+  for (const double parameter : this->Before)
+  {
+    this->PlaceAt(parameter, a, b, points);
+  }
   for (Id k = 1; k < parts && this->Beats.Beat(); ++k)
   {
-    const double t = this->ParameterAt(this->Total * k / parts);
-    points.Parameters.push_back(t);
-    points.Spacings.push_back(this->F(a + t * (b - a)));
+    const double integral = this->From + (this->To - this->From) * k / parts;
+    this->PlaceAt(this->ParameterAt(integral), a, b, points);
+  }
+  for (auto parameter = this->Behind.rbegin(); parameter != this->Behind.rend(); ++parameter)
+  {
+    this->PlaceAt(*parameter, a, b, points);
   }
 }
 
-// Newton's method on the integral of the parabola through the panel's three densities.
+void EdgeDivider::PlaceAt(
+  double parameter, const Point2& a, const Point2& b, DivisionPoints& points) const
+{
+  points.Parameters.push_back(parameter);
+  points.Spacings.push_back(this->F(a + parameter * (b - a)));
+}
+
+// Newton's method on the integral of the parabola through the panel's three densities, halving where
+// it leaves the bounds.
 double EdgeDivider::ParameterAt(double integral) const
 {
   auto panel = std::upper_bound(this->Panels.begin(), this->Panels.end(), integral,
@@ -138,13 +205,33 @@ double EdgeDivider::ParameterAt(double integral) const
   const double slope = -3.0 * panel->First + 4.0 * panel->Middle - panel->Last;
   const double bend = 2.0 * panel->First - 4.0 * panel->Middle + 2.0 * panel->Last;
   const double rest = (integral - panel->Before) / width;
-  double s = rest * 6.0 / (panel->First + 4.0 * panel->Middle + panel->Last);
-  for (int step = 0; step < 3; ++step)
+  double low = 0.0;
+  double high = 1.0;
+  double s = std::min(rest * 6.0 / (panel->First + 4.0 * panel->Middle + panel->Last), 1.0);
+  double change = 1.0;
+  for (int step = 0; step < GreatestSteps && change > SmallestStep; ++step)
   {
-    const double value = s * (panel->First + s * (slope / 2.0 + s * bend / 3.0));
-    s = std::clamp(s - (value - rest) / (panel->First + s * (slope + s * bend)), 0.0, 1.0);
+    const double excess = s * (panel->First + s * (slope / 2.0 + s * bend / 3.0)) - rest;
+    (excess > 0.0 ? high : low) = s;
+    const double next = s - excess / (panel->First + s * (slope + s * bend));
+    const double kept = next >= low && next <= high ? next : 0.5 * (low + high);
+    change = std::abs(kept - s);
+    s = kept;
   }
   return panel->Start + s * width;
+}
+
+// The integral of the same parabola.
+double EdgeDivider::IntegralAt(double parameter) const
+{
+  auto panel = std::upper_bound(this->Panels.begin(), this->Panels.end(), parameter,
+    [](double value, const Panel& candidate) { return value < candidate.Start; });
+  --panel;
+  const double width = panel->End - panel->Start;
+  const double slope = -3.0 * panel->First + 4.0 * panel->Middle - panel->Last;
+  const double bend = 2.0 * panel->First - 4.0 * panel->Middle + 2.0 * panel->Last;
+  const double s = (parameter - panel->Start) / width;
+  return panel->Before + width * s * (panel->First + s * (slope / 2.0 + s * bend / 3.0));
 }
 
 // Whether each two neighbouring bites meet. The bite of an end reaches at least its half-width along

@@ -3,9 +3,9 @@
 
 #include "Orientation.h"
 
-#include "../Predicates/Predicates.h"
+#include "Spokes.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for any_of, min
 #include <cmath>     // for abs
 
 namespace biting
@@ -15,82 +15,6 @@ namespace
 {
 
 constexpr double SameSquareTolerance = 1e-12; // of a unit vector: rounding of the same square
-
-// A segment as seen from one of its ends.
-struct Spoke
-{
-  Point2 End;
-  Point2 Direction;
-  bool LeftInside;
-};
-
-class SpokesOfVertices
-{
-public:
-  explicit SpokesOfVertices(const Domain& domain);
-  std::vector<Spoke> Around(Id vertex) const;
-
-private:
-  Spoke MakeSpoke(Id vertex, Id segment) const;
-
-  const Domain& Geometry;
-  std::vector<Id> Offsets;
-  std::vector<Id> Segments;
-};
-
-SpokesOfVertices::SpokesOfVertices(const Domain& domain)
-  : Geometry(domain)
-  , Offsets(domain.NumberOfVertices() + 1, 0)
-  , Segments(2 * domain.NumberOfSegments())
-{
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    ++this->Offsets[domain.Starts[segment] + 1];
-    ++this->Offsets[domain.Ends[segment] + 1];
-  }
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-  {
-    this->Offsets[vertex + 1] += this->Offsets[vertex];
-  }
-  std::vector<Id> next(this->Offsets);
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    this->Segments[next[domain.Starts[segment]]++] = segment;
-    this->Segments[next[domain.Ends[segment]]++] = segment;
-  }
-}
-
-// Counterclockwise, beginning at the direction of negative x.
-std::vector<Spoke> SpokesOfVertices::Around(Id vertex) const
-{
-  std::vector<Spoke> spokes;
-  for (Id k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
-  {
-    spokes.push_back(this->MakeSpoke(vertex, this->Segments[k]));
-  }
-  const Point2 center = this->Geometry.Vertices[vertex];
-  std::sort(spokes.begin(), spokes.end(),
-    [&center](const Spoke& a, const Spoke& b)
-    {
-      const bool isAboveA = center < a.End;
-      const bool isAboveB = center < b.End;
-      return isAboveA != isAboveB ? isAboveB : Orient2D(center, a.End, b.End) > 0;
-    });
-  return spokes;
-}
-
-Spoke SpokesOfVertices::MakeSpoke(Id vertex, Id segment) const
-{
-  const bool isStart = this->Geometry.Starts[segment] == vertex;
-  const Id other = isStart ? this->Geometry.Ends[segment] : this->Geometry.Starts[segment];
-  Spoke spoke;
-  spoke.End = this->Geometry.Vertices[other];
-  const Point2 span = spoke.End - this->Geometry.Vertices[vertex];
-  spoke.Direction = 1.0 / Length(span) * span;
-  spoke.LeftInside =
-    (isStart ? this->Geometry.LeftInside : this->Geometry.RightInside)[segment] != 0;
-  return spoke;
-}
 
 // The same square: axes that agree up to a turn by a multiple of 90 degrees.
 bool AreSameSquare(const Point2& a, const Point2& b)

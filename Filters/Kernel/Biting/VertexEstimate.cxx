@@ -6,7 +6,10 @@
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for min, max
-#include <array>     // for samples
+#include <array>     // for quarters
+#include <cmath>     // for ceil
+#include <limits>    // for infinity
+#include <numeric>   // for accumulate
 #include <vector>    // for the cells to do
 
 namespace biting
@@ -15,25 +18,33 @@ namespace biting
 namespace
 {
 
-constexpr int FirstDivision = 24;     // cells along the longer side
-constexpr int GreatestDepth = 14;     // halvings of these
-constexpr int BorderDepth = 2;        // halvings of a cell that is partly outside
+constexpr int FirstDivision = 6;      // cells along the longer side
+constexpr int CoarseDepth = 2;        // halvings of a first cell that is wider than f
+constexpr int BorderDepth = 4;        // halvings of one that is partly outside
+constexpr int GreatestDepth = 16;     // halvings at all
 constexpr double GreatestRatio = 1.5; // of f within a cell
 constexpr double LeastShare = 0.01;   // of a vertex, that a cell may hold, to be worth a division
-constexpr int GreatestCells = 100000;
-constexpr double MostPanels = 64.0; // along a segment
+constexpr double LeastDoubt =
+  0.001; // of the integral, that a cell may be wrong by, to be worth one
+constexpr double DoubtOnBorder = 0.3; // of what a cell may hold: the area is known
+constexpr double LeastCells = 2048.0;
+constexpr double GreatestCells = 100000.0;
+constexpr double CellsPerVertex = 16.0;      // between these limits: a small mesh asks for no more
+constexpr double MostPanels = 64.0;          // along a segment
+constexpr double MostPanelsInAll = 300000.0; // but at least one a segment
+
+struct Sample
+{
+  double Inside = 0.0;  ///< area
+  double Density = 0.0; ///< integral over the cell
+  double Doubt = 0.0;   ///< by how much that may be wrong; 0 where it needs no division
+};
 
 struct Cell
 {
   Box2 Box;
   int Depth;
-};
-
-struct Sample
-{
-  double Inside = 0.0;  ///< share of the cell
-  double Density = 0.0; ///< mean over the cell, 0 outside
-  bool IsFine = true;   ///< needs no division
+  Sample Values;
 };
 
 std::array<Box2, 4> Quarters(const Box2& box)
@@ -48,11 +59,33 @@ std::array<Box2, 4> Quarters(const Box2& box)
   return quarters;
 }
 
-Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing& spacing)
+// By how much the sample of a cell may be wrong, whose spacings are from `least` to `greatest`.
+double DoubtOf(const Cell& cell, const DomainLocator& locator, double least, double greatest)
 {
-  Sample sample;
+  const double area = cell.Box.Width() * cell.Box.Height();
+  const double most = area / (least * least);
+  if (!(most > LeastShare))
+  {
+    return 0.0;
+  }
+  const bool isCoarse = cell.Depth < CoarseDepth && cell.Box.Width() > least;
+  const bool isSteep = cell.Depth < GreatestDepth && greatest > GreatestRatio * least;
+  const bool mayBeDivided = isCoarse || isSteep || cell.Depth < BorderDepth;
+  const bool isClear = mayBeDivided && locator.IsClear(cell.Box);
+  if (!mayBeDivided || (isClear && cell.Values.Inside == 0.0))
+  {
+    return 0.0;
+  }
+  const double steepness = isSteep ? most - area / (greatest * greatest) : 0.0;
+  return isCoarse ? std::numeric_limits<double>::infinity()
+                  : std::max(steepness, isClear ? 0.0 : DoubtOnBorder * most);
+}
+
+void TakeSample(const DomainLocator& locator, const Spacing& spacing, Cell& cell)
+{
   double least = spacing(cell.Box.Center());
   double greatest = least;
+  const double area = 0.25 * cell.Box.Width() * cell.Box.Height();
   for (const Box2& quarter : Quarters(cell.Box))
   {
     const Point2 p = quarter.Center();
@@ -61,15 +94,11 @@ Sample TakeSample(const Cell& cell, const DomainLocator& locator, const Spacing&
     greatest = std::max(greatest, f);
     if (locator.IsInside(p))
     {
-      sample.Inside += 0.25;
-      sample.Density += 0.25 / (f * f);
+      cell.Values.Inside += area;
+      cell.Values.Density += area / (f * f);
     }
   }
-  const bool isWorthwhile = cell.Box.Width() * cell.Box.Height() > LeastShare * least * least;
-  const bool isSteep = greatest > GreatestRatio * least && cell.Depth < GreatestDepth;
-  const bool isBorder = cell.Depth < BorderDepth && isWorthwhile && !locator.IsClear(cell.Box);
-  sample.IsFine = !isWorthwhile || !(isBorder || isSteep);
-  return sample;
+  cell.Values.Doubt = DoubtOf(cell, locator, least, greatest);
 }
 
 std::vector<Cell> FirstCells(const Box2& bounds)
@@ -80,7 +109,7 @@ std::vector<Cell> FirstCells(const Box2& bounds)
   std::vector<Cell> cells;
   for (int k = 0; k < columns * rows; ++k)
   {
-    Cell cell{ {}, 0 };
+    Cell cell{ {}, 0, {} };
     cell.Box.Low = { bounds.Low.X + k % columns * size, bounds.Low.Y + k / columns * size };
     cell.Box.High = { cell.Box.Low.X + size, cell.Box.Low.Y + size };
     cells.push_back(cell);
@@ -101,35 +130,113 @@ double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing, Pulse
   return sum / std::max(1, domain.NumberOfSegments());
 }
 
+// Adaptive quadrature of 1/f^2, one level after the other, so that where the number of cells ends the
+// division, it ends evenly.
+class Quadrature
+{
+public:
+  Quadrature(const DomainLocator& locator, const Spacing& spacing, Monitor& monitor)
+    : Locator(locator)
+    , F(spacing)
+    , Beats(monitor)
+  {
+  }
+
+  void Run(std::vector<Cell> cells)
+  {
+    while (!cells.empty() && !this->Beats.HasStopped())
+    {
+      double waiting = 0.0;
+      for (std::size_t k = 0; k < cells.size() && this->Beats.Beat(); ++k)
+      {
+        this->Beats.SetFraction(this->NumberOfCells++ / GreatestCells);
+        TakeSample(this->Locator, this->F, cells[k]);
+        waiting += cells[k].Values.Density;
+      }
+      cells = this->Divide(cells, this->Density + waiting);
+    }
+  }
+
+  // The area is known: what the samples make of it corrects the integral, so that a sliver is not
+  // lost. Negative where no sample is inside.
+  double Mean() const { return this->Area > 0.0 ? this->Density / this->Area : -1.0; }
+
+  Pulse& Progress() { return this->Beats; }
+
+private:
+  // The quarters of those that are worth it; the others are done.
+  std::vector<Cell> Divide(const std::vector<Cell>& cells, double whole)
+  {
+    const double most = std::min(std::max(LeastCells, CellsPerVertex * whole), GreatestCells);
+    std::vector<Cell> next;
+    for (const Cell& cell : cells)
+    {
+      const bool hasRoom = this->NumberOfCells + static_cast<double>(next.size()) < most;
+      if (hasRoom && cell.Values.Doubt > LeastDoubt * whole)
+      {
+        for (const Box2& quarter : Quarters(cell.Box))
+        {
+          next.push_back({ quarter, cell.Depth + 1, {} });
+        }
+        continue;
+      }
+      this->Density += cell.Values.Density;
+      this->Area += cell.Values.Inside;
+    }
+    return next;
+  }
+
+  const DomainLocator& Locator;
+  const Spacing& F;
+  Pulse Beats;
+  double NumberOfCells = 0.0;
+  double Density = 0.0; ///< integral over the cells that are done
+  double Area = 0.0;    ///< of these, inside
+};
+
+// Of the rule along each segment. Most segments begin where the one before ends.
+std::vector<double> CountPanels(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+{
+  std::vector<double> panels;
+  panels.reserve(static_cast<std::size_t>(domain.NumberOfSegments()));
+  Id last = NoId;
+  double atLast = 0.0;
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
+  {
+    const Id start = domain.Starts[segment];
+    const double atStart = start == last ? atLast : spacing(domain.Vertices[start]);
+    last = domain.Ends[segment];
+    atLast = spacing(domain.Vertices[last]);
+    const double length = Distance(domain.Vertices[start], domain.Vertices[last]);
+    panels.push_back(std::max(1.0, std::min(MostPanels, length / std::min(atStart, atLast))));
+  }
+  return panels;
+}
+
+// Of 1/f along a segment.
+double IntegrateInverse(
+  const Domain& domain, Id segment, const Spacing& spacing, int panels, Pulse& pulse)
+{
+  const Point2& a = domain.Vertices[domain.Starts[segment]];
+  const Point2& b = domain.Vertices[domain.Ends[segment]];
+  double sum = 0.0;
+  for (int k = 0; k < panels && pulse.Beat(); ++k)
+  {
+    sum += 1.0 / spacing(a + (k + 0.5) / panels * (b - a));
+  }
+  return sum / panels * Distance(a, b);
+}
+
 } // namespace
 
-// Coarse cells first, so that where the number of cells ends the division, it ends evenly. The area
-// is known: what the samples make of it corrects the integral, so that a sliver is not lost.
 double IntegrateDensity(
   const Domain& domain, const DomainLocator& locator, const Spacing& spacing, Monitor& monitor)
 {
-  Pulse pulse(monitor);
-  std::vector<Cell> cells = FirstCells(domain.Bounds);
-  double integral = 0.0;
-  double area = 0.0;
-  for (std::size_t k = 0; k < cells.size() && pulse.Beat(); ++k)
-  {
-    pulse.SetFraction(static_cast<double>(k) / GreatestCells / 4.0);
-    const Cell cell = cells[k];
-    const Sample sample = TakeSample(cell, locator, spacing);
-    if (sample.IsFine || cells.size() > GreatestCells)
-    {
-      const double size = cell.Box.Width() * cell.Box.Height();
-      integral += sample.Density * size;
-      area += sample.Inside * size;
-      continue;
-    }
-    for (const Box2& quarter : Quarters(cell.Box))
-    {
-      cells.push_back({ quarter, cell.Depth + 1 });
-    }
-  }
-  const double mean = area > 0.0 ? integral / area : MeanDensityOfSegments(domain, spacing, pulse);
+  Quadrature quadrature(locator, spacing, monitor);
+  quadrature.Run(FirstCells(domain.Bounds));
+  const double mean = quadrature.Mean() >= 0.0
+    ? quadrature.Mean()
+    : MeanDensityOfSegments(domain, spacing, quadrature.Progress());
   return mean * domain.Area;
 }
 
@@ -137,21 +244,17 @@ double EstimateDivisionPoints(
   const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor)
 {
   Pulse pulse(monitor);
+  const std::vector<double> panels = CountPanels(domain, spacing, pulse);
+  const double share =
+    std::min(1.0, MostPanelsInAll / std::accumulate(panels.begin(), panels.end(), 0.0));
   double points = 0.0;
-  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
+  for (std::size_t segment = 0; segment < panels.size() && pulse.Beat(); ++segment)
   {
-    pulse.SetFraction(static_cast<double>(segment) / domain.NumberOfSegments());
-    const Point2& a = domain.Vertices[domain.Starts[segment]];
-    const Point2& b = domain.Vertices[domain.Ends[segment]];
-    const double length = Distance(a, b);
-    const double least = std::min(spacing(a), spacing(b));
-    const int panels = static_cast<int>(std::max(1.0, std::min(MostPanels, length / least)));
-    double density = 0.0;
-    for (int k = 0; k < panels && pulse.Beat(); ++k)
-    {
-      density += 1.0 / spacing(a + (k + 0.5) / panels * (b - a));
-    }
-    points += std::max(0.0, density / panels * length / partLength - 1.0);
+    pulse.SetFraction(static_cast<double>(segment) / static_cast<double>(panels.size()));
+    const int count = static_cast<int>(std::ceil(share * panels[segment]));
+    const double parts =
+      IntegrateInverse(domain, static_cast<Id>(segment), spacing, count, pulse) / partLength;
+    points += std::max(0.0, parts - 1.0);
   }
   return points;
 }

@@ -19,7 +19,7 @@ double IntegrateDensity(const Domain& domain, const DomainLocator& locator, cons
   Monitor& monitor = NoMonitor());
 
 /// How many vertices divide the segments of the domain into parts of `partLength` spacings: the
-/// integral of 1/f along each, by a rule of at most 64 points. Sees a spacing that is fine on the
+/// integral of 1/f along each, by a rule of at most 64 points, fewer where there are many segments. Sees a spacing that is fine on the
 /// boundary alone, which no quadrature over the domain does.
 double EstimateDivisionPoints(
   const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor = NoMonitor());

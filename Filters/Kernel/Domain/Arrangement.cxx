@@ -14,6 +14,7 @@
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
 #include <limits>     // for no limit
+#include <sstream>    // for a count
 #include <utility>    // for pair
 
 namespace biting
@@ -49,6 +50,7 @@ private:
   void RememberFirst(Id firstCell, Id secondCell, const Point2& place);
   void RememberLast();
   bool Refuse(ProblemCode code);
+  bool RefuseCrowd();
 
   void MakeCrossingVertices();
   Id VertexAt(const Point2& place);
@@ -89,8 +91,7 @@ bool Resolver::Run(const DomainOptions& options)
     }
     if (this->Found.HasTooManyCrossings)
     {
-      this->RememberLast();
-      return this->Refuse(ProblemCode::NotResolved);
+      return this->RefuseCrowd();
     }
     if (this->Found.HasTooManySplits)
     {
@@ -217,6 +218,20 @@ bool Resolver::Refuse(ProblemCode code)
   }
   problem.Code = code;
   this->Problems.Add(problem);
+  return false;
+}
+
+/// One crossing stands for all.
+bool Resolver::RefuseCrowd()
+{
+  std::ostringstream count;
+  count.precision(2);
+  count << "one of about " << this->Found.NumberOfCrossings << " crossings or more";
+  const EdgeCrossing& crossing = this->Found.Crossings.front();
+  const MeetingReport report{ ProblemCode::Crossings, crossing.First, crossing.Second, NoId };
+  this->Problems.Add({ ProblemCode::NotResolved,
+    { this->Data.Edge(crossing.First).Cell, this->Data.Edge(crossing.Second).Cell },
+    this->PlaceOf(report), count.str() });
   return false;
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm> // for none_of, sort
 #include <cmath>     // for isfinite, abs
 #include <cstddef>   // for size_t
+#include <string>    // for to_string
 #include <utility>   // for pair
 
 namespace biting
@@ -169,8 +170,31 @@ std::vector<Id> Degrees(const Arrangement& arrangement)
   return degrees;
 }
 
+/// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one is.
+Problem NothingBounds(const Arrangement& arrangement)
+{
+  Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
+  Id cancelled = 0;
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    const Id count = edge.BoundaryCount + edge.OpenCount;
+    if (count > 0 && count % 2 == 0)
+    {
+      problem.Place = cancelled == 0 ? arrangement.At(edge.Ends.Start) : problem.Place;
+      ++cancelled;
+    }
+  }
+  if (cancelled > 0)
+  {
+    problem.Detail = std::to_string(cancelled) +
+      " boundary segments are drawn an even number of times, and so bound nothing; the first of "
+      "them";
+  }
+  return problem;
+}
+
 /// Says where chains could be closed: one problem for each end at which nothing goes on; a single one
-/// without a place where there is no such end.
+/// where there is no such end.
 Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
 {
   const std::vector<Id> degrees = Degrees(arrangement);
@@ -182,8 +206,11 @@ Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
         arrangement.Vertices[v], {} });
     }
   }
-  return problems.Has(ProblemCode::NoClosedLoop) ? Domain()
-                                                 : Refuse(ProblemCode::NoClosedLoop, problems);
+  if (!problems.Has(ProblemCode::NoClosedLoop))
+  {
+    problems.Add(NothingBounds(arrangement));
+  }
+  return {};
 }
 
 bool IsKept(const InsideFlags& inside, std::size_t edge)

@@ -5,13 +5,14 @@
 
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
+#include "CrossingEstimate.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
-#include <algorithm> // for unique, any_of, all_of
+#include <algorithm> // for unique, any_of, min, max
 #include <cmath>     // for abs
 #include <cstddef>   // for size_t
-#include <limits>    // for infinity
+#include <cstdint>   // for masks
 #include <tuple>     // for tie
 
 namespace biting
@@ -36,21 +37,25 @@ public:
     , Ends(arrangement.EdgeEnds())
     , Stars(arrangement.Vertices, this->Ends, pulse)
     , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution, pulse)
-    , AllAreNew(std::all_of(arrangement.Edges.begin(), arrangement.Edges.end(),
-        [](const ArrangementEdge& edge) { return edge.IsNew; }))
   {
   }
 
+  bool HasRoomForCrossings();
   void TestEdges();
   void TestStars();
   void TestLooseVertices();
 
+  // For SegmentTree::VisitPairs.
+  bool GoesOn();
+  void SetFraction(double fraction) { this->Beats.SetFraction(fraction); }
+  void operator()(Id first, Id second)
+  {
+    this->TestApart(std::min(first, second), std::max(first, second));
+  }
+
 private:
-  void TestEdge(Id edge);
-  double LengthOf(Id edge) const;
   void TestApart(Id first, Id second);
   bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
-  bool GoesOn();
   void TestStar(Id vertex);
   bool TestFan(Id first, Id second, Id apex, bool tells);
 
@@ -70,20 +75,32 @@ private:
   const std::vector<SegmentEnds> Ends;
   const VertexStars Stars;
   const SegmentTree Tree;
-  const bool AllAreNew;
 };
+
+/// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
+bool MeetingFinder::HasRoomForCrossings()
+{
+  const CrossingEstimate estimate =
+    EstimateCrossingsAbove(this->Limits.Crossings, this->Input, this->Tree, this->Beats);
+  if (estimate.Count == 0.0)
+  {
+    return true;
+  }
+  this->Found.HasTooManyCrossings = true;
+  this->Found.NumberOfCrossings = estimate.Count;
+  this->Found.Crossings.push_back({ estimate.First, estimate.Second });
+  return false;
+}
 
 void MeetingFinder::TestEdges()
 {
-  const Id count = static_cast<Id>(this->Ends.size());
-  for (Id edge = 0; edge < count && this->GoesOn(); ++edge)
+  std::vector<std::uint8_t> isNew;
+  isNew.reserve(this->Input.Edges.size());
+  for (const ArrangementEdge& edge : this->Input.Edges)
   {
-    if (this->Input.Edge(edge).IsNew)
-    {
-      this->TestEdge(edge);
-    }
-    this->Beats.SetFraction(static_cast<double>(edge) / count);
+    isNew.push_back(edge.IsNew);
   }
+  this->Tree.VisitPairs(isNew, *this);
 }
 
 /// Whether there is time and room to look for more.
@@ -92,31 +109,8 @@ bool MeetingFinder::GoesOn()
   Meetings& found = this->Found;
   found.HasTooManySplits = found.Splits.size() > this->Limits.Splits;
   found.HasTooManyCrossings = found.Crossings.size() > this->Limits.Crossings;
+  found.NumberOfCrossings = static_cast<double>(found.Crossings.size());
   return !found.HasTooManySplits && !found.HasTooManyCrossings && this->Beats.Beat();
-}
-
-/// Of two new edges the longer one asks for the pair.
-void MeetingFinder::TestEdge(Id edge)
-{
-  const double length = this->LengthOf(edge);
-  const auto test = [this, edge, length](Id other)
-  {
-    const double otherLength = this->LengthOf(other);
-    const bool isFirst = otherLength < length || (otherLength == length && edge < other);
-    if ((isFirst || !this->Input.Edge(other).IsNew) && this->GoesOn())
-    {
-      this->TestApart(edge < other ? edge : other, edge < other ? other : edge);
-    }
-  };
-  const SegmentEnds& ends = this->EndsOf(edge);
-  const double longest = this->AllAreNew ? length : std::numeric_limits<double>::infinity();
-  this->Tree.VisitAlong(this->Input.At(ends.Start), this->Input.At(ends.End), longest, ends, test);
-}
-
-double MeetingFinder::LengthOf(Id edge) const
-{
-  const SegmentEnds& ends = this->EndsOf(edge);
-  return SegmentTree::LengthOf(this->Input.At(ends.Start), this->Input.At(ends.End));
 }
 
 /// Two edges without a common end.
@@ -332,6 +326,10 @@ bool FindMeetings(
 {
   meetings = Meetings();
   MeetingFinder finder(arrangement, limits, meetings, pulse);
+  if (!finder.HasRoomForCrossings())
+  {
+    return true;
+  }
   {
     PulsePart testing(pulse, ShareOfPreparing, ShareOfPreparing + ShareOfTesting);
     finder.TestEdges();

@@ -49,6 +49,7 @@ struct Meetings
   std::vector<MeetingReport> Reports;
   bool HasTooManySplits = false;    ///< the search was given up
   bool HasTooManyCrossings = false; ///< the search was given up
+  double NumberOfCrossings = 0.0;   ///< about; only where there are too many
 
   bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
 };

@@ -3,8 +3,8 @@
 
 #include "SegmentTree.h"
 
-#include <algorithm> // for nth_element, min, max
-#include <cstddef>   // for size_t
+#include <algorithm> // for nth_element, partition, min, max
+#include <cmath>     // for sqrt
 #include <limits>    // for epsilon
 
 namespace biting
@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr Id LeafSize = 6;
+constexpr double SimilarLengths =
+  16.0; // the most that those in one node differ by, where it has many
 
 SegmentEnds CommonVertices(const SegmentEnds& a, const SegmentEnds& b)
 {
@@ -40,6 +42,7 @@ SegmentTree::SegmentTree(
 SegmentTree::SegmentTree(const std::vector<Point2>& points,
   const std::vector<SegmentEnds>& segments, double margin, Pulse& pulse)
 {
+  this->Margin = margin;
   this->FileItems(points, segments, margin);
   if (!this->Items.empty() && pulse.Ask())
   {
@@ -49,7 +52,9 @@ SegmentTree::SegmentTree(const std::vector<Point2>& points,
 }
 
 /// With u the unit roundoff and M the largest coordinate, the centre of a box and half its sides are
-/// off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm.
+/// off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm. A direction of
+/// length one is off by 2 u, a slanted box in units of M by some 10 u for each level of the tree, of
+/// which there are less than 100.
 void SegmentTree::FileItems(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
 {
@@ -66,38 +71,79 @@ void SegmentTree::FileItems(
     item.Bounds.Grow(margin);
     item.Ends = ends;
     item.Segment = static_cast<Id>(this->Items.size());
+    item.Rises = (end.X >= start.X) == (end.Y >= start.Y);
     this->Items.push_back(item);
     largest = std::max({ largest, std::abs(item.Bounds.Low.X), std::abs(item.Bounds.Low.Y),
       std::abs(item.Bounds.High.X), std::abs(item.Bounds.High.Y) });
   }
   this->Rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  this->Slack = 1024.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 void SegmentTree::Build(Id first, Id last, Pulse& pulse)
 {
   const std::size_t index = this->Nodes.size();
   Node node;
-  node.Common = this->Items[static_cast<std::size_t>(first)].Ends;
-  node.Shortest = this->Items[static_cast<std::size_t>(first)].Shortest;
-  for (Id i = first; i < last; ++i)
+  node.FirstItem = first;
+  node.LastItem = last;
+  const double longest = this->Enclose(node);
+  this->Nodes.push_back(node);
+  if (last - first > LeafSize && pulse.Beat(static_cast<std::size_t>(last - first)))
   {
-    const Item& item = this->Items[static_cast<std::size_t>(i)];
+    const Id middle = this->Part(node, longest);
+    this->Build(first, middle, pulse);
+    const std::size_t second = this->Nodes.size();
+    this->Build(middle, last, pulse);
+    EncloseBoth(this->Nodes[index], this->Nodes[index + 1], this->Nodes[second]);
+  }
+  else
+  {
+    this->EncloseItems(this->Nodes[index]);
+  }
+  this->Nodes[index].Next = static_cast<Id>(this->Nodes.size());
+}
+
+/// All but the slanted box; returns the length of the longest item.
+double SegmentTree::Enclose(Node& node) const
+{
+  double longest = 0.0;
+  node.Common = this->ItemAt(node.FirstItem).Ends;
+  node.Shortest = this->ItemAt(node.FirstItem).Shortest;
+  for (Id i = node.FirstItem; i < node.LastItem; ++i)
+  {
+    const Item& item = this->ItemAt(i);
     AddBox(node.Bounds, item.Bounds);
     node.Common = CommonVertices(node.Common, item.Ends);
     node.Shortest = std::min(node.Shortest, item.Shortest);
+    longest = std::max(longest, item.Shortest);
   }
-  const bool isLeaf = last - first <= LeafSize;
-  node.FirstItem = first;
-  node.ItemCount = isLeaf ? last - first : 0;
-  this->Nodes.push_back(node);
-  if (!isLeaf && pulse.Beat(last - first))
+  return longest;
+}
+
+/// By length where that differs much, else by place; returns where the second part begins.
+Id SegmentTree::Part(const Node& node, double longest)
+{
+  if (longest > SimilarLengths * node.Shortest)
   {
-    const Id middle = first + (last - first) / 2;
-    this->Halve(first, middle, last);
-    this->Build(first, middle, pulse);
-    this->Build(middle, last, pulse);
+    const double between = std::sqrt(longest) * std::sqrt(node.Shortest);
+    const Id middle = this->PartByLength(node.FirstItem, node.LastItem, between);
+    if (middle > node.FirstItem && middle < node.LastItem)
+    {
+      return middle;
+    }
   }
-  this->Nodes[index].Next = static_cast<Id>(this->Nodes.size());
+  const Id middle = node.FirstItem + (node.LastItem - node.FirstItem) / 2;
+  this->Halve(node.FirstItem, middle, node.LastItem);
+  return middle;
+}
+
+/// The longer ones go first.
+Id SegmentTree::PartByLength(Id first, Id last, double length)
+{
+  const auto begin = this->Items.begin();
+  const auto middle = std::partition(
+    begin + first, begin + last, [length](const Item& item) { return item.Shortest > length; });
+  return static_cast<Id>(middle - begin);
 }
 
 /// Parts the items at the median of their centres, along the longer side of the centres' box.
@@ -119,6 +165,67 @@ void SegmentTree::Halve(Id first, Id middle, Id last)
   };
   const auto begin = this->Items.begin();
   std::nth_element(begin + first, begin + middle, begin + last, isBefore);
+}
+
+/// A segment is a diagonal of its box, and stays within 2 Margin of that of the grown box, which its
+/// grown box leaves by no more than that.
+SegmentTree::Extent SegmentTree::ExtentOf(const Item& item) const
+{
+  Extent extent;
+  extent.Bounds = item.Bounds;
+  extent.Center = item.Bounds.Center();
+  const double height = item.Bounds.Height();
+  const Point2 diagonal{ item.Bounds.Width(), item.Rises ? height : -height };
+  const double length = Length(diagonal);
+  extent.Axis = length > 0.0 ? (1.0 / length) * diagonal : extent.Axis;
+  extent.Along = 0.5 * length + 4.0 * this->Margin;
+  extent.Across = 4.0 * this->Margin;
+  return extent;
+}
+
+/// Along the longest item.
+void SegmentTree::EncloseItems(Node& leaf) const
+{
+  for (Id i = leaf.FirstItem; i < leaf.LastItem; ++i)
+  {
+    const Extent item = this->ExtentOf(this->ItemAt(i));
+    const Extent before = leaf;
+    EncloseBoth(leaf, i == leaf.FirstItem ? item : before, item);
+  }
+}
+
+/// Along the longer one; the box along the axes is left as it is.
+void SegmentTree::EncloseBoth(Node& parent, const Extent& first, const Extent& second)
+{
+  const Point2 axis = first.Along >= second.Along ? first.Axis : second.Axis;
+  const Point2 normal = Perpendicular(axis);
+  const Point2 gap = second.Center - first.Center;
+  const auto span = [&first, &second, &gap](const Point2& direction)
+  {
+    const double place = Dot(direction, gap);
+    const double reach = first.ReachIn(direction);
+    const double other = second.ReachIn(direction);
+    const double low = std::min(-reach, place - other);
+    const double high = std::max(reach, place + other);
+    return Point2{ 0.5 * (low + high), 0.5 * (high - low) };
+  };
+  const Point2 along = span(axis);
+  const Point2 across = span(normal);
+  parent.Center = first.Center + along.X * axis + across.X * normal;
+  parent.Axis = axis;
+  parent.Along = along.Y;
+  parent.Across = across.Y;
+}
+
+std::vector<Id> SegmentTree::CountWanted(const std::vector<std::uint8_t>& isWanted) const
+{
+  std::vector<Id> before{ 0 };
+  before.reserve(this->Items.size() + 1);
+  for (const Item& item : this->Items)
+  {
+    before.push_back(before.back() + (isWanted[static_cast<std::size_t>(item.Segment)] ? 1 : 0));
+  }
+  return before;
 }
 
 } // namespace biting

@@ -9,8 +9,10 @@
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
 
-#include <cmath>  // for abs
-#include <vector> // for nodes and items
+#include <cmath>   // for abs
+#include <cstddef> // for size_t
+#include <cstdint> // for masks
+#include <vector>  // for nodes and items
 
 namespace biting
 {
@@ -29,6 +31,10 @@ struct SegmentEnds
 /// Segments that share an end are not asked about one another (see VertexStars): a node whose
 /// segments all end at one vertex is passed over as a whole, so that a fan of n spokes does not cost
 /// n^2 pairs.
+///
+/// A node also has a slanted box along its longest segment, so that segments which run side by side
+/// are told apart in any direction. Segments of very different lengths lie in different nodes, as a
+/// long one makes the boxes of short ones large.
 class SegmentTree
 {
 public:
@@ -64,6 +70,20 @@ public:
     this->VisitWhere(meets, skipped, visit);
   }
 
+  /// Calls visitor(first, second) once for each pair of segments without a common end whose grown boxes
+  /// meet and of which one is wanted; the order is that of the tree. Before each step it asks
+  /// visitor.GoesOn(), and ends where that is false; visitor.SetFraction(x) hears how far it is.
+  ///
+  /// Walks down the tree in pairs of nodes, the larger first: short segments share all of the way.
+  template <typename Visitor>
+  void VisitPairs(const std::vector<std::uint8_t>& isWanted, Visitor& visitor) const
+  {
+    if (!this->Nodes.empty())
+    {
+      PairWalk<Visitor>(*this, isWanted, visitor).JoinSelf(0);
+    }
+  }
+
   /// By which segments are longer than others: in the 1-norm.
   static double LengthOf(const Point2& start, const Point2& end)
   {
@@ -76,18 +96,137 @@ private:
     Box2 Bounds;
     SegmentEnds Ends;
     Id Segment = NoId;
+    bool Rises = true;     ///< from the low left to the high right of its box, or it falls
     double Shortest = 0.0; ///< its own length
   };
 
-  /// Nodes lie in preorder: the first child follows its parent, Next is the node after the subtree.
-  struct Node
+  /// A box along the axes, and a slanted one around the same.
+  struct Extent
   {
     Box2 Bounds;
+    Point2 Center;
+    Point2 Axis{ 1.0, 0.0 }; ///< of length one
+    double Along = 0.0;      ///< half of the extent along the axis
+    double Across = 0.0;     ///< half of the extent across it
+
+    Point2 Normal() const { return Perpendicular(this->Axis); }
+    double Size() const { return this->Bounds.Width() + this->Bounds.Height(); }
+    double ReachIn(const Point2& direction) const;
+    bool IsBeside(const Extent& other, double slack) const;
+  };
+
+  /// Nodes lie in preorder: the first child follows its parent, Next is the node after the subtree.
+  struct Node : Extent
+  {
     SegmentEnds Common; ///< vertices at which every segment of the subtree ends
     Id Next = NoId;
-    Id FirstItem = 0; ///< leaves only
-    Id ItemCount = 0; ///< 0: an inner node
+    Id FirstItem = 0;
+    Id LastItem = 0; ///< one past
     double Shortest = 0.0;
+  };
+
+  /// Joins nodes, and items with nodes.
+  template <typename Visitor>
+  class PairWalk
+  {
+  public:
+    PairWalk(const SegmentTree& tree, const std::vector<std::uint8_t>& isWanted, Visitor& visitor)
+      : Tree(tree)
+      , IsWanted(isWanted)
+      , WantedBefore(tree.CountWanted(isWanted))
+      , Visit(visitor)
+    {
+    }
+
+    void JoinSelf(Id node)
+    {
+      const Node& here = this->Tree.NodeAt(node);
+      if (HasEnd(here.Common) || !this->HasWanted(here) || !this->Visit.GoesOn())
+      {
+        return;
+      }
+      if (this->Tree.IsLeaf(node))
+      {
+        this->JoinItemsOf(here);
+        return;
+      }
+      const Id second = this->Tree.NodeAt(node + 1).Next;
+      this->JoinSelf(node + 1);
+      this->JoinSelf(second);
+      this->Join(node + 1, second);
+    }
+
+  private:
+    void Join(Id first, Id second)
+    {
+      const Node& a = this->Tree.NodeAt(first);
+      const Node& b = this->Tree.NodeAt(second);
+      const bool isWanted = this->HasWanted(a) || this->HasWanted(b);
+      if (!isWanted || IsFanOf(a.Common, b.Common) || !this->Tree.MayMeet(a, b) ||
+        !this->Visit.GoesOn())
+      {
+        return;
+      }
+      const bool isFirst = a.Size() >= b.Size();
+      const Id large = isFirst ? first : second;
+      const Id small = isFirst ? second : first;
+      if (this->Tree.IsLeaf(large))
+      {
+        this->JoinItems(this->Tree.NodeAt(large), small);
+        return;
+      }
+      this->Join(large + 1, small);
+      this->Join(this->Tree.NodeAt(large + 1).Next, small);
+    }
+
+    void JoinItemsOf(const Node& leaf)
+    {
+      for (Id i = leaf.FirstItem; i < leaf.LastItem; ++i)
+      {
+        for (Id j = i + 1; j < leaf.LastItem; ++j)
+        {
+          this->Pair(this->Tree.ItemAt(i), this->Tree.ItemAt(j));
+        }
+      }
+      this->Visit.SetFraction(
+        static_cast<double>(leaf.LastItem) / static_cast<double>(this->Tree.Items.size()));
+    }
+
+    void JoinItems(const Node& leaf, Id top)
+    {
+      for (Id i = leaf.FirstItem; i < leaf.LastItem && this->Visit.GoesOn(); ++i)
+      {
+        const Item& item = this->Tree.ItemAt(i);
+        const Extent extent = this->Tree.ExtentOf(item);
+        this->Tree.WalkBelow(
+          top,
+          [this, &item, &extent](const Node& node)
+          { return !IsFanOf(node.Common, item.Ends) && this->Tree.MayMeet(extent, node); },
+          [this, &item](const Item& other) { this->Pair(item, other); });
+      }
+    }
+
+    void Pair(const Item& a, const Item& b)
+    {
+      const bool isWanted = this->IsWanted[static_cast<std::size_t>(a.Segment)] ||
+        this->IsWanted[static_cast<std::size_t>(b.Segment)];
+      if (isWanted && a.Bounds.Meets(b.Bounds) && !a.Ends.Has(b.Ends.Start) &&
+        !a.Ends.Has(b.Ends.End) && this->Visit.GoesOn())
+      {
+        this->Visit(a.Segment, b.Segment);
+      }
+    }
+
+    bool HasWanted(const Node& node) const
+    {
+      return this->WantedBefore[static_cast<std::size_t>(node.FirstItem)] !=
+        this->WantedBefore[static_cast<std::size_t>(node.LastItem)];
+    }
+
+    const SegmentTree& Tree;
+    const std::vector<std::uint8_t>& IsWanted;
+    const std::vector<Id> WantedBefore; ///< how many of the items before each
+    Visitor& Visit;
   };
 
   /// A segment that asks which boxes it meets.
@@ -122,18 +261,48 @@ private:
   template <typename Condition, typename Visitor>
   void VisitWhere(const Condition& meets, const SegmentEnds& skipped, Visitor& visit) const
   {
-    Id node = 0;
-    while (node < static_cast<Id>(this->Nodes.size()))
+    if (this->Nodes.empty())
     {
-      const Node& here = this->Nodes[static_cast<std::size_t>(node)];
-      if (IsFanOf(here.Common, skipped) || !meets(here))
+      return;
+    }
+    this->WalkBelow(
+      0,
+      [&meets, &skipped](const Node& node)
+      { return !IsFanOf(node.Common, skipped) && meets(node); },
+      [&meets, &skipped, &visit](const Item& item)
+      {
+        if (!item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End) && meets(item))
+        {
+          visit(item.Segment);
+        }
+      });
+  }
+
+  /// Calls visit(item) for the items of all leaves, from node `top` down, that the condition leads to.
+  template <typename Condition, typename Visitor>
+  void WalkBelow(Id top, const Condition& leads, const Visitor& visit) const
+  {
+    const Id end = this->NodeAt(top).Next;
+    for (Id node = top; node < end;)
+    {
+      const Node& here = this->NodeAt(node);
+      if (!leads(here))
       {
         node = here.Next;
         continue;
       }
-      this->VisitItems(here, meets, skipped, visit);
+      const Id last = this->IsLeaf(node) ? here.LastItem : here.FirstItem;
+      for (Id i = here.FirstItem; i < last; ++i)
+      {
+        visit(this->ItemAt(i));
+      }
       ++node;
     }
+  }
+
+  static bool HasEnd(const SegmentEnds& common)
+  {
+    return common.Start != NoId || common.End != NoId;
   }
 
   static bool IsFanOf(const SegmentEnds& common, const SegmentEnds& skipped)
@@ -142,29 +311,48 @@ private:
       (common.End != NoId && skipped.Has(common.End));
   }
 
-  template <typename Condition, typename Visitor>
-  void VisitItems(
-    const Node& node, const Condition& meets, const SegmentEnds& skipped, Visitor& visit) const
+  bool MayMeet(const Extent& a, const Extent& b) const
   {
-    for (Id i = node.FirstItem; i < node.FirstItem + node.ItemCount; ++i)
-    {
-      const Item& item = this->Items[static_cast<std::size_t>(i)];
-      if (!item.Ends.Has(skipped.Start) && !item.Ends.Has(skipped.End) && meets(item))
-      {
-        visit(item.Segment);
-      }
-    }
+    return a.Bounds.Meets(b.Bounds) && !a.IsBeside(b, this->Slack) && !b.IsBeside(a, this->Slack);
   }
+
+  const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
+  const Item& ItemAt(Id item) const { return this->Items[static_cast<std::size_t>(item)]; }
+  bool IsLeaf(Id node) const { return this->NodeAt(node).Next == node + 1; }
+  Extent ExtentOf(const Item& item) const;
+  std::vector<Id> CountWanted(const std::vector<std::uint8_t>& isWanted) const;
 
   void FileItems(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
   void Build(Id first, Id last, Pulse& pulse);
+  double Enclose(Node& node) const;
+  Id Part(const Node& node, double longest);
+  Id PartByLength(Id first, Id last, double length);
   void Halve(Id first, Id middle, Id last);
+  void EncloseItems(Node& leaf) const;
+  static void EncloseBoth(Node& parent, const Extent& first, const Extent& second);
 
   std::vector<Item> Items;
   std::vector<Node> Nodes;
+  double Margin = 0.0;
   double Rounding = 0.0; ///< of a cross product with a direction, over the latter's 1-norm
+  double Slack = 0.0;    ///< rounding of the sides of slanted boxes
 };
+
+/// Half of the extent of the slanted box in a direction of length one.
+inline double SegmentTree::Extent::ReachIn(const Point2& direction) const
+{
+  return this->Along * std::abs(Dot(direction, this->Axis)) +
+    this->Across * std::abs(Cross(direction, this->Axis));
+}
+
+/// Whether the other slanted box lies on one side of this one, seen along its axis.
+inline bool SegmentTree::Extent::IsBeside(const Extent& other, double slack) const
+{
+  const Point2 normal = this->Normal();
+  const double distance = std::abs(Dot(normal, other.Center - this->Center));
+  return distance > this->Across + other.ReachIn(normal) + slack;
+}
 
 } // namespace biting
 

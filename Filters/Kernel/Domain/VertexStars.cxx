@@ -6,7 +6,7 @@
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for sort, find, copy
+#include <algorithm> // for sort, find, transform
 #include <cstddef>   // for size_t
 
 namespace biting
@@ -20,28 +20,17 @@ constexpr Id LargeDegree = 4096; // sorting takes milliseconds
 /// Orders segments by their direction seen from one vertex.
 struct DirectionOrder
 {
-  const std::vector<Point2>& Points;
-  const std::vector<SegmentEnds>& Segments;
-  Id Vertex;
+  Point2 Apex;
 
-  const Point2& Far(Id segment) const
+  bool operator()(const VertexStars::Ray& first, const VertexStars::Ray& second) const
   {
-    const Id other = OtherEnd(this->Segments[static_cast<std::size_t>(segment)], this->Vertex);
-    return this->Points[static_cast<std::size_t>(other)];
-  }
-
-  bool operator()(Id first, Id second) const
-  {
-    const Point2& apex = this->Points[static_cast<std::size_t>(this->Vertex)];
-    const Point2& a = this->Far(first);
-    const Point2& b = this->Far(second);
-    const bool isRight = apex < a;
-    if (isRight != (apex < b))
+    const bool isRight = this->Apex < first.Far;
+    if (isRight != (this->Apex < second.Far))
     {
       return isRight;
     }
-    const int side = Orient2D(apex, a, b);
-    return side > 0 || (side == 0 && first < second);
+    const int side = Orient2D(this->Apex, first.Far, second.Far);
+    return side > 0 || (side == 0 && first.Segment < second.Segment);
   }
 };
 
@@ -84,27 +73,35 @@ VertexStars::VertexStars(
       this->Segments[static_cast<std::size_t>(place)] = static_cast<Id>(s);
     }
   }
+  std::vector<Ray> rays;
   for (Id vertex = 0; vertex < this->NumberOfVertices() && !pulse.HasStopped(); ++vertex)
   {
-    this->SortStar(vertex, points, segments, pulse);
+    this->SortStar(vertex, points, segments, rays, pulse);
   }
 }
 
+/// `rays` is room for those of the vertex.
 void VertexStars::SortStar(Id vertex, const std::vector<Point2>& points,
-  const std::vector<SegmentEnds>& segments, Pulse& pulse)
+  const std::vector<SegmentEnds>& segments, std::vector<Ray>& rays, Pulse& pulse)
 {
-  const DirectionOrder order{ points, segments, vertex };
-  const auto begin = this->Segments.begin() + this->Offset(vertex);
-  const auto end = this->Segments.begin() + this->Offset(vertex + 1);
+  rays.clear();
+  for (const Id* s = this->Begin(vertex); s != this->End(vertex); ++s)
+  {
+    const Id far = OtherEnd(segments[static_cast<std::size_t>(*s)], vertex);
+    rays.push_back({ points[static_cast<std::size_t>(far)], *s });
+  }
+  const DirectionOrder order{ points[static_cast<std::size_t>(vertex)] };
   if (this->Degree(vertex) <= LargeDegree)
   {
-    std::sort(begin, end, order);
-    pulse.Beat(1 + static_cast<std::size_t>(this->Degree(vertex)));
-    return;
+    std::sort(rays.begin(), rays.end(), order);
+    pulse.Beat(1 + rays.size());
   }
-  std::vector<Id> star(begin, end);
-  SortInSteps(star, order, pulse);
-  std::copy(star.begin(), star.end(), begin);
+  else
+  {
+    SortInSteps(rays, order, pulse);
+  }
+  std::transform(rays.begin(), rays.end(), this->Segments.begin() + this->Offset(vertex),
+    [](const Ray& ray) { return ray.Segment; });
 }
 
 Id VertexStars::Next(Id vertex, Id segment) const

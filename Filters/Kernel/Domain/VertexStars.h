@@ -21,6 +21,13 @@ namespace biting
 class VertexStars
 {
 public:
+  /// A segment as a vertex sees it: with its other end.
+  struct Ray
+  {
+    Point2 Far;
+    Id Segment = NoId;
+  };
+
   /// Where the monitor wants to stop, the order is not yet that.
   VertexStars(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, Pulse& pulse);
@@ -36,7 +43,7 @@ public:
 
 private:
   void SortStar(Id vertex, const std::vector<Point2>& points,
-    const std::vector<SegmentEnds>& segments, Pulse& pulse);
+    const std::vector<SegmentEnds>& segments, std::vector<Ray>& rays, Pulse& pulse);
   Id Offset(Id vertex) const { return this->Offsets[static_cast<std::size_t>(vertex)]; }
 
   std::vector<Id> Offsets;

@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr double NearInResolutions = 4.0; // two rounded vertices, each off by less than one
-constexpr double LeastPart = 0.25;        // of the spacing
+constexpr double LeastInResolutions = 1024.0;
+constexpr double LeastPart = 0.25; // of the spacing
 
 double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
 {
@@ -33,11 +34,12 @@ public:
     , F(spacing)
     , Progress(pulse)
     , Near(NearInResolutions * domain.Resolution)
-    , IsDivided(domain.NumberOfSegments(), 1)
   {
     for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
     {
       this->Segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
+      const double length = Distance(this->Start(segment), this->End(segment));
+      this->IsDivided.push_back(IsFarAboveRounding(length, domain));
     }
   }
 
@@ -134,6 +136,11 @@ bool ClearanceSearch::AreNearAt(Id vertex, Id segment, Id other) const
 }
 
 } // namespace
+
+bool IsFarAboveRounding(double length, const Domain& domain)
+{
+  return length > LeastInResolutions * domain.Resolution;
+}
 
 std::vector<std::uint8_t> FindDividedSegments(
   const Domain& domain, const Spacing& spacing, Pulse& pulse)

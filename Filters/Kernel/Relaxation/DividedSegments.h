@@ -14,10 +14,16 @@
 namespace biting
 {
 
+/// Whether rounding of a vertex (Domain::Resolution) hardly turns a part of that length: vertices may
+/// come, slide and go only on parts of segments for which it holds (more than 1024 resolutions), so
+/// that what the parts of a segment are together stays its length within 1e-6.
+bool IsFarAboveRounding(double length, const Domain& domain);
+
 /// 1 for the segments on which vertices may lie anywhere: a vertex is off its segment by rounding,
 /// and what lies beyond the border is not triangulated, so nothing there would notice if the parts
 /// of two segments met. Segments nearer to another than rounding can bridge have 0, and so have
-/// two that leave a vertex so close together that they are that near at a quarter of the spacing.
+/// two that leave a vertex so close together that they are that near at a quarter of the spacing;
+/// and those that are not far above rounding themselves.
 /// Cost O(n log n). Where the monitor wants to stop the result has no meaning.
 std::vector<std::uint8_t> FindDividedSegments(
   const Domain& domain, const Spacing& spacing, Pulse& pulse);

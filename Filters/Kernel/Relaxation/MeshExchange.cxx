@@ -3,7 +3,11 @@
 
 #include "MeshExchange.h"
 
-#include <algorithm> // for sort
+#include "DividedSegments.h"
+
+#include "../Base/SortInSteps.h"
+
+#include <algorithm> // for min
 #include <cmath>     // for abs
 #include <utility>   // for swap, move
 
@@ -29,52 +33,84 @@ double RoughDegrees(const Point2& p, const Point2& q)
   return isSteep ? 90.0 - degrees : (along > 0.0 ? degrees : 180.0 + degrees);
 }
 
+// Where steps end, as shares of the time.
+constexpr double VerticesReadEnd = 0.3;
+constexpr double TrianglesReadEnd = 0.7;
+constexpr double NumbersEnd = 0.15;
+constexpr double VerticesWrittenEnd = 0.4;
+constexpr double TrianglesWrittenEnd = 0.85;
+
 class Reader
 {
 public:
-  Reader(const RelaxationMesh& input, MutableMesh& mesh)
+  Reader(const RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
     : Input(input)
     , Mesh(mesh)
+    , Progress(pulse)
   {
   }
 
   std::vector<Id> Read()
   {
-    this->NumberVertices();
-    this->CopyVertices();
-    this->CopyTriangles();
-    this->SetFreedoms();
-    this->SetIdealDegrees();
+    const bool isRead = this->ReadVertices() && this->ReadTriangles();
+    if (isRead)
+    {
+      this->SetBounds();
+    }
     return std::move(this->Origins);
   }
 
 private:
+  bool ReadVertices()
+  {
+    const PulsePart part(this->Progress, 0.0, VerticesReadEnd);
+    this->NumberVertices();
+    this->CopyVertices();
+    return !this->Progress.HasStopped();
+  }
+  bool ReadTriangles()
+  {
+    const PulsePart part(this->Progress, VerticesReadEnd, TrianglesReadEnd);
+    this->CopyTriangles();
+    return !this->Progress.HasStopped();
+  }
+  void SetBounds()
+  {
+    const PulsePart part(this->Progress, TrianglesReadEnd, 1.0);
+    this->SetFreedoms();
+    this->SetIdealDegrees();
+  }
+
   void NumberVertices();
   void CopyVertices();
   void CopyTriangles();
-  void CopyEdge(Id half, Id edge);
+  void CopyEdge(std::size_t half, Id edge);
+  static Id EdgeOf(std::size_t half) { return static_cast<Id>(half / 3 * 4 + half % 3); }
   void SetFreedoms();
   Freedom FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const;
   void SetIdealDegrees();
 
   const RelaxationMesh& Input;
   MutableMesh& Mesh;
+  Pulse& Progress;
   std::vector<Id> Numbers; ///< vertex of the input -> of the mesh
   std::vector<Id> Origins;
 };
 
 void Reader::NumberVertices()
 {
-  this->Numbers.assign(this->Input.Points.size(), NoId);
+  GrowInSteps(this->Numbers, this->Input.Points.size(), NoId, this->Progress);
   this->Origins.reserve(this->Input.Points.size());
-  for (const Id corner : this->Input.Triangles.Corners)
-  {
-    if (this->Numbers[corner] == NoId)
+  const std::vector<Id>& corners = this->Input.Triangles.Corners;
+  this->Progress.ForEach(corners.size(),
+    [this, &corners](std::size_t half)
     {
-      this->Numbers[corner] = static_cast<Id>(this->Origins.size());
-      this->Origins.push_back(corner);
-    }
-  }
+      if (this->Numbers[corners[half]] == NoId)
+      {
+        this->Numbers[corners[half]] = static_cast<Id>(this->Origins.size());
+        this->Origins.push_back(corners[half]);
+      }
+    });
 }
 
 void Reader::CopyVertices()
@@ -84,44 +120,48 @@ void Reader::CopyVertices()
   const std::size_t reserve = size + size / 16;
   mesh.Points.reserve(reserve);
   mesh.Spacings.reserve(reserve);
-  for (const Id origin : this->Origins)
-  {
-    mesh.Points.push_back(this->Input.Points[origin]);
-    mesh.Spacings.push_back(this->Input.Spacings[origin]);
-    mesh.Segments.push_back(this->Input.Segments[origin]);
-  }
-  mesh.VertexEdges.assign(size, NoId);
-  mesh.Degrees.assign(size, 0);
-  mesh.Freedoms.assign(size, Freedom::Fixed);
-  mesh.IdealDegrees.assign(size, IdealInside);
+  this->Progress.ForEach(size,
+    [this, &mesh](std::size_t vertex)
+    {
+      const Id origin = this->Origins[vertex];
+      mesh.Points.push_back(this->Input.Points[origin]);
+      mesh.Spacings.push_back(this->Input.Spacings[origin]);
+      mesh.Segments.push_back(this->Input.Segments[origin]);
+    });
+  GrowInSteps(mesh.VertexEdges, size, NoId, this->Progress);
+  GrowInSteps(mesh.Degrees, size, Id(0), this->Progress);
+  GrowInSteps(mesh.Freedoms, size, Freedom::Fixed, this->Progress);
+  GrowInSteps(mesh.IdealDegrees, size, IdealInside, this->Progress);
 }
 
 void Reader::CopyTriangles()
 {
   MutableMesh& mesh = this->Mesh;
-  const Id numberOfTriangles = this->Input.Triangles.NumberOfTriangles();
-  const std::size_t size = 4 * static_cast<std::size_t>(numberOfTriangles);
+  const std::size_t numberOfHalves = this->Input.Triangles.Corners.size();
+  const std::size_t size = numberOfHalves / 3 * 4;
   for (std::vector<Id>* array : { &mesh.Corners, &mesh.Twins, &mesh.Marks })
   {
     array->reserve(size + size / 16);
-    array->assign(size, NoId);
+    if (!GrowInSteps(*array, size, NoId, this->Progress))
+    {
+      return;
+    }
   }
   mesh.Regions = this->Input.Triangles.Regions;
-  for (Id half = 0; half < 3 * numberOfTriangles; ++half)
-  {
-    const Id edge = 4 * (half / 3) + half % 3;
-    const Id vertex = this->Numbers[this->Input.Triangles.Corners[half]];
-    mesh.Corners[edge] = vertex;
-    mesh.VertexEdges[vertex] = edge;
-    ++mesh.Degrees[vertex];
-  }
-  for (Id half = 0; half < 3 * numberOfTriangles; ++half)
-  {
-    this->CopyEdge(half, 4 * (half / 3) + half % 3);
-  }
+  this->Progress.ForEach(numberOfHalves,
+    [this, &mesh](std::size_t half)
+    {
+      const Id edge = EdgeOf(half);
+      const Id vertex = this->Numbers[this->Input.Triangles.Corners[half]];
+      mesh.Corners[edge] = vertex;
+      mesh.VertexEdges[vertex] = edge;
+      ++mesh.Degrees[vertex];
+    });
+  this->Progress.ForEach(
+    numberOfHalves, [this](std::size_t half) { this->CopyEdge(half, EdgeOf(half)); });
 }
 
-void Reader::CopyEdge(Id half, Id edge)
+void Reader::CopyEdge(std::size_t half, Id edge)
 {
   const Id constraint = this->Input.Triangles.Constraints[half];
   this->Mesh.Marks[edge] = constraint == NoId ? NoId : this->Input.EdgeSegments[constraint];
@@ -145,21 +185,26 @@ void Reader::SetFreedoms()
   MutableMesh& mesh = this->Mesh;
   std::vector<std::uint8_t> numbersOfMarks(mesh.Points.size(), 0);
   std::vector<std::uint8_t> isAtOther(mesh.Points.size(), 0);
-  for (Id edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    if (mesh.IsFirstHalf(edge) && mesh.Marks[edge] != NoId)
+  this->Progress.ForEach(mesh.Corners.size(),
+    [&mesh, &numbersOfMarks, &isAtOther](std::size_t slot)
     {
-      for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
+      const Id edge = static_cast<Id>(slot);
+      if (mesh.IsFirstHalf(edge) && mesh.Marks[edge] != NoId)
       {
-        numbersOfMarks[vertex] += numbersOfMarks[vertex] < 3 ? 1 : 0;
-        isAtOther[vertex] |= mesh.Segments[vertex] != mesh.Marks[edge] ? 1 : 0;
+        for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
+        {
+          numbersOfMarks[vertex] += numbersOfMarks[vertex] < 3 ? 1 : 0;
+          isAtOther[vertex] |= mesh.Segments[vertex] != mesh.Marks[edge] ? 1 : 0;
+        }
       }
-    }
-  }
-  for (Id vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    mesh.Freedoms[vertex] = this->FreedomOf(vertex, numbersOfMarks[vertex], isAtOther[vertex] != 0);
-  }
+    });
+  this->Progress.ForEach(mesh.Points.size(),
+    [this, &mesh, &numbersOfMarks, &isAtOther](std::size_t slot)
+    {
+      const Id vertex = static_cast<Id>(slot);
+      mesh.Freedoms[vertex] =
+        this->FreedomOf(vertex, numbersOfMarks[vertex], isAtOther[vertex] != 0);
+    });
 }
 
 Freedom Reader::FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const
@@ -173,37 +218,43 @@ Freedom Reader::FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const
   {
     return Freedom::Free;
   }
-  return numberOfMarks == 2 && this->Mesh.IsDivided[segment] ? Freedom::Sliding : Freedom::Fixed;
+  const bool isFree = numberOfMarks == 2 && this->Mesh.IsDivided[segment] != 0 &&
+    IsFarAboveRounding(this->Mesh.Spacings[vertex], this->Mesh.Geometry);
+  return isFree ? Freedom::Sliding : Freedom::Fixed;
 }
 
 // A fixed vertex of the border has the number that its angle has room for.
 void Reader::SetIdealDegrees()
 {
   MutableMesh& mesh = this->Mesh;
-  for (Id edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    if (mesh.IsEdge(edge) && mesh.Twins[edge] == NoId)
+  this->Progress.ForEach(mesh.Corners.size(),
+    [&mesh](std::size_t slot)
     {
-      for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
+      const Id edge = static_cast<Id>(slot);
+      if (mesh.IsEdge(edge) && mesh.Twins[edge] == NoId)
       {
-        const bool isFixed = mesh.Freedoms[vertex] == Freedom::Fixed;
-        mesh.IdealDegrees[vertex] = isFixed ? 0.0f : IdealOnBorder;
+        for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
+        {
+          const bool isFixed = mesh.Freedoms[vertex] == Freedom::Fixed;
+          mesh.IdealDegrees[vertex] = isFixed ? 0.0f : IdealOnBorder;
+        }
       }
-    }
-  }
-  for (Id edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const Id vertex = mesh.Corners[edge];
-    if (vertex != NoId && mesh.Freedoms[vertex] == Freedom::Fixed &&
-      mesh.IdealDegrees[vertex] < IdealInside)
+    });
+  this->Progress.ForEach(mesh.Corners.size(),
+    [&mesh](std::size_t slot)
     {
-      const Point2& center = mesh.Points[vertex];
-      mesh.IdealDegrees[vertex] +=
-        static_cast<float>(RoughDegrees(mesh.Points[mesh.Origin(edge)] - center,
-                             mesh.Points[mesh.Target(edge)] - center) /
-          IdealAngle);
-    }
-  }
+      const Id edge = static_cast<Id>(slot);
+      const Id vertex = mesh.Corners[edge];
+      if (vertex != NoId && mesh.Freedoms[vertex] == Freedom::Fixed &&
+        mesh.IdealDegrees[vertex] < IdealInside)
+      {
+        const Point2& center = mesh.Points[vertex];
+        mesh.IdealDegrees[vertex] +=
+          static_cast<float>(RoughDegrees(mesh.Points[mesh.Origin(edge)] - center,
+                               mesh.Points[mesh.Target(edge)] - center) /
+            IdealAngle);
+      }
+    });
 }
 
 /// A mesh edge on a segment, in the direction of it.
@@ -218,187 +269,230 @@ struct SegmentPart
 class Writer
 {
 public:
-  Writer(const MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output)
+  Writer(const MutableMesh& mesh, const std::vector<Id>& origins, const RelaxationMesh& input,
+    Pulse& pulse)
     : Mesh(mesh)
     , Origins(origins)
-    , Output(output)
+    , Input(input)
+    , Progress(pulse)
   {
   }
 
-  std::vector<Id> Write()
+  std::vector<Id> Write(RelaxationMesh& output)
   {
-    this->NumberVertices();
-    this->NumberTriangles();
+    this->NumberAll();
     this->WriteVertices();
     this->WriteTriangles();
     this->WriteParts();
+    if (!this->Progress.HasStopped())
+    {
+      output = std::move(this->Output);
+    }
     return std::move(this->NewOrigins);
   }
 
 private:
+  void NumberAll();
   void NumberVertices();
+  void NumberVertex(Id source, Id origin);
   void NumberTriangles();
   void WriteVertices();
   void WriteTriangles();
+  void WriteEdge(Id edge);
   void WriteParts();
-  std::vector<SegmentPart> FindParts() const;
+  void WritePart(const SegmentPart& part);
+  std::vector<SegmentPart> FindParts();
+  SegmentPart MakePart(Id edge) const;
   Id NewHalf(Id edge) const { return 3 * this->Triangles[edge >> 2] + (edge & 3); }
 
   const MutableMesh& Mesh;
   const std::vector<Id>& Origins;
-  RelaxationMesh& Output;
+  const RelaxationMesh& Input;
+  Pulse& Progress;
+  RelaxationMesh Output;
   std::vector<Id> NewOrigins;
   std::vector<Id> Sources;   ///< of each new vertex: the vertex of the mesh, or NoId
   std::vector<Id> Numbers;   ///< vertex of the mesh -> new vertex
   std::vector<Id> Triangles; ///< triangle of the mesh -> new triangle
 };
 
+void Writer::NumberAll()
+{
+  const PulsePart part(this->Progress, 0.0, NumbersEnd);
+  this->NumberVertices();
+  this->NumberTriangles();
+}
+
 // Vertices of the domain stay, whether a triangle uses them or not.
 void Writer::NumberVertices()
 {
-  std::vector<Id> sourceOf(this->Output.Points.size(), NoId);
-  for (Id vertex = 0; vertex < static_cast<Id>(this->Origins.size()); ++vertex)
+  std::vector<Id> sourceOf;
+  const bool isReady = GrowInSteps(sourceOf, this->Input.Points.size(), NoId, this->Progress) &&
+    GrowInSteps(this->Numbers, this->Mesh.Points.size(), NoId, this->Progress) &&
+    this->Progress.ForEach(this->Origins.size(),
+      [this, &sourceOf](std::size_t slot)
+      {
+        const Id vertex = static_cast<Id>(slot);
+        sourceOf[this->Origins[slot]] = this->Mesh.IsAlive(vertex) ? vertex : NoId;
+      });
+  if (!isReady)
   {
-    sourceOf[this->Origins[vertex]] = this->Mesh.IsAlive(vertex) ? vertex : NoId;
+    return;
   }
-  this->Numbers.assign(this->Mesh.Points.size(), NoId);
-  const auto add = [this](Id source, Id origin)
-  {
-    if (source != NoId)
+  this->Progress.ForEach(sourceOf.size(),
+    [this, &sourceOf](std::size_t slot)
     {
-      this->Numbers[source] = static_cast<Id>(this->Sources.size());
-    }
-    this->Sources.push_back(source);
-    this->NewOrigins.push_back(origin);
-  };
-  for (Id origin = 0; origin < static_cast<Id>(sourceOf.size()); ++origin)
-  {
-    if (sourceOf[origin] != NoId || origin < this->Mesh.Geometry.NumberOfVertices())
-    {
-      add(sourceOf[origin], origin);
-    }
-  }
+      const Id origin = static_cast<Id>(slot);
+      if (sourceOf[slot] != NoId || origin < this->Mesh.Geometry.NumberOfVertices())
+      {
+        this->NumberVertex(sourceOf[slot], origin);
+      }
+    });
   for (Id vertex = static_cast<Id>(this->Origins.size()); vertex < this->Mesh.NumberOfVertices();
        ++vertex)
   {
     if (this->Mesh.IsAlive(vertex))
     {
-      add(vertex, NoId);
+      this->NumberVertex(vertex, NoId);
     }
   }
+}
+
+void Writer::NumberVertex(Id source, Id origin)
+{
+  if (source != NoId)
+  {
+    this->Numbers[source] = static_cast<Id>(this->Sources.size());
+  }
+  this->Sources.push_back(source);
+  this->NewOrigins.push_back(origin);
 }
 
 void Writer::NumberTriangles()
 {
-  this->Triangles.assign(this->Mesh.Regions.size(), NoId);
+  GrowInSteps(this->Triangles, this->Mesh.Regions.size(), NoId, this->Progress);
   Id count = 0;
-  for (std::size_t triangle = 0; triangle < this->Triangles.size(); ++triangle)
-  {
-    this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++;
-  }
+  this->Progress.ForEach(this->Triangles.size(),
+    [this, &count](std::size_t triangle)
+    { this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++; });
 }
 
 void Writer::WriteVertices()
 {
-  std::vector<Point2> points;
-  std::vector<double> spacings;
-  std::vector<Id> segments;
-  points.reserve(this->Sources.size());
-  spacings.reserve(this->Sources.size());
-  segments.reserve(this->Sources.size());
-  for (std::size_t vertex = 0; vertex < this->Sources.size(); ++vertex)
-  {
-    const Id source = this->Sources[vertex];
-    const Id origin = this->NewOrigins[vertex];
-    const bool isUsed = source != NoId;
-    points.push_back(isUsed ? this->Mesh.Points[source] : this->Output.Points[origin]);
-    spacings.push_back(isUsed ? this->Mesh.Spacings[source] : this->Output.Spacings[origin]);
-    segments.push_back(isUsed ? this->Mesh.Segments[source] : this->Output.Segments[origin]);
-  }
-  this->Output.Points = std::move(points);
-  this->Output.Spacings = std::move(spacings);
-  this->Output.Segments = std::move(segments);
+  const PulsePart part(this->Progress, NumbersEnd, VerticesWrittenEnd);
+  this->Output.Points.reserve(this->Sources.size());
+  this->Output.Spacings.reserve(this->Sources.size());
+  this->Output.Segments.reserve(this->Sources.size());
+  this->Progress.ForEach(this->Sources.size(),
+    [this](std::size_t vertex)
+    {
+      const Id source = this->Sources[vertex];
+      const Id origin = this->NewOrigins[vertex];
+      const bool isUsed = source != NoId;
+      this->Output.Points.push_back(
+        isUsed ? this->Mesh.Points[source] : this->Input.Points[origin]);
+      this->Output.Spacings.push_back(
+        isUsed ? this->Mesh.Spacings[source] : this->Input.Spacings[origin]);
+      this->Output.Segments.push_back(
+        isUsed ? this->Mesh.Segments[source] : this->Input.Segments[origin]);
+    });
 }
 
 void Writer::WriteTriangles()
 {
+  const PulsePart part(this->Progress, VerticesWrittenEnd, TrianglesWrittenEnd);
   Triangulation& triangles = this->Output.Triangles;
-  triangles.Corners.clear();
-  triangles.Neighbors.clear();
-  triangles.Regions.clear();
-  for (Id edge = 0; edge < this->Mesh.NumberOfEdges(); ++edge)
+  triangles.Corners.reserve(this->Input.Triangles.Corners.size());
+  triangles.Neighbors.reserve(this->Input.Triangles.Corners.size());
+  triangles.Regions.reserve(this->Input.Triangles.Regions.size());
+  this->Progress.ForEach(this->Mesh.Corners.size(),
+    [this](std::size_t slot) { this->WriteEdge(static_cast<Id>(slot)); });
+  GrowInSteps(triangles.Constraints, triangles.Corners.size(), NoId, this->Progress);
+}
+
+void Writer::WriteEdge(Id edge)
+{
+  if (this->Mesh.IsEdge(edge))
   {
-    if (this->Mesh.IsEdge(edge))
+    Triangulation& triangles = this->Output.Triangles;
+    const Id twin = this->Mesh.Twins[edge];
+    triangles.Corners.push_back(this->Numbers[this->Mesh.Corners[edge]]);
+    triangles.Neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
+    if ((edge & 3) == 0)
     {
-      const Id twin = this->Mesh.Twins[edge];
-      triangles.Corners.push_back(this->Numbers[this->Mesh.Corners[edge]]);
-      triangles.Neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
-      if ((edge & 3) == 0)
-      {
-        triangles.Regions.push_back(this->Mesh.Regions[edge >> 2]);
-      }
+      triangles.Regions.push_back(this->Mesh.Regions[edge >> 2]);
     }
   }
-  triangles.Constraints.assign(triangles.Corners.size(), NoId);
 }
 
 void Writer::WriteParts()
 {
+  const PulsePart part(this->Progress, TrianglesWrittenEnd, 1.0);
+  const std::vector<SegmentPart> parts = this->FindParts();
+  this->Progress.ForEach(
+    parts.size(), [this, &parts](std::size_t k) { this->WritePart(parts[k]); });
+}
+
+void Writer::WritePart(const SegmentPart& part)
+{
   RelaxationMesh& output = this->Output;
-  output.EdgeStarts.clear();
-  output.EdgeEnds.clear();
-  output.EdgeSegments.clear();
-  for (const SegmentPart& part : this->FindParts())
+  const Id constraint = static_cast<Id>(output.EdgeSegments.size());
+  const Id origin = this->Numbers[this->Mesh.Origin(part.Edge)];
+  const Id target = this->Numbers[this->Mesh.Target(part.Edge)];
+  output.EdgeStarts.push_back(part.IsForward ? origin : target);
+  output.EdgeEnds.push_back(part.IsForward ? target : origin);
+  output.EdgeSegments.push_back(part.Segment);
+  const Id twin = this->Mesh.Twins[part.Edge];
+  output.Triangles.Constraints[this->NewHalf(part.Edge)] = constraint;
+  if (twin != NoId)
   {
-    const Id constraint = static_cast<Id>(output.EdgeSegments.size());
-    const Id origin = this->Numbers[this->Mesh.Origin(part.Edge)];
-    const Id target = this->Numbers[this->Mesh.Target(part.Edge)];
-    output.EdgeStarts.push_back(part.IsForward ? origin : target);
-    output.EdgeEnds.push_back(part.IsForward ? target : origin);
-    output.EdgeSegments.push_back(part.Segment);
-    const Id twin = this->Mesh.Twins[part.Edge];
-    output.Triangles.Constraints[this->NewHalf(part.Edge)] = constraint;
-    if (twin != NoId)
-    {
-      output.Triangles.Constraints[this->NewHalf(twin)] = constraint;
-    }
+    output.Triangles.Constraints[this->NewHalf(twin)] = constraint;
   }
 }
 
-std::vector<SegmentPart> Writer::FindParts() const
+std::vector<SegmentPart> Writer::FindParts()
 {
   const MutableMesh& mesh = this->Mesh;
   std::vector<SegmentPart> parts;
-  for (Id edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const Id segment = mesh.Marks[edge];
-    if (segment == NoId || !mesh.IsFirstHalf(edge))
+  this->Progress.ForEach(mesh.Corners.size(),
+    [this, &mesh, &parts](std::size_t slot)
     {
-      continue;
-    }
-    const Point2& from = mesh.Geometry.Vertices[mesh.Geometry.Starts[segment]];
-    const Point2 direction = mesh.Geometry.Vertices[mesh.Geometry.Ends[segment]] - from;
-    const double start = Dot(mesh.Points[mesh.Origin(edge)] - from, direction);
-    const double end = Dot(mesh.Points[mesh.Target(edge)] - from, direction);
-    parts.push_back({ segment, std::min(start, end), edge, start < end });
-  }
-  std::sort(parts.begin(), parts.end(),
+      const Id edge = static_cast<Id>(slot);
+      if (mesh.Marks[edge] != NoId && mesh.IsFirstHalf(edge))
+      {
+        parts.push_back(this->MakePart(edge));
+      }
+    });
+  SortInSteps(
+    parts,
     [](const SegmentPart& a, const SegmentPart& b)
-    { return a.Segment != b.Segment ? a.Segment < b.Segment : a.Along < b.Along; });
-  return parts;
+    { return a.Segment != b.Segment ? a.Segment < b.Segment : a.Along < b.Along; },
+    this->Progress);
+  return this->Progress.HasStopped() ? std::vector<SegmentPart>() : std::move(parts);
+}
+
+SegmentPart Writer::MakePart(Id edge) const
+{
+  const MutableMesh& mesh = this->Mesh;
+  const Id segment = mesh.Marks[edge];
+  const Point2& from = mesh.Geometry.Vertices[mesh.Geometry.Starts[segment]];
+  const Point2 direction = mesh.Geometry.Vertices[mesh.Geometry.Ends[segment]] - from;
+  const double start = Dot(mesh.Points[mesh.Origin(edge)] - from, direction);
+  const double end = Dot(mesh.Points[mesh.Target(edge)] - from, direction);
+  return { segment, std::min(start, end), edge, start < end };
 }
 
 } // namespace
 
-std::vector<Id> ReadMesh(const RelaxationMesh& input, MutableMesh& mesh)
+std::vector<Id> ReadMesh(const RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
 {
-  return Reader(input, mesh).Read();
+  return Reader(input, mesh, pulse).Read();
 }
 
 std::vector<Id> WriteMesh(
-  const MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output)
+  const MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output, Pulse& pulse)
 {
-  return Writer(mesh, origins, output).Write();
+  return Writer(mesh, origins, output, pulse).Write(output);
 }
 
 } // namespace biting

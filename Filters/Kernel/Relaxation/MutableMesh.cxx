@@ -3,6 +3,8 @@
 
 #include "MutableMesh.h"
 
+#include "DividedSegments.h"
+
 #include "../Predicates/Predicates.h"
 
 #include <utility> // for swap
@@ -88,10 +90,13 @@ Id MutableMesh::Split(Id edge)
 {
   const Id twin = this->Twins[edge];
   const Id segment = this->Marks[edge];
-  Point2 place = Midpoint(this->Points[this->Origin(edge)], this->Points[this->Target(edge)]);
-  place = segment == NoId ? place : this->PlaceOnSegment(segment, place);
-  const bool isAllowed =
-    segment == NoId || (this->DividesSegments && this->IsDivided[segment] != 0);
+  const Point2& origin = this->Points[this->Origin(edge)];
+  const Point2& target = this->Points[this->Target(edge)];
+  const Point2 middle = Midpoint(origin, target);
+  const Point2 place = segment == NoId ? middle : this->PlaceOnSegment(segment, middle);
+  const bool isAllowed = segment == NoId ||
+    (this->DividesSegments && this->IsDivided[segment] != 0 &&
+      IsFarAboveRounding(Distance(origin, target), this->Geometry));
   if (!isAllowed || !this->IsSplittable(edge, place) ||
     (twin != NoId && !this->IsSplittable(twin, place)))
   {

@@ -27,6 +27,10 @@ constexpr std::size_t LeastNumberOfRescues = 8;
 constexpr std::size_t FastVerticesPerRescue = 20000;
 constexpr std::size_t BestVerticesPerRescue = 5000;
 
+// Where steps end, as shares of the time.
+constexpr double ReadingEnd = 0.06;
+constexpr double WorkingEnd = 0.94;
+
 /// The operations with all that they work on.
 class Relaxer
 {
@@ -42,14 +46,27 @@ public:
   {
   }
 
+  void Run(RelaxationEffort effort)
+  {
+    if (effort == RelaxationEffort::Fast)
+    {
+      this->RelaxFast();
+    }
+    else
+    {
+      this->RelaxBest();
+    }
+  }
+
+private:
   void RelaxFast()
   {
     this->MendValences(0.0, 0.2, 2);
     this->Smooth(0.2, 0.4, 1, CotangentOf30Degrees);
     this->MendValences(0.4, 0.55, 1);
     this->Smooth(0.55, 0.75, 1, CotangentOf30Degrees);
-    this->Climb(0.75, 0.9, 2);
-    this->RescueLast(0.9, 1.0, FastVerticesPerRescue);
+    this->Climb(0.75, 0.95, 2);
+    this->RescueLast(0.95, 1.0, FastVerticesPerRescue);
   }
 
   void RelaxBest()
@@ -64,7 +81,6 @@ public:
     this->RescueLast(0.9, 1.0, BestVerticesPerRescue);
   }
 
-private:
   void MendValences(double begin, double end, int rings)
   {
     const PulsePart part(this->Progress, begin, end);
@@ -106,24 +122,25 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
 {
   Pulse pulse(monitor);
   MutableMesh work(domain, spacing);
-  work.IsDivided = FindDividedSegments(domain, spacing, pulse);
-  work.DividesSegments = options.DividesSegments;
-  const std::vector<Id> origins = ReadMesh(mesh, work);
-  Relaxer relaxer(work, pulse);
-  if (options.Effort == RelaxationEffort::Fast)
+  std::vector<Id> origins;
   {
-    relaxer.RelaxFast();
+    const PulsePart reading(pulse, 0.0, ReadingEnd);
+    work.IsDivided = FindDividedSegments(domain, spacing, pulse);
+    work.DividesSegments = options.DividesSegments;
+    origins = ReadMesh(mesh, work, pulse);
   }
-  else
+  if (!pulse.HasStopped())
   {
-    relaxer.RelaxBest();
+    const PulsePart working(pulse, ReadingEnd, WorkingEnd);
+    Relaxer(work, pulse).Run(options.Effort);
   }
   RelaxationResult result;
-  result.WasAborted = !pulse.Ask();
-  if (!result.WasAborted)
+  if (!pulse.HasStopped())
   {
-    result.Origins = WriteMesh(work, origins, mesh);
+    const PulsePart writing(pulse, WorkingEnd, 1.0);
+    result.Origins = WriteMesh(work, origins, mesh, pulse);
   }
+  result.WasAborted = pulse.HasStopped();
   return result;
 }
 

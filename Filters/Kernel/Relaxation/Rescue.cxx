@@ -3,6 +3,7 @@
 
 #include "Rescue.h"
 
+#include "../Base/SortInSteps.h"
 #include "Hill.h"
 #include "Smoothing.h"
 #include "Star.h"
@@ -50,9 +51,11 @@ void Rescue::FindPoor(Pulse& pulse)
         { WorstCotangent(points[corners[0]], points[corners[1]], points[corners[2]]), triangle });
     }
   }
-  std::sort(this->Poor.begin(), this->Poor.end(),
+  SortInSteps(
+    this->Poor,
     [](const PoorTriangle& a, const PoorTriangle& b)
-    { return a.Cotangent != b.Cotangent ? a.Cotangent > b.Cotangent : a.Triangle < b.Triangle; });
+    { return a.Cotangent != b.Cotangent ? a.Cotangent > b.Cotangent : a.Triangle < b.Triangle; },
+    pulse);
 }
 
 bool Rescue::Improve(Id triangle, Pulse& pulse)

@@ -3,10 +3,11 @@
 
 #include "ValenceRound.h"
 
+#include "../Base/SortInSteps.h"
 #include "Smoothing.h"
 #include "Star.h"
 
-#include <algorithm> // for sort, max
+#include <algorithm> // for max
 #include <limits>    // for infinity
 #include <utility>   // for swap
 
@@ -58,9 +59,15 @@ void ValenceRound::FindCandidates(Pulse& pulse)
       this->AddCandidate(edge, false);
     }
   }
-  std::sort(this->Candidates.begin(), this->Candidates.end(),
+  SortInSteps(
+    this->Candidates,
     [](const Candidate& a, const Candidate& b)
-    { return a.Score != b.Score ? a.Score < b.Score : a.Edge < b.Edge; });
+    {
+      return a.Score != b.Score ? a.Score < b.Score
+        : a.Edge != b.Edge      ? a.Edge < b.Edge
+                                : a.IsCollapse && !b.IsCollapse;
+    },
+    pulse);
 }
 
 void ValenceRound::AddCandidate(Id edge, bool isCollapse)

@@ -65,15 +65,17 @@ public:
   {
   }
 
-  void Build()
+  /// Whether it came to its end.
+  bool Build()
   {
     Samples unknown;
     unknown.Part = this->Carrier.Extension.Whole();
     this->Refine(this->Carrier.Tree.Root(), unknown);
-    if (this->Carrier.Complete)
+    if (!this->IsOver)
     {
       this->Carrier.Tree.Finish();
     }
+    return !this->IsOver;
   }
 
 private:
@@ -110,7 +112,7 @@ private:
       return;
     }
     this->Carrier.Tree.Split(square);
-    for (int quarter = 0; quarter < 4 && this->Carrier.Complete; ++quarter)
+    for (int quarter = 0; quarter < 4 && !this->IsOver; ++quarter)
     {
       Samples known = KnownOfQuarter(samples, quarter);
       this->Refine(this->Carrier.Tree.Quarter(square, quarter), known);
@@ -218,7 +220,7 @@ private:
     }
     if (++this->StepCount % StepsPerReport == 0)
     {
-      this->Carrier.Complete = this->Progress.Advance(std::min(this->AreaDone, 1.0));
+      this->IsOver |= !this->Progress.Advance(std::min(this->AreaDone, 1.0));
     }
     const Point2 x = square.At(u, v);
     Sample lowest;
@@ -258,7 +260,7 @@ private:
     const auto number = static_cast<Id>(this->Carrier.NodeValues.size());
     this->Carrier.NodeValues.push_back(values);
     this->Carrier.Tree.SetLeaf(square, 2 * number);
-    this->AreaDone += std::ldexp(1.0, -2 * square.Level);
+    this->CountLeaf(square);
   }
 
   bool AddListLeaf(const Quadtree::Square& square)
@@ -269,32 +271,49 @@ private:
       { static_cast<Id>(listed.size()), static_cast<Id>(this->Cones.size()) });
     listed.insert(listed.end(), this->Cones.begin(), this->Cones.end());
     this->Carrier.Tree.SetLeaf(square, 2 * number + 1);
-    this->AreaDone += std::ldexp(1.0, -2 * square.Level);
+    this->CountLeaf(square);
     return true;
+  }
+
+  void CountLeaf(const Quadtree::Square& square)
+  {
+    this->AreaDone += std::ldexp(1.0, -2 * square.Level);
+    const bool areMany = ++this->Leaves == this->Relief.ManyLeaves;
+    this->IsOver |= areMany && this->Relief.IsAffordable && !this->Relief.IsAffordable();
   }
 
   AdaptiveCarrier& Carrier;
   const double Gradation;
   const AdaptiveCarrier::Relief& Relief;
   Monitor& Progress;
+  bool IsOver = false;
   double AreaDone = 0.0;
+  std::size_t Leaves = 0;
   std::int64_t StepCount = 0;
   std::vector<Id> Cones; ///< of the square at work
 };
 
-AdaptiveCarrier::AdaptiveCarrier(
-  SegmentExtension extension, const Box2& bounds, const Relief& relief, Monitor& monitor)
+AdaptiveCarrier::AdaptiveCarrier(SegmentExtension extension, const Box2& bounds)
   : Extension(std::move(extension))
   , Bounds(bounds)
   , Tree(bounds)
 {
-  CarrierBuilder(*this, relief, monitor).Build();
+}
+
+bool AdaptiveCarrier::Refine(const Relief& relief, Monitor& monitor)
+{
+  this->Complete = CarrierBuilder(*this, relief, monitor).Build();
+  return this->Complete;
 }
 
 double AdaptiveCarrier::operator()(const Point2& x) const
 {
   const Point2 inside{ std::min(std::max(this->Bounds.Low.X, x.X), this->Bounds.High.X),
     std::min(std::max(this->Bounds.Low.Y, x.Y), this->Bounds.High.Y) };
+  if (!this->Complete)
+  {
+    return this->Extension(inside);
+  }
   const Quadtree::Place place = this->Tree.Locate(inside);
   const auto number = static_cast<std::size_t>(place.Leaf / 2);
   if (place.Leaf % 2 == 0)

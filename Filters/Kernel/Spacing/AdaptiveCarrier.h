@@ -8,6 +8,7 @@
 #include "SegmentExtension.h"
 
 #include <array>      // for node values
+#include <cstddef>    // for counts
 #include <functional> // for what is not needed
 
 namespace biting
@@ -28,22 +29,25 @@ class AdaptiveCarrier
 public:
   static constexpr double Tolerance = 0.005;
 
-  /// Where it need not be exact.
+  /// Where it need not be exact, and when to give up.
   struct Relief
   {
     double Most =
       std::numeric_limits<double>::infinity(); ///< values above this need not be told apart
     std::function<bool(const Box2&)> IsUnused; ///< may be empty: boxes where half the value will do
+    std::function<bool()> IsAffordable; ///< may be empty: asked once, when there are many leaves
+    std::size_t ManyLeaves = 0;         ///< how many
   };
 
-  /// Incomplete if the monitor asks to stop; it must not be evaluated then. The extension has at
-  /// least one cone, the box an extent.
-  AdaptiveCarrier(
-    SegmentExtension extension, const Box2& bounds, const Relief& relief, Monitor& monitor);
+  /// Not complete yet. The extension has at least one cone, the box an extent.
+  AdaptiveCarrier(SegmentExtension extension, const Box2& bounds);
+
+  /// Makes it complete. False if the monitor asks to stop or it is not affordable.
+  bool Refine(const Relief& relief, Monitor& monitor);
 
   bool IsComplete() const { return this->Complete; }
 
-  /// Outside of the box the value of the nearest point in it.
+  /// Outside of the box the value of the nearest point in it. Exact and slow while it is not complete.
   double operator()(const Point2& x) const;
 
 private:
@@ -61,7 +65,7 @@ private:
   std::vector<std::array<double, 9>> NodeValues; ///< [i + 3 j] at (i / 2, j / 2)
   std::vector<ConeList> Lists;
   std::vector<Id> ListedCones;
-  bool Complete = true;
+  bool Complete = false;
 };
 
 } // namespace biting

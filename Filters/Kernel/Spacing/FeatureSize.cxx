@@ -27,9 +27,11 @@ constexpr double PieceLength = 0.5;
 
 constexpr int DeepestPiece = 40;
 
-/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too many.
-constexpr int FewParts = 2;
-constexpr int ManyParts = 64;
+/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too many,
+/// but no more than so many in all, as long as there are two for each segment.
+constexpr double FewParts = 2.0;
+constexpr double ManyParts = 64.0;
+constexpr double MostParts = 500000.0;
 
 BoxTree MakeTree(const FeatureSource& source, Pulse& pulse)
 {
@@ -123,8 +125,7 @@ public:
 
   bool Run()
   {
-    const double most = this->Source.MostPieces;
-    if (this->CountPieces(FewParts) > most && this->CountPieces(ManyParts) > most)
+    if (this->HasTooManyPieces())
     {
       return !this->Beats.HasStopped();
     }
@@ -149,18 +150,27 @@ public:
   }
 
 private:
+  bool HasTooManyPieces()
+  {
+    const double most = this->Source.MostPieces;
+    const double perSegment = MostParts / static_cast<double>(this->Source.Starts.size());
+    const double manyParts = std::min(ManyParts, std::floor(perSegment));
+    return this->CountPieces(FewParts) > most &&
+      (manyParts <= FewParts || this->CountPieces(manyParts) > most);
+  }
+
   /// Of f as given, sampled at the ends of parts of each segment.
-  double CountPieces(int parts)
+  double CountPieces(double parts)
   {
     double pieces = 0.0;
     for (std::size_t segment = 0; segment < this->Source.Starts.size(); ++segment)
     {
       const Feature feature(this->Source, static_cast<Id>(segment));
-      const Point2 step = 1.0 / parts * (feature.End - feature.Start);
+      const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
       double last = this->Given(feature.Start);
-      for (int part = 1; part <= parts && this->Beats.Beat(); ++part)
+      for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
       {
-        const double next = this->Given(feature.Start + static_cast<double>(part) * step);
+        const double next = this->Given(feature.Start + part * step);
         pieces += Length(step) / (PieceLength * std::max(last, next));
         last = next;
       }

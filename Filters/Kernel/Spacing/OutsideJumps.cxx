@@ -5,7 +5,10 @@
 
 #include "../Base/Pulse.h"
 
-#include <array> // for samples
+#include <algorithm> // for min, max
+#include <array>     // for samples
+#include <cmath>     // for sqrt
+#include <vector>    // for squares
 
 namespace biting
 {
@@ -19,14 +22,22 @@ constexpr double MostFeet = 64.0;
 /// Jumps by less than this share of f do not matter.
 constexpr double LeastJump = 0.002;
 
-/// Squares that are searched first, along the longer side of the bounds, and last: g / f times their
-/// side, where g above 1 counts as 1, as nobody sees slopes on less than a hundredth of f.
-constexpr int FirstSquares = 64;
+/// Squares that are searched first, along the longer side of the bounds: more of them where the border
+/// has more edges, as each has at most a few of the lines along which f jumps.
+constexpr double LeastFirstSquares = 16.0;
+constexpr double MostFirstSquares = 64.0;
+constexpr double EdgesPerFirstSquare = 0.0625;
+
+/// The last ones: g / f times their side, where g above 1 counts as 1, as nobody sees slopes on less
+/// than a hundredth of f.
 constexpr double LastSquare = 0.01;
 constexpr int DeepestLevel = 24;
 
-/// Where jumps are so long, in units of f, that more squares are needed, the rest is found less finely.
-constexpr int MostSquares = 1 << 21;
+/// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger: then f
+/// is lowered beside the jump by what it could rise across a square, but to no less than a share of it.
+constexpr std::size_t MostSquares = 1 << 19;
+constexpr double LeastShare = 0.25;
+constexpr double LongestWay = 1.42; ///< in a square, in units of its side
 
 /// Feet farther apart than this many times the points themselves belong to two parts of the border.
 constexpr double LargestExpansion = 1.5;
@@ -201,15 +212,32 @@ private:
 
   void SearchAll()
   {
-    const double size = std::max(this->Bounds.Width(), this->Bounds.Height()) / FirstSquares;
+    const double edges = static_cast<double>(this->Field.BorderEdges().size());
+    const double wanted = std::sqrt(edges / EdgesPerFirstSquare);
+    const double count = std::min(std::max(wanted, LeastFirstSquares), MostFirstSquares);
+    double size = std::max(this->Bounds.Width(), this->Bounds.Height()) / count;
+    std::vector<Point2> squares = this->FirstSquares(size);
+    for (int level = 0; !squares.empty() && !this->Beats.HasStopped(); ++level, size *= 0.5)
+    {
+      this->Beats.SetFraction(0.5 + 0.5 * level / (DeepestLevel + 1.0));
+      this->NumberOfSquares += squares.size();
+      const bool isLast = level == DeepestLevel || this->NumberOfSquares > MostSquares;
+      squares = this->Search(squares, size, isLast);
+    }
+  }
+
+  /// Their lower left corners.
+  std::vector<Point2> FirstSquares(double size) const
+  {
+    std::vector<Point2> squares;
     for (int row = 0; row * size < this->Bounds.Height(); ++row)
     {
-      this->Beats.SetFraction(0.5 + 0.5 * row / FirstSquares);
       for (int column = 0; column * size < this->Bounds.Width(); ++column)
       {
-        this->Search(this->Bounds.Low + Point2{ column * size, row * size }, size, 0);
+        squares.push_back(this->Bounds.Low + Point2{ column * size, row * size });
       }
     }
+    return squares;
   }
 
   struct Sample
@@ -236,34 +264,56 @@ private:
     return samples;
   }
 
-  void Search(const Point2& low, double size, int level)
+  /// The quarters of those that are to be searched more finely.
+  std::vector<Point2> Search(const std::vector<Point2>& squares, double size, bool isLast)
   {
-    if (this->Beats.HasStopped())
+    std::vector<Point2> quarters;
+    for (std::size_t square = 0; square < squares.size() && !this->Beats.HasStopped(); ++square)
     {
-      return;
-    }
-    const Samples samples = this->TakeSamples(low, size);
-    double least = samples[4].Spacing;
-    bool areApart = false;
-    for (std::size_t k = 0; k < samples.size(); ++k)
-    {
-      least = std::min(least, samples[k].Spacing);
-      for (std::size_t other = 0; other < k; ++other)
+      const Samples samples = this->TakeSamples(squares[square], size);
+      if (!this->AnyApart(samples))
       {
-        areApart = areApart || AreApart(samples[k], samples[other]);
+        continue;
+      }
+      const double rise = std::min(this->Gradation, 1.0) * size;
+      const bool isFine = rise <= LastSquare * LeastOf(samples);
+      if (isFine || isLast)
+      {
+        this->AddLowSides(samples, isFine ? 0.0 : LongestWay * rise);
+        continue;
+      }
+      for (int quarter = 0; quarter < 4; ++quarter)
+      {
+        const Point2 offset{ 0.5 * size * (quarter % 2), 0.5 * size * (quarter / 2) };
+        quarters.push_back(squares[square] + offset);
       }
     }
-    const bool isFine = std::min(this->Gradation, 1.0) * size <= LastSquare * least;
-    const bool isLast = isFine || level == DeepestLevel || ++this->Squares > MostSquares;
-    if (areApart && isLast)
+    return quarters;
+  }
+
+  static double LeastOf(const Samples& samples)
+  {
+    double least = samples[0].Spacing;
+    for (const Sample& sample : samples)
     {
-      this->AddLowSides(samples);
+      least = std::min(least, sample.Spacing);
     }
-    for (int quarter = 0; quarter < 4 && areApart && !isLast; ++quarter)
+    return least;
+  }
+
+  bool AnyApart(const Samples& samples) const
+  {
+    for (std::size_t k = 1; k < samples.size(); ++k)
     {
-      const Point2 offset{ 0.5 * size * (quarter % 2), 0.5 * size * (quarter / 2) };
-      this->Search(low + offset, 0.5 * size, level + 1);
+      for (std::size_t other = 0; other < k; ++other)
+      {
+        if (AreApart(samples[k], samples[other]))
+        {
+          return true;
+        }
+      }
     }
+    return false;
   }
 
   static bool AreApart(const Sample& a, const Sample& b)
@@ -274,7 +324,7 @@ private:
       Distance(a.Nearest.Foot, b.Nearest.Foot) > LargestExpansion * Distance(a.Place, b.Place);
   }
 
-  void AddLowSides(const Samples& samples)
+  void AddLowSides(const Samples& samples, double lowering)
   {
     for (const Sample& sample : samples)
     {
@@ -285,7 +335,8 @@ private:
         });
       if (isLow)
       {
-        this->Cones.AddPoint(sample.Place, sample.Spacing);
+        this->Cones.AddPoint(
+          sample.Place, std::max(sample.Spacing - lowering, LeastShare * sample.Spacing));
       }
     }
   }
@@ -295,7 +346,7 @@ private:
   const double Gradation;
   ConeCollector& Cones;
   Pulse Beats;
-  int Squares = 0; ///< searched and divided
+  std::size_t NumberOfSquares = 0;
 };
 
 } // namespace

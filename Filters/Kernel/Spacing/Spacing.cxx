@@ -28,6 +28,11 @@ namespace
 {
 
 constexpr double DefaultShareOfDiagonal = 0.02;
+/// Leaves of a carrier, at which it is asked whether a mesh with so many vertices is affordable.
+constexpr double LeavesPerVertex = 0.1;
+constexpr double LeastLeaves = 10000.0;
+constexpr double MostLeaves = 200000.0;
+
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The one value that all have, holes apart; infinite where they differ or there is none.
@@ -191,10 +196,11 @@ struct Spacing::Implementation
 class Spacing::Preparation
 {
 public:
-  Preparation(const SpacingOptions& options, const Box2& bounds, Implementation& data,
-    ProblemList& problems, PartOfStage& stage)
+  Preparation(const SpacingOptions& options, const Box2& bounds, const Spacing& whole,
+    Implementation& data, ProblemList& problems, PartOfStage& stage)
     : Options(options)
     , Bounds(bounds)
+    , Whole(whole)
     , Data(data)
     , Problems(problems)
     , Stage(stage)
@@ -286,9 +292,20 @@ private:
     }
     PartOfStage refining(this->Stage, 0.52, 0.6);
     const double most = std::min(this->Data.Uniform, this->Data.Range.Most / this->Options.Scale);
-    this->Data.Segments.emplace(std::move(extension), CarrierBox(this->Bounds, source),
-      AdaptiveCarrier::Relief{ most, this->Options.IsUnused }, refining);
-    return this->Data.Segments->IsComplete();
+    this->Data.Segments.emplace(std::move(extension), CarrierBox(this->Bounds, source));
+    return this->Data.Segments->Refine(this->ReliefAbove(most), refining);
+  }
+
+  AdaptiveCarrier::Relief ReliefAbove(double most) const
+  {
+    AdaptiveCarrier::Relief relief{ most, this->Options.IsUnused, nullptr, 0 };
+    if (this->Options.IsAffordable)
+    {
+      relief.IsAffordable = [this] { return this->Options.IsAffordable(this->Whole); };
+      relief.ManyLeaves = static_cast<std::size_t>(
+        std::min(std::max(LeavesPerVertex * this->Options.ManyVertices, LeastLeaves), MostLeaves));
+    }
+    return relief;
   }
 
   /// The extension is scaled, then clamped: below the least value m of f it is cut off at a distance
@@ -337,9 +354,8 @@ private:
       return false;
     }
     PartOfStage refining(this->Stage, 0.75, 1.0);
-    this->Data.Limit.emplace(std::move(extension), CarrierBox(this->Bounds, source),
-      AdaptiveCarrier::Relief{ this->Cones.Values().Most, this->Options.IsUnused }, refining);
-    return this->Data.Limit->IsComplete();
+    this->Data.Limit.emplace(std::move(extension), CarrierBox(this->Bounds, source));
+    return this->Data.Limit->Refine(this->ReliefAbove(this->Cones.Values().Most), refining);
   }
 
   bool AddFloor()
@@ -359,6 +375,7 @@ private:
 
   const SpacingOptions& Options;
   const Box2& Bounds;
+  const Spacing& Whole; ///< of which Data is the inside
   Implementation& Data;
   ProblemList& Problems;
   PartOfStage& Stage;
@@ -399,16 +416,18 @@ Spacing MakeSpacing(
   PartOfStage stage(monitor, 0.0, 1.0);
   PartOfStage checking(stage, 0.0, 0.05);
   auto data = std::make_unique<Spacing::Implementation>(options, bounds);
+  Spacing::Implementation& inside = *data;
+  spacing.Data = std::move(data);
   if (CheckSpacing(options, problems, checking) &&
-    Spacing::Preparation(options, bounds, *data, problems, stage).Run())
+    Spacing::Preparation(options, bounds, spacing, inside, problems, stage).Run())
   {
-    spacing.Data = std::move(data);
+    return spacing;
   }
-  else if (stage.HasStopped())
+  if (stage.HasStopped())
   {
     problems.Add({ ProblemCode::Aborted, {}, {}, {} });
   }
-  return spacing;
+  return Spacing();
 }
 
 } // namespace biting

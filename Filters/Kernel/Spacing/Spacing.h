@@ -75,6 +75,8 @@ struct FeatureSource
   double MostPieces = std::numeric_limits<double>::infinity();
 };
 
+class Spacing;
+
 /// How fine the mesh shall be, as the user gives it: the minimum of what is given, times Scale,
 /// clamped, capped by the feature size, and of that the largest function below it that is Lipschitz
 /// with the constant Gradation: min over y of f(y) + g |x - y|, distances in the plane, also across
@@ -95,6 +97,12 @@ struct SpacingOptions
   /// May be empty. True for boxes where f is asked for its rough size only, which saves preparation.
   std::function<bool(const Box2&)> IsUnused;
 
+  /// May be empty. Asked at most twice, where preparation becomes long, with f as it will be, but slow
+  /// to evaluate: where it says no, preparation ends without a problem of its own. To be asked for a
+  /// mesh of so many vertices or more, roughly.
+  std::function<bool(const Spacing&)> IsAffordable;
+  double ManyVertices = 1e6;
+
   /// May be null. Not a source: where it asks for more than all the sources, f is raised, last of
   /// all, to max_i(f_i - g |x - x_i|) with f_i the values along its segments. Its values are meant
   /// as they are, neither scaled nor clamped. With gradation 0, g is the default.
@@ -111,7 +119,10 @@ struct SpacingOptions
 /// the mean) of the largest g-Lipschitz function, so |f(x) - f(y)| <= g |x - y| + 1 % of f; that is
 /// tested, not proven: about one place in 10 000 may miss it. Where f is
 /// more than fifteen cells of a grid, its nodes are limited and interpolated, to 0.5 % of f as well.
-/// Beyond the bounds, limits are those of the nearest point of the bounds.
+/// Beyond the bounds, limits are those of the nearest point of the bounds. Where the nearest border
+/// values of a triangulation jump along more than some ten thousand f, f is lower beside the jump than
+/// it had to be, the more the longer that is: by 10 % at 50 000 f, 40 % at 200 000 f; and it may miss
+/// the Lipschitz law by 4 % of f.
 class Spacing
 {
 public:

@@ -20,7 +20,8 @@ enum class Fault
   OneSidedNeighbor,    ///< one of two triangles forgets the other
   ForgottenConstraint, ///< a boundary edge is not covered by a segment
   UnusedVertex,        ///< a vertex without triangle
-  UncoveredSegment     ///< no attempt to triangulate gets a part of a segment into the mesh
+  UncoveredSegment,    ///< no attempt to triangulate gets a part of a segment into the mesh
+  MistakenSegment      ///< relaxation takes an edge on a segment for one of another
 };
 
 /// What the faulty sources do next.

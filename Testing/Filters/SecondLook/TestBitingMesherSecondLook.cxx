@@ -106,5 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, BitingMesherSecondLook,
       Fault::ForgottenConstraint, "ForgottenConstraint", "no constraint covers the boundary" },
     BrokenThing{ Fault::UnusedVertex, "UnusedVertex", "belongs to no triangle" },
     BrokenThing{
-      Fault::UncoveredSegment, "UncoveredSegment", "a part of a segment is not in the mesh" }),
+      Fault::UncoveredSegment, "UncoveredSegment", "a part of a segment is not in the mesh" },
+    BrokenThing{
+      Fault::MistakenSegment, "MistakenSegment", "relaxation took a part of a segment" }),
   [](const testing::TestParamInfo<BrokenThing>& broken) { return broken.param.Name; });

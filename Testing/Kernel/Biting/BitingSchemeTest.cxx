@@ -5,6 +5,7 @@
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/BiteOutline.h"
+#include "Biting/ReachFactor.h"
 #include "Domain/DomainLocator.h"
 
 #include <gtest/gtest.h>
@@ -167,6 +168,7 @@ protected:
     BitingMeshOptions options;
     options.Spacing = run.Case.Spacing;
     options.BitingConstant = run.Case.BitingConstant;
+    options.Relaxation = false;
     run.Setting.SetIn(options);
     if (run.Setting.Shape == BiteShape::Circle && run.Setting.Place == Placement::Corners &&
       run.Case.BitingConstant == 0.0)
@@ -179,8 +181,15 @@ protected:
     ASSERT_GT(this->Run.NumberOfVertices(), 20);
     const BitingMesh& mesh = this->Run.Mesh;
     this->BitingConstant = mesh.Bites.HalfWidths[0] / mesh.Spacing[0];
-    this->Product = run.Case.Alpha * this->BitingConstant;
     const bool isCircle = run.Setting.Shape == BiteShape::Circle;
+    this->LeastConstant = this->BitingConstant;
+    this->GreatestConstant = this->BitingConstant;
+    if (run.Setting.Place == Placement::Bisectors && options.BitingConstant == 0.0)
+    {
+      this->LeastConstant *= LeastReachFactor(run.Case.Alpha);
+      this->GreatestConstant *= GreatestReachFactor(run.Case.Alpha);
+    }
+    this->Product = run.Case.Alpha * this->BitingConstant;
     this->CornerDistance = isCircle ? 1.0 : std::sqrt(2.0);
     this->Tolerance = run.Setting.Place == Placement::Corners ? 1.0 : (isCircle ? 0.8 : 0.9);
     ASSERT_LT(this->Product, GreatestProduct);
@@ -194,10 +203,12 @@ protected:
   void CheckShapes() const;
 
   MeshRun Run;
-  double BitingConstant = 0.0;
-  double Product = 0.0;        ///< alpha c_b
-  double CornerDistance = 0.0; ///< how far a bite reaches, in half-widths
-  double Tolerance = 0.0;      ///< of a bite, that covers others' centres
+  double BitingConstant = 0.0;   ///< c_b
+  double LeastConstant = 0.0;    ///< of any bite; the same but where reaches follow the slope of f
+  double GreatestConstant = 0.0; ///< of any bite
+  double Product = 0.0;          ///< alpha c_b
+  double CornerDistance = 0.0;   ///< how far a bite reaches, in half-widths
+  double Tolerance = 0.0;        ///< of a bite, that covers others' centres
 };
 
 // Section 3.1.
@@ -254,13 +265,13 @@ void BitingLaws::CheckCoverage() const
   EXPECT_LE(worst.Excess, Rounding) << "in no bite: " << worst.What;
 }
 
-// Lemma 4.2 with t c_b in place of c_b, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
+// Lemma 4.2 with the least t c_b in place of c_b, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
 // overlap most are joined by an edge.
 void BitingLaws::CheckPacking() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
-  const double packing =
-    this->Tolerance * this->BitingConstant / (2.0 + this->Tolerance * this->Product);
+  const double core = this->Tolerance * this->LeastConstant;
+  const double packing = core / (2.0 + core * this->GetParam().Case.Alpha);
   Worst worst;
   for (std::size_t half = 0; half < mesh.Corners.size(); ++half)
   {
@@ -279,10 +290,11 @@ void BitingLaws::CheckPacking() const
 void BitingLaws::CheckBand() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
-  const double core = this->Tolerance * this->BitingConstant;
-  const double least = core / (1.0 + this->Tolerance * this->Product);
-  const double greatest = 2.0 * this->CornerDistance * this->BitingConstant /
-    (1.0 - this->CornerDistance * this->Product);
+  const double alpha = this->GetParam().Case.Alpha;
+  const double core = this->Tolerance * this->LeastConstant;
+  const double least = core / (1.0 + core * alpha);
+  const double reach = this->CornerDistance * this->GreatestConstant;
+  const double greatest = 2.0 * reach / (1.0 - reach * alpha);
   Worst low;
   Worst high;
   for (Id vertex = 0; vertex < this->Run.NumberOfVertices(); ++vertex)
@@ -311,8 +323,9 @@ void BitingLaws::CheckShapes() const
   const MadeDomain made = Make(this->GetParam().Case.Input);
   const DomainLocator locator(made.Domain);
   const double t = this->Product;
-  const double innerBound =
-    this->CornerDistance / (this->Tolerance * (1.0 - 2.0 * this->CornerDistance * t));
+  const double reach = this->CornerDistance * this->GreatestConstant;
+  const double innerBound = reach /
+    (this->Tolerance * this->LeastConstant * (1.0 - 2.0 * reach * this->GetParam().Case.Alpha));
   const double outerBound = (t * t - 2.0 * t + 2.0) / (6.0 * t * t - 8.0 * t + 2.0);
   Worst inner;
   Worst outer;

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath> // for log, exp
+#include <algorithm> // for is_sorted
+#include <cmath>     // for log, exp
+#include <memory>    // for sources
 
 namespace biting
 {
@@ -156,6 +158,24 @@ TEST(EdgeDivider, BitesMeetWhereSpacingJumps)
   }
 }
 
+TEST(EdgeDivider, PointsAscendHoweverSteeplyTheSpacingEnds)
+{
+  for (double top = 0.5; top < 1.5; top += 0.01)
+  {
+    auto grid = std::make_shared<GridSource>();
+    grid->XNodes = { 0.0 };
+    grid->YNodes = { 0.0, top - 0.007, top };
+    grid->Values = { 0.14, 0.14, 4e-4 };
+    SpacingOptions options;
+    options.Gradation = 0.0;
+    options.Grid = grid;
+    const std::vector<double> places =
+      Divide(options, 0.5, 1.0, { 0.0, 0.0 }, { 0.0, top }).Parameters;
+    EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << top;
+    EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end()) << top;
+  }
+}
+
 TEST(EdgeDivider, RefusesMorePointsThanTheLimit)
 {
   const Spacing spacing = Make(UniformSpacing(0.01));
@@ -172,6 +192,58 @@ TEST(EdgeDivider, EdgeShorterThanABiteStaysWhole)
 {
   EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 1e-9 }).Parameters.empty());
   EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 0.49 }).Parameters.empty());
+}
+
+DivisionPoints DivideWithShells(
+  const SpacingOptions& options, const Point2& a, const Point2& b, const EndShells& shells)
+{
+  const Spacing spacing = Make(options);
+  Pulse pulse(NoMonitor());
+  EdgeDivider divider(spacing, 0.77, 1.0, pulse);
+  DivisionPoints points;
+  EXPECT_TRUE(divider.Divide(a, b, shells, NoLimit, points));
+  return points;
+}
+
+TEST(EdgeDivider, KeepsTheShellsThatLeaveEnoughBetweenThem)
+{
+  const EndShells shells{ { 0.1, 0.2, 0.3 }, { 0.12, 0.23 } };
+  for (const double f : { 0.1, 0.13, 0.2, 0.3, 0.7 })
+  {
+    const std::vector<double> parameters =
+      DivideWithShells(UniformSpacing(f), { 0.0, 0.0 }, { 1.0, 0.0 }, shells).Parameters;
+    double last = 0.0;
+    std::size_t kept = 0;
+    for (const double parameter : parameters)
+    {
+      EXPECT_GT(parameter, last);
+      for (const double shell : { 0.1, 0.2, 0.3, 1.0 - 0.23, 1.0 - 0.12 })
+      {
+        kept += parameter == shell ? 1 : 0;
+      }
+      last = parameter;
+    }
+    EXPECT_TRUE(kept == 5 || EdgeDivider::LeastRest * f > 0.47) << f;
+    EXPECT_TRUE(kept == 0 || EdgeDivider::LeastRest * f <= 1.0) << f;
+  }
+}
+
+TEST(EdgeDivider, PlacesShellsTheSameFromBothEnds)
+{
+  const EndShells shells{ { 0.05, 0.11, 0.18 }, { 0.2 } };
+  const EndShells reversed{ shells.End, shells.Start };
+  for (const SpacingOptions& options : { UniformSpacing(0.04), LinearSpacing(0.05, 0.1, 1.0) })
+  {
+    const Point2 a{ 0.1, 0.0 };
+    const Point2 b{ 0.9, 0.3 };
+    const std::vector<double> ahead = DivideWithShells(options, a, b, shells).Parameters;
+    const std::vector<double> back = DivideWithShells(options, b, a, reversed).Parameters;
+    ASSERT_EQ(ahead.size(), back.size());
+    for (std::size_t k = 0; k < ahead.size(); ++k)
+    {
+      EXPECT_EQ(1.0 - ahead[k], back[back.size() - 1 - k]);
+    }
+  }
 }
 
 } // namespace

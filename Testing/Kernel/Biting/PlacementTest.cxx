@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for transform
-#include <cmath>     // for hypot
+#include <cmath>     // for nextafter
 #include <numeric>   // for accumulate
 
 namespace biting
@@ -38,6 +38,7 @@ protected:
   {
     BitingMeshOptions options;
     options.Spacing = spacing;
+    options.Relaxation = false;
     GetParam().SetIn(options);
     return options;
   }
@@ -164,6 +165,21 @@ TEST_P(AllSettings, MeshVerticesThatAreCrowdedInOneBite)
   EXPECT_EQ(run.NumberOfVertices(), 3000);
 }
 
+TEST_P(AllSettings, EndWhereBitesAreAsSmallAsTheRoundingOfPlaces)
+{
+  const double near = std::nextafter(4.6, 5.0);
+  const Polylines input =
+    PolylineBuilder()
+      .Loop({ { 0.0, 1.0 }, { 4.6, 1.2 }, { near, 1.2 }, { 5.0, 3.0 }, { 0.0, 3.0 } })
+      .Lines();
+  BitingMeshOptions options = Options({});
+  options.PreserveBoundary = true;
+  options.MaximumNumberOfVertices = 20000;
+  const MeshRun run = RunMesh(input, options);
+  EXPECT_EQ(run.Error(), "");
+  EXPECT_LT(run.NumberOfVertices(), 10000);
+}
+
 class Shapes : public testing::TestWithParam<BiteShape>
 {
 };
@@ -177,7 +193,9 @@ TEST_P(Shapes, AreBetterAtBisectorsThanAtCorners)
   {
     BitingMeshOptions options;
     options.Spacing = spacing;
+    options.Relaxation = false;
     options.BiteShape = GetParam();
+    options.Placement = Placement::Corners;
     const double corners = MeanSmallestAngle(RunMesh(Plate(), options).Mesh);
     options.Placement = Placement::Bisectors;
     EXPECT_GT(MeanSmallestAngle(RunMesh(Plate(), options).Mesh), corners + 2.0);

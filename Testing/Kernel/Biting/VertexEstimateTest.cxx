@@ -8,7 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath> // for log
+#include <cmath>   // for log, nextafter
+#include <memory>  // for sources
+#include <utility> // for pair
+#include <vector>  // for cases
 
 namespace biting
 {
@@ -74,6 +77,30 @@ TEST(IntegrateDensity, RadialHasItsClosedForm)
       PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, radius, 300)).Lines();
     const double integral = Integral(disc, RadialSpacing({ 0.0, 0.0 }, least, growth));
     EXPECT_NEAR(integral, expected, Tolerance * expected) << least;
+  }
+}
+
+// With `coarse` left of x = 0.7, `fine` right of it, and nothing between.
+SpacingOptions Jump(double coarse, double fine)
+{
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = { 0.0, 0.7, std::nextafter(0.7, 1.0), 1.0 };
+  grid->YNodes = { 0.0, 1.0 };
+  grid->Values = { coarse, coarse, fine, fine, coarse, coarse, fine, fine };
+  SpacingOptions options;
+  options.Grid = grid;
+  options.Gradation = 0.0;
+  return options;
+}
+
+TEST(IntegrateDensity, SeesBothSidesOfAJump)
+{
+  for (const auto& [coarse, fine] : std::vector<std::pair<double, double>>{
+         { 0.3, 0.2 }, { 1.0, 0.1 }, { 0.1, 1e-3 }, { 1e-3, 0.1 } })
+  {
+    const double expected = 0.7 / (coarse * coarse) + 0.3 / (fine * fine);
+    const double integral = Integral(Box(1.0, 1.0), Jump(coarse, fine));
+    EXPECT_NEAR(integral, expected, Tolerance * expected) << coarse << " " << fine;
   }
 }
 

@@ -204,6 +204,16 @@ TEST(Domain, RefusesWhatHasNoClosedLoop)
   EXPECT_EQ(twice.Problems.Count(ProblemCode::DuplicateSegments), 4);
 }
 
+TEST(Domain, SaysThatLoopsDrawnTwiceBoundNothing)
+{
+  const MadeDomain twice = Make(PolylineBuilder().Box(2, 3, 4, 5).Box(2, 3, 4, 5));
+  const Problem& refusal = twice.Problems.Groups().back().First.front();
+  ASSERT_EQ(refusal.Code, ProblemCode::NoClosedLoop);
+  EXPECT_TRUE(refusal.Ids.empty());
+  EXPECT_EQ(refusal.Place, (Point2{ 2, 3 }));
+  EXPECT_EQ(refusal.Detail.substr(0, 20), "4 boundary segments ");
+}
+
 TEST(Domain, NamesTheOpenEndsWhereNothingIsClosed)
 {
   // Two chains that meet in one end, by coordinates: what is open are the others.

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for sort
+#include <algorithm> // for sort, adjacent_find, binary_search
+#include <limits>    // for no limit
+#include <utility>   // for pair
 
 namespace biting
 {
@@ -107,10 +109,114 @@ TEST(SegmentTree, FindsAlongASegmentWhatMeetsItAndNoMoreThanItsBox)
   }
 }
 
+using Pairs = std::vector<std::pair<Id, Id>>;
+
+/// Notes pairs, and stops after so many.
+struct PairNotes
+{
+  Pairs Found;
+  std::size_t Most = std::numeric_limits<std::size_t>::max();
+
+  bool GoesOn() const { return this->Found.size() < this->Most; }
+  void SetFraction(double fraction) const { EXPECT_LE(fraction, 1.0); }
+  void operator()(Id first, Id second) { this->Found.push_back(std::minmax({ first, second })); }
+};
+
+Pairs FindPairs(const Segments& segments, const std::vector<std::uint8_t>& isWanted, double margin)
+{
+  PairNotes notes;
+  SegmentTree(segments.Points, segments.Ends, margin).VisitPairs(isWanted, notes);
+  std::sort(notes.Found.begin(), notes.Found.end());
+  return notes.Found;
+}
+
+/// Random segments, fans, and some a thousand times as long as others.
+Segments LongAndShort(int count, std::uint64_t seed)
+{
+  Segments made = RandomSegments(count, seed);
+  TestNumbers numbers(seed + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    const Point2 place{ numbers.Unit(), numbers.Unit() };
+    const Id first = static_cast<Id>(made.Points.size());
+    made.Points.push_back(place);
+    made.Points.push_back({ place.X + 0.001 * numbers.Unit(), place.Y - 0.001 * numbers.Unit() });
+    made.Ends.push_back({ first, first + 1 });
+  }
+  return made;
+}
+
+TEST(SegmentTree, VisitsEachPairThatMeetsOnce)
+{
+  for (const int count : { 2, 5, 40, 300 })
+  {
+    const Segments segments = LongAndShort(count, 11);
+    const auto size = static_cast<Id>(segments.Ends.size());
+    std::vector<std::uint8_t> isWanted(segments.Ends.size(), 0);
+    for (std::size_t s = 0; s < isWanted.size(); ++s)
+    {
+      isWanted[s] = s % 3 == 0 ? 1 : 0;
+    }
+    const Pairs found = FindPairs(segments, isWanted, 1e-9);
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+    for (Id i = 0; i < size; ++i)
+    {
+      for (Id j = i + 1; j < size; ++j)
+      {
+        const SegmentEnds& a = segments.Ends[static_cast<std::size_t>(i)];
+        const SegmentEnds& b = segments.Ends[static_cast<std::size_t>(j)];
+        const auto at = [&segments](Id point)
+        { return segments.Points[static_cast<std::size_t>(point)]; };
+        const bool isAsked = (i % 3 == 0 || j % 3 == 0) && !a.Has(b.Start) && !a.Has(b.End);
+        const bool isMet = Meet(at(a.Start), at(a.End), at(b.Start), at(b.End)) != Meeting::None;
+        const bool isFound = std::binary_search(found.begin(), found.end(), std::make_pair(i, j));
+        EXPECT_TRUE(isAsked || !isFound);
+        EXPECT_TRUE(!isAsked || !isMet || isFound);
+      }
+    }
+  }
+}
+
+/// Long segments side by side, whose boxes all meet.
+Segments Slanted(int count, double slope)
+{
+  Segments made;
+  for (Id i = 0; i < count; ++i)
+  {
+    const double at = static_cast<double>(i) / count;
+    made.Points.push_back({ at, 0.0 });
+    made.Points.push_back({ at + 1.0, slope });
+    made.Ends.push_back({ 2 * i, 2 * i + 1 });
+  }
+  return made;
+}
+
+TEST(SegmentTree, PairsFewOfManyThatRunSideBySide)
+{
+  constexpr int Count = 2000;
+  for (const double slope : { 0.01, 0.7, -1.3, 40.0 })
+  {
+    const Pairs found =
+      FindPairs(Slanted(Count, slope), std::vector<std::uint8_t>(Count, 1), 1e-12);
+    EXPECT_LT(found.size(), 40u * Count) << slope;
+  }
+}
+
+TEST(SegmentTree, StopsVisitingPairsWhereItIsTold)
+{
+  const Segments segments = RandomSegments(200, 7);
+  PairNotes notes;
+  notes.Most = 5;
+  SegmentTree(segments.Points, segments.Ends, 0.0)
+    .VisitPairs(std::vector<std::uint8_t>(segments.Ends.size(), 1), notes);
+  EXPECT_EQ(notes.Found.size(), notes.Most);
+}
+
 TEST(SegmentTree, OfNothingFindsNothing)
 {
   const SegmentTree tree({}, {}, 0.0);
   tree.Visit(Box2(), SegmentEnds(), [](Id) { FAIL(); });
+  EXPECT_TRUE(FindPairs({}, {}, 0.0).empty());
 }
 
 } // namespace

@@ -46,6 +46,14 @@ BitingMeshOptions UniformOptions(double length, double bitingConstant = 0.0)
   return options;
 }
 
+/// The mesh of the paper.
+BitingMeshOptions Raw(BitingMeshOptions options)
+{
+  options.Placement = Placement::Corners;
+  options.Relaxation = false;
+  return options;
+}
+
 BitingMeshOptions RadialOptions()
 {
   BitingMeshOptions options;
@@ -54,9 +62,8 @@ BitingMeshOptions RadialOptions()
   return options;
 }
 
-MeshRun SectionSix(double bitingConstant, FrontOrder order)
+MeshRun SectionSix(BitingMeshOptions options, double bitingConstant, FrontOrder order)
 {
-  BitingMeshOptions options;
   options.Spacing = SectionSixSpacing();
   options.BitingConstant = bitingConstant;
   options.Order = order;
@@ -92,6 +99,16 @@ void ExpectEquivalent(const MeshRun& run, const MeshRun& other, double area)
   ASSERT_EQ(run.Error(), "");
   EXPECT_NEAR(Area(run.Mesh), area, 1e-9 * area);
   EXPECT_NEAR(run.NumberOfVertices(), other.NumberOfVertices(), 0.1 * other.NumberOfVertices());
+}
+
+double MeanMinimumAngle(const BitingMesh& mesh)
+{
+  double sum = 0.0;
+  for (const double angle : mesh.Quality.MinimumAngle)
+  {
+    sum += angle;
+  }
+  return sum / static_cast<double>(mesh.Quality.MinimumAngle.size());
 }
 
 double LengthOfEdges(const BitingMesh& mesh)
@@ -271,7 +288,7 @@ TEST(BitingMesh, SectionSixHasThePapersFigures)
   {
     for (FrontOrder order : Orders)
     {
-      const MeshRun run = SectionSix(paper.BitingConstant, order);
+      const MeshRun run = SectionSix(Raw({}), paper.BitingConstant, order);
       ASSERT_EQ(run.Error(), "");
       EXPECT_NEAR(run.NumberOfVertices(), paper.Vertices, 0.15 * paper.Vertices);
       EXPECT_GE(run.Mesh.Quality.SmallestAngle, paper.Angle);
@@ -284,16 +301,20 @@ TEST(BitingMesh, SectionSixHasThePapersFigures)
 
 TEST(BitingMesh, AutomaticConstantGivesMeanLengthOfF)
 {
-  for (FrontOrder order : Orders)
+  for (const BitingMeshOptions& finish : { BitingMeshOptions{}, Raw({}) })
   {
-    const MeshRun sectionSix = SectionSix(0.0, order);
-    EXPECT_NEAR(sectionSix.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << "section 6";
-    for (double length : { 0.04, 0.02, 0.01 })
+    for (FrontOrder order : Orders)
     {
-      BitingMeshOptions options = UniformOptions(length);
-      options.Order = order;
-      const MeshRun run = RunMesh(UnitSquare(), options);
-      EXPECT_NEAR(run.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << length;
+      const MeshRun sectionSix = SectionSix(finish, 0.0, order);
+      EXPECT_NEAR(sectionSix.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << "section 6";
+      for (double length : { 0.04, 0.02, 0.01 })
+      {
+        BitingMeshOptions options = finish;
+        options.Spacing = UniformSpacing(length);
+        options.Order = order;
+        const MeshRun run = RunMesh(UnitSquare(), options);
+        EXPECT_NEAR(run.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << length;
+      }
     }
   }
 }
@@ -305,7 +326,7 @@ TEST(BitingMesh, HalfTheSpacingGivesFourTimesTheTriangles)
   {
     for (double length : { 0.0173, 0.0227 })
     {
-      BitingMeshOptions options = UniformOptions(length, 0.5);
+      BitingMeshOptions options = Raw(UniformOptions(length, 0.5));
       options.Order = order;
       const MeshRun coarse = RunMesh(UnitSquare(), options);
       options.Spacing.Uniform *= 0.5;
@@ -318,7 +339,7 @@ TEST(BitingMesh, HalfTheSpacingGivesFourTimesTheTriangles)
 
 TEST(BitingMesh, StopsAfterTheWantedNumberOfBites)
 {
-  BitingMeshOptions options = UniformOptions(0.05, 0.5);
+  BitingMeshOptions options = Raw(UniformOptions(0.05, 0.5));
   options.KeepBites = true;
   const MeshRun whole = RunMesh(Plate(), options);
   EXPECT_TRUE(whole.Mesh.Front.empty());
@@ -334,6 +355,17 @@ TEST(BitingMesh, StopsAfterTheWantedNumberOfBites)
     const auto unbitten = std::count(run.Mesh.BiteOrders.begin(), run.Mesh.BiteOrders.end(), NoId);
     EXPECT_EQ(run.NumberOfVertices() - unbitten, bites);
   }
+}
+
+TEST(BitingMesh, StopsAtTheSameBitesWithRelaxationAndWithout)
+{
+  BitingMeshOptions options = UniformOptions(0.05);
+  options.MaximumNumberOfBites = 150;
+  const BitingMesh mesh = RunMesh(Plate(), options).Mesh;
+  options.Relaxation = false;
+  const BitingMesh raw = RunMesh(Plate(), options).Mesh;
+  ExpectSameTopology(mesh, raw);
+  EXPECT_TRUE(HaveSameBytes(mesh.Points, raw.Points));
 }
 
 TEST(BitingMesh, WithoutKeepBitesThereAreNone)
@@ -463,6 +495,79 @@ TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
     }
     options.Spacing.Uniform = 10.0 * Distance(disc.Points[0], disc.Points[1]);
     ExpectCovered(disc, RunMesh(disc, options));
+  }
+}
+
+TEST(BitingMesh, RelaxationMakesTrianglesBetterAndHardlyChangesTheirNumber)
+{
+  for (BitingMeshOptions options : { UniformOptions(0.03), RadialOptions() })
+  {
+    options.Relaxation = false;
+    const MeshRun raw = RunMesh(Plate(), options);
+    options.Relaxation = true;
+    const MeshRun fast = RunMesh(Plate(), options);
+    options.RelaxationEffort = RelaxationEffort::Best;
+    const MeshRun best = RunMesh(Plate(), options);
+    for (const MeshRun* run : { &fast, &best })
+    {
+      ExpectCovered(Plate(), *run);
+      EXPECT_NEAR(run->NumberOfVertices(), raw.NumberOfVertices(), 0.05 * raw.NumberOfVertices());
+      EXPECT_GT(MeanMinimumAngle(run->Mesh), std::min(MeanMinimumAngle(raw.Mesh) + 1.0, 54.5));
+      EXPECT_GT(run->Mesh.Quality.SmallestAngle, raw.Mesh.Quality.SmallestAngle + 2.0);
+    }
+  }
+}
+
+// Measured 38, 56.6, .94, 99.99 %; other programs that optimise reach 36 and 56.
+TEST(BitingMesh, DefaultsMakeAGoodMeshOfSectionSix)
+{
+  BitingMeshOptions options;
+  options.Spacing = SectionSixSpacing();
+  options.Spacing.Scale = 0.5;
+  const MeshRun run = RunMesh(PolylineBuilder().Box(0.0, 0.0, 9.0, 9.0).Lines(), options);
+  EXPECT_GT(run.Mesh.Quality.SmallestAngle, 35.0);
+  EXPECT_GT(MeanMinimumAngle(run.Mesh), 55.5);
+  EXPECT_GT(run.Mesh.Quality.MeanConformity, 0.92);
+  EXPECT_GT(run.Mesh.Quality.ShareOfEdgesInBand, 0.999);
+  EXPECT_NEAR(run.Mesh.Quality.MeanRelativeLength, 1.0, 0.02);
+}
+
+TEST(BitingMesh, RelaxationKeepsTheVerticesOfTheInputAndTheirBites)
+{
+  const BitingMesh mesh = RunMesh(Plate(), UniformOptions(0.06)).Mesh;
+  const BitingMesh raw = RunMesh(Plate(), Raw(UniformOptions(0.06))).Mesh;
+  const std::map<Id, Id> rawVertices = VerticesOfInput(raw);
+  for (const auto& [point, vertex] : VerticesOfInput(mesh))
+  {
+    EXPECT_EQ(mesh.BiteOrders[vertex], raw.BiteOrders[rawVertices.at(point)]);
+    EXPECT_EQ(mesh.Kinds[vertex], raw.Kinds[rawVertices.at(point)]);
+  }
+}
+
+TEST(BitingMesh, NoBiteMakesTwoVerticesOfARelaxedMesh)
+{
+  BitingMeshOptions options = UniformOptions(0.03);
+  options.KeepBites = true;
+  const BitingMesh mesh = RunMesh(Plate(), options).Mesh;
+  std::set<Id> orders;
+  std::size_t numberOfBitten = 0;
+  for (const Id order : mesh.BiteOrders)
+  {
+    ASSERT_LE(order, mesh.Bites.Orders.back());
+    numberOfBitten += order == NoId ? 0 : 1;
+    orders.insert(order);
+  }
+  EXPECT_EQ(orders.size() - orders.count(NoId), numberOfBitten);
+}
+
+// No interpolation: f is given by a formula, up to the carrier of the spacing.
+TEST(BitingMesh, SpacingOfARelaxedMeshIsThatOfWhereItsVerticesAre)
+{
+  const BitingMesh mesh = RunMesh(Plate(), RadialOptions()).Mesh;
+  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+  {
+    const double spacing = 0.01 + 0.1 * Distance(mesh.Points[vertex], { 0.3, 0.25 });
+    EXPECT_NEAR(mesh.Spacing[vertex], spacing, 0.02 * spacing);
   }
 }
 

@@ -228,22 +228,33 @@ protected:
   {
     return RunMesh(this->GetParam().Input, OptionsOf(this->GetParam(), order));
   }
+
+  /// As the paper has it.
+  MeshRun RawMeshAtCorners(FrontOrder order) const
+  {
+    BitingMeshOptions options = OptionsOf(this->GetParam(), order);
+    options.Placement = Placement::Corners;
+    options.Relaxation = false;
+    return RunMesh(this->GetParam().Input, options);
+  }
 };
 
 TEST_P(PreserveBoundary, MakesEachSegmentOneEdgeOfAValidMesh)
 {
   for (const FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
   {
-    const MeshRun run = this->Mesh(order);
-    ExpectPreserved(this->GetParam().Input, run);
-    EXPECT_GE(run.Mesh.Quality.SmallestAngle, this->GetParam().LeastAngle);
+    for (const MeshRun& run : { this->Mesh(order), this->RawMeshAtCorners(order) })
+    {
+      ExpectPreserved(this->GetParam().Input, run);
+      EXPECT_GE(run.Mesh.Quality.SmallestAngle, this->GetParam().LeastAngle);
+    }
   }
 }
 
 // Those of input vertices are where the input has them.
 TEST_P(PreserveBoundary, PutsNoNewCentreInsideABiteOrShield)
 {
-  const MeshRun run = this->Mesh(FrontOrder::Layers);
+  const MeshRun run = this->RawMeshAtCorners(FrontOrder::Layers);
   const Bites& bites = run.Mesh.Bites;
   const BiteBuckets buckets(bites);
   for (Id bite = 0; bite < bites.Size(); ++bite)
@@ -266,19 +277,22 @@ TEST_P(PreserveBoundary, PutsNoNewCentreInsideABiteOrShield)
 TEST_P(PreserveBoundary, CoversEachSegmentWithBitesAndShields)
 {
   const MadeDomain made = Make(this->GetParam().Input);
-  const BitingMesh mesh = this->Mesh(FrontOrder::Layers).Mesh;
-  const BiteBuckets buckets(mesh.Bites);
-  for (const auto& [start, end] : SegmentsOf(made.Domain))
+  for (const MeshRun& run :
+    { this->Mesh(FrontOrder::Layers), this->RawMeshAtCorners(FrontOrder::Layers) })
   {
-    for (int k = 0; k <= 32; ++k)
+    const Bites& bites = run.Mesh.Bites;
+    const BiteBuckets buckets(bites);
+    for (const auto& [start, end] : SegmentsOf(made.Domain))
     {
-      const Point2 place = start + k / 32.0 * (end - start);
-      double deepest = -1.0;
-      buckets.VisitNear(place,
-        [&mesh, &place, &deepest](Id bite) {
-          deepest = std::max(deepest, Depth(mesh.Bites, bite, place) / mesh.Bites.HalfWidths[bite]);
-        });
-      ASSERT_GT(deepest, 0.0) << Text(place);
+      for (int k = 0; k <= 32; ++k)
+      {
+        const Point2 place = start + k / 32.0 * (end - start);
+        double deepest = -1.0;
+        buckets.VisitNear(place,
+          [&bites, &place, &deepest](Id bite)
+          { deepest = std::max(deepest, Depth(bites, bite, place) / bites.HalfWidths[bite]); });
+        ASSERT_GT(deepest, 0.0) << Text(place);
+      }
     }
   }
 }
@@ -309,6 +323,7 @@ TEST(PreserveBoundaryOption, CountsShieldsAsBites)
 {
   const Polylines input = Square({ 1, 10, 1, 10 });
   BitingMeshOptions options = OptionsOf({ "", input, 0.0 }, FrontOrder::Layers);
+  options.Relaxation = false;
   const BitingMesh whole = RunMesh(input, options).Mesh;
   const auto& phases = whole.Bites.Phases;
   const auto shields = std::count(phases.begin(), phases.end(), BitePhase::EdgeProtection);

@@ -24,6 +24,7 @@ enum StageId
   SpacingStage,
   BitingStage,
   TriangulationStage,
+  RelaxationStage,
   QualityStage
 };
 
@@ -99,6 +100,13 @@ TEST(Progress, AbortAtAnyCallLeavesNoMesh)
   ExpectAbortEverywhere(Drawing(24), UniformOptions(600.0));
 }
 
+TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereRelaxationDoesItsBest)
+{
+  BitingMeshOptions options = UniformOptions(600.0);
+  options.RelaxationEffort = RelaxationEffort::Best;
+  ExpectAbortEverywhere(Drawing(24), options);
+}
+
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereBitingEndsEarly)
 {
   BitingMeshOptions options = UniformOptions(600.0);
@@ -162,7 +170,7 @@ TEST(Progress, DoesNotFallWithinAStage)
 TEST(Progress, MovesThroughTheWholeOfLongStages)
 {
   const RecordingMonitor monitor = Watch(Drawing(24), UniformOptions(50000.0));
-  for (const StageId stage : { BitingStage, TriangulationStage, QualityStage })
+  for (const StageId stage : { BitingStage, TriangulationStage, RelaxationStage, QualityStage })
   {
     const std::size_t begin = monitor.Begins[stage];
     const std::size_t end =
@@ -180,7 +188,7 @@ TEST(Progress, IsToldMoreOftenTheMoreVerticesThereAre)
 {
   const RecordingMonitor few = Watch(Drawing(24), UniformOptions(10000.0));
   const RecordingMonitor many = Watch(Drawing(24), UniformOptions(80000.0));
-  for (const StageId stage : { BitingStage, TriangulationStage, QualityStage })
+  for (const StageId stage : { BitingStage, TriangulationStage, RelaxationStage, QualityStage })
   {
     ExpectGrowth(stage, few, many);
   }
@@ -190,7 +198,7 @@ TEST(Progress, IsToldMoreOftenTheMoreSegmentsThereAre)
 {
   const RecordingMonitor few = Watch(Drawing(1000), UniformOptions(1000.0));
   const RecordingMonitor many = Watch(Drawing(8000), UniformOptions(1000.0));
-  for (const StageId stage : { DomainStage, TriangulationStage, QualityStage })
+  for (const StageId stage : { DomainStage, TriangulationStage, RelaxationStage, QualityStage })
   {
     ExpectGrowth(stage, few, many);
   }

@@ -54,8 +54,16 @@ TEST(FindDividedSegments, ForbidsASpikeAsThinAsRounding)
   const Flags flags = DividedSegmentsOf(
     PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1e-14 }, { 0.0, 1.0 } }));
   ASSERT_EQ(flags.size(), 4u);
-  EXPECT_EQ(flags[1], 1);
+  EXPECT_EQ(flags[1], 0);
   EXPECT_EQ(flags[3], 1);
+}
+
+TEST(FindDividedSegments, ForbidsSegmentsOfAFewRoundings)
+{
+  const Flags flags = DividedSegmentsOf(
+    PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 1.0 - 1e-13, 1.0 } }));
+  ASSERT_EQ(flags.size(), 4u);
+  EXPECT_EQ(flags, Flags({ 1, 1, 0, 1 }));
 }
 
 } // namespace biting

@@ -208,7 +208,9 @@ TEST(Hill, DoesNotCountTheAngleBetweenTwoSegments)
     UniformSpacing(1.0), 1.0, 0);
   MutableMesh mesh(raw.Domain, raw.Spacing);
   mesh.IsDivided.assign(3, 1);
-  ReadMesh(raw.Mesh, mesh);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  ReadMesh(raw.Mesh, mesh, pulse);
   EXPECT_FALSE(IsWorseThan(mesh, 0, CotangentOf30Degrees));
   mesh.Marks[0] = mesh.Marks[1] = mesh.Marks[2] = NoId;
   EXPECT_TRUE(IsWorseThan(mesh, 0, CotangentOf30Degrees));

@@ -252,7 +252,9 @@ struct Workshop
     , Mesh(this->Raw.Domain, this->Raw.Spacing)
   {
     this->Mesh.IsDivided.assign(this->Raw.Domain.NumberOfSegments(), 1);
-    this->Origins = ReadMesh(this->Raw.Mesh, this->Mesh);
+    SilentMonitor monitor;
+    Pulse pulse(monitor);
+    this->Origins = ReadMesh(this->Raw.Mesh, this->Mesh, pulse);
   }
 
   Workshop(const Workshop&) = delete;
@@ -261,7 +263,9 @@ struct Workshop
   RelaxationMesh Written() const
   {
     RelaxationMesh written = this->Raw.Mesh;
-    WriteMesh(this->Mesh, this->Origins, written);
+    SilentMonitor monitor;
+    Pulse pulse(monitor);
+    WriteMesh(this->Mesh, this->Origins, written, pulse);
     return written;
   }
 

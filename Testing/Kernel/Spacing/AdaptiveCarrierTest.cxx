@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility> // for move
+
 namespace
 {
 
@@ -46,11 +48,22 @@ struct Errors
   double Below = 0.0;
 };
 
+AdaptiveCarrier MakeCarrier(SegmentExtension extension, const Box2& box = UnitBox())
+{
+  AdaptiveCarrier carrier(std::move(extension), box);
+  carrier.Refine({}, NoMonitor());
+  return carrier;
+}
+
+SegmentExtension FineLoop()
+{
+  return SegmentExtension(MakeLoop(2000, [](double) { return 0.0005; }), 0.3);
+}
+
 Errors LargestErrors(const SegmentSource& source, double gradation, int probes)
 {
-  SilentMonitor monitor;
   const SegmentExtension exact(source, gradation);
-  const AdaptiveCarrier carrier(exact, UnitBox(), {}, monitor);
+  const AdaptiveCarrier carrier = MakeCarrier(exact);
   Sampler sampler(11);
   Errors errors;
   for (int probe = 0; probe < probes; ++probe)
@@ -130,8 +143,7 @@ TEST(AdaptiveCarrier, IsTheGivenValueOnTheSegments)
 {
   const SegmentSource source =
     MakeLoop(200, [](double angle) { return 0.02 + 0.015 * std::sin(3.0 * angle); });
-  SilentMonitor monitor;
-  const AdaptiveCarrier carrier(SegmentExtension(source, 0.0), UnitBox(), {}, monitor);
+  const AdaptiveCarrier carrier = MakeCarrier(SegmentExtension(source, 0.0));
   Sampler sampler(14);
   for (std::size_t point = 0; point < source.Points.size(); ++point)
   {
@@ -146,8 +158,7 @@ TEST(AdaptiveCarrier, IsTheGivenValueOnTheSegments)
 TEST(AdaptiveCarrier, IsNearlyLipschitzAndJumpsOnlyWithinItsTolerance)
 {
   const SegmentSource source = MakeScatter(100, 0.2, 15);
-  SilentMonitor monitor;
-  const AdaptiveCarrier carrier(SegmentExtension(source, 0.3), UnitBox(), {}, monitor);
+  const AdaptiveCarrier carrier = MakeCarrier(SegmentExtension(source, 0.3));
   Sampler sampler(16);
   for (int probe = 0; probe < 20000; ++probe)
   {
@@ -160,19 +171,16 @@ TEST(AdaptiveCarrier, IsNearlyLipschitzAndJumpsOnlyWithinItsTolerance)
 
 TEST(AdaptiveCarrier, IsTheNearestValueBeyondItsBox)
 {
-  SilentMonitor monitor;
-  const AdaptiveCarrier carrier(
-    SegmentExtension(MakeScatter(20, 0.2, 17), 0.3), UnitBox(), {}, monitor);
+  const AdaptiveCarrier carrier = MakeCarrier(SegmentExtension(MakeScatter(20, 0.2, 17), 0.3));
   EXPECT_EQ(carrier({ 7.0, 0.25 }), carrier({ 1.0, 0.25 }));
   EXPECT_EQ(carrier({ -7.0, 9.0 }), carrier({ 0.0, 1.0 }));
 }
 
 TEST(AdaptiveCarrier, TakesBoxesOfAnyProportion)
 {
-  SilentMonitor monitor;
   const SegmentExtension exact(MakeScatter(20, 0.2, 18), 0.3);
   const Box2 thin{ { 0.0, 0.4 }, { 1.0, 0.4 + 1e-7 } };
-  const AdaptiveCarrier carrier(exact, thin, {}, monitor);
+  const AdaptiveCarrier carrier = MakeCarrier(exact, thin);
   Sampler sampler(19);
   for (int probe = 0; probe < 2000; ++probe)
   {
@@ -184,7 +192,37 @@ TEST(AdaptiveCarrier, TakesBoxesOfAnyProportion)
 TEST(AdaptiveCarrier, StopsWhenAsked)
 {
   StoppingMonitor monitor;
-  const AdaptiveCarrier carrier(
-    SegmentExtension(MakeLoop(2000, [](double) { return 0.0005; }), 0.3), UnitBox(), {}, monitor);
+  AdaptiveCarrier carrier(FineLoop(), UnitBox());
+  EXPECT_FALSE(carrier.Refine({}, monitor));
   EXPECT_FALSE(carrier.IsComplete());
+}
+
+TEST(AdaptiveCarrier, AsksOnceWhetherManyLeavesAreAffordable)
+{
+  for (const bool isAffordable : { false, true })
+  {
+    int questions = 0;
+    AdaptiveCarrier::Relief relief;
+    relief.ManyLeaves = 100;
+    relief.IsAffordable = [&questions, isAffordable]
+    {
+      ++questions;
+      return isAffordable;
+    };
+    AdaptiveCarrier carrier(FineLoop(), UnitBox());
+    EXPECT_EQ(carrier.Refine(relief, NoMonitor()), isAffordable);
+    EXPECT_EQ(questions, 1);
+  }
+}
+
+TEST(AdaptiveCarrier, IsExactWhereItIsNotComplete)
+{
+  const SegmentExtension exact = FineLoop();
+  const AdaptiveCarrier carrier(exact, UnitBox());
+  Sampler sampler(20);
+  for (int probe = 0; probe < 100; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    EXPECT_EQ(carrier(x), exact(x));
+  }
 }

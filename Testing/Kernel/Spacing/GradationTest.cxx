@@ -208,6 +208,39 @@ TEST(Gradation, BoundsTheSlopeOverAnyDistance)
   }
 }
 
+/// Two far triangles on either side of y = 0, along which f jumps: what is nearest are their tips.
+SpacingOptions OfTips(double low, double high)
+{
+  TriangulatedSource source;
+  source.Points = { { 0.5, -0.3 }, { 0.51, -0.31 }, { 0.49, -0.31 }, { 0.5, 0.3 }, { 0.51, 0.31 },
+    { 0.49, 0.31 } };
+  source.Values = { low, low, low, high, high, high };
+  source.Triangles = { 0, 1, 2, 3, 4, 5 };
+  SpacingOptions options;
+  options.Triangulation = Share(std::move(source));
+  return options;
+}
+
+/// Some ten thousand f long: found on squares that are larger than usual, f is lower beside it.
+TEST(Gradation, BoundsTheSlopeAcrossTheLongestJumps)
+{
+  const double low = 5e-5;
+  const Box2 strip{ { 0.0, -20.0 * low }, { 1.0, 20.0 * low } };
+  const Spacing used = MakeGoodSpacing(OfTips(low, 0.1), strip);
+  Sampler sampler(35);
+  for (int probe = 0; probe < 20000; ++probe)
+  {
+    const double x = sampler.Next();
+    const double height = 20.0 * low * std::exp(-6.0 * sampler.Next());
+    const Point2 above{ x, height };
+    const Point2 below{ x + height * (sampler.Next() - 0.5), -height * sampler.Next() };
+    const double least = std::min(used(above), used(below));
+    ASSERT_LE(used(above) - used(below), 0.3 * Distance(above, below) + 3.0 * Tolerance * least);
+    ASSERT_LE(used(below), low * (1.0 + 1e-12));
+    ASSERT_GE(used(below), 0.9 * low);
+  }
+}
+
 TEST(Gradation, IsTheLargestFunctionBelow)
 {
   for (const Case& test : Cases())

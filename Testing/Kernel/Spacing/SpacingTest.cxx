@@ -414,6 +414,26 @@ TEST(MakeSpacing, RefusesPositionsThatAreNotFinite)
   EXPECT_EQ(problems.front().Detail, "position in the segment source");
 }
 
+TEST(MakeSpacing, EndsWithoutAProblemOfItsOwnWhereItIsNotAffordable)
+{
+  SpacingOptions options = WithSegments(
+    MakeLoop(2000, [](double angle) { return 1e-5 * (2.0 + std::sin(50.0 * angle)); }));
+  options.ManyVertices = 1000.0;
+  const Point2 x{ 0.5, 0.1 };
+  double slow = 0.0;
+  options.IsAffordable = [&slow, &x](const Spacing& spacing)
+  {
+    slow = spacing(x);
+    return false;
+  };
+  ProblemList problems;
+  EXPECT_EQ(MakeSpacing(options, UnitBox(), problems, NoMonitor())(x), 1.0);
+  EXPECT_FALSE(problems.HasErrors());
+  options.IsAffordable = nullptr;
+  const double fast = MakeSpacing(options, UnitBox(), problems, NoMonitor())(x);
+  EXPECT_NEAR(fast, slow, 0.005 * slow);
+}
+
 TEST(MakeSpacing, RefusesNodesThatDoNotAscend)
 {
   GridSource grid = MakeGrid(4, 4, Wave);
