@@ -222,8 +222,8 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   const FrontOrder orders[] = { FrontOrder::Layers, FrontOrder::LargestY, FrontOrder::BestFirst };
   options.Order = orders[numbers.Below(3)];
   options.Phi = numbers.OneIn(4) ? 0.05 + 0.95 * numbers.Unit() : 1.0;
-  options.Relaxation = !numbers.OneIn(3);
-  options.RelaxationEffort = numbers.OneIn(2) ? RelaxationEffort::Best : RelaxationEffort::Fast;
+  options.Relaxation = numbers.OneIn(3);
+  options.RelaxationEffort = numbers.OneIn(4) ? RelaxationEffort::Best : RelaxationEffort::Fast;
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
   options.PreserveBoundary = numbers.OneIn(5);
