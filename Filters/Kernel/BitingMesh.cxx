@@ -117,7 +117,7 @@ Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const 
 
 // Before f is ready: what is refused then would take long to prepare. The forecast is as good as the
 // later one, but for the rounding of f, which is left room for.
-bool IsAffordable(
+double ForecastVertices(
   const Domain& domain, const Spacing& spacing, const BitingOptions& options, ProblemList& problems)
 {
   const DomainLocator locator(domain);
@@ -128,7 +128,7 @@ bool IsAffordable(
   {
     AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
   }
-  return isAffordable;
+  return isAffordable ? forecast.Vertices : std::numeric_limits<double>::infinity();
 }
 
 double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
@@ -549,8 +549,8 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   wanted.ManyVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  wanted.IsAffordable = [&domain, &options, &problems](const Spacing& slow)
-  { return IsAffordable(domain, slow, MakeBitingOptions(options), problems); };
+  wanted.ForecastVertices = [&domain, &options, &problems](const Spacing& slow)
+  { return ForecastVertices(domain, slow, MakeBitingOptions(options), problems); };
   PartOfStage preparing(whole, ChoiceEnd, 1.0);
   const Spacing spacing = MakeSpacing(wanted, domain.Bounds, problems, preparing);
   if (IsOver(whole, problems))

@@ -358,6 +358,21 @@ TEST(FuzzRegression, VerticesThatDivideAConstraintAreOnTheBoundary)
   }
 }
 
+/// The carrier was refined along a segment outside of the domain down to its tiny values.
+TEST(FuzzRegression, TinyBoundaryValuesOutsideOfTheDomainArePreparedSoon)
+{
+  FuzzCase fuzzCase = BoundaryOf({ UnitSquare, { { 3.0, 0.0 }, { 3.0, 1.0 } } }, 0.3);
+  fuzzCase.Input.Kinds.back() = ChainKind::Interface;
+  auto source = std::make_shared<SegmentSource>();
+  source->Points = fuzzCase.Input.Points;
+  source->Values = { 0.3, 0.3, 0.3, 0.3, 0.3, 1e-9, 1e-9 };
+  source->Segments = { 0, 1, 1, 2, 2, 3, 3, 4, 5, 6 };
+  fuzzCase.Options.Spacing.Segments = source;
+  fuzzCase.Options.Spacing.Gradation = 0.0;
+  fuzzCase.Options.MaximumNumberOfVertices = 2500;
+  ExpectKept(fuzzCase, "outside");
+}
+
 /// A stop that came after biting had refused was a second error. Its estimate did not see the segments
 /// where both chains nearly meet, a few ulp long.
 TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)

@@ -3,6 +3,7 @@
 
 #include "BitingScheme.h"
 
+#include "../Base/PointOnSegment.h"
 #include "../Base/Pulse.h"
 #include "BalancedTop.h"
 #include "Bisectors.h"
@@ -280,8 +281,9 @@ void BitingRun::ProtectEdge(Id segment, const SharpCorners& corners)
   Id last = start;
   for (std::size_t k = 0; k < this->Division.Parameters.size() && this->MayBite(); ++k)
   {
-    const Point2 place = a + this->Division.Parameters[k] * (b - a);
-    const Id vertex = this->AddVertex(place, this->Division.Spacings[k], segment);
+    const double spacing = this->Division.Spacings[k];
+    const Point2 place = PointOnSegment(a, b, this->Division.Parameters[k], spacing);
+    const Id vertex = this->AddVertex(place, spacing, segment);
     this->Bite(vertex, axis, 1.0, BitePhase::EdgeProtection);
     ++this->NumberOfBites;
     this->AddEdge(last, vertex, segment);

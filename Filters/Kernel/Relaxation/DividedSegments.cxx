@@ -137,9 +137,9 @@ bool ClearanceSearch::AreNearAt(Id vertex, Id segment, Id other) const
 
 } // namespace
 
-bool IsFarAboveRounding(double length, const Domain& domain)
+double LeastSlidingLength(const Domain& domain)
 {
-  return length > LeastInResolutions * domain.Resolution;
+  return LeastInResolutions * domain.Resolution;
 }
 
 std::vector<std::uint8_t> FindDividedSegments(

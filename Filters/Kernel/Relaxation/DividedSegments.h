@@ -17,7 +17,12 @@ namespace biting
 /// Whether rounding of a vertex (Domain::Resolution) hardly turns a part of that length: vertices may
 /// come, slide and go only on parts of segments for which it holds (more than 1024 resolutions), so
 /// that what the parts of a segment are together stays its length within 1e-6.
-bool IsFarAboveRounding(double length, const Domain& domain);
+double LeastSlidingLength(const Domain& domain);
+
+inline bool IsFarAboveRounding(double length, const Domain& domain)
+{
+  return length > LeastSlidingLength(domain);
+}
 
 /// 1 for the segments on which vertices may lie anywhere: a vertex is off its segment by rounding,
 /// and what lies beyond the border is not triangulated, so nothing there would notice if the parts

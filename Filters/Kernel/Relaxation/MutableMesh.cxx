@@ -5,6 +5,7 @@
 
 #include "DividedSegments.h"
 
+#include "../Base/PointOnSegment.h"
 #include "../Predicates/Predicates.h"
 
 #include <utility> // for swap
@@ -45,7 +46,7 @@ Point2 MutableMesh::PlaceOnSegment(Id segment, const Point2& place) const
   const Point2& end = this->Geometry.Vertices[this->Geometry.Ends[segment]];
   const Point2 direction = end - start;
   const double parameter = Dot(place - start, direction) / Dot(direction, direction);
-  return parameter < 0.5 ? start + parameter * direction : end + (parameter - 1.0) * direction;
+  return PointOnSegment(start, end, parameter, LeastSlidingLength(this->Geometry));
 }
 
 void MutableMesh::MoveTo(Id vertex, const Point2& place, double spacing)

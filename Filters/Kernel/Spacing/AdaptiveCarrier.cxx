@@ -4,6 +4,7 @@
 #include "AdaptiveCarrier.h"
 
 #include <algorithm> // for min, max, find, transform
+#include <cmath>     // for isfinite, ldexp
 #include <cstdint>   // for counts
 #include <limits>    // for infinity
 #include <utility>   // for move
@@ -65,17 +66,24 @@ public:
   {
   }
 
-  /// Whether it came to its end.
-  bool Build()
+  enum class End
+  {
+    Complete,
+    TooLarge,
+    Stopped
+  };
+
+  End Build()
   {
     Samples unknown;
     unknown.Part = this->Carrier.Extension.Whole();
     this->Refine(this->Carrier.Tree.Root(), unknown);
-    if (!this->IsOver)
+    if (this->IsOver)
     {
-      this->Carrier.Tree.Finish();
+      return this->IsTooLarge ? End::TooLarge : End::Stopped;
     }
-    return !this->IsOver;
+    this->Carrier.Tree.Finish();
+    return End::Complete;
   }
 
 private:
@@ -278,8 +286,16 @@ private:
   void CountLeaf(const Quadtree::Square& square)
   {
     this->AreaDone += std::ldexp(1.0, -2 * square.Level);
-    const bool areMany = ++this->Leaves == this->Relief.ManyLeaves;
-    this->IsOver |= areMany && this->Relief.IsAffordable && !this->Relief.IsAffordable();
+    ++this->Leaves;
+    if (this->Leaves == this->Relief.ManyLeaves && this->Relief.ForecastVertices)
+    {
+      const double vertices = this->Relief.ForecastVertices();
+      const double many = std::max(vertices, static_cast<double>(this->Leaves));
+      this->MostLeaves = AdaptiveCarrier::LeavesPerVertex * many;
+      this->IsOver |= !std::isfinite(vertices);
+    }
+    this->IsTooLarge = static_cast<double>(this->Leaves) > this->MostLeaves;
+    this->IsOver |= this->IsTooLarge;
   }
 
   AdaptiveCarrier& Carrier;
@@ -287,6 +303,8 @@ private:
   const AdaptiveCarrier::Relief& Relief;
   Monitor& Progress;
   bool IsOver = false;
+  bool IsTooLarge = false;
+  double MostLeaves = std::numeric_limits<double>::infinity();
   double AreaDone = 0.0;
   std::size_t Leaves = 0;
   std::int64_t StepCount = 0;
@@ -302,8 +320,16 @@ AdaptiveCarrier::AdaptiveCarrier(SegmentExtension extension, const Box2& bounds)
 
 bool AdaptiveCarrier::Refine(const Relief& relief, Monitor& monitor)
 {
-  this->Complete = CarrierBuilder(*this, relief, monitor).Build();
-  return this->Complete;
+  const CarrierBuilder::End end = CarrierBuilder(*this, relief, monitor).Build();
+  this->Complete = end == CarrierBuilder::End::Complete;
+  if (!this->Complete)
+  {
+    this->Tree = Quadtree(this->Bounds);
+    this->NodeValues = {};
+    this->Lists = {};
+    this->ListedCones = {};
+  }
+  return end != CarrierBuilder::End::Stopped;
 }
 
 double AdaptiveCarrier::operator()(const Point2& x) const

@@ -28,6 +28,7 @@ class AdaptiveCarrier
 {
 public:
   static constexpr double Tolerance = 0.005;
+  static constexpr double LeavesPerVertex = 16.0;
 
   /// Where it need not be exact, and when to give up.
   struct Relief
@@ -35,14 +36,17 @@ public:
     double Most =
       std::numeric_limits<double>::infinity(); ///< values above this need not be told apart
     std::function<bool(const Box2&)> IsUnused; ///< may be empty: boxes where half the value will do
-    std::function<bool()> IsAffordable; ///< may be empty: asked once, when there are many leaves
-    std::size_t ManyLeaves = 0;         ///< how many
+    /// May be empty: asked once, when there are many leaves. Infinity: give up.
+    std::function<double()> ForecastVertices;
+    std::size_t ManyLeaves = 0; ///< how many
   };
 
   /// Not complete yet. The extension has at least one cone, the box an extent.
   AdaptiveCarrier(SegmentExtension extension, const Box2& bounds);
 
-  /// Makes it complete. False if the monitor asks to stop or it is not affordable.
+  /// Makes it complete, or leaves it as it was where that took more than LeavesPerVertex leaves a
+  /// vertex of the forecast (and as many times ManyLeaves). False if the monitor asks to stop or the
+  /// forecast is infinite.
   bool Refine(const Relief& relief, Monitor& monitor);
 
   bool IsComplete() const { return this->Complete; }

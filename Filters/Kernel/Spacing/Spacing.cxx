@@ -299,9 +299,9 @@ private:
   AdaptiveCarrier::Relief ReliefAbove(double most) const
   {
     AdaptiveCarrier::Relief relief{ most, this->Options.IsUnused, nullptr, 0 };
-    if (this->Options.IsAffordable)
+    if (this->Options.ForecastVertices)
     {
-      relief.IsAffordable = [this] { return this->Options.IsAffordable(this->Whole); };
+      relief.ForecastVertices = [this] { return this->Options.ForecastVertices(this->Whole); };
       relief.ManyLeaves = static_cast<std::size_t>(
         std::min(std::max(LeavesPerVertex * this->Options.ManyVertices, LeastLeaves), MostLeaves));
     }

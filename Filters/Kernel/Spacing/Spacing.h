@@ -97,10 +97,11 @@ struct SpacingOptions
   /// May be empty. True for boxes where f is asked for its rough size only, which saves preparation.
   std::function<bool(const Box2&)> IsUnused;
 
-  /// May be empty. Asked at most twice, where preparation becomes long, with f as it will be, but slow
-  /// to evaluate: where it says no, preparation ends without a problem of its own. To be asked for a
-  /// mesh of so many vertices or more, roughly.
-  std::function<bool(const Spacing&)> IsAffordable;
+  /// May be empty. How many vertices a mesh would have; infinity where that is refused, and preparation
+  /// then ends without a problem of its own. Asked at most twice, where preparation becomes long, with
+  /// f as it will be, but slow to evaluate; for a mesh of ManyVertices or more, roughly. What would need
+  /// many more squares than vertices stays slow.
+  std::function<double(const Spacing&)> ForecastVertices;
   double ManyVertices = 1e6;
 
   /// May be null. Not a source: where it asks for more than all the sources, f is raised, last of

@@ -204,14 +204,30 @@ TEST(AdaptiveCarrier, AsksOnceWhetherManyLeavesAreAffordable)
     int questions = 0;
     AdaptiveCarrier::Relief relief;
     relief.ManyLeaves = 100;
-    relief.IsAffordable = [&questions, isAffordable]
+    relief.ForecastVertices = [&questions, isAffordable]
     {
       ++questions;
-      return isAffordable;
+      return isAffordable ? 1e6 : std::numeric_limits<double>::infinity();
     };
     AdaptiveCarrier carrier(FineLoop(), UnitBox());
     EXPECT_EQ(carrier.Refine(relief, NoMonitor()), isAffordable);
     EXPECT_EQ(questions, 1);
+  }
+}
+
+TEST(AdaptiveCarrier, StaysExactWhereItWouldHaveManyMoreLeavesThanVertices)
+{
+  AdaptiveCarrier::Relief relief;
+  relief.ManyLeaves = 1;
+  for (const double vertices : { 1.0, 1e6 })
+  {
+    relief.ForecastVertices = [vertices] { return vertices; };
+    AdaptiveCarrier carrier(FineLoop(), UnitBox());
+    EXPECT_TRUE(carrier.Refine(relief, NoMonitor()));
+    EXPECT_EQ(carrier.IsComplete(), vertices == 1e6);
+    const Point2 x{ 0.4, 0.3 };
+    const double exact = FineLoop()(x);
+    EXPECT_NEAR(carrier(x), exact, vertices == 1.0 ? 0.0 : AdaptiveCarrier::Tolerance * exact);
   }
 }
 

@@ -421,15 +421,15 @@ TEST(MakeSpacing, EndsWithoutAProblemOfItsOwnWhereItIsNotAffordable)
   options.ManyVertices = 1000.0;
   const Point2 x{ 0.5, 0.1 };
   double slow = 0.0;
-  options.IsAffordable = [&slow, &x](const Spacing& spacing)
+  options.ForecastVertices = [&slow, &x](const Spacing& spacing)
   {
     slow = spacing(x);
-    return false;
+    return std::numeric_limits<double>::infinity();
   };
   ProblemList problems;
   EXPECT_EQ(MakeSpacing(options, UnitBox(), problems, NoMonitor())(x), 1.0);
   EXPECT_FALSE(problems.HasErrors());
-  options.IsAffordable = nullptr;
+  options.ForecastVertices = nullptr;
   const double fast = MakeSpacing(options, UnitBox(), problems, NoMonitor())(x);
   EXPECT_NEAR(fast, slow, 0.005 * slow);
 }
