@@ -358,19 +358,28 @@ TEST(FuzzRegression, VerticesThatDivideAConstraintAreOnTheBoundary)
   }
 }
 
-/// The carrier was refined along a segment outside of the domain down to its tiny values.
-TEST(FuzzRegression, TinyBoundaryValuesOutsideOfTheDomainArePreparedSoon)
+/// The carrier was refined down to rounding along a bundle of segments, more than a leaf lists.
+TEST(FuzzRegression, BoundaryValuesOnABundleOfSegmentsArePreparedSoon)
 {
-  FuzzCase fuzzCase = BoundaryOf({ UnitSquare, { { 3.0, 0.0 }, { 3.0, 1.0 } } }, 0.3);
-  fuzzCase.Input.Kinds.back() = ChainKind::Interface;
+  std::vector<Point2> zigzag;
+  for (int k = 0; k <= 40; ++k)
+  {
+    zigzag.push_back({ 50.0 * (k % 2), 4e-10 * k });
+  }
+  zigzag.push_back(zigzag.front());
+  FuzzCase fuzzCase = BoundaryOf({ zigzag }, 0.0);
   auto source = std::make_shared<SegmentSource>();
   source->Points = fuzzCase.Input.Points;
-  source->Values = { 0.3, 0.3, 0.3, 0.3, 0.3, 1e-9, 1e-9 };
-  source->Segments = { 0, 1, 1, 2, 2, 3, 3, 4, 5, 6 };
+  source->Values = { 3.0 };
+  for (int k = 1; k < 42; ++k)
+  {
+    source->Values.push_back(3.0 + k * 7 % 5);
+    source->Segments.insert(source->Segments.end(), { k - 1, k });
+  }
   fuzzCase.Options.Spacing.Segments = source;
   fuzzCase.Options.Spacing.Gradation = 0.0;
   fuzzCase.Options.MaximumNumberOfVertices = 2500;
-  ExpectKept(fuzzCase, "outside");
+  ExpectKept(fuzzCase, "bundle");
 }
 
 /// A stop that came after biting had refused was a second error. Its estimate did not see the segments
