@@ -226,11 +226,11 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   options.RelaxationEffort = numbers.OneIn(4) ? RelaxationEffort::Best : RelaxationEffort::Fast;
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
-  options.PreserveBoundary = numbers.OneIn(5);
+  options.PreserveBoundary = numbers.OneIn(8);
   options.LimitByFeatureSize = numbers.OneIn(2);
   options.MaximumNumberOfVertices = numbers.OneIn(32) ? numbers.Below(100)
-    : options.PreserveBoundary                        ? 1000
-                                                      : 2500;
+    : options.PreserveBoundary                        ? 500
+                                                      : 1500;
 }
 
 const char* KindName(ChainKind kind)
