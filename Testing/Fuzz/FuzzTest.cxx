@@ -382,6 +382,34 @@ TEST(FuzzRegression, BoundaryValuesOnABundleOfSegmentsArePreparedSoon)
   ExpectKept(fuzzCase, "bundle");
 }
 
+/// Rounding of dot products hid the nearest of three vertices that are an ulp apart.
+TEST(FuzzRegression, NearestVerticesAreFoundAmongThoseAnUlpApart)
+{
+  FuzzCase fuzzCase = BoundaryOf(
+    { { { 0, 3.0000000000000004 }, { 1, 2 }, { 5.0000000000000009, 4.9406564584124654e-324 },
+        { 4.0000000000000009, 2 }, { 1, 0 }, { 2.0000000000000004, 5 }, { 3, 2.0000000000000004 } },
+      { { 4.9406564584124654e-324, 3 }, { 1.0000000000000002, 2.0000000000000004 } },
+      { { 1, 2.0000000000000004 }, { 5.0000000000000009, 0 } },
+      { { 5.0000000000000009, 1 }, { 3.0218428597591775, 3.8050588307114661 },
+        { -0.29705869104995258, 2.9296428088824826 },
+        { -0.58666487435727965, -0.49053101328332782 }, { 5.0000000000000009, 1 } },
+      { { 3.0000000000000004, 2 }, { 3, 5.0000000000000009 }, { 4.9406564584124654e-324, 1 },
+        { 4, 2 } } },
+    5.1108705492745949);
+  fuzzCase.Options.Spacing.Gradation = 1.0;
+  fuzzCase.Options.LimitByFeatureSize = false;
+  fuzzCase.Options.Placement = Placement::Corners;
+  fuzzCase.Options.Relaxation = false;
+  fuzzCase.Options.Order = FrontOrder::LargestY;
+  fuzzCase.Input.Kinds.assign(5, ChainKind::Automatic);
+  fuzzCase.Input.Kinds.back() = ChainKind::EmbeddedPoint;
+  for (const double phi : { 0.6, 0.79706116761080925, 1.0 })
+  {
+    fuzzCase.Options.Phi = phi;
+    ExpectKept(fuzzCase, "nearest");
+  }
+}
+
 /// A stop that came after biting had refused was a second error. Its estimate did not see the segments
 /// where both chains nearly meet, a few ulp long.
 TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)

@@ -19,7 +19,7 @@
 #include "PointTree.h"
 
 #include <algorithm> // for min, max, fill, find
-#include <cmath>     // for sqrt
+#include <cmath>     // for sqrt, abs
 #include <cstdint>   // for flags
 #include <limits>    // for infinity
 #include <utility>   // for move
@@ -31,6 +31,7 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Close = 1e-13; // of the largest coordinate: some hundred ulp
 
 // Where steps end, as shares of the time for a mesh with few suspects; of all points, the tree.
 constexpr double VisitEnd = 0.8;
@@ -139,6 +140,7 @@ private:
   void JudgeInnerEdge(Id a, Id b, Id apex, Id beyond);
   void JudgeApex(Id apex, Id a, Id b, Id beyond);
   void Shorten(Id vertex, double squaredDistance);
+  double LargestCoordinate() const;
   std::vector<Id> Suspects() const;
   PointTree TreeFor(const std::vector<Id>& suspects) const;
   CellMask CellsOf(const std::vector<Id>& suspects) const;
@@ -272,21 +274,34 @@ PointTree NeighborSearch::TreeFor(const std::vector<Id>& suspects) const
   return PointTree(this->Candidates(this->CellsOf(suspects)), this->Beats);
 }
 
-// A vertex without triangle is hidden from all others: where there is one, all are suspects.
+// A vertex without triangle is hidden from all others: where there is one, all are suspects. So are
+// vertices whose neighbors are so close that rounding decides where they are seen.
 std::vector<Id> NeighborSearch::Suspects() const
 {
   const bool areAllUsed = std::find(this->SquaredDistances.begin(), this->SquaredDistances.end(),
                             Infinity) == this->SquaredDistances.end();
+  const double close = Close * this->LargestCoordinate();
   std::vector<Id> suspects;
   this->Beats.ForEach(this->Points.size(),
-    [this, areAllUsed, &suspects](std::size_t i)
+    [this, areAllUsed, close, &suspects](std::size_t i)
     {
-      if (this->IsSuspect[i] != 0 || !areAllUsed)
+      const bool isClose = this->SquaredDistances[i] <= close * close;
+      if (this->IsSuspect[i] != 0 || isClose || !areAllUsed)
       {
         suspects.push_back(static_cast<Id>(i));
       }
     });
   return suspects;
+}
+
+double NeighborSearch::LargestCoordinate() const
+{
+  double largest = 0.0;
+  this->Beats.ForEach(this->Points.size(),
+    [this, &largest](std::size_t i) {
+      largest = std::max({ largest, std::abs(this->Points[i].X), std::abs(this->Points[i].Y) });
+    });
+  return largest;
 }
 
 CellMask NeighborSearch::CellsOf(const std::vector<Id>& suspects) const
