@@ -18,8 +18,8 @@ namespace
 {
 
 constexpr double LengthWeight = 12.0;
-constexpr double CollapseLength = 0.75;
-constexpr double SplitLength = 1.33;
+constexpr double CollapseLength = 0.67;
+constexpr double SplitLength = 1.28;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 double ChangeOfSquare(double excess, double change)
