@@ -14,11 +14,12 @@
 namespace biting
 {
 
-/// Whether rounding of a vertex (Domain::Resolution) hardly turns a part of that length: vertices may
-/// come, slide and go only on parts of segments for which it holds (more than 1024 resolutions), so
-/// that what the parts of a segment are together stays its length within 1e-6.
+/// 1024 times the rounding of a vertex (Domain::Resolution), in input length units: parts of segments
+/// that are longer are hardly turned by it, so that together they stay as long as the segment within
+/// 1e-6. Vertices come, slide and go only on such parts.
 double LeastSlidingLength(const Domain& domain);
 
+/// Whether a part of that length is one of these.
 inline bool IsFarAboveRounding(double length, const Domain& domain)
 {
   return length > LeastSlidingLength(domain);
