@@ -14,10 +14,13 @@ import numpy
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import views
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 LAYER = 'tanh(20*(sqrt(coordsX^2+coordsY^2)-6))'
 TOLERANCE = 0.2
 TURNS = 5
+COLORS = [-1, 0.75, 0.87, 0.95, 0, 1, 1, 1, 1, 1, 0.85, 0.7]
 
 
 def main(plugin, folder):
@@ -112,25 +115,11 @@ def draw(path, meshes):
     layout = CreateLayout('Hessian loop')
     layout.SplitHorizontal(0, 0.5)
     for cell, mesh in enumerate(meshes):
-        view = CreateView('RenderView', ViewSize=[500, 500])
+        view = views.plane_view([4.5, 4.5], 9.4, [500, 500])
         AssignViewToLayout(view, layout, cell + 1)
-        show(solve(mesh), view)
+        views.show_colored(solve(mesh), view, ('POINTS', 'u'), COLORS, [0.2, 0.25, 0.35])
     layout.SetSize(1000, 500)
-    SaveScreenshot(path, layout, ImageResolution=[1000, 500],
-        CompressionLevel='9')
-
-
-def show(solution, view):
-    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
-    view.OrientationAxesVisibility, view.InteractionMode = 0, '2D'
-    view.CameraParallelProjection, view.CameraParallelScale = 1, 4.7
-    view.CameraPosition, view.CameraFocalPoint = [4.5, 4.5, 100], [4.5, 4.5, 0]
-    surface = Show(solution, view, Representation='Surface With Edges', Ambient=1, Diffuse=0,
-        EdgeColor=[0.2, 0.25, 0.35])
-    ColorBy(surface, ('POINTS', 'u'))
-    colors = GetColorTransferFunction('u')
-    colors.RGBPoints = [-1, 0.75, 0.87, 0.95, 0, 1, 1, 1, 1, 1, 0.85, 0.7]
-    surface.SetScalarBarVisibility(view, False)
+    SaveScreenshot(path, layout, ImageResolution=[1000, 500], CompressionLevel='9')
 
 
 if __name__ == '__main__':

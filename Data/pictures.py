@@ -7,6 +7,9 @@ import sys
 
 from paraview.simple import *
 
+import views
+
+BLACK = [0, 0, 0]
 HERE = os.path.dirname(os.path.abspath(__file__))
 PHASE_COLORS = [0, 0.88, 0.45, 0.25, 1, 0.95, 0.75, 0.35, 2, 0.55, 0.75, 0.9]
 
@@ -22,15 +25,16 @@ def draw_bites(path):
     whole = BitingMesher(Input=plate, UniformSpacing=0.4, GenerateBites=1)
     phases = bite_phases(whole)
     first, second, last = phases.count(0), phases.count(0) + phases.count(1), len(phases)
-    views = []
+    shown = []
     for bites in (first, second, (second + last) // 2):
         stopped = BitingMesher(Input=plate, UniformSpacing=0.4, GenerateBites=1,
             MaximumNumberOfBites=bites)
-        views.append(new_view([6, 3], 6.9, [750, 400]))
-        show_bites(stopped, views[-1])
-    views.append(new_view([6, 3], 6.9, [750, 400]))
-    show_mesh(whole, views[-1])
-    save(path, views, 2)
+        shown.append(views.plane_view([6, 3], 6.9, [750, 400]))
+        show_bites(stopped, shown[-1])
+    shown.append(views.plane_view([6, 3], 6.9, [750, 400]))
+    views.show_mesh(whole, shown[-1])
+    views.show_lines(OutputPort(whole, 1), shown[-1], BLACK)
+    save(path, shown, 2)
 
 
 def read(name):
@@ -45,30 +49,14 @@ def bite_phases(mesher):
     return [phase for phase in values if phase < 3]
 
 
-def new_view(center, height, size):
-    view = CreateView('RenderView', ViewSize=size)
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1, 1, 1]
-    view.OrientationAxesVisibility = 0
-    view.InteractionMode = '2D'
-    view.CameraParallelProjection = 1
-    view.CameraPosition, view.CameraFocalPoint = [*center, 100], [*center, 0]
-    view.CameraParallelScale = height / 2
-    return view
-
-
 def show_bites(mesher, view):
     """Earlier bites lie above later ones: what a bite takes is what was left."""
     ordered = CellDatatoPointData(Input=phases_between(mesher, 0, 2), PassCellData=1)
     stacked = WarpByScalar(Input=ordered, Scalars=['POINTS', 'BiteOrder'], ScaleFactor=-1e-3)
-    bites = Show(stacked, view, Representation='Surface With Edges', Ambient=1, Diffuse=0,
-        EdgeColor=[0.3, 0.3, 0.3], Position=[0, 0, -0.1])
-    ColorBy(bites, ('CELLS', 'Phase'))
-    colors = GetColorTransferFunction('Phase')
-    colors.RGBPoints, colors.ColorSpace = PHASE_COLORS, 'RGB'
-    bites.SetScalarBarVisibility(view, False)
-    show_lines(phases_between(mesher, 3, 3), view, [0.8, 0, 0.1])
-    show_lines(OutputPort(mesher, 1), view, [0, 0, 0])
+    bites = views.show_colored(stacked, view, ('CELLS', 'Phase'), PHASE_COLORS, [0.3, 0.3, 0.3])
+    bites.Position = [0, 0, -0.1]
+    views.show_lines(phases_between(mesher, 3, 3), view, [0.8, 0, 0.1])
+    views.show_lines(OutputPort(mesher, 1), view, BLACK)
 
 
 def phases_between(mesher, first, last):
@@ -76,21 +64,9 @@ def phases_between(mesher, first, last):
         UpperThreshold=last)
 
 
-def show_mesh(mesher, view):
-    fill = [0.9, 0.95, 1]
-    Show(mesher, view, Representation='Surface With Edges', ColorArrayName=[None, ''], Ambient=1,
-        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.2, 0.25, 0.35])
-    show_lines(OutputPort(mesher, 1), view, [0, 0, 0])
-
-
-def show_lines(lines, view, color):
-    Show(lines, view, ColorArrayName=[None, ''], LineWidth=2, AmbientColor=color,
-        DiffuseColor=color)
-
-
-def save(path, views, columns):
+def save(path, shown, columns):
     """All views in one picture, from the upper left, row by row."""
-    layout, rows = CreateLayout(os.path.basename(path)), len(views) // columns
+    layout, rows = CreateLayout(os.path.basename(path)), len(shown) // columns
     cells = [0]
     if rows > 1:
         layout.SplitVertical(0, 0.5)
@@ -98,8 +74,8 @@ def save(path, views, columns):
     for row, cell in enumerate(cells):
         layout.SplitHorizontal(cell, 0.5)
         for column in range(columns):
-            AssignViewToLayout(views[row * columns + column], layout, 2 * cell + 1 + column)
-    size = [views[0].ViewSize[0] * columns, views[0].ViewSize[1] * rows]
+            AssignViewToLayout(shown[row * columns + column], layout, 2 * cell + 1 + column)
+    size = [shown[0].ViewSize[0] * columns, shown[0].ViewSize[1] * rows]
     layout.SetSize(*size)
     SaveScreenshot(path, layout, ImageResolution=size)
 

@@ -14,10 +14,12 @@ import numpy
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import views
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPACING = 0.22
 BINS = 36
-CENTER, HALF_HEIGHT = [6.0, 3.35, 0.0], 4.0
+CENTER, HEIGHT = [6.0, 3.35], 8.0
 
 # By title: color of the histograms, and what differs from the defaults.
 MESHES = {
@@ -65,33 +67,16 @@ def draw(path, meshes):
 
 
 def view_of_mesh(title, mesh):
-    view = CreateView('RenderView', ViewSize=[400, 260])
-    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
-    view.OrientationAxesVisibility, view.InteractionMode = 0, '2D'
-    view.CameraParallelProjection, view.CameraParallelScale = 1, HALF_HEIGHT
-    view.CameraPosition, view.CameraFocalPoint = [*CENTER[:2], 100], CENTER
-    fill = [0.9, 0.95, 1]
-    Show(mesh, view, Representation='Surface With Edges', ColorArrayName=[None, ''], Ambient=1,
-        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.2, 0.25, 0.35])
+    view = views.plane_view(CENTER, HEIGHT, [400, 260])
+    views.show_mesh(mesh, view)
     Show(Text(Text=title), view, Color=[0, 0, 0], FontSize=16, WindowLocation='Upper Center')
     return view
 
 
 def chart(judged, column, title, extent):
-    """One histogram for each mesh, as lines in percent of all."""
-    view = CreateView('XYChartView', ViewSize=[600, 320])
-    view.BottomAxisTitle, view.LeftAxisTitle = title, 'percent'
-    view.BottomAxisUseCustomRange, view.BottomAxisRangeMinimum, view.BottomAxisRangeMaximum = (
-        1, *extent)
+    colors = {name: color for name, (color, _) in MESHES.items()}
+    view = views.histograms(judged, colors, column, title, extent, [600, 320])
     view.LegendLocation = 'TopLeft'
-    values = f'{column}Percent'
-    for name, conformity in judged.items():
-        lines = Show(OutputPort(conformity, 1), view, 'XYChartRepresentation')
-        lines.UseIndexForXAxis, lines.XArrayName = 0, column
-        lines.SeriesVisibility = [values]
-        lines.SeriesLabel = [values, name]
-        lines.SeriesColor = [values, *(str(part) for part in MESHES[name][0])]
-        lines.SeriesLineThickness = [values, '3']
     return view
 
 

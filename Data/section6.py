@@ -12,6 +12,8 @@ import sys
 
 from paraview.simple import *
 
+import views
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 CONSTANTS = (0.5, 0.7)
 ORDERS = ('Largest Y', 'Layers')
@@ -90,32 +92,15 @@ def draw(path):
 
 
 def view_of_mesh(mesh):
-    view = CreateView('RenderView', ViewSize=[600, 600])
-    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
-    view.OrientationAxesVisibility, view.InteractionMode = 0, '2D'
-    view.CameraParallelProjection, view.CameraParallelScale = 1, 4.6
-    view.CameraPosition, view.CameraFocalPoint = [4.5, 4.5, 100], [4.5, 4.5, 0]
-    fill = [0.9, 0.95, 1]
-    Show(mesh, view, Representation='Surface With Edges', ColorArrayName=[None, ''], Ambient=1,
-        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.2, 0.25, 0.35])
+    view = views.plane_view([4.5, 4.5], 9.2, [600, 600])
+    views.show_mesh(mesh, view)
     return view
 
 
 def chart(judged, column, title, extent):
-    """One histogram for each constant, as lines in percent of all."""
-    view = CreateView('XYChartView', ViewSize=[600, 280])
-    view.BottomAxisTitle, view.LeftAxisTitle = title, 'percent'
-    view.BottomAxisUseCustomRange, view.BottomAxisRangeMinimum, view.BottomAxisRangeMaximum = (
-        1, *extent)
-    values = f'{column}Percent'
-    for constant, conformity in judged.items():
-        lines = Show(OutputPort(conformity, 1), view, 'XYChartRepresentation')
-        lines.UseIndexForXAxis, lines.XArrayName = 0, column
-        lines.SeriesVisibility = [values]
-        lines.SeriesLabel = [values, f'c_b = {constant}']
-        lines.SeriesColor = [values, *(str(part) for part in COLORS[constant])]
-        lines.SeriesLineThickness = [values, '3']
-    return view
+    named = {f'c_b = {constant}': conformity for constant, conformity in judged.items()}
+    colors = {f'c_b = {constant}': color for constant, color in COLORS.items()}
+    return views.histograms(named, colors, column, title, extent, [600, 280])
 
 
 if __name__ == '__main__':

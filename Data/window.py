@@ -7,10 +7,16 @@ variable BITING_DATA names the folder of coast.vtk, BITING_WINDOW the file to wr
 """
 
 import os
+import sys
 
 from paraview.simple import *
 
-SEA, WEST = ([-85e3, 15e3], 1480e3), ([-130e3, 200e3], 300e3)
+DATA = os.environ['BITING_DATA']
+sys.path.insert(0, DATA)
+import views
+
+SEA, WEST = ([-85e3, 15e3], 1480e3, views.SAND), ([-130e3, 200e3], 300e3, views.SAND)
+LENGTH_COLORS = [1e3, 1.0, 0.95, 0.65, 7e3, 0.55, 0.85, 0.8, 45e3, 0.3, 0.55, 0.85]
 PHASE_COLORS = [0, 0.83, 0.42, 0.25, 1, 0.95, 0.77, 0.4, 2, 0.55, 0.75, 0.9]
 
 
@@ -18,7 +24,7 @@ def main():
     paraview.simple._DisableFirstRenderCameraReset()
     left = GetActiveViewOrCreate('RenderView')
     coast = LegacyVTKReader(registrationName='coast.vtk',
-        FileNames=[os.path.join(os.environ['BITING_DATA'], 'coast.vtk')])
+        FileNames=[os.path.join(DATA, 'coast.vtk')])
     mesher = BitingMesher(Input=coast, Gradation=0.15, GenerateBites=1)
     mesher.UpdatePipeline()
     show_mesh(mesher, left)
@@ -28,46 +34,22 @@ def main():
     show_bites(mesher, right)
     SetActiveView(left)
     SetActiveSource(mesher)
-    look_at(left, *SEA)
-    look_at(right, *WEST)
+    views.look_at(left, *SEA)
+    views.look_at(right, *WEST)
     RenderAllViews()
     open(os.environ['BITING_WINDOW'], 'w', encoding='utf-8').close()
 
 
 def show_mesh(mesher, view):
-    surface = Show(mesher, view, Representation='Surface With Edges', Ambient=1, Diffuse=0,
-        EdgeColor=[0.25, 0.3, 0.4])
-    ColorBy(surface, ('POINTS', 'Spacing'))
-    colors = GetColorTransferFunction('Spacing')
-    colors.RGBPoints = [1e3, 1.0, 0.95, 0.65, 7e3, 0.55, 0.85, 0.8, 45e3, 0.3, 0.55, 0.85]
-    colors.UseLogScale = 1
-    surface.SetScalarBarVisibility(view, False)
-    show_lines(mesher, view)
+    shown = views.show_colored(mesher, view, ('POINTS', 'Spacing'), LENGTH_COLORS, [0.25, 0.3, 0.4])
+    shown.LookupTable.UseLogScale = 1
+    views.show_lines(OutputPort(mesher, 1), view, [0, 0, 0])
 
 
 def show_bites(mesher, view):
-    bites = Show(OutputPort(mesher, 2), view, Representation='Surface With Edges', Ambient=1, Diffuse=0,
-        EdgeColor=[0.3, 0.3, 0.3])
-    ColorBy(bites, ('CELLS', 'Phase'))
-    colors = GetColorTransferFunction('Phase')
-    colors.RGBPoints, colors.ColorSpace = PHASE_COLORS, 'RGB'
-    bites.SetScalarBarVisibility(view, False)
-    show_lines(mesher, view)
-
-
-def look_at(view, center, height):
-    view.UseColorPaletteForBackground = 0
-    view.Background = [0.86, 0.84, 0.78]
-    view.OrientationAxesVisibility = 0
-    view.InteractionMode = '2D'
-    view.CameraParallelProjection = 1
-    view.CameraPosition, view.CameraFocalPoint = [*center, 1e6], [*center, 0]
-    view.CameraParallelScale = height / 2
-
-
-def show_lines(mesher, view):
-    Show(OutputPort(mesher, 1), view, ColorArrayName=[None, ''], LineWidth=2,
-        AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+    bites = OutputPort(mesher, 2)
+    views.show_colored(bites, view, ('CELLS', 'Phase'), PHASE_COLORS, [0.3, 0.3, 0.3])
+    views.show_lines(OutputPort(mesher, 1), view, [0, 0, 0])
 
 
 main()
