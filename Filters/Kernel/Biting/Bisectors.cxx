@@ -3,8 +3,6 @@
 
 #include "Bisectors.h"
 
-#include "BiteOutline.h"
-
 #include <algorithm> // for min, max
 #include <cmath>     // for abs, sqrt
 #include <limits>    // for infinity
@@ -16,9 +14,6 @@ namespace biting
 namespace
 {
 
-constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
-// Of what is left of a core as small as the rounding of places: each bite takes something away.
-constexpr double LeastCore = 0.5;
 constexpr std::size_t MostNeighbors = 64; // more than there are where f follows the domain
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -107,19 +102,6 @@ Bisectors::Neighbor Bisectors::MakeNeighbor(Id bite) const
 {
   return { bite, this->All.Centers[bite], this->All.Axes[bite], this->All.HalfWidths[bite],
     this->CoreOf(bite) };
-}
-
-bool Bisectors::IsCoveredBy(Id bite, const Point2& p) const
-{
-  return GaugeOf(this->All.Axes[bite], p - this->All.Centers[bite]) < this->CoreOf(bite);
-}
-
-double Bisectors::CoreOf(Id bite) const
-{
-  const bool isInner = this->All.Phases[bite] == BitePhase::Interior;
-  const double tolerance = isInner ? this->Tolerance : 1.0;
-  const double core = (1.0 - TieTolerance) * tolerance * this->All.HalfWidths[bite];
-  return std::max(core - this->Slack, LeastCore * core);
 }
 
 Bisectors::Heights Bisectors::HeightsOver(const Neighbor& other, const Point2& bond) const

@@ -7,9 +7,11 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "BiteGrid.h"
+#include "BiteOutline.h" // for Gauge
 #include "Bites.h"
 
-#include <vector> // for the neighbours
+#include <algorithm> // for max
+#include <vector>    // for the neighbours
 
 namespace biting
 {
@@ -63,6 +65,11 @@ public:
   bool IsCoveredBy(Id bite, const Point2& p) const;
 
 private:
+  static constexpr double TieTolerance =
+    1e-12; // of a half-width: a point this near a side lies on it
+  // Of what is left of a core as small as the rounding of places: each bite takes something away.
+  static constexpr double LeastCore = 0.5;
+
   // A bite by value, so that pairs read nothing else.
   struct Neighbor
   {
@@ -98,6 +105,19 @@ private:
   Neighbor Bite;                   ///< the bite at hand
   std::vector<Neighbor> Neighbors; ///< of it
 };
+
+inline bool Bisectors::IsCoveredBy(Id bite, const Point2& p) const
+{
+  return Gauge(this->All, bite, p) < this->CoreOf(bite);
+}
+
+inline double Bisectors::CoreOf(Id bite) const
+{
+  const bool isInner = this->All.Phases[bite] == BitePhase::Interior;
+  const double tolerance = isInner ? this->Tolerance : 1.0;
+  const double core = (1.0 - TieTolerance) * tolerance * this->All.HalfWidths[bite];
+  return std::max(core - this->Slack, LeastCore * core);
+}
 
 template <typename Visit>
 void Bisectors::VisitPoints(Id bite, Visit&& visit)

@@ -3,6 +3,8 @@
 
 #include "BiteGrid.h"
 
+#include "BiteOutline.h" // for Depth
+
 #include <algorithm> // for max
 #include <cmath>     // for sqrt
 
@@ -19,10 +21,14 @@ constexpr double BitesPerWideCell = 4.0;
 constexpr Id CrowdedLeaf = 40;
 constexpr Id CrowdedWideLeaf = 64;
 constexpr double LeastLeaf = 0.75; // of a bite's reach: a smaller leaf holds no fewer bites
-constexpr double MostCells = 3e7;  // 360 MB
-// Measured: 1 to 2 where bites are not crowded. Room that is not used costs nothing, but to move many
-// blocks takes a second.
+constexpr double MostCells = 3e7;  // 480 MB
+// Measured: 2 to 7 cells a bite where they cover the bounds evenly, whatever the field, as the squares
+// of their sizes then add up to the area. Where they crowd in a part of it, cells are too small.
+constexpr double MostCellsPerBite = 16.0;
+// Of blocks and cells in all, for each top cell. Measured: 1 to 2 blocks where bites are not crowded, 6
+// cells where f varies twentyfold. Room that is not used costs nothing, but to move many takes a second.
 constexpr double BlocksPerCell = 2.5;
+constexpr double CellsPerTopCell = 8.0;
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
 
 // Of entries: single precision, after the rounding of a place in units of a top cell.
@@ -42,23 +48,55 @@ BiteGrid::BiteGrid(
   const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
   const double bitesPerCell = nearReach > 0.0 ? BitesPerWideCell : BitesPerCell;
   const double cells = std::min(std::max(expectedBites / bitesPerCell, 1.0), MostCells);
-  this->CellsPerLength = std::sqrt(cells / (width * height));
-  this->Columns = static_cast<Id>(width * this->CellsPerLength) + 1;
-  this->Rows = static_cast<Id>(height * this->CellsPerLength) + 1;
-  this->Cells.resize(static_cast<std::size_t>(this->Columns) * this->Rows);
+  this->Extents = { width, height };
+  this->MostFiled = MostCellsPerBite * std::max(expectedBites, 1.0);
+  this->Cells.reserve(static_cast<std::size_t>(CellsPerTopCell * cells));
+  this->MakeCells(std::sqrt(cells / (width * height)));
   this->Blocks.reserve(
     static_cast<std::size_t>(BlocksPerCell * static_cast<double>(this->Cells.size())));
 }
 
+void BiteGrid::MakeCells(double cellsPerLength)
+{
+  this->CellsPerLength = cellsPerLength;
+  this->Columns = static_cast<Id>(this->Extents.X * cellsPerLength) + 1;
+  this->Rows = static_cast<Id>(this->Extents.Y * cellsPerLength) + 1;
+  this->Cells.assign(static_cast<std::size_t>(this->Columns) * this->Rows, Cell());
+}
+
 void BiteGrid::File(Id bite)
+{
+  this->FileInCells(bite);
+  if (this->Filed > std::max(this->MostFiled, MostCellsPerBite * (bite + 1.0)))
+  {
+    this->Coarsen(bite);
+  }
+}
+
+// Twice as wide, the cells have about a quarter of the entries: O(1) amortised.
+void BiteGrid::Coarsen(Id newest)
+{
+  this->MakeCells(0.5 * this->CellsPerLength);
+  this->Blocks.clear();
+  this->Filed = 0.0;
+  for (Id bite = 0; bite <= newest; ++bite)
+  {
+    this->FileInCells(bite);
+  }
+}
+
+void BiteGrid::FileInCells(Id bite)
 {
   this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
   const LocalBox extent = this->Extent(bite);
+  const Id firstRow = ClampedIndex(extent.LowY, this->Rows);
   const Id lastRow = ClampedIndex(extent.HighY, this->Rows);
+  const Id firstColumn = ClampedIndex(extent.LowX, this->Columns);
   const Id lastColumn = ClampedIndex(extent.HighX, this->Columns);
-  for (Id row = ClampedIndex(extent.LowY, this->Rows); row <= lastRow; ++row)
+  this->Filed += (lastRow - firstRow + 1.0) * (lastColumn - firstColumn + 1.0);
+  for (Id row = firstRow; row <= lastRow; ++row)
   {
-    for (Id column = ClampedIndex(extent.LowX, this->Columns); column <= lastColumn; ++column)
+    for (Id column = firstColumn; column <= lastColumn; ++column)
     {
       this->FileInCell(row * this->Columns + column,
         { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
@@ -76,9 +114,28 @@ void BiteGrid::FileInCell(Id cell, const Place& place, Id bite, const LocalBox& 
   this->Append(cell, place, bite);
   const double reach = 0.5 * (extent.HighX - extent.LowX);
   const Id crowd = this->NearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf;
-  if (this->Cells[cell].Count > crowd && place.Size > LeastLeaf * reach)
+  if (this->Cells[cell].Count <= crowd)
+  {
+    return;
+  }
+  if (place.Size > LeastLeaf * reach)
   {
     this->Divide(cell, place);
+  }
+  else
+  {
+    this->KeepDeepest(this->Cells[cell], place, bite);
+  }
+}
+
+void BiteGrid::KeepDeepest(Cell& leaf, const Place& place, Id bite)
+{
+  const double middle = 0.5 * place.Size;
+  const Point2 offset{ place.X + middle, place.Y + middle };
+  const Point2 p = this->Origin + 1.0 / this->CellsPerLength * offset;
+  if (leaf.Deepest == NoId || Depth(this->All, leaf.Deepest, p) < Depth(this->All, bite, p))
+  {
+    leaf.Deepest = bite;
   }
 }
 

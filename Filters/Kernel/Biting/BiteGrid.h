@@ -22,7 +22,9 @@ namespace biting
 /// that are out of reach without a look at the bites themselves.
 /// A grid of about one cell per few bites; a crowded cell is divided into 4 x 4, again and again,
 /// so leaves follow the spacing wherever it leads. Filing costs O(1) amortised, as does a query:
-/// bites have bounded overlap (paper, lemma 5.2).
+/// bites have bounded overlap (paper, lemma 5.2). Those about input vertices and segments that lie far
+/// closer than f have not: cells then grow with the bites, and a bite still stands in a bounded number
+/// of lists.
 class BiteGrid
 {
 public:
@@ -32,13 +34,17 @@ public:
   BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites, double nearReach = 0.0,
     double slack = 0.0);
 
-  /// Files `bite`. Bites are filed in ascending order of their ids.
+  /// Files `bite`. All bites are filed one after the other, in the order of their ids.
   void File(Id bite);
 
   /// Calls visit(bite) for the bites of p's leaf that may contain p, the newest first, until it
   /// returns true.
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit) const;
+
+  /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the leaf
+  /// lies deep in it. NoId elsewhere.
+  Id DeepestOfLeaf(const Point2& p) const { return this->Locate(p).Leaf->Deepest; }
 
   /// Calls visit(bite) for bites whose centres are within `reach` of their half-widths from p, the
   /// newest first, until it returns true: all of them up to the near reach, beyond it those of p's
@@ -62,6 +68,7 @@ private:
     Id FirstChild = NoId;
     Id NewestBlock = NoId;
     Id Count = 0;
+    Id Deepest = NoId; ///< in a crowded leaf: the bite that the middle lies deepest in
   };
 
   // A bite as its leaf sees it, in units of the leaf.
@@ -118,16 +125,23 @@ private:
     double X, Y, Size;
   };
 
+  void MakeCells(double cellsPerLength);
+  void FileInCells(Id bite);
+  void Coarsen(Id newest);
   double Spread(Id bite) const;
   LocalBox Extent(Id bite) const;
   void FileInCell(Id cell, const Place& place, Id bite, const LocalBox& extent);
   void FileInChildren(Id cell, const Place& place, Id bite, const LocalBox& extent);
   void Append(Id cell, const Place& place, Id bite);
+  void KeepDeepest(Cell& leaf, const Place& place, Id bite);
   Entry MakeEntry(const Place& place, Id bite) const;
   void Divide(Id cell, const Place& place);
 
   const Bites& All;
   Point2 Origin;
+  Point2 Extents;         ///< width and height
+  double MostFiled = 0.0; ///< what Filed may be in any case
+  double Filed = 0.0;     ///< bites in top cells, each as often as it is filed
   double CellsPerLength = 1.0;
   double NearReach;         ///< in half-widths
   double Slack;             ///< a length

@@ -14,6 +14,7 @@
 #include "Orientation.h"
 #include "OutlineCover.h"
 #include "ReachFactor.h"
+#include "RingCover.h"
 #include "SharpCorners.h"
 
 #include <algorithm> // for min, max, all_of
@@ -49,8 +50,8 @@ constexpr double GreatestSlack = 0.5;
 // larger ones thinner triangles beside these.
 constexpr double LeastShieldLength = 1.7;
 constexpr double ShieldLength = 2.6;
-constexpr double ShieldOverlap = 1.0625;     // of neighbours: their common border lies inside both
-constexpr std::int64_t FewShields = 1000000; // for which no limit of vertices is meant
+constexpr double ShieldOverlap = 1.0625;    // of neighbours: their common border lies inside both
+constexpr std::int64_t FewShields = 200000; // for which no limit of vertices is meant
 
 constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
 constexpr int LeastCrowd = 64;                // more bites than overlap where f follows the domain
@@ -88,6 +89,7 @@ private:
   void PutFrontVertices(Id bite);
   bool PutLeftOvers();
   bool IsEnclosed(Id bite) const;
+  bool IsRinged(Id bite) const;
   Point2 AxisOf(const Candidate& candidate) const;
   double ReachOf(const Candidate& candidate, Id vertex) const;
   bool IsHidden(Id bite, double reach);
@@ -109,6 +111,7 @@ private:
   double BitingConstant;
   double PartLength; ///< wanted length of boundary edges in units of f
   double ExpectedVertices;
+  bool IsUniform; ///< f is one constant
   BitingResult Result;
   Bites& Placed; ///< the bites so far
   Box2 Reach;    ///< the box of the domain, and what rounding may add to it
@@ -177,6 +180,7 @@ BitingRun::BitingRun(const Domain& domain, const DomainLocator& locator, const S
   , BitingConstant(UsedBitingConstant(options))
   , PartLength(UsedPartLength(options))
   , ExpectedVertices(expectedVertices)
+  , IsUniform(spacing.IsUniform())
   , Placed(Result.Bites)
   , Reach(domain.Bounds)
   , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
@@ -521,9 +525,10 @@ Point2 BitingRun::PlaceOf(Id bite, const BisectorPoint& point) const
   const double right = this->PlacedSpacings[other];
   const double reach = (this->Placed.HalfWidths[bite] + this->Placed.HalfWidths[other]) /
     (this->BitingConstant * (left + right));
-  const Point2 top = BalancedTop({ this->Placed.Centers[bite], this->Placed.Centers[other],
-                                   point.Place, left, right, this->F(point.Place) },
-    reach * this->PartLength);
+  const Point2 top =
+    BalancedTop({ this->Placed.Centers[bite], this->Placed.Centers[other], point.Place, left, right,
+                  this->IsUniform ? left : this->F(point.Place) },
+      reach * this->PartLength);
   const bool isCovered =
     this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
   return isCovered ? point.Place : top;
@@ -551,6 +556,10 @@ bool BitingRun::PutLeftOvers()
 // ones do.
 bool BitingRun::IsEnclosed(Id bite) const
 {
+  if (this->IsRinged(bite))
+  {
+    return true;
+  }
   OutlineCover cover(this->Placed, bite);
   for (const double reach : { NearReach(this->Options), GreatestReach })
   {
@@ -570,6 +579,23 @@ bool BitingRun::IsEnclosed(Id bite) const
     }
   }
   return false;
+}
+
+// Whether a cheaper test can tell.
+bool BitingRun::IsRinged(Id bite) const
+{
+  RingCover ring(this->Placed, bite);
+  int looked = 0;
+  this->Grid.VisitNear(this->Placed.Centers[bite], NearReach(this->Options),
+    [bite, &ring, &looked](Id other)
+    {
+      if (other != bite)
+      {
+        ring.Cover(other);
+      }
+      return ++looked == LeastCrowd;
+    });
+  return ring.IsFull();
 }
 
 // The vertices of the front that the bite makes: its uncovered corners, and where the sides of other
@@ -645,7 +671,9 @@ bool BitingRun::HideGaps(Id bite)
       const Point2 middle = this->Outline.At(side, 0.5 * (part.Low + part.High));
       const auto hides = [this, bite, &middle](Id other)
       { return Depth(this->Placed, other, middle) > 0.0 && this->Look(bite, other); };
-      if (part.Low < part.High && !this->Grid.VisitLeaf(middle, hides))
+      const Id deepest = this->Grid.DeepestOfLeaf(middle);
+      if (part.Low < part.High && !(deepest != NoId && hides(deepest)) &&
+        !this->Grid.VisitLeaf(middle, hides))
       {
         return false;
       }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for is_sorted
+#include <cstdint>   // for counts
 #include <set>       // for what was visited
 
 namespace biting
@@ -97,6 +98,53 @@ TEST(BiteGrid, FindsEveryBiteThatHoldsAPointWhereSpacingIsGraded)
 TEST(BiteGrid, FindsEveryBiteThatHoldsAPointWhereTheyCrowd)
 {
   CheckContaining(RandomBites(1500, 1e-4, 1.2, { 0.25, 0.25 }, 9), 100.0, 10);
+}
+
+// Crowds far larger than the cells that the grid begins with.
+TEST(BiteGrid, FindsEveryBiteThatHoldsAPointWhereCellsWereTooSmall)
+{
+  CheckContaining(RandomBites(1500, 0.2, 1.5, { 0.5, 0.5 }, 19), 1500.0, 20);
+}
+
+TEST(BiteGrid, FilesABiteInFewLeavesWhereTheyCrowd)
+{
+  const Bites bites = RandomBites(20000, 0.2, 1.5, { 0.5, 0.5 }, 21);
+  BiteGrid grid(bites, UnitBox(), 20000.0);
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    grid.File(bite);
+  }
+  std::int64_t filed = 0;
+  grid.VisitSquare({ 0.5, 0.5 }, 1.0,
+    [&filed](Id)
+    {
+      ++filed;
+      return false;
+    });
+  EXPECT_LT(filed, 40 * bites.Size());
+}
+
+TEST(BiteGrid, KnowsADeepBiteWhereTheyCrowd)
+{
+  Bites bites;
+  for (int k = 0; k < 2000; ++k)
+  {
+    AddBite({ 0.2 + 3e-4 * k, 0.5 }, UnitVector(30.0), 0.1, bites);
+  }
+  BiteGrid grid(bites, UnitBox(), 2000.0);
+  EXPECT_EQ(grid.DeepestOfLeaf({ 0.5, 0.5 }), NoId);
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    grid.File(bite);
+  }
+  int deep = 0;
+  for (int k = 0; k < 100; ++k)
+  {
+    const Point2 p{ 0.25 + 0.005 * k, 0.5 };
+    const Id deepest = grid.DeepestOfLeaf(p);
+    deep += deepest != NoId && Depth(bites, deepest, p) > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(deep, 90);
 }
 
 TEST(BiteGrid, FindsBitesBeyondItsBounds)

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for sort
+#include <algorithm> // for sort, max_element
 #include <cmath>     // for hypot
 
 namespace biting
@@ -47,26 +47,84 @@ std::vector<BitingMeshOptions> Fields(const BitingSetting& setting)
   return fields;
 }
 
-/// The ends of pieces that are the end of an odd number of them, within `tolerance`.
-std::vector<Point2> OddEnds(std::vector<Point2> ends, double tolerance)
+struct PieceEnd
 {
-  std::sort(ends.begin(), ends.end());
+  Point2 Place;
+  Point2 Direction; ///< of the piece, a unit vector
+};
+
+std::vector<PieceEnd> SortedEnds(const std::vector<Point2>& front)
+{
+  std::vector<PieceEnd> ends;
+  for (std::size_t k = 0; k + 1 < front.size(); k += 2)
+  {
+    const Point2 span = front[k + 1] - front[k];
+    const Point2 direction = 1.0 / Length(span) * span;
+    ends.push_back({ front[k], direction });
+    ends.push_back({ front[k + 1], direction });
+  }
+  std::sort(ends.begin(), ends.end(),
+    [](const PieceEnd& a, const PieceEnd& b) { return a.Place < b.Place; });
+  return ends;
+}
+
+/// How far apart the ends of two pieces that meet may be.
+class EndTolerance
+{
+public:
+  explicit EndTolerance(const Bites& bites, Placement placement)
+  {
+    const auto& halfWidths = bites.HalfWidths;
+    this->IsBalanced = placement == Placement::Bisectors;
+    this->HalfWidth =
+      halfWidths.empty() ? 0.0 : *std::max_element(halfWidths.begin(), halfWidths.end());
+  }
+
+  double Greatest() const { return this->ForSine(LeastSine); }
+
+  double Of(const PieceEnd& a, const PieceEnd& b) const
+  {
+    return this->ForSine(std::abs(Cross(a.Direction, b.Direction)));
+  }
+
+private:
+  // Each of the sides that meet is traced where it is 2e-9 of its half-width further in or out than
+  // where it ends the other one, which moves their meeting by the sum of both per sine.
+  static constexpr double Growth = 4e-9;
+  static constexpr double LeastSine = 1e-4; // below it sides count as in line
+  static constexpr double Short = 1e-7;     // pieces of 1e-8 half-widths are left out
+
+  double ForSine(double sine) const
+  {
+    const bool isTurned = this->IsBalanced && sine >= LeastSine;
+    return isTurned ? std::max(Short, Growth * this->HalfWidth / sine) : Short;
+  }
+
+  bool IsBalanced;
+  double HalfWidth;
+};
+
+/// The ends of pieces that are the end of an odd number of them.
+std::vector<Point2> OddEnds(const std::vector<PieceEnd>& ends, const EndTolerance& tolerance)
+{
   std::vector<bool> isPaired(ends.size(), false);
   std::vector<Point2> odd;
   for (std::size_t k = 0; k < ends.size(); ++k)
   {
     for (std::size_t m = k + 1; !isPaired[k] && m < ends.size(); ++m)
     {
-      if (ends[m].X > ends[k].X + tolerance)
+      const Point2 apart = ends[m].Place - ends[k].Place;
+      if (apart.X > tolerance.Greatest())
       {
         break;
       }
-      isPaired[k] = !isPaired[m] && std::abs(ends[m].Y - ends[k].Y) <= tolerance;
+      isPaired[k] =
+        !isPaired[m] && std::max(apart.X, std::abs(apart.Y)) <= tolerance.Of(ends[k], ends[m]);
       isPaired[m] = isPaired[m] || isPaired[k];
     }
     if (!isPaired[k])
     {
-      odd.push_back(ends[k]);
+      odd.push_back(ends[k].Place);
     }
   }
   return odd;
@@ -92,17 +150,15 @@ bool HasCircles(const BitingMesh& mesh)
   return mesh.Bites.Size() > 0 && mesh.Bites.IsCircle(0);
 }
 
-void CheckFront(const Polylines& input, const BitingMesh& mesh)
+void CheckFront(const Polylines& input, const BitingMesh& mesh, Placement placement)
 {
   constexpr double Step = 1e-7;
-  // Sides that are nearly parallel meet 1e-9 of a bite aside of where they should, per sine of the
-  // angle between them.
-  constexpr double EndTolerance = 2e-6;
   if (HasCircles(mesh))
   {
     return;
   }
-  const std::vector<Point2> odd = OddEnds(mesh.Front, EndTolerance);
+  const std::vector<Point2> odd =
+    OddEnds(SortedEnds(mesh.Front), EndTolerance(mesh.Bites, placement));
   EXPECT_TRUE(odd.empty()) << odd.size() << " open ends, the first at " << Text(odd.front());
   const MadeDomain made = Make(input);
   const DomainLocator locator(made.Domain);
@@ -135,7 +191,7 @@ TEST(FrontTrace, PiecesCloseAndSeparateBittenFromLeft)
             Text(setting) + ": " + std::to_string(bites) + " bites of " + std::to_string(all));
           const BitingMesh mesh = RunMesh(input, options).Mesh;
           EXPECT_TRUE(bites > all / 2 || !mesh.Front.empty());
-          CheckFront(input, mesh);
+          CheckFront(input, mesh, setting.Place);
         }
       }
     }
