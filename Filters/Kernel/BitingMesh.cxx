@@ -16,13 +16,15 @@
 #include "PreservedSpacing.h"
 #include "Quality/MeshCheck.h"
 #include "RelaxedBites.h"
+#include "SegmentCover.h"
 #include "SharpCornerTriangles.h"
 
 #include <algorithm> // for transform, find, max
 #include <cmath>     // for abs
 #include <limits>    // for the largest id
+#include <optional>  // for what is released early
 #include <sstream>   // for figures in messages
-#include <utility>   // for move
+#include <utility>   // for move, in_place
 
 namespace biting
 {
@@ -36,16 +38,19 @@ constexpr double CoverageTolerance =
 
 // Where steps end, as shares of the time of a stage: of preparing the spacing, biting, a
 // triangulation, and the last stage.
+constexpr double LocatorEnd = 0.05;
 constexpr double ChoiceEnd = 0.05;
-constexpr double LocatorEnd = 0.01;
 constexpr double EstimateEnd = 0.02;
 constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
 constexpr double RoomForRounding = 1.02;
+constexpr double RoomForRoughness = 1.5;
+constexpr double LeastShareInDoubt = 1.0 / 32.0; // of a limit: what a rough forecast may miss
 constexpr double FirstAttemptEnd = 0.9;
 constexpr double TriangulationEnd = 0.95;
 constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
+constexpr double MeshCheckEnd = 0.95; // of that
 constexpr double QualityEnd = 0.95;
 
 // The order of the mesh's figures.
@@ -104,31 +109,39 @@ struct Forecast
 };
 
 Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  const BitingOptions& options, Monitor& monitor)
+  const BitingOptions& options, EstimateEffort effort, Monitor& monitor)
 {
   PartOfStage integrating(monitor, 0.0, 0.5);
-  const double density = IntegrateDensity(domain, locator, spacing, integrating);
+  const double density = IntegrateDensity(domain, locator, spacing, integrating, effort);
   PartOfStage dividing(monitor, 0.5, 1.0);
   const double divisionPoints =
-    options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing);
+    options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing, effort);
   return { density,
     EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() + divisionPoints };
 }
 
-// Before f is ready: what is refused then would take long to prepare. The forecast is as good as the
-// later one, but for the rounding of f, which is left room for.
-double ForecastVertices(
-  const Domain& domain, const Spacing& spacing, const BitingOptions& options, ProblemList& problems)
+// Before f is ready: what is refused then would take long to prepare. A rough forecast decides where
+// it is far from the limit. The full one is as good as the later one, but for the rounding of f, which
+// is left room for.
+double ForecastVertices(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  const BitingOptions& options, ProblemList& problems, Monitor& monitor)
 {
-  const DomainLocator locator(domain);
-  const Forecast forecast = MakeForecast(domain, locator, spacing, options, NoMonitor());
-  const bool isAffordable =
-    forecast.Vertices <= RoomForRounding * static_cast<double>(options.MaximumNumberOfVertices);
-  if (!isAffordable)
+  PartOfStage part(monitor, 0.0, 1.0);
+  const double limit = static_cast<double>(options.MaximumNumberOfVertices);
+  double vertices =
+    MakeForecast(domain, locator, spacing, options, EstimateEffort::Rough, part).Vertices;
+  const bool isClear =
+    vertices < LeastShareInDoubt * limit || !(vertices <= RoomForRoughness * limit);
+  if (!isClear)
   {
-    AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
+    vertices = MakeForecast(domain, locator, spacing, options, EstimateEffort::Full, part).Vertices;
   }
-  return isAffordable ? forecast.Vertices : std::numeric_limits<double>::infinity();
+  const bool isAffordable = vertices <= RoomForRounding * limit;
+  if (!isAffordable && !part.HasStopped())
+  {
+    AddTooManyVertices(vertices, options.MaximumNumberOfVertices, problems);
+  }
+  return isAffordable ? vertices : std::numeric_limits<double>::infinity();
 }
 
 double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
@@ -145,18 +158,12 @@ void Release(Bites& bites, Monitor& monitor)
   ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
 }
 
-BitingResult Bite(const Domain& domain, const Spacing& spacing, BitingOptions options,
-  ProblemList& problems, Monitor& monitor)
+BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  BitingOptions options, ProblemList& problems, Monitor& monitor)
 {
-  PartOfStage locating(monitor, 0.0, LocatorEnd);
-  Pulse pulse(locating);
-  const DomainLocator locator(domain, pulse);
-  if (AddAborted(locating, problems))
-  {
-    return {};
-  }
-  PartOfStage estimating(monitor, LocatorEnd, EstimateEnd);
-  const Forecast forecast = MakeForecast(domain, locator, spacing, options, estimating);
+  PartOfStage estimating(monitor, 0.0, EstimateEnd);
+  const Forecast forecast =
+    MakeForecast(domain, locator, spacing, options, EstimateEffort::Full, estimating);
   const double most = static_cast<double>(options.MaximumNumberOfVertices);
   if (AddAborted(estimating, problems))
   {
@@ -215,20 +222,35 @@ SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
   return spacing;
 }
 
-SpacingOptions ChooseSpacing(
-  const BitingMeshOptions& options, const Domain& domain, Monitor& monitor)
+SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
+  const DomainLocator& locator, Monitor& monitor)
 {
   SpacingOptions spacing = AboveRounding(options.Spacing, domain);
   if (options.PreserveBoundary)
   {
-    return FollowSegments(spacing, domain);
+    return FollowSegments(spacing, domain, monitor);
   }
   const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
   spacing.Features = options.LimitByFeatureSize ? FeaturesOf(domain, mostVertices) : nullptr;
-  PartOfStage part(monitor, 0.0, ChoiceEnd);
-  Pulse pulse(part);
-  spacing.IsUnused = OutsideOf(domain, pulse);
+  spacing.IsUnused = OutsideOf(locator);
   return spacing;
+}
+
+Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
+  const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage choosing(monitor, 0.0, ChoiceEnd);
+  SpacingOptions wanted = ChooseSpacing(options, domain, locator, choosing);
+  if (AddAborted(choosing, problems))
+  {
+    return {};
+  }
+  wanted.ManyVertices = static_cast<double>(options.MaximumNumberOfVertices);
+  wanted.ForecastVertices = [&domain, &locator, &options, &problems](
+                              const Spacing& slow, Monitor& asked)
+  { return ForecastVertices(domain, locator, slow, MakeBitingOptions(options), problems, asked); };
+  PartOfStage making(monitor, ChoiceEnd, 1.0);
+  return MakeSpacing(wanted, domain.Bounds, problems, making);
 }
 
 using Flags = std::vector<std::uint8_t>;
@@ -279,7 +301,7 @@ std::vector<Id> FindUncovered(
 // 1 for the segments whose parts cross or coincide with those of others, and for those that share an
 // end with one that the parts of others cut off from the mesh.
 Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result,
-  const std::vector<Id>& uncovered, const BitingResult& bites)
+  const std::vector<Id>& uncovered, const BitingResult& bites, Pulse& pulse)
 {
   Flags isInConflict(domain.NumberOfSegments(), 0);
   for (const auto* pairs : { &result.Conflicts, &result.Coincidences })
@@ -296,68 +318,73 @@ Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result
     isAtConflict[domain.Starts[bites.EdgeSegments[edge]]] = 1;
     isAtConflict[domain.Ends[bites.EdgeSegments[edge]]] = 1;
   }
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    isInConflict[segment] |=
-      isAtConflict[domain.Starts[segment]] | isAtConflict[domain.Ends[segment]];
-  }
+  pulse.ForEach(isInConflict.size(),
+    [&domain, &isInConflict, &isAtConflict](std::size_t segment)
+    {
+      isInConflict[segment] |=
+        isAtConflict[domain.Starts[segment]] | isAtConflict[domain.Ends[segment]];
+    });
   return isInConflict;
 }
 
 // Removes vertices at which no constraint ends.
-void RemoveVertices(const Flags& isRemoved, BitingResult& bites)
+void RemoveVertices(const Flags& isRemoved, BitingResult& bites, Pulse& pulse)
 {
-  std::vector<Id> numbers;
+  std::vector<Id> numbers(isRemoved.size(), NoId);
   std::size_t next = 0;
-  for (std::size_t vertex = 0; vertex < isRemoved.size(); ++vertex)
-  {
-    numbers.push_back(isRemoved[vertex] ? NoId : static_cast<Id>(next));
-    if (!isRemoved[vertex])
+  pulse.ForEach(isRemoved.size(),
+    [&isRemoved, &bites, &numbers, &next](std::size_t vertex)
     {
-      bites.Points[next] = bites.Points[vertex];
-      bites.Spacings[next] = bites.Spacings[vertex];
-      bites.BiteOrders[next] = bites.BiteOrders[vertex];
-      bites.Segments[next++] = bites.Segments[vertex];
-    }
-  }
+      if (!isRemoved[vertex])
+      {
+        numbers[vertex] = static_cast<Id>(next);
+        bites.Points[next] = bites.Points[vertex];
+        bites.Spacings[next] = bites.Spacings[vertex];
+        bites.BiteOrders[next] = bites.BiteOrders[vertex];
+        bites.Segments[next++] = bites.Segments[vertex];
+      }
+    });
   bites.Points.resize(next);
   bites.Spacings.resize(next);
   bites.BiteOrders.resize(next);
   bites.Segments.resize(next);
   for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
   {
-    std::transform(
-      ends->begin(), ends->end(), ends->begin(), [&numbers](Id end) { return numbers[end]; });
+    pulse.ForEach(
+      ends->size(), [&numbers, ends](std::size_t edge) { (*ends)[edge] = numbers[(*ends)[edge]]; });
   }
 }
 
 // Takes the new vertices off segments, and these back to one edge each: the segments themselves do
 // not cross.
-void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites)
+void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites, Pulse& pulse)
 {
   std::size_t next = 0;
   Id last = NoId;
-  for (std::size_t edge = 0; edge < bites.EdgeSegments.size(); ++edge)
-  {
-    const Id segment = bites.EdgeSegments[edge];
-    if (isUndone[segment] && segment == last)
+  pulse.ForEach(bites.EdgeSegments.size(),
+    [&domain, &isUndone, &bites, &next, &last](std::size_t edge)
     {
-      continue;
-    }
-    last = segment;
-    bites.EdgeStarts[next] = isUndone[segment] ? domain.Starts[segment] : bites.EdgeStarts[edge];
-    bites.EdgeEnds[next] = isUndone[segment] ? domain.Ends[segment] : bites.EdgeEnds[edge];
-    bites.EdgeSegments[next++] = segment;
-  }
+      const Id segment = bites.EdgeSegments[edge];
+      const bool isWhole = isUndone[segment] != 0;
+      if (!isWhole || segment != last)
+      {
+        bites.EdgeStarts[next] = isWhole ? domain.Starts[segment] : bites.EdgeStarts[edge];
+        bites.EdgeEnds[next] = isWhole ? domain.Ends[segment] : bites.EdgeEnds[edge];
+        bites.EdgeSegments[next++] = segment;
+      }
+      last = segment;
+    });
   bites.EdgeStarts.resize(next);
   bites.EdgeEnds.resize(next);
   bites.EdgeSegments.resize(next);
-  Flags isRemoved;
-  for (const Id segment : bites.Segments)
-  {
-    isRemoved.push_back(segment != NoId && isUndone[segment]);
-  }
-  RemoveVertices(isRemoved, bites);
+  Flags isRemoved(bites.Segments.size(), 0);
+  pulse.ForEach(isRemoved.size(),
+    [&bites, &isUndone, &isRemoved](std::size_t vertex)
+    {
+      const Id segment = bites.Segments[vertex];
+      isRemoved[vertex] = segment != NoId && isUndone[segment];
+    });
+  RemoveVertices(isRemoved, bites, pulse);
 }
 
 // 1 for the vertices that the triangulation found on constraints, though none begins or ends there:
@@ -388,7 +415,7 @@ bool ClearConstraints(
   const bool hasSome = std::find(isOn.begin(), isOn.end(), 1) != isOn.end();
   if (hasSome)
   {
-    RemoveVertices(isOn, bites);
+    RemoveVertices(isOn, bites, pulse);
   }
   return hasSome;
 }
@@ -461,8 +488,12 @@ Triangulation TriangulateBites(const Domain& domain, const BitingMeshOptions& op
     const bool isLastChance = attempt == MostTriangulations - 1;
     UndoDivisions(domain,
       isLastChance ? Flags(domain.NumberOfSegments(), 1)
-                   : SegmentsInConflict(domain, result, uncovered, bites),
-      bites);
+                   : SegmentsInConflict(domain, result, uncovered, bites, pulse),
+      bites, pulse);
+    if (AddAborted(part, problems))
+    {
+      return {};
+    }
   }
   AddProblem(ProblemCode::CheckFailed, "a part of a segment is not in the mesh", problems);
   return {};
@@ -486,11 +517,18 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
 }
 
 void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& constraints,
-  ProblemList& problems, Monitor& monitor)
+  const std::vector<Id>& segments, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage part(monitor, AssemblyEnd, CheckEnd);
-  const std::string violation =
-    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area }, part);
+  PartOfStage checking(part, 0.0, MeshCheckEnd);
+  std::string violation =
+    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area }, checking);
+  if (violation.empty() && !checking.HasStopped())
+  {
+    PartOfStage covering(part, MeshCheckEnd, 1.0);
+    violation = CheckSegmentCover(
+      domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, covering);
+  }
   if (!AddAborted(part, problems) && !violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, problems);
@@ -502,10 +540,11 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   ProblemList& problems, Monitor& monitor)
 {
   PartOfStage part(monitor, CountingEnd, AssemblyEnd);
+  const std::vector<Id> segments = bites.EdgeSegments;
   BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation, part);
   if (!AddAborted(part, problems))
   {
-    Check(domain, mesh, triangulation.Constraints, problems, monitor);
+    Check(domain, mesh, triangulation.Constraints, segments, problems, monitor);
   }
   return mesh;
 }
@@ -523,6 +562,21 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   }
 }
 
+// Before anything is made for them. All are vertices of the mesh.
+bool HasTooManyVertices(
+  const Domain& domain, const BitingMeshOptions& options, ProblemList& problems)
+{
+  const bool hasTooMany = domain.NumberOfVertices() > options.MaximumNumberOfVertices;
+  if (hasTooMany)
+  {
+    AddProblem(ProblemCode::TooManyVertices,
+      "the input alone has " + std::to_string(domain.NumberOfVertices()) +
+        " vertices, the limit is " + std::to_string(options.MaximumNumberOfVertices),
+      problems);
+  }
+  return hasTooMany;
+}
+
 // Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
 bool IsOver(const PartOfStage& whole, ProblemList& problems)
 {
@@ -538,27 +592,28 @@ BitingMesh MakeBitingMesh(
   PartOfStage whole(monitor, 0.0, 1.0);
   monitor.BeginStage(MeshingStages::Domain.Text);
   const Domain domain = MakeDomain(input, options.Domain, problems, whole);
-  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0)
+  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0 ||
+    HasTooManyVertices(domain, options, problems))
   {
     return {};
   }
   monitor.BeginStage(MeshingStages::Spacing.Text);
-  SpacingOptions wanted = ChooseSpacing(options, domain, whole);
+  PartOfStage locating(whole, 0.0, LocatorEnd);
+  Pulse pulse(locating);
+  std::optional<const DomainLocator> locator(std::in_place, domain, pulse);
   if (IsOver(whole, problems))
   {
     return {};
   }
-  wanted.ManyVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  wanted.ForecastVertices = [&domain, &options, &problems](const Spacing& slow)
-  { return ForecastVertices(domain, slow, MakeBitingOptions(options), problems); };
-  PartOfStage preparing(whole, ChoiceEnd, 1.0);
-  const Spacing spacing = MakeSpacing(wanted, domain.Bounds, problems, preparing);
+  PartOfStage preparing(whole, LocatorEnd, 1.0);
+  const Spacing spacing = PrepareSpacing(options, domain, *locator, problems, preparing);
   if (IsOver(whole, problems))
   {
     return {};
   }
   monitor.BeginStage(MeshingStages::Biting.Text);
-  BitingResult bites = Bite(domain, spacing, MakeBitingOptions(options), problems, whole);
+  BitingResult bites = Bite(domain, *locator, spacing, MakeBitingOptions(options), problems, whole);
+  locator.reset();
   if (IsOver(whole, problems))
   {
     return {};

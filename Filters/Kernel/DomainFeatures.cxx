@@ -3,8 +3,6 @@
 
 #include "DomainFeatures.h"
 
-#include "Domain/DomainLocator.h"
-
 namespace biting
 {
 
@@ -30,11 +28,10 @@ std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain, double mos
   return features;
 }
 
-std::function<bool(const Box2&)> OutsideOf(const Domain& domain, Pulse& pulse)
+std::function<bool(const Box2&)> OutsideOf(const DomainLocator& locator)
 {
-  const auto locator = std::make_shared<const DomainLocator>(domain, pulse);
-  return [locator](const Box2& box)
-  { return locator->IsClear(box) && !locator->IsInside(box.Center()); };
+  return [&locator](const Box2& box)
+  { return locator.IsClear(box) && !locator.IsInside(box.Center()); };
 }
 
 } // namespace biting

@@ -4,8 +4,8 @@
 #ifndef BitingDomainFeatures_h
 #define BitingDomainFeatures_h
 
-#include "Base/Pulse.h"
 #include "Domain/Domain.h"
+#include "Domain/DomainLocator.h"
 #include "Spacing/Spacing.h"
 
 #include <functional> // for what is outside
@@ -18,9 +18,8 @@ namespace biting
 /// is refused if it has more vertices than that.
 std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain, double mostVertices);
 
-/// True for boxes that lie outside of a domain: nobody asks for f there. The domain must outlive it.
-/// On abort it must not be asked.
-std::function<bool(const Box2&)> OutsideOf(const Domain& domain, Pulse& pulse);
+/// True for boxes that lie outside of a domain: nobody asks for f there. The locator must outlive it.
+std::function<bool(const Box2&)> OutsideOf(const DomainLocator& locator);
 
 } // namespace biting
 

@@ -3,6 +3,8 @@
 
 #include "PreservedSpacing.h"
 
+#include "Base/PartOfStage.h"
+#include "Base/Pulse.h"
 #include "Spacing/SegmentExtension.h"
 #include "Spacing/SourceCheck.h"
 
@@ -17,10 +19,14 @@ namespace biting
 namespace
 {
 
-bool IsValid(const SpacingOptions& spacing)
+// Where steps end, as shares of the time.
+constexpr double CheckEnd = 0.1;
+constexpr double FilingEnd = 0.4;
+
+bool IsValid(const SpacingOptions& spacing, Monitor& monitor)
 {
   ProblemList problems;
-  return CheckSpacing(spacing, problems);
+  return CheckSpacing(spacing, problems, monitor);
 }
 
 template <typename Source>
@@ -79,21 +85,28 @@ bool IsAsked(const SpacingOptions& spacing)
 }
 
 // Points only: between them L may be lower than on a straight line.
-std::shared_ptr<const SegmentSource> MakeFloor(const Domain& domain, double gradation)
+std::shared_ptr<const SegmentSource> MakeFloor(
+  const SegmentSource& lengths, const Domain& domain, double gradation, Monitor& monitor)
 {
-  SegmentSource lengths;
-  AddLengths(domain, lengths);
-  const SegmentExtension extension(lengths, gradation);
+  PartOfStage filing(monitor, 0.0, FilingEnd);
+  const SegmentExtension extension(lengths, gradation, filing);
+  PartOfStage evaluating(monitor, FilingEnd, 1.0);
+  Pulse pulse(evaluating);
+  if (filing.HasStopped())
+  {
+    return nullptr;
+  }
   auto floor = std::make_shared<SegmentSource>();
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  for (Id vertex = 0; vertex < domain.NumberOfVertices() && pulse.Beat(64); ++vertex)
   {
     if (!domain.IsEmbedded[vertex])
     {
       AddPoint(domain.Vertices[vertex], extension(domain.Vertices[vertex]), *floor);
     }
   }
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(64); ++segment)
   {
+    pulse.SetFraction(static_cast<double>(segment) / domain.NumberOfSegments());
     const Point2 middle =
       Midpoint(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]);
     AddPoint(middle, extension(middle), *floor);
@@ -105,19 +118,26 @@ std::shared_ptr<const SegmentSource> MakeFloor(const Domain& domain, double grad
 
 // The points of a source that is there already keep their numbers: messages tell them. What is
 // refused anyway is left as it is.
-SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain)
+SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain, Monitor& monitor)
 {
-  if (!IsValid(spacing))
+  PartOfStage checking(monitor, 0.0, CheckEnd);
+  if (!IsValid(spacing, checking) || checking.HasStopped())
   {
     return spacing;
   }
   spacing.Gradation = spacing.Gradation == 0.0 ? SpacingOptions().Gradation : spacing.Gradation;
   ApplyScale(spacing);
-  spacing.Floor = IsAsked(spacing) ? MakeFloor(domain, spacing.Gradation) : nullptr;
-  auto sources = spacing.Segments ? std::make_shared<SegmentSource>(*spacing.Segments)
-                                  : std::make_shared<SegmentSource>();
-  AddLengths(domain, *sources);
-  spacing.Segments = std::move(sources);
+  auto lengths = std::make_shared<SegmentSource>();
+  AddLengths(domain, *lengths);
+  PartOfStage raising(monitor, CheckEnd, 1.0);
+  spacing.Floor =
+    IsAsked(spacing) ? MakeFloor(*lengths, domain, spacing.Gradation, raising) : nullptr;
+  if (spacing.Segments)
+  {
+    lengths = std::make_shared<SegmentSource>(*spacing.Segments);
+    AddLengths(domain, *lengths);
+  }
+  spacing.Segments = std::move(lengths);
   return spacing;
 }
 

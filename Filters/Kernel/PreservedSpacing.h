@@ -4,6 +4,7 @@
 #ifndef BitingPreservedSpacing_h
 #define BitingPreservedSpacing_h
 
+#include "Base/Monitor.h"
 #include "Domain/Domain.h"
 #include "Spacing/Spacing.h"
 
@@ -19,8 +20,9 @@ namespace biting
 /// Where nothing else is given, f is L. A gradation of 0 becomes the default. The scale does not apply
 /// to L, and where a segment source is given, to its values only, not to g. Minimum and maximum
 /// apply, but not below the lower bound. A floor that was set is replaced.
-/// Cost O(n log n) for n segments.
-SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain);
+/// Cost O(n log n) for n segments. Where the monitor asks to stop the result has no meaning.
+SpacingOptions FollowSegments(
+  SpacingOptions spacing, const Domain& domain, Monitor& monitor = NoMonitor());
 
 } // namespace biting
 

@@ -84,6 +84,7 @@ set(biting_kernel_sources
   Calibration.cxx
   DomainFeatures.cxx
   MeshAssembly.cxx
+  SegmentCover.cxx
   SharpCornerTriangles.cxx
   PreservedSpacing.cxx
   RelaxedBites.cxx)

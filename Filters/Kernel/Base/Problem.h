@@ -25,12 +25,13 @@ enum class ProblemCode
   OutsidePoints,      ///< an embedded point outside the domain, dropped (ids: point)
   OutsideInterfaces,  ///< an interface outside the domain, dropped (ids: cell)
   // Refused: no mesh.
-  NoClosedLoop,    ///< nothing bounds a domain (ids: point, an open end; none where all is closed,
-                   ///< with a place where boundaries are drawn an even number of times)
-  NotFinite,       ///< a coordinate is NaN or infinite (ids: point)
-  OutOfRange,      ///< coordinates too large or too small for the exact predicates (ids: point)
-  NotPlanar,       ///< a loop leaves the fitted plane (ids: point)
-  BadSpacing,      ///< the spacing is zero, negative or not finite (ids: point or cell)
+  NoClosedLoop, ///< nothing bounds a domain (ids: point, an open end; none where nothing is open,
+                ///< with the place of the first boundary drawn an even number of times, interface
+                ///< or embedded point, and the id in the detail)
+  NotFinite,    ///< a coordinate is NaN or infinite (ids: point)
+  OutOfRange,   ///< coordinates too large or too small for the exact predicates (ids: point)
+  NotPlanar,    ///< a loop leaves the fitted plane (ids: point)
+  BadSpacing,   ///< the spacing is zero, negative or not finite (ids: point or cell)
   TooManyVertices, ///< the estimate exceeds the limit
   NotResolved,     ///< crossings that could not be resolved (ids: cell, cell)
   CheckFailed,     ///< the result did not pass the check: a defect of this library

@@ -170,6 +170,24 @@ std::vector<Id> Degrees(const Arrangement& arrangement)
   return degrees;
 }
 
+/// What there is instead of a boundary, and where it begins.
+void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
+{
+  if (!arrangement.Edges.empty())
+  {
+    problem.Place = arrangement.At(arrangement.Edges.front().Ends.Start);
+    problem.Detail = "there are interfaces only, the first of cell " +
+      std::to_string(arrangement.Edges.front().Cell);
+  }
+  else if (!arrangement.EmbeddedVertices.empty())
+  {
+    const Id vertex = arrangement.EmbeddedVertices.front();
+    problem.Place = arrangement.At(vertex);
+    problem.Detail = "there are embedded points only, the first of them point " +
+      std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
+  }
+}
+
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one is.
 Problem NothingBounds(const Arrangement& arrangement)
 {
@@ -189,6 +207,10 @@ Problem NothingBounds(const Arrangement& arrangement)
     problem.Detail = std::to_string(cancelled) +
       " boundary segments are drawn an even number of times, and so bound nothing; the first of "
       "them";
+  }
+  else
+  {
+    TellWhatThereIs(arrangement, problem);
   }
   return problem;
 }

@@ -3,6 +3,8 @@
 
 #include "AdaptiveCarrier.h"
 
+#include "../Base/PartOfStage.h"
+
 #include <algorithm> // for min, max, find, transform
 #include <cmath>     // for isfinite, ldexp
 #include <cstdint>   // for counts
@@ -289,10 +291,12 @@ private:
     ++this->Leaves;
     if (this->Leaves == this->Relief.ManyLeaves && this->Relief.ForecastVertices)
     {
-      const double vertices = this->Relief.ForecastVertices();
+      const double done = std::min(this->AreaDone, 1.0);
+      PartOfStage asking(this->Progress, done, done);
+      const double vertices = this->Relief.ForecastVertices(asking);
       const double many = std::max(vertices, static_cast<double>(this->Leaves));
       this->MostLeaves = AdaptiveCarrier::LeavesPerVertex * many;
-      this->IsOver |= !std::isfinite(vertices);
+      this->IsOver |= !std::isfinite(vertices) || asking.HasStopped();
     }
     this->IsTooLarge = static_cast<double>(this->Leaves) > this->MostLeaves;
     this->IsOver |= this->IsTooLarge;

@@ -37,7 +37,7 @@ public:
       std::numeric_limits<double>::infinity(); ///< values above this need not be told apart
     std::function<bool(const Box2&)> IsUnused; ///< may be empty: boxes where half the value will do
     /// May be empty: asked once, when there are many leaves. Infinity: give up.
-    std::function<double()> ForecastVertices;
+    std::function<double(Monitor&)> ForecastVertices;
     std::size_t ManyLeaves = 0; ///< how many
   };
 

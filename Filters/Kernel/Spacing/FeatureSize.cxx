@@ -159,15 +159,20 @@ private:
       (manyParts <= FewParts || this->CountPieces(manyParts) > most);
   }
 
-  /// Of f as given, sampled at the ends of parts of each segment.
+  /// Of f as given, sampled at the ends of parts of each segment. Ends above what is most. Most segments
+  /// begin where the one before ends.
   double CountPieces(double parts)
   {
     double pieces = 0.0;
-    for (std::size_t segment = 0; segment < this->Source.Starts.size(); ++segment)
+    Id lastEnd = NoId;
+    double last = 0.0;
+    const std::size_t count = this->Source.Starts.size();
+    for (std::size_t segment = 0; segment < count && pieces <= this->Source.MostPieces; ++segment)
     {
       const Feature feature(this->Source, static_cast<Id>(segment));
       const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
-      double last = this->Given(feature.Start);
+      last = feature.StartId == lastEnd ? last : this->Given(feature.Start);
+      lastEnd = feature.EndId;
       for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
       {
         const double next = this->Given(feature.Start + part * step);

@@ -5,7 +5,7 @@
 
 #include "SourceSlopes.h"
 
-#include <utility> // for swap
+#include <utility> // for swap, exchange
 
 namespace biting
 {
@@ -66,33 +66,64 @@ BoxTree MakeTree(const std::vector<SegmentCone>& cones, Pulse& pulse)
   return BoxTree(items, pulse);
 }
 
+/// Puts cone order[i] at i, in place: there may be millions of them.
+void Reorder(std::vector<Id> order, std::vector<SegmentCone>& cones)
+{
+  for (std::size_t first = 0; first < order.size(); ++first)
+  {
+    const SegmentCone moved = cones[first];
+    std::size_t place = first;
+    while (order[place] != NoId)
+    {
+      const auto from = static_cast<std::size_t>(std::exchange(order[place], NoId));
+      cones[place] = from == first ? moved : cones[from];
+      place = from;
+    }
+  }
+}
+
 } // namespace
 
 SegmentExtension::SegmentExtension(const SegmentSource& source, double gradation, Monitor& monitor)
   : Slope(UsedGradation(source, gradation))
 {
   Pulse pulse(monitor);
-  this->File(MakeCones(source, this->Slope, pulse), pulse);
-  std::vector<SegmentCone> bounding;
+  this->Cones = MakeCones(source, this->Slope, pulse);
+  this->File(pulse);
+  std::vector<Id> lowest;
   for (Id cone = 0; cone < static_cast<Id>(this->Cones.size()) && pulse.Beat(64); ++cone)
   {
     if (!this->IsBounded(cone))
     {
-      bounding.push_back(this->Cones[static_cast<std::size_t>(cone)]);
+      lowest.push_back(cone);
     }
   }
-  this->File(bounding, pulse);
+  if (lowest.size() < this->Cones.size())
+  {
+    this->KeepOnly(lowest);
+    this->File(pulse);
+  }
 }
 
-void SegmentExtension::File(const std::vector<SegmentCone>& cones, Pulse& pulse)
+void SegmentExtension::File(Pulse& pulse)
 {
-  this->Tree = MakeTree(cones, pulse);
-  this->Cones.clear();
-  this->Cones.reserve(cones.size());
-  for (Id cone : this->Tree.Order())
+  this->Tree = MakeTree(this->Cones, pulse);
+  if (pulse.HasStopped())
   {
-    this->Cones.push_back(cones[static_cast<std::size_t>(cone)]);
+    this->Cones.clear();
+    return;
   }
+  Reorder(this->Tree.Order(), this->Cones);
+}
+
+void SegmentExtension::KeepOnly(const std::vector<Id>& ascending)
+{
+  std::size_t count = 0;
+  for (const Id cone : ascending)
+  {
+    this->Cones[count++] = this->Cones[static_cast<std::size_t>(cone)];
+  }
+  this->Cones.resize(count);
 }
 
 /// A cone is convex, and linear along its own segment: another one that is lower at both ends of that

@@ -97,7 +97,8 @@ public:
     std::vector<Id>& found) const;
 
 private:
-  void File(const std::vector<SegmentCone>& cones, Pulse& pulse);
+  void File(Pulse& pulse);
+  void KeepOnly(const std::vector<Id>& ascending);
   bool IsBounded(Id cone) const;
 
   double Slope;

@@ -31,7 +31,7 @@ constexpr double DefaultShareOfDiagonal = 0.02;
 /// Leaves of a carrier, at which it is asked whether a mesh with so many vertices is affordable.
 constexpr double LeavesPerVertex = 0.1;
 constexpr double LeastLeaves = 10000.0;
-constexpr double MostLeaves = 200000.0;
+constexpr double MostLeaves = 50000.0;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -286,7 +286,6 @@ private:
     }
     if (this->Options.Gradation > 0.0 && this->Options.Scale >= 1.0)
     {
-      this->AddScaled(source);
       this->Exact.emplace(std::move(extension));
       return true;
     }
@@ -301,7 +300,8 @@ private:
     AdaptiveCarrier::Relief relief{ most, this->Options.IsUnused, nullptr, 0 };
     if (this->Options.ForecastVertices)
     {
-      relief.ForecastVertices = [this] { return this->Options.ForecastVertices(this->Whole); };
+      relief.ForecastVertices = [this](Monitor& monitor)
+      { return this->Options.ForecastVertices(this->Whole, monitor); };
       relief.ManyLeaves = static_cast<std::size_t>(
         std::min(std::max(LeavesPerVertex * this->Options.ManyVertices, LeastLeaves), MostLeaves));
     }
@@ -342,13 +342,25 @@ private:
 
   bool AddLimit()
   {
-    const SegmentSource& source = this->Cones.Segments();
-    if (source.Segments.empty())
+    const bool isExact =
+      this->Exact && this->Cones.Segments().Segments.empty() && this->Options.Scale == 1.0;
+    if (isExact)
     {
-      return true;
+      return this->AddLimit(std::move(*this->Exact), *this->Options.Segments);
     }
+    if (this->Exact)
+    {
+      this->Exact.reset();
+      this->AddScaled(*this->Options.Segments);
+    }
+    const SegmentSource& source = this->Cones.Segments();
     PartOfStage sorting(this->Stage, 0.7, 0.75);
-    SegmentExtension extension(source, GradationOf(this->Options), sorting);
+    return source.Segments.empty() ||
+      this->AddLimit(SegmentExtension(source, GradationOf(this->Options), sorting), source);
+  }
+
+  bool AddLimit(SegmentExtension extension, const SegmentSource& source)
+  {
     if (this->Stage.HasStopped())
     {
       return false;
@@ -380,7 +392,7 @@ private:
   ProblemList& Problems;
   PartOfStage& Stage;
   ConeCollector Cones;
-  std::optional<SegmentExtension> Exact; ///< of boundary values that are among the cones
+  std::optional<SegmentExtension> Exact; ///< of boundary values that will be among the cones
 };
 
 Spacing::Spacing()

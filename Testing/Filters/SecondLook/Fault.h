@@ -19,6 +19,7 @@ enum class Fault
   UnlinkedNeighbor,    ///< two triangles forget each other
   OneSidedNeighbor,    ///< one of two triangles forgets the other
   ForgottenConstraint, ///< a boundary edge is not covered by a segment
+  ForgottenInterface,  ///< nor is an edge between two triangles
   UnusedVertex,        ///< a vertex without triangle
   UncoveredSegment,    ///< no attempt to triangulate gets a part of a segment into the mesh
   MistakenSegment      ///< relaxation takes an edge on a segment for one of another

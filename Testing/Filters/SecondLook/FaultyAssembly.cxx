@@ -43,6 +43,16 @@ void Unlink(BitingMesh& mesh, Id from, Id to)
   }
 }
 
+// Of the two triangles the larger one forgets: what the smaller one names is not followed.
+void ForgetSmallerNeighbor(std::size_t half, BitingMesh& mesh)
+{
+  while (mesh.Neighbors[half] == NoId || mesh.Neighbors[half] > static_cast<Id>(half / 3))
+  {
+    ++half;
+  }
+  mesh.Neighbors[half] = NoId;
+}
+
 // The last triangle takes the number of the dropped one.
 void DropTriangle(std::size_t first, BitingMesh& mesh, Triangulation& triangulation)
 {
@@ -72,6 +82,20 @@ void DoubleTriangle(std::size_t first, BitingMesh& mesh, Triangulation& triangul
     mesh.Neighbors.push_back(NoId);
     triangulation.Constraints.push_back(0);
   }
+}
+
+// On an interface, which both its triangles forget.
+void ForgetInterface(const BitingMesh& mesh, Triangulation& triangulation)
+{
+  std::vector<Id>& constraints = triangulation.Constraints;
+  std::size_t half = 0;
+  while (constraints[half] == NoId || mesh.Neighbors[half] == NoId)
+  {
+    ++half;
+  }
+  const auto across = constraints.begin() + 3 * mesh.Neighbors[half];
+  std::replace(across, across + 3, constraints[half], NoId);
+  constraints[half] = NoId;
 }
 
 Point2& InnerPoint(BitingMesh& mesh)
@@ -110,11 +134,12 @@ void Break(Fault fault, BitingMesh& mesh, Triangulation& triangulation)
       mesh.Neighbors[inner] = NoId;
       return;
     case Fault::OneSidedNeighbor:
-      mesh.Neighbors[inner] = NoId;
-      return;
+      return ForgetSmallerNeighbor(inner, mesh);
     case Fault::ForgottenConstraint:
       triangulation.Constraints[BoundaryEdge(mesh)] = NoId;
       return;
+    case Fault::ForgottenInterface:
+      return ForgetInterface(mesh, triangulation);
     case Fault::UnusedVertex:
       mesh.Points.push_back({ 0.5, 0.5 });
       return;

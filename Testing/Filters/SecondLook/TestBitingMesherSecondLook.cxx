@@ -38,7 +38,9 @@ class BitingMesherSecondLook : public testing::TestWithParam<BrokenThing>
 protected:
   void SetUp() override
   {
-    this->Mesher->SetInputData(UnitSquare());
+    auto input = UnitSquare();
+    AddChain(input, { { 0.0, 0.5, 0.0 }, { 1.0, 0.5, 0.0 } }, false);
+    this->Mesher->SetInputData(input);
     this->Mesher->SetUniformSpacing(0.1);
     this->Mesher->GenerateBitesOn();
   }
@@ -104,6 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Faults, BitingMesherSecondLook,
     BrokenThing{ Fault::OneSidedNeighbor, "OneSidedNeighbor", "neighbors are not mutual" },
     BrokenThing{
       Fault::ForgottenConstraint, "ForgottenConstraint", "no constraint covers the boundary" },
+    BrokenThing{
+      Fault::ForgottenInterface, "ForgottenInterface", "are not a chain between its ends" },
     BrokenThing{ Fault::UnusedVertex, "UnusedVertex", "belongs to no triangle" },
     BrokenThing{
       Fault::UncoveredSegment, "UncoveredSegment", "a part of a segment is not in the mesh" },

@@ -104,6 +104,52 @@ TEST(IntegrateDensity, SeesBothSidesOfAJump)
   }
 }
 
+/// Segments of a polygon.
+double DivisionPoints(int corners, const SpacingOptions& options, EstimateEffort effort)
+{
+  const MadeDomain made =
+    Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, corners)).Lines());
+  ProblemList problems;
+  const Spacing spacing = MakeSpacing(options, made.Domain.Bounds, problems, NoMonitor());
+  return EstimateDivisionPoints(made.Domain, spacing, 1.0, NoMonitor(), effort);
+}
+
+TEST(EstimateDivisionPoints, RoughIsNearFull)
+{
+  const SpacingOptions graded = RadialSpacing({ 1.0, 0.0 }, 1e-6, 1e-4);
+  for (const int corners : { 5, 1000, 20001, 50000 })
+  {
+    const double full = DivisionPoints(corners, graded, EstimateEffort::Full);
+    const double rough = DivisionPoints(corners, graded, EstimateEffort::Rough);
+    EXPECT_NEAR(rough, full, 0.1 * full) << corners;
+  }
+}
+
+TEST(EstimateDivisionPoints, RoughIsNotMisledByOneFineSegment)
+{
+  // At each corner in turn would take too long; some are looked at, others are not.
+  for (int corner = 0; corner < 40; ++corner)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * corner / 40000.0;
+    const SpacingOptions spiked = RadialSpacing({ std::cos(angle), std::sin(angle) }, 1e-9, 0.3);
+    const double full = DivisionPoints(40000, spiked, EstimateEffort::Full);
+    EXPECT_LE(DivisionPoints(40000, spiked, EstimateEffort::Rough), 1.5 * full) << corner;
+  }
+}
+
+TEST(IntegrateDensity, RoughIsNearFullForASpacingThatVariesSlowly)
+{
+  const MadeDomain made = Make(Box(1.0, 1.0));
+  const DomainLocator locator(made.Domain);
+  ProblemList problems;
+  const Spacing spacing =
+    MakeSpacing(LinearSpacing(1e-3, 0.1, 1.0), made.Domain.Bounds, problems, NoMonitor());
+  const double full = IntegrateDensity(made.Domain, locator, spacing);
+  const double rough =
+    IntegrateDensity(made.Domain, locator, spacing, NoMonitor(), EstimateEffort::Rough);
+  EXPECT_NEAR(rough, full, 0.2 * full);
+}
+
 TEST(EstimateNumberOfVertices, IsWithinAQuarterOfTheMesh)
 {
   for (FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })

@@ -214,6 +214,23 @@ TEST(Domain, SaysThatLoopsDrawnTwiceBoundNothing)
   EXPECT_EQ(refusal.Detail.substr(0, 20), "4 boundary segments ");
 }
 
+TEST(Domain, NamesTheFirstInterfaceOrPointWhereThereIsNothingElse)
+{
+  const auto refusalOf = [](const PolylineBuilder& builder)
+  { return Make(builder).Problems.Groups().back().First.front(); };
+  const Problem interfaces = refusalOf(
+    PolylineBuilder().Box(2, 3, 4, 5, ChainKind::Interface).Box(6, 7, 8, 9, ChainKind::Interface));
+  ASSERT_EQ(interfaces.Code, ProblemCode::NoClosedLoop);
+  EXPECT_EQ(interfaces.Place, (Point2{ 2, 3 }));
+  EXPECT_EQ(interfaces.Detail, "there are interfaces only, the first of cell 0");
+  const Problem points = refusalOf(PolylineBuilder()
+                                     .Chain({ { 4, 5 } }, ChainKind::EmbeddedPoint)
+                                     .Chain({ { 2, 3 } }, ChainKind::EmbeddedPoint));
+  ASSERT_EQ(points.Code, ProblemCode::NoClosedLoop);
+  EXPECT_EQ(points.Place, (Point2{ 4, 5 }));
+  EXPECT_EQ(points.Detail, "there are embedded points only, the first of them point 0");
+}
+
 TEST(Domain, NamesTheOpenEndsWhereNothingIsClosed)
 {
   // Two chains that meet in one end, by coordinates: what is open are the others.

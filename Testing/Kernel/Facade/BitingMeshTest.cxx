@@ -389,6 +389,18 @@ TEST(BitingMesh, RefusesTooManyVerticesAtOnceAndSaysHowMany)
   EXPECT_NE(detail.find("20000000"), std::string::npos) << detail;
 }
 
+TEST(BitingMesh, RefusesInputWithMoreVerticesThanTheMeshMayHave)
+{
+  BitingMeshOptions options;
+  options.MaximumNumberOfVertices = 99;
+  const MeshRun run =
+    RunMesh(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 100)).Lines(), options);
+  EXPECT_TRUE(run.Mesh.Points.empty());
+  ASSERT_EQ(run.Problems.Count(ProblemCode::TooManyVertices), 1);
+  EXPECT_EQ(run.Problems.Groups().front().First.front().Detail,
+    "the input alone has 100 vertices, the limit is 99");
+}
+
 TEST(BitingMesh, SaysWhatEachVertexIs)
 {
   const Polylines input = Plate();

@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>  // for sqrt
-#include <memory> // for sources
+#include <algorithm> // for max_element
+#include <cmath>     // for sqrt
+#include <cstddef>   // for differences
+#include <memory>    // for sources
 
 namespace biting
 {
@@ -129,6 +131,59 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWithBoundaryValues)
   BitingMeshOptions options;
   options.Spacing.Segments = BoundaryValues(loop);
   ExpectAbortEverywhere(loop, options);
+}
+
+/// Values that are fine enough for the question how many vertices there will be.
+TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheForecastIsAsked)
+{
+  const Polylines loop = PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 40)).Lines();
+  BitingMeshOptions options;
+  auto values = BoundaryValues(loop);
+  for (std::size_t k = 0; k < values->Values.size(); k += 2)
+  {
+    values->Values[k] = 1e-6;
+  }
+  options.Spacing.Segments = values;
+  options.MaximumNumberOfVertices = 1000;
+  for (int calls = 0;; calls += 7)
+  {
+    StoppingMonitor monitor(calls);
+    ProblemList problems;
+    EXPECT_TRUE(MakeBitingMesh(loop, options, problems, monitor).Points.empty());
+    ASSERT_EQ(problems.Has(ProblemCode::Aborted), monitor.HasStopped()) << calls;
+    ASSERT_NE(problems.Has(ProblemCode::TooManyVertices), monitor.HasStopped()) << calls;
+    ASSERT_LE(monitor.Calls, calls + 1) << "asked again after it wanted to stop";
+    if (!monitor.HasStopped())
+    {
+      EXPECT_GT(calls, 20);
+      return;
+    }
+  }
+}
+
+/// Two interfaces from one point, far from the origin: rounded points of the one are beyond the other.
+Polylines NarrowWedge()
+{
+  const double away = 1 << 27;
+  const double ulp = 1.0 / (1 << 25);
+  return PolylineBuilder()
+    .Box(away, away, away + 1.0, away + 1.0)
+    .Chain({ { away, away }, { away + 0.875, away + 0.5 } })
+    .Chain({ { away, away }, { away + 0.875, away + 0.5 + 2.0 * ulp } })
+    .Lines();
+}
+
+TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereDivisionsAreUndone)
+{
+  BitingMeshOptions options = UniformOptions(1000.0);
+  options.LimitByFeatureSize = false;
+  options.Relaxation = false;
+  const RecordingMonitor monitor = Watch(NarrowWedge(), options);
+  const auto begin = monitor.Fractions.begin();
+  const auto first = begin + static_cast<std::ptrdiff_t>(monitor.Begins[TriangulationStage]);
+  const auto last = begin + static_cast<std::ptrdiff_t>(monitor.Begins[RelaxationStage]);
+  ASSERT_GT(*std::max_element(first, last), 0.901) << "one attempt was enough";
+  ExpectAbortEverywhere(NarrowWedge(), options);
 }
 
 TEST(Progress, NamesTheStagesInTheirOrder)

@@ -3,6 +3,7 @@
 
 #include "Spacing/AdaptiveCarrier.h"
 
+#include "../Support/Monitors.h"
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>
@@ -75,12 +76,6 @@ Errors LargestErrors(const SegmentSource& source, double gradation, int probes)
   }
   return errors;
 }
-
-class StoppingMonitor : public SilentMonitor
-{
-public:
-  bool Advance(double) override { return false; }
-};
 
 } // namespace
 
@@ -191,7 +186,7 @@ TEST(AdaptiveCarrier, TakesBoxesOfAnyProportion)
 
 TEST(AdaptiveCarrier, StopsWhenAsked)
 {
-  StoppingMonitor monitor;
+  StoppingMonitor monitor(0);
   AdaptiveCarrier carrier(FineLoop(), UnitBox());
   EXPECT_FALSE(carrier.Refine({}, monitor));
   EXPECT_FALSE(carrier.IsComplete());
@@ -204,7 +199,7 @@ TEST(AdaptiveCarrier, AsksOnceWhetherManyLeavesAreAffordable)
     int questions = 0;
     AdaptiveCarrier::Relief relief;
     relief.ManyLeaves = 100;
-    relief.ForecastVertices = [&questions, isAffordable]
+    relief.ForecastVertices = [&questions, isAffordable](Monitor&)
     {
       ++questions;
       return isAffordable ? 1e6 : std::numeric_limits<double>::infinity();
@@ -215,13 +210,38 @@ TEST(AdaptiveCarrier, AsksOnceWhetherManyLeavesAreAffordable)
   }
 }
 
+TEST(AdaptiveCarrier, ShowsTheProgressOfTheForecastAndHearsThatItIsToStop)
+{
+  for (const bool isStopped : { false, true })
+  {
+    StoppingMonitor monitor(isStopped ? 3 : 1 << 30);
+    AdaptiveCarrier::Relief relief;
+    relief.ManyLeaves = 100;
+    relief.ForecastVertices = [&monitor](Monitor& asked)
+    {
+      const double done = monitor.Fraction;
+      for (const double fraction : { 0.1, 0.5, 1.0, 1.0, 1.0 })
+      {
+        asked.Advance(fraction);
+        EXPECT_GE(monitor.Fraction, done);
+        EXPECT_LE(monitor.Fraction, 1.0);
+      }
+      return 1e6;
+    };
+    AdaptiveCarrier carrier(FineLoop(), UnitBox());
+    EXPECT_EQ(carrier.Refine(relief, monitor), !isStopped);
+    EXPECT_EQ(monitor.HasStopped(), isStopped);
+    EXPECT_TRUE(!isStopped || monitor.Calls == 4) << "asked again after it wanted to stop";
+  }
+}
+
 TEST(AdaptiveCarrier, StaysExactWhereItWouldHaveManyMoreLeavesThanVertices)
 {
   AdaptiveCarrier::Relief relief;
   relief.ManyLeaves = 1;
   for (const double vertices : { 1.0, 1e6 })
   {
-    relief.ForecastVertices = [vertices] { return vertices; };
+    relief.ForecastVertices = [vertices](Monitor&) { return vertices; };
     AdaptiveCarrier carrier(FineLoop(), UnitBox());
     EXPECT_TRUE(carrier.Refine(relief, NoMonitor()));
     EXPECT_EQ(carrier.IsComplete(), vertices == 1e6);

@@ -421,7 +421,7 @@ TEST(MakeSpacing, EndsWithoutAProblemOfItsOwnWhereItIsNotAffordable)
   options.ManyVertices = 1000.0;
   const Point2 x{ 0.5, 0.1 };
   double slow = 0.0;
-  options.ForecastVertices = [&slow, &x](const Spacing& spacing)
+  options.ForecastVertices = [&slow, &x](const Spacing& spacing, Monitor&)
   {
     slow = spacing(x);
     return std::numeric_limits<double>::infinity();

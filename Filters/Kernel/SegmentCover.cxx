@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SegmentCover.h"
+
+#include "Base/Pulse.h"
+
+#include <algorithm> // for find_if
+#include <cstdint>   // for sums
+#include <cstring>   // for memcpy
+
+namespace biting
+{
+
+namespace
+{
+
+std::uint64_t BitsOf(double value)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+// Different for different places, as good as surely (the finalizer of S. Vigna's splitmix64, 2015).
+std::uint64_t MarkOf(const Point2& place)
+{
+  std::uint64_t mark = BitsOf(place.X) + 0x9E3779B97F4A7C15u * BitsOf(place.Y);
+  mark = (mark ^ (mark >> 30)) * 0xBF58476D1CE4E5B9u;
+  mark = (mark ^ (mark >> 27)) * 0x94D049BB133111EBu;
+  return mark ^ (mark >> 31);
+}
+
+std::string ViolationAt(const Domain& domain, std::size_t segment)
+{
+  return "the mesh edges on segment " + std::to_string(segment) + ", of cell " +
+    std::to_string(domain.Cells[segment]) + ", are not a chain between its ends";
+}
+
+} // namespace
+
+// Each place of a chain but its ends is marked twice, which leaves no mark.
+std::string CheckSegmentCover(const Domain& domain, const SegmentCoverInput& mesh, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  std::vector<std::uint64_t> marks(static_cast<std::size_t>(domain.NumberOfSegments()), 0);
+  pulse.ForEach(mesh.Corners.size(),
+    [&mesh, &marks](std::size_t half)
+    {
+      const Id constraint = mesh.Constraints[half];
+      const bool isFirst = mesh.Neighbors[half] < static_cast<Id>(half / 3);
+      if (constraint != NoId && isFirst)
+      {
+        const std::size_t corner = half % 3;
+        const Id u = mesh.Corners[half - corner + (corner + 1) % 3];
+        const Id v = mesh.Corners[half - corner + (corner + 2) % 3];
+        marks[mesh.Segments[constraint]] ^= MarkOf(mesh.Points[u]) ^ MarkOf(mesh.Points[v]);
+      }
+    });
+  pulse.ForEach(marks.size(),
+    [&domain, &marks](std::size_t segment)
+    {
+      marks[segment] ^= MarkOf(domain.Vertices[domain.Starts[segment]]) ^
+        MarkOf(domain.Vertices[domain.Ends[segment]]);
+    });
+  const auto broken =
+    std::find_if(marks.begin(), marks.end(), [](std::uint64_t mark) { return mark != 0; });
+  return broken == marks.end()
+    ? std::string()
+    : ViolationAt(domain, static_cast<std::size_t>(broken - marks.begin()));
+}
+
+} // namespace biting
