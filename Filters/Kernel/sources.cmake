@@ -71,6 +71,7 @@ set(biting_kernel_sources
   Relaxation/Patch.cxx
   Relaxation/Relaxation.cxx
   Relaxation/Rescue.cxx
+  Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx
   Relaxation/Star.cxx
   Relaxation/ValenceRound.cxx

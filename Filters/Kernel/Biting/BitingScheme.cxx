@@ -156,8 +156,11 @@ double NearReach(const BitingOptions& options)
 // How near centres on one edge may be, in half-widths.
 double LeastPart(const BitingOptions& options)
 {
-  const bool isExact = options.Placement == Placement::Corners;
-  return isExact ? EdgeDivider::LeastPart : UsedTolerance(options) * EdgeDivider::LeastPart;
+  const double tolerance = UsedTolerance(options);
+  const bool isExact = options.Placement == Placement::Corners || tolerance == 1.0;
+  const double balanced =
+    EdgeDivider::BalancedPart * UsedPartLength(options) / UsedBitingConstant(options);
+  return isExact ? EdgeDivider::LeastPart : std::min(balanced, tolerance * EdgeDivider::LeastPart);
 }
 
 // For circles: one bite a vertex.

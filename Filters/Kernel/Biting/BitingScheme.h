@@ -33,8 +33,9 @@ struct BitingOptions
   /// as in the paper.
   bool FollowSlope = false;
 
-  /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1]. 0:
-  /// AutomaticTolerance; 1: the laws to the letter.
+  /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1], and vertices
+  /// on a segment may be as near as EdgeDivider::BalancedPart of PartLength. 0: AutomaticTolerance; 1:
+  /// the laws to the letter.
   double Tolerance = 0.0;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;

@@ -4,7 +4,7 @@
 #include "EdgeDivision.h"
 
 #include <algorithm> // for upper_bound, min, max, reverse
-#include <cmath>     // for round, abs
+#include <cmath>     // for sqrt, ceil, floor, abs
 
 namespace biting
 {
@@ -15,7 +15,7 @@ namespace
 constexpr double PanelLength = 0.25; // of a part: Simpson's rule on each of its panels
 constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
 constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
-constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
+constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
@@ -158,13 +158,15 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   return true;
 }
 
-// Of what lies between the shells.
+// Of what lies between the shells. n parts are nearer to the wanted length, as a ratio, than n + 1 as
+// long as the whole is at most sqrt(n (n + 1)) wanted lengths.
 Id EdgeDivider::NumberOfParts() const
 {
   const double whole = this->To - this->From;
   const double least = std::ceil(whole / (2.0 * this->BitingConstant) * (1.0 + PartMargin));
   const double greatest = std::floor(whole / (this->LeastLength * this->BitingConstant));
-  const double wanted = std::round(whole / this->TargetLength);
+  const double lengths = whole / this->TargetLength;
+  const double wanted = std::ceil(std::sqrt(0.25 + lengths * lengths) - 0.5);
   return static_cast<Id>(std::max(1.0, std::max(least, std::min(wanted, greatest))));
 }
 

@@ -33,9 +33,9 @@ struct EndShells
 /// Divides edges by equal integrals of 1/f.
 ///
 /// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is the
-/// whole number nearest to I/TargetLength for which c_b <= I/n < 2 c_b: then the bites cover the edge,
-/// and no odd gap is left at its end, as it is when an edge is walked from one end (paper, section
-/// 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had, which keeps centres out of the
+/// whole number for which I/n is nearest to TargetLength, as a ratio, of those with c_b <= I/n < 2 c_b:
+/// then the bites cover the edge, and no odd gap is left at its end, as it is when an edge is walked
+/// from one end (paper, section 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had, which keeps centres out of the
 /// bites of the edge's ends and of neighbours with a larger f; for I from 2 to 2.165 c_b it cannot,
 /// and the one centre may lie up to 8 % deep in them. Where f varies so fast that equal parts leave a
 /// gap between two bites, n grows until they meet.
@@ -47,6 +47,10 @@ public:
   /// Of c_b: 1 / cos(22.5 degrees), how far the square of an input vertex with an angle of 45..315
   /// degrees reaches along its edges (figure 7). For circles it is a margin where f varies.
   static constexpr double LeastPart = 1.0824;
+
+  /// Of the wanted length: 1/sqrt(2). Where parts may be that short, those of an edge that is not
+  /// shorter itself are all within 1/sqrt(2) and sqrt(2) of it.
+  static constexpr double BalancedPart = 0.70710678118654752;
 
   /// Parts of what is left between shells are at least 3/4 of the wanted length, then.
   static constexpr double LeastRest = 1.5;

@@ -40,6 +40,13 @@ constexpr double NumbersEnd = 0.15;
 constexpr double VerticesWrittenEnd = 0.4;
 constexpr double TrianglesWrittenEnd = 0.85;
 
+/// For a few more than `size`, so that the first that is made does not copy all.
+template <typename... Values>
+void ReserveWithRoom(std::size_t size, std::vector<Values>&... arrays)
+{
+  (arrays.reserve(size + size / 16), ...);
+}
+
 class Reader
 {
 public:
@@ -117,9 +124,8 @@ void Reader::CopyVertices()
 {
   MutableMesh& mesh = this->Mesh;
   const std::size_t size = this->Origins.size();
-  const std::size_t reserve = size + size / 16;
-  mesh.Points.reserve(reserve);
-  mesh.Spacings.reserve(reserve);
+  ReserveWithRoom(size, mesh.Points, mesh.Spacings, mesh.Segments, mesh.VertexEdges, mesh.Degrees,
+    mesh.Freedoms, mesh.IdealDegrees);
   this->Progress.ForEach(size,
     [this, &mesh](std::size_t vertex)
     {
@@ -139,15 +145,18 @@ void Reader::CopyTriangles()
   MutableMesh& mesh = this->Mesh;
   const std::size_t numberOfHalves = this->Input.Triangles.Corners.size();
   const std::size_t size = numberOfHalves / 3 * 4;
+  ReserveWithRoom(size, mesh.Corners, mesh.Twins, mesh.Marks);
   for (std::vector<Id>* array : { &mesh.Corners, &mesh.Twins, &mesh.Marks })
   {
-    array->reserve(size + size / 16);
     if (!GrowInSteps(*array, size, NoId, this->Progress))
     {
       return;
     }
   }
-  mesh.Regions = this->Input.Triangles.Regions;
+  const std::vector<Id>& regions = this->Input.Triangles.Regions;
+  ReserveWithRoom(regions.size(), mesh.Regions);
+  this->Progress.ForEach(regions.size(),
+    [&mesh, &regions](std::size_t triangle) { mesh.Regions.push_back(regions[triangle]); });
   this->Progress.ForEach(numberOfHalves,
     [this, &mesh](std::size_t half)
     {
@@ -257,6 +266,14 @@ void Reader::SetIdealDegrees()
     });
 }
 
+/// In steps: all of it at once would take long.
+void Release(RelaxationMesh& mesh, Pulse& pulse)
+{
+  Triangulation& triangles = mesh.Triangles;
+  ReleaseInSteps(pulse, mesh.Points, mesh.Spacings, mesh.Segments, triangles.Corners,
+    triangles.Neighbors, triangles.Constraints, triangles.Regions);
+}
+
 /// A mesh edge on a segment, in the direction of it.
 struct SegmentPart
 {
@@ -286,6 +303,7 @@ public:
     this->WriteParts();
     if (!this->Progress.HasStopped())
     {
+      Release(output, this->Progress);
       output = std::move(this->Output);
     }
     return std::move(this->NewOrigins);
@@ -314,6 +332,7 @@ private:
   std::vector<Id> Sources;   ///< of each new vertex: the vertex of the mesh, or NoId
   std::vector<Id> Numbers;   ///< vertex of the mesh -> new vertex
   std::vector<Id> Triangles; ///< triangle of the mesh -> new triangle
+  Id NumberOfTriangles = 0;  ///< that are new
 };
 
 void Writer::NumberAll()
@@ -339,6 +358,8 @@ void Writer::NumberVertices()
   {
     return;
   }
+  this->Sources.reserve(this->Mesh.Points.size());
+  this->NewOrigins.reserve(this->Mesh.Points.size());
   this->Progress.ForEach(sourceOf.size(),
     [this, &sourceOf](std::size_t slot)
     {
@@ -371,7 +392,7 @@ void Writer::NumberVertex(Id source, Id origin)
 void Writer::NumberTriangles()
 {
   GrowInSteps(this->Triangles, this->Mesh.Regions.size(), NoId, this->Progress);
-  Id count = 0;
+  Id& count = this->NumberOfTriangles;
   this->Progress.ForEach(this->Triangles.size(),
     [this, &count](std::size_t triangle)
     { this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++; });
@@ -402,9 +423,10 @@ void Writer::WriteTriangles()
 {
   const PulsePart part(this->Progress, VerticesWrittenEnd, TrianglesWrittenEnd);
   Triangulation& triangles = this->Output.Triangles;
-  triangles.Corners.reserve(this->Input.Triangles.Corners.size());
-  triangles.Neighbors.reserve(this->Input.Triangles.Corners.size());
-  triangles.Regions.reserve(this->Input.Triangles.Regions.size());
+  const std::size_t count = static_cast<std::size_t>(this->NumberOfTriangles);
+  triangles.Corners.reserve(3 * count);
+  triangles.Neighbors.reserve(3 * count);
+  triangles.Regions.reserve(count);
   this->Progress.ForEach(this->Mesh.Corners.size(),
     [this](std::size_t slot) { this->WriteEdge(static_cast<Id>(slot)); });
   GrowInSteps(triangles.Constraints, triangles.Corners.size(), NoId, this->Progress);

@@ -15,7 +15,8 @@
 #include "Star.h"
 #include "ValenceRound.h"
 
-#include <cstddef> // for limits
+#include <algorithm> // for min
+#include <cstddef>   // for limits
 
 namespace biting
 {
@@ -23,7 +24,11 @@ namespace biting
 namespace
 {
 
+// Attempts at single triangles. A small mesh has some for each of its vertices; their time counts in
+// large ones only.
 constexpr std::size_t LeastNumberOfRescues = 8;
+constexpr std::size_t SmallVerticesPerRescue = 40;
+constexpr std::size_t MostSmallRescues = 64;
 constexpr std::size_t FastVerticesPerRescue = 20000;
 constexpr std::size_t BestVerticesPerRescue = 5000;
 
@@ -73,11 +78,11 @@ private:
   {
     this->MendValences(0.0, 0.1, 2);
     this->Smooth(0.1, 0.3, 2, CotangentOf30Degrees);
-    this->MendValences(0.3, 0.4, 2);
+    this->MendValences(0.3, 0.4, 1);
     this->Smooth(0.4, 0.6, 2, CotangentOf30Degrees);
     this->Climb(0.6, 0.7, 3);
     this->Smooth(0.7, 0.8, 1, CotangentOf39Degrees);
-    this->Climb(0.8, 0.9, 3);
+    this->Climb(0.8, 0.9, 2);
     this->RescueLast(0.9, 1.0, BestVerticesPerRescue);
   }
 
@@ -102,8 +107,11 @@ private:
   void RescueLast(double begin, double end, std::size_t verticesPerRescue)
   {
     const PulsePart part(this->Progress, begin, end);
-    this->Rescuer.Run(
-      LeastNumberOfRescues + this->Mesh.Points.size() / verticesPerRescue, this->Progress);
+    const std::size_t vertices = this->Mesh.Points.size();
+    this->Rescuer.Run(LeastNumberOfRescues +
+        std::min(vertices / SmallVerticesPerRescue, MostSmallRescues) +
+        vertices / verticesPerRescue,
+      this->Progress);
   }
 
   MutableMesh& Mesh;
@@ -139,6 +147,7 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   {
     const PulsePart writing(pulse, WorkingEnd, 1.0);
     result.Origins = WriteMesh(work, origins, mesh, pulse);
+    ReleaseInSteps(pulse, work.Points, work.Spacings, work.Corners, work.Twins, work.Marks);
   }
   result.WasAborted = pulse.HasStopped();
   return result;

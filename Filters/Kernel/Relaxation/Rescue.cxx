@@ -5,6 +5,7 @@
 
 #include "../Base/SortInSteps.h"
 #include "Hill.h"
+#include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
 
@@ -17,24 +18,40 @@ namespace
 {
 
 constexpr int JudgedRings = 4;
-constexpr int MovedRings = 2;
+constexpr int MovedRings = 3;
 constexpr int MovingRounds = 2;
+constexpr double LeastSplitLength = 0.8; // shorter edges are no better for a vertex between them
 
 } // namespace
 
 void Rescue::Run(std::size_t limit, Pulse& pulse)
 {
-  this->FindPoor(pulse);
-  const std::size_t count = std::min(limit, this->Poor.size());
-  for (std::size_t k = 0; k < count && pulse.Ask(); ++k)
+  this->AreHopeless.assign(this->Mesh.Regions.size(), 0);
+  this->NumberOfAttempts = 0;
+  while (this->TryAll(limit, pulse))
   {
-    pulse.SetFraction(static_cast<double>(k) / static_cast<double>(count));
-    const Id triangle = this->Poor[k].Triangle;
-    if (this->Mesh.IsEdge(4 * triangle) && IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees))
+  }
+}
+
+// Each poor triangle once; whether there is reason to go on.
+bool Rescue::TryAll(std::size_t limit, Pulse& pulse)
+{
+  this->FindPoor(pulse);
+  bool isImproved = false;
+  for (std::size_t k = 0; k < this->Poor.size() && this->NumberOfAttempts < limit; ++k)
+  {
+    if (!pulse.Ask())
     {
-      this->Improve(triangle, pulse);
+      return false;
+    }
+    if (this->IsToBeTried(this->Poor[k].Triangle))
+    {
+      ++this->NumberOfAttempts;
+      isImproved = this->Improve(this->Poor[k].Triangle, pulse) || isImproved;
+      pulse.SetFraction(static_cast<double>(this->NumberOfAttempts) / static_cast<double>(limit));
     }
   }
+  return isImproved && this->NumberOfAttempts < limit;
 }
 
 void Rescue::FindPoor(Pulse& pulse)
@@ -44,7 +61,7 @@ void Rescue::FindPoor(Pulse& pulse)
   for (Id triangle = 0; triangle < numberOfTriangles && pulse.Beat(); ++triangle)
   {
     const Id* corners = this->Mesh.Corners.data() + 4 * static_cast<std::size_t>(triangle);
-    if (corners[0] != NoId && IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees))
+    if (this->IsToBeTried(triangle))
     {
       const auto& points = this->Mesh.Points;
       this->Poor.push_back(
@@ -56,6 +73,12 @@ void Rescue::FindPoor(Pulse& pulse)
     [](const PoorTriangle& a, const PoorTriangle& b)
     { return a.Cotangent != b.Cotangent ? a.Cotangent > b.Cotangent : a.Triangle < b.Triangle; },
     pulse);
+}
+
+bool Rescue::IsToBeTried(Id triangle) const
+{
+  return this->Mesh.IsEdge(4 * triangle) && this->AreHopeless[triangle] == 0 &&
+    IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees);
 }
 
 bool Rescue::Improve(Id triangle, Pulse& pulse)
@@ -82,7 +105,32 @@ bool Rescue::Improve(Id triangle, Pulse& pulse)
       return false;
     }
   }
-  return best.Edge != NoId && this->Perform(best) != NoId;
+  this->AreHopeless[triangle] = 1;
+  if (best.Edge == NoId || this->Perform(best) == NoId)
+  {
+    return false;
+  }
+  this->RenewHope();
+  return true;
+}
+
+// Of the triangles near the change.
+void Rescue::RenewHope()
+{
+  this->AreHopeless.resize(this->Mesh.Regions.size(), 0);
+  for (const Id vertex : this->Judged)
+  {
+    if (this->Mesh.IsAlive(vertex))
+    {
+      const Id first = this->Mesh.FirstAround(vertex);
+      Id edge = first;
+      do
+      {
+        this->AreHopeless[MutableMesh::TriangleOf(edge)] = 0;
+        edge = this->Mesh.Turn(edge);
+      } while (edge != NoId && edge != first);
+    }
+  }
 }
 
 // Those of the triangles around the corners, each once.
@@ -110,8 +158,19 @@ void Rescue::FindEdges(const std::vector<Id>& corners)
   this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
 }
 
+bool Rescue::IsAllowed(const Trial& trial) const
+{
+  return trial.IsCollapse ? !LeavesLongPart(this->Mesh, trial.Edge)
+                          : this->Mesh.RelativeLength(trial.Edge) >= LeastSplitLength &&
+      !LeavesShortParts(this->Mesh, trial.Edge);
+}
+
 Id Rescue::Perform(const Trial& trial)
 {
+  if (!this->IsAllowed(trial))
+  {
+    return NoId;
+  }
   const Id vertex =
     trial.IsCollapse ? this->Mesh.Collapse(trial.Edge) : this->Mesh.Split(trial.Edge);
   if (vertex == NoId || this->Mesh.Degrees[vertex] > Star::Capacity)

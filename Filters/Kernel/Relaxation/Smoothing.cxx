@@ -3,6 +3,7 @@
 
 #include "Smoothing.h"
 
+#include "SegmentParts.h"
 #include "Star.h"
 
 #include <algorithm> // for max
@@ -118,6 +119,10 @@ bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
   const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
   const double allowed = std::max(sum.Worst, allowedCotangent);
   Point2 step = Overrelaxation * NewtonStep(mesh, vertex, sum);
+  if (mesh.Freedoms[vertex] == Freedom::Sliding)
+  {
+    step = ShareOfSlide(mesh, vertex, star, step) * step;
+  }
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
     const Point2 place = mesh.PlaceFor(vertex, star.Center + step);

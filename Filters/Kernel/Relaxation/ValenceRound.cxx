@@ -4,10 +4,11 @@
 #include "ValenceRound.h"
 
 #include "../Base/SortInSteps.h"
+#include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, clamp
 #include <limits>    // for infinity
 #include <utility>   // for swap
 
@@ -18,8 +19,12 @@ namespace
 {
 
 constexpr double LengthWeight = 12.0;
+constexpr double LongPartWeight = 60.0; // of a part of a segment that is too long
 constexpr double CollapseLength = 0.67;
 constexpr double SplitLength = 1.28;
+constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean length lacks
+constexpr double GreatestShift = 0.1;
+constexpr Id SampledEdges = 200000; // half-edges, for the mean length
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 double ChangeOfSquare(double excess, double change)
@@ -31,6 +36,7 @@ double ChangeOfSquare(double excess, double change)
 
 void ValenceRound::Run(int rings, int passes, Pulse& pulse)
 {
+  this->ChooseShift(pulse);
   this->FindCandidates(pulse);
   this->Locks.assign(this->Mesh.Points.size(), 0);
   for (const Candidate& candidate : this->Candidates)
@@ -48,6 +54,24 @@ void ValenceRound::Run(int rings, int passes, Pulse& pulse)
   }
 }
 
+// A sample of the edges tells the mean; its odd stride meets all three of a triangle.
+void ValenceRound::ChooseShift(Pulse& pulse)
+{
+  const Id stride = 2 * (this->Mesh.NumberOfEdges() / SampledEdges) + 1;
+  double sum = 0.0;
+  double count = 0.0;
+  for (Id edge = 0; edge < this->Mesh.NumberOfEdges() && pulse.Beat(); edge += stride)
+  {
+    if (this->Mesh.IsFirstHalf(edge))
+    {
+      sum += this->Mesh.RelativeLength(edge);
+      count += 1.0;
+    }
+  }
+  const double lack = count > 0.0 ? 1.0 - sum / count : 0.0;
+  this->Shift = std::clamp(ShiftPerError * lack, -GreatestShift, GreatestShift);
+}
+
 void ValenceRound::FindCandidates(Pulse& pulse)
 {
   this->Candidates.clear();
@@ -55,8 +79,9 @@ void ValenceRound::FindCandidates(Pulse& pulse)
   {
     if (this->Mesh.IsFirstHalf(edge))
     {
-      this->AddCandidate(edge, true);
-      this->AddCandidate(edge, false);
+      const double length = this->Mesh.RelativeLength(edge);
+      this->AddCandidate(edge, true, length);
+      this->AddCandidate(edge, false, length);
     }
   }
   SortInSteps(
@@ -70,21 +95,21 @@ void ValenceRound::FindCandidates(Pulse& pulse)
     pulse);
 }
 
-void ValenceRound::AddCandidate(Id edge, bool isCollapse)
+void ValenceRound::AddCandidate(Id edge, bool isCollapse, double length)
 {
-  const double score = this->Score(edge, isCollapse);
+  const double score = this->Score(edge, isCollapse, length);
   if (score < 0.0)
   {
     this->Candidates.push_back({ score, edge, isCollapse });
   }
 }
 
-double ValenceRound::Score(Id edge, bool isCollapse) const
+double ValenceRound::Score(Id edge, bool isCollapse, double length) const
 {
-  return isCollapse ? this->CollapseScore(edge) : this->SplitScore(edge);
+  return isCollapse ? this->CollapseScore(edge, length) : this->SplitScore(edge, length);
 }
 
-double ValenceRound::CollapseScore(Id edge) const
+double ValenceRound::CollapseScore(Id edge, double length) const
 {
   const MutableMesh& mesh = this->Mesh;
   Id kept = mesh.Origin(edge);
@@ -93,26 +118,31 @@ double ValenceRound::CollapseScore(Id edge) const
   {
     std::swap(kept, gone);
   }
-  if (mesh.Freedoms[gone] == Freedom::Fixed)
+  if (mesh.Freedoms[gone] == Freedom::Fixed || LeavesLongPart(mesh, edge))
   {
     return Infinity;
   }
   const Id twin = mesh.Twins[edge];
   const double sides = twin == NoId ? 1.0 : 2.0;
   const double goneExcess = mesh.Excess(gone);
-  double score = LengthWeight * (mesh.RelativeLength(edge) - CollapseLength) -
-    goneExcess * goneExcess + ChangeOfSquare(mesh.Excess(kept), mesh.Degrees[gone] - 2.0 * sides) +
+  double score = LengthWeight * (length - CollapseLength - this->Shift) - goneExcess * goneExcess +
+    ChangeOfSquare(mesh.Excess(kept), mesh.Degrees[gone] - 2.0 * sides) +
     ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), -1.0);
   score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), -1.0);
   return score;
 }
 
-double ValenceRound::SplitScore(Id edge) const
+double ValenceRound::SplitScore(Id edge, double length) const
 {
   const MutableMesh& mesh = this->Mesh;
+  if (LeavesShortParts(mesh, edge))
+  {
+    return Infinity;
+  }
+  const double weight = IsTooLongPart(mesh, edge) ? LongPartWeight : LengthWeight;
   const Id twin = mesh.Twins[edge];
   const double excess = twin == NoId ? -1.0 : -2.0;
-  double score = LengthWeight * (SplitLength - mesh.RelativeLength(edge)) + excess * excess +
+  double score = weight * (SplitLength + this->Shift - length) + excess * excess +
     ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), 1.0);
   score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), 1.0);
   return score;
@@ -133,7 +163,7 @@ Id ValenceRound::Perform(const Candidate& candidate)
   MutableMesh& mesh = this->Mesh;
   const Id edge = candidate.Edge;
   if (!mesh.IsEdge(edge) || this->IsLocked(edge) ||
-    !(this->Score(edge, candidate.IsCollapse) < 0.0))
+    !(this->Score(edge, candidate.IsCollapse, mesh.RelativeLength(edge)) < 0.0))
   {
     return NoId;
   }

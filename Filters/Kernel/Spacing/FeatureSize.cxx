@@ -14,10 +14,10 @@ constexpr double SizesPerSpacing = 1.0;
 /// But at least this share of what is given: of many narrow channels and thin walls.
 constexpr double LeastShare = 0.25;
 
-/// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is: then
-/// most triangles on it have angles above 25 degrees, and there are about two of them more for each
-/// segment.
-constexpr double LengthsPerSpacing = 2.0;
+/// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is: the
+/// square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as an edge
+/// should be, and there are about three vertices more for each segment.
+constexpr double LengthsPerSpacing = 1.4;
 
 /// But at least this share of what is given: of points that are nearly equal.
 constexpr double LeastShareOnShort = 0.003;

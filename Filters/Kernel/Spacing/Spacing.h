@@ -58,7 +58,7 @@ struct SegmentSource
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it, so
 ///   that one layer of triangles fits into a channel; but the cap is no less than a quarter of what is
 ///   given there, so that slits and thin walls do not become a multitude of triangles;
-/// - twice its length, which keeps most angles on short segments above 25 degrees and costs about two
+/// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about three
 ///   vertices a segment; but the cap is no less than 0.003 of what is given, for points nearly equal;
 /// and never less than Minimum asks for. Segments that meet do not count for each other, whatever
 /// their angle. From there f grows with the gradation (the default, where that is 0).

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Biting/BitingScheme.h"
 #include "../Support/BitingSettings.h"
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/BiteOutline.h"
+#include "Biting/EdgeDivision.h"
 #include "Biting/ReachFactor.h"
 #include "Domain/DomainLocator.h"
 
@@ -192,6 +194,17 @@ protected:
     this->Product = run.Case.Alpha * this->BitingConstant;
     this->CornerDistance = isCircle ? 1.0 : std::sqrt(2.0);
     this->Tolerance = run.Setting.Place == Placement::Corners ? 1.0 : (isCircle ? 0.8 : 0.9);
+    this->LeastLength = this->Tolerance * this->LeastConstant;
+    this->EdgeTolerance = this->Tolerance;
+    if (run.Setting.Place == Placement::Bisectors)
+    {
+      BitingOptions shape;
+      shape.Shape = run.Setting.Shape;
+      shape.Placement = run.Setting.Place;
+      const double part = EdgeDivider::BalancedPart / AutomaticBitingConstant(shape);
+      this->LeastLength = std::min(this->LeastLength, part * this->BitingConstant);
+      this->EdgeTolerance = std::min(this->Tolerance, part / (isCircle ? 1.0 : 1.0824));
+    }
     ASSERT_LT(this->Product, GreatestProduct);
     ASSERT_LE(mesh.UsedLipschitz, run.Case.Alpha * (1.0 + Rounding) + Rounding);
   }
@@ -209,6 +222,8 @@ protected:
   double Product = 0.0;          ///< alpha c_b
   double CornerDistance = 0.0;   ///< how far a bite reaches, in half-widths
   double Tolerance = 0.0;        ///< of a bite, that covers others' centres
+  double EdgeTolerance = 0.0;    ///< the same where both are on segments
+  double LeastLength = 0.0;      ///< of edges, in units of f
 };
 
 // Section 3.1.
@@ -224,11 +239,13 @@ void BitingLaws::CheckCenters() const
       {
         if (bites.Orders[other] < bites.Orders[bite])
         {
-          // An inner centre lies outside of all of a bite on the boundary.
-          const bool isCore =
-            bites.Phases[other] == BitePhase::Interior || bites.Phases[bite] != BitePhase::Interior;
+          // An inner centre lies outside of all of a bite on the boundary; two on a segment are as
+          // near as its parts are short.
+          const bool isInner = bites.Phases[bite] == BitePhase::Interior;
+          const double onBoundary = isInner ? 1.0 : this->EdgeTolerance;
+          const bool isOtherInner = bites.Phases[other] == BitePhase::Interior;
           const double gauge = Gauge(bites, other, bites.Centers[bite]) / bites.HalfWidths[other];
-          worst.See((isCore ? this->Tolerance : 1.0) - gauge, bites.Centers[bite],
+          worst.See((isOtherInner ? this->Tolerance : onBoundary) - gauge, bites.Centers[bite],
             "bite " + std::to_string(bites.Orders[bite]) + " in " +
               std::to_string(bites.Orders[other]));
         }
@@ -265,12 +282,12 @@ void BitingLaws::CheckCoverage() const
   EXPECT_LE(worst.Excess, Rounding) << "in no bite: " << worst.What;
 }
 
-// Lemma 4.2 with the least t c_b in place of c_b, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
+// Lemma 4.2 with the least length in place of c_b, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
 // overlap most are joined by an edge.
 void BitingLaws::CheckPacking() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
-  const double core = this->Tolerance * this->LeastConstant;
+  const double core = this->LeastLength;
   const double packing = core / (2.0 + core * this->GetParam().Case.Alpha);
   Worst worst;
   for (std::size_t half = 0; half < mesh.Corners.size(); ++half)
@@ -285,13 +302,13 @@ void BitingLaws::CheckPacking() const
   EXPECT_LE(worst.Excess, Rounding) << "discs overlap: " << worst.What;
 }
 
-// Theorem 4.6. Of two neighbours the later one lies outside of the earlier one's core: N >= t c_b f
-// (1 - alpha N); and a place on a bite's outline lies in another bite.
+// Theorem 4.6. Of two neighbours the later one lies outside of the earlier one's core, or next to it on
+// a segment: N >= least length f (1 - alpha N); and a place on a bite's outline lies in another bite.
 void BitingLaws::CheckBand() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
   const double alpha = this->GetParam().Case.Alpha;
-  const double core = this->Tolerance * this->LeastConstant;
+  const double core = this->LeastLength;
   const double least = core / (1.0 + core * alpha);
   const double reach = this->CornerDistance * this->GreatestConstant;
   const double greatest = 2.0 * reach / (1.0 - reach * alpha);
@@ -324,8 +341,8 @@ void BitingLaws::CheckShapes() const
   const DomainLocator locator(made.Domain);
   const double t = this->Product;
   const double reach = this->CornerDistance * this->GreatestConstant;
-  const double innerBound = reach /
-    (this->Tolerance * this->LeastConstant * (1.0 - 2.0 * reach * this->GetParam().Case.Alpha));
+  const double innerBound =
+    reach / (this->LeastLength * (1.0 - 2.0 * reach * this->GetParam().Case.Alpha));
   const double outerBound = (t * t - 2.0 * t + 2.0) / (6.0 * t * t - 8.0 * t + 2.0);
   Worst inner;
   Worst outer;

@@ -29,11 +29,11 @@ Spacing Make(const SpacingOptions& options)
 }
 
 DivisionPoints Divide(const SpacingOptions& options, double bitingConstant, double targetLength,
-  const Point2& a, const Point2& b)
+  const Point2& a, const Point2& b, double leastPart = EdgeDivider::LeastPart)
 {
   const Spacing spacing = Make(options);
   Pulse pulse(NoMonitor());
-  EdgeDivider divider(spacing, bitingConstant, targetLength, pulse);
+  EdgeDivider divider(spacing, bitingConstant, targetLength, pulse, leastPart);
   DivisionPoints points;
   EXPECT_TRUE(divider.Divide(a, b, NoLimit, points));
   EXPECT_EQ(points.Parameters.size(), points.Spacings.size());
@@ -120,6 +120,24 @@ TEST(EdgeDivider, PartsAreAsNearToTheWantedLengthAsTheyCanBe)
     const DivisionPoints points =
       Divide(UniformSpacing(0.1), 0.8, 1.0, { 0.0, 0.0 }, { 0.1 * parts, 0.0 });
     EXPECT_EQ(static_cast<int>(points.Parameters.size()) + 1, parts);
+  }
+}
+
+TEST(EdgeDivider, NoOtherNumberOfPartsIsNearerToTheWantedLengthAsARatio)
+{
+  const auto ratio = [](double part) { return std::max(part, 1.0 / part); };
+  for (double length = 0.01; length < 40.0; length *= 1.013)
+  {
+    for (const double bitingConstant : { 0.824, 0.995 })
+    {
+      const DivisionPoints points = Divide(UniformSpacing(0.1), bitingConstant, 1.0, { 0.0, 0.0 },
+        { 0.1 * length, 0.0 }, EdgeDivider::BalancedPart / bitingConstant);
+      const auto parts = static_cast<double>(points.Parameters.size() + 1);
+      const double found = ratio(length / parts);
+      EXPECT_LE(found, ratio(length / (parts + 1.0)) * (1.0 + 1e-9)) << length;
+      EXPECT_TRUE(parts == 1.0 || found <= ratio(length / (parts - 1.0)) * (1.0 + 1e-9)) << length;
+      EXPECT_TRUE(length < 0.7072 || found <= std::sqrt(2.0) * (1.0 + 1e-9)) << length;
+    }
   }
 }
 

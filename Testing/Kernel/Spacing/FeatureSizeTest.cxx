@@ -169,13 +169,14 @@ TEST(FeatureLimit, IsNotBelowAQuarterOfWhatIsGiven)
   }
 }
 
-TEST(FeatureLimit, IsTwiceTheLengthOfShortSegments)
+TEST(FeatureLimit, LeavesShortSegmentsNoShorterThanEdgesShouldBe)
 {
   std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);
   loop.insert(loop.begin() + 1, { { 0.5, 0.0 }, { 0.5 + 1e-3, 0.0 } });
   const Spacing f = WithFeatures(Loops({ loop }), 0.1);
-  EXPECT_NEAR(f({ 0.5, 0.0 }), 2e-3, 2e-5);
-  EXPECT_NEAR(f({ 0.5, 0.1 }), 2e-3 + 0.03, 1e-3);
+  EXPECT_NEAR(f({ 0.5, 0.0 }), 1.4e-3, 1.4e-5);
+  EXPECT_LT(f({ 0.5, 0.0 }), std::sqrt(2.0) * 1e-3);
+  EXPECT_NEAR(f({ 0.5, 0.1 }), 1.4e-3 + 0.03, 1e-3);
   EXPECT_EQ(f({ 0.5, 0.9 }), 0.1);
 }
 
