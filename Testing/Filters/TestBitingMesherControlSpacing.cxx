@@ -119,12 +119,12 @@ TEST(BitingMesherControlSpacing, IsNotBelowAQuarterOfWhatIsGiven)
   EXPECT_GT(count, 10);
 }
 
-TEST(BitingMesherControlSpacing, IsTwiceTheLengthOfAShortSegment)
+TEST(BitingMesherControlSpacing, IsAtMostOnePointFourLengthsOfAShortSegment)
 {
   const auto mesher = ChannelMesher(true);
   mesher->SetUniformSpacing(0.5);
   mesher->Update();
-  EXPECT_NEAR(LeastSpacing(mesher), 0.04, 0.0004);
+  EXPECT_NEAR(LeastSpacing(mesher), 1.4 * 0.02, 0.0003);
 }
 
 TEST(BitingMesherControlSpacing, IsOffWhereTheBoundaryIsPreserved)
