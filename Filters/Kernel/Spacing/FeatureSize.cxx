@@ -27,6 +27,9 @@ constexpr double PieceLength = 0.5;
 
 constexpr int DeepestPiece = 40;
 
+/// Positions in the tree, to each side.
+constexpr Id Beside = 2;
+
 /// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too many,
 /// but no more than so many in all, as long as there are two for each segment.
 constexpr double FewParts = 2.0;
@@ -202,8 +205,10 @@ private:
     sample.Place = place;
     sample.Given = this->Given(place);
     const double known = sample.Given / SizesPerSpacing + reach;
-    sample.Size = SizesPerSpacing * this->Size(this->Segment, place, known);
-    const double bySize = std::max(sample.Size, LeastShare * sample.Given);
+    const double least = LeastShare * sample.Given;
+    sample.Size =
+      SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
+    const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, LeastShareOnShort * sample.Given);
     sample.Capped =
       std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
@@ -259,23 +264,39 @@ private:
 FeatureSize::FeatureSize(const FeatureSource& source, Pulse& pulse)
   : Source(source)
   , Tree(MakeTree(source, pulse))
+  , Positions(Tree.Order().size(), 0)
 {
+  for (std::size_t position = 0; position < this->Positions.size(); ++position)
+  {
+    this->Positions[static_cast<std::size_t>(this->Tree.Order()[position])] =
+      static_cast<Id>(position);
+  }
 }
 
-double FeatureSize::operator()(Id segment, const Point2& x, double known) const
+// In a crowd of long segments all boxes overlap, but those beside this one in the tree are near.
+double FeatureSize::operator()(Id segment, const Point2& x, double known, double enough) const
 {
   const Feature own(this->Source, segment);
   double least = known;
-  this->Tree.Search(this->Tree.Whole(), x, 1.0, least,
-    [this, &own, &x, &least](Id position, double)
+  const auto look = [this, &own, &x, &least, enough](Id position, double)
+  {
+    const Feature other(this->Source, this->Tree.Order()[static_cast<std::size_t>(position)]);
+    if (!own.IsIncident(other))
     {
-      const Feature other(this->Source, this->Tree.Order()[static_cast<std::size_t>(position)]);
-      if (!own.IsIncident(other))
-      {
-        least = std::min(least, DistanceInside(own, x, other));
-      }
-      return least;
-    });
+      least = std::min(least, DistanceInside(own, x, other));
+    }
+    return least > enough ? least : 0.0;
+  };
+  const Id position = this->Positions[static_cast<std::size_t>(segment)];
+  const Id last = std::min(position + Beside, static_cast<Id>(this->Positions.size()) - 1);
+  for (Id beside = std::max(position - Beside, Id(0)); beside <= last && least > enough; ++beside)
+  {
+    look(beside, least);
+  }
+  if (least > enough)
+  {
+    this->Tree.Search(this->Tree.Whole(), x, 1.0, least, look);
+  }
   return least;
 }
 

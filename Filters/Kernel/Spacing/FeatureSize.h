@@ -8,6 +8,7 @@
 #include "ConeCollector.h"
 
 #include <functional> // for the spacing as given
+#include <vector>     // for positions
 
 namespace biting
 {
@@ -21,13 +22,15 @@ class FeatureSize
 public:
   FeatureSize(const FeatureSource& source, Pulse& pulse);
 
-  /// At a point of a segment; `known` where no feature is nearer than that. That the ends of the
-  /// segment are not incident to each other is left to its length.
-  double operator()(Id segment, const Point2& x, double known) const;
+  /// At a point of a segment; `known` where no feature is nearer than that, and any distance to one
+  /// up to `enough` where some are nearer than that. That the ends of the segment are not incident to
+  /// each other is left to its length.
+  double operator()(Id segment, const Point2& x, double known, double enough = 0.0) const;
 
 private:
   const FeatureSource& Source;
-  BoxTree Tree; ///< of the segments
+  BoxTree Tree;              ///< of the segments
+  std::vector<Id> Positions; ///< of each segment: where it is in the order of the tree
 };
 
 /// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature size;

@@ -150,6 +150,35 @@ TEST(FeatureSize, IsTheDistanceThatItsDefinitionSays)
   }
 }
 
+TEST(FeatureSize, IsExactAboveWhatIsEnoughAndNoMoreThanThatBelow)
+{
+  std::vector<Point2> star;
+  for (int corner = 0; corner < 40; ++corner)
+  {
+    const double radius = corner % 2 == 0 ? 1.0 : 0.3 + 0.01 * corner;
+    const double angle = 2.0 * std::acos(-1.0) * corner / 40.0;
+    star.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+  }
+  const FeatureSource source = Loops({ star });
+  Pulse pulse(NoMonitor());
+  const FeatureSize size(source, pulse);
+  int numberAbove = 0;
+  for (Id segment = 0; segment < 40; ++segment)
+  {
+    const Point2 x = Midpoint(star[segment], star[(segment + 1) % 40]);
+    const double exact = size(segment, x, 100.0);
+    for (const double enough : { 0.1, 0.2, 0.4 })
+    {
+      const double found = size(segment, x, 100.0, enough);
+      numberAbove += exact > enough ? 1 : 0;
+      EXPECT_GE(found, exact);
+      EXPECT_LE(found, std::max(exact, enough));
+    }
+  }
+  EXPECT_GT(numberAbove, 10);
+  EXPECT_LT(numberAbove, 110); // of 120
+}
+
 TEST(FeatureLimit, IsTheFeatureSizeInAChannel)
 {
   const Spacing f = WithFeatures(Loops({ Rectangle(0.0, 0.0, 1.0, 0.05) }), 0.1);
