@@ -37,6 +37,10 @@ constexpr double TestedShare = 0.2;
 /// The share of the tolerance by which a sample may be too high.
 constexpr double SearchShare = 0.1;
 
+/// Of the largest coordinate: more than the rounding of a square, and of a place that is looked up.
+/// Such a place may be found in a square that it lies beside.
+constexpr double RoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
+
 /// Searches between two calls of the monitor.
 constexpr std::int64_t StepsPerReport = 1000;
 
@@ -45,6 +49,12 @@ double Parabola(const double* values, std::size_t step, double u)
 {
   return values[0] * (1.0 - u) * (1.0 - 2.0 * u) + values[step] * 4.0 * u * (1.0 - u) +
     values[2 * step] * u * (2.0 * u - 1.0);
+}
+
+double LargestCoordinate(const Box2& box)
+{
+  return std::max(
+    { std::abs(box.Low.X), std::abs(box.Low.Y), std::abs(box.High.X), std::abs(box.High.Y) });
 }
 
 double Biquadratic(const std::array<double, 9>& nodes, double u, double v)
@@ -65,6 +75,7 @@ public:
     , Gradation(carrier.Extension.Gradation())
     , Relief(relief)
     , Progress(monitor)
+    , Margin(RoundingShare * LargestCoordinate(carrier.Bounds))
   {
   }
 
@@ -112,7 +123,7 @@ private:
 
   void Refine(const Quadtree::Square& square, Samples& samples)
   {
-    if (!this->Carrier.Bounds.Meets(square.Box()))
+    if (!this->Carrier.Bounds.Meets(this->BoxOf(square)))
     {
       this->AddLevelLeaf(square, 1.0);
       return;
@@ -127,6 +138,14 @@ private:
       Samples known = KnownOfQuarter(samples, quarter);
       this->Refine(this->Carrier.Tree.Quarter(square, quarter), known);
     }
+  }
+
+  /// Of all places that are found in the square.
+  Box2 BoxOf(const Quadtree::Square& square) const
+  {
+    Box2 box = square.Box();
+    box.Grow(this->Margin);
+    return box;
   }
 
   static Samples KnownOfQuarter(const Samples& samples, int quarter)
@@ -152,13 +171,15 @@ private:
     const double value = samples.Center().Value;
     const bool isRough = variation <= InterpolatedVariation * value;
     if (value - variation >= this->Relief.Most ||
-      (isRough && this->Relief.IsUnused && this->Relief.IsUnused(square.Box())))
+      (isRough && this->Relief.IsUnused && this->Relief.IsUnused(this->BoxOf(square))))
     {
       this->AddLevelLeaf(square, value);
       return true;
     }
     const Point2 center = square.At(0.5, 0.5);
-    const double limit = value + 2.0 * variation;
+    // The search finds what is below it, also where a slope next to none is lost in rounding.
+    const double limit =
+      std::nextafter(value + 2.0 * variation, std::numeric_limits<double>::infinity());
     samples.Part = this->Carrier.Extension.Narrow(samples.Part, center, limit);
     this->Carrier.Extension.FindBelow(samples.Part, center, limit, MostCones + 1, this->Cones);
     const bool isLast = !this->CanSplit(square);
@@ -306,6 +327,7 @@ private:
   const double Gradation;
   const AdaptiveCarrier::Relief& Relief;
   Monitor& Progress;
+  const double Margin;
   bool IsOver = false;
   bool IsTooLarge = false;
   double MostLeaves = std::numeric_limits<double>::infinity();

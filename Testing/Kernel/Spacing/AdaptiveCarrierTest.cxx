@@ -184,6 +184,59 @@ TEST(AdaptiveCarrier, TakesBoxesOfAnyProportion)
   }
 }
 
+/// Of a box whose border is a line between squares but for rounding, with points near it.
+double LargestErrorOnBorder(const Box2& box, int seed)
+{
+  SegmentSource source = MakeScatter(40, 0.01, seed);
+  for (Point2& point : source.Points)
+  {
+    point = { box.Low.X + point.X * box.Width(), box.Low.Y + point.Y * box.Height() };
+  }
+  const SegmentExtension exact(source, 0.3);
+  const AdaptiveCarrier carrier = MakeCarrier(exact, box);
+  double largest = 0.0;
+  for (int part = 0; part <= 16; ++part)
+  {
+    const double x = std::min(box.Low.X + part / 16.0 * box.Width(), box.High.X);
+    const double y = std::min(box.Low.Y + part / 16.0 * box.Height(), box.High.Y);
+    for (const Point2& place : { Point2{ x, box.High.Y }, Point2{ box.High.X, y } })
+    {
+      largest = std::max(largest, std::abs(carrier(place) / exact(place) - 1.0));
+    }
+  }
+  return largest;
+}
+
+TEST(AdaptiveCarrier, IsWithinItsToleranceOnABorderThatRoundingMovesIntoTheNextSquare)
+{
+  Sampler sampler(17);
+  for (int seed = 0; seed < 400; ++seed)
+  {
+    const Point2 low{ -2.0 * sampler.Next(), -2.0 * sampler.Next() };
+    const double width = 1.0 + sampler.Next();
+    const double height = std::ldexp(width, -1 - seed % 3);
+    const Box2 wide{ low, { low.X + width, low.Y + height } };
+    const Box2 tall{ low, { low.X + height, low.Y + width } };
+    ASSERT_LT(LargestErrorOnBorder(wide, seed), 0.01) << seed;
+    ASSERT_LT(LargestErrorOnBorder(tall, seed), 0.01) << seed;
+  }
+}
+
+TEST(AdaptiveCarrier, IsTheExtensionWhereTheSlopeIsLostInRounding)
+{
+  for (const double gradation : { 1e-200, 1e-20, 1e-16 })
+  {
+    const SegmentExtension exact(MakeScatter(40, 0.5, 3), gradation);
+    const AdaptiveCarrier carrier = MakeCarrier(exact);
+    Sampler sampler(5);
+    for (int probe = 0; probe < 100; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      ASSERT_NEAR(carrier(x), exact(x), 0.005 * exact(x)) << gradation;
+    }
+  }
+}
+
 TEST(AdaptiveCarrier, StopsWhenAsked)
 {
   StoppingMonitor monitor(0);
