@@ -325,7 +325,7 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
   }
   const biting::ChosenArray chosen = biting::ChooseArray(
     this->Filter->GetInputArrayInformation(1), this->Source, { "spacing array", "spacing source" });
-  if (chosen.IsByDefault && !chosen.Array && chosen.Refusal.empty())
+  if (chosen.IsMissing)
   {
     vtkWarningWithObjectMacro(
       this->Filter, << "The spacing source is not used: it has no point array named "

@@ -38,6 +38,7 @@ ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const ArrayRole& role
   {
     return Refused("The " + owner + " has no point array named " + text + ".");
   }
+  chosen.IsMissing = !chosen.Array && text == SpacingArrayName;
   return chosen;
 }
 
@@ -69,9 +70,7 @@ ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRol
   {
     return ActiveArray(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()), data, role);
   }
-  ChosenArray chosen = ArrayNamed(SpacingArrayName, data, role);
-  chosen.IsByDefault = true;
-  return chosen;
+  return ArrayNamed(SpacingArrayName, data, role);
 }
 
 } // namespace biting

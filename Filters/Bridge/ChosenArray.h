@@ -24,7 +24,7 @@ constexpr const char* SpacingArrayName = "Spacing";
 struct ChosenArray
 {
   vtkDataArray* Array = nullptr;
-  bool IsByDefault = false; ///< nobody chose it
+  bool IsMissing = false; ///< there is no SpacingArrayName, and no other was chosen
   std::string Refusal;
 };
 

@@ -415,6 +415,13 @@ TEST(BitingMesherArrays, ThatNobodyChoseMayBeMissingButNotSilentlyOnASource)
   EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
   ASSERT_EQ(messages.Warnings.size(), 1u);
   EXPECT_TRUE(Has(messages.Warnings.front(), "The spacing source is not used"));
+  // ParaView always chooses: it has this name as its default.
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "Spacing");
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 2u);
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "None");
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 2u);
 }
 
 TEST(BitingMesherSource, ThatCannotBeUsedIsRefusedInWords)

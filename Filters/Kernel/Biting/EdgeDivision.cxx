@@ -15,7 +15,7 @@ namespace
 constexpr double PanelLength = 0.25; // of a part: Simpson's rule on each of its panels
 constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
 constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
-constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
+constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst

@@ -158,14 +158,15 @@ InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pul
   return FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, pulse);
 }
 
-/// How many edges end at each vertex.
+/// How many edges end at each vertex, those that are drawn several times as often.
 std::vector<Id> Degrees(const Arrangement& arrangement)
 {
   std::vector<Id> degrees(arrangement.Vertices.size(), 0);
   for (const ArrangementEdge& edge : arrangement.Edges)
   {
-    ++degrees[static_cast<std::size_t>(edge.Ends.Start)];
-    ++degrees[static_cast<std::size_t>(edge.Ends.End)];
+    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount);
+    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
+    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
   }
   return degrees;
 }
@@ -185,6 +186,11 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
     problem.Place = arrangement.At(vertex);
     problem.Detail = "there are embedded points only, the first of them point " +
       std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
+  }
+  else if (!arrangement.Vertices.empty())
+  {
+    problem.Place = arrangement.At(0);
+    problem.Detail = "all segments have length 0, the first of them";
   }
 }
 

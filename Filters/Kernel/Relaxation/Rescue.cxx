@@ -18,6 +18,8 @@ namespace
 {
 
 constexpr int JudgedRings = 4;
+// About a hundred are usual. Around fans of long segments there are thousands, which nothing helps.
+constexpr std::size_t MostJudged = 400;
 constexpr int MovedRings = 3;
 constexpr int MovingRounds = 2;
 constexpr double LeastSplitLength = 0.8; // shorter edges are no better for a vertex between them
@@ -85,8 +87,13 @@ bool Rescue::Improve(Id triangle, Pulse& pulse)
 {
   const Id* first = this->Mesh.Corners.data() + 4 * static_cast<std::size_t>(triangle);
   const std::vector<Id> corners(first, first + 3);
-  this->FindEdges(corners);
+  this->AreHopeless[triangle] = 1;
   this->Judged = this->Surroundings.Around(corners, JudgedRings);
+  if (this->Judged.size() > MostJudged)
+  {
+    return false;
+  }
+  this->FindEdges(corners);
   Trial best;
   best.Worst = this->WorstOfPatch(NoId);
   for (const Id edge : this->Edges)
@@ -105,7 +112,6 @@ bool Rescue::Improve(Id triangle, Pulse& pulse)
       return false;
     }
   }
-  this->AreHopeless[triangle] = 1;
   if (best.Edge == NoId || this->Perform(best) == NoId)
   {
     return false;

@@ -214,6 +214,24 @@ TEST(Domain, SaysThatLoopsDrawnTwiceBoundNothing)
   EXPECT_EQ(refusal.Detail.substr(0, 20), "4 boundary segments ");
 }
 
+TEST(Domain, SaysThatALoopWithoutAreaIsDrawnThereAndBack)
+{
+  const MadeDomain flat = Make(PolylineBuilder().Loop({ { 0, 1 }, { 1, 1 }, { 2, 1 } }));
+  const Problem& refusal = flat.Problems.Groups().back().First.front();
+  ASSERT_EQ(refusal.Code, ProblemCode::NoClosedLoop);
+  EXPECT_TRUE(refusal.Ids.empty());
+  EXPECT_EQ(refusal.Detail.substr(0, 20), "2 boundary segments ");
+}
+
+TEST(Domain, SaysThatAllSegmentsHaveLengthZero)
+{
+  const MadeDomain point = Make(PolylineBuilder().Loop({ { 5, 6 }, { 5, 6 }, { 5, 6 } }));
+  const Problem& refusal = point.Problems.Groups().back().First.front();
+  ASSERT_EQ(refusal.Code, ProblemCode::NoClosedLoop);
+  EXPECT_EQ(refusal.Place, (Point2{ 5, 6 }));
+  EXPECT_EQ(refusal.Detail, "all segments have length 0, the first of them");
+}
+
 TEST(Domain, NamesTheFirstInterfaceOrPointWhereThereIsNothingElse)
 {
   const auto refusalOf = [](const PolylineBuilder& builder)
