@@ -19,7 +19,7 @@
 #include "SegmentCover.h"
 #include "SharpCornerTriangles.h"
 
-#include <algorithm> // for transform, find, max
+#include <algorithm> // for find, min, max
 #include <cmath>     // for abs
 #include <limits>    // for the largest id
 #include <optional>  // for what is released early
