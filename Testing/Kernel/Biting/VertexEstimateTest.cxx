@@ -104,14 +104,16 @@ TEST(IntegrateDensity, SeesBothSidesOfAJump)
   }
 }
 
-/// Segments of a polygon.
-double DivisionPoints(int corners, const SpacingOptions& options, EstimateEffort effort)
+Domain Polygon(int corners)
 {
-  const MadeDomain made =
-    Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, corners)).Lines());
+  return Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, corners)).Lines()).Domain;
+}
+
+double DivisionPoints(const Domain& domain, const SpacingOptions& options, EstimateEffort effort)
+{
   ProblemList problems;
-  const Spacing spacing = MakeSpacing(options, made.Domain.Bounds, problems, NoMonitor());
-  return EstimateDivisionPoints(made.Domain, spacing, 1.0, NoMonitor(), effort);
+  const Spacing spacing = MakeSpacing(options, domain.Bounds, problems, NoMonitor());
+  return EstimateDivisionPoints(domain, spacing, 1.0, NoMonitor(), effort);
 }
 
 TEST(EstimateDivisionPoints, RoughIsNearFull)
@@ -119,8 +121,9 @@ TEST(EstimateDivisionPoints, RoughIsNearFull)
   const SpacingOptions graded = RadialSpacing({ 1.0, 0.0 }, 1e-6, 1e-4);
   for (const int corners : { 5, 1000, 20001, 50000 })
   {
-    const double full = DivisionPoints(corners, graded, EstimateEffort::Full);
-    const double rough = DivisionPoints(corners, graded, EstimateEffort::Rough);
+    const Domain domain = Polygon(corners);
+    const double full = DivisionPoints(domain, graded, EstimateEffort::Full);
+    const double rough = DivisionPoints(domain, graded, EstimateEffort::Rough);
     EXPECT_NEAR(rough, full, 0.1 * full) << corners;
   }
 }
@@ -128,12 +131,13 @@ TEST(EstimateDivisionPoints, RoughIsNearFull)
 TEST(EstimateDivisionPoints, RoughIsNotMisledByOneFineSegment)
 {
   // At each corner in turn would take too long; some are looked at, others are not.
+  const Domain domain = Polygon(40000);
   for (int corner = 0; corner < 40; ++corner)
   {
     const double angle = 2.0 * 3.14159265358979323846 * corner / 40000.0;
     const SpacingOptions spiked = RadialSpacing({ std::cos(angle), std::sin(angle) }, 1e-9, 0.3);
-    const double full = DivisionPoints(40000, spiked, EstimateEffort::Full);
-    EXPECT_LE(DivisionPoints(40000, spiked, EstimateEffort::Rough), 1.5 * full) << corner;
+    const double full = DivisionPoints(domain, spiked, EstimateEffort::Full);
+    EXPECT_LE(DivisionPoints(domain, spiked, EstimateEffort::Rough), 1.5 * full) << corner;
   }
 }
 

@@ -120,9 +120,9 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereBitingEndsEarly)
 
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheBoundaryIsPreserved)
 {
-  BitingMeshOptions options = UniformOptions(400.0);
+  BitingMeshOptions options = UniformOptions(150.0);
   options.PreserveBoundary = true;
-  ExpectAbortEverywhere(Drawing(50), options);
+  ExpectAbortEverywhere(Drawing(20), options);
 }
 
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWithBoundaryValues)
