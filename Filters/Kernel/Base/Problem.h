@@ -26,8 +26,8 @@ enum class ProblemCode
   OutsideInterfaces,  ///< an interface outside the domain, dropped (ids: cell)
   // Refused: no mesh.
   NoClosedLoop, ///< nothing bounds a domain (ids: point, an open end; none where nothing is open,
-                ///< with the place of the first boundary drawn an even number of times, interface
-                ///< or embedded point, and the id in the detail)
+                ///< with the place of the first boundary drawn an even number of times, interface,
+                ///< embedded point or segment of length 0, and what is known of it in the detail)
   NotFinite,    ///< a coordinate is NaN or infinite (ids: point)
   OutOfRange,   ///< coordinates too large or too small for the exact predicates (ids: point)
   NotPlanar,    ///< a loop leaves the fitted plane (ids: point)

@@ -35,10 +35,10 @@ struct EndShells
 /// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is the
 /// whole number for which I/n is nearest to TargetLength, as a ratio, of those with c_b <= I/n < 2 c_b:
 /// then the bites cover the edge, and no odd gap is left at its end, as it is when an edge is walked
-/// from one end (paper, section 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had, which keeps centres out of the
-/// bites of the edge's ends and of neighbours with a larger f; for I from 2 to 2.165 c_b it cannot,
-/// and the one centre may lie up to 8 % deep in them. Where f varies so fast that equal parts leave a
-/// gap between two bites, n grows until they meet.
+/// from one end (paper, section 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had,
+/// which keeps centres out of the bites of the edge's ends and of neighbours with a larger f; for I from
+/// 2 to 2.165 c_b it cannot, and the one centre may lie up to 8 % deep in them. Where f varies so fast
+/// that equal parts leave a gap between two bites, n grows until they meet.
 /// Where an edge has shells at its ends, what lies between these is divided like that; the innermost
 /// shells are left out until that is at least LeastRest wanted parts long.
 class EdgeDivider
