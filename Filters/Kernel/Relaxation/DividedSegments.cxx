@@ -53,6 +53,11 @@ public:
     return this->IsDivided;
   }
 
+  // For SegmentTree::VisitPairs.
+  bool GoesOn() { return this->Progress.Beat(); }
+  void SetFraction(double fraction) { this->Progress.SetFraction(fraction); }
+  void operator()(Id first, Id second);
+
 private:
   void CompareApart();
   void CompareAtVertices();
@@ -75,24 +80,19 @@ private:
   std::vector<std::uint8_t> IsDivided;
 };
 
-// Each pair is asked for by the longer of the two.
 void ClearanceSearch::CompareApart()
 {
   const SegmentTree tree(this->Geometry.Vertices, this->Segments, this->Near, this->Progress);
-  for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && this->Progress.Beat();
-       ++segment)
+  const std::vector<std::uint8_t> all(this->Segments.size(), 1);
+  tree.VisitPairs(all, *this);
+}
+
+void ClearanceSearch::operator()(Id first, Id second)
+{
+  if (this->AreNear(first, second))
   {
-    const Point2& start = this->Start(segment);
-    const Point2& end = this->End(segment);
-    tree.VisitAlong(start, end, SegmentTree::LengthOf(start, end), this->Segments[segment],
-      [this, segment](Id other)
-      {
-        if (this->AreNear(segment, other))
-        {
-          this->IsDivided[segment] = 0;
-          this->IsDivided[other] = 0;
-        }
-      });
+    this->IsDivided[first] = 0;
+    this->IsDivided[second] = 0;
   }
 }
 
