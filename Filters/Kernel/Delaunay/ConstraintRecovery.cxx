@@ -7,7 +7,9 @@
 #include "Cavity.h"
 #include "Flips.h"
 
-#include <algorithm> // for reverse
+#include <algorithm> // for reverse, min, max
+#include <cstdint>   // for sums of two steps
+#include <numeric>   // for gcd
 #include <utility>   // for swap
 
 namespace biting
@@ -91,6 +93,19 @@ int StarSearch::Side(Id vertex) const
     this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target), this->Mesh.PointAt(vertex));
 }
 
+/// Steps of that many, modulo the number of constraints, reach each of them once, and always fall into
+/// the largest gaps between those before: the numbers of neighbors in a drawing are near each other.
+Id ScatteringStep(Id numberOfConstraints)
+{
+  constexpr double GoldenSection = 0.6180339887498949;
+  Id step = std::max(1, static_cast<Id>(GoldenSection * numberOfConstraints));
+  while (std::gcd(step, numberOfConstraints) > 1)
+  {
+    ++step;
+  }
+  return step;
+}
+
 class Recovery
 {
 public:
@@ -102,23 +117,28 @@ public:
     this->PrepareMesh();
   }
 
-  void Recover(Id constraint, Id start, Id end, bool isBoundary);
+  void Run(const ConstraintEdges& constraints);
 
   RecoveryResult Result;
 
 private:
   void PrepareMesh();
+  void CompareUnmade(const ConstraintEdges& constraints);
+  void Recover(const ConstraintEdges& constraints, Id constraint);
   StarSearch FindWay();
   Id Cross(Id crossedEdge);
   Id CollectCavity(Id crossedEdge);
   void NoteConflict(Id edge);
+  bool HasRoom() const { return this->Result.Conflicts.size() < MaximumNumberOfPairs; }
   void MarkEdge(Id edge);
+  ConstraintConflict PairWith(Id mark) const;
 
   HalfEdgeMesh& Mesh;
   double Phi;
   Pulse& Beats;
   std::vector<Id> Stack;
   Cavity Crossed;
+  std::vector<Id> Unmade; ///< constraints that others are in the way of
 
   // The constraint at work; what is left of it leads from From to To.
   Id Constraint = NoId;
@@ -143,12 +163,50 @@ void Recovery::PrepareMesh()
     });
 }
 
-void Recovery::Recover(Id constraint, Id start, Id end, bool isBoundary)
+/// In scattered order.
+void Recovery::Run(const ConstraintEdges& constraints)
+{
+  const PulsePart part(this->Beats, PreparationEnd, 1.0);
+  const Id count = static_cast<Id>(constraints.Starts.size());
+  const Id step = ScatteringStep(count);
+  Id constraint = 0;
+  for (Id done = 0; done < count && this->HasRoom() && this->Beats.Beat(); ++done)
+  {
+    this->Beats.SetFraction(static_cast<double>(done) / count);
+    const std::size_t conflictsBefore = this->Result.Conflicts.size();
+    this->Recover(constraints, constraint);
+    if (this->Result.Conflicts.size() > conflictsBefore)
+    {
+      this->Unmade.push_back(constraint);
+    }
+    constraint = static_cast<Id>((static_cast<std::int64_t>(constraint) + step) % count);
+  }
+  if (!this->Unmade.empty() && this->HasRoom())
+  {
+    this->CompareUnmade(constraints);
+  }
+  this->Result.Conflicts.resize(std::min(this->Result.Conflicts.size(), MaximumNumberOfPairs));
+}
+
+/// Once more, with all that are made: some of these came later.
+void Recovery::CompareUnmade(const ConstraintEdges& constraints)
+{
+  this->Result.Conflicts.clear();
+  for (const Id constraint : this->Unmade)
+  {
+    if (this->HasRoom() && this->Beats.Beat())
+    {
+      this->Recover(constraints, constraint);
+    }
+  }
+}
+
+void Recovery::Recover(const ConstraintEdges& constraints, Id constraint)
 {
   this->Constraint = constraint;
-  this->IsBoundary = isBoundary;
-  this->From = start;
-  this->To = end;
+  this->IsBoundary = constraints.IsBoundary[constraint] != 0;
+  this->From = constraints.Starts[constraint];
+  this->To = constraints.Ends[constraint];
   while (this->From != this->To && !this->Beats.HasStopped())
   {
     const StarSearch way = this->FindWay();
@@ -240,7 +298,7 @@ void Recovery::NoteConflict(Id edge)
 {
   if (this->Mesh.Marks[edge] != NoId)
   {
-    this->Result.Conflicts.push_back({ this->Mesh.Marks[edge] / 2, this->Constraint });
+    this->Result.Conflicts.push_back(this->PairWith(this->Mesh.Marks[edge]));
   }
 }
 
@@ -248,13 +306,24 @@ void Recovery::MarkEdge(Id edge)
 {
   const Id oddity = this->IsBoundary ? 1 : 0;
   const Id old = this->Mesh.Marks[edge];
-  if (old != NoId && this->Result.Coincidences.size() < MaximumNumberOfPairs)
+  Id mark = 2 * this->Constraint + oddity;
+  if (old != NoId)
   {
-    this->Result.Coincidences.push_back({ old / 2, this->Constraint });
+    const ConstraintConflict pair = this->PairWith(old);
+    if (pair.First != pair.Second && this->Result.Coincidences.size() < MaximumNumberOfPairs)
+    {
+      this->Result.Coincidences.push_back(pair);
+    }
+    mark = 2 * pair.First + ((old ^ oddity) & 1);
   }
-  const Id mark = old == NoId ? 2 * this->Constraint + oddity : old ^ oddity;
   this->Mesh.Marks[edge] = mark;
   this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
+}
+
+ConstraintConflict Recovery::PairWith(Id mark) const
+{
+  const Id other = mark / 2;
+  return { std::min(other, this->Constraint), std::max(other, this->Constraint) };
 }
 
 } // namespace
@@ -263,18 +332,7 @@ RecoveryResult RecoverConstraints(
   HalfEdgeMesh& mesh, const ConstraintEdges& constraints, double phi, Pulse& pulse)
 {
   Recovery recovery(mesh, phi, pulse);
-  const PulsePart part(pulse, PreparationEnd, 1.0);
-  const Id numberOfConstraints = static_cast<Id>(constraints.Starts.size());
-  for (Id c = 0; c < numberOfConstraints && pulse.Beat(); ++c)
-  {
-    pulse.SetFraction(static_cast<double>(c) / numberOfConstraints);
-    recovery.Recover(c, constraints.Starts[c], constraints.Ends[c], constraints.IsBoundary[c] != 0);
-    if (recovery.Result.Conflicts.size() >= MaximumNumberOfPairs)
-    {
-      recovery.Result.Conflicts.resize(MaximumNumberOfPairs);
-      break;
-    }
-  }
+  recovery.Run(constraints);
   return std::move(recovery.Result);
 }
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm> // for count
+#include <set>       // for those that cross
+
 namespace
 {
 
@@ -33,6 +36,29 @@ bool CrossesNone(const Scene& scene, Id start, Id end)
     }
   }
   return true;
+}
+
+std::set<Id> CrossingConstraints(const Scene& scene)
+{
+  const ConstraintEdges& edges = scene.Edges;
+  const auto count = static_cast<Id>(edges.Starts.size());
+  const auto cross = [&scene, &edges](Id a, Id b)
+  {
+    return Meet(scene.Points[edges.Starts[a]], scene.Points[edges.Ends[a]],
+             scene.Points[edges.Starts[b]], scene.Points[edges.Ends[b]]) == Meeting::Crossing;
+  };
+  std::set<Id> crossing;
+  for (Id a = 0; a < count; ++a)
+  {
+    for (Id b = a + 1; b < count; ++b)
+    {
+      if (cross(a, b))
+      {
+        crossing.insert({ a, b });
+      }
+    }
+  }
+  return crossing;
 }
 
 /// A square with random points and as many random interfaces as `tries` give without crossings.
@@ -182,23 +208,62 @@ TEST(RecoverConstraints, ReportsBothNumbersOfAConflict)
   EXPECT_FALSE(result.WasAborted);
 }
 
-TEST(RecoverConstraints, ReportsAllConflictsOfALongConstraint)
+TEST(RecoverConstraints, ReportsAllConflictsOfALongConstraintWhateverItsPlaceAmongThem)
+{
+  for (int place = 1; place <= 10; ++place)
+  {
+    Scene scene;
+    scene.AddSquare(0.0, 100.0);
+    Id across = NoId;
+    for (int i = 1; i <= 10; ++i)
+    {
+      const Id low = i == place ? scene.AddPoint(1, 50) : scene.AddPoint(9 * i, 10);
+      const Id high = i == place ? scene.AddPoint(99, 51) : scene.AddPoint(9 * i + 1, 90);
+      const Id edge = scene.AddEdge(low, high, false);
+      across = i == place ? edge : across;
+    }
+    const TriangulationResult result = scene.Triangulate();
+    ASSERT_EQ(result.Conflicts.size(), 9u) << "at place " << place;
+    for (const ConstraintConflict& conflict : result.Conflicts)
+    {
+      EXPECT_TRUE(conflict.First == across || conflict.Second == across) << "at place " << place;
+      EXPECT_LT(conflict.First, conflict.Second);
+    }
+  }
+}
+
+TEST(RecoverConstraints, ReportsEachConstraintThatCrossesAnother)
+{
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    Scene scene = RandomScene(60, 100000, seed);
+    for (Id start = 4; start + 1 < 60; start += 2)
+    {
+      scene.AddEdge(start, start + 1, false);
+    }
+    const std::set<Id> crossing = CrossingConstraints(scene);
+    ASSERT_GE(crossing.size(), 20u);
+    std::set<Id> reported;
+    for (const ConstraintConflict& conflict : scene.Triangulate().Conflicts)
+    {
+      reported.insert({ conflict.First, conflict.Second });
+    }
+    EXPECT_EQ(reported, crossing) << "of seed " << seed;
+  }
+}
+
+TEST(RecoverConstraints, GivesAnEdgeOnManyConstraintsTheSmallestNumber)
 {
   Scene scene;
-  scene.AddSquare(0.0, 100.0);
-  for (int i = 1; i < 10; ++i)
+  scene.AddSquare(0.0, 8.0);
+  const Id first = scene.AddEdge(0, 2, false);
+  for (int i = 0; i < 12; ++i)
   {
-    const Id low = scene.AddPoint(10 * i, 10);
-    scene.AddEdge(low, scene.AddPoint(10 * i + 1, 90), false);
+    scene.AddEdge(i % 2 ? 0 : 2, i % 2 ? 2 : 0, false);
   }
-  const Id left = scene.AddPoint(1, 50);
-  const Id across = scene.AddEdge(left, scene.AddPoint(99, 51), false);
   const TriangulationResult result = scene.Triangulate();
-  ASSERT_EQ(result.Conflicts.size(), 9u);
-  for (const ConstraintConflict& conflict : result.Conflicts)
-  {
-    EXPECT_EQ(conflict.Second, across);
-  }
+  EXPECT_EQ(result.Coincidences.size(), 12u);
+  EXPECT_EQ(std::count(result.Mesh.Constraints.begin(), result.Mesh.Constraints.end(), first), 2);
 }
 
 TEST(RecoverConstraints, IgnoresAConstraintOfNoLength)
