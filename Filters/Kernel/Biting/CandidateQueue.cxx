@@ -11,8 +11,6 @@ namespace biting
 namespace
 {
 
-constexpr std::size_t LeastCompaction = 4096;
-
 // Measured: 5 to 6 % in two classes gives the best mean shape on average over fields, with squares and
 // with circles; 16 to 64 classes of 1 to 5 % are alike.
 constexpr double GoodMisfit = 0.06;
@@ -38,32 +36,26 @@ CandidateQueue::CandidateQueue(FrontOrder order)
 void CandidateQueue::Put(const Candidate& candidate)
 {
   const int rank = this->Order == FrontOrder::LargestY ? 0 : candidate.Class;
-  std::vector<Candidate>& waiting = this->Lines[rank].Waiting;
-  waiting.push_back(candidate);
+  std::deque<Candidate>& line = this->Lines[rank];
+  line.push_back(candidate);
   this->Best = std::min(this->Best, rank);
   if (this->Order == FrontOrder::LargestY)
   {
-    std::push_heap(waiting.begin(), waiting.end(), ComesLater);
+    std::push_heap(line.begin(), line.end(), ComesLater);
   }
 }
 
 Candidate CandidateQueue::Take()
 {
-  Line& line = this->Lines[this->Best];
-  Candidate candidate;
-  if (this->Order == FrontOrder::LargestY)
+  std::deque<Candidate>& line = this->Lines[this->Best];
+  const bool isHeap = this->Order == FrontOrder::LargestY;
+  if (isHeap)
   {
-    std::pop_heap(line.Waiting.begin(), line.Waiting.end(), ComesLater);
-    candidate = line.Waiting.back();
-    line.Waiting.pop_back();
+    std::pop_heap(line.begin(), line.end(), ComesLater);
   }
-  else
-  {
-    candidate = line.Waiting[line.Taken++];
-    Compact(line);
-  }
-  const auto isEmpty = [](const Line& other) { return other.Taken == other.Waiting.size(); };
-  while (this->Best < NumberOfClasses && isEmpty(this->Lines[this->Best]))
+  const Candidate candidate = isHeap ? line.back() : line.front();
+  isHeap ? line.pop_back() : line.pop_front();
+  while (this->Best < NumberOfClasses && this->Lines[this->Best].empty())
   {
     ++this->Best;
   }
@@ -77,18 +69,6 @@ int CandidateQueue::ClassOf(double misfit) const
     return static_cast<int>(std::min(misfit / ClassWidth, NumberOfClasses - 1.0));
   }
   return misfit < GoodMisfit ? 0 : 1;
-}
-
-// Drops the taken part once it is the larger half: O(1) a candidate, and no more memory than twice
-// the front.
-void CandidateQueue::Compact(Line& line)
-{
-  if (line.Taken > LeastCompaction && 2 * line.Taken > line.Waiting.size())
-  {
-    line.Waiting.erase(
-      line.Waiting.begin(), line.Waiting.begin() + static_cast<std::ptrdiff_t>(line.Taken));
-    line.Taken = 0;
-  }
 }
 
 } // namespace biting

@@ -7,9 +7,8 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 
-#include <array>   // for the lines
-#include <cstddef> // for size_t
-#include <vector>  // for each line
+#include <array> // for the lines
+#include <deque> // for each line
 
 namespace biting
 {
@@ -52,16 +51,8 @@ public:
   int ClassOf(double misfit) const;
 
 private:
-  struct Line
-  {
-    std::vector<Candidate> Waiting;
-    std::size_t Taken = 0; ///< of the front part of Waiting
-  };
-
-  static void Compact(Line& line);
-
   FrontOrder Order;
-  std::array<Line, NumberOfClasses> Lines;
+  std::array<std::deque<Candidate>, NumberOfClasses> Lines;
   int Best = NumberOfClasses; ///< the first line that is not empty
 };
 
