@@ -8,6 +8,7 @@
 #include "Biting/BitingScheme.h"
 #include "Biting/VertexEstimate.h"
 #include "Calibration.h"
+#include "Delaunay/ConstrainedEdges.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
 #include "DomainFeatures.h"
@@ -273,19 +274,9 @@ std::vector<Id> FindUncovered(
 {
   const std::vector<double> lengths = LengthsOfConstraints(bites, pulse);
   std::vector<double> rest = lengths;
-  pulse.ForEach(triangulation.Corners.size(),
-    [&bites, &triangulation, &rest](std::size_t half)
-    {
-      const Id constraint = triangulation.Constraints[half];
-      const bool isFirst = triangulation.Neighbors[half] < static_cast<Id>(half / 3);
-      if (constraint != NoId && isFirst)
-      {
-        const std::size_t corner = half % 3;
-        const Id u = triangulation.Corners[half - corner + (corner + 1) % 3];
-        const Id v = triangulation.Corners[half - corner + (corner + 2) % 3];
-        rest[constraint] -= Distance(bites.Points[u], bites.Points[v]);
-      }
-    });
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&bites, &rest](Id constraint, Id start, Id end)
+    { rest[constraint] -= Distance(bites.Points[start], bites.Points[end]); });
   std::vector<Id> uncovered;
   pulse.ForEach(rest.size(),
     [&lengths, &rest, &uncovered](std::size_t edge)
@@ -393,15 +384,12 @@ Flags VerticesOnConstraints(
   const Domain& domain, const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
 {
   Flags isOn(bites.Points.size(), 0);
-  pulse.ForEach(triangulation.Corners.size(),
-    [&domain, &bites, &triangulation, &isOn](std::size_t half)
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&domain, &bites, &isOn](Id, Id start, Id end)
     {
-      const std::size_t corner = half % 3;
-      for (const std::size_t other : { (corner + 1) % 3, (corner + 2) % 3 })
+      for (const Id vertex : { start, end })
       {
-        const Id vertex = triangulation.Corners[half - corner + other];
-        isOn[vertex] |= triangulation.Constraints[half] != NoId &&
-          vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
+        isOn[vertex] |= vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
       }
     });
   return isOn;
@@ -424,16 +412,12 @@ bool ClearConstraints(
 void AdoptVertices(
   const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
 {
-  pulse.ForEach(triangulation.Corners.size(),
-    [&domain, &triangulation, &bites](std::size_t half)
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&domain, &bites](Id constraint, Id start, Id end)
     {
-      const Id constraint = triangulation.Constraints[half];
-      const std::size_t corner = half % 3;
-      for (const std::size_t other : { (corner + 1) % 3, (corner + 2) % 3 })
+      for (const Id vertex : { start, end })
       {
-        const Id vertex = triangulation.Corners[half - corner + other];
-        if (constraint != NoId && vertex >= domain.NumberOfVertices() &&
-          bites.Segments[vertex] == NoId)
+        if (vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId)
         {
           bites.Segments[vertex] = bites.EdgeSegments[constraint];
         }

@@ -5,6 +5,7 @@
 
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
+#include "Delaunay/ConstrainedEdges.h"
 
 #include <cmath>   // for abs
 #include <utility> // for move
@@ -39,18 +40,9 @@ std::vector<double> CoveredLengths(
   const Domain& domain, const BitingResult& bites, const Triangulation& mesh, Pulse& pulse)
 {
   std::vector<double> lengths(domain.NumberOfSegments(), 0.0);
-  pulse.ForEach(mesh.Corners.size(),
-    [&bites, &mesh, &lengths](std::size_t half)
-    {
-      const Id constraint = mesh.Constraints[half];
-      const bool isFirst = mesh.Neighbors[half] < static_cast<Id>(half / 3);
-      if (constraint != NoId && isFirst)
-      {
-        const std::size_t corner = half % 3;
-        const Id u = mesh.Corners[half - corner + (corner + 1) % 3];
-        const Id v = mesh.Corners[half - corner + (corner + 2) % 3];
-        lengths[bites.EdgeSegments[constraint]] += Distance(bites.Points[u], bites.Points[v]);
-      }
+  ForEachConstrainedEdge(mesh, pulse,
+    [&bites, &lengths](Id constraint, Id start, Id end) {
+      lengths[bites.EdgeSegments[constraint]] += Distance(bites.Points[start], bites.Points[end]);
     });
   return lengths;
 }

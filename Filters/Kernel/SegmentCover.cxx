@@ -4,6 +4,7 @@
 #include "SegmentCover.h"
 
 #include "Base/Pulse.h"
+#include "Delaunay/ConstrainedEdges.h"
 
 #include <algorithm> // for find_if
 #include <cstdint>   // for sums
@@ -44,19 +45,9 @@ std::string CheckSegmentCover(const Domain& domain, const SegmentCoverInput& mes
 {
   Pulse pulse(monitor);
   std::vector<std::uint64_t> marks(static_cast<std::size_t>(domain.NumberOfSegments()), 0);
-  pulse.ForEach(mesh.Corners.size(),
-    [&mesh, &marks](std::size_t half)
-    {
-      const Id constraint = mesh.Constraints[half];
-      const bool isFirst = mesh.Neighbors[half] < static_cast<Id>(half / 3);
-      if (constraint != NoId && isFirst)
-      {
-        const std::size_t corner = half % 3;
-        const Id u = mesh.Corners[half - corner + (corner + 1) % 3];
-        const Id v = mesh.Corners[half - corner + (corner + 2) % 3];
-        marks[mesh.Segments[constraint]] ^= MarkOf(mesh.Points[u]) ^ MarkOf(mesh.Points[v]);
-      }
-    });
+  ForEachConstrainedEdge(mesh, pulse,
+    [&mesh, &marks](Id constraint, Id start, Id end)
+    { marks[mesh.Segments[constraint]] ^= MarkOf(mesh.Points[start]) ^ MarkOf(mesh.Points[end]); });
   pulse.ForEach(marks.size(),
     [&domain, &marks](std::size_t segment)
     {
