@@ -248,6 +248,18 @@ Polylines Comb(Id numberOfTeeth)
   return Loop(points);
 }
 
+// Long interfaces side by side, which no vertex of another is near.
+Polylines Hatches(Id count)
+{
+  Polylines lines = Square(1.0);
+  for (Id i = 0; i < count; ++i)
+  {
+    const double x = 0.05 + 0.4 * i / count;
+    AddSegment({ x, 0.25 }, { x + 0.4, 0.75 }, lines);
+  }
+  return lines;
+}
+
 // Items are segments of the arrangement.
 void MeasureDomain(benchmark::State& state, Polylines (*draw)(Id))
 {
@@ -537,6 +549,22 @@ BENCHMARK(DelaunayRandomPoints)
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)
   ->Unit(benchmark::kMillisecond);
+
+// Before the first hatch is an edge, it crosses as many as there are others.
+void DelaunayHatches(benchmark::State& state)
+{
+  const Domain domain = DomainOf(Hatches(static_cast<Id>(state.range(0))));
+  const ConstraintEdges segments{ domain.Starts, domain.Ends, domain.IsBoundary };
+  SilentMonitor monitor;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(
+      Triangulate(domain.Vertices, segments, {}, monitor).Mesh.Corners.data());
+  }
+  Report(state, domain.Vertices.size());
+}
+BENCHMARK(DelaunayHatches)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 
 // Relaxation: the mesh of section 6 as it was bitten; the effort is 0 (Fast) or 1 (Best).
 

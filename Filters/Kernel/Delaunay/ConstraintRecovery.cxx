@@ -8,8 +8,6 @@
 #include "Flips.h"
 
 #include <algorithm> // for reverse, min, max
-#include <cstdint>   // for sums of two steps
-#include <numeric>   // for gcd
 #include <utility>   // for swap
 
 namespace biting
@@ -93,18 +91,48 @@ int StarSearch::Side(Id vertex) const
     this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target), this->Mesh.PointAt(vertex));
 }
 
-/// Steps of that many, modulo the number of constraints, reach each of them once, and always fall into
-/// the largest gaps between those before: the numbers of neighbors in a drawing are near each other.
-Id ScatteringStep(Id numberOfConstraints)
+/// 0 .. count - 1 in the order of their reversed digits to the base 2: each falls into one of the
+/// largest gaps between those before, as numbers of neighbors in a drawing are near each other.
+class ScatteredNumbers
 {
-  constexpr double GoldenSection = 0.6180339887498949;
-  Id step = std::max(1, static_cast<Id>(GoldenSection * numberOfConstraints));
-  while (std::gcd(step, numberOfConstraints) > 1)
+public:
+  explicit ScatteredNumbers(Id count)
+    : Count(count)
   {
-    ++step;
+    while (this->HighestDigit < count - count / 2)
+    {
+      this->HighestDigit *= 2;
+    }
   }
-  return step;
-}
+
+  /// The first is 0, and so is the one that follows the last.
+  Id Next()
+  {
+    const Id number = this->Number;
+    do
+    {
+      this->Advance();
+    } while (this->Number >= this->Count);
+    return number;
+  }
+
+private:
+  /// Adds one at the highest digit and carries to the lower ones.
+  void Advance()
+  {
+    Id digit = this->HighestDigit;
+    while ((this->Number & digit) != 0)
+    {
+      this->Number ^= digit;
+      digit /= 2;
+    }
+    this->Number |= digit;
+  }
+
+  Id Count;
+  Id HighestDigit = 1;
+  Id Number = 0;
+};
 
 class Recovery
 {
@@ -168,18 +196,17 @@ void Recovery::Run(const ConstraintEdges& constraints)
 {
   const PulsePart part(this->Beats, PreparationEnd, 1.0);
   const Id count = static_cast<Id>(constraints.Starts.size());
-  const Id step = ScatteringStep(count);
-  Id constraint = 0;
+  ScatteredNumbers numbers(count);
   for (Id done = 0; done < count && this->HasRoom() && this->Beats.Beat(); ++done)
   {
     this->Beats.SetFraction(static_cast<double>(done) / count);
     const std::size_t conflictsBefore = this->Result.Conflicts.size();
+    const Id constraint = numbers.Next();
     this->Recover(constraints, constraint);
     if (this->Result.Conflicts.size() > conflictsBefore)
     {
       this->Unmade.push_back(constraint);
     }
-    constraint = static_cast<Id>((static_cast<std::int64_t>(constraint) + step) % count);
   }
   if (!this->Unmade.empty() && this->HasRoom())
   {
