@@ -3,12 +3,11 @@
 
 #include "TriangleInterpolator.h"
 
-#include "../Base/SortInSteps.h"
+#include "../Base/Pulse.h"
 
-#include <algorithm>  // for min, max
-#include <cstdint>    // for edge keys
-#include <functional> // for less
-#include <limits>     // for infinity
+#include <algorithm> // for min, max, sort, upper_bound
+#include <limits>    // for infinity
+#include <numeric>   // for partial_sum
 
 namespace biting
 {
@@ -54,43 +53,76 @@ std::vector<const Id*> UsableTriangles(const TriangulatedSource& source, Pulse& 
   return usable;
 }
 
-/// Every edge of every triangle as one number: the smaller point id above the larger one.
-std::vector<std::uint64_t> SortedEdges(const std::vector<const Id*>& triangles, Pulse& pulse)
+std::vector<TriangleBuckets::Corners> CornersOf(
+  const TriangulatedSource& source, const std::vector<const Id*>& triangles)
 {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * triangles.size());
-  for (const Id* corners : triangles)
+  std::vector<TriangleBuckets::Corners> corners;
+  corners.reserve(triangles.size());
+  for (const Id* triangle : triangles)
   {
-    pulse.Beat(1);
+    corners.push_back(PointsOf(source, triangle));
+  }
+  return corners;
+}
+
+/// Calls visit(low, high) for every edge of every triangle, with the smaller id of its ends first.
+template <typename Visitor>
+void ForEachEdge(const std::vector<const Id*>& triangles, Pulse& pulse, const Visitor& visit)
+{
+  for (std::size_t triangle = 0; triangle < triangles.size() && pulse.Beat(1); ++triangle)
+  {
+    const Id* corners = triangles[triangle];
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const std::uint64_t start = PointOf(corners, corner);
-      const std::uint64_t end = PointOf(corners, (corner + 1) % 3);
-      edges.push_back((std::min(start, end) << 32) | std::max(start, end));
+      const Id start = corners[corner];
+      const Id end = corners[(corner + 1) % 3];
+      visit(static_cast<std::size_t>(std::min(start, end)), std::max(start, end));
     }
   }
-  SortInSteps(edges, std::less<>(), pulse);
+}
+
+/// Edges by the smaller id of their ends: for point p the larger ids stand in Ends from Offsets[p] on,
+/// as often as triangles share the edge.
+struct EdgesByPoint
+{
+  std::vector<std::size_t> Offsets;
+  std::vector<Id> Ends;
+};
+
+EdgesByPoint Distribute(
+  const std::vector<const Id*>& triangles, std::size_t numberOfPoints, Pulse& pulse)
+{
+  EdgesByPoint edges;
+  edges.Offsets.assign(numberOfPoints + 1, 0);
+  edges.Ends.resize(3 * triangles.size());
+  ForEachEdge(triangles, pulse, [&edges](std::size_t low, Id) { ++edges.Offsets[low]; });
+  std::partial_sum(edges.Offsets.begin(), edges.Offsets.end(), edges.Offsets.begin());
+  ForEachEdge(triangles, pulse,
+    [&edges](std::size_t low, Id high) { edges.Ends[--edges.Offsets[low]] = high; });
   return edges;
 }
 
-/// The edges that belong to one triangle only.
+/// The edges that belong to one triangle only, in the order of their ends.
 std::vector<BorderEdge> FindBorder(
   const TriangulatedSource& source, const std::vector<const Id*>& triangles, Pulse& pulse)
 {
-  const std::vector<std::uint64_t> edges = SortedEdges(triangles, pulse);
+  EdgesByPoint edges = Distribute(triangles, source.Points.size(), pulse);
   std::vector<BorderEdge> border;
-  for (std::size_t edge = 0, next = 0; edge < edges.size() && pulse.Beat(1); edge = next)
+  for (std::size_t low = 0; low < source.Points.size() && pulse.Beat(1); ++low)
   {
-    for (next = edge + 1; next < edges.size() && edges[next] == edges[edge];)
+    const auto end = edges.Ends.begin() + static_cast<std::ptrdiff_t>(edges.Offsets[low + 1]);
+    auto first = edges.Ends.begin() + static_cast<std::ptrdiff_t>(edges.Offsets[low]);
+    std::sort(first, end);
+    while (first != end)
     {
-      ++next;
-    }
-    if (next - edge == 1)
-    {
-      const auto low = static_cast<std::size_t>(edges[edge] >> 32);
-      const auto high = static_cast<std::size_t>(edges[edge] & 0xffffffffu);
-      border.push_back(
-        { source.Points[low], source.Points[high], source.Values[low], source.Values[high] });
+      const auto next = std::upper_bound(first, end, *first);
+      if (next - first == 1)
+      {
+        const auto high = static_cast<std::size_t>(*first);
+        border.push_back(
+          { source.Points[low], source.Points[high], source.Values[low], source.Values[high] });
+      }
+      first = next;
     }
   }
   return border;
@@ -106,15 +138,8 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
   {
     return;
   }
-  std::vector<TriangleBuckets::Corners> corners;
-  corners.reserve(usable.size());
-  for (const Id* triangle : usable)
-  {
-    corners.push_back(PointsOf(source, triangle));
-  }
-  this->Buckets = std::make_unique<TriangleBuckets>(corners, pulse);
+  this->Buckets = std::make_unique<TriangleBuckets>(CornersOf(source, usable), pulse);
   this->Border = BorderTree(FindBorder(source, usable, pulse), pulse);
-
   this->Records.reserve(usable.size());
   std::vector<Id> recordOf(usable.size(), NoId);
   this->Buckets->ForEachEntry(
