@@ -3,7 +3,7 @@
 
 #include "PointOnSegment.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, min
 #include <cmath>     // for abs, nextafter
 #include <limits>    // for epsilon, infinity
 
@@ -33,19 +33,23 @@ double OffLine(const Point2& p, const Point2& a, const Point2& b)
   return std::abs(Cross(b - a, p - a));
 }
 
-/// Walks along the line ab, which is not steep.
+/// Walks along the line ab, which is not steep, by units of rounding.
 Point2 LeastOff(const Point2& start, const Point2& a, const Point2& b)
 {
-  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const double magnitude = std::abs(start.X);
+  const double unit =
+    std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
   Point2 best = start;
-  for (const double end : { -Infinity, Infinity })
+  double least = OffLine(start, a, b);
+  for (const double step : { -unit, unit })
   {
-    double x = start.X;
-    for (int step = 0; step < Steps; ++step)
+    for (int k = 1; k <= Steps; ++k)
     {
-      x = std::nextafter(x, end);
+      const double x = start.X + k * step;
       const Point2 p{ x, HeightAt(x, a, b) };
-      best = OffLine(p, a, b) < OffLine(best, a, b) ? p : best;
+      const double off = OffLine(p, a, b);
+      best = off < least ? p : best;
+      least = std::min(off, least);
     }
   }
   return best;
