@@ -18,8 +18,9 @@ namespace
 {
 
 constexpr int JudgedRings = 4;
-// About a hundred are usual. Around fans of long segments there are thousands, which nothing helps.
-constexpr std::size_t MostJudged = 400;
+// Up to a hundred are usual, an attempt takes about the square of their number. Around fans of long
+// segments there are thousands, which nothing helps.
+constexpr std::size_t MostJudged = 150;
 constexpr int MovedRings = 3;
 constexpr int MovingRounds = 2;
 constexpr double LeastSplitLength = 0.8; // shorter edges are no better for a vertex between them
