@@ -22,6 +22,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -99,7 +100,8 @@ public:
   void Write(vtkInformationVector* outputs);
   void WriteProblems(vtkPolyData* output);
 
-  bool HasFailed() const { return this->IsRefused; }
+  void Refuse(const std::string& reason);
+
   bool WasAborted() const { return this->Monitor.HasStopped(); }
 
 private:
@@ -167,6 +169,7 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
+  this->ErrorCode = vtkErrorCode::NoError;
   Execution execution(
     this, vtkPolyData::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
   try
@@ -185,10 +188,9 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputVector);
-    vtkErrorMacro("There is not enough memory for this mesh. Choose a larger spacing.");
-    return 0;
+    execution.Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
   }
-  return execution.HasFailed() ? 0 : 1;
+  return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 
 //------------------------------------------------------------------------------
@@ -230,10 +232,17 @@ bool vtkBitingMesher::Execution::Accept(const std::string& refusal)
 {
   if (!refusal.empty())
   {
-    this->IsRefused = true;
-    vtkErrorWithObjectMacro(this->Filter, << refusal);
+    this->Refuse(refusal);
   }
   return refusal.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Refuse(const std::string& reason)
+{
+  this->IsRefused = true;
+  this->Filter->ErrorCode = vtkErrorCode::UserError;
+  vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 
 //------------------------------------------------------------------------------

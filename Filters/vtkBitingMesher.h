@@ -95,6 +95,9 @@
  * size from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
  * empty, but for the problems; so they are, with an error, where memory does not suffice. An
  * empty input gives empty outputs and no message.
+ * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh before:
+ * after Update() a program learns from GetErrorCode() whether there was one, vtkErrorCode::UserError,
+ * or none, vtkErrorCode::NoError.
  * Same input and parameters, same bytes: any run, any thread.
  *
  * @par Progress and abort:

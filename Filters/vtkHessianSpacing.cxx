@@ -14,6 +14,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -75,7 +76,7 @@ public:
   bool Recover();
   void Write(vtkDataSet* output) const;
 
-  bool HasFailed() const { return this->IsRefused; }
+  void Refuse(const std::string& reason);
 
 private:
   bool Accept(const std::string& refusal);
@@ -106,6 +107,7 @@ int vtkHessianSpacing::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
+  this->ErrorCode = vtkErrorCode::NoError;
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   Execution execution(this, vtkDataSet::GetData(inputVector[0]));
   try
@@ -118,10 +120,9 @@ int vtkHessianSpacing::RequestData(vtkInformation* vtkNotUsed(request),
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    vtkErrorMacro("There is not enough memory for the Hessian of this input.");
-    return 0;
+    execution.Refuse("There is not enough memory for the Hessian of this input.");
   }
-  return execution.HasFailed() ? 0 : 1;
+  return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
 //------------------------------------------------------------------------------
@@ -167,10 +168,17 @@ bool vtkHessianSpacing::Execution::Accept(const std::string& refusal)
 {
   if (!refusal.empty())
   {
-    this->IsRefused = true;
-    vtkErrorWithObjectMacro(this->Filter, << refusal);
+    this->Refuse(refusal);
   }
   return refusal.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkHessianSpacing::Execution::Refuse(const std::string& reason)
+{
+  this->IsRefused = true;
+  this->Filter->ErrorCode = vtkErrorCode::UserError;
+  vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 
 //------------------------------------------------------------------------------

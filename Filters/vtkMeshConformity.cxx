@@ -24,6 +24,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -97,7 +98,7 @@ public:
   bool Measure();
   void Write(vtkInformationVector* outputs) const;
 
-  bool HasFailed() const { return this->IsRefused; }
+  void Refuse(const std::string& reason);
 
 private:
   bool Accept(const std::string& refusal);
@@ -211,6 +212,7 @@ int vtkMeshConformity::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
+  this->ErrorCode = vtkErrorCode::NoError;
   Execution execution(
     this, vtkDataSet::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
   try
@@ -223,10 +225,9 @@ int vtkMeshConformity::RequestData(vtkInformation* vtkNotUsed(request),
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputVector);
-    vtkErrorMacro("There is not enough memory to measure this mesh.");
-    return 0;
+    execution.Refuse("There is not enough memory to measure this mesh.");
   }
-  return execution.HasFailed() ? 0 : 1;
+  return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
 //------------------------------------------------------------------------------
@@ -260,10 +261,17 @@ bool vtkMeshConformity::Execution::Accept(const std::string& refusal)
 {
   if (!refusal.empty())
   {
-    this->IsRefused = true;
-    vtkErrorWithObjectMacro(this->Filter, << refusal);
+    this->Refuse(refusal);
   }
   return refusal.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConformity::Execution::Refuse(const std::string& reason)
+{
+  this->IsRefused = true;
+  this->Filter->ErrorCode = vtkErrorCode::UserError;
+  vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 
 //------------------------------------------------------------------------------

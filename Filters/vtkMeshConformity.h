@@ -49,6 +49,7 @@
  * that is neither triangle nor line nor vertex, coordinates that are not finite, points farther than
  * 1e-6 of the size from one plane, a spacing that is not positive and finite at a vertex. An empty
  * input gives empty outputs and no message; so does an abort.
+ * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with empty outputs.
  *
  * @par Cost:
  * O(n log n). One thread.

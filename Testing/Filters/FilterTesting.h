@@ -104,7 +104,7 @@ public:
   {
     this->Listen(filter, vtkCommand::ErrorEvent, &this->Errors);
     this->Listen(filter, vtkCommand::WarningEvent, &this->Warnings);
-    // The executive adds a word of its own when a filter fails.
+    // The executive would add a word of its own if a filter failed.
     this->Listen(filter->GetExecutive(), vtkCommand::ErrorEvent, &this->OfExecutive);
   }
 

@@ -3,6 +3,7 @@
 
 #include "FilterTesting.h"
 
+#include "vtkErrorCode.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,9 @@ std::string RefusalOf(vtkPolyData* input, vtkBitingMesher* mesher)
   mesher->Update();
   EXPECT_EQ(messages.Errors.size(), 1u);
   EXPECT_TRUE(messages.Warnings.empty());
+  EXPECT_TRUE(messages.OfExecutive.empty());
   EXPECT_TRUE(AreAllEmpty(mesher));
+  EXPECT_EQ(mesher->GetErrorCode(), vtkErrorCode::UserError);
   return messages.Errors.empty() ? "" : messages.Errors.front();
 }
 
@@ -267,4 +270,15 @@ TEST(BitingMesherMessages, AreAbsentForEmptyInput)
     EXPECT_TRUE(messages.OfExecutive.empty());
     EXPECT_TRUE(AreAllEmpty(mesher));
   }
+}
+
+TEST(BitingMesherMessages, LeaveNoErrorCodeWhereTheNextRunIsGood)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetUniformSpacing(-1.0);
+  RefusalOf(UnitSquare(), mesher);
+  mesher->SetUniformSpacing(0.1);
+  mesher->Update();
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(mesher->GetErrorCode(), vtkErrorCode::NoError);
 }

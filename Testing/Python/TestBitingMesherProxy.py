@@ -126,6 +126,25 @@ class TestBitingMesherProxy(unittest.TestCase):
         self.assertGreater(count, 1000)
         self.assertLess(count, 20000)
 
+    def test_after_an_error_the_mesh_before_it_is_gone(self):
+        mesher = BitingMesher(Input=self.square(), UniformSpacing=1.0)
+        view = simple.CreateRenderView()
+        shown = simple.Show(mesher, view)
+        view.Update()
+        self.assertGreater(shown.GetRepresentedDataInformation().GetNumberOfCells(), 0)
+        mesher.MaximumNumberOfVertices = 3
+        errors = []
+        output = vtkOutputWindow.GetInstance()
+        output.SetDisplayModeToNever()
+        tag = output.AddObserver('ErrorEvent', lambda *unused: errors.append(1))
+        view.Update()
+        output.RemoveObserver(tag)
+        output.SetDisplayModeToDefault()
+        self.assertEqual(len(errors), 1)
+        self.assertEqual(shown.GetRepresentedDataInformation().GetNumberOfCells(), 0)
+        self.assertEqual(servermanager.Fetch(mesher).GetNumberOfCells(), 0)
+        simple.Delete(view)
+
     def test_half_the_scale_gives_about_four_times_the_triangles(self):
         square = self.square()
         coarse = triangles(BitingMesher(Input=square, UniformSpacing=1.0))
