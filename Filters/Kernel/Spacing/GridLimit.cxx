@@ -17,6 +17,12 @@ namespace
 /// between limited nodes: at a node that bounds its neighbors it is wrong by up to a quarter of that.
 constexpr double WidestGrowth = 0.02;
 
+/// A cell is steep where its mean gradient or one of its sides is above the gradation by more than
+/// this share of it, or where its twist adds more than this share of f to what is linear. Otherwise
+/// a field that somebody has limited already would be limited again, cell by cell: the gradient at
+/// a corner of a cell of a distance function exceeds that of the function itself.
+constexpr double SteepnessMargin = 0.005;
+
 /// How far a chord may be from the arc it stands for, in f; at most so many chords a side of a cell.
 constexpr double ChordError = 0.002;
 constexpr double ChordsPerSide = 32.0;
@@ -109,8 +115,7 @@ private:
     return true;
   }
 
-  /// The cell whose low corner is a node; it may have no width or height at the last nodes. Its
-  /// largest slope is taken a little too large.
+  /// The cell whose low corner is a node; it may have no width or height at the last nodes.
   bool IsSteep(Id column, Id row) const
   {
     if (column < 0 || row < 0)
@@ -125,15 +130,20 @@ private:
     const double d = this->Given(this->Node(right, above));
     const double width = this->X(right) - this->X(column);
     const double height = this->Y(above) - this->Y(row);
-    const double alongX = std::max(std::abs(b - a), std::abs(d - c)) * height;
-    const double alongY = std::max(std::abs(c - a), std::abs(d - b)) * width;
-    const double both = this->Gradation * width * height;
-    if (width > 0.0 && height > 0.0)
+    const double most = (1.0 + SteepnessMargin) * this->Gradation;
+    if (!(width > 0.0 && height > 0.0))
     {
-      return alongX * alongX + alongY * alongY > both * both;
+      return std::max({ a, b, c, d }) - std::min({ a, b, c, d }) > most * std::max(width, height);
     }
-    return std::max({ a, b, c, d }) - std::min({ a, b, c, d }) >
-      this->Gradation * std::max(width, height);
+    const auto isAbove = [most, width, height](double alongX, double alongY) {
+      return Length({ alongX * height, alongY * width }) > most * width * height;
+    };
+    const double alongX = std::max(std::abs(b - a), std::abs(d - c));
+    const double alongY = std::max(std::abs(c - a), std::abs(d - b));
+    const double added = 0.25 * std::abs(a - b - c + d);
+    return isAbove(alongX, alongY) &&
+      (isAbove(0.5 * (b - a + d - c), 0.5 * (c - a + d - b)) || isAbove(alongX, 0.0) ||
+        isAbove(0.0, alongY) || added > SteepnessMargin * std::min({ a, b, c, d }));
   }
 
   // Lowering nodes.

@@ -6,7 +6,6 @@
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for max
-#include <array>     // for corners
 
 namespace biting
 {
@@ -45,14 +44,14 @@ double SlopeAlongY(const GridSource& source, std::size_t i, std::size_t j)
     source.Values[node], source.Values[node + columns], source.YNodes[j + 1] - source.YNodes[j]);
 }
 
-double TriangleSlope(const std::array<Point2, 3>& corners, const std::array<double, 3>& values)
+const Point2& PointOf(const TriangulatedSource& source, std::size_t corner)
 {
-  const Point2 first = corners[1] - corners[0];
-  const Point2 second = corners[2] - corners[0];
-  const double firstRise = values[1] - values[0];
-  const double secondRise = values[2] - values[0];
-  const Point2 gradientTimesArea = Perpendicular(firstRise * second - secondRise * first);
-  return SlopeOf(0.0, Length(gradientTimesArea), std::abs(Cross(first, second)));
+  return source.Points[static_cast<std::size_t>(source.Triangles[corner])];
+}
+
+double ValueOf(const TriangulatedSource& source, std::size_t corner)
+{
+  return source.Values[static_cast<std::size_t>(source.Triangles[corner])];
 }
 
 } // namespace
@@ -79,22 +78,27 @@ double LargestSlope(const TriangulatedSource& source, Monitor& monitor)
   double largest = 0.0;
   for (std::size_t first = 0; first + 2 < source.Triangles.size() && pulse.Beat(); first += 3)
   {
-    largest = std::max(largest, SlopeOfTriangle(source, first));
+    largest = std::max(largest, Length(GradientOfTriangle(source, first)));
   }
   return largest;
 }
 
-double SlopeOfTriangle(const TriangulatedSource& source, std::size_t first)
+Point2 GradientOfTriangle(const TriangulatedSource& source, std::size_t first)
 {
-  std::array<Point2, 3> corners;
-  std::array<double, 3> values;
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    const auto pointId = static_cast<std::size_t>(source.Triangles[first + corner]);
-    corners[corner] = source.Points[pointId];
-    values[corner] = source.Values[pointId];
-  }
-  return TriangleSlope(corners, values);
+  const Point2 firstSide = PointOf(source, first + 1) - PointOf(source, first);
+  const Point2 secondSide = PointOf(source, first + 2) - PointOf(source, first);
+  const double firstRise = ValueOf(source, first + 1) - ValueOf(source, first);
+  const double secondRise = ValueOf(source, first + 2) - ValueOf(source, first);
+  const Point2 gradient = (-1.0 / Cross(firstSide, secondSide)) *
+    Perpendicular(firstRise * secondSide - secondRise * firstSide);
+  return std::isfinite(gradient.X) && std::isfinite(gradient.Y) ? gradient : Point2{};
+}
+
+double AreaOfTriangle(const TriangulatedSource& source, std::size_t first)
+{
+  const Point2& corner = PointOf(source, first);
+  return 0.5 *
+    std::abs(Cross(PointOf(source, first + 1) - corner, PointOf(source, first + 2) - corner));
 }
 
 double LargestSlope(const SegmentSource& source)

@@ -21,6 +21,12 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
+/// A triangle is steep where the slope along one of its edges or the mean gradient around one of
+/// its corners is above the gradation by more than this share of it, or its own gradient adds more
+/// than this share of f. The gradient of one triangle exceeds that of a function with slope g even
+/// where its edges do not.
+constexpr double SteepnessMargin = 0.005;
+
 /// An edge of a steep triangle: the smaller point id first.
 struct SteepEdge
 {
@@ -51,10 +57,32 @@ public:
 
   bool Run()
   {
-    return this->FindEdges() && (this->Edges.empty() || (this->LowerValues() && this->AddEdges()));
+    return this->AverageGradients() && this->FindEdges() &&
+      (this->Edges.empty() || (this->LowerValues() && this->AddEdges()));
   }
 
 private:
+  /// MeanGradients: of the triangles around each point, weighted by area.
+  bool AverageGradients()
+  {
+    this->MeanGradients.resize(this->Source.Points.size());
+    std::vector<double> areas(this->Source.Points.size(), 0.0);
+    const std::size_t size = this->Source.Triangles.size();
+    for (std::size_t first = 0; first + 2 < size && this->Beats.Beat(); first += 3)
+    {
+      const Point2 gradient = GradientOfTriangle(this->Source, first);
+      const double area = AreaOfTriangle(this->Source, first);
+      for (std::size_t corner = first; corner < first + 3 && area > 0.0; ++corner)
+      {
+        const std::size_t point = Index(this->Source.Triangles[corner]);
+        areas[point] += area;
+        this->MeanGradients[point] = this->MeanGradients[point] +
+          (area / areas[point]) * (gradient - this->MeanGradients[point]);
+      }
+    }
+    return !this->Beats.HasStopped();
+  }
+
   bool FindEdges()
   {
     const std::size_t size = this->Source.Triangles.size();
@@ -88,8 +116,37 @@ private:
       lowest = std::min(lowest, this->Cones.Values()(value));
       highest = std::max(highest, this->Cones.Values()(value));
     }
-    return highest > lowest &&
-      this->Cones.Values().Scale * SlopeOfTriangle(this->Source, first) > this->Gradation;
+    const double slope = this->SlopeOf(GradientOfTriangle(this->Source, first));
+    return highest > lowest && slope > this->MostSlope() &&
+      this->IsSteepAround(first, slope, lowest);
+  }
+
+  double MostSlope() const { return (1.0 + SteepnessMargin) * this->Gradation; }
+
+  double SlopeOf(const Point2& gradient) const
+  {
+    return this->Cones.Values().Scale * Length(gradient);
+  }
+
+  /// Whether a slope in one triangle is more than the rounding of a field that is nowhere steep.
+  bool IsSteepAround(std::size_t first, double slope, double least) const
+  {
+    double longest = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const std::size_t a = Index(this->Source.Triangles[first + corner]);
+      const std::size_t b = Index(this->Source.Triangles[first + (corner + 1) % 3]);
+      const double length = Distance(this->Source.Points[a], this->Source.Points[b]);
+      const double rise =
+        this->Cones.Values().Scale * std::abs(this->Source.Values[a] - this->Source.Values[b]);
+      if (rise > this->MostSlope() * length ||
+        this->SlopeOf(this->MeanGradients[a]) > this->MostSlope())
+      {
+        return true;
+      }
+      longest = std::max(longest, length);
+    }
+    return (slope - this->Gradation) * 0.5 * longest > SteepnessMargin * least;
   }
 
   void AddTriangle(std::size_t first)
@@ -227,6 +284,7 @@ private:
   const double Gradation;
   ConeCollector& Cones;
   Pulse Beats;
+  std::vector<Point2> MeanGradients; ///< of what is given, at each point
   std::vector<SteepEdge> Edges;
   std::vector<Id> FirstNeighbor; ///< of each point, in Neighbors; one past the end
   std::vector<Id> Neighbors;     ///< along steep edges
