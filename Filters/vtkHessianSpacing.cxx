@@ -259,6 +259,7 @@ void vtkHessianSpacing::Execution::Write(vtkDataSet* output) const
   output->ShallowCopy(this->Input);
   biting::AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", spacings);
   biting::AddArray<vtkDoubleArray>(output->GetPointData(), "HessianNorm", norms);
+  output->GetPointData()->SetActiveScalars("Spacing");
   biting::AddFigure(output->GetFieldData(), "ErrorTolerance", tolerance);
 }
 

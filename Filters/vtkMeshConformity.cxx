@@ -518,6 +518,7 @@ void vtkMeshConformity::Execution::WriteMesh(vtkDataSet* output) const
   }
   biting::Pulse pulse(biting::NoMonitor());
   biting::AddShapeArrays(all, output->GetCellData(), pulse);
+  output->GetCellData()->SetActiveScalars("MinimumAngle");
   biting::AddShapeSummary(this->Quality, output->GetFieldData());
   if (!this->HasSpacing)
   {
@@ -527,6 +528,7 @@ void vtkMeshConformity::Execution::WriteMesh(vtkDataSet* output) const
   }
   biting::AddConformityArrays(all, Spread(this->Spacing, this->Faces.PointIds, numberOfPoints),
     output->GetPointData(), pulse);
+  output->GetPointData()->SetActiveScalars("Conformity");
   biting::AddConformitySummary(this->Quality, output->GetFieldData());
   biting::AddFigure(output->GetFieldData(), "GivenLipschitz", this->GivenLipschitz);
   biting::AddFigure(output->GetFieldData(), "UsedLipschitz", biting::LargestSlope(this->View()));

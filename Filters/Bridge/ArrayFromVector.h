@@ -7,11 +7,13 @@
 #include "../Kernel/Base/Ids.h"
 #include "../Kernel/Base/Pulse.h"
 
-#include "vtkCellArray.h"   // for cells
-#include "vtkDoubleArray.h" // for figures
-#include "vtkFieldData.h"   // for the owner of the array
-#include "vtkIdTypeArray.h" // for connectivity
-#include "vtkNew.h"         // for new arrays
+#include "vtkCellArray.h"             // for cells
+#include "vtkDoubleArray.h"           // for figures
+#include "vtkFieldData.h"             // for the owner of the array
+#include "vtkIdTypeArray.h"           // for connectivity
+#include "vtkInformation.h"           // for what is not offered
+#include "vtkInformationIntegerKey.h" // for the mark of it
+#include "vtkNew.h"                   // for new arrays
 
 #include <cstdint> // for counts
 #include <vector>  // for the values
@@ -42,15 +44,24 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& va
   AddArray<ArrayType>(data, name, values, pulse);
 }
 
-/// Adds an array of one value.
+/// Keeps the array `name` out of the lists of arrays that programs offer, as to colour by: it tells of
+/// the whole, not of its parts.
+inline void HideFromChoices(vtkFieldData* data, const char* name)
+{
+  data->GetAbstractArray(name)->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+}
+
+/// Adds an array of one value, which is not offered.
 inline void AddCount(vtkFieldData* data, const char* name, std::int64_t count)
 {
   AddArray<vtkIdTypeArray>(data, name, std::vector<std::int64_t>{ count });
+  HideFromChoices(data, name);
 }
 
 inline void AddFigure(vtkFieldData* data, const char* name, double figure)
 {
   AddArray<vtkDoubleArray>(data, name, std::vector<double>{ figure });
+  HideFromChoices(data, name);
 }
 
 /// Makes `connectivity` cells of `cellSize` points each.

@@ -200,6 +200,7 @@ void BitesToPolyData(
   output->SetPolys(PolygonsOf(drawing, pulse));
   AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", drawing.Orders, pulse);
   AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", drawing.Phases, pulse);
+  output->GetCellData()->SetActiveScalars("Phase");
 }
 
 std::vector<Point2> OutlineOfBite(const Bites& bites, Id first, Id end)

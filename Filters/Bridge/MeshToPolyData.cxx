@@ -42,6 +42,7 @@ void AddCellData(const BitingMesh& mesh, vtkCellData* data, Pulse& pulse)
   const PulsePart part(pulse, PointDataEnd, 1.0);
   AddArray<vtkIntArray>(data, "RegionId", mesh.Regions, pulse);
   AddShapeArrays(mesh.Quality, data, pulse);
+  data->SetActiveScalars("MinimumAngle");
 }
 
 void AddRepairs(const ProblemList& problems, vtkFieldData* data)

@@ -72,6 +72,8 @@ void AddKinds(const ProblemPlaces& problems, vtkFieldData* data)
   data->AddArray(names);
   const std::vector<std::int64_t> counts(problems.Counts.begin(), problems.Counts.end());
   AddArray<vtkIdTypeArray>(data, "ProblemCounts", counts);
+  HideFromChoices(data, "ProblemKindNames");
+  HideFromChoices(data, "ProblemCounts");
 }
 
 } // namespace
@@ -86,6 +88,7 @@ void ProblemsToPolyData(const ProblemPlaces& problems, vtkPolyData* output)
   AddMember<vtkIdTypeArray>(problems.Places, "FirstId", &ProblemPlace::FirstId, data);
   AddMember<vtkIdTypeArray>(problems.Places, "SecondId", &ProblemPlace::SecondId, data);
   AddMember<vtkStringArray>(problems.Places, "Message", &ProblemPlace::Message, data);
+  data->SetActiveScalars("ProblemKind");
   AddKinds(problems, output->GetFieldData());
 }
 

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingMeshBehavior.h"
+
+#include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
+
+#include <QTimer>
+#include <QVariant>
+
+#include <algorithm> // for any_of, find_if
+#include <cstring>   // for strcmp
+#include <string>    // for names
+
+namespace
+{
+
+// An output of the mesher that may be empty, and the array that colours it.
+struct Output
+{
+  int Port;
+  const char* Array;
+  int Association;
+};
+constexpr Output MayBeEmpty[] = { { 2, "Phase", vtkDataObject::CELL },
+  { 3, "ProblemKind", vtkDataObject::POINT } };
+
+// What our filters add to points: nobody's solution.
+constexpr const char* OwnArrays[] = { "BiteOrder", "Conformity", "HessianNorm",
+  "NearestNeighborDistance", "OriginalPointId", "Spacing", "VertexKind" };
+
+// A choice of an array has five elements: the name is the last.
+constexpr unsigned int NameElement = 4;
+
+// The property of a representation that tells that we, and no user, have hidden it.
+constexpr const char* IsHiddenByUs = "BitingIsHidden";
+
+bool IsA(pqPipelineSource* source, const char* name)
+{
+  return std::strcmp(source->getProxy()->GetXMLName(), name) == 0;
+}
+
+const Output* OutputOf(pqOutputPort* port)
+{
+  if (!port || !IsA(port->getSource(), "BitingMesher"))
+  {
+    return nullptr;
+  }
+  const auto* found = std::find_if(std::begin(MayBeEmpty), std::end(MayBeEmpty),
+    [port](const Output& output) { return output.Port == port->getPortNumber(); });
+  return found != std::end(MayBeEmpty) ? found : nullptr;
+}
+
+void Show(pqDataRepresentation* representation, const Output& output)
+{
+  vtkSMProxy* proxy = representation->getProxy();
+  vtkSMViewProxy* view = representation->getView()->getViewProxy();
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->Show(
+    representation->getOutputPortFromInput()->getSource()->getSourceProxy(), output.Port, view);
+  if (!vtkSMPVRepresentationProxy::GetUsingScalarColoring(proxy))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(proxy, output.Array, output.Association);
+    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(proxy);
+  }
+  vtkSMPVRepresentationProxy::SetScalarBarVisibility(proxy, view, true);
+  representation->renderViewEventually();
+}
+
+void Hide(pqDataRepresentation* representation)
+{
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  controller->Hide(representation->getProxy(), representation->getView()->getViewProxy());
+  representation->renderViewEventually();
+}
+
+// Hides what is empty, and shows it again when it is not.
+void Follow(pqDataRepresentation* representation)
+{
+  pqOutputPort* port = representation->getOutputPortFromInput();
+  const Output* output = OutputOf(port);
+  if (!output || !representation->getView())
+  {
+    return;
+  }
+  const bool isEmpty = port->getDataInformation()->GetNumberOfPoints() == 0;
+  const bool isHiddenByUs = representation->property(IsHiddenByUs).toBool();
+  SCOPED_UNDO_EXCLUDE();
+  if (isEmpty && representation->isVisible())
+  {
+    representation->setProperty(IsHiddenByUs, true);
+    Hide(representation);
+  }
+  else if (!isEmpty && isHiddenByUs)
+  {
+    representation->setProperty(IsHiddenByUs, false);
+    Show(representation, *output);
+  }
+}
+
+void FollowAll(pqPipelineSource* source)
+{
+  if (!IsA(source, "BitingMesher"))
+  {
+    return;
+  }
+  for (const Output& output : MayBeEmpty)
+  {
+    for (pqView* view : source->getViews())
+    {
+      if (pqDataRepresentation* representation = source->getRepresentation(output.Port, view))
+      {
+        Follow(representation);
+      }
+    }
+  }
+}
+
+bool IsOwn(const std::string& name)
+{
+  return std::any_of(
+    std::begin(OwnArrays), std::end(OwnArrays), [&name](const char* own) { return name == own; });
+}
+
+std::string ChosenName(vtkSMProperty* choice)
+{
+  return vtkSMPropertyHelper(choice).GetAsString(NameElement);
+}
+
+// No array, where the one that would be the default does not exist.
+void ChooseExisting(vtkSMProperty* choice)
+{
+  auto* arrays = choice ? choice->FindDomain<vtkSMArrayListDomain>() : nullptr;
+  unsigned int index = 0;
+  if (arrays && arrays->GetNoneString() && !arrays->IsInDomain(ChosenName(choice).c_str(), index))
+  {
+    vtkSMPropertyHelper(choice).Set(NameElement, arrays->GetNoneString());
+  }
+}
+
+// The first array that is not of our filters, where the default is one of those.
+void ChooseForeign(vtkSMProperty* choice)
+{
+  auto* arrays = choice->FindDomain<vtkSMArrayListDomain>();
+  if (!arrays || !IsOwn(ChosenName(choice)))
+  {
+    return;
+  }
+  for (unsigned int k = 0; k < arrays->GetNumberOfStrings(); ++k)
+  {
+    if (!IsOwn(arrays->GetString(k)))
+    {
+      vtkSMPropertyHelper(choice).Set(NameElement, arrays->GetString(k));
+      return;
+    }
+  }
+}
+
+void ChooseArrays(pqPipelineSource* source)
+{
+  vtkSMProxy* proxy = source->getProxy();
+  if (IsA(source, "BitingMesher") || IsA(source, "MeshConformity"))
+  {
+    ChooseExisting(proxy->GetProperty("BoundarySpacingArray"));
+    ChooseExisting(proxy->GetProperty("SpacingArray"));
+  }
+  else if (IsA(source, "HessianSpacing"))
+  {
+    ChooseForeign(proxy->GetProperty("ScalarArray"));
+  }
+}
+
+} // namespace
+
+void BitingMeshBehavior::startup()
+{
+  // Later, because signals come before all is complete, or within an update.
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  connect(model, &pqServerManagerModel::representationAdded, this,
+    [](pqRepresentation* added)
+    {
+      if (auto* representation = qobject_cast<pqDataRepresentation*>(added))
+      {
+        QTimer::singleShot(0, representation, [representation] { Follow(representation); });
+      }
+    });
+  connect(model, &pqServerManagerModel::dataUpdated, this,
+    [](pqPipelineSource* source)
+    { QTimer::singleShot(0, source, [source] { FollowAll(source); }); });
+  connect(model, &pqServerManagerModel::sourceAdded, this, &ChooseArrays);
+}
+
+void BitingMeshBehavior::shutdown()
+{
+  this->disconnect();
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingMeshBehavior_h
+#define BitingMeshBehavior_h
+
+#include <QObject>
+
+/**
+ * What ParaView's window does for the filters of this plugin beyond what their XML can say:
+ * outputs that may be empty (bites, problems) are hidden while they are, and shown, coloured and with
+ * a legend, when they have something; a new filter does not choose an array which its input has not,
+ * nor an array of the mesher as solution. What users hide stays hidden.
+ */
+class BitingMeshBehavior : public QObject
+{
+public:
+  void startup();
+  void shutdown();
+};
+
+#endif
