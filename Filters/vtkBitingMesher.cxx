@@ -15,6 +15,7 @@
 #include "Bridge/ProblemPlaces.h"
 #include "Bridge/ProblemsToPolyData.h"
 #include "Bridge/SourceSpacing.h"
+#include "Bridge/SummaryText.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/MeshingStages.h"
@@ -170,6 +171,7 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
+  const biting::Stopwatch watch;
   Execution execution(
     this, vtkPolyData::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
   try
@@ -190,6 +192,7 @@ int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
     EmptyOutputs(outputVector);
     execution.Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
   }
+  this->Summary = biting::SummaryOf(vtkPolyData::GetData(outputVector, MESH), watch.Seconds());
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 

@@ -130,6 +130,8 @@
 #include "vtkBitingFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for the summary
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 
@@ -412,6 +414,12 @@ public:
   vtkBooleanMacro(GenerateBites, bool);
   ///@}
 
+  /**
+   * The mesh in a few lines: size, time, angles, conformity, and what keeps it from being better.
+   * Empty where there is no mesh.
+   */
+  const char* GetSummary() const { return this->Summary.c_str(); }
+
 protected:
   vtkBitingMesher();
   ~vtkBitingMesher() override = default;
@@ -444,6 +452,7 @@ private:
   int RelaxationEffort = FAST;
   vtkIdType MaximumNumberOfVertices = 20000000;
   bool GenerateBites = false;
+  std::string Summary;
 };
 VTK_ABI_NAMESPACE_END
 

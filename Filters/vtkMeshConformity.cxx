@@ -12,6 +12,7 @@
 #include "Bridge/QualityArrays.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SpacingValues.h"
+#include "Bridge/SummaryText.h"
 #include "Kernel/Base/Box2.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Predicates/Predicates.h"
@@ -213,6 +214,7 @@ int vtkMeshConformity::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
+  const biting::Stopwatch watch;
   Execution execution(
     this, vtkDataSet::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
   try
@@ -227,6 +229,7 @@ int vtkMeshConformity::RequestData(vtkInformation* vtkNotUsed(request),
     EmptyOutputs(outputVector);
     execution.Refuse("There is not enough memory to measure this mesh.");
   }
+  this->Summary = biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 

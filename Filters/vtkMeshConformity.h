@@ -67,6 +67,8 @@
 #include "vtkBitingFiltersModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
 
+#include <string> // for the summary
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkTable;
 
@@ -99,6 +101,11 @@ public:
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
+  /**
+   * The mesh in a few lines: size, time, angles, conformity. Empty where nothing was measured.
+   */
+  const char* GetSummary() const { return this->Summary.c_str(); }
+
 protected:
   vtkMeshConformity();
   ~vtkMeshConformity() override = default;
@@ -117,6 +124,7 @@ private:
   class Execution;
 
   int NumberOfBins = 60;
+  std::string Summary;
 };
 VTK_ABI_NAMESPACE_END
 

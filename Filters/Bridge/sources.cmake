@@ -19,4 +19,5 @@ set(biting_bridge_sources
   ProblemsToPolyData.cxx
   QualityArrays.cxx
   SourceSpacing.cxx
-  SpacingValues.cxx)
+  SpacingValues.cxx
+  SummaryText.cxx)

@@ -82,7 +82,8 @@ class TestBitingMesherProxy(unittest.TestCase):
         for name, value in DEFAULTS.items():
             found = getattr(mesher, name)
             self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
-        self.assertEqual(set(mesher.ListProperties()), set(DEFAULTS) | {'Input', 'SpacingSource'})
+        self.assertEqual(set(mesher.ListProperties()),
+                         set(DEFAULTS) | {'Input', 'SpacingSource', 'Summary'})
 
     def test_relaxation_makes_the_smallest_angle_larger(self):
         mesher = BitingMesher(Input=self.square(), UniformSpacing=0.4, Relaxation=0)
@@ -115,6 +116,59 @@ class TestBitingMesherProxy(unittest.TestCase):
         shown = {name for name in DEFAULTS
                  if proxy.GetProperty(name).GetPanelVisibility() == 'default'}
         self.assertEqual(shown, ON_THE_PANEL)
+
+    def test_explanations_are_plain_words(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        for name in list(DEFAULTS) + ['SpacingSource', 'Summary']:
+            self.assertNotIn('`', proxy.GetProperty(name).GetDocumentation().GetDescription(), name)
+
+    def test_every_property_is_of_a_kind_that_gets_a_widget(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        for name in DEFAULTS:
+            self.assertNotEqual(proxy.GetProperty(name).GetClassName(), 'vtkSMIdTypeVectorProperty')
+
+    def test_a_summary_tells_size_and_quality(self):
+        mesher = BitingMesher(Input=self.square(), UniformSpacing=1.0)
+        mesher.UpdatePipeline()
+        mesher.UpdatePipelineInformation()
+        for part in ('vertices', 'triangles', 'Smallest angle', 'conformity', 'band', 'input vertices'):
+            self.assertIn(part, mesher.Summary)
+
+    def test_without_a_mesh_the_summary_is_empty(self):
+        mesher = BitingMesher(Input=self.read('open.vtk', OPEN_CHAIN))
+        window = vtkOutputWindow.GetInstance()
+        mode = window.GetDisplayMode()
+        window.SetDisplayModeToNever()
+        mesher.UpdatePipeline()
+        window.SetDisplayMode(mode)
+        mesher.UpdatePipelineInformation()
+        self.assertFalse(mesher.Summary)
+
+    def test_the_mesh_is_shown_by_its_angles_with_edges_and_bad_ones_are_red(self):
+        mesher = BitingMesher(Input=self.square())
+        shown = simple.Show(mesher, simple.CreateView('RenderView'))
+        self.assertEqual(shown.Representation, 'Surface With Edges')
+        self.assertEqual(list(shown.ColorArrayName), ['CELLS', 'MinimumAngle'])
+        value, red, green, blue = list(simple.GetColorTransferFunction('MinimumAngle').RGBPoints)[4:8]
+        self.assertLess(value, 20.0)
+        self.assertGreater(red, 3 * max(green, blue))
+
+    def test_problems_are_spheres_and_boundary_edges_thick(self):
+        mesher = BitingMesher(Input=self.square())
+        view = simple.CreateView('RenderView')
+        edges, problems = (simple.Show(simple.OutputPort(mesher, port), view) for port in (1, 3))
+        self.assertGreater(edges.LineWidth, 1.0)
+        self.assertEqual(problems.RenderPointsAsSpheres, 1)
+        self.assertGreater(problems.PointSize, 5.0)
+
+    def test_figures_of_the_whole_are_not_offered_to_colour_by(self):
+        mesher = BitingMesher(Input=self.square())
+        shown = simple.Show(mesher, simple.CreateView('RenderView'))
+        domain = shown.SMProxy.GetProperty('ColorArrayName').GetDomain('array_list')
+        offered = {domain.GetString(k) for k in range(domain.GetNumberOfStrings())}
+        self.assertIn('Conformity', offered)
+        self.assertNotIn('NumberOfVertices', offered)
+        self.assertLess(len(offered), 12)
 
     def test_outputs_have_names(self):
         proxy = BitingMesher(Input=self.square()).SMProxy

@@ -18,7 +18,7 @@ PROPERTIES = {
         'NumberOfBins': 60,
     },
 }
-INPUTS = {'HessianSpacing': {'Input'}, 'MeshConformity': {'Input', 'SpacingSource'}}
+OTHERS = {'HessianSpacing': {'Input'}, 'MeshConformity': {'Input', 'SpacingSource', 'Summary'}}
 OUTPUTS = {'HessianSpacing': ['Spacing'], 'MeshConformity': ['Mesh', 'Histograms']}
 LABELS = {'HessianSpacing': 'Hessian Spacing', 'MeshConformity': 'Mesh Conformity'}
 
@@ -55,7 +55,7 @@ class TestSpacingFiltersProxy(unittest.TestCase):
             for name, value in properties.items():
                 found = getattr(proxy, name)
                 self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
-            self.assertEqual(set(proxy.ListProperties()), set(properties) | INPUTS[kind])
+            self.assertEqual(set(proxy.ListProperties()), set(properties) | OTHERS[kind])
 
     def test_labels_are_the_spaced_names(self):
         for kind, properties in PROPERTIES.items():
@@ -97,6 +97,14 @@ class TestSpacingFiltersProxy(unittest.TestCase):
         self.assertEqual(histograms.GetDataInformation().GetDataSetTypeAsString(), 'vtkTable')
         display = simple.Show(histograms, simple.CreateView('XYChartView'))
         self.assertIn('ConformityPercent', list(display.GetProperty('SeriesVisibility').Available))
+        self.assertEqual((display.UseIndexForXAxis, display.XArrayName), (0, 'Angle'))
+        self.assertEqual(list(display.SeriesVisibility), ['AnglePercent'])
+
+    def test_a_mesh_is_shown_by_its_conformity(self):
+        conformity = MeshConformity(Input=triangles(), SpacingSource=HessianSpacing(Input=wave()))
+        shown = simple.Show(conformity, simple.CreateView('RenderView'))
+        self.assertEqual(shown.Representation, 'Surface With Edges')
+        self.assertEqual(list(shown.ColorArrayName), ['POINTS', 'Conformity'])
 
 
 if __name__ == '__main__':

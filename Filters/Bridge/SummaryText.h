@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSummaryText_h
+#define BitingSummaryText_h
+
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
+#include <chrono> // for the time
+#include <string> // for the text
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// Measures the time since it was made.
+class Stopwatch
+{
+public:
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(Clock::now() - this->Begin).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Begin = Clock::now();
+};
+
+/// A few lines on a mesh with the arrays and the summary of our filters: how large and how good it is,
+/// how long it took, and what keeps it from being better. Empty where there is no summary.
+std::string SummaryOf(vtkDataSet* mesh, double seconds);
+
+} // namespace biting
+
+#endif
