@@ -10,7 +10,7 @@
 #include "Bridge/MonitorOfFilter.h"
 #include "Bridge/ParameterCheck.h"
 #include "Kernel/Base/Box2.h"
-#include "Kernel/Spacing/HessianRecovery.h"
+#include "Kernel/Hessian/HessianRecovery.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"

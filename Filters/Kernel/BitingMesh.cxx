@@ -43,9 +43,6 @@ constexpr double LocatorEnd = 0.05;
 constexpr double ChoiceEnd = 0.05;
 constexpr double EstimateEnd = 0.02;
 constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
-constexpr double RoomForRounding = 1.02;
-constexpr double RoomForRoughness = 1.5;
-constexpr double LeastShareInDoubt = 1.0 / 32.0; // of a limit: what a rough forecast may miss
 constexpr double FirstAttemptEnd = 0.9;
 constexpr double TriangulationEnd = 0.95;
 constexpr double CountingEnd = 0.01;
@@ -119,30 +116,6 @@ Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const 
     options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing, effort);
   return { density,
     EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() + divisionPoints };
-}
-
-// Before f is ready: what is refused then would take long to prepare. A rough forecast decides where
-// it is far from the limit. The full one is as good as the later one, but for the rounding of f, which
-// is left room for.
-double ForecastVertices(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  const BitingOptions& options, ProblemList& problems, Monitor& monitor)
-{
-  PartOfStage part(monitor, 0.0, 1.0);
-  const double limit = static_cast<double>(options.MaximumNumberOfVertices);
-  double vertices =
-    MakeForecast(domain, locator, spacing, options, EstimateEffort::Rough, part).Vertices;
-  const bool isClear =
-    vertices < LeastShareInDoubt * limit || !(vertices <= RoomForRoughness * limit);
-  if (!isClear)
-  {
-    vertices = MakeForecast(domain, locator, spacing, options, EstimateEffort::Full, part).Vertices;
-  }
-  const bool isAffordable = vertices <= RoomForRounding * limit;
-  if (!isAffordable && !part.HasStopped())
-  {
-    AddTooManyVertices(vertices, options.MaximumNumberOfVertices, problems);
-  }
-  return isAffordable ? vertices : std::numeric_limits<double>::infinity();
 }
 
 double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
@@ -246,10 +219,6 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
   {
     return {};
   }
-  wanted.ManyVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  wanted.ForecastVertices = [&domain, &locator, &options, &problems](
-                              const Spacing& slow, Monitor& asked)
-  { return ForecastVertices(domain, locator, slow, MakeBitingOptions(options), problems, asked); };
   PartOfStage making(monitor, ChoiceEnd, 1.0);
   return MakeSpacing(wanted, domain.Bounds, problems, making);
 }

@@ -89,7 +89,8 @@ std::shared_ptr<const SegmentSource> MakeFloor(
   const SegmentSource& lengths, const Domain& domain, double gradation, Monitor& monitor)
 {
   PartOfStage filing(monitor, 0.0, FilingEnd);
-  const SegmentExtension extension(lengths, gradation, filing);
+  Pulse filed(filing);
+  const SegmentExtension extension(MakeCones(lengths, 1.0, gradation, filed), gradation, filed);
   PartOfStage evaluating(monitor, FilingEnd, 1.0);
   Pulse pulse(evaluating);
   if (filing.HasStopped())

@@ -6,18 +6,18 @@ set(biting_kernel_sources
   Base/PointOnSegment.cxx
   Base/Problem.cxx
   Predicates/Predicates.cxx
-  Spacing/AdaptiveCarrier.cxx
   Spacing/BorderTree.cxx
   Spacing/BoxTree.cxx
   Spacing/ConeCollector.cxx
+  Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
-  Spacing/LowerBound.cxx
+  Spacing/MergedCones.cxx
   Spacing/OutsideJumps.cxx
-  Spacing/HessianRecovery.cxx
   Spacing/Quadtree.cxx
+  Spacing/SegmentCone.cxx
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
@@ -25,6 +25,7 @@ set(biting_kernel_sources
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
+  Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx
   Domain/BoundaryComponents.cxx

@@ -48,7 +48,7 @@ BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
 NearestValue BorderTree::Nearest(const Point2& x, const NearestValue& known) const
 {
   NearestValue best = known;
-  this->Tree.Search(this->Tree.Whole(), x, 1.0, known.Distance,
+  this->Tree.Search(x, 1.0, known.Distance,
     [this, &x, &best](Id position, double)
     {
       const NearestValue found = NearestOnEdge(this->Edges[static_cast<std::size_t>(position)], x);

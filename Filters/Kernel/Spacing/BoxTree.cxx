@@ -3,7 +3,7 @@
 
 #include "BoxTree.h"
 
-#include <algorithm> // for nth_element, for_each
+#include <algorithm> // for nth_element
 #include <numeric>   // for iota
 
 namespace biting
@@ -80,46 +80,6 @@ BoxTree::Node BoxTree::Enclose(const std::vector<Item>& items, Id first, Id last
     node.Value = std::min(node.Value, item.Value);
   }
   return node;
-}
-
-BoxTree::Part BoxTree::Whole() const
-{
-  Part whole;
-  whole.Count = this->Nodes.empty() ? 0 : 1;
-  return whole;
-}
-
-BoxTree::Part BoxTree::Narrow(const Part& part, const Point2& x, double slope, double limit) const
-{
-  Part narrow;
-  const auto add = [this, &narrow, &x, slope, limit](Id node)
-  {
-    if (this->NodeAt(node).Bound(x, slope) <= limit)
-    {
-      narrow.Nodes[narrow.Count++] = node;
-    }
-  };
-  std::for_each(part.Nodes.begin(), part.Nodes.begin() + part.Count, add);
-  bool hasOpened = true;
-  while (hasOpened && 2 * narrow.Count <= narrow.Nodes.size())
-  {
-    const Part last = narrow;
-    narrow.Count = 0;
-    hasOpened = false;
-    for (std::size_t index = 0; index < last.Count; ++index)
-    {
-      const Node& node = this->NodeAt(last.Nodes[index]);
-      if (node.Count > 0)
-      {
-        narrow.Nodes[narrow.Count++] = last.Nodes[index];
-        continue;
-      }
-      hasOpened = true;
-      add(node.First);
-      add(node.First + 1);
-    }
-  }
-  return narrow;
 }
 
 } // namespace biting

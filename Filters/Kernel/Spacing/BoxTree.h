@@ -35,23 +35,10 @@ public:
   /// The items in the order of the tree: items near each other have positions near each other.
   const std::vector<Id>& Order() const { return this->Items; }
 
-  /// A few nodes of the tree, which together have all items that matter in some region.
-  struct Part
-  {
-    std::array<Id, 16> Nodes{};
-    std::size_t Count = 0;
-  };
-
-  Part Whole() const;
-
-  /// Without the nodes whose items all cost more than `limit` at x; smaller nodes where there is
-  /// room for them.
-  Part Narrow(const Part& part, const Point2& x, double slope, double limit) const;
-
-  /// Calls visit(position, limit) for all items of the part whose cost at x may be below `limit`;
-  /// in each node of it likely ones first. Each call returns the limit from then on.
+  /// Calls visit(position, limit) for all items whose cost at x may be below `limit`, likely ones
+  /// first. Each call returns the limit from then on.
   template <typename Visit>
-  void Search(const Part& part, const Point2& x, double slope, double limit, Visit visit) const;
+  void Search(const Point2& x, double slope, double limit, Visit visit) const;
 
 private:
   /// Leaf: positions [First, First + Count). Otherwise the children are nodes First and First + 1.
@@ -87,29 +74,20 @@ private:
   void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last, Pulse& pulse);
   Node Enclose(const std::vector<Item>& items, Id first, Id last) const;
 
-  template <typename Visit>
-  double SearchNode(Id root, const Point2& x, double slope, double limit, Visit& visit) const;
-
   std::vector<Id> Items;
   std::vector<Node> Nodes;
 };
 
 template <typename Visit>
-void BoxTree::Search(
-  const Part& part, const Point2& x, double slope, double limit, Visit visit) const
+void BoxTree::Search(const Point2& x, double slope, double limit, Visit visit) const
 {
-  for (std::size_t index = 0; index < part.Count; ++index)
+  if (this->Nodes.empty())
   {
-    limit = this->SearchNode(part.Nodes[index], x, slope, limit, visit);
+    return;
   }
-}
-
-template <typename Visit>
-double BoxTree::SearchNode(Id root, const Point2& x, double slope, double limit, Visit& visit) const
-{
   std::array<Waiting, StackSize> stack;
   std::size_t depth = 0;
-  stack[depth++] = { this->NodeAt(root).Bound(x, slope), root };
+  stack[depth++] = { this->Nodes.front().Bound(x, slope), 0 };
   while (depth > 0)
   {
     const Waiting next = stack[--depth];
@@ -134,7 +112,6 @@ double BoxTree::SearchNode(Id root, const Point2& x, double slope, double limit,
       stack[depth++] = nearer;
     }
   }
-  return limit;
 }
 
 } // namespace biting

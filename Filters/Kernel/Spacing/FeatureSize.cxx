@@ -295,7 +295,7 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
   }
   if (least > enough)
   {
-    this->Tree.Search(this->Tree.Whole(), x, 1.0, least, look);
+    this->Tree.Search(x, 1.0, least, look);
   }
   return least;
 }

@@ -38,7 +38,7 @@ Quadtree::Square Quadtree::Quarter(const Square& square, int quarter) const
 
 void Quadtree::SetLeaf(const Square& square, Id leaf)
 {
-  this->Nodes[static_cast<std::size_t>(square.Node)] = ~(leaf * 32 + square.Level);
+  this->Nodes[static_cast<std::size_t>(square.Node)] = ~leaf;
 }
 
 void Quadtree::Finish()

@@ -20,7 +20,6 @@ class Quadtree
 {
 public:
   static constexpr int MaximumLevel = 31;
-  static constexpr Id MaximumLeafNumber = (1 << 26) - 1;
 
   /// A square of the tree.
   struct Square
@@ -38,14 +37,6 @@ public:
     Box2 Box() const { return { this->Low, this->At(1.0, 1.0) }; }
   };
 
-  /// Where a point is: the number of its leaf, and its coordinates there, from 0 to 1.
-  struct Place
-  {
-    Id Leaf;
-    double U;
-    double V;
-  };
-
   Quadtree() = default;
   explicit Quadtree(const Box2& box);
 
@@ -55,14 +46,14 @@ public:
   void Split(const Square& square);
   Square Quarter(const Square& square, int quarter) const;
 
-  /// leaf is in [0, MaximumLeafNumber].
+  /// leaf is not negative.
   void SetLeaf(const Square& square, Id leaf);
 
   /// To be called once, when all leaves are set.
   void Finish();
 
-  /// The nearest place along the axes, for a point outside (or NaN).
-  Place Locate(const Point2& x) const
+  /// The number of the leaf of x; of the nearest place along the axes, for a point outside (or NaN).
+  Id Locate(const Point2& x) const
   {
     const std::uint64_t column = this->Units(x.X - this->Low.X);
     const std::uint64_t row = this->Units(x.Y - this->Low.Y);
@@ -74,11 +65,7 @@ public:
       const auto quarter = static_cast<Id>(((column >> shift) & 1) + 2 * ((row >> shift) & 1));
       node = this->Nodes[static_cast<std::size_t>(node + quarter)];
     }
-    const auto leaf = static_cast<std::uint32_t>(~node);
-    const std::uint64_t units = std::uint64_t(1) << (UnitBits - static_cast<int>(leaf & 31u));
-    const double scale = 1.0 / static_cast<double>(units);
-    return { static_cast<Id>(leaf >> 5), static_cast<double>(column & (units - 1)) * scale,
-      static_cast<double>(row & (units - 1)) * scale };
+    return ~node;
   }
 
 private:
@@ -98,7 +85,7 @@ private:
   double Size = 0.0;
   double UnitsPerLength = 0.0;
   int TableLevel = 0;
-  std::vector<Id> Nodes{ 0 }; ///< first of four children, or the complement of 32 leaf + level
+  std::vector<Id> Nodes{ 0 }; ///< first of four children, or the complement of a leaf
   std::vector<Id> Table;      ///< the nodes of level TableLevel, or the leaves above them
 };
 

@@ -4,14 +4,15 @@
 #include "Spacing.h"
 
 #include "../Base/PartOfStage.h"
-#include "AdaptiveCarrier.h"
 #include "ConeCollector.h"
+#include "ConeTree.h"
 #include "FeatureSize.h"
 #include "GridHoles.h"
 #include "GridInterpolator.h"
 #include "GridLimit.h"
-#include "LowerBound.h"
+#include "MergedCones.h"
 #include "OutsideJumps.h"
+#include "SegmentExtension.h"
 #include "SourceCheck.h"
 #include "SourceSlopes.h"
 #include "SteepTriangles.h"
@@ -28,10 +29,6 @@ namespace
 {
 
 constexpr double DefaultShareOfDiagonal = 0.02;
-/// Leaves of a carrier, at which it is asked whether a mesh with so many vertices is affordable.
-constexpr double LeavesPerVertex = 0.1;
-constexpr double LeastLeaves = 10000.0;
-constexpr double MostLeaves = 50000.0;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -107,7 +104,7 @@ double UniformOf(const SpacingOptions& options)
 }
 
 /// The domain's box; a box of no extent is replaced by that of the source, grown to have one.
-Box2 CarrierBox(const Box2& bounds, const SegmentSource& source)
+Box2 TreeBox(const Box2& bounds, const SegmentSource& source)
 {
   Box2 box = bounds;
   if (!(box.Diagonal() > 0.0))
@@ -137,10 +134,10 @@ struct Spacing::Implementation
 {
   std::optional<GridInterpolator> Grid;
   std::optional<TriangleInterpolator> Triangulation;
-  std::optional<AdaptiveCarrier> Segments; ///< before scale and clamp
-  std::optional<AdaptiveCarrier> Limit;    ///< of f itself
-  std::optional<LowerBound> Floor;
-  double Uniform = Infinity; ///< infinite: none
+  std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
+  std::optional<ConeTree> Limit;
+  std::optional<SegmentExtension> Floor; ///< of its values, negative
+  double Uniform = Infinity;             ///< infinite: none
   ValueRange Range{ 1.0, std::numeric_limits<double>::min(), std::numeric_limits<double>::max() };
   double GivenLipschitz = 0.0;
 
@@ -176,11 +173,9 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Triangulation)(x));
     }
-    if (this->Segments)
-    {
-      least = std::min(least, (*this->Segments)(x));
-    }
-    return this->Range(least);
+    const double scaled = this->Range(least);
+    return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
+                          : scaled;
   }
 
   double Evaluate(const Point2& x) const
@@ -188,7 +183,7 @@ struct Spacing::Implementation
     const double given = this->EvaluateGiven(x);
     const double limited =
       this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
-    return this->Floor ? this->Floor->Raise(x, limited) : limited;
+    return this->Floor ? -(*this->Floor)(x, -limited) : limited;
   }
 };
 
@@ -196,11 +191,10 @@ struct Spacing::Implementation
 class Spacing::Preparation
 {
 public:
-  Preparation(const SpacingOptions& options, const Box2& bounds, const Spacing& whole,
-    Implementation& data, ProblemList& problems, PartOfStage& stage)
+  Preparation(const SpacingOptions& options, const Box2& bounds, Implementation& data,
+    ProblemList& problems, PartOfStage& stage)
     : Options(options)
     , Bounds(bounds)
-    , Whole(whole)
     , Data(data)
     , Problems(problems)
     , Stage(stage)
@@ -278,45 +272,33 @@ private:
     }
     const SegmentSource& source = *this->Options.Segments;
     this->AddSlope(LargestSlope(source));
-    PartOfStage sorting(this->Stage, 0.5, 0.52);
-    SegmentExtension extension(source, this->Options.Gradation, sorting);
-    if (this->Stage.HasStopped())
+    PartOfStage part(this->Stage, 0.5, 0.6);
+    Pulse pulse(part);
+    const double scale = this->Options.Scale;
+    const double slope = SlopeOfCones(source, this->Options.Gradation);
+    if (this->Options.Gradation > 0.0 && scale >= 1.0)
     {
-      return false;
+      this->AddScaled(source, pulse);
     }
-    if (this->Options.Gradation > 0.0 && this->Options.Scale >= 1.0)
+    else
     {
-      this->Exact.emplace(std::move(extension));
-      return true;
+      this->Data.Segments.emplace(MergeCones(source, scale, scale * slope, pulse), scale * slope,
+        TreeBox(this->Bounds, source), this->ReliefAbove(this->Cones.Values().Most), part);
     }
-    PartOfStage refining(this->Stage, 0.52, 0.6);
-    const double most = std::min(this->Data.Uniform, this->Data.Range.Most / this->Options.Scale);
-    this->Data.Segments.emplace(std::move(extension), CarrierBox(this->Bounds, source));
-    return this->Data.Segments->Refine(this->ReliefAbove(most), refining);
+    return !this->Stage.HasStopped();
   }
 
-  AdaptiveCarrier::Relief ReliefAbove(double most) const
-  {
-    AdaptiveCarrier::Relief relief{ most, this->Options.IsUnused, nullptr, 0 };
-    if (this->Options.ForecastVertices)
-    {
-      relief.ForecastVertices = [this](Monitor& monitor)
-      { return this->Options.ForecastVertices(this->Whole, monitor); };
-      relief.ManyLeaves = static_cast<std::size_t>(
-        std::min(std::max(LeavesPerVertex * this->Options.ManyVertices, LeastLeaves), MostLeaves));
-    }
-    return relief;
-  }
+  ConeTree::Relief ReliefAbove(double most) const { return { most, this->Options.IsUnused }; }
 
-  /// The extension is scaled, then clamped: below the least value m of f it is cut off at a distance
-  /// of (m / scale - f_i) / g from its segments. From there on f grows with g, and not scale times g.
-  void AddScaled(const SegmentSource& source)
+  /// Boundary values are scaled, then clamped. From where f exceeds its least value on, at a
+  /// distance of (Least / scale - f_i) / g from the segment, it grows with g, and not scale times g.
+  void AddScaled(const SegmentSource& source, Pulse& pulse)
   {
     const double scale = this->Options.Scale;
-    const double least = this->Data.Range.Least;
+    const double least = this->Data.Range.Least * (1.0 - 1.0 / scale);
     const auto grown = [scale, least](double value)
-    { return std::max(scale * value, value + least * (1.0 - 1.0 / scale)); };
-    for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
+    { return std::max(scale * value, value + least); };
+    for (std::size_t first = 0; first + 1 < source.Segments.size() && pulse.Beat(); first += 2)
     {
       const auto a = static_cast<std::size_t>(source.Segments[first]);
       const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
@@ -327,47 +309,35 @@ private:
 
   bool AddFeatures()
   {
-    PartOfStage sampling(this->Stage, 0.6, 0.7);
-    return !this->Options.Features ||
+    if (!this->Options.Features)
+    {
+      return true;
+    }
+    PartOfStage filing(this->Stage, 0.6, 0.62);
+    Pulse pulse(filing);
+    const double slope = GradationOf(this->Options);
+    const SegmentExtension limit(
+      MergeCones(this->Cones.Segments(), 1.0, slope, pulse), slope, pulse);
+    PartOfStage sampling(this->Stage, 0.62, 0.7);
+    return !filing.HasStopped() &&
       AddFeatureSizes(
-        *this->Options.Features, [this](const Point2& x) { return this->EvaluateGiven(x); },
-        this->Data.Range(this->Data.Uniform), GradationOf(this->Options), this->Cones, sampling);
-  }
-
-  double EvaluateGiven(const Point2& x) const
-  {
-    const double given = this->Data.EvaluateGiven(x);
-    return this->Exact ? std::min(given, this->Data.Range((*this->Exact)(x))) : given;
+        *this->Options.Features,
+        [this, &limit](const Point2& x) { return limit(x, this->Data.EvaluateGiven(x)); },
+        this->Cones.Values().Most, slope, this->Cones, sampling);
   }
 
   bool AddLimit()
   {
-    const bool isExact =
-      this->Exact && this->Cones.Segments().Segments.empty() && this->Options.Scale == 1.0;
-    if (isExact)
-    {
-      return this->AddLimit(std::move(*this->Exact), *this->Options.Segments);
-    }
-    if (this->Exact)
-    {
-      this->Exact.reset();
-      this->AddScaled(*this->Options.Segments);
-    }
     const SegmentSource& source = this->Cones.Segments();
-    PartOfStage sorting(this->Stage, 0.7, 0.75);
-    return source.Segments.empty() ||
-      this->AddLimit(SegmentExtension(source, GradationOf(this->Options), sorting), source);
-  }
-
-  bool AddLimit(SegmentExtension extension, const SegmentSource& source)
-  {
-    if (this->Stage.HasStopped())
+    if (!source.Segments.empty())
     {
-      return false;
+      PartOfStage refining(this->Stage, 0.7, 1.0);
+      Pulse pulse(refining);
+      const double slope = GradationOf(this->Options);
+      this->Data.Limit.emplace(MergeCones(source, 1.0, slope, pulse), slope,
+        TreeBox(this->Bounds, source), this->ReliefAbove(this->Cones.Values().Most), refining);
     }
-    PartOfStage refining(this->Stage, 0.75, 1.0);
-    this->Data.Limit.emplace(std::move(extension), CarrierBox(this->Bounds, source));
-    return this->Data.Limit->Refine(this->ReliefAbove(this->Cones.Values().Most), refining);
+    return !this->Stage.HasStopped();
   }
 
   bool AddFloor()
@@ -375,7 +345,9 @@ private:
     if (HasSegments(this->Options.Floor))
     {
       PartOfStage sorting(this->Stage, 1.0, 1.0);
-      this->Data.Floor.emplace(*this->Options.Floor, GradationOf(this->Options), sorting);
+      Pulse pulse(sorting);
+      const double slope = GradationOf(this->Options);
+      this->Data.Floor.emplace(MakeCones(*this->Options.Floor, -1.0, slope, pulse), slope, pulse);
     }
     return !this->Stage.HasStopped();
   }
@@ -387,12 +359,10 @@ private:
 
   const SpacingOptions& Options;
   const Box2& Bounds;
-  const Spacing& Whole; ///< of which Data is the inside
   Implementation& Data;
   ProblemList& Problems;
   PartOfStage& Stage;
   ConeCollector Cones;
-  std::optional<SegmentExtension> Exact; ///< of boundary values that will be among the cones
 };
 
 Spacing::Spacing()
@@ -431,7 +401,7 @@ Spacing MakeSpacing(
   Spacing::Implementation& inside = *data;
   spacing.Data = std::move(data);
   if (CheckSpacing(options, problems, checking) &&
-    Spacing::Preparation(options, bounds, spacing, inside, problems, stage).Run())
+    Spacing::Preparation(options, bounds, inside, problems, stage).Run())
   {
     return spacing;
   }

@@ -97,14 +97,6 @@ struct SpacingOptions
   /// May be empty. True for boxes where f is asked for its rough size only, which saves preparation.
   std::function<bool(const Box2&)> IsUnused;
 
-  /// May be empty. How many vertices a mesh would have; infinity where that is refused, and preparation
-  /// then ends without a problem of its own. Asked at most twice, where preparation becomes long, with
-  /// f as it will be, but slow to evaluate; for a mesh of ManyVertices or more, roughly. What would need
-  /// many more squares than vertices stays slow. The monitor is that of the preparation: what it says
-  /// counts, the result does not matter where it wants to stop.
-  std::function<double(const Spacing&, Monitor&)> ForecastVertices;
-  double ManyVertices = 1e6;
-
   /// May be null. Not a source: where it asks for more than all the sources, f is raised, last of
   /// all, to max_i(f_i - g |x - x_i|) with f_i the values along its segments. Its values are meant
   /// as they are, neither scaled nor clamped. With gradation 0, g is the default.

@@ -132,6 +132,15 @@ inline SegmentSource MakeScatter(int count, double longest, std::uint64_t seed)
   return source;
 }
 
+/// Sources of all kinds, for what is made of segments.
+inline std::vector<SegmentSource> SegmentCorpus()
+{
+  return { MakeScatter(1, 0.5, 1), MakeScatter(3, 0.5, 2), MakeScatter(40, 0.3, 3),
+    MakeScatter(300, 0.02, 4), MakeScatter(300, 0.5, 5),
+    MakeLoop(100, [](double angle) { return 0.02 + 0.01 * std::sin(angle); }),
+    MakeLoop(400, [](double) { return 0.004; }) };
+}
+
 template <typename Source>
 std::shared_ptr<const Source> Share(Source source)
 {

@@ -206,7 +206,8 @@ TEST(Spacing, IsScaledThenClamped)
   const Spacing bounded = MakeGoodSpacing(options);
   for (const Point2& x : Probes(2000))
   {
-    ASSERT_EQ(bounded(x), std::min(std::max(3.0 * plain(x), 0.1), 0.15));
+    ASSERT_NEAR(bounded(x), std::min(std::max(3.0 * plain(x), 0.1), 0.15), 1e-14);
+    ASSERT_TRUE(bounded(x) >= 0.1 && bounded(x) <= 0.15);
   }
   options.Maximum = options.Minimum;
   EXPECT_EQ(MakeGoodSpacing(options)({ 0.3, 0.3 }), 0.1);
@@ -412,26 +413,6 @@ TEST(MakeSpacing, RefusesPositionsThatAreNotFinite)
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems.front().Ids, std::vector<std::int64_t>{ 2 });
   EXPECT_EQ(problems.front().Detail, "position in the segment source");
-}
-
-TEST(MakeSpacing, EndsWithoutAProblemOfItsOwnWhereItIsNotAffordable)
-{
-  SpacingOptions options = WithSegments(
-    MakeLoop(2000, [](double angle) { return 1e-5 * (2.0 + std::sin(50.0 * angle)); }));
-  options.ManyVertices = 1000.0;
-  const Point2 x{ 0.5, 0.1 };
-  double slow = 0.0;
-  options.ForecastVertices = [&slow, &x](const Spacing& spacing, Monitor&)
-  {
-    slow = spacing(x);
-    return std::numeric_limits<double>::infinity();
-  };
-  ProblemList problems;
-  EXPECT_EQ(MakeSpacing(options, UnitBox(), problems, NoMonitor())(x), 1.0);
-  EXPECT_FALSE(problems.HasErrors());
-  options.ForecastVertices = nullptr;
-  const double fast = MakeSpacing(options, UnitBox(), problems, NoMonitor())(x);
-  EXPECT_NEAR(fast, slow, 0.005 * slow);
 }
 
 TEST(MakeSpacing, RefusesNodesThatDoNotAscend)

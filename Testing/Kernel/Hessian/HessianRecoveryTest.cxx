@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Spacing/HessianRecovery.h"
+#include "Hessian/HessianRecovery.h"
 
-#include "SpacingSources.h"
+#include "../Spacing/SpacingSources.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SegmentCone.h"
+
+#include "SourceSlopes.h"
+
+namespace biting
+{
+
+SegmentCone::SegmentCone(
+  const Point2& start, const Point2& end, double startValue, double endValue, double gradation)
+{
+  const bool isRising = !(endValue < startValue);
+  const Point2& low = isRising ? start : end;
+  const Point2& high = isRising ? end : start;
+  const double rise = std::abs(endValue - startValue);
+  this->Start = low;
+  this->Value = std::min(startValue, endValue);
+  const double length = Distance(start, end);
+  const double steepness = rise / (gradation * length);
+  if (steepness < 1.0)
+  {
+    this->Direction = { (high.X - low.X) / length, (high.Y - low.Y) / length };
+    this->Length = length;
+    this->Slope = steepness * gradation;
+    this->Lean = steepness / std::sqrt((1.0 - steepness) * (1.0 + steepness));
+  }
+}
+
+std::vector<SegmentCone> MakeCones(
+  const SegmentSource& source, double scale, double gradation, Pulse& pulse)
+{
+  std::vector<SegmentCone> cones;
+  cones.reserve(source.Segments.size() / 2);
+  for (std::size_t first = 0; first + 1 < source.Segments.size() && pulse.Beat(); first += 2)
+  {
+    const auto a = static_cast<std::size_t>(source.Segments[first]);
+    const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
+    cones.emplace_back(source.Points[a], source.Points[b], scale * source.Values[a],
+      scale * source.Values[b], gradation);
+  }
+  return cones;
+}
+
+double SlopeOfCones(const SegmentSource& source, double gradation)
+{
+  const double slope = gradation > 0.0 ? gradation : LargestSlope(source);
+  return slope > 0.0 ? slope : SpacingOptions().Gradation;
+}
+
+} // namespace biting

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSegmentCone_h
+#define BitingSegmentCone_h
+
+#include "../Base/Pulse.h"
+#include "Spacing.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for sqrt
+#include <vector>    // for cones
+
+namespace biting
+{
+
+/// The Lipschitz extension of values along one segment: min over y on it of f(y) + g |x - y|.
+///
+/// With u and h the coordinates of x along and across the segment, f(y) = Value + Slope t, the
+/// minimum over the line is where (u - t) / |x - y| = Slope / g, that is t = u - h Lean with
+/// Lean = (Slope / g) / sqrt(1 - (Slope / g)^2); over the segment, which is a convex problem, t is
+/// that clamped to [0, Length]. Data as steep as g or steeper are a cone at their lower end.
+/// Eight numbers: 64 bytes.
+struct SegmentCone
+{
+  Point2 Start;
+  Point2 Direction{ 1.0, 0.0 };
+  double Length = 0.0;
+  double Value = 0.0; ///< at Start
+  double Slope = 0.0;
+  double Lean = 0.0;
+
+  SegmentCone() = default;
+
+  /// Of two places and the values there; `gradation` is positive.
+  SegmentCone(
+    const Point2& start, const Point2& end, double startValue, double endValue, double gradation);
+
+  double operator()(const Point2& x, double gradation) const
+  {
+    const Point2 offset = x - this->Start;
+    const double along = Dot(offset, this->Direction);
+    const double across = std::abs(Cross(offset, this->Direction));
+    const double foot = this->FootAt(along, across);
+    const double ahead = along - foot;
+    return this->Value + this->Slope * foot +
+      gradation * std::sqrt(ahead * ahead + across * across);
+  }
+
+  /// The point y of the segment where the minimum is taken. The gradient of the cone at x is the
+  /// unit vector from there to x, times g.
+  Point2 Foot(const Point2& x) const
+  {
+    const Point2 offset = x - this->Start;
+    const double across = std::abs(Cross(offset, this->Direction));
+    return this->Start + this->FootAt(Dot(offset, this->Direction), across) * this->Direction;
+  }
+
+  Point2 End() const { return this->Start + this->Length * this->Direction; }
+
+private:
+  double FootAt(double along, double across) const
+  {
+    // Written out, these are one instruction each.
+    const double foot = along - across * this->Lean;
+    const double ahead = foot > 0.0 ? foot : 0.0;
+    return ahead < this->Length ? ahead : this->Length;
+  }
+};
+
+/// One for each segment of a source, with the values times `scale`.
+std::vector<SegmentCone> MakeCones(
+  const SegmentSource& source, double scale, double gradation, Pulse& pulse);
+
+/// The slope with which values grow from their segments: `gradation`, or the largest slope along
+/// them where that is 0, or the default of SpacingOptions where they are all level.
+double SlopeOfCones(const SegmentSource& source, double gradation);
+
+} // namespace biting
+
+#endif

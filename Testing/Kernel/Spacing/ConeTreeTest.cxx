@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/ConeTree.h"
+
+#include "../Support/Monitors.h"
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+std::vector<SegmentCone> ConesOf(const SegmentSource& source, double slope)
+{
+  Pulse pulse(NoMonitor());
+  return MakeCones(source, 1.0, slope, pulse);
+}
+
+ConeTree TreeOf(const SegmentSource& source, double slope, const Box2& box = UnitBox())
+{
+  return ConeTree(ConesOf(source, slope), slope, box, {});
+}
+
+/// Of all cones, one by one.
+struct Minimum
+{
+  std::vector<SegmentCone> Cones;
+  double Slope;
+
+  double operator()(const Point2& x) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SegmentCone& cone : this->Cones)
+    {
+      least = std::min(least, cone(x, this->Slope));
+    }
+    return least;
+  }
+};
+
+/// A closed curve of ever smaller bays, with the lengths of its segments as values.
+SegmentSource Koch(int depth)
+{
+  std::vector<Point2> points{ { 0.2, 0.3 }, { 0.5, 0.82 }, { 0.8, 0.3 } };
+  for (int level = 0; level < depth; ++level)
+  {
+    std::vector<Point2> finer;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const Point2 step = (1.0 / 3.0) * (points[(k + 1) % points.size()] - points[k]);
+      const Point2 tip = points[k] + 1.5 * step + 0.8660254 * Perpendicular(step);
+      finer.insert(finer.end(), { points[k], points[k] + step, tip, points[k] + 2.0 * step });
+    }
+    points = finer;
+  }
+  SegmentSource source;
+  source.Points = points;
+  source.Values.assign(points.size(), 1.4 * Distance(points[0], points[1]));
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    source.Segments.push_back(static_cast<Id>(k));
+    source.Segments.push_back(static_cast<Id>((k + 1) % points.size()));
+  }
+  return source;
+}
+
+} // namespace
+
+TEST(ConeTree, IsNowhereBelowTheMinimumAndAboveByItsToleranceAtMost)
+{
+  std::vector<SegmentSource> sources = SegmentCorpus();
+  sources.push_back(Koch(4));
+  for (const SegmentSource& source : sources)
+  {
+    for (double slope : { 0.02, 0.3, 1.0 })
+    {
+      const Minimum exact{ ConesOf(source, slope), slope };
+      const ConeTree tree = TreeOf(source, slope);
+      Sampler sampler(11);
+      for (int probe = 0; probe < 10000; ++probe)
+      {
+        const Point2 x = sampler.NextIn(UnitBox());
+        const double value = tree(x);
+        const double least = exact(x);
+        ASSERT_GE(value, least);
+        ASSERT_LE(value, (1.0 + ConeTree::Tolerance) * least) << slope;
+      }
+    }
+  }
+}
+
+TEST(ConeTree, KeepsNoConeThatIsNowhereTheLowest)
+{
+  SegmentSource source = MakeLoop(50, [](double) { return 0.01; });
+  for (std::size_t point = 0; point < 50; ++point)
+  {
+    source.Points.push_back(source.Points[point] + Point2{ 0.01, 0.0 });
+    source.Values.push_back(0.5);
+    source.Segments.insert(source.Segments.end(), 2, static_cast<Id>(50 + point));
+  }
+  EXPECT_LE(TreeOf(source, 0.3).NumberOfCones(), 50u);
+}
+
+TEST(ConeTree, HasLeavesInProportionToItsCones)
+{
+  const auto leavesPerCone = [](int depth)
+  {
+    const SegmentSource source = Koch(depth);
+    return static_cast<double>(TreeOf(source, 0.3).NumberOfLeaves()) /
+      static_cast<double>(source.Points.size());
+  };
+  EXPECT_LE(leavesPerCone(6), 1.5 * leavesPerCone(4));
+  EXPECT_LE(leavesPerCone(6), 12.0);
+}
+
+TEST(ConeTree, IsTheNearestValueBeyondItsBox)
+{
+  const ConeTree tree = TreeOf(MakeScatter(20, 0.2, 17), 0.3);
+  EXPECT_EQ(tree({ 7.0, 0.25 }), tree({ 1.0, 0.25 }));
+  EXPECT_EQ(tree({ -7.0, 9.0 }), tree({ 0.0, 1.0 }));
+}
+
+TEST(ConeTree, IsInfiniteOnlyWhereAllIsAboveWhatMatters)
+{
+  const SegmentSource source = MakeLoop(400, [](double) { return 0.004; });
+  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+  ConeTree::Relief relief;
+  relief.Most = 0.03;
+  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), relief);
+  Sampler sampler(22);
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    ASSERT_TRUE(exact(x) >= relief.Most || tree(x) <= (1.0 + ConeTree::Tolerance) * exact(x));
+  }
+  EXPECT_LT(tree.NumberOfLeaves(), TreeOf(source, 0.3).NumberOfLeaves());
+}
+
+TEST(ConeTree, IsAtMostTwiceTheMinimumWhereNobodyAsks)
+{
+  const SegmentSource source = MakeLoop(400, [](double) { return 0.004; });
+  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+  ConeTree::Relief relief;
+  relief.IsUnused = [](const Box2& box) { return box.High.X < 0.5; };
+  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), relief);
+  Sampler sampler(23);
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    ASSERT_GE(tree(x), exact(x));
+    ASSERT_LE(tree(x), (x.X < 0.5 ? 2.0 : 1.0 + ConeTree::Tolerance) * exact(x));
+  }
+}
+
+TEST(ConeTree, TakesBoxesOfAnyProportion)
+{
+  const SegmentSource source = MakeScatter(20, 0.2, 18);
+  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+  const Box2 thin{ { 0.0, 0.4 }, { 1.0, 0.4 + 1e-7 } };
+  const ConeTree tree = TreeOf(source, 0.3, thin);
+  Sampler sampler(19);
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(thin);
+    ASSERT_NEAR(tree(x) / exact(x), 1.0, ConeTree::Tolerance);
+  }
+}
+
+/// Of a box whose border is a line between squares but for rounding, with points near it.
+double LargestErrorOnBorder(const Box2& box, int seed)
+{
+  SegmentSource source = MakeScatter(40, 0.01, seed);
+  for (Point2& point : source.Points)
+  {
+    point = { box.Low.X + point.X * box.Width(), box.Low.Y + point.Y * box.Height() };
+  }
+  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+  const ConeTree tree = TreeOf(source, 0.3, box);
+  double largest = 0.0;
+  for (int part = 0; part <= 16; ++part)
+  {
+    const double x = std::min(box.Low.X + part / 16.0 * box.Width(), box.High.X);
+    const double y = std::min(box.Low.Y + part / 16.0 * box.Height(), box.High.Y);
+    for (const Point2& place : { Point2{ x, box.High.Y }, Point2{ box.High.X, y } })
+    {
+      largest = std::max(largest, std::abs(tree(place) / exact(place) - 1.0));
+    }
+  }
+  return largest;
+}
+
+TEST(ConeTree, IsWithinItsToleranceOnABorderThatRoundingMovesIntoTheNextSquare)
+{
+  Sampler sampler(17);
+  for (int seed = 0; seed < 400; ++seed)
+  {
+    const Point2 low{ -2.0 * sampler.Next(), -2.0 * sampler.Next() };
+    const double width = 1.0 + sampler.Next();
+    const double height = std::ldexp(width, -1 - seed % 3);
+    const Box2 wide{ low, { low.X + width, low.Y + height } };
+    const Box2 tall{ low, { low.X + height, low.Y + width } };
+    ASSERT_LT(LargestErrorOnBorder(wide, seed), 0.01) << seed;
+    ASSERT_LT(LargestErrorOnBorder(tall, seed), 0.01) << seed;
+  }
+}
+
+TEST(ConeTree, IsTheMinimumWhereTheSlopeIsLostInRounding)
+{
+  for (const double gradation : { 1e-200, 1e-20, 1e-16 })
+  {
+    const SegmentSource source = MakeScatter(40, 0.5, 3);
+    const Minimum exact{ ConesOf(source, gradation), gradation };
+    const ConeTree tree = TreeOf(source, gradation);
+    Sampler sampler(5);
+    for (int probe = 0; probe < 100; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      ASSERT_NEAR(tree(x), exact(x), ConeTree::Tolerance * exact(x)) << gradation;
+    }
+  }
+}
+
+TEST(ConeTree, StopsWhenAsked)
+{
+  StoppingMonitor monitor(2);
+  ConeTree(ConesOf(Koch(5), 0.3), 0.3, UnitBox(), {}, monitor);
+  EXPECT_TRUE(monitor.HasStopped());
+  EXPECT_EQ(monitor.Calls, 3);
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/SegmentCone.h"
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+const Point2 Low{ 0.2, 0.3 };
+const Point2 High{ 0.5, 0.7 };
+
+} // namespace
+
+TEST(SegmentCone, IsTheGivenValueAlongItsSegment)
+{
+  const SegmentCone cone(Low, High, 0.1, 0.2, 0.3);
+  EXPECT_NEAR(cone(Low, 0.3), 0.1, 1e-15);
+  EXPECT_NEAR(cone(High, 0.3), 0.2, 1e-15);
+  EXPECT_NEAR(cone(Midpoint(Low, High), 0.3), 0.15, 1e-15);
+}
+
+TEST(SegmentCone, DoesNotDependOnTheDirectionOfTheSegment)
+{
+  const SegmentCone cone(Low, High, 0.1, 0.2, 0.3);
+  const SegmentCone reversed(High, Low, 0.2, 0.1, 0.3);
+  Sampler sampler(1);
+  for (int probe = 0; probe < 100; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    EXPECT_EQ(cone(x, 0.3), reversed(x, 0.3));
+  }
+}
+
+TEST(SegmentCone, OfSteepValuesGrowsFromTheLowerEnd)
+{
+  const SegmentCone cone(Low, High, 0.1, 0.9, 0.3);
+  EXPECT_EQ(cone.End(), Low);
+  EXPECT_NEAR(cone(High, 0.3), 0.1 + 0.3 * Distance(Low, High), 1e-15);
+}
+
+TEST(SegmentCone, IsTheValueOfItsFootAndTheWayFromThere)
+{
+  const SegmentCone cone(Low, High, 0.1, 0.2, 0.3);
+  Sampler sampler(2);
+  for (int probe = 0; probe < 1000; ++probe)
+  {
+    const Point2 x = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
+    const Point2 foot = cone.Foot(x);
+    ASSERT_NEAR(cone(x, 0.3), cone(foot, 0.3) + 0.3 * Distance(x, foot), 1e-12);
+  }
+}
+
+TEST(SegmentCone, WithoutGradationTakesTheSlopeOfTheData)
+{
+  const SegmentSource sloped{ { { 0.0, 0.0 }, { 1.0, 0.0 } }, { 0.1, 0.6 }, { 0, 1 } };
+  EXPECT_DOUBLE_EQ(SlopeOfCones(sloped, 0.0), 0.5);
+  EXPECT_DOUBLE_EQ(SlopeOfCones(sloped, 0.2), 0.2);
+  const SegmentSource level{ { { 0.0, 0.0 }, { 1.0, 0.0 } }, { 0.1, 0.6 }, { 0, 0, 1, 1 } };
+  EXPECT_DOUBLE_EQ(SlopeOfCones(level, 0.0), SpacingOptions().Gradation);
+}
