@@ -11,6 +11,7 @@ set(biting_kernel_sources
   Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
+  Spacing/GridCells.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
@@ -25,6 +26,7 @@ set(biting_kernel_sources
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
+  Spacing/WideCells.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx

@@ -6,168 +6,96 @@
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for any_of
-#include <limits>    // for infinity
 
 namespace biting
 {
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-/// The nearest given node of each column, for every row: row number, NoId in a column of holes.
-class ColumnNearest
+/// Nodes hand on to their neighbors the node whose value they take, in two sweeps.
+class HoleFiller
 {
 public:
-  ColumnNearest(const GridSource& source, Pulse& pulse)
+  HoleFiller(const GridSource& source, Pulse& pulse)
     : Source(source)
-    , Rows(source.Values.size(), NoId)
+    , Beats(pulse)
+    , Columns(static_cast<Id>(source.XNodes.size()))
+    , Rows(static_cast<Id>(source.YNodes.size()))
+    , Nearest(source.Values.size(), NoId)
   {
-    const auto rowCount = static_cast<Id>(source.YNodes.size());
-    for (Id row = 0; row < rowCount && pulse.Beat(source.XNodes.size()); ++row)
-    {
-      this->Adopt(row, row - 1);
-    }
-    for (Id row = rowCount - 1; row >= 0 && pulse.Beat(source.XNodes.size()); --row)
-    {
-      this->Adopt(row, row + 1);
-    }
   }
 
-  Id RowOf(Id column, Id row) const { return this->Rows[this->NodeOf(column, row)]; }
-
-  double DistanceSquared(Id column, Id row) const
+  bool Fill(std::vector<double>& values)
   {
-    const Id nearest = this->RowOf(column, row);
-    return nearest == NoId ? Infinity : this->SquaredStep(row, nearest);
+    for (Id node = 0; node < static_cast<Id>(values.size()); ++node)
+    {
+      this->Nearest[static_cast<std::size_t>(node)] =
+        std::isnan(values[static_cast<std::size_t>(node)]) ? NoId : node;
+    }
+    for (Id row = 0; row < this->Rows && this->SweepRow(row, row - 1); ++row)
+    {
+    }
+    for (Id row = this->Rows - 1; row >= 0 && this->SweepRow(row, row + 1); --row)
+    {
+    }
+    for (std::size_t node = 0; node < values.size() && !this->Beats.HasStopped(); ++node)
+    {
+      values[node] = this->Source.Values[static_cast<std::size_t>(this->Nearest[node])];
+    }
+    return !this->Beats.HasStopped();
   }
 
 private:
-  std::size_t NodeOf(Id column, Id row) const
+  bool SweepRow(Id row, Id from)
   {
-    return static_cast<std::size_t>(column) +
-      static_cast<std::size_t>(row) * this->Source.XNodes.size();
-  }
-
-  double SquaredStep(Id from, Id to) const
-  {
-    const double step = this->Source.YNodes[static_cast<std::size_t>(to)] -
-      this->Source.YNodes[static_cast<std::size_t>(from)];
-    return step * step;
-  }
-
-  void Adopt(Id row, Id neighborRow)
-  {
-    const auto rowCount = static_cast<Id>(this->Source.YNodes.size());
-    for (Id column = 0; column < static_cast<Id>(this->Source.XNodes.size()); ++column)
+    const bool hasFrom = from >= 0 && from < this->Rows;
+    for (Id column = 0; column < this->Columns; ++column)
     {
-      Id& nearest = this->Rows[this->NodeOf(column, row)];
-      if (!std::isnan(this->Source.Values[this->NodeOf(column, row)]))
+      for (Id side = -1; hasFrom && side <= 1; ++side)
       {
-        nearest = row;
-        continue;
+        this->Adopt(column, row, column + side, from);
       }
-      const bool hasNeighbor = neighborRow >= 0 && neighborRow < rowCount;
-      const Id offered = hasNeighbor ? this->RowOf(column, neighborRow) : NoId;
-      const bool isNearer = offered != NoId &&
-        (nearest == NoId || this->SquaredStep(row, offered) < this->SquaredStep(row, nearest));
-      nearest = isNearer ? offered : nearest;
+      this->Adopt(column, row, column - 1, row);
     }
+    for (Id column = this->Columns - 2; column >= 0; --column)
+    {
+      this->Adopt(column, row, column + 1, row);
+    }
+    return this->Beats.Beat(4 * static_cast<std::size_t>(this->Columns));
+  }
+
+  void Adopt(Id column, Id row, Id fromColumn, Id fromRow)
+  {
+    Id& nearest = this->Nearest[static_cast<std::size_t>(column + this->Columns * row)];
+    if (fromColumn < 0 || fromColumn >= this->Columns || nearest == column + this->Columns * row)
+    {
+      return;
+    }
+    const Id offered =
+      this->Nearest[static_cast<std::size_t>(fromColumn + this->Columns * fromRow)];
+    const bool isNearer = offered != NoId && offered != nearest &&
+      (nearest == NoId || this->Away(column, row, offered) < this->Away(column, row, nearest));
+    nearest = isNearer ? offered : nearest;
+  }
+
+  double Away(Id column, Id row, Id node) const
+  {
+    return Distance(
+      this->Place(column, row), this->Place(node % this->Columns, node / this->Columns));
+  }
+
+  Point2 Place(Id column, Id row) const
+  {
+    return { this->Source.XNodes[static_cast<std::size_t>(column)],
+      this->Source.YNodes[static_cast<std::size_t>(row)] };
   }
 
   const GridSource& Source;
-  std::vector<Id> Rows;
+  Pulse& Beats;
+  const Id Columns;
+  const Id Rows;
+  std::vector<Id> Nearest; ///< of each node, the given one; NoId where none is known
 };
-
-/// Lower envelope of the parabolas (x - x_i)^2 + height_i over one row: which column is nearest
-/// (the second pass of the exact distance transform of Felzenszwalb and Huttenlocher, 2012).
-class RowEnvelope
-{
-public:
-  explicit RowEnvelope(const std::vector<double>& nodes)
-    : Nodes(nodes)
-  {
-  }
-
-  void Clear()
-  {
-    this->Columns.clear();
-    this->Starts.clear();
-    this->Heights.clear();
-  }
-
-  void Add(Id column, double height)
-  {
-    double start = -Infinity;
-    while (!this->Columns.empty())
-    {
-      start = this->Crossing(this->Columns.back(), this->Heights.back(), column, height);
-      if (start > this->Starts.back())
-      {
-        break;
-      }
-      this->Columns.pop_back();
-      this->Starts.pop_back();
-      this->Heights.pop_back();
-      start = -Infinity;
-    }
-    this->Columns.push_back(column);
-    this->Starts.push_back(start);
-    this->Heights.push_back(height);
-  }
-
-  /// The column of the lowest parabola at x.
-  Id LowestAt(double x) const
-  {
-    const auto next = std::upper_bound(this->Starts.begin(), this->Starts.end(), x);
-    const auto piece = std::max<std::ptrdiff_t>(next - this->Starts.begin() - 1, 0);
-    return this->Columns[static_cast<std::size_t>(piece)];
-  }
-
-private:
-  /// Where the parabola of the later column becomes the lower one. Equal nodes never cross: the
-  /// lower of the two parabolas wins everywhere.
-  double Crossing(Id earlier, double earlierHeight, Id later, double laterHeight) const
-  {
-    const double a = this->Nodes[static_cast<std::size_t>(earlier)];
-    const double b = this->Nodes[static_cast<std::size_t>(later)];
-    if (!(b > a))
-    {
-      return laterHeight < earlierHeight ? -Infinity : Infinity;
-    }
-    return a + 0.5 * ((b - a) + (laterHeight - earlierHeight) / (b - a));
-  }
-
-  const std::vector<double>& Nodes;
-  std::vector<Id> Columns;
-  std::vector<double> Starts;
-  std::vector<double> Heights;
-};
-
-void FillRow(const GridSource& source, const ColumnNearest& nearest, Id row, RowEnvelope& envelope,
-  std::vector<double>& values)
-{
-  const auto columnCount = static_cast<Id>(source.XNodes.size());
-  envelope.Clear();
-  for (Id column = 0; column < columnCount; ++column)
-  {
-    if (nearest.RowOf(column, row) != NoId)
-    {
-      envelope.Add(column, nearest.DistanceSquared(column, row));
-    }
-  }
-  for (Id column = 0; column < columnCount; ++column)
-  {
-    double& value = values[static_cast<std::size_t>(column) +
-      static_cast<std::size_t>(row) * source.XNodes.size()];
-    if (std::isnan(value))
-    {
-      const Id from = envelope.LowestAt(source.XNodes[static_cast<std::size_t>(column)]);
-      value = source.Values[static_cast<std::size_t>(from) +
-        static_cast<std::size_t>(nearest.RowOf(from, row)) * source.XNodes.size()];
-    }
-  }
-}
 
 } // namespace
 
@@ -182,17 +110,7 @@ std::shared_ptr<const GridSource> FillHoles(
   }
   auto filled = std::make_shared<GridSource>(*source);
   Pulse pulse(monitor);
-  const ColumnNearest nearest(*source, pulse);
-  RowEnvelope envelope(source->XNodes);
-  for (Id row = 0; row < static_cast<Id>(source->YNodes.size()); ++row)
-  {
-    if (!pulse.Beat(4 * source->XNodes.size()))
-    {
-      return nullptr;
-    }
-    FillRow(*source, nearest, row, envelope, filled->Values);
-  }
-  return filled;
+  return HoleFiller(*source, pulse).Fill(filled->Values) ? filled : nullptr;
 }
 
 } // namespace biting

@@ -4,75 +4,65 @@
 #include "GridLimit.h"
 
 #include "../Base/Pulse.h"
+#include "GridCells.h"
+#include "WideCells.h"
 
-#include <array>   // for corners
-#include <utility> // for move
+#include <cmath> // for sqrt
 
 namespace biting
 {
 namespace
 {
 
-/// Cells in which f may grow by more than this share of itself are too wide for interpolation
-/// between limited nodes: at a node that bounds its neighbors it is wrong by up to a quarter of that.
-constexpr double WidestGrowth = 0.02;
-
-/// A cell is steep where its mean gradient or one of its sides is above the gradation by more than
-/// this share of it, or where its twist adds more than this share of f to what is linear. Otherwise
-/// a field that somebody has limited already would be limited again, cell by cell: the gradient at
-/// a corner of a cell of a distance function exceeds that of the function itself.
-constexpr double SteepnessMargin = 0.005;
-
-/// How far a chord may be from the arc it stands for, in f; at most so many chords a side of a cell.
-constexpr double ChordError = 0.002;
-constexpr double ChordsPerSide = 32.0;
-
-constexpr double FullTurn = 6.283185307179586;
-
-/// f = Value + Slope . x + Twist x y over a cell, x from its low corner.
-struct Patch
-{
-  Point2 Low;
-  Point2 Size;
-  double Value;
-  Point2 Slope;
-  double Twist;
-
-  double At(const Point2& x) const
-  {
-    return this->Value + Dot(this->Slope, x) + this->Twist * x.X * x.Y;
-  }
-  bool Contains(const Point2& x) const
-  {
-    return x.X >= 0.0 && x.Y >= 0.0 && x.X <= this->Size.X && x.Y <= this->Size.Y;
-  }
-};
+/// A plane so many times as steep as the gradation is above it along a row, column or diagonal: the
+/// inverse of the cosine of 22.5 degrees.
+constexpr double SeenByNodes = 1.083;
 
 class GridLimiter
 {
 public:
-  GridLimiter(const GridSource& source, double gradation, ConeCollector& cones, Monitor& monitor)
-    : Source(source)
-    , Gradation(gradation)
+  GridLimiter(const GridSource& source, double gradation, ConeCollector& cones, Pulse& pulse)
+    : Cells(source, gradation, cones.Values())
     , Cones(cones)
-    , Beats(monitor)
-    , Columns(static_cast<Id>(source.XNodes.size()))
-    , Rows(static_cast<Id>(source.YNodes.size()))
+    , Beats(pulse)
+    , Columns(Cells.Columns())
+    , Rows(Cells.Rows())
   {
   }
 
-  bool Run()
+  bool HasSteepCell()
   {
-    if (!this->FindSteep())
+    bool isFound = false;
+    for (Id row = 0; row < this->Rows && !isFound && this->EndRow(0.1 * row / this->Rows); ++row)
+    {
+      for (Id column = 0; column < this->Columns; ++column)
+      {
+        isFound = isFound || this->Cells.IsSteep(column, row);
+      }
+    }
+    return isFound;
+  }
+
+  /// Lowers `values`, which are as given.
+  bool Limit(std::vector<double>& values)
+  {
+    this->SetGiven();
+    this->FindSlight();
+    for (Id row = 0; row < this->Rows && this->EndRow(0.2 + 0.3 * row / this->Rows); ++row)
+    {
+      this->SweepRow(row, row - 1);
+    }
+    for (Id row = this->Rows - 1; row >= 0 && this->EndRow(0.8 - 0.3 * row / this->Rows); --row)
+    {
+      this->SweepRow(row, row + 1);
+    }
+    if (this->Beats.HasStopped())
     {
       return false;
     }
-    return this->SteepCount == 0 ||
-      (this->Sweep() && this->FindWide() && this->AddCones() && this->WriteLimits());
+    WideCells wide(this->Cells, this->Bounds, this->Cones, this->Beats);
+    return wide.AddCones() && this->WriteLimits(wide, values);
   }
-
-  /// Null where nothing is steep.
-  std::shared_ptr<const GridSource> Result() const { return this->Limited; }
 
 private:
   /// A row is done; `fraction` of all the work.
@@ -82,99 +72,88 @@ private:
     return this->Beats.Beat(8 * static_cast<std::size_t>(this->Columns));
   }
 
-  double Share(Id row) const { return static_cast<double>(row) / this->Rows; }
-  double X(Id column) const { return this->Source.XNodes[static_cast<std::size_t>(column)]; }
-  double Y(Id row) const { return this->Source.YNodes[static_cast<std::size_t>(row)]; }
-  Id Node(Id column, Id row) const { return column + this->Columns * row; }
-
-  Point2 Place(Id node) const
+  NodeBound& BoundOf(Id column, Id row)
   {
-    return { this->X(node % this->Columns), this->Y(node / this->Columns) };
+    return this->Bounds[static_cast<std::size_t>(this->Cells.Node(column, row))];
   }
 
-  double Raw(Id node) const { return this->Source.Values[static_cast<std::size_t>(node)]; }
-  double Given(Id node) const { return this->Cones.Values()(this->Raw(node)); }
-  double& Limit(Id node) { return this->Limits[static_cast<std::size_t>(node)]; }
-  Id& Apex(Id node) { return this->Apexes[static_cast<std::size_t>(node)]; }
-
-  // Finding steep cells.
-
-  bool FindSteep()
+  void SetGiven()
   {
-    for (Id row = 0; row < this->Rows; ++row)
+    this->Bounds.reserve(static_cast<std::size_t>(this->Columns) * this->Rows);
+    for (Id row = 0; row < this->Rows && this->EndRow(0.1 + 0.05 * row / this->Rows); ++row)
     {
       for (Id column = 0; column < this->Columns; ++column)
       {
-        this->SteepCount += this->IsSteep(column, row) ? 1 : 0;
-      }
-      if (!this->EndRow(0.1 * this->Share(row)))
-      {
-        return false;
+        const auto given = static_cast<float>(this->Cells.Given(this->Cells.Node(column, row)));
+        this->Bounds.push_back({ given, given, this->OffsetOf(column, row) });
       }
     }
-    return true;
   }
 
-  /// The cell whose low corner is a node; it may have no width or height at the last nodes.
-  bool IsSteep(Id column, Id row) const
+  /// From the first node: in single precision that is as good far from the origin.
+  NodeBound::Offset OffsetOf(Id column, Id row) const
   {
-    if (column < 0 || row < 0)
-    {
-      return false;
-    }
-    const Id right = std::min(column + 1, this->Columns - 1);
-    const Id above = std::min(row + 1, this->Rows - 1);
-    const double a = this->Given(this->Node(column, row));
-    const double b = this->Given(this->Node(right, row));
-    const double c = this->Given(this->Node(column, above));
-    const double d = this->Given(this->Node(right, above));
-    const double width = this->X(right) - this->X(column);
-    const double height = this->Y(above) - this->Y(row);
-    const double most = (1.0 + SteepnessMargin) * this->Gradation;
-    if (!(width > 0.0 && height > 0.0))
-    {
-      return std::max({ a, b, c, d }) - std::min({ a, b, c, d }) > most * std::max(width, height);
-    }
-    const auto isAbove = [most, width, height](double alongX, double alongY) {
-      return Length({ alongX * height, alongY * width }) > most * width * height;
-    };
-    const double alongX = std::max(std::abs(b - a), std::abs(d - c));
-    const double alongY = std::max(std::abs(c - a), std::abs(d - b));
-    const double added = 0.25 * std::abs(a - b - c + d);
-    return isAbove(alongX, alongY) &&
-      (isAbove(0.5 * (b - a + d - c), 0.5 * (c - a + d - b)) || isAbove(alongX, 0.0) ||
-        isAbove(0.0, alongY) || added > SteepnessMargin * std::min({ a, b, c, d }));
+    return { static_cast<float>(this->Cells.X(column) - this->Cells.X(0)),
+      static_cast<float>(this->Cells.Y(row) - this->Cells.Y(0)) };
   }
 
-  // Lowering nodes.
-
-  bool Sweep()
+  /// Nodes alone see the slope along rows, columns and diagonals only: all of a slope that is above
+  /// the gradation by 8 % or more. In cells of a smaller one each corner is bounded from within the
+  /// two sides opposite to it, too, again and again.
+  void FindSlight()
   {
-    const std::size_t count = this->Source.Values.size();
-    this->Limits.reserve(count);
-    this->Apexes.reserve(count);
-    for (Id row = 0; row < this->Rows; ++row)
+    this->IsSlight.reserve(this->Bounds.size());
+    for (Id row = 0; row < this->Rows && this->EndRow(0.15 + 0.05 * row / this->Rows); ++row)
     {
       for (Id column = 0; column < this->Columns; ++column)
       {
-        this->Apexes.push_back(this->Node(column, row));
-        this->Limits.push_back(this->Given(this->Node(column, row)));
-      }
-      this->SweepRow(row, row - 1);
-      if (!this->EndRow(0.1 + 0.4 * this->Share(row)))
-      {
-        return false;
+        const bool isCell = column + 1 < this->Columns && row + 1 < this->Rows;
+        this->IsSlight.push_back(isCell && this->Cells.IsSteep(column, row) &&
+          !this->Cells.IsSteep(column, row, SeenByNodes));
       }
     }
-    for (Id row = this->Rows - 1; row >= 0; --row)
+  }
+
+  /// Bounds a node from the sides opposite to it of the cell that lies on the given sides of it.
+  void LowerIn(Id column, Id row, Id toColumn, Id toRow)
+  {
+    const Id low = std::min(column, toColumn);
+    if (low < 0 || toColumn >= this->Columns ||
+      !this->IsSlight[static_cast<std::size_t>(this->Cells.Node(low, std::min(row, toRow)))])
     {
-      this->SweepRow(row, row + 1);
-      if (!this->EndRow(0.9 - 0.4 * this->Share(row)))
-      {
-        return false;
-      }
+      return;
     }
-    return true;
+    this->LowerFromSide(column, row, toColumn, row, toColumn, toRow);
+    this->LowerFromSide(column, row, column, toRow, toColumn, toRow);
+  }
+
+  /// Bounds the corner (x, y) from within the side that leads from the corner beside it to the one
+  /// across: as for a SegmentCone, the foot is where the side falls with Slope / g = sin of the angle
+  /// to the perpendicular.
+  void LowerFromSide(Id x, Id y, Id besideX, Id besideY, Id acrossX, Id acrossY)
+  {
+    const double gradation = this->Cells.Gradation();
+    const Point2 beside = this->Cells.Place(besideX, besideY);
+    const Point2 side = this->Cells.Place(acrossX, acrossY) - beside;
+    const double length = Length(side);
+    const double away = Distance(this->Cells.Place(x, y), beside);
+    const double from = this->BoundOf(besideX, besideY).Value;
+    const double to = this->BoundOf(acrossX, acrossY).Value;
+    const double fall = (from - to) / (gradation * length);
+    if (!(fall > 0.0 && fall < 1.0))
+    {
+      return; // the bound is from a corner
+    }
+    const double foot = away * fall / std::sqrt((1.0 - fall) * (1.0 + fall));
+    NodeBound& bound = this->BoundOf(x, y);
+    const double base = from - fall * gradation * foot;
+    const auto value = static_cast<float>(base + gradation * Length({ away, foot }));
+    if (foot < length && value < bound.Value)
+    {
+      const Point2 place = beside + (foot / length) * side - this->Cells.Place(0, 0);
+      bound = { value, static_cast<float>(base),
+        { static_cast<float>(place.X), static_cast<float>(place.Y) } };
+    }
   }
 
   void SweepRow(Id row, Id from)
@@ -187,6 +166,11 @@ private:
         this->Lower(column, row, column + side, from);
       }
       this->Lower(column, row, column - 1, row);
+      if (hasFrom)
+      {
+        this->LowerIn(column, row, column - 1, from);
+        this->LowerIn(column, row, column + 1, from);
+      }
     }
     for (Id column = this->Columns - 2; column >= 0; --column)
     {
@@ -200,302 +184,106 @@ private:
     {
       return;
     }
-    const Id node = this->Node(column, row);
-    const Id apex = this->Apex(this->Node(fromColumn, fromRow));
-    const double base = this->Given(apex);
-    if (base < this->Limit(node) && apex != this->Apex(node))
-    {
-      const double value =
-        base + this->Gradation * Distance(this->Place(apex), { this->X(column), this->Y(row) });
-      if (value < this->Limit(node))
-      {
-        this->Limit(node) = value;
-        this->Apex(node) = apex;
-      }
-    }
-  }
-
-  // Cones where cells are wide.
-
-  bool FindWide()
-  {
-    this->WideCells.reserve(this->Source.Values.size());
-    for (Id row = 0; row < this->Rows; ++row)
-    {
-      for (Id column = 0; column < this->Columns; ++column)
-      {
-        this->WideCells.push_back(this->IsWide(column, row));
-        this->HasWideCells = this->HasWideCells || this->WideCells.back();
-      }
-      if (!this->EndRow(0.9 + 0.02 * this->Share(row)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool AddCones()
-  {
-    this->IsAdded.assign(this->Source.Values.size(), false);
-    for (Id row = 0; row < this->Rows && this->HasWideCells; ++row)
-    {
-      for (Id column = 0; column < this->Columns; ++column)
-      {
-        this->AddConesAt(column, row);
-      }
-      if (!this->EndRow(0.92 + 0.03 * this->Share(row)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void AddConesAt(Id column, Id row)
-  {
-    if (this->TouchesConeNode(column, row))
-    {
-      this->AddApexes(column, row);
-    }
-    const bool isSource = this->IsWideAndSteep(column, row);
-    if (column + 1 < this->Columns && (isSource || this->IsWideAndSteep(column, row - 1)))
-    {
-      this->AddSide(this->Node(column, row), this->Node(column + 1, row));
-    }
-    if (row + 1 < this->Rows && (isSource || this->IsWideAndSteep(column - 1, row)))
-    {
-      this->AddSide(this->Node(column, row), this->Node(column, row + 1));
-    }
-    if (isSource && column + 1 < this->Columns && row + 1 < this->Rows)
-    {
-      this->AddInside(this->MakePatch(column, row));
-    }
-  }
-
-  bool IsWideCell(Id column, Id row) const
-  {
-    return column >= 0 && row >= 0 &&
-      this->WideCells[static_cast<std::size_t>(this->Node(column, row))];
-  }
-
-  /// Whether cones limit f around a node: beside wide cells, lowered nodes would say too little of
-  /// where between them it is how low.
-  bool IsConeNode(Id column, Id row) const
-  {
-    return this->IsWideCell(column, row) || this->IsWideCell(column - 1, row) ||
-      this->IsWideCell(column, row - 1) || this->IsWideCell(column - 1, row - 1);
-  }
-
-  bool TouchesConeNode(Id column, Id row) const
-  {
-    const Id right = std::min(column + 1, this->Columns - 1);
-    const Id above = std::min(row + 1, this->Rows - 1);
-    return this->IsConeNode(column, row) || this->IsConeNode(right, row) ||
-      this->IsConeNode(column, above) || this->IsConeNode(right, above);
-  }
-
-  bool IsWide(Id column, Id row)
-  {
-    const Id right = std::min(column + 1, this->Columns - 1);
-    const Id above = std::min(row + 1, this->Rows - 1);
-    const double least =
-      std::min(std::min(this->Limit(this->Node(column, row)), this->Limit(this->Node(right, row))),
-        std::min(this->Limit(this->Node(column, above)), this->Limit(this->Node(right, above))));
-    const double side = std::max(this->X(right) - this->X(column), this->Y(above) - this->Y(row));
-    return this->Gradation * side > WidestGrowth * least;
-  }
-
-  bool IsWideAndSteep(Id column, Id row)
-  {
-    return this->IsWideCell(column, row) && this->IsSteep(column, row);
-  }
-
-  void AddSide(Id start, Id end)
-  {
-    if (!this->IsBounded(start, end) && !this->IsBounded(end, start))
-    {
-      this->Cones.AddGiven(this->Place(start), this->Place(end), this->Raw(start), this->Raw(end));
-    }
-  }
-
-  /// Whether all of the side a-b is above what another node brings to a, and from there along it.
-  bool IsBounded(Id a, Id b)
-  {
-    return this->Limit(a) < this->Given(a) &&
-      this->Limit(a) + this->Gradation * Distance(this->Place(a), this->Place(b)) <= this->Given(b);
-  }
-
-  /// The nodes that bound the corners of a cell, from wherever they are.
-  void AddApexes(Id column, Id row)
-  {
-    for (Id above = row; above <= std::min(row + 1, this->Rows - 1); ++above)
-    {
-      for (Id right = column; right <= std::min(column + 1, this->Columns - 1); ++right)
-      {
-        const Id node = this->Node(right, above);
-        const Id apex = this->Apex(node);
-        if (apex != node && !this->IsAdded[static_cast<std::size_t>(apex)])
-        {
-          this->IsAdded[static_cast<std::size_t>(apex)] = true;
-          this->Cones.AddPoint(this->Place(apex), this->Given(apex));
-        }
-      }
-    }
-  }
-
-  bool WriteLimits()
-  {
-    auto limited = std::make_shared<GridSource>();
-    limited->XNodes = this->Source.XNodes;
-    limited->YNodes = this->Source.YNodes;
-    limited->Values.reserve(this->Source.Values.size());
-    for (Id row = 0; row < this->Rows; ++row)
-    {
-      for (Id column = 0; column < this->Columns; ++column)
-      {
-        const Id node = this->Node(column, row);
-        const bool isLimited =
-          this->Limit(node) < this->Given(node) && !this->IsConeNode(column, row);
-        limited->Values.push_back(
-          isLimited ? this->Limit(node) / this->Cones.Values().Scale : this->Raw(node));
-      }
-      if (!this->EndRow(0.95 + 0.05 * this->Share(row)))
-      {
-        return false;
-      }
-    }
-    this->Limited = limited;
-    return true;
-  }
-
-  Patch MakePatch(Id column, Id row) const
-  {
-    const double scale = this->Cones.Values().Scale;
-    const double a = scale * this->Raw(this->Node(column, row));
-    const double b = scale * this->Raw(this->Node(column + 1, row));
-    const double c = scale * this->Raw(this->Node(column, row + 1));
-    const double d = scale * this->Raw(this->Node(column + 1, row + 1));
-    Patch patch;
-    patch.Low = { this->X(column), this->Y(row) };
-    patch.Size = { this->X(column + 1) - patch.Low.X, this->Y(row + 1) - patch.Low.Y };
-    patch.Value = a;
-    patch.Slope = { (b - a) / patch.Size.X, (c - a) / patch.Size.Y };
-    patch.Twist = (d - c - b + a) / (patch.Size.X * patch.Size.Y);
-    return patch;
-  }
-
-  /// The gradient is (Slope.X + Twist y, Slope.Y + Twist x): as long as the gradation on a circle.
-  void AddInside(const Patch& patch)
-  {
-    const double side = std::max(patch.Size.X, patch.Size.Y);
-    const double least = std::max(this->Cones.Values().Least, this->LeastOf(patch));
-    const double twist = std::abs(patch.Twist);
-    if (!(twist * patch.Size.X * patch.Size.Y > ChordError * least) || !std::isfinite(twist))
+    NodeBound& bound = this->BoundOf(column, row);
+    const NodeBound& from = this->BoundOf(fromColumn, fromRow);
+    const float room = bound.Value - from.Base;
+    if (!(room > 0.0f))
     {
       return;
     }
-    const double radius = this->Gradation / twist;
-    const Point2 center{ -patch.Slope.Y / patch.Twist, -patch.Slope.X / patch.Twist };
-    const double chord =
-      std::max(std::sqrt(4.0 * ChordError * least / twist), side / ChordsPerSide);
-    double start = 0.0;
-    double turn = FullTurn;
-    if (!patch.Contains(center))
+    const NodeBound::Offset here = this->OffsetOf(column, row);
+    const float x = here.X - from.Place.X;
+    const float y = here.Y - from.Place.Y;
+    const auto gradation = static_cast<float>(this->Cells.Gradation());
+    const float square = gradation * gradation * (x * x + y * y);
+    if (square < room * room)
     {
-      AnglesAround(patch, center, start, turn);
-    }
-    const double chords = std::ceil(radius * turn / chord);
-    for (double step = 0.0; step < chords; step += 1.0)
-    {
-      this->AddChord(patch, PointOnCircle(center, radius, start + turn * step / chords),
-        PointOnCircle(center, radius, start + turn * (step + 1.0) / chords));
+      const float value = from.Base + std::sqrt(square);
+      if (value < bound.Value)
+      {
+        bound = { value, from.Base, from.Place };
+      }
     }
   }
 
-  void AddChord(const Patch& patch, const Point2& from, const Point2& to)
+  bool WriteLimits(const WideCells& wide, std::vector<double>& values)
   {
-    double start = 0.0;
-    double end = 1.0;
-    const Point2 step = to - from;
-    if (Clip(from.X, step.X, patch.Size.X, start, end) &&
-      Clip(from.Y, step.Y, patch.Size.Y, start, end))
+    for (Id row = 0; row < this->Rows && this->EndRow(0.95 + 0.05 * row / this->Rows); ++row)
     {
-      const Point2 a = from + start * step;
-      const Point2 b = from + end * step;
-      const double scale = this->Cones.Values().Scale;
-      this->Cones.AddGiven(patch.Low + a, patch.Low + b, patch.At(a) / scale, patch.At(b) / scale);
+      for (Id column = 0; column < this->Columns; ++column)
+      {
+        const NodeBound& bound = this->BoundOf(column, row);
+        const Id node = this->Cells.Node(column, row);
+        if (bound.IsBelow(this->Cells.Given(node)) && !wide.IsNodeOf(column, row))
+        {
+          values[static_cast<std::size_t>(node)] = bound.Value / this->Cones.Values().Scale;
+        }
+      }
     }
+    return !this->Beats.HasStopped();
   }
 
-  /// Leaves the part of [start, end] for which low + t rise is in [0, size]; false if there is none.
-  static bool Clip(double low, double rise, double size, double& start, double& end)
-  {
-    if (rise == 0.0)
-    {
-      return low >= 0.0 && low <= size;
-    }
-    const double first = -low / rise;
-    const double second = (size - low) / rise;
-    start = std::max(start, std::min(first, second));
-    end = std::min(end, std::max(first, second));
-    return start < end;
-  }
-
-  static double LeastOf(const Patch& patch)
-  {
-    return std::min(std::min(patch.At({ 0.0, 0.0 }), patch.At({ patch.Size.X, 0.0 })),
-      std::min(patch.At({ 0.0, patch.Size.Y }), patch.At(patch.Size)));
-  }
-
-  static Point2 PointOnCircle(const Point2& center, double radius, double angle)
-  {
-    return { center.X + radius * std::cos(angle), center.Y + radius * std::sin(angle) };
-  }
-
-  /// The angles under which a point outside sees a cell: less than half a turn.
-  static void AnglesAround(const Patch& patch, const Point2& center, double& start, double& turn)
-  {
-    const Point2 toMiddle = 0.5 * patch.Size - center;
-    const double middle = std::atan2(toMiddle.Y, toMiddle.X);
-    double half = 0.0;
-    for (const Point2& corner :
-      { Point2{ 0.0, 0.0 }, Point2{ patch.Size.X, 0.0 }, Point2{ 0.0, patch.Size.Y }, patch.Size })
-    {
-      const Point2 toCorner = corner - center;
-      half =
-        std::max(half, std::abs(std::atan2(Cross(toMiddle, toCorner), Dot(toMiddle, toCorner))));
-    }
-    start = middle - half;
-    turn = 2.0 * half;
-  }
-
-  const GridSource& Source;
-  const double Gradation;
+  const GridCells Cells;
   ConeCollector& Cones;
-  Pulse Beats;
+  Pulse& Beats;
   const Id Columns;
   const Id Rows;
-  std::int64_t SteepCount = 0;
-  std::shared_ptr<const GridSource> Limited;
-  std::vector<double> Limits; ///< of f at each node
-  std::vector<Id> Apexes;     ///< the node that bounds each node
-  bool HasWideCells = false;
-  std::vector<bool> WideCells;
-  std::vector<bool> IsAdded; ///< as a cone
+  std::vector<NodeBound> Bounds;
+  std::vector<bool> IsSlight; ///< of each cell: steep, but not so that nodes alone see it
 };
+
+/// Nodes at the ends of an interval, beside those that there are.
+std::vector<double> Padded(std::vector<double> nodes, double low, double high)
+{
+  if (low < nodes.front())
+  {
+    nodes.insert(nodes.begin(), low);
+  }
+  if (high > nodes.back())
+  {
+    nodes.push_back(high);
+  }
+  return nodes;
+}
+
+/// A copy that has nodes on the border of the bounds where these are larger, with the values of the
+/// nodes beside.
+std::shared_ptr<GridSource> Extended(const GridSource& source, const Box2& bounds)
+{
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = Padded(source.XNodes, bounds.Low.X, bounds.High.X);
+  grid->YNodes = Padded(source.YNodes, bounds.Low.Y, bounds.High.Y);
+  const std::size_t columns = source.XNodes.size();
+  const std::size_t left = grid->XNodes.front() < source.XNodes.front() ? 1 : 0;
+  const std::size_t below = grid->YNodes.front() < source.YNodes.front() ? 1 : 0;
+  grid->Values.reserve(grid->XNodes.size() * grid->YNodes.size());
+  for (std::size_t row = 0; row < grid->YNodes.size(); ++row)
+  {
+    const std::size_t from =
+      columns * std::min(std::max(row, below) - below, source.YNodes.size() - 1);
+    for (std::size_t column = 0; column < grid->XNodes.size(); ++column)
+    {
+      grid->Values.push_back(
+        source.Values[from + std::min(std::max(column, left) - left, columns - 1)]);
+    }
+  }
+  return grid;
+}
 
 } // namespace
 
 std::shared_ptr<const GridSource> LimitGrid(const std::shared_ptr<const GridSource>& source,
-  double gradation, ConeCollector& cones, Monitor& monitor)
+  double gradation, const Box2& bounds, ConeCollector& cones, Monitor& monitor)
 {
-  GridLimiter limiter(*source, gradation, cones, monitor);
-  if (!limiter.Run())
+  Pulse pulse(monitor);
+  const bool isSteep = GridLimiter(*source, gradation, cones, pulse).HasSteepCell();
+  if (!isSteep || pulse.HasStopped())
   {
-    return nullptr;
+    return pulse.HasStopped() ? nullptr : source;
   }
-  return limiter.Result() ? limiter.Result() : source;
+  const std::shared_ptr<GridSource> limited = Extended(*source, bounds);
+  const GridSource given = *limited;
+  return GridLimiter(given, gradation, cones, pulse).Limit(limited->Values) ? limited : nullptr;
 }
 
 } // namespace biting

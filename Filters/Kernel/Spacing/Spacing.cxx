@@ -222,7 +222,7 @@ private:
     if (grid && this->Options.Gradation > 0.0)
     {
       PartOfStage limiting(this->Stage, 0.15, 0.3);
-      grid = LimitGrid(grid, this->Options.Gradation, this->Cones, limiting);
+      grid = LimitGrid(grid, this->Options.Gradation, this->Bounds, this->Cones, limiting);
     }
     if (grid && !this->Stage.HasStopped())
     {

@@ -34,7 +34,7 @@ struct Limited
 Limited LimitOf(const GridSource& grid)
 {
   ConeCollector cones({ 1.0, 0.0, 1e9 });
-  const auto limited = LimitGrid(Share(grid), Gradation, cones, NoMonitor());
+  const auto limited = LimitGrid(Share(grid), Gradation, UnitBox(), cones, NoMonitor());
   Limited result{ cones.Segments().Segments.size() / 2, 0.0 };
   for (std::size_t node = 0; node < grid.Values.size(); ++node)
   {
@@ -68,16 +68,31 @@ TEST(GridLimit, KeepsAPlaneOfThatSlopeInAnyDirection)
   }
 }
 
-TEST(Spacing, IsLimitedWithinCoarseCellsThatAreSteepOnlyInside)
+/// Also between the directions of the sides and diagonals of cells.
+TEST(GridLimit, LowersAPlaneThatIsALittleSteeperInAnyDirection)
 {
-  SpacingOptions options;
-  options.Grid = Share(GridSource{ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.02, 0.31, 0.31, 0.02 } });
-  const Spacing f = MakeGoodSpacing(options);
-  Sampler sampler(41);
-  for (int probe = 0; probe < 20000; ++probe)
+  for (double angle = 0.0; angle < 6.3; angle += 0.1)
   {
-    const Point2 x = sampler.NextIn(UnitBox());
-    const Point2 y = sampler.NextIn({ 0.9 * x, 0.9 * x + Point2{ 0.1, 0.1 } });
-    ASSERT_LE(std::abs(f(x) - f(y)), Gradation * Distance(x, y) + 0.01 * std::min(f(x), f(y)));
+    const Point2 along{ std::cos(angle), std::sin(angle) };
+    const double slope = 1.03 * Gradation;
+    const Limited limited = LimitOf(MakeGrid(65, 65,
+      [&along, slope](const Point2& x) {
+        return 0.7 + slope * Dot(along, x - Point2{ 0.5, 0.5 });
+      }));
+    EXPECT_GT(limited.LargestChange, 0.005) << angle;
+    EXPECT_LT(limited.LargestChange, 0.03) << angle;
   }
+}
+
+TEST(GridLimit, HasNodesOutsideAsFarAsTheBoundsReach)
+{
+  ConeCollector cones({ 1.0, 0.0, 1e9 });
+  const auto steep = [](const Point2& x) { return 0.1 + 2.0 * x.Y; };
+  const auto limited = LimitGrid(
+    Share(MakeGrid(5, 5, steep)), Gradation, { { -1.0, 0.5 }, { 3.0, 2.0 } }, cones, NoMonitor());
+  EXPECT_EQ(limited->XNodes.front(), -1.0);
+  EXPECT_EQ(limited->XNodes.back(), 3.0);
+  EXPECT_EQ(limited->YNodes.front(), 0.0);
+  EXPECT_EQ(limited->YNodes.back(), 2.0);
+  EXPECT_EQ(limited->Values.size(), 7u * 6u);
 }
