@@ -14,6 +14,7 @@
 #include "Bridge/PolylinesFromPolyData.h"
 #include "Bridge/ProblemPlaces.h"
 #include "Bridge/ProblemsToPolyData.h"
+#include "Bridge/Ranks.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/PartOfStage.h"
@@ -86,27 +87,27 @@ void EmptyOutputs(vtkInformationVector* outputs)
 class vtkBitingMesher::Execution
 {
 public:
-  Execution(vtkBitingMesher* filter, vtkPolyData* input, vtkDataSet* source)
+  explicit Execution(vtkBitingMesher* filter)
     : Filter(filter)
-    , Input(input)
-    , Source(source)
     , Monitor(filter, SharesOfStages())
   {
   }
 
+  /// Fills the outputs of the filter; says what is wrong.
+  void Run(const biting::WholeInput& drawing, const biting::WholeInput& source,
+    vtkInformationVector* outputs);
+
+private:
+  bool Gather(const biting::WholeInput& drawing, const biting::WholeInput& source);
   bool ReadParameters();
   bool ReadChains();
   bool ReadSpacing();
   bool MakeMesh();
   void Write(vtkInformationVector* outputs);
   void WriteProblems(vtkPolyData* output);
-
-  void Refuse(const std::string& reason);
-
   bool WasAborted() const { return this->Monitor.HasStopped(); }
-
-private:
   bool Accept(const std::string& refusal);
+  void Refuse(const std::string& reason);
   std::string ParameterRefusal() const;
   std::string AddBoundaryArray();
   std::string AddSourceArray();
@@ -117,8 +118,8 @@ private:
   void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
 
   vtkBitingMesher* Filter;
-  vtkPolyData* Input;
-  vtkDataSet* Source;
+  vtkSmartPointer<vtkPolyData> Input;
+  vtkSmartPointer<vtkDataSet> Source;
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
   biting::ProblemList Problems;
@@ -166,34 +167,68 @@ int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkBitingMesher::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkBitingMesher::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingMesher::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   const biting::Stopwatch watch;
-  Execution execution(
-    this, vtkPolyData::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
+  const biting::Ranks ranks(request, outputVector);
+  const biting::WholeInput drawing(ranks, inputVector[0]);
+  const biting::WholeInput source(ranks, inputVector[1]);
+  if (ranks.IsFirst())
+  {
+    Execution(this).Run(drawing, source, outputVector);
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  this->Summary = biting::SummaryOf(vtkPolyData::GetData(outputVector, MESH), watch.Seconds());
+  return 1; // also where there was an error: views keep the mesh before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
+  const biting::WholeInput& source, vtkInformationVector* outputs)
+{
   try
   {
-    if (execution.ReadParameters() && execution.ReadChains() && execution.ReadSpacing() &&
-      execution.MakeMesh())
+    if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
+      this->ReadSpacing() && this->MakeMesh())
     {
-      execution.Write(outputVector);
+      this->Write(outputs);
     }
-    execution.WriteProblems(vtkPolyData::GetData(outputVector, PROBLEMS));
-    if (execution.WasAborted())
+    this->WriteProblems(vtkPolyData::GetData(outputs, PROBLEMS));
+    if (this->WasAborted())
     {
-      EmptyOutputs(outputVector);
+      EmptyOutputs(outputs);
     }
   }
   catch (const std::bad_alloc&)
   {
-    EmptyOutputs(outputVector);
-    execution.Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+    EmptyOutputs(outputs);
+    this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
   }
-  this->Summary = biting::SummaryOf(vtkPolyData::GetData(outputVector, MESH), watch.Seconds());
-  return 1; // also where there was an error: views keep the mesh before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::Gather(
+  const biting::WholeInput& drawing, const biting::WholeInput& source)
+{
+  if (!drawing.IsComplete() || !source.IsComplete())
+  {
+    return this->Accept(biting::NotGathered);
+  }
+  this->Input = vtkPolyData::SafeDownCast(drawing.Make());
+  this->Source = vtkDataSet::SafeDownCast(source.Make());
+  return this->Input != nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Bridge/FacesFromDataSet.h"
 #include "Bridge/MonitorOfFilter.h"
 #include "Bridge/ParameterCheck.h"
+#include "Bridge/Ranks.h"
 #include "Kernel/Base/Box2.h"
 #include "Kernel/Hessian/HessianRecovery.h"
 
@@ -64,28 +65,29 @@ double RangeOf(const std::vector<double>& values)
 class vtkHessianSpacing::Execution
 {
 public:
-  Execution(vtkHessianSpacing* filter, vtkDataSet* input)
+  explicit Execution(vtkHessianSpacing* filter)
     : Filter(filter)
-    , Input(input)
     , Monitor(filter, 2)
   {
   }
 
+  /// Fills the output of the filter; says what is wrong.
+  void Run(const biting::WholeInput& input, vtkDataSet* output);
+
+private:
+  bool Gather(const biting::WholeInput& input);
   bool ReadFaces();
   bool ReadScalar();
   bool Recover();
   void Write(vtkDataSet* output) const;
-
-  void Refuse(const std::string& reason);
-
-private:
   bool Accept(const std::string& refusal);
+  void Refuse(const std::string& reason);
   std::string ParameterRefusal() const;
   double Tolerance() const;
   double LargestSpacing() const;
 
   vtkHessianSpacing* Filter;
-  vtkDataSet* Input;
+  vtkSmartPointer<vtkDataSet> Input;
   biting::MonitorOfFilter Monitor;
   biting::PlanarFaces Faces;
   std::vector<double> Values;
@@ -103,26 +105,58 @@ vtkHessianSpacing::vtkHessianSpacing()
 }
 
 //------------------------------------------------------------------------------
-int vtkHessianSpacing::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkHessianSpacing::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHessianSpacing::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
-  vtkDataSet* output = vtkDataSet::GetData(outputVector);
-  Execution execution(this, vtkDataSet::GetData(inputVector[0]));
+  const biting::Ranks ranks(request, outputVector);
+  const biting::WholeInput input(ranks, inputVector[0]);
+  if (ranks.IsFirst())
+  {
+    Execution(this).Run(input, vtkDataSet::GetData(outputVector));
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  return 1; // also where there was an error: views keep what was before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+void vtkHessianSpacing::Execution::Run(const biting::WholeInput& input, vtkDataSet* output)
+{
   try
   {
-    if (execution.ReadFaces() && execution.ReadScalar() && execution.Recover())
+    if (this->Gather(input) && this->ReadFaces() && this->ReadScalar() && this->Recover())
     {
-      execution.Write(output);
+      this->Write(output);
     }
   }
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    execution.Refuse("There is not enough memory for the Hessian of this input.");
+    this->Refuse("There is not enough memory for the Hessian of this input.");
   }
-  return 1; // also where there was an error: views keep what was before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+bool vtkHessianSpacing::Execution::Gather(const biting::WholeInput& input)
+{
+  if (!input.IsComplete())
+  {
+    return this->Accept(biting::NotGathered);
+  }
+  this->Input = vtkDataSet::SafeDownCast(input.Make());
+  const bool isAsBefore =
+    !this->Input || this->Input->IsA(this->Filter->GetOutputDataObject(0)->GetClassName());
+  return this->Accept(isAsBefore ? "" : biting::NotOneGrid) && this->Input != nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -105,6 +105,8 @@ protected:
   vtkHessianSpacing();
   ~vtkHessianSpacing() override = default;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -10,6 +10,7 @@
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
 #include "Bridge/QualityArrays.h"
+#include "Bridge/Ranks.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SpacingValues.h"
 #include "Bridge/SummaryText.h"
@@ -86,23 +87,24 @@ void AddHistogram(const biting::Histogram& histogram, const std::string& name, v
 class vtkMeshConformity::Execution
 {
 public:
-  Execution(vtkMeshConformity* filter, vtkDataSet* input, vtkDataSet* source)
+  explicit Execution(vtkMeshConformity* filter)
     : Filter(filter)
-    , Input(input)
-    , Source(source)
     , Monitor(filter, NumberOfStages)
   {
   }
 
+  /// Fills the outputs of the filter; says what is wrong.
+  void Run(const biting::WholeInput& mesh, const biting::WholeInput& source,
+    vtkInformationVector* outputs);
+
+private:
+  bool Gather(const biting::WholeInput& mesh, const biting::WholeInput& source);
   bool ReadMesh();
   bool ReadSpacing();
   bool Measure();
   void Write(vtkInformationVector* outputs) const;
-
-  void Refuse(const std::string& reason);
-
-private:
   bool Accept(const std::string& refusal);
+  void Refuse(const std::string& reason);
   void WarnOfTriangles() const;
   void WarnOfUnusedPoints() const;
   void WarnOfRepeatedPoints(const std::vector<double>& distances) const;
@@ -119,8 +121,8 @@ private:
   void WriteHistograms(vtkTable* output) const;
 
   vtkMeshConformity* Filter;
-  vtkDataSet* Input;
-  vtkDataSet* Source;
+  vtkSmartPointer<vtkDataSet> Input;
+  vtkSmartPointer<vtkDataSet> Source;
   biting::MonitorOfFilter Monitor;
   biting::PlanarFaces Faces;
   biting::TriangleLinks Links;
@@ -209,28 +211,64 @@ int vtkMeshConformity::RequestDataObject(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshConformity::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkMeshConformity::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshConformity::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   const biting::Stopwatch watch;
-  Execution execution(
-    this, vtkDataSet::GetData(inputVector[0]), vtkDataSet::GetData(inputVector[1]));
+  const biting::Ranks ranks(request, outputVector);
+  const biting::WholeInput mesh(ranks, inputVector[0]);
+  const biting::WholeInput source(ranks, inputVector[1]);
+  if (ranks.IsFirst())
+  {
+    Execution(this).Run(mesh, source, outputVector);
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  this->Summary = biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
+  return 1; // also where there was an error: views keep what was before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConformity::Execution::Run(
+  const biting::WholeInput& mesh, const biting::WholeInput& source, vtkInformationVector* outputs)
+{
   try
   {
-    if (execution.ReadMesh() && execution.ReadSpacing() && execution.Measure())
+    if (this->Gather(mesh, source) && this->ReadMesh() && this->ReadSpacing() && this->Measure())
     {
-      execution.Write(outputVector);
+      this->Write(outputs);
     }
   }
   catch (const std::bad_alloc&)
   {
-    EmptyOutputs(outputVector);
-    execution.Refuse("There is not enough memory to measure this mesh.");
+    EmptyOutputs(outputs);
+    this->Refuse("There is not enough memory to measure this mesh.");
   }
-  this->Summary = biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
-  return 1; // also where there was an error: views keep what was before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshConformity::Execution::Gather(
+  const biting::WholeInput& mesh, const biting::WholeInput& source)
+{
+  if (!mesh.IsComplete() || !source.IsComplete())
+  {
+    return this->Accept(biting::NotGathered);
+  }
+  this->Input = vtkDataSet::SafeDownCast(mesh.Make());
+  this->Source = vtkDataSet::SafeDownCast(source.Make());
+  const bool isAsBefore =
+    !this->Input || this->Input->IsA(this->Filter->GetOutputDataObject(0)->GetClassName());
+  return this->Accept(isAsBefore ? "" : biting::NotOneGrid) && this->Input != nullptr;
 }
 
 //------------------------------------------------------------------------------

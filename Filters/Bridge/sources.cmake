@@ -7,17 +7,23 @@ set(biting_bridge_sources
   BoundaryEdgesToPolyData.cxx
   BoundarySpacing.cxx
   ChosenArray.cxx
+  DataTree.cxx
   DoubleArray.cxx
   FacesFromDataSet.cxx
+  MeshFromPieces.cxx
   MeshToPolyData.cxx
   MessagesFromProblems.cxx
   MonitorOfFilter.cxx
+  PieceBytes.cxx
   PlaneCut.cxx
   PlaneFrame.cxx
   PolylinesFromPolyData.cxx
   ProblemPlaces.cxx
   ProblemsToPolyData.cxx
   QualityArrays.cxx
+  Ranks.cxx
   SourceSpacing.cxx
   SpacingValues.cxx
-  SummaryText.cxx)
+  StructuredFromPieces.cxx
+  SummaryText.cxx
+  WholeFromPieces.cxx)

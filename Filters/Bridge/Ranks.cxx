@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Ranks.h"
+
+#include "PieceBytes.h"
+#include "WholeFromPieces.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm> // for equal
+#include <limits>    // for what a message can hold
+#include <new>       // for bad_alloc
+#include <string>    // for names
+
+namespace biting
+{
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// What an output says of itself where it has nothing.
+constexpr int Associations[] = { vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::ROW };
+
+vtkInformation* RequestedOutput(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    ? request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    : 0;
+  return outputs->GetInformationObject(port < 0 ? 0 : port);
+}
+
+// False where it is of a kind that cannot be sent, or memory does not suffice.
+bool Pack(vtkDataObject* piece, std::vector<char>& bytes)
+{
+  try
+  {
+    return PackPiece(piece, bytes);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
+}
+
+void DescribeArrays(vtkDataObject* output, int association, vtkMultiProcessStream& stream)
+{
+  vtkDataSetAttributes* attributes = output->GetAttributes(association);
+  const int count = attributes ? attributes->GetNumberOfArrays() : 0;
+  stream << count;
+  for (int k = 0; k < count; ++k)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(k);
+    stream << std::string(array->GetName() ? array->GetName() : "") << array->GetDataType()
+           << array->GetNumberOfComponents();
+  }
+}
+
+void MakeArrays(vtkDataObject* output, int association, vtkMultiProcessStream& stream)
+{
+  int count = 0;
+  stream >> count;
+  for (int k = 0; k < count; ++k)
+  {
+    std::string name;
+    int type = 0;
+    int components = 0;
+    stream >> name >> type >> components;
+    const auto array = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(type));
+    vtkDataSetAttributes* attributes = output->GetAttributes(association);
+    if (array && attributes)
+    {
+      array->SetName(name.c_str());
+      array->SetNumberOfComponents(components);
+      attributes->AddArray(array);
+    }
+  }
+}
+
+// Of no points and cells, as bytes.
+void DescribeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
+{
+  vtkNew<vtkPolyData> empty;
+  empty->SetFieldData(output->GetFieldData());
+  std::vector<char> bytes;
+  PackPiece(empty, bytes);
+  stream << std::string(bytes.begin(), bytes.end());
+}
+
+void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
+{
+  std::string bytes;
+  stream >> bytes;
+  const auto empty = UnpackPiece(bytes.data());
+  if (empty)
+  {
+    output->SetFieldData(empty->GetFieldData());
+  }
+}
+
+void MakePoints(vtkDataObject* output)
+{
+  if (auto* pointSet = vtkPointSet::SafeDownCast(output))
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    pointSet->SetPoints(points);
+  }
+}
+
+} // namespace
+
+Ranks::Ranks(vtkInformation* request, vtkInformationVector* outputs)
+{
+  vtkInformation* asked = RequestedOutput(request, outputs);
+  const int pieces = asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())
+    ? asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
+    : 1;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && pieces > 1 && controller->GetNumberOfProcesses() == pieces)
+  {
+    this->Controller = controller;
+    this->Piece = controller->GetLocalProcessId();
+  }
+  else if (pieces > 1)
+  {
+    this->Piece = asked->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  }
+}
+
+void Ranks::AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const
+{
+  for (int port = 0; port < numberOfPorts; ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(k);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (!this->AreSeveral())
+      {
+        input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+        input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      }
+    }
+  }
+}
+
+GatheredBytes Ranks::Gather(vtkDataObject* piece) const
+{
+  std::vector<char> bytes;
+  const bool isPacked = Pack(piece, bytes);
+  GatheredBytes gathered;
+  const auto length = static_cast<vtkIdType>(bytes.size());
+  gathered.IsComplete = this->CanReceive(isPacked, length, gathered);
+  if (gathered.IsComplete)
+  {
+    std::vector<vtkIdType> lengths;
+    for (std::size_t rank = 1; rank < gathered.Offsets.size(); ++rank)
+    {
+      lengths.push_back(gathered.Offsets[rank] - gathered.Offsets[rank - 1]);
+    }
+    this->Controller->GatherV(
+      bytes.data(), gathered.Bytes.data(), length, lengths.data(), gathered.Offsets.data(), 0);
+  }
+  return gathered;
+}
+
+// Whether all ranks have packed their pieces, and the first has memory for them, which it takes.
+bool Ranks::CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered) const
+{
+  std::vector<vtkIdType> lengths(
+    static_cast<std::size_t>(this->Controller->GetNumberOfProcesses()));
+  const vtkIdType sent = isPacked ? length : -1;
+  this->Controller->Gather(&sent, lengths.data(), 1, 0);
+  int isReady = 1;
+  if (this->IsFirst())
+  {
+    gathered.Offsets.assign(lengths.size() + 1, 0);
+    for (std::size_t rank = 0; rank < lengths.size(); ++rank)
+    {
+      isReady = lengths[rank] < 0 ? 0 : isReady;
+      gathered.Offsets[rank + 1] = gathered.Offsets[rank] + lengths[rank];
+    }
+    // One message holds as many bytes as an int can count.
+    isReady = gathered.Offsets.back() > std::numeric_limits<int>::max() ? 0 : isReady;
+    try
+    {
+      gathered.Bytes.resize(isReady != 0 ? static_cast<std::size_t>(gathered.Offsets.back()) : 0);
+    }
+    catch (const std::bad_alloc&)
+    {
+      isReady = 0;
+    }
+  }
+  this->Controller->Broadcast(&isReady, 1, 0);
+  return isReady != 0;
+}
+
+unsigned long Ranks::ShareOutcome(unsigned long errorCode, vtkInformationVector* outputs) const
+{
+  if (!this->AreSeveral())
+  {
+    return errorCode;
+  }
+  vtkMultiProcessStream stream;
+  const int numberOfPorts = outputs->GetNumberOfInformationObjects();
+  if (this->IsFirst())
+  {
+    stream << static_cast<vtkTypeUInt64>(errorCode);
+    for (int port = 0; port < numberOfPorts; ++port)
+    {
+      for (const int association : Associations)
+      {
+        DescribeArrays(vtkDataObject::GetData(outputs, port), association, stream);
+      }
+      DescribeFieldData(vtkDataObject::GetData(outputs, port), stream);
+    }
+  }
+  this->Controller->Broadcast(stream, 0);
+  if (this->IsFirst())
+  {
+    return errorCode;
+  }
+  vtkTypeUInt64 code = 0;
+  stream >> code;
+  for (int port = 0; port < numberOfPorts; ++port)
+  {
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    output->Initialize();
+    MakePoints(output);
+    for (const int association : Associations)
+    {
+      MakeArrays(output, association, stream);
+    }
+    MakeFieldData(output, stream);
+  }
+  return static_cast<unsigned long>(code);
+}
+
+WholeInput::WholeInput(const Ranks& ranks, vtkInformationVector* input)
+{
+  vtkDataObject* piece = vtkDataObject::GetData(input);
+  if (ranks.AreSeveral())
+  {
+    this->Gathered = ranks.Gather(piece);
+  }
+  else
+  {
+    this->Own = piece;
+  }
+}
+
+vtkSmartPointer<vtkDataObject> WholeInput::Make() const
+{
+  if (this->Gathered.Offsets.empty())
+  {
+    return this->Own;
+  }
+  const char* bytes = this->Gathered.Bytes.data();
+  const std::vector<vtkIdType>& offsets = this->Gathered.Offsets;
+  Pieces pieces;
+  for (std::size_t rank = 0; rank + 1 < offsets.size(); ++rank)
+  {
+    bool isRepeated = false;
+    for (std::size_t other = 0; other < rank && !isRepeated; ++other)
+    {
+      isRepeated = std::equal(bytes + offsets[rank], bytes + offsets[rank + 1],
+        bytes + offsets[other], bytes + offsets[other + 1]);
+    }
+    if (!isRepeated)
+    {
+      pieces.push_back(UnpackPiece(bytes + offsets[rank]));
+    }
+  }
+  return WholeFromPieces(pieces);
+}
+
+} // namespace biting

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRanks_h
+#define BitingRanks_h
+
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
+#include "vtkSmartPointer.h" // for data objects
+
+#include <vector> // for buffers
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+class vtkMultiProcessController;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// The pieces of all ranks, one after the other, as bytes. Only the first rank has them.
+struct GatheredBytes
+{
+  bool IsComplete = true; ///< false: on some rank memory did not suffice, or it cannot be sent
+  std::vector<char> Bytes;
+  std::vector<vtkIdType> Offsets; ///< of each rank's piece, and the end
+};
+
+/// The processes that execute one filter together, each with a piece of the input: the first one works
+/// on the whole and has the output, the others have empty pieces with the same arrays.
+///
+/// They are those of vtkMultiProcessController::GetGlobalController(), where as many pieces are asked
+/// for as it has. A process that asks for one piece of one works alone, whatever the others do. Where
+/// a process alone asks for a piece of several, the first piece is the whole.
+/// Every rank calls the same methods in the same order, whatever happened on it: nothing waits for a
+/// rank that went another way.
+class Ranks
+{
+public:
+  Ranks(vtkInformation* request, vtkInformationVector* outputs);
+
+  bool AreSeveral() const { return this->Controller != nullptr; }
+  bool IsFirst() const { return this->Piece == 0; }
+
+  /// In REQUEST_UPDATE_EXTENT: asks for the pieces that Gather takes, without ghosts.
+  void AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const;
+
+  /// The pieces of an input, where ranks are several.
+  GatheredBytes Gather(vtkDataObject* piece) const;
+
+  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, and tells its error
+  /// code, which is returned.
+  unsigned long ShareOutcome(unsigned long errorCode, vtkInformationVector* outputs) const;
+
+private:
+  bool CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered) const;
+
+  vtkMultiProcessController* Controller = nullptr; // null: this process is alone
+  int Piece = 0;
+};
+
+/// What to say where WholeInput is not complete.
+constexpr const char* NotGathered =
+  "The pieces of the input cannot be gathered on the first rank: they "
+  "are too large for its memory, or of a kind that cannot be sent.";
+
+/// What to say where the whole has to be of the kind of its pieces, and is not.
+constexpr const char* NotOneGrid =
+  "The pieces of the input are no single grid: they leave gaps, or lie on different axes.";
+
+/// The whole of what is connected to an input port, which may be nothing.
+class WholeInput
+{
+public:
+  /// Gathers the pieces where ranks are several; all of them call this.
+  WholeInput(const Ranks& ranks, vtkInformationVector* input);
+
+  /// False where the pieces did not come together: memory did not suffice, or there is no way to send
+  /// data of this kind.
+  bool IsComplete() const { return this->Gathered.IsComplete; }
+
+  /// On the first rank; null where nothing is connected. Pieces that are equal byte by byte count once.
+  vtkSmartPointer<vtkDataObject> Make() const;
+
+private:
+  vtkSmartPointer<vtkDataObject> Own; ///< where the process is alone
+  GatheredBytes Gathered;
+};
+
+} // namespace biting
+
+#endif
