@@ -154,7 +154,8 @@ void ChooseExisting(vtkSMProperty* choice)
   }
 }
 
-// The first array that is not of our filters, where the default is one of those.
+// The first array that is not of our filters, where the default is one of those; and no bite
+// orders.
 void ChooseForeign(vtkSMProperty* choice)
 {
   auto* arrays = choice->FindDomain<vtkSMArrayListDomain>();
@@ -162,13 +163,15 @@ void ChooseForeign(vtkSMProperty* choice)
   {
     return;
   }
-  for (unsigned int k = 0; k < arrays->GetNumberOfStrings(); ++k)
+  std::string chosen = "Spacing";
+  for (unsigned int k = arrays->GetNumberOfStrings(); k-- > 0;)
   {
-    if (!IsOwn(arrays->GetString(k)))
-    {
-      vtkSMPropertyHelper(choice).Set(NameElement, arrays->GetString(k));
-      return;
-    }
+    chosen = IsOwn(arrays->GetString(k)) ? chosen : arrays->GetString(k);
+  }
+  unsigned int index = 0;
+  if (arrays->IsInDomain(chosen.c_str(), index))
+  {
+    vtkSMPropertyHelper(choice).Set(NameElement, chosen.c_str());
   }
 }
 

@@ -8,9 +8,9 @@
 
 /**
  * What ParaView's window does for the filters of this plugin beyond what their XML can say:
- * outputs that may be empty (bites, problems) are hidden while they are, and shown, coloured and with
- * a legend, when they have something; a new filter does not choose an array which its input has not,
- * nor an array of the mesher as solution. What users hide stays hidden.
+ * outputs that may be empty (bites, problems) are hidden while they are, and shown, coloured and
+ * with a legend, when they have something; a new filter does not choose an array which its input
+ * has not, nor an array of the mesher as solution. What users hide stays hidden.
  */
 class BitingMeshBehavior : public QObject
 {

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkBitingMeshWriter.h"
+
+#include "IO/MeshFile.h"
+#include "vtkBitingMesher.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkVariant.h"
+
+#include <algorithm> // for all_of, any_of, equal, max, replace
+#include <array>     // for places
+#include <cmath>     // for abs, floor
+#include <fstream>   // for files
+#include <map>       // for numbers of values
+#include <sstream>   // for words
+#include <string>    // for names
+#include <utility>   // for pair
+#include <vector>    // for lists
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+// What the mesher itself adds to its boundary edges.
+constexpr const char* OwnArrays[] = { "OriginalCellId", "Kind" };
+
+std::string Text(const char* text)
+{
+  return text ? text : "";
+}
+
+//------------------------------------------------------------------------------
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+//------------------------------------------------------------------------------
+// Groups the values of an array, in their order: numbers by size, strings by alphabet.
+class Groups
+{
+public:
+  explicit Groups(vtkAbstractArray* values)
+    : Values(values)
+    , Numbers(vtkDataArray::SafeDownCast(values))
+  {
+    for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
+    {
+      this->Indices.emplace(this->KeyOf(k), 0);
+    }
+    std::size_t index = 0;
+    for (auto& entry : this->Indices)
+    {
+      entry.second = index++;
+    }
+  }
+
+  std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
+
+  // Whole numbers plus `shift` keep their values where these are above 0.
+  std::vector<biting::MeshGroup> Named(std::int64_t shift, const std::string& prefix) const
+  {
+    std::int64_t highest = 0;
+    for (const auto& entry : this->Indices)
+    {
+      highest = std::max(highest, NumberOf(entry.first) + shift);
+    }
+    std::vector<biting::MeshGroup> groups;
+    for (const auto& entry : this->Indices)
+    {
+      const std::int64_t own = NumberOf(entry.first) + shift;
+      groups.push_back({ own > 0 ? own : ++highest, prefix + NameOf(entry.first) });
+    }
+    return groups;
+  }
+
+private:
+  using Key = std::pair<double, std::string>;
+
+  Key KeyOf(vtkIdType item) const
+  {
+    return this->Numbers ? Key(this->Numbers->GetComponent(item, 0), std::string())
+                         : Key(0.0, this->Values->GetVariantValue(item).ToString());
+  }
+
+  // Far below 0 where it is no whole number.
+  static std::int64_t NumberOf(const Key& key)
+  {
+    const bool isWhole = key.second.empty() && std::floor(key.first) == key.first;
+    return isWhole && std::abs(key.first) < 1e9 ? static_cast<std::int64_t>(key.first)
+                                                : -2000000000;
+  }
+
+  static std::string NameOf(const Key& key)
+  {
+    std::ostringstream text;
+    text << key.first;
+    std::string name = key.second.empty() ? text.str() : key.second;
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
+    return name;
+  }
+
+  vtkAbstractArray* Values;
+  vtkDataArray* Numbers;
+  std::map<Key, std::size_t> Indices;
+};
+
+//------------------------------------------------------------------------------
+void ReadPoints(vtkDataSet* mesh, const std::string& depthArray, biting::MeshFile& file)
+{
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    std::array<double, 3> place;
+    mesh->GetPoint(point, place.data());
+    file.Points.push_back(place);
+  }
+  vtkDataArray* depths = mesh->GetPointData()->GetArray(depthArray.c_str());
+  for (vtkIdType point = 0; depths && point < depths->GetNumberOfTuples(); ++point)
+  {
+    file.Depths.push_back(depths->GetComponent(point, 0));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ReadTriangles(vtkDataSet* mesh, biting::MeshFile& file)
+{
+  vtkSmartPointer<vtkDataArray> regions = mesh->GetCellData()->GetArray("RegionId");
+  if (!regions)
+  {
+    regions = vtkSmartPointer<vtkIntArray>::New();
+    regions->SetNumberOfTuples(mesh->GetNumberOfCells());
+    regions->Fill(0.0);
+  }
+  const Groups groups(regions);
+  file.Regions = groups.Named(1, "Region ");
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      mesh->GetCellPoints(cell, corners);
+      file.Triangles.push_back({ corners->GetId(0), corners->GetId(1), corners->GetId(2) });
+      file.RegionOfTriangle.push_back(groups.IndexOf(cell));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
+{
+  if (!chosen.empty())
+  {
+    return data->GetAbstractArray(chosen.c_str());
+  }
+  if (vtkAbstractArray* tags = data->GetAbstractArray("Tag"))
+  {
+    return tags;
+  }
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    const std::string name = Text(array->GetName());
+    const bool isOwn = std::any_of(
+      std::begin(OwnArrays), std::end(OwnArrays), [&name](const char* own) { return name == own; });
+    if (!isOwn && array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+  }
+  return data->GetAbstractArray("Kind");
+}
+
+//------------------------------------------------------------------------------
+// Whether each end of an edge is the point of the mesh that it names.
+bool Fit(vtkPolyData* edges, vtkDataArray* ids, vtkDataSet* mesh)
+{
+  for (vtkIdType point = 0; point < edges->GetNumberOfPoints(); ++point)
+  {
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(point));
+    if (id < 0 || id >= mesh->GetNumberOfPoints())
+    {
+      return false;
+    }
+    double own[3];
+    double other[3];
+    edges->GetPoint(point, own);
+    mesh->GetPoint(id, other);
+    if (!std::equal(own, own + 3, other))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ReadEdges(
+  vtkPolyData* edges, vtkDataArray* ids, vtkAbstractArray* tags, biting::MeshFile& file)
+{
+  const Groups groups(tags);
+  file.Tags = groups.Named(0, "");
+  vtkNew<vtkIdList> ends;
+  for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)
+  {
+    edges->GetCellPoints(cell, ends);
+    if (ends->GetNumberOfIds() == 2)
+    {
+      file.Edges.push_back({ static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0))),
+        static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1))) });
+      file.TagOfEdge.push_back(groups.IndexOf(cell));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsFlat(const biting::MeshFile& file)
+{
+  return std::all_of(file.Points.begin(), file.Points.end(),
+    [&file](const std::array<double, 3>& point) { return point[2] == file.Points.front()[2]; });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Words(std::string text)
+{
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkBitingMeshWriter);
+
+//------------------------------------------------------------------------------
+vtkBitingMeshWriter::vtkBitingMeshWriter()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetDepthArray("Depth");
+}
+
+//------------------------------------------------------------------------------
+vtkBitingMeshWriter::~vtkBitingMeshWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetTagArray(nullptr);
+  this->SetOpenTags(nullptr);
+  this->SetDepthArray(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::SetBoundaryEdgesConnection(vtkAlgorithmOutput* edges)
+{
+  this->SetInputConnection(1, edges);
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Those of port 1, else those of the mesher from which the mesh comes; null where there is none.
+vtkPolyData* vtkBitingMeshWriter::FindEdges()
+{
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    return vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
+  }
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0);
+  while (producer && !producer->IsA("vtkBitingMesher"))
+  {
+    const bool hasInput =
+      producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
+    producer = hasInput ? producer->GetInputAlgorithm(0, 0) : nullptr;
+  }
+  return producer
+    ? vtkPolyData::SafeDownCast(producer->GetOutputDataObject(vtkBitingMesher::BOUNDARY_EDGES))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::Refuse(const std::string& reason)
+{
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  vtkErrorMacro(<< reason);
+}
+
+//------------------------------------------------------------------------------
+// Returns whether the tags could be read; no edges, no tags.
+bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
+{
+  vtkPolyData* edges = this->FindEdges();
+  vtkDataArray* ids = edges ? edges->GetPointData()->GetArray("MeshPointId") : nullptr;
+  if (!ids || !Fit(edges, ids, mesh))
+  {
+    if (edges)
+    {
+      vtkWarningMacro("The boundary edges are not those of this mesh: it is written without tags.");
+    }
+    return true;
+  }
+  vtkAbstractArray* tags = FindTags(edges->GetCellData(), Text(this->TagArray));
+  if (!tags)
+  {
+    this->Refuse("The boundary edges have no cell array named " + Text(this->TagArray) + ".");
+    return false;
+  }
+  ReadEdges(edges, ids, tags, file);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::WriteData()
+{
+  vtkDataSet* mesh = vtkDataSet::SafeDownCast(this->GetInput());
+  const std::string name = Text(this->FileName);
+  const bool isGmsh = EndsWith(name, ".msh");
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!isGmsh && !EndsWith(name, ".su2") && !EndsWith(name, ".14"))
+  {
+    this->Refuse("The name of the file must end with .msh, .su2 or .14: " + name);
+    return;
+  }
+  biting::MeshFile file;
+  ReadPoints(mesh, Text(this->DepthArray), file);
+  ReadTriangles(mesh, file);
+  if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
+  {
+    this->Refuse(file.Triangles.empty()
+        ? "There are no triangles to write."
+        : "This format has two coordinates, and the mesh is not in a plane of constant z.");
+  }
+  else if (this->ReadTags(mesh, file))
+  {
+    this->WriteFile(file);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
+{
+  const std::string name = Text(this->FileName);
+  std::ofstream stream(name);
+  if (EndsWith(name, ".msh"))
+  {
+    biting::WriteGmsh(file, stream);
+  }
+  else if (EndsWith(name, ".su2"))
+  {
+    biting::WriteSU2(file, stream);
+  }
+  else
+  {
+    biting::WriteADCIRC(file, Words(Text(this->OpenTags)), stream);
+  }
+  stream.close();
+  if (!stream)
+  {
+    this->Refuse("The file could not be written: " + name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "TagArray: " << Text(this->TagArray) << "\n"
+     << indent << "OpenTags: " << Text(this->OpenTags) << "\n"
+     << indent << "DepthArray: " << Text(this->DepthArray) << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Files for solvers, as Save Data writes them: read back and compared with the mesh."""
+
+import os
+import tempfile
+import unittest
+
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+PLATE = os.path.join(os.environ['BITING_SOURCE_DIR'], 'Data', 'plate.vtk')
+
+
+def turned(corners):
+    """The same triangle, the smallest of its corners first: equal only for equal orientation."""
+    first = corners.index(min(corners))
+    return tuple(corners[first:] + corners[:first])
+
+
+def triangles_of(mesh):
+    region = mesh.GetCellData().GetArray('RegionId')
+    cells = range(mesh.GetNumberOfCells())
+    return {turned([mesh.GetCell(c).GetPointId(k) for k in range(3)]): int(region.GetValue(c))
+            for c in cells}
+
+
+def edges_of(edges, tags):
+    ids, kinds = edges.GetPointData().GetArray('MeshPointId'), edges.GetCellData().GetArray('Kind')
+    values = edges.GetCellData().GetArray(tags)
+    found = {}
+    for c in range(edges.GetNumberOfCells()):
+        ends = frozenset(int(ids.GetValue(edges.GetCell(c).GetPointId(k))) for k in range(2))
+        found[ends] = (int(values.GetValue(c)), int(kinds.GetValue(c)))
+    return found
+
+
+def points_of(mesh):
+    return [mesh.GetPoint(point) for point in range(mesh.GetNumberOfPoints())]
+
+
+def read_gmsh(path):
+    """Points in the order of their numbers; triangles and edges with their physical numbers."""
+    with open(path, encoding='ascii') as file:
+        lines = iter(file.read().splitlines())
+    points, triangles, edges, physical = {}, {}, {}, {}
+    for line in lines:
+        if line == '$Entities':
+            _, curves, surfaces, _ = map(int, next(lines).split())
+            for dimension, count in ((1, curves), (2, surfaces)):
+                for _ in range(count):
+                    words = next(lines).split()
+                    physical[dimension, int(words[0])] = int(words[8])
+        elif line == '$Nodes':
+            for _ in range(int(next(lines).split()[0])):
+                count = int(next(lines).split()[3])
+                numbers = [int(next(lines)) for _ in range(count)]
+                for number in numbers:
+                    points[number] = tuple(map(float, next(lines).split()))
+        elif line == '$Elements':
+            for _ in range(int(next(lines).split()[0])):
+                dimension, entity, _, count = map(int, next(lines).split())
+                for _ in range(count):
+                    ids = [int(word) - 1 for word in next(lines).split()[1:]]
+                    if dimension == 2:
+                        triangles[turned(ids)] = physical[2, entity]
+                    else:
+                        edges[frozenset(ids)] = physical[1, entity]
+    return [points[number] for number in sorted(points)], triangles, edges
+
+
+def read_su2(path):
+    with open(path, encoding='ascii') as file:
+        lines = iter(file.read().splitlines())
+    points, triangles, edges = [], set(), {}
+    for line in lines:
+        key, value = line.split('=')
+        if key == 'NELEM':
+            for _ in range(int(value)):
+                triangles.add(turned([int(word) for word in next(lines).split()[1:4]]))
+        elif key == 'NPOIN':
+            points = [tuple(map(float, next(lines).split()[:2])) for _ in range(int(value))]
+        elif key == 'MARKER_TAG':
+            for _ in range(int(next(lines).split('=')[1])):
+                edges[frozenset(map(int, next(lines).split()[1:]))] = value.strip()
+    return points, triangles, edges
+
+
+def read_adcirc(path):
+    """Points with depths, triangles, and lists of node strings: open, and land with their types."""
+    with open(path, encoding='ascii') as file:
+        lines = iter(file.read().splitlines()[1:])
+    elements, nodes = map(int, next(lines).split())
+    points = [tuple(map(float, next(lines).split()[1:])) for _ in range(nodes)]
+    triangles = {turned([int(word) - 1 for word in next(lines).split()[2:]])
+                 for _ in range(elements)}
+    strings = []
+    for _ in range(2):
+        count, total = int(next(lines).split()[0]), int(next(lines).split()[0])
+        group = []
+        for _ in range(count):
+            words = next(lines).split()
+            group.append((words[1:], [int(next(lines)) - 1 for _ in range(int(words[0]))]))
+        assert total == sum(len(string) for _, string in group)
+        strings.append(group)
+    return points, triangles, strings
+
+
+class TestMeshWritersProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.mesher = BitingMesher(Input=simple.LegacyVTKReader(FileNames=[PLATE]))
+        cls.mesher.UpdatePipeline()
+        cls.mesh = simple.FetchData(simple.OutputPort(cls.mesher, 0))[0]
+        cls.edges = simple.FetchData(simple.OutputPort(cls.mesher, 1))[0]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def save(self, name, proxy=None, **settings):
+        path = os.path.join(self.folder.name, name)
+        simple.SaveData(path, proxy=proxy or self.mesher, **settings)
+        return path
+
+    def test_gmsh_has_the_same_points_triangles_regions_and_tags(self):
+        points, triangles, edges = read_gmsh(self.save('plate.msh'))
+        self.assertEqual(points, points_of(self.mesh))
+        regions = {corners: region + 1 for corners, region in triangles_of(self.mesh).items()}
+        self.assertEqual(triangles, regions)
+        tags = {ends: tag for ends, (tag, _) in edges_of(self.edges, 'Tag').items()}
+        self.assertEqual(edges, tags)
+
+    def test_su2_has_the_same_points_triangles_and_tags_of_the_boundary(self):
+        points, triangles, edges = read_su2(self.save('plate.su2'))
+        self.assertEqual(points, [point[:2] for point in points_of(self.mesh)])
+        self.assertEqual(triangles, set(triangles_of(self.mesh)))
+        tags = {ends: str(tag) for ends, (tag, kind) in edges_of(self.edges, 'Tag').items()
+                if kind == 0}
+        self.assertEqual(edges, tags)
+
+    def test_adcirc_has_the_same_points_and_triangles_and_every_boundary_edge_once(self):
+        points, triangles, (opens, lands) = read_adcirc(self.save('plate.14', OpenTags='1'))
+        self.assertEqual(points, [(*point[:2], 0.0) for point in points_of(self.mesh)])
+        self.assertEqual(triangles, set(triangles_of(self.mesh)))
+        boundary = {ends: tag for ends, (tag, kind) in edges_of(self.edges, 'Tag').items()
+                    if kind == 0}
+        found = {}
+        for is_open, strings in ((True, opens), (False, lands)):
+            for kind, string in strings:
+                closed = string + string[:1] if kind == ['1'] else string
+                for ends in zip(closed, closed[1:]):
+                    self.assertNotIn(frozenset(ends), found)
+                    found[frozenset(ends)] = is_open
+        self.assertEqual(found, {ends: tag == 1 for ends, tag in boundary.items()})
+        self.assertEqual(sum(kind == ['1'] for kind, _ in lands), 6)
+
+    def test_tags_come_along_through_filters_that_keep_the_points(self):
+        deep = simple.Calculator(Input=self.mesher, ResultArrayName='Depth', Function='10+coordsX')
+        points, _, (opens, _) = read_adcirc(self.save('deep.14', deep, OpenTags='1'))
+        self.assertEqual([point[2] for point in points], [10 + point[0] for point in points])
+        self.assertTrue(opens)
+
+    def test_another_array_can_be_the_tag(self):
+        _, _, edges = read_gmsh(self.save('cells.msh', TagArray='OriginalCellId'))
+        self.assertEqual(len(set(edges.values())),
+                         len({tag for tag, _ in edges_of(self.edges, 'OriginalCellId').values()}))
+
+    def test_an_array_that_does_not_exist_is_an_error_and_no_file(self):
+        window = vtkOutputWindow.GetInstance()
+        mode = window.GetDisplayMode()
+        window.SetDisplayModeToNever()
+        path = self.save('none.msh', TagArray='Nothing')
+        window.SetDisplayMode(mode)
+        self.assertFalse(os.path.exists(path))
+
+    def test_a_mesh_of_any_program_is_written_without_tags(self):
+        sphere = simple.Sphere()
+        _, triangles, edges = read_gmsh(self.save('sphere.msh', sphere))
+        self.assertEqual(len(triangles), 96)
+        self.assertEqual(set(triangles.values()), {1})
+        self.assertFalse(edges)
+
+
+if __name__ == '__main__':
+    unittest.main()
