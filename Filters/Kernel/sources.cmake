@@ -65,18 +65,18 @@ set(biting_kernel_sources
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
   Delaunay/TriangulationCheck.cxx
-  Relaxation/Climbing.cxx
+  Relaxation/AngleDescent.cxx
   Relaxation/DelaunayFlips.cxx
   Relaxation/DividedSegments.cxx
-  Relaxation/Hill.cxx
   Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Patch.cxx
   Relaxation/Relaxation.cxx
-  Relaxation/Rescue.cxx
   Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx
   Relaxation/Star.cxx
+  Relaxation/StarObjective.cxx
+  Relaxation/TopologyTrials.cxx
   Relaxation/ValenceRound.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx

@@ -49,6 +49,13 @@ Point2 MutableMesh::PlaceOnSegment(Id segment, const Point2& place) const
   return PointOnSegment(start, end, parameter, LeastSlidingLength(this->Geometry));
 }
 
+Point2 MutableMesh::DirectionOf(Id segment) const
+{
+  const Point2 along = this->Geometry.Vertices[this->Geometry.Ends[segment]] -
+    this->Geometry.Vertices[this->Geometry.Starts[segment]];
+  return 1.0 / Length(along) * along;
+}
+
 void MutableMesh::MoveTo(Id vertex, const Point2& place, double spacing)
 {
   if (this->IsTrial)

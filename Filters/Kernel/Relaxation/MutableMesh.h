@@ -71,6 +71,19 @@ public:
   /// The first half-edge of the vertex, counterclockwise: any where its triangles surround it.
   Id FirstAround(Id vertex) const;
 
+  /// Calls visit(edge) for the half-edges of all triangles of the vertex, counterclockwise.
+  template <typename Visit>
+  void ForEachAround(Id vertex, Visit&& visit) const
+  {
+    const Id first = this->FirstAround(vertex);
+    Id edge = first;
+    do
+    {
+      visit(edge);
+      edge = this->Turn(edge);
+    } while (edge != NoId && edge != first);
+  }
+
   /// Number of triangles of a vertex less the number that would fit best.
   double Excess(Id vertex) const
   {
@@ -82,6 +95,9 @@ public:
 
   /// The point of the segment's line nearest to `place`, rounded.
   Point2 PlaceOnSegment(Id segment, const Point2& place) const;
+
+  /// Of length 1, from the start of the segment to its end.
+  Point2 DirectionOf(Id segment) const;
 
   /// Where the vertex comes to lie when it is sent to `place`.
   Point2 PlaceFor(Id vertex, const Point2& place) const

@@ -4,15 +4,15 @@
 #include "Relaxation.h"
 
 #include "../Base/Pulse.h"
-#include "Climbing.h"
+#include "AngleDescent.h"
 #include "DelaunayFlips.h"
 #include "DividedSegments.h"
 #include "MeshExchange.h"
 #include "MutableMesh.h"
 #include "Patch.h"
-#include "Rescue.h"
 #include "Smoothing.h"
 #include "Star.h"
+#include "TopologyTrials.h"
 #include "ValenceRound.h"
 
 #include <algorithm> // for min
@@ -26,11 +26,11 @@ namespace
 
 // Attempts at single triangles. A small mesh has some for each of its vertices; their time counts in
 // large ones only.
-constexpr std::size_t LeastNumberOfRescues = 8;
-constexpr std::size_t SmallVerticesPerRescue = 40;
-constexpr std::size_t MostSmallRescues = 64;
-constexpr std::size_t FastVerticesPerRescue = 20000;
-constexpr std::size_t BestVerticesPerRescue = 5000;
+constexpr std::size_t LeastNumberOfTrials = 8;
+constexpr std::size_t SmallVerticesPerTrial = 60;
+constexpr std::size_t MostSmallTrials = 64;
+constexpr std::size_t FastVerticesPerTrial = 20000;
+constexpr std::size_t BestVerticesPerTrial = 5000;
 
 // Where steps end, as shares of the time.
 constexpr double ReadingEnd = 0.06;
@@ -46,8 +46,8 @@ public:
     , Flips(mesh)
     , Surroundings(mesh)
     , Valences(mesh, Flips, Surroundings)
-    , Climber(mesh, Flips, Surroundings)
-    , Rescuer(mesh, Flips, Surroundings, Climber)
+    , Descent(mesh, Flips, Surroundings)
+    , Trials(mesh, Flips, Surroundings, Descent)
   {
   }
 
@@ -70,8 +70,8 @@ private:
     this->Smooth(0.2, 0.4, 1, CotangentOf30Degrees);
     this->MendValences(0.4, 0.55, 1);
     this->Smooth(0.55, 0.75, 1, CotangentOf30Degrees);
-    this->Climb(0.75, 0.95, 2);
-    this->RescueLast(0.95, 1.0, FastVerticesPerRescue);
+    this->Descend(0.75, 0.95, 2);
+    this->TryTopologies(0.95, 1.0, FastVerticesPerTrial);
   }
 
   void RelaxBest()
@@ -80,10 +80,10 @@ private:
     this->Smooth(0.1, 0.3, 2, CotangentOf30Degrees);
     this->MendValences(0.3, 0.4, 1);
     this->Smooth(0.4, 0.6, 2, CotangentOf30Degrees);
-    this->Climb(0.6, 0.7, 3);
+    this->Descend(0.6, 0.7, 3);
     this->Smooth(0.7, 0.8, 1, CotangentOf39Degrees);
-    this->Climb(0.8, 0.9, 2);
-    this->RescueLast(0.9, 1.0, BestVerticesPerRescue);
+    this->Descend(0.8, 0.9, 2);
+    this->TryTopologies(0.9, 1.0, BestVerticesPerTrial);
   }
 
   void MendValences(double begin, double end, int rings)
@@ -98,19 +98,18 @@ private:
     SmoothAll(this->Mesh, this->Flips, sweeps, allowedCotangent, this->Progress);
   }
 
-  void Climb(double begin, double end, int rounds)
+  void Descend(double begin, double end, int rounds)
   {
     const PulsePart part(this->Progress, begin, end);
-    this->Climber.Run(1, rounds, this->Progress);
+    this->Descent.Run(1, rounds, this->Progress);
   }
 
-  void RescueLast(double begin, double end, std::size_t verticesPerRescue)
+  void TryTopologies(double begin, double end, std::size_t verticesPerTrial)
   {
     const PulsePart part(this->Progress, begin, end);
     const std::size_t vertices = this->Mesh.Points.size();
-    this->Rescuer.Run(LeastNumberOfRescues +
-        std::min(vertices / SmallVerticesPerRescue, MostSmallRescues) +
-        vertices / verticesPerRescue,
+    this->Trials.Run(LeastNumberOfTrials +
+        std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / verticesPerTrial,
       this->Progress);
   }
 
@@ -119,8 +118,8 @@ private:
   DelaunayFlips Flips;
   Patch Surroundings;
   ValenceRound Valences;
-  Climbing Climber;
-  Rescue Rescuer;
+  AngleDescent Descent;
+  TopologyTrials Trials;
 };
 
 } // namespace

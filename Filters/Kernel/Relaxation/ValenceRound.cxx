@@ -7,10 +7,10 @@
 #include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
+#include "ValenceChange.h"
 
 #include <algorithm> // for max, clamp
 #include <limits>    // for infinity
-#include <utility>   // for swap
 
 namespace biting
 {
@@ -26,11 +26,6 @@ constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean leng
 constexpr double GreatestShift = 0.1;
 constexpr Id SampledEdges = 200000; // half-edges, for the mean length
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-double ChangeOfSquare(double excess, double change)
-{
-  return change * (2.0 * excess + change);
-}
 
 } // namespace
 
@@ -112,24 +107,10 @@ double ValenceRound::Score(Id edge, bool isCollapse, double length) const
 double ValenceRound::CollapseScore(Id edge, double length) const
 {
   const MutableMesh& mesh = this->Mesh;
-  Id kept = mesh.Origin(edge);
-  Id gone = mesh.Target(edge);
-  if (mesh.Freedoms[gone] < mesh.Freedoms[kept])
-  {
-    std::swap(kept, gone);
-  }
-  if (mesh.Freedoms[gone] == Freedom::Fixed || LeavesLongPart(mesh, edge))
-  {
-    return Infinity;
-  }
-  const Id twin = mesh.Twins[edge];
-  const double sides = twin == NoId ? 1.0 : 2.0;
-  const double goneExcess = mesh.Excess(gone);
-  double score = LengthWeight * (length - CollapseLength - this->Shift) - goneExcess * goneExcess +
-    ChangeOfSquare(mesh.Excess(kept), mesh.Degrees[gone] - 2.0 * sides) +
-    ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), -1.0);
-  score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), -1.0);
-  return score;
+  const double change = ValenceChangeOfCollapse(mesh, edge);
+  return change == Infinity || LeavesLongPart(mesh, edge)
+    ? Infinity
+    : LengthWeight * (length - CollapseLength - this->Shift) + change;
 }
 
 double ValenceRound::SplitScore(Id edge, double length) const
@@ -140,12 +121,7 @@ double ValenceRound::SplitScore(Id edge, double length) const
     return Infinity;
   }
   const double weight = IsTooLongPart(mesh, edge) ? LongPartWeight : LengthWeight;
-  const Id twin = mesh.Twins[edge];
-  const double excess = twin == NoId ? -1.0 : -2.0;
-  double score = weight * (SplitLength + this->Shift - length) + excess * excess +
-    ChangeOfSquare(mesh.Excess(mesh.Corners[edge]), 1.0);
-  score += twin == NoId ? 0.0 : ChangeOfSquare(mesh.Excess(mesh.Corners[twin]), 1.0);
-  return score;
+  return weight * (SplitLength + this->Shift - length) + ValenceChangeOfSplit(mesh, edge);
 }
 
 bool ValenceRound::IsLocked(Id edge) const

@@ -4,12 +4,12 @@
 #include "RawMesh.h"
 
 #include "Base/Pulse.h"
-#include "Relaxation/Climbing.h"
+#include "Relaxation/AngleDescent.h"
 #include "Relaxation/DelaunayFlips.h"
-#include "Relaxation/Hill.h"
 #include "Relaxation/Patch.h"
-#include "Relaxation/Rescue.h"
 #include "Relaxation/Smoothing.h"
+#include "Relaxation/StarObjective.h"
+#include "Relaxation/TopologyTrials.h"
 #include "Relaxation/ValenceRound.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ struct Tools : Workshop
     , Flips(this->Mesh)
     , Surroundings(this->Mesh)
     , Valences(this->Mesh, Flips, Surroundings)
-    , Climber(this->Mesh, Flips, Surroundings)
-    , Rescuer(this->Mesh, Flips, Surroundings, Climber)
+    , Descent(this->Mesh, Flips, Surroundings)
+    , Trials(this->Mesh, Flips, Surroundings, Descent)
   {
   }
 
@@ -39,8 +39,8 @@ struct Tools : Workshop
   DelaunayFlips Flips;
   Patch Surroundings;
   ValenceRound Valences;
-  Climbing Climber;
-  Rescue Rescuer;
+  AngleDescent Descent;
+  TopologyTrials Trials;
 };
 
 constexpr double Rounding = 1e-9; // of a cotangent
@@ -155,52 +155,52 @@ TEST(ValenceRound, BringsTheNumbersOfTrianglesTowardsSix)
   }
 }
 
-TEST(Climbing, LowersNoAngleBelow32DegreesAndKeepsDelaunay)
+TEST(AngleDescent, LowersNoAngleBelow32DegreesAndKeepsDelaunay)
 {
   for (RawMesh& raw : AllRawMeshes())
   {
     Tools tools(std::move(raw));
     const double worst = tools.WorstCotangentOfAll();
-    tools.Climber.Run(1, 3, tools.Progress);
+    tools.Descent.Run(1, 3, tools.Progress);
     ExpectLawful(tools, worst, 1.6);
   }
 }
 
-TEST(Climbing, BringsEdgesIntoTheBand)
+TEST(AngleDescent, BringsEdgesIntoTheBand)
 {
   Tools tools(UnitSquare());
   const Id before = NumberOfEdgesOutOfBand(tools.Mesh);
-  tools.Climber.Run(1, 3, tools.Progress);
+  tools.Descent.Run(1, 3, tools.Progress);
   EXPECT_LT(2 * NumberOfEdgesOutOfBand(tools.Mesh), before);
 }
 
-TEST(Rescue, LeavesFewerTrianglesBelow38DegreesInAll)
+TEST(TopologyTrials, LeavesFewerTrianglesBelow38DegreesInAll)
 {
   Id before = 0;
   Id after = 0;
   for (RawMesh& raw : AllRawMeshes())
   {
     Tools tools(std::move(raw));
-    tools.Climber.Run(1, 3, tools.Progress);
+    tools.Descent.Run(1, 3, tools.Progress);
     before += NumberOfPoorTriangles(tools.Mesh);
-    tools.Rescuer.Run(20, tools.Progress);
+    tools.Trials.Run(20, tools.Progress);
     after += NumberOfPoorTriangles(tools.Mesh);
   }
   EXPECT_LT(after, before);
 }
 
-TEST(Rescue, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
+TEST(TopologyTrials, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
 {
   for (RawMesh& raw : AllRawMeshes())
   {
     Tools tools(std::move(raw));
     const double worst = tools.WorstCotangentOfAll();
-    tools.Rescuer.Run(8, tools.Progress);
+    tools.Trials.Run(8, tools.Progress);
     ExpectLawful(tools, worst, CotangentOf30Degrees);
   }
 }
 
-TEST(Hill, DoesNotCountTheAngleBetweenTwoSegments)
+TEST(StarObjective, DoesNotCountTheAngleBetweenTwoSegments)
 {
   // An angle of 10 degrees cut off where both segments are one long: apart from it 85 and 85.
   const Point2 tip = UnitVector(10.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Hill.h"
+#include "StarObjective.h"
 
 #include <algorithm> // for max, min
 #include <limits>    // for infinity
@@ -19,7 +19,7 @@ constexpr double GreatestPenalty = 1.6;    // cotangent of 32 degrees
 constexpr double SlimmestFit = 1e-3;       // of a square matrix that is not near a singular one
 
 /// As WorstCotangent, without the angles that are fixed.
-double WorstOfOthers(const Point2& p, const Point2& q, const Hill::FixedAngles& fixed)
+double WorstOfOthers(const Point2& p, const Point2& q, const StarObjective::FixedAngles& fixed)
 {
   const double product = Dot(p, q);
   const double cross = Cross(p, q);
@@ -31,7 +31,7 @@ double WorstOfOthers(const Point2& p, const Point2& q, const Hill::FixedAngles& 
 
 } // namespace
 
-Hill::Hill(const MutableMesh& mesh, Id vertex, const Star& star)
+StarObjective::StarObjective(const MutableMesh& mesh, Id vertex, const Star& star)
   : Around(star)
   , Spacing(mesh.Spacings[vertex])
 {
@@ -39,28 +39,35 @@ Hill::Hill(const MutableMesh& mesh, Id vertex, const Star& star)
   {
     this->Spacings[k] = mesh.Spacings[star.Vertices[k]];
   }
-  this->FitSlope();
   this->HasLengths = mesh.Freedoms[vertex] != Freedom::Fixed;
   if (mesh.Freedoms[vertex] != Freedom::Free)
   {
     this->FindFixedAngles(mesh);
   }
-  this->FindSteepest();
+  this->FindWorst();
 }
 
-void Hill::FindSteepest()
+void StarObjective::FindWorst()
 {
   double worst = -1.0;
+  Point2 p = this->Around.Spokes[0];
+  double pp = Dot(p, p);
   for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
   {
-    const double height = this->TriangleAt(k, {});
-    this->Steepest = height > worst ? k : this->Steepest;
-    worst = std::max(worst, height);
+    const Point2 q = this->Around.Spokes[k + 1];
+    const double qq = Dot(q, q);
+    const double value = this->HasFixedAngles && this->Fixed[k].HasAny()
+      ? WorstOfOthers(p, q, this->Fixed[k])
+      : WorstCotangent(p, q, pp, qq);
+    p = q;
+    pp = qq;
+    this->Worst = value > worst ? k : this->Worst;
+    worst = std::max(worst, value);
   }
-  this->Here = this->HasLengths ? std::max(worst, this->WorstLength({})) : worst;
+  this->ValueHere = this->HasLengths ? std::max(worst, this->WorstLength({})) : worst;
 }
 
-double Hill::TriangleAt(int k, const Point2& shift) const
+double StarObjective::TriangleAt(int k, const Point2& shift) const
 {
   const Point2 p = this->Around.Spokes[k] - shift;
   const Point2 q = this->Around.Spokes[k + 1] - shift;
@@ -71,7 +78,7 @@ double Hill::TriangleAt(int k, const Point2& shift) const
 
 // The linear function through the spacing at the center that fits those at the outer corners best:
 // moves are short, and this saves an evaluation for each place that is tried.
-void Hill::FitSlope()
+void StarObjective::FitSlope()
 {
   double xx = 0.0;
   double xy = 0.0;
@@ -93,7 +100,7 @@ void Hill::FitSlope()
   }
 }
 
-void Hill::FindFixedAngles(const MutableMesh& mesh)
+void StarObjective::FindFixedAngles(const MutableMesh& mesh)
 {
   for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
   {
@@ -107,16 +114,16 @@ void Hill::FindFixedAngles(const MutableMesh& mesh)
   }
 }
 
-double Hill::Height(const Point2& shift, double limit) const
+double StarObjective::At(const Point2& shift, double limit) const
 {
   const double worst = this->WorstTriangle(shift, limit);
   const bool isDone = worst >= limit || !this->HasLengths;
   return isDone ? worst : std::max(worst, this->WorstLength(shift));
 }
 
-double Hill::WorstTriangle(const Point2& shift, double limit) const
+double StarObjective::WorstTriangle(const Point2& shift, double limit) const
 {
-  double worst = this->TriangleAt(this->Steepest, shift);
+  double worst = this->TriangleAt(this->Worst, shift);
   for (int k = 0; k < this->Around.NumberOfTriangles && worst < limit; ++k)
   {
     worst = std::max(worst, this->TriangleAt(k, shift));
@@ -125,7 +132,7 @@ double Hill::WorstTriangle(const Point2& shift, double limit) const
 }
 
 // Roots are taken only of lengths that are out of the band.
-double Hill::WorstLength(const Point2& shift) const
+double StarObjective::WorstLength(const Point2& shift) const
 {
   const double spacing = this->Spacing + Dot(this->SlopeOfSpacing, shift);
   const int last = this->Around.NumberOfTriangles - (this->Around.IsClosed ? 1 : 0);
@@ -145,6 +152,23 @@ double Hill::WorstLength(const Point2& shift) const
   return excess > 0.0
     ? std::min(CotangentOf38Degrees + CotangentPerLength * excess, GreatestPenalty)
     : 0.0;
+}
+
+double ObjectiveAround(const MutableMesh& mesh, Id vertex)
+{
+  Star star;
+  return star.Read(mesh, vertex) ? StarObjective(mesh, vertex, star).Here() : 0.0;
+}
+
+double WorstFreeCotangent(const MutableMesh& mesh, Id triangle)
+{
+  const Id first = 4 * triangle;
+  const Point2& center = mesh.Points[mesh.Corners[first]];
+  const bool isMarked[] = { mesh.Marks[first] != NoId, mesh.Marks[first + 1] != NoId,
+    mesh.Marks[first + 2] != NoId };
+  return WorstOfOthers(mesh.Points[mesh.Corners[first + 1]] - center,
+    mesh.Points[mesh.Corners[first + 2]] - center,
+    { isMarked[1] && isMarked[2], isMarked[2] && isMarked[0], isMarked[0] && isMarked[1] });
 }
 
 bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BitingHill_h
-#define BitingHill_h
+#ifndef BitingStarObjective_h
+#define BitingStarObjective_h
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
@@ -12,12 +12,12 @@
 namespace biting
 {
 
-/// How bad the surroundings of a vertex are, wherever it is put: the cotangent of the smallest
-/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts:
-/// as an angle below 38 but not below 32 degrees.
+/// What is to be made small around a vertex, wherever it is put: the cotangent of the smallest
+/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts: as
+/// an angle below 38 but not below 32 degrees.
 /// An angle between two segments at an input vertex is what it is and does not count, nor do the
 /// lengths of the edges of a vertex that cannot move.
-class Hill
+class StarObjective
 {
 public:
   /// Which angles of a triangle are between segments.
@@ -30,18 +30,20 @@ public:
     bool HasAny() const { return this->IsAtCenter || this->IsAtFirst || this->IsAtSecond; }
   };
 
-  Hill(const MutableMesh& mesh, Id vertex, const Star& star);
+  StarObjective(const MutableMesh& mesh, Id vertex, const Star& star);
 
   /// Where the vertex is.
-  double HeightHere() const { return this->Here; }
+  double Here() const { return this->ValueHere; }
+
+  /// Prepares At: what Here can do without.
+  void FitSlope();
 
   /// With the vertex moved by `shift`; or anything not below `limit`, where it is not below that.
-  double Height(const Point2& shift, double limit) const;
+  double At(const Point2& shift, double limit) const;
 
 private:
-  void FitSlope();
   void FindFixedAngles(const MutableMesh& mesh);
-  void FindSteepest();
+  void FindWorst();
   double WorstTriangle(const Point2& shift, double limit) const;
   double TriangleAt(int k, const Point2& shift) const;
   double WorstLength(const Point2& shift) const;
@@ -50,12 +52,18 @@ private:
   double Spacing;
   Point2 SlopeOfSpacing;
   double Spacings[Star::Capacity + 1];
-  double Here = 0.0;
-  int Steepest = 0; ///< the triangle that is worst here: looked at first, as it mostly decides
+  double ValueHere = 0.0;
+  int Worst = 0; ///< the triangle that is worst here: looked at first, as it mostly decides
   bool HasLengths = true;
   bool HasFixedAngles = false;
   FixedAngles Fixed[Star::Capacity]; ///< of each triangle; set where there are any
 };
+
+/// The objective of the star of a vertex where it is; 0 where the star is too large.
+double ObjectiveAround(const MutableMesh& mesh, Id vertex);
+
+/// The cotangent of the triangle's smallest angle, those between two segments apart.
+double WorstFreeCotangent(const MutableMesh& mesh, Id triangle);
 
 /// Whether the triangle has an angle below `cotangent` says, those between two segments apart.
 bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent);

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTopologyTrials_h
+#define BitingTopologyTrials_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "AngleDescent.h"
+#include "DelaunayFlips.h"
+#include "MutableMesh.h"
+#include "Patch.h"
+
+#include <cstddef> // for the limit
+#include <cstdint> // for flags
+#include <limits>  // for infinity
+#include <vector>  // for the lists
+
+namespace biting
+{
+
+/// Collapses and splits edges around the few triangles that are still below 38 degrees.
+///
+/// Around each of them, the worst first, every edge nearby is collapsed and split on trial. After a
+/// round of smoothing of what is next to it the most promising operations are known; these are tried
+/// in full, with the vertices near it moved by AngleDescent until they are better than the best trial
+/// so far. The best one is kept, if all triangles that it changes are then better than the poor one
+/// was. All that are left are tried again as long as that helps, those near which nothing has changed
+/// apart. In the end the very worst are tried with every operation in full.
+class TopologyTrials
+{
+public:
+  TopologyTrials(MutableMesh& mesh, DelaunayFlips& flips, Patch& patch, AngleDescent& descent)
+    : Mesh(mesh)
+    , Flips(flips)
+    , Surroundings(patch)
+    , Descent(descent)
+  {
+  }
+
+  /// Tries at most `limit` triangles, and the very worst; each takes about as long as relaxing a
+  /// hundred vertices.
+  void Run(std::size_t limit, Pulse& pulse);
+
+private:
+  struct PoorTriangle
+  {
+    double Cotangent;
+    Id Triangle;
+  };
+  struct Operation
+  {
+    Id Edge = NoId;
+    bool IsCollapse = false;
+    double Worst = std::numeric_limits<double>::infinity(); ///< after it, in a trial
+  };
+  struct Effort; // how much is spent on one triangle
+
+  bool TryAll(std::size_t limit, Pulse& pulse);
+  void TryWorst(Pulse& pulse);
+  void FindCandidates(Pulse& pulse);
+  void FindPoor(Pulse& pulse);
+  bool IsToBeTried(Id triangle) const;
+  bool Improve(const PoorTriangle& poor, const Effort& effort, Pulse& pulse);
+  bool LookAround(const PoorTriangle& poor);
+  void FindEdges(const std::vector<Id>& corners);
+  bool RankOperations(const Effort& effort, Pulse& pulse);
+  bool IsPromising(const Operation& operation, const Effort& effort) const;
+  double QuickTrial(const Operation& operation);
+  Operation TryInFull(const Effort& effort);
+  double FullTrial(const Operation& operation, double good, double limit, bool isCutOff);
+  bool Keep(const Operation& operation);
+  Id Perform(const Operation& operation);
+  void SmoothNear(Id vertex, int rings);
+  double WorstChanged(Id added, double limit) const;
+  void MarkUntried();
+
+  MutableMesh& Mesh;
+  DelaunayFlips& Flips;
+  Patch& Surroundings;
+  AngleDescent& Descent;
+  std::vector<Id> Candidates; ///< triangles that may be poor
+  std::vector<PoorTriangle> Poor;
+  std::vector<std::uint8_t> AreTried; ///< one a triangle: tried, and nothing near has changed
+  std::size_t NumberOfTried = 0;
+
+  // Of the triangle at hand.
+  PoorTriangle Worst{ 0.0, NoId };
+  std::vector<Id> Judged;     ///< vertices whose stars are compared before and after
+  std::vector<double> Before; ///< the objectives of their stars
+  std::vector<Id> Edges;      ///< near it
+  std::vector<Operation> Operations;
+  std::vector<Id> Moved; ///< vertices that may move in a trial
+};
+
+} // namespace biting
+
+#endif
