@@ -93,6 +93,16 @@ public:
   /// Length of the edge in units of the mean spacing of its ends.
   double RelativeLength(Id edge) const;
 
+  /// The square of that, without a root.
+  double SquaredRelativeLength(Id edge) const
+  {
+    const Id u = this->Origin(edge);
+    const Id v = this->Target(edge);
+    const Point2 along = this->Points[v] - this->Points[u];
+    const double sum = this->Spacings[u] + this->Spacings[v];
+    return 4.0 * Dot(along, along) / (sum * sum);
+  }
+
   /// The point of the segment's line nearest to `place`, rounded.
   Point2 PlaceOnSegment(Id segment, const Point2& place) const;
 

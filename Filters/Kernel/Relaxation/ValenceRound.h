@@ -49,6 +49,7 @@ private:
 
   void ChooseShift(Pulse& pulse);
   void FindCandidates(Pulse& pulse);
+  void AddCandidates(Id edge);
   void AddCandidate(Id edge, bool isCollapse, double length);
   double Score(Id edge, bool isCollapse, double length) const;
   double CollapseScore(Id edge, double length) const;
