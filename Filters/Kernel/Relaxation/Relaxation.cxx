@@ -67,9 +67,9 @@ private:
   void RelaxFast()
   {
     this->MendValences(0.0, 0.2, 2);
-    this->Smooth(0.2, 0.4, 1, CotangentOf30Degrees);
+    this->Smooth(0.2, 0.4, 1, SweepKind::All, CotangentOf30Degrees);
     this->MendValences(0.4, 0.55, 1);
-    this->Smooth(0.55, 0.75, 1, CotangentOf30Degrees);
+    this->Smooth(0.55, 0.75, 1, SweepKind::Coarse, CotangentOf30Degrees);
     this->Descend(0.75, 0.95, 2);
     this->TryTopologies(0.95, 1.0, FastVerticesPerTrial);
   }
@@ -77,11 +77,11 @@ private:
   void RelaxBest()
   {
     this->MendValences(0.0, 0.1, 2);
-    this->Smooth(0.1, 0.3, 2, CotangentOf30Degrees);
+    this->Smooth(0.1, 0.3, 2, SweepKind::All, CotangentOf30Degrees);
     this->MendValences(0.3, 0.4, 1);
-    this->Smooth(0.4, 0.6, 2, CotangentOf30Degrees);
+    this->Smooth(0.4, 0.6, 2, SweepKind::All, CotangentOf30Degrees);
     this->Descend(0.6, 0.7, 3);
-    this->Smooth(0.7, 0.8, 1, CotangentOf39Degrees);
+    this->Smooth(0.7, 0.8, 1, SweepKind::All, CotangentOf39Degrees);
     this->Descend(0.8, 0.9, 2);
     this->TryTopologies(0.9, 1.0, BestVerticesPerTrial);
   }
@@ -92,10 +92,10 @@ private:
     this->Valences.Run(rings, 1, this->Progress);
   }
 
-  void Smooth(double begin, double end, int sweeps, double allowedCotangent)
+  void Smooth(double begin, double end, int sweeps, SweepKind kind, double allowedCotangent)
   {
     const PulsePart part(this->Progress, begin, end);
-    SmoothAll(this->Mesh, this->Flips, sweeps, allowedCotangent, this->Progress);
+    SmoothAll(this->Mesh, this->Flips, sweeps, kind, allowedCotangent, this->Progress);
   }
 
   void Descend(double begin, double end, int rounds)

@@ -7,6 +7,8 @@
 #include "Star.h"
 
 #include <algorithm> // for max
+#include <cstdint>   // for flags
+#include <vector>    // for flags
 
 namespace biting
 {
@@ -17,6 +19,9 @@ namespace
 constexpr int MostAttempts = 3;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
+// Of a star that the second sweep does not look at, in spacings.
+constexpr double ShortestFine = 0.9;
+constexpr double LongestFine = 1.1;
 constexpr double CrossOfEquilateral = 0.8660254037844386; // of two sides of length one
 
 /// Gradient and Hessian of the energy at the center, and the worst cotangent.
@@ -107,15 +112,23 @@ Point2 NewtonStep(const MutableMesh& mesh, Id vertex, const EnergyExpansion& sum
   return (1.0 / determinant) * Point2{ sum.XY * g.Y - sum.YY * g.X, sum.XY * g.X - sum.XX * g.Y };
 }
 
-} // namespace
-
-bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
+bool HasFineLengths(const MutableMesh& mesh, Id vertex, const Star& star)
 {
-  Star star;
-  if (mesh.Freedoms[vertex] == Freedom::Fixed || !star.Read(mesh, vertex))
+  for (int k = 0; k <= star.NumberOfTriangles; ++k)
   {
-    return false;
+    const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
+    const double square = Dot(star.Spokes[k], star.Spokes[k]);
+    if (!(square > ShortestFine * ShortestFine * mean * mean &&
+          square < LongestFine * LongestFine * mean * mean))
+    {
+      return false;
+    }
   }
+  return true;
+}
+
+bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCotangent)
+{
   const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
   const double allowed = std::max(sum.Worst, allowedCotangent);
   Point2 step = Overrelaxation * NewtonStep(mesh, vertex, sum);
@@ -137,30 +150,52 @@ bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
   return false;
 }
 
-void SmoothAll(
-  MutableMesh& mesh, DelaunayFlips& flips, int sweeps, double allowedCotangent, Pulse& pulse)
+// As SmoothVertex, but where the star is fine.
+bool SmoothCoarse(MutableMesh& mesh, Id vertex, double allowedCotangent)
 {
-  const Id numberOfVertices = mesh.NumberOfVertices();
+  Star star;
+  return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex) &&
+    !(HasFineLengths(mesh, vertex, star) && star.Worst({}) < CotangentOf52Degrees) &&
+    SmoothStar(mesh, vertex, star, allowedCotangent);
+}
+
+} // namespace
+
+bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
+{
+  Star star;
+  return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex) &&
+    SmoothStar(mesh, vertex, star, allowedCotangent);
+}
+
+void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
+  double allowedCotangent, Pulse& pulse)
+{
+  const std::size_t numberOfVertices = mesh.Points.size();
+  std::vector<std::uint8_t> areMoved(numberOfVertices, 0);
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
     const PulsePart part(pulse, sweep / (sweeps + 1.0), (sweep + 1) / (sweeps + 1.0));
-    for (Id vertex = 0; vertex < numberOfVertices && pulse.Beat(); ++vertex)
-    {
-      pulse.SetFraction(static_cast<double>(vertex) / numberOfVertices);
-      if (mesh.IsAlive(vertex))
+    pulse.ForEach(numberOfVertices,
+      [&mesh, &areMoved, kind, allowedCotangent](std::size_t slot)
       {
-        SmoothVertex(mesh, vertex, allowedCotangent);
-      }
-    }
+        const Id vertex = static_cast<Id>(slot);
+        if (mesh.IsAlive(vertex))
+        {
+          areMoved[slot] |= kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
+                                                   : SmoothCoarse(mesh, vertex, allowedCotangent);
+        }
+      });
     flips.RestoreAll(pulse);
   }
-  for (Id vertex = 0; vertex < numberOfVertices && pulse.Beat(); ++vertex)
-  {
-    if (mesh.IsAlive(vertex) && mesh.Freedoms[vertex] != Freedom::Fixed)
+  pulse.ForEach(numberOfVertices,
+    [&mesh, &areMoved](std::size_t vertex)
     {
-      mesh.RefreshSpacing(vertex);
-    }
-  }
+      if (areMoved[vertex] != 0)
+      {
+        mesh.RefreshSpacing(static_cast<Id>(vertex));
+      }
+    });
 }
 
 } // namespace biting

@@ -23,9 +23,17 @@ namespace biting
 /// refreshed.
 bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent);
 
-/// Smooths all vertices `sweeps` times, with flips after each sweep, then refreshes the spacings.
-void SmoothAll(
-  MutableMesh& mesh, DelaunayFlips& flips, int sweeps, double allowedCotangent, Pulse& pulse);
+/// Which vertices a sweep passes over.
+enum class SweepKind
+{
+  All,   ///< none
+  Coarse ///< those with all angles above 52 degrees and all lengths within 10 % of the spacing
+};
+
+/// Smooths all vertices `sweeps` times, with flips after each sweep, then refreshes the spacings of
+/// those that moved.
+void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
+  double allowedCotangent, Pulse& pulse);
 
 } // namespace biting
 

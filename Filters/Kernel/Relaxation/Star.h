@@ -23,6 +23,7 @@ constexpr double CotangentOf35Degrees = 1.428148;
 constexpr double CotangentOf38Degrees = 1.279942;
 constexpr double CotangentOf39Degrees = 1.234897;
 constexpr double CotangentOf40Degrees = 1.191754;
+constexpr double CotangentOf52Degrees = 0.781286;
 
 /// Triangles as flat as this are told from inverted ones by exact predicates only. For all others
 /// the filter of Orient2D answers: with spokes p, q as rounded, the largest of the three products

@@ -30,6 +30,8 @@ constexpr double LeastSplitLength = 0.8; // shorter edges are no better for a ve
 constexpr double CotangentOf34Degrees = 1.482561;
 constexpr int MovedRings = 2;
 constexpr int MovedRingsOfWorst = 3;
+constexpr int LaterRounds = 1; // of moves after the first; only what has changed is looked at
+constexpr int UtmostLaterRounds = 5;
 constexpr int QuickRings = 1;
 constexpr int QuickJudgedRings = 2;
 
@@ -297,7 +299,11 @@ double TopologyTrials::FullTrial(
   {
     return Infinity;
   }
-  this->Descent.Improve(this->Moved, good);
+  const int laterRounds = isCutOff ? LaterRounds : UtmostLaterRounds;
+  for (int round = 0; round < laterRounds; ++round)
+  {
+    this->Descent.Improve(this->Moved, good);
+  }
   return this->WorstChanged(vertex, limit);
 }
 

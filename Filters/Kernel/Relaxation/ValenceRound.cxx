@@ -25,7 +25,7 @@ constexpr double SplitLength = 1.28;
 constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean length lacks
 constexpr double GreatestShift = 0.1;
 constexpr double BoundMargin = 1e-9; // of relative lengths: far above rounding
-constexpr Id SampledEdges = 200000; // half-edges, for the mean length
+constexpr Id SampledEdges = 200000;  // half-edges, for the mean length
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -94,13 +94,12 @@ void ValenceRound::AddCandidates(Id edge)
 {
   const MutableMesh& mesh = this->Mesh;
   const double square = mesh.SquaredRelativeLength(edge);
-  const double shortest = CollapseLength + this->Shift + BoundMargin -
-    ValenceChangeOfCollapse(mesh, edge) / LengthWeight;
+  const double shortest =
+    CollapseLength + this->Shift + BoundMargin - ValenceChangeOfCollapse(mesh, edge) / LengthWeight;
   const double longest =
     SplitLength + this->Shift - BoundMargin + ValenceChangeOfSplit(mesh, edge) / LengthWeight;
   const bool isShort = shortest > 0.0 && square < shortest * shortest;
-  const bool isLong =
-    mesh.Marks[edge] != NoId || longest < 0.0 || square > longest * longest;
+  const bool isLong = mesh.Marks[edge] != NoId || longest < 0.0 || square > longest * longest;
   if (isShort || isLong)
   {
     const double length = mesh.RelativeLength(edge);

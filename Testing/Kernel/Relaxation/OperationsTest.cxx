@@ -93,7 +93,7 @@ TEST(Smoothing, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
     for (int sweep = 0; sweep < 4; ++sweep)
     {
       const double worst = tools.WorstCotangentOfAll();
-      SmoothAll(tools.Mesh, tools.Flips, 1, CotangentOf30Degrees, tools.Progress);
+      SmoothAll(tools.Mesh, tools.Flips, 1, SweepKind::All, CotangentOf30Degrees, tools.Progress);
       ExpectLawful(tools, worst, CotangentOf30Degrees);
     }
   }
@@ -123,7 +123,7 @@ TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
 TEST(Smoothing, RefreshesTheSpacings)
 {
   Tools tools(GradedSquare());
-  SmoothAll(tools.Mesh, tools.Flips, 2, CotangentOf30Degrees, tools.Progress);
+  SmoothAll(tools.Mesh, tools.Flips, 2, SweepKind::All, CotangentOf30Degrees, tools.Progress);
   for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
   {
     ASSERT_EQ(tools.Mesh.Spacings[vertex], tools.Raw.Spacing(tools.Mesh.Points[vertex]));
