@@ -28,6 +28,7 @@ main()
   echo "Mesh:    $output/coast_mesh.vtk"
   echo "Shores:  $output/coast_shores.vtk"
   echo "Picture: $output/coast_mesh.png"
+  echo "Plugin:  $plugin"
 }
 
 # Says what it does only to a person who waits.

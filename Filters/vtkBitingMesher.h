@@ -15,8 +15,8 @@
  * The input is welded, split where segments meet, and divided into inside and outside by even-odd
  * parity; f is prepared; the vertices of the domain are bitten, then points along its edges, then
  * the interior; the centres are triangulated, with all input segments as edges; the mesh is relaxed:
- * vertices move, come and go, and edges flip, until triangles are well shaped and edges as long as f;
- * it is checked (orientation, area, every segment covered) and measured.
+ * vertices are moved, inserted and removed, and edges flipped, until triangles are well shaped and
+ * edges as long as f; it is checked (orientation, area, every segment covered) and measured.
  *
  * @par Input:
  * Port 0: a vtkPolyData. Lines and polylines may be merged or not, in any order and orientation;

@@ -12,7 +12,7 @@
  * @par Input 0, the mesh:
  * vtkPolyData, or vtkUnstructuredGrid with cells of two dimensions, of linear triangles in one plane
  * of space, whatever their orientation. Lines and vertices are passed over, so are hidden and ghost
- * cells. Points that no triangle uses do not count.
+ * cells. Points that no triangle uses are not measured.
  *
  * @par The spacing:
  * Where a dataset is connected to input 1, the point array of it that SetInputArrayToProcess(1, 1,
@@ -28,7 +28,7 @@
  * edge or not); `Conformity` (min(N/f, f/N), the paper's section 2.1, 1 is best). Cell data:
  * `MinimumAngle` (degrees), `RadiusEdgeRatio` (circumradius / shortest edge, 0.577 is best),
  * `AspectRatio` (radii of the smallest containing and the inscribed circle, 2 is best). All are
- * doubles, and NaN at points and cells that do not count. Field data, one value each:
+ * doubles, and NaN at points and cells that are not measured. Field data, one value each:
  * `NumberOfVertices` and `NumberOfTriangles` (that count), `SmallestAngle`, `LargestRadiusEdgeRatio`,
  * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` and `ShareOfEdgesInBand` (of
  * [1/sqrt(2), sqrt(2)] f, 0 to 1), `GivenLipschitz` (slope of the spacing as given),

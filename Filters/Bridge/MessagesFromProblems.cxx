@@ -32,8 +32,7 @@ Wording WordingOfRepair(ProblemCode code)
       return { "Segments of zero length", "cell", "point", "They were dropped." };
     case ProblemCode::DuplicateSegments:
       return { "Duplicate or overlapping segments", "cell", "cell",
-        "They were merged; boundary segments that cover each other an even number of times bound "
-        "nothing." };
+        "They were merged; where a boundary is drawn an even number of times, it cancels itself." };
     case ProblemCode::Crossings:
       return { "Crossing segments", "cell", "cell", "They were split where they cross." };
     case ProblemCode::Touches:
@@ -50,7 +49,7 @@ Wording WordingOf(ProblemCode code)
   switch (code)
   {
     case ProblemCode::NoClosedLoop:
-      return { "No closed loop bounds a domain", "open end at point", "",
+      return { "There is no closed loop, and so no domain", "open end at point", "",
         "Close the polylines, or mark as Kind 0 what is boundary." };
     case ProblemCode::NotFinite:
       return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
@@ -128,7 +127,8 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
       first.back() += problem.Detail.empty() ? "" : " (" + problem.Detail + ")";
     }
   }
-  return " (" + std::to_string(group.Count) + "): " + ListText(first, group.Count);
+  const char* what = group.Code == ProblemCode::NoClosedLoop ? " open ends" : "";
+  return " (" + std::to_string(group.Count) + what + "): " + ListText(first, group.Count);
 }
 
 // What, how many, which and where.

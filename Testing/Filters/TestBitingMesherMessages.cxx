@@ -118,7 +118,9 @@ TEST(BitingMesherMessages, RefuseInputWithoutALoop)
   auto input = EmptyInput();
   AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, false);
   const std::string refusal = RefusalOf(input);
-  EXPECT_TRUE(Has(refusal, "No closed loop bounds a domain (2): open end at point 0")) << refusal;
+  EXPECT_TRUE(
+    Has(refusal, "There is no closed loop, and so no domain (2 open ends): open end at point 0"))
+    << refusal;
 }
 
 TEST(BitingMesherMessages, RefuseAKindArrayThatIsTooShort)
@@ -149,7 +151,8 @@ TEST(BitingMesherMessages, RefuseALoopDrawnTwiceAndSayWhy)
   auto input = UnitSquare();
   AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, true);
   const std::string refusal = RefusalOf(input);
-  EXPECT_TRUE(Has(refusal, "No closed loop bounds a domain: 4 boundary segments are drawn an even"))
+  EXPECT_TRUE(Has(
+    refusal, "There is no closed loop, and so no domain: 4 boundary segments are drawn an even"))
     << refusal;
   EXPECT_TRUE(Has(refusal, "near (0, 0, 0). Close")) << refusal;
 }

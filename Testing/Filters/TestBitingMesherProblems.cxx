@@ -310,7 +310,8 @@ TEST(BitingMesherProblems, ShowTheOpenEndsWhereNoLoopIsClosed)
   }
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(ids, (std::vector<vtkIdType>{ 0, 4, 5, 6 }));
-  EXPECT_TRUE(Has(run.Errors[0], "(4): open end at point 0 near (0, 0, 2)")) << run.Errors[0];
+  EXPECT_TRUE(Has(run.Errors[0], "(4 open ends): open end at point 0 near (0, 0, 2)"))
+    << run.Errors[0];
 }
 
 TEST(BitingMesherProblems, ShowNoPlaceWhereClosedLoopsBoundNothing)
@@ -321,7 +322,8 @@ TEST(BitingMesherProblems, ShowNoPlaceWhereClosedLoopsBoundNothing)
   EXPECT_TRUE(run.Problems.empty());
   EXPECT_EQ(run.Counts[vtkBitingMesher::NO_CLOSED_LOOP], 1);
   EXPECT_TRUE(Has(run.Errors[0],
-    "No closed loop bounds a domain: there are interfaces only, the first of cell 0 near (0, 0, "
+    "There is no closed loop, and so no domain: there are interfaces only, the first of cell 0 "
+    "near (0, 0, "
     "0)"))
     << run.Errors[0];
 }

@@ -127,6 +127,10 @@ class TestBitingMesherProxy(unittest.TestCase):
         for name in DEFAULTS:
             self.assertNotEqual(proxy.GetProperty(name).GetClassName(), 'vtkSMIdTypeVectorProperty')
 
+    def test_the_number_of_bites_can_be_animated(self):
+        proxy = BitingMesher(Input=self.square()).SMProxy
+        self.assertEqual(proxy.GetProperty('MaximumNumberOfBites').GetAnimateable(), 1)
+
     def test_a_summary_tells_size_and_quality(self):
         mesher = BitingMesher(Input=self.square(), UniformSpacing=1.0)
         mesher.UpdatePipeline()

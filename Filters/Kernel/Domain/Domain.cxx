@@ -211,8 +211,7 @@ Problem NothingBounds(const Arrangement& arrangement)
   if (cancelled > 0)
   {
     problem.Detail = std::to_string(cancelled) +
-      " boundary segments are drawn an even number of times, and so bound nothing; the first of "
-      "them";
+      " boundary segments are drawn an even number of times, which cancels them; the first of them";
   }
   else
   {
