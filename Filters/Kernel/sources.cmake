@@ -22,10 +22,10 @@ set(biting_kernel_sources
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
-  Spacing/SteepTriangles.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
+  Spacing/TriangleLimit.cxx
   Spacing/WideCells.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx

@@ -16,8 +16,8 @@ namespace
 {
 
 /// Perpendiculars along an edge: so many f / g apart, but no more than so many.
-constexpr double FootDistance = 0.05;
-constexpr double MostFeet = 64.0;
+constexpr double FootDistance = 0.1;
+constexpr double MostFeet = 16.0;
 
 /// Jumps by less than this share of f do not matter.
 constexpr double LeastJump = 0.002;
@@ -29,8 +29,8 @@ constexpr double MostFirstSquares = 64.0;
 constexpr double EdgesPerFirstSquare = 0.0625;
 
 /// The last ones: g / f times their side, where g above 1 counts as 1, as nobody sees slopes on less
-/// than a hundredth of f.
-constexpr double LastSquare = 0.01;
+/// than a thirtieth of f.
+constexpr double LastSquare = 0.03;
 constexpr int DeepestLevel = 24;
 
 /// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger: then f
@@ -47,7 +47,7 @@ constexpr double LargestExpansion = 1.5;
 constexpr double LargestStep = 4.0;
 
 /// Halvings of the length of a perpendicular, and the room for rounding in comparing lengths.
-constexpr int LengthSteps = 30;
+constexpr int LengthSteps = 16;
 constexpr double SameLength = 1e-6;
 
 /// Where a perpendicular ends, and the value along it.

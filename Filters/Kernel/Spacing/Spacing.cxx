@@ -15,8 +15,8 @@
 #include "SegmentExtension.h"
 #include "SourceCheck.h"
 #include "SourceSlopes.h"
-#include "SteepTriangles.h"
 #include "TriangleInterpolator.h"
+#include "TriangleLimit.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for infinity
@@ -239,8 +239,16 @@ private:
     }
     PartOfStage measuring(this->Stage, 0.3, 0.32);
     this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
-    PartOfStage sorting(this->Stage, 0.32, 0.45);
-    this->Data.Triangulation.emplace(*this->Options.Triangulation, sorting);
+    std::vector<double> limits;
+    if (this->Options.Gradation > 0.0)
+    {
+      PartOfStage limiting(this->Stage, 0.32, 0.36);
+      limits = LimitTriangles(
+        *this->Options.Triangulation, this->Options.Gradation, this->Cones, limiting);
+    }
+    PartOfStage sorting(this->Stage, 0.36, 0.48);
+    this->Data.Triangulation.emplace(*this->Options.Triangulation,
+      limits.empty() ? this->Options.Triangulation->Values : limits, sorting);
     if (this->Stage.HasStopped())
     {
       return false;
@@ -251,15 +259,8 @@ private:
         "no triangle has an area and three values in the triangulated source" });
       return false;
     }
-    return this->Options.Gradation == 0.0 || this->LimitTriangulation();
-  }
-
-  bool LimitTriangulation()
-  {
-    PartOfStage inside(this->Stage, 0.45, 0.48);
     PartOfStage outside(this->Stage, 0.48, 0.5);
-    return AddSteepTriangles(
-             *this->Options.Triangulation, this->Options.Gradation, this->Cones, inside) &&
+    return this->Options.Gradation == 0.0 ||
       AddOutsideJumps(
         *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
   }

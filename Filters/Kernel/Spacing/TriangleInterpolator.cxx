@@ -131,6 +131,12 @@ std::vector<BorderEdge> FindBorder(
 } // namespace
 
 TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor)
+  : TriangleInterpolator(source, source.Values, monitor)
+{
+}
+
+TriangleInterpolator::TriangleInterpolator(
+  const TriangulatedSource& source, const std::vector<double>& inside, Monitor& monitor)
 {
   Pulse pulse(monitor);
   const std::vector<const Id*> usable = UsableTriangles(source, pulse);
@@ -143,29 +149,28 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
   this->Records.reserve(usable.size());
   std::vector<Id> recordOf(usable.size(), NoId);
   this->Buckets->ForEachEntry(
-    [this, &source, &usable, &recordOf, &pulse](Id& entry)
+    [this, &source, &inside, &usable, &recordOf, &pulse](Id& entry)
     {
       pulse.Beat();
       const auto triangle = static_cast<std::size_t>(entry);
       if (recordOf[triangle] == NoId)
       {
         recordOf[triangle] = static_cast<Id>(this->Records.size());
-        this->Records.push_back(MakeRecord(source, usable[triangle]));
+        this->Records.push_back(MakeRecord(source.Points, inside, usable[triangle]));
       }
       entry = recordOf[triangle];
     });
 }
 
 TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
-  const TriangulatedSource& source, const Id* corners)
+  const std::vector<Point2>& places, const std::vector<double>& values, const Id* corners)
 {
-  const TriangleBuckets::Corners points = PointsOf(source, corners);
-  const Point2 first = points[1] - points[0];
-  const Point2 second = points[2] - points[0];
+  const Point2& origin = places[PointOf(corners, 0)];
+  const Point2 first = places[PointOf(corners, 1)] - origin;
+  const Point2 second = places[PointOf(corners, 2)] - origin;
   const double area = Cross(first, second);
-  const double value = source.Values[PointOf(corners, 0)];
-  return { points[0], { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
-    value, source.Values[PointOf(corners, 1)] - value, source.Values[PointOf(corners, 2)] - value };
+  return { origin, { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
+    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)] };
 }
 
 double TriangleInterpolator::operator()(const Point2& x) const
@@ -196,25 +201,30 @@ const TriangleInterpolator::Record* TriangleInterpolator::Find(const Point2& x) 
   return nullptr;
 }
 
+/// By weights: differences of values would cancel what is beside a fill value.
 double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
 {
   const Point2 offset = x - record.Origin;
-  return record.Value + Dot(record.FirstWeight, offset) * record.FirstRise +
-    Dot(record.SecondWeight, offset) * record.SecondRise;
+  const double first = Dot(record.FirstWeight, offset);
+  const double second = Dot(record.SecondWeight, offset);
+  const double origin = std::max(1.0 - first - second, 0.0);
+  return origin * record.Value + first * record.FirstValue + second * record.SecondValue;
 }
 
-/// The nearest point of the triangles around x closes the gaps between them; the nearest point of
-/// the border is the answer outside. Whichever is nearer decides, so no tolerance is needed.
+/// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a gap
+/// between triangles, which is there by rounding.
 NearestValue TriangleInterpolator::NearestOutside(const Point2& x) const
 {
-  NearestValue best{ std::numeric_limits<double>::infinity(), this->Records.front().Value,
-    this->Records.front().Origin };
+  constexpr double NearerThanRounding = 1.0 - 1e-9;
+  NearestValue best = this->Border.Nearest(x,
+    { std::numeric_limits<double>::infinity(), this->Records.front().Value,
+      this->Records.front().Origin });
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    best = found.Distance < best.Distance ? found : best;
+    best = found.Distance < NearerThanRounding * best.Distance ? found : best;
   }
-  return this->Border.Nearest(x, best);
+  return best;
 }
 
 /// For x outside the triangle. The rows of weights, inverted, give back its edges.
@@ -224,10 +234,9 @@ NearestValue TriangleInterpolator::NearestOnTriangle(const Record& record, const
   const Point2 origin = record.Origin;
   const Point2 first = origin - area * Perpendicular(record.SecondWeight);
   const Point2 second = origin + area * Perpendicular(record.FirstWeight);
-  const double firstValue = record.Value + record.FirstRise;
-  const double secondValue = record.Value + record.SecondRise;
-  const BorderEdge edges[3] = { { origin, first, record.Value, firstValue },
-    { first, second, firstValue, secondValue }, { second, origin, secondValue, record.Value } };
+  const BorderEdge edges[3] = { { origin, first, record.Value, record.FirstValue },
+    { first, second, record.FirstValue, record.SecondValue },
+    { second, origin, record.SecondValue, record.Value } };
   NearestValue best = NearestOnEdge(edges[0], x);
   for (const BorderEdge& edge : { edges[1], edges[2] })
   {

@@ -21,6 +21,10 @@ public:
   /// Incomplete if the monitor asks to stop: it must not be evaluated then.
   explicit TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
 
+  /// With other values, one a point, on the triangles themselves; those of the source outside.
+  TriangleInterpolator(
+    const TriangulatedSource& source, const std::vector<double>& inside, Monitor& monitor);
+
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Records.empty(); }
 
@@ -40,11 +44,12 @@ private:
     Point2 FirstWeight;
     Point2 SecondWeight;
     double Value;
-    double FirstRise;
-    double SecondRise;
+    double FirstValue;
+    double SecondValue;
   };
 
-  static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
+  static Record MakeRecord(
+    const std::vector<Point2>& places, const std::vector<double>& values, const Id* corners);
   const Record* Find(const Point2& x) const;
   static double ValueAt(const Record& record, const Point2& x);
   NearestValue NearestOutside(const Point2& x) const;

@@ -10,16 +10,9 @@ namespace biting
 namespace
 {
 
-/// Cells in which f may grow by more than this share of itself are wide: between the nodes around a
-/// place that bounds them, bilinear values are too high by up to .15 of that.
-constexpr double WidestGrowth = 0.12;
-
 /// How far a chord may be from the arc it stands for, in f; at most so many chords a side of a cell.
 constexpr double ChordError = 0.005;
 constexpr double ChordsPerSide = 32.0;
-
-/// What is above a bound by less than this share is nothing that f grows from.
-constexpr double BoundError = 0.003;
 
 constexpr double FullTurn = 6.283185307179586;
 
@@ -91,13 +84,6 @@ void AnglesAround(const Patch& patch, const Point2& center, double& start, doubl
   turn = 2.0 * half;
 }
 
-/// Whether a value is above what a bound brings to its place, a little less apart.
-bool IsAbove(const NodeBound& bound, const Point2& offset, double value, double gradation)
-{
-  const Point2 place{ bound.Place.X, bound.Place.Y };
-  return bound.Base + gradation * Distance(offset, place) <= (1.0 + BoundError) * value;
-}
-
 /// Adds the part of a chord that is within the patch, unless what bounds a corner is below it:
 /// as that is convex, at its ends is enough.
 void AddChord(
@@ -115,8 +101,8 @@ void AddChord(
   const Point2 b = from + end * step;
   const auto isBounded = [&patch, gradation, &a, &b](const NodeBound& bound)
   {
-    return IsAbove(bound, patch.Low + a - patch.Origin, patch.At(a), gradation) &&
-      IsAbove(bound, patch.Low + b - patch.Origin, patch.At(b), gradation);
+    return bound.Reaches(patch.Low + a - patch.Origin, patch.At(a), gradation) &&
+      bound.Reaches(patch.Low + b - patch.Origin, patch.At(b), gradation);
   };
   if (std::none_of(patch.Bounds.begin(), patch.Bounds.end(), isBounded))
   {
@@ -282,8 +268,8 @@ void WideCells::AddSide(Id startColumn, Id startRow, Id endColumn, Id endRow)
   {
     const Point2 origin = this->Cells.Place(0, 0);
     return bound.IsOfOther() &&
-      IsAbove(bound, start - origin, this->Cells.Given(a), this->Cells.Gradation()) &&
-      IsAbove(bound, end - origin, this->Cells.Given(b), this->Cells.Gradation());
+      bound.Reaches(start - origin, this->Cells.Given(a), this->Cells.Gradation()) &&
+      bound.Reaches(end - origin, this->Cells.Given(b), this->Cells.Gradation());
   };
   if (!isBounded(this->BoundOf(a)) && !isBounded(this->BoundOf(b)))
   {

@@ -6,27 +6,10 @@
 
 #include "../Base/Pulse.h"
 #include "GridCells.h"
+#include "NodeBound.h"
 
 namespace biting
 {
-
-/// What bounds f at a node of a grid: Value = Base + g |node - Place|. Single precision is more than
-/// anybody sees of f.
-struct NodeBound
-{
-  struct Offset
-  {
-    float X;
-    float Y;
-  };
-
-  float Value;
-  float Base;
-  Offset Place; ///< from the first node of the grid
-
-  bool IsOfOther() const { return this->Value > this->Base; }
-  bool IsBelow(double given) const { return this->Value < (1.0 - 1e-6) * given; }
-};
 
 /// Cells across which f may grow by more than a share of itself: there interpolation between bounded
 /// nodes is not enough. What the largest Lipschitz function below the interpolant grows from is then
