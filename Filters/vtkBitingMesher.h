@@ -41,8 +41,10 @@
  * 0, POINTS, name): interpolated, and outside of the source the nearest value of its border). Then
  * it is multiplied by SpacingScale and clamped to [MinimumSpacing, MaximumSpacing], lowered to the
  * local feature size (LimitByFeatureSize), and last to the largest function below all that with no
- * slope above Gradation, to within 0.5 %. Where nothing is given it is 2 % of the diagonal of the
- * domain's bounding box.
+ * slope above Gradation. All of that is meant within 2 %, but f is never above MaximumSpacing nor
+ * below MinimumSpacing: a source whose slope is Gradation, or above it by interpolation only, is taken
+ * as it is. Slopes are limited across the border of a source, too, and outside of it. Where nothing is
+ * given f is 2 % of the diagonal of the domain's bounding box.
  * An array named `Spacing` is taken where no other name was set; where there is no such array, there
  * is no such source. The name "None", or an empty one, takes no array. Any other name that does not
  * exist is an error.

@@ -104,19 +104,19 @@ struct SpacingOptions
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite
-/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source and near
-/// a floor, where it is logarithmic. Evaluation changes nothing, so any number of threads may evaluate
-/// at once.
+/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source and
+/// near a floor, where it is logarithmic. Evaluation changes nothing, so any number of threads may
+/// evaluate at once.
 ///
-/// Exactness, within the bounds it was prepared for: f is nowhere above a uniform, grid or
-/// triangulated source. Elsewhere it is within AdaptiveCarrier::Tolerance (0.5 %, less than 0.02 % in
-/// the mean) of the largest g-Lipschitz function, so |f(x) - f(y)| <= g |x - y| + 1 % of f; that is
-/// tested, not proven: about one place in 10 000 may miss it. Where f is
-/// more than fifteen cells of a grid, its nodes are limited and interpolated, to 0.5 % of f as well.
+/// Tolerances, within the bounds it was prepared for: f is above what is given by no more than 2 %,
+/// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
+/// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
+/// within 2 % of it at 99 % of all points. That is tested, not proven.
 /// Beyond the bounds, limits are those of the nearest point of the bounds. Where the nearest border
-/// values of a triangulation jump along more than some ten thousand f, f is lower beside the jump than
-/// it had to be, the more the longer that is: by 10 % at 50 000 f, 40 % at 200 000 f; and it may miss
-/// the Lipschitz law by 4 % of f.
+/// values of a triangulation jump along more than some ten thousand f, f is lower beside the jump
+/// than it had to be, the more the longer that is: by 10 % at 50 000 f, 40 % at 200 000 f; and it
+/// may miss the Lipschitz law by 4 % of f.
+/// Preparation: MakeSpacing.
 class Spacing
 {
 public:
