@@ -129,7 +129,7 @@ class TestBitingMesherProxy(unittest.TestCase):
 
     def test_the_number_of_bites_can_be_animated(self):
         proxy = BitingMesher(Input=self.square()).SMProxy
-        self.assertEqual(proxy.GetProperty('MaximumNumberOfBites').GetAnimateable(), 1)
+        self.assertTrue(proxy.GetProperty('MaximumNumberOfBites').GetAnimateable())
 
     def test_a_summary_tells_size_and_quality(self):
         mesher = BitingMesher(Input=self.square(), UniformSpacing=1.0)
