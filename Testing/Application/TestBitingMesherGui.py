@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Drives the real ParaView window: plugin, menu, Apply; then looks at the state and at the screen.
+"""Drives the real ParaView window: plugin, menu, panel, Apply; looks at the state and the screen.
 
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments.
@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import time
+from xml.etree import ElementTree
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PATIENCE = 150.0  # seconds, for a machine without a graphics card
@@ -63,15 +64,45 @@ def take_picture(path):
 def check_log(path, code):
     with open(path, encoding='utf-8', errors='replace') as log:
         text = log.read()
-    complaints = [line for line in text.splitlines() if 'ERR|' in line or 'WARN|' in line]
+    complaints = [line for line in text.splitlines()
+                  if any(sign in line for sign in ('ERR|', 'WARN|', 'Could not find'))]
     if code != 0 or complaints:
         raise SystemExit('ParaView ended with %s and said:\n%s' % (code, '\n'.join(complaints)))
 
 
 def check_state(path):
-    with open(path, encoding='utf-8') as state:
-        if 'type="BitingMesher"' not in state.read():
-            raise SystemExit('the filter is not in the state: the menu did not create it')
+    """What the window shows: visible representations of each output, their kinds, and the chart."""
+    proxies = {proxy.get('id'): proxy for proxy in ElementTree.parse(path).iter('Proxy')}
+    mesher = only(proxies, 'BitingMesher')
+    only(proxies, 'MeshConformity')
+    views = [proxy for proxy in proxies.values() if proxy.get('type') == 'XYChartView']
+    if not views:
+        raise SystemExit('the histograms are not in a chart')
+    shown = {}
+    for proxy in proxies.values():
+        source = proxy.find("Property[@name='Input']/Proxy")
+        if proxy.get('group') == 'representations' and source is not None:
+            if source.get('value') == mesher.get('id'):
+                shown[int(source.get('output_port'))] = (proxy.get('type'), value(proxy, 'Visibility'))
+    expected = {1: ('BitingEdgesRepresentation', '1'), 2: ('BitingBitesRepresentation', '1'),
+                3: ('BitingProblemsRepresentation', '0')}
+    for port, look in expected.items():
+        if shown.get(port) != look:
+            raise SystemExit(f'output {port} is shown as {shown.get(port)}, not as {look}')
+    chart = only(proxies, 'BitingHistogramsRepresentation')
+    if value(chart, 'XArrayName') != 'Angle' or value(chart, 'UseIndexForXAxis') != '0':
+        raise SystemExit('the chart does not show angles against their bins')
+
+
+def only(proxies, kind):
+    found = [proxy for proxy in proxies.values() if proxy.get('type') == kind]
+    if len(found) != 1:
+        raise SystemExit(f'{len(found)} of {kind} in the state, not one')
+    return found[0]
+
+
+def value(proxy, name):
+    return proxy.find(f"Property[@name='{name}']/Element").get('value')
 
 
 def check_picture(path):
