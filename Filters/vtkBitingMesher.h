@@ -56,7 +56,9 @@
  * new on an input segment, 2 interior, 3 embedded point), `OriginalPointId` (vtkIdType, -1 where
  * new). Cell data: `RegionId` (int, connected faces, by their first input segment), `MinimumAngle`
  * (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
- * smallest containing and the inscribed circle, 2 is best). Field data, one value each:
+ * smallest containing and the inscribed circle, 2 is best). `MinimumAngle` is the active scalar, as
+ * are `Phase` of output 2 and `ProblemKind` of output 3. Field data, one value each, marked
+ * vtkAbstractArray::GUI_HIDE so that programs do not offer them to colour by:
  * `NumberOfVertices`, `NumberOfTriangles`, `SmallestAngle`, `LargestRadiusEdgeRatio`,
  * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand`
  * (of [1/sqrt(2), sqrt(2)] f), `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the
