@@ -7,6 +7,7 @@
 #include "Bridge/BoundaryEdgesToPolyData.h"
 #include "Bridge/BoundarySpacing.h"
 #include "Bridge/ChosenArray.h"
+#include "Bridge/DomainMembership.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
@@ -15,6 +16,8 @@
 #include "Bridge/ProblemPlaces.h"
 #include "Bridge/ProblemsToPolyData.h"
 #include "Bridge/Ranks.h"
+#include "Bridge/SourceCover.h"
+#include "Bridge/SourceData.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/PartOfStage.h"
@@ -113,13 +116,14 @@ private:
   std::string AddSourceArray();
   bool ReportErrors();
   void ReportRepairs() const;
+  void ReportUncovered() const;
   vtkSmartPointer<vtkPoints> MakePoints(biting::Pulse& pulse) const;
   void WriteMesh(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
   void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
 
   vtkBitingMesher* Filter;
   vtkSmartPointer<vtkPolyData> Input;
-  vtkSmartPointer<vtkDataSet> Source;
+  vtkSmartPointer<vtkDataObject> Source;
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
   biting::ProblemList Problems;
@@ -142,7 +146,7 @@ vtkBitingMesher::vtkBitingMesher()
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingMesher::SetSpacingSourceData(vtkDataSet* source)
+void vtkBitingMesher::SetSpacingSourceData(vtkDataObject* source)
 {
   this->SetInputData(1, source);
 }
@@ -162,6 +166,7 @@ int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
     return 1;
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -190,7 +195,9 @@ int vtkBitingMesher::RequestData(
     Execution(this).Run(drawing, source, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
-  this->Summary = biting::SummaryOf(vtkPolyData::GetData(outputVector, MESH), watch.Seconds());
+  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
+  this->Summary = biting::SummaryOf(mesh, watch.Seconds()) +
+    biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 
@@ -227,7 +234,7 @@ bool vtkBitingMesher::Execution::Gather(
     return this->Accept(biting::NotGathered);
   }
   this->Input = vtkPolyData::SafeDownCast(drawing.Make());
-  this->Source = vtkDataSet::SafeDownCast(source.Make());
+  this->Source = source.Make();
   return this->Input != nullptr;
 }
 
@@ -370,21 +377,23 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
   {
     return {};
   }
-  const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(1), this->Source, { "spacing array", "spacing source" });
-  if (chosen.IsMissing)
+  const biting::SourceData source =
+    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
+  if (source.Chosen.IsMissing)
   {
     vtkWarningWithObjectMacro(
       this->Filter, << "The spacing source is not used: it has no point array named "
                     << biting::SpacingArrayName << ", and no other was chosen.");
   }
-  if (!chosen.Refusal.empty() || !chosen.Array)
+  if (!source.Chosen.Refusal.empty() || !source.Chosen.Array)
   {
-    return chosen.Refusal;
+    return source.Chosen.Refusal;
   }
   biting::PartOfStage part(this->Monitor, BoundaryEnd, 1.0);
-  return biting::AddSourceSpacing(
-    this->Source, chosen.Array, this->Planar.Frame, this->Options.Spacing, this->Places, part);
+  biting::DomainMembership domain(this->Planar.Chains, part);
+  const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
+  return biting::AddSourceSpacing(source.Data, source.Chosen.Array, this->Planar.Frame, isWanted,
+    this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -397,6 +406,7 @@ bool vtkBitingMesher::Execution::MakeMesh()
     return false;
   }
   this->ReportRepairs();
+  this->ReportUncovered();
   return true;
 }
 
@@ -423,6 +433,18 @@ void vtkBitingMesher::Execution::ReportRepairs() const
   for (const biting::ProblemGroup& group : this->Problems.Groups())
   {
     vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Planar));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::ReportUncovered() const
+{
+  const biting::UncoveredPart part = biting::FindUncovered(
+    this->Mesh.Points, this->Mesh.Corners, biting::SourceCover(this->Options.Spacing));
+  if (part.Share > 0.0)
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, << biting::UncoveredText(part.Share, this->Planar.Frame.ToSpace(part.Place)));
   }
 }
 

@@ -32,7 +32,10 @@
  * Port 1, optional: any vtkDataSet with a point array, the spacing source. Images and rectilinear
  * grids of one layer are interpolated as grids; other cells with an area are triangulated and
  * projected into the plane, cells with a volume are cut by it. Hidden and ghost cells, and places
- * where the array is NaN, are no source.
+ * where the array is NaN, are no source; nor are values that are zero, negative or infinite at points
+ * outside of the domain, as fill values are. Blocks of a composite dataset are one source: those that
+ * have the array; where they overlap, one of them counts. Where the domain reaches out of the source
+ * by more than the distance of its points, a warning says what share of it, and where.
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
@@ -45,8 +48,9 @@
  * below MinimumSpacing: a source whose slope is Gradation, or above it by interpolation only, is taken
  * as it is. Slopes are limited across the border of a source, too, and outside of it. Where nothing is
  * given f is 2 % of the diagonal of the domain's bounding box.
- * An array named `Spacing` is taken where no other name was set; where there is no such array, there
- * is no such source. The name "None", or an empty one, takes no array. Any other name that does not
+ * An array named `Spacing` is taken where no other name was set; where there is none, the only scalar
+ * point array of the source is, if it has just one; else there is no such source. The name "None", or
+ * an empty one, takes no array. Any other name that does not
  * exist is an error.
  *
  * @par Output 0, the mesh:
@@ -111,6 +115,16 @@
  * empty. As with other filters the outputs count as up to date then; any change, or Modified(), makes
  * it run again.
  *
+ * @par Ranks:
+ * Where several processes execute the filter, each with a piece, the pieces of both inputs are gathered
+ * on the first one, which makes the mesh and says what is wrong; the others have empty pieces with the
+ * same arrays. Copies of one piece, ghost cells, and cells that several pieces have count once. Cells
+ * and points keep the order of their global ids, else that of the pieces: where a drawing was divided in
+ * its order, or has global ids, the mesh is the serial one, byte for byte. It takes the memory of one
+ * process, and at most 2 GB of input. The processes are those of the global
+ * vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of 1 works
+ * alone.
+ *
  * @par Limits:
  * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be thin; so
  * they are in sharp angles of the input.
@@ -137,7 +151,7 @@
 #include <string> // for the summary
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataSet;
+class vtkDataObject;
 
 class VTKBITINGFILTERS_EXPORT vtkBitingMesher : public vtkPolyDataAlgorithm
 {
@@ -206,15 +220,15 @@ public:
   /**
    * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
    */
-  void SetSpacingSourceData(vtkDataSet* source);
+  void SetSpacingSourceData(vtkDataObject* source);
   void SetSpacingSourceConnection(vtkAlgorithmOutput* source);
   ///@}
 
   ///@{
   /**
    * Constant spacing, in units of the coordinates, >= 0. Where other sources give a spacing too, the
-   * minimum counts. 0 (default): none, or 2 % of the diagonal of the domain's bounding box where
-   * nothing else is given. Negative or not finite: an error.
+   * minimum counts: above all of them it has no effect, and the summary says so. 0 (default): none,
+   * or 2 % of the diagonal of the domain's bounding box where nothing else is given. Negative or not finite: an error.
    */
   vtkSetMacro(UniformSpacing, double);
   vtkGetMacro(UniformSpacing, double);

@@ -5,12 +5,15 @@
 
 #include "Bridge/ArrayFromVector.h"
 #include "Bridge/ChosenArray.h"
+#include "Bridge/DomainMembership.h"
 #include "Bridge/DoubleArray.h"
 #include "Bridge/FacesFromDataSet.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
 #include "Bridge/QualityArrays.h"
 #include "Bridge/Ranks.h"
+#include "Bridge/SourceCover.h"
+#include "Bridge/SourceData.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SpacingValues.h"
 #include "Bridge/SummaryText.h"
@@ -110,19 +113,21 @@ private:
   void WarnOfRepeatedPoints(const std::vector<double>& distances) const;
   void WarnOfCells(
     const char* what, const std::vector<biting::Id>& triangles, const char* advice) const;
-  bool ReadSource(vtkDataArray* values);
+  bool ReadSource(const biting::SourceData& source);
   bool ReadOwnSpacing(vtkDataArray* values);
   std::vector<double> Evaluate(
     const biting::Spacing& spacing, const std::vector<biting::Point2>& places);
   bool ReportErrors(const biting::ProblemList& problems);
-  vtkDataArray* ChooseSourceArray();
+  biting::SourceData ChooseSource();
+  biting::Polylines OutlinesOfFaces() const;
+  void ReportUncovered(const biting::SpacingOptions& options) const;
   biting::MeshView View() const;
   void WriteMesh(vtkDataSet* output) const;
   void WriteHistograms(vtkTable* output) const;
 
   vtkMeshConformity* Filter;
   vtkSmartPointer<vtkDataSet> Input;
-  vtkSmartPointer<vtkDataSet> Source;
+  vtkSmartPointer<vtkDataObject> Source;
   biting::MonitorOfFilter Monitor;
   biting::PlanarFaces Faces;
   biting::TriangleLinks Links;
@@ -150,7 +155,7 @@ vtkMeshConformity::vtkMeshConformity()
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshConformity::SetSpacingSourceData(vtkDataSet* source)
+void vtkMeshConformity::SetSpacingSourceData(vtkDataObject* source)
 {
   this->SetInputData(1, source);
 }
@@ -177,6 +182,7 @@ int vtkMeshConformity::FillInputPortInformation(int port, vtkInformation* info)
     return 1;
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -265,7 +271,7 @@ bool vtkMeshConformity::Execution::Gather(
     return this->Accept(biting::NotGathered);
   }
   this->Input = vtkDataSet::SafeDownCast(mesh.Make());
-  this->Source = vtkDataSet::SafeDownCast(source.Make());
+  this->Source = source.Make();
   const bool isAsBefore =
     !this->Input || this->Input->IsA(this->Filter->GetOutputDataObject(0)->GetClassName());
   return this->Accept(isAsBefore ? "" : biting::NotOneGrid) && this->Input != nullptr;
@@ -373,10 +379,10 @@ void vtkMeshConformity::Execution::WarnOfUnusedPoints() const
 bool vtkMeshConformity::Execution::ReadSpacing()
 {
   this->Monitor.BeginStage("Evaluating the spacing");
-  vtkDataArray* ofSource = this->ChooseSourceArray();
-  if (this->IsRefused || ofSource)
+  const biting::SourceData source = this->ChooseSource();
+  if (this->IsRefused || source.Chosen.Array)
   {
-    return !this->IsRefused && this->ReadSource(ofSource);
+    return !this->IsRefused && this->ReadSource(source);
   }
   const biting::ChosenArray chosen = biting::ChooseArray(
     this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
@@ -396,32 +402,54 @@ bool vtkMeshConformity::Execution::ReadSpacing()
 }
 
 //------------------------------------------------------------------------------
-// Null where the source is not to be used.
-vtkDataArray* vtkMeshConformity::Execution::ChooseSourceArray()
+// Without an array where the source is not to be used.
+biting::SourceData vtkMeshConformity::Execution::ChooseSource()
 {
   if (!this->Source)
   {
-    return nullptr;
+    return {};
   }
-  const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(1), this->Source, { "spacing array", "spacing source" });
-  if (this->Accept(chosen.Refusal) && !chosen.Array)
+  const biting::SourceData source =
+    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
+  if (this->Accept(source.Chosen.Refusal) && !source.Chosen.Array)
   {
     vtkWarningWithObjectMacro(this->Filter,
       << "The spacing source is not used: no array of it was chosen, and it has none named "
       << biting::SpacingArrayName << ".");
   }
-  return this->IsRefused ? nullptr : chosen.Array;
+  return source;
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeshConformity::Execution::ReadSource(vtkDataArray* values)
+// The outlines of the faces: an odd number of them around a place tells that it is in the mesh.
+biting::Polylines vtkMeshConformity::Execution::OutlinesOfFaces() const
 {
+  biting::Polylines outlines;
+  outlines.Points = this->Faces.Points;
+  for (std::size_t face = 0; face + 1 < this->Faces.Offsets.size(); ++face)
+  {
+    const auto first = this->Faces.Corners.begin() + this->Faces.Offsets[face];
+    const auto end = this->Faces.Corners.begin() + this->Faces.Offsets[face + 1];
+    outlines.Connectivity.insert(outlines.Connectivity.end(), first, end);
+    outlines.Connectivity.push_back(*first);
+    outlines.Offsets.push_back(static_cast<biting::Id>(outlines.Connectivity.size()));
+    outlines.Kinds.push_back(biting::ChainKind::Boundary);
+    outlines.Cells.push_back(static_cast<biting::Id>(face));
+  }
+  return outlines;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshConformity::Execution::ReadSource(const biting::SourceData& source)
+{
+  const biting::Polylines outlines = this->OutlinesOfFaces();
+  biting::DomainMembership domain(outlines, this->Monitor);
+  const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
   biting::SpacingOptions options;
   options.Gradation = 0.0;
   biting::ProblemPlaces places;
-  if (!this->Accept(biting::AddSourceSpacing(
-        this->Source, values, this->Faces.Frame, options, places, this->Monitor)))
+  if (!this->Accept(biting::AddSourceSpacing(source.Data, source.Chosen.Array, this->Faces.Frame,
+        isWanted, options, places, this->Monitor)))
   {
     return false;
   }
@@ -436,11 +464,24 @@ bool vtkMeshConformity::Execution::ReadSource(vtkDataArray* values)
   {
     return this->ReportErrors(problems);
   }
+  this->ReportUncovered(options);
   this->Spacing = this->Evaluate(spacing, this->Faces.Points);
   this->MiddleSpacing = this->Evaluate(spacing, biting::EdgeMiddles(this->View(), this->Monitor));
   this->GivenLipschitz = spacing.GivenLipschitz();
   this->HasSpacing = true;
   return this->Monitor.Advance(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshConformity::Execution::ReportUncovered(const biting::SpacingOptions& options) const
+{
+  const biting::UncoveredPart part =
+    biting::FindUncovered(this->Faces.Points, this->Faces.Corners, biting::SourceCover(options));
+  if (part.Share > 0.0)
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, << biting::UncoveredText(part.Share, this->Faces.Frame.ToSpace(part.Place)));
+  }
 }
 
 //------------------------------------------------------------------------------

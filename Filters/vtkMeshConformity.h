@@ -70,6 +70,7 @@
 #include <string> // for the summary
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
 class vtkTable;
 
 class VTKBITINGFILTERS_EXPORT vtkMeshConformity : public vtkDataSetAlgorithm
@@ -83,7 +84,7 @@ public:
   /**
    * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
    */
-  void SetSpacingSourceData(vtkDataSet* source);
+  void SetSpacingSourceData(vtkDataObject* source);
   void SetSpacingSourceConnection(vtkAlgorithmOutput* source);
   ///@}
 

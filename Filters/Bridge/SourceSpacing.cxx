@@ -25,7 +25,7 @@
 #include <algorithm> // for is_sorted, minmax
 #include <array>     // for axes
 #include <cmath>     // for NaN
-#include <limits>    // for the size check
+#include <limits>    // for the size check, NaN
 
 namespace biting
 {
@@ -475,17 +475,61 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
     : "The cells of the spacing source have no area in the plane of the input.";
 }
 
+bool IsFillValue(double value)
+{
+  return !std::isnan(value) && !(value > 0.0 && std::isfinite(value));
+}
+
+// The values as doubles, NaN for those that are no spacing where none is wanted.
+vtkSmartPointer<vtkDoubleArray> KnownValues(vtkDataSet* source, vtkDataArray* given,
+  const PlaneFrame& frame, const std::function<bool(const Point2&)>& isWanted, Pulse& pulse)
+{
+  vtkSmartPointer<vtkDoubleArray> values = AsDoubles(given);
+  bool isOwn = false;
+  bool isAnyKnown = false;
+  pulse.ForEach(static_cast<std::size_t>(source->GetNumberOfPoints()),
+    [source, given, &frame, &isWanted, &values, &isOwn, &isAnyKnown](std::size_t k)
+    {
+      const auto point = static_cast<vtkIdType>(k);
+      double place[3];
+      if (!IsFillValue(values->GetValue(point)))
+      {
+        isAnyKnown = isAnyKnown || values->GetValue(point) > 0.0;
+        return;
+      }
+      source->GetPoint(point, place);
+      if (isWanted(frame.ToPlane(place)))
+      {
+        return;
+      }
+      if (!isOwn)
+      {
+        const auto own = vtkSmartPointer<vtkDoubleArray>::New();
+        own->DeepCopy(values);
+        own->SetName(given->GetName());
+        values = own;
+        isOwn = true;
+      }
+      values->SetValue(point, std::numeric_limits<double>::quiet_NaN());
+    });
+  // Where nothing else is known, what is given is refused by its values.
+  return isAnyKnown ? values : vtkSmartPointer<vtkDoubleArray>(AsDoubles(given));
+}
+
 } // namespace
 
-std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
-  SpacingOptions& options, ProblemPlaces& places, Monitor& monitor)
+std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* given, const PlaneFrame& frame,
+  const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
+  ProblemPlaces& places, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  if (values->GetNumberOfComponents() != 1)
+  if (given->GetNumberOfComponents() != 1 ||
+    given->GetNumberOfTuples() < source->GetNumberOfPoints())
   {
-    return CheckSpacingValues(source, values, {}, SpacingOwner::Source, places, pulse);
+    return CheckSpacingValues(source, given, {}, SpacingOwner::Source, places, pulse);
   }
-  auto grid = GridFrom(source, AsDoubles(values)->GetPointer(0), frame, pulse);
+  const auto values = KnownValues(source, given, frame, isWanted, pulse);
+  auto grid = GridFrom(source, values->GetPointer(0), frame, pulse);
   const std::string refusal = grid
     ? AddGrid(source, values, std::move(grid), options, places, pulse)
     : AddCells(source, values, frame, options, places, pulse);

@@ -9,7 +9,8 @@
 #include "PlaneFrame.h"
 #include "ProblemPlaces.h"
 
-#include <string> // for the refusal
+#include <functional> // for what is asked of places
+#include <string>     // for the refusal
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -25,11 +26,14 @@ namespace biting
 /// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
 /// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with a
 /// hidden point, and cells without area are no source.
+/// Values that are zero, negative or infinite where `isWanted` says no are none, as NaN: fill values
+/// outside of the domain.
 /// Reads `source` without changing it. Returns why it cannot be used, empty where it can; `places`
 /// gets the values that are no spacing. Where the monitor asks to stop nothing is refused, and the
 /// options have no meaning.
 std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
-  SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
+  const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
+  ProblemPlaces& places, Monitor& monitor);
 
 } // namespace biting
 

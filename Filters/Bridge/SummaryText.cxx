@@ -159,4 +159,16 @@ std::string SummaryOf(vtkDataSet* mesh, double seconds)
   return text + ThinLines(mesh, kinds);
 }
 
+std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing)
+{
+  constexpr double RoomForTolerance = 0.98; // within 2 % is the contract for f
+  vtkDataArray* spacing = mesh->GetPointData()->GetArray("Spacing");
+  const bool isUnreached = spacing && spacing->GetNumberOfTuples() > 0 &&
+    spacing->GetRange(0)[1] < RoomForTolerance * uniformSpacing;
+  return isUnreached
+    ? "Uniform Spacing has no effect: other spacings, or the size of features, are "
+      "smaller everywhere.\n"
+    : "";
+}
+
 } // namespace biting

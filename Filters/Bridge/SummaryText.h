@@ -34,6 +34,10 @@ private:
 /// how long it took, and what keeps it from being better. Empty where there is no summary.
 std::string SummaryOf(vtkDataSet* mesh, double seconds);
 
+/// The line that says that a uniform spacing is above what the mesh has everywhere, and so without
+/// effect; empty where it is not.
+std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing);
+
 } // namespace biting
 
 #endif

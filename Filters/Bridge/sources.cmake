@@ -8,6 +8,7 @@ set(biting_bridge_sources
   BoundarySpacing.cxx
   ChosenArray.cxx
   DataTree.cxx
+  DomainMembership.cxx
   DoubleArray.cxx
   FacesFromDataSet.cxx
   MeshFromPieces.cxx
@@ -22,6 +23,8 @@ set(biting_bridge_sources
   ProblemsToPolyData.cxx
   QualityArrays.cxx
   Ranks.cxx
+  SourceCover.cxx
+  SourceData.cxx
   SourceSpacing.cxx
   SpacingValues.cxx
   StructuredFromPieces.cxx

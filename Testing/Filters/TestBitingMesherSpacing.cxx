@@ -10,6 +10,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -463,4 +464,82 @@ TEST(BitingMesherSource, WithBadValuesIsRefusedWithTheirPoints)
   vectors->SetNumberOfTuples(4);
   source->GetPointData()->AddArray(vectors);
   EXPECT_TRUE(Has(RefusalOf(MesherWith(source)), "has 3 components"));
+}
+
+TEST(BitingMesherArrays, ThatAreTheOnlyScalarOfTheSourceAreTaken)
+{
+  const auto image = Image(6, 7, 1);
+  image->GetPointData()->GetArray("Spacing")->SetName("EdgeLength");
+  const auto mesher = MesherWith(image);
+  Messages messages(mesher);
+  ExpectSpacing(mesher, Linear);
+  EXPECT_TRUE(messages.Warnings.empty());
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Other", std::vector<double>(42, 1.0));
+  mesher->Modified();
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 1u);
+}
+
+TEST(BitingMesherSource, MayHaveFillValuesOutsideOfTheDomain)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 4, 1);
+  image->SetOrigin(0.0, -1.0, 0.0);
+  image->SetSpacing(0.25, 1.0, 1.0);
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Spacing",
+    { -9999.0, 0.0, HUGE_VAL, -9999.0, -1.0, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1,
+      -9999.0, -9999.0, -9999.0, -9999.0, -9999.0 });
+  const auto mesher = MesherWith(image);
+  Messages messages(mesher);
+  ExpectSpacing(mesher, [](const Place&) { return 0.1; });
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_TRUE(messages.Warnings.empty());
+}
+
+TEST(BitingMesherSource, ThatLiesElsewhereIsToldOfWithShareAndPlace)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(6, 6, 1);
+  image->SetSpacing(0.1, 0.2, 1.0);
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Spacing", std::vector<double>(36, 0.1));
+  const auto mesher = MesherWith(image);
+  Messages messages(mesher);
+  mesher->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings[0], "The spacing source does not cover 4"))
+    << messages.Warnings[0];
+  EXPECT_TRUE(Has(messages.Warnings[0], "near (")) << messages.Warnings[0];
+  image->SetOrigin(100.0, 0.0, 0.0);
+  mesher->Update();
+  ASSERT_EQ(messages.Warnings.size(), 2u);
+  EXPECT_TRUE(Has(messages.Warnings[1], "does not cover 1e+02 %") ||
+    Has(messages.Warnings[1], "does not cover 100 %"))
+    << messages.Warnings[1];
+}
+
+TEST(BitingMesherSource, OfSeveralBlocksIsOneSource)
+{
+  const auto whole = Image(6, 7, 1);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  int extents[2][6] = { { 0, 2, 0, 6, 0, 0 }, { 2, 5, 0, 6, 0, 0 } };
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    vtkNew<vtkImageData> part;
+    part->SetExtent(extents[block]);
+    part->SetOrigin(vtkImageData::SafeDownCast(whole)->GetOrigin());
+    part->SetSpacing(vtkImageData::SafeDownCast(whole)->GetSpacing());
+    AddLinearSpacing(part);
+    blocks->SetBlock(block, part);
+  }
+  const auto mesher = MesherWith(whole);
+  mesher->Update();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(mesher->GetOutput());
+  mesher->SetSpacingSourceData(blocks);
+  mesher->Update();
+  EXPECT_TRUE(AreSame(mesher->GetOutput(), expected));
+  // Of different kinds, with a block that has no spacing.
+  blocks->SetBlock(1, Polygons(true));
+  blocks->SetBlock(2, UnitSquare());
+  ExpectSpacing(mesher, Linear);
 }

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSourceCover_h
+#define BitingSourceCover_h
+
+#include "../Kernel/Base/Box2.h"
+#include "../Kernel/Spacing/Spacing.h"
+#include "PlaneFrame.h" // for Point3
+
+#include <cstddef> // for numbers of squares
+#include <string>  // for the warning
+#include <vector>  // for marks
+
+namespace biting
+{
+
+/// Where a spacing source has something to say: a grid in its box, a triangulation near its triangles;
+/// each with a margin about as wide as its own points lie apart. Holes of a grid belong to it.
+class SourceCover
+{
+public:
+  /// Of the grid or the triangulation of `options`; everything is covered where there is neither.
+  explicit SourceCover(const SpacingOptions& options);
+
+  bool Covers(const Point2& place) const;
+
+private:
+  void CoverGrid(const GridSource& grid);
+  void CoverTriangles(const TriangulatedSource& source);
+  void Mark(const Box2& box);
+  std::size_t Column(double x) const;
+  std::size_t Row(double y) const;
+
+  bool HasSource = false;
+  Box2 Bounds; ///< with the margin
+  double SquareSize = 0.0;
+  std::size_t Columns = 0;
+  std::size_t Rows = 0;
+  std::vector<char> IsMarked; ///< squares over the bounds; empty: all of them
+};
+
+/// The part of a mesh that a source does not cover.
+struct UncoveredPart
+{
+  double Share = 0.0; ///< of the area
+  Point2 Place;       ///< in it
+};
+
+UncoveredPart FindUncovered(
+  const std::vector<Point2>& points, const std::vector<Id>& corners, const SourceCover& cover);
+
+/// The warning that says so; the place in space.
+std::string UncoveredText(double share, const Point3& place);
+
+} // namespace biting
+
+#endif
