@@ -46,7 +46,7 @@ namespace
 static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::CHECK_FAILED + 1,
+    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::OVERLAPPING_CELLS + 1,
   "The kinds of problems that users see are those of the kernel.");
 
 // The stages around those of the kernel, with their shares of the time of a run.

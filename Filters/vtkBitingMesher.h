@@ -70,7 +70,7 @@
  * the sides of one corner of the input below 60 degrees: with this f they cannot be much better),
  * and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
  * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `DroppedOutsidePoints`,
- * `DroppedOutsideInterfaces`. Field data of the input is passed on.
+ * `DroppedOutsideInterfaces`, `OverlappingCells`. Field data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
@@ -170,7 +170,7 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and cells
-   * of the input. The first seven are repaired, the others refused.
+   * of the input. The first seven are repaired, the others refused where nothing else is said.
    */
   enum ProblemKindType
   {
@@ -188,7 +188,8 @@ public:
     BAD_SPACING = 11,       ///< (point of the dataset that `Message` names, input or source)
     TOO_MANY_VERTICES = 12, ///< no place
     NOT_RESOLVED = 13,      ///< where repair found no end (cell, cell)
-    CHECK_FAILED = 14       ///< a defect of this class, no place
+    CHECK_FAILED = 14,      ///< a defect of this class, no place
+    OVERLAPPING_CELLS = 15  ///< repaired: cells on top of others, in part (cell)
   };
 
   enum BiteShapeType

@@ -54,6 +54,7 @@ void AddRepairs(const ProblemList& problems, vtkFieldData* data)
   add("RepairedDuplicateSegments", ProblemCode::DuplicateSegments);
   add("RepairedCrossings", ProblemCode::Crossings);
   add("RepairedTouches", ProblemCode::Touches);
+  add("OverlappingCells", ProblemCode::OverlappingCells);
   add("DroppedOutsidePoints", ProblemCode::OutsidePoints);
   add("DroppedOutsideInterfaces", ProblemCode::OutsideInterfaces);
 }

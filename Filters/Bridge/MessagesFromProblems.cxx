@@ -37,6 +37,9 @@ Wording WordingOfRepair(ProblemCode code)
       return { "Crossing segments", "cell", "cell", "They were split where they cross." };
     case ProblemCode::Touches:
       return { "Points that lie on segments", "cell", "point", "The segments were split there." };
+    case ProblemCode::OverlappingCells:
+      return { "Cells that lie on top of others", "cell", "",
+        "The domain is what an odd number of them covers." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:

@@ -31,6 +31,7 @@ set(biting_kernel_sources
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx
   Domain/BoundaryComponents.cxx
+  Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
   Domain/CollinearCrowds.cxx
   Domain/CrossingEstimate.cxx

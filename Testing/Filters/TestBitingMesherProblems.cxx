@@ -19,7 +19,7 @@ using namespace testing_filters;
 namespace
 {
 
-constexpr int NumberOfKinds = vtkBitingMesher::CHECK_FAILED + 1;
+constexpr int NumberOfKinds = vtkBitingMesher::OVERLAPPING_CELLS + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem
@@ -183,6 +183,7 @@ TEST(BitingMesherProblems, NameTheirKinds)
   EXPECT_EQ(names->GetValue(vtkBitingMesher::NOT_PLANAR), "NotPlanar");
   EXPECT_EQ(names->GetValue(vtkBitingMesher::BAD_SPACING), "BadSpacing");
   EXPECT_EQ(names->GetValue(vtkBitingMesher::CHECK_FAILED), "CheckFailed");
+  EXPECT_EQ(names->GetValue(vtkBitingMesher::OVERLAPPING_CELLS), "OverlappingCells");
 }
 
 TEST(BitingMesherProblems, AreAsManyAsTheWarningsSay)

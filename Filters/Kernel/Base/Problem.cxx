@@ -45,7 +45,7 @@ bool ProblemList::HasErrors() const
 
 bool IsError(ProblemCode code)
 {
-  return code >= ProblemCode::NoClosedLoop;
+  return code >= ProblemCode::NoClosedLoop && code != ProblemCode::OverlappingCells;
 }
 
 } // namespace biting

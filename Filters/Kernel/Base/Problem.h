@@ -35,6 +35,9 @@ enum class ProblemCode
   TooManyVertices, ///< the estimate exceeds the limit
   NotResolved,     ///< crossings that could not be resolved (ids: cell, cell)
   CheckFailed,     ///< the result did not pass the check: a defect of this library
+  // Repaired, like the first.
+  OverlappingCells, ///< faces on top of each other: an odd number of them covers the domain (ids:
+                    ///< cell)
   Aborted          ///< the monitor asked to stop; not an error
 };
 

@@ -60,8 +60,9 @@ private:
   void SortAlong(const ArrangementEdge& edge, std::vector<Id>& path) const;
 
   void MergeEqualEdges();
+  bool Drop(const ArrangementEdge& edge);
   std::vector<std::uint8_t> AbsorbEqualEdges();
-  void Absorb(ArrangementEdge& kept, const ArrangementEdge& other);
+  void ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& other);
   bool MarkAllNew(bool isWanted);
 
   Arrangement& Data;
@@ -344,12 +345,24 @@ void Resolver::MergeEqualEdges()
   std::size_t size = 0;
   for (std::size_t e = 0; e < isAbsorbed.size(); ++e)
   {
-    if (!isAbsorbed[e])
+    if (!isAbsorbed[e] && !this->Drop(this->Data.Edges[e]))
     {
       this->Data.Edges[size++] = this->Data.Edges[e];
     }
   }
   this->Data.Edges.resize(size);
+}
+
+/// Whether `edge` is nothing but an edge between two neighbors, one on each side; these go together
+/// then. What lies between faces on top of each other is needed to find these.
+bool Resolver::Drop(const ArrangementEdge& edge)
+{
+  const bool isDropped = edge.IsNothing() && edge.Faces.Count == 2 && edge.Faces.Turn == 0;
+  if (isDropped)
+  {
+    this->Data.Groups.Join(edge.Faces.First, edge.Faces.Second);
+  }
+  return isDropped;
 }
 
 std::vector<std::uint8_t> Resolver::AbsorbEqualEdges()
@@ -369,19 +382,21 @@ std::vector<std::uint8_t> Resolver::AbsorbEqualEdges()
       kept = i;
       continue;
     }
-    this->Absorb(this->Data.Edges[keys[kept].second], this->Data.Edges[keys[i].second]);
+    ArrangementEdge& edge = this->Data.Edges[keys[kept].second];
+    const ArrangementEdge& other = this->Data.Edges[keys[i].second];
+    this->ReportEqual(edge, other);
+    Absorb(edge, other);
     isAbsorbed[keys[i].second] = 1;
   }
   return isAbsorbed;
 }
 
-void Resolver::Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
+/// Faces share edges, and lines carry the tags of their edges.
+void Resolver::ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& other)
 {
-  kept.BoundaryCount += other.BoundaryCount;
-  kept.OpenCount += other.OpenCount;
-  kept.IsInterface = kept.IsInterface || other.IsInterface;
-  kept.IsNew = kept.IsNew && other.IsNew;
-  if (this->IsFirstRound)
+  const bool areLines = kept.HasLine() && other.HasLine();
+  const bool countsTwice = kept.BoundaryCount + other.BoundaryCount > 0;
+  if (this->IsFirstRound && (areLines || countsTwice))
   {
     const Point2& place = this->Data.At(kept.Ends.Start);
     this->Problems.Add({ ProblemCode::DuplicateSegments, { kept.Cell, other.Cell }, place, {} });
@@ -407,6 +422,25 @@ bool Resolver::MarkAllNew(bool isWanted)
 }
 
 } // namespace
+
+void Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
+{
+  const FaceEdge& faces = other.Faces;
+  const bool isReversed = kept.Ends.Start != other.Ends.Start;
+  const bool bothHaveFaces = kept.Faces.Count > 0 && faces.Count > 0;
+  kept.Cell = !kept.HasLine() && other.HasLine() ? other.Cell : kept.Cell;
+  kept.BoundaryCount += other.BoundaryCount;
+  kept.OpenCount += other.OpenCount;
+  kept.IsInterface = kept.IsInterface || other.IsInterface;
+  kept.IsNew = kept.IsNew && other.IsNew;
+  kept.Faces.Stays =
+    kept.Faces.Stays || faces.Stays || (bothHaveFaces && kept.Faces.Region != faces.Region);
+  kept.Faces.Region = bothHaveFaces ? kept.Faces.Region : std::max(kept.Faces.Region, faces.Region);
+  kept.Faces.Second = bothHaveFaces ? faces.First : std::max(kept.Faces.Second, faces.Second);
+  kept.Faces.First = bothHaveFaces ? kept.Faces.First : std::max(kept.Faces.First, faces.First);
+  kept.Faces.Count += faces.Count;
+  kept.Faces.Turn += isReversed ? -faces.Turn : faces.Turn;
+}
 
 std::vector<SegmentEnds> Arrangement::EdgeEnds() const
 {

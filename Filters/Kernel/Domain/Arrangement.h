@@ -8,7 +8,8 @@
 #include "../Base/Point2.h"
 #include "../Base/Problem.h"
 #include "../Base/Pulse.h"
-#include "Domain.h"      // for DomainOptions
+#include "Domain.h" // for DomainOptions
+#include "FaceGroups.h"
 #include "SegmentTree.h" // for SegmentEnds
 
 #include <cstddef> // for size_t
@@ -17,16 +18,40 @@
 namespace biting
 {
 
+/// What faces have to do with an edge of the arrangement.
+struct FaceEdge
+{
+  Id Count = 0;       ///< how often outlines of faces run along it
+  Id Turn = 0;        ///< how many of the faces lie on its left, less those on its right
+  Id First = NoId;    ///< the chain of the first of them
+  Id Second = NoId;   ///< and of another
+  Id Region = NoId;   ///< of the first of them
+  bool Stays = false; ///< as an interface: faces of several regions meet here, or all edges stay
+};
+
 /// An edge of the arrangement, directed as the first chain that runs along it.
 struct ArrangementEdge
 {
   SegmentEnds Ends;
-  Id Cell = NoId;           ///< of the first chain
+  Id Cell = NoId;           ///< of the first line, where there is none of the first face
   Id BoundaryCount = 0;     ///< how often boundary chains run along it: by kind, or closed ones
   Id OpenCount = 0;         ///< how often open chains of automatic kind do
   bool IsInterface = false; ///< whether an interface chain does
   bool IsNew = true;        ///< not yet tested against the others
+  FaceEdge Faces;
+
+  bool HasLine() const { return this->BoundaryCount + this->OpenCount > 0 || this->IsInterface; }
+
+  /// Whether it is an edge between faces that is none of the drawing.
+  bool IsNothing() const
+  {
+    return this->Faces.Count % 2 == 0 && this->Faces.Count > 0 && !this->Faces.Stays &&
+      !this->HasLine();
+  }
 };
+
+/// Makes `kept` stand for `other` too, which has the same ends in any order.
+void Absorb(ArrangementEdge& kept, const ArrangementEdge& other);
 
 /// What the input draws: distinct vertices, and edges in the order of the input's chains.
 struct Arrangement
@@ -37,6 +62,8 @@ struct Arrangement
   std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
   double Resolution = 0.0;
   bool KeepsSpikes = true; ///< thinner than Resolution, between edges that share an end
+  double FaceArea = 0.0;   ///< sum over all faces
+  FaceGroups Groups;       ///< of chains: faces whose common edges were dropped
 
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
   const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
@@ -58,6 +85,10 @@ struct Arrangement
 ///
 /// Where so many vertices lie on edges that many edges must lie along one line, these are merged all
 /// at once (see CollinearCrowds.h).
+///
+/// Edges between two faces that are none of the drawing are dropped wherever equal edges are
+/// merged: of a triangulation only the outline takes part. That faces share edges, or parts of
+/// edges, is no news.
 ///
 /// A round tests what is new; where that is half of all or more, it tests all.
 ///

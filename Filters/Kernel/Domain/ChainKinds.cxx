@@ -19,6 +19,7 @@ using Flags = std::vector<std::uint8_t>;
 using Counts = std::vector<Id>;
 
 Flags FindGivenBoundary(const Arrangement& arrangement, Pulse& pulse);
+void AddFaces(const Arrangement& arrangement, Flags& bounds);
 void AddOpenChains(const Arrangement& arrangement, Flags& bounds, Pulse& pulse);
 
 } // namespace
@@ -26,6 +27,7 @@ void AddOpenChains(const Arrangement& arrangement, Flags& bounds, Pulse& pulse);
 std::vector<std::uint8_t> FindBoundary(const Arrangement& arrangement, Pulse& pulse)
 {
   Flags bounds = FindGivenBoundary(arrangement, pulse);
+  AddFaces(arrangement, bounds);
   AddOpenChains(arrangement, bounds, pulse);
   return bounds;
 }
@@ -72,6 +74,15 @@ Flags FindGivenBoundary(const Arrangement& arrangement, Pulse& pulse)
     Toggle(component, bounds);
   }
   return bounds;
+}
+
+/// Outlines of faces are closed, whatever lines leave open.
+void AddFaces(const Arrangement& arrangement, Flags& bounds)
+{
+  for (std::size_t e = 0; e < bounds.size(); ++e)
+  {
+    bounds[e] ^= static_cast<std::uint8_t>(arrangement.Edges[e].Faces.Count % 2);
+  }
 }
 
 /// Whether the place just outside the component is inside the domain.

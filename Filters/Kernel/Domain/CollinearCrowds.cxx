@@ -41,6 +41,7 @@ struct Bundle
   Id BoundaryCount = 0;
   Id OpenCount = 0;
   Id InterfaceCount = 0;
+  Id FaceCount = 0;
 
   /// Adds an edge, or takes it out where it is already there.
   void Toggle(Id id, const ArrangementEdge& edge)
@@ -50,6 +51,7 @@ struct Bundle
     this->BoundaryCount += sign * edge.BoundaryCount;
     this->OpenCount += sign * edge.OpenCount;
     this->InterfaceCount += edge.IsInterface ? sign : 0;
+    this->FaceCount += sign * edge.Faces.Count;
   }
 };
 
@@ -79,6 +81,7 @@ private:
   std::vector<std::pair<Id, Id>> Events(const Crowd& edges, const std::vector<Id>& path) const;
   void MakePieces(const Crowd& edges, const std::vector<Id>& path);
   void AddPiece(const Bundle& edges, Id start, Id end, Id rank);
+  void AddFaces(const Bundle& edges, ArrangementEdge& piece) const;
   void Report(Id first, Id second, Id vertex);
   void ReplaceEdges();
 
@@ -261,6 +264,7 @@ void CrowdMerger::AddPiece(const Bundle& edges, Id start, Id end, Id rank)
   piece.Edge.BoundaryCount = edges.BoundaryCount;
   piece.Edge.OpenCount = edges.OpenCount;
   piece.Edge.IsInterface = edges.InterfaceCount > 0;
+  this->AddFaces(edges, piece.Edge);
   if (edges.Ids.size() > 1)
   {
     this->Report(piece.Source, *std::next(edges.Ids.begin()), start);
@@ -268,8 +272,33 @@ void CrowdMerger::AddPiece(const Bundle& edges, Id start, Id end, Id rank)
   this->Pieces.push_back(piece);
 }
 
+/// Where faces are among the edges: one after the other.
+void CrowdMerger::AddFaces(const Bundle& edges, ArrangementEdge& piece) const
+{
+  if (edges.FaceCount == 0)
+  {
+    return;
+  }
+  const SegmentEnds ends = piece.Ends;
+  const Point2 direction = this->Data.At(ends.End) - this->Data.At(ends.Start);
+  piece = this->Data.Edge(*edges.Ids.begin());
+  piece.Ends = ends;
+  for (auto id = std::next(edges.Ids.begin()); id != edges.Ids.end(); ++id)
+  {
+    ArrangementEdge other = this->Data.Edge(*id);
+    const bool isForward = Dot(this->Direction(*id), direction) > 0.0;
+    other.Ends = isForward ? ends : SegmentEnds{ ends.End, ends.Start };
+    Absorb(piece, other);
+  }
+}
+
+/// That faces share edges, or lines run along faces, is no news.
 void CrowdMerger::Report(Id first, Id second, Id vertex)
 {
+  if (!this->Data.Edge(first).HasLine() || !this->Data.Edge(second).HasLine())
+  {
+    return;
+  }
   const SegmentEnds& a = this->EndsOf(first);
   const SegmentEnds& b = this->EndsOf(second);
   const auto isOnLine = [this, &a](Id end)

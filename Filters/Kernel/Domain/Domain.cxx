@@ -7,6 +7,7 @@
 #include "../Predicates/Predicates.h" // for the range of coordinates
 #include "AreaSum.h"
 #include "Arrangement.h"
+#include "CellOverlaps.h"
 #include "ChainKinds.h"
 #include "Nesting.h"
 #include "Welding.h"
@@ -31,7 +32,8 @@ constexpr double EndOfResolving = 0.6;
 constexpr double EndOfBoundary = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
-Arrangement Weld(const Polylines& input, ProblemList& problems, Pulse& pulse);
+Arrangement Weld(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 bool Resolve(
   Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 Flags Bound(const Arrangement& arrangement, Pulse& pulse);
@@ -40,6 +42,8 @@ Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Ins
 void ReportOutside(
   const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
 double EnclosedArea(const Domain& domain);
+bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
+  const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 Domain Refuse(ProblemCode code, ProblemList& problems)
 {
@@ -59,7 +63,7 @@ Domain MakeDomain(
     return {};
   }
   Pulse pulse(monitor);
-  Arrangement arrangement = Weld(input, problems, pulse);
+  Arrangement arrangement = Weld(input, options, problems, pulse);
   if (!Resolve(arrangement, options, problems, pulse))
   {
     return {};
@@ -79,6 +83,10 @@ Domain MakeDomain(
   ReportOutside(arrangement, inside, problems);
   Domain domain = KeepInside(arrangement, bounds, inside);
   domain.Area = EnclosedArea(domain);
+  if (!AcceptOverlaps(arrangement, input, domain.Area, options, problems, pulse))
+  {
+    return {};
+  }
   return domain;
 }
 
@@ -133,10 +141,11 @@ bool IsUsable(const Polylines& input, ProblemList& problems)
   return isUsable;
 }
 
-Arrangement Weld(const Polylines& input, ProblemList& problems, Pulse& pulse)
+Arrangement Weld(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, EndOfWelding);
-  return WeldPolylines(input, problems, pulse);
+  return WeldPolylines(input, options, problems, pulse);
 }
 
 bool Resolve(
@@ -164,7 +173,7 @@ std::vector<Id> Degrees(const Arrangement& arrangement)
   std::vector<Id> degrees(arrangement.Vertices.size(), 0);
   for (const ArrangementEdge& edge : arrangement.Edges)
   {
-    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount);
+    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
     degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
     degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
   }
@@ -201,7 +210,7 @@ Problem NothingBounds(const Arrangement& arrangement)
   Id cancelled = 0;
   for (const ArrangementEdge& edge : arrangement.Edges)
   {
-    const Id count = edge.BoundaryCount + edge.OpenCount;
+    const Id count = edge.BoundaryCount + edge.OpenCount + edge.Faces.Count;
     if (count > 0 && count % 2 == 0)
     {
       problem.Place = cancelled == 0 ? arrangement.At(edge.Ends.Start) : problem.Place;
@@ -240,9 +249,9 @@ Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
   return {};
 }
 
-bool IsKept(const InsideFlags& inside, std::size_t edge)
+bool IsKept(const Arrangement& arrangement, const InsideFlags& inside, std::size_t edge)
 {
-  return inside.Left[edge] || inside.Right[edge];
+  return (inside.Left[edge] || inside.Right[edge]) && !arrangement.Edges[edge].IsNothing();
 }
 
 /// 1 for the ends of kept edges.
@@ -251,7 +260,7 @@ Flags EndsOfKeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
   Flags isEnd(arrangement.Vertices.size(), 0);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(inside, e))
+    if (IsKept(arrangement, inside, e))
     {
       isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.Start)] = 1;
       isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.End)] = 1;
@@ -272,7 +281,7 @@ void ReportOutsideInterfaces(
   std::vector<std::pair<Id, std::size_t>> dropped;
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (!IsKept(inside, e) && IsInterface(arrangement.Edges[e]))
+    if (!IsKept(arrangement, inside, e) && IsInterface(arrangement.Edges[e]))
     {
       dropped.emplace_back(arrangement.Edges[e].Cell, e);
     }
@@ -338,7 +347,7 @@ Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Ins
   const std::vector<Id> numbers = KeepVertices(arrangement, inside, domain);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(inside, e))
+    if (IsKept(arrangement, inside, e))
     {
       const ArrangementEdge& edge = arrangement.Edges[e];
       domain.Starts.push_back(numbers[static_cast<std::size_t>(edge.Ends.Start)]);
@@ -365,6 +374,30 @@ double EnclosedArea(const Domain& domain)
     }
   }
   return sum.Area();
+}
+
+/// Tells of cells on top of each other; false where that refuses the input.
+bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
+  const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  ReportCellOverlaps(arrangement, input, area, problems, pulse);
+  if (!pulse.Ask())
+  {
+    Refuse(ProblemCode::Aborted, problems);
+    return false;
+  }
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == ProblemCode::OverlappingCells && !options.Repair)
+    {
+      Problem problem = group.First.front();
+      problem.Code = ProblemCode::NotResolved;
+      problem.Ids.push_back(problem.Ids.front());
+      problems.Add(problem);
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace

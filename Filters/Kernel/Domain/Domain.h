@@ -28,6 +28,12 @@ namespace biting
 /// Of ChainKind::Automatic, closed chains bound. Open ones bound where they form loops together: of
 /// their graph without its bridges, components of even degree by parity, others by their outline.
 /// What crosses itself, or has odd degrees, and lies within the domain of the others only divides it.
+///
+/// Where there are faces, the domain is the area that an odd number of them covers, whatever their
+/// orientation, and chains of ChainKind::Automatic are interfaces. An edge between two faces is
+/// dropped, with the vertices that only such edges have, unless the faces differ in region or
+/// KeepCellEdges is on: then it is an interface. What a face shares with a line has the cell of the
+/// line.
 struct Domain
 {
   // Vertices: ends of segments, and embedded points of the closed domain.
@@ -38,7 +44,7 @@ struct Domain
   // Segments, those outside of the domain dropped.
   std::vector<Id> Starts;
   std::vector<Id> Ends;
-  std::vector<Id> Cells; ///< the input cell of each segment (the first, where several)
+  std::vector<Id> Cells; ///< the input cell of each segment (where several, the first; lines first)
   std::vector<std::uint8_t> IsBoundary; ///< 1: inside differs across it; 0: interface
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
@@ -56,6 +62,9 @@ struct DomainOptions
   /// True: crossings, touches, overlaps and duplicates are resolved into the arrangement and
   /// reported as repairs. False: they are reported, and followed by ProblemCode::NotResolved.
   bool Repair = true;
+
+  /// Whether every edge of a face is an edge of the mesh, also between faces of one region.
+  bool KeepCellEdges = false;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
   /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.

@@ -65,6 +65,7 @@ private:
   void ReportOverlap(Id first, Id second, Id vertex);
   void ReportTouch(Id edge, Id toucher, Id vertex);
   void ReportCrossing(Id first, Id second);
+  bool IsNews(Id first, Id second) const;
   bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
   const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
 
@@ -262,9 +263,23 @@ bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
       [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
 }
 
+/// Faces share parts of edges, and lines run over faces. Faces on top of each other are told of in
+/// another way (CellOverlaps.h), but not what crosses itself.
+bool MeetingFinder::IsNews(Id first, Id second) const
+{
+  const ArrangementEdge& a = this->Input.Edge(first);
+  const ArrangementEdge& b = this->Input.Edge(second);
+  const bool isOfLines = a.HasLine() && b.HasLine();
+  const bool isOfOneFace = a.Faces.Count > 0 && a.Faces.First == b.Faces.First;
+  return isOfLines || isOfOneFace || this->IsBoundary(first) || this->IsBoundary(second);
+}
+
 void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
 {
-  this->Found.Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
+  if (this->IsNews(first, second))
+  {
+    this->Found.Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
+  }
 }
 
 /// Interfaces may end anywhere; only boundaries that touch are worth a word.
@@ -278,7 +293,10 @@ void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
 
 void MeetingFinder::ReportCrossing(Id first, Id second)
 {
-  this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
+  if (this->IsNews(first, second))
+  {
+    this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
+  }
 }
 
 /// Of entries with equal keys the least is kept.

@@ -11,6 +11,7 @@
 #include <iterator> // for prev
 #include <numeric>  // for iota
 #include <set>      // for the segments that the sweep line cuts
+#include <utility>  // for move
 
 namespace biting
 {
@@ -73,25 +74,28 @@ std::vector<SegmentEnds> LeftToRight(
   return directed;
 }
 
+/// Sums `steps` over the segments that are crossed from below to above, beginning outside.
 class Sweep
 {
 public:
   Sweep(const std::vector<Point2>& vertices, const std::vector<SegmentEnds>& segments,
-    const std::vector<std::uint8_t>& bounds, Pulse& pulse)
+    std::vector<Id> steps, Pulse& pulse)
     : Vertices(vertices)
     , Directed(LeftToRight(vertices, segments))
-    , Bounds(bounds)
+    , Steps(std::move(steps))
     , Beats(pulse)
     , Stars(vertices, this->Directed, pulse)
     , Cut(BelowOrder{ &vertices, &this->Directed })
     , Places(segments.size(), this->Cut.end())
     , Above(segments.size(), 0)
+    , Below(segments.size(), NoId)
     , LoneInside(vertices.size(), 0)
   {
   }
 
   bool Run();
   InsideFlags Flags(const std::vector<SegmentEnds>& segments) const;
+  SegmentDepths Depths();
 
 private:
   using CutSegments = std::set<Id, BelowOrder>;
@@ -100,16 +104,19 @@ private:
   void Pass(Id vertex);
   CutSegments::iterator EraseEnding(Id vertex, CutSegments::iterator above);
   void InsertStarting(Id vertex, CutSegments::iterator above);
-  bool IsInsideBelow(CutSegments::iterator above) const;
+  Id SegmentBelow(CutSegments::iterator above) const;
+  Id DepthAbove(Id segment) const;
 
   const std::vector<Point2>& Vertices;
   const std::vector<SegmentEnds> Directed;
-  const std::vector<std::uint8_t>& Bounds;
+  const std::vector<Id> Steps;
   Pulse& Beats;
   const VertexStars Stars;
   CutSegments Cut;
   std::vector<CutSegments::iterator> Places; ///< of each segment in Cut
-  std::vector<std::uint8_t> Above;           ///< whether the domain lies above each segment
+  std::vector<Id> Above;                     ///< the sum just above each segment
+  std::vector<Id> Below;                     ///< the segment below the left end of each
+  std::vector<Id> Order;                     ///< in which segments were met
   std::vector<std::uint8_t> LoneInside;
 };
 
@@ -149,7 +156,8 @@ void Sweep::Pass(Id vertex)
     : this->Cut.lower_bound(this->Vertices[static_cast<std::size_t>(vertex)]);
   if (degree == 0)
   {
-    this->LoneInside[static_cast<std::size_t>(vertex)] = this->IsInsideBelow(above) ? 1 : 0;
+    const Id depth = this->DepthAbove(this->SegmentBelow(above));
+    this->LoneInside[static_cast<std::size_t>(vertex)] = depth % 2 != 0 ? 1 : 0;
   }
   this->InsertStarting(vertex, above);
 }
@@ -171,7 +179,7 @@ Sweep::CutSegments::iterator Sweep::EraseEnding(Id vertex, CutSegments::iterator
 
 void Sweep::InsertStarting(Id vertex, CutSegments::iterator above)
 {
-  bool isInside = this->IsInsideBelow(above);
+  Id below = this->SegmentBelow(above);
   for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
   {
     const auto segment = static_cast<std::size_t>(*s);
@@ -179,20 +187,23 @@ void Sweep::InsertStarting(Id vertex, CutSegments::iterator above)
     {
       break;
     }
-    isInside = isInside != (this->Bounds[segment] != 0);
-    this->Above[segment] = isInside ? 1 : 0;
+    this->Above[segment] = this->DepthAbove(below) + this->Steps[segment];
+    this->Below[segment] = below;
+    this->Order.push_back(*s);
     this->Places[segment] = this->Cut.insert(above, *s);
+    below = *s;
   }
 }
 
-/// Whether the place just below `above` is inside.
-bool Sweep::IsInsideBelow(CutSegments::iterator above) const
+/// NoId where nothing lies below.
+Id Sweep::SegmentBelow(CutSegments::iterator above) const
 {
-  if (above == this->Cut.begin())
-  {
-    return false;
-  }
-  return this->Above[static_cast<std::size_t>(*std::prev(above))] != 0;
+  return above == this->Cut.begin() ? NoId : *std::prev(above);
+}
+
+Id Sweep::DepthAbove(Id segment) const
+{
+  return segment == NoId ? 0 : this->Above[static_cast<std::size_t>(segment)];
 }
 
 /// Above is the left of a segment that leads from left to right.
@@ -202,8 +213,8 @@ InsideFlags Sweep::Flags(const std::vector<SegmentEnds>& segments) const
   flags.Vertices = this->LoneInside;
   for (std::size_t s = 0; s < segments.size(); ++s)
   {
-    const std::uint8_t above = this->Above[s];
-    const auto below = static_cast<std::uint8_t>(above ^ this->Bounds[s]);
+    const std::uint8_t above = this->Above[s] % 2 != 0 ? 1 : 0;
+    const std::uint8_t below = (this->Above[s] - this->Steps[s]) % 2 != 0 ? 1 : 0;
     const bool isReversed = segments[s].Start != this->Directed[s].Start;
     flags.Left.push_back(isReversed ? below : above);
     flags.Right.push_back(isReversed ? above : below);
@@ -211,12 +222,42 @@ InsideFlags Sweep::Flags(const std::vector<SegmentEnds>& segments) const
   return flags;
 }
 
+SegmentDepths Sweep::Depths()
+{
+  SegmentDepths depths;
+  depths.Steps = this->Steps;
+  depths.Above = std::move(this->Above);
+  depths.Below = std::move(this->Below);
+  depths.Order = std::move(this->Order);
+  return depths;
+}
+
+/// Turned where the segment leads from right to left.
+std::vector<Id> Upwards(const std::vector<Point2>& vertices,
+  const std::vector<SegmentEnds>& segments, std::vector<Id> steps)
+{
+  for (std::size_t s = 0; s < steps.size(); ++s)
+  {
+    const bool isReversed = vertices[static_cast<std::size_t>(segments[s].End)] <
+      vertices[static_cast<std::size_t>(segments[s].Start)];
+    steps[s] = isReversed ? -steps[s] : steps[s];
+  }
+  return steps;
+}
+
 } // namespace
+
+SegmentDepths FindDepths(const std::vector<Point2>& vertices,
+  const std::vector<SegmentEnds>& segments, const std::vector<Id>& turns, Pulse& pulse)
+{
+  Sweep sweep(vertices, segments, Upwards(vertices, segments, turns), pulse);
+  return sweep.Run() ? sweep.Depths() : SegmentDepths();
+}
 
 InsideFlags FindInside(const std::vector<Point2>& vertices,
   const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds, Pulse& pulse)
 {
-  Sweep sweep(vertices, segments, bounds, pulse);
+  Sweep sweep(vertices, segments, std::vector<Id>(bounds.begin(), bounds.end()), pulse);
   return sweep.Run() ? sweep.Flags(segments) : InsideFlags();
 }
 

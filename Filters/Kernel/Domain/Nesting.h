@@ -32,6 +32,20 @@ struct InsideFlags
 InsideFlags FindInside(const std::vector<Point2>& vertices,
   const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds, Pulse& pulse);
 
+/// How many things cover the plane beside segments, and which segment lies below which.
+struct SegmentDepths
+{
+  std::vector<Id> Steps; ///< of each segment: the depth just above it less that just below it
+  std::vector<Id> Above; ///< of each segment: the depth just above it
+  std::vector<Id> Below; ///< of each segment: the one just below its left end; NoId: none
+  std::vector<Id> Order; ///< the segments by their left ends, and from below to above
+};
+
+/// The same sweep for a depth that changes by `turns` from the right to the left of a segment, and
+/// is 0 outside. Empty where the monitor wants to stop.
+SegmentDepths FindDepths(const std::vector<Point2>& vertices,
+  const std::vector<SegmentEnds>& segments, const std::vector<Id>& turns, Pulse& pulse);
+
 } // namespace biting
 
 #endif

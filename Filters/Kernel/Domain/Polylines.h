@@ -15,10 +15,11 @@ namespace biting
 /// What a chain of the input is.
 enum class ChainKind : signed char
 {
-  Automatic = -1,   ///< closed chains are boundary, open ones interface (see Domain.h)
-  Boundary = 0,     ///< bounds the domain, by even-odd parity
-  Interface = 1,    ///< becomes mesh edges, does not change the domain
-  EmbeddedPoint = 2 ///< every point of it becomes a mesh vertex
+  Automatic = -1,    ///< closed chains are boundary, open ones interface (see Domain.h)
+  Boundary = 0,      ///< bounds the domain, by even-odd parity
+  Interface = 1,     ///< becomes mesh edges, does not change the domain
+  EmbeddedPoint = 2, ///< every point of it becomes a mesh vertex
+  Face = 3 ///< closed: the outline of a two-dimensional cell, whose area counts (see Domain.h)
 };
 
 /// The input of the kernel: chains of points in the plane, as they come (points may repeat, chains
@@ -31,6 +32,7 @@ struct Polylines
   std::vector<Id> Connectivity;
   std::vector<ChainKind> Kinds; ///< one a chain
   std::vector<Id> Cells;        ///< the input cell of each chain, for messages and tags
+  std::vector<Id> Regions; ///< of each chain, what faces tell apart; empty: all are of one region
 
   Id NumberOfChains() const { return static_cast<Id>(this->Kinds.size()); }
 };

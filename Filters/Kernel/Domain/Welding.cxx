@@ -5,8 +5,9 @@
 
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h" // for LeastCoordinate
+#include "AreaSum.h"
 
-#include <algorithm>  // for max
+#include <algorithm>  // for find, max
 #include <cmath>      // for abs
 #include <cstdint>    // for masks
 #include <functional> // for less
@@ -25,10 +26,13 @@ constexpr double ResolutionInUlp = 4.0;
 class Welder
 {
 public:
-  Welder(const Polylines& input, ProblemList& problems, Pulse& pulse)
+  Welder(const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
     : Input(input)
     , Problems(problems)
     , Beats(pulse)
+    , KeepsCellEdges(options.KeepCellEdges)
+    , HasFaces(
+        std::find(input.Kinds.begin(), input.Kinds.end(), ChainKind::Face) != input.Kinds.end())
     , PointVertices(input.Points.size(), NoId)
   {
   }
@@ -40,7 +44,9 @@ private:
   void MakeVertices();
   std::vector<Id> FirstEquals(const std::vector<Id>& points) const;
   void AppendChain(Id chain);
-  void AppendEdges(Id chain, bool isBoundary);
+  ArrangementEdge EdgeOf(Id chain) const;
+  void AppendFace(Id chain);
+  void AppendEdges(Id chain, const ArrangementEdge& prototype);
   void AppendEmbeddedPoints(Id chain);
   void MergeEmbeddedPoints();
   void ReportEqualPoints(Id cell, Id first, Id second);
@@ -54,6 +60,8 @@ private:
   const Polylines& Input;
   ProblemList& Problems;
   Pulse& Beats;
+  const bool KeepsCellEdges;
+  const bool HasFaces;
   Arrangement Result;
   std::vector<Id> PointVertices;                 ///< NoId: no chain uses the point
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
@@ -63,6 +71,7 @@ Arrangement Welder::Run()
 {
   this->MakeVertices();
   this->Result.Edges.reserve(this->Input.Connectivity.size());
+  this->Result.Groups = FaceGroups(this->HasFaces ? this->Input.NumberOfChains() : 0);
   for (Id chain = 0; chain < this->Input.NumberOfChains() && this->Beats.Beat(); ++chain)
   {
     this->AppendChain(chain);
@@ -155,8 +164,52 @@ void Welder::AppendChain(Id chain)
     this->AppendEmbeddedPoints(chain);
     return;
   }
-  const bool isAutomatic = kind == ChainKind::Automatic;
-  this->AppendEdges(chain, kind == ChainKind::Boundary || (isAutomatic && this->IsClosed(chain)));
+  if (kind == ChainKind::Face)
+  {
+    this->AppendFace(chain);
+    return;
+  }
+  this->AppendEdges(chain, this->EdgeOf(chain));
+}
+
+/// What an edge of the line `chain` counts for.
+ArrangementEdge Welder::EdgeOf(Id chain) const
+{
+  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
+  const bool isAutomatic = kind == ChainKind::Automatic && !this->HasFaces;
+  const bool isBoundary = kind == ChainKind::Boundary || (isAutomatic && this->IsClosed(chain));
+  ArrangementEdge edge;
+  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
+  edge.BoundaryCount = isBoundary ? 1 : 0;
+  edge.OpenCount = isAutomatic && !isBoundary ? 1 : 0;
+  edge.IsInterface = !isAutomatic && !isBoundary;
+  return edge;
+}
+
+/// Any orientation will do for what encloses nothing: its edges cancel.
+void Welder::AppendFace(Id chain)
+{
+  const Id first = this->Offset(chain);
+  const Id end = this->Offset(chain + 1);
+  if (first == end)
+  {
+    return;
+  }
+  AreaSum sum(this->Place(this->PointAt(first)));
+  for (Id place = first + 1; place < end; ++place)
+  {
+    sum.Add(this->Place(this->PointAt(place - 1)), this->Place(this->PointAt(place)));
+  }
+  const std::vector<Id>& regions = this->Input.Regions;
+  ArrangementEdge edge;
+  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
+  edge.Faces.Count = 1;
+  edge.Faces.Turn = sum.Area() < 0.0 ? -1 : 1;
+  edge.Faces.First = chain;
+  edge.Faces.Region = regions.empty() ? 0 : regions[static_cast<std::size_t>(chain)];
+  edge.Faces.Stays = this->KeepsCellEdges;
+  this->Result.FaceArea += std::abs(sum.Area());
+  this->AppendEdges(chain, edge);
 }
 
 bool Welder::IsClosed(Id chain) const
@@ -167,26 +220,24 @@ bool Welder::IsClosed(Id chain) const
     this->VertexOf(this->PointAt(first)) == this->VertexOf(this->PointAt(last));
 }
 
-void Welder::AppendEdges(Id chain, bool isBoundary)
+/// That corners of a face coincide is no news: so do those of a quad that is a triangle.
+void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
 {
-  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
-  ArrangementEdge edge;
-  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
-  edge.BoundaryCount = isBoundary ? 1 : 0;
-  edge.OpenCount = !isBoundary && kind == ChainKind::Automatic ? 1 : 0;
-  edge.IsInterface = kind == ChainKind::Interface;
+  ArrangementEdge edge = prototype;
   const Id end = this->Offset(chain + 1);
   for (Id place = this->Offset(chain) + 1; place < end && this->Beats.Beat(1); ++place)
   {
     const Id first = this->PointAt(place - 1);
     const Id second = this->PointAt(place);
     edge.Ends = { this->VertexOf(first), this->VertexOf(second) };
-    if (edge.Ends.Start == edge.Ends.End)
+    if (edge.Ends.Start != edge.Ends.End)
+    {
+      this->Result.Edges.push_back(edge);
+    }
+    else if (edge.Faces.Count == 0)
     {
       this->ReportEqualPoints(edge.Cell, first, second);
-      continue;
     }
-    this->Result.Edges.push_back(edge);
   }
 }
 
@@ -230,9 +281,10 @@ void Welder::MergeEmbeddedPoints()
 
 } // namespace
 
-Arrangement WeldPolylines(const Polylines& input, ProblemList& problems, Pulse& pulse)
+Arrangement WeldPolylines(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  return Welder(input, problems, pulse).Run();
+  return Welder(input, options, problems, pulse).Run();
 }
 
 } // namespace biting

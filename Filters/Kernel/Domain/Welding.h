@@ -18,7 +18,8 @@ namespace biting
 /// Reported: consecutive points of a chain that are equal (ZeroLengthSegments where the point id
 /// repeats, DuplicatePoints where two ids share the place), embedded points that repeat.
 /// Precondition: the coordinates that chains use are finite. Cost O(n log n).
-Arrangement WeldPolylines(const Polylines& input, ProblemList& problems, Pulse& pulse);
+Arrangement WeldPolylines(
+  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting
 

@@ -50,6 +50,13 @@ public:
     return this->Loop({ { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } }, kind);
   }
 
+  /// Of the faces that follow.
+  PolylineBuilder& Region(Id region)
+  {
+    this->CurrentRegion = region;
+    return *this;
+  }
+
   const Polylines& Lines() const { return this->Input; }
 
 private:
@@ -57,11 +64,13 @@ private:
   {
     this->Input.Cells.push_back(this->Input.NumberOfChains());
     this->Input.Kinds.push_back(kind);
+    this->Input.Regions.push_back(this->CurrentRegion);
     this->Input.Offsets.push_back(static_cast<Id>(this->Input.Connectivity.size()));
     return *this;
   }
 
   Polylines Input;
+  Id CurrentRegion = 0;
 };
 
 /// A domain with what was said while it was made, and the verdict of the check.
@@ -72,12 +81,13 @@ struct MadeDomain
   std::string Violation;
 };
 
-inline MadeDomain Make(const Polylines& input, bool repair = true)
+inline MadeDomain Make(const Polylines& input, bool repair = true, bool keepCellEdges = false)
 {
   MadeDomain made;
   SilentMonitor monitor;
   DomainOptions options;
   options.Repair = repair;
+  options.KeepCellEdges = keepCellEdges;
   made.Domain = MakeDomain(input, options, made.Problems, monitor);
   made.Violation = CheckDomain(made.Domain);
   return made;
