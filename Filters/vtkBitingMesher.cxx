@@ -122,7 +122,7 @@ private:
   void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
 
   vtkBitingMesher* Filter;
-  vtkSmartPointer<vtkPolyData> Input;
+  biting::Drawing Drawing;
   vtkSmartPointer<vtkDataObject> Source;
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
@@ -158,11 +158,27 @@ void vtkBitingMesher::SetSpacingSourceConnection(vtkAlgorithmOutput* source)
 }
 
 //------------------------------------------------------------------------------
+// The pipeline goes through the blocks of what the port does not take as a whole.
+void vtkBitingMesher::SetMeshBlocksSeparately(bool separately)
+{
+  if (this->MeshBlocksSeparately != separately)
+  {
+    this->MeshBlocksSeparately = separately;
+    this->FillInputPortInformation(0, this->GetInputPortInformation(0));
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    if (!this->MeshBlocksSeparately)
+    {
+      info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    }
     return 1;
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -233,9 +249,10 @@ bool vtkBitingMesher::Execution::Gather(
   {
     return this->Accept(biting::NotGathered);
   }
-  this->Input = vtkPolyData::SafeDownCast(drawing.Make());
+  const vtkSmartPointer<vtkDataObject> input = drawing.Make();
+  this->Drawing = biting::ReadDrawing(input);
   this->Source = source.Make();
-  return this->Input != nullptr;
+  return input != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -253,6 +270,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Gradation = filter.Gradation;
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.PreserveBoundary = filter.PreserveBoundary;
   this->Options.BitingConstant = filter.BitingConstant;
   this->Options.BiteShape =
@@ -336,17 +354,18 @@ std::string vtkBitingMesher::Execution::ParameterRefusal() const
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadChains()
 {
-  if (this->Input->GetNumberOfStrips() > 0)
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, << "The triangle strips of the input are ignored; lines, polygons and "
-                       "vertex cells describe a domain.");
-  }
   this->Monitor.BeginStage(ReadingStage.Text);
   biting::PartOfStage part(this->Monitor, 0.0, ChainsEnd);
-  return this->Accept(
-           biting::PolylinesFromPolyData(this->Input, this->Planar, this->Problems, part)) &&
-    !this->ReportErrors() && !this->WasAborted() && this->Planar.Chains.NumberOfChains() > 0;
+  const bool isRead = this->Accept(biting::PolylinesFromDrawing(
+    this->Drawing, this->Filter->RegionArray, this->Planar, this->Problems, part));
+  if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
+    !this->WasAborted())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << "The input has points but no cells to mesh: lines, "
+                                               "polygons or vertex cells.");
+  }
+  return isRead && !this->ReportErrors() && !this->WasAborted() &&
+    this->Planar.Chains.NumberOfChains() > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -360,14 +379,14 @@ bool vtkBitingMesher::Execution::ReadSpacing()
 std::string vtkBitingMesher::Execution::AddBoundaryArray()
 {
   const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
+    this->Filter->GetInputArrayInformation(0), this->Drawing.Points, { "spacing array", "input" });
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
   biting::PartOfStage part(this->Monitor, ChainsEnd, BoundaryEnd);
   return biting::AddBoundarySpacing(
-    this->Input, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
+    this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -484,7 +503,7 @@ void vtkBitingMesher::Execution::WriteEdges(
   vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
 {
   const biting::PulsePart part(pulse, MeshEnd, EdgesEnd);
-  biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Input, output, pulse);
+  biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Drawing, output, pulse);
 }
 
 //------------------------------------------------------------------------------
@@ -511,6 +530,9 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Gradation: " << this->Gradation << "\n"
      << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
      << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
+     << indent << "RegionArray: " << this->RegionArray << "\n"
+     << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
+     << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"
      << indent << "PreserveBoundary: " << (this->PreserveBoundary ? "on" : "off") << "\n"
      << indent << "BiteShape: " << this->BiteShape << "\n"
      << indent << "BitingConstant: " << this->BitingConstant << "\n"

@@ -19,12 +19,27 @@
  * edges as long as f; it is checked (orientation, area, every segment covered) and measured.
  *
  * @par Input:
- * Port 0: a vtkPolyData. Lines and polylines may be merged or not, in any order and orientation;
- * closed chains bound the domain, by even-odd nesting; open chains are interfaces, which become
- * edges of the mesh. Polygons are closed boundary chains, and each point of a vertex cell is an
- * embedded point, which becomes a vertex of the mesh. Triangle strips are ignored, with a warning. A
- * numeric cell array `Kind` decides instead what a line or polygon is: 0 boundary, 1 interface, 2
- * embedded points. Points that no cell uses are ignored.
+ * Port 0: any vtkDataSet, by its lines and two-dimensional cells, or a composite dataset of such: all
+ * blocks are one drawing, whose points and cells are numbered block after block
+ * (MeshBlocksSeparately: each by itself). Lines and polylines may be merged or not, in any order and
+ * orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the mesh.
+ * @par
+ * Only lines: closed chains bound the domain, by even-odd nesting; open chains are interfaces, which
+ * become edges of the mesh.
+ * @par
+ * Two-dimensional cells (triangles, strips, quads, pixels, polygons; quadratic ones with straight
+ * sides through the points of their outline): the domain is the area that an odd number of them
+ * covers, whatever their orientation, so that a polygon within a polygon is a hole. Edges between
+ * neighbors, also where they share a part of an edge only, are nothing, and points inside of the
+ * surface are no vertices of the mesh; but edges are interfaces between cells that differ in
+ * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where. Lines
+ * beside cells never count for the area: on edges of the domain they carry their tags, elsewhere they
+ * are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a volume are refused;
+ * apply Extract Surface, Slice or Feature Edges. Curved cells of higher order are refused, too.
+ * @par
+ * A numeric cell array `Kind` decides instead what a line or a two-dimensional cell is: 0 boundary (of
+ * a line: it counts for the area by parity; a cell counts as it does without), 1 interface, 2 embedded
+ * points. Points that no cell uses are ignored.
  * The chains may lie in any plane: it is fitted, meshed in and mapped back. In a plane of constant
  * x, y or z the coordinates are used as they are. Triangles are counterclockwise seen from the side
  * of the normal whose largest component is positive.
@@ -74,7 +89,9 @@
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
- * input at its cell, of any type. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell
+ * input at its cell, of any type: on the outline of a surface that of the cell there, where a line
+ * runs along it that of the line. Blocks of a composite input are told by `BlockName` (string); where
+ * a block lacks an array its values are 0, NaN or empty. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell
  * data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1 interface).
  *
  * @par Output 2, the bites (only with GenerateBites):
@@ -148,7 +165,7 @@
 #include "vtkBitingFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // for the summary
+#include <string> // for names and the summary
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
@@ -298,6 +315,38 @@ public:
   vtkSetMacro(RepairInput, bool);
   vtkGetMacro(RepairInput, bool);
   vtkBooleanMacro(RepairInput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The name of a cell array of the input, of numbers or texts: edges between two-dimensional cells
+   * whose values differ become edges of the mesh, and `RegionId` differs on their sides. Empty or
+   * "None" (default): all cells are of one region. A name that does not exist is an error.
+   */
+  vtkSetStdStringFromCharMacro(RegionArray);
+  vtkGetCharFromStdStringMacro(RegionArray);
+  ///@}
+
+  ///@{
+  /**
+   * On: every edge of a two-dimensional cell of the input is an edge of the mesh, and each cell a
+   * region of it. Off (default): edges between cells of one region are dropped, with the vertices
+   * inside.
+   */
+  vtkSetMacro(KeepCellEdges, bool);
+  vtkGetMacro(KeepCellEdges, bool);
+  vtkBooleanMacro(KeepCellEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What a composite input is. Off (default): all of its blocks are one drawing, so that a loop in
+   * one block may be a hole of another. On: each block is meshed by itself, and the outputs are
+   * composite.
+   */
+  virtual void SetMeshBlocksSeparately(bool separately);
+  vtkGetMacro(MeshBlocksSeparately, bool);
+  vtkBooleanMacro(MeshBlocksSeparately, bool);
   ///@}
 
   ///@{
@@ -462,6 +511,9 @@ private:
   double Gradation = 0.3;
   bool LimitByFeatureSize = true;
   bool RepairInput = true;
+  std::string RegionArray;
+  bool KeepCellEdges = false;
+  bool MeshBlocksSeparately = false;
   bool PreserveBoundary = false;
   int BiteShape = SQUARE;
   double BitingConstant = 0.0;

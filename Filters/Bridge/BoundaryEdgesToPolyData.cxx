@@ -93,9 +93,9 @@ void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to,
 // Any kind of array, numbers or not; never as the active attribute that it may be in the input,
 // since an id that is unique there is not unique here. An array that has no value for some cell is left
 // out.
-void CarryCellArrays(const BitingMesh& mesh, vtkPolyData* input, vtkCellData* to, Pulse& pulse)
+void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData* to, Pulse& pulse)
 {
-  vtkCellData* from = input->GetCellData();
+  vtkFieldData* from = drawing.CellArrays;
   vtkNew<vtkIdList> cells;
   cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
   std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
@@ -103,7 +103,7 @@ void CarryCellArrays(const BitingMesh& mesh, vtkPolyData* input, vtkCellData* to
   {
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
-    const bool isShort = given->GetNumberOfTuples() < input->GetNumberOfCells();
+    const bool isShort = given->GetNumberOfTuples() < drawing.NumberOfCells;
     if (isShort || name == vtkDataSetAttributes::GhostArrayName())
     {
       continue;
@@ -131,8 +131,8 @@ std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
 
 } // namespace
 
-void BoundaryEdgesToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output, Pulse& pulse)
+void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
+  vtkPolyData* output, Pulse& pulse)
 {
   const EdgeVertices vertices = VerticesOfEdges(mesh, pulse);
   vtkNew<vtkCellArray> lines;
@@ -140,7 +140,7 @@ void BoundaryEdgesToPolyData(
   output->SetPoints(PointsOf(vertices, points));
   output->SetLines(lines);
   AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", vertices.MeshIds, pulse);
-  CarryCellArrays(mesh, input, output->GetCellData(), pulse);
+  CarryCellArrays(mesh, drawing, output->GetCellData(), pulse);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
   AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);
 }

@@ -7,6 +7,7 @@
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/BitingMesh.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
+#include "Drawing.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPoints;
@@ -17,10 +18,10 @@ namespace biting
 {
 
 /// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and
-/// interfaces. Each edge carries the values of all cell arrays of `input` at its cell.
+/// interfaces. Each edge carries the values of all cell arrays of `drawing` at its cell.
 /// On abort `output` has no meaning.
-void BoundaryEdgesToPolyData(
-  const BitingMesh& mesh, vtkPoints* points, vtkPolyData* input, vtkPolyData* output, Pulse& pulse);
+void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
+  vtkPolyData* output, Pulse& pulse);
 
 } // namespace biting
 

@@ -7,7 +7,7 @@
 #include "DoubleArray.h"
 #include "SpacingValues.h"
 
-#include "vtkPolyData.h"
+#include "vtkDataArray.h"
 
 namespace biting
 {
@@ -25,20 +25,41 @@ void AddSegments(const Polylines& chains, Id chain, const std::vector<Id>& newId
   const std::size_t step = isPoints ? 0 : 1;
   for (std::size_t k = first; k + step < end && pulse.Beat(); ++k)
   {
-    segments.push_back(newIds[static_cast<std::size_t>(chains.Connectivity[k])]);
-    segments.push_back(newIds[static_cast<std::size_t>(chains.Connectivity[k + step])]);
+    const Id start = newIds[static_cast<std::size_t>(chains.Connectivity[k])];
+    if (start != NoId)
+    {
+      segments.push_back(start);
+      segments.push_back(newIds[static_cast<std::size_t>(chains.Connectivity[k + step])]);
+    }
   }
+}
+
+// The points that chains use, of blocks with the array; ascending.
+std::vector<vtkIdType> PointsWith(
+  vtkDataArray* values, const Drawing& drawing, const PlanarInput& input)
+{
+  const std::vector<unsigned char> isGiven =
+    values->GetName() ? drawing.FindGiven(values->GetName()) : std::vector<unsigned char>();
+  std::vector<vtkIdType> points;
+  for (const Id point : input.UsedPoints)
+  {
+    if (isGiven.empty() || isGiven[static_cast<std::size_t>(point)])
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
 }
 
 } // namespace
 
-std::string AddBoundarySpacing(vtkPolyData* polyData, const PlanarInput& input,
+std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
   vtkDataArray* values, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  const std::vector<vtkIdType> used(input.UsedPoints.begin(), input.UsedPoints.end());
+  const std::vector<vtkIdType> used = PointsWith(values, drawing, input);
   const std::string refusal =
-    CheckSpacingValues(polyData, values, used, SpacingOwner::Input, places, pulse);
+    CheckSpacingValues(drawing.Points, values, used, SpacingOwner::Input, places, pulse);
   if (!refusal.empty())
   {
     return refusal;
@@ -46,12 +67,12 @@ std::string AddBoundarySpacing(vtkPolyData* polyData, const PlanarInput& input,
   const auto doubles = AsDoubles(values);
   auto source = std::make_shared<SegmentSource>();
   std::vector<Id> newIds(input.IsUsed.size(), NoId);
-  for (std::size_t k = 0; k < input.UsedPoints.size() && pulse.Beat(); ++k)
+  for (std::size_t k = 0; k < used.size() && pulse.Beat(); ++k)
   {
-    const Id point = input.UsedPoints[k];
-    newIds[static_cast<std::size_t>(point)] = static_cast<Id>(k);
-    source->Points.push_back(input.Chains.Points[static_cast<std::size_t>(point)]);
-    source->Values.push_back(doubles->GetValue(point));
+    const auto point = static_cast<std::size_t>(used[k]);
+    newIds[point] = static_cast<Id>(k);
+    source->Points.push_back(input.Chains.Points[point]);
+    source->Values.push_back(doubles->GetValue(used[k]));
   }
   for (Id chain = 0; chain < input.Chains.NumberOfChains() && pulse.Beat(); ++chain)
   {

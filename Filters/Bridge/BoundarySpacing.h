@@ -6,6 +6,7 @@
 
 #include "../Kernel/Spacing/Spacing.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
+#include "Drawing.h"
 #include "PolylinesFromPolyData.h"
 #include "ProblemPlaces.h"
 
@@ -13,17 +14,17 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
 
-/// Makes the spacing `values` at the points of `polyData`, which was read as `input`, a source of
-/// `options`: linear along the segments of every chain, and at every embedded point.
+/// Makes the spacing `values` at the points of `drawing`, which was read as `input`, a source of
+/// `options`: linear along the segments of every chain, all edges of faces too, and at every embedded
+/// point. Points of blocks without the array give none.
 /// Returns why the values cannot be used, empty where they can; `places` gets the values that are no
 /// spacing. Where the monitor asks to stop the options have no meaning.
-std::string AddBoundarySpacing(vtkPolyData* polyData, const PlanarInput& input,
+std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
   vtkDataArray* values, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
 
 } // namespace biting

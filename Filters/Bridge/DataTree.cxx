@@ -33,6 +33,21 @@ vtkInformation* MetaDataOf(vtkDataObjectTree* tree, unsigned int child)
   return collection ? collection->GetMetaData(child) : nullptr;
 }
 
+// Asking for what is not there would make it.
+bool HasMetaData(vtkDataObjectTree* tree, unsigned int child)
+{
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+  {
+    return blocks->HasMetaData(child) != 0;
+  }
+  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
+  {
+    return partitions->HasMetaData(child);
+  }
+  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree);
+  return collection && collection->HasMetaData(child);
+}
+
 } // namespace
 
 unsigned int NumberOfChildren(vtkDataObjectTree* tree)
@@ -65,7 +80,7 @@ vtkDataObject* ChildOf(vtkDataObjectTree* tree, unsigned int child)
 
 std::string NameOfChild(vtkDataObjectTree* tree, unsigned int child)
 {
-  vtkInformation* info = MetaDataOf(tree, child);
+  vtkInformation* info = HasMetaData(tree, child) ? MetaDataOf(tree, child) : nullptr;
   const char* name = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
   return name ? name : "";
 }

@@ -3,6 +3,8 @@
 
 #include "DoubleArray.h"
 
+#include "vtkPointSet.h"
+
 namespace biting
 {
 
@@ -15,6 +17,23 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
     doubles->DeepCopy(array);
   }
   return doubles;
+}
+
+vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data)
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(data);
+  if (pointSet && pointSet->GetPoints())
+  {
+    return AsDoubles(pointSet->GetPoints()->GetData());
+  }
+  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(data->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    data->GetPoint(point, coordinates->GetPointer(3 * point));
+  }
+  return coordinates;
 }
 
 } // namespace biting

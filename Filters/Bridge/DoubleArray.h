@@ -11,6 +11,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+class vtkDataSet;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
@@ -18,6 +19,9 @@ namespace biting
 
 /// `array` itself where it holds doubles, otherwise a copy of it that does. Values are not rounded.
 vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array);
+
+/// The places of all points of `data`, those of a point set without a copy where they are doubles.
+vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data);
 
 } // namespace biting
 

@@ -16,7 +16,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm> // for all_of
@@ -164,22 +163,6 @@ std::string FaceReader::Refusal(int type) const
     : "the input must consist of linear faces in a plane (apply Triangulate, or Slice a volume).";
   return "Cell " + std::to_string(this->Cell) + " is a " + name + " with " +
     std::to_string(this->Points->GetNumberOfIds()) + " points; " + wanted;
-}
-
-vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data)
-{
-  if (auto* pointSet = vtkPointSet::SafeDownCast(data))
-  {
-    return AsDoubles(pointSet->GetPoints()->GetData());
-  }
-  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(data->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
-  {
-    data->GetPoint(point, coordinates->GetPointer(3 * point));
-  }
-  return coordinates;
 }
 
 // Makes the corners vertices, which are the points in use.

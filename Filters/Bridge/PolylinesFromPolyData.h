@@ -7,7 +7,7 @@
 #include "../Kernel/Base/Monitor.h"
 #include "../Kernel/Base/Problem.h"
 #include "../Kernel/Domain/Polylines.h"
-#include "../vtkBitingCompat.h" // for the ABI namespace
+#include "Drawing.h"
 #include "PlaneFrame.h"
 
 #include "vtkDoubleArray.h"  // for coordinates
@@ -16,10 +16,6 @@
 #include <cstdint> // for flags
 #include <string>  // for the refusal
 #include <vector>  // for points
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkPolyData;
-VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
@@ -40,13 +36,13 @@ struct PlanarInput
 /// How far a point may lie from the plane, relative to the diagonal of the input's box.
 constexpr double PlanarTolerance = 1e-6;
 
-/// Reads `input`. Lines are chains; polygons are closed boundary chains; each point of a vertex cell
-/// is an embedded point; triangle strips are left out. A numeric cell array `Kind` decides instead
-/// what a line or polygon is. Returns why the input cannot be read, as text, empty where it can;
-/// coordinates that are not finite, or off the plane, worst first, are added to `problems`. Where the
-/// monitor asks to stop the result has no meaning.
-std::string PolylinesFromPolyData(
-  vtkPolyData* input, PlanarInput& result, ProblemList& problems, Monitor& monitor);
+/// Reads the cells of `drawing` as ChainReader.h says, and fits their plane. Faces are of one region
+/// where the cell array `regionArray` is the same, or all of one where it is empty or "None".
+/// Returns why the drawing cannot be read, as text, empty where it can; coordinates that are not
+/// finite, or off the plane, worst first, are added to `problems`. Where the monitor asks to stop the
+/// result has no meaning.
+std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regionArray,
+  PlanarInput& result, ProblemList& problems, Monitor& monitor);
 
 } // namespace biting
 

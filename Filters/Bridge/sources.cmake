@@ -6,10 +6,13 @@ set(biting_bridge_sources
   BitesToPolyData.cxx
   BoundaryEdgesToPolyData.cxx
   BoundarySpacing.cxx
+  CellShapes.cxx
+  ChainReader.cxx
   ChosenArray.cxx
   DataTree.cxx
   DomainMembership.cxx
   DoubleArray.cxx
+  Drawing.cxx
   FacesFromDataSet.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx
@@ -23,6 +26,7 @@ set(biting_bridge_sources
   ProblemsToPolyData.cxx
   QualityArrays.cxx
   Ranks.cxx
+  RegionNumbers.cxx
   SourceCover.cxx
   SourceData.cxx
   SourceSpacing.cxx

@@ -247,32 +247,32 @@ TEST(BitingMesherMessages, RefuseParametersOutOfRangeByName)
     Has(refusal([](Mesher m) { m->SetMaximumNumberOfVertices(0); }), "MaximumNumberOfVertices"));
 }
 
-TEST(BitingMesherMessages, WarnOfTriangleStripsWhichAreIgnored)
-{
-  auto input = UnitSquare();
-  vtkNew<vtkCellArray> strips;
-  strips->InsertNextCell({ 0, 1, 2, 3 });
-  input->SetStrips(strips);
-  EXPECT_TRUE(Has(WarningOf(input), "triangle strips"));
-}
-
 TEST(BitingMesherMessages, AreAbsentForEmptyInput)
 {
   vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkBitingMesher> mesher;
+  Messages messages(mesher);
+  mesher->SetInputData(nothing);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_TRUE(messages.Warnings.empty());
+  EXPECT_TRUE(messages.OfExecutive.empty());
+  EXPECT_TRUE(AreAllEmpty(mesher));
+}
+
+TEST(BitingMesherMessages, AreOneSentenceForPointsWithoutCells)
+{
   auto onlyPoints = EmptyInput();
   const Place place{ 1.0, 2.0, 3.0 };
   onlyPoints->GetPoints()->InsertNextPoint(place.data());
-  for (vtkPolyData* input : { nothing.GetPointer(), onlyPoints.GetPointer() })
-  {
-    vtkNew<vtkBitingMesher> mesher;
-    Messages messages(mesher);
-    mesher->SetInputData(input);
-    mesher->Update();
-    EXPECT_TRUE(messages.Errors.empty());
-    EXPECT_TRUE(messages.Warnings.empty());
-    EXPECT_TRUE(messages.OfExecutive.empty());
-    EXPECT_TRUE(AreAllEmpty(mesher));
-  }
+  vtkNew<vtkBitingMesher> mesher;
+  Messages messages(mesher);
+  mesher->SetInputData(onlyPoints);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings.front(), "points but no cells"));
+  EXPECT_TRUE(AreAllEmpty(mesher));
 }
 
 TEST(BitingMesherMessages, LeaveNoErrorCodeWhereTheNextRunIsGood)

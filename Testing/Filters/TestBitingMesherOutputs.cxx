@@ -45,7 +45,7 @@ TEST(BitingMesherPorts, AreTwoInAndFourOut)
   EXPECT_TRUE(source->Get(vtkAlgorithm::INPUT_IS_OPTIONAL()));
   EXPECT_STREQ(source->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()), "vtkDataSet");
   EXPECT_STREQ(mesher->GetInputPortInformation(0)->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()),
-    "vtkPolyData");
+    "vtkDataSet");
 }
 
 TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)

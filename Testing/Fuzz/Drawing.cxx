@@ -61,6 +61,8 @@ private:
 
 Drawing DrawingReader::Read()
 {
+  this->Result.HasFaces = std::find(this->Input.Kinds.begin(), this->Input.Kinds.end(),
+                            ChainKind::Face) != this->Input.Kinds.end();
   for (std::size_t chain = 0; chain < this->Input.Kinds.size(); ++chain)
   {
     this->ReadChain(chain);
@@ -92,14 +94,16 @@ void DrawingReader::ReadSegments(std::size_t chain)
   const Id end = this->Input.Offsets[chain + 1];
   const bool isClosed = first < end && this->At(first) == this->At(end - 1);
   const ChainKind kind = this->Input.Kinds[chain];
-  const bool isAutomatic = kind == ChainKind::Automatic;
+  const bool isAutomatic = kind == ChainKind::Automatic && !this->Result.HasFaces;
   this->HasOpenAutomaticChain |= isAutomatic && !isClosed;
   for (Id k = first + 1; k < end; ++k)
   {
     if (this->At(k - 1) != this->At(k))
     {
       this->Result.Segments.push_back({ this->At(k - 1), this->At(k), this->Input.Cells[chain],
-        kind == ChainKind::Boundary || (isAutomatic && isClosed) });
+        kind == ChainKind::Boundary || kind == ChainKind::Face || (isAutomatic && isClosed),
+        kind == ChainKind::Face ? static_cast<Id>(chain) : NoId,
+        this->Input.Regions.empty() ? 0 : this->Input.Regions[chain] });
     }
   }
 }
@@ -225,6 +229,31 @@ EvenOddArea MeasureEvenOddArea(const Drawing& drawing)
   const double rounding = static_cast<double>(segments.size()) *
     static_cast<double>(std::numeric_limits<Wide>::epsilon()) * length * length;
   return { static_cast<double>(area), drawing.Slack() * (length + drawing.Slack()) + rounding };
+}
+
+EvenOddArea SumOfFaces(const Drawing& drawing)
+{
+  EvenOddArea sum;
+  for (std::size_t first = 0; first < drawing.Segments.size();)
+  {
+    Drawing face;
+    face.Largest = drawing.Largest;
+    std::size_t end = first;
+    for (; end < drawing.Segments.size() &&
+         drawing.Segments[end].Face == drawing.Segments[first].Face;
+         ++end)
+    {
+      face.Segments.push_back(drawing.Segments[end]);
+    }
+    if (drawing.Segments[first].Face != NoId)
+    {
+      const EvenOddArea area = MeasureEvenOddArea(face);
+      sum.Area += area.Area;
+      sum.Tolerance += area.Tolerance;
+    }
+    first = end;
+  }
+  return sum;
 }
 
 } // namespace biting

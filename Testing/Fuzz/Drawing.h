@@ -18,6 +18,8 @@ struct DrawnSegment
   Point2 End;
   Id Cell = NoId;
   bool Bounds = false; ///< by its kind, or because its chain is closed
+  Id Face = NoId;      ///< the chain, where that is a face
+  Id Region = 0;       ///< of the face
 };
 
 /// The input as the oracle reads it: plain segments and points, nothing resolved.
@@ -27,6 +29,7 @@ struct Drawing
   std::vector<Point2> Points;         ///< embedded ones
   double Largest = 0.0;               ///< coordinate, in magnitude
   bool IsExplicit = false;            ///< what bounds is known without interpretation
+  bool HasFaces = false;
 
   /// How far what is drawn may move in the domain: see EvenOddArea.h.
   double Slack() const;
@@ -48,6 +51,9 @@ struct EvenOddArea
   double Tolerance = 0.0;
 };
 EvenOddArea MeasureEvenOddArea(const Drawing& drawing);
+
+/// The even-odd areas of all faces, one by one, added up; as exact as that of a drawing.
+EvenOddArea SumOfFaces(const Drawing& drawing);
 
 } // namespace biting
 

@@ -22,6 +22,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t MostWindings = 40;
 constexpr std::size_t MostForBruteForce = 150;
 constexpr double QualityRounding = 1e-9;
+constexpr double LeastSlack = 1.0 / 16.0; // of all of it: a point on a line is rounded by that
 
 /// A directed edge of a triangle, opposite the corner at `Slot`.
 struct HalfEdge
@@ -106,6 +107,10 @@ private:
   bool CoversSegments();
   bool CoversSegment(const DrawnSegment& segment);
   bool CoversGap(const DrawnSegment& segment, double from, double to);
+  bool DividesFaces(const Point2& p, const Point2& q, double slack) const;
+  bool SurelyDividesFaces(const Point2& p, const Point2& q) const;
+  bool MayDivideFaces(const Point2& p, const Point2& q) const;
+  bool HasLine(const Point2& p, const Point2& q) const;
   bool CoversSafely(const Point2& p) const;
   bool LiesOnInput();
   bool LiesOnCell(const Point2& p, Id cell) const;
@@ -423,6 +428,11 @@ bool MeshOracle::KeepsPoints()
 {
   for (const DrawnSegment& segment : this->Drawn.Segments)
   {
+    const bool mayGo = segment.Face != NoId && !this->Options.Domain.KeepCellEdges;
+    if (mayGo)
+    {
+      continue;
+    }
     if (!this->KeepsPoint(segment.Start, "an end of a segment") ||
       !this->KeepsPoint(segment.End, "an end of a segment"))
     {
@@ -525,12 +535,61 @@ bool MeshOracle::CoversGap(const DrawnSegment& segment, double from, double to)
   }
   for (const double share : { 0.5, 0.21, 0.79, 0.05, 0.95 })
   {
-    if (this->CoversSafely(segment.Start + (from + share * (to - from)) * direction))
+    const double step = 1e-3 * (to - from);
+    const double t = from + share * (to - from);
+    const Point2 p = segment.Start + t * direction;
+    const bool isWanted =
+      segment.Face == NoId || this->SurelyDividesFaces(p, segment.Start + (t + step) * direction);
+    if (isWanted && this->CoversSafely(p))
     {
       return true;
     }
   }
   return false;
+}
+
+/// Whether the edges of faces from p towards q are more than one between neighbors, of all edges that
+/// are no further away than `slack`.
+bool MeshOracle::DividesFaces(const Point2& p, const Point2& q, double slack) const
+{
+  Id count = 0;
+  Id region = NoId;
+  bool areSeveral = this->Options.Domain.KeepCellEdges;
+  for (const DrawnSegment& segment : this->Drawn.Segments)
+  {
+    if (segment.Face != NoId && DistanceTo(p, segment.Start, segment.End) <= slack &&
+      DistanceTo(q, segment.Start, segment.End) <= slack)
+    {
+      areSeveral = areSeveral || (count > 0 && segment.Region != region);
+      region = segment.Region;
+      ++count;
+    }
+  }
+  return count % 2 != 0 || areSeveral;
+}
+
+/// Where faces are thinner than rounding it is not known which edges are one.
+bool MeshOracle::SurelyDividesFaces(const Point2& p, const Point2& q) const
+{
+  return this->DividesFaces(p, q, this->Slack) &&
+    this->DividesFaces(p, q, LeastSlack * this->Slack);
+}
+
+bool MeshOracle::MayDivideFaces(const Point2& p, const Point2& q) const
+{
+  return this->DividesFaces(p, q, this->Slack) ||
+    this->DividesFaces(p, q, LeastSlack * this->Slack);
+}
+
+/// Whether a line runs from p towards q.
+bool MeshOracle::HasLine(const Point2& p, const Point2& q) const
+{
+  return std::any_of(this->Drawn.Segments.begin(), this->Drawn.Segments.end(),
+    [this, &p, &q](const DrawnSegment& segment)
+    {
+      return segment.Face == NoId && DistanceTo(p, segment.Start, segment.End) <= this->Slack &&
+        DistanceTo(q, segment.Start, segment.End) <= this->Slack;
+    });
 }
 
 /// Whether p lies in the mesh and further than slack from what is covered.
@@ -554,6 +613,13 @@ bool MeshOracle::LiesOnInput()
     {
       return this->Refuse(this->EdgeText(this->Mesh.EdgeStarts[edge], this->Mesh.EdgeEnds[edge]) +
         " is not on its cell " + std::to_string(cell));
+    }
+    const Point2 middle = Midpoint(start, end);
+    if (!this->Mesh.EdgeIsBoundary[edge] && !this->HasLine(start, middle) &&
+      !this->MayDivideFaces(start, middle) && !this->MayDivideFaces(middle, end))
+    {
+      return this->Refuse(this->EdgeText(this->Mesh.EdgeStarts[edge], this->Mesh.EdgeEnds[edge]) +
+        " lies between neighbors");
     }
   }
   return true;

@@ -24,7 +24,7 @@ namespace biting
 /// - every end of a segment and every embedded point that the mesh covers is a vertex, bit for bit,
 ///   unless it is nearer to the boundary than rounding;
 /// - every segment, as far as the mesh covers it, is covered by edges; every covering edge lies on
-///   its input cell;
+///   its input cell; but edges between two faces of one region are covered by none;
 /// - kinds and original points are true;
 /// - with PreserveBoundary no vertex is added on a segment, but where two meet;
 /// - with phi = 1, and in relaxed meshes, edges that cover nothing are Delaunay;

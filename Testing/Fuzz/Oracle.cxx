@@ -6,9 +6,10 @@
 #include "Drawing.h"
 #include "MeshOracle.h"
 
-#include <algorithm> // for all_of
+#include <algorithm> // for all_of, clamp, remove_if
 #include <cmath>     // for isfinite, ldexp
 #include <cstring>   // for memcmp
+#include <limits>    // for infinity
 #include <memory>    // for sources
 
 namespace biting
@@ -102,6 +103,7 @@ std::size_t ExpectedIds(const Problem& problem)
   {
     case ProblemCode::OutsidePoints:
     case ProblemCode::OutsideInterfaces:
+    case ProblemCode::OverlappingCells:
     case ProblemCode::NotFinite:
       return 1;
     case ProblemCode::DuplicatePoints:
@@ -218,6 +220,123 @@ std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
   return "";
 }
 
+/// Whether p lies in the even-odd region of a face, and how far from its outline.
+struct PlaceInFace
+{
+  bool IsInside = false;
+  double Distance = std::numeric_limits<double>::infinity();
+};
+
+PlaceInFace FindPlace(const Point2& p, const std::vector<DrawnSegment>& face)
+{
+  PlaceInFace place;
+  for (const DrawnSegment& segment : face)
+  {
+    const Point2& a = segment.Start;
+    const Point2& b = segment.End;
+    const Point2 along = b - a;
+    const double t = std::clamp(Dot(p - a, along) / Dot(along, along), 0.0, 1.0);
+    place.Distance = std::min(place.Distance, Distance(p, a + t * along));
+    const bool isCrossed = (a.Y <= p.Y) != (b.Y <= p.Y);
+    place.IsInside ^= isCrossed && p.X < a.X + (p.Y - a.Y) / (b.Y - a.Y) * (b.X - a.X);
+  }
+  return place;
+}
+
+/// Whether the outline of one face runs safely inside of the other, and safely outside of it.
+bool OverlapInPart(
+  const std::vector<DrawnSegment>& first, const std::vector<DrawnSegment>& second, double slack)
+{
+  bool runsInside = false;
+  bool runsOutside = false;
+  for (const DrawnSegment& segment : first)
+  {
+    for (const double share : { 0.5, 0.1, 0.9 })
+    {
+      const Point2 p = segment.Start + share * (segment.End - segment.Start);
+      const PlaceInFace place = FindPlace(p, second);
+      const bool isSafe = place.Distance > slack;
+      runsInside = runsInside || (isSafe && place.IsInside);
+      runsOutside = runsOutside || (isSafe && !place.IsInside);
+    }
+  }
+  return runsInside && runsOutside;
+}
+
+std::vector<std::vector<DrawnSegment>> FacesOf(const Drawing& drawing)
+{
+  std::vector<std::vector<DrawnSegment>> faces;
+  for (const DrawnSegment& segment : drawing.Segments)
+  {
+    if (segment.Face != NoId)
+    {
+      if (faces.empty() || faces.back().front().Face != segment.Face)
+      {
+        faces.emplace_back();
+      }
+      faces.back().push_back(segment);
+    }
+  }
+  return faces;
+}
+
+/// Whether a face winds about some of its area more than once: then it is not the area of its outline.
+bool HasFaceOnItself(const Drawing& drawing)
+{
+  for (const std::vector<DrawnSegment>& face : FacesOf(drawing))
+  {
+    double doubled = 0.0;
+    for (const DrawnSegment& segment : face)
+    {
+      const Point2& origin = face.front().Start;
+      doubled += Cross(segment.Start - origin, segment.End - origin);
+    }
+    Drawing alone;
+    alone.Largest = drawing.Largest;
+    alone.Segments = face;
+    const EvenOddArea area = MeasureEvenOddArea(alone);
+    if (std::abs(0.5 * std::abs(doubled) - area.Area) > area.Tolerance + 1e-9 * area.Area)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Faces that share no area are not told of; those that overlap in part are, unless one crosses itself.
+std::string JudgeOverlaps(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  const Drawing drawing = ReadDrawing(fuzzCase.Input);
+  const bool isTold = run.Problems.Has(ProblemCode::OverlappingCells);
+  if (!drawing.HasFaces || run.Problems.Has(ProblemCode::Crossings) || HasFaceOnItself(drawing))
+  {
+    return isTold && !drawing.HasFaces ? "cells overlap where there are none" : "";
+  }
+  Drawing faces = drawing;
+  faces.Segments.erase(std::remove_if(faces.Segments.begin(), faces.Segments.end(),
+                         [](const DrawnSegment& segment) { return segment.Face == NoId; }),
+    faces.Segments.end());
+  const EvenOddArea sum = SumOfFaces(faces);
+  const EvenOddArea odd = MeasureEvenOddArea(faces);
+  if (sum.Area - odd.Area <= sum.Tolerance + odd.Tolerance)
+  {
+    return isTold && sum.Area == odd.Area ? "cells overlap where none do" : "";
+  }
+  const std::vector<std::vector<DrawnSegment>> outlines = FacesOf(faces);
+  const double slack = drawing.Slack() + 1e-9 * drawing.Largest;
+  for (const auto& first : outlines)
+  {
+    for (const auto& second : outlines)
+    {
+      if (!isTold && &first != &second && OverlapInPart(first, second, slack))
+      {
+        return "cells that overlap are not told of";
+      }
+    }
+  }
+  return "";
+}
+
 /// What must hold of a mesh besides itself.
 std::string JudgeMesh(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
@@ -228,7 +347,8 @@ std::string JudgeMesh(const FuzzRun& run, const FuzzCase& fuzzCase)
       return "resolved without leave";
     }
   }
-  return FindMeshViolation(run.Mesh, fuzzCase.Input, fuzzCase.Options);
+  const std::string violation = FindMeshViolation(run.Mesh, fuzzCase.Input, fuzzCase.Options);
+  return violation.empty() ? JudgeOverlaps(run, fuzzCase) : violation;
 }
 
 FuzzOutcome Violated(const std::string& violation)

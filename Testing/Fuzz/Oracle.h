@@ -33,6 +33,7 @@ struct FuzzOutcome
 /// - a drawing that encloses a safe area is not refused for want of a closed loop;
 /// - with Repair, a drawing is resolved, unless most of it is smaller than rounding;
 /// - without Repair, nothing that Repair resolves is in a mesh;
+/// - faces that overlap in part are told of, faces that share no area are not;
 /// - only a monitor that said stop makes an abort, and it is heard;
 /// - progress is a number in [0, 1];
 /// - for some of the cases: the same again is the same to the last bit; and so is, but for the

@@ -60,6 +60,12 @@ public:
 private:
   void DrawClean();
   void DrawLot(const Point2& corner, bool isFilled);
+  void DrawFaces();
+  void DrawPatch();
+  void DrawTree(const Point2& corner, double size);
+  void DrawTags();
+  void EmitBox(const Point2& corner, double size);
+  void EmitFace(Places places);
   void DrawLoops();
   void DrawExtras();
   Places Loop();
@@ -79,13 +85,18 @@ private:
   int Width;
   int Merging; ///< 0 all points, 1 none, 2 some
   KindStyle Style = KindStyle::Explicit;
+  int Regions = 1;
   Polylines Result;
   std::map<Point2, Id> Known;
 };
 
 Polylines DrawingMaker::Make()
 {
-  if (this->Numbers.OneIn(3))
+  if (this->Numbers.OneIn(4))
+  {
+    this->DrawFaces();
+  }
+  else if (this->Numbers.OneIn(3))
   {
     this->DrawClean();
   }
@@ -150,6 +161,104 @@ void DrawingMaker::DrawLot(const Point2& corner, bool isFilled)
     this->Emit(moved({ { 0.125, level + 0.125 }, { columns - 1.125, level } }),
       this->KindOf(ChainKind::EmbeddedPoint));
   }
+}
+
+/// Surfaces side by side or on top of each other, with lines and points.
+void DrawingMaker::DrawFaces()
+{
+  this->Regions = this->Numbers.Between(1, 3);
+  for (int surfaces = this->Numbers.Between(1, 2); surfaces > 0; --surfaces)
+  {
+    switch (this->Numbers.Below(3))
+    {
+      case 0:
+        this->DrawPatch();
+        break;
+      case 1:
+        this->DrawTree({}, 8.0);
+        break;
+      default:
+        this->EmitFace(this->Loop());
+    }
+  }
+  if (this->Numbers.OneIn(3))
+  {
+    this->EmitFace(this->Loop());
+  }
+  this->DrawTags();
+  this->DrawExtras();
+}
+
+/// A grid of squares, some of them missing, some divided.
+void DrawingMaker::DrawPatch()
+{
+  const Point2 corner = this->Place();
+  const double size = this->Numbers.Between(1, 3);
+  const int columns = this->Numbers.Between(1, 6);
+  for (int square = columns * this->Numbers.Between(1, 5) - 1; square >= 0; --square)
+  {
+    const Point2 place =
+      corner + size * Point2{ double(square % columns), double(square / columns) };
+    if (!this->Numbers.OneIn(6))
+    {
+      this->EmitBox(place, size);
+    }
+  }
+}
+
+void DrawingMaker::DrawTree(const Point2& corner, double size)
+{
+  if (size == 1.0 || this->Numbers.OneIn(2))
+  {
+    this->EmitBox(corner, size);
+    return;
+  }
+  const double half = 0.5 * size;
+  this->DrawTree(corner, half);
+  this->DrawTree(corner + Point2{ half, 0.0 }, half);
+  this->DrawTree(corner + Point2{ 0.0, half }, half);
+  this->DrawTree(corner + Point2{ half, half }, half);
+}
+
+/// Lines along rows and columns of the grid.
+void DrawingMaker::DrawTags()
+{
+  for (int lines = this->Numbers.Below(4) - 1; lines > 0; --lines)
+  {
+    const Point2 start = this->Place();
+    const double length = this->Numbers.Between(1, 4);
+    const bool isRow = this->Numbers.OneIn(2);
+    const Point2 end = start + (isRow ? Point2{ length, 0.0 } : Point2{ 0.0, length });
+    this->Emit({ start, end }, this->KindOf(ChainKind::Automatic));
+  }
+}
+
+/// A square, or two triangles.
+void DrawingMaker::EmitBox(const Point2& corner, double size)
+{
+  const Point2 right = corner + Point2{ size, 0.0 };
+  const Point2 above = corner + Point2{ 0.0, size };
+  const Point2 far = corner + Point2{ size, size };
+  if (this->Numbers.OneIn(3))
+  {
+    this->EmitFace({ corner, right, far });
+    this->EmitFace({ corner, far, above });
+    return;
+  }
+  this->EmitFace({ corner, right, far, above });
+}
+
+/// Closed by its first point, wherever this is moved.
+void DrawingMaker::EmitFace(Places places)
+{
+  if (this->Numbers.OneIn(4))
+  {
+    std::reverse(places.begin(), places.end());
+  }
+  places.push_back(places.front());
+  this->Emit(places, ChainKind::Face);
+  const Id first = this->Result.Offsets[this->Result.Offsets.size() - 2];
+  this->Result.Connectivity.back() = this->Result.Connectivity[static_cast<std::size_t>(first)];
 }
 
 void DrawingMaker::DrawLoops()
@@ -314,6 +423,7 @@ void DrawingMaker::Emit(const Places& places, ChainKind kind)
   }
   this->Result.Cells.push_back(this->Result.NumberOfChains());
   this->Result.Kinds.push_back(kind);
+  this->Result.Regions.push_back(this->Regions > 1 ? this->Numbers.Below(this->Regions) : 0);
   this->Result.Offsets.push_back(static_cast<Id>(this->Result.Connectivity.size()));
 }
 

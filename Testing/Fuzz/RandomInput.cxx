@@ -216,6 +216,7 @@ Point2 SpacingMaker::Place()
 void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
 {
   options.Domain.Repair = !numbers.OneIn(8);
+  options.Domain.KeepCellEdges = numbers.OneIn(8);
   options.BitingConstant = numbers.OneIn(4) ? 0.1 + 0.9 * numbers.Unit() : 0.0;
   options.BiteShape = numbers.OneIn(3) ? BiteShape::Circle : BiteShape::Square;
   options.Placement = numbers.OneIn(2) ? Placement::Bisectors : Placement::Corners;
@@ -238,6 +239,7 @@ const char* KindName(ChainKind kind)
   return kind == ChainKind::Automatic ? "-1"
     : kind == ChainKind::Boundary     ? "0"
     : kind == ChainKind::Interface    ? "1"
+    : kind == ChainKind::Face         ? "3"
                                       : "2";
 }
 
@@ -315,6 +317,7 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " gradation=" << spacing.Gradation << " grid=" << (spacing.Grid ? 1 : 0)
        << " triangulation=" << (spacing.Triangulation ? 1 : 0)
        << " segments=" << (spacing.Segments ? 1 : 0) << " repair=" << options.Domain.Repair
+       << " edges=" << options.Domain.KeepCellEdges
        << " constant=" << options.BitingConstant
        << " circles=" << (options.BiteShape == BiteShape::Circle)
        << " bisectors=" << (options.Placement == Placement::Bisectors)

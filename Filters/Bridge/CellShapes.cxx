@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CellShapes.h"
+
+#include "vtkCellType.h"
+
+#include <initializer_list> // for orders
+
+namespace biting
+{
+
+namespace
+{
+
+void Take(std::initializer_list<int> order, vtkIdType size, const vtkIdType* points,
+  std::vector<vtkIdType>& along)
+{
+  for (const int place : order)
+  {
+    if (place < size)
+    {
+      along.push_back(points[place]);
+    }
+  }
+}
+
+// Corners come first, then one point of each side.
+void TakeQuadraticPolygon(vtkIdType size, const vtkIdType* points, std::vector<vtkIdType>& along)
+{
+  const vtkIdType corners = size / 2;
+  for (vtkIdType corner = 0; corner < corners; ++corner)
+  {
+    along.push_back(points[corner]);
+    along.push_back(points[corners + corner]);
+  }
+}
+
+} // namespace
+
+CellShape ShapeOf(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_EMPTY_CELL:
+      return CellShape::Nothing;
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+      return CellShape::Points;
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+    case VTK_QUADRATIC_EDGE:
+    case VTK_CUBIC_LINE:
+      return CellShape::Line;
+    case VTK_TRIANGLE_STRIP:
+      return CellShape::Strip;
+    case VTK_TRIANGLE:
+    case VTK_POLYGON:
+    case VTK_PIXEL:
+    case VTK_QUAD:
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_QUADRATIC_QUAD:
+    case VTK_QUADRATIC_POLYGON:
+    case VTK_BIQUADRATIC_QUAD:
+    case VTK_QUADRATIC_LINEAR_QUAD:
+    case VTK_BIQUADRATIC_TRIANGLE:
+      return CellShape::Face;
+    case VTK_LAGRANGE_CURVE:
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_CURVE:
+    case VTK_BEZIER_TRIANGLE:
+    case VTK_BEZIER_QUADRILATERAL:
+    case VTK_PARAMETRIC_CURVE:
+    case VTK_PARAMETRIC_SURFACE:
+    case VTK_PARAMETRIC_TRI_SURFACE:
+    case VTK_PARAMETRIC_QUAD_SURFACE:
+    case VTK_HIGHER_ORDER_EDGE:
+    case VTK_HIGHER_ORDER_TRIANGLE:
+    case VTK_HIGHER_ORDER_QUAD:
+    case VTK_HIGHER_ORDER_POLYGON:
+      return CellShape::Curved;
+    default:
+      return CellShape::Volume;
+  }
+}
+
+void PointsAlong(
+  int cellType, vtkIdType size, const vtkIdType* points, std::vector<vtkIdType>& along)
+{
+  along.clear();
+  switch (cellType)
+  {
+    case VTK_PIXEL:
+      return Take({ 0, 1, 3, 2 }, size, points, along);
+    case VTK_QUADRATIC_EDGE:
+      return Take({ 0, 2, 1 }, size, points, along);
+    case VTK_CUBIC_LINE:
+      return Take({ 0, 2, 3, 1 }, size, points, along);
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_BIQUADRATIC_TRIANGLE:
+      return Take({ 0, 3, 1, 4, 2, 5 }, size, points, along);
+    case VTK_QUADRATIC_QUAD:
+    case VTK_BIQUADRATIC_QUAD:
+      return Take({ 0, 4, 1, 5, 2, 6, 3, 7 }, size, points, along);
+    case VTK_QUADRATIC_LINEAR_QUAD:
+      return Take({ 0, 4, 1, 2, 5, 3 }, size, points, along);
+    case VTK_QUADRATIC_POLYGON:
+      return TakeQuadraticPolygon(size, points, along);
+    default:
+      along.assign(points, points + size);
+  }
+}
+
+} // namespace biting
