@@ -66,15 +66,15 @@ def source_of(faces, lines):
     region, tag = vtkIntArray(), vtkIntArray()
     region.SetName('Region')
     tag.SetName('Tag')
-    for chains, insert, isLine in ((lines, data.SetLines, 1), (faces, data.SetPolys, 0)):
+    for chains, insert, is_line in ((lines, data.SetLines, 1), (faces, data.SetPolys, 0)):
         cells = vtkCellArray()
         for chain in chains:
-            places, number = (chain, 0) if isLine else chain
+            places, number = (chain, 0) if is_line else chain
             cells.InsertNextCell(len(places))
             for x, y in places:
                 cells.InsertCellPoint(points.InsertNextPoint(x, y, 0))
             region.InsertNextValue(number)
-            tag.InsertNextValue(isLine)
+            tag.InsertNextValue(is_line)
         insert(cells)
     data.GetCellData().AddArray(region)
     data.GetCellData().AddArray(tag)
@@ -86,8 +86,9 @@ def source_of(faces, lines):
 
 def draw_input(drawing, view):
     shown = views.show_colored(drawing, view, ('CELLS', 'Region'), REGION_COLORS, BLACK)
-    shown.Opacity = 0.7
-    shown.LineWidth = 2
+    shown.Representation = 'Surface'
+    Show(raised(drawing, 0.005), view, Representation='Wireframe', ColorArrayName=[None, ''],
+        LineWidth=2, AmbientColor=BLACK, DiffuseColor=BLACK)
     show_tagged(drawing, view)
 
 
@@ -101,9 +102,15 @@ def draw_mesh(drawing, view):
 def show_tagged(lines, view):
     """Lines, and what carries their tag, in red."""
     tagged = Threshold(Input=lines, Scalars=['CELLS', 'Tag'], LowerThreshold=1, UpperThreshold=1)
-    raised = Transform(Input=tagged)
-    raised.Transform.Translate = [0, 0, 0.01]
-    Show(raised, view, ColorArrayName=[None, ''], LineWidth=5, AmbientColor=RED, DiffuseColor=RED)
+    Show(raised(tagged, 0.01), view, ColorArrayName=[None, ''], LineWidth=5, AmbientColor=RED,
+        DiffuseColor=RED)
+
+
+def raised(source, height):
+    """Above the others, so that it is seen."""
+    moved = Transform(Input=source)
+    moved.Transform.Translate = [0, 0, height]
+    return moved
 
 
 if __name__ == '__main__':
