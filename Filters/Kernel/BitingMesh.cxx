@@ -12,6 +12,7 @@
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
 #include "DomainFeatures.h"
+#include "FineDrawing.h"
 #include "MeshAssembly.h"
 #include "MeshingStages.h"
 #include "PreservedSpacing.h"
@@ -41,6 +42,7 @@ constexpr double CoverageTolerance =
 // triangulation, and the last stage.
 constexpr double LocatorEnd = 0.05;
 constexpr double ChoiceEnd = 0.05;
+constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
 constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
 constexpr double FirstAttemptEnd = 0.9;
@@ -49,7 +51,8 @@ constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
 constexpr double MeshCheckEnd = 0.95; // of that
-constexpr double QualityEnd = 0.95;
+constexpr double QualityEnd = 0.93;
+constexpr double SlopesEnd = 0.98;
 
 // The order of the mesh's figures.
 std::string Figure(double value)
@@ -221,6 +224,51 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
   }
   PartOfStage making(monitor, ChoiceEnd, 1.0);
   return MakeSpacing(wanted, domain.Bounds, problems, making);
+}
+
+// f before any limit by feature size. Many of the drawing's vertices will go: they are no reason to
+// refuse.
+Spacing PrepareGivenSpacing(
+  const BitingMeshOptions& options, const Domain& drawing, ProblemList& problems, Monitor& monitor)
+{
+  const SpacingOptions& spacing = options.Spacing;
+  if (!spacing.Grid && !spacing.Triangulation && !spacing.Segments)
+  {
+    return MakeSpacing(AboveRounding(spacing, drawing), drawing.Bounds, problems, monitor);
+  }
+  BitingMeshOptions given = options;
+  given.LimitByFeatureSize = false;
+  given.PreserveBoundary = false;
+  given.MaximumNumberOfVertices += drawing.NumberOfVertices();
+  PartOfStage locating(monitor, 0.0, LocatorEnd);
+  Pulse pulse(locating);
+  const DomainLocator locator(drawing, pulse);
+  PartOfStage preparing(monitor, LocatorEnd, 1.0);
+  return locating.HasStopped() ? Spacing()
+                               : PrepareSpacing(given, drawing, locator, problems, preparing);
+}
+
+// The drawing as it is meshed.
+SimplifiedDomain SimplifyDrawing(
+  Domain drawing, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  SimplificationOptions wanted = options.Simplification;
+  wanted.Tolerance = options.PreserveBoundary ? 0.0 : wanted.Tolerance;
+  if (!wanted.IsAsked())
+  {
+    SimplifiedDomain whole;
+    whole.Drawing = std::move(drawing);
+    return whole;
+  }
+  PartOfStage preparing(monitor, 0.0, GivenSpacingEnd);
+  const Spacing given = PrepareGivenSpacing(options, drawing, problems, preparing);
+  if (AddAborted(preparing, problems) || problems.HasErrors())
+  {
+    return {};
+  }
+  PartOfStage simplifying(monitor, GivenSpacingEnd, 1.0);
+  return Simplify(
+    drawing, wanted, [&given](const Point2& x) { return given(x); }, problems, simplifying);
 }
 
 using Flags = std::vector<std::uint8_t>;
@@ -509,9 +557,27 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   mesh.Quality = MeasureQuality(view, measuring);
   if (!AddAborted(measuring, problems))
   {
-    PartOfStage comparing(monitor, QualityEnd, 1.0);
+    PartOfStage comparing(monitor, QualityEnd, SlopesEnd);
     mesh.UsedLipschitz = LargestSlope(view, comparing);
     AddAborted(comparing, problems);
+  }
+}
+
+// Says so where it is large.
+void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, BitingMesh& mesh,
+  ProblemList& problems, Monitor& monitor)
+{
+  if (options.PreserveBoundary)
+  {
+    return;
+  }
+  PartOfStage part(monitor, SlopesEnd, 1.0);
+  mesh.ShareOfDrawing =
+    ShareOfFineDrawing(drawing, mesh, AboveRounding(options.Spacing, drawing), part);
+  if (!AddAborted(part, problems) && mesh.ShareOfDrawing > LargeShareOfDrawing)
+  {
+    AddProblem(ProblemCode::FineDrawing, Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices",
+      problems);
   }
 }
 
@@ -544,9 +610,15 @@ BitingMesh MakeBitingMesh(
 {
   PartOfStage whole(monitor, 0.0, 1.0);
   monitor.BeginStage(MeshingStages::Domain.Text);
-  const Domain domain = MakeDomain(input, options.Domain, problems, whole);
-  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0 ||
-    HasTooManyVertices(domain, options, problems))
+  Domain drawing = MakeDomain(input, options.Domain, problems, whole);
+  if (IsOver(whole, problems) || drawing.NumberOfSegments() == 0)
+  {
+    return {};
+  }
+  monitor.BeginStage(MeshingStages::Simplification.Text);
+  const SimplifiedDomain simplified = SimplifyDrawing(std::move(drawing), options, problems, whole);
+  const Domain& domain = simplified.Drawing;
+  if (IsOver(whole, problems) || HasTooManyVertices(domain, options, problems))
   {
     return {};
   }
@@ -593,7 +665,11 @@ BitingMesh MakeBitingMesh(
   }
   mesh.NumberOfSharpCornerTriangles = sharp;
   mesh.GivenLipschitz = spacing.GivenLipschitz();
+  mesh.RemovedVertices = simplified.RemovedVertices;
+  mesh.LeftOutLoops = simplified.LeftOutLoops;
+  mesh.LeftOutArea = simplified.LeftOutArea;
   Measure(mesh, problems, whole);
+  TellFineDrawing(domain, options, mesh, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }
 

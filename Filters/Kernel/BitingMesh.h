@@ -14,6 +14,7 @@
 #include "Domain/Polylines.h"
 #include "Quality/Quality.h"
 #include "Relaxation/Relaxation.h" // for RelaxationEffort
+#include "Simplification/Simplification.h"
 #include "Spacing/Spacing.h"
 
 #include <cstdint> // for limits
@@ -26,6 +27,10 @@ struct BitingMeshOptions
 {
   DomainOptions Domain;
   SpacingOptions Spacing;
+
+  /// By the spacing before the limit by feature size, which then sees the simplified drawing. Without
+  /// effect where the boundary is preserved, but for the loops that are left out.
+  SimplificationOptions Simplification;
 
   /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is
   /// replaced). Without effect where the boundary is preserved.
@@ -86,13 +91,19 @@ struct BitingMesh
   double UsedLipschitz = 0.0;          ///< of the spacing as used, over the edges of the mesh
   Id NumberOfSharpCornerTriangles = 0; ///< poor only because the input is (SharpCornerTriangles.h)
 
+  Id RemovedVertices = 0;   ///< of the input's chains (SimplificationOptions::Tolerance)
+  Id LeftOutLoops = 0;      ///< (SimplificationOptions::MinimumLoopSize)
+  double LeftOutArea = 0.0; ///< that they enclose
+  double ShareOfDrawing =
+    0.0; ///< of the vertices: those that only the drawing asks for (FineDrawing.h)
+
   // Only with KeepBites.
   biting::Bites Bites;
   std::vector<Point2> Front; ///< two points a piece of the front that is left
 };
 
-/// The way of the data: polylines -> domain -> spacing -> biting -> Delaunay -> relaxation ->
-/// quality -> mesh.
+/// The way of the data: polylines -> domain -> simplification -> spacing -> biting -> Delaunay ->
+/// relaxation -> quality -> mesh.
 /// Repairs and refusals are added to `problems`; where it has errors afterwards the mesh is empty.
 /// Deterministic: the same input gives the same mesh, bit for bit.
 BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,

@@ -44,6 +44,12 @@ set(biting_kernel_sources
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
+  Simplification/ChainCorners.cxx
+  Simplification/ChainReduction.cxx
+  Simplification/DomainChains.cxx
+  Simplification/Simplification.cxx
+  Simplification/SmallLoops.cxx
+  Simplification/VertexTree.cxx
   Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
   Biting/BiteGrid.cxx
@@ -88,6 +94,7 @@ set(biting_kernel_sources
   BitingMesh.cxx
   Calibration.cxx
   DomainFeatures.cxx
+  FineDrawing.cxx
   MeshAssembly.cxx
   SegmentCover.cxx
   SharpCornerTriangles.cxx

@@ -45,7 +45,13 @@ bool ProblemList::HasErrors() const
 
 bool IsError(ProblemCode code)
 {
-  return code >= ProblemCode::NoClosedLoop && code != ProblemCode::OverlappingCells;
+  return code == ProblemCode::Aborted ||
+    (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
+}
+
+bool IsNote(ProblemCode code)
+{
+  return code == ProblemCode::SmallLoops || code == ProblemCode::FineDrawing;
 }
 
 } // namespace biting

@@ -38,7 +38,10 @@ enum class ProblemCode
   // Repaired, like the first.
   OverlappingCells, ///< faces on top of each other: an odd number of them covers the domain (ids:
                     ///< cell)
-  Aborted          ///< the monitor asked to stop; not an error
+  // Noted: the mesh is what was asked for.
+  SmallLoops,  ///< closed loops that were left out (ids: cell of the first segment)
+  FineDrawing, ///< the drawing decides the mesh, not the spacing (no ids)
+  Aborted      ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.
@@ -74,8 +77,11 @@ private:
   std::vector<ProblemGroup> Kinds;
 };
 
-/// Whether the problem leaves no mesh (true), or was repaired (false).
+/// Whether the problem leaves no mesh (true), or was repaired or only noted (false).
 bool IsError(ProblemCode code);
+
+/// Whether it is worth a word only, and nothing is wrong.
+bool IsNote(ProblemCode code);
 
 } // namespace biting
 

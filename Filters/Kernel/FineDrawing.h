@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFineDrawing_h
+#define BitingFineDrawing_h
+
+#include "BitingMesh.h"
+
+namespace biting
+{
+
+/// The share of the vertices of a mesh that are there only because those of the drawing are: how many
+/// more they are than the given spacing asks for, before any limit by feature size. 0 unless more than
+/// half of the vertices of the drawing are more than twice as dense as that.
+double ShareOfFineDrawing(
+  const Domain& drawing, const BitingMesh& mesh, const SpacingOptions& given, Monitor& monitor);
+
+/// From which share on it is told.
+constexpr double LargeShareOfDrawing = 0.5;
+
+} // namespace biting
+
+#endif

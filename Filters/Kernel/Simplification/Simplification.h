@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSimplification_h
+#define BitingSimplification_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Problem.h"
+#include "../Domain/Domain.h"
+
+#include <functional> // for spacing and tags
+
+namespace biting
+{
+
+/// How far the drawing may be from what is meshed, in units of the spacing f at the place.
+struct SimplificationOptions
+{
+  double Tolerance = 0.0;       ///< 0: every vertex stays
+  double CornerAngle = 45.0;    ///< degrees of turning, from which a corner stays
+  double MinimumLoopSize = 0.0; ///< closed loops of smaller extent are left out; 0: none
+
+  /// Whether two input cells carry the same tags; vertices between segments of others stay. May be
+  /// empty: all do.
+  std::function<bool(Id, Id)> AreAlike;
+
+  bool IsAsked() const { return this->Tolerance > 0.0 || this->MinimumLoopSize > 0.0; }
+};
+
+/// A domain with fewer vertices, and what went.
+struct SimplifiedDomain
+{
+  Domain Drawing;
+  Id RemovedVertices = 0;   ///< of chains
+  Id LeftOutLoops = 0;      ///< each is a problem of code SmallLoops
+  double LeftOutArea = 0.0; ///< that they enclose
+};
+
+/// Removes vertices of chains: paths of segments whose inner vertices end two of them, of the same
+/// kind and with the same tags. Its vertices are a part of those of `domain`, in their order; its
+/// segments too, each with the cell of the first one that it stands for, and in its place. The bounds
+/// are those of `domain`.
+///
+/// - Distance: each segment and the path that it stands for are within Tolerance times f of one
+///   another, both ways, f being the least along the path nearby.
+/// - Topology, exactly: the result obeys the invariant of Domain. Chains are moved over no vertex, so
+///   crossings, touches, nesting, faces and what lies in each are those of `domain`.
+/// - What stays: ends of chains, embedded points, at least three vertices of each loop, and corners
+///   that turn by CornerAngle or more, seen at some Tolerances' distance (ChainCorners.h).
+/// - Clearance: a path moves by no more than what is left free beside it then, as far as vertices
+///   tell. A channel so keeps a share of its width.
+///
+/// Loops are left out first: closed chains without junctions whose larger extent along the axes is
+/// below MinimumLoopSize times the least f on them. Not those of an inside in which something else
+/// lies, nor those of an outside in which something stays, nor the largest of all.
+///
+/// The result does not depend on the order or direction of segments, nor on how they are joined to
+/// chains of the input. Cost O(n log n), in ordinary cases. Empty where the monitor wants to stop.
+/// Source of the guard: C. Dyken, M. Daehlen, T. Sevaldrud, "Simultaneous curve simplification", 2009.
+SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& options,
+  const std::function<double(const Point2&)>& spacing, ProblemList& problems, Monitor& monitor);
+
+} // namespace biting
+
+#endif
