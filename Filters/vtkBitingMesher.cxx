@@ -20,6 +20,7 @@
 #include "Bridge/SourceData.h"
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SummaryText.h"
+#include "Bridge/TagComparison.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/MeshingStages.h"
@@ -31,6 +32,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -46,7 +48,8 @@ namespace
 static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::OVERLAPPING_CELLS + 1,
+    static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
+    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::FINE_DRAWING + 1,
   "The kinds of problems that users see are those of the kernel.");
 
 // The stages around those of the kernel, with their shares of the time of a run.
@@ -117,6 +120,7 @@ private:
   bool ReportErrors();
   void ReportRepairs() const;
   void ReportUncovered() const;
+  void ReportNotes() const;
   vtkSmartPointer<vtkPoints> MakePoints(biting::Pulse& pulse) const;
   void WriteMesh(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
   void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
@@ -273,6 +277,9 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Domain.Repair = filter.RepairInput;
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.PreserveBoundary = filter.PreserveBoundary;
+  this->Options.Simplification.Tolerance = filter.BoundaryTolerance;
+  this->Options.Simplification.CornerAngle = filter.CornerAngle;
+  this->Options.Simplification.MinimumLoopSize = filter.MinimumLoopSize;
   this->Options.BitingConstant = filter.BitingConstant;
   this->Options.BiteShape =
     filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
@@ -318,7 +325,10 @@ std::string vtkBitingMesher::Execution::ParameterRefusal() const
       biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
       biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
       biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
-      biting::CheckAtLeastZero("Gradation", filter.Gradation) })
+      biting::CheckAtLeastZero("Gradation", filter.Gradation),
+      biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
+      biting::CheckAtLeastZero("CornerAngle", filter.CornerAngle),
+      biting::CheckAtLeastZero("MinimumLoopSize", filter.MinimumLoopSize) })
   {
     if (!refusal.empty())
     {
@@ -419,6 +429,11 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::MakeMesh()
 {
+  if (this->Options.Simplification.Tolerance > 0.0)
+  {
+    this->Options.Simplification.AreAlike =
+      biting::CompareTags(this->Drawing, this->Planar.Chains);
+  }
   this->Mesh =
     biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Monitor);
   if (this->WasAborted() || this->ReportErrors())
@@ -427,6 +442,7 @@ bool vtkBitingMesher::Execution::MakeMesh()
   }
   this->ReportRepairs();
   this->ReportUncovered();
+  this->ReportNotes();
   return true;
 }
 
@@ -452,7 +468,24 @@ void vtkBitingMesher::Execution::ReportRepairs() const
 {
   for (const biting::ProblemGroup& group : this->Problems.Groups())
   {
-    vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Planar));
+    if (!biting::IsNote(group.Code))
+    {
+      vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Planar));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A line of text, as nothing is wrong: ParaView keeps it among its messages and opens nothing.
+void vtkBitingMesher::Execution::ReportNotes() const
+{
+  for (const biting::ProblemGroup& group : this->Problems.Groups())
+  {
+    if (biting::IsNote(group.Code) && vtkObject::GetGlobalWarningDisplay())
+    {
+      const std::string line = biting::MessageFrom(group, this->Planar) + "\n";
+      vtkOutputWindow::GetInstance()->DisplayText(line.c_str());
+    }
   }
 }
 
@@ -535,6 +568,9 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
      << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"
      << indent << "PreserveBoundary: " << (this->PreserveBoundary ? "on" : "off") << "\n"
+     << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
+     << indent << "CornerAngle: " << this->CornerAngle << "\n"
+     << indent << "MinimumLoopSize: " << this->MinimumLoopSize << "\n"
      << indent << "BiteShape: " << this->BiteShape << "\n"
      << indent << "BitingConstant: " << this->BitingConstant << "\n"
      << indent << "Placement: " << this->Placement << "\n"

@@ -13,10 +13,11 @@
  *
  * @par Steps:
  * The input is welded, split where segments meet, and divided into inside and outside by even-odd
- * parity; f is prepared; the vertices of the domain are bitten, then points along its edges, then
- * the interior; the centres are triangulated, with all input segments as edges; the mesh is relaxed:
- * vertices are moved, inserted and removed, and edges flipped, until triangles are well shaped and
- * edges as long as f; it is checked (orientation, area, every segment covered) and measured.
+ * parity; where BoundaryTolerance or MinimumLoopSize ask for it, it is simplified; f is prepared; the
+ * vertices of the domain are bitten, then points along its edges, then the interior; the centres are
+ * triangulated, with all input segments as edges; the mesh is relaxed: vertices are moved, inserted and
+ * removed, and edges flipped, until triangles are well shaped and edges as long as f; it is checked
+ * (orientation, area, every segment covered) and measured.
  *
  * @par Input:
  * Port 0: any vtkDataSet, by its lines and two-dimensional cells, or a composite dataset of such: all
@@ -85,7 +86,10 @@
  * the sides of one corner of the input below 60 degrees: with this f they cannot be much better),
  * and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
  * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `DroppedOutsidePoints`,
- * `DroppedOutsideInterfaces`, `OverlappingCells`. Field data of the input is passed on.
+ * `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
+ * BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize), `ShareOfDrawing` (share of
+ * the vertices that only the drawing asks for, 0 where it is not much finer than the spacing). Field
+ * data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
@@ -104,7 +108,7 @@
  * @par Output 3, the problems:
  * What was repaired or refused, to look at: one vertex cell a place, in space, also where there is
  * no mesh. The first 10 000 places of each kind are kept. Point data: `ProblemKind` (unsigned char, a
- * ProblemKindType), `IsError` (unsigned char: 0 repaired, 1 a reason why there is no mesh), `FirstId`
+ * ProblemKindType), `IsError` (unsigned char: 0 repaired or noted, 1 why there is no mesh), `FirstId`
  * and `SecondId` (vtkIdType, -1 where there is none; ProblemKindType says what they number),
  * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames` (string)
  * and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A problem at a
@@ -124,6 +128,9 @@
  * after Update() a program learns from GetErrorCode() whether there was one, vtkErrorCode::UserError,
  * or none, vtkErrorCode::NoError.
  * Same input and parameters, same bytes: any run, any thread.
+ * Notes are no warnings: loops that were left out, and, without BoundaryTolerance, a drawing so fine
+ * that more than half of the vertices are there for it alone, are a line of text each, through
+ * vtkOutputWindow, and counted in output 3. They are silent where GlobalWarningDisplay is off.
  *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
@@ -155,7 +162,8 @@
  * circles; their follow-up "Generate good triangular meshes, conforming to control spacing
  * requirements" bites squares: sections 3.1 (the three phases) and 4.4 (phi-Delaunay). J. R.
  * Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
- * 1997. S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993.
+ * 1997. C. Dyken, M. Daehlen, T. Sevaldrud, "Simultaneous curve simplification", 2009 (boundary
+ * tolerance). S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993.
  */
 
 #ifndef vtkBitingMesher_h
@@ -187,7 +195,8 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and cells
-   * of the input. The first seven are repaired, the others refused where nothing else is said.
+   * of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED leave no mesh; the others are repaired,
+   * or only told.
    */
   enum ProblemKindType
   {
@@ -206,7 +215,9 @@ public:
     TOO_MANY_VERTICES = 12, ///< no place
     NOT_RESOLVED = 13,      ///< where repair found no end (cell, cell)
     CHECK_FAILED = 14,      ///< a defect of this class, no place
-    OVERLAPPING_CELLS = 15  ///< repaired: cells on top of others, in part (cell)
+    OVERLAPPING_CELLS = 15, ///< cells on top of others, in part (cell)
+    SMALL_LOOPS = 16,       ///< left out by MinimumLoopSize, at the middle of each (cell)
+    FINE_DRAWING = 17       ///< without BoundaryTolerance: it decides the mesh; no place
   };
 
   enum BiteShapeType
@@ -369,6 +380,50 @@ public:
 
   ///@{
   /**
+   * How far the boundary of the mesh, and its interfaces, may be from the drawing, in units of f at
+   * the place, >= 0; sensible from 0.05 to 0.5. 0 (default): every vertex of the input stays. Above 0
+   * vertices of chains go that the mesh does not need:
+   *
+   *     drawing    /\/\/\/\_/\/\_/\/\      one edge a pixel
+   *     mesh      ------+------+------     edges as long as f, within 0.2 f of the drawing
+   *
+   * What is left are vertices of the input, and the straight segments between them, which are divided
+   * as others are. Each segment is within that distance of the path of the input that it stands for,
+   * and that path of it. f is the spacing before the limit by feature size; that limit then sees the
+   * simplified drawing. Topology is kept, exactly: nothing crosses or touches that did not, no loop,
+   * face or channel goes. What stays: ends of chains, junctions, embedded points, vertices where a
+   * line of the input has other cell data than the next, three vertices of each loop, and corners
+   * (CornerAngle). In output 1 an edge has the cell data of the first segment that it stands for.
+   * Cost O(n log n). Without effect where PreserveBoundary is on. Negative or not finite: an error.
+   */
+  vtkSetMacro(BoundaryTolerance, double);
+  vtkGetMacro(BoundaryTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * With BoundaryTolerance: corners of the drawing that turn by this or more, in degrees, stay where
+   * they are. The turning is seen from four tolerances away, so that a zigzag of pixels is no row of
+   * corners. >= 0; default 45. Smaller values keep more vertices. Negative or not finite: an error.
+   */
+  vtkSetMacro(CornerAngle, double);
+  vtkGetMacro(CornerAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Closed loops (islands, holes, lakes, closed interfaces) are left out where their larger extent
+   * along the axes of the plane is below this many f, the least f on them; >= 0. 0 (default): none is.
+   * A loop with the domain in it stays where anything else lies in it; any other stays where something
+   * in it stays. Where there are only loops the largest stays. A note counts them, output 3 shows
+   * where they were, and `LeftOutArea` is the area that they enclose. Negative or not finite: an error.
+   */
+  vtkSetMacro(MinimumLoopSize, double);
+  vtkGetMacro(MinimumLoopSize, double);
+  ///@}
+
+  ///@{
+  /**
    * The shape of a bite. SQUARE (default): as in the paper, section 3.1. CIRCLE: as in its
    * predecessor (Li, Teng and Uengoer, "Biting: advancing front meets sphere packing", 2000).
    */
@@ -515,6 +570,9 @@ private:
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;
   bool PreserveBoundary = false;
+  double BoundaryTolerance = 0.0;
+  double CornerAngle = 45.0;
+  double MinimumLoopSize = 0.0;
   int BiteShape = SQUARE;
   double BitingConstant = 0.0;
   int Placement = BISECTORS;

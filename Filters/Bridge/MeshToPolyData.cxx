@@ -59,6 +59,14 @@ void AddRepairs(const ProblemList& problems, vtkFieldData* data)
   add("DroppedOutsideInterfaces", ProblemCode::OutsideInterfaces);
 }
 
+void AddSimplification(const BitingMesh& mesh, vtkFieldData* data)
+{
+  AddCount(data, "RemovedVertices", mesh.RemovedVertices);
+  AddCount(data, "LeftOutLoops", mesh.LeftOutLoops);
+  AddFigure(data, "LeftOutArea", mesh.LeftOutArea);
+  AddFigure(data, "ShareOfDrawing", mesh.ShareOfDrawing);
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPoints> PointsInSpace(
@@ -101,6 +109,7 @@ void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList
   AddFigure(output->GetFieldData(), "GivenLipschitz", mesh.GivenLipschitz);
   AddFigure(output->GetFieldData(), "UsedLipschitz", mesh.UsedLipschitz);
   AddRepairs(problems, output->GetFieldData());
+  AddSimplification(mesh, output->GetFieldData());
 }
 
 } // namespace biting

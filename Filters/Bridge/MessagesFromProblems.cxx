@@ -73,6 +73,11 @@ Wording WordingOf(ProblemCode code)
     case ProblemCode::CheckFailed:
       return { "The mesh failed its own check and is withheld", "", "",
         "This is a defect of the mesher: please report it, with the input." };
+    case ProblemCode::SmallLoops:
+      return { "Closed loops smaller than MinimumLoopSize", "cell", "", "They were left out." };
+    case ProblemCode::FineDrawing:
+      return { "The drawing is much finer than the spacing; only its vertices ask for", "", "",
+        "A BoundaryTolerance above 0 lets them go." };
     case ProblemCode::Aborted:
       return { "Aborted", "", "", "" };
     default:

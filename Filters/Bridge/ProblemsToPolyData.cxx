@@ -26,7 +26,8 @@ namespace
 constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "DuplicatePoints",
   "ZeroLengthSegments", "DuplicateSegments", "Crossings", "Touches", "OutsidePoints",
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
-  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells" };
+  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "SmallLoops",
+  "FineDrawing" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
 {

@@ -33,4 +33,5 @@ set(biting_bridge_sources
   SpacingValues.cxx
   StructuredFromPieces.cxx
   SummaryText.cxx
+  TagComparison.cxx
   WholeFromPieces.cxx)

@@ -563,7 +563,7 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   }
 }
 
-// Says so where it is large.
+// Says so where it is large and no tolerance is set.
 void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, BitingMesh& mesh,
   ProblemList& problems, Monitor& monitor)
 {
@@ -574,7 +574,8 @@ void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, Bi
   PartOfStage part(monitor, SlopesEnd, 1.0);
   mesh.ShareOfDrawing =
     ShareOfFineDrawing(drawing, mesh, AboveRounding(options.Spacing, drawing), part);
-  if (!AddAborted(part, problems) && mesh.ShareOfDrawing > LargeShareOfDrawing)
+  const bool isAccepted = options.Simplification.Tolerance > 0.0;
+  if (!AddAborted(part, problems) && !isAccepted && mesh.ShareOfDrawing > LargeShareOfDrawing)
   {
     AddProblem(ProblemCode::FineDrawing, Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices",
       problems);

@@ -40,7 +40,7 @@ enum class ProblemCode
                     ///< cell)
   // Noted: the mesh is what was asked for.
   SmallLoops,  ///< closed loops that were left out (ids: cell of the first segment)
-  FineDrawing, ///< the drawing decides the mesh, not the spacing (no ids)
+  FineDrawing, ///< without a tolerance: it decides the mesh, not the spacing (no ids)
   Aborted      ///< the monitor asked to stop; not an error
 };
 

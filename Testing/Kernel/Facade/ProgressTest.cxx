@@ -23,6 +23,7 @@ namespace
 enum StageId
 {
   DomainStage,
+  SimplificationStage,
   SpacingStage,
   BitingStage,
   TriangulationStage,
@@ -123,6 +124,14 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheBoundaryIsPreserved)
   BitingMeshOptions options = UniformOptions(150.0);
   options.PreserveBoundary = true;
   ExpectAbortEverywhere(Drawing(20), options);
+}
+
+TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheDrawingIsSimplified)
+{
+  BitingMeshOptions options = UniformOptions(300.0);
+  options.Simplification.Tolerance = 0.2;
+  options.Simplification.MinimumLoopSize = 1.0;
+  ExpectAbortEverywhere(Drawing(400), options);
 }
 
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWithBoundaryValues)

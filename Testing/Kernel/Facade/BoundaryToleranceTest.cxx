@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Simplification/SimplifiedDrawing.h"
+#include "../Support/MeshRun.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for count, min_element
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double PixelDiscSpacing = 10.0;
+
+Polylines FineDisc()
+{
+  return PolylineBuilder().Loop(biting::PixelDisc({ 0.0, 0.0 }, 80.0)).Lines();
+}
+
+BitingMeshOptions OptionsOf(double tolerance)
+{
+  BitingMeshOptions options;
+  options.Spacing = UniformSpacing(PixelDiscSpacing);
+  options.Simplification.Tolerance = tolerance;
+  return options;
+}
+
+double VerticesAskedFor(double area)
+{
+  return 1.1547 * area / (PixelDiscSpacing * PixelDiscSpacing);
+}
+
+} // namespace
+
+TEST(BoundaryTolerance, AFineDrawingGetsTheMeshOfTheSpacing)
+{
+  const MeshRun run = RunMesh(FineDisc(), OptionsOf(0.2));
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_LT(run.NumberOfVertices(), 1.5 * VerticesAskedFor(Area(run.Mesh)));
+  EXPECT_GT(run.Mesh.Quality.SmallestAngle, 30.0);
+  EXPECT_GT(run.Mesh.RemovedVertices, 500);
+  EXPECT_FALSE(run.Problems.Has(ProblemCode::FineDrawing));
+}
+
+TEST(BoundaryTolerance, TheFeatureSizeIsThatOfTheSimplifiedDrawing)
+{
+  const MeshRun run = RunMesh(FineDisc(), OptionsOf(0.2));
+  const std::vector<double>& spacing = run.Mesh.Spacing;
+  EXPECT_GT(*std::min_element(spacing.begin(), spacing.end()), 0.7 * PixelDiscSpacing);
+}
+
+TEST(BoundaryTolerance, VerticesThatStayNameTheirInputPoint)
+{
+  const Polylines input = FineDisc();
+  const MeshRun run = RunMesh(input, OptionsOf(0.2));
+  int count = 0;
+  for (std::size_t vertex = 0; vertex < run.Mesh.Points.size(); ++vertex)
+  {
+    const Id original = run.Mesh.OriginalPoints[vertex];
+    if (original != NoId)
+    {
+      EXPECT_EQ(run.Mesh.Points[vertex], input.Points[original]);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 3);
+}
+
+TEST(BoundaryTolerance, AFineDrawingIsToldWithoutOne)
+{
+  const MeshRun run = RunMesh(FineDisc(), OptionsOf(0.0));
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_EQ(run.Problems.Count(ProblemCode::FineDrawing), 1);
+  EXPECT_NEAR(
+    run.Mesh.ShareOfDrawing, 1.0 - VerticesAskedFor(Area(run.Mesh)) / run.NumberOfVertices(), 0.01);
+}
+
+TEST(BoundaryTolerance, ADrawingAsFineAsTheSpacingIsNotTold)
+{
+  const MeshRun run =
+    RunMesh(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 80.0, 60)).Lines(), OptionsOf(0.0));
+  EXPECT_FALSE(run.Problems.Has(ProblemCode::FineDrawing));
+  EXPECT_EQ(run.Mesh.ShareOfDrawing, 0.0);
+}
+
+TEST(BoundaryTolerance, APreservedBoundaryKeepsEveryVertex)
+{
+  BitingMeshOptions options = OptionsOf(0.2);
+  options.PreserveBoundary = true;
+  const Polylines input = PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 20.0, 60)).Lines();
+  const MeshRun run = RunMesh(input, options);
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_EQ(std::count(run.Mesh.Kinds.begin(), run.Mesh.Kinds.end(), VertexKind::Input), 60);
+}
+
+TEST(BoundaryTolerance, LoopsThatAreLeftOutAreMeshedOver)
+{
+  BitingMeshOptions options = OptionsOf(0.0);
+  options.Simplification.MinimumLoopSize = 1.0;
+  const MeshRun run = RunMesh(
+    PolylineBuilder().Box(0.0, 0.0, 100.0, 100.0).Box(50.0, 50.0, 52.0, 53.0).Lines(), options);
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_NEAR(Area(run.Mesh), 10000.0, 1e-6);
+  EXPECT_EQ(run.Mesh.LeftOutLoops, 1);
+  EXPECT_EQ(run.Mesh.LeftOutArea, 6.0);
+}
+
+} // namespace biting
