@@ -276,6 +276,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
+  this->Options.Domain.MergeTolerance = filter.MergeTolerance;
   this->Options.PreserveBoundary = filter.PreserveBoundary;
   this->Options.Simplification.Tolerance = filter.BoundaryTolerance;
   this->Options.Simplification.CornerAngle = filter.CornerAngle;
@@ -326,6 +327,7 @@ std::string vtkBitingMesher::Execution::ParameterRefusal() const
       biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
       biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
       biting::CheckAtLeastZero("Gradation", filter.Gradation),
+      biting::CheckAtLeastZero("MergeTolerance", filter.MergeTolerance),
       biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
       biting::CheckAtLeastZero("CornerAngle", filter.CornerAngle),
       biting::CheckAtLeastZero("MinimumLoopSize", filter.MinimumLoopSize) })
@@ -346,12 +348,17 @@ std::string vtkBitingMesher::Execution::ParameterRefusal() const
   if (filter.BitingConstant != 0.0 &&
     !(filter.BitingConstant >= 0.1 && filter.BitingConstant <= 1.0))
   {
-    return "BitingConstant is " + std::to_string(filter.BitingConstant) +
+    return "BitingConstant is " + biting::ValueText(filter.BitingConstant) +
       "; it must be 0 (automatic) or within [0.1, 1].";
   }
   if (!(filter.Phi > 0.0 && filter.Phi <= 1.0))
   {
-    return "Phi is " + std::to_string(filter.Phi) + "; it must be above 0 and at most 1.";
+    return "Phi is " + biting::ValueText(filter.Phi) + "; it must be above 0 and at most 1.";
+  }
+  if (filter.MergeTolerance >= 1.0)
+  {
+    return "MergeTolerance is " + biting::ValueText(filter.MergeTolerance) +
+      "; it is relative to the diagonal of the input, and must be below 1.";
   }
   if (filter.MaximumNumberOfBites < -1 || filter.MaximumNumberOfVertices < 1)
   {
@@ -567,6 +574,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
      << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"
+     << indent << "MergeTolerance: " << this->MergeTolerance << "\n"
      << indent << "PreserveBoundary: " << (this->PreserveBoundary ? "on" : "off") << "\n"
      << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
      << indent << "CornerAngle: " << this->CornerAngle << "\n"

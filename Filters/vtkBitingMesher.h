@@ -42,7 +42,8 @@
  * a line: it counts for the area by parity; a cell counts as it does without), 1 interface, 2 embedded
  * points. Points that no cell uses are ignored.
  * The chains may lie in any plane: it is fitted, meshed in and mapped back. In a plane of constant
- * x, y or z the coordinates are used as they are. Triangles are counterclockwise seen from the side
+ * x, y or z the coordinates are used as they are. Points that the rounding of their coordinates does not
+ * tell apart are one (MergeTolerance). Triangles are counterclockwise seen from the side
  * of the normal whose largest component is positive.
  * @par
  * Port 1, optional: any vtkDataSet with a point array, the spacing source. Images and rectilinear
@@ -85,11 +86,11 @@
  * used spacing), `NumberOfSharpCornerTriangles` (with an angle below 30 degrees and all vertices on
  * the sides of one corner of the input below 60 degrees: with this f they cannot be much better),
  * and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
- * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `DroppedOutsidePoints`,
- * `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
- * BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize), `ShareOfDrawing` (share of
- * the vertices that only the drawing asks for, 0 where it is not much finer than the spacing). Field
- * data of the input is passed on.
+ * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`,
+ * `DroppedOutsidePoints`, `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the
+ * input, by BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize),
+ * `ShareOfDrawing` (share of the vertices that only the drawing asks for, 0 where it is not much finer
+ * than the spacing). Field data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
@@ -121,7 +122,7 @@
  * no unused points; every input segment a union of edges) or there is none. Defects of the input are
  * repaired with a warning for each kind, which says how many, which and where, or refused with one
  * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
- * size from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
+ * size, and than rounding, from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
  * empty, but for the problems; so they are, with an error, where memory does not suffice. An
  * empty input gives empty outputs and no message.
  * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh before:
@@ -216,8 +217,9 @@ public:
     NOT_RESOLVED = 13,      ///< where repair found no end (cell, cell)
     CHECK_FAILED = 14,      ///< a defect of this class, no place
     OVERLAPPING_CELLS = 15, ///< cells on top of others, in part (cell)
-    SMALL_LOOPS = 16,       ///< left out by MinimumLoopSize, at the middle of each (cell)
-    FINE_DRAWING = 17       ///< without BoundaryTolerance: it decides the mesh; no place
+    NEAR_POINTS = 16,       ///< not to be told apart from a point or segment (point, point or -1)
+    SMALL_LOOPS = 17,       ///< left out by MinimumLoopSize, at the middle of each (cell)
+    FINE_DRAWING = 18       ///< without BoundaryTolerance: it decides the mesh; no place
   };
 
   enum BiteShapeType
@@ -326,6 +328,20 @@ public:
   vtkSetMacro(RepairInput, bool);
   vtkGetMacro(RepairInput, bool);
   vtkBooleanMacro(RepairInput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Points that are not further apart than this, relative to the diagonal of the box of the input, are
+   * one, and a point that near to a segment lies on it: a warning says how many and where. In [0, 1).
+   * 0 (default): only what the rounding of coordinates does not tell apart, four units in the last
+   * place of the largest one, of the type that they have: 4.8e-7 of it for floats, 8.9e-16 for doubles.
+   * Doubles that have been floats count as floats. No vertex moves further than that; of points that are
+   * one, those of boundaries stay rather than those of interfaces, and these rather than embedded ones.
+   * Other values: an error.
+   */
+  vtkSetMacro(MergeTolerance, double);
+  vtkGetMacro(MergeTolerance, double);
   ///@}
 
   ///@{
@@ -484,9 +500,11 @@ public:
 
   ///@{
   /**
-   * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge is flipped only
-   * where the opposite vertex lies within phi times the circumradius of the triangle's
-   * circumcentre. 1 (default): Delaunay. Other values: an error. Relaxation makes any mesh Delaunay.
+   * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge that is not Delaunay
+   * stays where neither opposite vertex lies within phi times the circumradius of the circumcentre of the
+   * triangle across it, and both triangles have a radius-edge ratio of at most sqrt(2) / phi: the bound
+   * of theorem 4.12 for a constant spacing, whose proof asks of all vertices what definition 4.1 asks of
+   * two. 1 (default): Delaunay. Other values: an error. Relaxation makes any mesh Delaunay.
    */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
@@ -566,6 +584,7 @@ private:
   double Gradation = 0.3;
   bool LimitByFeatureSize = true;
   bool RepairInput = true;
+  double MergeTolerance = 0.0;
   std::string RegionArray;
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;

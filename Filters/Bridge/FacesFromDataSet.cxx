@@ -5,6 +5,7 @@
 
 #include "../Kernel/Base/Box2.h"
 #include "../Kernel/Base/Pulse.h"
+#include "CoordinateRounding.h"
 #include "DoubleArray.h"
 #include "MessagesFromProblems.h"
 #include "PolylinesFromPolyData.h"
@@ -18,7 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for all_of
+#include <algorithm> // for all_of, max
 #include <cmath>     // for isfinite
 #include <limits>    // for the size check
 
@@ -212,8 +213,10 @@ std::string RefuseWhereNot(const Question& isGood, const std::vector<Id>& points
 }
 
 std::string MapToPlane(
-  const std::vector<Id>& points, const double* coordinates, PlanarFaces& faces, Pulse& pulse)
+  const std::vector<Id>& points, vtkDataArray* array, PlanarFaces& faces, Pulse& pulse)
 {
+  const auto doubles = AsDoubles(array);
+  const double* coordinates = doubles->GetPointer(0);
   const auto isFinite = [](const double* place)
   { return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }); };
   std::string refusal = RefuseWhereNot(isFinite, points, coordinates,
@@ -222,14 +225,15 @@ std::string MapToPlane(
   {
     return refusal;
   }
-  faces.Frame = PlaneFrame::FitTo(coordinates, points, pulse);
+  const double rounding = RoundingOfCoordinates(array->GetDataType(), coordinates, points, pulse);
+  faces.Frame = PlaneFrame::FitTo(coordinates, points, rounding, pulse);
   Box2 box;
   for (const Id point : points)
   {
     faces.Points.push_back(faces.Frame.ToPlane(coordinates + 3 * static_cast<std::size_t>(point)));
     box.Add(faces.Points.back());
   }
-  const double farthest = PlanarTolerance * box.Diagonal();
+  const double farthest = std::max(PlanarTolerance * box.Diagonal(), rounding);
   const PlaneFrame& frame = faces.Frame;
   return RefuseWhereNot([&frame, farthest](const double* place)
     { return std::abs(frame.Distance(place)) <= farthest; },
@@ -253,7 +257,7 @@ std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces
     return refusal;
   }
   const std::vector<Id> points = NumberVertices(data->GetNumberOfPoints(), faces);
-  return MapToPlane(points, CoordinatesOf(data)->GetPointer(0), faces, pulse);
+  return MapToPlane(points, CoordinatesOf(data), faces, pulse);
 }
 
 } // namespace biting

@@ -55,6 +55,7 @@ void AddRepairs(const ProblemList& problems, vtkFieldData* data)
   add("RepairedCrossings", ProblemCode::Crossings);
   add("RepairedTouches", ProblemCode::Touches);
   add("OverlappingCells", ProblemCode::OverlappingCells);
+  add("RepairedNearPoints", ProblemCode::NearPoints);
   add("DroppedOutsidePoints", ProblemCode::OutsidePoints);
   add("DroppedOutsideInterfaces", ProblemCode::OutsideInterfaces);
 }

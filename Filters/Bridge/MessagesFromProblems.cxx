@@ -40,6 +40,9 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::OverlappingCells:
       return { "Cells that lie on top of others", "cell", "",
         "The domain is what an odd number of them covers." };
+    case ProblemCode::NearPoints:
+      return { "Points too near to others, or to segments, to be told apart", "point", "point",
+        "They were merged." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:
@@ -108,6 +111,7 @@ std::size_t PointIdOf(ProblemCode code)
   switch (code)
   {
     case ProblemCode::DuplicatePoints:
+    case ProblemCode::NearPoints:
     case ProblemCode::OutsidePoints:
     case ProblemCode::NoClosedLoop:
     case ProblemCode::NotFinite:

@@ -4,11 +4,20 @@
 #ifndef BitingParameterCheck_h
 #define BitingParameterCheck_h
 
-#include <cmath>  // for isfinite
-#include <string> // for refusals
+#include <cmath>   // for isfinite
+#include <sstream> // for values
+#include <string>  // for refusals
 
 namespace biting
 {
+
+/// Short, also where the value is large.
+inline std::string ValueText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 /// Why `value` of the parameter `name` cannot be; empty where it is finite, and 0 or more.
 inline std::string CheckAtLeastZero(const char* name, double value)
@@ -17,7 +26,7 @@ inline std::string CheckAtLeastZero(const char* name, double value)
   {
     return {};
   }
-  return std::string(name) + " is " + std::to_string(value) + "; it must be finite, and 0 or more.";
+  return std::string(name) + " is " + ValueText(value) + "; it must be finite, and 0 or more.";
 }
 
 } // namespace biting

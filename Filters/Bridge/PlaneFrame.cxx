@@ -170,6 +170,14 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
   return isDefined ? Plane{ mean, Unit(normal) } : plane;
 }
 
+// The axis along which the points extend least: the last of equal ones, then the first.
+std::size_t ThinnestAxis(const ScaledPoints& points)
+{
+  const Point3 extent = points.High - points.Low;
+  const std::size_t first = extent[0] <= extent[1] ? 0 : 1;
+  return extent[2] <= extent[first] ? 2 : first;
+}
+
 double LargestDistance(const ScaledPoints& points, const Plane& plane)
 {
   const auto distance = [&plane](const Point3& p)
@@ -179,7 +187,8 @@ double LargestDistance(const ScaledPoints& points, const Plane& plane)
 
 } // namespace
 
-PlaneFrame PlaneFrame::FitTo(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
+PlaneFrame PlaneFrame::FitTo(
+  const double* coordinates, const std::vector<Id>& points, double rounding, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, 0.0);
   if (points.empty())
@@ -187,12 +196,12 @@ PlaneFrame PlaneFrame::FitTo(const double* coordinates, const std::vector<Id>& p
     return {};
   }
   const ScaledPoints scaled = Scaled(coordinates, points, pulse);
-  for (const std::size_t axis : { 2, 0, 1 })
+  const std::size_t thinnest = ThinnestAxis(scaled);
+  if (scaled.High[thinnest] - scaled.Low[thinnest] <= rounding)
   {
-    if (scaled.Low[axis] == scaled.High[axis])
-    {
-      return Aligned(static_cast<int>(axis), scaled.Low[axis]);
-    }
+    const double low = scaled.Low[thinnest];
+    const double high = scaled.High[thinnest];
+    return Aligned(static_cast<int>(thinnest), low == high ? low : scaled.Center[thinnest]);
   }
   const Plane rough = ThroughLargeTriangle(scaled);
   const Plane refined = Refined(scaled, rough);

@@ -7,12 +7,13 @@
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/Base/SortInSteps.h"
 #include "ChainReader.h"
+#include "CoordinateRounding.h"
 #include "DoubleArray.h"
 #include "RegionNumbers.h"
 
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of
+#include <algorithm> // for all_of, max
 #include <cmath>     // for isfinite
 #include <utility>   // for pair
 
@@ -92,14 +93,14 @@ using Distances = std::vector<std::pair<double, Id>>;
 
 Distances FindNotPlanar(const PlanarInput& input, Pulse& pulse)
 {
-  const double size = Diagonal(input, pulse);
+  const double farthest = std::max(PlanarTolerance * Diagonal(input, pulse), input.Chains.Rounding);
   Distances off;
   pulse.ForEach(input.UsedPoints.size(),
-    [&input, size, &off](std::size_t k)
+    [&input, farthest, &off](std::size_t k)
     {
       const Id point = input.UsedPoints[k];
       const double distance = std::abs(input.Frame.Distance(input.Place(point)));
-      if (distance > PlanarTolerance * size)
+      if (distance > farthest)
       {
         off.emplace_back(distance, point);
       }
@@ -146,7 +147,10 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
   {
     return {};
   }
-  result.Frame = PlaneFrame::FitTo(result.Coordinates->GetPointer(0), result.UsedPoints, pulse);
+  const double* places = result.Coordinates->GetPointer(0);
+  result.Chains.Rounding =
+    RoundingOfCoordinates(input->GetPoints()->GetDataType(), places, result.UsedPoints, pulse);
+  result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, result.Chains.Rounding, pulse);
   MapToPlane(result, pulse);
   RefuseNotPlanar(result, problems, pulse);
   return {};

@@ -33,7 +33,8 @@ struct PlanarInput
   const double* Place(Id point) const { return this->Coordinates->GetPointer(3 * point); }
 };
 
-/// How far a point may lie from the plane, relative to the diagonal of the input's box.
+/// How far a point may lie from the plane, relative to the diagonal of the input's box; but no nearer
+/// than the rounding of its coordinates (CoordinateRounding.h).
 constexpr double PlanarTolerance = 1e-6;
 
 /// Reads the cells of `drawing` as ChainReader.h says, and fits their plane. Faces are of one region

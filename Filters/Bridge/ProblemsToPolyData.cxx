@@ -26,7 +26,7 @@ namespace
 constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "DuplicatePoints",
   "ZeroLengthSegments", "DuplicateSegments", "Crossings", "Touches", "OutsidePoints",
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
-  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "SmallLoops",
+  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "SmallLoops",
   "FineDrawing" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)

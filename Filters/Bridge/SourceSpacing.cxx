@@ -5,6 +5,7 @@
 
 #include "../Kernel/Base/Pulse.h"
 #include "DoubleArray.h"
+#include "MessagesFromProblems.h"
 #include "PlaneCut.h"
 #include "SpacingValues.h"
 
@@ -22,7 +23,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm> // for is_sorted, minmax
+#include <algorithm> // for all_of, is_sorted, minmax
 #include <array>     // for axes
 #include <cmath>     // for NaN
 #include <limits>    // for the size check, NaN
@@ -94,6 +95,45 @@ AxisNodes NodesOfGrid(vtkDataSet* source)
     return NodesOfRectilinearGrid(grid);
   }
   return {};
+}
+
+bool IsFinite(const double* place)
+{
+  return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); });
+}
+
+// Why an image lies nowhere; empty where it does not, or the source is no image.
+std::string CheckImage(vtkDataSet* source)
+{
+  auto* image = vtkImageData::SafeDownCast(source);
+  if (!image || (IsFinite(image->GetOrigin()) && IsFinite(image->GetSpacing())))
+  {
+    return {};
+  }
+  const double* origin = image->GetOrigin();
+  const double* steps = image->GetSpacing();
+  return "The spacing source lies nowhere: the origin of the image is " +
+    PlaceText({ origin[0], origin[1], origin[2] }) + " and its spacing of points " +
+    PlaceText({ steps[0], steps[1], steps[2] }) + ". Both must be finite.";
+}
+
+// Which of `points` of the source lie nowhere.
+std::string CheckPoints(vtkDataSet* source, const std::vector<vtkIdType>& points, Pulse& pulse)
+{
+  std::vector<std::string> first;
+  std::int64_t count = 0;
+  for (const vtkIdType point : points)
+  {
+    Point3 place;
+    source->GetPoint(point, place.data());
+    if (pulse.Beat(1) && !IsFinite(place.data()) && ++count <= static_cast<std::int64_t>(ShownIds))
+    {
+      first.push_back("point " + std::to_string(point) + " at " + PlaceText(place));
+    }
+  }
+  return count == 0 ? ""
+                    : "The spacing source has coordinates that are not finite (" +
+      std::to_string(count) + "): " + ListText(first, count) + ". Correct or remove these points.";
 }
 
 bool IsAscending(const std::vector<double>& nodes)
@@ -459,10 +499,14 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
 {
   CellCollector collector(source, frame, pulse);
   std::string refusal = collector.Collect();
+  const std::vector<vtkIdType> points = collector.UsedPoints();
   if (refusal.empty())
   {
-    refusal = CheckSpacingValues(
-      source, values, collector.UsedPoints(), SpacingOwner::Source, places, pulse);
+    refusal = CheckPoints(source, points, pulse);
+  }
+  if (refusal.empty())
+  {
+    refusal = CheckSpacingValues(source, values, points, SpacingOwner::Source, places, pulse);
   }
   if (!refusal.empty())
   {
@@ -527,6 +571,11 @@ std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* given, const Plan
     given->GetNumberOfTuples() < source->GetNumberOfPoints())
   {
     return CheckSpacingValues(source, given, {}, SpacingOwner::Source, places, pulse);
+  }
+  const std::string misplaced = CheckImage(source);
+  if (!misplaced.empty())
+  {
+    return misplaced;
   }
   const auto values = KnownValues(source, given, frame, isWanted, pulse);
   auto grid = GridFrom(source, values->GetPointer(0), frame, pulse);

@@ -9,6 +9,7 @@ set(biting_bridge_sources
   CellShapes.cxx
   ChainReader.cxx
   ChosenArray.cxx
+  CoordinateRounding.cxx
   DataTree.cxx
   DomainMembership.cxx
   DoubleArray.cxx

@@ -57,6 +57,7 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_EQ(mesher->GetMaximumSpacing(), 0.0);
   EXPECT_EQ(mesher->GetGradation(), 0.3);
   EXPECT_TRUE(mesher->GetRepairInput());
+  EXPECT_EQ(mesher->GetMergeTolerance(), 0.0);
   EXPECT_FALSE(mesher->GetPreserveBoundary());
   EXPECT_EQ(mesher->GetBiteShape(), vtkBitingMesher::SQUARE);
   EXPECT_EQ(mesher->GetBitingConstant(), 0.0);
@@ -79,10 +80,10 @@ TEST(BitingMesherParameters, AreAllPrinted)
   std::ostringstream text;
   mesher->Print(text);
   for (const char* name : { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0",
-         "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "PreserveBoundary: off",
-         "BiteShape: 0", "BitingConstant: 0", "Placement: 0", "FrontOrder: 1",
-         "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on", "RelaxationEffort: 0",
-         "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
+         "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "MergeTolerance: 0",
+         "PreserveBoundary: off", "BiteShape: 0", "BitingConstant: 0", "Placement: 0",
+         "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on",
+         "RelaxationEffort: 0", "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }

@@ -103,6 +103,7 @@ private:
   bool KeepsPoints();
   bool KeepsPoint(const Point2& p, const char* what);
   bool IsAtBoundary(const Point2& p) const;
+  bool IsAtVertex(const Point2& p) const;
   bool Covers(const Point2& p) const;
   bool CoversSegments();
   bool CoversSegment(const DrawnSegment& segment);
@@ -446,7 +447,7 @@ bool MeshOracle::KeepsPoints()
 bool MeshOracle::KeepsPoint(const Point2& p, const char* what)
 {
   if (std::binary_search(this->SortedPoints.begin(), this->SortedPoints.end(), p) ||
-    !this->Covers(p) || this->IsAtBoundary(p))
+    !this->Covers(p) || this->IsAtBoundary(p) || this->IsAtVertex(p))
   {
     return true;
   }
@@ -463,6 +464,13 @@ bool MeshOracle::IsAtBoundary(const Point2& p) const
     [this, &p](std::size_t slot) {
       return DistanceTo(p, this->Corner(Next(slot)), this->Corner(Next(Next(slot)))) <= this->Slack;
     });
+}
+
+/// Nearer to a vertex than rounding, p may be that.
+bool MeshOracle::IsAtVertex(const Point2& p) const
+{
+  return std::any_of(this->SortedPoints.begin(), this->SortedPoints.end(),
+    [this, &p](const Point2& vertex) { return Distance(p, vertex) <= this->Slack; });
 }
 
 /// Whether p lies in a triangle, exactly; its border included.

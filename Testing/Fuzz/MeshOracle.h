@@ -22,7 +22,7 @@ namespace biting
 /// - regions are what interfaces leave connected;
 /// - with explicit boundaries the area is that of the drawing;
 /// - every end of a segment and every embedded point that the mesh covers is a vertex, bit for bit,
-///   unless it is nearer to the boundary than rounding;
+///   unless it is nearer to the boundary, or to a vertex, than rounding;
 /// - every segment, as far as the mesh covers it, is covered by edges; every covering edge lies on
 ///   its input cell; but edges between two faces of one region are covered by none;
 /// - kinds and original points are true;

@@ -84,6 +84,7 @@ bool IsPointId(const Problem& problem, std::size_t k)
   switch (problem.Code)
   {
     case ProblemCode::DuplicatePoints:
+    case ProblemCode::NearPoints:
     case ProblemCode::OutsidePoints:
     case ProblemCode::NoClosedLoop:
     case ProblemCode::NotFinite:
@@ -107,6 +108,7 @@ std::size_t ExpectedIds(const Problem& problem)
     case ProblemCode::NotFinite:
       return 1;
     case ProblemCode::DuplicatePoints:
+    case ProblemCode::NearPoints:
     case ProblemCode::ZeroLengthSegments:
     case ProblemCode::DuplicateSegments:
     case ProblemCode::Crossings:
@@ -139,8 +141,9 @@ bool HasValidIds(const Problem& problem, const FuzzCase& fuzzCase)
     const std::size_t end = isSpacing ? values
       : IsPointId(problem, k)         ? points
                                       : fuzzCase.Input.Cells.size();
-    const bool isCrossingVertex = problem.Code == ProblemCode::Touches && k == 1;
-    if (problem.Ids[k] < (isCrossingVertex ? NoId : 0) ||
+    const bool isOptional =
+      k == 1 && (problem.Code == ProblemCode::Touches || problem.Code == ProblemCode::NearPoints);
+    if (problem.Ids[k] < (isOptional ? NoId : 0) ||
       problem.Ids[k] >= static_cast<std::int64_t>(end))
     {
       return false;

@@ -20,6 +20,7 @@ DEFAULTS = {
     'Gradation': 0.3,
     'LimitByFeatureSize': 1,
     'RepairInput': 1,
+    'MergeTolerance': 0.0,
     'RegionArray': 'None',
     'KeepCellEdges': 0,
     'MeshBlocksSeparately': 0,

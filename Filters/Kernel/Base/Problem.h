@@ -38,6 +38,8 @@ enum class ProblemCode
   // Repaired, like the first.
   OverlappingCells, ///< faces on top of each other: an odd number of them covers the domain (ids:
                     ///< cell)
+  NearPoints, ///< a point too near to another one, or to a segment, to be told apart from it (ids:
+              ///< point; point, or NoId where it is a segment, which the detail names then)
   // Noted: the mesh is what was asked for.
   SmallLoops,  ///< closed loops that were left out (ids: cell of the first segment)
   FineDrawing, ///< without a tolerance: it decides the mesh, not the spacing (no ids)

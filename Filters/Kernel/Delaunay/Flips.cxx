@@ -5,6 +5,8 @@
 
 #include "../Predicates/Predicates.h"
 
+#include <algorithm> // for min
+
 namespace biting
 {
 
@@ -21,9 +23,10 @@ bool GhostBreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d)
                : Orient2D(mesh.PointAt(a), mesh.PointAt(d), mesh.PointAt(p)) > 0;
 }
 
-/// Whether d is nearer to the circumcentre of (a, b, c) than phi times the circumradius. Rounded:
-/// which of two valid diagonals is kept is a matter of quality.
-bool IsWithinPhi(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double phi)
+/// Whether triangle (a, b, c) must not stand beside d: its circumcentre is nearer to d than phi times
+/// the circumradius, or its radius-edge ratio is above sqrt(2) / phi. Rounded: which of two valid
+/// diagonals is kept is a matter of quality.
+bool IsRefused(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double phi)
 {
   const Point2 u = b - a;
   const Point2 v = c - a;
@@ -31,7 +34,9 @@ bool IsWithinPhi(const Point2& a, const Point2& b, const Point2& c, const Point2
   const Point2 center{ (Dot(u, u) * v.Y - Dot(v, v) * u.Y) / doubledCross,
     (Dot(v, v) * u.X - Dot(u, u) * v.X) / doubledCross };
   const Point2 toPoint = (d - a) - center;
-  return Dot(toPoint, toPoint) < phi * phi * Dot(center, center);
+  const double scaledRadius = phi * phi * Dot(center, center);
+  const double shortest = std::min({ Dot(u, u), Dot(v, v), Dot(v - u, v - u) });
+  return Dot(toPoint, toPoint) < scaledRadius || !(scaledRadius <= 2.0 * shortest);
 }
 
 bool MustFlip(const HalfEdgeMesh& mesh, Id edge, double phi)
@@ -50,8 +55,8 @@ bool MustFlip(const HalfEdgeMesh& mesh, Id edge, double phi)
     return true;
   }
   const auto& points = mesh.Points;
-  return IsWithinPhi(points[p], points[a], points[b], points[d], phi) ||
-    IsWithinPhi(points[d], points[b], points[a], points[p], phi);
+  return IsRefused(points[p], points[a], points[b], points[d], phi) ||
+    IsRefused(points[d], points[b], points[a], points[p], phi);
 }
 
 /// Marks are those before the flip: the outer edges beyond the two `Next` move to edge and twin.

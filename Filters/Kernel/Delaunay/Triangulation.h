@@ -40,8 +40,13 @@ struct ConstraintEdges
 
 struct TriangulationOptions
 {
-  /// The phi of the phi-Delaunay criterion (paper, section 4.4): an edge is flipped only where the
-  /// opposite point lies within phi times the circumradius. In (0, 1]; 1 is Delaunay.
+  /// The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]; 1 is Delaunay. An edge that
+  /// is not Delaunay stays where neither opposite point lies within phi times the circumradius of the
+  /// triangle across it, and both triangles have a radius-edge ratio of at most sqrt(2) / phi.
+  ///
+  /// That bound is the one of theorem 4.12 for a constant spacing. Its proof needs the phi-circumcircle
+  /// of each triangle to be empty of all points. Definition 4.1 asks it of the neighbours only, and for
+  /// phi < 1 the one does not follow from the other: without the bound, slivers keep each other.
   double Phi = 1.0;
 };
 

@@ -15,6 +15,7 @@
 #include <functional> // for less
 #include <limits>     // for no limit
 #include <sstream>    // for a count
+#include <string>     // for to_string
 #include <utility>    // for pair
 
 namespace biting
@@ -85,7 +86,8 @@ bool Resolver::Run(const DomainOptions& options)
   {
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
-    this->Data.KeepsSpikes = round < MostRoundsWithSpikes;
+    this->Data.KeepsSpikes =
+      round < MostRoundsWithSpikes && this->Data.Resolution <= this->Data.Rounding;
     if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
     {
       return this->Refuse(ProblemCode::Aborted);
@@ -158,6 +160,14 @@ void Resolver::ReportMeetings()
 
 void Resolver::Report(const MeetingReport& report)
 {
+  if (report.Code == ProblemCode::NearPoints)
+  {
+    this->Problems.Add(
+      { report.Code, { this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)], NoId },
+        this->Data.At(report.Vertex),
+        "on a segment of cell " + std::to_string(this->Data.Edge(report.First).Cell) });
+    return;
+  }
   const Id first = this->Data.Edge(report.First).Cell;
   const Id second = this->Data.Edge(report.Second).Cell;
   const Id other = report.Code == ProblemCode::Touches

@@ -60,10 +60,11 @@ struct Arrangement
   std::vector<Id> VertexPoints; ///< first input point at each vertex; NoId where a crossing made it
   std::vector<ArrangementEdge> Edges;
   std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
-  double Resolution = 0.0;
-  bool KeepsSpikes = true; ///< thinner than Resolution, between edges that share an end
-  double FaceArea = 0.0;   ///< sum over all faces
-  FaceGroups Groups;       ///< of chains: faces whose common edges were dropped
+  double Rounding = 0.0;            ///< of a vertex: 4 ulp of the largest magnitude
+  double Resolution = 0.0;          ///< what is not further apart is one; at least Rounding
+  bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share an end
+  double FaceArea = 0.0;            ///< sum over all faces
+  FaceGroups Groups;                ///< of chains: faces whose common edges were dropped
 
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
   const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
@@ -73,13 +74,14 @@ struct Arrangement
 /// Splits and merges edges until they meet at common ends only.
 ///
 /// Each round finds all pairs of edges that meet elsewhere, and all vertices on edges or so close
-/// that rounding cannot tell (Resolution), then splits the edges there and merges those that have
+/// that they count as on them (Resolution), then splits the edges there and merges those that have
 /// become equal, adding their counts. A vertex that was close bends the edge towards it; vertices
 /// never move. A crossing within Resolution of a vertex becomes that vertex. Both replace an edge by
 /// a path with the same ends, so the parity of closed chains is kept. The last round tests every
 /// pair and finds nothing.
 ///
-/// The sides of a spike are not welded, or its tip would be lost. But many edges within Resolution of
+/// The sides of a spike are not welded where Resolution is no more than Rounding, or its tip would be
+/// lost. But many edges within Resolution of
 /// each other, which rounded crossings have cut and bent, may make new ones without end: after some
 /// rounds these are welded too.
 ///

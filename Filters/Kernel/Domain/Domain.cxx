@@ -343,7 +343,7 @@ std::vector<Id> KeepVertices(
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside)
 {
   Domain domain;
-  domain.Resolution = arrangement.Resolution;
+  domain.Resolution = arrangement.Rounding;
   const std::vector<Id> numbers = KeepVertices(arrangement, inside, domain);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {

@@ -51,7 +51,7 @@ struct Domain
 
   Box2 Bounds;             ///< of the vertices
   double Area = 0.0;       ///< of the even-odd region
-  double Resolution = 0.0; ///< rounding of the input coordinates: 4 ulp of the largest magnitude
+  double Resolution = 0.0; ///< rounding of vertices: 4 ulp of the largest magnitude
 
   Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }
   Id NumberOfSegments() const { return static_cast<Id>(this->Starts.size()); }
@@ -66,12 +66,16 @@ struct DomainOptions
   /// Whether every edge of a face is an edge of the mesh, also between faces of one region.
   bool KeepCellEdges = false;
 
+  /// Points that are not further apart than this, relative to the diagonal of the drawing's box, are
+  /// one. Where it is less than the rounding of the coordinates, that counts.
+  double MergeTolerance = 0.0;
+
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
   /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.
   std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 
-/// Makes the domain of `input`: weld equal points, resolve the arrangement, find what bounds, find
+/// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve the arrangement, find what bounds, find
 /// the inside, drop the outside. Vertices are numbered by their first input point, those made by
 /// crossings after them; segments by input chain and their place along it. Repairs and refusals are added to `problems`; where these have
 /// errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.

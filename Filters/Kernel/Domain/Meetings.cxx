@@ -64,6 +64,7 @@ private:
   bool IsSpike(Id vertex, const SegmentEnds& ends) const;
   void ReportOverlap(Id first, Id second, Id vertex);
   void ReportTouch(Id edge, Id toucher, Id vertex);
+  void ReportNear(Id edge, Id other, Id vertex);
   void ReportCrossing(Id first, Id second);
   bool IsNews(Id first, Id second) const;
   bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
@@ -132,9 +133,14 @@ void MeetingFinder::TestApart(Id first, Id second)
     if (this->TestVertex(edge, vertex))
     {
       touched = vertex;
+      const Id toucher = edge == first ? second : first;
       if (meeting == Meeting::Touch || meeting == Meeting::Crossing)
       {
-        this->ReportTouch(edge, edge == first ? second : first, vertex);
+        this->ReportTouch(edge, toucher, vertex);
+      }
+      else
+      {
+        this->ReportNear(edge, toucher, vertex);
       }
     }
   }
@@ -211,6 +217,11 @@ bool MeetingFinder::TestFan(Id first, Id second, Id apex, bool tells)
   {
     this->ReportOverlap(std::min(first, second), std::max(first, second), isSecondNearer ? b : a);
   }
+  else if (tells)
+  {
+    this->ReportNear(
+      isSecondNearer ? first : second, isSecondNearer ? second : first, isSecondNearer ? b : a);
+  }
   return true;
 }
 
@@ -282,6 +293,18 @@ void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
   }
 }
 
+/// Where a boundary has moved, by less than can be told: a place that lies on the edge exactly is told
+/// as what it is.
+void MeetingFinder::ReportNear(Id edge, Id other, Id vertex)
+{
+  const SegmentEnds& ends = this->EndsOf(edge);
+  if (this->IsBoundary(edge) && this->IsBoundary(other) &&
+    !IsOnSegment(this->Input.At(vertex), this->Input.At(ends.Start), this->Input.At(ends.End)))
+  {
+    this->Found.Reports.push_back({ ProblemCode::NearPoints, edge, other, vertex });
+  }
+}
+
 /// Interfaces may end anywhere; only boundaries that touch are worth a word.
 void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
 {
@@ -318,7 +341,8 @@ bool SortUnique(std::vector<Entry>& entries, Key key, Rest rest, Pulse& pulse)
 /// A touch is told once for each vertex on an edge, whatever edge brings the vertex.
 std::tuple<ProblemCode, Id, Id> MatterOf(const MeetingReport& report)
 {
-  const bool isTouch = report.Code == ProblemCode::Touches;
+  const bool isTouch =
+    report.Code == ProblemCode::Touches || report.Code == ProblemCode::NearPoints;
   return { report.Code, report.First, isTouch ? report.Vertex : report.Second };
 }
 

@@ -30,9 +30,8 @@ struct EdgeCrossing
   Id Second = NoId;
 };
 
-/// What the user is told: two edges that cross or overlap, or a boundary that touches another.
-/// Vertices that lie near an edge but do not meet it, exactly, go without a word: their input is
-/// valid, and the edge is bent by less than its ends are rounded.
+/// What the user is told: two edges that cross or overlap, or a boundary that touches another, or one
+/// that lies so near to another that it counts as on it.
 struct MeetingReport
 {
   ProblemCode Code = ProblemCode::Crossings;
@@ -65,8 +64,8 @@ struct MeetingLimits
 ///
 /// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the edge
 /// and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge, so
-/// that splitting comes to an end. A vertex that an edge joins to an end of the edge beside it must lie
-/// on it exactly: these are the sides of a spike, which stays open however thin.
+/// that splitting comes to an end. With KeepsSpikes, a vertex that an edge joins to an end of the edge
+/// beside it must lie on it exactly: these are the sides of a spike, which stays open however thin.
 /// Edges that share a vertex can only overlap: each is tested against its neighbours in the order of
 /// directions around that vertex, as far as these are that near. Others are found by the tree.
 bool FindMeetings(

@@ -25,7 +25,7 @@ VertexGrid::VertexGrid(const std::vector<Point2>& points, double reach)
 
 void VertexGrid::Update()
 {
-  if (this->Points.size() > this->Heads.size())
+  if (this->Points.size() >= this->Heads.size())
   {
     this->Grow();
   }
@@ -80,7 +80,7 @@ Id VertexGrid::Find(const Point2& place) const
   return nearest;
 }
 
-/// Columns and rows are below 2^47 in magnitude, as the reach is a few ulp of the coordinates; cells
+/// Columns and rows are below 2^47 in magnitude, as the reach is some ulp of the coordinates; cells
 /// that share an entry cost time only.
 std::size_t VertexGrid::EntryOf(double column, double row) const
 {

@@ -3,15 +3,19 @@
 
 #include "Welding.h"
 
+#include "../Base/Box2.h"
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h" // for LeastCoordinate
 #include "AreaSum.h"
+#include "VertexGrid.h"
 
-#include <algorithm>  // for find, max
+#include <algorithm>  // for find, max, min, sort
 #include <cmath>      // for abs
 #include <cstdint>    // for masks
 #include <functional> // for less
 #include <limits>     // for epsilon
+#include <sstream>    // for a distance
+#include <tuple>      // for an order
 #include <utility>    // for pair, move
 
 namespace biting
@@ -20,8 +24,14 @@ namespace biting
 namespace
 {
 
-/// Rounding of the coordinates, in ulp of the largest, below which nothing is told apart.
-constexpr double ResolutionInUlp = 4.0;
+/// What keeps its place where points are too near to each other: the lesser.
+enum class PointUse : std::uint8_t
+{
+  Boundary,
+  Interface,
+  Embedded,
+  None
+};
 
 class Welder
 {
@@ -33,6 +43,8 @@ public:
     , KeepsCellEdges(options.KeepCellEdges)
     , HasFaces(
         std::find(input.Kinds.begin(), input.Kinds.end(), ChainKind::Face) != input.Kinds.end())
+    , MergeTolerance(options.MergeTolerance)
+    , Uses(input.Points.size(), PointUse::None)
     , PointVertices(input.Points.size(), NoId)
   {
   }
@@ -40,9 +52,15 @@ public:
   Arrangement Run();
 
 private:
+  void FindUses();
   std::vector<Id> UsedPoints() const;
+  void FindResolution(const std::vector<Id>& points);
   void MakeVertices();
-  std::vector<Id> FirstEquals(const std::vector<Id>& points) const;
+  std::vector<Id> FirstEquals(const std::vector<Id>& points);
+  void ShareUse(Id point, Id first);
+  std::vector<Id> Leaders(const std::vector<Id>& firstEquals);
+  std::vector<Id> Candidates(const std::vector<Id>& leaders);
+  void ReportNear(std::vector<Id> merged, const std::vector<Id>& leaders);
   void AppendChain(Id chain);
   ArrangementEdge EdgeOf(Id chain) const;
   void AppendFace(Id chain);
@@ -51,19 +69,24 @@ private:
   void MergeEmbeddedPoints();
   void ReportEqualPoints(Id cell, Id first, Id second);
   bool IsClosed(Id chain) const;
+  bool AreEqual(Id first, Id second) const { return this->Place(first) == this->Place(second); }
 
   Id Offset(Id chain) const { return this->Input.Offsets[static_cast<std::size_t>(chain)]; }
   Id PointAt(Id place) const { return this->Input.Connectivity[static_cast<std::size_t>(place)]; }
   Id VertexOf(Id point) const { return this->PointVertices[static_cast<std::size_t>(point)]; }
   Point2 Place(Id point) const;
 
+  PointUse& UseOf(Id point) { return this->Uses[static_cast<std::size_t>(point)]; }
+
   const Polylines& Input;
   ProblemList& Problems;
   Pulse& Beats;
   const bool KeepsCellEdges;
   const bool HasFaces;
+  const double MergeTolerance;
   Arrangement Result;
-  std::vector<Id> PointVertices;                 ///< NoId: no chain uses the point
+  std::vector<PointUse> Uses;    ///< one a point; of equal ones the first has the least
+  std::vector<Id> PointVertices; ///< NoId: no chain uses the point
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
 };
 
@@ -80,18 +103,39 @@ Arrangement Welder::Run()
   return std::move(this->Result);
 }
 
+PointUse UseBy(ChainKind kind)
+{
+  switch (kind)
+  {
+    case ChainKind::Interface:
+      return PointUse::Interface;
+    case ChainKind::EmbeddedPoint:
+      return PointUse::Embedded;
+    default:
+      return PointUse::Boundary;
+  }
+}
+
+void Welder::FindUses()
+{
+  for (Id chain = 0; chain < this->Input.NumberOfChains(); ++chain)
+  {
+    const PointUse use = UseBy(this->Input.Kinds[static_cast<std::size_t>(chain)]);
+    for (Id place = this->Offset(chain); place < this->Offset(chain + 1); ++place)
+    {
+      PointUse& known = this->UseOf(this->PointAt(place));
+      known = std::min(known, use);
+    }
+  }
+}
+
 /// Ascending, each once.
 std::vector<Id> Welder::UsedPoints() const
 {
-  std::vector<std::uint8_t> isUsed(this->Input.Points.size(), 0);
-  for (const Id point : this->Input.Connectivity)
-  {
-    isUsed[static_cast<std::size_t>(point)] = 1;
-  }
   std::vector<Id> points;
-  for (std::size_t point = 0; point < isUsed.size(); ++point)
+  for (std::size_t point = 0; point < this->Uses.size(); ++point)
   {
-    if (isUsed[point])
+    if (this->Uses[point] != PointUse::None)
     {
       points.push_back(static_cast<Id>(point));
     }
@@ -110,35 +154,55 @@ Point2 Welder::Place(Id point) const
   return { FlushTiny(p.X), FlushTiny(p.Y) };
 }
 
-/// Numbers the first points of equal place by point id, and gives the others their vertex.
+void Welder::FindResolution(const std::vector<Id>& points)
+{
+  Box2 box;
+  double largest = 0.0;
+  for (const Id point : points)
+  {
+    const Point2 place = this->Place(point);
+    box.Add(place);
+    largest = std::max({ largest, std::abs(place.X), std::abs(place.Y) });
+  }
+  Arrangement& result = this->Result;
+  result.Rounding = RoundingInUlp * std::numeric_limits<double>::epsilon() * largest;
+  const double merged = points.empty() ? 0.0 : this->MergeTolerance * box.Diagonal();
+  result.Resolution = std::max({ result.Rounding, this->Input.Rounding, merged });
+}
+
+/// Numbers the points that are vertices by point id, and gives the others their vertex.
 void Welder::MakeVertices()
 {
+  this->FindUses();
   const std::vector<Id> points = this->UsedPoints();
+  this->FindResolution(points);
   const std::vector<Id> firstEquals = this->FirstEquals(points);
+  std::vector<Id> numbers(this->Input.Points.size(), NoId);
+  const std::vector<Id> leaders = this->Leaders(firstEquals);
   if (this->Beats.HasStopped())
   {
     return;
   }
-  double largest = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (const Id point : points)
   {
-    const Id point = points[i];
-    Id vertex = this->VertexOf(firstEquals[i]);
-    if (firstEquals[i] == point)
+    if (leaders[static_cast<std::size_t>(point)] == point)
     {
-      vertex = static_cast<Id>(this->Result.Vertices.size());
+      numbers[static_cast<std::size_t>(point)] = static_cast<Id>(this->Result.Vertices.size());
       this->Result.Vertices.push_back(this->Place(point));
       this->Result.VertexPoints.push_back(point);
     }
-    this->PointVertices[static_cast<std::size_t>(point)] = vertex;
-    const Point2 place = this->Place(point);
-    largest = std::max({ largest, std::abs(place.X), std::abs(place.Y) });
   }
-  this->Result.Resolution = ResolutionInUlp * std::numeric_limits<double>::epsilon() * largest;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Id leader = leaders[static_cast<std::size_t>(firstEquals[i])];
+    this->PointVertices[static_cast<std::size_t>(points[i])] =
+      numbers[static_cast<std::size_t>(leader)];
+  }
 }
 
-/// For each of `points`, which ascend, the first that lies at the same place.
-std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points) const
+/// For each of `points`, which ascend, the first that lies at the same place; this learns what all of
+/// them are used for.
+std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points)
 {
   std::vector<std::pair<Point2, std::size_t>> places;
   places.reserve(points.size());
@@ -152,8 +216,94 @@ std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points) const
   {
     first = places[i].first == places[first].first ? first : i;
     firstEquals[places[i].second] = points[places[first].second];
+    this->ShareUse(points[places[i].second], points[places[first].second]);
   }
   return firstEquals;
+}
+
+void Welder::ShareUse(Id point, Id first)
+{
+  this->UseOf(first) = std::min(this->UseOf(first), this->UseOf(point));
+}
+
+/// By point: for the first of equal ones the point that is its vertex; NoId for the others.
+std::vector<Id> Welder::Leaders(const std::vector<Id>& firstEquals)
+{
+  std::vector<Id> leaders(this->Input.Points.size(), NoId);
+  for (const Id first : firstEquals)
+  {
+    leaders[static_cast<std::size_t>(first)] = first;
+  }
+  const double reach = this->Result.Resolution;
+  const std::vector<Id> candidates = this->Candidates(leaders);
+  std::vector<Point2> places;
+  std::vector<Id> chosen;
+  std::vector<Id> merged;
+  VertexGrid grid(places, reach);
+  for (std::size_t i = 0; i < candidates.size() && reach > 0.0 && this->Beats.Beat(1); ++i)
+  {
+    grid.Update();
+    const Point2 place = this->Place(candidates[i]);
+    const bool isApart = grid.Find(place) == NoId;
+    (isApart ? chosen : merged).push_back(candidates[i]);
+    if (isApart)
+    {
+      places.push_back(place);
+    }
+  }
+  grid.Update();
+  for (std::size_t i = 0; i < merged.size() && this->Beats.Beat(1); ++i)
+  {
+    const Id nearest = grid.Find(this->Place(merged[i]));
+    leaders[static_cast<std::size_t>(merged[i])] = chosen[static_cast<std::size_t>(nearest)];
+  }
+  this->ReportNear(merged, leaders);
+  return leaders;
+}
+
+/// The points that lead themselves, in the order in which they may become vertices.
+std::vector<Id> Welder::Candidates(const std::vector<Id>& leaders)
+{
+  using Candidate = std::tuple<PointUse, Point2, Id>;
+  std::vector<Candidate> candidates;
+  for (const Id point : leaders)
+  {
+    if (point != NoId)
+    {
+      candidates.emplace_back(this->UseOf(point), this->Place(point), point);
+    }
+  }
+  SortInSteps(candidates, std::less<>(), this->Beats);
+  std::vector<Id> points;
+  points.reserve(candidates.size());
+  for (const Candidate& candidate : candidates)
+  {
+    points.push_back(std::get<Id>(candidate));
+  }
+  return points;
+}
+
+std::string Figure(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/// In the order of the points.
+void Welder::ReportNear(std::vector<Id> merged, const std::vector<Id>& leaders)
+{
+  std::sort(merged.begin(), merged.end());
+  for (std::size_t i = 0; i < merged.size() && this->Beats.Beat(1); ++i)
+  {
+    const Id leader = leaders[static_cast<std::size_t>(merged[i])];
+    const Point2 place = this->Place(merged[i]);
+    const bool isKept = this->Problems.Count(ProblemCode::NearPoints) <
+      static_cast<std::int64_t>(ProblemList::KeptPerKind);
+    this->Problems.Add({ ProblemCode::NearPoints, { merged[i], leader }, place,
+      isKept ? Figure(Distance(place, this->Place(leader))) + " apart" : "" });
+  }
 }
 
 void Welder::AppendChain(Id chain)
@@ -234,7 +384,7 @@ void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
     {
       this->Result.Edges.push_back(edge);
     }
-    else if (edge.Faces.Count == 0)
+    else if (edge.Faces.Count == 0 && this->AreEqual(first, second))
     {
       this->ReportEqualPoints(edge.Cell, first, second);
     }
@@ -268,14 +418,16 @@ void Welder::MergeEmbeddedPoints()
   for (const auto& [vertex, point] : this->EmbeddedPoints)
   {
     std::vector<Id>& merged = this->Result.EmbeddedVertices;
-    if (!merged.empty() && merged.back() == vertex)
+    if (merged.empty() || merged.back() != vertex)
+    {
+      merged.push_back(vertex);
+      first = point;
+    }
+    else if (this->AreEqual(first, point))
     {
       this->Problems.Add(
         { ProblemCode::DuplicatePoints, { first, point }, this->Place(point), {} });
-      continue;
     }
-    merged.push_back(vertex);
-    first = point;
   }
 }
 

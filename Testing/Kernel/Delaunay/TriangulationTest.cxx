@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <set> // for corners in use
+#include <cmath> // for sqrt
+#include <set>   // for corners in use
 
 namespace
 {
@@ -305,6 +306,56 @@ TEST(Triangulate, ObeysThePhiLaw)
     EXPECT_GE(SmallestPhi(scene, result.Mesh), phi * (1.0 - 1e-9));
     EXPECT_LT(SmallestPhi(scene, result.Mesh), 1.0);
     EXPECT_NE(Triangles(result.Mesh), delaunay);
+  }
+}
+
+/// Points that no bite is nearer to than 1, and none further from the next than sqrt(2): shaken rows.
+Scene BittenScene(int size)
+{
+  Scene scene;
+  scene.AddSquare(0.0, size);
+  Shaker shaker(5);
+  const auto shift = [&shaker]() { return 0.1 * (shaker.Below(1000) / 1000.0 - 0.5); };
+  for (int row = 1; row < size; ++row)
+  {
+    scene.AddPoint(row, 0);
+    scene.AddPoint(row, size);
+    scene.AddPoint(0, row);
+    scene.AddPoint(size, row);
+    for (int column = 1; column < size; ++column)
+    {
+      const double x = column + shift();
+      scene.AddPoint(x, row + shift());
+    }
+  }
+  return scene;
+}
+
+double LargestRadiusEdgeRatio(const Scene& scene, const Triangulation& mesh)
+{
+  double largest = 0.0;
+  for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const Point2& a = scene.Points[mesh.Corners[3 * t]];
+    const Point2& b = scene.Points[mesh.Corners[3 * t + 1]];
+    const Point2& c = scene.Points[mesh.Corners[3 * t + 2]];
+    const double ab = Distance(a, b);
+    const double bc = Distance(b, c);
+    const double ca = Distance(c, a);
+    const double radius = ab * bc * ca / (2.0 * Cross(b - a, c - a));
+    largest = std::max(largest, radius / std::min({ ab, bc, ca }));
+  }
+  return largest;
+}
+
+TEST(Triangulate, KeepsTheBoundOfTheTheoremForAnyPhi)
+{
+  const Scene scene = BittenScene(60);
+  for (const double phi : { 0.3, 0.6, 0.8, 0.95, 0.99 })
+  {
+    const TriangulationResult result = scene.Triangulate(phi);
+    ExpectValid(scene, result.Mesh, phi);
+    EXPECT_LE(LargestRadiusEdgeRatio(scene, result.Mesh), std::sqrt(2.0) / phi * (1.0 + 1e-9));
   }
 }
 

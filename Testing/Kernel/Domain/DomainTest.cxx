@@ -356,10 +356,20 @@ TEST(Domain, KeepsTheTipOfASpikeThinnerThanResolution)
 {
   const double ulp = std::nextafter(1.0, 2.0) - 1.0;
   const MadeDomain made = Make(PolylineBuilder().Loop(
-    { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1 + ulp, 1 }, { 1, 3 }, { 1, 1 }, { 0, 1 } }));
-  ExpectDomain(made, 2.0 + ulp);
+    { { 0, 0 }, { 2, 0 }, { 2, 1.5 }, { 1 + ulp, 1.5 }, { 1, 3 }, { 1, 1 }, { 0, 1 } }));
+  ExpectDomain(made, 2.5 + 0.75 * ulp);
   EXPECT_EQ(made.Domain.NumberOfVertices(), 7);
   EXPECT_LT(ulp, made.Domain.Resolution);
+}
+
+TEST(Domain, ASpikeWithTheTwoEndsOfItsBaseAtOnePlaceVanishesWithAWord)
+{
+  const double ulp = std::nextafter(1.0, 2.0) - 1.0;
+  const MadeDomain made = Make(PolylineBuilder().Loop(
+    { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1 + ulp, 1 }, { 1, 3 }, { 1, 1 }, { 0, 1 } }));
+  ExpectDomain(made, 2.0, 2);
+  EXPECT_EQ(FirstIds(made, ProblemCode::NearPoints), (Ids{ 3, 5 }));
+  EXPECT_EQ(made.Problems.Count(ProblemCode::DuplicateSegments), 1);
 }
 
 TEST(Domain, SortsEmbeddedPoints)
@@ -387,7 +397,8 @@ TEST(Domain, BendsASegmentToAVertexThatRoundingCannotTell)
   EXPECT_EQ(made.Violation, "");
   EXPECT_EQ(made.Domain.NumberOfVertices(), 7);
   EXPECT_EQ(made.Domain.NumberOfSegments(), 8);
-  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_EQ(FirstIds(made, ProblemCode::NearPoints), (Ids{ 4, NoId }));
+  EXPECT_EQ(made.Problems.Groups().size(), 1u);
   EXPECT_NEAR(made.Domain.Area, 3.5, 1e-15);
 }
 

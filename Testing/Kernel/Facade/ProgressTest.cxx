@@ -177,14 +177,15 @@ Polylines NarrowWedge()
   const double ulp = 1.0 / (1 << 25);
   return PolylineBuilder()
     .Box(away, away, away + 1.0, away + 1.0)
-    .Chain({ { away, away }, { away + 0.875, away + 0.5 } })
-    .Chain({ { away, away }, { away + 0.875, away + 0.5 + 2.0 * ulp } })
+    .Chain({ { away, away }, { away + 0.875, away + 0.875 } })
+    .Chain({ { away, away }, { away + 0.875, away + 0.875 + 5.0 * ulp } })
     .Lines();
 }
 
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereDivisionsAreUndone)
 {
-  BitingMeshOptions options = UniformOptions(1000.0);
+  BitingMeshOptions options;
+  options.Spacing = UniformSpacing(0.06);
   options.LimitByFeatureSize = false;
   options.Relaxation = false;
   const RecordingMonitor monitor = Watch(NarrowWedge(), options);
