@@ -379,8 +379,8 @@ bool vtkBitingMesher::Execution::ReadChains()
   if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
     !this->WasAborted())
   {
-    vtkWarningWithObjectMacro(this->Filter, << "The input has points but no cells to mesh: lines, "
-                                               "polygons or vertex cells.");
+    return this->Accept("The input has points, but no cells; lines, two-dimensional cells and vertex "
+                        "cells describe a domain.");
   }
   return isRead && !this->ReportErrors() && !this->WasAborted() &&
     this->Planar.Chains.NumberOfChains() > 0;
@@ -464,7 +464,7 @@ bool vtkBitingMesher::Execution::ReportErrors()
       const bool isLeft =
         group.Code == biting::ProblemCode::NotResolved && !this->Filter->RepairInput;
       this->Accept(isLeft ? biting::NotResolvedMessageFrom(this->Problems, this->Planar)
-                          : biting::MessageFrom(group, this->Planar));
+                          : biting::RefusalFrom(group, this->Problems, this->Planar));
     }
   }
   return this->IsRefused;

@@ -122,9 +122,9 @@
  * no unused points; every input segment a union of edges) or there is none. Defects of the input are
  * repaired with a warning for each kind, which says how many, which and where, or refused with one
  * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
- * size, and than rounding, from one plane, a spacing that is not positive, too many vertices. On errors the outputs are
- * empty, but for the problems; so they are, with an error, where memory does not suffice. An
- * empty input gives empty outputs and no message.
+ * size, and than rounding, from one plane, a spacing that is not positive, too many vertices, points
+ * without any cell. On errors the outputs are empty, but for the problems; so they are, with an error,
+ * where memory does not suffice. An empty input gives empty outputs and no message.
  * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh before:
  * after Update() a program learns from GetErrorCode() whether there was one, vtkErrorCode::UserError,
  * or none, vtkErrorCode::NoError.
@@ -218,8 +218,10 @@ public:
     CHECK_FAILED = 14,      ///< a defect of this class, no place
     OVERLAPPING_CELLS = 15, ///< cells on top of others, in part (cell)
     NEAR_POINTS = 16,       ///< not to be told apart from a point or segment (point, point or -1)
-    SMALL_LOOPS = 17,       ///< left out by MinimumLoopSize, at the middle of each (cell)
-    FINE_DRAWING = 18       ///< without BoundaryTolerance: it decides the mesh; no place
+    NARROW_ANGLES = 17,     ///< below 0.01 degrees: meshed as they are (cell, cell)
+    RAISED_SPACING = 18,    ///< below the rounding of the coordinates, no place
+    SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
+    FINE_DRAWING = 20       ///< without BoundaryTolerance: it decides the mesh; no place
   };
 
   enum BiteShapeType

@@ -4,6 +4,7 @@
 #include "DoubleArray.h"
 
 #include "vtkPointSet.h"
+#include "vtkRectilinearGrid.h"
 
 namespace biting
 {
@@ -34,6 +35,17 @@ vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data)
     data->GetPoint(point, coordinates->GetPointer(3 * point));
   }
   return coordinates;
+}
+
+int TypeOfCoordinates(vtkDataSet* data)
+{
+  if (auto* pointSet = vtkPointSet::SafeDownCast(data))
+  {
+    return pointSet->GetPoints() ? pointSet->GetPoints()->GetDataType() : VTK_DOUBLE;
+  }
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  const bool isFloat = grid && grid->GetXCoordinates()->GetDataType() == VTK_FLOAT;
+  return isFloat ? VTK_FLOAT : VTK_DOUBLE;
 }
 
 } // namespace biting

@@ -23,6 +23,9 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array);
 /// The places of all points of `data`, those of a point set without a copy where they are doubles.
 vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data);
 
+/// The type that they have in VTK.
+int TypeOfCoordinates(vtkDataSet* data);
+
 } // namespace biting
 
 #endif

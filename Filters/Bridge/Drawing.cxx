@@ -232,6 +232,17 @@ std::vector<unsigned char> Drawing::FindGiven(const char* name) const
   return haveAll ? std::vector<unsigned char>() : isGiven;
 }
 
+int Drawing::CoordinateType() const
+{
+  int type = VTK_DOUBLE;
+  for (const DrawingBlock& block : this->Blocks)
+  {
+    const int own = TypeOfCoordinates(block.Data);
+    type = own == VTK_DOUBLE || type == VTK_FLOAT ? type : own;
+  }
+  return type;
+}
+
 Drawing ReadDrawing(vtkDataObject* input)
 {
   Drawing drawing;

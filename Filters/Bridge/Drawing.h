@@ -40,6 +40,9 @@ struct Drawing
 
   /// For each point, 1 where its block has the point array `name`; empty where all have.
   std::vector<unsigned char> FindGiven(const char* name) const;
+
+  /// The coarsest type that coordinates of a block have in VTK, as VTK_FLOAT.
+  int CoordinateType() const;
 };
 
 /// Reads what is not a dataset, nor made of such, as nothing.

@@ -213,9 +213,9 @@ std::string RefuseWhereNot(const Question& isGood, const std::vector<Id>& points
 }
 
 std::string MapToPlane(
-  const std::vector<Id>& points, vtkDataArray* array, PlanarFaces& faces, Pulse& pulse)
+  const std::vector<Id>& points, vtkDataSet* data, PlanarFaces& faces, Pulse& pulse)
 {
-  const auto doubles = AsDoubles(array);
+  const auto doubles = CoordinatesOf(data);
   const double* coordinates = doubles->GetPointer(0);
   const auto isFinite = [](const double* place)
   { return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }); };
@@ -225,7 +225,8 @@ std::string MapToPlane(
   {
     return refusal;
   }
-  const double rounding = RoundingOfCoordinates(array->GetDataType(), coordinates, points, pulse);
+  const double rounding =
+    RoundingOfCoordinates(TypeOfCoordinates(data), coordinates, points, pulse);
   faces.Frame = PlaneFrame::FitTo(coordinates, points, rounding, pulse);
   Box2 box;
   for (const Id point : points)
@@ -257,7 +258,7 @@ std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces
     return refusal;
   }
   const std::vector<Id> points = NumberVertices(data->GetNumberOfPoints(), faces);
-  return MapToPlane(points, CoordinatesOf(data), faces, pulse);
+  return MapToPlane(points, data, faces, pulse);
 }
 
 } // namespace biting

@@ -43,6 +43,12 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::NearPoints:
       return { "Points too near to others, or to segments, to be told apart", "point", "point",
         "They were merged." };
+    case ProblemCode::NarrowAngles:
+      return { "Angles below 0.01 degrees between segments", "cell", "cell",
+        "Triangles there are as thin." };
+    case ProblemCode::RaisedSpacing:
+      return { "The spacing is below the rounding of the coordinates", "", "",
+        "Vertices nearer to each other could not be told apart." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:
@@ -162,6 +168,20 @@ std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
 {
   return FactsOf(group, input) + " " + WordingOf(group.Code).Advice;
+}
+
+std::string RefusalFrom(
+  const ProblemGroup& group, const ProblemList& problems, const PlanarInput& input)
+{
+  std::string text = MessageFrom(group, input);
+  for (const ProblemGroup& other : problems.Groups())
+  {
+    if (group.Code == ProblemCode::NoClosedLoop && other.Code == ProblemCode::NearPoints)
+    {
+      text += " " + MessageFrom(other, input);
+    }
+  }
+  return text;
 }
 
 std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input)

@@ -21,6 +21,11 @@ constexpr std::size_t ShownIds = 5;
 /// or can be done.
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 
+/// That of the error `group` among `problems`: where no loop is closed, and points were merged that are
+/// too near to each other, it says that, too.
+std::string RefusalFrom(
+  const ProblemGroup& group, const ProblemList& problems, const PlanarInput& input);
+
 /// What was found wrong and left as it is, when repair is switched off: the message for
 /// ProblemCode::NotResolved, with the facts of every repair that would have been needed.
 std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input);

@@ -149,7 +149,7 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
   }
   const double* places = result.Coordinates->GetPointer(0);
   result.Chains.Rounding =
-    RoundingOfCoordinates(input->GetPoints()->GetDataType(), places, result.UsedPoints, pulse);
+    RoundingOfCoordinates(drawing.CoordinateType(), places, result.UsedPoints, pulse);
   result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, result.Chains.Rounding, pulse);
   MapToPlane(result, pulse);
   RefuseNotPlanar(result, problems, pulse);

@@ -26,8 +26,8 @@ namespace
 constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "DuplicatePoints",
   "ZeroLengthSegments", "DuplicateSegments", "Crossings", "Touches", "OutsidePoints",
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
-  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "SmallLoops",
-  "FineDrawing" };
+  "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "NarrowAngles",
+  "RaisedSpacing", "SmallLoops", "FineDrawing" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
 {

@@ -15,8 +15,10 @@
 #include "FineDrawing.h"
 #include "MeshAssembly.h"
 #include "MeshingStages.h"
+#include "NarrowAngles.h"
 #include "PreservedSpacing.h"
 #include "Quality/MeshCheck.h"
+#include "RaisedSpacing.h"
 #include "RelaxedBites.h"
 #include "SegmentCover.h"
 #include "SharpCornerTriangles.h"
@@ -190,19 +192,10 @@ ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
   return constraints;
 }
 
-// Vertices nearer to each other than rounding are none.
-SpacingOptions AboveRounding(SpacingOptions spacing, const Domain& domain)
-{
-  const bool isBelow = spacing.Minimum >= 0.0 && spacing.Minimum < domain.Resolution;
-  const bool isFree = spacing.Maximum == 0.0 || spacing.Maximum > domain.Resolution;
-  spacing.Minimum = isBelow && isFree ? domain.Resolution : spacing.Minimum;
-  return spacing;
-}
-
 SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
-  const DomainLocator& locator, Monitor& monitor)
+  const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
 {
-  SpacingOptions spacing = AboveRounding(options.Spacing, domain);
+  SpacingOptions spacing = RaiseToRounding(options.Spacing, domain, problems);
   if (options.PreserveBoundary)
   {
     return FollowSegments(spacing, domain, monitor);
@@ -217,7 +210,7 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
   const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage choosing(monitor, 0.0, ChoiceEnd);
-  SpacingOptions wanted = ChooseSpacing(options, domain, locator, choosing);
+  SpacingOptions wanted = ChooseSpacing(options, domain, locator, problems, choosing);
   if (AddAborted(choosing, problems))
   {
     return {};
@@ -626,6 +619,7 @@ BitingMesh MakeBitingMesh(
   monitor.BeginStage(MeshingStages::Spacing.Text);
   PartOfStage locating(whole, 0.0, LocatorEnd);
   Pulse pulse(locating);
+  ReportNarrowAngles(domain, problems, pulse);
   std::optional<const DomainLocator> locator(std::in_place, domain, pulse);
   if (IsOver(whole, problems))
   {

@@ -96,7 +96,9 @@ set(biting_kernel_sources
   DomainFeatures.cxx
   FineDrawing.cxx
   MeshAssembly.cxx
+  NarrowAngles.cxx
   SegmentCover.cxx
   SharpCornerTriangles.cxx
   PreservedSpacing.cxx
+  RaisedSpacing.cxx
   RelaxedBites.cxx)

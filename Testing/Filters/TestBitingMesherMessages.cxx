@@ -269,9 +269,9 @@ TEST(BitingMesherMessages, AreOneSentenceForPointsWithoutCells)
   Messages messages(mesher);
   mesher->SetInputData(onlyPoints);
   mesher->Update();
-  EXPECT_TRUE(messages.Errors.empty());
-  ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_TRUE(Has(messages.Warnings.front(), "points but no cells"));
+  EXPECT_TRUE(messages.Warnings.empty());
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors.front(), "points, but no cells"));
   EXPECT_TRUE(AreAllEmpty(mesher));
 }
 

@@ -109,6 +109,7 @@ std::size_t ExpectedIds(const Problem& problem)
       return 1;
     case ProblemCode::DuplicatePoints:
     case ProblemCode::NearPoints:
+    case ProblemCode::NarrowAngles:
     case ProblemCode::ZeroLengthSegments:
     case ProblemCode::DuplicateSegments:
     case ProblemCode::Crossings:

@@ -40,6 +40,9 @@ enum class ProblemCode
                     ///< cell)
   NearPoints, ///< a point too near to another one, or to a segment, to be told apart from it (ids:
               ///< point; point, or NoId where it is a segment, which the detail names then)
+  // Meshed, and told.
+  NarrowAngles,  ///< an angle below 0.01 degrees between segments (ids: cell, cell)
+  RaisedSpacing, ///< a spacing below the rounding of vertices
   // Noted: the mesh is what was asked for.
   SmallLoops,  ///< closed loops that were left out (ids: cell of the first segment)
   FineDrawing, ///< without a tolerance: it decides the mesh, not the spacing (no ids)

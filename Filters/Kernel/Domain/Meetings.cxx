@@ -68,6 +68,10 @@ private:
   void ReportCrossing(Id first, Id second);
   bool IsNews(Id first, Id second) const;
   bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
+  bool MayBound(Id edge) const
+  {
+    return this->IsBoundary(edge) || this->Input.Edge(edge).OpenCount > 0;
+  }
   const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
 
   const Arrangement& Input;
@@ -225,7 +229,7 @@ bool MeetingFinder::TestFan(Id first, Id second, Id apex, bool tells)
   return true;
 }
 
-/// Embedded points that end no edge split the edges on which they lie, without a word.
+/// Embedded points that end no edge split the edges on which they lie.
 void MeetingFinder::TestLooseVertices()
 {
   for (const Id vertex : this->Input.EmbeddedVertices)
@@ -236,8 +240,14 @@ void MeetingFinder::TestLooseVertices()
     }
     Box2 place;
     place.Add(this->Input.At(vertex));
-    this->Tree.Visit(
-      place, SegmentEnds(), [this, vertex](Id edge) { this->TestVertex(edge, vertex); });
+    this->Tree.Visit(place, SegmentEnds(),
+      [this, vertex](Id edge)
+      {
+        if (this->TestVertex(edge, vertex))
+        {
+          this->ReportNear(edge, edge, vertex);
+        }
+      });
   }
 }
 
@@ -293,13 +303,17 @@ void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
   }
 }
 
-/// Where a boundary has moved, by less than can be told: a place that lies on the edge exactly is told
-/// as what it is.
+/// Where what may bound the domain is moved to a vertex near it: by more than rounding, or to one that
+/// a chain passes. That an interface ends on it but for rounding, or a point lies on it, is no news.
 void MeetingFinder::ReportNear(Id edge, Id other, Id vertex)
 {
-  const SegmentEnds& ends = this->EndsOf(edge);
-  if (this->IsBoundary(edge) && this->IsBoundary(other) &&
-    !IsOnSegment(this->Input.At(vertex), this->Input.At(ends.Start), this->Input.At(ends.End)))
+  const Point2& start = this->Input.At(this->EndsOf(edge).Start);
+  const Point2& end = this->Input.At(this->EndsOf(edge).End);
+  const Point2& p = this->Input.At(vertex);
+  const bool isRounding =
+    std::abs(Cross(end - start, p - start)) <= this->Input.Rounding * Distance(start, end);
+  const bool isPassed = this->MayBound(other) && this->Stars.Degree(vertex) > 1;
+  if (this->MayBound(edge) && (isPassed || !isRounding) && !IsOnSegment(p, start, end))
   {
     this->Found.Reports.push_back({ ProblemCode::NearPoints, edge, other, vertex });
   }

@@ -182,10 +182,39 @@ TEST(Welding, BoundariesKeepTheirPlacesBesideEmbeddedPoints)
   EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 2);
 }
 
+TEST(Welding, AnInterfaceMayEndOnABoundaryButForRounding)
+{
+  const double before = std::nextafter(1.0, 0.0);
+  const MadeDomain made =
+    Make(PolylineBuilder().Box(0, 0, 1, 1).Chain({ { 0.5, 0.5 }, { before, 0.5 } }));
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 6);
+}
+
+TEST(Welding, ABoundaryThatAToleranceMovesToAnEmbeddedPointIsToldOf)
+{
+  const PolylineBuilder builder =
+    PolylineBuilder().Box(0, 0, 1, 1).Chain({ { 0.5, 0.001 } }, ChainKind::EmbeddedPoint);
+  EXPECT_TRUE(MakeWelded(builder.Lines(), 0.0).Problems.Groups().empty());
+  const MadeDomain made = MakeWelded(builder.Lines(), 0.001);
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 5);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 1);
+}
+
 TEST(Welding, AFrameThinnerThanRoundingIsToldOf)
 {
   const MadeDomain made =
     Make(PolylineBuilder().Box(0, 0, 1000, 1).Box(5e-13, 0.25, 1000 - 5e-13, 0.75));
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 4);
+}
+
+TEST(Welding, SoItIsWhereEachSegmentIsAChainOfItsOwn)
+{
+  const MadeDomain made = Make(
+    Unmerge(PolylineBuilder().Box(0, 0, 1000, 1).Box(5e-13, 0.25, 1000 - 5e-13, 0.75).Lines()));
   EXPECT_EQ(made.Violation, "");
   EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 4);
 }

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What ParaView's own sources and filters hand over, with the noise of their coordinates: meshed."""
+
+import os
+import unittest
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+
+def figure(mesh, name):
+    return mesh.GetFieldData().GetArray(name).GetValue(0)
+
+
+def slice_of(producer, origin, normal):
+    cut = simple.Slice(Input=producer)
+    cut.SliceType.Origin = list(origin)
+    cut.SliceType.Normal = list(normal)
+    return cut
+
+
+def in_doubles(producer):
+    return simple.Calculator(Input=producer, Function='coords*1.0', CoordinateResults=1)
+
+
+class TestParaViewProducersProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+        vtkOutputWindow.GetInstance().SetDisplayModeToNever()
+
+    def mesh(self, producer, **parameters):
+        mesher = BitingMesher(Input=producer, **parameters)
+        mesher.UpdatePipeline()
+        return servermanager.Fetch(mesher)
+
+    def test_slices_of_closed_surfaces_have_no_slivers_of_noise(self):
+        planes = (((0, 0, 0), (0, 0, 1)), ((0, 0, 0), (0, 1, 0)), ((.03, .01, .02), (1, 2, 3)))
+        for shape in (simple.Superquadric(), simple.Cylinder(Resolution=50),
+                      simple.Sphere(ThetaResolution=40, PhiResolution=37)):
+            for producer in (shape, in_doubles(shape)):
+                for origin, normal in planes:
+                    mesh = self.mesh(slice_of(producer, origin, normal))
+                    self.assertGreater(figure(mesh, 'SmallestAngle'), 20, (shape, origin, normal))
+
+    def test_points_of_a_superquadric_within_rounding_are_merged_with_a_word(self):
+        cut = slice_of(simple.Superquadric(), (0, 0, 0), (0, 1, 0))
+        mesher = BitingMesher(Input=cut)
+        mesher.UpdatePipeline()
+        mesh = servermanager.Fetch(mesher)
+        self.assertLess(figure(mesh, 'NumberOfTriangles'), 600)
+        merged = figure(mesh, 'RepairedNearPoints')
+        problems = servermanager.Fetch(mesher, idx=3)
+        self.assertGreater(merged, 0)
+        self.assertEqual(problems.GetNumberOfPoints(), merged)
+        self.assertIn('Points too near', problems.GetPointData().GetAbstractArray('Message').GetValue(0))
+
+    def test_tiny_sections_of_a_cone_are_planar(self):
+        for place in (.499, .4999, .49999):
+            cut = slice_of(simple.Cone(Resolution=12), (place, 0, 0), (1, .1, .05))
+            self.assertGreater(figure(self.mesh(cut), 'SmallestAngle'), 20, place)
+
+    def test_contours_of_a_slice_are_meshed(self):
+        for normal in ((0, 0, 1), (1, 2, 3)):
+            lines = simple.Contour(Input=slice_of(simple.Wavelet(), (0, 0, 0), normal))
+            lines.ContourBy = ['POINTS', 'RTData']
+            lines.Isosurfaces = [200.5]
+            self.assertGreater(figure(self.mesh(lines), 'SmallestAngle'), 10, normal)
+
+    def test_a_merge_tolerance_takes_the_short_segments_of_a_drawing(self):
+        cut = slice_of(simple.Sphere(ThetaResolution=40, PhiResolution=37), (.03, .01, .02), (1, 2, 3))
+        exact = self.mesh(cut)
+        merged = self.mesh(cut, MergeTolerance=0.01)
+        self.assertEqual(figure(exact, 'RepairedNearPoints'), 0)
+        self.assertGreater(figure(merged, 'RepairedNearPoints'), 0)
+        self.assertGreater(figure(merged, 'NumberOfTriangles'), 100)
+
+
+if __name__ == '__main__':
+    unittest.main()
