@@ -379,8 +379,9 @@ bool vtkBitingMesher::Execution::ReadChains()
   if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
     !this->WasAborted())
   {
-    return this->Accept("The input has points, but no cells; lines, two-dimensional cells and vertex "
-                        "cells describe a domain.");
+    return this->Accept(
+      "The input has points, but no cells; lines, two-dimensional cells and vertex "
+      "cells describe a domain.");
   }
   return isRead && !this->ReportErrors() && !this->WasAborted() &&
     this->Planar.Chains.NumberOfChains() > 0;
@@ -438,8 +439,7 @@ bool vtkBitingMesher::Execution::MakeMesh()
 {
   if (this->Options.Simplification.Tolerance > 0.0)
   {
-    this->Options.Simplification.AreAlike =
-      biting::CompareTags(this->Drawing, this->Planar.Chains);
+    this->Options.Simplification.AreAlike = biting::CompareTags(this->Drawing, this->Planar.Chains);
   }
   this->Mesh =
     biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Monitor);

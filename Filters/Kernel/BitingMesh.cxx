@@ -227,7 +227,8 @@ Spacing PrepareGivenSpacing(
   const SpacingOptions& spacing = options.Spacing;
   if (!spacing.Grid && !spacing.Triangulation && !spacing.Segments)
   {
-    return MakeSpacing(AboveRounding(spacing, drawing), drawing.Bounds, problems, monitor);
+    return MakeSpacing(
+      RaiseToRounding(spacing, drawing, problems), drawing.Bounds, problems, monitor);
   }
   BitingMeshOptions given = options;
   given.LimitByFeatureSize = false;
@@ -566,7 +567,7 @@ void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, Bi
   }
   PartOfStage part(monitor, SlopesEnd, 1.0);
   mesh.ShareOfDrawing =
-    ShareOfFineDrawing(drawing, mesh, AboveRounding(options.Spacing, drawing), part);
+    ShareOfFineDrawing(drawing, mesh, RaiseToRounding(options.Spacing, drawing, problems), part);
   const bool isAccepted = options.Simplification.Tolerance > 0.0;
   if (!AddAborted(part, problems) && !isAccepted && mesh.ShareOfDrawing > LargeShareOfDrawing)
   {

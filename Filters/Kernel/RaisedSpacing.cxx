@@ -53,7 +53,7 @@ SpacingOptions RaiseToRounding(SpacingOptions spacing, const Domain& domain, Pro
   }
   spacing.Minimum = rounding;
   const double least = LeastGiven(spacing);
-  if (least < rounding)
+  if (least < rounding && !problems.Has(ProblemCode::RaisedSpacing))
   {
     std::ostringstream detail;
     detail.precision(3);

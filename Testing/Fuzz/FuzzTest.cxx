@@ -247,7 +247,7 @@ TEST(FuzzRegression, SpacingBelowRoundingIsThatOfRounding)
   fuzzCase.Options.Spacing.Segments = source;
   fuzzCase.Options.Spacing.Gradation = 8.0;
   ExpectKept(fuzzCase, "tiny spacing");
-  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
+  EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::RepairedMesh);
 }
 
 /// The channel was divided into pieces as short as itself, to find how far f is to be lowered there.

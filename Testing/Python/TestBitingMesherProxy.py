@@ -42,7 +42,7 @@ DEFAULTS = {
 
 ON_THE_PANEL = {
     'UniformSpacing', 'BoundarySpacingArray', 'SourceSpacingArray', 'SpacingScale', 'Gradation',
-    'Relaxation', 'GenerateBites',
+    'BoundaryTolerance', 'Relaxation', 'GenerateBites',
 }
 
 SQUARE = '# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\n' \
