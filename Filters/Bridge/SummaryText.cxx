@@ -105,6 +105,28 @@ std::string InputVerticesLines(vtkDataArray* kinds)
     " of the vertices stand\n  because input vertices stay\n";
 }
 
+// What Boundary Tolerance and Minimum Loop Size did, or could do.
+std::string DrawingLines(vtkDataSet* mesh)
+{
+  constexpr double LargeShare = 0.5;
+  const double share = Figure(mesh, "ShareOfDrawing");
+  std::string text;
+  if (share > LargeShare)
+  {
+    text += "The drawing is much finer than the spacing:\n  " + Percent(share) +
+      " of the vertices are there for it alone\n  (see Boundary Tolerance)\n";
+  }
+  if (Figure(mesh, "RemovedVertices") > 0.0)
+  {
+    text += Count(mesh, "RemovedVertices") + " points of the drawing not needed\n";
+  }
+  if (Figure(mesh, "LeftOutLoops") > 0.0)
+  {
+    text += Count(mesh, "LeftOutLoops") + " small loops left out\n";
+  }
+  return text;
+}
+
 bool TouchesInput(vtkIdList* corners, vtkDataArray* kinds)
 {
   for (const vtkIdType corner : *corners)
@@ -155,6 +177,10 @@ std::string SummaryOf(vtkDataSet* mesh, double seconds)
   if (kinds)
   {
     text += InputVerticesLines(kinds);
+  }
+  if (figures->HasArray("ShareOfDrawing"))
+  {
+    text += DrawingLines(mesh);
   }
   return text + ThinLines(mesh, kinds);
 }

@@ -5,6 +5,7 @@
 
 #include "Drawing.h"
 #include "MeshOracle.h"
+#include "SimplificationOracle.h"
 
 #include <algorithm> // for all_of, clamp, remove_if
 #include <cmath>     // for isfinite, ldexp
@@ -341,6 +342,20 @@ std::string JudgeOverlaps(const FuzzRun& run, const FuzzCase& fuzzCase)
   return "";
 }
 
+/// A simplified drawing is judged by itself, and the mesh then by what is left of it.
+std::string JudgeGeometry(const FuzzRun& run, const FuzzCase& fuzzCase)
+{
+  if (!fuzzCase.Options.Simplification.IsAsked())
+  {
+    return FindMeshViolation(run.Mesh, fuzzCase.Input, fuzzCase.Options);
+  }
+  const std::string violation = JudgeSimplification(fuzzCase);
+  Polylines lines;
+  return violation.empty() && ReadSimplified(fuzzCase, lines)
+    ? FindMeshViolation(run.Mesh, lines, fuzzCase.Options)
+    : violation;
+}
+
 /// What must hold of a mesh besides itself.
 std::string JudgeMesh(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
@@ -351,7 +366,7 @@ std::string JudgeMesh(const FuzzRun& run, const FuzzCase& fuzzCase)
       return "resolved without leave";
     }
   }
-  const std::string violation = FindMeshViolation(run.Mesh, fuzzCase.Input, fuzzCase.Options);
+  const std::string violation = JudgeGeometry(run, fuzzCase);
   return violation.empty() ? JudgeOverlaps(run, fuzzCase) : violation;
 }
 

@@ -213,6 +213,15 @@ Point2 SpacingMaker::Place()
   return { x, along(this->Bounds.Low.Y, this->Bounds.Height()) };
 }
 
+void MakeSimplification(FuzzNumbers& numbers, SimplificationOptions& options)
+{
+  const double tolerances[] = { 0.2, 0.05, 0.5, 1.0, 10.0, 0.0 };
+  options.Tolerance = tolerances[numbers.Below(6)];
+  const double angles[] = { 45.0, 0.0, 10.0, 90.0, 180.0 };
+  options.CornerAngle = angles[numbers.Below(5)];
+  options.MinimumLoopSize = numbers.OneIn(2) ? numbers.Power(-3, 3) : 0.0;
+}
+
 void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
 {
   options.Domain.Repair = !numbers.OneIn(8);
@@ -229,6 +238,10 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
   options.PreserveBoundary = numbers.OneIn(8);
   options.LimitByFeatureSize = numbers.OneIn(2);
+  if (numbers.OneIn(4))
+  {
+    MakeSimplification(numbers, options.Simplification);
+  }
   options.MaximumNumberOfVertices = numbers.OneIn(32) ? numbers.Below(100)
     : options.PreserveBoundary                        ? 500
                                                       : 1500;
@@ -324,6 +337,9 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
        << " phi=" << options.Phi << " relaxation=" << options.Relaxation
        << " best=" << (options.RelaxationEffort == RelaxationEffort::Best)
+       << " tolerance=" << options.Simplification.Tolerance
+       << " corner=" << options.Simplification.CornerAngle
+       << " loops=" << options.Simplification.MinimumLoopSize
        << " preserve=" << options.PreserveBoundary << " keep=" << options.KeepBites
        << " bites=" << options.MaximumNumberOfBites
        << " vertices=" << options.MaximumNumberOfVertices << " stop=" << fuzzCase.StopAtCall;
