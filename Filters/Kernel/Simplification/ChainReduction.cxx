@@ -7,7 +7,7 @@
 
 #include <algorithm> // for max, min, minmax
 #include <array>     // for triangles
-#include <cmath>     // for sqrt
+#include <cmath>     // for isfinite, sqrt
 #include <cstdint>   // for bits
 #include <cstring>   // for memcpy
 #include <limits>    // for infinity
@@ -238,10 +238,14 @@ Id ChainReduction::FindObstacleBeyond(Id slot) const
   const Point2 across = foot - this->At(slot);
   const double height =
     this->Errors[slot] * this->Tolerances[this->Chains.Vertices[slot]] / Length(across);
+  if (!std::isfinite(height))
+  {
+    return NoId; // the vertex is on the segment, but for rounding
+  }
   const Point2 beyond = foot + height * across;
   const int side = Orient2D(start, end, beyond);
   const int other = Orient2D(start, end, this->At(slot));
-  if (side != -other) // rounded, or not a number
+  if (side != -other) // rounded
   {
     return NoId;
   }
