@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""What ParaView's own sources and filters hand over, with the noise of their coordinates: meshed."""
+"""What ParaView's sources and filters hand over, with the noise of its coordinates, is meshed."""
 
 import os
 import unittest
@@ -55,7 +55,8 @@ class TestParaViewProducersProxy(unittest.TestCase):
         problems = servermanager.Fetch(mesher, idx=3)
         self.assertGreater(merged, 0)
         self.assertEqual(problems.GetNumberOfPoints(), merged)
-        self.assertIn('Points too near', problems.GetPointData().GetAbstractArray('Message').GetValue(0))
+        messages = problems.GetPointData().GetAbstractArray('Message')
+        self.assertIn('Points too near', messages.GetValue(0))
 
     def test_tiny_sections_of_a_cone_are_planar(self):
         for place in (.499, .4999, .49999):
@@ -70,7 +71,8 @@ class TestParaViewProducersProxy(unittest.TestCase):
             self.assertGreater(figure(self.mesh(lines), 'SmallestAngle'), 10, normal)
 
     def test_a_merge_tolerance_takes_the_short_segments_of_a_drawing(self):
-        cut = slice_of(simple.Sphere(ThetaResolution=40, PhiResolution=37), (.03, .01, .02), (1, 2, 3))
+        shape = simple.Sphere(ThetaResolution=40, PhiResolution=37)
+        cut = slice_of(shape, (.03, .01, .02), (1, 2, 3))
         exact = self.mesh(cut)
         merged = self.mesh(cut, MergeTolerance=0.01)
         self.assertEqual(figure(exact, 'RepairedNearPoints'), 0)
