@@ -55,15 +55,21 @@ set(biting_kernel_sources
   Biting/BiteGrid.cxx
   Biting/BiteOutline.cxx
   Biting/BitingScheme.cxx
+  Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
   Biting/EdgeDivision.cxx
+  Biting/EdgeProtection.cxx
+  Biting/EdgeShields.cxx
   Biting/FrontTrace.cxx
+  Biting/FrontVertices.cxx
+  Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/OutlineCover.cxx
   Biting/ReachFactor.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
   Biting/VertexEstimate.cxx
+  Biting/VertexProtection.cxx
   Delaunay/SpatialOrder.cxx
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx

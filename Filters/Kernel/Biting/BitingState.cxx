@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingState.h"
+
+#include "Bisectors.h"
+
+#include <algorithm> // for min
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
+
+} // namespace
+
+double UsedBitingConstant(const BitingOptions& options)
+{
+  return options.BitingConstant > 0.0 ? options.BitingConstant : AutomaticBitingConstant(options);
+}
+
+double UsedTolerance(const BitingOptions& options)
+{
+  return options.Tolerance > 0.0 ? options.Tolerance : AutomaticTolerance(options);
+}
+
+double UsedPartLength(const BitingOptions& options)
+{
+  return options.PartLength > 0.0 ? options.PartLength
+                                  : UsedBitingConstant(options) / AutomaticBitingConstant(options);
+}
+
+double NeighborRange(const BitingOptions& options)
+{
+  return options.Placement == Placement::Corners
+    ? 0.0
+    : Bisectors::GreatestBond * UsedPartLength(options) / UsedBitingConstant(options);
+}
+
+BitingState::BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  double expectedVertices, const BitingOptions& options, Monitor& monitor)
+  : Geometry(domain)
+  , Locator(locator)
+  , F(spacing)
+  , Options(options)
+  , Progress(monitor)
+  , BitingConstant(UsedBitingConstant(options))
+  , PartLength(UsedPartLength(options))
+  , ExpectedVertices(expectedVertices)
+  , Placed(Result.Bites)
+  , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
+      NeighborRange(options), domain.Resolution)
+{
+}
+
+Id BitingState::AddVertex(const Point2& place, double spacing, Id segment)
+{
+  this->Result.Points.push_back(place);
+  this->Result.Spacings.push_back(spacing);
+  this->Result.BiteOrders.push_back(NoId);
+  this->Result.Segments.push_back(segment);
+  return static_cast<Id>(this->Result.Points.size()) - 1;
+}
+
+void BitingState::AddEdge(Id start, Id end, Id segment)
+{
+  this->Result.EdgeStarts.push_back(start);
+  this->Result.EdgeEnds.push_back(end);
+  this->Result.EdgeSegments.push_back(segment);
+}
+
+void BitingState::Bite(Id vertex, const Point2& axis, double share, BitePhase phase)
+{
+  const double spacing = this->Result.Spacings[vertex];
+  this->AddBite(this->Result.Points[vertex],
+    this->Options.Shape == BiteShape::Circle ? Point2{} : axis,
+    share * this->BitingConstant * spacing, spacing, phase);
+  this->Result.BiteOrders[vertex] = this->NumberOfBites;
+}
+
+void BitingState::AddBite(
+  const Point2& center, const Point2& axis, double halfWidth, double spacing, BitePhase phase)
+{
+  const Id bite = this->Placed.Size();
+  this->Placed.Centers.push_back(center);
+  this->Placed.Axes.push_back(axis);
+  this->Placed.HalfWidths.push_back(halfWidth);
+  this->Placed.Orders.push_back(this->NumberOfBites);
+  this->Placed.Phases.push_back(phase);
+  if (this->Options.FollowSlope)
+  {
+    this->PlacedSpacings.push_back(spacing);
+  }
+  this->Grid.File(bite);
+}
+
+bool BitingState::MayBite() const
+{
+  const std::int64_t most = this->Options.MaximumNumberOfBites;
+  return this->Result.End == BitingEnd::Complete && (most < 0 || this->NumberOfBites < most);
+}
+
+void BitingState::FinishBite()
+{
+  ++this->NumberOfBites;
+  if (static_cast<std::int64_t>(this->Result.Points.size()) > this->Options.MaximumNumberOfVertices)
+  {
+    this->Result.End = BitingEnd::TooManyVertices;
+  }
+  this->Step();
+}
+
+void BitingState::Step()
+{
+  this->Progress.SetFraction(std::min(this->NumberOfBites / this->ExpectedVertices, 1.0));
+  if (!this->Progress.Beat(CheapStepsPerBite))
+  {
+    this->Result.End = BitingEnd::Aborted;
+  }
+}
+
+BitingEnd BitingState::ReasonNotToDivide() const
+{
+  return this->Progress.HasStopped() ? BitingEnd::Aborted : BitingEnd::TooManyVertices;
+}
+
+} // namespace biting

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBitingState_h
+#define BitingBitingState_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
+#include "BiteGrid.h"
+#include "Bites.h"
+#include "BitingScheme.h"
+#include "Orientation.h"
+
+#include <vector> // for the spacings
+
+namespace biting
+{
+
+/// What the phases of the biting scheme work on: the domain and what is wanted of it, the bites so
+/// far, where they are, and the vertices and edges that they make. Each phase is a unit of its own
+/// that is given a state and knows no other phase, so their order is the driver's (BitingScheme.cxx).
+struct BitingState
+{
+  BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+    double expectedVertices, const BitingOptions& options, Monitor& monitor);
+  BitingState(const BitingState&) = delete;
+  void operator=(const BitingState&) = delete;
+
+  Id AddVertex(const Point2& place, double spacing, Id segment);
+  void AddEdge(Id start, Id end, Id segment);
+
+  /// Makes the bite of a vertex, of half-width `share` c_b f.
+  void Bite(Id vertex, const Point2& axis, double share, BitePhase phase);
+
+  /// Makes a bite that need not be a vertex's.
+  void AddBite(
+    const Point2& center, const Point2& axis, double halfWidth, double spacing, BitePhase phase);
+
+  /// Whether biting goes on.
+  bool MayBite() const;
+
+  /// Counts a bite, after all of its squares are made.
+  void FinishBite();
+
+  /// To be called now and then: progress, and abort.
+  void Step();
+
+  /// Why an edge was not divided, once it was not.
+  BitingEnd ReasonNotToDivide() const;
+
+  const Domain& Geometry;
+  const DomainLocator& Locator;
+  const Spacing& F;
+  const BitingOptions& Options;
+  Pulse Progress;
+  double BitingConstant;
+  double PartLength; ///< wanted length of boundary edges in units of f
+  double ExpectedVertices;
+  BitingResult Result;
+  Bites& Placed; ///< the bites so far
+  BiteGrid Grid;
+  VertexAxes Axes;                    ///< of the bites of input vertices, once these are bitten
+  std::vector<double> PlacedSpacings; ///< f at each bite, where half-widths follow its slope
+  Id NumberOfBites = 0;
+};
+
+/// The constant, tolerance and wanted length of edges, in units of f, that the options stand for.
+double UsedBitingConstant(const BitingOptions& options);
+double UsedTolerance(const BitingOptions& options);
+double UsedPartLength(const BitingOptions& options);
+
+/// How far the grid finds neighbours, in half-widths: as far as the placement asks for them.
+double NeighborRange(const BitingOptions& options);
+
+} // namespace biting
+
+#endif

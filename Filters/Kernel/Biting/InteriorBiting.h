@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingInteriorBiting_h
+#define BitingInteriorBiting_h
+
+#include "../Base/Point2.h"
+#include "../Base/Pulse.h"
+#include "Bisectors.h"
+#include "BitingState.h"
+#include "CandidateQueue.h"
+#include "FrontVertices.h"
+
+namespace biting
+{
+
+/// The third phase (paper, section 3.1): bites at places of the front until nothing is left of it.
+class InteriorBiting
+{
+public:
+  explicit InteriorBiting(BitingState& state);
+
+  void Run();
+
+  /// Gives the memory back.
+  void Release(Pulse& pulse) { this->Front.Release(pulse); }
+
+private:
+  void SeedFront();
+  void BiteCandidate(const Candidate& candidate);
+  Point2 AxisOf(const Candidate& candidate) const;
+  double ShareOf(const Candidate& candidate, Id vertex) const;
+  void PutCandidates(Id bite);
+  void PutBisectorPoints(Id bite);
+  Point2 PlaceOf(Id bite, const BisectorPoint& point) const;
+  void PutFrontVertices(Id bite);
+  bool PutLeftOvers();
+  bool IsUncovered(const Candidate& candidate) const;
+  bool IsSurrounded(const Point2& p) const;
+  double Slack(Id bite) const;
+
+  BitingState& State;
+  bool IsUniform;      ///< f is one constant
+  Bisectors Points;    ///< where bites may sit, with Placement::Bisectors
+  FrontVertices Front; ///< the same with Placement::Corners, and what bisectors leave over
+  CandidateQueue Queue;
+  Id NumberOfChecked = 0; ///< bites that have nothing left over, from the first
+};
+
+} // namespace biting
+
+#endif
