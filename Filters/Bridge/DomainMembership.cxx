@@ -4,6 +4,7 @@
 #include "DomainMembership.h"
 
 #include "../Kernel/Base/PartOfStage.h"
+#include "../Kernel/Predicates/Predicates.h"
 
 namespace biting
 {
@@ -28,7 +29,19 @@ bool DomainMembership::MayHold(const Point2& place)
       this->Locator.emplace(this->Domain, pulse);
     }
   }
-  return !this->Locator || this->Locator->IsInside(place);
+  return !this->Locator || this->Locator->IsInside(place) || this->IsOnBoundary(place);
+}
+
+bool DomainMembership::IsOnBoundary(const Point2& place) const
+{
+  Box2 box;
+  box.Add(place);
+  return this->Locator->VisitSegments(box,
+    [this, &place](Id segment)
+    {
+      return IsOnSegment(place, this->Domain.Vertices[this->Domain.Starts[segment]],
+        this->Domain.Vertices[this->Domain.Ends[segment]]);
+    });
 }
 
 } // namespace biting

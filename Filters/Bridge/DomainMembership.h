@@ -20,10 +20,12 @@ public:
   /// The chains must outlive this.
   DomainMembership(const Polylines& chains, Monitor& monitor);
 
-  /// Also true where the chains bound no domain.
+  /// Also true on the boundary, and where the chains bound no domain.
   bool MayHold(const Point2& place);
 
 private:
+  bool IsOnBoundary(const Point2& place) const;
+
   const Polylines& Chains;
   biting::Monitor& Asked;
   biting::Domain Domain;
