@@ -7,24 +7,23 @@
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Biting/VertexEstimate.h"
-#include "Calibration.h"
-#include "Delaunay/ConstrainedEdges.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
-#include "DomainFeatures.h"
 #include "FineDrawing.h"
-#include "MeshAssembly.h"
+#include "Meshing/Calibration.h"
+#include "Meshing/DomainFeatures.h"
+#include "Meshing/FinalCheck.h"
+#include "Meshing/MeshAssembly.h"
+#include "Meshing/PreservedSpacing.h"
+#include "Meshing/RelaxedBites.h"
+#include "Meshing/SharpCornerTriangles.h"
+#include "Meshing/SoundTriangulation.h"
+#include "Meshing/StageProblems.h"
 #include "MeshingStages.h"
 #include "NarrowAngles.h"
-#include "PreservedSpacing.h"
-#include "Quality/MeshCheck.h"
 #include "RaisedSpacing.h"
-#include "RelaxedBites.h"
-#include "SegmentCover.h"
-#include "SharpCornerTriangles.h"
 
-#include <algorithm> // for find, min, max
-#include <cmath>     // for abs
+#include <algorithm> // for min, max
 #include <limits>    // for the largest id
 #include <optional>  // for what is released early
 #include <sstream>   // for figures in messages
@@ -36,10 +35,6 @@ namespace biting
 namespace
 {
 
-constexpr int MostTriangulations = 5; // each later one has fewer constraints in conflict
-constexpr double CoverageTolerance =
-  1e-6; // of a length: rounding of the sum, and of close vertices
-
 // Where steps end, as shares of the time of a stage: of preparing the spacing, biting, a
 // triangulation, and the last stage.
 constexpr double LocatorEnd = 0.05;
@@ -47,12 +42,9 @@ constexpr double ChoiceEnd = 0.05;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
 constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
-constexpr double FirstAttemptEnd = 0.9;
-constexpr double TriangulationEnd = 0.95;
 constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
-constexpr double MeshCheckEnd = 0.95; // of that
 constexpr double QualityEnd = 0.93;
 constexpr double SlopesEnd = 0.98;
 
@@ -63,24 +55,6 @@ std::string Figure(double value)
   text.precision(3);
   text << value;
   return text.str();
-}
-
-void AddProblem(ProblemCode code, const std::string& detail, ProblemList& problems)
-{
-  Problem problem;
-  problem.Code = code;
-  problem.Detail = detail;
-  problems.Add(problem);
-}
-
-// Whether the part was stopped, which is noted then where nothing was refused before.
-bool AddAborted(const PartOfStage& part, ProblemList& problems)
-{
-  if (part.HasStopped() && !problems.HasErrors())
-  {
-    AddProblem(ProblemCode::Aborted, "", problems);
-  }
-  return part.HasStopped();
 }
 
 BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
@@ -182,16 +156,6 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
   return bites;
 }
 
-ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
-{
-  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
-  for (Id segment : bites.EdgeSegments)
-  {
-    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
-  }
-  return constraints;
-}
-
 SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
   const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
 {
@@ -265,235 +229,6 @@ SimplifiedDomain SimplifyDrawing(
     drawing, wanted, [&given](const Point2& x) { return given(x); }, problems, simplifying);
 }
 
-using Flags = std::vector<std::uint8_t>;
-
-std::vector<double> LengthsOfConstraints(const BitingResult& bites, Pulse& pulse)
-{
-  std::vector<double> lengths(bites.EdgeStarts.size());
-  pulse.ForEach(lengths.size(),
-    [&bites, &lengths](std::size_t edge)
-    {
-      lengths[edge] =
-        Distance(bites.Points[bites.EdgeStarts[edge]], bites.Points[bites.EdgeEnds[edge]]);
-    });
-  return lengths;
-}
-
-// The constraints that are not a union of mesh edges: as long as these are together.
-std::vector<Id> FindUncovered(
-  const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
-{
-  const std::vector<double> lengths = LengthsOfConstraints(bites, pulse);
-  std::vector<double> rest = lengths;
-  ForEachConstrainedEdge(triangulation, pulse,
-    [&bites, &rest](Id constraint, Id start, Id end)
-    { rest[constraint] -= Distance(bites.Points[start], bites.Points[end]); });
-  std::vector<Id> uncovered;
-  pulse.ForEach(rest.size(),
-    [&lengths, &rest, &uncovered](std::size_t edge)
-    {
-      if (!(std::abs(rest[edge]) <= CoverageTolerance * lengths[edge]))
-      {
-        uncovered.push_back(static_cast<Id>(edge));
-      }
-    });
-  return uncovered;
-}
-
-// 1 for the segments whose parts cross or coincide with those of others, and for those that share an
-// end with one that the parts of others cut off from the mesh.
-Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result,
-  const std::vector<Id>& uncovered, const BitingResult& bites, Pulse& pulse)
-{
-  Flags isInConflict(domain.NumberOfSegments(), 0);
-  for (const auto* pairs : { &result.Conflicts, &result.Coincidences })
-  {
-    for (const ConstraintConflict& pair : *pairs)
-    {
-      isInConflict[bites.EdgeSegments[pair.First]] = 1;
-      isInConflict[bites.EdgeSegments[pair.Second]] = 1;
-    }
-  }
-  Flags isAtConflict(domain.NumberOfVertices(), 0);
-  for (const Id edge : uncovered)
-  {
-    isAtConflict[domain.Starts[bites.EdgeSegments[edge]]] = 1;
-    isAtConflict[domain.Ends[bites.EdgeSegments[edge]]] = 1;
-  }
-  pulse.ForEach(isInConflict.size(),
-    [&domain, &isInConflict, &isAtConflict](std::size_t segment)
-    {
-      isInConflict[segment] |=
-        isAtConflict[domain.Starts[segment]] | isAtConflict[domain.Ends[segment]];
-    });
-  return isInConflict;
-}
-
-// Removes vertices at which no constraint ends.
-void RemoveVertices(const Flags& isRemoved, BitingResult& bites, Pulse& pulse)
-{
-  std::vector<Id> numbers(isRemoved.size(), NoId);
-  std::size_t next = 0;
-  pulse.ForEach(isRemoved.size(),
-    [&isRemoved, &bites, &numbers, &next](std::size_t vertex)
-    {
-      if (!isRemoved[vertex])
-      {
-        numbers[vertex] = static_cast<Id>(next);
-        bites.Points[next] = bites.Points[vertex];
-        bites.Spacings[next] = bites.Spacings[vertex];
-        bites.BiteOrders[next] = bites.BiteOrders[vertex];
-        bites.Segments[next++] = bites.Segments[vertex];
-      }
-    });
-  bites.Points.resize(next);
-  bites.Spacings.resize(next);
-  bites.BiteOrders.resize(next);
-  bites.Segments.resize(next);
-  for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
-  {
-    pulse.ForEach(
-      ends->size(), [&numbers, ends](std::size_t edge) { (*ends)[edge] = numbers[(*ends)[edge]]; });
-  }
-}
-
-// Takes the new vertices off segments, and these back to one edge each: the segments themselves do
-// not cross.
-void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites, Pulse& pulse)
-{
-  std::size_t next = 0;
-  Id last = NoId;
-  pulse.ForEach(bites.EdgeSegments.size(),
-    [&domain, &isUndone, &bites, &next, &last](std::size_t edge)
-    {
-      const Id segment = bites.EdgeSegments[edge];
-      const bool isWhole = isUndone[segment] != 0;
-      if (!isWhole || segment != last)
-      {
-        bites.EdgeStarts[next] = isWhole ? domain.Starts[segment] : bites.EdgeStarts[edge];
-        bites.EdgeEnds[next] = isWhole ? domain.Ends[segment] : bites.EdgeEnds[edge];
-        bites.EdgeSegments[next++] = segment;
-      }
-      last = segment;
-    });
-  bites.EdgeStarts.resize(next);
-  bites.EdgeEnds.resize(next);
-  bites.EdgeSegments.resize(next);
-  Flags isRemoved(bites.Segments.size(), 0);
-  pulse.ForEach(isRemoved.size(),
-    [&bites, &isUndone, &isRemoved](std::size_t vertex)
-    {
-      const Id segment = bites.Segments[vertex];
-      isRemoved[vertex] = segment != NoId && isUndone[segment];
-    });
-  RemoveVertices(isRemoved, bites, pulse);
-}
-
-// 1 for the vertices that the triangulation found on constraints, though none begins or ends there:
-// by rounding, beside segments as short as that.
-Flags VerticesOnConstraints(
-  const Domain& domain, const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
-{
-  Flags isOn(bites.Points.size(), 0);
-  ForEachConstrainedEdge(triangulation, pulse,
-    [&domain, &bites, &isOn](Id, Id start, Id end)
-    {
-      for (const Id vertex : { start, end })
-      {
-        isOn[vertex] |= vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
-      }
-    });
-  return isOn;
-}
-
-// Leaves one edge for each segment. Whether vertices had to be removed.
-bool ClearConstraints(
-  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
-{
-  const Flags isOn = VerticesOnConstraints(domain, bites, triangulation, pulse);
-  const bool hasSome = std::find(isOn.begin(), isOn.end(), 1) != isOn.end();
-  if (hasSome)
-  {
-    RemoveVertices(isOn, bites, pulse);
-  }
-  return hasSome;
-}
-
-// Inner vertices that rounding put on a constraint divide it: they are on its segment.
-void AdoptVertices(
-  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
-{
-  ForEachConstrainedEdge(triangulation, pulse,
-    [&domain, &bites](Id constraint, Id start, Id end)
-    {
-      for (const Id vertex : { start, end })
-      {
-        if (vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId)
-        {
-          bites.Segments[vertex] = bites.EdgeSegments[constraint];
-        }
-      }
-    });
-}
-
-// The first attempt is nearly always the only one.
-PartOfStage PartOfAttempt(int attempt, Monitor& monitor)
-{
-  const auto begin = [](int count)
-  { return count == 1 ? 0.0 : 1.0 - (1.0 - FirstAttemptEnd) / (count - 1); };
-  return { monitor, begin(attempt), begin(attempt + 1) };
-}
-
-// Where rounded points of two close segments make their parts cross or coincide, or cut one off from
-// the mesh, their division is taken back; before the last attempt that of all segments. Where these
-// are to be preserved, inner vertices that rounding put on them are removed.
-Triangulation TriangulateBites(const Domain& domain, const BitingMeshOptions& options,
-  BitingResult& bites, ProblemList& problems, Monitor& monitor)
-{
-  for (int attempt = 1; attempt <= MostTriangulations; ++attempt)
-  {
-    PartOfStage part = PartOfAttempt(attempt, monitor);
-    PartOfStage triangulating(part, 0.0, TriangulationEnd);
-    TriangulationResult result =
-      Triangulate(bites.Points, MakeConstraints(domain, bites), { options.Phi }, triangulating);
-    PartOfStage looking(part, TriangulationEnd, 1.0);
-    Pulse pulse(looking);
-    const std::vector<Id> uncovered =
-      result.Conflicts.empty() ? FindUncovered(bites, result.Mesh, pulse) : std::vector<Id>();
-    const bool isSound =
-      result.Conflicts.empty() && result.Coincidences.empty() && uncovered.empty();
-    const bool isCleared =
-      isSound && options.PreserveBoundary && ClearConstraints(domain, result.Mesh, bites, pulse);
-    if (isSound && !isCleared)
-    {
-      AdoptVertices(domain, result.Mesh, bites, pulse);
-    }
-    if (AddAborted(part, problems))
-    {
-      return {};
-    }
-    if (isCleared)
-    {
-      continue;
-    }
-    if (isSound)
-    {
-      return std::move(result.Mesh);
-    }
-    const bool isLastChance = attempt == MostTriangulations - 1;
-    UndoDivisions(domain,
-      isLastChance ? Flags(domain.NumberOfSegments(), 1)
-                   : SegmentsInConflict(domain, result, uncovered, bites, pulse),
-      bites, pulse);
-    if (AddAborted(part, problems))
-    {
-      return {};
-    }
-  }
-  AddProblem(ProblemCode::CheckFailed, "a part of a segment is not in the mesh", problems);
-  return {};
-}
-
 // Not where biting was stopped: then the front is to be seen as it is.
 void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOptions& options,
   BitingResult& bites, Triangulation& triangulation, ProblemList& problems, Monitor& monitor)
@@ -511,25 +246,6 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
   }
 }
 
-void Check(const Domain& domain, const BitingMesh& mesh, const std::vector<Id>& constraints,
-  const std::vector<Id>& segments, ProblemList& problems, Monitor& monitor)
-{
-  PartOfStage part(monitor, AssemblyEnd, CheckEnd);
-  PartOfStage checking(part, 0.0, MeshCheckEnd);
-  std::string violation =
-    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area }, checking);
-  if (violation.empty() && !checking.HasStopped())
-  {
-    PartOfStage covering(part, MeshCheckEnd, 1.0);
-    violation = CheckSegmentCover(
-      domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, covering);
-  }
-  if (!AddAborted(part, problems) && !violation.empty())
-  {
-    AddProblem(ProblemCode::CheckFailed, violation, problems);
-  }
-}
-
 // The mesh as it is handed out, but for its quality.
 BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
   ProblemList& problems, Monitor& monitor)
@@ -539,7 +255,13 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation, part);
   if (!AddAborted(part, problems))
   {
-    Check(domain, mesh, triangulation.Constraints, segments, problems, monitor);
+    PartOfStage checking(monitor, AssemblyEnd, CheckEnd);
+    const std::string violation =
+      CheckFinalMesh(domain, mesh, triangulation.Constraints, segments, checking);
+    if (!AddAborted(checking, problems) && !violation.empty())
+    {
+      AddProblem(ProblemCode::CheckFailed, violation, problems);
+    }
   }
   return mesh;
 }
@@ -640,7 +362,8 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   monitor.BeginStage(MeshingStages::Triangulation.Text);
-  Triangulation triangulation = TriangulateBites(domain, options, bites, problems, whole);
+  Triangulation triangulation =
+    TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};

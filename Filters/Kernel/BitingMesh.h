@@ -51,7 +51,7 @@ struct BitingMeshOptions
   biting::RelaxationEffort RelaxationEffort = biting::RelaxationEffort::Fast;
 
   /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that of
-  /// FollowSegments (PreservedSpacing.h). Repairs of the input still make vertices where segments
+  /// FollowSegments (Meshing/PreservedSpacing.h). Repairs of the input still make vertices where segments
   /// meet.
   bool PreserveBoundary = false;
 

@@ -97,14 +97,16 @@ set(biting_kernel_sources
   Quality/PointTree.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
+  Meshing/Calibration.cxx
+  Meshing/DomainFeatures.cxx
+  Meshing/FinalCheck.cxx
+  Meshing/MeshAssembly.cxx
+  Meshing/PreservedSpacing.cxx
+  Meshing/RelaxedBites.cxx
+  Meshing/SegmentCover.cxx
+  Meshing/SharpCornerTriangles.cxx
+  Meshing/SoundTriangulation.cxx
   BitingMesh.cxx
-  Calibration.cxx
-  DomainFeatures.cxx
   FineDrawing.cxx
-  MeshAssembly.cxx
   NarrowAngles.cxx
-  SegmentCover.cxx
-  SharpCornerTriangles.cxx
-  PreservedSpacing.cxx
-  RaisedSpacing.cxx
-  RelaxedBites.cxx)
+  RaisedSpacing.cxx)

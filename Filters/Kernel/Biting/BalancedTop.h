@@ -10,9 +10,10 @@
 namespace biting
 {
 
-/// Where the top of the triangle makes each of its two new edges as long as the mean of f at its ends,
-/// times `lengthPerSpacing`; on the side of the bond where Top is. Top itself where no place does, or
-/// one nearer to it than a thousandth of an edge: sides of bites that are in line stay so exactly.
+/// Where the top of the triangle makes each of its two new edges as long as the mean of f at its
+/// ends, times `lengthPerSpacing`; on the side of the bond where Top is. Top itself where no place
+/// does, or one nearer to it than a thousandth of an edge: sides of bites that are in line stay so
+/// exactly.
 ///
 /// A bisector point is as far from one bite as from the other. In a spacing that changes along the
 /// bond that makes one edge too long and the other too short, and the lattice breaks up into pieces

@@ -40,8 +40,8 @@ void ClipToSlab(double offset, double slope, double halfWidth, double& enter, do
   leave = std::min(leave, middle + half);
 }
 
-// Where the line offset + t direction runs inside a bite about the origin; it leaves before it enters
-// where it misses the bite.
+// Where the line offset + t direction runs inside a bite about the origin; it leaves before it
+// enters where it misses the bite.
 std::pair<double, double> InsideOf(
   const Point2& axis, double halfWidth, const Point2& offset, const Point2& direction)
 {
@@ -122,8 +122,8 @@ Bisectors::Heights Bisectors::HeightsOver(const Neighbor& other, const Point2& b
   return heights;
 }
 
-// The mean over the three sides of |length / wanted - 1|. Circles fix two of the sides, so the third
-// one tells.
+// The mean over the three sides of |length / wanted - 1|. Circles fix two of the sides, so the
+// third one tells.
 double Bisectors::Misfit(const Neighbor& other, const Point2& bond, double height) const
 {
   const double perWanted =

@@ -26,20 +26,21 @@ struct BisectorPoint
 
 /// Finds the points of the front where the bisector of two bites leaves both.
 ///
-/// A bite may sit anywhere on the front, as far as the theory of the paper goes (section 4 needs only
-/// that no centre lies in an earlier bite and that nothing is left uncovered). Where the bisector of
-/// the centres a and b leaves both bites is a point of the front, unless a third bite covers it, and
-/// with a and b it makes an isosceles triangle. Circles of equal radius meet there; squares with half-width
-/// sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular lattice and nothing else.
+/// A bite may sit anywhere on the front, as far as the theory of the paper goes (section 4 needs
+/// only that no centre lies in an earlier bite and that nothing is left uncovered). Where the
+/// bisector of the centres a and b leaves both bites is a point of the front, unless a third bite
+/// covers it, and with a and b it makes an isosceles triangle. Circles of equal radius meet there;
+/// squares with half-width sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular
+/// lattice and nothing else.
 ///
 /// Squares are then shifted to where f asks for them (BalancedTop.h).
 ///
-/// Where more than 64 bites of the boundary crowd about one of them, its points are left out: each of
-/// them would be looked for in the crowd, and hardly one is a point of the front.
+/// Where more than 64 bites of the boundary crowd about one of them, its points are left out: each
+/// of them would be looked for in the crowd, and hardly one is a point of the front.
 ///
-/// Inner bites cover only their concentric core, `tolerance` times as wide: a good place is not given
-/// up for one that an inner bite just reaches. Bites on the boundary cover all of themselves, so
-/// that no vertex comes near the middle of an edge.
+/// Inner bites cover only their concentric core, `tolerance` times as wide: a good place is not
+/// given up for one that an inner bite just reaches. Bites on the boundary cover all of themselves,
+/// so that no vertex comes near the middle of an edge.
 class Bisectors
 {
 public:
@@ -53,8 +54,9 @@ public:
   Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerHalfWidth, double tolerance,
     double slack);
 
-  /// Calls visit(BisectorPoint) for those of `bite` with bites nearer than GreatestBond, by the length
-  /// at the other one, that none of these covers. Others may, and they may lie outside of the domain.
+  /// Calls visit(BisectorPoint) for those of `bite` with bites nearer than GreatestBond, by the
+  /// length at the other one, that none of these covers. Others may, and they may lie outside of
+  /// the domain.
   template <typename Visit>
   void VisitPoints(Id bite, Visit&& visit);
 
@@ -80,7 +82,8 @@ private:
     double Core; ///< half-width of what it covers
   };
 
-  // Of the points over a bond, in units of the bond: left of it, and right of it, negative. 0: none.
+  // Of the points over a bond, in units of the bond: left of it, and right of it, negative. 0:
+  // none.
   struct Heights
   {
     double Left;

@@ -22,11 +22,13 @@ constexpr Id CrowdedLeaf = 40;
 constexpr Id CrowdedWideLeaf = 64;
 constexpr double LeastLeaf = 0.75; // of a bite's reach: a smaller leaf holds no fewer bites
 constexpr double MostCells = 3e7;  // 480 MB
-// Measured: 2 to 7 cells a bite where they cover the bounds evenly, whatever the field, as the squares
-// of their sizes then add up to the area. Where they crowd in a part of it, cells are too small.
+// Measured: 2 to 7 cells a bite where they cover the bounds evenly, whatever the field, as the
+// squares of their sizes then add up to the area. Where they crowd in a part of it, cells are too
+// small.
 constexpr double MostCellsPerBite = 16.0;
-// Of blocks and cells in all, for each top cell. Measured: 1 to 2 blocks where bites are not crowded, 6
-// cells where f varies twentyfold. Room that is not used costs nothing, but to move many takes a second.
+// Of blocks and cells in all, for each top cell. Measured: 1 to 2 blocks where bites are not
+// crowded, 6 cells where f varies twentyfold. Room that is not used costs nothing, but to move many
+// takes a second.
 constexpr double BlocksPerCell = 2.5;
 constexpr double CellsPerTopCell = 8.0;
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf

@@ -18,19 +18,19 @@ namespace biting
 /// Where the bites are: each is filed in every leaf that its bounding box meets, so that all bites
 /// that may contain a point, or meet its leaf, stand in one list.
 ///
-/// Beside each bite stand its place and reach in units of the leaf, rounded: they tell most of those
-/// that are out of reach without a look at the bites themselves.
+/// Beside each bite stand its place and reach in units of the leaf, rounded: they tell most of
+/// those that are out of reach without a look at the bites themselves.
 /// A grid of about one cell per few bites; a crowded cell is divided into 4 x 4, again and again,
 /// so leaves follow the spacing wherever it leads. Filing costs O(1) amortised, as does a query:
-/// bites have bounded overlap (paper, lemma 5.2). Those about input vertices and segments that lie far
-/// closer than f have not: cells then grow with the bites, and a bite still stands in a bounded number
-/// of lists.
+/// bites have bounded overlap (paper, lemma 5.2). Those about input vertices and segments that lie
+/// far closer than f have not: cells then grow with the bites, and a bite still stands in a bounded
+/// number of lists.
 class BiteGrid
 {
 public:
   /// Prepares a grid over `bounds` for about `expectedBites` bites. `bites` must outlive the grid.
-  /// `nearReach`: how far from a bite's centre VisitNear is sure to find it, in half-widths. `slack`: how far
-  /// outside of a bite, as a length, VisitLeaf still finds it.
+  /// `nearReach`: how far from a bite's centre VisitNear is sure to find it, in half-widths.
+  /// `slack`: how far outside of a bite, as a length, VisitLeaf still finds it.
   BiteGrid(const Bites& bites, const Box2& bounds, double expectedBites, double nearReach = 0.0,
     double slack = 0.0);
 
@@ -42,8 +42,8 @@ public:
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit) const;
 
-  /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the leaf
-  /// lies deep in it. NoId elsewhere.
+  /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the
+  /// leaf lies deep in it. NoId elsewhere.
   Id DeepestOfLeaf(const Point2& p) const { return this->Locate(p).Leaf->Deepest; }
 
   /// Calls visit(bite) for bites whose centres are within `reach` of their half-widths from p, the

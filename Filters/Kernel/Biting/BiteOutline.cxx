@@ -62,8 +62,8 @@ double PlaceOnSide(int side, const Point2& p)
 // Half the arc of a circle that each side of a square cuts off, in radians; negative: none.
 using CutOff = std::array<double, 4>;
 
-// What is left of the circle between the arc of `side` and the next one counterclockwise: angles from
-// the normal of `side`, ascending where there is any.
+// What is left of the circle between the arc of `side` and the next one counterclockwise: angles
+// from the normal of `side`, ascending where there is any.
 std::pair<double, double> LeftBehind(const CutOff& arcs, int side)
 {
   int turns = 1;
@@ -200,8 +200,8 @@ void BiteOutline::CoverSquareByCircle(const Point2& center, double radius)
   }
 }
 
-// What each side of the square cuts off is an arc about that side's normal; between neighbouring arcs
-// the circle is covered.
+// What each side of the square cuts off is an arc about that side's normal; between neighbouring
+// arcs the circle is covered.
 void BiteOutline::CoverCircleBySquare(const Point2& center, const Point2& axis, double halfWidth)
 {
   const Point2 normals[4] = { axis, Perpendicular(axis), -1.0 * axis, -1.0 * Perpendicular(axis) };
@@ -257,8 +257,8 @@ void BiteOutline::CoverAll()
   }
 }
 
-// The arc counterclockwise between two points of the circle. Places grow counterclockwise on sides 0
-// and 3.
+// The arc counterclockwise between two points of the circle. Places grow counterclockwise on sides
+// 0 and 3.
 void BiteOutline::AddArc(const Point2& first, const Point2& last)
 {
   const auto add = [this](int side, double from, double to)
@@ -356,7 +356,8 @@ BiteOutline::Interval BiteOutline::PartWithin(int side, const Interval& gap, con
   return part;
 }
 
-// All of the arc, or nothing where the disc over its chord, in which it lies, is outside of the box.
+// All of the arc, or nothing where the disc over its chord, in which it lies, is outside of the
+// box.
 BiteOutline::Interval BiteOutline::ArcWithin(int side, const Interval& gap, const Box2& box) const
 {
   const Point2 first = this->At(side, gap.Low);

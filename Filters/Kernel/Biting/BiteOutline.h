@@ -45,12 +45,13 @@ inline bool IsAxisAligned(const Bites& bites, Id bite)
 
 /// The part of a bite's outline that no other bite covers: where the front runs along this bite.
 ///
-/// Works in the frame of the bite: centre at the origin, axis along x. Side k has the outward normal
-/// at 90 k degrees; a place on it is its coordinate along the side, from -half-width to half-width,
-/// growing with y on sides 0 and 2 and with x on sides 1 and 3. A circle is told by the square about
-/// it: a place on that is the place on the circle in the same direction.
-/// Other bites cover their open interior: of two sides that coincide neither covers the other, so no
-/// vertex of the front is lost to a tie (rounding is antisymmetric here: it cannot let both cover).
+/// Works in the frame of the bite: centre at the origin, axis along x. Side k has the outward
+/// normal at 90 k degrees; a place on it is its coordinate along the side, from -half-width to
+/// half-width, growing with y on sides 0 and 2 and with x on sides 1 and 3. A circle is told by the
+/// square about it: a place on that is the place on the circle in the same direction.
+/// Other bites cover their open interior: of two sides that coincide neither covers the other, so
+/// no vertex of the front is lost to a tie (rounding is antisymmetric here: it cannot let both
+/// cover).
 class BiteOutline
 {
 public:
@@ -72,8 +73,8 @@ public:
   /// Whether all gaps lie outside of `box`, and so would those that more bites leave. After Finish.
   bool IsHiddenWithin(const Box2& box) const;
 
-  /// The part of a gap within `box`, and a margin for rounding; it ends before it starts where there
-  /// is none.
+  /// The part of a gap within `box`, and a margin for rounding; it ends before it starts where
+  /// there is none.
   Interval PartWithin(int side, const Interval& gap, const Box2& box) const;
 
   /// The uncovered intervals of side 0..3, ascending.
@@ -143,9 +144,10 @@ void BiteOutline::VisitEnds(Visit&& visit) const
 
 /// The directions in which p's near surroundings are covered, as a set of probes: probe i points at
 /// (i + 1/2) 360/64 degrees, so that none is parallel to an axis.
-/// A bite with p on its side (within a slack) covers a half plane of directions, with p at its corner
-/// a quadrant, with p on its circle a half plane. An uncovered wedge below 5.6 degrees may be missed; any uncovered region has a wider
-/// one (the angles of a polygon with n corners add up to (n - 2) 180 degrees).
+/// A bite with p on its side (within a slack) covers a half plane of directions, with p at its
+/// corner a quadrant, with p on its circle a half plane. An uncovered wedge below 5.6 degrees may
+/// be missed; any uncovered region has a wider one (the angles of a polygon with n corners add up
+/// to (n - 2) 180 degrees).
 class DirectionMask
 {
 public:

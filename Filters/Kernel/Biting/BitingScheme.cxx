@@ -18,8 +18,8 @@ namespace biting
 namespace
 {
 
-// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured: corners over uniform
-// and graded fields, bisectors where f is level (elsewhere see ReachFactor.h).
+// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured: corners over
+// uniform and graded fields, bisectors where f is level (elsewhere see ReachFactor.h).
 constexpr double SquareCornerConstant = 0.77;
 constexpr double SquareCornerSweepConstant = 0.80;
 constexpr double SquareBisectorConstant = 0.824;

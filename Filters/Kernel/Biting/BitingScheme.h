@@ -27,15 +27,15 @@ struct BitingOptions
   biting::Placement Placement = biting::Placement::Corners;
   FrontOrder Order = FrontOrder::Layers;
 
-  /// True: with Bisectors, inner bites are larger or smaller than c_b f by what the slope of f does to
-  /// lengths (ReachFactor.h), and squares shifted by it (BalancedTop.h), so that with
-  /// AutomaticBitingConstant the mean edge length is f, whatever f. False: their half-width is c_b f,
-  /// as in the paper.
+  /// True: with Bisectors, inner bites are larger or smaller than c_b f by what the slope of f does
+  /// to lengths (ReachFactor.h), and squares shifted by it (BalancedTop.h), so that with
+  /// AutomaticBitingConstant the mean edge length is f, whatever f. False: their half-width is c_b
+  /// f, as in the paper.
   bool FollowSlope = false;
 
-  /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1], and vertices
-  /// on a segment may be as near as EdgeDivider::BalancedPart of PartLength. 0: AutomaticTolerance; 1:
-  /// the laws to the letter.
+  /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1], and
+  /// vertices on a segment may be as near as EdgeDivider::BalancedPart of PartLength. 0:
+  /// AutomaticTolerance; 1: the laws to the letter.
   double Tolerance = 0.0;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
@@ -88,21 +88,21 @@ double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& o
 /// circle with that radius.
 ///
 /// Laws (PAPER-NOTES; alpha the Lipschitz constant of f): no centre lies inside an earlier bite,
-/// except that all input vertices are bitten however near they are; every point of the domain lies in
-/// a bite. The front is kept as the set of its uncovered vertices: it needs no linked list, no
+/// except that all input vertices are bitten however near they are; every point of the domain lies
+/// in a bite. The front is kept as the set of its uncovered vertices: it needs no linked list, no
 /// priority search tree, no cuts at holes (paper, section 5).
 /// With PreserveBoundary the shields of segments are bites of the second phase: they count, and no
 /// centre lies inside them, but they make no vertex. All else holds, but for theorem 4.6 and lemma
 /// 4.11, which need vertices along the edges.
-/// With Bisectors a centre may lie in an inner bite, but not in its core, t times as wide; all points
-/// of the domain lie in a bite all the same: what bisector points leave over, is bitten at vertices of
-/// the front. Inner squares are turned to the bond of the two bites that they stand on.
+/// With Bisectors a centre may lie in an inner bite, but not in its core, t times as wide; all
+/// points of the domain lie in a bite all the same: what bisector points leave over, is bitten at
+/// vertices of the front. Inner squares are turned to the bond of the two bites that they stand on.
 /// With N the distance to the nearest vertex, t c_b f / (1 + t alpha c_b) <= N <= 2 r c_b f /
-/// (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for that of lemma 4.2,
-/// and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for squares, 1 for circles.
-/// With FollowSlope all c_b in these are the least of any bite for what is bounded below by it, and the
-/// greatest for what is bounded above: c_b times the bounds of ReachFactor for alpha.
-/// BestFirst at corners is the same as Layers.
+/// (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for that of lemma
+/// 4.2, and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for squares, 1 for
+/// circles. With FollowSlope all c_b in these are the least of any bite for what is bounded below
+/// by it, and the greatest for what is bounded above: c_b times the bounds of ReachFactor for
+/// alpha. BestFirst at corners is the same as Layers.
 /// Cost O(n) for Layers and BestFirst, O(n log n) for LargestY.
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   double expectedVertices, const BitingOptions& options, Monitor& monitor);

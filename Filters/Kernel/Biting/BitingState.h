@@ -23,7 +23,8 @@ namespace biting
 
 /// What the phases of the biting scheme work on: the domain and what is wanted of it, the bites so
 /// far, where they are, and the vertices and edges that they make. Each phase is a unit of its own
-/// that is given a state and knows no other phase, so their order is the driver's (BitingScheme.cxx).
+/// that is given a state and knows no other phase, so their order is the driver's
+/// (BitingScheme.cxx).
 struct BitingState
 {
   BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,

@@ -11,8 +11,8 @@ namespace biting
 namespace
 {
 
-// Measured: 5 to 6 % in two classes gives the best mean shape on average over fields, with squares and
-// with circles; 16 to 64 classes of 1 to 5 % are alike.
+// Measured: 5 to 6 % in two classes gives the best mean shape on average over fields, with squares
+// and with circles; 16 to 64 classes of 1 to 5 % are alike.
 constexpr double GoodMisfit = 0.06;
 constexpr double ClassWidth = 0.02;
 

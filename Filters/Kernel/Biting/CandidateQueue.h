@@ -34,8 +34,8 @@ struct Candidate
 
 /// The front as a set of candidates. Candidates that later bites cover stay in the queue until they
 /// are taken: nothing is ever searched for or deleted.
-/// A line for each class, the best class first, first in and first out: O(1) a candidate. LargestY: a
-/// heap, O(log n); equal y by age.
+/// A line for each class, the best class first, first in and first out: O(1) a candidate. LargestY:
+/// a heap, O(log n); equal y by age.
 class CandidateQueue
 {
 public:

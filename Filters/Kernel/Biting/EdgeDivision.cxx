@@ -158,8 +158,8 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   return true;
 }
 
-// Of what lies between the shells. n parts are nearer to the wanted length, as a ratio, than n + 1 as
-// long as the whole is at most sqrt(n (n + 1)) wanted lengths.
+// Of what lies between the shells. n parts are nearer to the wanted length, as a ratio, than n + 1
+// as long as the whole is at most sqrt(n (n + 1)) wanted lengths.
 Id EdgeDivider::NumberOfParts() const
 {
   const double whole = this->To - this->From;
@@ -196,8 +196,8 @@ void EdgeDivider::PlaceAt(
   points.Spacings.push_back(this->F(a + parameter * (b - a)));
 }
 
-// Newton's method on the integral of the parabola through the panel's three densities, halving where
-// it leaves the bounds.
+// Newton's method on the integral of the parabola through the panel's three densities, halving
+// where it leaves the bounds.
 double EdgeDivider::ParameterAt(double integral) const
 {
   auto panel = std::upper_bound(this->Panels.begin(), this->Panels.end(), integral,
@@ -236,8 +236,8 @@ double EdgeDivider::IntegralAt(double parameter) const
   return panel->Before + width * s * (panel->First + s * (slope / 2.0 + s * bend / 3.0));
 }
 
-// Whether each two neighbouring bites meet. The bite of an end reaches at least its half-width along
-// the edge, whatever its orientation.
+// Whether each two neighbouring bites meet. The bite of an end reaches at least its half-width
+// along the edge, whatever its orientation.
 bool EdgeDivider::Covers(const Point2& a, const Point2& b, const DivisionPoints& points) const
 {
   const double length = Distance(a, b);

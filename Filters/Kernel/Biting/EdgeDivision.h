@@ -22,8 +22,8 @@ struct DivisionPoints
   std::vector<double> Spacings;
 };
 
-/// Places at which an edge is to be divided in any case: distances from its start, and from its end,
-/// ascending, less than the length of the edge.
+/// Places at which an edge is to be divided in any case: distances from its start, and from its
+/// end, ascending, less than the length of the edge.
 struct EndShells
 {
   std::vector<double> Start;
@@ -32,15 +32,15 @@ struct EndShells
 
 /// Divides edges by equal integrals of 1/f.
 ///
-/// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is the
-/// whole number for which I/n is nearest to TargetLength, as a ratio, of those with c_b <= I/n < 2 c_b:
-/// then the bites cover the edge, and no odd gap is left at its end, as it is when an edge is walked
-/// from one end (paper, section 4.3, figure 11 c). I/n is at least 1.0824 c_b where that can be had,
-/// which keeps centres out of the bites of the edge's ends and of neighbours with a larger f; for I from
-/// 2 to 2.165 c_b it cannot, and the one centre may lie up to 8 % deep in them. Where f varies so fast
-/// that equal parts leave a gap between two bites, n grows until they meet.
-/// Where an edge has shells at its ends, what lies between these is divided like that; the innermost
-/// shells are left out until that is at least LeastRest wanted parts long.
+/// With I the integral of 1/f along the edge and n parts, neighbours are I/n spacings apart. n is
+/// the whole number for which I/n is nearest to TargetLength, as a ratio, of those with c_b <= I/n
+/// < 2 c_b: then the bites cover the edge, and no odd gap is left at its end, as it is when an edge
+/// is walked from one end (paper, section 4.3, figure 11 c). I/n is at least 1.0824 c_b where that
+/// can be had, which keeps centres out of the bites of the edge's ends and of neighbours with a
+/// larger f; for I from 2 to 2.165 c_b it cannot, and the one centre may lie up to 8 % deep in
+/// them. Where f varies so fast that equal parts leave a gap between two bites, n grows until they
+/// meet. Where an edge has shells at its ends, what lies between these is divided like that; the
+/// innermost shells are left out until that is at least LeastRest wanted parts long.
 class EdgeDivider
 {
 public:
@@ -60,8 +60,8 @@ public:
   EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength, Pulse& pulse,
     double leastPart = LeastPart);
 
-  /// The points that divide the edge ab. At most `limit` points; where more are needed, and on abort,
-  /// returns false. Law: the edge ba has the same points, its parameters mirrored.
+  /// The points that divide the edge ab. At most `limit` points; where more are needed, and on
+  /// abort, returns false. Law: the edge ba has the same points, its parameters mirrored.
   bool Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);
   bool Divide(
     const Point2& a, const Point2& b, const EndShells& shells, Id limit, DivisionPoints& points);
@@ -95,8 +95,8 @@ private:
   std::vector<Panel> Panels; ///< of the edge at hand
   double Total = 0.0;        ///< integral of 1/f along the edge at hand
 
-  // Of the edge at hand: the parameters of its shells, and the integral of 1/f up to where what lies
-  // between them begins and ends.
+  // Of the edge at hand: the parameters of its shells, and the integral of 1/f up to where what
+  // lies between them begins and ends.
   std::vector<double> Before; ///< ascending
   std::vector<double> Behind; ///< descending
   double From = 0.0;

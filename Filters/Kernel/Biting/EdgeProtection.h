@@ -9,9 +9,9 @@
 namespace biting
 {
 
-/// The second phase (paper, section 3.1): bites on the segments of the domain, aligned with them, at
-/// vertices spread by equal integrals of 1/f. Where biting stops before, the segments that are left
-/// stay undivided.
+/// The second phase (paper, section 3.1): bites on the segments of the domain, aligned with them,
+/// at vertices spread by equal integrals of 1/f. Where biting stops before, the segments that are
+/// left stay undivided.
 void ProtectEdges(BitingState& state);
 
 } // namespace biting

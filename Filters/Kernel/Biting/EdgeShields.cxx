@@ -17,15 +17,15 @@ namespace
 {
 
 // Of the parts of an edge that is not divided: their least length and the wanted one, in units of
-// c_b f. Where long edges meet short ones, smaller shields leave thinner triangles on the edges, and
-// larger ones thinner triangles beside these.
+// c_b f. Where long edges meet short ones, smaller shields leave thinner triangles on the edges,
+// and larger ones thinner triangles beside these.
 constexpr double LeastShieldLength = 1.7;
 constexpr double ShieldLength = 2.6;
 constexpr double ShieldOverlap = 1.0625;    // of neighbours: their common border lies inside both
 constexpr std::int64_t FewShields = 200000; // for which no limit of vertices is meant
 
-// Whether the rectangle about the line from `first` to `last`, reaching `across` to both sides, lies
-// in one of the squares of an input vertex.
+// Whether the rectangle about the line from `first` to `last`, reaching `across` to both sides,
+// lies in one of the squares of an input vertex.
 bool IsWithinBite(const Point2& first, const Point2& last, Id vertex, const Point2& across,
   const BitingState& state)
 {

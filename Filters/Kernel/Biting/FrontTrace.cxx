@@ -15,16 +15,16 @@ namespace biting
 namespace
 {
 
-// Squares are seen a little larger, so that those side by side leave nothing between them; the older
-// the larger, so that of two sides that coincide the older one is seen.
+// Squares are seen a little larger, so that those side by side leave nothing between them; the
+// older the larger, so that of two sides that coincide the older one is seen.
 constexpr double GrowthOfOlder = 1.0 + 4e-9;
 constexpr double GrowthOfTraced = 1.0 + 2e-9;
 constexpr double GrowthOfNewer = 1.0 + 1e-9;
 constexpr double ChordsPerHalfSide = 4.0;
 constexpr double LeastPiece = 1e-8; // of a bite's half-width: shorter pieces are rounding
 
-// The parameters in [0, 1] between which start + t span lies in the circle about the origin; an empty
-// interval at 1 where it does not.
+// The parameters in [0, 1] between which start + t span lies in the circle about the origin; an
+// empty interval at 1 where it does not.
 std::pair<double, double> PartInCircle(const Point2& start, const Point2& span, double radius)
 {
   const double square = Dot(span, span);

@@ -100,8 +100,8 @@ const std::vector<Point2>& FrontVertices::Find(Id bite)
   return this->Found;
 }
 
-// Finds the gaps of the bite's outline. Where bites are crowded, some of them hide it as well as all
-// do, and there is nothing of it within the domain, whatever is left to look at.
+// Finds the gaps of the bite's outline. Where bites are crowded, some of them hide it as well as
+// all do, and there is nothing of it within the domain, whatever is left to look at.
 bool FrontVertices::IsHidden(Id bite, double reach)
 {
   const Point2& center = this->State.Placed.Centers[bite];

@@ -16,8 +16,8 @@
 namespace biting
 {
 
-/// Finds the vertices of the front that a bite makes: its corners that no other bite covers, and where
-/// the sides of other bites cross its own.
+/// Finds the vertices of the front that a bite makes: its corners that no other bite covers, and
+/// where the sides of other bites cross its own.
 class FrontVertices
 {
 public:

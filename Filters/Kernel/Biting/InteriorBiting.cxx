@@ -16,8 +16,8 @@ namespace
 
 constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
 
-// Of a half-width: where bites are as small as the rounding of places, each takes something away all
-// the same.
+// Of a half-width: where bites are as small as the rounding of places, each takes something away
+// all the same.
 constexpr double GreatestSlack = 0.5;
 
 } // namespace
@@ -116,8 +116,8 @@ void InteriorBiting::PutBisectorPoints(Id bite)
     });
 }
 
-// Squares go where f asks for them, unless one of the two bites covers that; circles are made larger
-// or smaller instead (ReachFactor.h).
+// Squares go where f asks for them, unless one of the two bites covers that; circles are made
+// larger or smaller instead (ReachFactor.h).
 Point2 InteriorBiting::PlaceOf(Id bite, const BisectorPoint& point) const
 {
   if (!this->State.Options.FollowSlope || this->State.Options.Shape != BiteShape::Square)

@@ -24,9 +24,9 @@ struct VertexAxes
 };
 
 /// For each sector between neighbouring segments of a vertex that lies inside the domain: where its
-/// angle is within 135..225 degrees a side of the square is aligned with its bisector, otherwise the
-/// diagonal. Sectors that ask for the same square share it. An embedded point is bitten along the
-/// axes of the plane.
+/// angle is within 135..225 degrees a side of the square is aligned with its bisector, otherwise
+/// the diagonal. Sectors that ask for the same square share it. An embedded point is bitten along
+/// the axes of the plane.
 VertexAxes OrientVertexBites(const Domain& domain, Pulse& pulse);
 
 /// The axis of a square in the sector that begins at direction `first` and ends, counterclockwise,

@@ -14,11 +14,11 @@
 namespace biting
 {
 
-/// Tells of most bites whose outline is covered that it is, at a fraction of the cost of BiteOutline:
-/// each side is cut into 63 pieces, one bit each, which are covered by one bite or not at all; without
-/// an allocation, nearly without a branch.
-/// Law: where IsFull, each place of the outline lies in another bite. What a square covers of a circle
-/// does not count.
+/// Tells of most bites whose outline is covered that it is, at a fraction of the cost of
+/// BiteOutline: each side is cut into 63 pieces, one bit each, which are covered by one bite or not
+/// at all; without an allocation, nearly without a branch.
+/// Law: where IsFull, each place of the outline lies in another bite. What a square covers of a
+/// circle does not count.
 class OutlineCover
 {
 public:

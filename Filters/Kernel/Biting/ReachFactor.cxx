@@ -16,7 +16,8 @@ constexpr double FaultsOfSquares = 0.29; // per slope
 constexpr double FaultsOfCircles = 0.2;  // per root of the slope
 constexpr double FaultsOfBestCircles = 0.25;
 constexpr double GreatestSlope = 1.0; // faults do not grow beyond
-// Of circles: half of f's growth to the next bite, which is .8 of the way ahead, as some come sideways.
+// Of circles: half of f's growth to the next bite, which is .8 of the way ahead, as some come
+// sideways.
 constexpr double ShareOfGrowth = 0.4;
 constexpr double GreatestGrowth = 0.5;
 constexpr double LeastHeight =

@@ -30,13 +30,14 @@ double GreatestReachFactor(double slope);
 /// How large the bite at Top is, in units of c_b f, for the mean edge length to be f.
 ///
 /// Two things make lengths depend on the slope g of f, which is the same in all scales of f:
-/// - A circle keeps the next one away by the f of its own centre, though the length between them is to
-///   be the mean of both (squares are placed by that: BalancedTop.h). Bites that go on as f grows
-///   are larger by their share of that growth, others smaller. That makes lengths independent of
-///   the direction in which the front moves.
-/// - Lattices of one length do not fit a field with another: between them are faults, in which lengths
-///   are greater, and the more of them the greater g. Measured over 12 domains and fields, most of them
-///   in two to four scales: by .29 g for squares, .2 sqrt(g) for circles, .25 sqrt(g) with BestFirst.
+/// - A circle keeps the next one away by the f of its own centre, though the length between them is
+///   to be the mean of both (squares are placed by that: BalancedTop.h). Bites that go on as f
+///   grows are larger by their share of that growth, others smaller. That makes lengths independent
+///   of the direction in which the front moves.
+/// - Lattices of one length do not fit a field with another: between them are faults, in which
+///   lengths are greater, and the more of them the greater g. Measured over 12 domains and fields,
+///   most of them in two to four scales: by .29 g for squares, .2 sqrt(g) for circles, .25 sqrt(g)
+///   with BestFirst.
 /// The mean length of inner edges then is within 2 % of f for most fields with g <= .3, within 4 %
 /// for all that were measured.
 /// Laws: 1 where f is level; within the bounds; the same in all units, places and directions;

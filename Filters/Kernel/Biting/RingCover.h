@@ -15,11 +15,11 @@
 namespace biting
 {
 
-/// Tells of most bites whose outline is covered that it is, at a fraction of the cost of OutlineCover:
-/// the outline lies in a ring, between the circles in and about the bite, and each other bite counts as
-/// the circle in it. The ring is cut by rays: of the sector between two of them, a disc covers all or
-/// counts for nothing. In a triangular lattice six discs cover all sectors.
-/// Law: where IsFull, each place of the outline lies in another bite.
+/// Tells of most bites whose outline is covered that it is, at a fraction of the cost of
+/// OutlineCover: the outline lies in a ring, between the circles in and about the bite, and each
+/// other bite counts as the circle in it. The ring is cut by rays: of the sector between two of
+/// them, a disc covers all or counts for nothing. In a triangular lattice six discs cover all
+/// sectors. Law: where IsFull, each place of the outline lies in another bite.
 class RingCover
 {
 public:

@@ -87,8 +87,8 @@ double SharpCorners::SpacingAt(const Point2& corner, double radius) const
   return spacing;
 }
 
-// Counts the shell for the sides that it meets and that are closer together than f at the shell before.
-// Whether there are any.
+// Counts the shell for the sides that it meets and that are closer together than f at the shell
+// before. Whether there are any.
 bool SharpCorners::CountShell(double radius, double lastRadius, double lastSpacing)
 {
   bool isCounted = false;

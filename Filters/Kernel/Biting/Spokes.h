@@ -22,7 +22,8 @@ struct Spoke
   bool LeftInside = false; ///< the sector counterclockwise of it lies in the domain
 };
 
-/// A part of the domain between neighbouring segments of a vertex that enclose less than 60 degrees.
+/// A part of the domain between neighbouring segments of a vertex that enclose less than 60
+/// degrees.
 struct SharpSector
 {
   Spoke First;

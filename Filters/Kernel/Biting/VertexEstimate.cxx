@@ -135,8 +135,8 @@ double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing, Pulse
   return sum / std::max(1, domain.NumberOfSegments());
 }
 
-// Adaptive quadrature of 1/f^2, one level after the other, so that where the number of cells ends the
-// division, it ends evenly.
+// Adaptive quadrature of 1/f^2, one level after the other, so that where the number of cells ends
+// the division, it ends evenly.
 class Quadrature
 {
 public:

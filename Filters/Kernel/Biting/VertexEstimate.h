@@ -28,8 +28,8 @@ double IntegrateDensity(const Domain& domain, const DomainLocator& locator, cons
 /// How many vertices divide the segments of the domain into parts of `partLength` spacings: the
 /// integral of 1/f along each, by a rule of at most 64 points, fewer where there are many segments.
 /// Sees a spacing that is fine on the boundary alone, which no quadrature over the domain does. A
-/// rough one looks at some ten thousand segments, and takes the least of what four interleaved parts
-/// of them say.
+/// rough one looks at some ten thousand segments, and takes the least of what four interleaved
+/// parts of them say.
 double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength,
   Monitor& monitor = NoMonitor(), EstimateEffort effort = EstimateEffort::Full);
 

@@ -9,8 +9,8 @@
 namespace biting
 {
 
-/// The first phase (paper, section 3.1): a bite at each vertex of the domain, which are added as the
-/// first vertices of the mesh, turned by the rule of figure 7.
+/// The first phase (paper, section 3.1): a bite at each vertex of the domain, which are added as
+/// the first vertices of the mesh, turned by the rule of figure 7.
 void AddDomainVertices(BitingState& state);
 void ProtectVertices(BitingState& state);
 

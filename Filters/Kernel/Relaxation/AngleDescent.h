@@ -20,8 +20,8 @@ namespace biting
 ///
 /// The vertices of triangles with an angle below 40 degrees, and of edges out of the band (see
 /// StarObjective), look in eight directions, or in both along their segment, for a place where the
-/// objective of their star is less, in steps from 0.12 spacings down to 0.008, unless it is good: as
-/// above 45 degrees. A vertex is looked at again only where its star has changed.
+/// objective of their star is less, in steps from 0.12 spacings down to 0.008, unless it is good:
+/// as above 45 degrees. A vertex is looked at again only where its star has changed.
 /// Where more than 500 and a twentieth of the triangles have such angles, only those below 35, 30
 /// or 25 degrees count, and what is good is less in proportion; where more have such edges, these
 /// do not. Law: no star gets an angle that is both below 32 degrees and smaller than its smallest.

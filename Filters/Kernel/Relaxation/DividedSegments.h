@@ -14,9 +14,9 @@
 namespace biting
 {
 
-/// 1024 times the rounding of a vertex (Domain::Resolution), in input length units: parts of segments
-/// that are longer are hardly turned by it, so that together they stay as long as the segment within
-/// 1e-6. Vertices come, slide and go only on such parts.
+/// 1024 times the rounding of a vertex (Domain::Resolution), in input length units: parts of
+/// segments that are longer are hardly turned by it, so that together they stay as long as the
+/// segment within 1e-6. Vertices come, slide and go only on such parts.
 double LeastSlidingLength(const Domain& domain);
 
 /// Whether a part of that length is one of these.

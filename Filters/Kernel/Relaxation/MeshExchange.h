@@ -22,8 +22,8 @@ namespace biting
 std::vector<Id> ReadMesh(const RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse);
 
 /// The inverse: writes what is alive of `mesh` to `output`, which is what it was read from, and
-/// returns RelaxationResult::Origins. `origins` is what ReadMesh returned. Where the monitor wants to
-/// stop `output` stays as it was.
+/// returns RelaxationResult::Origins. `origins` is what ReadMesh returned. Where the monitor wants
+/// to stop `output` stays as it was.
 std::vector<Id> WriteMesh(
   const MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output, Pulse& pulse);
 

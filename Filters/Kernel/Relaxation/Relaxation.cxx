@@ -24,8 +24,8 @@ namespace biting
 namespace
 {
 
-// Attempts at single triangles. A small mesh has some for each of its vertices; their time counts in
-// large ones only.
+// Attempts at single triangles. A small mesh has some for each of its vertices; their time counts
+// in large ones only.
 constexpr std::size_t LeastNumberOfTrials = 8;
 constexpr std::size_t SmallVerticesPerTrial = 60;
 constexpr std::size_t MostSmallTrials = 64;

@@ -73,9 +73,9 @@ struct RelaxationResult
 /// Not promised: more than the input allows. A triangle in an input angle is no better than that
 /// angle, and where input vertices are much nearer to each other than the spacing, edges there are
 /// out of proportion to it.
-/// Cost O(n): it grows with the share of triangles that are poor. Up to 8 attempts at single triangles,
-/// 64 more in meshes of some thousand vertices, each for about two thousand vertices' time, are made
-/// where angles stay below 38 degrees.
+/// Cost O(n): it grows with the share of triangles that are poor. Up to 8 attempts at single
+/// triangles, 64 more in meshes of some thousand vertices, each for about two thousand vertices'
+/// time, are made where angles stay below 38 degrees.
 /// Precondition: `mesh` passes CheckTriangulation but for the Delaunay criterion.
 RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor);

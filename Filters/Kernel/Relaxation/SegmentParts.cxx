@@ -85,8 +85,8 @@ bool LeavesLongPart(const MutableMesh& mesh, Id edge)
     IsLong(mesh, middle, spacing, FarEnd(mesh, kept, gone));
 }
 
-// A half is h / m long, with the mean m of the spacings at its ends: 1 / (h / m) is below the whole l
-// where m < h l.
+// A half is h / m long, with the mean m of the spacings at its ends: 1 / (h / m) is below the whole
+// l where m < h l.
 bool LeavesShortParts(const MutableMesh& mesh, Id edge)
 {
   const Id origin = mesh.Origin(edge);

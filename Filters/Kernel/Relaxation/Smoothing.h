@@ -18,8 +18,8 @@ namespace biting
 /// triangle whose side is the mean spacing of the corners.
 /// The step is 1.3 times Newton's: swept over all vertices it then spreads faster. It is halved,
 /// then given up, where it would leave a triangle that is both worse than the worst around the
-/// vertex before, and than `allowedCotangent`. A vertex on a segment slides no farther than its parts
-/// allow (ShareOfSlide). Returns whether it moved; its spacing is not
+/// vertex before, and than `allowedCotangent`. A vertex on a segment slides no farther than its
+/// parts allow (ShareOfSlide). Returns whether it moved; its spacing is not
 /// refreshed.
 bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent);
 

@@ -13,8 +13,8 @@ namespace biting
 {
 
 /// What is to be made small around a vertex, wherever it is put: the cotangent of the smallest
-/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts: as
-/// an angle below 38 but not below 32 degrees.
+/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts:
+/// as an angle below 38 but not below 32 degrees.
 /// An angle between two segments at an input vertex is what it is and does not count, nor do the
 /// lengths of the edges of a vertex that cannot move.
 class StarObjective

@@ -22,11 +22,11 @@ namespace biting
 /// Collapses and splits edges around the few triangles that are still below 38 degrees.
 ///
 /// Around each of them, the worst first, every edge nearby is collapsed and split on trial. After a
-/// round of smoothing of what is next to it the most promising operations are known; these are tried
-/// in full, with the vertices near it moved by AngleDescent until they are better than the best trial
-/// so far. The best one is kept, if all triangles that it changes are then better than the poor one
-/// was. All that are left are tried again as long as that helps, those near which nothing has changed
-/// apart. In the end the very worst are tried with every operation in full.
+/// round of smoothing of what is next to it the most promising operations are known; these are
+/// tried in full, with the vertices near it moved by AngleDescent until they are better than the
+/// best trial so far. The best one is kept, if all triangles that it changes are then better than
+/// the poor one was. All that are left are tried again as long as that helps, those near which
+/// nothing has changed apart. In the end the very worst are tried with every operation in full.
 class TopologyTrials
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Calibration.h"
+#include "Meshing/Calibration.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/VertexEstimate.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "PreservedSpacing.h"
+#include "Meshing/PreservedSpacing.h"
 #include "../Support/MeshShapes.h"
 
 #include <gtest/gtest.h>

@@ -170,7 +170,8 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheForecastIsAsked)
   }
 }
 
-/// Two interfaces from one point, far from the origin: rounded points of the one are beyond the other.
+/// Two interfaces from one point, far from the origin: rounded points of the one are beyond the
+/// other.
 Polylines NarrowWedge()
 {
   const double away = 1 << 27;

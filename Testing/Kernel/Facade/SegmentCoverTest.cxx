@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SegmentCover.h"
+#include "Meshing/SegmentCover.h"
 #include "../Support/PolylineShapes.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace biting
 namespace
 {
 
-/// A square of four triangles about its center, with an interface of two edges along a diagonal: that
-/// is segment 4, its parts are constraints 4 and 5.
+/// A square of four triangles about its center, with an interface of two edges along a diagonal:
+/// that is segment 4, its parts are constraints 4 and 5.
 struct CoveredSquare
 {
   biting::Domain Domain =

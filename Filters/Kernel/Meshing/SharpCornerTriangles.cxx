@@ -3,8 +3,8 @@
 
 #include "SharpCornerTriangles.h"
 
-#include "Base/Pulse.h"
-#include "Biting/Spokes.h"
+#include "../Base/Pulse.h"
+#include "../Biting/Spokes.h"
 
 #include <algorithm> // for all_of, any_of
 #include <array>     // for triangles

@@ -3,8 +3,8 @@
 
 #include "Calibration.h"
 
-#include "Base/PartOfStage.h"
-#include "Delaunay/Triangulation.h"
+#include "../Base/PartOfStage.h"
+#include "../Delaunay/Triangulation.h"
 
 #include <algorithm> // for clamp, min, max
 #include <cmath>     // for sqrt, abs

@@ -4,9 +4,9 @@
 #ifndef BitingDomainFeatures_h
 #define BitingDomainFeatures_h
 
-#include "Domain/Domain.h"
-#include "Domain/DomainLocator.h"
-#include "Spacing/Spacing.h"
+#include "../Domain/Domain.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
 
 #include <functional> // for what is outside
 #include <memory>     // for sources
@@ -14,11 +14,12 @@
 namespace biting
 {
 
-/// The segments and embedded points of a domain, for the limit by local feature size; of a mesh that
-/// is refused if it has more vertices than that.
+/// The segments and embedded points of a domain, for the limit by local feature size; of a mesh
+/// that is refused if it has more vertices than that.
 std::shared_ptr<const FeatureSource> FeaturesOf(const Domain& domain, double mostVertices);
 
-/// True for boxes that lie outside of a domain: nobody asks for f there. The locator must outlive it.
+/// True for boxes that lie outside of a domain: nobody asks for f there. The locator must outlive
+/// it.
 std::function<bool(const Box2&)> OutsideOf(const DomainLocator& locator);
 
 } // namespace biting

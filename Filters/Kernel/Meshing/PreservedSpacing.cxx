@@ -3,10 +3,10 @@
 
 #include "PreservedSpacing.h"
 
-#include "Base/PartOfStage.h"
-#include "Base/Pulse.h"
-#include "Spacing/SegmentExtension.h"
-#include "Spacing/SourceCheck.h"
+#include "../Base/PartOfStage.h"
+#include "../Base/Pulse.h"
+#include "../Spacing/SegmentExtension.h"
+#include "../Spacing/SourceCheck.h"
 
 #include <algorithm> // for min, transform
 #include <limits>    // for the largest number

@@ -4,11 +4,11 @@
 #ifndef BitingCalibration_h
 #define BitingCalibration_h
 
-#include "Base/Monitor.h"
-#include "Biting/BitingScheme.h"
-#include "Domain/Domain.h"
-#include "Domain/DomainLocator.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Monitor.h"
+#include "../Biting/BitingScheme.h"
+#include "../Domain/Domain.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
 
 namespace biting
 {

@@ -4,11 +4,11 @@
 #ifndef BitingSharpCornerTriangles_h
 #define BitingSharpCornerTriangles_h
 
-#include "Base/Ids.h"
-#include "Base/Monitor.h"
-#include "Biting/BitingScheme.h"
-#include "Delaunay/Triangulation.h"
-#include "Domain/Domain.h"
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Biting/BitingScheme.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
 
 namespace biting
 {

@@ -3,8 +3,8 @@
 
 #include "SegmentCover.h"
 
-#include "Base/Pulse.h"
-#include "Delaunay/ConstrainedEdges.h"
+#include "../Base/Pulse.h"
+#include "../Delaunay/ConstrainedEdges.h"
 
 #include <algorithm> // for find_if
 #include <cstdint>   // for sums

@@ -4,10 +4,10 @@
 #ifndef BitingMeshAssembly_h
 #define BitingMeshAssembly_h
 
-#include "Biting/BitingScheme.h"
-#include "BitingMesh.h"
-#include "Delaunay/Triangulation.h"
-#include "Domain/Domain.h"
+#include "../Biting/BitingScheme.h"
+#include "../BitingMesh.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
 
 namespace biting
 {

@@ -3,9 +3,9 @@
 
 #include "RelaxedBites.h"
 
-#include "Base/PartOfStage.h"
-#include "Base/Pulse.h"
-#include "Delaunay/ConstrainedEdges.h"
+#include "../Base/PartOfStage.h"
+#include "../Base/Pulse.h"
+#include "../Delaunay/ConstrainedEdges.h"
 
 #include <cmath>   // for abs
 #include <utility> // for move

@@ -3,8 +3,8 @@
 
 #include "MeshAssembly.h"
 
-#include "Base/Pulse.h"
-#include "Base/SortInSteps.h"
+#include "../Base/Pulse.h"
+#include "../Base/SortInSteps.h"
 
 #include <algorithm> // for max
 #include <utility>   // for move

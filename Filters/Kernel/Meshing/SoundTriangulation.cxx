@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SoundTriangulation.h"
+
+#include "../Base/PartOfStage.h"
+#include "../Base/Pulse.h"
+#include "../Delaunay/ConstrainedEdges.h"
+#include "StageProblems.h"
+
+#include <algorithm> // for find
+#include <cmath>     // for abs
+#include <cstdint>   // for flags
+#include <utility>   // for move
+#include <vector>    // for the arrays
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostAttempts = 5; // each later one has fewer constraints in conflict
+
+// Of a length: rounding of the sum, and of close vertices.
+constexpr double CoverageTolerance = 1e-6;
+
+// Where steps end, as shares of the time.
+constexpr double FirstAttemptEnd = 0.9;
+constexpr double TriangulationEnd = 0.95;
+
+using Flags = std::vector<std::uint8_t>;
+
+ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
+{
+  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
+  for (Id segment : bites.EdgeSegments)
+  {
+    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
+  }
+  return constraints;
+}
+
+std::vector<double> LengthsOfConstraints(const BitingResult& bites, Pulse& pulse)
+{
+  std::vector<double> lengths(bites.EdgeStarts.size());
+  pulse.ForEach(lengths.size(),
+    [&bites, &lengths](std::size_t edge)
+    {
+      lengths[edge] =
+        Distance(bites.Points[bites.EdgeStarts[edge]], bites.Points[bites.EdgeEnds[edge]]);
+    });
+  return lengths;
+}
+
+// The constraints that are not a union of mesh edges: as long as these are together.
+std::vector<Id> FindUncovered(
+  const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
+{
+  const std::vector<double> lengths = LengthsOfConstraints(bites, pulse);
+  std::vector<double> rest = lengths;
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&bites, &rest](Id constraint, Id start, Id end)
+    { rest[constraint] -= Distance(bites.Points[start], bites.Points[end]); });
+  std::vector<Id> uncovered;
+  pulse.ForEach(rest.size(),
+    [&lengths, &rest, &uncovered](std::size_t edge)
+    {
+      if (!(std::abs(rest[edge]) <= CoverageTolerance * lengths[edge]))
+      {
+        uncovered.push_back(static_cast<Id>(edge));
+      }
+    });
+  return uncovered;
+}
+
+// 1 for the segments whose parts cross or coincide with those of others, and for those that share
+// an end with one that the parts of others cut off from the mesh.
+Flags SegmentsInConflict(const Domain& domain, const TriangulationResult& result,
+  const std::vector<Id>& uncovered, const BitingResult& bites, Pulse& pulse)
+{
+  Flags isInConflict(domain.NumberOfSegments(), 0);
+  for (const auto* pairs : { &result.Conflicts, &result.Coincidences })
+  {
+    for (const ConstraintConflict& pair : *pairs)
+    {
+      isInConflict[bites.EdgeSegments[pair.First]] = 1;
+      isInConflict[bites.EdgeSegments[pair.Second]] = 1;
+    }
+  }
+  Flags isAtConflict(domain.NumberOfVertices(), 0);
+  for (const Id edge : uncovered)
+  {
+    isAtConflict[domain.Starts[bites.EdgeSegments[edge]]] = 1;
+    isAtConflict[domain.Ends[bites.EdgeSegments[edge]]] = 1;
+  }
+  pulse.ForEach(isInConflict.size(),
+    [&domain, &isInConflict, &isAtConflict](std::size_t segment)
+    {
+      isInConflict[segment] |=
+        isAtConflict[domain.Starts[segment]] | isAtConflict[domain.Ends[segment]];
+    });
+  return isInConflict;
+}
+
+// Removes vertices at which no constraint ends.
+void RemoveVertices(const Flags& isRemoved, BitingResult& bites, Pulse& pulse)
+{
+  std::vector<Id> numbers(isRemoved.size(), NoId);
+  std::size_t next = 0;
+  pulse.ForEach(isRemoved.size(),
+    [&isRemoved, &bites, &numbers, &next](std::size_t vertex)
+    {
+      if (!isRemoved[vertex])
+      {
+        numbers[vertex] = static_cast<Id>(next);
+        bites.Points[next] = bites.Points[vertex];
+        bites.Spacings[next] = bites.Spacings[vertex];
+        bites.BiteOrders[next] = bites.BiteOrders[vertex];
+        bites.Segments[next++] = bites.Segments[vertex];
+      }
+    });
+  bites.Points.resize(next);
+  bites.Spacings.resize(next);
+  bites.BiteOrders.resize(next);
+  bites.Segments.resize(next);
+  for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
+  {
+    pulse.ForEach(
+      ends->size(), [&numbers, ends](std::size_t edge) { (*ends)[edge] = numbers[(*ends)[edge]]; });
+  }
+}
+
+// Takes the new vertices off segments, and these back to one edge each: the segments themselves do
+// not cross.
+void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bites, Pulse& pulse)
+{
+  std::size_t next = 0;
+  Id last = NoId;
+  pulse.ForEach(bites.EdgeSegments.size(),
+    [&domain, &isUndone, &bites, &next, &last](std::size_t edge)
+    {
+      const Id segment = bites.EdgeSegments[edge];
+      const bool isWhole = isUndone[segment] != 0;
+      if (!isWhole || segment != last)
+      {
+        bites.EdgeStarts[next] = isWhole ? domain.Starts[segment] : bites.EdgeStarts[edge];
+        bites.EdgeEnds[next] = isWhole ? domain.Ends[segment] : bites.EdgeEnds[edge];
+        bites.EdgeSegments[next++] = segment;
+      }
+      last = segment;
+    });
+  bites.EdgeStarts.resize(next);
+  bites.EdgeEnds.resize(next);
+  bites.EdgeSegments.resize(next);
+  Flags isRemoved(bites.Segments.size(), 0);
+  pulse.ForEach(isRemoved.size(),
+    [&bites, &isUndone, &isRemoved](std::size_t vertex)
+    {
+      const Id segment = bites.Segments[vertex];
+      isRemoved[vertex] = segment != NoId && isUndone[segment];
+    });
+  RemoveVertices(isRemoved, bites, pulse);
+}
+
+// 1 for the vertices that the triangulation found on constraints, though none begins or ends there:
+// by rounding, beside segments as short as that.
+Flags VerticesOnConstraints(
+  const Domain& domain, const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
+{
+  Flags isOn(bites.Points.size(), 0);
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&domain, &bites, &isOn](Id, Id start, Id end)
+    {
+      for (const Id vertex : { start, end })
+      {
+        isOn[vertex] |= vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
+      }
+    });
+  return isOn;
+}
+
+// Leaves one edge for each segment. Whether vertices had to be removed.
+bool ClearConstraints(
+  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
+{
+  const Flags isOn = VerticesOnConstraints(domain, bites, triangulation, pulse);
+  const bool hasSome = std::find(isOn.begin(), isOn.end(), 1) != isOn.end();
+  if (hasSome)
+  {
+    RemoveVertices(isOn, bites, pulse);
+  }
+  return hasSome;
+}
+
+// Inner vertices that rounding put on a constraint divide it: they are on its segment.
+void AdoptVertices(
+  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
+{
+  ForEachConstrainedEdge(triangulation, pulse,
+    [&domain, &bites](Id constraint, Id start, Id end)
+    {
+      for (const Id vertex : { start, end })
+      {
+        if (vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId)
+        {
+          bites.Segments[vertex] = bites.EdgeSegments[constraint];
+        }
+      }
+    });
+}
+
+// The first attempt is nearly always the only one.
+PartOfStage PartOfAttempt(int attempt, Monitor& monitor)
+{
+  const auto begin = [](int count)
+  { return count == 1 ? 0.0 : 1.0 - (1.0 - FirstAttemptEnd) / (count - 1); };
+  return { monitor, begin(attempt), begin(attempt + 1) };
+}
+
+/// One triangulation, and what is wrong with it.
+class Attempt
+{
+public:
+  Attempt(const Domain& domain, const SoundTriangulationOptions& options, BitingResult& bites,
+    PartOfStage& part)
+    : Geometry(domain)
+    , Options(options)
+    , Bites(bites)
+    , Part(part)
+  {
+  }
+
+  /// Whether it is sound; else `bites` are changed for the next one.
+  bool Run(bool isLastChance);
+
+  Triangulation TakeMesh() { return std::move(this->Result.Mesh); }
+
+private:
+  void Triangulate();
+  void Undo(bool isLastChance, Pulse& pulse);
+
+  const Domain& Geometry;
+  const SoundTriangulationOptions& Options;
+  BitingResult& Bites;
+  PartOfStage& Part;
+  TriangulationResult Result;
+  std::vector<Id> Uncovered;
+};
+
+bool Attempt::Run(bool isLastChance)
+{
+  this->Triangulate();
+  PartOfStage looking(this->Part, TriangulationEnd, 1.0);
+  Pulse pulse(looking);
+  if (this->Result.Conflicts.empty())
+  {
+    this->Uncovered = FindUncovered(this->Bites, this->Result.Mesh, pulse);
+  }
+  const bool isSound =
+    this->Result.Conflicts.empty() && this->Result.Coincidences.empty() && this->Uncovered.empty();
+  if (!isSound)
+  {
+    this->Undo(isLastChance, pulse);
+    return false;
+  }
+  if (this->Options.PreserveBoundary &&
+    ClearConstraints(this->Geometry, this->Result.Mesh, this->Bites, pulse))
+  {
+    return false;
+  }
+  AdoptVertices(this->Geometry, this->Result.Mesh, this->Bites, pulse);
+  return true;
+}
+
+void Attempt::Triangulate()
+{
+  PartOfStage triangulating(this->Part, 0.0, TriangulationEnd);
+  this->Result = biting::Triangulate(this->Bites.Points,
+    MakeConstraints(this->Geometry, this->Bites), { this->Options.Phi }, triangulating);
+}
+
+void Attempt::Undo(bool isLastChance, Pulse& pulse)
+{
+  const Flags isUndone = isLastChance
+    ? Flags(this->Geometry.NumberOfSegments(), 1)
+    : SegmentsInConflict(this->Geometry, this->Result, this->Uncovered, this->Bites, pulse);
+  UndoDivisions(this->Geometry, isUndone, this->Bites, pulse);
+}
+
+} // namespace
+
+Triangulation TriangulateBites(const Domain& domain, const SoundTriangulationOptions& options,
+  BitingResult& bites, ProblemList& problems, Monitor& monitor)
+{
+  for (int number = 1; number <= MostAttempts; ++number)
+  {
+    PartOfStage part = PartOfAttempt(number, monitor);
+    Attempt attempt(domain, options, bites, part);
+    const bool isSound = attempt.Run(number == MostAttempts - 1);
+    if (AddAborted(part, problems))
+    {
+      return {};
+    }
+    if (isSound)
+    {
+      return attempt.TakeMesh();
+    }
+  }
+  AddProblem(ProblemCode::CheckFailed, "a part of a segment is not in the mesh", problems);
+  return {};
+}
+
+} // namespace biting

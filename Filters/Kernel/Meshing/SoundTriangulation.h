@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSoundTriangulation_h
+#define BitingSoundTriangulation_h
+
+#include "../Base/Monitor.h"
+#include "../Base/Problem.h"
+#include "../Biting/BitingScheme.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
+
+namespace biting
+{
+
+struct SoundTriangulationOptions
+{
+  double Phi = 1.0; ///< of the phi-Delaunay criterion
+  bool PreserveBoundary = false;
+};
+
+/// The triangulation of what was bitten, in which every segment is a union of mesh edges.
+///
+/// Where rounded points of two close segments make their parts cross or coincide, or cut one off
+/// from the mesh, their division is taken back, in `bites` too; before the last attempt that of all
+/// segments: the segments themselves do not cross. Inner vertices that rounding put on a segment
+/// divide it; where segments are to be preserved they are removed.
+/// Where that does not help, or the monitor wants to stop, a problem is added.
+Triangulation TriangulateBites(const Domain& domain, const SoundTriangulationOptions& options,
+  BitingResult& bites, ProblemList& problems, Monitor& monitor);
+
+} // namespace biting
+
+#endif
