@@ -3,7 +3,8 @@
 """Drawings finer than the mesh: pvpython boundary_tolerance.py BitingMesh.so OUTPUT_FOLDER
 
 The outline of bright pixels and the shores of Shetland, without a boundary tolerance and at three.
-Prints a table of the figures; draws the meshes.
+Prints a table of the figures; draws the meshes. The picture of this folder has 32 colours, to be small:
+convert boundary_tolerance.png -dither None -colors 32 PNG8:boundary_tolerance.png
 """
 
 import os
