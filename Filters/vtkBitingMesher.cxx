@@ -26,6 +26,7 @@
 #include "Kernel/MeshingStages.h"
 
 #include "vtkCellArray.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -198,6 +199,8 @@ int vtkBitingMesher::RequestUpdateExtent(
 {
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  this->IsPassingBlocks =
+    this->MeshBlocksSeparately && vtkCompositeDataSet::GetData(inputVector[0]) != nullptr;
   return 1;
 }
 
@@ -208,7 +211,9 @@ int vtkBitingMesher::RequestData(
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   const biting::Stopwatch watch;
-  const biting::Ranks ranks(request, outputVector);
+  // Ranks may have different numbers of blocks: each meshes its own.
+  const biting::Ranks ranks =
+    this->IsPassingBlocks ? biting::Ranks() : biting::Ranks(request, outputVector);
   const biting::WholeInput drawing(ranks, inputVector[0]);
   const biting::WholeInput source(ranks, inputVector[1]);
   if (ranks.IsFirst())

@@ -370,8 +370,8 @@ public:
   ///@{
   /**
    * What a composite input is. Off (default): all of its blocks are one drawing, so that a loop in
-   * one block may be a hole of another. On: each block is meshed by itself, and the outputs are
-   * composite.
+   * one block may be a hole of another. On: each block is meshed by itself, on the rank that has it,
+   * and the outputs are composite.
    */
   virtual void SetMeshBlocksSeparately(bool separately);
   vtkGetMacro(MeshBlocksSeparately, bool);
@@ -590,6 +590,7 @@ private:
   std::string RegionArray;
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;
+  bool IsPassingBlocks = false; // the pipeline executes block by block
   bool PreserveBoundary = false;
   double BoundaryTolerance = 0.0;
   double CornerAngle = 45.0;

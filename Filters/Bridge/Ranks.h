@@ -39,6 +39,7 @@ struct GatheredBytes
 class Ranks
 {
 public:
+  Ranks() = default; ///< this process alone
   Ranks(vtkInformation* request, vtkInformationVector* outputs);
 
   bool AreSeveral() const { return this->Controller != nullptr; }
