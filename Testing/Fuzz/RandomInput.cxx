@@ -330,8 +330,7 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " gradation=" << spacing.Gradation << " grid=" << (spacing.Grid ? 1 : 0)
        << " triangulation=" << (spacing.Triangulation ? 1 : 0)
        << " segments=" << (spacing.Segments ? 1 : 0) << " repair=" << options.Domain.Repair
-       << " edges=" << options.Domain.KeepCellEdges
-       << " constant=" << options.BitingConstant
+       << " edges=" << options.Domain.KeepCellEdges << " constant=" << options.BitingConstant
        << " circles=" << (options.BiteShape == BiteShape::Circle)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize

@@ -29,7 +29,7 @@ enum class ChainKind : signed char
 /// the largest coordinate, b - a is off by 2 u M, and so are its product with t, for its own rounding
 /// and for that of t each; the sum is off by u M more: 7 u M, or 3.5 units, at worst. Such errors seldom
 /// add up: in slices of ParaView's sources points that are meant to be one are at most 0.8 units apart,
-/// and others at least 300.
+/// and others at least 6.
 constexpr double RoundingInUlp = 4.0;
 
 /// The input of the kernel: chains of points in the plane, as they come (points may repeat, chains
