@@ -279,6 +279,13 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   }
 }
 
+void CountSimplified(const SimplifiedDomain& simplified, BitingMesh& mesh)
+{
+  mesh.RemovedVertices = simplified.RemovedVertices;
+  mesh.LeftOutLoops = simplified.LeftOutLoops;
+  mesh.LeftOutArea = simplified.LeftOutArea;
+}
+
 // Says so where it is large and no tolerance is set.
 void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, BitingMesh& mesh,
   ProblemList& problems, Monitor& monitor)
@@ -320,12 +327,10 @@ bool IsOver(const PartOfStage& whole, ProblemList& problems)
   return problems.HasErrors();
 }
 
-} // namespace
-
-BitingMesh MakeBitingMesh(
-  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+// The domain as it is meshed; without segments where there is none.
+SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& options,
+  ProblemList& problems, Monitor& monitor, PartOfStage& whole)
 {
-  PartOfStage whole(monitor, 0.0, 1.0);
   monitor.BeginStage(MeshingStages::Domain.Text);
   Domain drawing = MakeDomain(input, options.Domain, problems, whole);
   if (IsOver(whole, problems) || drawing.NumberOfSegments() == 0)
@@ -333,9 +338,19 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   monitor.BeginStage(MeshingStages::Simplification.Text);
-  const SimplifiedDomain simplified = SimplifyDrawing(std::move(drawing), options, problems, whole);
+  return SimplifyDrawing(std::move(drawing), options, problems, whole);
+}
+
+} // namespace
+
+BitingMesh MakeBitingMesh(
+  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage whole(monitor, 0.0, 1.0);
+  const SimplifiedDomain simplified = PrepareDomain(input, options, problems, monitor, whole);
   const Domain& domain = simplified.Drawing;
-  if (IsOver(whole, problems) || HasTooManyVertices(domain, options, problems))
+  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0 ||
+    HasTooManyVertices(domain, options, problems))
   {
     return {};
   }
@@ -384,9 +399,7 @@ BitingMesh MakeBitingMesh(
   }
   mesh.NumberOfSharpCornerTriangles = sharp;
   mesh.GivenLipschitz = spacing.GivenLipschitz();
-  mesh.RemovedVertices = simplified.RemovedVertices;
-  mesh.LeftOutLoops = simplified.LeftOutLoops;
-  mesh.LeftOutArea = simplified.LeftOutArea;
+  CountSimplified(simplified, mesh);
   Measure(mesh, problems, whole);
   TellFineDrawing(domain, options, mesh, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
