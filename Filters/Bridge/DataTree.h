@@ -4,6 +4,8 @@
 #ifndef BitingDataTree_h
 #define BitingDataTree_h
 
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
 #include "vtkDataObjectTree.h"
 #include "vtkSmartPointer.h" // for children
 
