@@ -279,8 +279,9 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   }
 }
 
-void CountSimplified(const SimplifiedDomain& simplified, BitingMesh& mesh)
+void TellGiven(const SimplifiedDomain& simplified, const Spacing& spacing, BitingMesh& mesh)
 {
+  mesh.GivenLipschitz = spacing.GivenLipschitz();
   mesh.RemovedVertices = simplified.RemovedVertices;
   mesh.LeftOutLoops = simplified.LeftOutLoops;
   mesh.LeftOutArea = simplified.LeftOutArea;
@@ -398,8 +399,7 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   mesh.NumberOfSharpCornerTriangles = sharp;
-  mesh.GivenLipschitz = spacing.GivenLipschitz();
-  CountSimplified(simplified, mesh);
+  TellGiven(simplified, spacing, mesh);
   Measure(mesh, problems, whole);
   TellFineDrawing(domain, options, mesh, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
