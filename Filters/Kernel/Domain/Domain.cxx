@@ -161,10 +161,26 @@ Flags Bound(const Arrangement& arrangement, Pulse& pulse)
   return FindBoundary(arrangement, pulse);
 }
 
+/// Edges that are none of the drawing do not hide the embedded points at their ends.
+void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
+{
+  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  {
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    if (edge.IsNothing() && inside.Left[e])
+    {
+      inside.Vertices[static_cast<std::size_t>(edge.Ends.Start)] = 1;
+      inside.Vertices[static_cast<std::size_t>(edge.Ends.End)] = 1;
+    }
+  }
+}
+
 InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse)
 {
   const PulsePart part(pulse, EndOfBoundary, 1.0);
-  return FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, pulse);
+  InsideFlags inside = FindInside(arrangement.Vertices, arrangement.EdgeEnds(), bounds, pulse);
+  AddEndsOfNothing(arrangement, inside);
+  return inside;
 }
 
 /// How many edges end at each vertex, those that are drawn several times as often.

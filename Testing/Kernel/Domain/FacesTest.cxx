@@ -150,6 +150,19 @@ TEST(Faces, ThatOverlapInPartAreReportedAndTheOddAreaCounts)
   EXPECT_DOUBLE_EQ(made.Domain.Area, 6.0);
 }
 
+/// Found by fuzzing: the point was said to be outside.
+TEST(Faces, OnTopOfEachOtherKeepAPointEmbeddedWhereTheirEdgesAreNothing)
+{
+  PolylineBuilder builder;
+  builder.Box(-1, -1, 5, 3, Face).Box(0, 0, 2, 2, Face).Box(1, 0, 2, 2, Face);
+  builder.Chain({ { 2, 1 } }, ChainKind::EmbeddedPoint);
+  const MadeDomain made = Make(builder.Lines());
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_FALSE(made.Problems.Has(ProblemCode::OutsidePoints));
+  EXPECT_EQ(
+    std::count(made.Domain.IsEmbedded.begin(), made.Domain.IsEmbedded.end(), std::uint8_t{ 1 }), 1);
+}
+
 /// All meetings are at vertices here.
 TEST(Faces, ThatOverlapBetweenVerticesAreReported)
 {
