@@ -161,10 +161,11 @@ Flags Bound(const Arrangement& arrangement, Pulse& pulse)
   return FindBoundary(arrangement, pulse);
 }
 
-/// Edges that are none of the drawing do not hide the embedded points at their ends.
+/// Edges that are none of the drawing do not hide the embedded points at their ends. Flags that are
+/// empty, because the monitor asked to stop, stay so.
 void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
 {
-  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  for (std::size_t e = 0; e < inside.Left.size(); ++e)
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
     if (edge.IsNothing() && inside.Left[e])
