@@ -34,6 +34,10 @@ bool DomainMembership::MayHold(const Point2& place)
 
 bool DomainMembership::IsOnBoundary(const Point2& place) const
 {
+  if (!this->Domain.Bounds.Contains(place))
+  {
+    return false; // most places of a source that reaches far beyond, and those that are not finite
+  }
   Box2 box;
   box.Add(place);
   return this->Locator->VisitSegments(box,

@@ -155,6 +155,9 @@ TEST(BitingMesherRounding, ASourceThatLiesNowhereIsRefusedByWhatIsWrong)
   cells->GetPolys()->InsertNextCell({ 0, 1, 2 });
   AddArray<vtkDoubleArray>(cells->GetPointData(), "Spacing", { 0.1, 0.1, 0.1, 0.1 });
   EXPECT_TRUE(Has(RefusalWithSource(cells), "coordinates that are not finite (1): point 2"));
+  cells->GetPoints()->SetPoint(2, std::nan(""), 1.0, 0.0);
+  AddArray<vtkDoubleArray>(cells->GetPointData(), "Spacing", { 0.1, 0.1, -9999.0, 0.1 });
+  EXPECT_TRUE(Has(RefusalWithSource(cells), "coordinates that are not finite (1): point 2"));
 }
 
 TEST(BitingMesherRounding, ALargeNumberIsNamedInFewDigits)
