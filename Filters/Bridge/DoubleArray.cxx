@@ -6,6 +6,9 @@
 #include "vtkPointSet.h"
 #include "vtkRectilinearGrid.h"
 
+#include <algorithm> // for all_of
+#include <cmath>     // for isfinite
+
 namespace biting
 {
 
@@ -46,6 +49,11 @@ int TypeOfCoordinates(vtkDataSet* data)
   auto* grid = vtkRectilinearGrid::SafeDownCast(data);
   const bool isFloat = grid && grid->GetXCoordinates()->GetDataType() == VTK_FLOAT;
   return isFloat ? VTK_FLOAT : VTK_DOUBLE;
+}
+
+bool AreFinite(const double* place)
+{
+  return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); });
 }
 
 } // namespace biting

@@ -26,6 +26,9 @@ vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data);
 /// The type that they have in VTK.
 int TypeOfCoordinates(vtkDataSet* data);
 
+/// Whether all three coordinates at `place` are finite.
+bool AreFinite(const double* place);
+
 } // namespace biting
 
 #endif

@@ -19,8 +19,8 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for all_of, max
-#include <cmath>     // for isfinite
+#include <algorithm> // for max
+#include <cmath>     // for abs
 #include <limits>    // for the size check
 
 namespace biting
@@ -217,9 +217,7 @@ std::string MapToPlane(
 {
   const auto doubles = CoordinatesOf(data);
   const double* coordinates = doubles->GetPointer(0);
-  const auto isFinite = [](const double* place)
-  { return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }); };
-  std::string refusal = RefuseWhereNot(isFinite, points, coordinates,
+  std::string refusal = RefuseWhereNot(AreFinite, points, coordinates,
     "Coordinates that are not finite", "Correct or remove these points.");
   if (!refusal.empty())
   {

@@ -13,8 +13,8 @@
 
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, max
-#include <cmath>     // for isfinite
+#include <algorithm> // for max
+#include <cmath>     // for abs
 #include <utility>   // for pair
 
 namespace biting
@@ -59,7 +59,7 @@ void RefuseNotFinite(const PlanarInput& input, ProblemList& problems, Pulse& pul
     {
       const Id point = input.UsedPoints[k];
       const double* place = input.Place(point);
-      if (!std::all_of(place, place + 3, [](double value) { return std::isfinite(value); }))
+      if (!AreFinite(place))
       {
         problems.Add({ ProblemCode::NotFinite, { point }, {}, {} });
       }

@@ -97,16 +97,11 @@ AxisNodes NodesOfGrid(vtkDataSet* source)
   return {};
 }
 
-bool IsFinite(const double* place)
-{
-  return std::all_of(place, place + 3, [](double value) { return std::isfinite(value); });
-}
-
 // Why an image lies nowhere; empty where it does not, or the source is no image.
 std::string CheckImage(vtkDataSet* source)
 {
   auto* image = vtkImageData::SafeDownCast(source);
-  if (!image || (IsFinite(image->GetOrigin()) && IsFinite(image->GetSpacing())))
+  if (!image || (AreFinite(image->GetOrigin()) && AreFinite(image->GetSpacing())))
   {
     return {};
   }
@@ -126,7 +121,7 @@ std::string CheckPoints(vtkDataSet* source, const std::vector<vtkIdType>& points
   {
     Point3 place;
     source->GetPoint(point, place.data());
-    if (pulse.Beat(1) && !IsFinite(place.data()) && ++count <= static_cast<std::int64_t>(ShownIds))
+    if (pulse.Beat(1) && !AreFinite(place.data()) && ++count <= static_cast<std::int64_t>(ShownIds))
     {
       first.push_back("point " + std::to_string(point) + " at " + PlaceText(place));
     }
