@@ -62,4 +62,4 @@ class TestRanksProxy(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main()
+    unittest.main(verbosity=2)  # says why a test is skipped
