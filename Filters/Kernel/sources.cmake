@@ -46,6 +46,7 @@ set(biting_kernel_sources
   Domain/DomainLocator.cxx
   Simplification/ChainCorners.cxx
   Simplification/ChainReduction.cxx
+  Simplification/CornerGuard.cxx
   Simplification/DomainChains.cxx
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx

@@ -70,6 +70,7 @@ ChainReduction::ChainReduction(
   , Tolerances(tolerances)
   , Chains(chains)
   , Left(domain.Vertices, pulse)
+  , Corners(domain, tolerances, chains)
   , Middle(MeanOf(domain.Vertices))
   , Size(domain.Bounds.Diagonal())
   , IsKept(chains.Vertices.size(), 0)
@@ -113,12 +114,12 @@ void ChainReduction::ReduceTo(double share, Pulse& pulse)
     {
       continue;
     }
-    const Id obstacle = this->FindObstacle(next.Slot);
-    if (obstacle != NoId)
+    const std::vector<Id> obstacles = this->FindObstacles(next.Slot);
+    for (const Id obstacle : obstacles)
     {
       this->Wait(next.Slot, obstacle);
     }
-    else
+    if (obstacles.empty())
     {
       this->Remove(next.Slot);
     }
@@ -208,7 +209,19 @@ bool ChainReduction::WouldCoincide(Id slot) const
     (isWhole && this->Chords.count(std::minmax(first, last)) > 0);
 }
 
-// A vertex that is in the way, or NoId.
+// Vertices that are in the way: when one of them goes the slot may.
+std::vector<Id> ChainReduction::FindObstacles(Id slot) const
+{
+  std::vector<Id> obstacles = this->Corners.FindOtherSides(slot);
+  if (obstacles.empty())
+  {
+    const Id obstacle = this->FindObstacle(slot);
+    obstacles.assign(obstacle == NoId ? 0 : 1, obstacle);
+  }
+  return obstacles;
+}
+
+// One within the triangles on both sides of what would be left, or NoId.
 Id ChainReduction::FindObstacle(Id slot) const
 {
   const Id previous = this->Chains.Previous[slot];

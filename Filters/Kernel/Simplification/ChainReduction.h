@@ -7,6 +7,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
+#include "CornerGuard.h"
 #include "DomainChains.h"
 #include "VertexTree.h"
 
@@ -83,6 +84,7 @@ private:
   void File(Id slot, double error);
   Candidate TakeFirst();
   bool WouldCoincide(Id slot) const;
+  std::vector<Id> FindObstacles(Id slot) const;
   Id FindObstacle(Id slot) const;
   Id FindObstacleBeyond(Id slot) const;
   void Wait(Id slot, Id obstacle);
@@ -96,6 +98,7 @@ private:
   const std::vector<double>& Tolerances;
   DomainChains& Chains;
   VertexTree Left;
+  CornerGuard Corners;
   Point2 Middle; ///< mean of the vertices
   double Size;   ///< diagonal of the box around them
   double Limit = 0.0;

@@ -49,8 +49,10 @@ struct SimplifiedDomain
 ///   crossings, touches, nesting, faces and what lies in each are those of `domain`.
 /// - What stays: ends of chains, embedded points, at least three vertices of each loop, and corners
 ///   that turn by CornerAngle or more, seen at some Tolerances' distance (ChainCorners.h).
-/// - Clearance: a path moves by no more than what is left free beside it then, as far as vertices
-///   tell. A channel so keeps a share of its width.
+/// - Corners: no angle of the inside gets sharp by it where the drawing is blunt (CornerGuard.h).
+/// - Clearance: a path moves by no more than what is left free beside it then. Vertices tell: where
+///   the distance of two segments shrinks it is that of an end of one. A channel so keeps a share of
+///   its width.
 ///
 /// Loops are left out first: closed chains without junctions whose larger extent along the axes is
 /// below MinimumLoopSize times the least f on them. Not those of an inside in which something else

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCornerGuard_h
+#define BitingCornerGuard_h
+
+#include "../Base/Ids.h"
+#include "../Domain/Domain.h"
+#include "DomainChains.h"
+
+#include <utility> // for pair
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// Keeps chains from ending in points where the drawing is blunt: a triangle in a sharp corner of the
+/// domain is as sharp, whatever the spacing.
+///
+/// A vertex stays while its going would make an angle at a neighbour smaller, seen through the domain,
+/// that is then below 36 degrees. But an end narrower than a quarter of the tolerance counts as a
+/// point, as it would ask for edges as short all around; not that of a loop of at most six vertices,
+/// which is as small itself.
+class CornerGuard
+{
+public:
+  /// Refers to its arguments. Tolerances: of each vertex of the domain.
+  CornerGuard(
+    const Domain& domain, const std::vector<double>& tolerances, const DomainChains& chains);
+
+  /// The vertices on the other sides of the angles that would be too small. The slot may go where
+  /// there is none; where there are some it is to be asked again when one of them has gone.
+  std::vector<Id> FindOtherSides(Id slot) const;
+
+private:
+  void FindOtherSidesAt(Id near, Id slot, Id far, std::vector<Id>& found) const;
+  bool IsSharpened(Id near, Id slot, Id far, Id other) const;
+  bool IsInside(Id slot, Id next, bool isLeft) const;
+  const Point2& At(Id slot) const { return this->Drawing.Vertices[this->Chains.Vertices[slot]]; }
+
+  const Domain& Drawing;
+  const std::vector<double>& Tolerances;
+  const DomainChains& Chains;
+  std::vector<std::pair<Id, Id>> Ends; ///< vertex and slot of each open end, sorted
+};
+
+} // namespace biting
+
+#endif
