@@ -130,8 +130,9 @@
  * or none, vtkErrorCode::NoError.
  * Same input and parameters, same bytes: any run, any thread.
  * Notes are no warnings: loops that were left out, and, without BoundaryTolerance, a drawing so fine
- * that more than half of the vertices are there for it alone, are a line of text each, through
- * vtkOutputWindow, and counted in output 3. They are silent where GlobalWarningDisplay is off.
+ * that more than half of the vertices, and five hundred at least, are there for it alone, are a line of
+ * text each, through vtkOutputWindow, and counted in output 3. They are silent where
+ * GlobalWarningDisplay is off.
  *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
@@ -411,8 +412,10 @@ public:
    * simplified drawing. Topology is kept, exactly: nothing crosses or touches that did not, no loop,
    * face or channel goes. What stays: ends of chains, junctions, embedded points, vertices where a
    * line of the input has other cell data than the next, three vertices of each loop, and corners
-   * (CornerAngle). In output 1 an edge has the cell data of the first segment that it stands for.
-   * Cost O(n log n). Without effect where PreserveBoundary is on. Negative or not finite: an error.
+   * (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees, where the drawing is blunt;
+   * but an end, as of an inlet, that is narrower than a quarter of the tolerance counts as a point. In
+   * output 1 an edge has the cell data of the first segment that it stands for. Cost O(n log n). Without
+   * effect where PreserveBoundary is on. Negative or not finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);
@@ -420,9 +423,11 @@ public:
 
   ///@{
   /**
-   * With BoundaryTolerance: corners of the drawing that turn by this or more, in degrees, stay where
-   * they are. The turning is seen from four tolerances away, so that a zigzag of pixels is no row of
-   * corners. >= 0; default 45. Smaller values keep more vertices. Negative or not finite: an error.
+   * With BoundaryTolerance: corners of the drawing where it turns by this or more stay where they are;
+   * in degrees, 0 straight on, 90 a right angle, 180 back. The turning is seen from four tolerances away
+   * (4 BoundaryTolerance f), so that a zigzag of pixels is no row of corners; of several corners nearer
+   * than that to each other the one that turns most stays. >= 0; default 45; from 180 on none stays for
+   * its angle. Smaller values keep more vertices. Negative or not finite: an error.
    */
   vtkSetMacro(CornerAngle, double);
   vtkGetMacro(CornerAngle, double);

@@ -85,8 +85,8 @@ Wording WordingOf(ProblemCode code)
     case ProblemCode::SmallLoops:
       return { "Closed loops smaller than MinimumLoopSize", "cell", "", "They were left out." };
     case ProblemCode::FineDrawing:
-      return { "The drawing is much finer than the spacing; only its vertices ask for", "", "",
-        "A BoundaryTolerance above 0 lets them go." };
+      return { "The drawing is much finer than the spacing", "", "",
+        "With a BoundaryTolerance, such as 0.2, the mesh follows the spacing." };
     case ProblemCode::Aborted:
       return { "Aborted", "", "", "" };
     default:

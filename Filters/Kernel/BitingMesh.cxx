@@ -299,10 +299,10 @@ void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, Bi
   mesh.ShareOfDrawing =
     ShareOfFineDrawing(drawing, mesh, RaiseToRounding(options.Spacing, drawing, problems), part);
   const bool isAccepted = options.Simplification.Tolerance > 0.0;
-  if (!AddAborted(part, problems) && !isAccepted && mesh.ShareOfDrawing > LargeShareOfDrawing)
+  if (!AddAborted(part, problems) && !isAccepted && IsWorthTelling(mesh.ShareOfDrawing, mesh))
   {
-    AddProblem(ProblemCode::FineDrawing, Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices",
-      problems);
+    AddProblem(ProblemCode::FineDrawing,
+      Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices are there for it alone", problems);
   }
 }
 

@@ -21,6 +21,9 @@ constexpr double ShortLength = 0.5;
 constexpr double LongLength = 2.0;
 constexpr double LeastShareOfVertices = 0.02;
 
+constexpr double LargeShare = 0.5;
+constexpr double ManyVertices = 500.0;
+
 constexpr double VerticesPerDensity = 1.1547005383792515; // 2 / sqrt(3): equilateral triangles
 constexpr double PreparationEnd = 0.3;
 
@@ -103,6 +106,12 @@ double ShareOfFineDrawing(
   Pulse pulse(counting);
   const double asked = CountAsked(mesh, spacing, pulse);
   return std::max(0.0, 1.0 - asked / static_cast<double>(mesh.Points.size()));
+}
+
+bool IsWorthTelling(double shareOfDrawing, const BitingMesh& mesh)
+{
+  return shareOfDrawing > LargeShare &&
+    shareOfDrawing * static_cast<double>(mesh.Points.size()) >= ManyVertices;
 }
 
 } // namespace biting

@@ -15,8 +15,9 @@ namespace biting
 double ShareOfFineDrawing(
   const Domain& drawing, const BitingMesh& mesh, const SpacingOptions& given, Monitor& monitor);
 
-/// From which share on it is told.
-constexpr double LargeShareOfDrawing = 0.5;
+/// Whether it is told: more than half of the vertices, and five hundred of them at least. A mesh smaller
+/// than that is not worth a note.
+bool IsWorthTelling(double shareOfDrawing, const BitingMesh& mesh);
 
 } // namespace biting
 

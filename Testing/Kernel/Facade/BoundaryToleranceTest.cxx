@@ -79,6 +79,19 @@ TEST(BoundaryTolerance, AFineDrawingIsToldWithoutOne)
     run.Mesh.ShareOfDrawing, 1.0 - VerticesAskedFor(Area(run.Mesh)) / run.NumberOfVertices(), 0.01);
 }
 
+TEST(BoundaryTolerance, AFineDrawingOfASmallMeshIsNotTold)
+{
+  // A pixel is smaller than the spacing, a mesh of a few hundred vertices small anyway.
+  for (const double radius : { 1.0, 10.0 })
+  {
+    const MeshRun run = RunMesh(
+      PolylineBuilder().Loop(biting::PixelDisc({ 0.0, 0.0 }, radius)).Lines(), OptionsOf(0.0));
+    ASSERT_EQ(run.Error(), "");
+    EXPECT_GT(run.Mesh.ShareOfDrawing, 0.5);
+    EXPECT_FALSE(run.Problems.Has(ProblemCode::FineDrawing));
+  }
+}
+
 TEST(BoundaryTolerance, ADrawingAsFineAsTheSpacingIsNotTold)
 {
   const MeshRun run =
