@@ -40,6 +40,7 @@ set(biting_kernel_sources
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/SegmentTree.cxx
+  Domain/SegmentWalk.cxx
   Domain/VertexGrid.cxx
   Domain/VertexStars.cxx
   Domain/Welding.cxx

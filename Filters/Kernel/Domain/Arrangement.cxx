@@ -62,7 +62,7 @@ private:
 
   void MergeEqualEdges();
   bool Drop(const ArrangementEdge& edge);
-  std::vector<std::uint8_t> AbsorbEqualEdges();
+  std::vector<std::size_t> AbsorbEqualEdges();
   void ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& other);
   bool MarkAllNew(bool isWanted);
 
@@ -168,8 +168,8 @@ void Resolver::Report(const MeetingReport& report)
         "on a segment of cell " + std::to_string(this->Data.Edge(report.First).Cell) });
     return;
   }
-  const Id first = this->Data.Edge(report.First).Cell;
-  const Id second = this->Data.Edge(report.Second).Cell;
+  const auto [first, second] =
+    std::minmax({ this->Data.Edge(report.First).Cell, this->Data.Edge(report.Second).Cell });
   const Id other = report.Code == ProblemCode::Touches
     ? this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)]
     : second;
@@ -348,19 +348,18 @@ void Resolver::SortAlong(const ArrangementEdge& edge, std::vector<Id>& path) con
   path.erase(std::unique(path.begin(), path.end()), path.end());
 }
 
-/// Keeps the first of equal edges, with the counts of all.
+/// Keeps one of equal edges, with the counts of all, sorted by their ends.
 void Resolver::MergeEqualEdges()
 {
-  const std::vector<std::uint8_t> isAbsorbed = this->AbsorbEqualEdges();
-  std::size_t size = 0;
-  for (std::size_t e = 0; e < isAbsorbed.size(); ++e)
+  std::vector<ArrangementEdge> merged;
+  for (const std::size_t e : this->AbsorbEqualEdges())
   {
-    if (!isAbsorbed[e] && !this->Drop(this->Data.Edges[e]))
+    if (!this->Drop(this->Data.Edges[e]))
     {
-      this->Data.Edges[size++] = this->Data.Edges[e];
+      merged.push_back(this->Data.Edges[e]);
     }
   }
-  this->Data.Edges.resize(size);
+  this->Data.Edges.swap(merged);
 }
 
 /// Whether `edge` is nothing but an edge between two neighbors, one on each side; these go together
@@ -375,7 +374,8 @@ bool Resolver::Drop(const ArrangementEdge& edge)
   return isDropped;
 }
 
-std::vector<std::uint8_t> Resolver::AbsorbEqualEdges()
+/// The edges that are kept, by their ends.
+std::vector<std::size_t> Resolver::AbsorbEqualEdges()
 {
   std::vector<std::pair<std::pair<Id, Id>, std::size_t>> keys;
   keys.reserve(this->Data.Edges.size());
@@ -383,22 +383,22 @@ std::vector<std::uint8_t> Resolver::AbsorbEqualEdges()
   {
     keys.emplace_back(std::minmax({ edge.Ends.Start, edge.Ends.End }), keys.size());
   }
-  std::vector<std::uint8_t> isAbsorbed(keys.size(), 0);
+  std::vector<std::size_t> kept;
   const bool isSorted = SortInSteps(keys, std::less<>(), this->Beats);
-  for (std::size_t i = 1, kept = 0; i < keys.size() && isSorted; ++i)
+  for (std::size_t i = 0, first = 0; i < keys.size() && isSorted; ++i)
   {
-    if (keys[i].first != keys[kept].first)
+    if (i == 0 || keys[i].first != keys[first].first)
     {
-      kept = i;
+      first = i;
+      kept.push_back(keys[i].second);
       continue;
     }
-    ArrangementEdge& edge = this->Data.Edges[keys[kept].second];
+    ArrangementEdge& edge = this->Data.Edges[keys[first].second];
     const ArrangementEdge& other = this->Data.Edges[keys[i].second];
     this->ReportEqual(edge, other);
     Absorb(edge, other);
-    isAbsorbed[keys[i].second] = 1;
   }
-  return isAbsorbed;
+  return kept;
 }
 
 /// Faces share edges, and lines carry the tags of their edges.
@@ -409,8 +409,9 @@ void Resolver::ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& o
   if (this->IsFirstRound && (areLines || countsTwice))
   {
     const Point2& place = this->Data.At(kept.Ends.Start);
-    this->Problems.Add({ ProblemCode::DuplicateSegments, { kept.Cell, other.Cell }, place, {} });
-    this->RememberFirst(kept.Cell, other.Cell, place);
+    const auto [first, second] = std::minmax({ kept.Cell, other.Cell });
+    this->Problems.Add({ ProblemCode::DuplicateSegments, { first, second }, place, {} });
+    this->RememberFirst(first, second, place);
   }
 }
 
@@ -433,12 +434,27 @@ bool Resolver::MarkAllNew(bool isWanted)
 
 } // namespace
 
+namespace
+{
+
+/// Lines come before faces.
+Id FirstCell(const ArrangementEdge& a, const ArrangementEdge& b)
+{
+  if (a.HasLine() != b.HasLine())
+  {
+    return a.HasLine() ? a.Cell : b.Cell;
+  }
+  return std::min(a.Cell, b.Cell);
+}
+
+} // namespace
+
 void Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
 {
   const FaceEdge& faces = other.Faces;
   const bool isReversed = kept.Ends.Start != other.Ends.Start;
   const bool bothHaveFaces = kept.Faces.Count > 0 && faces.Count > 0;
-  kept.Cell = !kept.HasLine() && other.HasLine() ? other.Cell : kept.Cell;
+  kept.Cell = FirstCell(kept, other);
   kept.BoundaryCount += other.BoundaryCount;
   kept.OpenCount += other.OpenCount;
   kept.IsInterface = kept.IsInterface || other.IsInterface;

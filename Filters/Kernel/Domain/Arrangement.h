@@ -29,11 +29,11 @@ struct FaceEdge
   bool Stays = false; ///< as an interface: faces of several regions meet here, or all edges stay
 };
 
-/// An edge of the arrangement, directed as the first chain that runs along it.
+/// An edge of the arrangement, whatever the directions of the chains that run along it.
 struct ArrangementEdge
 {
   SegmentEnds Ends;
-  Id Cell = NoId;           ///< of the first line, where there is none of the first face
+  Id Cell = NoId;           ///< the first of the lines', where there are none of the faces'
   Id BoundaryCount = 0;     ///< how often boundary chains run along it: by kind, or closed ones
   Id OpenCount = 0;         ///< how often open chains of automatic kind do
   bool IsInterface = false; ///< whether an interface chain does
@@ -53,7 +53,8 @@ struct ArrangementEdge
 /// Makes `kept` stand for `other` too, which has the same ends in any order.
 void Absorb(ArrangementEdge& kept, const ArrangementEdge& other);
 
-/// What the input draws: distinct vertices, and edges in the order of the input's chains.
+/// What the input draws: distinct vertices and edges. Neither depends on the order of the input's points
+/// and chains, nor on directions.
 struct Arrangement
 {
   std::vector<Point2> Vertices;

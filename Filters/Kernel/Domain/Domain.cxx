@@ -10,6 +10,7 @@
 #include "CellOverlaps.h"
 #include "ChainKinds.h"
 #include "Nesting.h"
+#include "SegmentWalk.h"
 #include "Welding.h"
 
 #include <algorithm> // for none_of, sort
@@ -82,6 +83,11 @@ Domain MakeDomain(
   }
   ReportOutside(arrangement, inside, problems);
   Domain domain = KeepInside(arrangement, bounds, inside);
+  NumberAlongSegments(domain, pulse);
+  if (!pulse.Ask())
+  {
+    return Refuse(ProblemCode::Aborted, problems);
+  }
   domain.Area = EnclosedArea(domain);
   if (!AcceptOverlaps(arrangement, input, domain.Area, options, problems, pulse))
   {

@@ -46,7 +46,8 @@ struct Domain
   std::vector<Id> Ends;
   std::vector<Id> Cells; ///< the input cell of each segment (where several, the first; lines first)
   std::vector<std::uint8_t> IsBoundary; ///< 1: inside differs across it; 0: interface
-  std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
+  std::vector<std::uint8_t>
+    LeftInside; ///< 1: the domain lies left of start -> end; of boundary all
   std::vector<std::uint8_t> RightInside;
 
   Box2 Bounds;             ///< of the vertices
@@ -75,10 +76,12 @@ struct DomainOptions
   std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 
-/// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve the arrangement, find what bounds, find
-/// the inside, drop the outside. Vertices are numbered by their first input point, those made by
-/// crossings after them; segments by input chain and their place along it. Repairs and refusals are added to `problems`; where these have
-/// errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.
+/// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve the
+/// arrangement, find what bounds, find the inside, drop the outside. Vertices and segments are numbered
+/// along walks over the segments (SegmentWalk.h). Repairs and refusals are added to `problems`; where
+/// these have errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.
+/// Law: neither the order of points, chains and cells matters, nor directions and first points of
+/// closed chains, nor whether points are shared; but to ids of points and cells.
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
 

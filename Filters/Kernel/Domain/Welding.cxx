@@ -87,6 +87,7 @@ private:
   Arrangement Result;
   std::vector<PointUse> Uses;    ///< one a point; of equal ones the first has the least
   std::vector<Id> PointVertices; ///< NoId: no chain uses the point
+  std::vector<Id> InOrder;       ///< the first of equal points, by their places
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
 };
 
@@ -170,7 +171,7 @@ void Welder::FindResolution(const std::vector<Id>& points)
   result.Resolution = std::max({ result.Rounding, this->Input.Rounding, merged });
 }
 
-/// Numbers the points that are vertices by point id, and gives the others their vertex.
+/// Numbers the points that are vertices by their places, and gives the others their vertex.
 void Welder::MakeVertices()
 {
   this->FindUses();
@@ -183,7 +184,7 @@ void Welder::MakeVertices()
   {
     return;
   }
-  for (const Id point : points)
+  for (const Id point : this->InOrder)
   {
     if (leaders[static_cast<std::size_t>(point)] == point)
     {
@@ -200,8 +201,8 @@ void Welder::MakeVertices()
   }
 }
 
-/// For each of `points`, which ascend, the first that lies at the same place; this learns what all of
-/// them are used for.
+/// For each of `points`, which ascend, the first that lies at the same place; fills InOrder, and
+/// learns what all of them are used for.
 std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points)
 {
   std::vector<std::pair<Point2, std::size_t>> places;
@@ -214,7 +215,11 @@ std::vector<Id> Welder::FirstEquals(const std::vector<Id>& points)
   const bool isSorted = SortInSteps(places, std::less<>(), this->Beats);
   for (std::size_t i = 0, first = 0; i < places.size() && isSorted; ++i)
   {
-    first = places[i].first == places[first].first ? first : i;
+    if (i == 0 || places[i].first != places[first].first)
+    {
+      first = i;
+      this->InOrder.push_back(points[places[i].second]);
+    }
     firstEquals[places[i].second] = points[places[first].second];
     this->ShareUse(points[places[i].second], points[places[first].second]);
   }
@@ -370,6 +375,13 @@ bool Welder::IsClosed(Id chain) const
     this->VertexOf(this->PointAt(first)) == this->VertexOf(this->PointAt(last));
 }
 
+/// Directs `edge` from the lesser of its ends to the greater.
+void SetEnds(Id first, Id second, Id turn, ArrangementEdge& edge)
+{
+  edge.Ends = { std::min(first, second), std::max(first, second) };
+  edge.Faces.Turn = first < second ? turn : -turn;
+}
+
 /// That corners of a face coincide is no news: so do those of a quad that is a triangle.
 void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
 {
@@ -379,7 +391,7 @@ void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
   {
     const Id first = this->PointAt(place - 1);
     const Id second = this->PointAt(place);
-    edge.Ends = { this->VertexOf(first), this->VertexOf(second) };
+    SetEnds(this->VertexOf(first), this->VertexOf(second), prototype.Faces.Turn, edge);
     if (edge.Ends.Start != edge.Ends.End)
     {
       this->Result.Edges.push_back(edge);

@@ -11,7 +11,8 @@
 namespace biting
 {
 
-/// The chains with coincident points made one vertex each, numbered by their first input point.
+/// The chains with coincident points made one vertex each, numbered by their places; edges are directed
+/// from the lesser number to the greater.
 ///
 /// Points count as coincident where their coordinates are equal; those below LeastCoordinate in
 /// magnitude count as zero. That chains share coordinates is ordinary and goes without a word.
