@@ -67,19 +67,26 @@ const Output* OutputOf(pqOutputPort* port)
   return found != std::end(MayBeEmpty) ? found : nullptr;
 }
 
+void Color(vtkSMPVRepresentationProxy* proxy, const Output& output)
+{
+  if (!proxy->GetUsingScalarColoring())
+  {
+    proxy->SetScalarColoring(output.Array, output.Association);
+    proxy->RescaleTransferFunctionToDataRange();
+  }
+}
+
 void Show(pqDataRepresentation* representation, const Output& output)
 {
-  vtkSMProxy* proxy = representation->getProxy();
   vtkSMViewProxy* view = representation->getView()->getViewProxy();
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   controller->Show(
     representation->getOutputPortFromInput()->getSource()->getSourceProxy(), output.Port, view);
-  if (!vtkSMPVRepresentationProxy::GetUsingScalarColoring(proxy))
+  if (auto* proxy = vtkSMPVRepresentationProxy::SafeDownCast(representation->getProxy()))
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(proxy, output.Array, output.Association);
-    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(proxy);
+    Color(proxy, output);
+    proxy->SetScalarBarVisibility(view, true);
   }
-  vtkSMPVRepresentationProxy::SetScalarBarVisibility(proxy, view, true);
   representation->renderViewEventually();
 }
 
