@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# From a bare Debian 12 to the mesh of a real coast: sh Data/demo.sh (as root, if packages miss).
+# From a bare Debian 12 or 13 to the mesh of a real coast: sh Data/demo.sh (as root, if packages miss).
 #
 # Installs what is missing, builds the plugin for ParaView, and meshes the seas around Britain and
 # Ireland with it: see demo.py. All results are in build/demo. Says nothing but the summary of the

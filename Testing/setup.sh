@@ -21,20 +21,35 @@ sanitizer_build="$build_root/sanitizer"
 plugin="$paraview_build/lib/BitingMesh/BitingMesh.so"
 warnings_as_errors="${BITING_WARNINGS_AS_ERRORS:-OFF}"
 
+# Packages have other names in Debian 12 and 13; systems without a number get the newer ones.
+# vtk_packages is what the stand-alone VTK asks for; VTK itself cannot be installed beside ParaView:
+# see unpack_vtk.
+debian=$(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}")
+if [ "$debian" = 12 ]; then
+  qt_packages="
+    qtbase5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools
+    libqt5svg5-dev libqt5x11extras5-dev
+    libqt5opengl5-dev libqt5sql5-sqlite libxt-dev"
+  vtk_version=9.1
+  vtk_packages="libtbb-dev libjsoncpp25 libproj25 libtcl8.6 libtk8.6 libhdf5-103-1"
+else
+  qt_packages="
+    qt6-base-dev qt6-5compat-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools
+    qt6-declarative-dev qt6-svg-plugins libqt6sql6-sqlite"
+  vtk_version=9.3
+  vtk_packages="libtbb-dev libjsoncpp26 libproj25 libtcl8.6 libtk8.6 libhdf5-310"
+fi
+
 # ParaView, what its package configuration asks for, a compiler, and a display for pictures.
 paraview_packages="
   g++ cmake ninja-build pkg-config
   paraview paraview-dev python3-paraview python3-dev
-  qtbase5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools
-  libqt5svg5-dev libqt5x11extras5-dev libqt5opengl5-dev libqt5sql5-sqlite libxt-dev
+  $qt_packages
   libutfcpp-dev libhdf5-openmpi-dev libnetcdf-dev libgdal-dev libxml2-dev libtheora-dev
   libgl2ps-dev libglew-dev libfreetype-dev libdouble-conversion-dev liblz4-dev libboost-dev
   libopenmpi-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev libtiff-dev
   libjpeg-dev libpng-dev libeigen3-dev libexpat1-dev
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core"
-
-# What the stand-alone VTK asks for; VTK itself cannot be installed beside ParaView: see unpack_vtk.
-vtk_packages="libtbb-dev libjsoncpp25 libproj25 libtcl8.6 libtk8.6 libhdf5-103-1"
 
 test_packages="libgtest-dev imagemagick clang-tidy clang-format"
 
@@ -60,9 +75,9 @@ install_packages()
 unpack_vtk()
 {
   [ -e "$vtk_prefix/complete" ] || fetch_vtk || return
-  set -- "$vtk_prefix"/usr/lib/*/cmake/vtk-9.1
+  set -- "$vtk_prefix"/usr/lib/*/cmake/vtk-$vtk_version
   VTK_DIR="$1"
-  vtk_library_path="${VTK_DIR%/cmake/vtk-9.1}"
+  vtk_library_path="${VTK_DIR%/cmake/vtk-*}"
   vtk_python_path="$vtk_prefix/usr/lib/python3/dist-packages"
 }
 
@@ -70,7 +85,8 @@ fetch_vtk()
 {
   rm -rf "$vtk_prefix"
   mkdir -p "$vtk_prefix/packages" || return
-  (cd "$vtk_prefix/packages" && fetch_packages libvtk9.1 libvtk9-dev python3-vtk9 vtk9) || return
+  (cd "$vtk_prefix/packages" &&
+    fetch_packages "libvtk$vtk_version" libvtk9-dev python3-vtk9 vtk9) || return
   for archive in "$vtk_prefix"/packages/*.deb; do
     dpkg -x "$archive" "$vtk_prefix" || return
   done
