@@ -249,7 +249,7 @@ TEST(EdgeDivider, KeepsTheShellsThatLeaveEnoughBetweenThem)
 TEST(EdgeDivider, PlacesShellsTheSameFromBothEnds)
 {
   const EndShells shells{ { 0.05, 0.11, 0.18 }, { 0.2 } };
-  const EndShells reversed{ shells.End, shells.Start };
+  const EndShells reversed{ { 0.2 }, { 0.05, 0.11, 0.18 } };
   for (const SpacingOptions& options : { UniformSpacing(0.04), LinearSpacing(0.05, 0.1, 1.0) })
   {
     const Point2 a{ 0.1, 0.0 };

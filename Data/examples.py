@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Everyday tasks, one function each, to copy from: pvpython examples.py BitingMesh.so OUTPUT_FOLDER
+
+Prints the summary of each mesh; all files that are written are in the output folder.
+"""
+
+import os
+import sys
+
+from paraview.simple import *
+
+here = os.path.dirname(os.path.abspath(__file__))
+
+
+def contour_to_mesh(folder):
+    """The part of a slice where a field is above a value: what a contour encloses, with its border.
+
+    The outline of such a surface has an edge or two a pixel. BoundaryTolerance lets it follow the
+    spacing; without it, every point of the outline becomes a vertex.
+    """
+    field = Wavelet(WholeExtent=[-100, 100, -100, 100, 0, 0])
+    bright = IsoVolume(Input=field, InputScalars=['POINTS', 'RTData'], ThresholdRange=[150, 300])
+    return BitingMesher(Input=bright, UniformSpacing=10, BoundaryTolerance=0.2)
+
+
+def coast_with_spacing_by_depth(folder):
+    """A sea in which edges are a share of the length of the tide's waves, period * sqrt(9.81 depth).
+
+    The depth comes on a grid, as from a chart; here it is made up: it grows with the distance from a
+    line. Grid and coast must be in the same coordinates, here metres.
+    """
+    coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
+    x0, x1, y0, y1 = coast_box(coast)
+    grid = FastUniformGrid(WholeExtent=[0, 100, 0, 100, 0, 0])
+    grid = Transform(Input=grid, TransformAllInputVectors=0)
+    grid.Transform.Scale = [(x1 - x0) / 100, (y1 - y0) / 100, 1]
+    grid.Transform.Translate = [x0, y0, 0]
+    depth = Calculator(Input=grid, ResultArrayName='Depth',
+        Function=f'max(5, 0.004 * abs(coordsX - {x1}))')
+    period, edges_a_wave = 44714, 100
+    spacing = Calculator(Input=depth, ResultArrayName='Spacing',
+        Function=f'{period} * sqrt(9.81 * Depth) / {edges_a_wave}')
+    return BitingMesher(Input=coast, SpacingSource=spacing, BoundarySpacingArray=['POINTS', 'None'],
+        SourceSpacingArray=['POINTS', 'Spacing'], MaximumSpacing=30000, Gradation=0.2,
+        BoundaryTolerance=0.2)
+
+
+def coast_box(coast):
+    coast.UpdatePipeline()
+    return coast.GetDataInformation().GetBounds()[:4]
+
+
+def airfoil(folder):
+    """The air around an airfoil: the array Spacing of its points says how long edges are there."""
+    outline = LegacyVTKReader(FileNames=[os.path.join(here, 'naca_airfoil.vtk')])
+    mesh = BitingMesher(Input=outline, Gradation=0.2)
+    SaveData(os.path.join(folder, 'airfoil.su2'), proxy=OutputPort(mesh, 0))
+    return mesh
+
+
+def plate_with_regions(folder):
+    """A plate that a weld divides: an open chain becomes mesh edges, its sides differ in RegionId.
+
+    One region alone, as a filter behind would take it: Threshold.
+    """
+    plate = LegacyVTKReader(FileNames=[os.path.join(here, 'plate.vtk')])
+    mesh = BitingMesher(Input=plate, UniformSpacing=0.4)
+    left = Threshold(Input=OutputPort(mesh, 0), Scalars=['CELLS', 'RegionId'],
+        LowerThreshold=0, UpperThreshold=0)
+    SaveData(os.path.join(folder, 'left_of_the_weld.vtk'), proxy=left)
+    return mesh
+
+
+def export_with_tags(folder):
+    """A mesh for a solver: lines keep the array Tag of the drawing, triangles their RegionId.
+
+    .msh is Gmsh's format (physical groups), .su2 that of SU2 (markers), .14 that of ADCIRC.
+    """
+    plate = LegacyVTKReader(FileNames=[os.path.join(here, 'plate.vtk')])
+    mesh = BitingMesher(Input=plate, UniformSpacing=0.4)
+    for ending in ['msh', 'su2']:
+        SaveData(os.path.join(folder, 'plate.' + ending), proxy=OutputPort(mesh, 0))
+    return mesh
+
+
+def judge_a_mesh(folder):
+    """How good the mesh of another program is: angles, and how it follows the spacing it was made for."""
+    points = PointSource(NumberOfPoints=500, Radius=1)
+    flat = Calculator(Input=points, CoordinateResults=1, ResultArrayName='Places',
+        Function='coordsX*iHat+coordsY*jHat')
+    mesh = Delaunay2D(Input=flat)
+    wanted = Calculator(Input=mesh, ResultArrayName='Spacing', Function='0.09')
+    return MeshConformity(Input=wanted)
+
+
+def mesh_for_a_solution(folder):
+    """A mesh whose edges are short where a solution bends: HessianSpacing makes the spacing of it."""
+    square = LegacyVTKReader(FileNames=[os.path.join(here, 'square_9x9.vtk')])
+    coarse = BitingMesher(Input=square, UniformSpacing=0.3)
+    solution = Calculator(Input=OutputPort(coarse, 0), ResultArrayName='u',
+        Function='exp(-4*((coordsX-4)^2+(coordsY-5)^2-6)^2)')
+    spacing = HessianSpacing(Input=solution, ScalarArray=['POINTS', 'u'], ErrorTolerance=0.01,
+        MinimumSpacing=0.03, MaximumSpacing=0.6)
+    return BitingMesher(Input=square, SpacingSource=spacing, SourceSpacingArray=['POINTS', 'Spacing'])
+
+
+tasks = [contour_to_mesh, coast_with_spacing_by_depth, airfoil, plate_with_regions, export_with_tags,
+    judge_a_mesh, mesh_for_a_solution]
+
+
+def main(plugin, folder):
+    LoadPlugin(plugin, remote=False, ns=globals())
+    for task in tasks:
+        mesh = task(folder)
+        mesh.UpdatePipeline()
+        mesh.UpdatePropertyInformation()
+        print(task.__name__.replace('_', ' '))
+        print('   ', mesh.Summary.replace('\n', '\n    '))
+
+
+if __name__ == '__main__':
+    main(*sys.argv[1:3])

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The examples that users copy from make meshes without complaints, and the files they say."""
+
+import importlib.util
+import os
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
+
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'Data')
+SMALLEST_ANGLES = {'contour_to_mesh': 30, 'coast_with_spacing_by_depth': 15, 'airfoil': 35,
+                   'plate_with_regions': 30, 'export_with_tags': 30, 'judge_a_mesh': 0,
+                   'mesh_for_a_solution': 35}
+FILES = ['airfoil.su2', 'left_of_the_weld.vtk', 'plate.msh', 'plate.su2']
+
+
+class TestExamplesProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        spec = importlib.util.spec_from_file_location('examples', os.path.join(DATA, 'examples.py'))
+        cls.examples = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(cls.examples)
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], remote=False, ns=cls.examples.__dict__)
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_each_task_makes_a_mesh_without_complaints(self):
+        self.assertEqual({task.__name__ for task in self.examples.tasks}, set(SMALLEST_ANGLES))
+        for task in self.examples.tasks:
+            with self.subTest(task.__name__):
+                self.check(task)
+        for name in FILES:
+            self.assertGreater(os.path.getsize(os.path.join(self.folder.name, name)), 1000, name)
+
+    def check(self, task):
+        window = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(window)
+        mesh = task(self.folder.name)
+        mesh.UpdatePipeline()
+        vtkOutputWindow.SetInstance(None)
+        self.assertEqual(window.GetOutput(), '')
+        self.assertGreater(mesh.GetDataInformation().GetNumberOfCells(), 300)
+        angles = servermanager.Fetch(mesh, idx=0).GetCellData().GetArray('MinimumAngle')
+        self.assertGreaterEqual(angles.GetRange()[0], SMALLEST_ANGLES[task.__name__])
+
+
+if __name__ == '__main__':
+    unittest.main()
