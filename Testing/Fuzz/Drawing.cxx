@@ -18,20 +18,6 @@ namespace
 constexpr double SlackInUlp = 32.0;
 constexpr double CountsAsZero = 1e-70;
 
-using Wide = long double;
-
-/// A segment from left to right, relative to a point of the drawing; not upright.
-struct SlopedSegment
-{
-  Wide X0;
-  Wide Y0;
-  Wide X1;
-  Wide Y1;
-
-  Wide Slope() const { return (this->Y1 - this->Y0) / (this->X1 - this->X0); }
-  Wide At(Wide x) const { return this->Y0 + (x - this->X0) * this->Slope(); }
-};
-
 Point2 Flushed(const Point2& p)
 {
   const auto flush = [](double x) { return std::abs(x) < CountsAsZero ? 0.0 : x; };
@@ -100,10 +86,11 @@ void DrawingReader::ReadSegments(std::size_t chain)
   {
     if (this->At(k - 1) != this->At(k))
     {
-      this->Result.Segments.push_back({ this->At(k - 1), this->At(k), this->Input.Cells[chain],
-        kind == ChainKind::Boundary || kind == ChainKind::Face || (isAutomatic && isClosed),
-        kind == ChainKind::Face ? static_cast<Id>(chain) : NoId,
-        this->Input.Regions.empty() ? 0 : this->Input.Regions[chain] });
+      this->Result.Segments.push_back(
+        { this->At(k - 1), this->At(k), static_cast<Id>(chain), this->Input.Cells[chain],
+          kind == ChainKind::Boundary || kind == ChainKind::Face || (isAutomatic && isClosed),
+          kind == ChainKind::Face ? static_cast<Id>(chain) : NoId,
+          this->Input.Regions.empty() ? 0 : this->Input.Regions[chain] });
     }
   }
 }
@@ -126,82 +113,6 @@ bool DrawingReader::HasEvenEnds() const
   return std::none_of(isOdd.begin(), isOdd.end(), [](const auto& end) { return end.second; });
 }
 
-std::vector<SlopedSegment> SlopedSegments(const Drawing& drawing)
-{
-  std::vector<SlopedSegment> sloped;
-  for (const DrawnSegment& segment : drawing.Segments)
-  {
-    if (segment.Bounds && segment.Start.X != segment.End.X)
-    {
-      const Point2 origin = drawing.Segments.front().Start;
-      const bool isForward = segment.Start.X < segment.End.X;
-      const Point2& left = isForward ? segment.Start : segment.End;
-      const Point2& right = isForward ? segment.End : segment.Start;
-      sloped.push_back({ Wide(left.X) - origin.X, Wide(left.Y) - origin.Y, Wide(right.X) - origin.X,
-        Wide(right.Y) - origin.Y });
-    }
-  }
-  return sloped;
-}
-
-/// All ends, and where two segments cross.
-std::vector<Wide> SlabBorders(const std::vector<SlopedSegment>& segments)
-{
-  std::vector<Wide> borders;
-  for (const SlopedSegment& a : segments)
-  {
-    borders.push_back(a.X0);
-    borders.push_back(a.X1);
-    for (const SlopedSegment* b = &a + 1; b != segments.data() + segments.size(); ++b)
-    {
-      const Wide low = std::max(a.X0, b->X0);
-      const Wide high = std::min(a.X1, b->X1);
-      const Wide gapLow = a.At(low) - b->At(low);
-      const Wide gapHigh = a.At(high) - b->At(high);
-      if (low < high && ((gapLow < 0 && gapHigh > 0) || (gapLow > 0 && gapHigh < 0)))
-      {
-        borders.push_back(low + (high - low) * (gapLow / (gapLow - gapHigh)));
-      }
-    }
-  }
-  std::sort(borders.begin(), borders.end());
-  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
-  return borders;
-}
-
-/// How high the even-odd region is at x, among segments that pass the whole slab.
-Wide HeightWithin(
-  const std::vector<SlopedSegment>& segments, Wide left, Wide right, std::vector<Wide>& heights)
-{
-  heights.clear();
-  for (const SlopedSegment& segment : segments)
-  {
-    if (segment.X0 <= left && segment.X1 >= right)
-    {
-      heights.push_back(segment.At(left + (right - left) / 2));
-    }
-  }
-  std::sort(heights.begin(), heights.end());
-  Wide height = 0;
-  Wide sign = -1;
-  for (const Wide y : heights)
-  {
-    height += sign * y;
-    sign = -sign;
-  }
-  return height;
-}
-
-double BoundaryLength(const Drawing& drawing)
-{
-  double length = 0.0;
-  for (const DrawnSegment& segment : drawing.Segments)
-  {
-    length += segment.Bounds ? Distance(segment.Start, segment.End) : 0.0;
-  }
-  return length;
-}
-
 } // namespace
 
 double Drawing::Slack() const
@@ -209,51 +120,34 @@ double Drawing::Slack() const
   return SlackInUlp * std::numeric_limits<double>::epsilon() * this->Largest;
 }
 
+Drawing Drawing::Of(const std::vector<DrawnSegment>& segments) const
+{
+  Drawing part;
+  part.Segments = segments;
+  part.Largest = this->Largest;
+  return part;
+}
+
 Drawing ReadDrawing(const Polylines& input)
 {
   return DrawingReader(input).Read();
 }
 
-EvenOddArea MeasureEvenOddArea(const Drawing& drawing)
+std::vector<std::vector<DrawnSegment>> FacesOf(const Drawing& drawing)
 {
-  const std::vector<SlopedSegment> segments = SlopedSegments(drawing);
-  const std::vector<Wide> borders = SlabBorders(segments);
-  std::vector<Wide> heights;
-  Wide area = 0;
-  for (std::size_t k = 1; k < borders.size(); ++k)
+  std::vector<std::vector<DrawnSegment>> faces;
+  for (const DrawnSegment& segment : drawing.Segments)
   {
-    area +=
-      HeightWithin(segments, borders[k - 1], borders[k], heights) * (borders[k] - borders[k - 1]);
-  }
-  const double length = BoundaryLength(drawing);
-  const double rounding = static_cast<double>(segments.size()) *
-    static_cast<double>(std::numeric_limits<Wide>::epsilon()) * length * length;
-  return { static_cast<double>(area), drawing.Slack() * (length + drawing.Slack()) + rounding };
-}
-
-EvenOddArea SumOfFaces(const Drawing& drawing)
-{
-  EvenOddArea sum;
-  for (std::size_t first = 0; first < drawing.Segments.size();)
-  {
-    Drawing face;
-    face.Largest = drawing.Largest;
-    std::size_t end = first;
-    for (; end < drawing.Segments.size() &&
-         drawing.Segments[end].Face == drawing.Segments[first].Face;
-         ++end)
+    if (segment.Face != NoId)
     {
-      face.Segments.push_back(drawing.Segments[end]);
+      if (faces.empty() || faces.back().front().Face != segment.Face)
+      {
+        faces.emplace_back();
+      }
+      faces.back().push_back(segment);
     }
-    if (drawing.Segments[first].Face != NoId)
-    {
-      const EvenOddArea area = MeasureEvenOddArea(face);
-      sum.Area += area.Area;
-      sum.Tolerance += area.Tolerance;
-    }
-    first = end;
   }
-  return sum;
+  return faces;
 }
 
 } // namespace biting

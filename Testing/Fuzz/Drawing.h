@@ -16,6 +16,7 @@ struct DrawnSegment
 {
   Point2 Start;
   Point2 End;
+  Id Chain = NoId;
   Id Cell = NoId;
   bool Bounds = false; ///< by its kind, or because its chain is closed
   Id Face = NoId;      ///< the chain, where that is a face
@@ -31,29 +32,19 @@ struct Drawing
   bool IsExplicit = false;            ///< what bounds is known without interpretation
   bool HasFaces = false;
 
-  /// How far what is drawn may move in the domain: see EvenOddArea.h.
+  /// How far what is drawn may move in the domain: the kernel welds what is nearer than RoundingInUlp of
+  /// the largest coordinate, once a round of its resolution, and rounds points on segments.
   double Slack() const;
+
+  /// The same with some of the segments only, and no points.
+  Drawing Of(const std::vector<DrawnSegment>& segments) const;
 };
 
 /// Reads `input`, whose coordinates are finite. Those that the kernel takes for zero are zero.
 Drawing ReadDrawing(const Polylines& input);
 
-/// The area of the even-odd region of the segments that bound, each as often as it is drawn, and
-/// how far from it the area of a correct mesh may be.
-///
-/// The area changes by no more than d times the length of the boundary where no point of it moves
-/// further than d; so nothing here needs to be exact. Drawing::Slack is that d: the kernel welds what
-/// is nearer than 4 ulp of the largest coordinate, once a round of its resolution, and rounds points
-/// on segments.
-struct EvenOddArea
-{
-  double Area = 0.0;
-  double Tolerance = 0.0;
-};
-EvenOddArea MeasureEvenOddArea(const Drawing& drawing);
-
-/// The even-odd areas of all faces, one by one, added up; as exact as that of a drawing.
-EvenOddArea SumOfFaces(const Drawing& drawing);
+/// The segments of each face.
+std::vector<std::vector<DrawnSegment>> FacesOf(const Drawing& drawing);
 
 } // namespace biting
 

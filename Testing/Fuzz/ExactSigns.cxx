@@ -3,22 +3,17 @@
 
 #include "ExactSigns.h"
 
-#include <boost/multiprecision/cpp_int.hpp> // for whole numbers
+#include "WholeNumbers.h"
 
 #include <algorithm> // for min
 #include <array>     // for the points
-#include <cmath>     // for frexp, ldexp
-#include <cstdint>   // for mantissas
+#include <cmath>     // for abs
 
 namespace biting
 {
 
 namespace
 {
-
-using Whole = boost::multiprecision::cpp_int;
-
-constexpr int MantissaBits = 53;
 
 /// Far above the 6 and 16 roundings of the two filters, whose unit is 2^-53.
 constexpr double OrientationBound = 0x1p-49;
@@ -28,40 +23,19 @@ constexpr double InCircleBound = 0x1p-47;
 constexpr double LeastInCircle = 1e-280;
 constexpr double LeastOrientation = 1e-290;
 
-struct WholePoint
-{
-  Whole X;
-  Whole Y;
-};
-
-int LeastExponent(double coordinate)
-{
-  int exponent = 0;
-  std::frexp(coordinate, &exponent);
-  return coordinate == 0.0 ? 2000 : exponent - MantissaBits;
-}
-
-Whole ToWhole(double coordinate, int unit)
-{
-  int exponent = 0;
-  const double mantissa = std::frexp(coordinate, &exponent);
-  const Whole digits(static_cast<std::int64_t>(std::ldexp(mantissa, MantissaBits)));
-  return coordinate == 0.0 ? Whole(0) : Whole(digits << (exponent - MantissaBits - unit));
-}
-
 /// All coordinates in one unit that divides them.
 template <std::size_t Count>
 std::array<WholePoint, Count> ToWhole(const std::array<Point2, Count>& points)
 {
-  int unit = 2000;
+  int unit = GreatestUnit;
   for (const Point2& p : points)
   {
-    unit = std::min({ unit, LeastExponent(p.X), LeastExponent(p.Y) });
+    unit = std::min(unit, UnitOf(p));
   }
   std::array<WholePoint, Count> whole;
   for (std::size_t k = 0; k < Count; ++k)
   {
-    whole[k] = { ToWhole(points[k].X, unit), ToWhole(points[k].Y, unit) };
+    whole[k] = ToWhole(points[k], unit);
   }
   return whole;
 }
@@ -71,16 +45,6 @@ int CertainSign(double value, double magnitude, double bound, double least)
 {
   const bool isCertain = std::abs(value) > bound * magnitude && magnitude > least;
   return !isCertain ? 0 : value > 0.0 ? 1 : -1;
-}
-
-Whole Cross(const WholePoint& a, const WholePoint& b)
-{
-  return a.X * b.Y - a.Y * b.X;
-}
-
-WholePoint Difference(const WholePoint& a, const WholePoint& b)
-{
-  return { a.X - b.X, a.Y - b.Y };
 }
 
 Whole SquaredLength(const WholePoint& a)
@@ -106,7 +70,7 @@ int ExactOrientation(const Point2& a, const Point2& b, const Point2& c)
     return certain;
   }
   const auto whole = ToWhole<3>({ a, b, c });
-  return Cross(Difference(whole[1], whole[0]), Difference(whole[2], whole[0])).sign();
+  return Cross(whole[1] - whole[0], whole[2] - whole[0]).sign();
 }
 
 int ExactInCircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
@@ -124,9 +88,9 @@ int ExactInCircle(const Point2& a, const Point2& b, const Point2& c, const Point
     return certain;
   }
   const auto whole = ToWhole<4>({ a, b, c, d });
-  const WholePoint p = Difference(whole[0], whole[3]);
-  const WholePoint q = Difference(whole[1], whole[3]);
-  const WholePoint r = Difference(whole[2], whole[3]);
+  const WholePoint p = whole[0] - whole[3];
+  const WholePoint q = whole[1] - whole[3];
+  const WholePoint r = whole[2] - whole[3];
   const Whole sum = SquaredLength(p) * Cross(q, r) + SquaredLength(q) * Cross(r, p) +
     SquaredLength(r) * Cross(p, q);
   return sum.sign();

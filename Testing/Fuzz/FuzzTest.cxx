@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "EvenOddArea.h"
 #include "MeshOracle.h"
 #include "Oracle.h"
 
@@ -99,6 +100,45 @@ TEST(Fuzz, BytesMakeCasesToo)
     FuzzNumbers numbers(bytes.data(), bytes.size());
     ExpectKept(MakeFuzzCase(numbers), "bytes-" + std::to_string(length));
     bytes.push_back(static_cast<std::uint8_t>(length * 73 + 5));
+  }
+}
+
+double AreaOf(const std::vector<std::vector<Point2>>& chains)
+{
+  const EvenOddArea area = MeasureEvenOddArea(ReadDrawing(BoundaryOf(chains, 1.0).Input));
+  return area.Area.convert_to<double>();
+}
+
+/// Moved by 2^40, with 2^-12 the unit of length, all products have more digits than a double.
+TEST(EvenOddArea, IsExactWhereverSegmentsMeet)
+{
+  for (const double shift : { 0.0, 0x1p40 })
+  {
+    const double unit = shift == 0.0 ? 1.0 : 0x1p-12;
+    const auto area = [shift, unit](std::vector<std::vector<Point2>> chains)
+    {
+      for (std::vector<Point2>& chain : chains)
+      {
+        for (Point2& p : chain)
+        {
+          p = unit * p + Point2{ shift, -shift };
+        }
+      }
+      return AreaOf(chains) / (unit * unit);
+    };
+    const std::vector<Point2> box{ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 0, 0 } };
+    const std::vector<Point2> within{ { 1, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 }, { 1, 1 } };
+    const std::vector<Point2> across{ { 1, 1 }, { 3, 1 }, { 3, 3 }, { 1, 3 }, { 1, 1 } };
+    const std::vector<Point2> low{ { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 } };
+    const std::vector<Point2> high{ { 0, 0 }, { 1, 0 }, { 1, 2 }, { 0, 0 } };
+    EXPECT_EQ(area({ box }), 4.0);
+    EXPECT_EQ(area({ box, box }), 0.0);
+    EXPECT_EQ(area({ box, box, box }), 4.0);
+    EXPECT_EQ(area({ box, within }), 3.0);
+    EXPECT_EQ(area({ box, across }), 6.0);
+    EXPECT_EQ(area({ { { 0, 0 }, { 3, 1 }, { 3, 0 }, { 0, 1 }, { 0, 0 } } }), 1.5);
+    EXPECT_EQ(area({ low, high }), 5.0 / 6.0);
+    EXPECT_EQ(area({ low, { { 5, 0 }, { 7, 0 }, { 5, 0 } } }), 0.5);
   }
 }
 

@@ -3,12 +3,14 @@
 
 #include "MeshOracle.h"
 
+#include "EvenOddArea.h"
 #include "ExactSigns.h"
 
 #include <algorithm> // for sort, binary_search
 #include <array>     // for corners
 #include <cmath>     // for isfinite
 #include <limits>    // for infinity
+#include <map>       // for regions
 #include <sstream>   // for texts
 #include <utility>   // for pair
 
@@ -70,6 +72,20 @@ double DistanceTo(const Point2& p, const Point2& start, const Point2& end)
   return std::hypot(p.X - nearest.X, p.Y - nearest.Y);
 }
 
+std::string PlaceText(const Point2& p)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "(" << p.X << ", " << p.Y << ")";
+  return text.str();
+}
+
+bool AreCollinear(const DrawnSegment& a, const DrawnSegment& b)
+{
+  return ExactOrientation(a.Start, a.End, b.Start) == 0 &&
+    ExactOrientation(a.Start, a.End, b.End) == 0;
+}
+
 class MeshOracle
 {
 public:
@@ -85,6 +101,13 @@ public:
   std::string Find();
 
 private:
+  enum class Answer
+  {
+    No,
+    Unknown,
+    Yes
+  };
+
   bool HasSizes();
   bool HasBiteSizes();
   bool HasIds();
@@ -101,6 +124,7 @@ private:
   bool HasRegions();
   bool HasArea();
   bool KeepsPoints();
+  bool IsOfPoint(const DrawnSegment& segment) const;
   bool KeepsPoint(const Point2& p, const char* what);
   bool IsAtBoundary(const Point2& p) const;
   bool IsAtVertex(const Point2& p) const;
@@ -108,7 +132,7 @@ private:
   bool CoversSegments();
   bool CoversSegment(const DrawnSegment& segment);
   bool CoversGap(const DrawnSegment& segment, double from, double to);
-  bool DividesFaces(const Point2& p, const Point2& q, double slack) const;
+  Answer DividesFaces(const Point2& p, const Point2& q, double slack) const;
   bool SurelyDividesFaces(const Point2& p, const Point2& q) const;
   bool MayDivideFaces(const Point2& p, const Point2& q) const;
   bool HasLine(const Point2& p, const Point2& q) const;
@@ -402,27 +426,25 @@ bool MeshOracle::HasRegions()
   return true;
 }
 
+/// That of the triangles is that of the boundary: each edge within is there twice, in both directions.
 bool MeshOracle::HasArea()
 {
   if (!this->Drawn.IsExplicit)
   {
     return true;
   }
-  using Wide = long double;
-  Wide doubled = 0;
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); slot += 3)
+  std::vector<std::pair<Point2, Point2>> boundary;
+  for (const std::size_t slot : this->BoundarySlots)
   {
-    const Point2& a = this->Corner(slot);
-    const Point2& b = this->Corner(slot + 1);
-    const Point2& c = this->Corner(slot + 2);
-    doubled += (Wide(b.X) - a.X) * (Wide(c.Y) - a.Y) - (Wide(b.Y) - a.Y) * (Wide(c.X) - a.X);
+    boundary.emplace_back(this->Corner(Next(slot)), this->Corner(Next(Next(slot))));
   }
-  const double area = static_cast<double>(doubled / 2);
+  const Rational area = EnclosedArea(boundary);
   const EvenOddArea expected = MeasureEvenOddArea(this->Drawn);
   std::ostringstream text;
   text.precision(17);
-  text << "the area is " << area << " instead of " << expected.Area << " +- " << expected.Tolerance;
-  return std::abs(area - expected.Area) <= expected.Tolerance || this->Refuse(text.str());
+  text << "the area is " << area.convert_to<double>() << " instead of "
+       << expected.Area.convert_to<double>() << " +- " << expected.Tolerance;
+  return abs(area - expected.Area) <= expected.Tolerance || this->Refuse(text.str());
 }
 
 bool MeshOracle::KeepsPoints()
@@ -430,18 +452,27 @@ bool MeshOracle::KeepsPoints()
   for (const DrawnSegment& segment : this->Drawn.Segments)
   {
     const bool mayGo = segment.Face != NoId && !this->Options.Domain.KeepCellEdges;
-    if (mayGo)
-    {
-      continue;
-    }
-    if (!this->KeepsPoint(segment.Start, "an end of a segment") ||
-      !this->KeepsPoint(segment.End, "an end of a segment"))
+    if (!mayGo && !this->IsOfPoint(segment) &&
+      (!this->KeepsPoint(segment.Start, "an end of a segment") ||
+        !this->KeepsPoint(segment.End, "an end of a segment")))
     {
       return false;
     }
   }
   return std::all_of(this->Drawn.Points.begin(), this->Drawn.Points.end(),
     [this](const Point2& p) { return this->KeepsPoint(p, "an embedded point"); });
+}
+
+/// Whether all of the chain lies within rounding of the segment: as one of length zero, it draws nothing.
+bool MeshOracle::IsOfPoint(const DrawnSegment& segment) const
+{
+  return std::all_of(this->Drawn.Segments.begin(), this->Drawn.Segments.end(),
+    [this, &segment](const DrawnSegment& other)
+    {
+      return other.Chain != segment.Chain ||
+        (Distance(segment.Start, other.Start) <= this->Slack &&
+          Distance(segment.Start, other.End) <= this->Slack);
+    });
 }
 
 bool MeshOracle::KeepsPoint(const Point2& p, const char* what)
@@ -451,10 +482,7 @@ bool MeshOracle::KeepsPoint(const Point2& p, const char* what)
   {
     return true;
   }
-  std::ostringstream text;
-  text.precision(17);
-  text << what << " is no vertex: (" << p.X << ", " << p.Y << ")";
-  return this->Refuse(text.str());
+  return this->Refuse(what + (" is no vertex: " + PlaceText(p)));
 }
 
 /// Nearer to the boundary than rounding, p may as well be outside.
@@ -526,7 +554,10 @@ bool MeshOracle::CoversSegment(const DrawnSegment& segment)
   {
     if (part.first > done && this->CoversGap(segment, done, part.first))
     {
-      return this->Refuse("a segment of cell " + std::to_string(segment.Cell) + " is not covered");
+      const Point2 along = segment.End - segment.Start;
+      return this->Refuse("a segment of cell " + std::to_string(segment.Cell) +
+        " is not covered between " + PlaceText(segment.Start + done * along) + " and " +
+        PlaceText(segment.Start + part.first * along));
     }
     done = std::max(done, part.second);
   }
@@ -557,36 +588,47 @@ bool MeshOracle::CoversGap(const DrawnSegment& segment, double from, double to)
 }
 
 /// Whether the edges of faces from p towards q are more than one between neighbors, of all edges that
-/// are no further away than `slack`.
-bool MeshOracle::DividesFaces(const Point2& p, const Point2& q, double slack) const
+/// are no further away than `slack`. A face that runs there and back has no area there, unless it is a
+/// thin spike. Where three faces or more meet they overlap: there it is not known of which region the
+/// mesh is.
+MeshOracle::Answer MeshOracle::DividesFaces(const Point2& p, const Point2& q, double slack) const
 {
-  Id count = 0;
-  Id region = NoId;
-  bool areSeveral = this->Options.Domain.KeepCellEdges;
+  std::map<Id, const DrawnSegment*> faces; // that run there an odd number of times, and one segment
+  bool isEdge = false;
+  bool hasSpike = false;
   for (const DrawnSegment& segment : this->Drawn.Segments)
   {
     if (segment.Face != NoId && DistanceTo(p, segment.Start, segment.End) <= slack &&
       DistanceTo(q, segment.Start, segment.End) <= slack)
     {
-      areSeveral = areSeveral || (count > 0 && segment.Region != region);
-      region = segment.Region;
-      ++count;
+      isEdge = true;
+      const auto known = faces.emplace(segment.Face, &segment);
+      if (!known.second)
+      {
+        hasSpike = hasSpike || !AreCollinear(segment, *known.first->second);
+        faces.erase(known.first);
+      }
     }
   }
-  return count % 2 != 0 || areSeveral;
+  const bool isKept = isEdge && this->Options.Domain.KeepCellEdges;
+  const bool areTwo = faces.size() == 2;
+  const bool differ = areTwo && faces.begin()->second->Region != faces.rbegin()->second->Region;
+  return faces.size() % 2 != 0 || isKept || differ ? Answer::Yes
+    : !hasSpike && (faces.empty() || areTwo)       ? Answer::No
+                                                   : Answer::Unknown;
 }
 
 /// Where faces are thinner than rounding it is not known which edges are one.
 bool MeshOracle::SurelyDividesFaces(const Point2& p, const Point2& q) const
 {
-  return this->DividesFaces(p, q, this->Slack) &&
-    this->DividesFaces(p, q, LeastSlack * this->Slack);
+  return this->DividesFaces(p, q, this->Slack) == Answer::Yes &&
+    this->DividesFaces(p, q, LeastSlack * this->Slack) == Answer::Yes;
 }
 
 bool MeshOracle::MayDivideFaces(const Point2& p, const Point2& q) const
 {
-  return this->DividesFaces(p, q, this->Slack) ||
-    this->DividesFaces(p, q, LeastSlack * this->Slack);
+  return this->DividesFaces(p, q, this->Slack) != Answer::No ||
+    this->DividesFaces(p, q, LeastSlack * this->Slack) != Answer::No;
 }
 
 /// Whether a line runs from p towards q.
@@ -844,11 +886,7 @@ const HalfEdge* MeshOracle::FindHalf(Id start, Id end) const
 
 std::string MeshOracle::EdgeText(Id start, Id end) const
 {
-  std::ostringstream text;
-  text.precision(17);
-  text << "edge (" << this->Place(start).X << ", " << this->Place(start).Y << ") - ("
-       << this->Place(end).X << ", " << this->Place(end).Y << ")";
-  return text.str();
+  return "edge " + PlaceText(this->Place(start)) + " - " + PlaceText(this->Place(end));
 }
 
 } // namespace

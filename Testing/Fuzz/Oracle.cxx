@@ -3,7 +3,7 @@
 
 #include "Oracle.h"
 
-#include "Drawing.h"
+#include "EvenOddArea.h"
 #include "MeshOracle.h"
 #include "SimplificationOracle.h"
 
@@ -209,8 +209,8 @@ std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
   if (run.Problems.Has(ProblemCode::NoClosedLoop))
   {
     const Drawing drawing = ReadDrawing(fuzzCase.Input);
-    const EvenOddArea area = MeasureEvenOddArea(drawing);
-    return drawing.IsExplicit && area.Area > area.Tolerance ? "there is a closed loop" : "";
+    const EvenOddArea area = drawing.IsExplicit ? MeasureEvenOddArea(drawing) : EvenOddArea();
+    return area.Area > area.Tolerance ? "there is a closed loop" : "";
   }
   if (run.Problems.Has(ProblemCode::NotFinite))
   {
@@ -225,82 +225,19 @@ std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
   return "";
 }
 
-/// Whether p lies in the even-odd region of a face, and how far from its outline.
-struct PlaceInFace
-{
-  bool IsInside = false;
-  double Distance = std::numeric_limits<double>::infinity();
-};
-
-PlaceInFace FindPlace(const Point2& p, const std::vector<DrawnSegment>& face)
-{
-  PlaceInFace place;
-  for (const DrawnSegment& segment : face)
-  {
-    const Point2& a = segment.Start;
-    const Point2& b = segment.End;
-    const Point2 along = b - a;
-    const double t = std::clamp(Dot(p - a, along) / Dot(along, along), 0.0, 1.0);
-    place.Distance = std::min(place.Distance, Distance(p, a + t * along));
-    const bool isCrossed = (a.Y <= p.Y) != (b.Y <= p.Y);
-    place.IsInside ^= isCrossed && p.X < a.X + (p.Y - a.Y) / (b.Y - a.Y) * (b.X - a.X);
-  }
-  return place;
-}
-
-/// Whether the outline of one face runs safely inside of the other, and safely outside of it.
-bool OverlapInPart(
-  const std::vector<DrawnSegment>& first, const std::vector<DrawnSegment>& second, double slack)
-{
-  bool runsInside = false;
-  bool runsOutside = false;
-  for (const DrawnSegment& segment : first)
-  {
-    for (const double share : { 0.5, 0.1, 0.9 })
-    {
-      const Point2 p = segment.Start + share * (segment.End - segment.Start);
-      const PlaceInFace place = FindPlace(p, second);
-      const bool isSafe = place.Distance > slack;
-      runsInside = runsInside || (isSafe && place.IsInside);
-      runsOutside = runsOutside || (isSafe && !place.IsInside);
-    }
-  }
-  return runsInside && runsOutside;
-}
-
-std::vector<std::vector<DrawnSegment>> FacesOf(const Drawing& drawing)
-{
-  std::vector<std::vector<DrawnSegment>> faces;
-  for (const DrawnSegment& segment : drawing.Segments)
-  {
-    if (segment.Face != NoId)
-    {
-      if (faces.empty() || faces.back().front().Face != segment.Face)
-      {
-        faces.emplace_back();
-      }
-      faces.back().push_back(segment);
-    }
-  }
-  return faces;
-}
-
 /// Whether a face winds about some of its area more than once: then it is not the area of its outline.
 bool HasFaceOnItself(const Drawing& drawing)
 {
   for (const std::vector<DrawnSegment>& face : FacesOf(drawing))
   {
-    double doubled = 0.0;
+    std::vector<std::pair<Point2, Point2>> outline;
     for (const DrawnSegment& segment : face)
     {
-      const Point2& origin = face.front().Start;
-      doubled += Cross(segment.Start - origin, segment.End - origin);
+      outline.emplace_back(segment.Start, segment.End);
     }
-    Drawing alone;
-    alone.Largest = drawing.Largest;
-    alone.Segments = face;
-    const EvenOddArea area = MeasureEvenOddArea(alone);
-    if (std::abs(0.5 * std::abs(doubled) - area.Area) > area.Tolerance + 1e-9 * area.Area)
+    const Rational wound = abs(EnclosedArea(outline));
+    const EvenOddArea area = MeasureEvenOddArea(drawing.Of(face));
+    if (abs(wound - area.Area) > area.Tolerance)
     {
       return true;
     }
@@ -308,38 +245,78 @@ bool HasFaceOnItself(const Drawing& drawing)
   return false;
 }
 
+/// Whether a face is so thin that rounding may turn it over, or lay it onto its neighbors.
+bool HasFaceBelowRounding(const Drawing& drawing)
+{
+  const std::vector<std::vector<DrawnSegment>> faces = FacesOf(drawing);
+  return std::any_of(faces.begin(), faces.end(),
+    [&drawing](const std::vector<DrawnSegment>& face)
+    {
+      const EvenOddArea area = MeasureEvenOddArea(drawing.Of(face));
+      return area.Area > 0 && area.Area <= area.Tolerance;
+    });
+}
+
+/// Whether two faces have area in common, and each has some of its own, all of it more than rounding.
+bool OverlapInPart(const Drawing& first, const Drawing& second)
+{
+  Drawing both = first;
+  both.Segments.insert(both.Segments.end(), second.Segments.begin(), second.Segments.end());
+  const EvenOddArea a = MeasureEvenOddArea(first);
+  const EvenOddArea b = MeasureEvenOddArea(second);
+  const EvenOddArea odd = MeasureEvenOddArea(both);
+  const Rational common = (a.Area + b.Area - odd.Area) / 2;
+  return common > odd.Tolerance && a.Area - common > odd.Tolerance &&
+    b.Area - common > odd.Tolerance;
+}
+
+bool DoAnyOverlapInPart(const Drawing& drawing)
+{
+  const std::vector<std::vector<DrawnSegment>> faces = FacesOf(drawing);
+  for (std::size_t first = 0; first < faces.size(); ++first)
+  {
+    for (std::size_t second = first + 1; second < faces.size(); ++second)
+    {
+      if (OverlapInPart(drawing.Of(faces[first]), drawing.Of(faces[second])))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+Drawing WithoutLines(Drawing drawing)
+{
+  drawing.Segments.erase(std::remove_if(drawing.Segments.begin(), drawing.Segments.end(),
+                           [](const DrawnSegment& segment) { return segment.Face == NoId; }),
+    drawing.Segments.end());
+  return drawing;
+}
+
 /// Faces that share no area are not told of; those that overlap in part are, unless one crosses itself.
 std::string JudgeOverlaps(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
   const Drawing drawing = ReadDrawing(fuzzCase.Input);
   const bool isTold = run.Problems.Has(ProblemCode::OverlappingCells);
-  if (!drawing.HasFaces || run.Problems.Has(ProblemCode::Crossings) || HasFaceOnItself(drawing))
+  if (!drawing.HasFaces)
   {
-    return isTold && !drawing.HasFaces ? "cells overlap where there are none" : "";
+    return isTold ? "cells overlap where there are none" : "";
   }
-  Drawing faces = drawing;
-  faces.Segments.erase(std::remove_if(faces.Segments.begin(), faces.Segments.end(),
-                         [](const DrawnSegment& segment) { return segment.Face == NoId; }),
-    faces.Segments.end());
+  const Drawing faces = WithoutLines(drawing);
+  if (run.Problems.Has(ProblemCode::Crossings) || HasFaceOnItself(faces))
+  {
+    return "";
+  }
   const EvenOddArea sum = SumOfFaces(faces);
   const EvenOddArea odd = MeasureEvenOddArea(faces);
-  if (sum.Area - odd.Area <= sum.Tolerance + odd.Tolerance)
+  const Rational excess = sum.Area - odd.Area;
+  if (isTold && excess <= Blur(faces))
   {
-    return isTold && sum.Area == odd.Area ? "cells overlap where none do" : "";
+    return HasFaceBelowRounding(faces) ? "" : "cells overlap where none do";
   }
-  const std::vector<std::vector<DrawnSegment>> outlines = FacesOf(faces);
-  const double slack = drawing.Slack() + 1e-9 * drawing.Largest;
-  for (const auto& first : outlines)
-  {
-    for (const auto& second : outlines)
-    {
-      if (!isTold && &first != &second && OverlapInPart(first, second, slack))
-      {
-        return "cells that overlap are not told of";
-      }
-    }
-  }
-  return "";
+  const bool mayOverlap = !isTold && excess > sum.Tolerance + odd.Tolerance;
+  return mayOverlap && DoAnyOverlapInPart(faces) ? "cells that overlap are not told of" : "";
 }
 
 /// A simplified drawing is judged by itself, and the mesh then by what is left of it.

@@ -56,6 +56,13 @@ void AreaSum::Add(const Point2& start, const Point2& end)
   this->Error -= startY.Value * endX.Lost + startY.Lost * endX.Value;
 }
 
+void AreaSum::AddMagnitude(const AreaSum& other)
+{
+  const double sign = other.Area() < 0.0 ? -1.0 : 1.0;
+  this->AddTerm(sign * other.Sum);
+  this->Error += sign * other.Error;
+}
+
 void AreaSum::AddProduct(double a, double b)
 {
   const RoundedValue product = ExactProduct(a, b);

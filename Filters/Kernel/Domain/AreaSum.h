@@ -23,6 +23,9 @@ public:
   /// Adds the segment from `start` to `end`, with the area on its left.
   void Add(const Point2& start, const Point2& end);
 
+  /// Adds the area of another sum, whatever its sign.
+  void AddMagnitude(const AreaSum& other);
+
   double Area() const { return 0.5 * (this->Sum + this->Error); }
 
 private:

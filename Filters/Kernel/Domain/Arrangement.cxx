@@ -9,7 +9,7 @@
 #include "Meetings.h"
 #include "VertexGrid.h"
 
-#include <algorithm>  // for sort, minmax, count_if
+#include <algorithm>  // for sort, minmax, count_if, find, rotate
 #include <cmath>      // for abs
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
@@ -366,10 +366,13 @@ void Resolver::MergeEqualEdges()
 /// then. What lies between faces on top of each other is needed to find these.
 bool Resolver::Drop(const ArrangementEdge& edge)
 {
-  const bool isDropped = edge.IsNothing() && edge.Faces.Count == 2 && edge.Faces.Turn == 0;
-  if (isDropped)
+  const FaceEdge& faces = edge.Faces;
+  const bool areNeighbors = faces.Count == 2 && faces.Turn == 0 && faces.Second() != NoId;
+  const bool isDropped =
+    this->Data.IsNothing(edge) && (areNeighbors || (faces.Count == 0 && faces.Turn == 0));
+  if (isDropped && areNeighbors)
   {
-    this->Data.Groups.Join(edge.Faces.First, edge.Faces.Second);
+    this->Data.Groups.Join(faces.First(), faces.Second());
   }
   return isDropped;
 }
@@ -434,6 +437,29 @@ bool Resolver::MarkAllNew(bool isWanted)
 
 } // namespace
 
+void FaceEdge::Absorb(const FaceEdge& other, bool isReversed)
+{
+  this->Stays = this->Stays || other.Stays;
+  this->Turn += isReversed ? -other.Turn : other.Turn;
+  this->Count += other.Count;
+  for (const Id given : other.Runs)
+  {
+    const Id run = isReversed ? OtherSide(given) : given;
+    const auto back = std::find(this->Runs.begin(), this->Runs.end(), OtherSide(run));
+    const auto free = std::find(this->Runs.begin(), this->Runs.end(), NoId);
+    if (run != NoId && back != this->Runs.end())
+    {
+      std::rotate(back, back + 1, this->Runs.end());
+      this->Runs.back() = NoId;
+      this->Count -= 2;
+    }
+    else if (run != NoId && free != this->Runs.end())
+    {
+      *free = run;
+    }
+  }
+}
+
 namespace
 {
 
@@ -451,21 +477,26 @@ Id FirstCell(const ArrangementEdge& a, const ArrangementEdge& b)
 
 void Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
 {
-  const FaceEdge& faces = other.Faces;
-  const bool isReversed = kept.Ends.Start != other.Ends.Start;
-  const bool bothHaveFaces = kept.Faces.Count > 0 && faces.Count > 0;
   kept.Cell = FirstCell(kept, other);
   kept.BoundaryCount += other.BoundaryCount;
   kept.OpenCount += other.OpenCount;
   kept.IsInterface = kept.IsInterface || other.IsInterface;
   kept.IsNew = kept.IsNew && other.IsNew;
-  kept.Faces.Stays =
-    kept.Faces.Stays || faces.Stays || (bothHaveFaces && kept.Faces.Region != faces.Region);
-  kept.Faces.Region = bothHaveFaces ? kept.Faces.Region : std::max(kept.Faces.Region, faces.Region);
-  kept.Faces.Second = bothHaveFaces ? faces.First : std::max(kept.Faces.Second, faces.Second);
-  kept.Faces.First = bothHaveFaces ? kept.Faces.First : std::max(kept.Faces.First, faces.First);
-  kept.Faces.Count += faces.Count;
-  kept.Faces.Turn += isReversed ? -faces.Turn : faces.Turn;
+  kept.Faces.Absorb(other.Faces, kept.Ends.Start != other.Ends.Start);
+}
+
+bool Arrangement::DividesRegions(const ArrangementEdge& edge) const
+{
+  const FaceEdge& faces = edge.Faces;
+  return !this->Regions.empty() && faces.Count == 2 && faces.Second() != NoId &&
+    this->Regions[static_cast<std::size_t>(faces.First())] !=
+    this->Regions[static_cast<std::size_t>(faces.Second())];
+}
+
+bool Arrangement::IsNothing(const ArrangementEdge& edge) const
+{
+  return edge.Faces.Count % 2 == 0 && !edge.Faces.Stays && !edge.HasLine() &&
+    !this->DividesRegions(edge);
 }
 
 std::vector<SegmentEnds> Arrangement::EdgeEnds() const

@@ -12,21 +12,33 @@
 #include "FaceGroups.h"
 #include "SegmentTree.h" // for SegmentEnds
 
+#include <array>   // for runs
 #include <cstddef> // for size_t
 #include <vector>  // for the arrays
 
 namespace biting
 {
 
-/// What faces have to do with an edge of the arrangement.
+/// What faces have to do with an edge of the arrangement. A face that runs along it there and back has
+/// no area there, and nothing to do with it.
 struct FaceEdge
 {
-  Id Count = 0;       ///< how often outlines of faces run along it
-  Id Turn = 0;        ///< how many of the faces lie on its left, less those on its right
-  Id First = NoId;    ///< the chain of the first of them
-  Id Second = NoId;   ///< and of another
-  Id Region = NoId;   ///< of the first of them
-  bool Stays = false; ///< as an interface: faces of several regions meet here, or all edges stay
+  Id Count = 0; ///< how often outlines of faces run along it
+  Id Turn = 0;  ///< how many of the faces lie on its left, less those on its right
+
+  /// The chains of the first of these faces, those on the right as OtherSide of it; NoId after the
+  /// last. Where more meet they overlap.
+  std::array<Id, 3> Runs{ NoId, NoId, NoId };
+
+  bool Stays = false; ///< as an interface, as all edges of faces are to
+
+  static Id OtherSide(Id run) { return -2 - run; }
+  static Id FaceOf(Id run) { return run < NoId ? OtherSide(run) : run; }
+  Id First() const { return FaceOf(this->Runs[0]); }
+  Id Second() const { return FaceOf(this->Runs[1]); }
+
+  /// Adds the runs of `other`, which is directed the other way where `isReversed`.
+  void Absorb(const FaceEdge& other, bool isReversed);
 };
 
 /// An edge of the arrangement, whatever the directions of the chains that run along it.
@@ -41,13 +53,6 @@ struct ArrangementEdge
   FaceEdge Faces;
 
   bool HasLine() const { return this->BoundaryCount + this->OpenCount > 0 || this->IsInterface; }
-
-  /// Whether it is an edge between faces that is none of the drawing.
-  bool IsNothing() const
-  {
-    return this->Faces.Count % 2 == 0 && this->Faces.Count > 0 && !this->Faces.Stays &&
-      !this->HasLine();
-  }
 };
 
 /// Makes `kept` stand for `other` too, which has the same ends in any order.
@@ -66,10 +71,17 @@ struct Arrangement
   bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share an end
   double FaceArea = 0.0;            ///< sum over all faces
   FaceGroups Groups;                ///< of chains: faces whose common edges were dropped
+  std::vector<Id> Regions;          ///< of chains; empty: all are of one region
 
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
   const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
   std::vector<SegmentEnds> EdgeEnds() const;
+
+  /// Whether faces of two regions meet at the edge.
+  bool DividesRegions(const ArrangementEdge& edge) const;
+
+  /// Whether it is an edge between faces that is none of the drawing.
+  bool IsNothing(const ArrangementEdge& edge) const;
 };
 
 /// Splits and merges edges until they meet at common ends only.

@@ -10,6 +10,7 @@
 #include <cstddef>   // for size_t
 #include <cstdint>   // for flags
 #include <cstdlib>   // for abs
+#include <limits>    // for epsilon
 
 namespace biting
 {
@@ -18,7 +19,7 @@ namespace
 {
 
 /// Of the area of all faces; sums of areas are exact to their last bits.
-constexpr double OverlapShare = 1e-12;
+constexpr double OverlapShare = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// A surface: faces that were joined.
 struct Surface
@@ -99,9 +100,9 @@ void OverlapFinder::JoinNeighbors()
 {
   for (const ArrangementEdge& edge : this->Drawing.Edges)
   {
-    if (edge.Faces.Count == 2 && edge.Faces.Turn == 0)
+    if (edge.Faces.Count == 2 && edge.Faces.Turn == 0 && edge.Faces.Second() != NoId)
     {
-      this->Groups.Join(edge.Faces.First, edge.Faces.Second);
+      this->Groups.Join(edge.Faces.First(), edge.Faces.Second());
     }
   }
 }
@@ -112,16 +113,16 @@ void OverlapFinder::Visit(Id segment)
   const FaceEdge& faces = this->FacesAt(segment);
   const Id below = this->OwnerBelow(segment);
   Id above = below;
-  if (faces.Count > 0)
+  if (faces.First() != NoId)
   {
-    const Id group = this->Groups.Find(faces.First);
+    const Id group = this->Groups.Find(faces.First());
     Surface& surface = this->Surfaces[static_cast<std::size_t>(group)];
     surface.Parent = surface.LeastCover == NoId ? below : surface.Parent;
     this->MeetOutline(segment, surface);
     above = this->StepOf(segment) > 0 ? group : this->StepOf(segment) < 0 ? surface.Parent : below;
   }
   this->OwnersAbove[static_cast<std::size_t>(segment)] = above;
-  if (faces.Count + std::abs(faces.Turn) > 3)
+  if (faces.First() != NoId && faces.Count + std::abs(faces.Turn) > 3)
   {
     this->Report(segment);
   }
@@ -167,7 +168,7 @@ bool OverlapFinder::LiesOnOthers(const Surface& surface) const
 
 void OverlapFinder::Report(Id segment)
 {
-  const auto face = static_cast<std::size_t>(this->FacesAt(segment).First);
+  const auto face = static_cast<std::size_t>(this->FacesAt(segment).First());
   if (!this->IsReported[face])
   {
     this->IsReported[face] = 1;

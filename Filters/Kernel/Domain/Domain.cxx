@@ -174,7 +174,7 @@ void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
   for (std::size_t e = 0; e < inside.Left.size(); ++e)
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
-    if (edge.IsNothing() && inside.Left[e])
+    if (arrangement.IsNothing(edge) && inside.Left[e])
     {
       inside.Vertices[static_cast<std::size_t>(edge.Ends.Start)] = 1;
       inside.Vertices[static_cast<std::size_t>(edge.Ends.End)] = 1;
@@ -274,7 +274,8 @@ Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
 
 bool IsKept(const Arrangement& arrangement, const InsideFlags& inside, std::size_t edge)
 {
-  return (inside.Left[edge] || inside.Right[edge]) && !arrangement.Edges[edge].IsNothing();
+  return (inside.Left[edge] || inside.Right[edge]) &&
+    !arrangement.IsNothing(arrangement.Edges[edge]);
 }
 
 /// 1 for the ends of kept edges.

@@ -67,6 +67,7 @@ private:
   void ReportNear(Id edge, Id other, Id vertex);
   void ReportCrossing(Id first, Id second);
   bool IsNews(Id first, Id second) const;
+  bool AreOfOneFace(Id first, Id second) const;
   bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
   bool MayBound(Id edge) const
   {
@@ -284,15 +285,17 @@ bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
       [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
 }
 
-/// Faces share parts of edges, and lines run over faces. Faces on top of each other are told of in
-/// another way (CellOverlaps.h), but not what crosses itself.
+/// Faces share parts of edges, and lines run over faces.
 bool MeetingFinder::IsNews(Id first, Id second) const
 {
-  const ArrangementEdge& a = this->Input.Edge(first);
-  const ArrangementEdge& b = this->Input.Edge(second);
-  const bool isOfLines = a.HasLine() && b.HasLine();
-  const bool isOfOneFace = a.Faces.Count > 0 && a.Faces.First == b.Faces.First;
-  return isOfLines || isOfOneFace || this->IsBoundary(first) || this->IsBoundary(second);
+  const bool isOfLines = this->Input.Edge(first).HasLine() && this->Input.Edge(second).HasLine();
+  return isOfLines || this->IsBoundary(first) || this->IsBoundary(second);
+}
+
+bool MeetingFinder::AreOfOneFace(Id first, Id second) const
+{
+  const Id face = this->Input.Edge(first).Faces.First();
+  return face != NoId && face == this->Input.Edge(second).Faces.First();
 }
 
 void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
@@ -328,9 +331,10 @@ void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
   }
 }
 
+/// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses itself.
 void MeetingFinder::ReportCrossing(Id first, Id second)
 {
-  if (this->IsNews(first, second))
+  if (this->IsNews(first, second) || this->AreOfOneFace(first, second))
   {
     this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
   }

@@ -85,6 +85,7 @@ private:
   const bool HasFaces;
   const double MergeTolerance;
   Arrangement Result;
+  AreaSum FaceArea{ {} };        ///< of all faces
   std::vector<PointUse> Uses;    ///< one a point; of equal ones the first has the least
   std::vector<Id> PointVertices; ///< NoId: no chain uses the point
   std::vector<Id> InOrder;       ///< the first of equal points, by their places
@@ -96,11 +97,13 @@ Arrangement Welder::Run()
   this->MakeVertices();
   this->Result.Edges.reserve(this->Input.Connectivity.size());
   this->Result.Groups = FaceGroups(this->HasFaces ? this->Input.NumberOfChains() : 0);
+  this->Result.Regions = this->Input.Regions;
   for (Id chain = 0; chain < this->Input.NumberOfChains() && this->Beats.Beat(); ++chain)
   {
     this->AppendChain(chain);
   }
   this->MergeEmbeddedPoints();
+  this->Result.FaceArea = this->FaceArea.Area();
   return std::move(this->Result);
 }
 
@@ -355,15 +358,13 @@ void Welder::AppendFace(Id chain)
   {
     sum.Add(this->Place(this->PointAt(place - 1)), this->Place(this->PointAt(place)));
   }
-  const std::vector<Id>& regions = this->Input.Regions;
   ArrangementEdge edge;
   edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
   edge.Faces.Count = 1;
   edge.Faces.Turn = sum.Area() < 0.0 ? -1 : 1;
-  edge.Faces.First = chain;
-  edge.Faces.Region = regions.empty() ? 0 : regions[static_cast<std::size_t>(chain)];
+  edge.Faces.Runs[0] = edge.Faces.Turn < 0 ? FaceEdge::OtherSide(chain) : chain;
   edge.Faces.Stays = this->KeepsCellEdges;
-  this->Result.FaceArea += std::abs(sum.Area());
+  this->FaceArea.AddMagnitude(sum);
   this->AppendEdges(chain, edge);
 }
 
@@ -376,10 +377,11 @@ bool Welder::IsClosed(Id chain) const
 }
 
 /// Directs `edge` from the lesser of its ends to the greater.
-void SetEnds(Id first, Id second, Id turn, ArrangementEdge& edge)
+void SetEnds(Id first, Id second, const FaceEdge& faces, ArrangementEdge& edge)
 {
   edge.Ends = { std::min(first, second), std::max(first, second) };
-  edge.Faces.Turn = first < second ? turn : -turn;
+  edge.Faces = FaceEdge();
+  edge.Faces.Absorb(faces, first > second);
 }
 
 /// That corners of a face coincide is no news: so do those of a quad that is a triangle.
@@ -391,7 +393,7 @@ void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
   {
     const Id first = this->PointAt(place - 1);
     const Id second = this->PointAt(place);
-    SetEnds(this->VertexOf(first), this->VertexOf(second), prototype.Faces.Turn, edge);
+    SetEnds(this->VertexOf(first), this->VertexOf(second), prototype.Faces, edge);
     if (edge.Ends.Start != edge.Ends.End)
     {
       this->Result.Edges.push_back(edge);

@@ -140,6 +140,34 @@ TEST(Faces, WithRepeatedCornersAreThoseWithout)
   ExpectQuiet(Make(builder.Lines()), 2.0, 3, 0);
 }
 
+/// Found by fuzzing: whether they were interfaces depended on which edges were merged first. The second
+/// and the third of these meet other edges, and themselves, only when they are divided.
+TEST(Faces, ThatRunThereAndBackAreNoInterfacesWhateverTheirRegion)
+{
+  for (const std::vector<Point2>& slit : std::vector<std::vector<Point2>>{ { { 1, 1 }, { 2, 1 } },
+         { { 1, 1 }, { 3, 1 }, { 2, 1 } }, { { 0, 1 }, { 1, 1 }, { 2, 1 } } })
+  {
+    PolylineBuilder builder;
+    builder.Box(0, 0, 3, 1, Face).Box(1, 1, 2, 2, Face).Region(7).Loop(slit, Face);
+    ExpectQuiet(Make(builder.Lines()), 4.0, 8, 0);
+  }
+}
+
+TEST(Faces, ThatRunThereAndBackAreInterfacesOnDemand)
+{
+  PolylineBuilder builder;
+  builder.Box(0, 0, 3, 2, Face).Loop({ { 1, 1 }, { 2, 1 } }, Face);
+  ExpectQuiet(Make(builder.Lines(), true, true), 6.0, 5, 1);
+}
+
+/// Found by fuzzing: less than 1e-12 of the area was not told of.
+TEST(Faces, ThatOverlapByLittleMoreThanRoundingAreReported)
+{
+  PolylineBuilder builder;
+  builder.Box(0, 0, 2, 2, Face).Box(2.0 - 1e-14, 0, 4, 2, Face);
+  EXPECT_EQ(Overlapping(Make(builder.Lines())), Ids({ 0, 1 }));
+}
+
 TEST(Faces, ThatOverlapInPartAreReportedAndTheOddAreaCounts)
 {
   PolylineBuilder builder;
