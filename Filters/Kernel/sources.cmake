@@ -45,6 +45,7 @@ set(biting_kernel_sources
   Domain/VertexStars.cxx
   Domain/Welding.cxx
   Domain/DomainLocator.cxx
+  Domain/FaceEdge.cxx
   Simplification/ChainCorners.cxx
   Simplification/ChainReduction.cxx
   Simplification/CornerGuard.cxx

@@ -32,8 +32,9 @@ struct Drawing
   bool IsExplicit = false;            ///< what bounds is known without interpretation
   bool HasFaces = false;
 
-  /// How far what is drawn may move in the domain: the kernel welds what is nearer than RoundingInUlp of
-  /// the largest coordinate, once a round of its resolution, and rounds points on segments.
+  /// How far what is drawn may move in the domain: the kernel welds what is nearer than
+  /// RoundingInUlp of the largest coordinate, once a round of its resolution, and rounds points on
+  /// segments.
   double Slack() const;
 
   /// The same with some of the segments only, and no points.

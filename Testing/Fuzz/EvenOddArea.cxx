@@ -24,7 +24,8 @@ constexpr int BlurBits = 200;
 /// Shorter pieces are left out: their ends, each less than 1 off, may not be in order.
 constexpr int LeastPiece = 4;
 
-/// A segment from left to right; also in whole numbers, relative to the low corner of the drawing's box.
+/// A segment from left to right; also in whole numbers, relative to the low corner of the drawing's
+/// box.
 struct DirectedSegment
 {
   Point2 Left;
@@ -33,14 +34,15 @@ struct DirectedSegment
   WholePoint Along;
 };
 
-/// The even-odd area as a sum over all pieces of segments between places where they meet: of the area
-/// below a piece, taken as positive where an odd number of segments lies below the piece. Upright
-/// segments have none below them, and lie below nothing.
+/// The even-odd area as a sum over all pieces of segments between places where they meet: of the
+/// area below a piece, taken as positive where an odd number of segments lies below the piece.
+/// Upright segments have none below them, and lie below nothing.
 ///
-/// Of segments on top of each other those that come before count as below, so that equal pieces cancel in
-/// pairs. How many lie below is asked at the middle of a piece, which is a place in whole numbers: the
-/// answer is exact. The ends of pieces are rounded by less than 2^-PlaceBits of their segment; each moves
-/// the area by no more than that part of the box, twice. There are fewer than 2^40 ends.
+/// Of segments on top of each other those that come before count as below, so that equal pieces
+/// cancel in pairs. How many lie below is asked at the middle of a piece, which is a place in whole
+/// numbers: the answer is exact. The ends of pieces are rounded by less than 2^-PlaceBits of their
+/// segment; each moves the area by no more than that part of the box, twice. There are fewer than
+/// 2^40 ends.
 class PieceSum
 {
 public:

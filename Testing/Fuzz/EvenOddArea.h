@@ -26,8 +26,8 @@ struct EvenOddArea
   double Tolerance = 0.0;
 };
 
-/// The area of the even-odd region of the segments that bound, each as often as it is drawn, less than
-/// Blur (below) off. An even number of these segments ends at each place.
+/// The area of the even-odd region of the segments that bound, each as often as it is drawn, less
+/// than Blur (below) off. An even number of these segments ends at each place.
 EvenOddArea MeasureEvenOddArea(const Drawing& drawing);
 
 /// The even-odd areas of all faces, one by one, added up.

@@ -212,7 +212,8 @@ TEST(FuzzRegression, PartsOfSegmentsNearerThanRoundingDoNotCoincide)
     "coincident parts");
 }
 
-/// Interfaces within rounding of the boundary were cut off from the mesh by the parts of the boundary.
+/// Interfaces within rounding of the boundary were cut off from the mesh by the parts of the
+/// boundary.
 TEST(FuzzRegression, SegmentsWithinRoundingOfTheBoundaryAreCovered)
 {
   const Point2 a{ 244359.96647437123, -127637.07442542458 };
@@ -290,7 +291,8 @@ TEST(FuzzRegression, SpacingBelowRoundingIsThatOfRounding)
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::RepairedMesh);
 }
 
-/// The channel was divided into pieces as short as itself, to find how far f is to be lowered there.
+/// The channel was divided into pieces as short as itself, to find how far f is to be lowered
+/// there.
 TEST(FuzzRegression, TinySpacingIsRefusedSoonWhereAChannelIsNarrow)
 {
   const std::vector<Point2> frame{ { -1, -1 }, { 3, -1 }, { 3, 3 }, { -1, 3 }, { -1, -1 } };
@@ -325,7 +327,8 @@ TEST(FuzzRegression, JumpsOutsideOfATriangulationAreFoundSoonAtAHugeGradation)
   EXPECT_EQ(RunFuzzCase(fuzzCase).Kind, Verdict::Mesh);
 }
 
-/// With few bites to make, nobody asked the monitor between the trial of the calibration and the end.
+/// With few bites to make, nobody asked the monitor between the trial of the calibration and the
+/// end.
 TEST(FuzzRegression, StopIsHeardWhereverItIsSaid)
 {
   FuzzCase fuzzCase = BoundaryOf({ UnitSquare }, 0.04);
@@ -450,8 +453,8 @@ TEST(FuzzRegression, NearestVerticesAreFoundAmongThoseAnUlpApart)
   }
 }
 
-/// A stop that came after biting had refused was a second error. Its estimate did not see the segments
-/// where both chains nearly meet, a few ulp long.
+/// A stop that came after biting had refused was a second error. Its estimate did not see the
+/// segments where both chains nearly meet, a few ulp long.
 TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)
 {
   constexpr double gap = 1.4e-9;

@@ -24,6 +24,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t MostWindings = 40;
 constexpr std::size_t MostForBruteForce = 150;
 constexpr double QualityRounding = 1e-9;
+constexpr double LongestTip =
+  4.0; // in slacks, of what ends near a place and does not go on from there
 constexpr double LeastSlack = 1.0 / 16.0; // of all of it: a point on a line is rounded by that
 
 /// A directed edge of a triangle, opposite the corner at `Slot`.
@@ -426,7 +428,8 @@ bool MeshOracle::HasRegions()
   return true;
 }
 
-/// That of the triangles is that of the boundary: each edge within is there twice, in both directions.
+/// That of the triangles is that of the boundary: each edge within is there twice, in both
+/// directions.
 bool MeshOracle::HasArea()
 {
   if (!this->Drawn.IsExplicit)
@@ -463,7 +466,8 @@ bool MeshOracle::KeepsPoints()
     [this](const Point2& p) { return this->KeepsPoint(p, "an embedded point"); });
 }
 
-/// Whether all of the chain lies within rounding of the segment: as one of length zero, it draws nothing.
+/// Whether all of the chain lies within rounding of the segment: as one of length zero, it draws
+/// nothing.
 bool MeshOracle::IsOfPoint(const DrawnSegment& segment) const
 {
   return std::all_of(this->Drawn.Segments.begin(), this->Drawn.Segments.end(),
@@ -568,17 +572,18 @@ bool MeshOracle::CoversSegment(const DrawnSegment& segment)
 bool MeshOracle::CoversGap(const DrawnSegment& segment, double from, double to)
 {
   const Point2 direction = segment.End - segment.Start;
-  if ((to - from) * std::hypot(direction.X, direction.Y) <= 2.0 * this->Slack)
+  const double slack = this->Slack / std::hypot(direction.X, direction.Y);
+  if (to - from <= 2.0 * slack)
   {
     return false;
   }
   for (const double share : { 0.5, 0.21, 0.79, 0.05, 0.95 })
   {
-    const double step = 1e-3 * (to - from);
     const double t = from + share * (to - from);
+    const double beyond = t + std::max(1e-3 * (to - from), LongestTip * slack);
     const Point2 p = segment.Start + t * direction;
-    const bool isWanted =
-      segment.Face == NoId || this->SurelyDividesFaces(p, segment.Start + (t + step) * direction);
+    const bool isWanted = segment.Face == NoId ||
+      (beyond < to && this->SurelyDividesFaces(p, segment.Start + beyond * direction));
     if (isWanted && this->CoversSafely(p))
     {
       return true;
@@ -587,10 +592,10 @@ bool MeshOracle::CoversGap(const DrawnSegment& segment, double from, double to)
   return false;
 }
 
-/// Whether the edges of faces from p towards q are more than one between neighbors, of all edges that
-/// are no further away than `slack`. A face that runs there and back has no area there, unless it is a
-/// thin spike. Where three faces or more meet they overlap: there it is not known of which region the
-/// mesh is.
+/// Whether the edges of faces from p towards q are more than one between neighbors, of all edges
+/// that are no further away than `slack`. A face that runs there and back has no area there, unless
+/// it is a thin spike. Where three faces or more meet they overlap: there it is not known of which
+/// region the mesh is.
 MeshOracle::Answer MeshOracle::DividesFaces(const Point2& p, const Point2& q, double slack) const
 {
   std::map<Id, const DrawnSegment*> faces; // that run there an odd number of times, and one segment

@@ -225,7 +225,8 @@ std::string JudgeRefusal(const FuzzRun& run, const FuzzCase& fuzzCase)
   return "";
 }
 
-/// Whether a face winds about some of its area more than once: then it is not the area of its outline.
+/// Whether a face winds about some of its area more than once: then it is not the area of its
+/// outline.
 bool HasFaceOnItself(const Drawing& drawing)
 {
   for (const std::vector<DrawnSegment>& face : FacesOf(drawing))
@@ -257,7 +258,8 @@ bool HasFaceBelowRounding(const Drawing& drawing)
     });
 }
 
-/// Whether two faces have area in common, and each has some of its own, all of it more than rounding.
+/// Whether two faces have area in common, and each has some of its own, all of it more than
+/// rounding.
 bool OverlapInPart(const Drawing& first, const Drawing& second)
 {
   Drawing both = first;
@@ -294,7 +296,8 @@ Drawing WithoutLines(Drawing drawing)
   return drawing;
 }
 
-/// Faces that share no area are not told of; those that overlap in part are, unless one crosses itself.
+/// Faces that share no area are not told of; those that overlap in part are, unless one crosses
+/// itself.
 std::string JudgeOverlaps(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
   const Drawing drawing = ReadDrawing(fuzzCase.Input);

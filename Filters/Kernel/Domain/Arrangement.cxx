@@ -9,7 +9,7 @@
 #include "Meetings.h"
 #include "VertexGrid.h"
 
-#include <algorithm>  // for sort, minmax, count_if, find, rotate
+#include <algorithm>  // for sort, minmax, count_if
 #include <cmath>      // for abs
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
@@ -418,7 +418,8 @@ void Resolver::ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& o
   }
 }
 
-/// Where that is wanted, or most are new anyway: one round then does for two. Returns whether it did.
+/// Where that is wanted, or most are new anyway: one round then does for two. Returns whether it
+/// did.
 bool Resolver::MarkAllNew(bool isWanted)
 {
   std::vector<ArrangementEdge>& edges = this->Data.Edges;
@@ -434,34 +435,6 @@ bool Resolver::MarkAllNew(bool isWanted)
   }
   return true;
 }
-
-} // namespace
-
-void FaceEdge::Absorb(const FaceEdge& other, bool isReversed)
-{
-  this->Stays = this->Stays || other.Stays;
-  this->Turn += isReversed ? -other.Turn : other.Turn;
-  this->Count += other.Count;
-  for (const Id given : other.Runs)
-  {
-    const Id run = isReversed ? OtherSide(given) : given;
-    const auto back = std::find(this->Runs.begin(), this->Runs.end(), OtherSide(run));
-    const auto free = std::find(this->Runs.begin(), this->Runs.end(), NoId);
-    if (run != NoId && back != this->Runs.end())
-    {
-      std::rotate(back, back + 1, this->Runs.end());
-      this->Runs.back() = NoId;
-      this->Count -= 2;
-    }
-    else if (run != NoId && free != this->Runs.end())
-    {
-      *free = run;
-    }
-  }
-}
-
-namespace
-{
 
 /// Lines come before faces.
 Id FirstCell(const ArrangementEdge& a, const ArrangementEdge& b)

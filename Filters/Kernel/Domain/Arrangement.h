@@ -9,37 +9,15 @@
 #include "../Base/Problem.h"
 #include "../Base/Pulse.h"
 #include "Domain.h" // for DomainOptions
+#include "FaceEdge.h"
 #include "FaceGroups.h"
 #include "SegmentTree.h" // for SegmentEnds
 
-#include <array>   // for runs
 #include <cstddef> // for size_t
 #include <vector>  // for the arrays
 
 namespace biting
 {
-
-/// What faces have to do with an edge of the arrangement. A face that runs along it there and back has
-/// no area there, and nothing to do with it.
-struct FaceEdge
-{
-  Id Count = 0; ///< how often outlines of faces run along it
-  Id Turn = 0;  ///< how many of the faces lie on its left, less those on its right
-
-  /// The chains of the first of these faces, those on the right as OtherSide of it; NoId after the
-  /// last. Where more meet they overlap.
-  std::array<Id, 3> Runs{ NoId, NoId, NoId };
-
-  bool Stays = false; ///< as an interface, as all edges of faces are to
-
-  static Id OtherSide(Id run) { return -2 - run; }
-  static Id FaceOf(Id run) { return run < NoId ? OtherSide(run) : run; }
-  Id First() const { return FaceOf(this->Runs[0]); }
-  Id Second() const { return FaceOf(this->Runs[1]); }
-
-  /// Adds the runs of `other`, which is directed the other way where `isReversed`.
-  void Absorb(const FaceEdge& other, bool isReversed);
-};
 
 /// An edge of the arrangement, whatever the directions of the chains that run along it.
 struct ArrangementEdge
@@ -89,17 +67,16 @@ struct Arrangement
 /// Each round finds all pairs of edges that meet elsewhere, and all vertices on edges or so close
 /// that they count as on them (Resolution), then splits the edges there and merges those that have
 /// become equal, adding their counts. A vertex that was close bends the edge towards it; vertices
-/// never move. A crossing within Resolution of a vertex becomes that vertex. Both replace an edge by
-/// a path with the same ends, so the parity of closed chains is kept. The last round tests every
+/// never move. A crossing within Resolution of a vertex becomes that vertex. Both replace an edge
+/// by a path with the same ends, so the parity of closed chains is kept. The last round tests every
 /// pair and finds nothing.
 ///
-/// The sides of a spike are not welded where Resolution is no more than Rounding, or its tip would be
-/// lost. But many edges within Resolution of
-/// each other, which rounded crossings have cut and bent, may make new ones without end: after some
-/// rounds these are welded too.
+/// The sides of a spike are not welded where Resolution is no more than Rounding, or its tip would
+/// be lost. But many edges within Resolution of each other, which rounded crossings have cut and
+/// bent, may make new ones without end: after some rounds these are welded too.
 ///
-/// Where so many vertices lie on edges that many edges must lie along one line, these are merged all
-/// at once (see CollinearCrowds.h).
+/// Where so many vertices lie on edges that many edges must lie along one line, these are merged
+/// all at once (see CollinearCrowds.h).
 ///
 /// Edges between two faces that are none of the drawing are dropped wherever equal edges are
 /// merged: of a triangulation only the outline takes part. That faces share edges, or parts of

@@ -226,7 +226,8 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
   }
 }
 
-/// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one is.
+/// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
+/// is.
 Problem NothingBounds(const Arrangement& arrangement)
 {
   Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
@@ -252,8 +253,8 @@ Problem NothingBounds(const Arrangement& arrangement)
   return problem;
 }
 
-/// Says where chains could be closed: one problem for each end at which nothing goes on; a single one
-/// where there is no such end.
+/// Says where chains could be closed: one problem for each end at which nothing goes on; a single
+/// one where there is no such end.
 Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
 {
   const std::vector<Id> degrees = Degrees(arrangement);

@@ -306,8 +306,9 @@ void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
   }
 }
 
-/// Where what may bound the domain is moved to a vertex near it: by more than rounding, or to one that
-/// a chain passes. That an interface ends on it but for rounding, or a point lies on it, is no news.
+/// Where what may bound the domain is moved to a vertex near it: by more than rounding, or to one
+/// that a chain passes. That an interface ends on it but for rounding, or a point lies on it, is no
+/// news.
 void MeetingFinder::ReportNear(Id edge, Id other, Id vertex)
 {
   const Point2& start = this->Input.At(this->EndsOf(edge).Start);
@@ -331,7 +332,8 @@ void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
   }
 }
 
-/// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses itself.
+/// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses
+/// itself.
 void MeetingFinder::ReportCrossing(Id first, Id second)
 {
   if (this->IsNews(first, second) || this->AreOfOneFace(first, second))

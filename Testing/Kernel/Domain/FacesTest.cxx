@@ -140,8 +140,8 @@ TEST(Faces, WithRepeatedCornersAreThoseWithout)
   ExpectQuiet(Make(builder.Lines()), 2.0, 3, 0);
 }
 
-/// Found by fuzzing: whether they were interfaces depended on which edges were merged first. The second
-/// and the third of these meet other edges, and themselves, only when they are divided.
+/// Found by fuzzing: whether they were interfaces depended on which edges were merged first. The
+/// second and the third of these meet other edges, and themselves, only when they are divided.
 TEST(Faces, ThatRunThereAndBackAreNoInterfacesWhateverTheirRegion)
 {
   for (const std::vector<Point2>& slit : std::vector<std::vector<Point2>>{ { { 1, 1 }, { 2, 1 } },
