@@ -24,8 +24,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t MostWindings = 40;
 constexpr std::size_t MostForBruteForce = 150;
 constexpr double QualityRounding = 1e-9;
-constexpr double LongestTip =
-  4.0; // in slacks, of what ends near a place and does not go on from there
+constexpr double LeastDirection = 4.0;    // in slacks, by which directions are told apart
 constexpr double LeastSlack = 1.0 / 16.0; // of all of it: a point on a line is rounded by that
 
 /// A directed edge of a triangle, opposite the corner at `Slot`.
@@ -580,7 +579,7 @@ bool MeshOracle::CoversGap(const DrawnSegment& segment, double from, double to)
   for (const double share : { 0.5, 0.21, 0.79, 0.05, 0.95 })
   {
     const double t = from + share * (to - from);
-    const double beyond = t + std::max(1e-3 * (to - from), LongestTip * slack);
+    const double beyond = t + std::max(1e-3 * (to - from), LeastDirection * slack);
     const Point2 p = segment.Start + t * direction;
     const bool isWanted = segment.Face == NoId ||
       (beyond < to && this->SurelyDividesFaces(p, segment.Start + beyond * direction));
@@ -623,10 +622,15 @@ MeshOracle::Answer MeshOracle::DividesFaces(const Point2& p, const Point2& q, do
                                                    : Answer::Unknown;
 }
 
-/// Where faces are thinner than rounding it is not known which edges are one.
+/// Where faces are thinner than rounding, or have corners, it is not known which edges are one.
 bool MeshOracle::SurelyDividesFaces(const Point2& p, const Point2& q) const
 {
-  return this->DividesFaces(p, q, this->Slack) == Answer::Yes &&
+  const auto isNear = [this, &p, &q](const Point2& end)
+  { return DistanceTo(end, p, q) <= this->Slack; };
+  const bool hasCorner = std::any_of(this->Drawn.Segments.begin(), this->Drawn.Segments.end(),
+    [isNear](const DrawnSegment& segment)
+    { return segment.Face != NoId && (isNear(segment.Start) || isNear(segment.End)); });
+  return !hasCorner && this->DividesFaces(p, q, this->Slack) == Answer::Yes &&
     this->DividesFaces(p, q, LeastSlack * this->Slack) == Answer::Yes;
 }
 
