@@ -337,8 +337,8 @@ public:
   /**
    * Points that are not further apart than this, relative to the diagonal of the box of the input, are
    * one, and a point that near to a segment lies on it: a warning says how many and where. In [0, 1).
-   * 0 (default): only what the rounding of coordinates does not tell apart, four units in the last
-   * place of the largest one, of the type that they have: 4.8e-7 of it for floats, 8.9e-16 for doubles.
+   * 0 (default): only what the rounding of coordinates does not tell apart, eight units in the last
+   * place of the largest one, of the type that they have: 9.5e-7 of it for floats, 1.8e-15 for doubles.
    * Doubles that have been floats count as floats. No vertex moves further than that; of points that are
    * one, those of boundaries stay rather than those of interfaces, and these rather than embedded ones.
    * Other values: an error.

@@ -3,7 +3,7 @@
 
 #include "CoordinateRounding.h"
 
-#include "../Kernel/Domain/Polylines.h" // for RoundingInUlp
+#include "../Kernel/Domain/Polylines.h" // for NoiseInUlp
 
 #include "vtkType.h" // for data types
 
@@ -81,7 +81,7 @@ double RoundingOfCoordinates(
     dataType == VTK_FLOAT || (dataType == VTK_DOUBLE && HoldFloats(coordinates, points, pulse));
   const double unit = areFloats ? static_cast<double>(std::numeric_limits<float>::epsilon())
                                 : std::numeric_limits<double>::epsilon();
-  return RoundingInUlp * unit * LargestMagnitude(coordinates, points, pulse);
+  return NoiseInUlp * unit * LargestMagnitude(coordinates, points, pulse);
 }
 
 } // namespace biting

@@ -13,7 +13,7 @@ namespace biting
 {
 
 /// How far apart the `points` among `coordinates` (three a point, finite) may be that are meant to
-/// be one: so many units in the last place of their largest coordinate (RoundingInUlp), in the type
+/// be one: so many units in the last place of their largest coordinate (NoiseInUlp), in the type
 /// that they had in VTK, `dataType`.
 ///
 /// Floats count as floats. So do doubles that have been floats, as after a calculator or a file: all

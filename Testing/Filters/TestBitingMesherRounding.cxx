@@ -61,8 +61,8 @@ TEST(BitingMesherRounding, FloatsWithinTheirRoundingAreOnePointWithOneWarning)
 
 TEST(BitingMesherRounding, ShortSegmentsOfFloatsAboveTheirRoundingStay)
 {
-  EXPECT_EQ(NumberOfNearPoints(Loop(VTK_FLOAT, WithShortSegment(5e-7))), 0);
-  EXPECT_EQ(NumberOfNearPoints(Loop(VTK_FLOAT, WithShortSegment(2e-7))), 1);
+  EXPECT_EQ(NumberOfNearPoints(Loop(VTK_FLOAT, WithShortSegment(1e-6))), 0);
+  EXPECT_EQ(NumberOfNearPoints(Loop(VTK_FLOAT, WithShortSegment(6e-7))), 1);
 }
 
 TEST(BitingMesherRounding, DoublesKeepAThousandMillionthOfTheirBox)

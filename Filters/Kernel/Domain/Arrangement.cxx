@@ -27,7 +27,8 @@ namespace
 constexpr int MostRounds = 40;
 constexpr std::size_t LeastSplits = 100000;
 constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
-constexpr int MostRoundsWithSpikes = 6;   // twice what is seen where edges are not crowded
+constexpr double MostForSpikes = NoiseInUlp / RoundingInUlp; // of the resolution, in roundings
+constexpr int MostRoundsWithSpikes = 6; // twice what is seen where edges are not crowded
 
 class Resolver
 {
@@ -87,7 +88,7 @@ bool Resolver::Run(const DomainOptions& options)
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes =
-      round < MostRoundsWithSpikes && this->Data.Resolution <= this->Data.Rounding;
+      round < MostRoundsWithSpikes && this->Data.Resolution <= MostForSpikes * this->Data.Rounding;
     if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
     {
       return this->Refuse(ProblemCode::Aborted);

@@ -32,7 +32,7 @@ MadeDomain MakeWelded(const Polylines& input, double mergeTolerance)
 Polylines InFloats(const PolylineBuilder& builder, double largest)
 {
   Polylines lines = builder.Lines();
-  lines.Rounding = RoundingInUlp * FloatUlp * largest;
+  lines.Rounding = NoiseInUlp * FloatUlp * largest;
   return lines;
 }
 
@@ -81,10 +81,18 @@ TEST(Welding, PointsWithinTheRoundingOfFloatsAreOne)
 TEST(Welding, ShortSegmentsAboveTheRoundingOfFloatsStay)
 {
   const PolylineBuilder builder =
-    PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 }, { 1, 6 * FloatUlp }, { 1, 1 }, { 0, 1 } });
+    PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 }, { 1, 10 * FloatUlp }, { 1, 1 }, { 0, 1 } });
   const MadeDomain made = Make(InFloats(builder, 1.0));
   EXPECT_TRUE(made.Problems.Groups().empty());
   EXPECT_EQ(made.Domain.NumberOfVertices(), 5);
+}
+
+/// Each of two points may be 3.5 units off.
+TEST(Welding, PointsSevenUnitsApartAreOneInFloats)
+{
+  const PolylineBuilder builder =
+    PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 }, { 1, 7 * FloatUlp }, { 1, 1 }, { 0, 1 } });
+  EXPECT_EQ(Make(InFloats(builder, 1.0)).Domain.NumberOfVertices(), 4);
 }
 
 TEST(Welding, TheSameDrawingInDoublesKeepsAllOfItsPoints)
