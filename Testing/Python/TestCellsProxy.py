@@ -101,6 +101,28 @@ class TestCellsProxy(unittest.TestCase):
         self.assertEqual({kind for _, kind in self.tags(mesher, 'OriginalCellId')}, {0})
         self.assertGreater(mesh.GetNumberOfCells(), 500)
 
+    def test_overlapping_amr_is_the_area_of_the_cells_that_no_finer_ones_replace(self):
+        pulse = simple.AMRGaussianPulseSource(Dimension=2)
+        pulse.UpdatePipeline()
+        low_x, high_x, low_y, high_y = pulse.GetDataInformation().GetBounds()[:4]
+        self.expect(pulse, (high_x - low_x) * (high_y - low_y), 1, UniformSpacing=0.1)
+
+    def test_a_hyper_tree_grid_is_refused_by_the_panel_and_taken_by_its_surface(self):
+        trees = simple.HyperTreeGrid(Dimensions=[4, 4, 1], MaxDepth=3,
+                                     Descriptor='R..R.....|....R...|....')
+        trees.UpdatePipeline()
+        surface = simple.HyperTreeGridGeometryFilter(Input=trees)
+        surface.UpdatePipeline()
+        cells = surface.GetDataInformation().GetNumberOfCells()
+        self.assertGreater(cells, 9)
+        mesher = self.expect(surface, 9.0, 1, UniformSpacing=0.2)
+        self.expect(surface, 9.0, cells, UniformSpacing=0.2, KeepCellEdges=1)
+        given = mesher.SMProxy.GetProperty('Input')
+        given.SetUncheckedInputConnection(0, trees.SMProxy, 0)
+        self.assertFalse(given.IsInDomains())
+        given.SetUncheckedInputConnection(0, surface.SMProxy, 0)
+        self.assertTrue(given.IsInDomains())
+
     def test_text_is_a_region_a_letter(self):
         text = simple.a3DText(Text='Biting')
         text.UpdatePipeline()
