@@ -36,8 +36,8 @@ struct ArrangementEdge
 /// Makes `kept` stand for `other` too, which has the same ends in any order.
 void Absorb(ArrangementEdge& kept, const ArrangementEdge& other);
 
-/// What the input draws: distinct vertices and edges. Neither depends on the order of the input's points
-/// and chains, nor on directions.
+/// What the input draws: distinct vertices and edges. Neither depends on the order of the input's
+/// points and chains, nor on directions.
 struct Arrangement
 {
   std::vector<Point2> Vertices;

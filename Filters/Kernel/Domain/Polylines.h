@@ -24,13 +24,13 @@ enum class ChainKind : signed char
 
 /// How far off, in units in the last place of the largest coordinate, a computed point may be.
 ///
-/// A filter computes points as a + t (b - a), in the type of the coordinates. With u half a unit and M
-/// the largest coordinate, b - a is off by 2 u M, and so are its product with t, for its own rounding
-/// and for that of t each; the sum is off by u M more: 7 u M, or 3.5 units, at worst.
+/// A filter computes points as a + t (b - a), in the type of the coordinates. With u half a unit
+/// and M the largest coordinate, b - a is off by 2 u M, and so are its product with t, for its own
+/// rounding and for that of t each; the sum is off by u M more: 7 u M, or 3.5 units, at worst.
 constexpr double RoundingInUlp = 4.0;
 
-/// How far apart points may be that are meant to be one: two computed points, each off by as much. In
-/// slices of ParaView's sources points that are meant to be one are up to 6 units apart.
+/// How far apart points may be that are meant to be one: two computed points, each off by as much.
+/// In slices of ParaView's sources points that are meant to be one are up to 6 units apart.
 constexpr double NoiseInUlp = 2.0 * RoundingInUlp;
 
 /// The input of the kernel: chains of points in the plane, as they come (points may repeat, chains
@@ -46,7 +46,8 @@ struct Polylines
   std::vector<Id> Regions; ///< of each chain, what faces tell apart; empty: all are of one region
 
   /// Points that are not further apart are one: NoiseInUlp units in the last place of the largest
-  /// coordinate, in the type that the points had. Where it is less, RoundingInUlp counts, in doubles.
+  /// coordinate, in the type that the points had. Where it is less, RoundingInUlp counts, in
+  /// doubles.
   double Rounding = 0.0;
 
   Id NumberOfChains() const { return static_cast<Id>(this->Kinds.size()); }
