@@ -172,7 +172,7 @@ void ChainReduction::File(Id slot, double error)
     Distance(this->At(this->Chains.Previous[slot]), this->At(this->Chains.Nexts[slot]));
   const std::size_t errorClass = ClassOf(error);
   this->Queues[errorClass].push(
-    { static_cast<float>(length / this->Size), slot, this->Versions[slot] });
+    { static_cast<float>(length / this->Size), this->Offsets[slot], slot, this->Versions[slot] });
   this->FirstQueue = std::min(this->FirstQueue, errorClass);
 }
 
@@ -185,7 +185,7 @@ ChainReduction::Candidate ChainReduction::TakeFirst()
   }
   if (this->FirstQueue == this->Queues.size())
   {
-    return { 0.0f, NoId, 0 };
+    return { 0.0f, 0.0f, NoId, 0 };
   }
   const Candidate first = this->Queues[this->FirstQueue].top();
   this->Queues[this->FirstQueue].pop();

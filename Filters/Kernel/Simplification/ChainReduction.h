@@ -57,6 +57,7 @@ private:
   struct Candidate
   {
     float Length;
+    float Offset; ///< of the slot
     Id Slot;
     Id Version;
   };
@@ -66,7 +67,9 @@ private:
     const ChainReduction* Owner;
     bool operator()(const Candidate& a, const Candidate& b) const
     {
-      return a.Length != b.Length ? a.Length > b.Length : this->Owner->IsFirst(b.Slot, a.Slot);
+      return a.Length != b.Length ? a.Length > b.Length
+        : a.Offset != b.Offset    ? a.Offset > b.Offset
+                                  : this->Owner->At(b.Slot) < this->Owner->At(a.Slot);
     }
   };
 
