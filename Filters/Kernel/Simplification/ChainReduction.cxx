@@ -7,7 +7,7 @@
 
 #include <algorithm> // for max, min, minmax
 #include <array>     // for triangles
-#include <cmath>     // for isfinite, sqrt
+#include <cmath>     // for sqrt
 #include <cstdint>   // for bits
 #include <cstring>   // for memcpy
 #include <limits>    // for infinity
@@ -26,6 +26,9 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr float LeastError = 1.0f / (1 << 24);
 constexpr float OffBorders = 1.0371f;
 constexpr int BitsBelowClass = 21; // of a float: two bits of its fraction count
+
+// What differs by less of its size is equal, so that drawings may be turned and moved.
+constexpr double Rounding = 1.0 / (1 << 26);
 
 std::uint32_t BitsOf(float value)
 {
@@ -60,6 +63,13 @@ Point2 MeanOf(const std::vector<Point2>& points)
     sum = sum + (p - points.front());
   }
   return points.front() + (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+// So little that only what lies on its border but for rounding comes into it.
+std::array<Point2, 3> Enlarged(const Point2& a, const Point2& b, const Point2& c)
+{
+  const Point2 center = a + (1.0 / 3.0) * ((b - a) + (c - a));
+  return { a + Rounding * (a - center), b + Rounding * (b - center), c + Rounding * (c - center) };
 }
 
 } // namespace
@@ -249,12 +259,12 @@ Id ChainReduction::FindObstacleBeyond(Id slot) const
   const double share = Dot(offset, along) / Dot(along, along);
   const Point2 foot = start + share * along;
   const Point2 across = foot - this->At(slot);
-  const double height =
-    this->Errors[slot] * this->Tolerances[this->Chains.Vertices[slot]] / Length(across);
-  if (!std::isfinite(height))
+  if (!(Length(across) > Rounding * Length(along)))
   {
     return NoId; // the vertex is on the segment, but for rounding
   }
+  const double height =
+    this->Errors[slot] * this->Tolerances[this->Chains.Vertices[slot]] / Length(across);
   const Point2 beyond = foot + height * across;
   const int side = Orient2D(start, end, beyond);
   const int other = Orient2D(start, end, this->At(slot));
@@ -262,8 +272,7 @@ Id ChainReduction::FindObstacleBeyond(Id slot) const
   {
     return NoId;
   }
-  const std::array<Point2, 3> corners{ side > 0 ? start : end, side > 0 ? end : start, beyond };
-  return this->Left.FindIn(corners,
+  return this->Left.FindIn(Enlarged(side > 0 ? start : end, side > 0 ? end : start, beyond),
     { this->Chains.Vertices[previous], this->Chains.Vertices[slot], this->Chains.Vertices[next] });
 }
 
