@@ -298,8 +298,6 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.Phi = filter.Phi;
   this->Options.Relaxation = filter.Relaxation;
-  this->Options.RelaxationEffort = filter.RelaxationEffort == BEST ? biting::RelaxationEffort::Best
-                                                                   : biting::RelaxationEffort::Fast;
   this->Options.KeepBites = filter.GenerateBites;
   return true;
 }
@@ -591,7 +589,6 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumNumberOfBites: " << this->MaximumNumberOfBites << "\n"
      << indent << "Phi: " << this->Phi << "\n"
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
-     << indent << "RelaxationEffort: " << this->RelaxationEffort << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
      << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
 }

@@ -237,12 +237,6 @@ public:
     BISECTORS = 1
   };
 
-  enum RelaxationEffortType
-  {
-    FAST = 0,
-    BEST = 1
-  };
-
   enum FrontOrderType
   {
     LAYERS = 0,
@@ -535,17 +529,6 @@ public:
 
   ///@{
   /**
-   * How much time Relaxation takes. FAST (default): about as long as biting. BEST: more of the same, and
-   * more triangles improved one by one, for the last degree of the smallest angle; about twice as long.
-   */
-  vtkSetClampMacro(RelaxationEffort, int, FAST, BEST);
-  vtkGetMacro(RelaxationEffort, int);
-  void SetRelaxationEffortToFast() { this->SetRelaxationEffort(FAST); }
-  void SetRelaxationEffortToBest() { this->SetRelaxationEffort(BEST); }
-  ///@}
-
-  ///@{
-  /**
    * Inputs whose estimated number of vertices is larger are refused before any work is done, with
    * the estimate in the error. >= 1. Default 20 000 000.
    */
@@ -607,7 +590,6 @@ private:
   vtkIdType MaximumNumberOfBites = -1;
   double Phi = 1.0;
   bool Relaxation = true;
-  int RelaxationEffort = FAST;
   vtkIdType MaximumNumberOfVertices = 20000000;
   bool GenerateBites = false;
   std::string Summary;

@@ -238,8 +238,8 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
     return;
   }
   PartOfStage part(monitor, 0.0, 1.0);
-  const std::string violation = RelaxBites(domain, spacing,
-    { options.RelaxationEffort, !options.PreserveBoundary }, bites, triangulation, part);
+  const std::string violation =
+    RelaxBites(domain, spacing, { !options.PreserveBoundary }, bites, triangulation, part);
   if (!AddAborted(part, problems) && !violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, problems);

@@ -13,7 +13,6 @@
 #include "Domain/Domain.h"
 #include "Domain/Polylines.h"
 #include "Quality/Quality.h"
-#include "Relaxation/Relaxation.h" // for RelaxationEffort
 #include "Simplification/Simplification.h"
 #include "Spacing/Spacing.h"
 
@@ -48,7 +47,6 @@ struct BitingMeshOptions
   /// (Relaxation/Relaxation.h). False: the mesh of the bites. It is that, too, where
   /// MaximumNumberOfBites is set.
   bool Relaxation = true;
-  biting::RelaxationEffort RelaxationEffort = biting::RelaxationEffort::Fast;
 
   /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that of
   /// FollowSegments (Meshing/PreservedSpacing.h). Repairs of the input still make vertices where segments

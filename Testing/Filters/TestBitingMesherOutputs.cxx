@@ -66,7 +66,6 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_EQ(mesher->GetMaximumNumberOfBites(), -1);
   EXPECT_EQ(mesher->GetPhi(), 1.0);
   EXPECT_TRUE(mesher->GetRelaxation());
-  EXPECT_EQ(mesher->GetRelaxationEffort(), vtkBitingMesher::FAST);
   EXPECT_EQ(mesher->GetMaximumNumberOfVertices(), 20000000);
   EXPECT_FALSE(mesher->GetGenerateBites());
 }
@@ -83,7 +82,7 @@ TEST(BitingMesherParameters, AreAllPrinted)
          "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "MergeTolerance: 0",
          "PreserveBoundary: off", "BiteShape: 0", "BitingConstant: 0", "Placement: 0",
          "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on",
-         "RelaxationEffort: 0", "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
+         "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }

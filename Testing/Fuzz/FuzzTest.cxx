@@ -362,7 +362,6 @@ TEST(FuzzRegression, VerticesDoNotComeOnSegmentsAsShortAsRounding)
     0.0);
   fuzzCase.Options.Spacing.Gradation = 20.0;
   fuzzCase.Input.Kinds.assign(6, ChainKind::Automatic);
-  fuzzCase.Options.RelaxationEffort = RelaxationEffort::Best;
   for (const FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
   {
     fuzzCase.Options.Order = order;

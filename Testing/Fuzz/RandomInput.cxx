@@ -233,7 +233,6 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   options.Order = orders[numbers.Below(3)];
   options.Phi = numbers.OneIn(4) ? 0.05 + 0.95 * numbers.Unit() : 1.0;
   options.Relaxation = numbers.OneIn(3);
-  options.RelaxationEffort = numbers.OneIn(4) ? RelaxationEffort::Best : RelaxationEffort::Fast;
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
   options.PreserveBoundary = numbers.OneIn(8);
@@ -335,7 +334,6 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
        << " phi=" << options.Phi << " relaxation=" << options.Relaxation
-       << " best=" << (options.RelaxationEffort == RelaxationEffort::Best)
        << " tolerance=" << options.Simplification.Tolerance
        << " corner=" << options.Simplification.CornerAngle
        << " loops=" << options.Simplification.MinimumLoopSize

@@ -29,7 +29,6 @@ DEFAULTS = {
     'MaximumNumberOfBites': -1,
     'Phi': 1.0,
     'Relaxation': True,
-    'RelaxationEffort': 0,
     'MaximumNumberOfVertices': 20000000,
     'GenerateBites': False,
 }
@@ -52,7 +51,6 @@ OTHER_VALUES = {
     'MaximumNumberOfBites': 7,
     'Phi': 0.75,
     'Relaxation': False,
-    'RelaxationEffort': 1,
     'MaximumNumberOfVertices': 1000,
     'GenerateBites': True,
 }
@@ -107,10 +105,6 @@ class TestBitingMesherWrapping(unittest.TestCase):
         mesher.SetBiteShapeToSquare()
         mesher.SetPlacementToCorners()
         self.assertEqual(mesher.GetFrontOrder(), 0)
-        mesher.SetRelaxationEffortToBest()
-        self.assertEqual(mesher.GetRelaxationEffort(), 1)
-        mesher.SetRelaxationEffortToFast()
-        self.assertEqual(mesher.GetRelaxationEffort(), 0)
 
     def test_there_are_two_inputs_and_four_outputs(self):
         mesher = vtkBitingMesher()

@@ -29,8 +29,7 @@ namespace
 constexpr std::size_t LeastNumberOfTrials = 8;
 constexpr std::size_t SmallVerticesPerTrial = 60;
 constexpr std::size_t MostSmallTrials = 64;
-constexpr std::size_t FastVerticesPerTrial = 20000;
-constexpr std::size_t BestVerticesPerTrial = 5000;
+constexpr std::size_t VerticesPerTrial = 20000;
 
 // Where steps end, as shares of the time.
 constexpr double ReadingEnd = 0.06;
@@ -51,65 +50,41 @@ public:
   {
   }
 
-  void Run(RelaxationEffort effort)
+  void Run()
   {
-    if (effort == RelaxationEffort::Fast)
-    {
-      this->RelaxFast();
-    }
-    else
-    {
-      this->RelaxBest();
-    }
+    this->MendValences(0.0, 0.2, 2);
+    this->Smooth(0.2, 0.4, SweepKind::All);
+    this->MendValences(0.4, 0.55, 1);
+    this->Smooth(0.55, 0.75, SweepKind::Coarse);
+    this->Descend(0.75, 0.95);
+    this->TryTopologies(0.95, 1.0);
   }
 
 private:
-  void RelaxFast()
-  {
-    this->MendValences(0.0, 0.2, 2);
-    this->Smooth(0.2, 0.4, 1, SweepKind::All, CotangentOf30Degrees);
-    this->MendValences(0.4, 0.55, 1);
-    this->Smooth(0.55, 0.75, 1, SweepKind::Coarse, CotangentOf30Degrees);
-    this->Descend(0.75, 0.95, 2);
-    this->TryTopologies(0.95, 1.0, FastVerticesPerTrial);
-  }
-
-  void RelaxBest()
-  {
-    this->MendValences(0.0, 0.1, 2);
-    this->Smooth(0.1, 0.3, 2, SweepKind::All, CotangentOf30Degrees);
-    this->MendValences(0.3, 0.4, 1);
-    this->Smooth(0.4, 0.6, 2, SweepKind::All, CotangentOf30Degrees);
-    this->Descend(0.6, 0.7, 3);
-    this->Smooth(0.7, 0.8, 1, SweepKind::All, CotangentOf39Degrees);
-    this->Descend(0.8, 0.9, 2);
-    this->TryTopologies(0.9, 1.0, BestVerticesPerTrial);
-  }
-
   void MendValences(double begin, double end, int rings)
   {
     const PulsePart part(this->Progress, begin, end);
     this->Valences.Run(rings, 1, this->Progress);
   }
 
-  void Smooth(double begin, double end, int sweeps, SweepKind kind, double allowedCotangent)
+  void Smooth(double begin, double end, SweepKind kind)
   {
     const PulsePart part(this->Progress, begin, end);
-    SmoothAll(this->Mesh, this->Flips, sweeps, kind, allowedCotangent, this->Progress);
+    SmoothAll(this->Mesh, this->Flips, 1, kind, CotangentOf30Degrees, this->Progress);
   }
 
-  void Descend(double begin, double end, int rounds)
+  void Descend(double begin, double end)
   {
     const PulsePart part(this->Progress, begin, end);
-    this->Descent.Run(1, rounds, this->Progress);
+    this->Descent.Run(1, 2, this->Progress);
   }
 
-  void TryTopologies(double begin, double end, std::size_t verticesPerTrial)
+  void TryTopologies(double begin, double end)
   {
     const PulsePart part(this->Progress, begin, end);
     const std::size_t vertices = this->Mesh.Points.size();
     this->Trials.Run(LeastNumberOfTrials +
-        std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / verticesPerTrial,
+        std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial,
       this->Progress);
   }
 
@@ -139,7 +114,7 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   if (!pulse.HasStopped())
   {
     const PulsePart working(pulse, ReadingEnd, WorkingEnd);
-    Relaxer(work, pulse).Run(options.Effort);
+    Relaxer(work, pulse).Run();
   }
   RelaxationResult result;
   if (!pulse.HasStopped())

@@ -16,16 +16,8 @@
 namespace biting
 {
 
-enum class RelaxationEffort
-{
-  Fast, ///< two rounds of collapses and splits, two sweeps
-  Best  ///< more sweeps and climbing: the last degree, for about twice the time
-};
-
 struct RelaxationOptions
 {
-  RelaxationEffort Effort = RelaxationEffort::Fast;
-
   /// False: no vertex is added on segments; those that are there may slide, or go.
   bool DividesSegments = true;
 };

@@ -21,7 +21,6 @@ constexpr double CotangentOf25Degrees = 2.144507;
 constexpr double CotangentOf30Degrees = 1.732051;
 constexpr double CotangentOf35Degrees = 1.428148;
 constexpr double CotangentOf38Degrees = 1.279942;
-constexpr double CotangentOf39Degrees = 1.234897;
 constexpr double CotangentOf40Degrees = 1.191754;
 constexpr double CotangentOf52Degrees = 0.781286;
 

@@ -523,16 +523,11 @@ TEST(BitingMesh, RelaxationMakesTrianglesBetterAndHardlyChangesTheirNumber)
     options.Relaxation = false;
     const MeshRun raw = RunMesh(Plate(), options);
     options.Relaxation = true;
-    const MeshRun fast = RunMesh(Plate(), options);
-    options.RelaxationEffort = RelaxationEffort::Best;
-    const MeshRun best = RunMesh(Plate(), options);
-    for (const MeshRun* run : { &fast, &best })
-    {
-      ExpectCovered(Plate(), *run);
-      EXPECT_NEAR(run->NumberOfVertices(), raw.NumberOfVertices(), 0.05 * raw.NumberOfVertices());
-      EXPECT_GT(MeanMinimumAngle(run->Mesh), std::min(MeanMinimumAngle(raw.Mesh) + 1.0, 54.5));
-      EXPECT_GT(run->Mesh.Quality.SmallestAngle, raw.Mesh.Quality.SmallestAngle + 2.0);
-    }
+    const MeshRun relaxed = RunMesh(Plate(), options);
+    ExpectCovered(Plate(), relaxed);
+    EXPECT_NEAR(relaxed.NumberOfVertices(), raw.NumberOfVertices(), 0.05 * raw.NumberOfVertices());
+    EXPECT_GT(MeanMinimumAngle(relaxed.Mesh), std::min(MeanMinimumAngle(raw.Mesh) + 1.0, 54.5));
+    EXPECT_GT(relaxed.Mesh.Quality.SmallestAngle, raw.Mesh.Quality.SmallestAngle + 2.0);
   }
 }
 

@@ -103,13 +103,6 @@ TEST(Progress, AbortAtAnyCallLeavesNoMesh)
   ExpectAbortEverywhere(Drawing(24), UniformOptions(600.0));
 }
 
-TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereRelaxationDoesItsBest)
-{
-  BitingMeshOptions options = UniformOptions(600.0);
-  options.RelaxationEffort = RelaxationEffort::Best;
-  ExpectAbortEverywhere(Drawing(24), options);
-}
-
 TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereBitingEndsEarly)
 {
   BitingMeshOptions options = UniformOptions(600.0);

@@ -14,15 +14,6 @@ namespace biting
 namespace
 {
 
-constexpr RelaxationEffort Efforts[] = { RelaxationEffort::Fast, RelaxationEffort::Best };
-
-RelaxationOptions WithEffort(RelaxationEffort effort)
-{
-  RelaxationOptions options;
-  options.Effort = effort;
-  return options;
-}
-
 class StoppingMonitor : public SilentMonitor
 {
 public:
@@ -120,28 +111,22 @@ Polylines Transformed(const Polylines& lines, Point2 (*transform)(const Point2&)
 
 TEST(Relax, LeavesAValidDelaunayMeshThatCoversAllSegments)
 {
-  for (const RelaxationEffort effort : Efforts)
+  for (RawMesh& raw : AllRawMeshes())
   {
-    for (RawMesh& raw : AllRawMeshes())
-    {
-      raw.Relax(WithEffort(effort));
-      ASSERT_EQ(raw.Violation(true), "");
-      ExpectSegmentsCovered(raw);
-      ExpectConstraintsListed(raw.Mesh);
-    }
+    raw.Relax();
+    ASSERT_EQ(raw.Violation(true), "");
+    ExpectSegmentsCovered(raw);
+    ExpectConstraintsListed(raw.Mesh);
   }
 }
 
 TEST(Relax, LowersNoAngleBelow20Degrees)
 {
-  for (const RelaxationEffort effort : Efforts)
+  for (RawMesh& raw : AllRawMeshes())
   {
-    for (RawMesh& raw : AllRawMeshes())
-    {
-      const double before = raw.Quality().SmallestAngle;
-      raw.Relax(WithEffort(effort));
-      EXPECT_GE(raw.Quality().SmallestAngle, std::min(before, 20.0) - 1e-9);
-    }
+    const double before = raw.Quality().SmallestAngle;
+    raw.Relax();
+    EXPECT_GE(raw.Quality().SmallestAngle, std::min(before, 20.0) - 1e-9);
   }
 }
 
@@ -158,7 +143,7 @@ TEST(Relax, MakesAllMeshesBetter)
 TEST(Relax, MakesAGoodMeshOfASquare)
 {
   RawMesh raw = UnitSquare(0.05);
-  raw.Relax(WithEffort(RelaxationEffort::Best));
+  raw.Relax();
   const MeshQuality quality = raw.Quality();
   EXPECT_GT(quality.SmallestAngle, 35.0);
   EXPECT_GT(raw.MeanMinimumAngle(), 50.0);
@@ -203,14 +188,11 @@ TEST(Relax, NumbersOldVerticesInTheirOrderAndNewOnesAfterThem)
 
 TEST(Relax, IsTheSameEveryTime)
 {
-  for (const RelaxationEffort effort : Efforts)
-  {
-    RawMesh first = Plate();
-    RawMesh second = Plate();
-    first.Relax(WithEffort(effort));
-    second.Relax(WithEffort(effort));
-    EXPECT_TRUE(AreSame(first.Mesh, second.Mesh));
-  }
+  RawMesh first = Plate();
+  RawMesh second = Plate();
+  first.Relax();
+  second.Relax();
+  EXPECT_TRUE(AreSame(first.Mesh, second.Mesh));
 }
 
 TEST(Relax, AddsNoVertexToSegmentsThatMustNotBeDivided)
@@ -243,7 +225,7 @@ TEST(Relax, KeepsTheSpacingAsTheTargetOfLengths)
 TEST(Relax, ChangesAGoodMeshHardly)
 {
   RawMesh raw = UnitSquare(0.05);
-  raw.Relax(WithEffort(RelaxationEffort::Best));
+  raw.Relax();
   const std::size_t vertices = raw.Mesh.Points.size();
   const double angle = raw.MeanMinimumAngle();
   raw.Relax();
@@ -268,7 +250,7 @@ TEST(Relax, IsAsGoodWhenMirroredOrTurned)
     UniformSpacing(0.05));
   for (RawMesh* raw : { &plain, &mirrored, &turned })
   {
-    raw->Relax(WithEffort(RelaxationEffort::Best));
+    raw->Relax();
   }
   EXPECT_NEAR(mirrored.MeanMinimumAngle(), plain.MeanMinimumAngle(), 1.5);
   EXPECT_NEAR(turned.MeanMinimumAngle(), plain.MeanMinimumAngle(), 1.5);
@@ -307,7 +289,7 @@ TEST(Relax, StaysValidFarFromTheOriginAndWhereEdgesAreAsSmallAsRounding)
   {
     RawMesh raw(PolylineBuilder().Box(far, far, far + size, far + size).Lines(),
       UniformSpacing(0.1 * size), 0.7, 1000);
-    raw.Relax(WithEffort(RelaxationEffort::Best));
+    raw.Relax();
     EXPECT_EQ(raw.Violation(true), "");
   }
 }
