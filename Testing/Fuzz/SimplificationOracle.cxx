@@ -139,7 +139,7 @@ std::string SimplificationJudge::JudgeVertices()
   }
   for (std::size_t v = 0; v < this->Before.Vertices.size(); ++v)
   {
-    if (this->Before.IsEmbedded[v] && this->Images[v] == NoId)
+    if (this->Before.HasPoint[v] && this->Images[v] == NoId)
     {
       return "an embedded point is gone";
     }
@@ -432,7 +432,7 @@ bool ReadSimplified(const FuzzCase& fuzzCase, Polylines& lines)
   for (Id v = 0; v < drawing.NumberOfVertices(); ++v)
   {
     isKnown = isKnown && drawing.VertexPoints[v] != NoId;
-    if (isKnown && drawing.IsEmbedded[v])
+    if (isKnown && drawing.HasPoint[v])
     {
       add({ drawing.VertexPoints[v] }, ChainKind::EmbeddedPoint, 0);
     }

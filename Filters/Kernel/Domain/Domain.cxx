@@ -344,9 +344,11 @@ std::vector<Id> KeepVertices(
 {
   Flags isKept = EndsOfKeptEdges(arrangement, inside);
   Flags isLone(isKept.size(), 0);
+  Flags hasPoint(isKept.size(), 0);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
     const auto v = static_cast<std::size_t>(vertex);
+    hasPoint[v] = 1;
     isLone[v] = !isKept[v] && inside.Vertices[v];
     isKept[v] = isKept[v] || isLone[v];
   }
@@ -359,6 +361,7 @@ std::vector<Id> KeepVertices(
       domain.Vertices.push_back(arrangement.Vertices[v]);
       domain.VertexPoints.push_back(arrangement.VertexPoints[v]);
       domain.IsEmbedded.push_back(isLone[v]);
+      domain.HasPoint.push_back(hasPoint[v]);
       domain.Bounds.Add(arrangement.Vertices[v]);
     }
   }

@@ -40,6 +40,7 @@ struct Domain
   std::vector<Point2> Vertices;
   std::vector<Id> VertexPoints; ///< first input point at each vertex; NoId where a crossing made it
   std::vector<std::uint8_t> IsEmbedded; ///< 1 where an embedded point belongs to no segment
+  std::vector<std::uint8_t> HasPoint;   ///< 1 where there is an embedded point, also on segments
 
   // Segments, those outside of the domain dropped.
   std::vector<Id> Starts;

@@ -65,9 +65,10 @@ std::string Checker::Sizes() const
   const std::size_t vertices = this->Input.Vertices.size();
   const std::size_t segments = this->Input.Starts.size();
   const bool isEqual = this->Input.VertexPoints.size() == vertices &&
-    this->Input.IsEmbedded.size() == vertices && this->Input.Ends.size() == segments &&
-    this->Input.Cells.size() == segments && this->Input.IsBoundary.size() == segments &&
-    this->Input.LeftInside.size() == segments && this->Input.RightInside.size() == segments;
+    this->Input.IsEmbedded.size() == vertices && this->Input.HasPoint.size() == vertices &&
+    this->Input.Ends.size() == segments && this->Input.Cells.size() == segments &&
+    this->Input.IsBoundary.size() == segments && this->Input.LeftInside.size() == segments &&
+    this->Input.RightInside.size() == segments;
   return isEqual ? "" : "arrays differ in size";
 }
 
@@ -149,7 +150,8 @@ std::string Checker::LoneVertices() const
   for (Id vertex = 0; vertex < this->Input.NumberOfVertices(); ++vertex)
   {
     const auto v = static_cast<std::size_t>(vertex);
-    if ((this->Input.IsEmbedded[v] != 0) == (isEnd[v] != 0))
+    if ((this->Input.IsEmbedded[v] != 0) == (isEnd[v] != 0) ||
+      this->Input.IsEmbedded[v] > this->Input.HasPoint[v])
     {
       return Violation("embedded mark of vertex", vertex);
     }

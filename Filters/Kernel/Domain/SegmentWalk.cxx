@@ -182,6 +182,7 @@ void SegmentWalk::NumberVertex(Id vertex)
     this->Result.Vertices.push_back(this->Input.Vertices[v]);
     this->Result.VertexPoints.push_back(this->Input.VertexPoints[v]);
     this->Result.IsEmbedded.push_back(this->Input.IsEmbedded[v]);
+    this->Result.HasPoint.push_back(this->Input.HasPoint[v]);
   }
 }
 

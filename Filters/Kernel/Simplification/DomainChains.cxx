@@ -65,7 +65,7 @@ ChainMaker::ChainMaker(const Domain& domain, const AreAlike& areAlike, Pulse& pu
 
 bool ChainMaker::IsInner(Id vertex, const AreAlike& areAlike) const
 {
-  if (this->Degrees[vertex] != 2 || this->Drawing.IsEmbedded[vertex])
+  if (this->Degrees[vertex] != 2 || this->Drawing.HasPoint[vertex])
   {
     return false;
   }

@@ -117,6 +117,7 @@ std::vector<Id> DomainSubset::CopyVertices(Domain& part) const
       part.Vertices.push_back(this->Whole.Vertices[vertex]);
       part.VertexPoints.push_back(this->Whole.VertexPoints[vertex]);
       part.IsEmbedded.push_back(this->Whole.IsEmbedded[vertex]);
+      part.HasPoint.push_back(this->Whole.HasPoint[vertex]);
     }
   }
   return numbers;

@@ -210,6 +210,30 @@ TEST(Simplification, EndsJunctionsAndEmbeddedPointsStay)
   EXPECT_EQ(made.Violation, "");
 }
 
+TEST(Simplification, EmbeddedPointsOnChainsStay)
+{
+  for (const ChainKind kind : { ChainKind::Boundary, ChainKind::Interface })
+  {
+    SimplificationOptions options;
+    options.Tolerance = 0.5;
+    options.MinimumLoopSize = 1.0;
+    const Simplified made =
+      SimplifyLines(PolylineBuilder()
+                      .Box(-100.0, -100.0, 100.0, 100.0)
+                      .Loop(InSteps({ { 0, 0 }, { 9, 0 }, { 9, 9 }, { 0, 9 } }), kind)
+                      .Chain({ { 4, 0 }, { 9, 2.5 }, { -50, 100 } }, ChainKind::EmbeddedPoint)
+                      .Lines(),
+        options, [](const Point2&) { return 10.0; });
+    EXPECT_EQ(made.Violation, "");
+    EXPECT_EQ(made.After.LeftOutLoops, 0);
+    EXPECT_GT(made.After.RemovedVertices, 30);
+    for (const Point2& place : { Point2{ 4, 0 }, Point2{ 9, 2.5 }, Point2{ -50, 100 } })
+    {
+      EXPECT_TRUE(HasPlace(made.After.Drawing, place));
+    }
+  }
+}
+
 TEST(Simplification, AnEmbeddedPointStaysOnItsSide)
 {
   std::vector<Point2> places =
