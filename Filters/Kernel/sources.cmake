@@ -11,7 +11,6 @@ set(biting_kernel_sources
   Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
-  Spacing/GridCells.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
@@ -26,7 +25,6 @@ set(biting_kernel_sources
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
   Spacing/TriangleLimit.cxx
-  Spacing/WideCells.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx

@@ -5,24 +5,10 @@
 #define BitingConeCollector_h
 
 #include "Spacing.h"
-
-#include <algorithm> // for min, max
+#include "ValueRange.h"
 
 namespace biting
 {
-
-/// How values as given become spacing: scaled, then clamped.
-struct ValueRange
-{
-  double Scale = 1.0;
-  double Least = 0.0;
-  double Most = 0.0;
-
-  double operator()(double value) const
-  {
-    return std::min(std::max(this->Scale * value, this->Least), this->Most);
-  }
-};
 
 /// Collects the segments from which f may grow no faster than the gradation.
 class ConeCollector

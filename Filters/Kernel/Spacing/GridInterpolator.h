@@ -6,6 +6,8 @@
 
 #include "Spacing.h"
 
+#include <array> // for corners
+
 namespace biting
 {
 
@@ -26,27 +28,61 @@ public:
   /// The nearest place inside, for a coordinate outside (or NaN).
   Place Find(double coordinate) const;
 
+  /// At least two; a single one is doubled.
+  const std::vector<double>& AllNodes() const { return this->Nodes; }
+
 private:
   std::size_t BucketOf(double coordinate) const;
 
-  std::vector<double> Nodes;      ///< at least two; a single one is doubled
+  std::vector<double> Nodes;
   std::vector<Id> LastNodeBefore; ///< last node in a bucket before this one, or 0; one past the end
   double BucketsPerLength = 0.0;
 };
 
-/// The bilinear interpolant of a grid without holes, which it shares.
+/// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest value
+/// of the border.
+///
+/// Its cells have nodes that ascend in rows and columns: those of the grid, a single row or column
+/// twice, and nodes out to the border of given bounds where these are larger.
 class GridInterpolator
 {
 public:
-  explicit GridInterpolator(std::shared_ptr<const GridSource> source);
-  double operator()(const Point2& x) const;
+  /// Where a point is in its cell, whose low node is (Column, Row).
+  struct Place
+  {
+    std::size_t Column;
+    std::size_t Row;
+    double X; ///< weight of the nodes to the right
+    double Y; ///< weight of the nodes above
+  };
+
+  explicit GridInterpolator(std::shared_ptr<const GridSource> source, const Box2& bounds = {});
+
+  double operator()(const Point2& x) const { return this->At(this->Find(x)); }
+
+  Place Find(const Point2& x) const;
+  double At(const Place& place) const;
+
+  std::size_t Columns() const { return this->XAxis.AllNodes().size(); }
+  std::size_t Rows() const { return this->YAxis.AllNodes().size(); }
+  double X(std::size_t column) const { return this->XAxis.AllNodes()[column]; }
+  double Y(std::size_t row) const { return this->YAxis.AllNodes()[row]; }
+
+  /// As given.
+  double Value(std::size_t column, std::size_t row) const
+  {
+    return this->Source->Values[this->ColumnOffsets[column] + this->RowOffsets[row]];
+  }
+
+  /// At the corners (0, 0), (1, 0), (0, 1), (1, 1) of the cell with that low node.
+  std::array<double, 4> Corners(std::size_t column, std::size_t row) const;
 
 private:
   std::shared_ptr<const GridSource> Source;
-  GridAxis X;
-  GridAxis Y;
-  std::size_t StepX; ///< from a node to the next in Values; 0 where there is only one
-  std::size_t StepY;
+  GridAxis XAxis;
+  GridAxis YAxis;
+  std::vector<std::size_t> ColumnOffsets; ///< where they begin in Values
+  std::vector<std::size_t> RowOffsets;
 };
 
 } // namespace biting

@@ -8,7 +8,6 @@
 #include "ConeTree.h"
 #include "FeatureSize.h"
 #include "GridHoles.h"
-#include "GridInterpolator.h"
 #include "GridLimit.h"
 #include "MergedCones.h"
 #include "OutsideJumps.h"
@@ -132,7 +131,8 @@ double GradationOf(const SpacingOptions& options)
 /// grow inwards with the gradation itself.
 struct Spacing::Implementation
 {
-  std::optional<GridInterpolator> Grid;
+  std::optional<GridInterpolator> Grid; ///< where it is as given
+  std::unique_ptr<const GridLimit> LimitedGrid;
   std::optional<TriangleInterpolator> Triangulation;
   std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree> Limit;
@@ -159,7 +159,8 @@ struct Spacing::Implementation
 
   bool IsUniform() const
   {
-    return !this->Grid && !this->Triangulation && !this->Segments && !this->Limit && !this->Floor;
+    return !this->Grid && !this->LimitedGrid && !this->Triangulation && !this->Segments &&
+      !this->Limit && !this->Floor;
   }
 
   double EvaluateGiven(const Point2& x) const
@@ -173,7 +174,11 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Triangulation)(x));
     }
-    const double scaled = this->Range(least);
+    double scaled = this->Range(least);
+    if (this->LimitedGrid)
+    {
+      scaled = std::min(scaled, (*this->LimitedGrid)(x));
+    }
     return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
                           : scaled;
   }
@@ -219,16 +224,26 @@ private:
     this->AddSlope(LargestSlope(*this->Options.Grid, measuring));
     PartOfStage filling(this->Stage, 0.08, 0.15);
     std::shared_ptr<const GridSource> grid = FillHoles(this->Options.Grid, filling);
-    if (grid && this->Options.Gradation > 0.0)
-    {
-      PartOfStage limiting(this->Stage, 0.15, 0.3);
-      grid = LimitGrid(grid, this->Options.Gradation, this->Bounds, this->Cones, limiting);
-    }
     if (grid && !this->Stage.HasStopped())
+    {
+      this->LimitGrid(grid);
+    }
+    return !this->Stage.HasStopped();
+  }
+
+  void LimitGrid(const std::shared_ptr<const GridSource>& grid)
+  {
+    PartOfStage limiting(this->Stage, 0.15, 0.3);
+    if (this->Options.Gradation > 0.0)
+    {
+      auto limit = std::make_unique<GridLimit>(
+        grid, this->Options.Gradation, this->Bounds, this->Data.Range, limiting);
+      this->Data.LimitedGrid = limit->IsNeeded() ? std::move(limit) : nullptr;
+    }
+    if (!this->Data.LimitedGrid)
     {
       this->Data.Grid.emplace(grid);
     }
-    return !this->Stage.HasStopped();
   }
 
   bool AddTriangulation()

@@ -25,34 +25,95 @@ Field AroundHoles(double slope)
   };
 }
 
-struct Limited
+GridLimit LimitOf(const GridSource& grid, const Box2& bounds = UnitBox())
 {
-  std::size_t Cones;
-  double LargestChange; ///< of a node, relative
-};
+  return GridLimit(Share(grid), Gradation, bounds, { 1.0, 0.0, 1e9 }, NoMonitor());
+}
 
-Limited LimitOf(const GridSource& grid)
+/// Of a node, relative.
+double LargestChange(const GridSource& grid)
 {
-  ConeCollector cones({ 1.0, 0.0, 1e9 });
-  const auto limited = LimitGrid(Share(grid), Gradation, UnitBox(), cones, NoMonitor());
-  Limited result{ cones.Segments().Segments.size() / 2, 0.0 };
+  const GridLimit limit = LimitOf(grid);
+  double largest = 0.0;
+  for (std::size_t node = 0; limit.IsNeeded() && node < grid.Values.size(); ++node)
+  {
+    const std::size_t columns = grid.XNodes.size();
+    const double limited = limit({ grid.XNodes[node % columns], grid.YNodes[node / columns] });
+    largest = std::max(largest, 1.0 - limited / grid.Values[node]);
+  }
+  return largest;
+}
+
+/// In a grid of many cells; those that are not are parts of larger ones.
+bool IsSteep(const std::array<double, 4>& corners)
+{
+  GridSource grid = MakeGrid(100, 100, [](const Point2&) { return 1.0; });
+  for (double* node : { &grid.XNodes[51], &grid.YNodes[51] })
+  {
+    *node = node[-1] + 1.0;
+    std::for_each(node + 1, node + 49, [node](double& next) { next += *node; });
+  }
   for (std::size_t node = 0; node < grid.Values.size(); ++node)
   {
-    result.LargestChange =
-      std::max(result.LargestChange, 1.0 - limited->Values[node] / grid.Values[node]);
+    grid.Values[node] = corners[(node % 100 > 50 ? 1 : 0) + (node / 100 > 50 ? 2 : 0)];
   }
-  return result;
+  return LimitOf(grid).IsNeeded();
+}
+
+/// |f(x) - f(y)| <= g |x - y| + 2 % of f, over a box larger than the grid, and f nowhere above what
+/// is given by more than that.
+void ExpectLimited(const SpacingOptions& options, const Box2& bounds)
+{
+  const Spacing f = MakeGoodSpacing(options, bounds);
+  SpacingOptions asGiven = options;
+  asGiven.Gradation = 0.0;
+  const Spacing given = MakeGoodSpacing(asGiven, bounds);
+  Sampler sampler(41);
+  for (int probe = 0; probe < 20000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(bounds);
+    const double reach = f(x) * std::exp(6.0 * sampler.Next() - 3.0);
+    const double angle = 6.283185307179586 * sampler.Next();
+    const Point2 y = x + reach * Point2{ std::cos(angle), std::sin(angle) };
+    ASSERT_LE(f(x), 1.02 * given(x));
+    ASSERT_GT(f(x), 0.0);
+    if (bounds.Contains(y))
+    {
+      ASSERT_LE(std::abs(f(x) - f(y)), 0.3 * reach + 0.02 * std::min(f(x), f(y)))
+        << x.X << ' ' << x.Y << " and " << y.X << ' ' << y.Y;
+    }
+  }
+}
+
+SpacingOptions OfGrid(GridSource grid)
+{
+  SpacingOptions options;
+  options.Grid = Share(std::move(grid));
+  return options;
 }
 
 } // namespace
+
+TEST(GridLimit, IsNeededAboveTheGradationWithAMargin)
+{
+  EXPECT_FALSE(IsSteep({ 1.0, 1.3, 1.0, 1.3 }));
+  EXPECT_FALSE(IsSteep({ 1.0, 1.301, 1.0, 1.301 }));
+  EXPECT_TRUE(IsSteep({ 1.0, 1.303, 1.0, 1.303 }));
+  EXPECT_TRUE(IsSteep({ 1.0, 1.22, 1.22, 1.44 })) << "along the diagonal";
+  EXPECT_FALSE(IsSteep({ 1.0, 1.21, 1.21, 1.42 }));
+}
+
+TEST(GridLimit, IsNeededWhereTheTwistOfACellAddsToF)
+{
+  EXPECT_TRUE(IsSteep({ 0.02, 0.31, 0.31, 0.02 }));
+  EXPECT_FALSE(IsSteep({ 50.02, 50.31, 50.31, 50.02 }));
+}
 
 TEST(GridLimit, KeepsAFieldThatIsAsSteepAsTheGradation)
 {
   for (int nodes : { 257, 513, 769 })
   {
-    const Limited limited = LimitOf(MakeGrid(nodes, nodes, AroundHoles(Gradation)));
-    EXPECT_LE(limited.Cones, static_cast<std::size_t>(40 * nodes)) << nodes;
-    EXPECT_LE(limited.LargestChange, 0.005) << nodes;
+    EXPECT_LE(LargestChange(MakeGrid(nodes, nodes, AroundHoles(Gradation))), 0.005) << nodes;
   }
 }
 
@@ -61,10 +122,9 @@ TEST(GridLimit, KeepsAPlaneOfThatSlopeInAnyDirection)
   for (double angle = 0.0; angle < 6.3; angle += 0.1)
   {
     const Point2 slope{ Gradation * std::cos(angle), Gradation * std::sin(angle) };
-    const Limited limited =
-      LimitOf(MakeGrid(65, 65, [&slope](const Point2& x) { return 0.5 + Dot(slope, x); }));
-    EXPECT_EQ(limited.Cones, 0u) << angle;
-    EXPECT_EQ(limited.LargestChange, 0.0) << angle;
+    const GridSource grid =
+      MakeGrid(65, 65, [&slope](const Point2& x) { return 0.5 + Dot(slope, x); });
+    EXPECT_FALSE(LimitOf(grid).IsNeeded()) << angle;
   }
 }
 
@@ -75,24 +135,124 @@ TEST(GridLimit, LowersAPlaneThatIsALittleSteeperInAnyDirection)
   {
     const Point2 along{ std::cos(angle), std::sin(angle) };
     const double slope = 1.03 * Gradation;
-    const Limited limited = LimitOf(MakeGrid(65, 65,
+    const double change = LargestChange(MakeGrid(65, 65,
       [&along, slope](const Point2& x) {
         return 0.7 + slope * Dot(along, x - Point2{ 0.5, 0.5 });
       }));
-    EXPECT_GT(limited.LargestChange, 0.005) << angle;
-    EXPECT_LT(limited.LargestChange, 0.03) << angle;
+    EXPECT_GT(change, 0.005) << angle;
+    EXPECT_LT(change, 0.03) << angle;
   }
 }
 
-TEST(GridLimit, HasNodesOutsideAsFarAsTheBoundsReach)
+TEST(GridLimit, GrowsFromTheSideOfACoarseCell)
 {
-  ConeCollector cones({ 1.0, 0.0, 1e9 });
+  const GridLimit limit = LimitOf({ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.1, 0.9, 0.1, 0.9 } });
+  for (double y : { 0.0, 0.2, 0.5, 0.9 })
+  {
+    for (double x : { 0.0, 0.1, 0.5, 1.0 })
+    {
+      EXPECT_NEAR(limit({ x, y }), 0.1 + Gradation * x, 1e-7);
+    }
+  }
+}
+
+TEST(GridLimit, GrowsFromASideWhoseValuesRise)
+{
+  const GridLimit limit =
+    LimitOf({ { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.1, 0.9, 1.8, 0.28, 1.0, 1.8 } });
+  const double across = Gradation * 0.8; // the cosine of the angle whose sine is .18 / g
+  EXPECT_NEAR(limit({ 0.3, 0.9 }), 0.1 + 0.18 * 0.9 + across * 0.3, 1e-6);
+  EXPECT_NEAR(limit({ 1.05, 0.95 }), 0.1 + 0.18 * 0.95 + across * 1.05, 1e-6);
+}
+
+TEST(GridLimit, LimitsTheNearestBorderValueAsFarAsTheBoundsReach)
+{
   const auto steep = [](const Point2& x) { return 0.1 + 2.0 * x.Y; };
-  const auto limited = LimitGrid(
-    Share(MakeGrid(5, 5, steep)), Gradation, { { -1.0, 0.5 }, { 3.0, 2.0 } }, cones, NoMonitor());
-  EXPECT_EQ(limited->XNodes.front(), -1.0);
-  EXPECT_EQ(limited->XNodes.back(), 3.0);
-  EXPECT_EQ(limited->YNodes.front(), 0.0);
-  EXPECT_EQ(limited->YNodes.back(), 2.0);
-  EXPECT_EQ(limited->Values.size(), 7u * 6u);
+  const GridLimit limit = LimitOf(MakeGrid(5, 5, steep), { { -1.0, -0.5 }, { 3.0, 2.0 } });
+  EXPECT_NEAR(limit({ 2.5, -0.5 }), 0.1, 1e-12);
+  EXPECT_NEAR(limit({ 2.5, 0.5 }), 0.1 + 0.5 * Gradation, 1e-6);
+  EXPECT_NEAR(limit({ -0.7, 1.5 }), 0.1 + 1.5 * Gradation, 1e-6);
+}
+
+TEST(GridLimit, ScalesAndClampsBeforeItLimits)
+{
+  const GridSource ramp{ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.1, 2.1, 0.1, 2.1 } };
+  const GridLimit limit(Share(ramp), Gradation, UnitBox(), { 2.0, 0.6, 0.7 }, NoMonitor());
+  EXPECT_EQ(limit({ 0.05, 0.5 }), 0.6);
+  EXPECT_NEAR(limit({ 0.2, 0.5 }), 0.6 + 0.1 * Gradation, 0.005);
+  EXPECT_EQ(limit({ 0.9, 0.5 }), 0.7);
+}
+
+TEST(GridLimit, HasNoMeaningOnceTheMonitorStops)
+{
+  class Stopping : public Monitor
+  {
+  public:
+    bool Advance(double) override { return false; }
+    void BeginStage(const char*) override {}
+  };
+  Stopping monitor;
+  const GridSource steep = MakeGrid(100, 100, AroundHoles(1.0));
+  EXPECT_FALSE(
+    GridLimit(Share(steep), Gradation, UnitBox(), { 1.0, 0.0, 1.0 }, monitor).IsNeeded());
+}
+
+TEST(Spacing, IsLimitedOutsideOfAnImageOfHalfTheDomain)
+{
+  GridSource grid =
+    MakeGrid(33, 65, [](const Point2& x) { return 0.01 + 0.75 * std::abs(x.Y - 0.5); });
+  for (double& x : grid.XNodes)
+  {
+    x *= 0.5;
+  }
+  ExpectLimited(OfGrid(std::move(grid)), UnitBox());
+}
+
+TEST(Spacing, IsLimitedOutsideOfAnImageOfOneCell)
+{
+  ExpectLimited(OfGrid({ { 0.3, 0.7 }, { 0.3, 0.7 }, { 0.02, 2.0, 2.0, 0.02 } }), UnitBox());
+  ExpectLimited(OfGrid({ { 0.3, 0.7 }, { 0.3, 0.7 }, { 0.02, 0.02, 2.0, 2.0 } }), UnitBox());
+  ExpectLimited(OfGrid({ { 0.3 }, { 0.3, 0.7 }, { 0.02, 2.0 } }), UnitBox());
+}
+
+TEST(Spacing, IsLimitedOutsideOfNoise)
+{
+  Sampler sampler(9);
+  GridSource grid =
+    MakeGrid(20, 20, [&sampler](const Point2&) { return 0.02 + 0.2 * sampler.Next(); });
+  for (std::vector<double>* nodes : { &grid.XNodes, &grid.YNodes })
+  {
+    for (double& node : *nodes)
+    {
+      node = 0.3 + 0.4 * node;
+    }
+  }
+  ExpectLimited(OfGrid(std::move(grid)), UnitBox());
+}
+
+TEST(Spacing, IsLimitedWithinCoarseCellsThatAreSteepOnlyInside)
+{
+  ExpectLimited(OfGrid({ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.02, 0.31, 0.31, 0.02 } }), UnitBox());
+}
+
+TEST(Spacing, IsThatOfTheDataBesideFillValues)
+{
+  for (double fill : { 1e20, 9.97e36, 1e300 })
+  {
+    for (double gradation : { 0.0, 0.3, 2.0 })
+    {
+      SpacingOptions options = OfGrid(
+        { { 0.0, 0.5, 1.0 }, { 0.0, 0.5, 1.0 }, { 0.1, 0.1, 0.1, 0.1, fill, 0.1, 0.1, 0.1, 0.1 } });
+      options.Gradation = gradation;
+      const Spacing f = MakeGoodSpacing(options);
+      Sampler sampler(43);
+      for (int probe = 0; probe < 5000; ++probe)
+      {
+        const Point2 x = sampler.NextIn(UnitBox());
+        ASSERT_GE(f(x), 0.1 * (1.0 - 1e-12)) << fill;
+        const double border = std::min({ x.X, x.Y, 1.0 - x.X, 1.0 - x.Y });
+        ASSERT_TRUE(gradation == 0.0 || f(x) <= 1.02 * (0.1 + gradation * border)) << fill;
+      }
+    }
+  }
 }
