@@ -132,9 +132,8 @@ Case OfGrid(int size, double power, const Field& field)
 
 Case OfTriangles(int size, double power, const Field& field)
 {
-  const GridSource grid = Grid(size + 1, power, field);
+  const GridSource grid = Grid(size + 1, power, [](const Point2&, double) { return 0.0; });
   auto source = std::make_shared<TriangulatedSource>();
-  source->Values = grid.Values;
   Random random;
   for (int node = 0; node < (size + 1) * (size + 1); ++node)
   {
@@ -143,6 +142,7 @@ Case OfTriangles(int size, double power, const Field& field)
     const double away = 0.4 / size * (column % size == 0 || row % size == 0 ? 0.0 : 1.0);
     source->Points.push_back({ grid.XNodes[static_cast<std::size_t>(column)] + away * random(),
       grid.YNodes[static_cast<std::size_t>(row)] + away * random() });
+    source->Values.push_back(field(source->Points.back(), random()));
     if (column < size && row < size)
     {
       const Id corners[6] = { node, node + 1, node + size + 2, node, node + size + 2,

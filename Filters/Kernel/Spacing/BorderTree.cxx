@@ -32,7 +32,7 @@ NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
   const double weight = std::min(std::max(0.0, along), 1.0);
   const Point2 toFoot = weight * direction;
   return { Length(offset - toFoot), (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
-    edge.Start + toFoot };
+    edge.Start + toFoot, edge.StartId, edge.EndId };
 }
 
 BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)

@@ -16,6 +16,8 @@ struct BorderEdge
   Point2 End;
   double StartValue = 0.0;
   double EndValue = 0.0;
+  Id StartId = NoId; ///< of the points that it joins
+  Id EndId = NoId;
 };
 
 /// A value at some distance.
@@ -23,7 +25,9 @@ struct NearestValue
 {
   double Distance;
   double Value;
-  Point2 Foot{}; ///< where it is
+  Point2 Foot{};     ///< where it is
+  Id StartId = NoId; ///< of the edge that has it
+  Id EndId = NoId;
 };
 
 /// The nearest point of an edge, and its value.

@@ -26,10 +26,6 @@ public:
   /// `startSpacing` and `endSpacing` are the values of f.
   void AddSegment(const Point2& start, const Point2& end, double startSpacing, double endSpacing);
 
-  /// Values as given, linear along the segment: what they become along it is up to three pieces, of
-  /// which those at the most bound nothing.
-  void AddGiven(const Point2& start, const Point2& end, double startValue, double endValue);
-
   const SegmentSource& Segments() const { return this->Source; }
 
 private:

@@ -272,19 +272,26 @@ double GridLimit::BoundFrom(NodeId source, const Point2& x) const
 
 void GridLimit::ClassifyCells(Pulse& pulse)
 {
-  for (std::size_t row = 0; row < this->Grid.Rows() && pulse.Beat(2 * this->Grid.Columns()); ++row)
+  const std::size_t columns = this->Grid.Columns();
+  std::vector<bool> isOfSteep(this->Nodes.size(), false);
+  for (std::size_t row = 0; row < this->Grid.Rows() && pulse.Beat(2 * columns); ++row)
   {
-    for (std::size_t column = 0; column < this->Grid.Columns(); ++column)
+    for (std::size_t column = 0; column < columns; ++column)
     {
       this->ForgetSlight(column, row);
+      if (this->IsSteepCell(column, row))
+      {
+        const NodeId low = this->NodeAt(column, row);
+        const NodeId high = this->NodeAt(column, row + 1);
+        isOfSteep[low] = isOfSteep[low + 1] = isOfSteep[high] = isOfSteep[high + 1] = true;
+      }
     }
   }
-  for (std::size_t row = 0; row + 1 < this->Grid.Rows() && pulse.Beat(2 * this->Grid.Columns());
-       ++row)
+  for (std::size_t row = 0; row + 1 < this->Grid.Rows() && pulse.Beat(2 * columns); ++row)
   {
-    for (std::size_t column = 0; column + 1 < this->Grid.Columns(); ++column)
+    for (std::size_t column = 0; column + 1 < columns; ++column)
     {
-      this->Classify(column, row);
+      this->Cells[this->NodeAt(column, row)] = this->KindOf(column, row, isOfSteep);
     }
   }
 }
@@ -299,24 +306,27 @@ void GridLimit::ForgetSlight(std::size_t column, std::size_t row)
   }
 }
 
-void GridLimit::Classify(std::size_t column, std::size_t row)
+/// What grows from within a steep cell reaches those beside it.
+GridLimit::Cell GridLimit::KindOf(
+  std::size_t column, std::size_t row, const std::vector<bool>& isOfSteep) const
 {
   float least = std::numeric_limits<float>::infinity();
   bool isBounded = false;
+  bool isNearSteep = false;
   const NodeId low = this->NodeAt(column, row);
   const NodeId high = this->NodeAt(column, row + 1);
   for (const NodeId corner : { low, low + 1, high, high + 1 })
   {
     least = std::min(least, this->Nodes[corner].Value);
     isBounded = isBounded || this->Nodes[corner].Source != corner;
+    isNearSteep = isNearSteep || isOfSteep[corner];
   }
   const double size = std::max(
     this->Grid.X(column + 1) - this->Grid.X(column), this->Grid.Y(row + 1) - this->Grid.Y(row));
   const bool isWide = this->Gradation * size > WidestGrowth * least;
-  Cell& cell = this->Cells[low];
-  cell = isWide && (isBounded || cell == Cell::Steep) ? Cell::Wide
-    : isBounded                                       ? Cell::Small
-                                                      : Cell::AsGiven;
+  return isWide && (isBounded || isNearSteep) ? Cell::Wide
+    : isBounded                               ? Cell::Small
+                                              : Cell::AsGiven;
 }
 
 double GridLimit::operator()(const Point2& x) const
@@ -341,7 +351,7 @@ double GridLimit::operator()(const Point2& x) const
 double GridLimit::ValueInWideCell(
   const Point2& x, const GridInterpolator::Place& place, double given) const
 {
-  Looked looked;
+  LookedAt<NodeId> looked;
   double least = given;
   for (std::size_t row = place.Row; row <= place.Row + 1; ++row)
   {
@@ -360,7 +370,7 @@ double GridLimit::ValueInWideCell(
 
 /// By what bounds the nodes of a row.
 double GridLimit::LowerFromRow(const Point2& x, std::size_t row, std::size_t first,
-  std::size_t last, Looked& looked, double least) const
+  std::size_t last, LookedAt<NodeId>& looked, double least) const
 {
   for (std::size_t column = first; column < last; ++column)
   {

@@ -7,9 +7,9 @@
 #include "../Base/Pulse.h"
 #include "EdgeBound.h"
 #include "GridInterpolator.h"
+#include "LookedAt.h"
 
-#include <algorithm> // for find
-#include <cstdint>   // for ids of nodes
+#include <cstdint> // for ids of nodes
 
 namespace biting
 {
@@ -56,24 +56,6 @@ private:
     Steep  ///< while it is not known whether it is wide
   };
 
-  /// Sources that need not be looked at again.
-  struct Looked
-  {
-    std::array<NodeId, 16> Sources;
-    std::size_t Count = 0;
-
-    bool Add(NodeId source)
-    {
-      const auto end = this->Sources.begin() + static_cast<std::ptrdiff_t>(this->Count);
-      if (std::find(this->Sources.begin(), end, source) != end)
-      {
-        return false;
-      }
-      this->Sources[this->Count++] = source;
-      return true;
-    }
-  };
-
   NodeId NodeAt(std::size_t column, std::size_t row) const
   {
     return static_cast<NodeId>(column + this->Grid.Columns() * row);
@@ -100,11 +82,11 @@ private:
   void HandOn(NodeId from, NodeId to, const Point2& place, double away, bool isSteep);
   void ClassifyCells(Pulse& pulse);
   void ForgetSlight(std::size_t column, std::size_t row);
-  void Classify(std::size_t column, std::size_t row);
+  Cell KindOf(std::size_t column, std::size_t row, const std::vector<bool>& isOfSteep) const;
   double BoundFrom(NodeId source, const Point2& x) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
   double LowerFromRow(const Point2& x, std::size_t row, std::size_t first, std::size_t last,
-    Looked& looked, double least) const;
+    LookedAt<NodeId>& looked, double least) const;
 
   GridInterpolator Grid;
   const double Gradation;

@@ -134,6 +134,7 @@ struct Spacing::Implementation
   std::optional<GridInterpolator> Grid; ///< where it is as given
   std::unique_ptr<const GridLimit> LimitedGrid;
   std::optional<TriangleInterpolator> Triangulation;
+  std::unique_ptr<const TriangleLimit> LimitedTriangulation; ///< where Triangulation is steep
   std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree> Limit;
   std::optional<SegmentExtension> Floor; ///< of its values, negative
@@ -170,7 +171,7 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Grid)(x));
     }
-    if (this->Triangulation)
+    if (this->Triangulation && !this->LimitedTriangulation)
     {
       least = std::min(least, (*this->Triangulation)(x));
     }
@@ -178,6 +179,10 @@ struct Spacing::Implementation
     if (this->LimitedGrid)
     {
       scaled = std::min(scaled, (*this->LimitedGrid)(x));
+    }
+    if (this->LimitedTriangulation)
+    {
+      scaled = std::min(scaled, (*this->LimitedTriangulation)(x, *this->Triangulation));
     }
     return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
                           : scaled;
@@ -254,16 +259,15 @@ private:
     }
     PartOfStage measuring(this->Stage, 0.3, 0.32);
     this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
-    std::vector<double> limits;
     if (this->Options.Gradation > 0.0)
     {
       PartOfStage limiting(this->Stage, 0.32, 0.36);
-      limits = LimitTriangles(
-        *this->Options.Triangulation, this->Options.Gradation, this->Cones, limiting);
+      auto limit = std::make_unique<TriangleLimit>(
+        this->Options.Triangulation, this->Options.Gradation, this->Data.Range, limiting);
+      this->Data.LimitedTriangulation = limit->IsNeeded() ? std::move(limit) : nullptr;
     }
     PartOfStage sorting(this->Stage, 0.36, 0.48);
-    this->Data.Triangulation.emplace(*this->Options.Triangulation,
-      limits.empty() ? this->Options.Triangulation->Values : limits, sorting);
+    this->Data.Triangulation.emplace(*this->Options.Triangulation, sorting);
     if (this->Stage.HasStopped())
     {
       return false;

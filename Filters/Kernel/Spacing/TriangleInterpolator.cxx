@@ -119,8 +119,8 @@ std::vector<BorderEdge> FindBorder(
       if (next - first == 1)
       {
         const auto high = static_cast<std::size_t>(*first);
-        border.push_back(
-          { source.Points[low], source.Points[high], source.Values[low], source.Values[high] });
+        border.push_back({ source.Points[low], source.Points[high], source.Values[low],
+          source.Values[high], static_cast<Id>(low), static_cast<Id>(high) });
       }
       first = next;
     }
@@ -131,12 +131,6 @@ std::vector<BorderEdge> FindBorder(
 } // namespace
 
 TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor)
-  : TriangleInterpolator(source, source.Values, monitor)
-{
-}
-
-TriangleInterpolator::TriangleInterpolator(
-  const TriangulatedSource& source, const std::vector<double>& inside, Monitor& monitor)
 {
   Pulse pulse(monitor);
   const std::vector<const Id*> usable = UsableTriangles(source, pulse);
@@ -149,43 +143,64 @@ TriangleInterpolator::TriangleInterpolator(
   this->Records.reserve(usable.size());
   std::vector<Id> recordOf(usable.size(), NoId);
   this->Buckets->ForEachEntry(
-    [this, &source, &inside, &usable, &recordOf, &pulse](Id& entry)
+    [this, &source, &usable, &recordOf, &pulse](Id& entry)
     {
       pulse.Beat();
       const auto triangle = static_cast<std::size_t>(entry);
       if (recordOf[triangle] == NoId)
       {
         recordOf[triangle] = static_cast<Id>(this->Records.size());
-        this->Records.push_back(MakeRecord(source.Points, inside, usable[triangle]));
+        this->Records.push_back(MakeRecord(source, usable[triangle]));
       }
       entry = recordOf[triangle];
     });
 }
 
 TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
-  const std::vector<Point2>& places, const std::vector<double>& values, const Id* corners)
+  const TriangulatedSource& source, const Id* corners)
 {
+  const std::vector<Point2>& places = source.Points;
+  const std::vector<double>& values = source.Values;
   const Point2& origin = places[PointOf(corners, 0)];
   const Point2 first = places[PointOf(corners, 1)] - origin;
   const Point2 second = places[PointOf(corners, 2)] - origin;
   const double area = Cross(first, second);
   return { origin, { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
-    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)] };
+    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)],
+    static_cast<Id>((corners - source.Triangles.data()) / 3) };
 }
 
 double TriangleInterpolator::operator()(const Point2& x) const
 {
-  const Record* record = this->Find(x);
-  return record ? ValueAt(*record, x) : this->NearestOutside(x).Value;
+  return this->Find(x).Value;
+}
+
+TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
+{
+  const Record* record = this->FindRecord(x);
+  NearestValue nearest{ 0.0, 0.0, x };
+  if (!record)
+  {
+    nearest = this->NearestOutside(x, record);
+  }
+  if (!record)
+  {
+    return { nearest.Value, NoId, {}, { nearest.StartId, nearest.EndId } };
+  }
+  const Point2 offset = nearest.Foot - record->Origin;
+  const double first = Dot(record->FirstWeight, offset);
+  const double second = Dot(record->SecondWeight, offset);
+  return { ValueAt(*record, nearest.Foot), record->Triangle,
+    { std::max(1.0 - first - second, 0.0), first, second }, { NoId, NoId } };
 }
 
 NearestValue TriangleInterpolator::Nearest(const Point2& x) const
 {
-  const Record* record = this->Find(x);
-  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x);
+  const Record* record = this->FindRecord(x);
+  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x, record);
 }
 
-const TriangleInterpolator::Record* TriangleInterpolator::Find(const Point2& x) const
+const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point2& x) const
 {
   for (Id id : this->Buckets->Near(x))
   {
@@ -213,7 +228,7 @@ double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
 
 /// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a gap
 /// between triangles, which is there by rounding.
-NearestValue TriangleInterpolator::NearestOutside(const Point2& x) const
+NearestValue TriangleInterpolator::NearestOutside(const Point2& x, const Record*& closed) const
 {
   constexpr double NearerThanRounding = 1.0 - 1e-9;
   NearestValue best = this->Border.Nearest(x,
@@ -222,7 +237,11 @@ NearestValue TriangleInterpolator::NearestOutside(const Point2& x) const
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    best = found.Distance < NearerThanRounding * best.Distance ? found : best;
+    if (found.Distance < NearerThanRounding * best.Distance)
+    {
+      best = found;
+      closed = &this->Records[static_cast<std::size_t>(id)];
+    }
   }
   return best;
 }

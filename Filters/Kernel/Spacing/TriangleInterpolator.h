@@ -8,6 +8,9 @@
 #include "Spacing.h"
 #include "TriangleBuckets.h"
 
+#include <array>  // for weights
+#include <memory> // for buckets
+
 namespace biting
 {
 
@@ -21,14 +24,20 @@ public:
   /// Incomplete if the monitor asks to stop: it must not be evaluated then.
   explicit TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
 
-  /// With other values, one a point, on the triangles themselves; those of the source outside.
-  TriangleInterpolator(
-    const TriangulatedSource& source, const std::vector<double>& inside, Monitor& monitor);
-
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Records.empty(); }
 
+  /// Where a point is: in a triangle, or nearest to a point of an edge on the border.
+  struct Place
+  {
+    double Value;                  ///< of the interpolant
+    Id Triangle = NoId;            ///< NoId outside
+    std::array<double, 3> Weights; ///< of the corners of the triangle
+    std::array<Id, 2> Ends;        ///< of the edge
+  };
+
   double operator()(const Point2& x) const;
+  Place Find(const Point2& x) const;
 
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
   /// distance of 0.
@@ -46,13 +55,13 @@ private:
     double Value;
     double FirstValue;
     double SecondValue;
+    Id Triangle; ///< of the source
   };
 
-  static Record MakeRecord(
-    const std::vector<Point2>& places, const std::vector<double>& values, const Id* corners);
-  const Record* Find(const Point2& x) const;
+  static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
+  const Record* FindRecord(const Point2& x) const;
   static double ValueAt(const Record& record, const Point2& x);
-  NearestValue NearestOutside(const Point2& x) const;
+  NearestValue NearestOutside(const Point2& x, const Record*& closed) const;
   static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
 
   std::unique_ptr<TriangleBuckets> Buckets; ///< of Records

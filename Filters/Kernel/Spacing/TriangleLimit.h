@@ -4,23 +4,120 @@
 #ifndef BitingTriangleLimit_h
 #define BitingTriangleLimit_h
 
-#include "ConeCollector.h"
+#include "../Base/Pulse.h"
+#include "EdgeBound.h"
+#include "LookedAt.h"
+#include "TriangleInterpolator.h"
+
+#include <cstdint>    // for marks
+#include <functional> // for greater
+#include <queue>      // for the order of values
+#include <utility>    // for pair
 
 namespace biting
 {
 
-/// The values of a triangulated source, each lowered to what a gradation allows, measured from all
-/// other points along its triangles; empty where no triangle is steep. Where triangles are so wide
-/// that interpolation between points is not enough, `cones` has what the largest Lipschitz function
-/// below the interpolant grows from: the edges of steep ones, and what bounds the points around; the
-/// values of their points are as given.
-/// Cost: n log n for n triangles that are to be lowered, linear for all others. Without meaning if
-/// the monitor asks to stop.
+/// What f is on triangles that are steeper than the gradation: as GridLimit, with the edges of
+/// triangles in place of the sides of cells. Outside, f is the nearest border value, limited by what
+/// bounds the ends of the nearest edge; where that jumps, see OutsideJumps.h.
 ///
-/// Method: points hand on to their neighbors the place that bounds them, lowest first (the order of
-/// Dijkstra), so that distances are those of the plane and not of paths along edges.
-std::vector<double> LimitTriangles(
-  const TriangulatedSource& source, double gradation, ConeCollector& cones, Monitor& monitor);
+/// Method: points hand on to their neighbors the point whose edges bound them, lowest first (the order
+/// of Dijkstra), so that distances are those of the plane and not of paths along edges.
+/// Cost: n log n for n triangles that are to be lowered, linear for all others.
+class TriangleLimit
+{
+public:
+  /// Without meaning if the monitor asks to stop.
+  TriangleLimit(std::shared_ptr<const TriangulatedSource> source, double gradation,
+    const ValueRange& range, Monitor& monitor);
+
+  /// Whether anything is steep. Where not, there is nothing to be asked for.
+  bool IsNeeded() const { return !this->Points.empty(); }
+
+  /// f, scaled and clamped. `triangles` are those of the source.
+  double operator()(const Point2& x, const TriangleInterpolator& triangles) const;
+
+private:
+  /// What bounds f at a point: the edges around another one, or its own value. Single precision is
+  /// more than anybody sees.
+  struct Point
+  {
+    float Value;
+    Id Source;
+  };
+
+  /// From a point, which is not among what it knows.
+  struct Edge
+  {
+    Point2 Along;
+    double End; ///< the value there, as given
+    Id To;
+    bool IsSteep; ///< a triangle beside it is
+  };
+
+  struct EdgeRange
+  {
+    const Edge* First;
+    const Edge* Last;
+    const Edge* begin() const { return this->First; }
+    const Edge* end() const { return this->Last; }
+  };
+
+  enum class Triangle : std::uint8_t
+  {
+    AsGiven,
+    Small, ///< corners are bounded
+    Wide,  ///< the same, or it is steep, and f may grow by more than a share of itself
+    Steep  ///< while it is not known whether it is wide
+  };
+
+  /// A value of a point, which may have become lower.
+  using Entry = std::pair<float, Id>;
+
+  const Point2& PlaceOf(Id point) const
+  {
+    return this->Source->Points[static_cast<std::size_t>(point)];
+  }
+  double Raw(Id point) const { return this->Source->Values[static_cast<std::size_t>(point)]; }
+  Point& At(Id point) { return this->Points[static_cast<std::size_t>(point)]; }
+  const Point& At(Id point) const { return this->Points[static_cast<std::size_t>(point)]; }
+  const Id* CornersOf(Id triangle) const
+  {
+    return &this->Source->Triangles[3 * static_cast<std::size_t>(triangle)];
+  }
+
+  EdgeRange EdgesOf(Id point) const
+  {
+    const Id* first = &this->FirstEdges[static_cast<std::size_t>(point)];
+    return { this->Edges.data() + first[0], this->Edges.data() + first[1] };
+  }
+
+  bool FindSteep(Pulse& pulse);
+  void AverageGradients(std::vector<Point2>& gradients, Pulse& pulse) const;
+  bool IsSteep(Id triangle, const std::vector<Point2>& gradients) const;
+  void FileEdges(Pulse& pulse);
+  void AddEdges(Id point, Id triangle);
+  void SetGiven(Pulse& pulse);
+  std::vector<Entry> LowPoints() const;
+  void HandOnAll(Pulse& pulse);
+  void HandOn(Id from, Id to);
+  void Classify(Pulse& pulse);
+  void ForgetSlight(std::size_t at);
+  Triangle KindOf(Id triangle, const std::vector<bool>& isOfSteep) const;
+  double BoundFrom(Id source, const Point2& x) const;
+  double ValueInWide(const Point2& x, Id triangle, double given) const;
+  double LowerFrom(Id point, const Point2& x, LookedAt<Id>& looked, double least) const;
+
+  std::shared_ptr<const TriangulatedSource> Source;
+  const double Gradation;
+  const ValueRange Range;
+  const EdgeBound Bound;
+  std::vector<Triangle> Kinds;
+  std::vector<Id> FirstEdges; ///< those of point p are FirstEdges[p] to FirstEdges[p + 1]
+  std::vector<Edge> Edges;
+  std::vector<Point> Points;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Waiting;
+};
 
 } // namespace biting
 
