@@ -75,8 +75,8 @@
  * `Spacing` (f, double), `NearestNeighborDistance` (N, double), `Conformity` (min(N/f, f/N), double),
  * `BiteOrder` (int, -1 where biting stopped before, or Relaxation made the vertex), `VertexKind` (unsigned char: 0 input vertex, 1
  * new on an input segment, 2 interior, 3 embedded point), `OriginalPointId` (vtkIdType, -1 where
- * new). Cell data: `RegionId` (int, connected faces, from left to right by where they begin, but those
- * along one boundary together), `MinimumAngle` (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
+ * new). Cell data: `RegionId` (int, connected faces, from the leftmost one on along the
+ * boundary), `MinimumAngle` (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
  * smallest containing and the inscribed circle, 2 is best). `MinimumAngle` is the active scalar, as
  * are `Phase` of output 2 and `ProblemKind` of output 3. Field data, one value each, marked
  * vtkAbstractArray::GUI_HIDE so that programs do not offer them to colour by:
@@ -93,11 +93,12 @@
  * than the spacing). Field data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
- * Lines: the edges of the mesh that cover boundary and interfaces, with every cell array of the
- * input at its cell, of any type, with the domain on the left of the boundary: on the outline of a surface that of the cell there, where a line
- * runs along it that of the line. Blocks of a composite input are told by `BlockName` (string); where
- * a block lacks an array its values are 0, NaN or empty. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell
- * data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1 interface).
+ * Lines: the edges of the mesh that cover boundary and interfaces, those of the boundary with the
+ * domain on their left, with every cell array of the input at its cell, of any type: on the outline of
+ * a surface that of the cell there, where a line runs along it that of the line. Blocks of a composite
+ * input are told by `BlockName` (string); where a block lacks an array its values are 0, NaN or empty.
+ * Point data: `MeshPointId` (vtkIdType, point of output 0). Cell data: `OriginalCellId` (vtkIdType),
+ * `Kind` (unsigned char, 0 boundary, 1 interface).
  *
  * @par Output 2, the bites (only with GenerateBites):
  * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:

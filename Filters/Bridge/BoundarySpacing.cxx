@@ -5,6 +5,7 @@
 
 #include "../Kernel/Base/Pulse.h"
 #include "DoubleArray.h"
+#include "SourceOrder.h"
 #include "SpacingValues.h"
 
 #include "vtkDataArray.h"
@@ -78,6 +79,7 @@ std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
   {
     AddSegments(input.Chains, chain, newIds, source->Segments, pulse);
   }
+  SortSource(*source, pulse);
   options.Segments = source;
   return {};
 }

@@ -90,9 +90,9 @@ void PlaneCut::AddPolygon(const vtkIdType* nodes, int size)
   }
 }
 
-vtkIdType PlaneCut::EdgeNode(vtkIdType a, vtkIdType b)
+vtkIdType PlaneCut::EdgeNode(vtkIdType below, vtkIdType above)
 {
-  this->Edges.push_back({ std::min(a, b), std::max(a, b) });
+  this->Edges.push_back({ below, above });
   return static_cast<vtkIdType>(this->Distances.size() + this->Edges.size()) - 1;
 }
 

@@ -19,7 +19,7 @@ namespace biting
 class PlaneCut
 {
 public:
-  /// An edge with ends on different sides of the plane; Low < High as ids.
+  /// An edge from below the plane to above it.
   struct Edge
   {
     vtkIdType Low;
@@ -47,7 +47,7 @@ public:
   double Fraction(const Edge& edge) const;
 
 private:
-  vtkIdType EdgeNode(vtkIdType a, vtkIdType b);
+  vtkIdType EdgeNode(vtkIdType below, vtkIdType above);
   void AddPolygon(const vtkIdType* nodes, int size);
 
   const std::vector<double>& Distances;

@@ -3,8 +3,11 @@
 
 #include "PlaneFrame.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for sqrt
+#include "../Kernel/Base/SortInSteps.h"
+
+#include <algorithm>  // for min, max, unique
+#include <cmath>      // for sqrt
+#include <functional> // for less
 
 namespace biting
 {
@@ -13,11 +16,11 @@ namespace
 {
 
 // The points to fit to, relative to the centre of their box and scaled to half extents of at most 1,
-// so that neither offsets nor units of the input matter.
+// so that neither offsets nor units of the input matter. Sorted, each once: sums are rounded in the order
+// of their terms, which shall not be that of the input.
 struct ScaledPoints
 {
-  const double* Coordinates;
-  const std::vector<Id>& Points;
+  std::vector<Point3> Places;
   Pulse& Beats;
   Point3 Low;
   Point3 High;
@@ -66,23 +69,28 @@ Point3 Unit(const Point3& a)
 
 Point3 ScaledPoints::operator[](std::size_t k) const
 {
-  const double* place = this->Coordinates + 3 * static_cast<std::size_t>(this->Points[k]);
-  return (1.0 / this->Scale) * (Point3{ place[0], place[1], place[2] } - this->Center);
+  return (1.0 / this->Scale) * (this->Places[k] - this->Center);
+}
+
+// Of zeros the positive one.
+Point3 PlaceOf(const double* coordinates, Id point)
+{
+  const double* place = coordinates + 3 * static_cast<std::size_t>(point);
+  return { place[0] + 0.0, place[1] + 0.0, place[2] + 0.0 };
 }
 
 ScaledPoints Scaled(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
 {
-  const double* first = coordinates + 3 * static_cast<std::size_t>(points.front());
-  const Point3 start{ first[0], first[1], first[2] };
-  ScaledPoints scaled{ coordinates, points, pulse, start, start };
+  const Point3 start = PlaceOf(coordinates, points.front());
+  ScaledPoints scaled{ {}, pulse, start, start };
   pulse.ForEach(points.size(),
     [coordinates, &points, &scaled](std::size_t k)
     {
+      const Point3 place = PlaceOf(coordinates, points[k]);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const double value = coordinates[3 * static_cast<std::size_t>(points[k]) + axis];
-        scaled.Low[axis] = std::min(scaled.Low[axis], value);
-        scaled.High[axis] = std::max(scaled.High[axis], value);
+        scaled.Low[axis] = std::min(scaled.Low[axis], place[axis]);
+        scaled.High[axis] = std::max(scaled.High[axis], place[axis]);
       }
     });
   scaled.Center = 0.5 * scaled.Low + 0.5 * scaled.High;
@@ -91,13 +99,25 @@ ScaledPoints Scaled(const double* coordinates, const std::vector<Id>& points, Pu
   return scaled;
 }
 
+void AddPlaces(
+  const double* coordinates, const std::vector<Id>& points, ScaledPoints& scaled, Pulse& pulse)
+{
+  std::vector<Point3>& places = scaled.Places;
+  places.reserve(points.size());
+  pulse.ForEach(points.size(),
+    [coordinates, &points, &places](std::size_t k)
+    { places.push_back(PlaceOf(coordinates, points[k])); });
+  SortInSteps(places, std::less<>(), pulse);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
 // The number of the point with the largest `measure`, the first of them where several are equal.
 template <typename Measure>
 std::size_t Largest(const ScaledPoints& points, Measure measure)
 {
   std::size_t largest = 0;
   double value = -1.0;
-  points.Beats.ForEach(points.Points.size(),
+  points.Beats.ForEach(points.Places.size(),
     [&points, &measure, &largest, &value](std::size_t k)
     {
       const double candidate = measure(points[k]);
@@ -140,16 +160,16 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
 {
   const Point3 first = AnyNormalTo(plane.Normal);
   const Point3 second = Cross3(plane.Normal, first);
-  const double weight = 1.0 / static_cast<double>(points.Points.size());
+  const double weight = 1.0 / static_cast<double>(points.Places.size());
   Point3 mean{ 0.0, 0.0, 0.0 };
-  points.Beats.ForEach(points.Points.size(),
+  points.Beats.ForEach(points.Places.size(),
     [&points, &mean, weight](std::size_t k) { mean = mean + weight * points[k]; });
   double uu = 0.0;
   double uv = 0.0;
   double vv = 0.0;
   double uw = 0.0;
   double vw = 0.0;
-  for (std::size_t k = 0; k < points.Points.size() && points.Beats.Beat(); ++k)
+  for (std::size_t k = 0; k < points.Places.size() && points.Beats.Beat(); ++k)
   {
     const Point3 offset = points[k] - mean;
     const double u = Dot3(offset, first);
@@ -195,7 +215,7 @@ PlaneFrame PlaneFrame::FitTo(
   {
     return {};
   }
-  const ScaledPoints scaled = Scaled(coordinates, points, pulse);
+  ScaledPoints scaled = Scaled(coordinates, points, pulse);
   const std::size_t thinnest = ThinnestAxis(scaled);
   if (scaled.High[thinnest] - scaled.Low[thinnest] <= rounding)
   {
@@ -203,6 +223,7 @@ PlaneFrame PlaneFrame::FitTo(
     const double high = scaled.High[thinnest];
     return Aligned(static_cast<int>(thinnest), low == high ? low : scaled.Center[thinnest]);
   }
+  AddPlaces(coordinates, points, scaled, pulse);
   const Plane rough = ThroughLargeTriangle(scaled);
   const Plane refined = Refined(scaled, rough);
   const bool isBetter = LargestDistance(scaled, refined) <= LargestDistance(scaled, rough);

@@ -27,7 +27,8 @@ class PlaneFrame
 {
 public:
   /// Fits to the `points` among `coordinates` (three a point, finite), which `rounding` may have moved
-  /// (CoordinateRounding.h). Cost O(n).
+  /// (CoordinateRounding.h). Neither their order nor how often a place occurs matters. Cost O(n log n),
+  /// where all share one coordinate O(n).
   /// Points that are collinear in space, or all equal, get one of the planes that hold them. On abort
   /// the plane has no meaning.
   static PlaneFrame FitTo(

@@ -7,6 +7,7 @@
 #include "DoubleArray.h"
 #include "MessagesFromProblems.h"
 #include "PlaneCut.h"
+#include "SourceOrder.h"
 #include "SpacingValues.h"
 
 #include "vtkCellData.h"
@@ -38,7 +39,8 @@ namespace
 constexpr double GridEnd = 0.1;
 constexpr double DistancesEnd = 0.2;
 constexpr double CellsEnd = 0.8;
-constexpr double PointsEnd = 0.9;
+constexpr double PointsEnd = 0.85;
+constexpr double TrianglesEnd = 0.9;
 
 constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
 
@@ -416,7 +418,7 @@ std::shared_ptr<TriangulatedSource> CellCollector::Triangulation(const double* v
   auto triangulation = std::make_shared<TriangulatedSource>();
   std::vector<Id> newIds(this->NumberOfNodes(), NoId);
   const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
-  const PulsePart part(this->Beats, PointsEnd, 1.0);
+  const PulsePart part(this->Beats, PointsEnd, TrianglesEnd);
   this->Beats.ForEach(nodes.size(),
     [this, values, &triangulation, &newIds, &nodes](std::size_t k)
     {
@@ -508,6 +510,8 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
     return refusal;
   }
   const auto triangulation = collector.Triangulation(AsDoubles(values)->GetPointer(0));
+  const PulsePart part(pulse, TrianglesEnd, 1.0);
+  SortSource(*triangulation, pulse);
   options.Triangulation = triangulation;
   return HasArea(*triangulation, pulse)
     ? ""

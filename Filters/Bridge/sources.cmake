@@ -30,6 +30,7 @@ set(biting_bridge_sources
   RegionNumbers.cxx
   SourceCover.cxx
   SourceData.cxx
+  SourceOrder.cxx
   SourceSpacing.cxx
   SpacingValues.cxx
   StructuredFromPieces.cxx

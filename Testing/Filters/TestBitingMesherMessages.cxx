@@ -171,7 +171,9 @@ TEST(BitingMesherMessages, RefuseLoopsThatAreNotPlanar)
   AddChain(input, { { 0, 0, 0.1 }, { 1, 0, -0.1 }, { 1, 1, 0.1 }, { 0, 1, -0.1 } }, true);
   const std::string refusal = RefusalOf(input);
   EXPECT_TRUE(Has(refusal, "not planar")) << refusal;
-  EXPECT_TRUE(Has(refusal, "(4): point 3 near (0, 1, -0.1) (it lies 0.10")) << refusal;
+  // All four are equally far, but for rounding.
+  EXPECT_TRUE(Has(refusal, "(4): point ")) << refusal;
+  EXPECT_TRUE(Has(refusal, " (it lies 0.10")) << refusal;
 }
 
 TEST(BitingMesherMessages, AcceptLoopsThatArePlanarWithinTheTolerance)
