@@ -36,6 +36,27 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 }
 
 /**
+ * Whether the algorithm was stopped, as the pipeline sees it, which then executes it again when asked.
+ */
+inline bool WasAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220801)
+  return algorithm->GetAbortOutput() || algorithm->GetAbortExecute() != 0;
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/**
+ * Makes the pipeline see the algorithm as one that was stopped.
+ */
+inline void Abort(vtkAlgorithm* algorithm)
+{
+  algorithm->SetAbortExecute(1);
+  IsAborted(algorithm);
+}
+
+/**
  * Forgets a request to stop that an earlier execution has answered. 9.1 does so by itself; newer
  * versions keep it, and the algorithm would never work again.
  */

@@ -220,7 +220,7 @@ int vtkBitingMesher::RequestData(
   {
     Execution(this).Run(drawing, source, outputVector);
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   this->Summary = biting::SummaryOf(mesh, watch.Seconds()) +
     biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);

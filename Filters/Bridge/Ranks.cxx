@@ -7,6 +7,7 @@
 #include "WholeFromPieces.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -209,7 +210,8 @@ bool Ranks::CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered)
   return isReady != 0;
 }
 
-unsigned long Ranks::ShareOutcome(unsigned long errorCode, vtkInformationVector* outputs) const
+unsigned long Ranks::ShareOutcome(
+  unsigned long errorCode, vtkAlgorithm* filter, vtkInformationVector* outputs) const
 {
   if (!this->AreSeveral())
   {
@@ -219,7 +221,8 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, vtkInformationVector*
   const int numberOfPorts = outputs->GetNumberOfInformationObjects();
   if (this->IsFirst())
   {
-    stream << static_cast<vtkTypeUInt64>(errorCode);
+    stream << static_cast<vtkTypeUInt64>(errorCode)
+           << static_cast<int>(vtkBitingCompat::WasAborted(filter));
     for (int port = 0; port < numberOfPorts; ++port)
     {
       for (const int association : Associations)
@@ -235,7 +238,12 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, vtkInformationVector*
     return errorCode;
   }
   vtkTypeUInt64 code = 0;
-  stream >> code;
+  int isAborted = 0;
+  stream >> code >> isAborted;
+  if (isAborted != 0)
+  {
+    vtkBitingCompat::Abort(filter);
+  }
   for (int port = 0; port < numberOfPorts; ++port)
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);

@@ -11,6 +11,7 @@
 #include <vector> // for buffers
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
@@ -52,8 +53,10 @@ public:
   GatheredBytes Gather(vtkDataObject* piece) const;
 
   /// Makes the other ranks' outputs empty pieces with the arrays of the first's, and tells its error
-  /// code, which is returned.
-  unsigned long ShareOutcome(unsigned long errorCode, vtkInformationVector* outputs) const;
+  /// code, which is returned. Where the first has stopped `filter`, the others do, too: a pipeline
+  /// executes it again, which it must do on all ranks.
+  unsigned long ShareOutcome(
+    unsigned long errorCode, vtkAlgorithm* filter, vtkInformationVector* outputs) const;
 
 private:
   bool CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered) const;

@@ -3,8 +3,8 @@
 
 """The filters on pieces that lie on ranks in many ways: for TestRanksProxy.py, by mpiexec pvbatch.
 
-Writes to the file of BITING_ANSWER, as JSON, what each filter gave: a digest of the bytes of all
-outputs, and how many errors were said on the first rank.
+Arguments: names of functions below. With BITING_SERVER_PORT the filters run on that pvserver. Writes to the file of BITING_ANSWER, as JSON, what each filter gave: a digest of the bytes of all
+outputs, another of what numbers the input's points and cells, and the errors said on the first rank.
 """
 
 import hashlib
@@ -14,15 +14,21 @@ import sys
 
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray
 
-# What every source begins with: rings of a drawing, and who has which of them.
+# Numbers of the input's, which has others on ranks where nothing says what they were.
+INPUT_IDS = ('OriginalPointId', 'OriginalCellId')
+# What dealing out adds to the input.
+ADDED = ('GlobalCellIds', 'GlobalPointIds', 'vtkOriginalCellIds', 'vtkGhostType')
+
+# What every source begins with: rings of a drawing, a spacing, and who has which of them.
 PRELUDE = '''
-global math, vtkCellArray, vtkDoubleArray, vtkImageData, vtkIntArray, vtkPoints, vtkPolyData
-global rank, ranks, rings, Ring, Drawing, Image, Spread
+global math, vtkCellArray, vtkDoubleArray, vtkImageData, vtkIntArray, vtkMultiBlockDataSet, vtkPoints
+global vtkPolyData, rank, ranks, rings, Ring, Drawing, Spread, Blocks, F, Field
 import math
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 controller = vtkMultiProcessController.GetGlobalController()
 rank = controller.GetLocalProcessId() if controller else 0
@@ -34,12 +40,19 @@ def Ring(size, radius, x, y):
 
 rings = [Ring(60, 10, 0, 0), Ring(30, 3, 2, 1), Ring(25, 2, -5, 0), Ring(12, 1, 2, 1)]
 
-def Drawing(which, form='Polylines'):
+def F(x, y):
+    return 0.4 + 0.1 * math.hypot(x - 4, y + 2)
+
+def Drawing(which, form='Polylines', tilt=0.0):
     points, lines, polygons, tags = vtkPoints(), vtkCellArray(), vtkCellArray(), vtkIntArray()
+    spacing = vtkDoubleArray()
     points.SetDataTypeToDouble()
     tags.SetName('Tag')
+    spacing.SetName('Spacing')
     for ring in which:
-        ids = [points.InsertNextPoint(*place) for place in rings[ring]]
+        ids = [points.InsertNextPoint(x, y, tilt * (x - 2 * y)) for x, y, z in rings[ring]]
+        for x, y, z in rings[ring]:
+            spacing.InsertNextValue(F(x, y))
         cells = [ids + ids[:1]]
         if form == 'Segments':
             cells = [[a, b] for a, b in zip(ids, ids[1:] + ids[:1])]
@@ -56,6 +69,7 @@ def Drawing(which, form='Polylines'):
     drawing.SetLines(lines)
     drawing.SetPolys(polygons)
     drawing.GetCellData().AddArray(tags)
+    drawing.GetPointData().AddArray(spacing)
     return drawing
 
 def Spread(where):
@@ -65,7 +79,47 @@ def Spread(where):
         return range(4) if rank == ranks - 1 else []
     if where == 'Everywhere':
         return range(4)
+    if where == 'Dealt':
+        return [ring for ring in range(4) if (3 - ring) % ranks == rank]
+    if where == 'Around':  # the second rank has nothing
+        owners = [0] + list(range(2, ranks))
+        return [ring for ring in range(4) if owners[ring % len(owners)] == rank]
     return [ring for ring in range(4) if ring * ranks // 4 == rank]
+
+def Blocks(where):
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetNumberOfBlocks(4)
+    own = Spread(where)
+    for ring in range(4):
+        blocks.SetBlock(ring, Drawing([ring], 'Polygons') if ring in own else None)
+    return blocks
+
+def Field(extent, power=1.0):
+    image = vtkImageData()
+    image.SetExtent(*extent)
+    image.SetOrigin(-12, -12, 0)
+    values = vtkDoubleArray()
+    values.SetName('Spacing')
+    for j in range(extent[2], extent[3] + 1):
+        for i in range(extent[0], extent[1] + 1):
+            values.InsertNextValue(F(i - 12, j - 12) ** power)
+    image.GetPointData().SetScalars(values)
+    return image
+'''
+
+# With the pieces that the pipeline asks for.
+WHOLE_IMAGE = '''
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+executive = self.GetExecutive()
+outInfo = executive.GetOutputInformation(0)
+outInfo.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), (0, 24, 0, 24, 0, 0), 6)
+outInfo.Set(vtkAlgorithm.CAN_PRODUCE_SUB_EXTENT(), 1)
+'''
+PIECE_OF_IMAGE = '''
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+outInfo = self.GetExecutive().GetOutputInformation(0)
+self.GetOutput().ShallowCopy(
+    Field(outInfo.Get(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT())%s))
 '''
 
 
@@ -75,55 +129,190 @@ def producer(script, data_type='vtkPolyData', information=''):
         ScriptRequestInformation=PRELUDE + information if information else '')
 
 
+def drawing(where, form='Polylines', tilt=0.0):
+    return producer(
+        "self.GetOutput().ShallowCopy(Drawing(Spread('%s'), '%s', %s))" % (where, form, tilt))
+
+
+def image(power=1.0):
+    return producer(PIECE_OF_IMAGE % (', %s' % power), 'vtkImageData', WHOLE_IMAGE)
+
+
+def bytes_of(array):
+    if isinstance(array, vtkStringArray):
+        return '\n'.join(array.GetValue(k) for k in range(array.GetNumberOfValues())).encode()
+    return vtk_to_numpy(array).tobytes()
+
+
 def add_array(digest, array):
     if array is not None and array.GetNumberOfTuples() > 0:
         digest.update(array.GetName().encode() if array.GetName() else b'')
-        digest.update(vtk_to_numpy(array).tobytes())
+        digest.update(bytes_of(array))
 
 
-def add_arrays(digest, data):
+def add_arrays(digest, ids, data):
     for name in sorted(data.GetArrayName(k) for k in range(data.GetNumberOfArrays())):
-        add_array(digest, data.GetArray(name))
+        if name not in ADDED:
+            add_array(ids if name in INPUT_IDS else digest, data.GetAbstractArray(name))
 
 
-def digest_of(data):
-    digest = hashlib.sha256()
+def digests_of(data):
+    """Of the bytes, and of those that number points and cells of the input."""
+    digest, ids = hashlib.sha256(), hashlib.sha256()
+    if hasattr(data, 'GetRowData'):
+        add_arrays(digest, ids, data.GetRowData())
+        return '%d rows, %s' % (data.GetNumberOfRows(), digest.hexdigest()[:16]), ''
     if data.GetNumberOfPoints() > 0 and hasattr(data, 'GetPoints'):
         add_array(digest, data.GetPoints().GetData())
     for cells in ('GetPolys', 'GetLines', 'GetVerts', 'GetCells'):
         if hasattr(data, cells) and data.GetNumberOfCells() > 0:
             add_array(digest, getattr(data, cells)().GetConnectivityArray())
-    add_arrays(digest, data.GetPointData())
-    add_arrays(digest, data.GetCellData())
-    return '%d points, %d cells, %s' % (
-        data.GetNumberOfPoints(), data.GetNumberOfCells(), digest.hexdigest()[:16])
+    add_arrays(digest, ids, data.GetPointData())
+    add_arrays(digest, ids, data.GetCellData())
+    what = '%d points, %d cells, ' % (data.GetNumberOfPoints(), data.GetNumberOfCells())
+    return what + digest.hexdigest()[:16], ids.hexdigest()[:16]
 
 
-def run(algorithm, ports):
+def run(algorithm, ports=(0,)):
     errors = []
     window = vtkOutputWindow.GetInstance()
-    tag = window.AddObserver('ErrorEvent', lambda *unused: errors.append(1))
+    tags = [window.AddObserver(event, lambda *unused: errors.append(1))
+            for event in ('ErrorEvent', 'WarningEvent')]
     window.SetDisplayModeToNever()
-    algorithm.UpdatePipeline()
-    digests = [digest_of(servermanager.Fetch(algorithm, idx=port)) for port in ports]
-    window.SetDisplayModeToDefault()
-    window.RemoveObserver(tag)
-    return {'digests': digests, 'errors': len(errors)}
+    try:
+        algorithm.UpdatePipeline()
+        digests = [digests_of(servermanager.Fetch(algorithm, idx=port)) for port in ports]
+    finally:
+        window.SetDisplayModeToDefault()
+        for tag in tags:
+            window.RemoveObserver(tag)
+    return {'digests': [both[0] for both in digests], 'ids': [both[1] for both in digests],
+            'messages': len(errors)}
+
+
+def mesh(source, **parameters):
+    return run(BitingMesher(Input=source, **dict({'UniformSpacing': 1.0}, **parameters)), (0, 1, 3))
 
 
 def drawings(answer):
-    for form in ('Polylines', 'Segments', 'Polygons'):
-        for where in ('First', 'Last', 'Everywhere', 'Divided'):
-            drawing = producer(
-                "self.GetOutput().ShallowCopy(Drawing(Spread('%s'), '%s'))" % (where, form))
-            mesher = BitingMesher(Input=drawing, UniformSpacing=1.0)
-            answer['Drawing.%s.%s' % (form, where)] = run(mesher, (0, 1, 3))
+    for where in ('First', 'Last', 'Everywhere', 'Divided', 'Dealt', 'Around'):
+        answer['Polylines.' + where] = mesh(drawing(where))
+    for form in ('Segments', 'Polygons'):
+        for where in ('First', 'Dealt'):
+            answer['%s.%s' % (form, where)] = mesh(drawing(where, form))
+    for where in ('First', 'Dealt'):
+        answer['Tilted.' + where] = mesh(drawing(where, tilt=0.3), BoundarySpacingArray='Spacing')
+    for where in ('First', 'Everywhere', 'Dealt'):
+        blocks = producer(
+            "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')
+        answer['Composite.' + where] = mesh(blocks)
+
+
+def redistributed(answer):
+    """Cells that other filters have dealt out."""
+    for form, name, dealer in (('Segments', 'Redistributed', simple.RedistributeDataSet),
+                               ('Polygons', 'Redistributed', simple.RedistributeDataSet),
+                               ('Segments', 'D3', simple.D3)):
+        answer['%s.%s' % (form, name)] = mesh(dealer(Input=drawing('First', form)))
+
+
+def contours(answer):
+    answer['Contour.Divided'] = mesh(simple.Contour(
+        Input=image(), ContourBy=['POINTS', 'Spacing'], Isosurfaces=[0.7, 1.2]), UniformSpacing=0.5)
+
+
+def sources(answer):
+    """A source in pieces: an image, triangles, triangles dealt out, blocks; also on one rank only."""
+    parameters = {'UniformSpacing': 0.0, 'SourceSpacingArray': ['POINTS', 'Spacing']}
+    triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=image()))
+    last = producer('''
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+surface = vtkDataSetSurfaceFilter()
+surface.SetInputData(Field((0, 24, 0, 24, 0, 0)))
+surface.Update()
+if rank == ranks - 1:
+    self.GetOutput().ShallowCopy(surface.GetOutput())
+''')
+    blocks = producer('''
+blocks = vtkMultiBlockDataSet()
+blocks.SetNumberOfBlocks(2)
+if rank == 0:
+    blocks.SetBlock(0, Field((0, 24, 0, 24, 0, 0)))
+if rank == ranks - 1:
+    blocks.SetBlock(1, Field((5, 14, 4, 20, 0, 0), 2.0))
+self.GetOutput().ShallowCopy(blocks)
+''', 'vtkMultiblockDataSet')
+    for name, source in (('Image.Divided', image()), ('Quads.Last', last),
+                         ('Triangles.Divided', triangles),
+                         ('Triangles.D3', simple.D3(Input=triangles)),
+                         ('Triangles.Redistributed', simple.RedistributeDataSet(Input=triangles)),
+                         ('Blocks.Divided', blocks)):
+        answer['Source.' + name] = mesh(
+            drawing('Dealt', 'Segments'), SpacingSource=source, **parameters)
+
+
+def other_filters(answer):
+    triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=image()))
+    # Of the mesh that was dealt out the histograms only: its cells are in another order.
+    for name, source, ports in (('Divided', triangles, (0, 1)),
+                                ('D3', simple.D3(Input=triangles), (1,))):
+        conformity = MeshConformity(Input=source, SpacingArray=['POINTS', 'Spacing'])
+        answer['Conformity.' + name] = run(conformity, ports)
+    for name, source in (('Triangles', triangles), ('Image', image())):
+        hessian = HessianSpacing(Input=source, ScalarArray=['POINTS', 'Spacing'])
+        answer['Hessian.%s.Divided' % name] = run(hessian)
+
+
+def separate_blocks(answer):
+    """Each rank meshes its own; what they have together is what one rank makes of all."""
+    for where in ('First', 'Dealt'):
+        blocks = producer(
+            "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')
+        mesher = BitingMesher(Input=blocks, UniformSpacing=1.0, MeshBlocksSeparately=True)
+        mesher.UpdatePipeline()
+        information = mesher.GetDataInformation()
+        answer['Separately.' + where] = {
+            'cells': information.GetNumberOfCells(), 'points': information.GetNumberOfPoints()}
+
+
+def errors(answer):
+    """Bad input on one rank, on all, and none: messages come once, and nothing waits for ever."""
+    nan = 'drawing.GetPoints().SetPoint(0, float("nan"), 0, 0)'
+    for name, bad in (('First', 'rank == 0'), ('Last', 'rank == ranks - 1'), ('All', 'True')):
+        script = "drawing = Drawing(Spread('Everywhere'))\nif %s:\n    %s\n" % (bad, nan)
+        answer['Error.NaN.' + name] = mesh(
+            producer(script + 'self.GetOutput().ShallowCopy(drawing)'))
+    answer['Error.Array'] = mesh(drawing('Divided'), RegionArray='Missing')
+    answer['Error.Parameter'] = mesh(drawing('Divided'), Phi=2.0)
+    answer['Error.TooMany'] = mesh(drawing('Divided'), UniformSpacing=1e-6)
+    answer['Error.Volume'] = mesh(simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 4]))
+    answer['Error.Nothing'] = mesh(producer(''))
+    answer['Error.Conformity'] = run(
+        MeshConformity(Input=drawing('Divided', 'Polygons'), SpacingArray=['POINTS', 'Spacing']))
+    answer['Error.Hessian'] = run(
+        HessianSpacing(Input=drawing('Divided', 'Segments'), ScalarArray=['POINTS', 'Spacing']))
+
+
+def aborts(answer):
+    """The first rank, which works, is stopped."""
+    mesher = BitingMesher(Input=drawing('Divided'), UniformSpacing=0.1)
+    algorithm = mesher.GetClientSideObject()
+    tag = algorithm.AddObserver('ProgressEvent', lambda *unused: algorithm.SetAbortExecute(1))
+    answer['Abort.Stopped'] = run(mesher, (0, 1, 3))
+    algorithm.RemoveObserver(tag)
+    mesher.UniformSpacing = 1.0
+    answer['Polylines.AfterAbort'] = run(mesher, (0, 1, 3))
 
 
 def main():
+    port = os.environ.get('BITING_SERVER_PORT')
+    if port:
+        simple.Connect('localhost', int(port))
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], remote=True)
     simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
     answer = {}
-    drawings(answer)
+    for name in sys.argv[1:]:
+        globals()[name](answer)
     with open(os.environ['BITING_ANSWER'], 'w', encoding='ascii') as file:
         json.dump(answer, file)
 
