@@ -433,8 +433,8 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
   biting::PartOfStage part(this->Monitor, BoundaryEnd, 1.0);
   biting::DomainMembership domain(this->Planar.Chains, part);
   const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
-  return biting::AddSourceSpacing(source.Data, source.Chosen.Array, this->Planar.Frame, isWanted,
-    this->Options.Spacing, this->Places, part);
+  return biting::AddSourceSpacing(
+    source, this->Planar.Frame, isWanted, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------

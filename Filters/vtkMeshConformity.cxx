@@ -448,8 +448,8 @@ bool vtkMeshConformity::Execution::ReadSource(const biting::SourceData& source)
   biting::SpacingOptions options;
   options.Gradation = 0.0;
   biting::ProblemPlaces places;
-  if (!this->Accept(biting::AddSourceSpacing(source.Data, source.Chosen.Array, this->Faces.Frame,
-        isWanted, options, places, this->Monitor)))
+  if (!this->Accept(biting::AddSourceSpacing(
+        source, this->Faces.Frame, isWanted, options, places, this->Monitor)))
   {
     return false;
   }

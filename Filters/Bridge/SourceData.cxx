@@ -4,15 +4,22 @@
 #include "SourceData.h"
 
 #include "DataTree.h"
-#include "MeshFromPieces.h"
 #include "StructuredFromPieces.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStructuredData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <string> // for names
-#include <vector> // for blocks
+#include <algorithm> // for all_of, equal, none_of
+#include <array>     // for extents
+#include <cmath>     // for isnan
+#include <string>    // for names
+#include <vector>    // for blocks
 
 namespace biting
 {
@@ -92,10 +99,81 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
   return with;
 }
 
-vtkSmartPointer<vtkDataSet> AsOne(const DataSets& blocks)
+bool AreSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+// Whether a block of `grid`, whose extent is within that of the grid, has the same places and values.
+bool Agrees(vtkDataSet* grid, vtkDataSet* block, const std::string& name)
+{
+  vtkDataArray* all = grid->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* own = block->GetPointData()->GetArray(name.c_str());
+  std::array<int, 6> whole{};
+  std::array<int, 6> part{};
+  FindExtent(grid, whole);
+  FindExtent(block, part);
+  bool isSame = own->GetNumberOfTuples() >= block->GetNumberOfPoints();
+  for (vtkIdType point = 0; point < block->GetNumberOfPoints() && isSame; ++point)
+  {
+    int place[3];
+    vtkStructuredData::ComputePointStructuredCoordsForExtent(point, part.data(), place);
+    const vtkIdType same = vtkStructuredData::ComputePointIdForExtent(whole.data(), place);
+    double wanted[3];
+    double given[3];
+    grid->GetPoint(same, wanted);
+    block->GetPoint(point, given);
+    isSame = std::equal(wanted, wanted + 3, given) &&
+      AreSame(all->GetComponent(same, 0), own->GetComponent(point, 0));
+  }
+  return isSame;
+}
+
+// Null where blocks are no grid, or have several values at one point of it.
+vtkSmartPointer<vtkDataSet> AsGrid(const DataSets& blocks, const std::string& name)
 {
   const auto grid = StructuredFromPieces(blocks);
-  return grid ? grid : MeshFromPieces(blocks);
+  const auto agrees = [&grid, &name](vtkDataSet* block) { return Agrees(grid, block, name); };
+  return grid && std::all_of(blocks.begin(), blocks.end(), agrees) ? grid : nullptr;
+}
+
+// Appending keeps only arrays that all blocks have.
+void GiveGhostsToAll(const DataSets& blocks)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const auto hasGhosts = [association, name](vtkDataSet* block)
+    { return block->GetAttributes(association)->HasArray(name) != 0; };
+    if (std::none_of(blocks.begin(), blocks.end(), hasGhosts))
+    {
+      continue;
+    }
+    for (const auto& block : blocks)
+    {
+      if (!hasGhosts(block))
+      {
+        vtkNew<vtkUnsignedCharArray> none;
+        none->SetName(name);
+        none->SetNumberOfValues(block->GetNumberOfElements(association));
+        none->Fill(0);
+        block->GetAttributes(association)->AddArray(none);
+      }
+    }
+  }
+}
+
+// All cells, with points of their own for each block.
+vtkSmartPointer<vtkDataSet> Appended(const DataSets& blocks)
+{
+  GiveGhostsToAll(blocks);
+  vtkNew<vtkAppendFilter> append;
+  for (const auto& block : blocks)
+  {
+    append->AddInputData(block);
+  }
+  append->Update();
+  return append->GetOutput();
 }
 
 } // namespace
@@ -125,7 +203,10 @@ SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
   {
     const std::string name = NameOf(found.Chosen.Array);
     const DataSets with = BlocksWith(name, blocks);
-    found.Data = with.size() > 1 ? AsOne(with) : found.Data;
+    const auto grid = with.size() > 1 ? AsGrid(with, name) : nullptr;
+    found.MayOverlap = with.size() > 1 && !grid;
+    found.Data = grid ? grid : found.Data;
+    found.Data = found.MayOverlap ? Appended(with) : found.Data;
     found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
   }
   return found;

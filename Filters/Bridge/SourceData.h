@@ -22,12 +22,13 @@ struct SourceData
 {
   vtkSmartPointer<vtkDataSet> Data; ///< null where there is none to use
   ChosenArray Chosen;
+  bool MayOverlap = false; ///< cells may lie on each other: then the smallest value counts
 };
 
 /// Finds the array that `choice` asks for in `source`, a dataset or blocks of such. Where none was
 /// chosen and there is no SpacingArrayName, it is the only point array with one component, if there is
-/// just one. Blocks are one source: those that have the array, as one grid where they tile it, else by
-/// their cells; where they overlap, one of them counts.
+/// just one. Blocks are one source: those that have the array, as one grid where they tile it and agree
+/// where they meet, else by their cells; where these overlap, the smallest value counts.
 SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source);
 
 } // namespace biting

@@ -7,6 +7,7 @@
 #include "DoubleArray.h"
 #include "MessagesFromProblems.h"
 #include "PlaneCut.h"
+#include "SourceBorder.h"
 #include "SourceOrder.h"
 #include "SpacingValues.h"
 
@@ -492,7 +493,7 @@ std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<Gr
 }
 
 std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
-  SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
+  bool mayOverlap, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
   CellCollector collector(source, frame, pulse);
   std::string refusal = collector.Collect();
@@ -512,6 +513,11 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
   const auto triangulation = collector.Triangulation(AsDoubles(values)->GetPointer(0));
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
+  triangulation->MayOverlap = mayOverlap;
+  if (mayOverlap)
+  {
+    AddBorderOf(*triangulation, options, pulse);
+  }
   options.Triangulation = triangulation;
   return HasArea(*triangulation, pulse)
     ? ""
@@ -561,11 +567,13 @@ vtkSmartPointer<vtkDoubleArray> KnownValues(vtkDataSet* source, vtkDataArray* gi
 
 } // namespace
 
-std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* given, const PlaneFrame& frame,
+std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
   ProblemPlaces& places, Monitor& monitor)
 {
   Pulse pulse(monitor);
+  vtkDataSet* source = chosen.Data;
+  vtkDataArray* given = chosen.Chosen.Array;
   if (given->GetNumberOfComponents() != 1 ||
     given->GetNumberOfTuples() < source->GetNumberOfPoints())
   {
@@ -580,7 +588,7 @@ std::string AddSourceSpacing(vtkDataSet* source, vtkDataArray* given, const Plan
   auto grid = GridFrom(source, values->GetPointer(0), frame, pulse);
   const std::string refusal = grid
     ? AddGrid(source, values, std::move(grid), options, places, pulse)
-    : AddCells(source, values, frame, options, places, pulse);
+    : AddCells(source, values, frame, chosen.MayOverlap, options, places, pulse);
   return pulse.HasStopped() ? "" : refusal;
 }
 

@@ -73,27 +73,6 @@ void ForEach(const Lattice& part, const Lattice& whole, Function visit)
   }
 }
 
-// Whether the extent is known, and not empty.
-bool FindExtent(vtkDataSet* piece, Extent& extent)
-{
-  if (auto* image = vtkImageData::SafeDownCast(piece))
-  {
-    image->GetExtent(extent.data());
-    return true;
-  }
-  if (auto* grid = vtkRectilinearGrid::SafeDownCast(piece))
-  {
-    grid->GetExtent(extent.data());
-    return true;
-  }
-  if (auto* grid = vtkStructuredGrid::SafeDownCast(piece))
-  {
-    grid->GetExtent(extent.data());
-    return true;
-  }
-  return false;
-}
-
 bool HaveSameAxes(vtkImageData* a, vtkImageData* b)
 {
   const double* first = a->GetDirectionMatrix()->GetData();
@@ -382,6 +361,26 @@ vtkSmartPointer<vtkAbstractArray> Assembly::ArrayOfAll(
 }
 
 } // namespace
+
+bool FindExtent(vtkDataSet* piece, std::array<int, 6>& extent)
+{
+  if (auto* image = vtkImageData::SafeDownCast(piece))
+  {
+    image->GetExtent(extent.data());
+    return true;
+  }
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(piece))
+  {
+    grid->GetExtent(extent.data());
+    return true;
+  }
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(piece))
+  {
+    grid->GetExtent(extent.data());
+    return true;
+  }
+  return false;
+}
 
 vtkSmartPointer<vtkDataSet> StructuredFromPieces(const DataSets& pieces)
 {

@@ -8,6 +8,7 @@
 
 #include "vtkSmartPointer.h" // for datasets
 
+#include <array>  // for extents
 #include <vector> // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -22,6 +23,9 @@ namespace biting
 /// their extents. Where pieces overlap, the first counts; ghost cells count where no other is.
 vtkSmartPointer<vtkDataSet> StructuredFromPieces(
   const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
+
+/// The extent of an image, a rectilinear or a structured grid; false for other data.
+bool FindExtent(vtkDataSet* piece, std::array<int, 6>& extent);
 
 } // namespace biting
 

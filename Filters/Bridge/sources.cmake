@@ -28,6 +28,7 @@ set(biting_bridge_sources
   QualityArrays.cxx
   Ranks.cxx
   RegionNumbers.cxx
+  SourceBorder.cxx
   SourceCover.cxx
   SourceData.cxx
   SourceOrder.cxx

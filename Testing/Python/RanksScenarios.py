@@ -190,8 +190,8 @@ def run(algorithm, ports=(0,)):
             'messages': len(errors)}
 
 
-def mesh(source, **parameters):
-    return run(BitingMesher(Input=source, **dict({'UniformSpacing': 1.0}, **parameters)), (0, 1, 3))
+def mesh(source, ports=(0, 1, 3), **parameters):
+    return run(BitingMesher(Input=source, **dict({'UniformSpacing': 1.0}, **parameters)), ports)
 
 
 def drawings(answer):
@@ -251,16 +251,27 @@ self.GetOutput().ShallowCopy(blocks)
             drawing('Dealt', 'Segments'), SpacingSource=source, **parameters)
 
 
+def field_of(algorithm, names):
+    """A digest of the values by place, to nine digits: their sums are rounded in the order of cells."""
+    data = servermanager.Fetch(algorithm)
+    arrays = [data.GetPointData().GetArray(name) for name in names]
+    rows = sorted(['%.9g' % value for value in data.GetPoint(k)] +
+                  ['%.9g' % array.GetComponent(k, 0) for array in arrays]
+                  for k in range(data.GetNumberOfPoints()))
+    return '%d points, %s' % (len(rows), hashlib.sha256(str(rows).encode()).hexdigest()[:16])
+
+
 def other_filters(answer):
+    """Of meshes in pieces: points and cells come in another order, values are the serial ones."""
     triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=image()))
-    # Of the mesh that was dealt out the histograms only: its cells are in another order.
-    for name, source, ports in (('Divided', triangles, (0, 1)),
-                                ('D3', simple.D3(Input=triangles), (1,))):
+    for name, source in (('Divided', triangles), ('D3', simple.D3(Input=triangles))):
         conformity = MeshConformity(Input=source, SpacingArray=['POINTS', 'Spacing'])
-        answer['Conformity.' + name] = run(conformity, ports)
+        answer['Conformity.' + name] = run(conformity, (1,))
+        answer['Conformity.' + name]['digests'].append(field_of(conformity, ['Conformity']))
     for name, source in (('Triangles', triangles), ('Image', image())):
         hessian = HessianSpacing(Input=source, ScalarArray=['POINTS', 'Spacing'])
-        answer['Hessian.%s.Divided' % name] = run(hessian)
+        answer['Hessian.' + name] = run(hessian, ())
+        answer['Hessian.' + name]['digests'].append(field_of(hessian, ['Spacing']))
 
 
 def separate_blocks(answer):
@@ -271,8 +282,9 @@ def separate_blocks(answer):
         mesher = BitingMesher(Input=blocks, UniformSpacing=1.0, MeshBlocksSeparately=True)
         mesher.UpdatePipeline()
         information = mesher.GetDataInformation()
-        answer['Separately.' + where] = {
-            'cells': information.GetNumberOfCells(), 'points': information.GetNumberOfPoints()}
+        counts = '%d points, %d cells' % (
+            information.GetNumberOfPoints(), information.GetNumberOfCells())
+        answer['Separately.' + where] = {'digests': [counts], 'ids': [], 'messages': 0}
 
 
 def errors(answer):
@@ -281,7 +293,7 @@ def errors(answer):
     for name, bad in (('First', 'rank == 0'), ('Last', 'rank == ranks - 1'), ('All', 'True')):
         script = "drawing = Drawing(Spread('Everywhere'))\nif %s:\n    %s\n" % (bad, nan)
         answer['Error.NaN.' + name] = mesh(
-            producer(script + 'self.GetOutput().ShallowCopy(drawing)'))
+            producer(script + 'self.GetOutput().ShallowCopy(drawing)'), (0, 1))
     answer['Error.Array'] = mesh(drawing('Divided'), RegionArray='Missing')
     answer['Error.Parameter'] = mesh(drawing('Divided'), Phi=2.0)
     answer['Error.TooMany'] = mesh(drawing('Divided'), UniformSpacing=1e-6)
@@ -305,11 +317,12 @@ def aborts(answer):
 
 
 def main():
+    plugin = os.environ['BITING_PLUGIN']
     port = os.environ.get('BITING_SERVER_PORT')
+    simple.LoadPlugin(plugin, ns=globals())
     if port:
         simple.Connect('localhost', int(port))
-        simple.LoadPlugin(os.environ['BITING_PLUGIN'], remote=True)
-    simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+        simple.LoadPlugin(plugin, remote=True, ns=globals())
     answer = {}
     for name in sys.argv[1:]:
         globals()[name](answer)

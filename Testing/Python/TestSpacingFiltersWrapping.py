@@ -7,7 +7,7 @@ import math
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet
 from biting.vtkBitingFilters import vtkBitingMesher, vtkHessianSpacing, vtkMeshConformity
 from TestBitingMesherWrapping import square
 
@@ -30,7 +30,46 @@ def image_of(function, nodes):
     return image
 
 
+def level(low, high, nodes, value):
+    """A constant spacing over a square."""
+    image = vtkImageData()
+    image.SetDimensions(nodes, nodes, 1)
+    image.SetOrigin(low, low, 0.0)
+    image.SetSpacing((high - low) / (nodes - 1), (high - low) / (nodes - 1), 1.0)
+    values = vtkDoubleArray()
+    values.SetName('Spacing')
+    values.SetNumberOfValues(nodes * nodes)
+    values.Fill(value)
+    image.GetPointData().SetScalars(values)
+    return image
+
+
+def spacing_by_place(images):
+    """The spacing at the vertices of a mesh whose source has these blocks."""
+    blocks = vtkMultiBlockDataSet()
+    for number, image in enumerate(images):
+        blocks.SetBlock(number, image)
+    mesher = vtkBitingMesher()
+    mesher.SetInputData(square(2.0))
+    mesher.SetSpacingSourceData(blocks)
+    mesher.SetLimitByFeatureSize(False)
+    mesher.Update()
+    mesh = mesher.GetOutput()
+    values = mesh.GetPointData().GetArray('Spacing')
+    return {mesh.GetPoint(k)[:2]: values.GetValue(k) for k in range(mesh.GetNumberOfPoints())}
+
+
 class TestSpacingFiltersWrapping(unittest.TestCase):
+    def test_where_blocks_of_a_source_overlap_the_smallest_value_counts_and_f_grows_from_it(self):
+        coarse, fine = level(0.0, 2.0, 5, 0.2), level(0.8, 1.2, 5, 0.05)
+        spacing = spacing_by_place([coarse, fine])
+        self.assertEqual(spacing, spacing_by_place([fine, coarse]))
+        self.assertGreater(len(spacing), 200)
+        for (x, y), value in spacing.items():
+            distance = math.hypot(max(0.8 - x, 0.0, x - 1.2), max(0.8 - y, 0.0, y - 1.2))
+            wanted = min(0.2, 0.05 + 0.3 * distance)
+            self.assertAlmostEqual(value / wanted, 1.0, delta=0.03, msg=str((x, y)))
+
     def test_parameters_have_their_documented_defaults_and_keep_what_is_set(self):
         for kind, defaults in DEFAULTS.items():
             instance = kind()

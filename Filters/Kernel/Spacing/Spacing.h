@@ -36,6 +36,10 @@ struct TriangulatedSource
   std::vector<Point2> Points;
   std::vector<double> Values; ///< one a point
   std::vector<Id> Triangles;  ///< three point ids each, any orientation
+
+  /// Whether triangles may lie on each other: then the smallest value counts. Else any of them may,
+  /// which takes less time.
+  bool MayOverlap = false;
 };
 
 /// A spacing given at the ends of segments: linear along them, inwards the Lipschitz extension

@@ -131,6 +131,7 @@ std::vector<BorderEdge> FindBorder(
 } // namespace
 
 TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor)
+  : MayOverlap(source.MayOverlap)
 {
   Pulse pulse(monitor);
   const std::vector<const Id*> usable = UsableTriangles(source, pulse);
@@ -202,18 +203,21 @@ NearestValue TriangleInterpolator::Nearest(const Point2& x) const
 
 const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point2& x) const
 {
+  const Record* least = nullptr;
   for (Id id : this->Buckets->Near(x))
   {
     const Record& record = this->Records[static_cast<std::size_t>(id)];
     const Point2 offset = x - record.Origin;
     const double first = Dot(record.FirstWeight, offset);
     const double second = Dot(record.SecondWeight, offset);
-    if (first >= 0.0 && second >= 0.0 && first + second <= 1.0)
+    const bool isHere = first >= 0.0 && second >= 0.0 && first + second <= 1.0;
+    if (isHere && !this->MayOverlap)
     {
       return &record;
     }
+    least = isHere && (!least || ValueAt(record, x) < ValueAt(*least, x)) ? &record : least;
   }
-  return nullptr;
+  return least;
 }
 
 /// By weights: differences of values would cancel what is beside a fill value.

@@ -16,7 +16,7 @@ namespace biting
 
 /// The piecewise linear interpolant of a triangulated source; in its holes and outside the value of
 /// the nearest point of it. Where triangles leave a gap by rounding, that is the value beside the
-/// gap. Where triangles overlap, one of them counts.
+/// gap. Where triangles overlap the smallest value counts, if the source says that they may.
 class TriangleInterpolator
 {
 public:
@@ -67,6 +67,7 @@ private:
   std::unique_ptr<TriangleBuckets> Buckets; ///< of Records
   std::vector<Record> Records;              ///< in the order of the buckets
   BorderTree Border;
+  bool MayOverlap = false;
 };
 
 } // namespace biting
