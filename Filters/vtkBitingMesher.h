@@ -51,7 +51,7 @@
  * projected into the plane, cells with a volume are cut by it. Hidden and ghost cells, and places
  * where the array is NaN, are no source; nor are values that are zero, negative or infinite at points
  * outside of the domain, as fill values are. Blocks of a composite dataset are one source: those that
- * have the array; where they overlap, one of them counts. Where the domain reaches out of the source
+ * have the array; where they overlap the smallest value counts. Where the domain reaches out of the source
  * by more than the distance of its points, a warning says what share of it, and where.
  *
  * @par Spacing:
@@ -129,7 +129,8 @@
  * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh before:
  * after Update() a program learns from GetErrorCode() whether there was one, vtkErrorCode::UserError,
  * or none, vtkErrorCode::NoError.
- * Same input and parameters, same bytes: any run, any thread.
+ * Same input and parameters, same bytes: any run, number of threads and of ranks, any order of points and
+ * cells; but OriginalPointId and OriginalCellId number the input, on ranks what was gathered.
  * Notes are no warnings: loops that were left out, and, without BoundaryTolerance, a drawing so fine
  * that more than half of the vertices, and five hundred at least, are there for it alone, are a line of
  * text each, through vtkOutputWindow, and counted in output 3. They are silent where

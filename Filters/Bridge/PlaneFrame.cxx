@@ -15,9 +15,9 @@ namespace biting
 namespace
 {
 
-// The points to fit to, relative to the centre of their box and scaled to half extents of at most 1,
-// so that neither offsets nor units of the input matter. Sorted, each once: sums are rounded in the order
-// of their terms, which shall not be that of the input.
+// The points to fit to, relative to the centre of their box and scaled to half extents of at most
+// 1, so that neither offsets nor units of the input matter. Sorted, each once: sums are rounded in
+// the order of their terms, which shall not be that of the input.
 struct ScaledPoints
 {
   std::vector<Point3> Places;

@@ -18,19 +18,18 @@ using Point3 = std::array<double, 3>;
 
 /// A plane in space with coordinates of its own: what the kernel meshes in.
 ///
-/// Where all points share one coordinate, but for rounding, the plane's coordinates are the other two as
-/// they are: the mapping is exact both ways. Otherwise the plane is fitted: through a large triangle of the points,
-/// then by least squares; its origin is the centre of the points' box, and its first axis is the
-/// projection of a coordinate axis.
-/// The axes and the normal are right-handed; the normal's largest component is positive.
+/// Where all points share one coordinate, but for rounding, the plane's coordinates are the other
+/// two as they are: the mapping is exact both ways. Otherwise the plane is fitted: through a large
+/// triangle of the points, then by least squares; its origin is the centre of the points' box, and
+/// its first axis is the projection of a coordinate axis. The axes and the normal are right-handed;
+/// the normal's largest component is positive.
 class PlaneFrame
 {
 public:
-  /// Fits to the `points` among `coordinates` (three a point, finite), which `rounding` may have moved
-  /// (CoordinateRounding.h). Neither their order nor how often a place occurs matters. Cost O(n log n),
-  /// where all share one coordinate O(n).
-  /// Points that are collinear in space, or all equal, get one of the planes that hold them. On abort
-  /// the plane has no meaning.
+  /// Fits to the `points` among `coordinates` (three a point, finite), which `rounding` may have
+  /// moved (CoordinateRounding.h). Neither their order nor how often a place occurs matters. Cost
+  /// O(n log n), where all share one coordinate O(n). Points that are collinear in space, or all
+  /// equal, get one of the planes that hold them. On abort the plane has no meaning.
   static PlaneFrame FitTo(
     const double* coordinates, const std::vector<Id>& points, double rounding, Pulse& pulse);
 

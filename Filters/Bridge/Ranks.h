@@ -29,14 +29,14 @@ struct GatheredBytes
   std::vector<vtkIdType> Offsets; ///< of each rank's piece, and the end
 };
 
-/// The processes that execute one filter together, each with a piece of the input: the first one works
-/// on the whole and has the output, the others have empty pieces with the same arrays.
+/// The processes that execute one filter together, each with a piece of the input: the first one
+/// works on the whole and has the output, the others have empty pieces with the same arrays.
 ///
-/// They are those of vtkMultiProcessController::GetGlobalController(), where as many pieces are asked
-/// for as it has. A process that asks for one piece of one works alone, whatever the others do. Where
-/// a process alone asks for a piece of several, the first piece is the whole.
-/// Every rank calls the same methods in the same order, whatever happened on it: nothing waits for a
-/// rank that went another way.
+/// They are those of vtkMultiProcessController::GetGlobalController(), where as many pieces are
+/// asked for as it has. A process that asks for one piece of one works alone, whatever the others
+/// do. Where a process alone asks for a piece of several, the first piece is the whole. Every rank
+/// calls the same methods in the same order, whatever happened on it: nothing waits for a rank that
+/// went another way.
 class Ranks
 {
 public:
@@ -52,9 +52,9 @@ public:
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
-  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, and tells its error
-  /// code, which is returned. Where the first has stopped `filter`, the others do, too: a pipeline
-  /// executes it again, which it must do on all ranks.
+  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, and tells its
+  /// error code, which is returned. Where the first has stopped `filter`, the others do, too: a
+  /// pipeline executes it again, which it must do on all ranks.
   unsigned long ShareOutcome(
     unsigned long errorCode, vtkAlgorithm* filter, vtkInformationVector* outputs) const;
 
@@ -81,11 +81,12 @@ public:
   /// Gathers the pieces where ranks are several; all of them call this.
   WholeInput(const Ranks& ranks, vtkInformationVector* input);
 
-  /// False where the pieces did not come together: memory did not suffice, or there is no way to send
-  /// data of this kind.
+  /// False where the pieces did not come together: memory did not suffice, or there is no way to
+  /// send data of this kind.
   bool IsComplete() const { return this->Gathered.IsComplete; }
 
-  /// On the first rank; null where nothing is connected. Pieces that are equal byte by byte count once.
+  /// On the first rank; null where nothing is connected. Pieces that are equal byte by byte count
+  /// once.
   vtkSmartPointer<vtkDataObject> Make() const;
 
 private:

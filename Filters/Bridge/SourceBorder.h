@@ -10,9 +10,10 @@
 namespace biting
 {
 
-/// Adds the values on the border of `source`, whose corners are sorted (SourceOrder.h), to the segments of
-/// `options`: f grows from them with the gradation. Where a triangle ends on others that ask for more, f
-/// would jump. Nothing is added where there is no gradation: f is as given then.
+/// Adds the values on the border of `source`, whose corners are sorted (SourceOrder.h), to the
+/// segments of `options`: f grows from them with the gradation. Where a triangle ends on others
+/// that ask for more, f would jump. Nothing is added where there is no gradation: f is as given
+/// then.
 void AddBorderOf(const TriangulatedSource& source, SpacingOptions& options, Pulse& pulse);
 
 } // namespace biting

@@ -104,7 +104,8 @@ bool AreSame(double a, double b)
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-// Whether a block of `grid`, whose extent is within that of the grid, has the same places and values.
+// Whether a block of `grid`, whose extent is within that of the grid, has the same places and
+// values.
 bool Agrees(vtkDataSet* grid, vtkDataSet* block, const std::string& name)
 {
   vtkDataArray* all = grid->GetPointData()->GetArray(name.c_str());

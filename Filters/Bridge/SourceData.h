@@ -26,9 +26,9 @@ struct SourceData
 };
 
 /// Finds the array that `choice` asks for in `source`, a dataset or blocks of such. Where none was
-/// chosen and there is no SpacingArrayName, it is the only point array with one component, if there is
-/// just one. Blocks are one source: those that have the array, as one grid where they tile it and agree
-/// where they meet, else by their cells; where these overlap, the smallest value counts.
+/// chosen and there is no SpacingArrayName, it is the only point array with one component, if there
+/// is just one. Blocks are one source: those that have the array, as one grid where they tile it
+/// and agree where they meet, else by their cells; where these overlap, the smallest value counts.
 SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source);
 
 } // namespace biting

@@ -19,13 +19,12 @@ namespace biting
 ///
 /// Images and rectilinear grids of one layer along the plane, which is axis-aligned, are taken as
 /// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
-/// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with a
-/// hidden point, and cells without area are no source. Where cells may overlap the smallest value counts.
-/// Values that are zero, negative or infinite where `isWanted` says no are none, as NaN: fill values
-/// outside of the domain.
-/// Reads the source without changing it. Returns why it cannot be used, empty where it can; `places`
-/// gets the values that are no spacing. Where the monitor asks to stop nothing is refused, and the
-/// options have no meaning.
+/// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with
+/// a hidden point, and cells without area are no source. Where cells may overlap the smallest value
+/// counts. Values that are zero, negative or infinite where `isWanted` says no are none, as NaN:
+/// fill values outside of the domain. Reads the source without changing it. Returns why it cannot
+/// be used, empty where it can; `places` gets the values that are no spacing. Where the monitor
+/// asks to stop nothing is refused, and the options have no meaning.
 std::string AddSourceSpacing(const SourceData& source, const PlaneFrame& frame,
   const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
   ProblemPlaces& places, Monitor& monitor);

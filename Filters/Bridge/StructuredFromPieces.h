@@ -18,9 +18,10 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// One image, rectilinear or structured grid of `pieces`, which are of one such class; with the arrays
-/// that all of them have. Null where they are not, lie on different axes, or leave gaps in the box of
-/// their extents. Where pieces overlap, the first counts; ghost cells count where no other is.
+/// One image, rectilinear or structured grid of `pieces`, which are of one such class; with the
+/// arrays that all of them have. Null where they are not, lie on different axes, or leave gaps in
+/// the box of their extents. Where pieces overlap, the first counts; ghost cells count where no
+/// other is.
 vtkSmartPointer<vtkDataSet> StructuredFromPieces(
   const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
 

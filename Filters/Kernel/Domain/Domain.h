@@ -17,7 +17,8 @@
 namespace biting
 {
 
-/// The domain to mesh: a planar straight-line graph (PSLG) and which side of each segment is inside.
+/// The domain to mesh: a planar straight-line graph (PSLG) and which side of each segment is
+/// inside.
 ///
 /// Invariant, exact: segments meet at common end vertices only; no two vertices coincide; no vertex
 /// lies on the interior of a segment. The inside is the even-odd region of all boundary segments,
@@ -27,7 +28,8 @@ namespace biting
 ///
 /// Of ChainKind::Automatic, closed chains bound. Open ones bound where they form loops together: of
 /// their graph without its bridges, components of even degree by parity, others by their outline.
-/// What crosses itself, or has odd degrees, and lies within the domain of the others only divides it.
+/// What crosses itself, or has odd degrees, and lies within the domain of the others only divides
+/// it.
 ///
 /// Where there are faces, the domain is the area that an odd number of them covers, whatever their
 /// orientation, and chains of ChainKind::Automatic are interfaces. An edge between two faces is
@@ -68,8 +70,8 @@ struct DomainOptions
   /// Whether every edge of a face is an edge of the mesh, also between faces of one region.
   bool KeepCellEdges = false;
 
-  /// Points that are not further apart than this, relative to the diagonal of the drawing's box, are
-  /// one. Where it is less than the rounding of the coordinates, that counts.
+  /// Points that are not further apart than this, relative to the diagonal of the drawing's box,
+  /// are one. Where it is less than the rounding of the coordinates, that counts.
   double MergeTolerance = 0.0;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
@@ -77,12 +79,13 @@ struct DomainOptions
   std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 
-/// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve the
-/// arrangement, find what bounds, find the inside, drop the outside. Vertices and segments are numbered
-/// along walks over the segments (SegmentWalk.h). Repairs and refusals are added to `problems`; where
-/// these have errors the returned domain is empty. Cost O(n log n + k) for k meetings of segments.
-/// Law: neither the order of points, chains and cells matters, nor directions and first points of
-/// closed chains, nor whether points are shared; but to ids of points and cells.
+/// Makes the domain of `input`: weld points that are equal or too near to be told apart, resolve
+/// the arrangement, find what bounds, find the inside, drop the outside. Vertices and segments are
+/// numbered along walks over the segments (SegmentWalk.h). Repairs and refusals are added to
+/// `problems`; where these have errors the returned domain is empty. Cost O(n log n + k) for k
+/// meetings of segments. Law: neither the order of points, chains and cells matters, nor directions
+/// and first points of closed chains, nor whether points are shared; but to ids of points and
+/// cells.
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
 

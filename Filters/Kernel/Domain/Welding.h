@@ -11,8 +11,8 @@
 namespace biting
 {
 
-/// The chains with coincident points made one vertex each, numbered by their places; edges are directed
-/// from the lesser number to the greater.
+/// The chains with coincident points made one vertex each, numbered by their places; edges are
+/// directed from the lesser number to the greater.
 ///
 /// Points count as coincident where their coordinates are equal; those below LeastCoordinate in
 /// magnitude count as zero. That chains share coordinates is ordinary and goes without a word.
@@ -20,12 +20,11 @@ namespace biting
 /// repeats, DuplicatePoints where two ids share the place), embedded points that repeat.
 ///
 /// Points that are not further apart than the rounding of their coordinates, or than MergeTolerance
-/// times the diagonal of their box, are one, too, and reported (NearPoints). Vertices stay where input
-/// points are. Points are taken in the order of their places, those that boundaries use before those
-/// of interfaces, and these before embedded ones; a point becomes a vertex where none is that near,
-/// otherwise it goes to the nearest vertex in the end.
-/// Laws: no two vertices are that near; no point moves further than that; neither the order of points
-/// nor that of chains matters.
+/// times the diagonal of their box, are one, too, and reported (NearPoints). Vertices stay where
+/// input points are. Points are taken in the order of their places, those that boundaries use
+/// before those of interfaces, and these before embedded ones; a point becomes a vertex where none
+/// is that near, otherwise it goes to the nearest vertex in the end. Laws: no two vertices are that
+/// near; no point moves further than that; neither the order of points nor that of chains matters.
 /// Precondition: the coordinates that chains use are finite. Cost O(n log n).
 Arrangement WeldPolylines(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
