@@ -473,6 +473,17 @@ TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)
   }
 }
 
+/// Cells that run there and back, thinner than rounding, or that end where others are divided;
+/// lines as short as rounding: kernel and oracle did not agree.
+TEST(FuzzRegression, DegenerateCellsAndLinesAreKeptAsFarAsTheyAreSure)
+{
+  for (const std::uint64_t seed : { 5000715u, 91000326u, 91010577u, 91012453u, 91017972u, 91025186u,
+         92028844u, 92113093u, 92126375u, 92203076u, 92381434u })
+  {
+    ExpectKept(seed);
+  }
+}
+
 } // namespace
 
 } // namespace biting
