@@ -113,7 +113,8 @@ void OverlapFinder::Visit(Id segment)
   const FaceEdge& faces = this->FacesAt(segment);
   const Id below = this->OwnerBelow(segment);
   Id above = below;
-  if (faces.First() != NoId)
+  const bool isThin = faces.Count == 1 && faces.Turn == 0;
+  if (faces.First() != NoId && !isThin)
   {
     const Id group = this->Groups.Find(faces.First());
     Surface& surface = this->Surfaces[static_cast<std::size_t>(group)];

@@ -16,7 +16,10 @@ namespace biting
 struct FaceEdge
 {
   Id Count = 0; ///< how often outlines of faces run along it
-  Id Turn = 0;  ///< how many of the faces lie on its left, less those on its right
+
+  /// How many of the faces lie on its left, less those on its right. Those that are thinner than
+  /// rounding lie on neither.
+  Id Turn = 0;
 
   /// The chains of the first of these faces, those on the right as OtherSide of it; NoId after the
   /// last. Where more meet they overlap.

@@ -344,7 +344,7 @@ ArrangementEdge Welder::EdgeOf(Id chain) const
   return edge;
 }
 
-/// Any orientation will do for what encloses nothing: its edges cancel.
+/// What is thinner than rounding may be turned over when it is welded: it lies on neither side.
 void Welder::AppendFace(Id chain)
 {
   const Id first = this->Offset(chain);
@@ -354,15 +354,21 @@ void Welder::AppendFace(Id chain)
     return;
   }
   AreaSum sum(this->Place(this->PointAt(first)));
+  double length = 0.0;
   for (Id place = first + 1; place < end; ++place)
   {
-    sum.Add(this->Place(this->PointAt(place - 1)), this->Place(this->PointAt(place)));
+    const Point2 start = this->Place(this->PointAt(place - 1));
+    const Point2 stop = this->Place(this->PointAt(place));
+    sum.Add(start, stop);
+    length += Distance(start, stop);
   }
+  const bool isReversed = sum.Area() < 0.0;
+  const bool isThin = std::abs(sum.Area()) <= this->Result.Resolution * length;
   ArrangementEdge edge;
   edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
   edge.Faces.Count = 1;
-  edge.Faces.Turn = sum.Area() < 0.0 ? -1 : 1;
-  edge.Faces.Runs[0] = edge.Faces.Turn < 0 ? FaceEdge::OtherSide(chain) : chain;
+  edge.Faces.Turn = isThin ? 0 : isReversed ? -1 : 1;
+  edge.Faces.Runs[0] = isReversed ? FaceEdge::OtherSide(chain) : chain;
   edge.Faces.Stays = this->KeepsCellEdges;
   this->FaceArea.AddMagnitude(sum);
   this->AppendEdges(chain, edge);

@@ -168,6 +168,21 @@ TEST(Faces, ThatOverlapByLittleMoreThanRoundingAreReported)
   EXPECT_EQ(Overlapping(Make(builder.Lines())), Ids({ 0, 1 }));
 }
 
+/// Found by fuzzing: welding opens the second face by less than rounding, on the side of the first.
+TEST(Faces, ThinnerThanRoundingDoNotOverlapOthers)
+{
+  const double x = 6.1998557552869888;
+  PolylineBuilder builder;
+  builder.Loop(
+    { { 4.1998557552869826, -33479.973225116744 }, { 6.1998557552869897, -33479.973225116744 },
+      { 6.1998557552869844, -33477.973225116788 }, { 4.1998557552869835, -33477.973225116795 } },
+    Face);
+  builder.Loop({ { x, -33479.973225116744 }, { x, -33479.973225116788 }, { x, -33474.973225116773 },
+                 { x, -33474.973225116781 } },
+    Face);
+  EXPECT_EQ(Make(builder.Lines()).Problems.Count(ProblemCode::OverlappingCells), 0);
+}
+
 TEST(Faces, ThatOverlapInPartAreReportedAndTheOddAreaCounts)
 {
   PolylineBuilder builder;
