@@ -46,7 +46,7 @@ constexpr double LargestExpansion = 1.5;
 /// lengths may have anything between them.
 constexpr double LargestStep = 4.0;
 
-/// Halvings of the length of a perpendicular, and the room for rounding in comparing lengths.
+/// Steps to the length of a perpendicular, and the room for rounding in comparing lengths.
 constexpr int LengthSteps = 16;
 constexpr double SameLength = 1e-6;
 
@@ -122,24 +122,22 @@ private:
     return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
   }
 
-  /// How far along a unit vector a point of the border stays the nearest one.
+  /// How far along a unit vector a point of the border stays the nearest one: a ball that touches it
+  /// there shrinks until no other point is within (after Ma, Bae and Choi 2012).
   double LengthAlong(const Point2& start, const Point2& direction)
   {
-    double length = 0.0;
-    double tooLong = this->Reach(start, direction);
-    for (int step = 0; step < LengthSteps; ++step)
+    double length = this->Reach(start, direction);
+    for (int step = 0; step < LengthSteps && this->Beats.Beat(64); ++step)
     {
-      const double tried = step == 0 ? tooLong : 0.5 * (length + tooLong);
-      const bool isNearest =
-        this->Field.Nearest(start + tried * direction).Distance >= (1.0 - SameLength) * tried;
-      if (isNearest && step == 0)
+      const NearestValue nearest =
+        this->Field.Nearest(start + length * direction, { length, 0.0, start });
+      const Point2 within = nearest.Foot - start;
+      if (nearest.Distance >= (1.0 - SameLength) * length)
       {
-        return tried;
+        return length;
       }
-      length = isNearest ? tried : length;
-      tooLong = isNearest ? tooLong : tried;
+      length = 0.5 * Dot(within, within) / Dot(within, direction);
     }
-    this->Beats.Beat(512);
     return length;
   }
 

@@ -182,7 +182,7 @@ TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
   NearestValue nearest{ 0.0, 0.0, x };
   if (!record)
   {
-    nearest = this->NearestOutside(x, record);
+    nearest = this->NearestOutside(x, Unknown(), record);
   }
   if (!record)
   {
@@ -195,10 +195,16 @@ TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
     { std::max(1.0 - first - second, 0.0), first, second }, { NoId, NoId } };
 }
 
-NearestValue TriangleInterpolator::Nearest(const Point2& x) const
+NearestValue TriangleInterpolator::Unknown()
+{
+  return { std::numeric_limits<double>::infinity(), 0.0 };
+}
+
+NearestValue TriangleInterpolator::Nearest(const Point2& x, const NearestValue& known) const
 {
   const Record* record = this->FindRecord(x);
-  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x, record);
+  return record ? NearestValue{ 0.0, ValueAt(*record, x), x }
+                : this->NearestOutside(x, known, record);
 }
 
 const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point2& x) const
@@ -232,12 +238,19 @@ double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
 
 /// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a gap
 /// between triangles, which is there by rounding.
-NearestValue TriangleInterpolator::NearestOutside(const Point2& x, const Record*& closed) const
+NearestValue TriangleInterpolator::NearestOutside(
+  const Point2& x, const NearestValue& known, const Record*& closed) const
 {
   constexpr double NearerThanRounding = 1.0 - 1e-9;
-  NearestValue best = this->Border.Nearest(x,
-    { std::numeric_limits<double>::infinity(), this->Records.front().Value,
-      this->Records.front().Origin });
+  const bool isKnown = known.Distance > 0.0 && std::isfinite(known.Distance);
+  NearestValue best{ Unknown().Distance, this->Records.front().Value,
+    this->Records.front().Origin };
+  if (isKnown)
+  {
+    best = known;
+    best.Distance = Distance(x, known.Foot);
+  }
+  best = this->Border.Nearest(x, best);
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);

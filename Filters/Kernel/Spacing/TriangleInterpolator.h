@@ -40,8 +40,8 @@ public:
   Place Find(const Point2& x) const;
 
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
-  /// distance of 0.
-  NearestValue Nearest(const Point2& x) const;
+  /// distance of 0. It is found sooner beside one that is `known`, of another place.
+  NearestValue Nearest(const Point2& x, const NearestValue& known = Unknown()) const;
 
   const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
 
@@ -61,7 +61,9 @@ private:
   static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
   const Record* FindRecord(const Point2& x) const;
   static double ValueAt(const Record& record, const Point2& x);
-  NearestValue NearestOutside(const Point2& x, const Record*& closed) const;
+  static NearestValue Unknown();
+  NearestValue NearestOutside(
+    const Point2& x, const NearestValue& known, const Record*& closed) const;
   static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
 
   std::unique_ptr<TriangleBuckets> Buckets; ///< of Records
