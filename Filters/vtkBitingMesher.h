@@ -199,8 +199,8 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and cells
-   * of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED leave no mesh; the others are repaired,
-   * or only told.
+   * of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, and BAD_TRIANGLES, leave no mesh; the others are
+   * repaired, or only told.
    */
   enum ProblemKindType
   {
@@ -224,7 +224,8 @@ public:
     NARROW_ANGLES = 17,     ///< below 0.01 degrees: meshed as they are (cell, cell)
     RAISED_SPACING = 18,    ///< below the rounding of the coordinates, no place
     SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
-    FINE_DRAWING = 20       ///< without BoundaryTolerance: it decides the mesh; no place
+    FINE_DRAWING = 20,      ///< without BoundaryTolerance: it decides the mesh; no place
+    BAD_TRIANGLES = 21      ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
   };
 
   enum BiteShapeType

@@ -15,8 +15,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <numeric> // for iota
-#include <string>  // for names
+#include <algorithm> // for find, max
+#include <limits>    // for NaN
+#include <string>    // for names
 
 namespace biting
 {
@@ -73,6 +74,17 @@ vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* mes
   return points;
 }
 
+// What an array has where nothing is given: NaN, -1, 0 or an empty text.
+void FillWithNothing(vtkAbstractArray* array)
+{
+  if (auto* data = vtkDataArray::SafeDownCast(array))
+  {
+    const bool isReal = data->GetDataType() == VTK_DOUBLE || data->GetDataType() == VTK_FLOAT;
+    data->Fill(
+      isReal ? std::numeric_limits<double>::quiet_NaN() : std::max(data->GetDataTypeMin(), -1.0));
+  }
+}
+
 // In steps, as tuples of some arrays are slow.
 void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to, Pulse& pulse)
 {
@@ -81,11 +93,15 @@ void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to,
   {
     const vtkIdType size = std::min(Step, tuples->GetNumberOfIds() - first);
     vtkNew<vtkIdList> some;
-    some->SetNumberOfIds(size);
-    std::copy_n(tuples->GetPointer(first), size, some->GetPointer(0));
     vtkNew<vtkIdList> places;
-    places->SetNumberOfIds(size);
-    std::iota(places->GetPointer(0), places->GetPointer(0) + size, first);
+    for (vtkIdType k = first; k < first + size; ++k)
+    {
+      if (tuples->GetId(k) >= 0)
+      {
+        some->InsertNextId(tuples->GetId(k));
+        places->InsertNextId(k);
+      }
+    }
     to->InsertTuples(places, some, from);
   }
 }
@@ -99,6 +115,8 @@ void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData
   vtkNew<vtkIdList> cells;
   cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
   std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
+  const bool hasUnknown =
+    std::find(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), NoId) != mesh.EdgeCells.end();
   for (int k = 0; k < from->GetNumberOfArrays() && pulse.Ask(); ++k)
   {
     vtkAbstractArray* given = from->GetAbstractArray(k);
@@ -113,6 +131,10 @@ void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData
     carried->SetNumberOfComponents(given->GetNumberOfComponents());
     carried->CopyComponentNames(given);
     carried->SetNumberOfTuples(cells->GetNumberOfIds());
+    if (hasUnknown)
+    {
+      FillWithNothing(carried);
+    }
     CopyTuples(given, cells, carried, pulse);
     to->AddArray(carried);
   }

@@ -225,6 +225,7 @@ std::string MapToPlane(
   }
   const double rounding =
     RoundingOfCoordinates(TypeOfCoordinates(data), coordinates, points, pulse);
+  faces.Rounding = rounding;
   faces.Frame = PlaneFrame::FitTo(coordinates, points, rounding, pulse);
   Box2 box;
   for (const Id point : points)

@@ -38,6 +38,7 @@ struct PlanarFaces
   std::vector<vtkIdType> CellIds;  ///< of each face, ascending
   std::vector<Id> Offsets{ 0 };    ///< face c has Corners[Offsets[c] .. Offsets[c + 1])
   std::vector<Id> Corners;         ///< vertices
+  double Rounding = 0.0;           ///< of the coordinates (CoordinateRounding.h)
 };
 
 /// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, and hidden and

@@ -87,6 +87,9 @@ Wording WordingOf(ProblemCode code)
     case ProblemCode::FineDrawing:
       return { "The drawing is much finer than the spacing", "", "",
         "With a BoundaryTolerance, such as 0.2, the mesh follows the spacing." };
+    case ProblemCode::BadTriangles:
+      return { "Triangles that form no mesh", "cell", "",
+        "Correct or remove them; MeshConformity shows which are poor." };
     case ProblemCode::Aborted:
       return { "Aborted", "", "", "" };
     default:

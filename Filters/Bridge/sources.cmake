@@ -29,6 +29,8 @@ set(biting_bridge_sources
   Ranks.cxx
   RegionNumbers.cxx
   SourceBorder.cxx
+  RemeshInputFromDataSet.cxx
+  RemeshedData.cxx
   SourceCover.cxx
   SourceData.cxx
   SourceOrder.cxx

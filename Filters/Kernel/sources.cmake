@@ -107,7 +107,17 @@ set(biting_kernel_sources
   Meshing/SegmentCover.cxx
   Meshing/SharpCornerTriangles.cxx
   Meshing/SoundTriangulation.cxx
+  Remeshing/CavityDomain.cxx
+  Remeshing/ChangedRegion.cxx
+  Remeshing/KeptVertices.cxx
+  Remeshing/OldMesh.cxx
+  Remeshing/OldPlaces.cxx
+  Remeshing/RegionEdges.cxx
+  Remeshing/ReleasedVertices.cxx
+  Remeshing/Stitching.cxx
+  Remeshing/WantedSpacing.cxx
   BitingMesh.cxx
+  BitingRemesh.cxx
   FineDrawing.cxx
   NarrowAngles.cxx
   RaisedSpacing.cxx)

@@ -19,7 +19,7 @@ using namespace testing_filters;
 namespace
 {
 
-constexpr int NumberOfKinds = vtkBitingMesher::FINE_DRAWING + 1;
+constexpr int NumberOfKinds = vtkBitingMesher::BAD_TRIANGLES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

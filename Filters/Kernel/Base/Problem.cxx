@@ -45,7 +45,7 @@ bool ProblemList::HasErrors() const
 
 bool IsError(ProblemCode code)
 {
-  return code == ProblemCode::Aborted ||
+  return code == ProblemCode::Aborted || code == ProblemCode::BadTriangles ||
     (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
 }
 

@@ -46,6 +46,9 @@ enum class ProblemCode
   // Noted: the mesh is what was asked for.
   SmallLoops,  ///< closed loops that were left out (ids: cell of the first segment)
   FineDrawing, ///< without a tolerance: it decides the mesh, not the spacing (no ids)
+  // Refused.
+  BadTriangles, ///< that form no mesh of a plane (ids: cell; none where it is only known that some
+                ///< overlap)
   Aborted      ///< the monitor asked to stop; not an error
 };
 

@@ -65,7 +65,8 @@ BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, cons
   BitingState state(domain, locator, spacing, expectedVertices, options, monitor);
   AddDomainVertices(state);
   ProtectVertices(state);
-  options.PreserveBoundary ? ShieldEdges(state) : ProtectEdges(state);
+  ShieldEdges(state);
+  ProtectEdges(state);
   InteriorBiting interior(state);
   interior.Run();
   const bool isStopped = state.Result.End == BitingEnd::Complete && !state.MayBite();

@@ -5,7 +5,7 @@
 
 #include "Bisectors.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for all_of, min
 
 namespace biting
 {
@@ -120,6 +120,14 @@ void BitingState::Step()
   {
     this->Result.End = BitingEnd::Aborted;
   }
+}
+
+bool BitingState::DividesSegments() const
+{
+  const std::vector<std::uint8_t>& isPreserved = this->Geometry.IsPreserved;
+  const bool areAllPreserved = !isPreserved.empty() &&
+    std::all_of(isPreserved.begin(), isPreserved.end(), [](std::uint8_t is) { return is != 0; });
+  return !this->Options.PreserveBoundary && !areAllPreserved;
 }
 
 BitingEnd BitingState::ReasonNotToDivide() const

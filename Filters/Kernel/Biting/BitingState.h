@@ -51,6 +51,15 @@ struct BitingState
   /// To be called now and then: progress, and abort.
   void Step();
 
+  /// Whether the segment is to stay one edge.
+  bool IsPreserved(Id segment) const
+  {
+    return this->Options.PreserveBoundary || this->Geometry.MustPreserve(segment);
+  }
+
+  /// Whether any may be divided.
+  bool DividesSegments() const;
+
   /// Why an edge was not divided, once it was not.
   BitingEnd ReasonNotToDivide() const;
 

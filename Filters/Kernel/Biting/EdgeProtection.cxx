@@ -57,6 +57,10 @@ void ProtectEdge(Id segment, const SharpCorners& corners, EdgeDivider& divider,
 
 void ProtectEdges(BitingState& state)
 {
+  if (!state.DividesSegments())
+  {
+    return;
+  }
   const SharpCorners corners(state.Geometry, state.F, state.PartLength,
     static_cast<Id>(state.Options.MaximumNumberOfVertices), state.Progress);
   EdgeDivider divider(
@@ -64,6 +68,10 @@ void ProtectEdges(BitingState& state)
   DivisionPoints division;
   for (Id segment = 0; segment < state.Geometry.NumberOfSegments(); ++segment)
   {
+    if (state.IsPreserved(segment))
+    {
+      continue;
+    }
     if (state.MayBite())
     {
       ProtectEdge(segment, corners, divider, division, state);

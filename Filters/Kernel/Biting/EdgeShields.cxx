@@ -105,6 +105,10 @@ void ShieldEdges(BitingState& state)
   DivisionPoints division;
   for (Id segment = 0; segment < state.Geometry.NumberOfSegments(); ++segment)
   {
+    if (!state.IsPreserved(segment))
+    {
+      continue;
+    }
     state.AddEdge(state.Geometry.Starts[segment], state.Geometry.Ends[segment], segment);
     if (state.MayBite())
     {

@@ -53,12 +53,19 @@ struct Domain
     LeftInside; ///< 1: the domain lies left of start -> end; of boundary all
   std::vector<std::uint8_t> RightInside;
 
+  /// 1 where the segment must stay one edge of the mesh; empty: any may be divided.
+  std::vector<std::uint8_t> IsPreserved;
+
   Box2 Bounds;             ///< of the vertices
   double Area = 0.0;       ///< of the even-odd region
   double Resolution = 0.0; ///< rounding of vertices: 4 ulp of the largest magnitude
 
   Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }
   Id NumberOfSegments() const { return static_cast<Id>(this->Starts.size()); }
+  bool MustPreserve(Id segment) const
+  {
+    return !this->IsPreserved.empty() && this->IsPreserved[segment] != 0;
+  }
 };
 
 struct DomainOptions

@@ -163,28 +163,31 @@ void UndoDivisions(const Domain& domain, const Flags& isUndone, BitingResult& bi
   RemoveVertices(isRemoved, bites, pulse);
 }
 
-// 1 for the vertices that the triangulation found on constraints, though none begins or ends there:
-// by rounding, beside segments as short as that.
-Flags VerticesOnConstraints(
-  const Domain& domain, const BitingResult& bites, const Triangulation& triangulation, Pulse& pulse)
+// 1 for the vertices that the triangulation found on preserved segments, though none begins or ends
+// there: by rounding, beside segments as short as that.
+Flags VerticesOnPreserved(const Domain& domain, bool areAllPreserved, const BitingResult& bites,
+  const Triangulation& triangulation, Pulse& pulse)
 {
   Flags isOn(bites.Points.size(), 0);
   ForEachConstrainedEdge(triangulation, pulse,
-    [&domain, &bites, &isOn](Id, Id start, Id end)
+    [&domain, areAllPreserved, &bites, &isOn](Id constraint, Id start, Id end)
     {
+      const bool isPreserved =
+        areAllPreserved || domain.MustPreserve(bites.EdgeSegments[constraint]);
       for (const Id vertex : { start, end })
       {
-        isOn[vertex] |= vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
+        isOn[vertex] |=
+          isPreserved && vertex >= domain.NumberOfVertices() && bites.Segments[vertex] == NoId;
       }
     });
   return isOn;
 }
 
-// Leaves one edge for each segment. Whether vertices had to be removed.
-bool ClearConstraints(
-  const Domain& domain, const Triangulation& triangulation, BitingResult& bites, Pulse& pulse)
+// Leaves one edge for each preserved segment. Whether vertices had to be removed.
+bool ClearPreserved(const Domain& domain, bool areAllPreserved, const Triangulation& triangulation,
+  BitingResult& bites, Pulse& pulse)
 {
-  const Flags isOn = VerticesOnConstraints(domain, bites, triangulation, pulse);
+  const Flags isOn = VerticesOnPreserved(domain, areAllPreserved, bites, triangulation, pulse);
   const bool hasSome = std::find(isOn.begin(), isOn.end(), 1) != isOn.end();
   if (hasSome)
   {
@@ -264,8 +267,10 @@ bool Attempt::Run(bool isLastChance)
     this->Undo(isLastChance, pulse);
     return false;
   }
-  if (this->Options.PreserveBoundary &&
-    ClearConstraints(this->Geometry, this->Result.Mesh, this->Bites, pulse))
+  const bool hasPreserved = this->Options.PreserveBoundary || !this->Geometry.IsPreserved.empty();
+  if (hasPreserved &&
+    ClearPreserved(
+      this->Geometry, this->Options.PreserveBoundary, this->Result.Mesh, this->Bites, pulse))
   {
     return false;
   }

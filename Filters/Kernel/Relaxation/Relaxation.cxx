@@ -50,8 +50,9 @@ public:
   {
   }
 
-  void Run()
+  void Run(const RelaxationOptions& options)
   {
+    this->TriesTopologies = options.TriesTopologies;
     this->MendValences(0.0, 0.2, 2);
     this->Smooth(0.2, 0.4, SweepKind::All);
     this->MendValences(0.4, 0.55, 1);
@@ -81,6 +82,10 @@ private:
 
   void TryTopologies(double begin, double end)
   {
+    if (!this->TriesTopologies)
+    {
+      return;
+    }
     const PulsePart part(this->Progress, begin, end);
     const std::size_t vertices = this->Mesh.Points.size();
     this->Trials.Run(LeastNumberOfTrials +
@@ -95,7 +100,16 @@ private:
   ValenceRound Valences;
   AngleDescent Descent;
   TopologyTrials Trials;
+  bool TriesTopologies = true;
 };
+
+void KeepPreserved(const Domain& domain, std::vector<std::uint8_t>& isDivided)
+{
+  for (std::size_t segment = 0; segment < domain.IsPreserved.size(); ++segment)
+  {
+    isDivided[segment] &= domain.IsPreserved[segment] == 0;
+  }
+}
 
 } // namespace
 
@@ -108,13 +122,14 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   {
     const PulsePart reading(pulse, 0.0, ReadingEnd);
     work.IsDivided = FindDividedSegments(domain, spacing, pulse);
+    KeepPreserved(domain, work.IsDivided);
     work.DividesSegments = options.DividesSegments;
     origins = ReadMesh(mesh, work, pulse);
   }
   if (!pulse.HasStopped())
   {
     const PulsePart working(pulse, ReadingEnd, WorkingEnd);
-    Relaxer(work, pulse).Run();
+    Relaxer(work, pulse).Run(options);
   }
   RelaxationResult result;
   if (!pulse.HasStopped())

@@ -20,6 +20,9 @@ struct RelaxationOptions
 {
   /// False: no vertex is added on segments; those that are there may slide, or go.
   bool DividesSegments = true;
+
+  /// False: the last attempts at single triangles are left out.
+  bool TriesTopologies = true;
 };
 
 /// A mesh of a domain, and what binds it.

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingRemesh.h"
+
+#include "Base/PartOfStage.h"
+#include "Base/Pulse.h"
+#include "Biting/BitingScheme.h"
+#include "Domain/DomainLocator.h"
+#include "Meshing/FinalCheck.h"
+#include "Meshing/RelaxedBites.h"
+#include "Meshing/SegmentCover.h"
+#include "Meshing/SoundTriangulation.h"
+#include "Meshing/StageProblems.h"
+#include "Quality/MeshCheck.h"
+#include "Remeshing/CavityDomain.h"
+#include "Remeshing/KeptVertices.h"
+#include "Remeshing/ReleasedVertices.h"
+#include "Remeshing/Stitching.h"
+#include "Remeshing/WantedSpacing.h"
+
+#include <algorithm> // for min, find
+#include <limits>    // for the largest id
+#include <string>    // for figures
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostReleases = 2; // rounds: what the first frees may show more
+
+// Where steps end, as shares of the time of their stage.
+constexpr double FirstComparisonEnd = 0.4;
+constexpr double LocatorEnd = 0.2;
+constexpr double FirstRelaxationEnd = 0.5;
+constexpr double CheckEnd = 0.3;
+constexpr double QualityEnd = 0.9;
+
+class Remesher
+{
+public:
+  Remesher(
+    const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
+    : Input(input)
+    , Options(options)
+    , Rules(RulesFor(options.Preference))
+    , Problems(problems)
+    , Listener(monitor)
+    , Whole(monitor, 0.0, 1.0)
+  {
+  }
+
+  RemeshResult Run();
+
+private:
+  bool IsOver();
+  void Read();
+  void Compare();
+  void FindRegion();
+  void Make();
+  void MakeWith(EdgePolicy policy);
+  void ChooseVertices(EdgePolicy policy);
+  void Bite();
+  void Triangulate();
+  void Relax();
+  void RelaxOnce(bool triesTopologies, Monitor& monitor);
+  void Finish();
+  void CheckCavity();
+  double ExpectedVertices() const;
+  std::vector<double> RegionSpacings() const;
+  void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
+
+  const RemeshInput& Input;
+  const RemeshOptions& Options;
+  KeepRules Rules;
+  ProblemList& Problems;
+  Monitor& Listener;
+  PartOfStage Whole;
+  RemeshResult Result;
+  ChangedRegion Region;
+  RegionEdges Edges;
+  Spacing F;
+  CavityMesh Cavity;
+};
+
+RemeshResult Remesher::Run()
+{
+  using Step = void (Remesher::*)();
+  for (const Step step :
+    { &Remesher::Read, &Remesher::Compare, &Remesher::Make, &Remesher::Finish })
+  {
+    (this->*step)();
+    if (this->IsOver())
+    {
+      return {};
+    }
+    if (this->Result.IsUnchanged)
+    {
+      this->Result.Mesh = EdgesOf(this->Result.Old);
+      break;
+    }
+  }
+  return std::move(this->Result);
+}
+
+bool Remesher::IsOver()
+{
+  AddAborted(this->Whole, this->Problems);
+  return this->Problems.HasErrors();
+}
+
+void Remesher::Read()
+{
+  this->Begin(RemeshingStages::Reading);
+  this->Result.Old = ReadOldMesh(this->Input, this->Problems, this->Whole);
+  this->Result.IsUnchanged = this->Result.Old.Corners.empty();
+}
+
+void Remesher::Compare()
+{
+  this->Begin(RemeshingStages::Spacing);
+  PartOfStage comparing(this->Whole, 0.0, FirstComparisonEnd);
+  const OldMesh& old = this->Result.Old;
+  WantedSpacing wanted(old, this->Options.Spacing, this->Options.Values, this->Problems, comparing);
+  this->Result.OldSpacings = wanted.AtVertices();
+  if (this->IsOver())
+  {
+    return;
+  }
+  this->FindRegion();
+  if (this->Result.IsUnchanged)
+  {
+    return;
+  }
+  RegionEdges pieces;
+  if (this->Options.LimitByFeatureSize)
+  {
+    pieces = StraightPieces(old, this->Region, this->Options.Edges);
+  }
+  PartOfStage preparing(this->Whole, FirstComparisonEnd, 1.0);
+  this->F = wanted.Prepare(this->Region, this->Options.LimitByFeatureSize ? &pieces : nullptr,
+    static_cast<double>(this->Options.MaximumNumberOfVertices), this->Problems, preparing);
+  if (!this->IsOver() && this->Options.LimitByFeatureSize)
+  {
+    this->Result.OldSpacings = wanted.AtVertices();
+    this->FindRegion();
+  }
+}
+
+void Remesher::FindRegion()
+{
+  const OldMesh& old = this->Result.Old;
+  this->Region =
+    FindChangedRegion(old, MeanLengths(old, this->Result.OldSpacings), this->Options.Rings);
+  this->Result.IsUnchanged = this->Region.IsEmpty();
+}
+
+std::vector<double> Remesher::RegionSpacings() const
+{
+  std::vector<double> spacings;
+  spacings.reserve(this->Region.Vertices.size());
+  for (const Id vertex : this->Region.Vertices)
+  {
+    spacings.push_back(this->Result.OldSpacings[vertex]);
+  }
+  return spacings;
+}
+
+// Where vertices of straight parts lie as near to other edges as rounding, they cannot go, nor
+// others come.
+void Remesher::Make()
+{
+  for (const EdgePolicy policy : { EdgePolicy::Free, EdgePolicy::SplitOnly, EdgePolicy::Frozen })
+  {
+    if (policy < this->Options.Edges)
+    {
+      continue;
+    }
+    const ProblemList before = this->Problems;
+    this->MakeWith(policy);
+    if (policy == EdgePolicy::Frozen || !this->Problems.Has(ProblemCode::CheckFailed))
+    {
+      return;
+    }
+    this->Problems = before;
+  }
+}
+
+void Remesher::MakeWith(EdgePolicy policy)
+{
+  this->ChooseVertices(policy);
+  using Step = void (Remesher::*)();
+  for (const Step step :
+    { &Remesher::Bite, &Remesher::Triangulate, &Remesher::Relax, &Remesher::CheckCavity })
+  {
+    (this->*step)();
+    if (this->IsOver())
+    {
+      return;
+    }
+  }
+}
+
+void Remesher::ChooseVertices(EdgePolicy policy)
+{
+  const OldMesh& old = this->Result.Old;
+  const std::vector<double> spacings = this->RegionSpacings();
+  this->Edges = ThinnedEdges(old, this->Region, spacings, this->Rules, policy);
+  const std::vector<std::uint8_t> isKept =
+    ChooseKeptVertices(old, this->Region, this->Edges, spacings, this->Rules);
+  this->Cavity.Geometry = MakeCavityDomain(old, this->Region, this->Edges, isKept, policy);
+}
+
+// By the area of the triangles in units of f: their vertices say enough of f.
+double Remesher::ExpectedVertices() const
+{
+  const OldMesh& old = this->Result.Old;
+  const std::vector<double>& spacings = this->Result.OldSpacings;
+  double density = 0.0;
+  for (const Id triangle : this->Region.Triangles)
+  {
+    const Id* corners = old.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    const Point2& a = old.Points[corners[0]];
+    const double area = 0.5 * Cross(old.Points[corners[1]] - a, old.Points[corners[2]] - a);
+    const double f = (spacings[corners[0]] + spacings[corners[1]] + spacings[corners[2]]) / 3.0;
+    density += area / (f * f);
+  }
+  return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices();
+}
+
+void Remesher::Bite()
+{
+  this->Begin(RemeshingStages::Biting);
+  const double expected = this->ExpectedVertices();
+  const double most = std::min(static_cast<double>(this->Options.MaximumNumberOfVertices),
+    static_cast<double>(std::numeric_limits<Id>::max() / 8));
+  const double unchanged = static_cast<double>(this->Result.Old.NumberOfVertices()) -
+    static_cast<double>(this->Region.Vertices.size());
+  BitingOptions options;
+  options.Placement = Placement::Bisectors;
+  options.PartLength = 1.0;
+  options.FollowSlope = true;
+  options.MaximumNumberOfVertices = static_cast<std::int64_t>(std::max(most - unchanged, 1.0));
+  options.BitingConstant = AutomaticBitingConstant(options);
+  if (expected + unchanged <= most)
+  {
+    PartOfStage locating(this->Whole, 0.0, LocatorEnd);
+    Pulse pulse(locating);
+    const DomainLocator locator(this->Cavity.Geometry, pulse);
+    PartOfStage biting(this->Whole, LocatorEnd, 1.0);
+    this->Cavity.Bites =
+      BiteDomain(this->Cavity.Geometry, locator, this->F, expected, options, biting);
+  }
+  if (!(expected + unchanged <= most) || this->Cavity.Bites.End == BitingEnd::TooManyVertices)
+  {
+    AddProblem(ProblemCode::TooManyVertices,
+      "about " + std::to_string(static_cast<std::int64_t>(std::min(expected + unchanged, 1e18))) +
+        " vertices, the limit is " + std::to_string(this->Options.MaximumNumberOfVertices),
+      this->Problems);
+  }
+}
+
+void Remesher::Triangulate()
+{
+  this->Begin(RemeshingStages::Triangulation);
+  this->Cavity.Triangles =
+    TriangulateBites(this->Cavity.Geometry, {}, this->Cavity.Bites, this->Problems, this->Whole);
+}
+
+// Kept vertices that leave poor triangles are released, and all is relaxed again.
+void Remesher::Relax()
+{
+  this->Begin(RemeshingStages::Relaxation);
+  if (!this->Options.Relaxation)
+  {
+    return;
+  }
+  PartOfStage first(this->Whole, 0.0, FirstRelaxationEnd);
+  this->RelaxOnce(false, first);
+  PartOfStage again(this->Whole, FirstRelaxationEnd, 1.0);
+  for (int round = 0; round < MostReleases && !this->IsOver(); ++round)
+  {
+    const std::vector<std::uint8_t> isInTheWay = FindVerticesInTheWay(this->Result.Old,
+      this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles, this->Rules);
+    if (std::find(isInTheWay.begin(), isInTheWay.end(), 1) == isInTheWay.end())
+    {
+      return;
+    }
+    ReleaseVertices(isInTheWay, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
+    this->RelaxOnce(round + 1 == MostReleases, again);
+  }
+}
+
+void Remesher::RelaxOnce(bool triesTopologies, Monitor& monitor)
+{
+  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F,
+    { true, triesTopologies }, this->Cavity.Bites,
+    this->Cavity.Triangles, monitor);
+  if (!violation.empty())
+  {
+    AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
+  }
+}
+
+// The second look at what is new, as FinalCheck has it; what is unchanged was looked at before.
+void Remesher::CheckCavity()
+{
+  this->Begin(RemeshingStages::Quality);
+  PartOfStage checking(this->Whole, 0.0, CheckEnd);
+  const Domain& domain = this->Cavity.Geometry;
+  const Triangulation& mesh = this->Cavity.Triangles;
+  const std::vector<Point2>& points = this->Cavity.Bites.Points;
+  std::string violation =
+    CheckMesh({ points, mesh.Corners, mesh.Neighbors, mesh.Constraints, domain.Area }, checking);
+  if (violation.empty())
+  {
+    violation = CheckSegmentCover(domain,
+      { points, mesh.Corners, mesh.Neighbors, mesh.Constraints, this->Cavity.Bites.EdgeSegments },
+      checking);
+  }
+  if (!this->IsOver() && !violation.empty())
+  {
+    AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
+  }
+}
+
+void Remesher::Finish()
+{
+  StitchedMesh stitched =
+    Stitch(this->Result.Old, this->Region, this->Edges, this->Result.OldSpacings, this->Cavity);
+  BitingMesh& mesh = this->Result.Mesh;
+  mesh = std::move(stitched.Mesh);
+  this->Result.OriginalTriangles = std::move(stitched.OriginalTriangles);
+  this->Result.ChangedTriangles = std::move(this->Region.Triangles);
+  const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
+  PartOfStage measuring(this->Whole, CheckEnd, QualityEnd);
+  mesh.Quality = MeasureQuality(view, measuring);
+  PartOfStage comparing(this->Whole, QualityEnd, 1.0);
+  mesh.UsedLipschitz = LargestSlope(view, comparing);
+  mesh.GivenLipschitz = this->F.GivenLipschitz();
+  if (this->Options.KeepBites)
+  {
+    mesh.Bites = std::move(this->Cavity.Bites.Bites);
+  }
+}
+
+} // namespace
+
+RemeshResult Remesh(
+  const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  return Remesher(input, options, problems, monitor).Run();
+}
+
+} // namespace biting

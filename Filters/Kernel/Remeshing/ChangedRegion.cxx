@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ChangedRegion.h"
+
+#include <algorithm> // for any_of, sort, unique
+
+namespace biting
+{
+
+namespace
+{
+
+using Flags = std::vector<std::uint8_t>;
+
+Flags FindSeeds(const OldMesh& mesh, const std::vector<double>& lengths)
+{
+  Flags isSeed(mesh.Points.size(), 0);
+  for (std::size_t vertex = 0; vertex < isSeed.size(); ++vertex)
+  {
+    const double length = lengths[vertex];
+    isSeed[vertex] = length > 0.0 && !KeepRules::IsUnchanged(length);
+  }
+  return isSeed;
+}
+
+// Adds the triangles at the vertices that are marked, and marks their vertices.
+void AddRing(const OldMesh& mesh, Flags& isMarked, Flags& isChanged)
+{
+  for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
+  {
+    const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    const bool isAt = isMarked[corners[0]] || isMarked[corners[1]] || isMarked[corners[2]];
+    isChanged[triangle] = isAt && !mesh.IsFrozen[triangle];
+  }
+  for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
+  {
+    for (Id slot = 3 * triangle; isChanged[triangle] && slot < 3 * triangle + 3; ++slot)
+    {
+      isMarked[mesh.Corners[slot]] = 1;
+    }
+  }
+}
+
+void NumberRegion(const OldMesh& mesh, ChangedRegion& region)
+{
+  region.Numbers.assign(mesh.Points.size(), NoId);
+  for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
+  {
+    if (region.IsChanged[triangle])
+    {
+      region.Triangles.push_back(triangle);
+      for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+      {
+        region.Numbers[mesh.Corners[slot]] = 0;
+      }
+    }
+  }
+  for (Id vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (region.Numbers[vertex] != NoId)
+    {
+      region.Numbers[vertex] = region.NumberOfVertices();
+      region.Vertices.push_back(vertex);
+    }
+  }
+}
+
+void FindInside(const OldMesh& mesh, ChangedRegion& region)
+{
+  for (const Id vertex : region.Vertices)
+  {
+    region.IsInside.push_back(mesh.IsFixed[vertex] == 0);
+  }
+  for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
+  {
+    for (Id slot = 3 * triangle; !region.IsChanged[triangle] && slot < 3 * triangle + 3; ++slot)
+    {
+      const Id number = region.Numbers[mesh.Corners[slot]];
+      if (number != NoId)
+      {
+        region.IsInside[number] = 0;
+      }
+    }
+  }
+}
+
+// Each edge once: of two changed triangles, the one with the larger number counts.
+template <typename Visit>
+void ForEachEdge(const OldMesh& mesh, const ChangedRegion& region, const Visit& visit)
+{
+  for (const Id triangle : region.Triangles)
+  {
+    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+    {
+      const Id neighbor = mesh.Neighbors[slot];
+      if (neighbor < triangle || !region.IsChanged[neighbor])
+      {
+        visit(region.Numbers[mesh.Start(slot)], region.Numbers[mesh.End(slot)]);
+      }
+    }
+  }
+}
+
+void ListNeighbors(const OldMesh& mesh, ChangedRegion& region)
+{
+  region.Offsets.assign(region.Vertices.size() + 1, 0);
+  ForEachEdge(mesh, region,
+    [&region](Id start, Id end)
+    {
+      ++region.Offsets[start];
+      ++region.Offsets[end];
+    });
+  Id sum = 0;
+  for (Id& offset : region.Offsets)
+  {
+    sum += offset;
+    offset = sum;
+  }
+  region.Neighbors.resize(static_cast<std::size_t>(sum));
+  ForEachEdge(mesh, region,
+    [&region](Id start, Id end)
+    {
+      region.Neighbors[--region.Offsets[start]] = end;
+      region.Neighbors[--region.Offsets[end]] = start;
+    });
+}
+
+} // namespace
+
+std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings)
+{
+  std::vector<double> sums(mesh.Points.size(), 0.0);
+  std::vector<Id> counts(mesh.Points.size(), 0);
+  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
+  {
+    if (mesh.Neighbors[slot] < slot / 3)
+    {
+      const Id a = mesh.Start(slot);
+      const Id b = mesh.End(slot);
+      const double length =
+        2.0 * Distance(mesh.Points[a], mesh.Points[b]) / (spacings[a] + spacings[b]);
+      for (const Id end : { a, b })
+      {
+        sums[end] += length;
+        ++counts[end];
+      }
+    }
+  }
+  for (std::size_t vertex = 0; vertex < sums.size(); ++vertex)
+  {
+    sums[vertex] /= counts[vertex] > 0 ? counts[vertex] : 1;
+  }
+  return sums;
+}
+
+ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings)
+{
+  ChangedRegion region;
+  Flags isMarked = FindSeeds(mesh, lengths);
+  if (std::none_of(isMarked.begin(), isMarked.end(), [](std::uint8_t is) { return is != 0; }))
+  {
+    return region;
+  }
+  region.IsChanged.assign(mesh.Regions.size(), 0);
+  for (int ring = 0; ring <= rings; ++ring)
+  {
+    AddRing(mesh, isMarked, region.IsChanged);
+  }
+  NumberRegion(mesh, region);
+  FindInside(mesh, region);
+  for (const Id vertex : region.Vertices)
+  {
+    region.Lengths.push_back(lengths[vertex]);
+  }
+  ListNeighbors(mesh, region);
+  return region;
+}
+
+} // namespace biting

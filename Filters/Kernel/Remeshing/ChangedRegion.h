@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingChangedRegion_h
+#define BitingChangedRegion_h
+
+#include "../Base/Ids.h"
+#include "KeepRules.h"
+#include "OldMesh.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The part of a mesh that is made anew, and numbers of its own for what is in it.
+struct ChangedRegion
+{
+  std::vector<std::uint8_t> IsChanged; ///< one an old triangle
+  std::vector<Id> Triangles;           ///< the changed ones, ascending
+  std::vector<Id> Vertices;            ///< theirs, ascending: old ids
+  std::vector<Id> Numbers;             ///< of each old vertex: its place in Vertices, or NoId
+
+  // One a vertex of the region.
+  std::vector<std::uint8_t> IsInside; ///< 1: all of its triangles are changed, and it is not fixed
+  std::vector<double> Lengths;        ///< mean length of its edges in units of f
+
+  // The vertices joined to vertex v by edges of changed triangles: Neighbors[Offsets[v]] ..
+  std::vector<Id> Offsets;
+  std::vector<Id> Neighbors;
+
+  bool IsEmpty() const { return this->Triangles.empty(); }
+  Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }
+};
+
+/// Of each vertex, the mean length of its edges, each in units of the mean f of its ends.
+std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings);
+
+/// The triangles at vertices whose mean length says so (KeepRules::IsUnchanged), and those around
+/// them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths returned. Cost O(n),
+/// little a triangle.
+ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings);
+
+} // namespace biting
+
+#endif

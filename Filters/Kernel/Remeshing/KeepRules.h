@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingKeepRules_h
+#define BitingKeepRules_h
+
+namespace biting
+{
+
+/// What counts more where keeping vertices and good shapes exclude each other.
+enum class RemeshPreference
+{
+  Keeping, ///< all vertices that can stay do
+  Balanced,
+  Shape ///< vertices go where others could be placed better
+};
+
+/// When a vertex of an old mesh is kept. Lengths are mean lengths of the edges at a vertex, or
+/// single edges, in units of f.
+///
+/// Within the band from LowestUnchanged to HighestUnchanged the mesh is as it is wanted: meshes of
+/// the mesher, relaxed, are, and a change of f by a tenth leaves vertices within. What is beyond is
+/// made anew, with what is around it; there a vertex fits that is within Lowest to Highest. Below
+/// Crowded the vertices of a coarser lattice are among the old ones, and above Sparse there is room
+/// for new ones between them; but in between neither is so: old vertices there are in the way of
+/// others.
+struct KeepRules
+{
+  static constexpr double LowestUnchanged = 0.75;
+  static constexpr double HighestUnchanged = 1.3;
+
+  double Crowded = 0.6;
+  double Lowest = 0.82;
+  double Highest = 1.22;
+  double Sparse = 1.75;
+
+  // Kept vertices are released, they may move and go, beside an angle, in degrees, or an edge
+  // beyond these.
+  double LeastAngle = 30.0;
+  double ShortestEdge = 0.65;
+  double LongestEdge = 1.45;
+
+  static bool IsUnchanged(double length)
+  {
+    return length >= LowestUnchanged && length <= HighestUnchanged;
+  }
+  bool IsFitting(double length) const { return length >= this->Lowest && length <= this->Highest; }
+  bool IsInTheWay(double length) const
+  {
+    return !this->IsFitting(length) && length > this->Crowded && length < this->Sparse;
+  }
+};
+
+inline KeepRules RulesFor(RemeshPreference preference)
+{
+  switch (preference)
+  {
+    case RemeshPreference::Keeping:
+      return { 0.82, 0.82, 1.22, 1.22, 20.0, 0.0, 1e6 };
+    case RemeshPreference::Shape:
+      return { 0.5, 0.82, 1.22, 1.9, 35.0, 0.70710678, 1.41421356 };
+    default:
+      return {};
+  }
+}
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "KeptVertices.h"
+
+#include <algorithm> // for sort
+#include <cstddef>   // for sizes
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+// Acceptance radii in units of f, measured: with 0.7 a mesh of the spacing that is wanted is kept
+// whole; with 0.9 what is left of a finer one has the best shapes.
+constexpr double RadiusOfFitting = 0.7;
+constexpr double RadiusOfCrowded = 0.9;
+
+class Front
+{
+public:
+  Front(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,
+    const std::vector<double>& spacings, const KeepRules& rules)
+    : Mesh(mesh)
+    , Region(region)
+    , Spacings(spacings)
+    , Rules(rules)
+    , IsKept(edges.IsKept)
+    , IsHeld(edges.IsGone)
+    , Stamps(region.Vertices.size(), NoId)
+  {
+  }
+
+  std::vector<std::uint8_t> Run()
+  {
+    const Id count = this->Region.NumberOfVertices();
+    for (Id vertex = 0; vertex < count; ++vertex)
+    {
+      this->IsKept[vertex] |= !this->Region.IsInside[vertex];
+      this->IsHeld[vertex] |=
+        !this->IsKept[vertex] && this->Rules.IsInTheWay(this->Region.Lengths[vertex]);
+    }
+    for (Id vertex = 0; vertex < count; ++vertex)
+    {
+      if (this->IsKept[vertex])
+      {
+        this->Bite(vertex);
+      }
+    }
+    this->Empty();
+    for (Id vertex = 0; vertex < count; ++vertex)
+    {
+      this->Queue.push_back(vertex);
+      this->Empty();
+    }
+    return std::move(this->IsKept);
+  }
+
+private:
+  void Empty();
+  void Bite(Id vertex);
+  void LookAt(Id vertex, Id near);
+
+  const OldMesh& Mesh;
+  const ChangedRegion& Region;
+  const std::vector<double>& Spacings;
+  const KeepRules& Rules;
+  std::vector<std::uint8_t> IsKept;
+  std::vector<std::uint8_t> IsHeld;
+  std::vector<Id> Stamps;                    ///< the last bite that looked at the vertex
+  std::vector<Id> Held;                      ///< by the bite at hand
+  std::vector<std::pair<double, Id>> Beyond; ///< the bite at hand: distances in units of f
+  std::vector<Id> Queue;
+  std::size_t NextInQueue = 0;
+};
+
+void Front::Empty()
+{
+  while (this->NextInQueue < this->Queue.size())
+  {
+    const Id vertex = this->Queue[this->NextInQueue++];
+    if (!this->IsKept[vertex] && !this->IsHeld[vertex])
+    {
+      this->IsKept[vertex] = 1;
+      this->Bite(vertex);
+    }
+  }
+}
+
+void Front::Bite(Id vertex)
+{
+  this->Held.assign(1, vertex);
+  this->Beyond.clear();
+  this->Stamps[vertex] = vertex;
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    const Id held = this->Held[k];
+    for (Id n = this->Region.Offsets[held]; n < this->Region.Offsets[held + 1]; ++n)
+    {
+      const Id near = this->Region.Neighbors[n];
+      if (this->Stamps[near] != vertex)
+      {
+        this->Stamps[near] = vertex;
+        this->LookAt(vertex, near);
+      }
+    }
+  }
+  std::sort(this->Beyond.begin(), this->Beyond.end());
+  for (const auto& [distance, beyond] : this->Beyond)
+  {
+    this->Queue.push_back(beyond);
+  }
+}
+
+void Front::LookAt(Id vertex, Id near)
+{
+  const double distance = 2.0 *
+    Distance(this->Mesh.Points[this->Region.Vertices[vertex]],
+      this->Mesh.Points[this->Region.Vertices[near]]) /
+    (this->Spacings[vertex] + this->Spacings[near]);
+  const bool isCrowded = this->Region.Lengths[near] < this->Rules.Lowest;
+  if (distance < (isCrowded ? RadiusOfCrowded : RadiusOfFitting))
+  {
+    this->IsHeld[near] = 1;
+    this->Held.push_back(near);
+  }
+  else if (!this->IsKept[near] && !this->IsHeld[near])
+  {
+    this->Beyond.emplace_back(distance, near);
+  }
+}
+
+} // namespace
+
+std::vector<std::uint8_t> ChooseKeptVertices(const OldMesh& mesh, const ChangedRegion& region,
+  const RegionEdges& edges, const std::vector<double>& spacings, const KeepRules& rules)
+{
+  return Front(mesh, region, edges, spacings, rules).Run();
+}
+
+} // namespace biting

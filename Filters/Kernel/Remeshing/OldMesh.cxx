@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OldMesh.h"
+
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Domain/Polylines.h"
+#include "../Predicates/Predicates.h"
+#include "../Quality/TriangleLinks.h"
+
+#include <algorithm> // for sort, lower_bound
+#include <cmath>     // for abs
+#include <numeric>   // for iota
+#include <string>    // for details
+#include <utility>   // for swap
+
+namespace biting
+{
+
+namespace
+{
+
+// Of the area: far above the rounding of its sum; and where free edges meet by rounding, or points
+// as near as that were made one.
+constexpr double AreaTolerance = 1e-9;
+constexpr double RepairedAreaTolerance = 1e-6;
+
+double LengthOf(const Polylines& edges)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < edges.Connectivity.size(); k += 2)
+  {
+    length +=
+      Distance(edges.Points[edges.Connectivity[k - 1]], edges.Points[edges.Connectivity[k]]);
+  }
+  return length;
+}
+
+class Reader
+{
+public:
+  Reader(const RemeshInput& input, ProblemList& problems, Monitor& monitor)
+    : Input(input)
+    , Problems(problems)
+    , Listener(monitor)
+    , Progress(monitor)
+  {
+  }
+
+  OldMesh Read()
+  {
+    this->Copy();
+    this->Orient();
+    if (!this->IsOver() && this->Link() && this->WeldFreeEdges() && this->CheckSides())
+    {
+      this->MarkEdges();
+      this->CheckOverlaps();
+    }
+    return this->IsOver() ? OldMesh() : std::move(this->Mesh);
+  }
+
+private:
+  bool IsOver() const { return this->Problems.HasErrors() || this->Progress.HasStopped(); }
+  void Copy();
+  void Orient();
+  bool Link();
+  bool WeldFreeEdges();
+  std::vector<Id> VerticesOfFreeEdges() const;
+  bool CheckSides();
+  void MarkEdges();
+  void MarkLines();
+  void CheckOverlaps();
+  Polylines FreeEdges();
+  void AddMeetings(const ProblemList& found);
+  void AddBad(Id triangle, const char* detail);
+  std::int64_t PointId(Id vertex) const
+  {
+    return this->Input.PointIds.empty() ? vertex : this->Input.PointIds[vertex];
+  }
+  std::int64_t CellId(Id triangle) const
+  {
+    return this->Input.CellIds.empty() ? triangle : this->Input.CellIds[triangle];
+  }
+
+  const RemeshInput& Input;
+  ProblemList& Problems;
+  Monitor& Listener;
+  Pulse Progress;
+  OldMesh Mesh;
+};
+
+void Reader::Copy()
+{
+  const std::size_t triangles = this->Input.Corners.size() / 3;
+  this->Mesh.Points = this->Input.Points;
+  this->Mesh.Corners = this->Input.Corners;
+  this->Mesh.Regions = this->Input.Regions;
+  this->Mesh.IsFixed = this->Input.IsFixed;
+  this->Mesh.IsFrozen = this->Input.IsFrozen;
+  this->Mesh.Regions.resize(triangles, 0);
+  this->Mesh.IsFixed.resize(this->Input.Points.size(), 0);
+  this->Mesh.IsFrozen.resize(triangles, 0);
+  this->Mesh.LineCells = this->Input.LineCells;
+  this->Mesh.AreAlike = this->Input.AreAlike;
+  this->Mesh.Rounding = this->Input.Rounding;
+}
+
+void Reader::AddBad(Id triangle, const char* detail)
+{
+  const std::vector<Id>& corners = this->Mesh.Corners;
+  const Point2 sum = this->Mesh.Points[corners[3 * triangle]] +
+    this->Mesh.Points[corners[3 * triangle + 1]] + this->Mesh.Points[corners[3 * triangle + 2]];
+  this->Problems.Add(
+    { ProblemCode::BadTriangles, { this->CellId(triangle) }, (1.0 / 3.0) * sum, detail });
+}
+
+void Reader::Orient()
+{
+  OldMesh& mesh = this->Mesh;
+  this->Progress.ForEach(static_cast<std::size_t>(mesh.NumberOfTriangles()),
+    [this, &mesh](std::size_t triangle)
+    {
+      Id* corners = mesh.Corners.data() + 3 * triangle;
+      const Point2& a = mesh.Points[corners[0]];
+      const Point2& b = mesh.Points[corners[1]];
+      const Point2& c = mesh.Points[corners[2]];
+      const int side = Orient2D(a, b, c);
+      if (side == 0)
+      {
+        this->AddBad(static_cast<Id>(triangle), "it has no area");
+      }
+      if (side < 0)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      mesh.Area += 0.5 * std::abs(Cross(b - a, c - a));
+    });
+}
+
+bool Reader::Link()
+{
+  TriangleLinks links = LinkTriangles(this->Mesh.Corners, this->Mesh.NumberOfVertices());
+  this->Mesh.Neighbors = std::move(links.Neighbors);
+  for (const Id triangle : links.Crowded)
+  {
+    this->AddBad(triangle, "more than two triangles share an edge of it");
+  }
+  this->Progress.Ask();
+  return !this->IsOver();
+}
+
+std::vector<Id> Reader::VerticesOfFreeEdges() const
+{
+  std::vector<Id> vertices;
+  for (Id slot = 0; slot < static_cast<Id>(this->Mesh.Corners.size()); ++slot)
+  {
+    if (this->Mesh.Neighbors[slot] == NoId)
+    {
+      vertices.push_back(this->Mesh.Start(slot));
+    }
+  }
+  return vertices;
+}
+
+bool Reader::WeldFreeEdges()
+{
+  const std::vector<Point2>& points = this->Mesh.Points;
+  std::vector<Id> vertices = this->VerticesOfFreeEdges();
+  std::sort(vertices.begin(), vertices.end(),
+    [&points](Id a, Id b) { return points[a] == points[b] ? a < b : points[a] < points[b]; });
+  std::vector<Id> numbers;
+  for (std::size_t k = 1; k < vertices.size(); ++k)
+  {
+    const Id before = vertices[k - 1];
+    const Id vertex = vertices[k];
+    if (vertex != before && points[vertex] == points[before])
+    {
+      if (numbers.empty())
+      {
+        numbers.resize(points.size());
+        std::iota(numbers.begin(), numbers.end(), 0);
+      }
+      numbers[vertex] = numbers[before];
+      this->Problems.Add({ ProblemCode::DuplicatePoints,
+        { this->PointId(vertex), this->PointId(numbers[before]) }, points[vertex], "" });
+    }
+  }
+  if (numbers.empty())
+  {
+    return true;
+  }
+  for (Id& corner : this->Mesh.Corners)
+  {
+    corner = numbers[corner];
+  }
+  return this->Link();
+}
+
+bool Reader::CheckSides()
+{
+  const OldMesh& mesh = this->Mesh;
+  this->Progress.ForEach(mesh.Corners.size(),
+    [this, &mesh](std::size_t place)
+    {
+      const Id slot = static_cast<Id>(place);
+      const Id neighbor = mesh.Neighbors[slot];
+      bool isBeside = neighbor == NoId;
+      for (Id other = 3 * neighbor; !isBeside && other < 3 * neighbor + 3; ++other)
+      {
+        isBeside = mesh.Start(other) == mesh.End(slot) && mesh.End(other) == mesh.Start(slot);
+      }
+      if (!isBeside)
+      {
+        this->AddBad(slot / 3, "another triangle lies on the same side of an edge of it");
+      }
+    });
+  return !this->IsOver();
+}
+
+void Reader::MarkEdges()
+{
+  OldMesh& mesh = this->Mesh;
+  mesh.Marks.assign(mesh.Corners.size(), NoId);
+  this->Progress.ForEach(mesh.Corners.size(),
+    [&mesh](std::size_t slot)
+    {
+      const Id neighbor = mesh.Neighbors[slot];
+      const bool isMarked = neighbor == NoId || mesh.Regions[neighbor] != mesh.Regions[slot / 3];
+      mesh.Marks[slot] = isMarked ? OldMesh::Untagged : NoId;
+    });
+  if (!this->Input.LineStarts.empty())
+  {
+    this->MarkLines();
+  }
+}
+
+// Finds the slots of lines by their ends.
+void Reader::MarkLines()
+{
+  OldMesh& mesh = this->Mesh;
+  const auto isBefore = [&mesh](Id a, Id b) {
+    return std::make_pair(mesh.Start(a), mesh.End(a)) < std::make_pair(mesh.Start(b), mesh.End(b));
+  };
+  std::vector<Id> slots(mesh.Corners.size());
+  std::iota(slots.begin(), slots.end(), 0);
+  std::sort(slots.begin(), slots.end(), isBefore);
+  for (std::size_t line = 0; line < this->Input.LineStarts.size(); ++line)
+  {
+    const Id start = this->Input.LineStarts[line];
+    const Id end = this->Input.LineEnds[line];
+    bool isEdge = false;
+    for (const auto& ends : { std::make_pair(start, end), std::make_pair(end, start) })
+    {
+      const auto slot = std::lower_bound(slots.begin(), slots.end(), ends,
+        [&mesh](Id a, const std::pair<Id, Id>& b)
+        { return std::make_pair(mesh.Start(a), mesh.End(a)) < b; });
+      if (slot != slots.end() && std::make_pair(mesh.Start(*slot), mesh.End(*slot)) == ends)
+      {
+        Id& mark = mesh.Marks[*slot];
+        mark = mark > OldMesh::Untagged ? mark : 1 + static_cast<Id>(line);
+        isEdge = true;
+      }
+    }
+    if (!isEdge)
+    {
+      this->Problems.Add({ ProblemCode::OutsideInterfaces, { this->Input.LineCells[line] },
+        mesh.Points[start], "it is no edge of the mesh" });
+    }
+  }
+}
+
+// The free edges as a drawing. They must bound as much as the triangles have.
+void Reader::CheckOverlaps()
+{
+  ProblemList found;
+  const Polylines edges = this->FreeEdges();
+  const Domain domain = MakeDomain(edges, {}, found, this->Listener);
+  this->Progress.Ask();
+  if (this->Progress.HasStopped())
+  {
+    return;
+  }
+  const double tolerance = found.Groups().empty() ? AreaTolerance : RepairedAreaTolerance;
+  if (std::abs(domain.Area - this->Mesh.Area) <=
+    tolerance * this->Mesh.Area + this->Mesh.Rounding * LengthOf(edges))
+  {
+    return;
+  }
+  this->AddMeetings(found);
+  if (!this->Problems.HasErrors())
+  {
+    this->Problems.Add({ ProblemCode::BadTriangles, {}, {},
+      "triangles lie on top of others: together they have " +
+        std::to_string(this->Mesh.Area / domain.Area) + " times the area that they cover" });
+  }
+}
+
+Polylines Reader::FreeEdges()
+{
+  Polylines edges;
+  edges.Points = this->Mesh.Points;
+  for (Id slot = 0; slot < static_cast<Id>(this->Mesh.Corners.size()); ++slot)
+  {
+    if (this->Mesh.Neighbors[slot] == NoId)
+    {
+      edges.Connectivity.push_back(this->Mesh.Start(slot));
+      edges.Connectivity.push_back(this->Mesh.End(slot));
+      edges.Offsets.push_back(static_cast<Id>(edges.Connectivity.size()));
+      edges.Kinds.push_back(ChainKind::Boundary);
+      edges.Cells.push_back(slot / 3);
+    }
+  }
+  return edges;
+}
+
+void Reader::AddMeetings(const ProblemList& found)
+{
+  for (const ProblemGroup& group : found.Groups())
+  {
+    const bool isMeeting = group.Code == ProblemCode::Crossings ||
+      group.Code == ProblemCode::Touches || group.Code == ProblemCode::DuplicateSegments;
+    for (std::size_t k = 0; isMeeting && k < group.First.size(); ++k)
+    {
+      this->AddBad(static_cast<Id>(group.First[k].Ids[0]), "a free edge of it meets another");
+    }
+  }
+}
+
+} // namespace
+
+OldMesh ReadOldMesh(const RemeshInput& input, ProblemList& problems, Monitor& monitor)
+{
+  return Reader(input, problems, monitor).Read();
+}
+
+} // namespace biting

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingOldMesh_h
+#define BitingOldMesh_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Base/Point2.h"
+#include "../Base/Problem.h"
+
+#include <cstdint>    // for flags
+#include <functional> // for the comparison of tags
+#include <vector>     // for the arrays
+
+namespace biting
+{
+
+/// A triangle mesh as it comes from outside, in its plane.
+struct RemeshInput
+{
+  std::vector<Point2> Points;
+  std::vector<Id> Corners; ///< three a triangle, of any orientation
+  std::vector<Id> Regions; ///< one a triangle: where they differ is an interface; empty: all alike
+  std::vector<Id> LineStarts; ///< of edges that stay edges, with their tags
+  std::vector<Id> LineEnds;
+  std::vector<Id> LineCells;            ///< the cell of each line, for the output
+  std::function<bool(Id, Id)> AreAlike; ///< whether two such cells may become one; empty: all may
+  std::vector<std::uint8_t> IsFixed;    ///< one a vertex: it stays; empty: none
+  std::vector<std::uint8_t> IsFrozen;   ///< one a triangle: it stays; empty: none
+
+  // For messages: what the vertices and triangles are in the input. Empty: the same.
+  std::vector<std::int64_t> PointIds;
+  std::vector<std::int64_t> CellIds;
+
+  /// Vertices that are no further apart, or off a line, are meant to be one, or on it.
+  double Rounding = 0.0;
+};
+
+/// A valid triangle mesh with adjacency, and what of it must stay. Corners and Neighbors as in
+/// Triangulation, three slots a triangle.
+struct OldMesh
+{
+  static constexpr Id Untagged = 0;
+
+  std::vector<Point2> Points; ///< all of the input; some may be in no triangle
+  std::vector<Id> Corners;
+  std::vector<Id> Neighbors;
+  std::vector<Id> Marks; ///< of each slot: NoId, Untagged, or 1 + the line that covers the edge
+  std::vector<Id> Regions;
+  std::vector<std::uint8_t> IsFixed;
+  std::vector<std::uint8_t> IsFrozen;
+  std::vector<Id> LineCells;
+  std::function<bool(Id, Id)> AreAlike;
+  double Rounding = 0.0;
+  double Area = 0.0;
+
+  Id NumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
+  Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
+  Id Start(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 1) % 3]; }
+  Id End(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 2) % 3]; }
+
+  /// Whether edges with these marks may become one.
+  bool HaveEqualTags(Id mark, Id other) const
+  {
+    if (mark <= Untagged || other <= Untagged)
+    {
+      return (mark > Untagged) == (other > Untagged);
+    }
+    const Id cell = this->LineCells[mark - 1];
+    const Id otherCell = this->LineCells[other - 1];
+    return cell == otherCell || !this->AreAlike || this->AreAlike(cell, otherCell);
+  }
+
+  /// The same edge in the triangle across it, which there is.
+  Id Across(Id slot) const
+  {
+    const Id end = this->End(slot);
+    Id across = 3 * this->Neighbors[slot];
+    while (this->Start(across) != end)
+    {
+      ++across;
+    }
+    return across;
+  }
+};
+
+/// Reads `input`: triangles are turned counterclockwise, and vertices of free edges at the same
+/// place are made one (ProblemCode::DuplicatePoints). Edges of one triangle, or between regions, or
+/// on lines are marked; lines that are no edges are dropped (ProblemCode::OutsideInterfaces).
+///
+/// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: a triangle without area,
+/// an edge of more than two triangles, two triangles on the same side of an edge, and triangles
+/// that overlap: the free edges bound less than the triangles have together, by more than rounding
+/// along them and 1e-9 of it, 1e-6 where they meet by rounding. Cost O(n) in the triangles and O(m
+/// log m) in the free edges.
+OldMesh ReadOldMesh(const RemeshInput& input, ProblemList& problems, Monitor& monitor);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRegionEdges_h
+#define BitingRegionEdges_h
+
+#include "../Base/Ids.h"
+#include "ChangedRegion.h"
+#include "OldMesh.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// How the boundary, the interfaces and the tagged edges may change.
+enum class EdgePolicy
+{
+  Free,      ///< vertices on straight parts may go and come
+  SplitOnly, ///< none goes
+  Frozen     ///< none goes, none comes
+};
+
+/// An edge that the region must keep as a line, with what lies beside it.
+struct RegionEdge
+{
+  Id Start = NoId; ///< vertices of the region
+  Id End = NoId;
+  Id Mark = OldMesh::Untagged; ///< as in OldMesh
+  Id LeftRegion = NoId;        ///< of the old mesh; NoId where there are no changed triangles
+  Id RightRegion = NoId;
+  Id RimSlot = NoId; ///< on the rim: the slot of the unchanged triangle across; NoId elsewhere
+};
+
+/// The edges that bound the region, on its rim and on the boundary of the mesh, and the marked ones
+/// within it, as they are made anew: where vertices of straight parts go, an edge stands for
+/// several of the old ones.
+struct RegionEdges
+{
+  std::vector<RegionEdge> Edges;
+  std::vector<std::uint8_t> IsKept; ///< one a vertex of the region: on edges, and not gone
+  std::vector<std::uint8_t> IsGone; ///< on edges, and not kept; the others lie on none
+};
+
+/// The largest straight pieces: `vertices` on them are gone, so that their lengths are those of the
+/// drawing. For the limit by feature size.
+RegionEdges StraightPieces(const OldMesh& mesh, const ChangedRegion& region, EdgePolicy policy);
+
+/// The edges with the vertices that `spacings`, one a vertex of the region, ask for: where these
+/// lie closer than the band of `rules`, those stay that divide their run best.
+///
+/// A vertex may go where two edges with equal tags and equal sides meet in a straight line, to
+/// rounding; not on the rim, and not where it is fixed.
+RegionEdges ThinnedEdges(const OldMesh& mesh, const ChangedRegion& region,
+  const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingStitching_h
+#define BitingStitching_h
+
+#include "../Biting/BitingScheme.h"
+#include "../BitingMesh.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
+#include "ChangedRegion.h"
+#include "OldMesh.h"
+#include "RegionEdges.h"
+
+#include <vector> // for ids
+
+namespace biting
+{
+
+/// What was made in the place of a region.
+struct CavityMesh
+{
+  Domain Geometry; ///< of MakeCavityDomain: segments are the edges of the region, in their order
+  BitingResult Bites;
+  Triangulation Triangles;
+};
+
+/// The old mesh with a part of it made anew.
+struct StitchedMesh
+{
+  /// Vertices: old ones that are left, in their order (OriginalPoints: old ids), then new ones.
+  /// Triangles: unchanged ones, in their order, then those of the cavity. Edges on lines have their
+  /// number as EdgeCells, others NoId. Without quality.
+  BitingMesh Mesh;
+  std::vector<Id> OriginalTriangles; ///< of each triangle: the old one with its vertices, or NoId
+};
+
+/// Lists the marked edges of a mesh that stays as it is: its EdgeStarts, EdgeEnds, EdgeCells and
+/// EdgeIsBoundary, all else is empty.
+BitingMesh EdgesOf(const OldMesh& mesh);
+
+/// Puts `cavity` in the place of the region. `spacings` is f at the old vertices, for those that
+/// the cavity does not have. Cost O(n), little for what is unchanged.
+StitchedMesh Stitch(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,
+  const std::vector<double>& spacings, const CavityMesh& cavity);
+
+} // namespace biting
+
+#endif

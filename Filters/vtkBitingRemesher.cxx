@@ -1,0 +1,543 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkBitingRemesher.h"
+
+#include "Bridge/BitesToPolyData.h"
+#include "Bridge/BoundaryEdgesToPolyData.h"
+#include "Bridge/ChosenArray.h"
+#include "Bridge/DoubleArray.h"
+#include "Bridge/MeshToPolyData.h"
+#include "Bridge/MessagesFromProblems.h"
+#include "Bridge/MonitorOfFilter.h"
+#include "Bridge/ParameterCheck.h"
+#include "Bridge/ProblemPlaces.h"
+#include "Bridge/ProblemsToPolyData.h"
+#include "Bridge/Ranks.h"
+#include "Bridge/RemeshInputFromDataSet.h"
+#include "Bridge/RemeshedData.h"
+#include "Bridge/SourceData.h"
+#include "Bridge/SourceSpacing.h"
+#include "Bridge/SpacingValues.h"
+#include "Bridge/SummaryText.h"
+#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/BitingRemesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <new>    // for bad_alloc
+#include <string> // for refusals
+#include <vector> // for shares
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+// The stages around those of the kernel, with their shares of the time of a run.
+constexpr biting::Stage ReadingStage{ "Reading the input", 0.1 };
+constexpr biting::Stage WritingStage{ "Writing the mesh", 0.1 };
+
+//------------------------------------------------------------------------------
+std::vector<double> SharesOfStages()
+{
+  std::vector<double> shares{ ReadingStage.Share };
+  const double rest = 1.0 - ReadingStage.Share - WritingStage.Share;
+  for (const biting::Stage& stage : biting::RemeshingStages::InOrder)
+  {
+    shares.push_back(rest * stage.Share);
+  }
+  shares.push_back(WritingStage.Share);
+  return shares;
+}
+
+//------------------------------------------------------------------------------
+void EmptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkPolyData::GetData(outputs, port)->Initialize();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of what the filter counted; empty where it made nothing.
+std::string CountsOf(vtkPolyData* mesh)
+{
+  if (!mesh->GetFieldData()->HasArray("KeptTriangles"))
+  {
+    return {};
+  }
+  const auto count = [mesh](const char* name)
+  {
+    return std::to_string(
+      static_cast<vtkIdType>(mesh->GetFieldData()->GetArray(name)->GetComponent(0, 0)));
+  };
+  return count("KeptVertices") + " vertices kept, " + count("RemovedVertices") + " removed, " +
+    count("NewVertices") + " new\n" + count("KeptTriangles") + " triangles unchanged\n";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+// One execution: reads, remeshes, writes, and says what is wrong. Methods return false where nothing is
+// left to do.
+class vtkBitingRemesher::Execution
+{
+public:
+  explicit Execution(vtkBitingRemesher* filter)
+    : Filter(filter)
+    , Monitor(filter, SharesOfStages())
+  {
+  }
+
+  /// Fills the outputs of the filter; says what is wrong.
+  void Run(const biting::WholeInput& mesh, const biting::WholeInput& source,
+    const biting::WholeInput& lines, vtkInformationVector* outputs);
+
+private:
+  bool Gather(const biting::WholeInput& mesh, const biting::WholeInput& source,
+    const biting::WholeInput& lines);
+  bool ReadParameters();
+  bool ReadMesh();
+  bool ReadSpacing();
+  bool Remesh();
+  void Write(vtkInformationVector* outputs);
+  void WriteUnchanged(vtkInformationVector* outputs, biting::Pulse& pulse);
+  void WriteProblems(vtkPolyData* output);
+  bool WasAborted() const { return this->Monitor.HasStopped(); }
+  bool Accept(const std::string& refusal);
+  void Refuse(const std::string& reason);
+  std::string ParameterRefusal() const;
+  std::string AddSource();
+  std::string AddValues();
+  bool Report();
+  void NumberPoints();
+
+  vtkBitingRemesher* Filter;
+  vtkSmartPointer<vtkDataSet> Input;
+  vtkSmartPointer<vtkDataObject> Source;
+  vtkSmartPointer<vtkDataSet> Lines;
+  biting::PlanarMesh Mesh;
+  biting::RemeshOptions Options;
+  biting::ProblemList Problems;
+  biting::ProblemPlaces Places; // of what is refused before the kernel sees it
+  biting::RemeshResult Result;
+  biting::MonitorOfFilter Monitor;
+  bool IsRefused = false;
+};
+
+vtkStandardNewMacro(vtkBitingRemesher);
+
+//------------------------------------------------------------------------------
+vtkBitingRemesher::vtkBitingRemesher()
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(4);
+  // Made here, so that asking for the choice of arrays while executing changes nothing.
+  this->GetInputArrayInformation(0);
+  this->GetInputArrayInformation(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::SetSpacingSourceData(vtkDataObject* source)
+{
+  this->SetInputData(1, source);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::SetSpacingSourceConnection(vtkAlgorithmOutput* source)
+{
+  this->SetInputConnection(1, source);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::SetTaggedLinesData(vtkDataObject* lines)
+{
+  this->SetInputData(2, lines);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::SetTaggedLinesConnection(vtkAlgorithmOutput* lines)
+{
+  this->SetInputConnection(2, lines);
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const bool isSource = port == 1;
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isSource ? "vtkDataSet" : "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    isSource ? "vtkCompositeDataSet" : "vtkUnstructuredGrid");
+  if (port != 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingRemesher::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingRemesher::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkBitingCompat::ForgetAbort(this);
+  this->ErrorCode = vtkErrorCode::NoError;
+  const biting::Stopwatch watch;
+  const biting::Ranks ranks(request, outputVector);
+  const biting::WholeInput mesh(ranks, inputVector[0]);
+  const biting::WholeInput source(ranks, inputVector[1]);
+  const biting::WholeInput lines(ranks, inputVector[2]);
+  if (ranks.IsFirst())
+  {
+    Execution(this).Run(mesh, source, lines, outputVector);
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
+  const std::string counts = CountsOf(output);
+  const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
+  this->Summary = counts +
+    (!counts.empty() && isNew ? biting::SummaryOf(output, watch.Seconds()) : std::string());
+  return 1; // also where there was an error: views keep the mesh before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
+  const biting::WholeInput& source, const biting::WholeInput& lines, vtkInformationVector* outputs)
+{
+  try
+  {
+    if (this->Gather(mesh, source, lines) && this->ReadParameters() && this->ReadMesh() &&
+      this->ReadSpacing() && this->Remesh())
+    {
+      this->Write(outputs);
+    }
+    this->WriteProblems(vtkPolyData::GetData(outputs, PROBLEMS));
+    if (this->WasAborted())
+    {
+      EmptyOutputs(outputs);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    EmptyOutputs(outputs);
+    this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::Gather(
+  const biting::WholeInput& mesh, const biting::WholeInput& source, const biting::WholeInput& lines)
+{
+  if (!mesh.IsComplete() || !source.IsComplete() || !lines.IsComplete())
+  {
+    return this->Accept(biting::NotGathered);
+  }
+  this->Input = vtkDataSet::SafeDownCast(mesh.Make());
+  this->Source = source.Make();
+  this->Lines = vtkDataSet::SafeDownCast(lines.Make());
+  return this->Input != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::ReadParameters()
+{
+  if (!this->Accept(this->ParameterRefusal()))
+  {
+    return false;
+  }
+  const vtkBitingRemesher& filter = *this->Filter;
+  this->Options.Spacing.Uniform = filter.UniformSpacing;
+  this->Options.Spacing.Scale = filter.SpacingScale;
+  this->Options.Spacing.Minimum = filter.MinimumSpacing;
+  this->Options.Spacing.Maximum = filter.MaximumSpacing;
+  this->Options.Spacing.Gradation = filter.Gradation;
+  this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
+  constexpr biting::EdgePolicy Policies[] = { biting::EdgePolicy::Free,
+    biting::EdgePolicy::SplitOnly, biting::EdgePolicy::Frozen };
+  this->Options.Edges = Policies[filter.EdgePolicy];
+  constexpr biting::RemeshPreference Preferences[] = { biting::RemeshPreference::Keeping,
+    biting::RemeshPreference::Balanced, biting::RemeshPreference::Shape };
+  this->Options.Preference = Preferences[filter.Preference];
+  this->Options.Relaxation = filter.Relaxation;
+  this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
+  this->Options.KeepBites = filter.GenerateBites;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBitingRemesher::Execution::ParameterRefusal() const
+{
+  const vtkBitingRemesher& filter = *this->Filter;
+  for (const std::string& refusal :
+    { biting::CheckAtLeastZero("UniformSpacing", filter.UniformSpacing),
+      biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
+      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
+      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
+      biting::CheckAtLeastZero("Gradation", filter.Gradation) })
+  {
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
+  }
+  if (filter.SpacingScale == 0.0)
+  {
+    return "SpacingScale is 0; it must be above 0.";
+  }
+  if (filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing)
+  {
+    return "MinimumSpacing is above MaximumSpacing.";
+  }
+  return filter.MaximumNumberOfVertices < 1 ? "MaximumNumberOfVertices is below 1." : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::Accept(const std::string& refusal)
+{
+  if (!refusal.empty())
+  {
+    this->Refuse(refusal);
+  }
+  return refusal.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::Execution::Refuse(const std::string& reason)
+{
+  this->IsRefused = true;
+  this->Filter->ErrorCode = vtkErrorCode::UserError;
+  vtkErrorWithObjectMacro(this->Filter, << reason);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::ReadMesh()
+{
+  this->Monitor.BeginStage(ReadingStage.Text);
+  biting::PartOfStage part(this->Monitor, 0.0, 0.5);
+  const biting::RemeshArrays arrays{ this->Filter->RegionArray, this->Filter->FrozenArray };
+  if (!this->Accept(
+        biting::RemeshInputFromDataSet(this->Input, this->Lines, arrays, this->Mesh, part)) ||
+    this->WasAborted())
+  {
+    return false;
+  }
+  const bool isEmpty = this->Mesh.CellIds.empty();
+  if (isEmpty && this->Input->GetNumberOfPoints() > 0)
+  {
+    return this->Accept("The input has points, but no triangles; it is a mesh that is changed.");
+  }
+  return !isEmpty;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::ReadSpacing()
+{
+  if (!this->Accept(this->AddSource()))
+  {
+    return false;
+  }
+  const biting::SpacingOptions& spacing = this->Options.Spacing;
+  const bool hasOther = spacing.Grid || spacing.Triangulation || spacing.Uniform > 0.0;
+  return (hasOther || this->Accept(this->AddValues())) && !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBitingRemesher::Execution::AddSource()
+{
+  if (!this->Source)
+  {
+    return {};
+  }
+  const biting::SourceData source =
+    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
+  if (source.Chosen.IsMissing)
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, << "The spacing source is not used: it has no point array named "
+                    << biting::SpacingArrayName << ", and no other was chosen.");
+  }
+  if (!source.Chosen.Refusal.empty() || !source.Chosen.Array)
+  {
+    return source.Chosen.Refusal;
+  }
+  biting::PartOfStage part(this->Monitor, 0.5, 0.9);
+  return biting::AddSourceSpacing(
+    source.Data, source.Chosen.Array, this->Mesh.Planar.Frame,
+    [](const biting::Point2&) { return true; }, this->Options.Spacing, this->Places, part);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBitingRemesher::Execution::AddValues()
+{
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
+  if (!chosen.Refusal.empty())
+  {
+    return chosen.Refusal;
+  }
+  if (!chosen.Array)
+  {
+    return "There is no spacing to remesh to. Choose a point array of the mesh, connect a dataset "
+           "that "
+           "has one, or set UniformSpacing.";
+  }
+  biting::Pulse pulse(this->Monitor);
+  const std::string refusal = biting::CheckSpacingValues(this->Input, chosen.Array,
+    this->Mesh.PointIds, biting::SpacingOwner::Input, this->Places, pulse);
+  if (refusal.empty())
+  {
+    const auto doubles = biting::AsDoubles(chosen.Array);
+    for (const vtkIdType point : this->Mesh.PointIds)
+    {
+      this->Options.Values.push_back(doubles->GetValue(point));
+    }
+  }
+  return refusal;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingRemesher::Execution::Remesh()
+{
+  this->Result = biting::Remesh(this->Mesh.Input, this->Options, this->Problems, this->Monitor);
+  if (this->WasAborted() || !this->Report())
+  {
+    return false;
+  }
+  this->NumberPoints();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// One message for each kind. False where there was an error.
+bool vtkBitingRemesher::Execution::Report()
+{
+  for (const biting::ProblemGroup& group : this->Problems.Groups())
+  {
+    if (biting::IsError(group.Code))
+    {
+      this->Refuse(biting::MessageFrom(group, this->Mesh.Planar));
+    }
+    else if (!biting::IsNote(group.Code))
+    {
+      vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Mesh.Planar));
+    }
+  }
+  return !this->IsRefused;
+}
+
+//------------------------------------------------------------------------------
+// Vertices of the kernel become points of the input, and lines their cells.
+void vtkBitingRemesher::Execution::NumberPoints()
+{
+  for (biting::Id& original : this->Result.Mesh.OriginalPoints)
+  {
+    original = original == biting::NoId
+      ? original
+      : static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(original)]);
+  }
+  for (biting::Id& line : this->Result.Mesh.EdgeCells)
+  {
+    line = line == biting::NoId ? line : this->Mesh.Input.LineCells[static_cast<std::size_t>(line)];
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
+{
+  this->Monitor.BeginStage(WritingStage.Text);
+  biting::Pulse pulse(this->Monitor);
+  if (this->Result.IsUnchanged)
+  {
+    this->WriteUnchanged(outputs, pulse);
+    return;
+  }
+  this->Result.Mesh.RemovedVertices = 0;
+  vtkPolyData* output = vtkPolyData::GetData(outputs, MESH);
+  const auto points = biting::PointsInSpace(this->Result.Mesh, this->Mesh.Planar, pulse);
+  biting::MeshToPolyData(this->Result.Mesh, points, this->Problems, output, pulse);
+  if (this->Filter->TransferData)
+  {
+    biting::TransferData(
+      this->Result, this->Mesh, this->Input, this->Filter->RegionArray, output, pulse);
+  }
+  biting::AddOriginals(this->Result, this->Mesh, output);
+  biting::BoundaryEdgesToPolyData(this->Result.Mesh, points, this->Mesh.Lines,
+    vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
+  if (this->Filter->GenerateBites)
+  {
+    biting::BitesToPolyData(
+      this->Result.Mesh, this->Mesh.Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The edges have the points of the input.
+void vtkBitingRemesher::Execution::WriteUnchanged(
+  vtkInformationVector* outputs, biting::Pulse& pulse)
+{
+  biting::PassThrough(this->Mesh, this->Input, vtkPolyData::GetData(outputs, MESH));
+  biting::BitingMesh& edges = this->Result.Mesh;
+  edges.Points.resize(static_cast<std::size_t>(this->Input->GetNumberOfPoints()));
+  for (std::vector<biting::Id>* ends : { &edges.EdgeStarts, &edges.EdgeEnds })
+  {
+    for (biting::Id& end : *ends)
+    {
+      end = static_cast<biting::Id>(this->Mesh.PointIds[static_cast<std::size_t>(end)]);
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(this->Mesh.Planar.Coordinates);
+  biting::BoundaryEdgesToPolyData(
+    edges, points, this->Mesh.Lines, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
+}
+
+//------------------------------------------------------------------------------
+// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
+void vtkBitingRemesher::Execution::WriteProblems(vtkPolyData* output)
+{
+  if (!this->Problems.Has(biting::ProblemCode::Aborted))
+  {
+    biting::AddPlaces(
+      this->Problems, this->Mesh.Planar, biting::RepairPolicy::Repaired, this->Places);
+    biting::ProblemsToPolyData(this->Places, output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingRemesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UniformSpacing: " << this->UniformSpacing << "\n"
+     << indent << "SpacingScale: " << this->SpacingScale << "\n"
+     << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
+     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n"
+     << indent << "Gradation: " << this->Gradation << "\n"
+     << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
+     << indent << "EdgePolicy: " << this->EdgePolicy << "\n"
+     << indent << "Preference: " << this->Preference << "\n"
+     << indent << "RegionArray: " << this->RegionArray << "\n"
+     << indent << "FrozenArray: " << this->FrozenArray << "\n"
+     << indent << "TransferData: " << (this->TransferData ? "on" : "off") << "\n"
+     << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
+     << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
+     << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkBitingRemesher
+ * @brief   refines and coarsens a triangle mesh to a new spacing, and leaves what fits
+ *
+ * vtkBitingRemesher changes a mesh where it must, and leaves it where it can: what stays needs no
+ * interpolation. Where the mean length of the edges at each vertex is within [0.75, 1.3] f, with f the
+ * spacing that is wanted now, vertices and triangles stay bit for bit. Elsewhere, and in two rings of
+ * triangles around, the mesh is made anew (paper, section 7): old vertices bite first, where bites
+ * leave a part uncovered new vertices fill it as in vtkBitingMesher, and where old vertices are too
+ * dense only those stay that no bite of an earlier one holds. What is made anew is triangulated by
+ * Delaunay's criterion and relaxed, around the vertices that are kept.
+ *
+ * @par Input 0, the mesh:
+ * vtkPolyData or vtkUnstructuredGrid of linear triangles in one plane of space, from any program, of
+ * any orientation. Hidden and ghost cells are left out; points that no triangle uses go where anything
+ * changes. Points of free edges at the same place are made one, with a warning.
+ *
+ * @par What stays a line:
+ * - Free edges are boundary; edges between triangles whose `RegionArray` differs are interfaces.
+ * - Edges on lines carry tags: the lines of the dataset at input 2, as output 1 of vtkBitingMesher, or,
+ *   where nothing is connected, the lines among the cells of the mesh. Their points are those of the
+ *   mesh at the same coordinates, bit for bit; lines that are no edges are dropped, with a warning.
+ * - Vertices whose point array `VertexKind` is 3 (embedded) stay, and those that `FrozenArray` marks.
+ * The polygon of all these lines stays exactly what it was, but for rounding: where it is straight and
+ * its tags and regions are the same on both sides, vertices may go and come. On a boundary that bends
+ * at every vertex none goes, however coarse f is; LimitByFeatureSize then keeps f near it as fine as
+ * its edges. To coarsen such a boundary, mesh its drawing anew, with a BoundaryTolerance.
+ *
+ * @par The spacing f:
+ * That of the source at input 1, of the array that SetInputArrayToProcess(1, 1, 0, POINTS, name) names,
+ * as vtkBitingMesher takes it. Where nothing is connected there and UniformSpacing is 0, that of the
+ * point array of the mesh that SetInputArrayToProcess(0, 0, 0, POINTS, name) names, linear on its
+ * triangles. An array named `Spacing` is taken where no other name was set. Then SpacingScale,
+ * MinimumSpacing, MaximumSpacing, LimitByFeatureSize and Gradation, as in vtkBitingMesher.
+ *
+ * @par Outputs:
+ * 0, Mesh: with the arrays of vtkBitingMesher::MESH. `OriginalPointId` is the point of the input at a
+ * vertex that is kept, else -1; the cell array `OriginalCellId` the cell of a triangle that is
+ * unchanged, else -1. With TransferData the other arrays of the input besides. Field data also:
+ * `KeptVertices`, `RemovedVertices`, `NewVertices`, `KeptTriangles`. Old vertices come first, in their
+ * order, then new ones; so do triangles. Where nothing changes it is the input, points, cells and
+ * arrays, with `OriginalPointId`, `OriginalCellId` and these counts added or replaced.
+ * 1, Boundary Edges, 2, Bites (of what was made anew) and 3, Problems: as those of vtkBitingMesher. An
+ * edge that no line covers has -1 as `OriginalCellId`, and NaN, -1, 0 where there is no -1, or an empty
+ * text in the arrays of lines.
+ *
+ * @par Transfer:
+ * At kept vertices and unchanged triangles values are what they were. Real point arrays are linear in
+ * the old triangle at a new vertex; of all others its nearest corner counts. New triangles have the
+ * cell data of the old one at their middle, and of RegionArray that of their region.
+ *
+ * @par Messages:
+ * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more than
+ * two triangles, triangles folded or lying on top of others (BAD_TRIANGLES, with cells and places in
+ * output 3 where they are known); a cell that is neither triangle nor line nor vertex; coordinates that
+ * are not finite or not in one plane; no spacing, or one that is not positive; more vertices than
+ * MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an abort.
+ * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
+ *
+ * @par Guarantees and limits:
+ * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the same
+ * input gives the same bytes. The mesh is constrained Delaunay within what is made anew; unchanged
+ * triangles are as they are. One thread.
+ * Cost: one pass over the mesh, about 0.3 us a vertex, and that of meshing what changes.
+ *
+ * @par Source:
+ * "Generate good triangular meshes, conforming to control spacing requirements" (the follow-up of
+ * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000), section 7.
+ *
+ * @sa
+ * vtkBitingMesher vtkHessianSpacing vtkMeshConformity
+ */
+
+#ifndef vtkBitingRemesher_h
+#define vtkBitingRemesher_h
+
+#include "vtkBitingCompat.h"        // for the ABI namespace
+#include "vtkBitingFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for names
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+
+class VTKBITINGFILTERS_EXPORT vtkBitingRemesher : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBitingRemesher* New();
+  vtkTypeMacro(vtkBitingRemesher, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum OutputPortType
+  {
+    MESH = 0,
+    BOUNDARY_EDGES = 1,
+    BITES = 2,
+    PROBLEMS = 3
+  };
+
+  enum EdgePolicyType
+  {
+    FREE = 0,
+    SPLIT_ONLY = 1,
+    FROZEN = 2
+  };
+
+  enum PreferenceType
+  {
+    KEEPING = 0,
+    BALANCED = 1,
+    SHAPE = 2
+  };
+
+  ///@{
+  /**
+   * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
+   */
+  void SetSpacingSourceData(vtkDataObject* source);
+  void SetSpacingSourceConnection(vtkAlgorithmOutput* source);
+  ///@}
+
+  ///@{
+  /**
+   * Dataset with lines on edges of the mesh, and their tags as cell arrays (port 2). Optional.
+   */
+  void SetTaggedLinesData(vtkDataObject* lines);
+  void SetTaggedLinesConnection(vtkAlgorithmOutput* lines);
+  ///@}
+
+  ///@{
+  /**
+   * As of vtkBitingMesher, but that 0 (default) is none in any case: where no source is connected
+   * either, the array of the mesh counts.
+   */
+  vtkSetMacro(UniformSpacing, double);
+  vtkGetMacro(UniformSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the whole spacing, without unit, > 0. Default 1. Other values: an error.
+   */
+  vtkSetMacro(SpacingScale, double);
+  vtkGetMacro(SpacingScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bounds of the spacing, in units of the coordinates, >= 0. 0 (default): no bound. Negative, not
+   * finite, or a minimum above the maximum: an error.
+   */
+  vtkSetMacro(MinimumSpacing, double);
+  vtkGetMacro(MinimumSpacing, double);
+  vtkSetMacro(MaximumSpacing, double);
+  vtkGetMacro(MaximumSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The largest slope that f may have, without unit and >= 0, as of vtkBitingMesher. Default 0.3.
+   * Negative or not finite: an error.
+   */
+  vtkSetMacro(Gradation, double);
+  vtkGetMacro(Gradation, double);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): where the mesh is made anew, f is capped by the local feature size of its boundary,
+   * interfaces and tagged edges, straight parts in one, as in vtkBitingMesher. Off: it is not; near
+   * edges that are much shorter than f triangles are then as thin.
+   */
+  vtkSetMacro(LimitByFeatureSize, bool);
+  vtkGetMacro(LimitByFeatureSize, bool);
+  vtkBooleanMacro(LimitByFeatureSize, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What boundary, interfaces and tagged edges may do: FREE (default): vertices on their straight parts
+   * go and come; SPLIT_ONLY: none goes; FROZEN: none goes and none comes, each edge stays.
+   */
+  vtkSetClampMacro(EdgePolicy, int, FREE, FROZEN);
+  vtkGetMacro(EdgePolicy, int);
+  void SetEdgePolicyToFree() { this->SetEdgePolicy(FREE); }
+  void SetEdgePolicyToSplitOnly() { this->SetEdgePolicy(SPLIT_ONLY); }
+  void SetEdgePolicyToFrozen() { this->SetEdgePolicy(FROZEN); }
+  ///@}
+
+  ///@{
+  /**
+   * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices stay
+   * that can; BALANCED (default): those that would leave angles below 30 degrees, or edges beyond
+   * [0.65, 1.45] f, are released, and so are those where the mesh is too coarse for f by less than 1.75
+   * or too fine by more than 0.6; SHAPE: more are.
+   */
+  vtkSetClampMacro(Preference, int, KEEPING, SHAPE);
+  vtkGetMacro(Preference, int);
+  void SetPreferenceToKeeping() { this->SetPreference(KEEPING); }
+  void SetPreferenceToBalanced() { this->SetPreference(BALANCED); }
+  void SetPreferenceToShape() { this->SetPreference(SHAPE); }
+  ///@}
+
+  ///@{
+  /**
+   * The name of a cell array of the mesh, of numbers or texts: where it differs is an interface. The
+   * default `RegionId` may be missing, any other name may not. Empty or "None": all is one region.
+   */
+  vtkSetStdStringFromCharMacro(RegionArray);
+  vtkGetCharFromStdStringMacro(RegionArray);
+  ///@}
+
+  ///@{
+  /**
+   * The name of a point or cell array of numbers, or of one each: vertices and triangles where it is
+   * not 0 stay as they are. Empty or "None" (default): none. A name that does not exist is an error.
+   */
+  vtkSetStdStringFromCharMacro(FrozenArray);
+  vtkGetCharFromStdStringMacro(FrozenArray);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): the arrays of the input are carried to the mesh. Off: it has our own ones only.
+   */
+  vtkSetMacro(TransferData, bool);
+  vtkGetMacro(TransferData, bool);
+  vtkBooleanMacro(TransferData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): what is made anew is relaxed, as by vtkBitingMesher, around the vertices that are
+   * kept. Off: it is the triangulation of old and new vertices.
+   */
+  vtkSetMacro(Relaxation, bool);
+  vtkGetMacro(Relaxation, bool);
+  vtkBooleanMacro(Relaxation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A mesh that would have more vertices, by an estimate, is refused before work begins. At least 1.
+   * Default 20 000 000.
+   */
+  vtkSetMacro(MaximumNumberOfVertices, vtkIdType);
+  vtkGetMacro(MaximumNumberOfVertices, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * On: output 2 is filled. Default off.
+   */
+  vtkSetMacro(GenerateBites, bool);
+  vtkGetMacro(GenerateBites, bool);
+  vtkBooleanMacro(GenerateBites, bool);
+  ///@}
+
+  /**
+   * The mesh in a few lines: what was kept, went and came, and what the mesh is like. Empty where there
+   * is none.
+   */
+  const char* GetSummary() const { return this->Summary.c_str(); }
+
+protected:
+  vtkBitingRemesher();
+  ~vtkBitingRemesher() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkBitingRemesher(const vtkBitingRemesher&) = delete;
+  void operator=(const vtkBitingRemesher&) = delete;
+
+  class Execution;
+
+  double UniformSpacing = 0.0;
+  double SpacingScale = 1.0;
+  double MinimumSpacing = 0.0;
+  double MaximumSpacing = 0.0;
+  double Gradation = 0.3;
+  bool LimitByFeatureSize = true;
+  int EdgePolicy = FREE;
+  int Preference = BALANCED;
+  std::string RegionArray = "RegionId";
+  std::string FrozenArray;
+  bool TransferData = true;
+  bool Relaxation = true;
+  vtkIdType MaximumNumberOfVertices = 20000000;
+  bool GenerateBites = false;
+  std::string Summary;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

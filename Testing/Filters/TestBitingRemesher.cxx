@@ -1,0 +1,449 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTesting.h"
+#include "MeshChecker.h"
+
+#include "vtkBitingRemesher.h"
+
+#include "vtkDelaunay2D.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkStringArray.h"
+#include "vtkTransform.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <functional> // for fields
+
+using namespace testing_filters;
+
+namespace
+{
+
+constexpr double Spacing = 0.05;
+
+vtkSmartPointer<vtkPolyData> Meshed(vtkPolyData* drawing, vtkPolyData** edges = nullptr)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(drawing);
+  mesher->SetUniformSpacing(Spacing);
+  mesher->Update();
+  if (edges)
+  {
+    *edges = mesher->GetOutput(1);
+    (*edges)->Register(nullptr);
+  }
+  return mesher->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> SquareMesh()
+{
+  return Meshed(UnitSquare());
+}
+
+double Linear(const Place& place)
+{
+  return 3.0 * place[0] - 2.0 * place[1] + 1.0;
+}
+
+double Half(const Place& /*place*/)
+{
+  return 0.5 * Spacing;
+}
+
+/// Half of the spacing at the left, with slope 0.2.
+double Left(const Place& place)
+{
+  return std::min(Spacing, 0.5 * Spacing + 0.2 * std::max(place[0] - 0.2, 0.0));
+}
+
+void AddField(vtkDataSet* mesh, const char* name, const std::function<double(const Place&)>& field)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name);
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    Place place;
+    mesh->GetPoint(point, place.data());
+    values->InsertNextValue(field(place));
+  }
+  mesh->GetPointData()->AddArray(values);
+}
+
+/// The mesh with a field `Wanted`.
+vtkSmartPointer<vtkPolyData> Wanting(
+  vtkPolyData* mesh, const std::function<double(const Place&)>& field)
+{
+  auto wanting = vtkSmartPointer<vtkPolyData>::New();
+  wanting->ShallowCopy(mesh);
+  AddField(wanting, "Wanted", field);
+  return wanting;
+}
+
+vtkNew<vtkBitingRemesher> RemesherOf(vtkDataSet* mesh)
+{
+  vtkNew<vtkBitingRemesher> remesher;
+  remesher->SetInputDataObject(mesh);
+  if (mesh->GetPointData()->HasArray("Wanted"))
+  {
+    remesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wanted");
+  }
+  return remesher;
+}
+
+bool AreAllEmpty(vtkBitingRemesher* remesher)
+{
+  return IsEmpty(remesher->GetOutput(0)) && IsEmpty(remesher->GetOutput(1)) &&
+    IsEmpty(remesher->GetOutput(2));
+}
+
+} // namespace
+
+TEST(BitingRemesher, PassesAMeshThroughThatHasTheSpacingThatIsWanted)
+{
+  const auto mesh = SquareMesh();
+  const auto remesher = RemesherOf(mesh);
+  remesher->Update();
+  vtkPolyData* output = remesher->GetOutput();
+  EXPECT_EQ(output->GetPoints(), mesh->GetPoints());
+  EXPECT_TRUE(AreSameBytes(
+    output->GetPolys()->GetConnectivityArray(), mesh->GetPolys()->GetConnectivityArray()));
+  for (int k = 0; k < mesh->GetPointData()->GetNumberOfArrays(); ++k)
+  {
+    const std::string name = mesh->GetPointData()->GetArrayName(k);
+    EXPECT_TRUE(name == "OriginalPointId" ||
+      output->GetPointData()->GetAbstractArray(name.c_str()) ==
+        mesh->GetPointData()->GetAbstractArray(k));
+  }
+  EXPECT_EQ(output->GetPointData()->GetArray("OriginalPointId")->GetComponent(7, 0), 7.0);
+  EXPECT_EQ(output->GetCellData()->GetArray("OriginalCellId")->GetComponent(7, 0), 7.0);
+  EXPECT_NE(mesh->GetPointData()->GetArray("OriginalPointId")->GetComponent(7, 0), 7.0);
+  EXPECT_EQ(Figure(output, "NewVertices"), 0.0);
+  EXPECT_GT(remesher->GetOutput(1)->GetNumberOfLines(), 70);
+  EXPECT_TRUE(Has(remesher->GetSummary(), "0 removed, 0 new"));
+}
+
+TEST(BitingRemesher, RefinesWhereItIsAskedTo)
+{
+  const auto mesh = Wanting(SquareMesh(), Left);
+  const auto remesher = RemesherOf(mesh);
+  remesher->Update();
+  vtkPolyData* output = remesher->GetOutput();
+  const MeshChecker checker(output);
+  EXPECT_EQ(checker.CheckValidity(), "");
+  EXPECT_EQ(checker.CheckArea(1.0, 1e-12), "");
+  EXPECT_GT(output->GetNumberOfPoints(), 1.3 * static_cast<double>(mesh->GetNumberOfPoints()));
+  vtkDataArray* originals = output->GetPointData()->GetArray("OriginalPointId");
+  vtkIdType kept = 0;
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    const auto original = static_cast<vtkIdType>(originals->GetComponent(point, 0));
+    kept += original >= 0;
+    EXPECT_TRUE(original < 0 || PointOf(output, point) == PointOf(mesh, original));
+  }
+  EXPECT_EQ(static_cast<double>(kept), Figure(output, "KeptVertices"));
+  EXPECT_EQ(Figure(output, "KeptVertices") + Figure(output, "NewVertices"),
+    static_cast<double>(output->GetNumberOfPoints()));
+  EXPECT_GT(static_cast<double>(kept), 0.9 * static_cast<double>(mesh->GetNumberOfPoints()));
+  EXPECT_GT(Figure(output, "KeptTriangles"), 100.0);
+  EXPECT_GT(Figure(output, "SmallestAngle"), 28.0);
+}
+
+TEST(BitingRemesher, CoarsensToAUniformSpacing)
+{
+  const auto mesh = SquareMesh();
+  const auto remesher = RemesherOf(mesh);
+  remesher->SetUniformSpacing(2.0 * Spacing);
+  remesher->Update();
+  const MeshChecker checker(remesher->GetOutput());
+  EXPECT_EQ(checker.CheckValidity(), "");
+  EXPECT_EQ(checker.CheckArea(1.0, 1e-12), "");
+  EXPECT_LT(static_cast<double>(remesher->GetOutput()->GetNumberOfPoints()),
+    0.35 * static_cast<double>(mesh->GetNumberOfPoints()));
+}
+
+TEST(BitingRemesher, TransfersRealArraysLinearlyAndOthersFromTheNearest)
+{
+  const auto mesh = Wanting(SquareMesh(), Half);
+  AddField(mesh, "Linear", Linear);
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("Text");
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    numbers->InsertNextValue(static_cast<int>(1000 * (point % 7)));
+    texts->InsertNextValue("p" + std::to_string(point));
+  }
+  mesh->GetPointData()->AddArray(numbers);
+  mesh->GetPointData()->AddArray(texts);
+  vtkNew<vtkFloatArray> ofCells;
+  ofCells->SetName("OfCells");
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    ofCells->InsertNextValue(static_cast<float>(cell));
+  }
+  mesh->GetCellData()->AddArray(ofCells);
+  const auto remesher = RemesherOf(mesh);
+  remesher->Update();
+  vtkPolyData* output = remesher->GetOutput();
+  vtkDataArray* linear = output->GetPointData()->GetArray("Linear");
+  vtkDataArray* number = output->GetPointData()->GetArray("Number");
+  vtkAbstractArray* text = output->GetPointData()->GetAbstractArray("Text");
+  ASSERT_TRUE(linear && number && text && output->GetCellData()->HasArray("OfCells"));
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    EXPECT_NEAR(linear->GetComponent(point, 0), Linear(PointOf(output, point)), 1e-12);
+    EXPECT_EQ(static_cast<int>(number->GetComponent(point, 0)) % 1000, 0);
+    EXPECT_TRUE(Has(text->GetVariantValue(point).ToString(), "p"));
+  }
+  remesher->TransferDataOff();
+  remesher->Update();
+  EXPECT_FALSE(remesher->GetOutput()->GetPointData()->HasArray("Linear"));
+}
+
+TEST(BitingRemesher, KeepsTagsOfLinesThatAreConnected)
+{
+  auto drawing = EmptyInput();
+  AddChain(drawing, Rectangle(0.0, 0.0, 1.0, 1.0), true);
+  AddChain(drawing, { { 0.3, 0.4, 0.0 }, { 0.7, 0.4, 0.0 } }, false);
+  AddArray<vtkIntArray>(drawing->GetCellData(), "Tag", { 5.0, 9.0 });
+  vtkPolyData* edges = nullptr;
+  const auto mesh = Wanting(Meshed(drawing, &edges), Half);
+  const auto remesher = RemesherOf(mesh);
+  remesher->SetTaggedLinesData(edges);
+  edges->UnRegister(nullptr);
+  remesher->Update();
+  vtkPolyData* output = remesher->GetOutput(1);
+  vtkDataArray* tags = output->GetCellData()->GetArray("Tag");
+  ASSERT_TRUE(tags);
+  double length = 0.0;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ends;
+    output->GetCellPoints(cell, ends);
+    const Place a = PointOf(output, ends->GetId(0));
+    const Place b = PointOf(output, ends->GetId(1));
+    const bool isInner = a[1] == 0.4 && b[1] == 0.4;
+    EXPECT_EQ(tags->GetComponent(cell, 0), isInner ? 9.0 : 5.0);
+    length += isInner ? std::abs(a[0] - b[0]) : 0.0;
+  }
+  EXPECT_NEAR(length, 0.4, 1e-12);
+  EXPECT_GT(output->GetNumberOfCells(), 150);
+}
+
+TEST(BitingRemesher, KeepsRegionsExactly)
+{
+  auto drawing = EmptyInput();
+  AddChain(drawing, Rectangle(0.0, 0.0, 1.0, 1.0), true);
+  AddChain(drawing, { { 0.0, 0.3, 0.0 }, { 1.0, 0.6, 0.0 } }, false);
+  const auto mesh = Meshed(drawing);
+  for (const double spacing : { 0.02, 0.11 })
+  {
+    const auto remesher = RemesherOf(mesh);
+    remesher->SetUniformSpacing(spacing);
+    remesher->Update();
+    vtkPolyData* output = remesher->GetOutput();
+    vtkDataArray* regions = output->GetCellData()->GetArray("RegionId");
+    ASSERT_TRUE(regions);
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      vtkNew<vtkIdList> corners;
+      output->GetCellPoints(cell, corners);
+      Place middle{ 0.0, 0.0, 0.0 };
+      for (const vtkIdType corner : *corners)
+      {
+        middle[0] += PointOf(output, corner)[0] / 3.0;
+        middle[1] += PointOf(output, corner)[1] / 3.0;
+      }
+      const bool isBelow = middle[1] < 0.3 + 0.3 * middle[0];
+      EXPECT_EQ(regions->GetComponent(cell, 0), isBelow ? 0.0 : 1.0);
+    }
+  }
+}
+
+TEST(BitingRemesher, ReadsMeshesInAnyPlaneOfOtherPrograms)
+{
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < 400; ++k)
+  {
+    const double x = (k % 20) / 19.0 + 0.01 * std::sin(7.0 * k);
+    points->InsertNextPoint(x, (k / 20) / 19.0 + 0.01 * std::cos(5.0 * k), 0.0);
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkDelaunay2D> delaunay;
+  delaunay->SetInputData(cloud);
+  vtkNew<vtkTransform> turn;
+  turn->RotateX(30.0);
+  turn->RotateY(50.0);
+  turn->Translate(5.0, 6.0, 7.0);
+  delaunay->Update();
+  vtkNew<vtkPoints> places;
+  turn->TransformPoints(points, places);
+  vtkPolyData* turned = delaunay->GetOutput();
+  turned->SetPoints(places);
+  for (const double spacing : { 0.02, 0.09 })
+  {
+    const auto remesher = RemesherOf(turned);
+    const Messages messages(remesher);
+    remesher->SetUniformSpacing(spacing);
+    remesher->Update();
+    EXPECT_TRUE(messages.Errors.empty());
+    EXPECT_NEAR(AreaOf(remesher->GetOutput()), AreaOf(turned), 1e-5);
+  }
+}
+
+TEST(BitingRemesher, TakesTheTrianglesOfAnUnstructuredGrid)
+{
+  const auto mesh = SquareMesh();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(mesh->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, mesh->GetPolys());
+  grid->GetPointData()->ShallowCopy(mesh->GetPointData());
+  grid->GetCellData()->ShallowCopy(mesh->GetCellData());
+  const auto same = RemesherOf(grid);
+  same->Update();
+  EXPECT_EQ(same->GetOutput()->GetNumberOfPolys(), mesh->GetNumberOfPolys());
+  EXPECT_TRUE(AreSameBytes(same->GetOutput()->GetCellData()->GetArray("MinimumAngle"),
+    mesh->GetCellData()->GetArray("MinimumAngle")));
+  const auto finer = RemesherOf(grid);
+  finer->SetUniformSpacing(0.5 * Spacing);
+  finer->Update();
+  EXPECT_EQ(MeshChecker(finer->GetOutput()).CheckValidity(), "");
+}
+
+TEST(BitingRemesher, FollowsASpacingSource)
+{
+  const auto mesh = SquareMesh();
+  const auto source = Wanting(mesh, Left);
+  source->GetPointData()->RemoveArray("Spacing");
+  const auto remesher = RemesherOf(mesh);
+  remesher->SetSpacingSourceData(source);
+  remesher->SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wanted");
+  remesher->Update();
+  EXPECT_EQ(MeshChecker(remesher->GetOutput()).CheckValidity(), "");
+  EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), mesh->GetNumberOfPoints());
+  EXPECT_GT(Figure(remesher->GetOutput(), "MeanConformity"), 0.9);
+}
+
+TEST(BitingRemesher, LeavesWhatIsFrozen)
+{
+  const auto mesh = Wanting(SquareMesh(), Half);
+  AddField(mesh, "Stays", [](const Place& place) { return place[0] < 0.5 ? 1.0 : 0.0; });
+  vtkNew<vtkIntArray> cells;
+  cells->SetName("Stays");
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    cells->InsertNextValue(cell < 200 ? 1 : 0);
+  }
+  mesh->GetCellData()->AddArray(cells);
+  const auto remesher = RemesherOf(mesh);
+  remesher->SetFrozenArray("Stays");
+  remesher->Update();
+  vtkDataArray* originals = remesher->GetOutput()->GetCellData()->GetArray("OriginalCellId");
+  for (int cell = 0; cell < 200; ++cell)
+  {
+    EXPECT_EQ(originals->GetComponent(cell, 0), cell);
+  }
+}
+
+TEST(BitingRemesher, SaysOnceWhatIsWrong)
+{
+  const auto mesh = SquareMesh();
+  const auto expectError = [](vtkBitingRemesher* remesher, const char* part)
+  {
+    const Messages messages(remesher);
+    remesher->Update();
+    ASSERT_EQ(messages.Errors.size(), 1u) << part;
+    EXPECT_TRUE(Has(messages.Errors[0], part)) << messages.Errors[0];
+    EXPECT_TRUE(AreAllEmpty(remesher));
+    EXPECT_EQ(remesher->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+    EXPECT_STREQ(remesher->GetSummary(), "");
+  };
+  const auto none = RemesherOf(mesh);
+  none->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  expectError(none, "There is no spacing to remesh to");
+  const auto missing = RemesherOf(mesh);
+  missing->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Absent");
+  expectError(missing, "no point array named Absent");
+  const auto negative = RemesherOf(Wanting(mesh, [](const Place&) { return -1.0; }));
+  expectError(negative, "spacing");
+  const auto scaled = RemesherOf(mesh);
+  scaled->SetSpacingScale(0.0);
+  expectError(scaled, "SpacingScale is 0");
+  const auto frozen = RemesherOf(mesh);
+  frozen->SetFrozenArray("Absent");
+  expectError(frozen, "Absent");
+  const auto large = RemesherOf(mesh);
+  large->SetUniformSpacing(0.0001);
+  large->SetMaximumNumberOfVertices(1000);
+  expectError(large, "MaximumNumberOfVertices");
+  const auto lines = RemesherOf(UnitSquare());
+  expectError(lines, "no triangles");
+}
+
+TEST(BitingRemesher, ShowsCellsThatFormNoMesh)
+{
+  auto folded = EmptyInput();
+  for (const Place& place :
+    { Place{ 0, 0, 0 }, Place{ 1, 0, 0 }, Place{ 1, 1, 0 }, Place{ 0.2, 0.7, 0 } })
+  {
+    folded->GetPoints()->InsertNextPoint(place.data());
+  }
+  const vtkIdType first[] = { 0, 1, 2 };
+  const vtkIdType second[] = { 0, 1, 3 };
+  folded->GetPolys()->InsertNextCell(3, first);
+  folded->GetPolys()->InsertNextCell(3, second);
+  const auto remesher = RemesherOf(folded);
+  remesher->SetUniformSpacing(0.1);
+  const Messages messages(remesher);
+  remesher->Update();
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors[0], "Triangles that form no mesh (2): cell 0"));
+  EXPECT_TRUE(AreAllEmpty(remesher));
+  EXPECT_EQ(remesher->GetOutput(3)->GetNumberOfPoints(), 2);
+  EXPECT_EQ(remesher->GetOutput(3)->GetCellData()->GetNumberOfArrays() +
+        remesher->GetOutput(3)->GetPointData()->GetNumberOfArrays() >
+      0,
+    true);
+}
+
+TEST(BitingRemesher, MakesNothingOfNothing)
+{
+  const auto remesher = RemesherOf(EmptyInput());
+  const Messages messages(remesher);
+  remesher->Update();
+  EXPECT_TRUE(messages.Errors.empty() && messages.Warnings.empty());
+  EXPECT_TRUE(AreAllEmpty(remesher));
+}
+
+TEST(BitingRemesher, StopsWhenItIsAskedToAndWorksAgain)
+{
+  const auto remesher = RemesherOf(SquareMesh());
+  remesher->SetUniformSpacing(0.005);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1); });
+  const unsigned long tag = remesher->AddObserver(vtkCommand::ProgressEvent, stop);
+  remesher->Update();
+  EXPECT_TRUE(AreAllEmpty(remesher));
+  remesher->RemoveObserver(tag);
+  remesher->Modified();
+  remesher->Update();
+  EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), 20000);
+}
+
+TEST(BitingRemesher, ChangesNothingOfItsInput)
+{
+  const auto mesh = Wanting(SquareMesh(), Half);
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(mesh);
+  const auto remesher = RemesherOf(mesh);
+  remesher->GenerateBitesOn();
+  remesher->Update();
+  EXPECT_TRUE(AreSame(mesh, before));
+  EXPECT_GT(remesher->GetOutput(2)->GetNumberOfPolys(), 100);
+}

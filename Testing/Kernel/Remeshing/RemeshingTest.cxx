@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshRun.h"
+#include "../Support/MeshShapes.h"
+#include "../Support/Monitors.h"
+#include "../Support/RemeshLaws.h"
+#include "BitingRemesh.h"
+#include "Remeshing/Stitching.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>   // for sin
+#include <cstring> // for memcmp
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Rounding = 1e-15;
+
+struct RemeshRun
+{
+  RemeshInput Input;
+  RemeshResult Result;
+  ProblemList Problems;
+
+  double ShareOfKept() const
+  {
+    const std::vector<Id>& originals = this->Result.Mesh.OriginalPoints;
+    const auto isNew = std::count(originals.begin(), originals.end(), NoId);
+    return static_cast<double>(originals.size() - static_cast<std::size_t>(isNew)) /
+      static_cast<double>(this->Input.Points.size());
+  }
+
+  double SmallestAngle() const { return this->Result.Mesh.Quality.SmallestAngle; }
+};
+
+RemeshRun RunRemesh(RemeshInput input, const RemeshOptions& options)
+{
+  RemeshRun run;
+  run.Input = std::move(input);
+  run.Result = Remesh(run.Input, options, run.Problems, NoMonitor());
+  return run;
+}
+
+/// Runs, and expects that the laws hold.
+RemeshRun RunLawfully(const RemeshInput& input, const RemeshOptions& options)
+{
+  RemeshRun run = RunRemesh(input, options);
+  EXPECT_FALSE(run.Problems.HasErrors());
+  if (!run.Result.IsUnchanged)
+  {
+    EXPECT_EQ(RemeshLaws(run.Input, run.Result).Violation(), "");
+  }
+  return run;
+}
+
+BitingMesh SquareMesh(double spacing)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = spacing;
+  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
+}
+
+/// A square with a hole, two regions, an interface that ends within, and an embedded point.
+BitingMesh PlateMesh(double spacing)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = spacing;
+  return RunMesh(PolylineBuilder()
+                   .Box(0.0, 0.0, 2.0, 1.0)
+                   .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 30))
+                   .Chain({ { 1.0, 0.0 }, { 1.1, 0.5 }, { 1.0, 1.0 } }, ChainKind::Interface)
+                   .Chain({ { 1.3, 0.3 }, { 1.7, 0.6 } }, ChainKind::Interface)
+                   .Chain({ { 1.513, 0.771 } }, ChainKind::EmbeddedPoint)
+                   .Lines(),
+    options)
+    .Mesh;
+}
+
+template <typename Function>
+RemeshOptions Wanting(const RemeshInput& input, const Function& f)
+{
+  RemeshOptions options;
+  for (const Point2& point : input.Points)
+  {
+    options.Values.push_back(f(point));
+  }
+  return options;
+}
+
+RemeshOptions WantingUniform(const RemeshInput& input, double spacing)
+{
+  return Wanting(input, [spacing](const Point2&) { return spacing; });
+}
+
+/// Half of `spacing` in a disc, with slope 0.3 back.
+RemeshOptions WantingDisc(const RemeshInput& input, double spacing)
+{
+  return Wanting(input,
+    [spacing](const Point2& p)
+    {
+      const double distance = std::max(Distance(p, { 0.5, 0.5 }) - 0.2, 0.0);
+      return std::min(0.5 * spacing + 0.3 * distance, spacing);
+    });
+}
+
+/// A fine layer along a curved line.
+RemeshOptions WantingLayer(const RemeshInput& input, double place)
+{
+  return Wanting(input,
+    [place](const Point2& p)
+    {
+      const double distance = std::abs(p.X - place - 0.1 * std::sin(6.0 * p.Y));
+      return std::min(0.01 + 0.25 * distance, 0.05);
+    });
+}
+
+} // namespace
+
+TEST(Remeshing, AMeshOfTheSpacingThatIsWantedIsUnchanged)
+{
+  for (const BitingMesh& mesh : { SquareMesh(0.04), PlateMesh(0.05) })
+  {
+    const RemeshInput input = RemeshInputOf(mesh, Rounding);
+    RemeshOptions options;
+    options.Values = mesh.Spacing;
+    const RemeshRun run = RunLawfully(input, options);
+    EXPECT_TRUE(run.Result.IsUnchanged);
+    EXPECT_EQ(run.Result.Mesh.EdgeStarts.size(), mesh.EdgeStarts.size());
+  }
+}
+
+TEST(Remeshing, WhereTheSpacingIsHalvedNearlyAllVerticesStay)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
+  const RemeshRun disc = RunLawfully(input, WantingDisc(input, 0.02));
+  EXPECT_GT(disc.ShareOfKept(), 0.95);
+  EXPECT_GT(disc.SmallestAngle(), 30.0);
+  EXPECT_GT(disc.Result.Mesh.Points.size(), 1.2 * static_cast<double>(input.Points.size()));
+  const RemeshRun all = RunLawfully(input, WantingUniform(input, 0.01));
+  EXPECT_GT(all.ShareOfKept(), 0.95);
+  EXPECT_GT(all.SmallestAngle(), 30.0);
+}
+
+TEST(Remeshing, WhatIsFarFromAChangeIsUnchanged)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
+  const RemeshRun run = RunLawfully(input, WantingDisc(input, 0.02));
+  std::vector<std::uint8_t> isKept(input.Corners.size() / 3, 0);
+  for (const Id original : run.Result.OriginalTriangles)
+  {
+    isKept[original == NoId ? 0 : original] = 1;
+  }
+  for (std::size_t slot = 0; slot < input.Corners.size(); ++slot)
+  {
+    const bool isFar = Distance(input.Points[input.Corners[slot]], { 0.5, 0.5 }) > 0.36;
+    EXPECT_TRUE(!isFar || isKept[slot / 3]);
+  }
+}
+
+TEST(Remeshing, WhereTheSpacingIsDoubledNewVerticesAreOldOnes)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
+  const RemeshRun run = RunLawfully(input, WantingUniform(input, 0.04));
+  EXPECT_GT(run.ShareOfKept(), 0.18);
+  EXPECT_LT(run.Result.Mesh.Points.size(), 0.3 * static_cast<double>(input.Points.size()));
+  EXPECT_GT(run.SmallestAngle(), 30.0);
+}
+
+TEST(Remeshing, BoundariesInterfacesAndEmbeddedPointsAreKept)
+{
+  const RemeshInput input = RemeshInputOf(PlateMesh(0.05), Rounding);
+  for (const double spacing : { 0.02, 0.025, 0.04, 0.07, 0.1, 0.3 })
+  {
+    RunLawfully(input, WantingUniform(input, spacing));
+  }
+}
+
+TEST(Remeshing, ALayerThatMovesKeepsTheLaws)
+{
+  RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  for (int step = 0; step < 5; ++step)
+  {
+    const RemeshRun run = RunLawfully(input, WantingLayer(input, 0.3 + 0.02 * step));
+    ASSERT_FALSE(run.Result.IsUnchanged);
+    EXPECT_GT(run.SmallestAngle(), 25.0);
+    EXPECT_GT(run.Result.Mesh.Quality.ShareOfEdgesInBand, 0.98);
+    input = RemeshInputOf(run.Result.Mesh, Rounding);
+  }
+}
+
+TEST(Remeshing, PreferencesTradeKeptVerticesForShapes)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  RemeshOptions options = WantingLayer(input, 0.5);
+  std::vector<double> kept;
+  std::vector<double> inBand;
+  for (const RemeshPreference preference :
+    { RemeshPreference::Keeping, RemeshPreference::Balanced, RemeshPreference::Shape })
+  {
+    options.Preference = preference;
+    const RemeshRun run = RunLawfully(input, options);
+    kept.push_back(run.ShareOfKept());
+    inBand.push_back(run.Result.Mesh.Quality.ShareOfEdgesInBand);
+  }
+  EXPECT_GT(kept[0], kept[1]);
+  EXPECT_GE(kept[1], kept[2]);
+  EXPECT_LT(inBand[0], inBand[1]);
+}
+
+TEST(Remeshing, EdgePoliciesHoldVerticesOfEdges)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.05), Rounding);
+  const auto onBoundary = [](const Point2& p)
+  { return p.X == 0.0 || p.Y == 0.0 || p.X == 1.0 || p.Y == 1.0; };
+  const auto before = std::count_if(input.Points.begin(), input.Points.end(), onBoundary);
+  for (const double spacing : { 0.025, 0.1 })
+  {
+    RemeshOptions options = WantingUniform(input, spacing);
+    options.LimitByFeatureSize = false;
+    for (const EdgePolicy policy : { EdgePolicy::Free, EdgePolicy::SplitOnly, EdgePolicy::Frozen })
+    {
+      options.Edges = policy;
+      const RemeshRun run = RunLawfully(input, options);
+      const std::vector<Point2>& points = run.Result.Mesh.Points;
+      const auto after = std::count_if(points.begin(), points.end(), onBoundary);
+      const bool isHeld =
+        policy == EdgePolicy::Frozen || (policy == EdgePolicy::SplitOnly && spacing > 0.05);
+      EXPECT_TRUE(isHeld ? after == before : (spacing < 0.05 ? after > before : after < before));
+    }
+  }
+}
+
+TEST(Remeshing, WhatIsFrozenStays)
+{
+  RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  input.IsFrozen.assign(input.Corners.size() / 3, 0);
+  for (std::size_t triangle = 0; triangle < input.IsFrozen.size(); ++triangle)
+  {
+    const Point2& corner = input.Points[input.Corners[3 * triangle]];
+    input.IsFrozen[triangle] = corner.X < 0.4 && corner.Y < 0.6;
+    input.IsFixed[input.Corners[3 * triangle]] |= corner.X > 0.8;
+  }
+  RunLawfully(input, WantingUniform(input, 0.06));
+  RunLawfully(input, WantingUniform(input, 0.015));
+}
+
+TEST(Remeshing, TrianglesOfAnyOrientationAreRead)
+{
+  RemeshInput input = RemeshInputOf(SquareMesh(0.05), Rounding);
+  for (std::size_t k = 0; k < input.Corners.size(); k += 6)
+  {
+    std::swap(input.Corners[k], input.Corners[k + 1]);
+  }
+  RunLawfully(input, WantingUniform(input, 0.025));
+}
+
+TEST(Remeshing, PointsOfFreeEdgesAtOnePlaceAreMadeOne)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 }, { 1, 1 } };
+  input.Corners = { 0, 1, 2, 4, 5, 3 };
+  const RemeshRun run = RunLawfully(input, WantingUniform(input, 0.25));
+  EXPECT_EQ(run.Problems.Count(ProblemCode::DuplicatePoints), 2);
+  EXPECT_EQ(run.Result.Mesh.Kinds.size(), run.Result.Mesh.Points.size());
+  // None is left on the diagonal.
+  for (std::size_t k = 0; k < run.Result.Mesh.EdgeStarts.size(); ++k)
+  {
+    const Point2 a = run.Result.Mesh.Points[run.Result.Mesh.EdgeStarts[k]];
+    const Point2 b = run.Result.Mesh.Points[run.Result.Mesh.EdgeEnds[k]];
+    EXPECT_TRUE(a.X == b.X || a.Y == b.Y);
+  }
+}
+
+TEST(Remeshing, WhatIsNoMeshIsRefusedWithItsCells)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 },
+    { 0.8, 0.3 }, { 0.6, 0.6 } };
+  const std::vector<std::vector<Id>> bad{
+    { 0, 1, 4 },                   // no area
+    { 0, 1, 2, 0, 1, 3 },          // folded
+    { 0, 1, 2, 0, 2, 3, 0, 2, 4 }, // three at an edge
+    { 0, 1, 2, 0, 2, 3, 5, 6, 7 }, // one on top of the others
+    { 0, 1, 2, 3, 5, 6 },          // crossing
+  };
+  for (const std::vector<Id>& corners : bad)
+  {
+    RemeshInput input;
+    input.Points = points;
+    input.Corners = corners;
+    const RemeshRun run = RunRemesh(input, WantingUniform(input, 0.1));
+    EXPECT_GE(run.Problems.Count(ProblemCode::BadTriangles), 1);
+    EXPECT_TRUE(run.Result.Mesh.Points.empty());
+  }
+}
+
+TEST(Remeshing, ASpacingThatIsNoneIsRefused)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.2), Rounding);
+  RemeshOptions options = WantingUniform(input, 0.2);
+  options.Values[3] = 0.0;
+  EXPECT_EQ(RunRemesh(input, options).Problems.Count(ProblemCode::BadSpacing), 1);
+  options = WantingUniform(input, 0.2);
+  options.Spacing.Scale = -1.0;
+  EXPECT_TRUE(RunRemesh(input, options).Problems.Has(ProblemCode::BadSpacing));
+}
+
+TEST(Remeshing, TooManyVerticesAreRefused)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.2), Rounding);
+  RemeshOptions options = WantingUniform(input, 0.001);
+  options.MaximumNumberOfVertices = 1000;
+  const RemeshRun run = RunRemesh(input, options);
+  EXPECT_EQ(run.Problems.Count(ProblemCode::TooManyVertices), 1);
+  EXPECT_TRUE(run.Result.Mesh.Points.empty());
+}
+
+TEST(Remeshing, AMonitorThatStopsGetsNothing)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  for (int calls = 0; calls < 200; calls += 3)
+  {
+    StoppingMonitor monitor(calls);
+    ProblemList problems;
+    const RemeshResult result = Remesh(input, WantingUniform(input, 0.01), problems, monitor);
+    EXPECT_EQ(result.Mesh.Points.empty(), monitor.HasStopped());
+    EXPECT_EQ(problems.Has(ProblemCode::Aborted), monitor.HasStopped());
+  }
+}
+
+TEST(Remeshing, TheSameInputGivesTheSameBytes)
+{
+  const RemeshInput input = RemeshInputOf(PlateMesh(0.05), Rounding);
+  const RemeshRun one = RunRemesh(input, WantingLayer(input, 0.5));
+  const RemeshRun two = RunRemesh(input, WantingLayer(input, 0.5));
+  const std::vector<Point2>& points = one.Result.Mesh.Points;
+  ASSERT_EQ(points.size(), two.Result.Mesh.Points.size());
+  EXPECT_EQ(
+    std::memcmp(points.data(), two.Result.Mesh.Points.data(), points.size() * sizeof(Point2)), 0);
+  EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
+}
+
+TEST(Remeshing, ASteepSpacingIsLimitedToTheGradation)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  RemeshOptions options = Wanting(input, [](const Point2& p) { return p.X < 0.5 ? 0.008 : 0.1; });
+  const RemeshRun run = RunLawfully(input, options);
+  EXPECT_LT(run.Result.Mesh.UsedLipschitz, 0.35);
+  EXPECT_GT(run.SmallestAngle(), 25.0);
+}
+
+} // namespace biting

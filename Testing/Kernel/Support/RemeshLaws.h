@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRemeshLaws_h
+#define BitingRemeshLaws_h
+
+#include "BitingRemesh.h"
+#include "Quality/MeshCheck.h"
+#include "Quality/TriangleLinks.h"
+#include "Remeshing/Stitching.h"
+
+#include <algorithm> // for sort
+#include <array>     // for corners
+#include <cmath>     // for abs
+#include <map>       // for sums
+#include <string>    // for the violation
+#include <utility>   // for pairs
+#include <vector>    // for the arrays
+
+namespace biting
+{
+
+/// A mesh as input of the remesher: with its edges as lines, of equal tags where they cover the
+/// same input cell.
+inline RemeshInput RemeshInputOf(const BitingMesh& mesh, double rounding)
+{
+  RemeshInput input;
+  input.Points = mesh.Points;
+  input.Corners = mesh.Corners;
+  input.Regions = mesh.Regions;
+  input.LineStarts = mesh.EdgeStarts;
+  input.LineEnds = mesh.EdgeEnds;
+  input.LineCells = mesh.EdgeCells;
+  input.AreAlike = [](Id a, Id b) { return a == b; };
+  for (const VertexKind kind : mesh.Kinds)
+  {
+    input.IsFixed.push_back(kind == VertexKind::Embedded);
+  }
+  input.Rounding = rounding;
+  return input;
+}
+
+/// The promises of Remesh that can be seen in its result, checked without its own structures.
+/// Returns the first one that is broken, empty where none is.
+class RemeshLaws
+{
+public:
+  RemeshLaws(const RemeshInput& input, const RemeshResult& result)
+    : Input(input)
+    , Mesh(result.Mesh)
+    , Result(result)
+  {
+  }
+
+  std::string Violation() const
+  {
+    for (const std::string& violation :
+      { this->OfMesh(), this->OfKept(), this->OfTriangles(), this->OfAreas(), this->OfLengths() })
+    {
+      if (!violation.empty())
+      {
+        return violation;
+      }
+    }
+    return {};
+  }
+
+private:
+  static constexpr double Tolerance = 1e-6; // of sums: rounding of vertices that are very close
+
+  using Sums = std::map<Id, double>;
+  using Ends = std::pair<Id, Id>;
+
+  std::string OfMesh() const
+  {
+    const TriangleLinks links =
+      LinkTriangles(this->Mesh.Corners, static_cast<Id>(this->Mesh.Points.size()));
+    if (links.Neighbors != this->Mesh.Neighbors)
+    {
+      return "neighbors are not those that corners tell";
+    }
+    std::map<Ends, Id> edges;
+    for (std::size_t k = 0; k < this->Mesh.EdgeStarts.size(); ++k)
+    {
+      edges[std::minmax(this->Mesh.EdgeStarts[k], this->Mesh.EdgeEnds[k])] = static_cast<Id>(k);
+    }
+    std::vector<Id> constraints(this->Mesh.Corners.size(), NoId);
+    for (std::size_t slot = 0; slot < constraints.size(); ++slot)
+    {
+      const std::size_t first = slot - slot % 3;
+      const auto found = edges.find(std::minmax(
+        this->Mesh.Corners[first + (slot + 1) % 3], this->Mesh.Corners[first + (slot + 2) % 3]));
+      constraints[slot] = found == edges.end() ? NoId : found->second;
+    }
+    return CheckMesh({ this->Mesh.Points, this->Mesh.Corners, this->Mesh.Neighbors, constraints,
+      this->Result.Old.Area, Tolerance + this->RoundingOfAreas() / this->Result.Old.Area });
+  }
+
+  std::string OfKept() const
+  {
+    std::vector<std::uint8_t> isKept(this->Input.Points.size(), 0);
+    for (std::size_t vertex = 0; vertex < this->Mesh.Points.size(); ++vertex)
+    {
+      const Id original = this->Mesh.OriginalPoints[vertex];
+      if (original != NoId && this->Mesh.Points[vertex] != this->Input.Points[original])
+      {
+        return "a kept vertex has moved";
+      }
+      if (original != NoId && isKept[original]++ != 0)
+      {
+        return "an old vertex is there twice";
+      }
+    }
+    for (std::size_t vertex = 0; vertex < this->Input.IsFixed.size(); ++vertex)
+    {
+      if (this->Input.IsFixed[vertex] && !isKept[vertex] && this->IsUsed(static_cast<Id>(vertex)))
+      {
+        return "a fixed vertex has gone";
+      }
+    }
+    return {};
+  }
+
+  bool IsUsed(Id vertex) const
+  {
+    const std::vector<Id>& corners = this->Result.Old.Corners;
+    return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+  }
+
+  std::string OfTriangles() const
+  {
+    std::vector<std::uint8_t> isKept(this->Result.Old.Regions.size(), 0);
+    for (std::size_t triangle = 0; triangle < this->Mesh.Regions.size(); ++triangle)
+    {
+      const Id original = this->Result.OriginalTriangles[triangle];
+      if (original == NoId)
+      {
+        continue;
+      }
+      std::array<Id, 3> now{};
+      std::array<Id, 3> before{};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        now[k] = this->Mesh.OriginalPoints[this->Mesh.Corners[3 * triangle + k]];
+        before[k] = this->Result.Old.Corners[3 * static_cast<std::size_t>(original) + k];
+      }
+      std::sort(now.begin(), now.end());
+      std::sort(before.begin(), before.end());
+      if (now != before || isKept[original]++ != 0)
+      {
+        return "an unchanged triangle has other corners";
+      }
+    }
+    for (std::size_t triangle = 0; triangle < this->Input.IsFrozen.size(); ++triangle)
+    {
+      if (this->Input.IsFrozen[triangle] && !isKept[triangle])
+      {
+        return "a frozen triangle has changed";
+      }
+    }
+    return {};
+  }
+
+  /// That of vertices, along all edges.
+  double RoundingOfAreas() const
+  {
+    const BitingMesh old = EdgesOf(this->Result.Old);
+    const std::vector<Point2>& points = this->Result.Old.Points;
+    double length = 0.0;
+    for (std::size_t k = 0; k < old.EdgeStarts.size(); ++k)
+    {
+      length += Distance(points[old.EdgeStarts[k]], points[old.EdgeEnds[k]]);
+    }
+    return this->Input.Rounding * length;
+  }
+
+  static std::string Compare(Sums before, Sums after, double allowed, const char* text)
+  {
+    for (const auto& [key, sum] : before)
+    {
+      if (!(std::abs(after[key] - sum) <= allowed))
+      {
+        return text;
+      }
+    }
+    for (const auto& [key, sum] : after)
+    {
+      if (before.count(key) == 0 && !(sum <= allowed))
+      {
+        return text;
+      }
+    }
+    return {};
+  }
+
+  static Sums Areas(const std::vector<Point2>& points, const std::vector<Id>& corners,
+    const std::vector<Id>& regions)
+  {
+    Sums areas;
+    for (std::size_t k = 0; k < corners.size(); k += 3)
+    {
+      const Point2& a = points[corners[k]];
+      areas[regions[k / 3]] += 0.5 * Cross(points[corners[k + 1]] - a, points[corners[k + 2]] - a);
+    }
+    return areas;
+  }
+
+  std::string OfAreas() const
+  {
+    const OldMesh& old = this->Result.Old;
+    return Compare(Areas(old.Points, old.Corners, old.Regions),
+      Areas(this->Mesh.Points, this->Mesh.Corners, this->Mesh.Regions),
+      Tolerance * old.Area + this->RoundingOfAreas(), "a region has another area");
+  }
+
+  std::string OfLengths() const
+  {
+    const BitingMesh old = EdgesOf(this->Result.Old);
+    double whole = 0.0;
+    Sums before;
+    Sums after;
+    for (std::size_t k = 0; k < old.EdgeStarts.size(); ++k)
+    {
+      const std::vector<Point2>& points = this->Result.Old.Points;
+      const double length = Distance(points[old.EdgeStarts[k]], points[old.EdgeEnds[k]]);
+      before[this->TagOf(old.EdgeCells[k])] += length;
+      whole += length;
+    }
+    for (std::size_t k = 0; k < this->Mesh.EdgeStarts.size(); ++k)
+    {
+      after[this->TagOf(this->Mesh.EdgeCells[k])] += Distance(
+        this->Mesh.Points[this->Mesh.EdgeStarts[k]], this->Mesh.Points[this->Mesh.EdgeEnds[k]]);
+    }
+    return Compare(before, after, Tolerance * whole, "edges of a tag have another length");
+  }
+
+  Id TagOf(Id line) const { return line == NoId ? NoId : this->Input.LineCells[line]; }
+
+  const RemeshInput& Input;
+  const BitingMesh& Mesh;
+  const RemeshResult& Result;
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""BitingRemesher as a script in pvpython sees it."""
+
+import os
+import unittest
+
+from paraview import simple
+
+PROPERTIES = {
+    'UniformSpacing': 0.0, 'SpacingScale': 1.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0,
+    'Gradation': 0.3, 'LimitByFeatureSize': 1, 'Preference': 'Balanced', 'EdgePolicy': 'Free',
+    'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1,
+    'MaximumNumberOfVertices': 20000000, 'GenerateBites': 0,
+    'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
+}
+OTHERS = {'Input', 'SpacingSource', 'TaggedLines', 'Summary'}
+OUTPUTS = ['Mesh', 'Boundary Edges', 'Bites', 'Problems']
+
+
+def mesh(spacing=0.05):
+    square = simple.Rectangle() if hasattr(simple, 'Rectangle') else simple.Plane()
+    return BitingMesher(Input=square, UniformSpacing=spacing)
+
+
+def figure(proxy, name):
+    proxy.UpdatePipeline()
+    data = simple.FetchData(simple.OutputPort(proxy, 0))[0]
+    return data.GetFieldData().GetArray(name).GetValue(0)
+
+
+class TestBitingRemesherProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+
+    def test_properties_have_their_documented_names_and_defaults(self):
+        proxy = BitingRemesher(Input=mesh())
+        for name, value in PROPERTIES.items():
+            found = getattr(proxy, name)
+            self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
+        self.assertEqual(set(proxy.ListProperties()), set(PROPERTIES) | OTHERS)
+
+    def test_labels_are_the_spaced_names(self):
+        proxy = BitingRemesher(Input=mesh()).SMProxy
+        self.assertEqual(proxy.GetXMLLabel(), 'Biting Remesher')
+        for name in list(PROPERTIES) + ['SpacingSource', 'TaggedLines']:
+            self.assertEqual(proxy.GetProperty(name).GetXMLLabel().replace(' ', ''), name)
+
+    def test_everything_is_explained(self):
+        proxy = BitingRemesher(Input=mesh()).SMProxy
+        self.assertGreater(len(proxy.GetDocumentation().GetLongHelp()), 40)
+        for name in set(PROPERTIES) | OTHERS:
+            text = proxy.GetProperty(name).GetDocumentation().GetDescription()
+            self.assertGreater(len(text.split()), 8, name)
+
+    def test_outputs_have_names(self):
+        proxy = BitingRemesher(Input=mesh()).SMProxy
+        self.assertEqual([proxy.GetOutputPortName(port) for port in range(4)], OUTPUTS)
+
+    def test_a_mesh_of_its_own_spacing_passes_through(self):
+        remesher = BitingRemesher(Input=mesh())
+        self.assertEqual(figure(remesher, 'NewVertices'), 0)
+        remesher.UpdatePropertyInformation()
+        self.assertIn('0 removed, 0 new', remesher.Summary)
+
+    def test_a_scale_of_a_half_keeps_vertices_and_adds_others(self):
+        old = mesh()
+        remesher = BitingRemesher(Input=old, SpacingScale=0.5)
+        count = figure(old, 'NumberOfVertices')
+        self.assertGreater(figure(remesher, 'KeptVertices'), 0.9 * count)
+        self.assertGreater(figure(remesher, 'NewVertices'), 2 * count)
+
+    def test_a_hessian_is_followed(self):
+        wave = simple.Calculator(Input=mesh(), ResultArrayName='wave', Function='sin(9*coordsX)')
+        spacing = HessianSpacing(
+            Input=wave, ScalarArray=['POINTS', 'wave'], MinimumSpacing=0.01, MaximumSpacing=0.1)
+        remesher = BitingRemesher(Input=wave, SpacingSource=spacing)
+        self.assertGreater(figure(remesher, 'MeanConformity'), 0.85)
+        data = simple.FetchData(simple.OutputPort(remesher, 0))[0]
+        self.assertTrue(data.GetPointData().HasArray('wave'))
+
+    def test_tags_come_from_the_boundary_edges_of_the_mesher(self):
+        old = mesh()
+        old.UpdatePipeline()
+        remesher = BitingRemesher(
+            Input=old, TaggedLines=simple.OutputPort(old, 1), UniformSpacing=0.03)
+        remesher.UpdatePipeline()
+        edges = simple.FetchData(simple.OutputPort(remesher, 1))[0]
+        self.assertGreater(edges.GetNumberOfCells(), 100)
+
+
+if __name__ == '__main__':
+    unittest.main()
