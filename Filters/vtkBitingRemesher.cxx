@@ -208,7 +208,7 @@ int vtkBitingRemesher::RequestData(
   {
     Execution(this).Run(mesh, source, lines, outputVector);
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, outputVector);
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
@@ -379,8 +379,8 @@ std::string vtkBitingRemesher::Execution::AddSource()
   }
   biting::PartOfStage part(this->Monitor, 0.5, 0.9);
   return biting::AddSourceSpacing(
-    source.Data, source.Chosen.Array, this->Mesh.Planar.Frame,
-    [](const biting::Point2&) { return true; }, this->Options.Spacing, this->Places, part);
+    source, this->Mesh.Planar.Frame, [](const biting::Point2&) { return true; },
+    this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -395,8 +395,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
   if (!chosen.Array)
   {
     return "There is no spacing to remesh to. Choose a point array of the mesh, connect a dataset "
-           "that "
-           "has one, or set UniformSpacing.";
+           "that has one, or set UniformSpacing.";
   }
   biting::Pulse pulse(this->Monitor);
   const std::string refusal = biting::CheckSpacingValues(this->Input, chosen.Array,

@@ -28,9 +28,9 @@ set(biting_bridge_sources
   QualityArrays.cxx
   Ranks.cxx
   RegionNumbers.cxx
-  SourceBorder.cxx
   RemeshInputFromDataSet.cxx
   RemeshedData.cxx
+  SourceBorder.cxx
   SourceCover.cxx
   SourceData.cxx
   SourceOrder.cxx
