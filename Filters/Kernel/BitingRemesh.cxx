@@ -297,8 +297,7 @@ void Remesher::Relax()
 void Remesher::RelaxOnce(bool triesTopologies, Monitor& monitor)
 {
   const std::string violation = RelaxBites(this->Cavity.Geometry, this->F,
-    { true, triesTopologies }, this->Cavity.Bites,
-    this->Cavity.Triangles, monitor);
+    { true, triesTopologies }, this->Cavity.Bites, this->Cavity.Triangles, monitor);
   if (!violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, this->Problems);

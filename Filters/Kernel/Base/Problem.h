@@ -49,7 +49,7 @@ enum class ProblemCode
   // Refused.
   BadTriangles, ///< that form no mesh of a plane (ids: cell; none where it is only known that some
                 ///< overlap)
-  Aborted      ///< the monitor asked to stop; not an error
+  Aborted       ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

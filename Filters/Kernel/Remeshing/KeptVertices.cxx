@@ -94,9 +94,10 @@ void Front::Bite(Id vertex)
   this->Held.assign(1, vertex);
   this->Beyond.clear();
   this->Stamps[vertex] = vertex;
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  std::size_t next = 0;
+  while (next < this->Held.size())
   {
-    const Id held = this->Held[k];
+    const Id held = this->Held[next++];
     for (Id n = this->Region.Offsets[held]; n < this->Region.Offsets[held + 1]; ++n)
     {
       const Id near = this->Region.Neighbors[n];
