@@ -133,6 +133,7 @@ std::shared_ptr<const TriangulatedSource> WantedSpacing::SourceOn(
     source->Triangles = this->Mesh.Corners;
     return source;
   }
+  source->CoversDomain = true;
   for (const Id triangle : triangles)
   {
     for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)

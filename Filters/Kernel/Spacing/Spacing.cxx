@@ -279,7 +279,7 @@ private:
       return false;
     }
     PartOfStage outside(this->Stage, 0.48, 0.5);
-    return this->Options.Gradation == 0.0 ||
+    return this->Options.Gradation == 0.0 || this->Options.Triangulation->CoversDomain ||
       AddOutsideJumps(
         *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
   }

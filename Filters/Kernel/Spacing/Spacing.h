@@ -40,6 +40,10 @@ struct TriangulatedSource
   /// Whether triangles may lie on each other: then the smallest value counts. Else any of them may,
   /// which takes less time.
   bool MayOverlap = false;
+
+  /// Whether the domain is just where the triangles are: then f outside, which is asked for by
+  /// rounding only, need not keep the gradation.
+  bool CoversDomain = false;
 };
 
 /// A spacing given at the ends of segments: linear along them, inwards the Lipschitz extension
