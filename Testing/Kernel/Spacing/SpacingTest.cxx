@@ -353,6 +353,27 @@ TEST(MakeSpacing, RefusesValuesOfTheGridThatAreNoSpacing)
   }
 }
 
+TEST(MakeSpacing, LooksForNoJumpsOutsideOfTrianglesThatCoverTheDomain)
+{
+  TriangulatedSource source =
+    MakeTriangulation(9, [](const Point2& x) { return 0.02 + 0.1 * x.X; });
+  source.Values[40] = NotANumber; // in the middle
+  SpacingOptions options = WithTriangles(source);
+  options.Gradation = 0.3;
+  const Spacing limited = MakeGoodSpacing(options);
+  source.CoversDomain = true;
+  options.Triangulation = Share(source);
+  const Spacing covering = MakeGoodSpacing(options);
+  for (const Point2& inside : { Point2{ 0.1, 0.3 }, Point2{ 0.37, 0.37 }, Point2{ 0.7, 0.9 } })
+  {
+    EXPECT_EQ(covering(inside), limited(inside));
+  }
+  const Point2 left{ 0.499, 0.5 };
+  const Point2 right{ 0.501, 0.5 };
+  EXPECT_GT(covering(right) - covering(left), 0.01);
+  EXPECT_LT(limited(right) - limited(left), 0.001);
+}
+
 TEST(MakeSpacing, RefusesValuesOfTrianglesThatAreNoSpacing)
 {
   TriangulatedSource source = MakeTriangulation(3, Wave);
