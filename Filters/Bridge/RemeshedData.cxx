@@ -8,7 +8,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -277,12 +276,14 @@ void PassThrough(const PlanarMesh& mesh, vtkDataSet* from, vtkPolyData* output)
     output->SetPoints(vtkPointSet::SafeDownCast(from)->GetPoints());
     output->SetPolys(triangles);
     output->GetPointData()->ShallowCopy(from->GetPointData());
-    vtkNew<vtkIdList> cells;
-    cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.CellIds.size()));
-    std::copy(mesh.CellIds.begin(), mesh.CellIds.end(), cells->GetPointer(0));
     output->GetCellData()->CopyAllOn();
-    output->GetCellData()->CopyAllocate(from->GetCellData(), cells->GetNumberOfIds());
-    output->GetCellData()->CopyData(from->GetCellData(), cells);
+    output->GetCellData()->CopyAllocate(
+      from->GetCellData(), static_cast<vtkIdType>(mesh.CellIds.size()));
+    vtkIdType triangle = 0;
+    for (const vtkIdType cell : mesh.CellIds)
+    {
+      output->GetCellData()->CopyData(from->GetCellData(), cell, triangle++);
+    }
     output->GetFieldData()->ShallowCopy(from->GetFieldData());
   }
   std::vector<vtkIdType> ids(static_cast<std::size_t>(output->GetNumberOfPoints()));
