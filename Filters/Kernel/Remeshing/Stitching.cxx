@@ -211,7 +211,8 @@ void Stitcher::CopySlot(Id slot, Id first)
   this->Marks.push_back(edge ? edge->Mark : NoId);
 }
 
-// Each face of the cavity has an edge; the side of it tells.
+// Each face of the cavity has an edge; the side of it tells. Where edges lie on each other within
+// rounding a side may be outside: no triangle is there.
 std::vector<Id> Stitcher::RegionsOfFaces() const
 {
   const Triangulation& triangles = this->Cavity.Triangles;
@@ -232,8 +233,9 @@ std::vector<Id> Stitcher::RegionsOfFaces() const
         bites.Points[triangles.Corners[3 * triangle + (slot + 1) % 3]];
       const Point2 direction =
         bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
-      regions[triangles.Regions[triangle]] =
-        Dot(along, direction) > 0.0 ? edge->LeftRegion : edge->RightRegion;
+      const Id region = Dot(along, direction) > 0.0 ? edge->LeftRegion : edge->RightRegion;
+      Id& known = regions[triangles.Regions[triangle]];
+      known = region != NoId ? region : known;
     }
   }
   return regions;
