@@ -467,7 +467,6 @@ void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
     this->WriteUnchanged(outputs, pulse);
     return;
   }
-  this->Result.Mesh.RemovedVertices = 0;
   vtkPolyData* output = vtkPolyData::GetData(outputs, MESH);
   const auto points = biting::PointsInSpace(this->Result.Mesh, this->Mesh.Planar, pulse);
   biting::MeshToPolyData(this->Result.Mesh, points, this->Problems, output, pulse);

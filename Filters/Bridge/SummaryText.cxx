@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -116,7 +117,8 @@ std::string DrawingLines(vtkDataSet* mesh)
     text += "The drawing is much finer than the spacing:\n  " + Percent(share) +
       " of the vertices are there for it alone\n  (see Boundary Tolerance)\n";
   }
-  if (Figure(mesh, "RemovedVertices") > 0.0)
+  const bool isRemeshed = mesh->GetFieldData()->HasArray("KeptVertices"); // those of the old mesh
+  if (!isRemeshed && Figure(mesh, "RemovedVertices") > 0.0)
   {
     text += Count(mesh, "RemovedVertices") + " points of the drawing not needed\n";
   }

@@ -162,6 +162,8 @@ TEST(BitingRemesher, CoarsensToAUniformSpacing)
   EXPECT_EQ(checker.CheckArea(1.0, 1e-12), "");
   EXPECT_LT(static_cast<double>(remesher->GetOutput()->GetNumberOfPoints()),
     0.35 * static_cast<double>(mesh->GetNumberOfPoints()));
+  EXPECT_TRUE(Has(remesher->GetSummary(), " removed, "));
+  EXPECT_FALSE(Has(remesher->GetSummary(), "of the drawing not needed"));
 }
 
 TEST(BitingRemesher, TransfersRealArraysLinearlyAndOthersFromTheNearest)
