@@ -478,7 +478,7 @@ TEST(FuzzRegression, StopAfterARefusalIsNoSecondError)
 TEST(FuzzRegression, DegenerateCellsAndLinesAreKeptAsFarAsTheyAreSure)
 {
   for (const std::uint64_t seed : { 5000715u, 91000326u, 91010577u, 91012453u, 91017972u, 91025186u,
-         92028844u, 92113093u, 92126375u, 92203076u, 92381434u })
+         92028844u, 92113093u, 92126375u, 92203076u, 92381434u, 93028724u })
   {
     ExpectKept(seed);
   }

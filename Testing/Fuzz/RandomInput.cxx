@@ -233,6 +233,7 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
   options.Order = orders[numbers.Below(3)];
   options.Phi = numbers.OneIn(4) ? 0.05 + 0.95 * numbers.Unit() : 1.0;
   options.Relaxation = numbers.OneIn(3);
+  numbers.OneIn(4); // a choice that is gone: seeds keep their meaning
   options.KeepBites = numbers.OneIn(4);
   options.MaximumNumberOfBites = numbers.OneIn(8) ? numbers.Below(200) : -1;
   options.PreserveBoundary = numbers.OneIn(8);

@@ -461,10 +461,10 @@ void Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
 
 bool Arrangement::DividesRegions(const ArrangementEdge& edge) const
 {
-  const FaceEdge& faces = edge.Faces;
-  return !this->Regions.empty() && faces.Count == 2 && faces.Second() != NoId &&
-    this->Regions[static_cast<std::size_t>(faces.First())] !=
-    this->Regions[static_cast<std::size_t>(faces.Second())];
+  const auto [first, second] = this->Regions.empty() ? std::pair(NoId, NoId) : edge.Faces.OddPair();
+  return first != NoId &&
+    this->Regions[static_cast<std::size_t>(first)] !=
+    this->Regions[static_cast<std::size_t>(second)];
 }
 
 bool Arrangement::IsNothing(const ArrangementEdge& edge) const

@@ -3,32 +3,89 @@
 
 #include "FaceEdge.h"
 
-#include <algorithm> // for find, rotate
+#include <algorithm> // for find, sort
+#include <cstddef>   // for size_t
 
 namespace biting
 {
+
+namespace
+{
+
+constexpr Id KeptInPlace = 3;
+
+} // namespace
+
+std::pair<Id, Id> FaceEdge::OddPair() const
+{
+  const std::pair<Id, Id> none{ NoId, NoId };
+  if (this->Count % 2 != 0 || this->Count == 0)
+  {
+    return none;
+  }
+  if (this->Count == 2)
+  {
+    return this->First() != this->Second() ? std::pair(this->First(), this->Second()) : none;
+  }
+  std::vector<Id> odd;
+  for (Id k = 0; k < this->Count; ++k)
+  {
+    const Id face = FaceOf(this->RunAt(k));
+    const auto known = std::find(odd.begin(), odd.end(), face);
+    if (known == odd.end())
+    {
+      odd.push_back(face);
+    }
+    else
+    {
+      odd.erase(known);
+    }
+  }
+  return odd.size() == 2 ? std::pair(odd[0], odd[1]) : none;
+}
+
+void FaceEdge::AddRun(Id run)
+{
+  for (Id k = 0; k < this->Count; ++k)
+  {
+    if (this->RunAt(k) == OtherSide(run))
+    {
+      for (; k + 1 < this->Count; ++k)
+      {
+        this->RunAt(k) = this->RunAt(k + 1);
+      }
+      this->RunAt(k) = NoId;
+      --this->Count;
+      this->MoreRuns.resize(static_cast<std::size_t>(std::max(this->Count - KeptInPlace, 0)));
+      return;
+    }
+  }
+  ++this->Count;
+  this->MoreRuns.resize(static_cast<std::size_t>(std::max(this->Count - KeptInPlace, 0)));
+  this->RunAt(this->Count - 1) = run;
+}
 
 void FaceEdge::Absorb(const FaceEdge& other, bool isReversed)
 {
   this->Stays = this->Stays || other.Stays;
   this->Turn += isReversed ? -other.Turn : other.Turn;
-  this->Count += other.Count;
-  for (const Id given : other.Runs)
+  for (Id k = 0; k < other.Count; ++k)
   {
-    const Id run = isReversed ? OtherSide(given) : given;
-    const auto back = std::find(this->Runs.begin(), this->Runs.end(), OtherSide(run));
-    const auto free = std::find(this->Runs.begin(), this->Runs.end(), NoId);
-    if (run != NoId && back != this->Runs.end())
-    {
-      std::rotate(back, back + 1, this->Runs.end());
-      this->Runs.back() = NoId;
-      this->Count -= 2;
-    }
-    else if (run != NoId && free != this->Runs.end())
-    {
-      *free = run;
-    }
+    const Id run = other.RunAt(k);
+    this->AddRun(isReversed ? OtherSide(run) : run);
   }
+}
+
+Id FaceEdge::RunAt(Id k) const
+{
+  return k < KeptInPlace ? this->Runs[static_cast<std::size_t>(k)]
+                         : this->MoreRuns[static_cast<std::size_t>(k - KeptInPlace)];
+}
+
+Id& FaceEdge::RunAt(Id k)
+{
+  return k < KeptInPlace ? this->Runs[static_cast<std::size_t>(k)]
+                         : this->MoreRuns[static_cast<std::size_t>(k - KeptInPlace)];
 }
 
 } // namespace biting

@@ -6,7 +6,9 @@
 
 #include "../Base/Ids.h"
 
-#include <array> // for runs
+#include <array>   // for runs
+#include <utility> // for pair
+#include <vector>  // for more runs
 
 namespace biting
 {
@@ -21,9 +23,10 @@ struct FaceEdge
   /// rounding lie on neither.
   Id Turn = 0;
 
-  /// The chains of the first of these faces, those on the right as OtherSide of it; NoId after the
-  /// last. Where more meet they overlap.
+  /// The chains of these faces, those on the right as OtherSide of it; NoId after the last. More
+  /// than three only where faces overlap: the ordinary edge allocates nothing.
   std::array<Id, 3> Runs{ NoId, NoId, NoId };
+  std::vector<Id> MoreRuns;
 
   bool Stays = false; ///< as an interface, as all edges of faces are to
 
@@ -32,8 +35,19 @@ struct FaceEdge
   Id First() const { return FaceOf(this->Runs[0]); }
   Id Second() const { return FaceOf(this->Runs[1]); }
 
+  /// The faces that run along it an odd number of times, if these are two: NoId twice otherwise. By
+  /// parity the others are on both of its sides, or on none.
+  std::pair<Id, Id> OddPair() const;
+
+  /// Adds a run; one that goes the other way goes with it.
+  void AddRun(Id run);
+
   /// Adds the runs of `other`, which is directed the other way where `isReversed`.
   void Absorb(const FaceEdge& other, bool isReversed);
+
+private:
+  Id RunAt(Id k) const;
+  Id& RunAt(Id k);
 };
 
 } // namespace biting

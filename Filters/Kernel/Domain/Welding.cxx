@@ -366,9 +366,8 @@ void Welder::AppendFace(Id chain)
   const bool isThin = std::abs(sum.Area()) <= this->Result.Resolution * length;
   ArrangementEdge edge;
   edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
-  edge.Faces.Count = 1;
   edge.Faces.Turn = isThin ? 0 : isReversed ? -1 : 1;
-  edge.Faces.Runs[0] = isReversed ? FaceEdge::OtherSide(chain) : chain;
+  edge.Faces.AddRun(isReversed ? FaceEdge::OtherSide(chain) : chain);
   edge.Faces.Stays = this->KeepsCellEdges;
   this->FaceArea.AddMagnitude(sum);
   this->AppendEdges(chain, edge);

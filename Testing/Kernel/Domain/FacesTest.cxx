@@ -153,6 +153,20 @@ TEST(Faces, ThatRunThereAndBackAreNoInterfacesWhateverTheirRegion)
   }
 }
 
+/// Found by fuzzing: regions were not told apart where a third face winds twice.
+TEST(Faces, OfDifferentRegionsHaveInterfacesWhereAnotherOneRunsTwice)
+{
+  const std::vector<Point2> twice{ { 1, -1 }, { 1, 2 }, { -3, 2 }, { -3, -1 }, { 1, -1 }, { 1, 2 },
+    { -3, 2 }, { -3, -1 } };
+  PolylineBuilder builder = Squares(1, 1);
+  builder.Region(7).Box(1, 0, 2, 1, Face).Region(8).Loop(twice, Face);
+  const MadeDomain made = Make(builder.Lines());
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_DOUBLE_EQ(made.Domain.Area, 2.0);
+  EXPECT_EQ(made.Domain.NumberOfSegments(), 7);
+  EXPECT_EQ(InterfacesOf(made), 1);
+}
+
 TEST(Faces, ThatRunThereAndBackAreInterfacesOnDemand)
 {
   PolylineBuilder builder;
