@@ -297,7 +297,8 @@ public:
    * thin. Where what is given is steeper, or jumps, f is the largest function below it that is not
    * (paper, section 2.1): distances are those of the plane, also across holes. A spacing that is
    * given on the boundary grows inwards with this slope. 0: f is as given, boundary values grow with
-   * the largest slope that they have themselves. Negative or not finite: an error.
+   * the largest slope that they have themselves, but not from the smallest to the largest one within
+   * less than an edge. Negative or not finite: an error.
    */
   vtkSetMacro(Gradation, double);
   vtkGetMacro(Gradation, double);

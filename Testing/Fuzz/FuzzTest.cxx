@@ -484,6 +484,22 @@ TEST(FuzzRegression, DegenerateCellsAndLinesAreKeptAsFarAsTheyAreSure)
   }
 }
 
+/// Boundary values without a gradation that differ at points which are nearly one, along bundles of
+/// segments: more than ten seconds each.
+TEST(FuzzRegression, BoundaryValuesThatJumpWithoutGradationArePreparedSoon)
+{
+  for (const std::uint64_t seed :
+    { 92121676u, 92127561u, 92147584u, 92229882u, 92319567u, 92610777u, 92670867u })
+  {
+    ExpectKept(seed);
+  }
+}
+
+TEST(FuzzRegression, SpacingNearTheLargestNumberIsNoMoreThanOneThatCoversTheDrawing)
+{
+  ExpectKept(95004254u);
+}
+
 } // namespace
 
 } // namespace biting

@@ -5,8 +5,29 @@
 
 #include "SourceSlopes.h"
 
+#include <limits> // for infinity
+
 namespace biting
 {
+
+namespace
+{
+
+/// The slope with which the smallest value grows to the largest one over a distance of itself.
+double SlopeWithinAnEdge(const SegmentSource& source)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const Id point : source.Segments)
+  {
+    const double value = source.Values[static_cast<std::size_t>(point)];
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return (most - least) / least;
+}
+
+} // namespace
 
 SegmentCone::SegmentCone(
   const Point2& start, const Point2& end, double startValue, double endValue, double gradation)
@@ -45,7 +66,8 @@ std::vector<SegmentCone> MakeCones(
 
 double SlopeOfCones(const SegmentSource& source, double gradation)
 {
-  const double slope = gradation > 0.0 ? gradation : LargestSlope(source);
+  const double slope =
+    gradation > 0.0 ? gradation : std::min(LargestSlope(source), SlopeWithinAnEdge(source));
   return slope > 0.0 ? slope : SpacingOptions().Gradation;
 }
 

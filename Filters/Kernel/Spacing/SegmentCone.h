@@ -74,6 +74,10 @@ std::vector<SegmentCone> MakeCones(
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.
+///
+/// The largest slope counts up to that of the smallest value m to the largest one M over a distance
+/// of m: (M - m) / m. Values that are steeper, as on segments as short as rounding, ask for nothing
+/// more: an edge of a mesh, which is no shorter than m, does not tell it from a jump.
 double SlopeOfCones(const SegmentSource& source, double gradation);
 
 } // namespace biting

@@ -4,6 +4,7 @@
 #include "Spacing.h"
 
 #include "../Base/PartOfStage.h"
+#include "../Predicates/Predicates.h" // for GreatestCoordinate
 #include "ConeCollector.h"
 #include "ConeTree.h"
 #include "FeatureSize.h"
@@ -28,6 +29,9 @@ namespace
 {
 
 constexpr double DefaultShareOfDiagonal = 0.02;
+
+/// Far above what a drawing may be large; fourth powers of it do not overflow.
+constexpr double GreatestSpacing = 1e4 * GreatestCoordinate;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -139,7 +143,7 @@ struct Spacing::Implementation
   std::optional<ConeTree> Limit;
   std::optional<SegmentExtension> Floor; ///< of its values, negative
   double Uniform = Infinity;             ///< infinite: none
-  ValueRange Range{ 1.0, std::numeric_limits<double>::min(), std::numeric_limits<double>::max() };
+  ValueRange Range{ 1.0, std::numeric_limits<double>::min(), GreatestSpacing };
   double GivenLipschitz = 0.0;
 
   Implementation() = default;
@@ -148,7 +152,8 @@ struct Spacing::Implementation
   {
     this->Range.Scale = options.Scale;
     this->Range.Least = std::max(this->Range.Least, options.Minimum);
-    this->Range.Most = options.Maximum > 0.0 ? options.Maximum : this->Range.Most;
+    this->Range.Most =
+      options.Maximum > 0.0 ? std::min(options.Maximum, this->Range.Most) : this->Range.Most;
     this->Uniform = UniformOf(options);
     if (this->Uniform == Infinity && !HasGrid(options) && !HasTriangulation(options) &&
       !HasExtension(options))

@@ -52,7 +52,8 @@ struct TriangulatedSource
 ///
 /// The extension is the largest g-Lipschitz function that is nowhere above the given values: where
 /// these are steeper than g, or a segment nearby asks for less, it is below them. With gradation 0,
-/// g is the largest slope along the segments; where all are level and equal, f is their value
+/// g is the largest slope along the segments, up to that by which the smallest value grows to the
+/// largest one over a distance of itself; where all are level and equal, f is their value
 /// everywhere; where all are level but differ, g is the default.
 struct SegmentSource
 {

@@ -230,3 +230,20 @@ TEST(ConeTree, StopsWhenAsked)
   EXPECT_TRUE(monitor.HasStopped());
   EXPECT_EQ(monitor.Calls, 3);
 }
+
+/// Found by fuzzing: without gradation the slope along a segment as short as rounding was that of
+/// all cones, and the tree was refined down to rounding along every bundle of segments.
+TEST(ConeTree, HasFewLeavesWhereValuesJumpWithoutGradation)
+{
+  SegmentSource source;
+  for (int k = 0; k < 40; ++k)
+  {
+    source.Points.push_back({ 0.1 + 0.8 * (k % 2), 0.5 + 1e-13 * k });
+    source.Values.push_back(0.1 + 0.01 * (k % 7));
+    source.Segments.insert(source.Segments.end(), { std::max(k - 1, 0), k });
+  }
+  source.Points.push_back(source.Points.back() + Point2{ 0.0, 1e-13 });
+  source.Values.push_back(0.5);
+  source.Segments.insert(source.Segments.end(), { 39, 40 });
+  EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfLeaves(), 10000u);
+}

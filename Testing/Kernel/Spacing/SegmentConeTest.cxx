@@ -64,3 +64,11 @@ TEST(SegmentCone, WithoutGradationTakesTheSlopeOfTheData)
   const SegmentSource level{ { { 0.0, 0.0 }, { 1.0, 0.0 } }, { 0.1, 0.6 }, { 0, 0, 1, 1 } };
   EXPECT_DOUBLE_EQ(SlopeOfCones(level, 0.0), SpacingOptions().Gradation);
 }
+
+TEST(SegmentCone, WithoutGradationIsNotSteeperThanFromTheLeastToTheMostWithinAnEdge)
+{
+  const SegmentSource noise{ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1e-12 } }, { 0.1, 0.2, 0.7 },
+    { 0, 1, 1, 2 } };
+  EXPECT_DOUBLE_EQ(SlopeOfCones(noise, 0.0), 6.0);
+  EXPECT_DOUBLE_EQ(SlopeOfCones(noise, 20.0), 20.0);
+}

@@ -326,6 +326,17 @@ TEST(Spacing, MovesWithItsSources)
   }
 }
 
+/// Found by fuzzing: products with 3e307 overflowed while biting.
+TEST(Spacing, FarAboveAnyDrawingHasFourthPowersAndMore)
+{
+  SpacingOptions options;
+  options.Uniform = std::numeric_limits<double>::max();
+  const double f = MakeGoodSpacing(options)({ 0.3, 0.3 });
+  EXPECT_TRUE(f >= 1e70 && std::isfinite(f * f * f * f));
+  options.Maximum = 7.0;
+  EXPECT_EQ(MakeGoodSpacing(options)({ 0.3, 0.3 }), 7.0);
+}
+
 TEST(Spacing, IsPositiveAndFiniteWhereverItIsAsked)
 {
   const Spacing spacing = MakeGoodSpacing(WithEverything());
