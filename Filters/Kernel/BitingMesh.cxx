@@ -288,16 +288,15 @@ void TellGiven(const SimplifiedDomain& simplified, const Spacing& spacing, Bitin
 }
 
 // Says so where it is large and no tolerance is set.
-void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options, BitingMesh& mesh,
-  ProblemList& problems, Monitor& monitor)
+void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options,
+  const Spacing& spacing, BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
 {
   if (options.PreserveBoundary)
   {
     return;
   }
   PartOfStage part(monitor, SlopesEnd, 1.0);
-  mesh.ShareOfDrawing =
-    ShareOfFineDrawing(drawing, mesh, RaiseToRounding(options.Spacing, drawing, problems), part);
+  mesh.ShareOfDrawing = ShareOfFineDrawing(drawing, mesh, spacing, part);
   const bool isAccepted = options.Simplification.Tolerance > 0.0;
   if (!AddAborted(part, problems) && !isAccepted && IsWorthTelling(mesh.ShareOfDrawing, mesh))
   {
@@ -401,7 +400,7 @@ BitingMesh MakeBitingMesh(
   mesh.NumberOfSharpCornerTriangles = sharp;
   TellGiven(simplified, spacing, mesh);
   Measure(mesh, problems, whole);
-  TellFineDrawing(domain, options, mesh, problems, whole);
+  TellFineDrawing(domain, options, spacing, mesh, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }
 

@@ -17,7 +17,7 @@ namespace
 constexpr double ShortLength = 0.5;
 
 // Where most segments are longer than this many f, or next to no vertex is of the drawing, there is
-// nothing to tell, and the given spacing need not be prepared.
+// nothing to tell, and the given spacing need not be asked for.
 constexpr double LongLength = 2.0;
 constexpr double LeastShareOfVertices = 0.02;
 
@@ -25,7 +25,6 @@ constexpr double LargeShare = 0.5;
 constexpr double ManyVertices = 500.0;
 
 constexpr double VerticesPerDensity = 1.1547005383792515; // 2 / sqrt(3): equilateral triangles
-constexpr double PreparationEnd = 0.3;
 
 // The mean length of the segments at each vertex; 0 where there is none.
 std::vector<double> MeanLengths(const Domain& drawing)
@@ -71,7 +70,7 @@ double CountAsked(const BitingMesh& mesh, const Spacing& spacing, Pulse& pulse)
     const Point2& a = mesh.Points[mesh.Corners[corner]];
     const Point2& b = mesh.Points[mesh.Corners[corner + 1]];
     const Point2& c = mesh.Points[mesh.Corners[corner + 2]];
-    const double value = spacing(a + (1.0 / 3.0) * ((b - a) + (c - a)));
+    const double value = spacing.BeforeFeatures(a + (1.0 / 3.0) * ((b - a) + (c - a)));
     density += 0.5 * Cross(b - a, c - a) / (value * value);
   }
   return VerticesPerDensity * density;
@@ -80,29 +79,23 @@ double CountAsked(const BitingMesh& mesh, const Spacing& spacing, Pulse& pulse)
 } // namespace
 
 double ShareOfFineDrawing(
-  const Domain& drawing, const BitingMesh& mesh, const SpacingOptions& given, Monitor& monitor)
+  const Domain& drawing, const BitingMesh& mesh, const Spacing& spacing, Monitor& monitor)
 {
   const std::vector<double> lengths = MeanLengths(drawing);
   // The vertices of the drawing are the first of the mesh, and few are missing there.
   const std::size_t known = mesh.Spacing.size();
-  const bool mayBeFine =
+  const bool isFine =
     static_cast<double>(lengths.size()) > LeastShareOfVertices * static_cast<double>(known) &&
     AreMostBelow(lengths, LongLength,
-      [&mesh, known](std::size_t vertex) { return vertex < known ? mesh.Spacing[vertex] : 0.0; });
-  if (!mayBeFine)
+      [&mesh, known](std::size_t vertex) { return vertex < known ? mesh.Spacing[vertex] : 0.0; }) &&
+    AreMostBelow(lengths, ShortLength,
+      [&drawing, &spacing](std::size_t vertex)
+      { return spacing.BeforeFeatures(drawing.Vertices[vertex]); });
+  if (!isFine)
   {
     return 0.0;
   }
-  PartOfStage preparing(monitor, 0.0, PreparationEnd);
-  ProblemList problems;
-  const Spacing spacing = MakeSpacing(given, drawing.Bounds, problems, preparing);
-  const bool isFine = AreMostBelow(lengths, ShortLength,
-    [&drawing, &spacing](std::size_t vertex) { return spacing(drawing.Vertices[vertex]); });
-  if (!isFine || preparing.HasStopped())
-  {
-    return 0.0;
-  }
-  PartOfStage counting(monitor, PreparationEnd, 1.0);
+  PartOfStage counting(monitor, 0.0, 1.0);
   Pulse pulse(counting);
   const double asked = CountAsked(mesh, spacing, pulse);
   return std::max(0.0, 1.0 - asked / static_cast<double>(mesh.Points.size()));

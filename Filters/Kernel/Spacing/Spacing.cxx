@@ -141,6 +141,8 @@ struct Spacing::Implementation
   std::unique_ptr<const TriangleLimit> LimitedTriangulation; ///< where Triangulation is steep
   std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree> Limit;
+  std::optional<SegmentExtension>
+    LimitBeforeFeatures;                 ///< a part of Limit, where there are features
   std::optional<SegmentExtension> Floor; ///< of its values, negative
   double Uniform = Infinity;             ///< infinite: none
   ValueRange Range{ 1.0, std::numeric_limits<double>::min(), GreatestSpacing };
@@ -191,6 +193,12 @@ struct Spacing::Implementation
     }
     return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
                           : scaled;
+  }
+
+  double EvaluateBeforeFeatures(const Point2& x) const
+  {
+    const double given = this->EvaluateGiven(x);
+    return std::max((*this->LimitBeforeFeatures)(x, given), this->Range.Least);
   }
 
   double Evaluate(const Point2& x) const
@@ -341,13 +349,13 @@ private:
     PartOfStage filing(this->Stage, 0.6, 0.62);
     Pulse pulse(filing);
     const double slope = GradationOf(this->Options);
-    const SegmentExtension limit(
+    this->Data.LimitBeforeFeatures.emplace(
       MergeCones(this->Cones.Segments(), 1.0, slope, pulse), slope, pulse);
     PartOfStage sampling(this->Stage, 0.62, 0.7);
     return !filing.HasStopped() &&
       AddFeatureSizes(
         *this->Options.Features,
-        [this, &limit](const Point2& x) { return limit(x, this->Data.EvaluateGiven(x)); },
+        [this](const Point2& x) { return this->Data.EvaluateBeforeFeatures(x); },
         this->Cones.Values().Most, slope, this->Cones, sampling);
   }
 
@@ -404,6 +412,12 @@ Spacing& Spacing::operator=(Spacing&&) noexcept = default;
 double Spacing::operator()(const Point2& x) const
 {
   return this->Data->Evaluate(x);
+}
+
+double Spacing::BeforeFeatures(const Point2& x) const
+{
+  return this->Data->LimitBeforeFeatures ? this->Data->EvaluateBeforeFeatures(x)
+                                         : this->Data->Evaluate(x);
 }
 
 double Spacing::GivenLipschitz() const

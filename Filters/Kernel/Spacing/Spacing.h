@@ -138,6 +138,9 @@ public:
 
   double operator()(const Point2& x) const;
 
+  /// f as it would be without SpacingOptions::Features. At logarithmic cost.
+  double BeforeFeatures(const Point2& x) const;
+
   /// The largest slope of the given data that was seen while it was read (0 for uniform).
   double GivenLipschitz() const;
 

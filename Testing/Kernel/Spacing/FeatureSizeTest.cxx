@@ -286,3 +286,30 @@ TEST(FeatureLimit, FollowsWhatIsGiven)
   EXPECT_NEAR(f({ 0.1, 0.0 }), 0.04, 1e-3);
   EXPECT_NEAR(f({ 0.7, 0.0 }), 0.1, 1e-3);
 }
+
+TEST(FeatureLimit, IsNotInTheSpacingBeforeFeatures)
+{
+  SpacingOptions options;
+  options.Segments = Share(MakeScatter(40, 0.3, 3));
+  options.Grid = Share(MakeGrid(20, 20, [](const Point2& x) { return 0.02 + 0.2 * x.X; }));
+  const Spacing without = MakeGoodSpacing(options);
+  options.Features = Share(Loops({ Rectangle(0.0, 0.0, 1.0, 0.02) }));
+  const Spacing f = MakeGoodSpacing(options);
+  Sampler sampler(47);
+  int numberLower = 0;
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    ASSERT_NEAR(f.BeforeFeatures(x), without(x), 0.01 * without(x));
+    numberLower += f(x) < 0.95 * without(x) ? 1 : 0;
+  }
+  EXPECT_GT(numberLower, 50);
+}
+
+TEST(FeatureLimit, IsNoPartOfASpacingWithoutFeatures)
+{
+  SpacingOptions options;
+  options.Segments = Share(MakeScatter(40, 0.3, 3));
+  const Spacing f = MakeGoodSpacing(options);
+  EXPECT_EQ(f.BeforeFeatures({ 0.3, 0.4 }), f({ 0.3, 0.4 }));
+}
