@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The whole kernel, from a drawing to a mesh. CPU times of one thread, medians.
+//   BenchmarkMesh cost [vertices [name]]   a table; square meshes up to that size (1000000), cases
+//                                          whose name has `name` in it
+//   BenchmarkMesh quality                  28 pairs of drawing and spacing, and their means
+//
+// The unit of the ratio is this kernel's own unconstrained Delaunay triangulation of the mesh's
+// vertices, in the same run: what any mesher of these vertices has to pay.
+
+#include "CountedMemory.h"
+#include "MeshCases.h"
+
+#include "Base/Pulse.h"
+#include "Delaunay/Insertion.h"
+#include "Delaunay/SpatialOrder.h"
+
+#include <algorithm> // for sort
+#include <cmath>     // for logarithms
+#include <cstdio>    // for tables
+#include <cstdlib>   // for arguments
+#include <ctime>     // for CPU time
+#include <map>       // for stages, growth
+#include <string>    // for names
+
+namespace
+{
+
+using namespace biting;
+
+double Seconds()
+{
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Adds up the time of each stage.
+class StageClock : public Monitor
+{
+public:
+  bool Advance(double) override { return true; }
+
+  void BeginStage(const char* text) override
+  {
+    this->Stop();
+    this->Stage = text;
+  }
+
+  void Stop()
+  {
+    const double now = Seconds();
+    this->Spent[this->Stage] += now - this->Begin;
+    this->Begin = now;
+  }
+
+  double Of(const char* stage) const
+  {
+    const auto found = this->Spent.find(stage);
+    return found == this->Spent.end() ? 0.0 : found->second;
+  }
+
+private:
+  std::string Stage;
+  double Begin = Seconds();
+  std::map<std::string, double> Spent;
+};
+
+constexpr const char* Stages[] = { "Reading the domain", "Preparing the spacing", "Biting",
+  "Triangulating", "Relaxing", "Measuring quality" };
+constexpr int NumberOfStages = 6;
+
+struct Cost
+{
+  double Vertices = 0.0;
+  double Seconds = 0.0;
+  double Unit = 0.0; ///< seconds of the triangulation alone
+  double Bytes = 0.0;
+  double Stage[NumberOfStages] = {};
+};
+
+double SecondsOfInsertion(const std::vector<Point2>& points)
+{
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  const double begin = Seconds();
+  const InsertionResult result = InsertPoints(points, SpatialOrder(points, pulse), 1.0, pulse);
+  return result.Mesh.NumberOfTriangles > 0 ? Seconds() - begin : 0.0;
+}
+
+Cost RunOnce(const MeshCase& one)
+{
+  Cost cost;
+  ProblemList problems;
+  StageClock clock;
+  const std::size_t bytes = BeginPeak();
+  const double begin = Seconds();
+  const BitingMesh mesh = MakeBitingMesh(one.Drawing, one.Options, problems, clock);
+  cost.Seconds = Seconds() - begin;
+  clock.Stop();
+  cost.Vertices = static_cast<double>(mesh.Points.size());
+  cost.Bytes = static_cast<double>(PeakBytes() - bytes);
+  for (int stage = 0; stage < NumberOfStages; ++stage)
+  {
+    cost.Stage[stage] = clock.Of(Stages[stage]);
+  }
+  cost.Unit = SecondsOfInsertion(mesh.Points);
+  return cost;
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+template <typename Member>
+double MedianOf(const std::vector<Cost>& costs, Member member)
+{
+  std::vector<double> values;
+  for (const Cost& cost : costs)
+  {
+    values.push_back(member(cost));
+  }
+  return Median(values);
+}
+
+/// As many runs as fit into some seconds.
+Cost Measure(const MeshCase& one)
+{
+  constexpr double Enough = 4.0;
+  constexpr std::size_t MostRuns = 15;
+  std::vector<Cost> runs;
+  double spent = 0.0;
+  while (spent < Enough && runs.size() < MostRuns)
+  {
+    runs.push_back(RunOnce(one));
+    spent += runs.back().Seconds;
+  }
+  Cost median = runs.front();
+  median.Seconds = MedianOf(runs, [](const Cost& cost) { return cost.Seconds; });
+  median.Unit = MedianOf(runs, [](const Cost& cost) { return cost.Unit; });
+  for (int stage = 0; stage < NumberOfStages; ++stage)
+  {
+    median.Stage[stage] = MedianOf(runs, [stage](const Cost& cost) { return cost.Stage[stage]; });
+  }
+  return median;
+}
+
+void PrintRow(const std::string& name, const Cost& cost)
+{
+  const double perVertex = 1e6 / cost.Vertices;
+  std::printf("| %-32s | %8.0f | %7.3f | %5.2f | %4.0f |", name.c_str(), cost.Vertices,
+    perVertex * cost.Seconds, cost.Seconds / cost.Unit, cost.Bytes / cost.Vertices);
+  for (const double seconds : cost.Stage)
+  {
+    std::printf(" %6.3f |", perVertex * seconds);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/// The exponents from the first to the last of the cases that differ in size only.
+void PrintGrowth(const std::map<std::string, std::vector<Cost>>& families)
+{
+  for (const auto& [family, costs] : families)
+  {
+    if (costs.size() > 1)
+    {
+      const double growth = std::log(costs.back().Seconds / costs.front().Seconds) /
+        std::log(costs.back().Vertices / costs.front().Vertices);
+      std::printf("%s: time grows with the power %.3f of the vertices, from %.0f to %.0f\n",
+        family.c_str(), growth, costs.front().Vertices, costs.back().Vertices);
+    }
+  }
+}
+
+bool IsThere(const MeshCase& one)
+{
+  if (one.Drawing.Points.empty())
+  {
+    std::printf("%s: no such file\n", one.Name.c_str());
+  }
+  return !one.Drawing.Points.empty();
+}
+
+void PrintCosts(double mostVertices, const std::string& name)
+{
+  std::printf(
+    "CPU microseconds a vertex; ratio to the triangulation of the vertices alone; bytes a "
+    "vertex at the peak;\nof the microseconds: domain, spacing, biting, triangulation, "
+    "relaxation, quality\n");
+  std::map<std::string, std::vector<Cost>> families;
+  for (const MeshCase& one : CostCases(mostVertices))
+  {
+    if (one.Name.find(name) == std::string::npos || !IsThere(one))
+    {
+      continue;
+    }
+    const Cost cost = Measure(one);
+    PrintRow(one.Name, cost);
+    if (one.Options.Spacing.Gradation == 0.0 || one.Drawing.Points.size() == 4)
+    {
+      const bool isRaw = !one.Options.Relaxation;
+      families[one.Name.substr(0, 2) + (isRaw ? ", raw" : "")].push_back(cost);
+    }
+  }
+  PrintGrowth(families);
+}
+
+struct Scores
+{
+  double Smallest, OnePercent, Mean, Conformity, InBand;
+};
+
+Scores ScoresOf(const BitingMesh& mesh)
+{
+  std::vector<double> angles = mesh.Quality.MinimumAngle;
+  std::sort(angles.begin(), angles.end());
+  double sum = 0.0;
+  for (const double angle : angles)
+  {
+    sum += angle;
+  }
+  return { angles.front(), angles[angles.size() / 100], sum / static_cast<double>(angles.size()),
+    mesh.Quality.MeanConformity, 100.0 * mesh.Quality.ShareOfEdgesInBand };
+}
+
+void PrintScores(const std::string& name, std::size_t vertices, const Scores& scores)
+{
+  std::printf("| %-32s | %7zu | %5.2f | %5.2f | %5.2f | %.4f | %6.2f |\n", name.c_str(), vertices,
+    scores.Smallest, scores.OnePercent, scores.Mean, scores.Conformity, scores.InBand);
+}
+
+void PrintQualities()
+{
+  std::printf("Vertices; degrees: the smallest angle, the smallest of 99 %% of the triangles, the "
+              "mean of their smallest;\nmean conformity; percentage of edges in band\n");
+  Scores sum{};
+  std::size_t vertices = 0;
+  double count = 0.0;
+  for (const MeshCase& one : QualityCases())
+  {
+    ProblemList problems;
+    const BitingMesh mesh = MakeBitingMesh(one.Drawing, one.Options, problems, NoMonitor());
+    if (mesh.Points.empty())
+    {
+      std::printf("| %-32s | no mesh\n", one.Name.c_str());
+      continue;
+    }
+    const Scores scores = ScoresOf(mesh);
+    PrintScores(one.Name, mesh.Points.size(), scores);
+    sum = { sum.Smallest + scores.Smallest, sum.OnePercent + scores.OnePercent,
+      sum.Mean + scores.Mean, sum.Conformity + scores.Conformity, sum.InBand + scores.InBand };
+    vertices += mesh.Points.size();
+    count += 1.0;
+  }
+  PrintScores("mean of " + std::to_string(static_cast<int>(count)), vertices,
+    { sum.Smallest / count, sum.OnePercent / count, sum.Mean / count, sum.Conformity / count,
+      sum.InBand / count });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::string what = argc > 1 ? argv[1] : "cost";
+  if (what == "cost")
+  {
+    PrintCosts(argc > 2 ? std::atof(argv[2]) : 1e6, argc > 3 ? argv[3] : "");
+  }
+  else if (what == "quality")
+  {
+    PrintQualities();
+  }
+  else
+  {
+    std::printf("What is to be measured: cost or quality?\n");
+    return 1;
+  }
+  return 0;
+}
