@@ -96,7 +96,7 @@ class vtkBitingMesher::Execution
 public:
   explicit Execution(vtkBitingMesher* filter)
     : Filter(filter)
-    , Monitor(filter, SharesOfStages())
+    , Monitor(filter, SharesOfStages(), filter->NumberOfThreads)
   {
   }
 
@@ -590,6 +590,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Phi: " << this->Phi << "\n"
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
      << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
 }
 

@@ -158,7 +158,8 @@
  * they are in sharp angles of the input.
  *
  * @par Cost:
- * O(n log n) for n vertices; memory about 0.5 kB a vertex. One thread. Different filters may run in
+ * O(n log n) for n vertices; memory about 0.5 kB a vertex. The check and the
+ * measures of the finished mesh run on NumberOfThreads, the rest on one. Different filters may run in
  * different threads at once, also on shared input.
  *
  * @par Sources:
@@ -542,6 +543,16 @@ public:
 
   ///@{
   /**
+   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many as there
+   * are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its backend, or by
+   * STDThread where that is Sequential.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether output 2 shows the bites and the front that is left. Default off.
    */
   vtkSetMacro(GenerateBites, bool);
@@ -595,6 +606,7 @@ private:
   double Phi = 1.0;
   bool Relaxation = true;
   vtkIdType MaximumNumberOfVertices = 20000000;
+  int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;
 };

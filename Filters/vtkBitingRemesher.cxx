@@ -94,7 +94,7 @@ class vtkBitingRemesher::Execution
 public:
   explicit Execution(vtkBitingRemesher* filter)
     : Filter(filter)
-    , Monitor(filter, SharesOfStages())
+    , Monitor(filter, SharesOfStages(), filter->NumberOfThreads)
   {
   }
 
@@ -535,6 +535,7 @@ void vtkBitingRemesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TransferData: " << (this->TransferData ? "on" : "off") << "\n"
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
      << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
 }
 

@@ -63,7 +63,8 @@
  * @par Guarantees and limits:
  * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the same
  * input gives the same bytes. The mesh is constrained Delaunay within what is made anew; unchanged
- * triangles are as they are. One thread.
+ * triangles are as they are. The measures of the finished
+ * mesh run on NumberOfThreads, the rest on one.
  * Cost: one pass over the mesh, about 0.3 us a vertex, and that of meshing what changes.
  *
  * @par Source:
@@ -253,6 +254,16 @@ public:
 
   ///@{
   /**
+   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many as there
+   * are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its backend, or by
+   * STDThread where that is Sequential.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
    * On: output 2 is filled. Default off.
    */
   vtkSetMacro(GenerateBites, bool);
@@ -295,6 +306,7 @@ private:
   bool TransferData = true;
   bool Relaxation = true;
   vtkIdType MaximumNumberOfVertices = 20000000;
+  int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;
 };

@@ -12,8 +12,10 @@
 namespace biting
 {
 
-MonitorOfFilter::MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares)
+MonitorOfFilter::MonitorOfFilter(
+  vtkAlgorithm* filter, std::vector<double> shares, int numberOfThreads)
   : Filter(filter)
+  , Workers(numberOfThreads)
   , Shares(std::move(shares))
   , ReportTime(Clock::now())
 {

@@ -6,6 +6,7 @@
 
 #include "../Kernel/Base/Monitor.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
+#include "ThreadsOfVtk.h"
 
 #include <chrono>  // for the time of the last report
 #include <cstddef> // for the number of the stage
@@ -24,14 +25,16 @@ namespace biting
 class MonitorOfFilter : public Monitor
 {
 public:
-  /// `shares` of the whole that the stages take, in their order; their sum is 1.
-  MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares);
+  /// `shares` of the whole that the stages take, in their order; their sum is 1. The number of
+  /// threads is as in ThreadsOfVtk.
+  MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares, int numberOfThreads = 1);
 
   /// Stages with equal shares.
   MonitorOfFilter(vtkAlgorithm* filter, int numberOfStages);
 
   bool Advance(double fraction) override;
   void BeginStage(const char* text) override;
+  Executor& Threads() override { return this->Workers; }
 
   bool HasStopped() const { return this->Stopped; }
 
@@ -42,6 +45,7 @@ private:
   void Report(double progress);
 
   vtkAlgorithm* Filter;
+  ThreadsOfVtk Workers;
   std::vector<double> Shares;
   std::size_t NextStage = 0;
   double Begin = 0.0; ///< progress where the stage begins

@@ -39,4 +39,5 @@ set(biting_bridge_sources
   StructuredFromPieces.cxx
   SummaryText.cxx
   TagComparison.cxx
+  ThreadsOfVtk.cxx
   WholeFromPieces.cxx)

@@ -5,6 +5,7 @@
 set(biting_kernel_sources
   Base/PointOnSegment.cxx
   Base/Problem.cxx
+  Base/Tasks.cxx
   Predicates/Predicates.cxx
   Spacing/BorderTree.cxx
   Spacing/BoxTree.cxx

@@ -298,6 +298,50 @@ TEST(BitingMesherResult, IsTheSameBytesTwice)
   EXPECT_TRUE(AreSame(first, second));
 }
 
+TEST(BitingMesherResult, IsTheSameBytesForAnyNumberOfThreads)
+{
+  const auto meshWith = [](int numberOfThreads)
+  {
+    vtkNew<vtkBitingMesher> mesher;
+    mesher->SetInputData(SquareWithHole());
+    mesher->SetUniformSpacing(0.006);
+    mesher->SetNumberOfThreads(numberOfThreads);
+    mesher->Update();
+    return vtkSmartPointer<vtkPolyData>(mesher->GetOutput());
+  };
+  const auto alone = meshWith(1);
+  ASSERT_GT(alone->GetNumberOfCells(), 40000);
+  for (const int numberOfThreads : { 0, 2, 3, 8 })
+  {
+    EXPECT_TRUE(AreSame(meshWith(numberOfThreads), alone)) << numberOfThreads;
+  }
+}
+
+TEST(BitingMesherProgress, IsReportedByTheThreadThatCalls)
+{
+  struct Caller
+  {
+    std::thread::id Thread = std::this_thread::get_id();
+    bool IsAlone = true;
+  } caller;
+  vtkNew<vtkBitingMesher> mesher;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&caller);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* known = static_cast<Caller*>(data);
+      known->IsAlone = known->IsAlone && known->Thread == std::this_thread::get_id();
+    });
+  mesher->AddObserver(vtkCommand::ProgressEvent, command);
+  mesher->SetInputData(SquareWithHole());
+  mesher->SetUniformSpacing(0.006);
+  mesher->SetNumberOfThreads(4);
+  mesher->Update();
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(caller.IsAlone);
+}
+
 TEST(BitingMesherResult, IsTheSameBytesInTwoThreadsAtOnce)
 {
   const auto expected = MeshOf(SquareWithHole(), Source());

@@ -67,6 +67,7 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_EQ(mesher->GetPhi(), 1.0);
   EXPECT_TRUE(mesher->GetRelaxation());
   EXPECT_EQ(mesher->GetMaximumNumberOfVertices(), 20000000);
+  EXPECT_EQ(mesher->GetNumberOfThreads(), 0);
   EXPECT_FALSE(mesher->GetGenerateBites());
 }
 
@@ -82,7 +83,7 @@ TEST(BitingMesherParameters, AreAllPrinted)
          "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "MergeTolerance: 0",
          "PreserveBoundary: off", "BiteShape: 0", "BitingConstant: 0", "Placement: 0",
          "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on",
-         "MaximumNumberOfVertices: 20000000", "GenerateBites: off" })
+         "MaximumNumberOfVertices: 20000000", "NumberOfThreads: 0", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }

@@ -30,6 +30,7 @@ DEFAULTS = {
     'Phi': 1.0,
     'Relaxation': True,
     'MaximumNumberOfVertices': 20000000,
+    'NumberOfThreads': 0,
     'GenerateBites': False,
 }
 
@@ -52,6 +53,7 @@ OTHER_VALUES = {
     'Phi': 0.75,
     'Relaxation': False,
     'MaximumNumberOfVertices': 1000,
+    'NumberOfThreads': 2,
     'GenerateBites': True,
 }
 

@@ -12,7 +12,7 @@ PROPERTIES = {
     'UniformSpacing': 0.0, 'SpacingScale': 1.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0,
     'Gradation': 0.3, 'LimitByFeatureSize': 1, 'Preference': 'Balanced', 'EdgePolicy': 'Free',
     'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1,
-    'MaximumNumberOfVertices': 20000000, 'GenerateBites': 0,
+    'MaximumNumberOfVertices': 20000000, 'NumberOfThreads': 0, 'GenerateBites': 0,
     'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
 }
 OTHERS = {'Input', 'SpacingSource', 'TaggedLines', 'Summary'}

@@ -4,10 +4,12 @@
 #ifndef BitingMonitor_h
 #define BitingMonitor_h
 
+#include "Executor.h"
+
 namespace biting
 {
 
-/// Where the kernel reports how far it is, and learns whether to stop.
+/// Where the kernel reports how far it is, learns whether to stop, and finds threads for its work.
 /// Called from one thread; each loop calls Advance at least every 1024 steps, or every 4096 of those
 /// that take some nanoseconds. Within a stage fractions do not fall.
 class Monitor
@@ -20,6 +22,9 @@ public:
 
   /// A new stage begins; `text` is shown to the user and outlives the call.
   virtual void BeginStage(const char* text) = 0;
+
+  /// What works for the stage. Results do not depend on it.
+  virtual Executor& Threads() { return NoThreads(); }
 };
 
 /// A monitor that shows nothing and never stops.

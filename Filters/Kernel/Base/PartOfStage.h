@@ -31,6 +31,8 @@ public:
 
   void BeginStage(const char* text) override { this->Whole.BeginStage(text); }
 
+  Executor& Threads() override { return this->Whole.Threads(); }
+
   bool HasStopped() const { return this->Stopped; }
 
 private:

@@ -62,6 +62,9 @@ public:
 
   bool HasStopped() const { return this->Stopped; }
 
+  /// Those of the monitor.
+  Executor& Threads() const { return this->Listener.Threads(); }
+
 private:
   friend class PulsePart;
 
@@ -114,6 +117,27 @@ private:
   Pulse& Whole;
   double Begin;
   double Length;
+};
+
+/// Takes what is told to a monitor to a pulse: the fractions are those of the part at hand.
+class PulseMonitor : public SilentMonitor
+{
+public:
+  explicit PulseMonitor(Pulse& pulse)
+    : Beats(pulse)
+  {
+  }
+
+  bool Advance(double fraction) override
+  {
+    this->Beats.SetFraction(fraction);
+    return this->Beats.Ask();
+  }
+
+  Executor& Threads() override { return this->Beats.Threads(); }
+
+private:
+  Pulse& Beats;
 };
 
 /// Makes `values` longer with copies of `value`. In steps, because the system gives memory when it is

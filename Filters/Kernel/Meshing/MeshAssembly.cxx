@@ -5,6 +5,7 @@
 
 #include "../Base/Pulse.h"
 #include "../Base/SortInSteps.h"
+#include "../Base/Tasks.h"
 
 #include <algorithm> // for max
 #include <utility>   // for move
@@ -155,7 +156,7 @@ void MoveTriangles(
   mesh.Corners = std::move(triangulation.Corners);
   mesh.Neighbors = std::move(triangulation.Neighbors);
   mesh.Regions = std::move(triangulation.Regions);
-  pulse.ForEach(mesh.Corners.size(),
+  ForEachAtOnce(pulse, mesh.Corners.size(),
     [&used, &mesh](std::size_t half) { mesh.Corners[half] = used.Numbers[mesh.Corners[half]]; });
 }
 

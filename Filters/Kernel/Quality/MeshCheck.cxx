@@ -4,7 +4,9 @@
 #include "MeshCheck.h"
 
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
+#include "CheckSums.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs
@@ -34,24 +36,6 @@ constexpr std::size_t Previous(std::size_t slot)
 {
   return slot % 3 == 0 ? slot + 2 : slot - 1;
 }
-
-// A sum that does not lose what its terms are too small to move (A. Neumaier, 1974).
-class CompensatedSum
-{
-public:
-  void Add(double term)
-  {
-    const double next = this->Total + term;
-    this->Lost += std::abs(this->Total) >= std::abs(term) ? (this->Total - next) + term
-                                                          : (term - next) + this->Total;
-    this->Total = next;
-  }
-  double Value() const { return this->Total + this->Lost; }
-
-private:
-  double Total = 0.0;
-  double Lost = 0.0;
-};
 
 // Parts of a whole that turn out to be connected (disjoint sets with path halving).
 class Parts
@@ -137,7 +121,6 @@ private:
   std::int64_t CountLoops();
   std::size_t NextOnBoundary(std::size_t slot) const;
   bool CoversArea();
-  void AddArea(const Point2& a, const Point2& b, const Point2& c);
   double BoundaryRounding() const;
   bool IsGoingOn(std::size_t slot);
   bool Refuse(const std::string& violation);
@@ -154,8 +137,7 @@ private:
   std::string Violation;
   std::vector<std::size_t> BoundarySlots;
   std::int64_t NumberOfInnerVertices = 0;
-  CompensatedSum DoubledArea;
-  double AreaMagnitude = 0.0; ///< sum of the terms of DoubledArea, all taken positive
+  TurnSum Turns;
 };
 
 std::string MeshChecker::Check()
@@ -178,44 +160,35 @@ bool MeshChecker::HasValidIds()
 {
   const PulsePart part(this->Beats, 0.0, IdsEnd);
   const std::size_t numberOfTriangles = this->Mesh.Corners.size() / 3;
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->IsGoingOn(slot); ++slot)
-  {
-    const Id neighbor = this->Mesh.Neighbors[slot];
-    // A negative id becomes a large number.
-    const bool isNeighborValid =
-      neighbor == NoId || static_cast<std::size_t>(neighbor) < numberOfTriangles;
-    if (this->Corner(slot) >= this->Mesh.Points.size() || !isNeighborValid)
+  const auto first = SumAtOnce(this->Beats, this->Mesh.Corners.size(), FirstDefect(),
+    [this, numberOfTriangles](FirstDefect& defect, std::size_t slot)
     {
-      return this->Refuse("an id of triangle " + std::to_string(slot / 3) + " is out of range");
-    }
-  }
-  return true;
+      const Id neighbor = this->Mesh.Neighbors[slot];
+      // A negative id becomes a large number.
+      const bool isNeighborValid =
+        neighbor == NoId || static_cast<std::size_t>(neighbor) < numberOfTriangles;
+      defect.Add(slot, this->Corner(slot) >= this->Mesh.Points.size() || !isNeighborValid);
+    });
+  return !first.Exists() ||
+    this->Refuse("an id of triangle " + std::to_string(first.Slot / 3) + " is out of range");
 }
 
 // Adds the areas on the way, as the places are at hand.
 bool MeshChecker::IsCounterclockwise()
 {
   const PulsePart part(this->Beats, IdsEnd, TurnsEnd);
-  for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->IsGoingOn(slot); slot += 3)
-  {
-    const Point2& a = this->Place(slot);
-    const Point2& b = this->Place(slot + 1);
-    const Point2& c = this->Place(slot + 2);
-    if (Orient2D(a, b, c) <= 0)
+  this->Turns = SumAtOnce(this->Beats, this->Mesh.Corners.size() / 3, TurnSum(),
+    [this](TurnSum& sum, std::size_t triangle)
     {
-      return this->Refuse("triangle " + std::to_string(slot / 3) + " is not counterclockwise");
-    }
-    this->AddArea(a, b, c);
-  }
-  return true;
-}
-
-void MeshChecker::AddArea(const Point2& a, const Point2& b, const Point2& c)
-{
-  const Point2 u = b - a;
-  const Point2 v = c - a;
-  this->DoubledArea.Add(u.X * v.Y - u.Y * v.X);
-  this->AreaMagnitude += std::abs(u.X * v.Y) + std::abs(u.Y * v.X);
+      const Point2& a = this->Place(3 * triangle);
+      const Point2& b = this->Place(3 * triangle + 1);
+      const Point2& c = this->Place(3 * triangle + 2);
+      sum.Wrong.Add(3 * triangle, Orient2D(a, b, c) <= 0);
+      sum.AddArea(a, b, c);
+    });
+  const FirstDefect& wrong = this->Turns.Wrong;
+  return !wrong.Exists() ||
+    this->Refuse("triangle " + std::to_string(wrong.Slot / 3) + " is not counterclockwise");
 }
 
 // A link to a smaller triangle is followed there, to a slot that must name this triangle. As no slot
@@ -223,23 +196,25 @@ void MeshChecker::AddArea(const Point2& a, const Point2& b, const Point2& c)
 bool MeshChecker::HasMutualNeighbors()
 {
   const PulsePart part(this->Beats, TurnsEnd, NeighborsEnd);
-  std::int64_t unanswered = 0;
-  for (std::size_t slot = 0; slot < this->Mesh.Neighbors.size() && this->IsGoingOn(slot); ++slot)
+  LinkSum links = SumAtOnce(this->Beats, this->Mesh.Neighbors.size(), LinkSum(),
+    [this](LinkSum& sum, std::size_t slot)
+    {
+      const Id neighbor = this->Mesh.Neighbors[slot];
+      if (neighbor == NoId)
+      {
+        sum.BoundarySlots.push_back(slot);
+        return;
+      }
+      const bool isLarger = static_cast<std::size_t>(neighbor) > slot / 3;
+      sum.Unanswered += isLarger ? 1 : -1;
+      sum.Wrong.Add(slot, !isLarger && !this->IsLink(slot));
+    });
+  this->BoundarySlots.swap(links.BoundarySlots);
+  if (links.Wrong.Exists())
   {
-    const Id neighbor = this->Mesh.Neighbors[slot];
-    if (neighbor == NoId)
-    {
-      this->BoundarySlots.push_back(slot);
-      continue;
-    }
-    const bool isLarger = static_cast<std::size_t>(neighbor) > slot / 3;
-    unanswered += isLarger ? 1 : -1;
-    if (!isLarger && !this->IsLink(slot))
-    {
-      return this->Refuse("the triangles at " + this->EdgeText(slot) + " do not match");
-    }
+    return this->Refuse("the triangles at " + this->EdgeText(links.Wrong.Slot) + " do not match");
   }
-  return unanswered == 0 || this->Refuse("neighbors are not mutual");
+  return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
 
 bool MeshChecker::IsLink(std::size_t slot) const
@@ -372,10 +347,10 @@ std::size_t MeshChecker::NextOnBoundary(std::size_t slot) const
 
 bool MeshChecker::CoversArea()
 {
-  const double area = 0.5 * this->DoubledArea.Value();
+  const double area = 0.5 * this->Turns.DoubledArea.Value();
   const double expected = this->Mesh.ExpectedArea;
   const double rounding =
-    std::numeric_limits<double>::epsilon() * (this->AreaMagnitude + this->BoundaryRounding());
+    std::numeric_limits<double>::epsilon() * (this->Turns.AreaMagnitude + this->BoundaryRounding());
   if (std::abs(area - expected) <= rounding + this->Mesh.AreaTolerance * std::abs(expected))
   {
     return true;

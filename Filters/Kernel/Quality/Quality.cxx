@@ -5,6 +5,7 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 #include "NearestNeighbors.h"
 
 #include <algorithm> // for min, max
@@ -79,6 +80,20 @@ double AspectRatio(const Shape& shape)
   return 0.5 * diameter * (shortest + middle + longest) / shape.DoubledArea;
 }
 
+// The worst that was seen.
+struct Extremes
+{
+  double SmallestAngle = Infinity;
+  double LargestRadiusEdgeRatio = 0.0;
+
+  void Join(const Extremes& other)
+  {
+    this->SmallestAngle = std::min(this->SmallestAngle, other.SmallestAngle);
+    this->LargestRadiusEdgeRatio =
+      std::max(this->LargestRadiusEdgeRatio, other.LargestRadiusEdgeRatio);
+  }
+};
+
 void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, TrianglesEnd);
@@ -87,9 +102,12 @@ void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
   {
     GrowInSteps(*array, count, 0.0, pulse);
   }
-  quality.SmallestAngle = count > 0 ? Infinity : 0.0;
-  pulse.ForEach(count,
-    [&mesh, &quality](std::size_t t)
+  if (pulse.HasStopped() || count == 0)
+  {
+    return;
+  }
+  const Extremes extremes = SumAtOnce(pulse, count, Extremes(),
+    [&mesh, &quality](Extremes& sum, std::size_t t)
     {
       const auto place = [&mesh, t](std::size_t corner) -> const Point2&
       { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
@@ -97,10 +115,10 @@ void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
       quality.MinimumAngle[t] = MinimumAngle(shape);
       quality.RadiusEdgeRatio[t] = RadiusEdgeRatio(shape);
       quality.AspectRatio[t] = AspectRatio(shape);
-      quality.SmallestAngle = std::min(quality.SmallestAngle, quality.MinimumAngle[t]);
-      quality.LargestRadiusEdgeRatio =
-        std::max(quality.LargestRadiusEdgeRatio, quality.RadiusEdgeRatio[t]);
+      sum.Join({ quality.MinimumAngle[t], quality.RadiusEdgeRatio[t] });
     });
+  quality.SmallestAngle = extremes.SmallestAngle;
+  quality.LargestRadiusEdgeRatio = extremes.LargestRadiusEdgeRatio;
 }
 
 // The ends of the edge opposite a slot's corner.
@@ -117,6 +135,12 @@ EdgeEnds EndsOf(const MeshView& mesh, std::size_t slot)
     static_cast<std::size_t>(mesh.Corners[corner == 0 ? slot + 2 : slot - 1]) };
 }
 
+// Whether the edge opposite a slot's corner is counted there.
+bool IsCounted(const MeshView& mesh, std::size_t slot)
+{
+  return mesh.Neighbors[slot] < static_cast<Id>(slot / 3);
+}
+
 // Calls visit(edge, ends) for each edge, numbered in the order in which they are found. An inner
 // edge is met at the triangle with the larger id.
 template <typename Visit>
@@ -126,7 +150,7 @@ void ForEachEdge(const MeshView& mesh, Pulse& pulse, const Visit& visit)
   pulse.ForEach(mesh.Corners.size(),
     [&mesh, &visit, &edge](std::size_t slot)
     {
-      if (mesh.Neighbors[slot] < static_cast<Id>(slot / 3))
+      if (IsCounted(mesh, slot))
       {
         visit(edge, EndsOf(mesh, slot));
         ++edge;
@@ -153,45 +177,104 @@ bool IsInBand(double relativeLength)
   return square >= 0.5 && square <= 2.0;
 }
 
+// Lengths of edges, relative to the spacing.
+struct LengthSum
+{
+  double Sum = 0.0;
+  std::int64_t Count = 0;
+  std::int64_t CountInBand = 0;
+
+  void Add(double relativeLength)
+  {
+    this->Sum += relativeLength;
+    this->Count += 1;
+    this->CountInBand += IsInBand(relativeLength) ? 1 : 0;
+  }
+
+  void Join(const LengthSum& other)
+  {
+    this->Sum += other.Sum;
+    this->Count += other.Count;
+    this->CountInBand += other.CountInBand;
+  }
+};
+
+// The spacing at the middles is in the order of the edges, which only counting tells.
+LengthSum SumNumberedLengths(const MeshView& mesh, Pulse& pulse)
+{
+  LengthSum sum;
+  ForEachEdge(mesh, pulse,
+    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends)
+    { sum.Add(RelativeLength(mesh, edge, ends)); });
+  return sum;
+}
+
+LengthSum SumLengths(const MeshView& mesh, Pulse& pulse)
+{
+  return SumAtOnce(pulse, mesh.Corners.size(), LengthSum(),
+    [&mesh](LengthSum& sum, std::size_t slot)
+    {
+      if (IsCounted(mesh, slot))
+      {
+        sum.Add(RelativeLength(mesh, 0, EndsOf(mesh, slot)));
+      }
+    });
+}
+
 void MeasureEdges(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, TrianglesEnd, EdgesEnd);
-  double sum = 0.0;
-  std::int64_t count = 0;
-  std::int64_t countInBand = 0;
-  ForEachEdge(mesh, pulse,
-    [&mesh, &sum, &count, &countInBand](std::size_t edge, const EdgeEnds& ends)
-    {
-      const double relativeLength = RelativeLength(mesh, edge, ends);
-      sum += relativeLength;
-      count += 1;
-      countInBand += IsInBand(relativeLength) ? 1 : 0;
-    });
-  if (count > 0)
+  const LengthSum all =
+    mesh.MiddleSpacing ? SumNumberedLengths(mesh, pulse) : SumLengths(mesh, pulse);
+  if (all.Count > 0)
   {
-    quality.MeanRelativeLength = sum / static_cast<double>(count);
-    quality.ShareOfEdgesInBand = static_cast<double>(countInBand) / static_cast<double>(count);
+    const double count = static_cast<double>(all.Count);
+    quality.MeanRelativeLength = all.Sum / count;
+    quality.ShareOfEdgesInBand = static_cast<double>(all.CountInBand) / count;
   }
 }
+
+// Of the vertices.
+struct ConformitySum
+{
+  double Sum = 0.0;
+  double Smallest = Infinity;
+
+  void Join(const ConformitySum& other)
+  {
+    this->Sum += other.Sum;
+    this->Smallest = std::min(this->Smallest, other.Smallest);
+  }
+};
 
 void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, EdgesEnd, 1.0);
   const std::size_t count = mesh.Points.size();
   quality.Conformity.resize(count);
-  quality.SmallestConformity = count > 0 ? Infinity : 0.0;
-  double sum = 0.0;
-  pulse.ForEach(count,
-    [&mesh, &quality, &sum](std::size_t i)
+  if (count == 0)
+  {
+    return;
+  }
+  const ConformitySum all = SumAtOnce(pulse, count, ConformitySum(),
+    [&mesh, &quality](ConformitySum& sum, std::size_t i)
     {
       const double distance = quality.NearestNeighborDistance[i];
       const double spacing = mesh.Spacing[i];
       quality.Conformity[i] = std::min(distance, spacing) / std::max(distance, spacing);
-      quality.SmallestConformity = std::min(quality.SmallestConformity, quality.Conformity[i]);
-      sum += quality.Conformity[i];
+      sum.Join({ quality.Conformity[i], quality.Conformity[i] });
     });
-  quality.MeanConformity = count > 0 ? sum / static_cast<double>(count) : 0.0;
+  quality.SmallestConformity = all.Smallest;
+  quality.MeanConformity = all.Sum / static_cast<double>(count);
 }
+
+// Of the slopes along edges.
+struct Steepest
+{
+  double Slope = 0.0;
+
+  void Join(const Steepest& other) { this->Slope = std::max(this->Slope, other.Slope); }
+};
 
 } // namespace
 
@@ -259,15 +342,18 @@ std::vector<double> AnglesOf(const MeshView& mesh, Monitor& monitor)
 double LargestSlope(const MeshView& mesh, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  double largest = 0.0;
-  ForEachEdge(mesh, pulse,
-    [&mesh, &largest](std::size_t, const EdgeEnds& ends)
+  const auto largest = SumAtOnce(pulse, mesh.Corners.size(), Steepest(),
+    [&mesh](Steepest& sum, std::size_t slot)
     {
-      const double length = LengthOf(mesh, ends);
-      const double rise = std::abs(mesh.Spacing[ends.Start] - mesh.Spacing[ends.End]);
-      largest = length > 0.0 ? std::max(largest, rise / length) : largest;
+      if (IsCounted(mesh, slot))
+      {
+        const EdgeEnds ends = EndsOf(mesh, slot);
+        const double length = LengthOf(mesh, ends);
+        const double rise = std::abs(mesh.Spacing[ends.Start] - mesh.Spacing[ends.End]);
+        sum.Slope = length > 0.0 ? std::max(sum.Slope, rise / length) : sum.Slope;
+      }
     });
-  return largest;
+  return largest.Slope;
 }
 
 double MinimumAngle(const Point2& a, const Point2& b, const Point2& c)

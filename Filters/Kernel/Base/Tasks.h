@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTasks_h
+#define BitingTasks_h
+
+#include "Monitor.h"
+#include "Pulse.h"
+
+#include <algorithm>  // for min
+#include <cstddef>    // for counts
+#include <functional> // for tasks
+#include <vector>     // for parts of sums
+
+namespace biting
+{
+
+/// One of the tasks 0 .. count - 1. Its monitor has no threads to give, where there are other tasks.
+using Task = std::function<void(std::size_t, Monitor&)>;
+
+/// Does all tasks, each once, in any order, on the threads of the pulse's monitor; they are all of the
+/// part at hand. What they read none of them may write, and no two may write the same. The monitor is
+/// asked by the calling thread only. What tasks throw is thrown again here, once none runs any more: that of
+/// the first task in their order that was begun. False, and tasks are left undone or stopped on their
+/// way, where the monitor wants to stop.
+bool DoTasks(Pulse& pulse, std::size_t count, const Task& task);
+
+/// How many cheap steps are a task: their time is far above that of taking it up. It decides what
+/// sums are, and so does not depend on the number of threads.
+constexpr std::size_t StepsPerTask = 1u << 15;
+
+/// Pulse::ForEach on the threads of its monitor, in any order: step(i) writes what only it does.
+template <typename Step>
+bool ForEachAtOnce(Pulse& pulse, std::size_t count, const Step& step)
+{
+  if (count <= StepsPerTask || pulse.Threads().NumberOfThreads() == 1)
+  {
+    return pulse.ForEach(count, step);
+  }
+  return DoTasks(pulse, (count + StepsPerTask - 1) / StepsPerTask,
+    [count, &step](std::size_t k, Monitor&)
+    {
+      const std::size_t end = std::min(count, (k + 1) * StepsPerTask);
+      for (std::size_t i = k * StepsPerTask; i < end; ++i)
+      {
+        step(i);
+      }
+    });
+}
+
+/// Adds up over i = 0 .. count - 1 on the threads of the pulse's monitor: add(sum, i) for the steps of
+/// each task in their order, to a sum that begins as a copy of `zero`, then sum.Join(next) for the tasks in
+/// their order. The same rounding whatever the number of threads.
+template <typename Sum, typename Add>
+Sum SumAtOnce(Pulse& pulse, std::size_t count, const Sum& zero, const Add& add)
+{
+  std::vector<Sum> sums((count + StepsPerTask - 1) / StepsPerTask, zero);
+  ForEachAtOnce(pulse, count, [&sums, &add](std::size_t i) { add(sums[i / StepsPerTask], i); });
+  Sum whole = zero;
+  for (const Sum& sum : sums)
+  {
+    whole.Join(sum);
+  }
+  return whole;
+}
+
+} // namespace biting
+
+#endif

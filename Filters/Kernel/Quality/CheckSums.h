@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCheckSums_h
+#define BitingCheckSums_h
+
+#include "../Base/Point2.h"
+
+#include <algorithm> // for min
+#include <cmath>     // for abs
+#include <cstddef>   // for slots
+#include <cstdint>   // for counts
+#include <limits>    // for none
+#include <vector>    // for the boundary
+
+// What the check of a mesh adds up over parts of it, for SumAtOnce.
+
+namespace biting
+{
+
+/// A sum that does not lose what its terms are too small to move (A. Neumaier, 1974).
+class CompensatedSum
+{
+public:
+  void Add(double term)
+  {
+    const double next = this->Total + term;
+    this->Lost += std::abs(this->Total) >= std::abs(term) ? (this->Total - next) + term
+                                                          : (term - next) + this->Total;
+    this->Total = next;
+  }
+  void Join(const CompensatedSum& other)
+  {
+    this->Add(other.Total);
+    this->Lost += other.Lost;
+  }
+  double Value() const { return this->Total + this->Lost; }
+
+private:
+  double Total = 0.0;
+  double Lost = 0.0;
+};
+
+/// The first slot that is not as it must be.
+struct FirstDefect
+{
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  std::size_t Slot = None;
+
+  bool Exists() const { return this->Slot != None; }
+  void Add(std::size_t slot, bool isDefect)
+  {
+    this->Slot = isDefect ? std::min(this->Slot, slot) : this->Slot;
+  }
+  void Join(const FirstDefect& other) { this->Slot = std::min(this->Slot, other.Slot); }
+};
+
+/// Of triangles.
+struct TurnSum
+{
+  FirstDefect Wrong;
+  CompensatedSum DoubledArea;
+  double AreaMagnitude = 0.0; ///< sum of the terms of DoubledArea, all taken positive
+
+  void AddArea(const Point2& a, const Point2& b, const Point2& c)
+  {
+    const Point2 u = b - a;
+    const Point2 v = c - a;
+    this->DoubledArea.Add(u.X * v.Y - u.Y * v.X);
+    this->AreaMagnitude += std::abs(u.X * v.Y) + std::abs(u.Y * v.X);
+  }
+
+  void Join(const TurnSum& other)
+  {
+    this->Wrong.Join(other.Wrong);
+    this->DoubledArea.Join(other.DoubledArea);
+    this->AreaMagnitude += other.AreaMagnitude;
+  }
+};
+
+/// Of what lies across edges.
+struct LinkSum
+{
+  FirstDefect Wrong;
+  std::int64_t Unanswered = 0;
+  std::vector<std::size_t> BoundarySlots;
+
+  void Join(const LinkSum& other)
+  {
+    this->Wrong.Join(other.Wrong);
+    this->Unanswered += other.Unanswered;
+    this->BoundarySlots.insert(
+      this->BoundarySlots.end(), other.BoundarySlots.begin(), other.BoundarySlots.end());
+  }
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTestThreads_h
+#define BitingTestThreads_h
+
+#include "Base/Executor.h"
+#include "Base/Monitor.h"
+
+#include <chrono> // for waiting
+#include <future> // for threads
+#include <vector> // for lists
+
+namespace biting
+{
+
+/// So many threads, whatever the machine has.
+class TestThreads : public Executor
+{
+public:
+  explicit TestThreads(int numberOfThreads)
+    : Size(numberOfThreads)
+  {
+  }
+
+  int NumberOfThreads() const override { return this->Size; }
+
+  void Run(const std::function<void()>& work, const std::function<void()>& watch) override
+  {
+    std::vector<std::future<void>> threads;
+    for (int k = 0; k < this->Size; ++k)
+    {
+      threads.push_back(std::async(std::launch::async, work));
+    }
+    for (const std::future<void>& thread : threads)
+    {
+      while (thread.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready)
+      {
+        watch();
+      }
+    }
+  }
+
+private:
+  int Size;
+};
+
+/// Shows nothing, never stops, and has threads.
+class MonitorWithThreads : public SilentMonitor
+{
+public:
+  explicit MonitorWithThreads(int numberOfThreads)
+    : Workers(numberOfThreads)
+  {
+  }
+
+  Executor& Threads() override { return this->Workers; }
+
+private:
+  TestThreads Workers;
+};
+
+} // namespace biting
+
+#endif
