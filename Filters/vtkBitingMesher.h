@@ -412,7 +412,7 @@ public:
    * face or channel goes. What stays: ends of chains, junctions, embedded points, vertices where a
    * line of the input has other cell data than the next, three vertices of each loop, and corners
    * (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees, where the drawing is blunt;
-   * but an end, as of an inlet, that is narrower than a quarter of the tolerance counts as a point. In
+   * but an end, as of an inlet, that is narrower than 0.002 f counts as a point: f does not follow it. In
    * output 1 an edge has the cell data of the first segment that it stands for. Cost O(n log n). Without
    * effect where PreserveBoundary is on. Negative or not finite: an error.
    */

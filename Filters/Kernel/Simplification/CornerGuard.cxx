@@ -15,7 +15,6 @@ namespace
 // Degrees: about the smallest angle of meshes without sharp corners.
 constexpr double SharpAngle = 36.0;
 
-constexpr double PointInTolerances = 0.25;
 constexpr Id MostOfSmallLoop = 6; // slots
 constexpr double DegreesPerRadian = 57.29577951308232;
 constexpr double AngleStep = 1e-6; // degrees: nearer ones are equal
@@ -30,10 +29,11 @@ double AngleBetween(const Point2& a, const Point2& b)
 
 } // namespace
 
-CornerGuard::CornerGuard(
-  const Domain& domain, const std::vector<double>& tolerances, const DomainChains& chains)
+CornerGuard::CornerGuard(const Domain& domain, const std::vector<double>& tolerances,
+  double pointInTolerances, const DomainChains& chains)
   : Drawing(domain)
   , Tolerances(tolerances)
+  , PointInTolerances(pointInTolerances)
   , Chains(chains)
 {
   for (Id slot = 0; slot < chains.NumberOfSlots(); ++slot)
@@ -99,8 +99,8 @@ bool CornerGuard::IsSharpened(Id near, Id slot, Id far, Id other) const
   const Id chain = this->Chains.Chains[slot];
   const bool isSmallLoop =
     this->Chains.IsClosed[chain] && this->Chains.Left[chain] <= MostOfSmallLoop;
-  const double most = PointInTolerances * this->Tolerances[this->Chains.Vertices[slot]];
-  return (isSmallLoop || Length(before) > most) &&
+  const double point = this->PointInTolerances * this->Tolerances[this->Chains.Vertices[slot]];
+  return (isSmallLoop || Length(before) > point) &&
     this->IsInside(near, slot, Cross(after, side) > 0.0);
 }
 

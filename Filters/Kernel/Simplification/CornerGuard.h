@@ -18,15 +18,15 @@ namespace biting
 /// domain is as sharp, whatever the spacing.
 ///
 /// A vertex stays while its going would make an angle at a neighbour smaller, seen through the domain,
-/// that is then below 36 degrees. But an end narrower than a quarter of the tolerance counts as a
-/// point, as it would ask for edges as short all around; not that of a loop of at most six vertices,
-/// which is as small itself.
+/// that is then below 36 degrees. But an end so narrow that f does not follow it counts as a point;
+/// not that of a loop of at most six vertices, which is as small itself.
 class CornerGuard
 {
 public:
-  /// Refers to its arguments. Tolerances: of each vertex of the domain.
-  CornerGuard(
-    const Domain& domain, const std::vector<double>& tolerances, const DomainChains& chains);
+  /// Refers to its arguments. Tolerances: of each vertex of the domain. An end that is no wider than
+  /// that many tolerances counts as a point.
+  CornerGuard(const Domain& domain, const std::vector<double>& tolerances, double pointInTolerances,
+    const DomainChains& chains);
 
   /// The vertices on the other sides of the angles that would be too small. The slot may go where
   /// there is none; where there are some it is to be asked again when one of them has gone.
@@ -40,6 +40,7 @@ private:
 
   const Domain& Drawing;
   const std::vector<double>& Tolerances;
+  const double PointInTolerances;
   const DomainChains& Chains;
   std::vector<std::pair<Id, Id>> Ends; ///< vertex and slot of each open end, sorted
 };

@@ -97,9 +97,14 @@ TEST(CornerGuard, ABluntEndStaysBlunt)
   EXPECT_EQ(VerticesAtItsEnd(2.0), 2);
 }
 
-TEST(CornerGuard, AnEndNarrowerThanAQuarterOfTheToleranceMayBeAPoint)
+TEST(CornerGuard, AnEndFarNarrowerThanTheToleranceStaysBlunt)
 {
-  EXPECT_EQ(VerticesAtItsEnd(1.4), 1);
+  EXPECT_EQ(VerticesAtItsEnd(0.061), 2);
+}
+
+TEST(CornerGuard, AnEndThatTheSpacingDoesNotFollowMayBeAPoint)
+{
+  EXPECT_EQ(VerticesAtItsEnd(0.059), 1); // the spacing is 30
 }
 
 TEST(CornerGuard, AnEndMayBeAPointWhereTheInsideIsAroundIt)
@@ -107,7 +112,7 @@ TEST(CornerGuard, AnEndMayBeAPointWhereTheInsideIsAroundIt)
   EXPECT_EQ(VerticesAtItsEnd(2.0, true), 1);
 }
 
-TEST(CornerGuard, SegmentsLongerThanAQuarterOfTheToleranceGetNoSharpCorners)
+TEST(CornerGuard, EllipsesGetNoSharpCorners)
 {
   for (const double tolerance : { 0.5, 1.0, 2.0 })
   {
