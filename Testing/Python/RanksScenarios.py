@@ -210,10 +210,9 @@ def drawings(answer):
 
 def redistributed(answer):
     """Cells that other filters have dealt out."""
-    for form, name, dealer in (('Segments', 'Redistributed', simple.RedistributeDataSet),
-                               ('Polygons', 'Redistributed', simple.RedistributeDataSet),
-                               ('Segments', 'D3', simple.D3)):
-        answer['%s.%s' % (form, name)] = mesh(dealer(Input=drawing('First', form)))
+    for form in ('Polylines', 'Segments', 'Polygons'):
+        for name, dealer in (('Redistributed', simple.RedistributeDataSet), ('D3', simple.D3)):
+            answer['%s.%s' % (form, name)] = mesh(dealer(Input=drawing('First', form)))
 
 
 def contours(answer):
@@ -303,6 +302,15 @@ def errors(answer):
         MeshConformity(Input=drawing('Divided', 'Polygons'), SpacingArray=['POINTS', 'Spacing']))
     answer['Error.Hessian'] = run(
         HessianSpacing(Input=drawing('Divided', 'Segments'), ScalarArray=['POINTS', 'Spacing']))
+
+
+def upstream(answer):
+    """A script before ours stops with an error on one of two ranks; the other one has the drawing."""
+    for name, bad in (('First', 0), ('Last', 1)):
+        script = "if ranks > 1 and rank == %d:\n    raise ValueError('upstream')\n" % bad
+        script += "self.GetOutput().ShallowCopy(Drawing(Spread('Everywhere')))\n"
+        result = mesh(producer(script))
+        answer['Polylines.Upstream' + name] = dict(result, messages=0)  # those are not ours
 
 
 def aborts(answer):

@@ -23,8 +23,8 @@ namespace biting
 class CornerGuard
 {
 public:
-  /// Refers to its arguments. Tolerances: of each vertex of the domain. An end that is no wider than
-  /// that many tolerances counts as a point.
+  /// Refers to its arguments. Tolerances: of each vertex of the domain. An end that is no wider
+  /// than that many tolerances counts as a point.
   CornerGuard(const Domain& domain, const std::vector<double>& tolerances, double pointInTolerances,
     const DomainChains& chains);
 

@@ -36,7 +36,7 @@ constexpr double ShareBeforeCorners = 0.125;
 // Errors equal to the tolerance but for rounding are above it, in whatever direction they lie.
 constexpr double BelowTies = 1.0 - 1.0 / (1 << 26);
 
-// Of f: a shorter segment does not lower f, so that a mesh has poor triangles there (see FeatureSource:
+// Of f: a shorter segment does not lower f, so that a mesh has poor triangles there (FeatureSource:
 // 0.003 of what is given, over 1.4).
 constexpr double LeastFollowed = 0.002;
 
