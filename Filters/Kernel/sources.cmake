@@ -11,6 +11,7 @@ set(biting_kernel_sources
   Spacing/BoxTree.cxx
   Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
+  Spacing/EdgeCones.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
@@ -23,6 +24,7 @@ set(biting_kernel_sources
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
+  Spacing/SteepTriangles.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
   Spacing/TriangleLimit.cxx

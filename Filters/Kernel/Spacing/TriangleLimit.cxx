@@ -3,7 +3,7 @@
 
 #include "TriangleLimit.h"
 
-#include "SourceSlopes.h"
+#include "SteepTriangles.h"
 
 #include <algorithm> // for min, max, find_if
 #include <cmath>     // for abs
@@ -14,15 +14,15 @@ namespace biting
 namespace
 {
 
-/// A triangle is steep where the slope along one of its edges or the mean gradient around one of
-/// its corners is above the gradation by more than this share of it, or its own gradient adds more
-/// than this share of f. The gradient of one triangle exceeds that of a function with slope g even
-/// where its edges do not.
-constexpr double SteepnessMargin = 0.005;
+/// Values between bounded corners may be too high by this share of f.
+constexpr double LargestError = 0.006;
 
 /// See GridLimit.cxx.
-constexpr double WidestGrowth = 0.09;
 constexpr double SlightShare = 0.003;
+
+/// Along a line of length h, at least h away from its apex, a cone is below linear values by at most
+/// this share of what it grows along h, and the less the farther it is away.
+constexpr double BendOfCone = 0.15;
 
 } // namespace
 
@@ -34,82 +34,17 @@ TriangleLimit::TriangleLimit(std::shared_ptr<const TriangulatedSource> source, d
   , Bound(range, gradation)
 {
   Pulse pulse(monitor);
-  if (this->FindSteep(pulse))
+  const std::vector<bool> isSteep = FindSteepTriangles(*this->Source, gradation, range, pulse);
+  if (!isSteep.empty())
   {
+    this->Kinds.assign(isSteep.size(), Kind::AsGiven);
+    std::transform(isSteep.begin(), isSteep.end(), this->Kinds.begin(),
+      [](bool steep) { return steep ? Kind::Steep : Kind::AsGiven; });
     this->FileEdges(pulse);
     this->SetGiven(pulse);
     this->HandOnAll(pulse);
     this->Classify(pulse);
   }
-}
-
-/// Whether there are any: Kinds says which.
-bool TriangleLimit::FindSteep(Pulse& pulse)
-{
-  std::vector<Point2> gradients;
-  this->AverageGradients(gradients, pulse);
-  const std::size_t count = this->Source->Triangles.size() / 3;
-  this->Kinds.assign(count, Triangle::AsGiven);
-  bool isFound = false;
-  pulse.ForEach(count,
-    [this, &gradients, &isFound](std::size_t triangle)
-    {
-      if (this->IsSteep(static_cast<Id>(triangle), gradients))
-      {
-        this->Kinds[triangle] = Triangle::Steep;
-        isFound = true;
-      }
-    });
-  return isFound && !pulse.HasStopped();
-}
-
-/// Of the triangles around each point, weighted by area.
-void TriangleLimit::AverageGradients(std::vector<Point2>& gradients, Pulse& pulse) const
-{
-  gradients.resize(this->Source->Points.size());
-  std::vector<double> areas(gradients.size(), 0.0);
-  pulse.ForEach(this->Source->Triangles.size() / 3,
-    [this, &gradients, &areas](std::size_t triangle)
-    {
-      const std::size_t first = 3 * triangle;
-      const Point2 gradient = GradientOfTriangle(*this->Source, first);
-      const double area = AreaOfTriangle(*this->Source, first);
-      for (std::size_t corner = first; corner < first + 3 && area > 0.0; ++corner)
-      {
-        const auto point = static_cast<std::size_t>(this->Source->Triangles[corner]);
-        areas[point] += area;
-        gradients[point] = gradients[point] + (area / areas[point]) * (gradient - gradients[point]);
-      }
-    });
-}
-
-bool TriangleLimit::IsSteep(Id triangle, const std::vector<Point2>& gradients) const
-{
-  const double most = (1.0 + SteepnessMargin) * this->Gradation;
-  const Point2 gradient = GradientOfTriangle(*this->Source, 3 * static_cast<std::size_t>(triangle));
-  const double slope = this->Range.Scale * Length(gradient);
-  const Id* corners = this->CornersOf(triangle);
-  const double values[3] = { this->Range(this->Raw(corners[0])), this->Range(this->Raw(corners[1])),
-    this->Range(this->Raw(corners[2])) };
-  const double least = std::min({ values[0], values[1], values[2] });
-  if (!(slope > most) || !(std::max({ values[0], values[1], values[2] }) > least))
-  {
-    return false;
-  }
-  double longest = 0.0;
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    const Id a = corners[corner];
-    const Id b = corners[(corner + 1) % 3];
-    const double length = Distance(this->PlaceOf(a), this->PlaceOf(b));
-    if (this->Range.Scale * std::abs(this->Raw(a) - this->Raw(b)) > most * length ||
-      this->Range.Scale * Length(gradients[static_cast<std::size_t>(a)]) > most)
-    {
-      return true;
-    }
-    longest = std::max(longest, length);
-  }
-  return (slope - this->Gradation) * 0.5 * longest > SteepnessMargin * least;
 }
 
 void TriangleLimit::FileEdges(Pulse& pulse)
@@ -145,7 +80,7 @@ void TriangleLimit::FileEdges(Pulse& pulse)
 /// Those of a triangle that begin at the point.
 void TriangleLimit::AddEdges(Id point, Id triangle)
 {
-  const bool isSteep = this->Kinds[static_cast<std::size_t>(triangle)] == Triangle::Steep;
+  const bool isSteep = this->Kinds[static_cast<std::size_t>(triangle)] == Kind::Steep;
   const Id* corners = this->CornersOf(triangle);
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
@@ -269,14 +204,22 @@ void TriangleLimit::Classify(Pulse& pulse)
   pulse.ForEach(this->Source->Triangles.size(),
     [this, &isOfSteep](std::size_t corner)
     {
-      if (this->Kinds[corner / 3] == Triangle::Steep)
+      if (this->Kinds[corner / 3] == Kind::Steep)
       {
         isOfSteep[static_cast<std::size_t>(this->Source->Triangles[corner])] = true;
       }
     });
+  this->ConesOfPoints.assign(this->Points.size(), {});
   pulse.ForEach(this->Kinds.size(),
     [this, &isOfSteep](std::size_t triangle)
-    { this->Kinds[triangle] = this->KindOf(static_cast<Id>(triangle), isOfSteep); });
+    {
+      const auto id = static_cast<Id>(triangle);
+      const Kind kind = this->KindOf(id, isOfSteep);
+      this->Kinds[triangle] = kind == Kind::Wide ? this->ListCones(id) : kind;
+    });
+  this->ConesOfPoints = {};
+  this->SourcesAround = {};
+  this->Candidates = {};
 }
 
 void TriangleLimit::ForgetSlight(std::size_t at)
@@ -290,10 +233,9 @@ void TriangleLimit::ForgetSlight(std::size_t at)
 }
 
 /// What grows from within a steep triangle reaches those beside it.
-TriangleLimit::Triangle TriangleLimit::KindOf(Id triangle, const std::vector<bool>& isOfSteep) const
+TriangleLimit::Kind TriangleLimit::KindOf(Id triangle, const std::vector<bool>& isOfSteep) const
 {
   const Id* corners = this->CornersOf(triangle);
-  double longest = 0.0;
   float least = std::numeric_limits<float>::infinity();
   bool isBounded = false;
   bool isNearSteep = false;
@@ -303,13 +245,110 @@ TriangleLimit::Triangle TriangleLimit::KindOf(Id triangle, const std::vector<boo
     least = std::min(least, this->At(point).Value);
     isBounded = isBounded || this->At(point).Source != point;
     isNearSteep = isNearSteep || isOfSteep[static_cast<std::size_t>(point)];
-    longest =
-      std::max(longest, Distance(this->PlaceOf(point), this->PlaceOf(corners[(corner + 1) % 3])));
   }
-  const bool isWide = this->Gradation * longest > WidestGrowth * least;
-  return isWide && (isBounded || isNearSteep) ? Triangle::Wide
-    : isBounded                               ? Triangle::Small
-                                              : Triangle::AsGiven;
+  const bool isWide =
+    (isBounded || isNearSteep) && this->ErrorBetween(corners) > LargestError * least;
+  return isWide ? Kind::Wide : isBounded ? Kind::Small : Kind::AsGiven;
+}
+
+/// How much too high linear values between bounded corners may be: as far as the cones from sources
+/// that bound them are bent between.
+double TriangleLimit::ErrorBetween(const Id* corners) const
+{
+  double longest = 0.0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    const Point2& place = this->PlaceOf(corners[corner]);
+    longest = std::max(longest, Distance(place, this->PlaceOf(corners[(corner + 1) % 3])));
+    nearest = std::min(nearest, Distance(place, this->PlaceOf(this->At(corners[corner]).Source)));
+  }
+  const double away = std::max(nearest - longest, longest);
+  return BendOfCone * this->Gradation * longest * (longest / away);
+}
+
+/// Of what bounds the corners of a triangle and the points around them, as that may pass between the
+/// corners, the cones that may be lowest in it. All grow with the gradation at most.
+Id TriangleLimit::ListCones(Id triangle)
+{
+  const Id* corners = this->CornersOf(triangle);
+  const Point2 center = (1.0 / 3.0) *
+    (this->PlaceOf(corners[0]) + this->PlaceOf(corners[1]) + this->PlaceOf(corners[2]));
+  double radius = 0.0;
+  double most = 0.0;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    radius = std::max(radius, Distance(center, this->PlaceOf(corners[corner])));
+    most = std::max(most, this->Range(this->Raw(corners[corner])));
+  }
+  const double rise = this->Gradation * radius;
+  this->FindSources(corners);
+  this->Candidates.clear();
+  for (const Id source : this->SourcesAround)
+  {
+    const ConeRange own = this->ConesOf(source);
+    for (Id cone = own.First; cone < own.Last; ++cone)
+    {
+      this->Candidates.emplace_back(this->ConeAt(cone, center), cone);
+      most = std::min(most, this->Candidates.back().first + rise);
+    }
+  }
+  const std::size_t list = this->Lists.size();
+  this->Lists.push_back(0);
+  for (const auto& [value, cone] : this->Candidates)
+  {
+    if (value - rise < most)
+    {
+      this->Lists.push_back(cone);
+      ++this->Lists[list];
+    }
+  }
+  return static_cast<Id>(list);
+}
+
+void TriangleLimit::FindSources(const Id* corners)
+{
+  this->SourcesAround.clear();
+  const auto add = [this](Id point)
+  {
+    const Id source = this->At(point).Source;
+    const auto end = this->SourcesAround.end();
+    if (std::find(this->SourcesAround.begin(), end, source) == end)
+    {
+      this->SourcesAround.push_back(source);
+    }
+  };
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    add(corners[corner]);
+    for (const Edge& edge : this->EdgesOf(corners[corner]))
+    {
+      add(edge.To);
+    }
+  }
+}
+
+/// Those of the edges around it, or its own where these are steep.
+TriangleLimit::ConeRange TriangleLimit::ConesOf(Id source)
+{
+  ConeRange& range = this->ConesOfPoints[static_cast<std::size_t>(source)];
+  if (range.Last == 0)
+  {
+    const EdgeEnd own{ this->PlaceOf(source), this->Raw(source) };
+    range.First = static_cast<Id>(this->Cones.size());
+    for (const Edge& edge : this->EdgesOf(source))
+    {
+      AddEdgeCones(
+        own, { this->PlaceOf(edge.To), edge.End }, this->Range, this->Gradation, this->Cones);
+    }
+    if (this->Cones.size() == static_cast<std::size_t>(range.First))
+    {
+      const double value = this->Range(own.Value);
+      this->Cones.emplace_back(own.Place, own.Place, value, value, this->Gradation);
+    }
+    range.Last = static_cast<Id>(this->Cones.size());
+  }
+  return range;
 }
 
 double TriangleLimit::operator()(const Point2& x, const TriangleInterpolator& triangles) const
@@ -321,11 +360,12 @@ double TriangleLimit::operator()(const Point2& x, const TriangleInterpolator& tr
     return std::min({ given, this->BoundFrom(this->At(place.Ends[0]).Source, x),
       this->BoundFrom(this->At(place.Ends[1]).Source, x) });
   }
-  switch (this->Kinds[static_cast<std::size_t>(place.Triangle)])
+  const Id kind = this->Kinds[static_cast<std::size_t>(place.Triangle)];
+  switch (kind)
   {
-    case Triangle::AsGiven:
+    case Kind::AsGiven:
       return given;
-    case Triangle::Small:
+    case Kind::Small:
     {
       const Id* corners = this->CornersOf(place.Triangle);
       return std::min(given,
@@ -334,39 +374,16 @@ double TriangleLimit::operator()(const Point2& x, const TriangleInterpolator& tr
           place.Weights[2] * this->At(corners[2]).Value);
     }
     default:
-      return this->ValueInWide(x, place.Triangle, given);
-  }
-}
-
-/// By what bounds the corners, and the points around them, as that may pass between the corners.
-double TriangleLimit::ValueInWide(const Point2& x, Id triangle, double given) const
-{
-  LookedAt<Id> looked;
-  double least = given;
-  const Id* corners = this->CornersOf(triangle);
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    least = this->LowerFrom(corners[corner], x, looked, least);
-  }
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    for (const Edge& edge : this->EdgesOf(corners[corner]))
     {
-      least = this->LowerFrom(edge.To, x, looked, least);
+      const Id* list = &this->Lists[static_cast<std::size_t>(kind)];
+      double least = given;
+      for (const Id* cone = list + 1; cone <= list + *list; ++cone)
+      {
+        least = std::min(least, this->ConeAt(*cone, x));
+      }
+      return least;
     }
   }
-  return least;
-}
-
-/// By what bounds a point, unless the way from there cannot make up for what it is higher.
-double TriangleLimit::LowerFrom(Id point, const Point2& x, LookedAt<Id>& looked, double least) const
-{
-  const Point& own = this->At(point);
-  const Point2 offset = x - this->PlaceOf(point);
-  const double room = std::max(own.Value - least, 0.0);
-  const bool mayBound = room * room <= this->Gradation * this->Gradation * Dot(offset, offset);
-  return mayBound && looked.Add(own.Source) ? std::min(least, this->BoundFrom(own.Source, x))
-                                            : least;
 }
 
 } // namespace biting

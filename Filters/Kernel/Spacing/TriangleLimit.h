@@ -6,10 +6,9 @@
 
 #include "../Base/Pulse.h"
 #include "EdgeBound.h"
-#include "LookedAt.h"
+#include "EdgeCones.h"
 #include "TriangleInterpolator.h"
 
-#include <cstdint>    // for marks
 #include <functional> // for greater
 #include <queue>      // for the order of values
 #include <utility>    // for pair
@@ -63,12 +62,20 @@ private:
     const Edge* end() const { return this->Last; }
   };
 
-  enum class Triangle : std::uint8_t
+  /// Of Cones.
+  struct ConeRange
   {
-    AsGiven,
-    Small, ///< corners are bounded
-    Wide,  ///< the same, or it is steep, and f may grow by more than a share of itself
-    Steep  ///< while it is not known whether it is wide
+    Id First;
+    Id Last; ///< 0: they are not made yet
+  };
+
+  /// What f is on a triangle; or where a wide one has its list in Lists.
+  enum Kind : Id
+  {
+    AsGiven = -1,
+    Small = -2, ///< linear between bounded corners
+    Wide = -3,  ///< while it has no list: the lowest bound of points around
+    Steep = -4  ///< while it is not known what it will be
   };
 
   /// A value of a point, which may have become lower.
@@ -86,15 +93,17 @@ private:
     return &this->Source->Triangles[3 * static_cast<std::size_t>(triangle)];
   }
 
+  double ConeAt(Id cone, const Point2& x) const
+  {
+    return this->Cones[static_cast<std::size_t>(cone)](x, this->Gradation);
+  }
+
   EdgeRange EdgesOf(Id point) const
   {
     const Id* first = &this->FirstEdges[static_cast<std::size_t>(point)];
     return { this->Edges.data() + first[0], this->Edges.data() + first[1] };
   }
 
-  bool FindSteep(Pulse& pulse);
-  void AverageGradients(std::vector<Point2>& gradients, Pulse& pulse) const;
-  bool IsSteep(Id triangle, const std::vector<Point2>& gradients) const;
   void FileEdges(Pulse& pulse);
   void AddEdges(Id point, Id triangle);
   void SetGiven(Pulse& pulse);
@@ -103,20 +112,29 @@ private:
   void HandOn(Id from, Id to);
   void Classify(Pulse& pulse);
   void ForgetSlight(std::size_t at);
-  Triangle KindOf(Id triangle, const std::vector<bool>& isOfSteep) const;
+  Kind KindOf(Id triangle, const std::vector<bool>& isOfSteep) const;
+  double ErrorBetween(const Id* corners) const;
+  Id ListCones(Id triangle);
+  void FindSources(const Id* corners);
+  ConeRange ConesOf(Id source);
   double BoundFrom(Id source, const Point2& x) const;
-  double ValueInWide(const Point2& x, Id triangle, double given) const;
-  double LowerFrom(Id point, const Point2& x, LookedAt<Id>& looked, double least) const;
 
   std::shared_ptr<const TriangulatedSource> Source;
   const double Gradation;
   const ValueRange Range;
   const EdgeBound Bound;
-  std::vector<Triangle> Kinds;
+  std::vector<Id> Kinds;      ///< of each triangle
   std::vector<Id> FirstEdges; ///< those of point p are FirstEdges[p] to FirstEdges[p + 1]
   std::vector<Edge> Edges;
   std::vector<Point> Points;
+  std::vector<Id> Lists; ///< of wide triangles: each is a count, and as many cones
+  std::vector<SegmentCone> Cones;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Waiting;
+
+  // While lists are made.
+  std::vector<ConeRange> ConesOfPoints;
+  std::vector<Id> SourcesAround;                 ///< of the points around a triangle
+  std::vector<std::pair<double, Id>> Candidates; ///< cones, and their values at its center
 };
 
 } // namespace biting
