@@ -67,11 +67,12 @@ def phases_between(mesher, first, last):
 def save(path, shown, columns):
     """All views in one picture, from the upper left, row by row."""
     layout, rows = CreateLayout(os.path.basename(path)), len(shown) // columns
-    cells = [0]
-    if rows > 1:
-        layout.SplitVertical(0, 0.5)
-        cells = [1, 2]
-    for row, cell in enumerate(cells):
+    rest = 0
+    for row in range(rows):
+        cell = rest
+        if row < rows - 1:
+            layout.SplitVertical(rest, 1 / (rows - row))
+            cell, rest = 2 * rest + 1, 2 * rest + 2
         layout.SplitHorizontal(cell, 0.5)
         for column in range(columns):
             AssignViewToLayout(shown[row * columns + column], layout, 2 * cell + 1 + column)

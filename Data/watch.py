@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Watches the front move inwards: pvpython watch.py BitingMesh.so OUTPUT_FOLDER [FRAMES]
 
-Without a display, as for all scripts that draw: pvpython --force-offscreen-rendering ...
+Where there is no display, as for all scripts that draw: xvfb-run -a pvpython watch.py ... (Debian's
+ParaView draws on an X server only: with --force-offscreen-rendering it ends at its first picture.)
 
 Animates MaximumNumberOfBites on the plate from the first bite to the last, writes the pictures of a
 film, and a state file that ParaView's window opens and plays.
