@@ -65,6 +65,18 @@ inline void ForgetAbort(vtkAlgorithm* algorithm)
   algorithm->SetAbortExecute(0);
 }
 
+/**
+ * Makes the pipeline see an execution that was stopped as one that has ended: it is not executed again
+ * before something changes.
+ */
+inline void EndAbort(vtkAlgorithm* algorithm)
+{
+  ForgetAbort(algorithm);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220801)
+  algorithm->SetAbortOutput(false);
+#endif
+}
+
 } // namespace vtkBitingCompat
 
 #endif

@@ -115,6 +115,7 @@ private:
   bool WasAborted() const { return this->Monitor.HasStopped(); }
   bool Accept(const std::string& refusal);
   void Refuse(const std::string& reason);
+  void EndWhereStopped();
   std::string ParameterRefusal() const;
   std::string AddBoundaryArray();
   std::string AddSourceArray();
@@ -160,6 +161,13 @@ void vtkBitingMesher::SetSpacingSourceData(vtkDataObject* source)
 void vtkBitingMesher::SetSpacingSourceConnection(vtkAlgorithmOutput* source)
 {
   this->SetInputConnection(1, source);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Stop()
+{
+  this->IsStopping = true;
+  this->SetAbortExecute(1);
 }
 
 //------------------------------------------------------------------------------
@@ -210,6 +218,8 @@ int vtkBitingMesher::RequestData(
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
+  this->Summary.clear();
+  this->IsStopping = false;
   const biting::Stopwatch watch;
   // Ranks may have different numbers of blocks: each meshes its own.
   const biting::Ranks ranks =
@@ -222,7 +232,7 @@ int vtkBitingMesher::RequestData(
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
-  this->Summary = biting::SummaryOf(mesh, watch.Seconds()) +
+  this->Summary += biting::SummaryOf(mesh, watch.Seconds()) +
     biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
@@ -242,12 +252,23 @@ void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
     if (this->WasAborted())
     {
       EmptyOutputs(outputs);
+      this->EndWhereStopped();
     }
   }
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputs);
     this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::EndWhereStopped()
+{
+  if (this->Filter->IsStopping)
+  {
+    vtkBitingCompat::EndAbort(this->Filter);
+    this->Refuse("Stopped, as was asked for. Change a parameter to mesh again.");
   }
 }
 
@@ -317,6 +338,7 @@ void vtkBitingMesher::Execution::Refuse(const std::string& reason)
 {
   this->IsRefused = true;
   this->Filter->ErrorCode = vtkErrorCode::UserError;
+  this->Filter->Summary += biting::RefusalLines(reason);
   vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 

@@ -562,9 +562,16 @@ public:
 
   /**
    * The mesh in a few lines: size, time, angles, conformity, and what keeps it from being better.
-   * Empty where there is no mesh.
+   * Where there is no mesh, why; empty where there is no input.
    */
   const char* GetSummary() const { return this->Summary.c_str(); }
+
+  /**
+   * Ends a running execution, for observers of its progress. Unlike SetAbortExecute, after which newer
+   * pipelines execute again when they are asked, this is an error: outputs are empty, and stay so until
+   * something changes.
+   */
+  void Stop();
 
 protected:
   vtkBitingMesher();
@@ -609,6 +616,7 @@ private:
   int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;
+  bool IsStopping = false; // Stop was called in this execution
 };
 VTK_ABI_NAMESPACE_END
 

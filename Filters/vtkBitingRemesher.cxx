@@ -199,6 +199,7 @@ int vtkBitingRemesher::RequestData(
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
+  this->Summary.clear();
   const biting::Stopwatch watch;
   const biting::Ranks ranks(request, outputVector);
   const biting::WholeInput mesh(ranks, inputVector[0]);
@@ -212,7 +213,7 @@ int vtkBitingRemesher::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
-  this->Summary = counts +
+  this->Summary += counts +
     (!counts.empty() && isNew ? biting::SummaryOf(output, watch.Seconds()) : std::string());
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
@@ -323,6 +324,7 @@ void vtkBitingRemesher::Execution::Refuse(const std::string& reason)
 {
   this->IsRefused = true;
   this->Filter->ErrorCode = vtkErrorCode::UserError;
+  this->Filter->Summary += biting::RefusalLines(reason);
   vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 

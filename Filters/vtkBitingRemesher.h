@@ -272,8 +272,8 @@ public:
   ///@}
 
   /**
-   * The mesh in a few lines: what was kept, went and came, and what the mesh is like. Empty where there
-   * is none.
+   * The mesh in a few lines: what was kept, went and came, and what the mesh is like. Where there
+   * is none, why; empty where there is no input.
    */
   const char* GetSummary() const { return this->Summary.c_str(); }
 

@@ -231,6 +231,7 @@ int vtkMeshConformity::RequestData(
 {
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
+  this->Summary.clear();
   const biting::Stopwatch watch;
   const biting::Ranks ranks(request, outputVector);
   const biting::WholeInput mesh(ranks, inputVector[0]);
@@ -240,7 +241,7 @@ int vtkMeshConformity::RequestData(
     Execution(this).Run(mesh, source, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
-  this->Summary = biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
+  this->Summary += biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
@@ -318,6 +319,7 @@ void vtkMeshConformity::Execution::Refuse(const std::string& reason)
 {
   this->IsRefused = true;
   this->Filter->ErrorCode = vtkErrorCode::UserError;
+  this->Filter->Summary += biting::RefusalLines(reason);
   vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 

@@ -103,7 +103,8 @@ public:
   ///@}
 
   /**
-   * The mesh in a few lines: size, time, angles, conformity. Empty where nothing was measured.
+   * The mesh in a few lines: size, time, angles, conformity. Where
+   * nothing could be measured, why.
    */
   const char* GetSummary() const { return this->Summary.c_str(); }
 

@@ -6,10 +6,13 @@
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
+#include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
+#include "pqProgressManager.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkBitingMesher.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -21,6 +24,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <QGuiApplication>
 #include <QTimer>
 #include <QVariant>
 
@@ -31,15 +35,18 @@
 namespace
 {
 
-// An output of the mesher that may be empty, and the array that colours it.
+constexpr int MeshPort = 0;
+constexpr int ProblemsPort = 3;
+
+// An output of mesher or remesher that may be empty, and the array that colours it.
 struct Output
 {
   int Port;
   const char* Array;
   int Association;
 };
-constexpr Output MayBeEmpty[] = { { 2, "Phase", vtkDataObject::CELL },
-  { 3, "ProblemKind", vtkDataObject::POINT } };
+constexpr Output MayBeEmpty[] = { { MeshPort, "MinimumAngle", vtkDataObject::CELL },
+  { 2, "Phase", vtkDataObject::CELL }, { ProblemsPort, "ProblemKind", vtkDataObject::POINT } };
 
 // What our filters add to points: nobody's solution.
 constexpr const char* OwnArrays[] = { "BiteOrder", "Conformity", "HessianNorm",
@@ -51,14 +58,27 @@ constexpr unsigned int NameElement = 4;
 // The property of a representation that tells that we, and no user, have hidden it.
 constexpr const char* IsHiddenByUs = "BitingIsHidden";
 
+// The property of a representation of a drawing that tells that we, and no user, have shown it.
+constexpr const char* IsShownByUs = "BitingIsShown";
+
 bool IsA(pqPipelineSource* source, const char* name)
 {
   return std::strcmp(source->getProxy()->GetXMLName(), name) == 0;
 }
 
+bool HasProblems(pqPipelineSource* source)
+{
+  return IsA(source, "BitingMesher") || IsA(source, "BitingRemesher");
+}
+
+bool IsEmpty(pqPipelineSource* source, int port)
+{
+  return source->getOutputPort(port)->getDataInformation()->GetNumberOfPoints() == 0;
+}
+
 const Output* OutputOf(pqOutputPort* port)
 {
-  if (!port || !IsA(port->getSource(), "BitingMesher"))
+  if (!port || !HasProblems(port->getSource()))
   {
     return nullptr;
   }
@@ -106,7 +126,7 @@ void Follow(pqDataRepresentation* representation)
   {
     return;
   }
-  const bool isEmpty = port->getDataInformation()->GetNumberOfPoints() == 0;
+  const bool isEmpty = IsEmpty(port->getSource(), output->Port);
   const bool isHiddenByUs = representation->property(IsHiddenByUs).toBool();
   SCOPED_UNDO_EXCLUDE();
   if (isEmpty && representation->isVisible())
@@ -121,11 +141,42 @@ void Follow(pqDataRepresentation* representation)
   }
 }
 
-void FollowAll(pqPipelineSource* source)
+// Shows the drawing again where there is no mesh in its place, under the spheres of its problems.
+void FollowDrawing(pqPipelineFilter* mesher, pqView* view)
 {
-  if (!IsA(source, "BitingMesher"))
+  pqOutputPort* drawing = mesher ? mesher->getAnyInput() : nullptr;
+  pqDataRepresentation* representation = drawing ? drawing->getRepresentation(view) : nullptr;
+  if (!representation || !mesher->getRepresentation(MeshPort, view))
   {
     return;
+  }
+  const bool isMissing = IsEmpty(mesher, MeshPort);
+  const bool isShownByUs = representation->property(IsShownByUs).toBool();
+  SCOPED_UNDO_EXCLUDE();
+  if (isMissing && !representation->isVisible())
+  {
+    representation->setProperty(IsShownByUs, true);
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    controller->Show(
+      drawing->getSource()->getSourceProxy(), drawing->getPortNumber(), view->getViewProxy());
+    representation->renderViewEventually();
+  }
+  else if (!isMissing && isShownByUs)
+  {
+    representation->setProperty(IsShownByUs, false);
+    Hide(representation);
+  }
+}
+
+void FollowAll(pqPipelineSource* source)
+{
+  if (!HasProblems(source))
+  {
+    return;
+  }
+  for (pqView* view : source->getViews())
+  {
+    FollowDrawing(qobject_cast<pqPipelineFilter*>(source), view);
   }
   for (const Output& output : MayBeEmpty)
   {
@@ -196,6 +247,32 @@ void ChooseArrays(pqPipelineSource* source)
   }
 }
 
+// ParaView handles no events while a filter of its own process runs, so that no button can stop it.
+// But the keys that are held down can be asked for.
+bool AreStopKeysHeld()
+{
+  const Qt::KeyboardModifiers all = Qt::ControlModifier | Qt::ShiftModifier | Qt::AltModifier;
+  return (QGuiApplication::queryKeyboardModifiers() & all) == all;
+}
+
+// A filter that does not run forgets this when it begins to.
+void StopWhereAsked()
+{
+  if (!AreStopKeysHeld())
+  {
+    return;
+  }
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    vtkObjectBase* filter = source->getProxy()->GetClientSideObject();
+    if (auto* mesher = vtkBitingMesher::SafeDownCast(vtkObject::SafeDownCast(filter)))
+    {
+      mesher->Stop();
+    }
+  }
+}
+
 } // namespace
 
 void BitingMeshBehavior::startup()
@@ -214,6 +291,8 @@ void BitingMeshBehavior::startup()
     [](pqPipelineSource* source)
     { QTimer::singleShot(0, source, [source] { FollowAll(source); }); });
   connect(model, &pqServerManagerModel::sourceAdded, this, &ChooseArrays);
+  connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::progress, this,
+    &StopWhereAsked);
 }
 
 void BitingMeshBehavior::shutdown()

@@ -199,4 +199,21 @@ std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing)
     : "";
 }
 
+std::string RefusalLines(const std::string& reason)
+{
+  constexpr std::size_t Width = 34; // of the panel, as ParaView opens it
+  std::istringstream words("Error: " + reason);
+  std::string text;
+  std::size_t column = 0;
+  for (std::string word; words >> word; column += word.size() + 1)
+  {
+    const bool isFirst = text.empty();
+    const bool fits = column + word.size() <= Width;
+    text += isFirst ? "" : fits ? " " : "\n  ";
+    column = fits ? column : 2;
+    text += word;
+  }
+  return text + "\n";
+}
+
 } // namespace biting

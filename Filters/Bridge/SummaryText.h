@@ -38,6 +38,9 @@ std::string SummaryOf(vtkDataSet* mesh, double seconds);
 /// effect; empty where it is not.
 std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing);
 
+/// Why there is no result, in lines as short as those of a summary.
+std::string RefusalLines(const std::string& reason);
+
 } // namespace biting
 
 #endif

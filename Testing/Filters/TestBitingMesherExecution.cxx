@@ -6,6 +6,8 @@
 #include "Kernel/MeshingStages.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 
 #include <gtest/gtest.h>
@@ -192,6 +194,30 @@ TEST(BitingMesherAbort, AtAnyReportLeavesEmptyOutputsAndAFilterThatGivesTheSameM
   }
   EXPECT_TRUE(messages.Errors.empty());
   EXPECT_TRUE(messages.Warnings.empty());
+}
+
+TEST(BitingMesherAbort, ByStopIsAnErrorThatStaysUntilSomethingChanges)
+{
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(UnitSquare());
+  mesher->SetUniformSpacing(0.02);
+  Messages messages(mesher);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(mesher);
+  stop->SetCallback([](vtkObject*, unsigned long, void* filter, void*)
+    { static_cast<vtkBitingMesher*>(filter)->Stop(); });
+  const unsigned long tag = mesher->AddObserver(vtkCommand::ProgressEvent, stop);
+  mesher->Update();
+  mesher->RemoveObserver(tag);
+  EXPECT_TRUE(AreAllBare(mesher));
+  mesher->Update();
+  EXPECT_TRUE(AreAllBare(mesher));
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors[0], "Stopped")) << messages.Errors[0];
+  EXPECT_EQ(mesher->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  mesher->SetUniformSpacing(0.03);
+  mesher->Update();
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
 }
 
 TEST(BitingMesherAbort, IsForgottenByTheNextExecution)

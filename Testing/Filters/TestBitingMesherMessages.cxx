@@ -8,10 +8,24 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream> // for words
+
 using namespace testing_filters;
 
 namespace
 {
+
+// What the panel of ParaView shows in short lines, as one.
+std::string JoinedSummary(vtkBitingMesher* mesher)
+{
+  std::istringstream words(mesher->GetSummary());
+  std::string text;
+  for (std::string word; words >> word;)
+  {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
 
 std::string RefusalOf(vtkPolyData* input, vtkBitingMesher* mesher)
 {
@@ -23,6 +37,9 @@ std::string RefusalOf(vtkPolyData* input, vtkBitingMesher* mesher)
   EXPECT_TRUE(messages.OfExecutive.empty());
   EXPECT_TRUE(AreAllEmpty(mesher));
   EXPECT_EQ(mesher->GetErrorCode(), vtkErrorCode::UserError);
+  const std::string summary = JoinedSummary(mesher);
+  EXPECT_EQ(summary.rfind("Error: ", 0), 0u) << summary;
+  EXPECT_TRUE(Has(messages.Errors.front(), summary.substr(7).c_str())) << summary;
   return messages.Errors.empty() ? "" : messages.Errors.front();
 }
 
