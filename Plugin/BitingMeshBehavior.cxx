@@ -91,8 +91,8 @@ void Color(vtkSMPVRepresentationProxy* proxy, const Output& output)
 {
   if (!proxy->GetUsingScalarColoring())
   {
+    // The colours of all three arrays belong to their values: nothing is to be rescaled.
     proxy->SetScalarColoring(output.Array, output.Association);
-    proxy->RescaleTransferFunctionToDataRange();
   }
 }
 

@@ -144,7 +144,7 @@ class TestBitingMesherProxy(unittest.TestCase):
         for part in ('vertices', 'triangles', 'Smallest angle', 'conformity', 'band', 'input vertices'):
             self.assertIn(part, mesher.Summary)
 
-    def test_without_a_mesh_the_summary_is_empty(self):
+    def test_without_a_mesh_the_summary_says_why(self):
         mesher = BitingMesher(Input=self.read('open.vtk', OPEN_CHAIN))
         window = vtkOutputWindow.GetInstance()
         mode = window.GetDisplayMode()
@@ -152,7 +152,7 @@ class TestBitingMesherProxy(unittest.TestCase):
         mesher.UpdatePipeline()
         window.SetDisplayMode(mode)
         mesher.UpdatePipelineInformation()
-        self.assertFalse(mesher.Summary)
+        self.assertTrue(mesher.Summary.startswith('Error: There is no closed loop'), mesher.Summary)
 
     def test_the_mesh_is_shown_by_its_angles_with_edges_and_bad_ones_are_red(self):
         mesher = BitingMesher(Input=self.square())
@@ -265,6 +265,17 @@ class TestBitingMesherProxy(unittest.TestCase):
         messages = problems.GetPointData().GetAbstractArray('Message')
         self.assertIn('open end at point 3', messages.GetValue(1))
         self.assertGreater(glyphs.GetDataInformation().GetNumberOfCells(), 20)
+
+    def test_the_legend_of_problems_names_every_kind(self):
+        mesher = BitingMesher(Input=self.read('outside.vtk', SQUARE_WITH_STRAY_POINT))
+        output = vtkOutputWindow.GetInstance()
+        output.SetDisplayModeToNever()
+        problems = servermanager.Fetch(mesher, idx=3)
+        output.SetDisplayModeToDefault()
+        kinds = problems.GetFieldData().GetAbstractArray('ProblemKindNames').GetNumberOfValues()
+        colors = simple.GetColorTransferFunction('ProblemKind')
+        self.assertEqual(list(colors.Annotations)[::2], [str(kind) for kind in range(kinds)])
+        self.assertEqual(len(colors.IndexedColors), 3 * kinds)
 
     def test_problems_of_a_repaired_input_have_places_and_kinds(self):
         mesher = BitingMesher(Input=self.read('outside.vtk', SQUARE_WITH_STRAY_POINT))

@@ -130,7 +130,7 @@ Id ChainFiller::Fill(std::vector<Id>& stack)
 void ChainFiller::FillByScan()
 {
   this->Used = 0;
-  this->Scan = { { this->Chain.Vertices[0], NoId } };
+  this->Scan.assign(1, { this->Chain.Vertices[0], NoId });
   for (std::size_t place = 0; place < this->Chain.Edges.size(); ++place)
   {
     Entry next{ this->Chain.Vertices[place + 1], ~static_cast<Id>(place) };
