@@ -16,7 +16,8 @@ SECONDS = 120  # each takes a few
 
 # The time goes into starting ranks, and into what they wait for each other: fewer for many ranks.
 PIECES = ['drawings', 'redistributed', 'sources']
-ALL = PIECES + ['contours', 'other_filters', 'separate_blocks', 'errors', 'aborts', 'upstream']
+ALL = PIECES + ['redistributed_otherwise', 'contours', 'other_filters', 'separate_blocks', 'errors',
+                'aborts', 'upstream']
 SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters'], 4: PIECES}
 
 # Scenarios of one form are the same drawing, whatever ranks have of it.
