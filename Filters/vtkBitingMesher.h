@@ -110,7 +110,7 @@
  * @par Output 3, the problems:
  * What was repaired or refused, to look at: one vertex cell a place, in space, also where there is
  * no mesh. The first 10 000 places of each kind are kept. Point data: `ProblemKind` (unsigned char, a
- * ProblemKindType), `IsError` (unsigned char: 0 repaired or noted, 1 why there is no mesh), `FirstId`
+ * ProblemKindType), `IsError` (unsigned char: 0 repaired or noted, 1 prevents a mesh), `FirstId`
  * and `SecondId` (vtkIdType, -1 where there is none; ProblemKindType says what they number),
  * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames` (string)
  * and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A problem at a
@@ -521,8 +521,8 @@ public:
    * On (default): the mesh of the bites is relaxed. Edges far too short or too long, and those that
    * vertices have too many or too few of, are collapsed and split; vertices are moved for the mean
    * ratio of their triangles; the worst triangles are improved one by one. New vertices on segments of
-   * the input slide along these, come and go there, except with PreserveBoundary; vertices and embedded
-   * points of the input stay, bit for bit. f is the target of the lengths, and the number of vertices
+   * the input slide along these, and are inserted and removed there, except with PreserveBoundary;
+   * vertices and embedded points of the input stay, bit for bit. f is the target of the lengths, and the number of vertices
    * changes by a few percent.
    * Off: vertices are the centres of bites, as in the paper, which is what its theorems are about. So
    * it is also where MaximumNumberOfBites is set.

@@ -11,7 +11,7 @@ arguments.
 import os
 import sys
 
-import window
+import paraview_window as window
 
 HEADER = '# vtk DataFile Version 3.0\ndrawing\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n'
 SQUARE = '0 0 0  1 0 0  1 1 0  0 1 0\n'

@@ -7,7 +7,7 @@ the real ParaView window, which looks the same.
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments.
 
-The pictures of `Baseline` are compared in 30 by 20 parts (see window.py). Measured: meshes of other spacings,
+The pictures of `Baseline` are compared in 30 by 20 parts (see paraview_window.py). Measured: meshes of other spacings,
 so with other triangles everywhere, differ by 0.07 to 0.10 from the first picture; the mesh without its edges by
 0.30, in one colour by 0.20, with colours scaled to its own angles by 0.19, without the drawing by 0.20, and a
 hidden mesh by 0.47. BASELINE is between these.
@@ -16,7 +16,7 @@ hidden mesh by 0.47. BASELINE is between these.
 import os
 import sys
 
-import window
+import paraview_window as window
 
 BASELINE, SAME = 0.15, 0.02
 PICTURES = ('first.png', 'bites.png')

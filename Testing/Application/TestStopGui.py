@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-import window
+import paraview_window as window
 
 KEYS = ('ctrl', 'shift', 'alt')
 STOPPED = 'Stopped, as was asked for'

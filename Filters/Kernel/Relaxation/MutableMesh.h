@@ -23,7 +23,7 @@ enum class Freedom : std::uint8_t
   Free
 };
 
-/// A triangulation whose vertices move, come and go.
+/// A triangulation whose vertices are moved, inserted and removed.
 ///
 /// Half-edge e = 4t + k (k = 0..2; 4t + 3 is unused) belongs to triangle t and lies opposite its
 /// corner k, Corners[e]. It runs from Corners[Next(e)] to Corners[Previous(e)], its triangle on

@@ -47,7 +47,7 @@ struct RelaxationResult
   bool WasAborted = false; ///< the mesh is as it was before
 };
 
-/// Makes the triangles of `mesh` better: vertices move, come and go, and edges flip.
+/// Makes the triangles of `mesh` better: vertices are moved, inserted and removed, and edges flip.
 ///
 /// - Collapses and splits of edges bring the number of triangles at each vertex towards six and the
 ///   lengths of edges towards the spacing.
@@ -56,8 +56,8 @@ struct RelaxationResult
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and
-/// may slide, come and go there, unless other segments are so near that rounding could make them
-/// meet. Edges on segments are listed segment by segment, from start to end, each the whole of one
+/// may slide, or be inserted and removed there, unless other segments are so near that rounding could
+/// make them meet. Edges on segments are listed segment by segment, from start to end, each the whole of one
 /// mesh edge.
 ///
 /// Laws: all triangles are counterclockwise, exactly; the union of triangles, and that of the

@@ -58,9 +58,9 @@ class Window:
         """Calls a function of the module within ParaView, after a pause for what comes later."""
         self.event(MAIN, 'pause', '500')
         self.checks.append(function.__name__)
-        call = f'window.within({self.module!r}, {function.__name__!r}, {self.output!r}, {arguments!r})'
+        call = f'paraview_window.within({self.module!r}, {function.__name__!r}, {self.output!r}, {arguments!r})'
         self.event(SHELL, 'executeCommand',
-                   f'import sys; sys.path[:0] = [{HERE!r}]; import window; {call}')
+                   f'import sys; sys.path[:0] = {[HERE, DATA]!r}; import paraview_window; {call}')
 
     def run(self, expected=(), meanwhile=None):
         """Plays all; what ParaView complains of must be `expected`, each a part of a complaint."""
