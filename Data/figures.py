@@ -4,9 +4,9 @@
 
 Where there is no display: xvfb-run -a pvpython figures.py ...
 
-Writes figures.png, and figures.pvsm, a state that needs no other file: load the plugin in ParaView, then
-File > Load State. Each view has a mesher of its own, which stops after the bites of its figure; change
-Maximum Number Of Bites to see those between. The sixth is the mesh that they become.
+Writes figures.png, and figures.pvsm, a state that needs no other file: load the plugin in ParaView,
+then File > Load State. Each view has a mesher of its own, which stops after the bites of its figure;
+change Maximum Number Of Bites to see those between. The sixth is the mesh that they become.
 """
 
 import os
@@ -21,7 +21,8 @@ import views
 OUTER = [0, 0, 0, 7, 0, 0, 9, 2.4, 0, 8, 5.6, 0, 4.6, 5, 0, 1.4, 6, 0, 0.4, 3, 0]
 HOLE = [3, 2, 0, 5.6, 1.8, 0, 6, 3.2, 0, 4.2, 3.8, 0]
 CENTER, HEIGHT, SIZE, CAPTION = [4.5, 2.7], 8.2, [620, 460], [0, -1.1, 0]
-SETTINGS = {'UniformSpacing': 0.6, 'Gradation': 0, 'Placement': 'Corners', 'Relaxation': 0, 'GenerateBites': 1}
+SETTINGS = {'UniformSpacing': 0.6, 'Gradation': 0, 'Placement': 'Corners', 'Relaxation': 0,
+    'GenerateBites': 1}
 
 
 def main(plugin, folder):

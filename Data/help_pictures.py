@@ -4,8 +4,8 @@
 
 xvfb-run -a -s '-screen 0 1400x1000x24' python3 help_pictures.py PLUGIN_FOLDER OUTPUT_FOLDER
 
-Makes first.png, bites.png, conformity.png, problems.png and refused.png. Drives ParaView as the tests of
-the window do, with ImageMagick's import and convert.
+Makes first.png, bites.png, conformity.png, problems.png and refused.png. Drives ParaView as the tests
+of the window do, with ImageMagick's import and convert.
 """
 
 import os
@@ -46,7 +46,8 @@ def main(plugin_folder, folder):
     session.apply()
     session.check(take, os.path.join(folder, 'conformity.png'))
     session.run()
-    take_problems(plugin_folder, folder, 'problems', CROSSED, ['Crossing segments', 'Interfaces outside'])
+    take_problems(plugin_folder, folder, 'problems', CROSSED,
+        ['Crossing segments', 'Interfaces outside'])
     take_problems(plugin_folder, folder, 'refused', OPEN, ['There is no closed loop'])
 
 
@@ -77,7 +78,8 @@ def show_bites(_output, are_shown):
 
 def take(_output, path):
     subprocess.run(['import', '-window', 'root', '-trim', path], check=True)
-    subprocess.run(['convert', path, '+repage', '-resize', '1000x', '-colors', '96', path], check=True)
+    subprocess.run(['convert', path, '+repage', '-resize', '1000x', '-colors', '96', path],
+        check=True)
 
 
 if __name__ == '__main__':

@@ -51,7 +51,7 @@ paraview_packages="
   libjpeg-dev libpng-dev libeigen3-dev libexpat1-dev
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core"
 
-test_packages="libgtest-dev imagemagick xdotool clang-tidy clang-format"
+test_packages="libgtest-dev imagemagick xdotool python3-meshio clang-tidy clang-format"
 
 # Installs those of the given packages that are missing.
 install_packages()

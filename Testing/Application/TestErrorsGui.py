@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Drawings that cannot be meshed, in the real ParaView window: the panel says why, the drawing is shown
-with a sphere at each place; and all is as after a first Apply when the drawing is mended.
+"""Drawings that cannot be meshed, in the real ParaView window: the panel says why, the drawing is
+shown with a sphere at each place; and all is as after a first Apply when the drawing is mended.
 
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments.
@@ -23,9 +23,11 @@ REFUSALS = (
     ('OpenEnds', SQUARE + 'LINES 1 5\n4 0 1 2 3\n', 'There is no closed loop', 2),
     ('TooLarge', '0 0 0  1e300 0 0  1 1 0  0 1 0\n' + CLOSED, 'Coordinates that are too large', 1),
     ('NotPlanar', '0 0 0  1 0 .5  1 1 0  0 1 .5\n' + CLOSED, 'The input is not planar', 4),
-    ('BadSpacing', SQUARE + CLOSED + SPACING + '.1 .1 0 .1\n', 'The spacing array Spacing has values', 1),
+    ('BadSpacing', SQUARE + CLOSED + SPACING + '.1 .1 0 .1\n',
+     'The spacing array Spacing has values', 1),
     ('NoCells', SQUARE, 'The input has points, but no cells', 0),
-    ('TooMany', SQUARE + CLOSED + SPACING + '1e-9 1e-9 1e-9 1e-9\n', 'The mesh would be too large', 0),
+    ('TooMany', SQUARE + CLOSED + SPACING + '1e-9 1e-9 1e-9 1e-9\n',
+     'The mesh would be too large', 0),
 )
 
 

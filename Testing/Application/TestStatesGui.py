@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The first look at mesh, bites and problems, against pictures; and a state that is saved and loaded in
-the real ParaView window, which looks the same.
+"""The first look at mesh and bites, against pictures; and a state that is saved and loaded in the
+real ParaView window, which looks the same.
 
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments.
 
-The pictures of `Baseline` are compared in 30 by 20 parts (see paraview_window.py). Measured: meshes of other spacings,
-so with other triangles everywhere, differ by 0.07 to 0.10 from the first picture; the mesh without its edges by
-0.30, in one colour by 0.20, with colours scaled to its own angles by 0.19, without the drawing by 0.20, and a
-hidden mesh by 0.47. BASELINE is between these.
+The pictures of `Baseline` are compared in 30 by 20 parts (see paraview_window.py). Measured: meshes
+of other spacings, so with other triangles everywhere, differ by 0.07 to 0.10 from the first picture;
+the mesh without its edges by 0.30, in one colour by 0.20, with colours scaled to its own angles by
+0.19, without the drawing by 0.20, and a hidden mesh by 0.47. BASELINE is between these.
 """
 
 import os
@@ -40,12 +40,14 @@ def main(plugin_folder, output):
     again.check(the_panel_is_that_of_the_state)
     again.run()
     for name in PICTURES:
-        window.expect_same(os.path.join(output, name), os.path.join(window.HERE, 'Baseline', name), BASELINE)
-    window.expect_same(os.path.join(again.output, 'bites.png'), os.path.join(output, 'bites.png'), SAME)
+        baseline = os.path.join(window.HERE, 'Baseline', name)
+        window.expect_same(os.path.join(output, name), baseline, BASELINE)
+    loaded = os.path.join(again.output, 'bites.png')
+    window.expect_same(loaded, os.path.join(output, 'bites.png'), SAME)
 
 
 def draw(_output):
-    """No file: ParaView would ask whether its name is right, and test events do not reach that dialog."""
+    """No file: ParaView would ask whether its name is right, and test events do not reach that."""
     from paraview import simple
     ellipse = simple.Ellipse(MajorRadiusVector=[3, 0, 0], Ratio=0.6, Resolution=40)
     simple.Show(ellipse, simple.GetActiveView())

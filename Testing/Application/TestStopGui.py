@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Ctrl, Shift and Alt, held down in the real ParaView window, stop a mesher that would run for long; after
-a change it meshes again.
+"""Ctrl, Shift and Alt, held down in the real ParaView window, stop a mesher that would run for
+long; after a change it meshes again.
 
 Runs on the display it is given (xvfb-run), with the folder of the plugin and an output folder as
 arguments; needs xdotool.

@@ -4,8 +4,8 @@
 """The ParaView window, driven by a test: a list of events, and checks that run within ParaView.
 
 A test makes a Window, tells it what a user does, and runs it. A check is a function of the test's
-module: ParaView's own Python imports the module and calls it at its turn, between the events, so that it
-sees the session as it is then. Without a graphics card all this takes seconds.
+module: ParaView's own Python imports the module and calls it at its turn, between the events, so that
+it sees the session as it is then. Without a graphics card all this takes seconds.
 """
 
 import importlib
@@ -58,7 +58,8 @@ class Window:
         """Calls a function of the module within ParaView, after a pause for what comes later."""
         self.event(MAIN, 'pause', '500')
         self.checks.append(function.__name__)
-        call = f'paraview_window.within({self.module!r}, {function.__name__!r}, {self.output!r}, {arguments!r})'
+        what = (self.module, function.__name__, self.output, arguments)
+        call = f'paraview_window.within{what!r}'
         self.event(SHELL, 'executeCommand',
                    f'import sys; sys.path[:0] = {[HERE, DATA]!r}; import paraview_window; {call}')
 
@@ -66,7 +67,8 @@ class Window:
         """Plays all; what ParaView complains of must be `expected`, each a part of a complaint."""
         script = os.path.join(self.output, 'events.xml')
         with open(script, 'w', encoding='utf-8') as file:
-            file.write('<?xml version="1.0" ?>\n<pqevents>\n%s\n</pqevents>\n' % '\n'.join(self.events))
+            events = '\n'.join(self.events)
+            file.write(f'<?xml version="1.0" ?>\n<pqevents>\n{events}\n</pqevents>\n')
         with open(os.path.join(self.output, 'paraview.log'), 'w', encoding='utf-8') as log:
             paraview = self.start(script, log)
             try:
@@ -88,9 +90,11 @@ class Window:
         return subprocess.Popen(command, env=environment, stdout=log, stderr=subprocess.STDOUT)
 
     def judge_log(self, code, expected):
-        with open(os.path.join(self.output, 'paraview.log'), encoding='utf-8', errors='replace') as log:
+        path = os.path.join(self.output, 'paraview.log')
+        with open(path, encoding='utf-8', errors='replace') as log:
             lines = log.read().splitlines()
-        complaints = [line for line in lines if any(s in line for s in ('ERR|', 'WARN|', 'Could not'))]
+        signs = ('ERR|', 'WARN|', 'Could not')
+        complaints = [line for line in lines if any(sign in line for sign in signs)]
         missing = [part for part in expected if not any(part in line for line in complaints)]
         surplus = [line for line in complaints if not any(part in line for part in expected)]
         if code != 0 or missing or surplus:
@@ -131,7 +135,8 @@ def largest_difference(path, other):
     parts = []
     for k, picture in enumerate((path, other)):
         parts.append(f'{path}.{k}.png')
-        subprocess.run(['convert', picture, '-alpha', 'off', '-resize', '30x20!', parts[-1]], check=True)
+        subprocess.run(['convert', picture, '-alpha', 'off', '-resize', '30x20!', parts[-1]],
+                       check=True)
     found = subprocess.run(['compare', '-metric', 'PAE', *parts, 'null:'], check=False,
                            capture_output=True, text=True)
     return float(found.stderr.split('(')[1].rstrip(')\n '))
