@@ -7,13 +7,16 @@
 
 #include <algorithm> // for min, max
 #include <array>     // for samples
-#include <cmath>     // for sqrt
+#include <cmath>     // for ceil, sqrt
 #include <vector>    // for squares
 
 namespace biting
 {
 namespace
 {
+
+/// A g above this one counts as this one, as nobody sees such slopes on a part of f.
+constexpr double LargestGradation = 1.0;
 
 /// Perpendiculars along an edge: so many f / g apart, but no more than so many.
 constexpr double FootDistance = 0.1;
@@ -28,9 +31,9 @@ constexpr double LeastFirstSquares = 16.0;
 constexpr double MostFirstSquares = 64.0;
 constexpr double EdgesPerFirstSquare = 0.0625;
 
-/// The last ones: g / f times their side, where g above 1 counts as 1, as nobody sees slopes on less
-/// than a thirtieth of f.
+/// The last ones: g / f times their side; the same where f is asked for its rough size only.
 constexpr double LastSquare = 0.03;
+constexpr double LastUnusedSquare = 0.25;
 constexpr int DeepestLevel = 24;
 
 /// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger: then f
@@ -63,10 +66,12 @@ class JumpFinder
 {
 public:
   JumpFinder(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-    ConeCollector& cones, Monitor& monitor)
+    const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor)
     : Field(field)
     , Bounds(bounds)
     , Gradation(gradation)
+    , SeenGradation(std::min(gradation, LargestGradation))
+    , IsUnused(isUnused)
     , Cones(cones)
     , Beats(monitor)
   {
@@ -96,11 +101,6 @@ public:
   }
 
 private:
-  double SpacingAt(const Point2& x) const
-  {
-    return this->Cones.Values()(this->Field.Nearest(x).Value);
-  }
-
   /// Whether a direction leads from the border to the outside, within the bounds.
   bool LeavesTriangles(const Point2& start, const Point2& direction, double length) const
   {
@@ -123,20 +123,25 @@ private:
   }
 
   /// How far along a unit vector a point of the border stays the nearest one: a ball that touches it
-  /// there shrinks until no other point is within (after Ma, Bae and Choi 2012).
-  double LengthAlong(const Point2& start, const Point2& direction)
+  /// there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with a
+  /// `likely` length, and as large as the bounds where that is too short.
+  double LengthAlong(const Point2& start, const Point2& direction, double likely = 0.0)
   {
-    double length = this->Reach(start, direction);
+    const double reach = this->Reach(start, direction);
+    bool isWhole = !(likely > 0.0 && likely < reach);
+    double length = isWhole ? reach : likely;
     for (int step = 0; step < LengthSteps && this->Beats.Beat(64); ++step)
     {
       const NearestValue nearest =
         this->Field.Nearest(start + length * direction, { length, 0.0, start });
       const Point2 within = nearest.Foot - start;
-      if (nearest.Distance >= (1.0 - SameLength) * length)
+      const bool isEmpty = nearest.Distance >= (1.0 - SameLength) * length;
+      if (isEmpty && isWhole)
       {
         return length;
       }
-      length = 0.5 * Dot(within, within) / Dot(within, direction);
+      length = isEmpty ? reach : 0.5 * Dot(within, within) / Dot(within, direction);
+      isWhole = true;
     }
     return length;
   }
@@ -166,28 +171,35 @@ private:
     const double least = this->Cones.Values()(std::min(edge.StartValue, edge.EndValue));
     const double length = Distance(edge.Start, edge.End);
     const double feet =
-      std::min(std::ceil(length * this->Gradation / (FootDistance * least)), MostFeet);
+      std::min(std::ceil(length * this->SeenGradation / (FootDistance * least)), MostFeet);
     RayEnd last;
     for (double foot = 0.0; foot <= feet && !this->Beats.HasStopped(); foot += 1.0)
     {
-      const RayEnd next =
-        this->FindEnd(edge.Start + (foot / feet) * (edge.End - edge.Start), normal);
+      const double weight = foot / feet;
+      const Point2 start = edge.Start + weight * (edge.End - edge.Start);
+      const double value = (1.0 - weight) * edge.StartValue + weight * edge.EndValue;
+      const RayEnd next = this->FindEnd(start, value, normal, Distance(last.Place, last.Foot));
       this->Connect(last, next, foot > 0.0);
       last = next;
     }
   }
 
-  RayEnd FindEnd(const Point2& foot, const Point2& direction)
+  /// `lastLength` is that of a perpendicular beside it.
+  RayEnd FindEnd(const Point2& foot, double value, const Point2& direction, double lastLength)
   {
     const double reach = this->Reach(foot, direction);
-    const double length = this->LengthAlong(foot, direction);
+    const double length = this->LengthAlong(foot, direction, 2.0 * lastLength);
     RayEnd end;
     end.Foot = foot;
     end.Place = foot + length * direction;
-    end.Spacing = this->SpacingAt(foot);
-    const double beyond = std::min((1.0 + 1000.0 * SameLength) * length, reach);
-    end.IsLow =
-      length<reach&& this->SpacingAt(foot + beyond * direction)>(1.0 + LeastJump) * end.Spacing;
+    end.Spacing = this->Cones.Values()(value);
+    if (length > 0.0 && length < reach)
+    {
+      const double beyond = std::min((1.0 + 1000.0 * SameLength) * length, reach);
+      const NearestValue nearest =
+        this->Field.Nearest(foot + beyond * direction, { beyond, value, foot });
+      end.IsLow = this->Cones.Values()(nearest.Value) > (1.0 + LeastJump) * end.Spacing;
+    }
     return end;
   }
 
@@ -208,13 +220,23 @@ private:
 
   // What corners of the border are nearest to has no perpendiculars: squares find the jumps.
 
+  struct Sample
+  {
+    Point2 Place;
+    NearestValue Nearest;
+    double Spacing;
+  };
+
+  /// Its corners (0, 0), (1, 0), (0, 1), (1, 1), and its center.
+  using Square = std::array<Sample, 5>;
+
   void SearchAll()
   {
     const double edges = static_cast<double>(this->Field.BorderEdges().size());
     const double wanted = std::sqrt(edges / EdgesPerFirstSquare);
     const double count = std::min(std::max(wanted, LeastFirstSquares), MostFirstSquares);
     double size = std::max(this->Bounds.Width(), this->Bounds.Height()) / count;
-    std::vector<Point2> squares = this->FirstSquares(size);
+    std::vector<Square> squares = this->FirstSquares(size);
     for (int level = 0; !squares.empty() && !this->Beats.HasStopped(); ++level, size *= 0.5)
     {
       this->Beats.SetFraction(0.5 + 0.5 * level / (DeepestLevel + 1.0));
@@ -224,72 +246,94 @@ private:
     }
   }
 
-  /// Their lower left corners.
-  std::vector<Point2> FirstSquares(double size) const
+  std::vector<Square> FirstSquares(double size)
   {
-    std::vector<Point2> squares;
-    for (int row = 0; row * size < this->Bounds.Height(); ++row)
+    std::vector<Square> squares;
+    const auto columns = static_cast<int>(std::ceil(this->Bounds.Width() / size));
+    const auto rows = static_cast<int>(std::ceil(this->Bounds.Height() / size));
+    std::vector<Sample> below;
+    for (int row = 0; row <= rows; ++row)
     {
-      for (int column = 0; column * size < this->Bounds.Width(); ++column)
+      std::vector<Sample> line;
+      for (int column = 0; column <= columns && !this->Beats.HasStopped(); ++column)
       {
-        squares.push_back(this->Bounds.Low + Point2{ column * size, row * size });
+        const Point2 place = this->Bounds.Low + Point2{ column * size, row * size };
+        line.push_back(this->TakeSample(place, column > 0 ? line.back() : Sample()));
+        if (row > 0 && column > 0)
+        {
+          const auto left = static_cast<std::size_t>(column - 1);
+          squares.push_back(
+            this->MakeSquare(below[left], below[left + 1], line[left], line[left + 1]));
+        }
       }
+      below = line;
     }
     return squares;
   }
 
-  struct Sample
+  /// It is found sooner with one beside it.
+  Sample TakeSample(const Point2& place, const Sample& beside)
   {
-    Point2 Place;
-    NearestValue Nearest;
-    double Spacing;
-  };
-  using Samples = std::array<Sample, 5>; ///< the corners, and the center
+    this->Beats.Beat(16);
+    Sample sample;
+    sample.Place = place;
+    sample.Nearest = this->Field.Nearest(place, beside.Nearest);
+    sample.Spacing = this->Cones.Values()(sample.Nearest.Value);
+    return sample;
+  }
 
-  Samples TakeSamples(const Point2& low, double size)
+  Sample Between(const Sample& a, const Sample& b)
   {
-    Samples samples;
-    for (std::size_t k = 0; k < samples.size(); ++k)
-    {
-      const Point2 offset = k == 4
-        ? Point2{ 0.5 * size, 0.5 * size }
-        : Point2{ static_cast<double>(k % 2) * size, static_cast<double>(k / 2) * size };
-      samples[k].Place = low + offset;
-      samples[k].Nearest = this->Field.Nearest(samples[k].Place);
-      samples[k].Spacing = this->Cones.Values()(samples[k].Nearest.Value);
-    }
-    this->Beats.Beat(64);
-    return samples;
+    return this->TakeSample(Midpoint(a.Place, b.Place), a);
+  }
+
+  Square MakeSquare(const Sample& a, const Sample& b, const Sample& c, const Sample& d)
+  {
+    return { a, b, c, d, this->Between(a, d) };
   }
 
   /// The quarters of those that are to be searched more finely.
-  std::vector<Point2> Search(const std::vector<Point2>& squares, double size, bool isLast)
+  std::vector<Square> Search(const std::vector<Square>& squares, double size, bool isLast)
   {
-    std::vector<Point2> quarters;
-    for (std::size_t square = 0; square < squares.size() && !this->Beats.HasStopped(); ++square)
+    std::vector<Square> quarters;
+    for (std::size_t k = 0; k < squares.size() && !this->Beats.HasStopped(); ++k)
     {
-      const Samples samples = this->TakeSamples(squares[square], size);
-      if (!this->AnyApart(samples))
+      const Square& square = squares[k];
+      if (!this->AnyApart(square))
       {
         continue;
       }
-      const double rise = std::min(this->Gradation, 1.0) * size;
-      const bool isFine = rise <= LastSquare * LeastOf(samples);
+      const double rise = this->SeenGradation * size;
+      const double least = LeastOf(square);
+      const bool isFine = rise <= LastSquare * least ||
+        (rise <= LastUnusedSquare * least && this->IsUnused &&
+          this->IsUnused({ square[0].Place, square[3].Place }));
       if (isFine || isLast)
       {
-        this->AddLowSides(samples, isFine ? 0.0 : LongestWay * rise);
-        continue;
+        this->AddLowSides(square, isFine ? 0.0 : LongestWay * rise);
       }
-      for (int quarter = 0; quarter < 4; ++quarter)
+      else
       {
-        const Point2 offset{ 0.5 * size * (quarter % 2), 0.5 * size * (quarter / 2) };
-        quarters.push_back(squares[square] + offset);
+        this->AddQuarters(square, quarters);
       }
     }
     return quarters;
   }
 
-  static double LeastOf(const Samples& samples)
+  void AddQuarters(const Square& square, std::vector<Square>& quarters)
+  {
+    const auto& [a, b, c, d, center] = square;
+    const Sample low = this->Between(a, b);
+    const Sample left = this->Between(a, c);
+    const Sample right = this->Between(b, d);
+    const Sample high = this->Between(c, d);
+    quarters.push_back(this->MakeSquare(a, low, left, center));
+    quarters.push_back(this->MakeSquare(low, b, center, right));
+    quarters.push_back(this->MakeSquare(left, center, c, high));
+    quarters.push_back(this->MakeSquare(center, right, high, d));
+  }
+
+  static double LeastOf(const Square& samples)
   {
     double least = samples[0].Spacing;
     for (const Sample& sample : samples)
@@ -299,7 +343,7 @@ private:
     return least;
   }
 
-  bool AnyApart(const Samples& samples) const
+  bool AnyApart(const Square& samples) const
   {
     for (std::size_t k = 1; k < samples.size(); ++k)
     {
@@ -322,7 +366,7 @@ private:
       Distance(a.Nearest.Foot, b.Nearest.Foot) > LargestExpansion * Distance(a.Place, b.Place);
   }
 
-  void AddLowSides(const Samples& samples, double lowering)
+  void AddLowSides(const Square& samples, double lowering)
   {
     for (const Sample& sample : samples)
     {
@@ -342,6 +386,8 @@ private:
   const TriangleInterpolator& Field;
   const Box2& Bounds;
   const double Gradation;
+  const double SeenGradation;
+  const std::function<bool(const Box2&)>& IsUnused;
   ConeCollector& Cones;
   Pulse Beats;
   std::size_t NumberOfSquares = 0;
@@ -350,9 +396,10 @@ private:
 } // namespace
 
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-  ConeCollector& cones, Monitor& monitor)
+  const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor)
 {
-  return !(bounds.Diagonal() > 0.0) || JumpFinder(field, bounds, gradation, cones, monitor).Run();
+  return !(bounds.Diagonal() > 0.0) ||
+    JumpFinder(field, bounds, gradation, isUnused, cones, monitor).Run();
 }
 
 } // namespace biting

@@ -7,6 +7,8 @@
 #include "ConeCollector.h"
 #include "TriangleInterpolator.h"
 
+#include <functional> // for what is not needed
+
 namespace biting
 {
 
@@ -18,10 +20,11 @@ namespace biting
 /// These places are where perpendiculars to border edges end: where their foot ceases to be the
 /// nearest point. Before corners of the border a quadtree finds them, from squares of 1/64 of the
 /// bounds down to a hundredth of f / g; where a corner stands in a bay smaller than that, a jump
-/// may be missed. Nothing is added where the triangles cover the bounds.
+/// may be missed; and they are larger in boxes that are unused (SpacingOptions::IsUnused). Nothing is
+/// added where the triangles cover the bounds.
 /// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular.
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-  ConeCollector& cones, Monitor& monitor);
+  const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor);
 
 } // namespace biting
 
