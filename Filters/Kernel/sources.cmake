@@ -22,6 +22,7 @@ set(biting_kernel_sources
   Spacing/SegmentCone.cxx
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
+  Spacing/SourceEdges.cxx
   Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
   Spacing/SteepTriangles.cxx

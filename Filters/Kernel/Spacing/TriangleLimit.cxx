@@ -5,9 +5,8 @@
 
 #include "SteepTriangles.h"
 
-#include <algorithm> // for min, max, find_if
+#include <algorithm> // for min, max, find, transform
 #include <cmath>     // for abs
-#include <numeric>   // for partial_sum
 
 namespace biting
 {
@@ -19,6 +18,9 @@ constexpr double LargestError = 0.006;
 
 /// See GridLimit.cxx.
 constexpr double SlightShare = 0.003;
+
+/// Of a triangle that has a list, in f.
+constexpr double SmallestRadius = 0.4;
 
 /// Along a line of length h, at least h away from its apex, a cone is below linear values by at most
 /// this share of what it grows along h, and the less the farther it is away.
@@ -40,62 +42,10 @@ TriangleLimit::TriangleLimit(std::shared_ptr<const TriangulatedSource> source, d
     this->Kinds.assign(isSteep.size(), Kind::AsGiven);
     std::transform(isSteep.begin(), isSteep.end(), this->Kinds.begin(),
       [](bool steep) { return steep ? Kind::Steep : Kind::AsGiven; });
-    this->FileEdges(pulse);
+    this->EdgesOf = SourceEdges(*this->Source, isSteep, pulse);
     this->SetGiven(pulse);
     this->HandOnAll(pulse);
     this->Classify(pulse);
-  }
-}
-
-void TriangleLimit::FileEdges(Pulse& pulse)
-{
-  const std::size_t count = this->Source->Points.size();
-  std::vector<Id> starts(count + 1, 0);
-  for (Id point : this->Source->Triangles)
-  {
-    ++starts[static_cast<std::size_t>(point) + 1];
-  }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Id> next = starts;
-  std::vector<Id> around(this->Source->Triangles.size());
-  pulse.ForEach(around.size(),
-    [this, &next, &around](std::size_t corner)
-    {
-      const auto point = static_cast<std::size_t>(this->Source->Triangles[corner]);
-      around[static_cast<std::size_t>(next[point]++)] = static_cast<Id>(corner / 3);
-    });
-  this->Edges.reserve(around.size() + count / 8);
-  pulse.ForEach(count,
-    [this, &starts, &around](std::size_t point)
-    {
-      this->FirstEdges.push_back(static_cast<Id>(this->Edges.size()));
-      for (Id k = starts[point]; k < starts[point + 1]; ++k)
-      {
-        this->AddEdges(static_cast<Id>(point), around[static_cast<std::size_t>(k)]);
-      }
-    });
-  this->FirstEdges.push_back(static_cast<Id>(this->Edges.size()));
-}
-
-/// Those of a triangle that begin at the point.
-void TriangleLimit::AddEdges(Id point, Id triangle)
-{
-  const bool isSteep = this->Kinds[static_cast<std::size_t>(triangle)] == Kind::Steep;
-  const Id* corners = this->CornersOf(triangle);
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    const Id to = corners[corner];
-    const auto known = std::find_if(this->Edges.begin() + this->FirstEdges.back(),
-      this->Edges.end(), [to](const Edge& edge) { return edge.To == to; });
-    if (known != this->Edges.end())
-    {
-      known->IsSteep = known->IsSteep || isSteep;
-    }
-    else if (to != point)
-    {
-      this->Edges.push_back(
-        { this->PlaceOf(to) - this->PlaceOf(point), this->Raw(to), to, isSteep });
-    }
   }
 }
 
@@ -120,7 +70,7 @@ std::vector<TriangleLimit::Entry> TriangleLimit::LowPoints() const
   {
     bool isLow = false;
     bool isLowered = false;
-    for (const Edge& edge : this->EdgesOf(static_cast<Id>(point)))
+    for (const SourceEdges::Edge& edge : this->EdgesOf(static_cast<Id>(point)))
     {
       const double rise = this->Gradation * Length(edge.Along);
       isLow = isLow || edge.IsSteep;
@@ -147,7 +97,7 @@ void TriangleLimit::HandOnAll(Pulse& pulse)
     {
       continue;
     }
-    for (const Edge& edge : this->EdgesOf(point))
+    for (const SourceEdges::Edge& edge : this->EdgesOf(point))
     {
       if (edge.IsSteep || this->At(point).Source != point)
       {
@@ -183,7 +133,7 @@ double TriangleLimit::BoundFrom(Id source, const Point2& x) const
   const double value = this->Raw(source);
   const double own = this->Range(value);
   double bound = own + this->Gradation * away;
-  for (const Edge& edge : this->EdgesOf(source))
+  for (const SourceEdges::Edge& edge : this->EdgesOf(source))
   {
     const double rise = own > this->Range.Least ? this->Range.Scale * (edge.End - value) : 0.0;
     const double along = Dot(offset, edge.Along);
@@ -268,62 +218,114 @@ double TriangleLimit::ErrorBetween(const Id* corners) const
 }
 
 /// Of what bounds the corners of a triangle and the points around them, as that may pass between the
-/// corners, the cones that may be lowest in it. All grow with the gradation at most.
+/// corners, the cones that may be lowest in it. Without any, it is as given; and where it is smaller than
+/// f, which is asked for there once or twice, a list takes more time than it saves.
 Id TriangleLimit::ListCones(Id triangle)
 {
-  const Id* corners = this->CornersOf(triangle);
-  const Point2 center = (1.0 / 3.0) *
-    (this->PlaceOf(corners[0]) + this->PlaceOf(corners[1]) + this->PlaceOf(corners[2]));
-  double radius = 0.0;
-  double most = 0.0;
-  for (std::size_t corner = 0; corner < 3; ++corner)
+  const TriangleInside inside = this->InsideOf(this->CornersOf(triangle));
+  if (inside.Radius < SmallestRadius * inside.Least)
   {
-    radius = std::max(radius, Distance(center, this->PlaceOf(corners[corner])));
-    most = std::max(most, this->Range(this->Raw(corners[corner])));
+    return Kind::Wide;
   }
-  const double rise = this->Gradation * radius;
-  this->FindSources(corners);
+  const double rise = this->Gradation * inside.Radius;
+  this->FindSources(triangle);
   this->Candidates.clear();
+  Candidate lowest{ std::numeric_limits<double>::infinity(), NoId };
   for (const Id source : this->SourcesAround)
   {
     const ConeRange own = this->ConesOf(source);
     for (Id cone = own.First; cone < own.Last; ++cone)
     {
-      this->Candidates.emplace_back(this->ConeAt(cone, center), cone);
-      most = std::min(most, this->Candidates.back().first + rise);
+      this->Candidates.push_back({ this->ConeAt(cone, inside.Center), cone });
+      lowest = std::min(lowest, this->Candidates.back());
     }
   }
+  if (this->Candidates.empty())
+  {
+    return Kind::AsGiven;
+  }
+  const std::array<double, 3> lowestAtCorners{ this->ConeAt(lowest.second, inside.Corners[0]),
+    this->ConeAt(lowest.second, inside.Corners[1]),
+    this->ConeAt(lowest.second, inside.Corners[2]) };
+  const double most = rise +
+    std::min(lowest.first + rise, *std::max_element(inside.Given.begin(), inside.Given.end()));
   const std::size_t list = this->Lists.size();
   this->Lists.push_back(0);
-  for (const auto& [value, cone] : this->Candidates)
+  for (const Candidate& candidate : this->Candidates)
   {
-    if (value - rise < most)
+    const bool mayBeLowest = candidate.first < most &&
+      !this->IsAbove(candidate, inside, inside.Given) &&
+      (candidate == lowest || !this->IsAbove(candidate, inside, lowestAtCorners));
+    if (mayBeLowest)
     {
-      this->Lists.push_back(cone);
+      this->Lists.push_back(candidate.second);
       ++this->Lists[list];
     }
+  }
+  if (this->Lists[list] == 0)
+  {
+    this->Lists.pop_back();
+    return Kind::AsGiven;
   }
   return static_cast<Id>(list);
 }
 
-void TriangleLimit::FindSources(const Id* corners)
+TriangleLimit::TriangleInside TriangleLimit::InsideOf(const Id* corners) const
+{
+  TriangleInside inside;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    inside.Corners[corner] = this->PlaceOf(corners[corner]);
+    inside.Given[corner] =
+      std::max(this->Range.Scale * this->Raw(corners[corner]), this->Range.Least);
+    inside.Least = std::min(inside.Least, static_cast<double>(this->At(corners[corner]).Value));
+    inside.Center = inside.Center + (1.0 / 3.0) * inside.Corners[corner];
+  }
+  for (const Point2& corner : inside.Corners)
+  {
+    inside.Radius = std::max(inside.Radius, Distance(inside.Center, corner));
+  }
+  return inside;
+}
+
+/// Whether a cone is nowhere in a triangle below another one with these values at the corners, but for
+/// a slight share. Cones are convex: above their tangent plane at the center, and below what is linear
+/// between the corners.
+bool TriangleLimit::IsAbove(const Candidate& candidate, const TriangleInside& inside,
+  const std::array<double, 3>& values) const
+{
+  const SegmentCone& cone = this->Cones[static_cast<std::size_t>(candidate.second)];
+  const Point2 away = inside.Center - cone.Foot(inside.Center);
+  const Point2 gradient = (this->Gradation / Length(away)) * away;
+  bool isAbove = true; // false where the gradient is not a number
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    const double least = candidate.first + Dot(gradient, inside.Corners[corner] - inside.Center);
+    isAbove = isAbove && least >= (1.0 - SlightShare) * values[corner];
+  }
+  return isAbove;
+}
+
+/// What bounds itself bounds others only across a steep triangle.
+void TriangleLimit::FindSources(Id triangle)
 {
   this->SourcesAround.clear();
-  const auto add = [this](Id point)
+  const auto add = [this](Id point, bool isSteep)
   {
     const Id source = this->At(point).Source;
     const auto end = this->SourcesAround.end();
-    if (std::find(this->SourcesAround.begin(), end, source) == end)
+    if ((isSteep || source != point) && std::find(this->SourcesAround.begin(), end, source) == end)
     {
       this->SourcesAround.push_back(source);
     }
   };
+  const Id* corners = this->CornersOf(triangle);
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
-    add(corners[corner]);
-    for (const Edge& edge : this->EdgesOf(corners[corner]))
+    add(corners[corner], this->Kinds[static_cast<std::size_t>(triangle)] == Kind::Steep);
+    for (const SourceEdges::Edge& edge : this->EdgesOf(corners[corner]))
     {
-      add(edge.To);
+      add(edge.To, edge.IsSteep);
     }
   }
 }
@@ -336,7 +338,7 @@ TriangleLimit::ConeRange TriangleLimit::ConesOf(Id source)
   {
     const EdgeEnd own{ this->PlaceOf(source), this->Raw(source) };
     range.First = static_cast<Id>(this->Cones.size());
-    for (const Edge& edge : this->EdgesOf(source))
+    for (const SourceEdges::Edge& edge : this->EdgesOf(source))
     {
       AddEdgeCones(
         own, { this->PlaceOf(edge.To), edge.End }, this->Range, this->Gradation, this->Cones);
@@ -373,17 +375,50 @@ double TriangleLimit::operator()(const Point2& x, const TriangleInterpolator& tr
           place.Weights[1] * this->At(corners[1]).Value +
           place.Weights[2] * this->At(corners[2]).Value);
     }
+    case Kind::Wide:
+      return this->ValueInWide(x, place.Triangle, given);
     default:
+      return std::min(given, this->LowestOfList(x, kind));
+  }
+}
+
+double TriangleLimit::LowestOfList(const Point2& x, Id start) const
+{
+  const Id* list = &this->Lists[static_cast<std::size_t>(start)];
+  double least = std::numeric_limits<double>::infinity();
+  for (const Id* cone = list + 1; cone <= list + *list; ++cone)
+  {
+    least = std::min(least, this->ConeAt(*cone, x));
+  }
+  return least;
+}
+
+/// By what bounds the corners, and the points around them.
+double TriangleLimit::ValueInWide(const Point2& x, Id triangle, double given) const
+{
+  LookedAt<Id> looked;
+  double least = given;
+  const Id* corners = this->CornersOf(triangle);
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    least = this->LowerFrom(corners[corner], x, looked, least);
+    for (const SourceEdges::Edge& edge : this->EdgesOf(corners[corner]))
     {
-      const Id* list = &this->Lists[static_cast<std::size_t>(kind)];
-      double least = given;
-      for (const Id* cone = list + 1; cone <= list + *list; ++cone)
-      {
-        least = std::min(least, this->ConeAt(*cone, x));
-      }
-      return least;
+      least = this->LowerFrom(edge.To, x, looked, least);
     }
   }
+  return least;
+}
+
+/// By what bounds a point, unless the way from there cannot make up for what it is higher.
+double TriangleLimit::LowerFrom(Id point, const Point2& x, LookedAt<Id>& looked, double least) const
+{
+  const Point& own = this->At(point);
+  const Point2 offset = x - this->PlaceOf(point);
+  const double room = std::max(own.Value - least, 0.0);
+  const bool mayBound = room * room <= this->Gradation * this->Gradation * Dot(offset, offset);
+  return mayBound && looked.Add(own.Source) ? std::min(least, this->BoundFrom(own.Source, x))
+                                            : least;
 }
 
 } // namespace biting

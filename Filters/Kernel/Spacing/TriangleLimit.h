@@ -7,8 +7,11 @@
 #include "../Base/Pulse.h"
 #include "EdgeBound.h"
 #include "EdgeCones.h"
+#include "LookedAt.h"
+#include "SourceEdges.h"
 #include "TriangleInterpolator.h"
 
+#include <array>      // for corners
 #include <functional> // for greater
 #include <queue>      // for the order of values
 #include <utility>    // for pair
@@ -21,7 +24,8 @@ namespace biting
 /// bounds the ends of the nearest edge; where that jumps, see OutsideJumps.h.
 ///
 /// Method: points hand on to their neighbors the point whose edges bound them, lowest first (the order
-/// of Dijkstra), so that distances are those of the plane and not of paths along edges.
+/// of Dijkstra), so that distances are those of the plane and not of paths along edges. Where a triangle
+/// is wide, and larger than f, it lists the cones that may be lowest in it.
 /// Cost: n log n for n triangles that are to be lowered, linear for all others.
 class TriangleLimit
 {
@@ -45,23 +49,6 @@ private:
     Id Source;
   };
 
-  /// From a point, which is not among what it knows.
-  struct Edge
-  {
-    Point2 Along;
-    double End; ///< the value there, as given
-    Id To;
-    bool IsSteep; ///< a triangle beside it is
-  };
-
-  struct EdgeRange
-  {
-    const Edge* First;
-    const Edge* Last;
-    const Edge* begin() const { return this->First; }
-    const Edge* end() const { return this->Last; }
-  };
-
   /// Of Cones.
   struct ConeRange
   {
@@ -74,12 +61,25 @@ private:
   {
     AsGiven = -1,
     Small = -2, ///< linear between bounded corners
-    Wide = -3,  ///< while it has no list: the lowest bound of points around
+    Wide = -3,  ///< the lowest of what bounds the points around
     Steep = -4  ///< while it is not known what it will be
   };
 
   /// A value of a point, which may have become lower.
   using Entry = std::pair<float, Id>;
+
+  /// A cone, and its value at the center of a triangle.
+  using Candidate = std::pair<double, Id>;
+
+  struct TriangleInside
+  {
+    std::array<Point2, 3> Corners;
+    /// The spacing there, not cut at its most: then it is linear between, or lower.
+    std::array<double, 3> Given;
+    Point2 Center;
+    double Radius = 0.0;
+    double Least = std::numeric_limits<double>::infinity(); ///< that its corners are bounded by
+  };
 
   const Point2& PlaceOf(Id point) const
   {
@@ -98,14 +98,6 @@ private:
     return this->Cones[static_cast<std::size_t>(cone)](x, this->Gradation);
   }
 
-  EdgeRange EdgesOf(Id point) const
-  {
-    const Id* first = &this->FirstEdges[static_cast<std::size_t>(point)];
-    return { this->Edges.data() + first[0], this->Edges.data() + first[1] };
-  }
-
-  void FileEdges(Pulse& pulse);
-  void AddEdges(Id point, Id triangle);
   void SetGiven(Pulse& pulse);
   std::vector<Entry> LowPoints() const;
   void HandOnAll(Pulse& pulse);
@@ -115,17 +107,22 @@ private:
   Kind KindOf(Id triangle, const std::vector<bool>& isOfSteep) const;
   double ErrorBetween(const Id* corners) const;
   Id ListCones(Id triangle);
-  void FindSources(const Id* corners);
+  TriangleInside InsideOf(const Id* corners) const;
+  bool IsAbove(const Candidate& candidate, const TriangleInside& inside,
+    const std::array<double, 3>& values) const;
+  void FindSources(Id triangle);
   ConeRange ConesOf(Id source);
   double BoundFrom(Id source, const Point2& x) const;
+  double LowestOfList(const Point2& x, Id start) const;
+  double ValueInWide(const Point2& x, Id triangle, double given) const;
+  double LowerFrom(Id point, const Point2& x, LookedAt<Id>& looked, double least) const;
 
   std::shared_ptr<const TriangulatedSource> Source;
   const double Gradation;
   const ValueRange Range;
   const EdgeBound Bound;
-  std::vector<Id> Kinds;      ///< of each triangle
-  std::vector<Id> FirstEdges; ///< those of point p are FirstEdges[p] to FirstEdges[p + 1]
-  std::vector<Edge> Edges;
+  std::vector<Id> Kinds; ///< of each triangle
+  SourceEdges EdgesOf;
   std::vector<Point> Points;
   std::vector<Id> Lists; ///< of wide triangles: each is a count, and as many cones
   std::vector<SegmentCone> Cones;
@@ -133,8 +130,8 @@ private:
 
   // While lists are made.
   std::vector<ConeRange> ConesOfPoints;
-  std::vector<Id> SourcesAround;                 ///< of the points around a triangle
-  std::vector<std::pair<double, Id>> Candidates; ///< cones, and their values at its center
+  std::vector<Id> SourcesAround; ///< of the points around a triangle
+  std::vector<Candidate> Candidates;
 };
 
 } // namespace biting
