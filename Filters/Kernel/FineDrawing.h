@@ -9,9 +9,9 @@
 namespace biting
 {
 
-/// The share of the vertices of a mesh that are there only because those of the drawing are: how many
-/// more they are than the spacing asks for before the limit by feature size. 0 unless more than half of
-/// the vertices of the drawing are more than twice as dense as that.
+/// The share of the vertices of a mesh that are there only because those of the drawing are: how
+/// many more they are than the spacing asks for before the limit by feature size. 0 unless more
+/// than half of the vertices of the drawing are more than twice as dense as that.
 double ShareOfFineDrawing(
   const Domain& drawing, const BitingMesh& mesh, const Spacing& spacing, Monitor& monitor);
 

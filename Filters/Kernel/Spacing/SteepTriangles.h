@@ -13,9 +13,9 @@
 namespace biting
 {
 
-/// Which triangles are steeper than the gradation, by more than a margin: the slope along one of their
-/// edges, or the mean gradient around one of their corners; or by so much of their own gradient that it
-/// counts in f. Empty where none is, or the pulse stops.
+/// Which triangles are steeper than the gradation, by more than a margin: the slope along one of
+/// their edges, or the mean gradient around one of their corners; or by so much of their own
+/// gradient that it counts in f. Empty where none is, or the pulse stops.
 std::vector<bool> FindSteepTriangles(
   const TriangulatedSource& source, double gradation, const ValueRange& range, Pulse& pulse);
 

@@ -22,8 +22,8 @@ constexpr double SlightShare = 0.003;
 /// Of a triangle that has a list, in f.
 constexpr double SmallestRadius = 0.4;
 
-/// Along a line of length h, at least h away from its apex, a cone is below linear values by at most
-/// this share of what it grows along h, and the less the farther it is away.
+/// Along a line of length h, at least h away from its apex, a cone is below linear values by at
+/// most this share of what it grows along h, and the less the farther it is away.
 constexpr double BendOfCone = 0.15;
 
 } // namespace
@@ -217,9 +217,9 @@ double TriangleLimit::ErrorBetween(const Id* corners) const
   return BendOfCone * this->Gradation * longest * (longest / away);
 }
 
-/// Of what bounds the corners of a triangle and the points around them, as that may pass between the
-/// corners, the cones that may be lowest in it. Without any, it is as given; and where it is smaller than
-/// f, which is asked for there once or twice, a list takes more time than it saves.
+/// Of what bounds the corners of a triangle and the points around them, as that may pass between
+/// the corners, the cones that may be lowest in it. Without any, it is as given; and where it is
+/// smaller than f, which is asked for there once or twice, a list takes more time than it saves.
 Id TriangleLimit::ListCones(Id triangle)
 {
   const TriangleInside inside = this->InsideOf(this->CornersOf(triangle));
@@ -288,9 +288,9 @@ TriangleLimit::TriangleInside TriangleLimit::InsideOf(const Id* corners) const
   return inside;
 }
 
-/// Whether a cone is nowhere in a triangle below another one with these values at the corners, but for
-/// a slight share. Cones are convex: above their tangent plane at the center, and below what is linear
-/// between the corners.
+/// Whether a cone is nowhere in a triangle below another one with these values at the corners, but
+/// for a slight share. Cones are convex: above their tangent plane at the center, and below what is
+/// linear between the corners.
 bool TriangleLimit::IsAbove(const Candidate& candidate, const TriangleInside& inside,
   const std::array<double, 3>& values) const
 {

@@ -23,9 +23,9 @@ namespace biting
 /// triangles in place of the sides of cells. Outside, f is the nearest border value, limited by what
 /// bounds the ends of the nearest edge; where that jumps, see OutsideJumps.h.
 ///
-/// Method: points hand on to their neighbors the point whose edges bound them, lowest first (the order
-/// of Dijkstra), so that distances are those of the plane and not of paths along edges. Where a triangle
-/// is wide, and larger than f, it lists the cones that may be lowest in it.
+/// Method: points hand on to their neighbors the point whose edges bound them, lowest first (the
+/// order of Dijkstra), so that distances are those of the plane and not of paths along edges. Where
+/// a triangle is wide, and larger than f, it lists the cones that may be lowest in it.
 /// Cost: n log n for n triangles that are to be lowered, linear for all others.
 class TriangleLimit
 {
