@@ -402,6 +402,9 @@ double TriangleLimit::ValueInWide(const Point2& x, Id triangle, double given) co
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
     least = this->LowerFrom(corners[corner], x, looked, least);
+  }
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
     for (const SourceEdges::Edge& edge : this->EdgesOf(corners[corner]))
     {
       least = this->LowerFrom(edge.To, x, looked, least);
