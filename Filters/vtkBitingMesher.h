@@ -310,8 +310,9 @@ public:
    * On (default): f is capped by the local feature size on the segments of the input (paper, section
    * 2.1: the control spacing). There it is at most the distance through the domain to the nearest
    * segment or embedded point that does not share an end with it, so that narrow channels get
-   * triangles as narrow, but not lowered below a quarter of what is given: a slit far narrower than
-   * the spacing gets thin triangles, not a multitude of them. And it is at most 1.4 times the length of
+   * triangles as narrow, but not lowered below a quarter of what is given (a tenth with
+   * BoundaryTolerance, where long segments run along slits): a slit far narrower than the spacing
+   * gets thin triangles, not a multitude of them. And it is at most 1.4 times the length of
    * the segment, which is an edge of the mesh in any case, but not lowered below 0.003 of what is
    * given. Neither goes below MinimumSpacing. Segments that meet in a sharp angle do not count for
    * each other. From there f grows with the Gradation (0.3 where it is 0).

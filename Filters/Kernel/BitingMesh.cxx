@@ -165,7 +165,9 @@ SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& dom
     return FollowSegments(spacing, domain, monitor);
   }
   const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  spacing.Features = options.LimitByFeatureSize ? FeaturesOf(domain, mostVertices) : nullptr;
+  const bool isSimplified = options.Simplification.Tolerance > 0.0;
+  spacing.Features =
+    options.LimitByFeatureSize ? FeaturesOf(domain, isSimplified, mostVertices) : nullptr;
   spacing.IsUnused = OutsideOf(locator);
   return spacing;
 }

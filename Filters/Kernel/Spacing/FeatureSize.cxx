@@ -11,9 +11,6 @@ namespace
 /// f is at most this many feature sizes: one layer of triangles fits into a channel.
 constexpr double SizesPerSpacing = 1.0;
 
-/// But at least this share of what is given: of many narrow channels and thin walls.
-constexpr double LeastShare = 0.25;
-
 /// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is: the
 /// square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as an edge
 /// should be, and there are about three vertices more for each segment.
@@ -205,7 +202,7 @@ private:
     sample.Place = place;
     sample.Given = this->Given(place);
     const double known = sample.Given / SizesPerSpacing + reach;
-    const double least = LeastShare * sample.Given;
+    const double least = this->Source.LeastShare * sample.Given;
     sample.Size =
       SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
     const double bySize = std::max(sample.Size, least);

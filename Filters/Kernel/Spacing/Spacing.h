@@ -65,8 +65,8 @@ struct SegmentSource
 /// The segments and embedded points of a domain, whose local feature size caps f (the control spacing
 /// of the paper, section 2.1). On a segment f is at most
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it, so
-///   that one layer of triangles fits into a channel; but the cap is no less than a quarter of what is
-///   given there, so that slits and thin walls do not become a multitude of triangles;
+///   that one layer of triangles fits into a channel; but the cap is no less than LeastShare of what
+///   is given there, so that slits and thin walls do not become a multitude of triangles;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about three
 ///   vertices a segment; but the cap is no less than 0.003 of what is given, for points nearly equal;
 /// and never less than Minimum asks for. Segments that meet do not count for each other, whatever
@@ -78,6 +78,10 @@ struct FeatureSource
   std::vector<Id> Ends;   ///< a point on no segment is given as one whose ends are equal
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
+
+  /// A quarter. Where a drawing is simplified, segments are long also along slits, and nothing else
+  /// lowers f there: then it is to be less.
+  double LeastShare = 0.25;
 
   /// About how many pieces half as long as f the segments may have. Where they have more, nothing more
   /// is capped: a mesh that fine will be refused, and this should be soon.

@@ -53,6 +53,23 @@ TEST(BoundaryTolerance, TheFeatureSizeIsThatOfTheSimplifiedDrawing)
   EXPECT_GT(*std::min_element(spacing.begin(), spacing.end()), 0.7 * PixelDiscSpacing);
 }
 
+/// Short segments along a slit keep triangles there small; the tolerance takes them away.
+TEST(BoundaryTolerance, ASlitOfASixthOfTheSpacingHasGoodTriangles)
+{
+  std::vector<Point2> wall;
+  for (int k = 0; k <= 100; ++k)
+  {
+    wall.push_back({ 10.0 + 0.8 * k, 1.6 + 0.02 * (k % 2) });
+  }
+  wall.push_back({ 90.0, 40.0 });
+  wall.push_back({ 10.0, 40.0 });
+  const Polylines lines = PolylineBuilder().Box(0.0, 0.0, 100.0, 100.0).Loop(wall).Lines();
+  const MeshRun run = RunMesh(lines, OptionsOf(0.1));
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_GT(run.Mesh.RemovedVertices, 90);
+  EXPECT_GT(run.Mesh.Quality.SmallestAngle, 25.0);
+}
+
 TEST(BoundaryTolerance, VerticesThatStayNameTheirInputPoint)
 {
   const Polylines input = FineDisc();
