@@ -180,7 +180,8 @@ TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
 {
   const Record* record = this->FindRecord(x);
   NearestValue nearest{ 0.0, 0.0, x };
-  if (!record)
+  const bool isOutside = !record;
+  if (isOutside)
   {
     nearest = this->NearestOutside(x, Unknown(), record);
   }
@@ -189,10 +190,17 @@ TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
     return { nearest.Value, NoId, {}, { nearest.StartId, nearest.EndId } };
   }
   const Point2 offset = nearest.Foot - record->Origin;
-  const double first = Dot(record->FirstWeight, offset);
-  const double second = Dot(record->SecondWeight, offset);
-  return { ValueAt(*record, nearest.Foot), record->Triangle,
-    { std::max(1.0 - first - second, 0.0), first, second }, { NoId, NoId } };
+  double first = Dot(record->FirstWeight, offset);
+  double second = Dot(record->SecondWeight, offset);
+  if (isOutside)
+  {
+    // Of a triangle whose height is rounding, weights beside it may be anything.
+    first = std::min(std::max(first, 0.0), 1.0);
+    second = std::min(std::max(second, 0.0), 1.0 - first);
+  }
+  const double origin = std::max(1.0 - first - second, 0.0);
+  return { origin * record->Value + first * record->FirstValue + second * record->SecondValue,
+    record->Triangle, { origin, first, second }, { NoId, NoId } };
 }
 
 NearestValue TriangleInterpolator::Unknown()

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>  // for directions
+#include <random> // for slivers
+
 namespace
 {
 
@@ -219,6 +222,33 @@ TEST(TriangleInterpolator, TakesNeedlesInAnyDirection)
     for (std::size_t point = 0; point < turned.Points.size(); ++point)
     {
       ASSERT_NEAR(interpolate(turned.Points[point]), turned.Values[point], 1e-6);
+    }
+  }
+}
+
+// Their heights are below the rounding of coordinates, their weights without meaning beside them.
+TEST(TriangleInterpolator, IsBetweenTheValuesOfSliversInAndBesideThem)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit;
+  for (int sliver = 0; sliver < 2000; ++sliver)
+  {
+    const double angle = 6.283 * unit(random);
+    const double length = std::exp2(-20.0 * unit(random));
+    const Point2 along = length * Point2{ std::cos(angle), std::sin(angle) };
+    TriangulatedSource source;
+    source.Points = { { 14.0 + unit(random), 15.0 + unit(random) } };
+    source.Points.push_back(source.Points[0] + along);
+    source.Points.push_back(source.Points[0] + unit(random) * along);
+    source.Triangles = { 0, 1, 2 };
+    source.Values = { 1.0, 2.0, 3.0 };
+    const TriangleInterpolator interpolator(source);
+    for (int place = 0; place < 20 && !interpolator.IsEmpty(); ++place)
+    {
+      const Point2 beside = 1e-15 * Point2{ 14.0 * unit(random), 14.0 * unit(random) };
+      const double value = interpolator(source.Points[0] + unit(random) * along + beside);
+      EXPECT_GE(value, 1.0 - 1e-12);
+      EXPECT_LE(value, 3.0 + 1e-12);
     }
   }
 }
