@@ -9,13 +9,14 @@
 #include "RandomInput.h"
 
 #include <chrono>   // for rates
+#include <csignal>  // for the alarm
 #include <cstdio>   // for messages
 #include <cstdlib>  // for numbers
 #include <iostream> // for the report
 #include <string>   // for arguments
 
 #include <sys/time.h> // for the alarm
-#include <unistd.h>   // for alarm
+#include <unistd.h>   // for write
 
 namespace biting
 {
@@ -23,7 +24,7 @@ namespace biting
 namespace
 {
 
-constexpr unsigned SecondsPerCase = 60;
+constexpr int SecondsPerCase = 60;
 constexpr std::size_t MostVertices = 20000; // of what is remeshed, for the time
 
 struct Counts
@@ -68,6 +69,31 @@ void FreezeSome(FuzzNumbers& numbers, RemeshInput& input)
       input.IsFrozen.push_back(numbers.OneIn(6));
     }
   }
+}
+
+/// What the alarm tells: a signal handler may neither format nor allocate.
+char SlowCase[64];
+
+extern "C" void TellSlowCase(int)
+{
+  const std::size_t length = std::char_traits<char>::length(SlowCase);
+  const bool isWritten = write(STDERR_FILENO, SlowCase, length) > 0;
+  _exit(isWritten ? 1 : 2);
+}
+
+/// In seconds of computing, so that it does not matter how busy the machine is; 0: no alarm.
+void SetAlarm(int seconds)
+{
+  itimerval timer{};
+  timer.it_value.tv_sec = seconds;
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+void BeginCase(std::uint64_t seed)
+{
+  std::snprintf(SlowCase, sizeof(SlowCase), "seed %llu takes too long\n",
+    static_cast<unsigned long long>(seed));
+  SetAlarm(SecondsPerCase);
 }
 
 /// Which law is broken, empty where none.
@@ -123,11 +149,12 @@ int RunRemeshFuzz(int count, char** texts)
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   Counts counts;
   int broken = 0;
+  std::signal(SIGPROF, TellSlowCase);
   for (std::uint64_t k = 0; k < cases && elapsed() < seconds; ++k)
   {
-    alarm(SecondsPerCase);
+    BeginCase(seed + k);
     const std::string violation = RunCase(seed + k, counts);
-    alarm(0);
+    SetAlarm(0);
     if (!violation.empty())
     {
       ++broken;

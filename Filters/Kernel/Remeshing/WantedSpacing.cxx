@@ -5,9 +5,12 @@
 
 #include "../Base/Box2.h"
 #include "../Spacing/SourceCheck.h"
+#include "../Spacing/TriangleInterpolator.h"
+#include "GradedValues.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for abs, isfinite
+#include <algorithm> // for all_of, min, max
+#include <cmath>     // for isfinite, isnormal
+#include <limits>    // for infinity
 #include <string>    // for details
 
 namespace biting
@@ -15,30 +18,6 @@ namespace biting
 
 namespace
 {
-
-constexpr double SlopeTolerance = 1.02; // that of the law of Spacing
-
-std::shared_ptr<const FeatureSource> FeaturesOf(
-  const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& pieces, double mostVertices)
-{
-  auto features = std::make_shared<FeatureSource>();
-  features->MostPieces = 2.0 * mostVertices; // two for an edge
-  for (const Id vertex : region.Vertices)
-  {
-    features->Points.push_back(mesh.Points[vertex]);
-  }
-  for (const RegionEdge& edge : pieces.Edges)
-  {
-    if (edge.RimSlot == NoId)
-    {
-      features->Starts.push_back(edge.Start);
-      features->Ends.push_back(edge.End);
-      features->LeftInside.push_back(edge.LeftRegion != NoId);
-      features->RightInside.push_back(edge.RightRegion != NoId);
-    }
-  }
-  return features->Starts.empty() ? nullptr : features;
-}
 
 template <typename Vertices>
 Box2 BoundsOf(const OldMesh& mesh, const Vertices& vertices)
@@ -66,12 +45,18 @@ WantedSpacing::WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
   if (!hasSource && !values.empty())
   {
     this->Combine(values, problems);
-    this->IsLocal = options.Gradation == 0.0 || this->IsWithinGradation();
-    if (this->IsLocal || problems.HasErrors())
+    if (problems.HasErrors())
     {
       return;
     }
-    this->Options.Triangulation = this->SourceOn({});
+    LowerToGradation(mesh, options.Gradation, this->Values, monitor);
+    this->IsLocal =
+      options.Gradation == 0.0 || IsGradedBetween(mesh, options.Gradation, this->Values, monitor);
+    if (this->IsLocal)
+    {
+      return;
+    }
+    this->Options.Triangulation = this->SourceOnMesh();
     this->Options.Scale = 1.0;
     this->Options.Uniform = 0.0;
   }
@@ -104,47 +89,126 @@ void WantedSpacing::Combine(const std::vector<double>& values, ProblemList& prob
   }
 }
 
-bool WantedSpacing::IsWithinGradation() const
-{
-  const OldMesh& mesh = this->Mesh;
-  const double steepest = SlopeTolerance * this->Options.Gradation;
-  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
-  {
-    const Id a = mesh.Start(slot);
-    const Id b = mesh.End(slot);
-    if (std::abs(this->Values[a] - this->Values[b]) >
-      steepest * Distance(mesh.Points[a], mesh.Points[b]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Of all triangles, where none are given.
-std::shared_ptr<const TriangulatedSource> WantedSpacing::SourceOn(
-  const std::vector<Id>& triangles) const
+std::shared_ptr<const TriangulatedSource> WantedSpacing::SourceOnMesh() const
 {
   auto source = std::make_shared<TriangulatedSource>();
-  if (triangles.empty())
+  source->Points = this->Mesh.Points;
+  source->Values = this->Values;
+  source->Triangles = this->Mesh.Corners;
+  return source;
+}
+
+double WantedSpacing::LeastOf(const ChangedRegion& region) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Id vertex : region.Vertices)
   {
-    source->Points = this->Mesh.Points;
-    source->Values = this->Values;
-    source->Triangles = this->Mesh.Corners;
-    return source;
+    least = std::min(least, this->Values[vertex]);
   }
+  return least;
+}
+
+// Null where rounding sees no area of any triangle: nothing is linear there.
+std::shared_ptr<const TriangulatedSource> WantedSpacing::SourceOn(const ChangedRegion& region) const
+{
+  const auto isThin = [this](Id triangle)
+  {
+    const Id* corners = this->Mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    const Point2& a = this->Mesh.Points[corners[0]];
+    return !std::isnormal(
+      Cross(this->Mesh.Points[corners[1]] - a, this->Mesh.Points[corners[2]] - a));
+  };
+  if (std::all_of(region.Triangles.begin(), region.Triangles.end(), isThin))
+  {
+    return nullptr;
+  }
+  auto source = std::make_shared<TriangulatedSource>();
   source->CoversDomain = true;
-  for (const Id triangle : triangles)
+  source->IsGraded = true;
+  for (const Id vertex : region.Vertices)
+  {
+    source->Points.push_back(this->Mesh.Points[vertex]);
+    source->Values.push_back(this->Values[vertex]);
+  }
+  for (const Id triangle : region.Triangles)
   {
     for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
     {
-      const Id vertex = this->Mesh.Corners[slot];
-      source->Triangles.push_back(static_cast<Id>(source->Points.size()));
-      source->Points.push_back(this->Mesh.Points[vertex]);
-      source->Values.push_back(this->Values[vertex]);
+      source->Triangles.push_back(region.Numbers[this->Mesh.Corners[slot]]);
     }
   }
   return source;
+}
+
+std::shared_ptr<const FeatureSource> WantedSpacing::FeaturesOf(const ChangedRegion& region,
+  const RegionEdges& pieces, double mostVertices, Monitor& monitor) const
+{
+  auto features = std::make_shared<FeatureSource>();
+  features->MostPieces = 2.0 * mostVertices; // two for an edge
+  for (const Id vertex : region.Vertices)
+  {
+    features->Points.push_back(this->Mesh.Points[vertex]);
+  }
+  for (const RegionEdge& edge : pieces.Edges)
+  {
+    if (edge.RimSlot == NoId)
+    {
+      features->Starts.push_back(edge.Start);
+      features->Ends.push_back(edge.End);
+      features->LeftInside.push_back(edge.LeftRegion != NoId);
+      features->RightInside.push_back(edge.RightRegion != NoId);
+    }
+  }
+  if (features->Starts.empty())
+  {
+    return nullptr;
+  }
+  features->Floor = this->LengthsOn(region, monitor);
+  return features;
+}
+
+// The mean lengths of the marked edges at their ends, linear in the triangles beside them. Edges
+// across a slit say nothing of f.
+std::function<double(const Point2&)> WantedSpacing::LengthsOn(
+  const ChangedRegion& region, Monitor& monitor) const
+{
+  TriangulatedSource lengths;
+  lengths.Points.resize(region.Vertices.size());
+  lengths.Values.resize(region.Vertices.size(), 0.0);
+  std::vector<double> counts(region.Vertices.size(), 0.0);
+  for (const Id triangle : region.Triangles)
+  {
+    bool hasMarked = false;
+    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+    {
+      const Id start = this->Mesh.Start(slot);
+      const Id end = this->Mesh.End(slot);
+      for (const Id vertex : { start, end })
+      {
+        const Id number = region.Numbers[vertex];
+        const bool isMarked = this->Mesh.Marks[slot] != NoId;
+        const double length = Distance(this->Mesh.Points[start], this->Mesh.Points[end]);
+        lengths.Points[number] = this->Mesh.Points[vertex];
+        lengths.Values[number] += isMarked ? length : 0.0;
+        counts[number] += isMarked ? 1.0 : 0.0;
+        hasMarked = hasMarked || isMarked;
+      }
+    }
+    for (Id slot = 3 * triangle; hasMarked && slot < 3 * triangle + 3; ++slot)
+    {
+      lengths.Triangles.push_back(region.Numbers[this->Mesh.Corners[slot]]);
+    }
+  }
+  for (std::size_t vertex = 0; vertex < counts.size(); ++vertex)
+  {
+    lengths.Values[vertex] /= std::max(counts[vertex], 1.0);
+  }
+  const auto interpolator = std::make_shared<const TriangleInterpolator>(lengths, monitor);
+  if (interpolator->IsEmpty())
+  {
+    return {};
+  }
+  return [interpolator](const Point2& place) { return (*interpolator)(place); };
 }
 
 Spacing WantedSpacing::Prepare(const ChangedRegion& region, const RegionEdges* pieces,
@@ -156,10 +220,11 @@ Spacing WantedSpacing::Prepare(const ChangedRegion& region, const RegionEdges* p
     const double gradation = options.Gradation;
     options = SpacingOptions();
     options.Gradation = pieces ? gradation : 0.0;
-    options.Triangulation = this->SourceOn(region.Triangles);
+    options.Triangulation = this->SourceOn(region);
+    options.Uniform = options.Triangulation ? 0.0 : this->LeastOf(region);
   }
   options.Minimum = this->Options.Minimum;
-  options.Features = pieces ? FeaturesOf(this->Mesh, region, *pieces, mostVertices) : nullptr;
+  options.Features = pieces ? this->FeaturesOf(region, *pieces, mostVertices, monitor) : nullptr;
   options.Gradation = this->IsLocal && !options.Features ? 0.0 : options.Gradation;
   Spacing f = MakeSpacing(options, BoundsOf(this->Mesh, region.Vertices), problems, monitor);
   if (!problems.HasErrors() && options.Features)

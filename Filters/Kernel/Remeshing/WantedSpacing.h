@@ -11,16 +11,19 @@
 #include "OldMesh.h"
 #include "RegionEdges.h"
 
-#include <vector> // for values
+#include <functional> // for the lengths
+#include <memory>     // for sources
+#include <vector>     // for values
 
 namespace biting
 {
 
 /// The spacing wanted of an old mesh.
 ///
-/// Where it is given by values at the vertices, whose slopes along edges are the gradation at most,
-/// it is what they say, and preparing it for a region costs no more than the region. Otherwise it
-/// is prepared for all of the mesh.
+/// Where it is given by values at the vertices, these are lowered to the gradation through the mesh
+/// (GradedValues.h), it is linear between them, and preparing it for a region costs no more than
+/// the region. Otherwise, and where triangles are so thin that slopes between vertices say nothing,
+/// it is prepared for all of the mesh.
 class WantedSpacing
 {
 public:
@@ -31,15 +34,20 @@ public:
   /// f at the vertices; where no region is limited yet, before any limit by feature size.
   const std::vector<double>& AtVertices() const { return this->Values; }
 
-  /// f for the region, at most the local feature size of `pieces`, if there are any; values at the
-  /// vertices of the region follow.
+  /// f for the region, at most the local feature size of `pieces`, if there are any, but for
+  /// distances not below the lengths of the old edges; values at the vertices of the region follow.
   Spacing Prepare(const ChangedRegion& region, const RegionEdges* pieces, double mostVertices,
     ProblemList& problems, Monitor& monitor);
 
 private:
-  bool IsWithinGradation() const;
   void Combine(const std::vector<double>& values, ProblemList& problems);
-  std::shared_ptr<const TriangulatedSource> SourceOn(const std::vector<Id>& triangles) const;
+  std::shared_ptr<const TriangulatedSource> SourceOnMesh() const;
+  std::shared_ptr<const TriangulatedSource> SourceOn(const ChangedRegion& region) const;
+  double LeastOf(const ChangedRegion& region) const;
+  std::shared_ptr<const FeatureSource> FeaturesOf(const ChangedRegion& region,
+    const RegionEdges& pieces, double mostVertices, Monitor& monitor) const;
+  std::function<double(const Point2&)> LengthsOn(
+    const ChangedRegion& region, Monitor& monitor) const;
 
   const OldMesh& Mesh;
   SpacingOptions Options;

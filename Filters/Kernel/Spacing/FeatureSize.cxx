@@ -202,7 +202,8 @@ private:
     sample.Place = place;
     sample.Given = this->Given(place);
     const double known = sample.Given / SizesPerSpacing + reach;
-    const double least = this->Source.LeastShare * sample.Given;
+    const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
+    const double least = std::max(this->Source.LeastShare * sample.Given, floor);
     sample.Size =
       SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
     const double bySize = std::max(sample.Size, least);

@@ -272,7 +272,7 @@ private:
     }
     PartOfStage measuring(this->Stage, 0.3, 0.32);
     this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
-    if (this->Options.Gradation > 0.0)
+    if (this->Options.Gradation > 0.0 && !this->Options.Triangulation->IsGraded)
     {
       PartOfStage limiting(this->Stage, 0.32, 0.36);
       auto limit = std::make_unique<TriangleLimit>(

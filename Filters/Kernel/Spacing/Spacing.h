@@ -44,6 +44,9 @@ struct TriangulatedSource
   /// Whether the domain is just where the triangles are: then f outside, which is asked for by
   /// rounding only, need not keep the gradation.
   bool CoversDomain = false;
+
+  /// Whether the values keep the gradation as they are: then f is just as they say.
+  bool IsGraded = false;
 };
 
 /// A spacing given at the ends of segments: linear along them, inwards the Lipschitz extension
@@ -86,6 +89,10 @@ struct FeatureSource
   /// About how many pieces half as long as f the segments may have. Where they have more, nothing more
   /// is capped: a mesh that fine will be refused, and this should be soon.
   double MostPieces = std::numeric_limits<double>::infinity();
+
+  /// May be empty. The cap for the distance is no less than that: where f has been capped before, what
+  /// is given is the capped one, and a quarter of that would be less each time.
+  std::function<double(const Point2&)> Floor;
 };
 
 class Spacing;

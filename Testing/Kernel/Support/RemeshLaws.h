@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  static constexpr double Tolerance = 1e-6; // of sums: rounding of vertices that are very close
+  static constexpr double Tolerance = 1e-9; // of sums
 
   using Sums = std::map<Id, double>;
   using Ends = std::pair<Id, Id>;
@@ -161,7 +161,8 @@ private:
     return {};
   }
 
-  /// That of vertices, along all edges.
+  /// Vertices go that are no further than the rounding off the line between others, and come as
+  /// near to it: a strip as wide on either side of all edges.
   double RoundingOfAreas() const
   {
     const BitingMesh old = EdgesOf(this->Result.Old);
@@ -171,7 +172,15 @@ private:
     {
       length += Distance(points[old.EdgeStarts[k]], points[old.EdgeEnds[k]]);
     }
-    return this->Input.Rounding * length;
+    return 2.0 * this->Input.Rounding * length;
+  }
+
+  /// An end that is off the line by the rounding changes the length of an edge by that at most:
+  /// where it goes along the line, which it does where ends are as near to each other.
+  double RoundingOfLengths(const BitingMesh& old) const
+  {
+    return 2.0 * this->Input.Rounding *
+      static_cast<double>(old.EdgeStarts.size() + this->Mesh.EdgeStarts.size());
   }
 
   static std::string Compare(Sums before, Sums after, double allowed, const char* text)
@@ -231,7 +240,8 @@ private:
       after[this->TagOf(this->Mesh.EdgeCells[k])] += Distance(
         this->Mesh.Points[this->Mesh.EdgeStarts[k]], this->Mesh.Points[this->Mesh.EdgeEnds[k]]);
     }
-    return Compare(before, after, Tolerance * whole, "edges of a tag have another length");
+    return Compare(before, after, Tolerance * whole + this->RoundingOfLengths(old),
+      "edges of a tag have another length");
   }
 
   Id TagOf(Id line) const { return line == NoId ? NoId : this->Input.LineCells[line]; }

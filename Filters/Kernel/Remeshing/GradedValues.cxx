@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GradedValues.h"
+
+#include "../Base/Pulse.h"
+#include "../Spacing/EdgeBound.h"
+
+#include <cmath>      // for isnormal
+#include <cstdint>    // for flags
+#include <functional> // for greater
+#include <limits>     // for infinity
+#include <numeric>    // for partial_sum
+#include <queue>      // for the order of values
+#include <utility>    // for pair
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double SlopeTolerance = 1.02; // that of the law of Spacing
+constexpr double SlightShare = 0.003;   // less than this is not handed on
+constexpr double SteepestBetween = 2.0; // gradations: 1 / cos(60 degrees), and rounding
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+class Lowering
+{
+public:
+  Lowering(const OldMesh& mesh, double gradation, std::vector<double>& values, Pulse& pulse)
+    : Mesh(mesh)
+    , Gradation(gradation)
+    , Values(values)
+    , Progress(pulse)
+    , Bound({ 1.0, 0.0, Infinity }, gradation)
+  {
+  }
+
+  void Run()
+  {
+    this->FindSteep();
+    if (this->Waiting.empty())
+    {
+      return;
+    }
+    this->ListSlots();
+    while (!this->Waiting.empty() && this->Progress.Beat())
+    {
+      const auto [value, vertex] = this->Waiting.top();
+      this->Waiting.pop();
+      if (value == this->Values[vertex])
+      {
+        this->HandOn(vertex);
+      }
+    }
+  }
+
+private:
+  using Entry = std::pair<double, Id>;
+
+  void FindSteep();
+  void ListSlots();
+  void HandOn(Id vertex);
+  void Lower(Id vertex, Id start, Id end);
+
+  const OldMesh& Mesh;
+  const double Gradation;
+  std::vector<double>& Values;
+  Pulse& Progress;
+  const EdgeBound Bound;
+  std::vector<Id> Offsets; ///< of the slots at a vertex
+  std::vector<Id> Slots;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Waiting;
+};
+
+// The lower ends of edges that are.
+void Lowering::FindSteep()
+{
+  std::vector<std::uint8_t> isLow(this->Values.size(), 0);
+  this->Progress.ForEach(this->Mesh.Corners.size(),
+    [this, &isLow](std::size_t place)
+    {
+      const Id slot = static_cast<Id>(place);
+      const Id a = this->Mesh.Start(slot);
+      const Id b = this->Mesh.End(slot);
+      const double rise = this->Values[b] - this->Values[a];
+      const double most =
+        SlopeTolerance * this->Gradation * Distance(this->Mesh.Points[a], this->Mesh.Points[b]);
+      isLow[a] |= rise > most;
+      isLow[b] |= -rise > most;
+    });
+  for (std::size_t vertex = 0; vertex < isLow.size(); ++vertex)
+  {
+    if (isLow[vertex])
+    {
+      this->Waiting.emplace(this->Values[vertex], static_cast<Id>(vertex));
+    }
+  }
+}
+
+void Lowering::ListSlots()
+{
+  this->Offsets.assign(this->Values.size() + 1, 0);
+  for (const Id corner : this->Mesh.Corners)
+  {
+    ++this->Offsets[corner];
+  }
+  std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
+  this->Slots.resize(this->Mesh.Corners.size());
+  this->Progress.ForEach(this->Slots.size(),
+    [this](std::size_t slot)
+    { this->Slots[--this->Offsets[this->Mesh.Corners[slot]]] = static_cast<Id>(slot); });
+}
+
+void Lowering::HandOn(Id vertex)
+{
+  for (Id k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
+  {
+    const Id start = this->Mesh.Start(this->Slots[k]);
+    const Id end = this->Mesh.End(this->Slots[k]);
+    this->Lower(start, vertex, end);
+    this->Lower(end, vertex, start);
+  }
+}
+
+// To what the edge allows.
+void Lowering::Lower(Id vertex, Id start, Id end)
+{
+  if (!(this->Values[start] < this->Values[vertex]))
+  {
+    return;
+  }
+  const Point2 edge = this->Mesh.Points[end] - this->Mesh.Points[start];
+  const Point2 way = this->Mesh.Points[vertex] - this->Mesh.Points[start];
+  const double length = Length(edge);
+  const double value = this->Bound(Dot(way, edge) / length, Cross(edge, way) / length, length,
+    this->Values[start], this->Values[end]);
+  if (value < (1.0 - SlightShare) * this->Values[vertex])
+  {
+    this->Values[vertex] = value;
+    this->Waiting.emplace(value, vertex);
+  }
+}
+
+// Of the linear function with these values at the corners of a triangle; 0 where its area is below
+// rounding.
+double SlopeOf(const Point2& ab, const Point2& ac, double riseToB, double riseToC)
+{
+  const double area = Cross(ab, ac);
+  return std::isnormal(area) ? Length(riseToB * ac - riseToC * ab) / area : 0.0;
+}
+
+} // namespace
+
+void LowerToGradation(
+  const OldMesh& mesh, double gradation, std::vector<double>& values, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  if (gradation > 0.0)
+  {
+    Lowering(mesh, gradation, values, pulse).Run();
+  }
+}
+
+bool IsGradedBetween(
+  const OldMesh& mesh, double gradation, const std::vector<double>& values, Monitor& monitor)
+{
+  bool isGraded = true;
+  Pulse pulse(monitor);
+  pulse.ForEach(mesh.Regions.size(),
+    [&mesh, gradation, &values, &isGraded](std::size_t triangle)
+    {
+      const Id* corners = mesh.Corners.data() + 3 * triangle;
+      const double rises[2] = { values[corners[1]] - values[corners[0]],
+        values[corners[2]] - values[corners[0]] };
+      const Point2& a = mesh.Points[corners[0]];
+      const double slope =
+        SlopeOf(mesh.Points[corners[1]] - a, mesh.Points[corners[2]] - a, rises[0], rises[1]);
+      isGraded &= slope <= SlopeTolerance * SteepestBetween * gradation;
+    });
+  return isGraded;
+}
+
+} // namespace biting
