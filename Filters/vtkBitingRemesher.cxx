@@ -277,6 +277,8 @@ bool vtkBitingRemesher::Execution::ReadParameters()
     biting::RemeshPreference::Balanced, biting::RemeshPreference::Shape };
   this->Options.Preference = Preferences[filter.Preference];
   this->Options.Relaxation = filter.Relaxation;
+  this->Options.Rings = filter.Rings;
+  this->Options.RelaxAll = filter.RelaxAll;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.KeepBites = filter.GenerateBites;
   return true;
@@ -536,6 +538,8 @@ void vtkBitingRemesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FrozenArray: " << this->FrozenArray << "\n"
      << indent << "TransferData: " << (this->TransferData ? "on" : "off") << "\n"
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
+     << indent << "Rings: " << this->Rings << "\n"
+     << indent << "RelaxAll: " << (this->RelaxAll ? "on" : "off") << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
      << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";

@@ -7,7 +7,7 @@
  *
  * vtkBitingRemesher changes a mesh where it must, and leaves it where it can: what stays needs no
  * interpolation. Where the mean length of the edges at each vertex is within [0.75, 1.3] f, with f the
- * spacing that is wanted now, vertices and triangles stay bit for bit. Elsewhere, and in two rings of
+ * spacing that is wanted now, vertices and triangles stay bit for bit. Elsewhere, and in two `Rings` of
  * triangles around, the mesh is made anew (paper, section 7): old vertices bite first, where bites
  * leave a part uncovered new vertices fill it as in vtkBitingMesher, and where old vertices are too
  * dense only those stay that no bite of an earlier one holds. What is made anew is triangulated by
@@ -34,7 +34,9 @@
  * as vtkBitingMesher takes it. Where nothing is connected there and UniformSpacing is 0, that of the
  * point array of the mesh that SetInputArrayToProcess(0, 0, 0, POINTS, name) names, linear on its
  * triangles. An array named `Spacing` is taken where no other name was set. Then SpacingScale,
- * MinimumSpacing, MaximumSpacing, LimitByFeatureSize and Gradation, as in vtkBitingMesher.
+ * MinimumSpacing, MaximumSpacing, LimitByFeatureSize and Gradation, as in vtkBitingMesher; the array of
+ * the mesh is limited to the gradation by distances through the mesh, which takes far less time than a
+ * source does.
  *
  * @par Outputs:
  * 0, Mesh: with the arrays of vtkBitingMesher::MESH. `OriginalPointId` is the point of the input at a
@@ -172,8 +174,10 @@ public:
   ///@{
   /**
    * On (default): where the mesh is made anew, f is capped by the local feature size of its boundary,
-   * interfaces and tagged edges, straight parts in one, as in vtkBitingMesher. Off: it is not; near
-   * edges that are much shorter than f triangles are then as thin.
+   * interfaces and tagged edges, straight parts in one, as in vtkBitingMesher; but for the distance of
+   * features not below the length of the edges that are there, so that what was capped before is not
+   * capped again. Off: it is not capped; near edges that are much shorter than f triangles are then as
+   * thin.
    */
   vtkSetMacro(LimitByFeatureSize, bool);
   vtkGetMacro(LimitByFeatureSize, bool);
@@ -195,8 +199,8 @@ public:
   ///@{
   /**
    * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices stay
-   * that can; BALANCED (default): those that would leave angles below 30 degrees, or edges beyond
-   * [0.65, 1.45] f, are released, and so are those where the mesh is too coarse for f by less than 1.75
+   * that can; BALANCED (default): where they would leave an angle below 30 degrees, or an edge beyond
+   * [0.65, 1.45] f, one is released, and all are where the mesh is too coarse for f by less than 1.75
    * or too fine by more than 0.6; SHAPE: more are.
    */
   vtkSetClampMacro(Preference, int, KEEPING, SHAPE);
@@ -241,6 +245,26 @@ public:
   vtkSetMacro(Relaxation, bool);
   vtkGetMacro(Relaxation, bool);
   vtkBooleanMacro(Relaxation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many rings of triangles around what must change are made anew with it, >= 0. Default 2. More:
+   * shapes get better along the rim, and fewer vertices are kept.
+   */
+  vtkSetClampMacro(Rings, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Rings, int);
+  ///@}
+
+  ///@{
+  /**
+   * On: all that is not frozen is made anew and relaxed, also where the spacing has not changed; all
+   * vertices but those of edges and embedded ones count as new. For a mesh with poor triangles. Off
+   * (default): what fits stays.
+   */
+  vtkSetMacro(RelaxAll, bool);
+  vtkGetMacro(RelaxAll, bool);
+  vtkBooleanMacro(RelaxAll, bool);
   ///@}
 
   ///@{
@@ -305,6 +329,8 @@ private:
   std::string FrozenArray;
   bool TransferData = true;
   bool Relaxation = true;
+  int Rings = 2;
+  bool RelaxAll = false;
   vtkIdType MaximumNumberOfVertices = 20000000;
   int NumberOfThreads = 0;
   bool GenerateBites = false;

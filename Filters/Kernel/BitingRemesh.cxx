@@ -30,8 +30,6 @@ namespace biting
 namespace
 {
 
-constexpr int MostReleases = 2; // rounds: what the first frees may show more
-
 // Where steps end, as shares of the time of their stage.
 constexpr double FirstComparisonEnd = 0.4;
 constexpr double LocatorEnd = 0.2;
@@ -153,8 +151,9 @@ void Remesher::Compare()
 void Remesher::FindRegion()
 {
   const OldMesh& old = this->Result.Old;
-  this->Region =
-    FindChangedRegion(old, MeanLengths(old, this->Result.OldSpacings), this->Options.Rings);
+  const std::vector<double> lengths = MeanLengths(old, this->Result.OldSpacings);
+  this->Region = this->Options.RelaxAll ? WholeRegion(old, lengths)
+                                        : FindChangedRegion(old, lengths, this->Options.Rings);
   this->Result.IsUnchanged = this->Region.IsEmpty();
 }
 
@@ -279,18 +278,24 @@ void Remesher::Relax()
     return;
   }
   PartOfStage first(this->Whole, 0.0, FirstRelaxationEnd);
-  this->RelaxOnce(false, first);
-  PartOfStage again(this->Whole, FirstRelaxationEnd, 1.0);
-  for (int round = 0; round < MostReleases && !this->IsOver(); ++round)
+  if (!this->Options.RelaxAll)
   {
-    const std::vector<std::uint8_t> isInTheWay = FindVerticesInTheWay(this->Result.Old,
-      this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles, this->Rules);
-    if (std::find(isInTheWay.begin(), isInTheWay.end(), 1) == isInTheWay.end())
-    {
-      return;
-    }
-    ReleaseVertices(isInTheWay, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
-    this->RelaxOnce(round + 1 == MostReleases, again);
+    this->RelaxOnce(false, first);
+  }
+  if (this->IsOver())
+  {
+    return;
+  }
+  const std::vector<std::uint8_t> isReleased = this->Options.RelaxAll
+    ? FindVerticesThatMayGo(this->Result.Old, this->Cavity.Geometry)
+    : FindVerticesInTheWay(this->Result.Old, this->Cavity.Geometry, this->Cavity.Bites,
+        this->Cavity.Triangles, this->Rules);
+  ReleaseVertices(isReleased, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
+  PartOfStage again(this->Whole, FirstRelaxationEnd, 1.0);
+  if (this->Options.RelaxAll ||
+    std::find(isReleased.begin(), isReleased.end(), 1) != isReleased.end())
+  {
+    this->RelaxOnce(true, again);
   }
 }
 

@@ -36,6 +36,11 @@ struct RemeshOptions
   int Rings = 2; ///< of triangles around what must change, that change with it
 
   bool Relaxation = true;
+
+  /// True: all triangles that may change are made anew, and all vertices that may move are relaxed;
+  /// they stay where that is best, but count as new.
+  bool RelaxAll = false;
+
   std::int64_t MaximumNumberOfVertices = 20000000;
   bool KeepBites = false; ///< fill Bites of the mesh
 };

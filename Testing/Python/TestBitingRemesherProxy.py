@@ -11,8 +11,8 @@ from paraview import simple
 PROPERTIES = {
     'UniformSpacing': 0.0, 'SpacingScale': 1.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0,
     'Gradation': 0.3, 'LimitByFeatureSize': 1, 'Preference': 'Balanced', 'EdgePolicy': 'Free',
-    'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1,
-    'MaximumNumberOfVertices': 20000000, 'NumberOfThreads': 0, 'GenerateBites': 0,
+    'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1, 'Rings': 2,
+    'RelaxAll': 0, 'MaximumNumberOfVertices': 20000000, 'NumberOfThreads': 0, 'GenerateBites': 0,
     'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
 }
 OTHERS = {'Input', 'SpacingSource', 'TaggedLines', 'Summary'}
@@ -64,6 +64,19 @@ class TestBitingRemesherProxy(unittest.TestCase):
         self.assertEqual(figure(remesher, 'NewVertices'), 0)
         remesher.UpdatePropertyInformation()
         self.assertIn('0 removed, 0 new', remesher.Summary)
+
+    def test_relax_all_makes_a_mesh_anew_that_fits(self):
+        remesher = BitingRemesher(Input=mesh(), RelaxAll=1)
+        self.assertGreater(figure(remesher, 'NewVertices'), 100)
+
+    def test_more_rings_keep_no_more(self):
+        kept = []
+        for rings in (0, 2, 6):
+            disc = simple.Calculator(Input=mesh(0.03), ResultArrayName='Spacing',
+                Function='max(0.015, min(0.03, 0.3*sqrt(coordsX*coordsX+coordsY*coordsY)))')
+            kept.append(figure(BitingRemesher(Input=disc, Rings=rings), 'KeptTriangles'))
+        self.assertGreater(kept[0], kept[1])
+        self.assertGreaterEqual(kept[1], kept[2])
 
     def test_a_scale_of_a_half_keeps_vertices_and_adds_others(self):
         old = mesh()

@@ -126,6 +126,18 @@ void ListNeighbors(const OldMesh& mesh, ChangedRegion& region)
     });
 }
 
+// All that follows from the triangles that are changed.
+void Describe(const OldMesh& mesh, const std::vector<double>& lengths, ChangedRegion& region)
+{
+  NumberRegion(mesh, region);
+  FindInside(mesh, region);
+  for (const Id vertex : region.Vertices)
+  {
+    region.Lengths.push_back(lengths[vertex]);
+  }
+  ListNeighbors(mesh, region);
+}
+
 } // namespace
 
 std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings)
@@ -167,13 +179,17 @@ ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& 
   {
     AddRing(mesh, isMarked, region.IsChanged);
   }
-  NumberRegion(mesh, region);
-  FindInside(mesh, region);
-  for (const Id vertex : region.Vertices)
-  {
-    region.Lengths.push_back(lengths[vertex]);
-  }
-  ListNeighbors(mesh, region);
+  Describe(mesh, lengths, region);
+  return region;
+}
+
+ChangedRegion WholeRegion(const OldMesh& mesh, const std::vector<double>& lengths)
+{
+  ChangedRegion region;
+  Flags isMarked(mesh.Points.size(), 1);
+  region.IsChanged.assign(mesh.Regions.size(), 0);
+  AddRing(mesh, isMarked, region.IsChanged);
+  Describe(mesh, lengths, region);
   return region;
 }
 

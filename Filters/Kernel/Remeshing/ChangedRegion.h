@@ -42,6 +42,9 @@ std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& 
 /// little a triangle.
 ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings);
 
+/// All triangles that are not frozen.
+ChangedRegion WholeRegion(const OldMesh& mesh, const std::vector<double>& lengths);
+
 } // namespace biting
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "../Quality/Quality.h"
 
+#include <array>   // for corners
 #include <utility> // for move
 
 namespace biting
@@ -55,42 +56,107 @@ void Renumber(const std::vector<Id>& numbers, std::vector<Id>& ids)
   }
 }
 
-// Marks the corners of a triangle that are in the way: all at a poor angle, the ends of a poor
-// edge.
-void MarkCorners(const BitingResult& bites, const Id* corners, const KeepRules& rules,
-  std::vector<std::uint8_t>& isMarked)
+/// Finds what is poor, and which vertices may go for it.
+class Judge
 {
-  const auto place = [&bites, corners](int k) { return bites.Points[corners[k % 3]]; };
-  const auto spacing = [&bites, corners](int k) { return bites.Spacings[corners[k % 3]]; };
-  const bool isPoor = MinimumAngle(place(0), place(1), place(2)) < rules.LeastAngle;
-  for (int k = 0; k < 3; ++k)
+public:
+  Judge(const OldMesh& old, const Domain& domain, const BitingResult& bites, const KeepRules& rules)
+    : Bites(bites)
+    , Rules(rules)
+    , MayGo(FindVerticesThatMayGo(old, domain))
+    , Complaints(domain.Vertices.size(), 0)
   {
-    const double length = 2.0 * Distance(place(k), place(k + 1)) / (spacing(k) + spacing(k + 1));
-    if (isPoor || length < rules.ShortestEdge || length > rules.LongestEdge)
+  }
+
+  /// At a poor triangle it may be any corner, at a poor edge either end.
+  void LookAt(const Id* corners)
+  {
+    const auto place = [this, corners](int k) { return this->Bites.Points[corners[k % 3]]; };
+    const auto spacing = [this, corners](int k) { return this->Bites.Spacings[corners[k % 3]]; };
+    if (MinimumAngle(place(0), place(1), place(2)) < this->Rules.LeastAngle)
     {
-      isMarked[corners[k]] = 1;
-      isMarked[corners[(k + 1) % 3]] = 1;
+      this->Add({ corners[0], corners[1], corners[2] });
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const double length = 2.0 * Distance(place(k), place(k + 1)) / (spacing(k) + spacing(k + 1));
+      if (length < this->Rules.ShortestEdge || length > this->Rules.LongestEdge)
+      {
+        this->Add({ corners[k], corners[(k + 1) % 3], NoId });
+      }
     }
   }
-}
+
+  /// For each that is poor, one vertex: that at which most is.
+  std::vector<std::uint8_t> Choose() const
+  {
+    std::vector<std::uint8_t> isChosen(this->MayGo.size(), 0);
+    for (const std::array<Id, 3>& poor : this->Poor)
+    {
+      Id chosen = NoId;
+      for (const Id vertex : poor)
+      {
+        const bool isMore =
+          vertex != NoId && (chosen == NoId || this->Complaints[vertex] > this->Complaints[chosen]);
+        chosen = isMore ? vertex : chosen;
+      }
+      if (chosen != NoId)
+      {
+        isChosen[chosen] = 1;
+      }
+    }
+    return isChosen;
+  }
+
+private:
+  void Add(std::array<Id, 3> vertices)
+  {
+    bool hasSome = false;
+    for (Id& vertex : vertices)
+    {
+      const bool mayGo = vertex != NoId && static_cast<std::size_t>(vertex) < this->MayGo.size() &&
+        this->MayGo[vertex] != 0;
+      vertex = mayGo ? vertex : NoId;
+      hasSome = hasSome || mayGo;
+      if (mayGo)
+      {
+        ++this->Complaints[vertex];
+      }
+    }
+    if (hasSome)
+    {
+      this->Poor.push_back(vertices);
+    }
+  }
+
+  const BitingResult& Bites;
+  const KeepRules& Rules;
+  std::vector<std::uint8_t> MayGo;
+  std::vector<Id> Complaints;
+  std::vector<std::array<Id, 3>> Poor;
+};
 
 } // namespace
+
+std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain& domain)
+{
+  std::vector<std::uint8_t> mayGo = domain.IsEmbedded;
+  for (std::size_t vertex = 0; vertex < mayGo.size(); ++vertex)
+  {
+    mayGo[vertex] &= old.IsFixed[domain.VertexPoints[vertex]] == 0;
+  }
+  return mayGo;
+}
 
 std::vector<std::uint8_t> FindVerticesInTheWay(const OldMesh& old, const Domain& domain,
   const BitingResult& bites, const Triangulation& mesh, const KeepRules& rules)
 {
-  std::vector<std::uint8_t> isInTheWay(bites.Points.size(), 0);
+  Judge judge(old, domain, bites, rules);
   for (std::size_t corner = 0; corner < mesh.Corners.size(); corner += 3)
   {
-    MarkCorners(bites, mesh.Corners.data() + corner, rules, isInTheWay);
+    judge.LookAt(mesh.Corners.data() + corner);
   }
-  isInTheWay.resize(domain.Vertices.size());
-  for (std::size_t vertex = 0; vertex < isInTheWay.size(); ++vertex)
-  {
-    isInTheWay[vertex] &=
-      domain.IsEmbedded[vertex] != 0 && !old.IsFixed[domain.VertexPoints[vertex]];
-  }
-  return isInTheWay;
+  return judge.Choose();
 }
 
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,

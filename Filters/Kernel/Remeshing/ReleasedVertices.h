@@ -16,8 +16,11 @@
 namespace biting
 {
 
-/// 1 for the embedded vertices of the domain, fixed ones apart, in triangles that have an angle or
-/// an edge beyond what `rules` say: they are in the way of a better mesh.
+/// 1 for the embedded vertices of the domain, fixed ones apart.
+std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain& domain);
+
+/// 1 for those of them that are in the way of a better mesh: of each triangle with an angle, and of
+/// each edge, beyond what `rules` say, one; that of most such triangles and edges.
 std::vector<std::uint8_t> FindVerticesInTheWay(const OldMesh& old, const Domain& domain,
   const BitingResult& bites, const Triangulation& mesh, const KeepRules& rules);
 

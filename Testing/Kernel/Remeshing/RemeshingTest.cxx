@@ -344,6 +344,59 @@ TEST(Remeshing, TheSameInputGivesTheSameBytes)
   EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
 }
 
+/// A slit of a hundredth of f is capped by a quarter of f. That quarter must not be taken once
+/// more.
+TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedAgain)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = 0.1;
+  const BitingMesh mesh = RunMesh(PolylineBuilder()
+                                    .Box(0.0, 0.0, 1.0, 1.0)
+                                    .Box(0.2, 0.3, 0.5, 0.7)
+                                    .Box(0.501, 0.3, 0.8, 0.7)
+                                    .Lines(),
+    options)
+                            .Mesh;
+  const RemeshInput input = RemeshInputOf(mesh, Rounding);
+  RemeshOptions wanted;
+  wanted.Values = mesh.Spacing;
+  const RemeshRun same = RunLawfully(input, wanted);
+  EXPECT_TRUE(same.Result.IsUnchanged || same.ShareOfKept() > 0.98);
+  wanted.Spacing.Scale = 2.0;
+  const RemeshRun coarse = RunLawfully(input, wanted);
+  EXPECT_LT(coarse.Result.Mesh.Points.size(), input.Points.size());
+}
+
+TEST(Remeshing, RelaxAllMovesWhatFits)
+{
+  RemeshInput input = RemeshInputOf(PlateMesh(0.05), Rounding);
+  input.IsFrozen.assign(input.Corners.size() / 3, 0);
+  input.IsFrozen[17] = 1;
+  RemeshOptions options = WantingUniform(input, 0.05);
+  options.LimitByFeatureSize = false;
+  options.RelaxAll = true;
+  const RemeshRun run = RunLawfully(input, options);
+  EXPECT_FALSE(run.Result.IsUnchanged);
+  EXPECT_LT(run.ShareOfKept(), 0.5);
+  EXPECT_GT(run.SmallestAngle(), 30.0);
+}
+
+TEST(Remeshing, MoreRingsKeepNoMoreTriangles)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
+  RemeshOptions options = WantingDisc(input, 0.02);
+  std::vector<std::ptrdiff_t> kept;
+  for (const int rings : { 0, 2, 5 })
+  {
+    options.Rings = rings;
+    const std::vector<Id> originals = RunLawfully(input, options).Result.OriginalTriangles;
+    kept.push_back(std::count_if(
+      originals.begin(), originals.end(), [](Id original) { return original != NoId; }));
+  }
+  EXPECT_GT(kept[0], kept[1]);
+  EXPECT_GE(kept[1], kept[2]);
+}
+
 TEST(Remeshing, ASteepSpacingIsLimitedToTheGradation)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
