@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What remeshing keeps, what the mesh is worth, and what it costs: CPU time of one thread for each
+// vertex of the result.
+//   BenchmarkRemesh [vertices] [domain] [preference]
+//     about so many (10000), on "square" or "holes", with 0 (Keeping), 1 (Balanced, default) or
+//     2 (Shape)
+//   BenchmarkRemesh [vertices] layer [preference]
+//     each step of the layer that moves
+
+#include "../Kernel/Support/MeshShapes.h"
+#include "../Kernel/Support/PolylineShapes.h"
+#include "../Kernel/Support/RemeshLaws.h"
+#include "BitingMesh.h"
+#include "BitingRemesh.h"
+
+#include <algorithm>  // for sort
+#include <cmath>      // for fields
+#include <cstdio>     // for tables
+#include <cstdlib>    // for arguments
+#include <ctime>      // for CPU time
+#include <functional> // for fields
+#include <string>     // for names
+
+namespace
+{
+
+using namespace biting;
+
+constexpr double Gradation = 0.3;
+constexpr double Rounding = 1e-15;
+constexpr int Steps = 20;
+constexpr double StepLength = 0.02;
+
+using Field = std::function<double(const Point2&)>;
+
+double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The unit square, with seven by seven round holes or none.
+Polylines DomainNamed(const std::string& name)
+{
+  PolylineBuilder builder;
+  builder.Box(0.0, 0.0, 1.0, 1.0);
+  for (int hole = 0; name == "holes" && hole < 49; ++hole)
+  {
+    const Point2 middle{ (hole % 7 + 0.5) / 7.0, (hole / 7 + 0.5) / 7.0 };
+    builder.Loop(RegularPolygon(middle, 0.02, 24));
+  }
+  return builder.Lines();
+}
+
+BitingMesh MeshOf(const Polylines& domain, double spacing)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = spacing;
+  ProblemList problems;
+  return MakeBitingMesh(domain, options, problems, NoMonitor());
+}
+
+struct Outcome
+{
+  RemeshInput Input;
+  RemeshResult Result;
+  std::vector<double> Before; ///< f at the vertices of the input that it was made for, or none
+  double Time = 0.0;
+
+  const BitingMesh& Mesh() const { return this->Result.Mesh; }
+};
+
+std::vector<double> ValuesAt(const std::vector<Point2>& points, const Field& f)
+{
+  std::vector<double> values;
+  for (const Point2& point : points)
+  {
+    values.push_back(f(point));
+  }
+  return values;
+}
+
+Outcome RemeshTo(const BitingMesh& mesh, const Field& f, RemeshPreference preference)
+{
+  Outcome outcome;
+  outcome.Input = RemeshInputOf(mesh, Rounding);
+  outcome.Before = mesh.Spacing;
+  RemeshOptions options;
+  options.Preference = preference;
+  options.Spacing.Gradation = Gradation;
+  options.Values = ValuesAt(mesh.Points, f);
+  ProblemList problems;
+  const double begin = Seconds();
+  outcome.Result = Remesh(outcome.Input, options, problems, NoMonitor());
+  outcome.Time = Seconds() - begin;
+  if (outcome.Result.IsUnchanged)
+  {
+    outcome.Result.Mesh = mesh;
+    for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
+    {
+      outcome.Result.Mesh.OriginalPoints[vertex] = static_cast<Id>(vertex);
+    }
+  }
+  return outcome;
+}
+
+/// What the mesher makes of the same spacing.
+Outcome MeshedAnew(const Polylines& domain, const Outcome& outcome)
+{
+  auto source = std::make_shared<TriangulatedSource>();
+  source->Points = outcome.Mesh().Points;
+  source->Values = outcome.Mesh().Spacing;
+  source->Triangles = outcome.Mesh().Corners;
+  BitingMeshOptions options;
+  options.Spacing.Triangulation = source;
+  Outcome anew = outcome;
+  ProblemList problems;
+  const double begin = Seconds();
+  anew.Result.Mesh = MakeBitingMesh(domain, options, problems, NoMonitor());
+  anew.Time = Seconds() - begin;
+  anew.Result.Mesh.OriginalPoints.assign(anew.Mesh().Points.size(), NoId);
+  return anew;
+}
+
+/// Of the old vertices, in per cent; where `isCounted` says so.
+template <typename Predicate>
+double ShareOfKept(const Outcome& outcome, const Predicate& isCounted)
+{
+  std::vector<std::uint8_t> isKept(outcome.Input.Points.size(), 0);
+  for (const Id original : outcome.Mesh().OriginalPoints)
+  {
+    isKept[original == NoId ? 0 : original] |= original != NoId;
+  }
+  double kept = 0.0;
+  double all = 0.0;
+  for (std::size_t vertex = 0; vertex < isKept.size(); ++vertex)
+  {
+    if (isCounted(vertex))
+    {
+      kept += isKept[vertex];
+      all += 1.0;
+    }
+  }
+  return all > 0.0 ? 100.0 * kept / all : 100.0;
+}
+
+/// Where the spacing changed by less than a tenth.
+double ShareOfKeptWhereAlike(const Outcome& outcome)
+{
+  const std::vector<double>& now = outcome.Result.OldSpacings;
+  return ShareOfKept(outcome,
+    [&outcome, &now](std::size_t vertex)
+    { return std::abs(now[vertex] - outcome.Before[vertex]) < 0.1 * outcome.Before[vertex]; });
+}
+
+void PrintHead()
+{
+  std::printf("case            vertices   kept   alike    min   1 %%  mean   conf   band    us\n");
+}
+
+void Print(const std::string& name, const Outcome& outcome)
+{
+  const BitingMesh& mesh = outcome.Mesh();
+  std::vector<double> angles;
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); slot += 3)
+  {
+    angles.push_back(MinimumAngle(mesh.Points[mesh.Corners[slot]],
+      mesh.Points[mesh.Corners[slot + 1]], mesh.Points[mesh.Corners[slot + 2]]));
+  }
+  std::sort(angles.begin(), angles.end());
+  double sum = 0.0;
+  for (const double angle : angles)
+  {
+    sum += angle;
+  }
+  std::printf("%-14s %9zu %6.2f %7.2f %6.1f %5.1f %5.1f %6.3f %6.2f %5.2f\n", name.c_str(),
+    mesh.Points.size(), ShareOfKept(outcome, [](std::size_t) { return true; }),
+    ShareOfKeptWhereAlike(outcome), angles.front(), angles[angles.size() / 100],
+    sum / static_cast<double>(angles.size()), mesh.Quality.MeanConformity,
+    100.0 * mesh.Quality.ShareOfEdgesInBand,
+    1e6 * outcome.Time / static_cast<double>(mesh.Points.size()));
+}
+
+void RunUniform(const Polylines& domain, double spacing, RemeshPreference preference)
+{
+  const BitingMesh mesh = MeshOf(domain, spacing);
+  const auto uniform = [](double value) { return [value](const Point2&) { return value; }; };
+  const Field disc = [spacing](const Point2& x)
+  {
+    const double distance = std::max(Distance(x, { 0.5, 0.5 }) - 0.2, 0.0);
+    return std::min(0.5 * spacing + Gradation * distance, spacing);
+  };
+  Print("a: same", RemeshTo(mesh, uniform(spacing), preference));
+  const Outcome b = RemeshTo(mesh, disc, preference);
+  Print("b: disc halved", b);
+  std::printf("   kept inside and outside of the disc, and its rim: %.2f\n",
+    ShareOfKept(b,
+      [&b, spacing](std::size_t vertex)
+      {
+        const double distance = Distance(b.Input.Points[vertex], { 0.5, 0.5 }) - 0.2;
+        return distance < 0.0 || distance > 0.5 * spacing / Gradation;
+      }));
+  Print("   meshed anew", MeshedAnew(domain, b));
+  Print("   all halved", RemeshTo(mesh, uniform(0.5 * spacing), preference));
+  const Outcome doubled = RemeshTo(mesh, uniform(2.0 * spacing), preference);
+  Print("c: doubled", doubled);
+  Print("d: and back", RemeshTo(doubled.Mesh(), uniform(spacing), preference));
+}
+
+/// What interpolation of a steep tanh asks for.
+Field LayerAt(double place, double spacing)
+{
+  return [place, spacing](const Point2& x)
+  {
+    const double u = std::tanh(90.0 * (x.X - place - 0.05 * std::sin(6.0 * x.Y)));
+    const double curvature = 2.0 * std::abs(u) * (1.0 - u * u);
+    return std::min(spacing / std::sqrt(std::max(curvature, 1e-9)), 20.0 * spacing);
+  };
+}
+
+void RunLayer(const Polylines& domain, double spacing, RemeshPreference preference, bool isEach)
+{
+  BitingMesh mesh = MeshOf(domain, 10.0 * spacing);
+  for (int round = 0; round < 5; ++round)
+  {
+    mesh = RemeshTo(mesh, LayerAt(0.2, spacing), RemeshPreference::Shape).Mesh();
+  }
+  Outcome outcome;
+  double time = 0.0;
+  for (int step = 1; step <= Steps; ++step)
+  {
+    outcome = RemeshTo(mesh, LayerAt(0.2 + StepLength * step, spacing), preference);
+    time += outcome.Time;
+    mesh = outcome.Mesh();
+    if (isEach || step == Steps)
+    {
+      Print("e: step " + std::to_string(step), outcome);
+    }
+  }
+  std::printf("all steps: %.3f s\n", time);
+  Print("   meshed anew", MeshedAnew(domain, outcome));
+}
+
+} // namespace
+
+int main(int count, char** texts)
+{
+  const double vertices = count > 1 ? std::atof(texts[1]) : 10000.0;
+  const std::string domain = count > 2 ? texts[2] : "square";
+  const auto preference =
+    static_cast<biting::RemeshPreference>(count > 3 ? std::atoi(texts[3]) : 1);
+  PrintHead();
+  if (domain != "layer")
+  {
+    RunUniform(DomainNamed(domain), std::sqrt(1.1547 / vertices), preference);
+  }
+  RunLayer(DomainNamed(domain), 0.19 / std::sqrt(vertices), preference, domain == "layer");
+  return 0;
+}
