@@ -56,14 +56,14 @@ def layer(step):
 
 
 def spacing_on(mesh, step):
-    """The spacing that the solution of this step asks for."""
+    """The mesh with the spacing that the solution of this step asks for."""
     solution = Calculator(Input=mesh, ResultArrayName='u', Function=layer(step))
     return HessianSpacing(Input=solution, ScalarArray=['POINTS', 'u'],
         ErrorTolerance=TOLERANCE, MaximumSpacing=LARGEST)
 
 
 def remeshed(mesh, step):
-    return BitingRemesher(Input=mesh, SpacingSource=spacing_on(mesh, step), RegionArray='None')
+    return BitingRemesher(Input=spacing_on(mesh, step), RegionArray='None')
 
 
 def frozen(mesh):

@@ -279,6 +279,9 @@ def other_filters(answer):
         hessian = HessianSpacing(Input=source, ScalarArray=['POINTS', 'Spacing'])
         answer['Hessian.' + name] = run(hessian, ())
         answer['Hessian.' + name]['digests'].append(field_of(hessian, ['Spacing']))
+    mesher = BitingMesher(Input=drawing('Divided'), UniformSpacing=1.0)
+    answer['Remesher.Mesh'] = run(BitingRemesher(
+        Input=mesher, TaggedLines=simple.OutputPort(mesher, 1), SpacingScale=0.5), (0, 1, 3))
 
 
 def separate_blocks(answer):
