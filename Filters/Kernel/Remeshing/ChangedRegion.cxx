@@ -24,14 +24,18 @@ Flags FindSeeds(const OldMesh& mesh, const std::vector<double>& lengths)
   return isSeed;
 }
 
-// Adds the triangles at the vertices that are marked, and marks their vertices.
-void AddRing(const OldMesh& mesh, Flags& isMarked, Flags& isChanged)
+// Adds the triangles at the vertices that are marked, and marks their vertices. Whether there were
+// any to add.
+bool AddRing(const OldMesh& mesh, Flags& isMarked, Flags& isChanged)
 {
+  bool isLarger = false;
   for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
   {
     const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
     const bool isAt = isMarked[corners[0]] || isMarked[corners[1]] || isMarked[corners[2]];
-    isChanged[triangle] = isAt && !mesh.IsFrozen[triangle];
+    const bool isIn = isAt && !mesh.IsFrozen[triangle];
+    isLarger = isLarger || (isIn && isChanged[triangle] == 0);
+    isChanged[triangle] = isIn;
   }
   for (Id triangle = 0; triangle < mesh.NumberOfTriangles(); ++triangle)
   {
@@ -40,6 +44,7 @@ void AddRing(const OldMesh& mesh, Flags& isMarked, Flags& isChanged)
       isMarked[mesh.Corners[slot]] = 1;
     }
   }
+  return isLarger;
 }
 
 void NumberRegion(const OldMesh& mesh, ChangedRegion& region)
@@ -175,9 +180,10 @@ ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& 
     return region;
   }
   region.IsChanged.assign(mesh.Regions.size(), 0);
-  for (int ring = 0; ring <= rings; ++ring)
+  bool isLarger = true;
+  for (int ring = 0; ring <= rings && isLarger; ++ring)
   {
-    AddRing(mesh, isMarked, region.IsChanged);
+    isLarger = AddRing(mesh, isMarked, region.IsChanged);
   }
   Describe(mesh, lengths, region);
   return region;
