@@ -102,6 +102,23 @@ class TestMeshRoundTripsProxy(unittest.TestCase):
             written = self.gmsh(path, version + '.msh', '-format', version)
             self.expect_all(written, SIXTEEN_DIGITS)
 
+    def test_through_meshio_the_mesh_comes_back_into_paraview(self):
+        path = os.path.join(self.folder.name, 'back.vtu')
+        meshio.write(path, meshio.read(self.save('back.msh')))
+        back = simple.XMLUnstructuredGridReader(FileName=[path])
+        judged = MeshConformity(Input=back)
+        judged.UpdatePipeline()
+        figures = [simple.FetchData(simple.OutputPort(proxy, 0))[0].GetFieldData()
+                   for proxy in (judged, self.mesher)]
+        for name in ('NumberOfTriangles', 'NumberOfVertices', 'SmallestAngle'):
+            found, expected = (data.GetArray(name).GetTuple1(0) for data in figures)
+            self.assertEqual(found, expected, name)
+        regions = back.GetCellDataInformation().GetArray('gmsh:physical')
+        self.assertEqual(regions.GetRange()[0], 1.0)
+        finer = BitingRemesher(Input=back, UniformSpacing=0.1, RegionArray='gmsh:physical')
+        finer.UpdatePipeline()
+        self.assertGreater(finer.GetDataInformation().GetNumberOfCells(), 4 * len(self.triangles))
+
     def test_meshio_reads_a_su2_file_with_markers(self):
         mesh = meshio.read(self.save('plate.su2'))
         points, numbers = places(numpy.c_[mesh.points, numpy.zeros(len(mesh.points))])
