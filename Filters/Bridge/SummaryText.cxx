@@ -202,16 +202,15 @@ std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing)
 std::string RefusalLines(const std::string& reason)
 {
   constexpr std::size_t Width = 34; // of the panel, as ParaView opens it
-  std::istringstream words("Error: " + reason);
-  std::string text;
-  std::size_t column = 0;
-  for (std::string word; words >> word; column += word.size() + 1)
+  const std::string indent = "\n  ";
+  std::istringstream words(reason);
+  std::string text = "Error:";
+  std::size_t column = text.size();
+  for (std::string word; words >> word;)
   {
-    const bool isFirst = text.empty();
-    const bool fits = column + word.size() <= Width;
-    text += isFirst ? "" : fits ? " " : "\n  ";
-    column = fits ? column : 2;
-    text += word;
+    const bool fits = column + 1 + word.size() <= Width;
+    text += (fits ? " " : indent) + word;
+    column = (fits ? column : indent.size() - 2) + 1 + word.size();
   }
   return text + "\n";
 }
