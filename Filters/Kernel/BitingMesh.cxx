@@ -68,6 +68,7 @@ BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
   biting.MaximumNumberOfVertices =
     std::min<std::int64_t>(options.MaximumNumberOfVertices, std::numeric_limits<Id>::max() / 8);
   biting.KeepFront = options.KeepBites;
+  biting.Phi = options.Phi;
   biting.PreserveBoundary = options.PreserveBoundary;
   return biting;
 }

@@ -22,8 +22,8 @@ namespace MeshingStages
 inline constexpr Stage Domain{ "Reading the domain", 0.02 };
 inline constexpr Stage Simplification{ "Simplifying the drawing", 0.02 }; ///< where it is asked for
 inline constexpr Stage Spacing{ "Preparing the spacing", 0.03 };
-inline constexpr Stage Biting{ "Biting", 0.28 };
-inline constexpr Stage Triangulation{ "Triangulating", 0.2 };
+inline constexpr Stage Biting{ "Biting", 0.4 };
+inline constexpr Stage Triangulation{ "Triangulating", 0.08 };
 inline constexpr Stage Relaxation{ "Relaxing", 0.33 }; ///< without it, it is over at once
 inline constexpr Stage Quality{ "Measuring quality", 0.12 };
 

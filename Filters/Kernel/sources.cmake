@@ -69,8 +69,9 @@ set(biting_kernel_sources
   Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
-  Biting/OutlineCover.cxx
+  Biting/LeftOvers.cxx
   Biting/ReachFactor.cxx
+  Biting/Remains.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
   Biting/VertexEstimate.cxx
@@ -79,7 +80,9 @@ set(biting_kernel_sources
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
   Delaunay/Cavity.cxx
+  Delaunay/ConstrainedMesh.cxx
   Delaunay/ConstraintRecovery.cxx
+  Delaunay/LateInsertion.cxx
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
   Delaunay/TriangulationCheck.cxx

@@ -7,6 +7,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
 #include "../Base/Point2.h"
+#include "../Delaunay/ConstrainedMesh.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
@@ -41,6 +42,8 @@ struct BitingOptions
   std::int64_t MaximumNumberOfVertices = 20000000;
   bool KeepFront = false; ///< fill Front
 
+  double Phi = 1.0; ///< of the triangulation of the result (TriangulationOptions)
+
   /// True: no segment is divided. Shields cover what the bites of its ends do not: squares along it
   /// that make no vertex and keep those of the interior away.
   bool PreserveBoundary = false;
@@ -66,6 +69,10 @@ struct BitingResult
   std::vector<Id> EdgeStarts;
   std::vector<Id> EdgeEnds;
   std::vector<Id> EdgeSegments;
+
+  /// The triangulation in which left-overs were looked for, with all vertices and edges; without
+  /// triangles where they were not, and not whole where edges cross.
+  ConstrainedMesh Triangulated;
 
   biting::Bites Bites;
   std::vector<Point2> Front; ///< two points a piece; empty once the front is
@@ -96,14 +103,14 @@ double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& o
 /// 4.11, which need vertices along the edges.
 /// With Bisectors a centre may lie in an inner bite, but not in its core, t times as wide; all
 /// points of the domain lie in a bite all the same: what bisector points leave over, is bitten at
-/// vertices of the front. Inner squares are turned to the bond of the two bites that they stand on.
-/// With N the distance to the nearest vertex, t c_b f / (1 + t alpha c_b) <= N <= 2 r c_b f /
-/// (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for that of lemma
-/// 4.2, and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for squares, 1 for
-/// circles. With FollowSlope all c_b in these are the least of any bite for what is bounded below
-/// by it, and the greatest for what is bounded above: c_b times the bounds of ReachFactor for
-/// alpha. BestFirst at corners is the same as Layers.
-/// Cost O(n) for Layers and BestFirst, O(n log n) for LargestY.
+/// places of the front (LeftOvers.h). Inner squares are turned to the bond of the two bites that
+/// they stand on. With N the distance to the nearest vertex, t c_b f / (1 + t alpha c_b) <= N <= 2
+/// r c_b f / (1 - r alpha c_b) then stands for theorem 4.6, c_p = t c_b / (2 + t alpha c_b) for
+/// that of lemma 4.2, and R/l <= r / (t (1 - 2 r alpha c_b)) for lemma 4.10; r is sqrt(2) for
+/// squares, 1 for circles. With FollowSlope all c_b in these are the least of any bite for what is
+/// bounded below by it, and the greatest for what is bounded above: c_b times the bounds of
+/// ReachFactor for alpha. BestFirst at corners is the same as Layers. Cost O(n) for Layers and
+/// BestFirst, O(n log n) for LargestY.
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   double expectedVertices, const BitingOptions& options, Monitor& monitor);
 

@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
+constexpr double TieTolerance = 1e-12;        // of a half-width
+constexpr double GreatestSlack = 0.5;         // of a half-width
 
 } // namespace
 
@@ -120,6 +122,12 @@ void BitingState::Step()
   {
     this->Result.End = BitingEnd::Aborted;
   }
+}
+
+double BitingState::Slack(Id bite) const
+{
+  const double halfWidth = this->Placed.HalfWidths[bite];
+  return TieTolerance * halfWidth + std::min(this->Geometry.Resolution, GreatestSlack * halfWidth);
 }
 
 bool BitingState::DividesSegments() const

@@ -57,6 +57,10 @@ struct BitingState
     return this->Options.PreserveBoundary || this->Geometry.MustPreserve(segment);
   }
 
+  /// How far outside of a bite, or inside, a place still lies on its outline: as far as rounding of
+  /// places goes. Where bites are as small as that, each takes something away all the same.
+  double Slack(Id bite) const;
+
   /// Whether any may be divided.
   bool DividesSegments() const;
 

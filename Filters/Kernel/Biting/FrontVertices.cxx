@@ -3,9 +3,6 @@
 
 #include "FrontVertices.h"
 
-#include "OutlineCover.h"
-#include "RingCover.h"
-
 #include <cmath> // for abs
 
 namespace biting
@@ -14,8 +11,7 @@ namespace biting
 namespace
 {
 
-constexpr int LeastCrowd = 64;         // more bites than overlap where f follows the domain
-constexpr double GreatestRange = 2.83; // of half-widths: equal bites further apart do not meet
+constexpr int LeastCrowd = 64; // more bites than overlap where f follows the domain
 
 } // namespace
 
@@ -24,50 +20,6 @@ FrontVertices::FrontVertices(const BitingState& state)
   , Bounds(state.Geometry.Bounds)
 {
   this->Bounds.Grow(state.Geometry.Resolution);
-}
-
-bool FrontVertices::IsEnclosed(Id bite) const
-{
-  if (this->IsRinged(bite))
-  {
-    return true;
-  }
-  OutlineCover cover(this->State.Placed, bite);
-  for (const double reach : { NeighborRange(this->State.Options), GreatestRange })
-  {
-    int looked = 0;
-    this->State.Grid.VisitNear(this->State.Placed.Centers[bite], reach,
-      [bite, &cover, &looked](Id other)
-      {
-        if (other != bite)
-        {
-          cover.Cover(other);
-        }
-        return ++looked == LeastCrowd || cover.IsFull();
-      });
-    if (cover.IsFull())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Whether a cheaper test can tell.
-bool FrontVertices::IsRinged(Id bite) const
-{
-  RingCover ring(this->State.Placed, bite);
-  int looked = 0;
-  this->State.Grid.VisitNear(this->State.Placed.Centers[bite], NeighborRange(this->State.Options),
-    [bite, &ring, &looked](Id other)
-    {
-      if (other != bite)
-      {
-        ring.Cover(other);
-      }
-      return ++looked == LeastCrowd;
-    });
-  return ring.IsFull();
 }
 
 const std::vector<Point2>& FrontVertices::Find(Id bite)

@@ -23,10 +23,6 @@ class FrontVertices
 public:
   explicit FrontVertices(const BitingState& state);
 
-  /// Whether other bites cover the bite's outline, as far as a cheap test can tell: mostly the
-  /// nearest ones do.
-  bool IsEnclosed(Id bite) const;
-
   /// Those within the domain; valid until the next call.
   const std::vector<Point2>& Find(Id bite);
 
@@ -34,7 +30,6 @@ public:
   void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->Seen); }
 
 private:
-  bool IsRinged(Id bite) const;
   bool IsHidden(Id bite, double reach);
   bool HideGaps(Id bite);
   bool Look(Id bite, Id other);

@@ -6,21 +6,8 @@
 #include "BalancedTop.h"
 #include "ReachFactor.h"
 
-#include <algorithm> // for min
-
 namespace biting
 {
-
-namespace
-{
-
-constexpr double TieTolerance = 1e-12; // of a half-width: a point this near a side lies on it
-
-// Of a half-width: where bites are as small as the rounding of places, each takes something away
-// all the same.
-constexpr double GreatestSlack = 0.5;
-
-} // namespace
 
 InteriorBiting::InteriorBiting(BitingState& state)
   : State(state)
@@ -29,6 +16,7 @@ InteriorBiting::InteriorBiting(BitingState& state)
       UsedTolerance(state.Options), state.Geometry.Resolution)
   , Front(state)
   , Queue(state.Options.Order)
+  , Rest(state)
 {
 }
 
@@ -50,6 +38,11 @@ void InteriorBiting::Run()
   {
     this->BiteCandidate(this->Queue.Take());
     this->State.Step();
+  }
+  if (this->State.Result.Triangulated.IsWhole())
+  {
+    InsertLate(this->State.Result.Points, this->State.Options.Phi, this->State.Result.Triangulated,
+      this->State.Progress);
   }
 }
 
@@ -148,22 +141,44 @@ void InteriorBiting::PutFrontVertices(Id bite)
   }
 }
 
-// The vertices of the front on bites that are not all covered, once there are no other candidates.
-// All bites are looked at once: a vertex that another bite makes later is one of that bite too.
+// What bisectors left over, once there are no other candidates. True where there are some again.
 bool InteriorBiting::PutLeftOvers()
 {
-  const bool isLastResort = this->State.Options.Placement != Placement::Corners;
-  while (isLastResort && this->Queue.IsEmpty() &&
-    this->NumberOfChecked < this->State.Placed.Size() && this->State.MayBite())
+  if (this->State.Options.Placement == Placement::Corners)
   {
-    const Id bite = this->NumberOfChecked++;
-    if (!this->Front.IsEnclosed(bite))
+    return false;
+  }
+  if (!this->AreGapsBitten)
+  {
+    const Id newest = this->State.Placed.Size() - 1;
+    for (const Point2& place : this->Rest.FindPlaces())
     {
-      this->PutFrontVertices(bite);
+      this->Queue.Put({ place, newest, { NoId, NoId }, 0 });
     }
+    this->AreGapsBitten = this->Queue.IsEmpty();
+  }
+  while (this->Queue.IsEmpty() && this->State.MayBite() && this->HasOpen())
+  {
+    const Id next = this->NextOpen++;
+    const Id count = static_cast<Id>(this->Open.size());
+    this->PutFrontVertices(next < count ? this->Open[next] : this->FirstNew + next - count);
     this->State.Step();
   }
   return !this->Queue.IsEmpty();
+}
+
+// Whether there is a bite whose outline may have a gap: those about doubtful places, and all that
+// come after these. Each is looked at once: a vertex of the front that another bite makes later is
+// one of that bite too.
+bool InteriorBiting::HasOpen()
+{
+  if (this->FirstNew == NoId)
+  {
+    this->Open = this->Rest.FindBites();
+    this->FirstNew = this->State.Placed.Size();
+  }
+  const Id numberOfNew = this->State.Placed.Size() - this->FirstNew;
+  return this->NextOpen < static_cast<Id>(this->Open.size()) + numberOfNew;
 }
 
 // Against the bites since the candidate's birth first: most candidates end there.
@@ -179,7 +194,7 @@ bool InteriorBiting::IsUncovered(const Candidate& candidate) const
     [this, &candidate, &isCovered](Id bite)
     {
       isCovered = bite > candidate.Birth &&
-        Depth(this->State.Placed, bite, candidate.Place) > this->Slack(bite);
+        Depth(this->State.Placed, bite, candidate.Place) > this->State.Slack(bite);
       return isCovered || bite <= candidate.Birth;
     });
   return !isCovered && !this->IsSurrounded(candidate.Place);
@@ -191,17 +206,10 @@ bool InteriorBiting::IsSurrounded(const Point2& p) const
   this->State.Grid.VisitLeaf(p,
     [this, &p, &mask](Id bite)
     {
-      mask.Add(this->State.Placed, bite, p, this->Slack(bite));
+      mask.Add(this->State.Placed, bite, p, this->State.Slack(bite));
       return mask.IsFull();
     });
   return mask.IsFull();
-}
-
-double InteriorBiting::Slack(Id bite) const
-{
-  const double halfWidth = this->State.Placed.HalfWidths[bite];
-  return TieTolerance * halfWidth +
-    std::min(this->State.Geometry.Resolution, GreatestSlack * halfWidth);
 }
 
 } // namespace biting

@@ -10,6 +10,9 @@
 #include "BitingState.h"
 #include "CandidateQueue.h"
 #include "FrontVertices.h"
+#include "LeftOvers.h"
+
+#include <vector> // for bites
 
 namespace biting
 {
@@ -35,16 +38,22 @@ private:
   Point2 PlaceOf(Id bite, const BisectorPoint& point) const;
   void PutFrontVertices(Id bite);
   bool PutLeftOvers();
+  bool HasOpen();
   bool IsUncovered(const Candidate& candidate) const;
   bool IsSurrounded(const Point2& p) const;
-  double Slack(Id bite) const;
 
   BitingState& State;
   bool IsUniform;      ///< f is one constant
   Bisectors Points;    ///< where bites may sit, with Placement::Bisectors
   FrontVertices Front; ///< the same with Placement::Corners, and what bisectors leave over
   CandidateQueue Queue;
-  Id NumberOfChecked = 0; ///< bites that have nothing left over, from the first
+
+  // The last resort.
+  LeftOvers Rest;             ///< what bisectors leave over
+  bool AreGapsBitten = false; ///< as far as they are found without outlines
+  std::vector<Id> Open;       ///< bites whose outlines may have gaps
+  Id FirstNew = NoId;         ///< the first bite after these were found
+  Id NextOpen = 0;            ///< the next to look at, of Open and then of new ones
 };
 
 } // namespace biting

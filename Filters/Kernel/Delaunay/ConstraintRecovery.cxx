@@ -178,6 +178,8 @@ private:
 void Recovery::PrepareMesh()
 {
   const PulsePart part(this->Beats, 0.0, PreparationEnd);
+  this->Mesh.Marks.reserve(this->Mesh.Corners.capacity());
+  this->Mesh.VertexEdges.reserve(this->Mesh.Points.capacity());
   GrowInSteps(this->Mesh.Marks, this->Mesh.Corners.size(), NoId, this->Beats);
   GrowInSteps(this->Mesh.VertexEdges, this->Mesh.Points.size(), NoId, this->Beats);
   this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
@@ -286,7 +288,8 @@ Id Recovery::Cross(Id crossedEdge)
   return vertex;
 }
 
-/// Walks along the way from the triangle left of `edge`, which it crosses, to the next vertex on it.
+/// Walks along the way from the triangle left of `edge`, which it crosses, to the next vertex on
+/// it.
 Id Recovery::CollectCavity(Id edge)
 {
   const HalfEdgeMesh& mesh = this->Mesh;

@@ -23,9 +23,9 @@ bool GhostBreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d)
                : Orient2D(mesh.PointAt(a), mesh.PointAt(d), mesh.PointAt(p)) > 0;
 }
 
-/// Whether triangle (a, b, c) must not stand beside d: its circumcentre is nearer to d than phi times
-/// the circumradius, or its radius-edge ratio is above sqrt(2) / phi. Rounded: which of two valid
-/// diagonals is kept is a matter of quality.
+/// Whether triangle (a, b, c) must not stand beside d: its circumcentre is nearer to d than phi
+/// times the circumradius, or its radius-edge ratio is above sqrt(2) / phi. Rounded: which of two
+/// valid diagonals is kept is a matter of quality.
 bool IsRefused(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double phi)
 {
   const Point2 u = b - a;
@@ -74,7 +74,10 @@ void UpdateVertexEdges(HalfEdgeMesh& mesh, Id edge, Id twin)
 {
   for (const Id corner : { edge, HalfEdgeMesh::Next(edge), twin, HalfEdgeMesh::Next(twin) })
   {
-    mesh.VertexEdges[mesh.Corners[corner]] = corner;
+    if (mesh.Corners[corner] != NoId)
+    {
+      mesh.VertexEdges[mesh.Corners[corner]] = corner;
+    }
   }
 }
 

@@ -22,8 +22,9 @@ bool BreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d);
 /// there are any.
 void FlipEdge(HalfEdgeMesh& mesh, Id edge);
 
-/// Makes the mesh phi-Delaunay (TriangulationOptions::Phi), given that all edges that may not be so are on the stack. Edges that
-/// carry a mark stay. Each flip lowers the lifted surface, so it ends. On abort it just returns.
+/// Makes the mesh phi-Delaunay (TriangulationOptions::Phi), given that all edges that may not be so
+/// are on the stack. Edges that carry a mark stay. Each flip lowers the lifted surface, so it ends.
+/// On abort it just returns.
 void RestoreDelaunay(HalfEdgeMesh& mesh, double phi, std::vector<Id>& stack, Pulse& pulse);
 
 } // namespace biting

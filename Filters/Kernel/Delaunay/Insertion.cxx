@@ -269,9 +269,17 @@ bool ChooseFirstTriangle(std::vector<Point2>& points, std::vector<Id>& order)
   return found == 3;
 }
 
+/// Few points come late (ConstrainedMesh.h), but to move all for them takes twice the memory.
+std::size_t RoomForLate(std::size_t size)
+{
+  constexpr std::size_t SizePerLate = 32;
+  return size / SizePerLate;
+}
+
 void CopyPoints(const std::vector<Point2>& points, InsertionResult& result, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, CopyingEnd);
+  result.Mesh.Points.reserve(points.size() + RoomForLate(points.size()));
   result.Mesh.Points.resize(points.size());
   pulse.ForEach(points.size(),
     [&points, &result](std::size_t i) { result.Mesh.Points[i] = points[result.Order[i]]; });
@@ -281,6 +289,8 @@ bool MakeRoom(HalfEdgeMesh& mesh, Pulse& pulse)
 {
   const PulsePart part(pulse, CopyingEnd, RoomEnd);
   const std::size_t numberOfTriangles = 2 * mesh.Points.size() - 2;
+  mesh.Corners.reserve(4 * numberOfTriangles + RoomForLate(4 * numberOfTriangles));
+  mesh.Twins.reserve(mesh.Corners.capacity());
   return GrowInSteps(mesh.Corners, 4 * numberOfTriangles, Id(0), pulse) &&
     GrowInSteps(mesh.Twins, 4 * numberOfTriangles, Id(0), pulse);
 }

@@ -22,9 +22,10 @@ struct InsertionResult
   std::vector<Id> Vertex; ///< point -> vertex of the mesh; equal points share one
 };
 
-/// Inserts `points` one after the other: a walk from the last one finds the triangle, which is split;
-/// flips around the new vertex restore the criterion. `order` is that of SpatialOrder: it keeps the
-/// walks at three steps or so, for any number of points. On abort the mesh has no meaning.
+/// Inserts `points` one after the other: a walk from the last one finds the triangle, which is
+/// split; flips around the new vertex restore the criterion. `order` is that of SpatialOrder: it
+/// keeps the walks at three steps or so, for any number of points. On abort the mesh has no
+/// meaning.
 InsertionResult InsertPoints(
   const std::vector<Point2>& points, std::vector<Id> order, double phi, Pulse& pulse);
 

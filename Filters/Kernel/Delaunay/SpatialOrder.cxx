@@ -53,7 +53,8 @@ constexpr int ReverseBit = 1;
 constexpr int ExchangeBit = 2;
 using HilbertTable = std::array<std::uint16_t, 4 * 256>;
 
-/// One level: the digit (0..3) of the quadrant (x, y) in `state`, which becomes that of the quadrant.
+/// One level: the digit (0..3) of the quadrant (x, y) in `state`, which becomes that of the
+/// quadrant.
 constexpr int HilbertDigit(int x, int y, int& state)
 {
   const int reverse = state & ReverseBit;
@@ -67,7 +68,8 @@ constexpr int HilbertDigit(int x, int y, int& state)
   return (3 * u) ^ v;
 }
 
-/// Entry 256 s + 16 x + y: eight bits of the place of the cell (x, y) in state s, and the state there.
+/// Entry 256 s + 16 x + y: eight bits of the place of the cell (x, y) in state s, and the state
+/// there.
 constexpr HilbertTable MakeHilbertTable()
 {
   HilbertTable table{};

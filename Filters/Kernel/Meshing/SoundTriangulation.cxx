@@ -281,8 +281,12 @@ bool Attempt::Run(bool isLastChance)
 void Attempt::Triangulate()
 {
   PartOfStage triangulating(this->Part, 0.0, TriangulationEnd);
-  this->Result = biting::Triangulate(this->Bites.Points,
-    MakeConstraints(this->Geometry, this->Bites), { this->Options.Phi }, triangulating);
+  ConstrainedMesh made = std::move(this->Bites.Triangulated);
+  this->Bites.Triangulated = {};
+  this->Result = made.IsWhole()
+    ? FinishTriangulation(std::move(made), triangulating)
+    : biting::Triangulate(this->Bites.Points, MakeConstraints(this->Geometry, this->Bites),
+        { this->Options.Phi }, triangulating);
 }
 
 void Attempt::Undo(bool isLastChance, Pulse& pulse)

@@ -3,26 +3,43 @@
 
 // The triangulation, which then forgets which edges a constraint covers.
 #define Triangulate TriangulateFaultlessly
-#include "Kernel/Delaunay/Triangulation.cxx" // NOLINT: under another name
+#define FinishTriangulation FinishFaultlessly
+#include "Kernel/Delaunay/Triangulation.cxx" // NOLINT: under other names
+#undef FinishTriangulation
 #undef Triangulate
 
 #include "Fault.h"
 
 #include <algorithm> // for replace
+#include <utility>   // for move
 
 namespace biting
 {
 
-TriangulationResult Triangulate(const std::vector<Point2>& points,
-  const ConstraintEdges& constraints, const TriangulationOptions& options, Monitor& monitor)
+namespace
 {
-  TriangulationResult result = TriangulateFaultlessly(points, constraints, options, monitor);
+
+TriangulationResult WithFault(TriangulationResult result)
+{
   if (second_look::TheFault == second_look::Fault::UncoveredSegment)
   {
     std::vector<Id>& covered = result.Mesh.Constraints;
     std::replace(covered.begin(), covered.end(), Id(0), NoId);
   }
   return result;
+}
+
+} // namespace
+
+TriangulationResult FinishTriangulation(ConstrainedMesh made, Monitor& monitor)
+{
+  return WithFault(FinishFaultlessly(std::move(made), monitor));
+}
+
+TriangulationResult Triangulate(const std::vector<Point2>& points,
+  const ConstraintEdges& constraints, const TriangulationOptions& options, Monitor& monitor)
+{
+  return WithFault(TriangulateFaultlessly(points, constraints, options, monitor));
 }
 
 } // namespace biting

@@ -282,8 +282,8 @@ void BitingLaws::CheckCoverage() const
   EXPECT_LE(worst.Excess, Rounding) << "in no bite: " << worst.What;
 }
 
-// Lemma 4.2 with the least length in place of c_b, by way of nearest neighbours along edges: in a Delaunay triangulation the discs that
-// overlap most are joined by an edge.
+// Lemma 4.2 with the least length in place of c_b, by way of nearest neighbours along edges: in a
+// Delaunay triangulation the discs that overlap most are joined by an edge.
 void BitingLaws::CheckPacking() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
@@ -302,8 +302,9 @@ void BitingLaws::CheckPacking() const
   EXPECT_LE(worst.Excess, Rounding) << "discs overlap: " << worst.What;
 }
 
-// Theorem 4.6. Of two neighbours the later one lies outside of the earlier one's core, or next to it on
-// a segment: N >= least length f (1 - alpha N); and a place on a bite's outline lies in another bite.
+// Theorem 4.6. Of two neighbours the later one lies outside of the earlier one's core, or next to
+// it on a segment: N >= least length f (1 - alpha N); and a place on a bite's outline lies in
+// another bite.
 void BitingLaws::CheckBand() const
 {
   const BitingMesh& mesh = this->Run.Mesh;
@@ -332,8 +333,8 @@ Point2 Circumcenter(const Point2& a, const Point2& b, const Point2& c)
   return a + (-0.5 / Cross(u, v)) * turned;
 }
 
-// Lemma 4.10, with a circumradius of at most that of the bite in which its centre lies, and sides of at
-// least a core; and for the paper's bites lemma 4.11.
+// Lemma 4.10, with a circumradius of at most that of the bite in which its centre lies, and sides
+// of at least a core; and for the paper's bites lemma 4.11.
 void BitingLaws::CheckShapes() const
 {
   const BitingMesh& mesh = this->Run.Mesh;

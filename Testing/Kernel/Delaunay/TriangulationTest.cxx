@@ -309,7 +309,8 @@ TEST(Triangulate, ObeysThePhiLaw)
   }
 }
 
-/// Points that no bite is nearer to than 1, and none further from the next than sqrt(2): shaken rows.
+/// Points that no bite is nearer to than 1, and none further from the next than sqrt(2): shaken
+/// rows.
 Scene BittenScene(int size)
 {
   Scene scene;

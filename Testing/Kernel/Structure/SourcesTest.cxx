@@ -91,7 +91,7 @@ const std::map<std::string, std::set<std::string>> Arrows = {
   { "Kernel/Simplification", { "Base", "Predicates", "Domain" } },
   { "Kernel/Spacing", { "Base", "Predicates" } },
   { "Kernel/Hessian", { "Base" } },
-  { "Kernel/Biting", { "Base", "Predicates", "Domain", "Spacing" } },
+  { "Kernel/Biting", { "Base", "Predicates", "Domain", "Spacing", "Delaunay" } },
   { "Kernel/Delaunay", { "Base", "Predicates" } },
   { "Kernel/Relaxation", { "Base", "Predicates", "Domain", "Spacing", "Delaunay" } },
   { "Kernel/Quality", { "Base", "Predicates" } },

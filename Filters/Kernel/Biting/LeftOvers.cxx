@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LeftOvers.h"
+
+#include "BiteOutline.h" // for Gauge
+
+#include <algorithm> // for clamp, max, min
+#include <limits>    // for infinity
+#include <utility>   // for exchange
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int MostTaken = 256; // far more than there are where f follows the domain
+constexpr int LeastCrowd = 64;
+
+ConstraintEdges ConstraintsOf(const BitingState& state)
+{
+  const BitingResult& result = state.Result;
+  ConstraintEdges constraints{ result.EdgeStarts, result.EdgeEnds, {} };
+  constraints.IsBoundary.reserve(result.EdgeSegments.size());
+  for (const Id segment : result.EdgeSegments)
+  {
+    constraints.IsBoundary.push_back(state.Geometry.IsBoundary[segment]);
+  }
+  return constraints;
+}
+
+bool Contains(const Bites& bites, Id bite, const Point2& p)
+{
+  return Gauge(bites, bite, p) <= bites.HalfWidths[bite];
+}
+
+// Of the bite's outline, to a place outside.
+Point2 NearestPlace(const Bites& bites, Id bite, const Point2& p)
+{
+  const Point2& center = bites.Centers[bite];
+  const double halfWidth = bites.HalfWidths[bite];
+  const Point2 offset = p - center;
+  if (bites.IsCircle(bite))
+  {
+    return center + halfWidth / Length(offset) * offset;
+  }
+  const Point2& axis = bites.Axes[bite];
+  const double along = std::clamp(Dot(offset, axis), -halfWidth, halfWidth);
+  const double across = std::clamp(Cross(axis, offset), -halfWidth, halfWidth);
+  return center + along * axis + across * Perpendicular(axis);
+}
+
+// Whether two bites, the ends of an edge their centres, cover it.
+bool CoverEdge(const Bites& bites, Id first, Id second)
+{
+  const double there = Gauge(bites, first, bites.Centers[second]);
+  const double back = Gauge(bites, second, bites.Centers[first]);
+  return bites.HalfWidths[first] * back + bites.HalfWidths[second] * there >= there * back;
+}
+
+} // namespace
+
+// With sides of lengths u, v, w and A the doubled area, the circumradius is u v w / (2 A).
+bool IsWithinOfCorners(const std::array<Point2, 3>& corners, double distance)
+{
+  const Point2 u = corners[1] - corners[0];
+  const Point2 v = corners[2] - corners[0];
+  const Point2 w = corners[2] - corners[1];
+  const double doubledArea = Cross(u, v);
+  const double reach = 2.0 * distance * doubledArea;
+  return Dot(u, u) * Dot(v, v) * Dot(w, w) <= reach * reach;
+}
+
+// A place that all three share, and one on each edge that two do, cut the triangle into three
+// parts: the four places of each lie in one bite, which is convex.
+bool CoverTriangle(const Bites& bites, const std::array<Id, 3>& atCorners)
+{
+  const auto& [a, b, c] = atCorners;
+  const double weightA = bites.HalfWidths[b] * bites.HalfWidths[c];
+  const double weightB = bites.HalfWidths[c] * bites.HalfWidths[a];
+  const double weightC = bites.HalfWidths[a] * bites.HalfWidths[b];
+  const double perSum = 1.0 / (weightA + weightB + weightC);
+  const Point2& origin = bites.Centers[a];
+  const Point2 shared = origin +
+    perSum * (weightB * (bites.Centers[b] - origin) + weightC * (bites.Centers[c] - origin));
+  return Contains(bites, a, shared) && Contains(bites, b, shared) && Contains(bites, c, shared) &&
+    CoverEdge(bites, a, b) && CoverEdge(bites, b, c) && CoverEdge(bites, c, a);
+}
+
+LeftOvers::LeftOvers(BitingState& state)
+  : State(state)
+{
+}
+
+std::vector<Point2> LeftOvers::FindPlaces()
+{
+  if (!this->HasBegun)
+  {
+    this->Begin();
+  }
+  this->Found.clear();
+  if (this->State.Placed.Size() == std::exchange(this->LastSize, this->State.Placed.Size()))
+  {
+    this->Doubtful.insert(this->Doubtful.end(), this->Gaps.begin(), this->Gaps.end());
+    return this->Found;
+  }
+  for (const Id triangle : std::exchange(this->Gaps, {}))
+  {
+    if (!this->State.Progress.Beat())
+    {
+      break;
+    }
+    const std::size_t before = this->Found.size();
+    if (!this->IsCovered(triangle))
+    {
+      (this->Found.size() > before ? this->Gaps : this->Doubtful).push_back(triangle);
+    }
+  }
+  return this->Found;
+}
+
+std::vector<Id> LeftOvers::FindBites()
+{
+  const bool isWhole = this->State.Result.Triangulated.IsWhole();
+  std::vector<std::uint8_t> isMarked(
+    static_cast<std::size_t>(this->State.Placed.Size()), isWhole ? 0 : 1);
+  for (const Id triangle : this->Doubtful)
+  {
+    if (!this->State.Progress.Beat())
+    {
+      break;
+    }
+    if (!this->IsCovered(triangle))
+    {
+      this->MarkAbout(triangle, isMarked);
+    }
+  }
+  std::vector<Id> marked;
+  for (Id bite = 0; bite < this->State.Placed.Size(); ++bite)
+  {
+    if (isMarked[bite] != 0)
+    {
+      marked.push_back(bite);
+    }
+  }
+  return marked;
+}
+
+void LeftOvers::Begin()
+{
+  this->HasBegun = true;
+  this->Triangulate();
+  const ConstrainedMesh& made = this->State.Result.Triangulated;
+  if (!made.IsWhole() || this->State.Progress.HasStopped())
+  {
+    return;
+  }
+  this->FindBitesOfVertices();
+  const Id count = made.Inserted.Mesh.NumberOfTriangles;
+  for (Id triangle = 0; triangle < count && this->State.Progress.Beat(1); ++triangle)
+  {
+    if (this->MayHaveGap(triangle))
+    {
+      this->Gaps.push_back(triangle);
+    }
+  }
+}
+
+void LeftOvers::Triangulate()
+{
+  this->State.Result.Triangulated = MakeConstrainedMesh(this->State.Result.Points,
+    ConstraintsOf(this->State), this->State.Options.Phi, this->State.Progress);
+}
+
+// Bites are numbered as the vertices say, but for several squares of a vertex, and shields.
+void LeftOvers::FindBitesOfVertices()
+{
+  const biting::Bites& placed = this->State.Placed;
+  std::vector<Id> ofOrder(static_cast<std::size_t>(this->State.NumberOfBites), NoId);
+  for (Id bite = placed.Size(); bite-- > 0;)
+  {
+    ofOrder[placed.Orders[bite]] = bite;
+  }
+  const std::vector<Id>& points = this->State.Result.Triangulated.Inserted.Order;
+  this->Bites.reserve(points.size());
+  this->HalfWidths.reserve(points.size());
+  for (const Id point : points)
+  {
+    this->Bites.push_back(ofOrder[this->State.Result.BiteOrders[point]]);
+    this->HalfWidths.push_back(placed.HalfWidths[this->Bites.back()]);
+  }
+}
+
+LeftOvers::Triangle LeftOvers::PlacesOf(Id triangle) const
+{
+  const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
+  const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
+  return { mesh.PointAt(corners[0]), mesh.PointAt(corners[1]), mesh.PointAt(corners[2]) };
+}
+
+bool LeftOvers::MayHaveGap(Id triangle) const
+{
+  const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
+  if (mesh.IsGhost(triangle))
+  {
+    return false;
+  }
+  const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
+  const double least = std::min(
+    { this->HalfWidths[corners[0]], this->HalfWidths[corners[1]], this->HalfWidths[corners[2]] });
+  return !IsWithinOfCorners(this->PlacesOf(triangle), least) &&
+    !CoverTriangle(this->State.Placed,
+      { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }) &&
+    !this->IsOutside(triangle);
+}
+
+// No constraint crosses it: its middle tells.
+bool LeftOvers::IsOutside(Id triangle) const
+{
+  const InsertionResult& inserted = this->State.Result.Triangulated.Inserted;
+  const Id* corners = &inserted.Mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id point = inserted.Order[corners[k]];
+    if (point >= this->State.Geometry.NumberOfVertices() &&
+      this->State.Result.Segments[point] == NoId)
+    {
+      return false;
+    }
+  }
+  const Triangle places = this->PlacesOf(triangle);
+  return !this->State.Locator.IsInside(
+    places[0] + 1.0 / 3.0 * ((places[1] - places[0]) + (places[2] - places[0])));
+}
+
+// Takes away the bites of the corners, then for each piece that is left the bite which its middle
+// lies deepest in. Where that lies in none there is a gap.
+bool LeftOvers::IsCovered(Id triangle)
+{
+  const biting::Bites& placed = this->State.Placed;
+  const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
+  this->Left.Begin(this->PlacesOf(triangle));
+  for (Id corner = HalfEdgeMesh::FirstEdge(triangle), k = 0; k < 3; ++k, ++corner)
+  {
+    const Id bite = this->Bites[mesh.Corners[corner]];
+    this->Left.TakeAway(placed, bite, this->State.Slack(bite));
+  }
+  bool hasGap = false;
+  for (int taken = 0; !this->Left.IsEmpty(); ++taken)
+  {
+    const Point2 middle = this->Left.MiddleOfLast();
+    const Id bite = this->DeepestAt(middle);
+    if (taken == MostTaken)
+    {
+      return false;
+    }
+    if (bite != NoId)
+    {
+      this->Left.TakeAway(placed, bite, this->State.Slack(bite));
+    }
+    else
+    {
+      hasGap = true;
+      this->PutPlaceBeside(middle);
+      this->Left.DropLast();
+    }
+  }
+  return !hasGap;
+}
+
+// Of the bites that p lies in, or of the first of these where they crowd.
+Id LeftOvers::DeepestAt(const Point2& p) const
+{
+  Id deepest = NoId;
+  double most = 0.0;
+  int looked = 0;
+  this->State.Grid.VisitLeaf(p,
+    [this, &p, &deepest, &most, &looked](Id bite)
+    {
+      const double depth = Depth(this->State.Placed, bite, p);
+      deepest = depth > most ? bite : deepest;
+      most = std::max(most, depth);
+      return ++looked >= LeastCrowd && deepest != NoId;
+    });
+  return deepest;
+}
+
+// Puts the place of all outlines that is nearest to p, which no bite covers: nothing between the
+// two is covered either.
+void LeftOvers::PutPlaceBeside(const Point2& p)
+{
+  Point2 place;
+  double least = std::numeric_limits<double>::infinity();
+  this->State.Grid.VisitNear(p, NeighborRange(this->State.Options),
+    [this, &p, &place, &least](Id bite)
+    {
+      const Point2 nearest = NearestPlace(this->State.Placed, bite, p);
+      const double square = Dot(nearest - p, nearest - p);
+      place = square < least ? nearest : place;
+      least = std::min(least, square);
+      return false;
+    });
+  if (least < std::numeric_limits<double>::infinity() && this->State.Locator.IsInside(place))
+  {
+    this->Found.push_back(place);
+  }
+}
+
+void LeftOvers::MarkAbout(Id triangle, std::vector<std::uint8_t>& isMarked) const
+{
+  Box2 box;
+  for (const Point2& p : this->PlacesOf(triangle))
+  {
+    box.Add(p);
+  }
+  this->State.Grid.VisitSquare(Midpoint(box.Low, box.High),
+    0.5 * std::max(box.Width(), box.Height()),
+    [&isMarked](Id bite)
+    {
+      isMarked[bite] = 1;
+      return false;
+    });
+}
+
+} // namespace biting

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingLeftOvers_h
+#define BitingLeftOvers_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "BitingState.h"
+#include "Remains.h"
+
+#include <array>   // for triangles
+#include <cstdint> // for flags
+#include <vector>  // for the bites
+
+namespace biting
+{
+
+/// Finds where bites may have left something of the domain over, in the triangulation of what they
+/// have made, which it makes (BitingResult::Triangulated).
+///
+/// Nothing is left of a triangle whose circumradius is at most the least half-width at its corners:
+/// each of its places is as near to one of them. Nor is of one that the bites of its corners cover,
+/// or that lies outside. From what remains, one in a thousand where f is level, one in ten where it
+/// is steep, bites are taken away one by one until nothing is left (Remains.h).
+class LeftOvers
+{
+public:
+  explicit LeftOvers(BitingState& state);
+
+  /// Places of the front beside gaps, most often one or more for each gap; to be called again when
+  /// these are bitten, until there are none: so it is, too, where nothing was bitten since the last
+  /// call, as gaps may be as narrow as rounding. Without meaning on abort.
+  std::vector<Point2> FindPlaces();
+
+  /// Law, once there are no such places: of all that no bite covers, each part is bounded by
+  /// outlines of these bites alone, but for the border of the domain. Ascending; mostly none. All
+  /// bites where constraints cannot all be edges. Without meaning on abort.
+  std::vector<Id> FindBites();
+
+private:
+  using Triangle = std::array<Point2, 3>;
+
+  void Begin();
+  void Triangulate();
+  void FindBitesOfVertices();
+  bool MayHaveGap(Id triangle) const;
+  bool IsOutside(Id triangle) const;
+  Triangle PlacesOf(Id triangle) const;
+  bool IsCovered(Id triangle);
+  Id DeepestAt(const Point2& p) const;
+  void PutPlaceBeside(const Point2& p);
+  void MarkAbout(Id triangle, std::vector<std::uint8_t>& isMarked) const;
+
+  BitingState& State;
+  bool HasBegun = false;
+  Id LastSize = NoId;             ///< how many bites there were at the last call
+  std::vector<Id> Bites;          ///< the first one of each vertex of the triangulation
+  std::vector<double> HalfWidths; ///< theirs
+  std::vector<Id> Gaps;           ///< triangles in which there are places that no bite covers
+  std::vector<Id> Doubtful;       ///< those in which there may be some
+  Remains Left;                   ///< of the triangle at hand
+  std::vector<Point2> Found;
+};
+
+/// Whether each place of the triangle is within `distance` of one of its corners.
+bool IsWithinOfCorners(const std::array<Point2, 3>& corners, double distance);
+
+/// Whether these bites, centred at the corners of the triangle, cover it. Where it says no they may
+/// do so all the same.
+bool CoverTriangle(const Bites& bites, const std::array<Id, 3>& atCorners);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRemains_h
+#define BitingRemains_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "Bites.h"
+
+#include <array>   // for triangles
+#include <cstddef> // for counts
+#include <vector>  // for the pieces
+
+namespace biting
+{
+
+/// What bites leave of a triangle, as convex pieces.
+/// A square is taken away as it is; of a circle, a regular polygon of 64 corners on it. Bites are
+/// taken to be larger by a slack, so that those that touch leave nothing between them.
+class Remains
+{
+public:
+  /// Begins with all of the triangle.
+  void Begin(const std::array<Point2, 3>& triangle);
+
+  void TakeAway(const Bites& bites, Id bite, double slack);
+
+  bool IsEmpty() const { return this->Left.Ends.empty(); }
+
+  /// The mean of the corners of the last piece, which lies in it; and to take that piece away.
+  Point2 MiddleOfLast() const;
+  void DropLast() { this->Left.DropLast(); }
+
+private:
+  // Polygon i ends before Ends[i].
+  struct Polygons
+  {
+    std::vector<Point2> Corners;
+    std::vector<std::size_t> Ends;
+
+    std::size_t Begin(std::size_t polygon) const
+    {
+      return polygon == 0 ? 0 : this->Ends[polygon - 1];
+    }
+    void Clear();
+    void DropLast();
+    void Shrink(std::size_t count);
+  };
+
+  void CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack);
+  void CutInside();
+
+  Polygons Left;
+  Polygons Next;
+  std::vector<Point2> Inside; ///< of a piece: what is within the sides so far
+  std::vector<Point2> Cut;
+  std::vector<double> Beyond; ///< how far the corners of Inside lie beyond a side
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Predicates/Predicates.h"
+#include "ConstrainedMesh.h"
+#include "Flips.h"
+
+#include <cstdint> // for the generator of the walk
+
+namespace biting
+{
+
+namespace
+{
+
+/// Inserts vertices into a mesh that carries marks.
+class LateInserter
+{
+public:
+  LateInserter(HalfEdgeMesh& mesh, double phi, Pulse& pulse)
+    : Mesh(mesh)
+    , Phi(phi)
+    , Beats(pulse)
+  {
+  }
+
+  /// Inserts the point, or returns the vertex that it coincides with.
+  Id Insert(const Point2& point);
+
+private:
+  int Side(Id edge, const Point2& point) const;
+  bool IsOtherWayFirst();
+  Id FindTriangle(const Point2& point);
+  Id VertexAt(Id triangle, const Point2& point) const;
+  void Split(Id triangle, Id vertex);
+  void SetSplitMarks(Id triangle);
+  void DivideEdge(Id edge, Id mark);
+  void Mark(Id edge, Id mark);
+
+  HalfEdgeMesh& Mesh;
+  double Phi;
+  Pulse& Beats;
+  Id Last = 0; ///< triangle where the next walk starts
+  std::uint32_t Generator = 1;
+  std::vector<Id> Stack;
+};
+
+int LateInserter::Side(Id edge, const Point2& point) const
+{
+  return Orient2D(this->Mesh.PointAt(this->Mesh.Origin(edge)),
+    this->Mesh.PointAt(this->Mesh.Target(edge)), point);
+}
+
+bool LateInserter::IsOtherWayFirst()
+{
+  this->Generator = this->Generator * 1664525u + 1013904223u;
+  return (this->Generator >> 31) != 0u;
+}
+
+/// A walk as in Insertion.cxx, by chance, as constraints keep the mesh from being Delaunay.
+Id LateInserter::FindTriangle(const Point2& point)
+{
+  Id edge = HalfEdgeMesh::FirstEdge(this->Last);
+  while (this->Beats.Beat(1))
+  {
+    if (this->Mesh.IsGhost(HalfEdgeMesh::TriangleOf(edge)))
+    {
+      while (this->Mesh.Corners[edge] != NoId)
+      {
+        edge = HalfEdgeMesh::Next(edge);
+      }
+      if (this->Side(edge, point) > 0)
+      {
+        break;
+      }
+      edge = this->Mesh.Twins[edge];
+    }
+    edge = this->IsOtherWayFirst() ? HalfEdgeMesh::Next(edge) : edge;
+    Id steps = 0;
+    while (steps < 3 && this->Side(edge, point) >= 0)
+    {
+      edge = HalfEdgeMesh::Next(edge);
+      ++steps;
+    }
+    if (steps == 3)
+    {
+      break;
+    }
+    edge = HalfEdgeMesh::Next(this->Mesh.Twins[edge]);
+  }
+  return HalfEdgeMesh::TriangleOf(edge);
+}
+
+Id LateInserter::VertexAt(Id triangle, const Point2& point) const
+{
+  for (Id k = 0; k < 3; ++k)
+  {
+    const Id vertex = this->Mesh.Corners[HalfEdgeMesh::FirstEdge(triangle) + k];
+    if (vertex != NoId && this->Mesh.PointAt(vertex) == point)
+    {
+      return vertex;
+    }
+  }
+  return NoId;
+}
+
+Id LateInserter::Insert(const Point2& point)
+{
+  const Id triangle = this->FindTriangle(point);
+  this->Last = triangle;
+  const Id known = this->VertexAt(triangle, point);
+  if (known != NoId || this->Beats.HasStopped())
+  {
+    return known;
+  }
+  const Id vertex = this->Mesh.NumberOfVertices();
+  this->Mesh.Points.push_back(point);
+  Id onEdge = NoId;
+  if (!this->Mesh.IsGhost(triangle))
+  {
+    for (Id edge = HalfEdgeMesh::FirstEdge(triangle), k = 0; k < 3; ++k, ++edge)
+    {
+      onEdge = this->Side(edge, point) == 0 ? k : onEdge;
+    }
+  }
+  this->Split(triangle, vertex);
+  if (onEdge != NoId)
+  {
+    const Id flat = onEdge == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + onEdge;
+    const Id edge = HalfEdgeMesh::FirstEdge(flat);
+    this->DivideEdge(edge, this->Mesh.Marks[edge]);
+  }
+  RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
+  return vertex;
+}
+
+/// Into three, as Insertion.cxx does it: the vertex is corner 0 of each.
+void LateInserter::Split(Id triangle, Id vertex)
+{
+  HalfEdgeMesh& mesh = this->Mesh;
+  const std::size_t size = mesh.Corners.size() + 8;
+  mesh.Corners.resize(size, 0);
+  mesh.Twins.resize(size, 0);
+  mesh.Marks.resize(size, NoId);
+  mesh.VertexEdges.push_back(HalfEdgeMesh::FirstEdge(triangle));
+  const Id old = HalfEdgeMesh::FirstEdge(triangle);
+  const Id second = HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles);
+  const Id third = second + 4;
+  const Id a = mesh.Corners[old];
+  const Id b = mesh.Corners[old + 1];
+  const Id c = mesh.Corners[old + 2];
+  const Id marks[3] = { mesh.Marks[old], mesh.Marks[old + 1], mesh.Marks[old + 2] };
+  mesh.SetTriangle(triangle, vertex, b, c);
+  mesh.SetTriangle(mesh.NumberOfTriangles, vertex, c, a);
+  mesh.SetTriangle(mesh.NumberOfTriangles + 1, vertex, a, b);
+  mesh.NumberOfTriangles += 2;
+  mesh.Link(second, mesh.Twins[old + 1]);
+  mesh.Link(third, mesh.Twins[old + 2]);
+  mesh.Link(old + 1, second + 2);
+  mesh.Link(second + 1, third + 2);
+  mesh.Link(third + 1, old + 2);
+  const Id firsts[3] = { old, second, third };
+  for (int k = 0; k < 3; ++k)
+  {
+    mesh.Marks[firsts[k]] = marks[k];
+    mesh.Marks[firsts[k] + 1] = NoId;
+    mesh.Marks[firsts[k] + 2] = NoId;
+    this->Stack.push_back(firsts[k]);
+    for (Id corner = firsts[k]; corner < firsts[k] + 3; ++corner)
+    {
+      if (mesh.Corners[corner] != NoId)
+      {
+        mesh.VertexEdges[mesh.Corners[corner]] = corner;
+      }
+    }
+  }
+}
+
+/// The triangle of `edge` is flat: the new vertex, opposite, lies on it. Its halves keep the mark.
+void LateInserter::DivideEdge(Id edge, Id mark)
+{
+  const Id twin = this->Mesh.Twins[edge];
+  this->Mark(edge, NoId);
+  FlipEdge(this->Mesh, edge);
+  this->Mark(HalfEdgeMesh::Previous(edge), mark);
+  this->Mark(twin, mark);
+  for (const Id outer : { edge, HalfEdgeMesh::Previous(twin) })
+  {
+    this->Stack.push_back(outer);
+  }
+}
+
+void LateInserter::Mark(Id edge, Id mark)
+{
+  this->Mesh.Marks[edge] = mark;
+  this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
+}
+
+} // namespace
+
+void InsertLate(const std::vector<Point2>& points, double phi, ConstrainedMesh& mesh, Pulse& pulse)
+{
+  InsertionResult& inserted = mesh.Inserted;
+  LateInserter inserter(inserted.Mesh, phi, pulse);
+  for (std::size_t point = inserted.Vertex.size(); point < points.size() && pulse.Beat(); ++point)
+  {
+    const Id vertex = inserter.Insert(points[point]);
+    if (vertex == static_cast<Id>(inserted.Order.size()))
+    {
+      inserted.Order.push_back(static_cast<Id>(point));
+    }
+    inserted.Vertex.push_back(vertex);
+  }
+}
+
+} // namespace biting
