@@ -27,8 +27,8 @@ struct BitingMeshOptions
   DomainOptions Domain;
   SpacingOptions Spacing;
 
-  /// By the spacing before the limit by feature size, which then sees the simplified drawing. Without
-  /// effect where the boundary is preserved, but for the loops that are left out.
+  /// By the spacing before the limit by feature size, which then sees the simplified drawing.
+  /// Without effect where the boundary is preserved, but for the loops that are left out.
   SimplificationOptions Simplification;
 
   /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is
@@ -48,9 +48,9 @@ struct BitingMeshOptions
   /// MaximumNumberOfBites is set.
   bool Relaxation = true;
 
-  /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that of
-  /// FollowSegments (Meshing/PreservedSpacing.h). Repairs of the input still make vertices where segments
-  /// meet.
+  /// True: no vertex is added on segments; each is one edge of the mesh. The spacing is then that
+  /// of FollowSegments (Meshing/PreservedSpacing.h). Repairs of the input still make vertices where
+  /// segments meet.
   bool PreserveBoundary = false;
 
   bool KeepBites = false; ///< fill Bites and Front of the mesh

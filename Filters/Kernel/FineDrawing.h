@@ -15,8 +15,8 @@ namespace biting
 double ShareOfFineDrawing(
   const Domain& drawing, const BitingMesh& mesh, const Spacing& spacing, Monitor& monitor);
 
-/// Whether it is told: more than half of the vertices, and five hundred of them at least. A mesh smaller
-/// than that is not worth a note.
+/// Whether it is told: more than half of the vertices, and five hundred of them at least. A mesh
+/// smaller than that is not worth a note.
 bool IsWorthTelling(double shareOfDrawing, const BitingMesh& mesh);
 
 } // namespace biting

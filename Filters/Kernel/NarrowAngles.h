@@ -12,7 +12,8 @@ namespace biting
 {
 
 /// Adds a problem for each angle of the domain between two segments that is below 0.01 degrees
-/// (ProblemCode::NarrowAngles): the triangle there is as thin, whatever the spacing. Cost O(n log n).
+/// (ProblemCode::NarrowAngles): the triangle there is as thin, whatever the spacing. Cost O(n log
+/// n).
 void ReportNarrowAngles(const Domain& domain, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting

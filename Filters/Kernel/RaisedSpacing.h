@@ -11,9 +11,9 @@
 namespace biting
 {
 
-/// The options with a minimum of the rounding of vertices, as vertices nearer to each other are none;
-/// unless they have bounds that say otherwise. Where a spacing below that is given, it is told once
-/// (ProblemCode::RaisedSpacing).
+/// The options with a minimum of the rounding of vertices, as vertices nearer to each other are
+/// none; unless they have bounds that say otherwise. Where a spacing below that is given, it is
+/// told once (ProblemCode::RaisedSpacing).
 SpacingOptions RaiseToRounding(SpacingOptions spacing, const Domain& domain, ProblemList& problems);
 
 } // namespace biting

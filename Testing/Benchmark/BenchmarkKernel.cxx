@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The kernel room by room, in points per second of CPU time (items_per_second). What a point is, the
-// name says: a vertex of the mesh, a point of a query, a call of a predicate.
-// Links to BitingKernel (as the kernel tests do: -ffp-contract=off, include folder Filters/Kernel)
-// and benchmark::benchmark; needs no VTK.
+// The kernel room by room, in points per second of CPU time (items_per_second). What a point is,
+// the name says: a vertex of the mesh, a point of a query, a call of a predicate. Links to
+// BitingKernel (as the kernel tests do: -ffp-contract=off, include folder Filters/Kernel) and
+// benchmark::benchmark; needs no VTK.
 
 #include "PaperSpacing.h"
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The simplification alone, in segments of the drawing per second of CPU time. Part of BenchmarkKernel.
+// The simplification alone, in segments of the drawing per second of CPU time. Part of
+// BenchmarkKernel.
 
 #include "Simplification/Simplification.h"
 
@@ -21,9 +22,9 @@ constexpr int NumberOfSides = 6;
 constexpr double Tolerance = 0.2;
 
 // A random Koch curve: each segment becomes four of equal length, with a peak on one side or the
-// other. All that comes of a segment lies in the rhombus with half the angle of the peak's foot at its
-// ends; below 60 degrees these rhombi meet at ends only, so that nothing crosses. The dimension is
-// log 4 / log(2 (1 + cos a)) = 1.21, as of coasts.
+// other. All that comes of a segment lies in the rhombus with half the angle of the peak's foot at
+// its ends; below 60 degrees these rhombi meet at ends only, so that nothing crosses. The dimension
+// is log 4 / log(2 (1 + cos a)) = 1.21, as of coasts.
 class FractalCoast
 {
 public:

@@ -255,7 +255,8 @@ double Preparation(const Case& source)
   return 1e9 * times[1] / static_cast<double>(source.Items);
 }
 
-/// A row of one kind: ns an item at each size, and the exponent of growth from the first to the last.
+/// A row of one kind: ns an item at each size, and the exponent of growth from the first to the
+/// last.
 template <typename MakeCase>
 void PrintRow(const char* name, const std::vector<int>& sizes, MakeCase makeCase)
 {

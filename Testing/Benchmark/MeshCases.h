@@ -26,8 +26,8 @@ MeshCase SectionSix(double vertices);
 /// The unit square with seven by seven holes, the spacing an image of 513 x 513 pixels.
 MeshCase SquareWithHoles();
 
-/// A drawing of the folder Data, or of the folder that BITING_SHARED_INPUTS names. Its point array is
-/// the spacing at its points, where it has one; lengths are otherwise `share` of what is usual.
+/// A drawing of the folder Data, or of the folder that BITING_SHARED_INPUTS names. Its point array
+/// is the spacing at its points, where it has one; lengths are otherwise `share` of what is usual.
 MeshCase OfFile(const std::string& name, double gradation, double share = 1.0);
 
 /// Those of which the cost is known over the years.

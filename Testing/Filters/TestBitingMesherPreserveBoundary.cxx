@@ -65,8 +65,8 @@ std::set<biting::Point2> PlacesOn(
   return places;
 }
 
-// Into how many segments the input divides each of its lines and polygons, by cell id: those without
-// a length are none, and a point of the input that lies on a segment divides it.
+// Into how many segments the input divides each of its lines and polygons, by cell id: those
+// without a length are none, and a point of the input that lies on a segment divides it.
 std::map<vtkIdType, vtkIdType> SegmentsOfCells(vtkPolyData* input)
 {
   std::map<vtkIdType, vtkIdType> counts;

@@ -5,10 +5,10 @@
 //
 //   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]
 //
-// Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it was
-// found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and what
-// became of them. The first violation, and the first case that computes for longer than ten seconds, is
-// told with its seed and ends the run with status 1. Best built with sanitizers:
+// Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it
+// was found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and
+// what became of them. The first violation, and the first case that computes for longer than ten
+// seconds, is told with its seed and ends the run with status 1. Best built with sanitizers:
 //
 //   cmake -D BITING_SDK=Kernel -D BITING_SANITIZE=address,undefined,float-cast-overflow ...
 //
@@ -29,8 +29,9 @@
 #include <unistd.h>   // for write
 
 #if defined(__SANITIZE_ADDRESS__)
-/// Blocks are freed by the thousand in each case: without the stacks of their allocation, and with fewer
-/// of them kept aside, there is time for more cases. ASAN_OPTIONS overrules it, to look at one.
+/// Blocks are freed by the thousand in each case: without the stacks of their allocation, and with
+/// fewer of them kept aside, there is time for more cases. ASAN_OPTIONS overrules it, to look at
+/// one.
 extern "C" const char* __asan_default_options()
 {
   return "malloc_context_size=0:quarantine_size_mb=16";

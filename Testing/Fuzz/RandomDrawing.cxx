@@ -126,8 +126,8 @@ void DrawingMaker::DrawClean()
   }
 }
 
-/// A simple loop between `corner` and one Width further. Of a tube, the line below the middle of the
-/// grid lies within: `isFilled` may put an interface and points there.
+/// A simple loop between `corner` and one Width further. Of a tube, the line below the middle of
+/// the grid lies within: `isFilled` may put an interface and points there.
 void DrawingMaker::DrawLot(const Point2& corner, bool isFilled)
 {
   const auto moved = [&corner](Places places)

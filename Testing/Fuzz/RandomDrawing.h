@@ -11,7 +11,8 @@ namespace biting
 {
 
 /// Makes a drawing up: loops, open chains and points on a coarse grid, merged or not, in one piece
-/// or in many, of every kind; or faces: grids with gaps, quad trees, loops on top of them; then moves it.
+/// or in many, of every kind; or faces: grids with gaps, quad trees, loops on top of them; then
+/// moves it.
 Polylines MakeRandomDrawing(FuzzNumbers& numbers);
 
 } // namespace biting

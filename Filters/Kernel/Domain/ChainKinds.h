@@ -12,8 +12,8 @@
 namespace biting
 {
 
-/// Which edges bound the domain: 1 where inside and outside change. Every vertex ends an even number
-/// of these.
+/// Which edges bound the domain: 1 where inside and outside change. Every vertex ends an even
+/// number of these.
 ///
 /// Faces bound by parity, and apart from them boundary chains; where these leave ends open, what
 /// remains closed of them does. Open chains of automatic kind are judged by their components

@@ -184,8 +184,8 @@ bool CrowdMerger::LiesAlong(Id edge, Id line) const
   return isNear(this->EndsOf(edge).Start) && isNear(this->EndsOf(edge).End);
 }
 
-/// All ends in the order in which the line passes them: by its longer extent, which is exact for what
-/// lies on it exactly.
+/// All ends in the order in which the line passes them: by its longer extent, which is exact for
+/// what lies on it exactly.
 std::vector<Id> CrowdMerger::SortedEnds(const Crowd& edges, Id line) const
 {
   const Point2 direction = this->Direction(line);

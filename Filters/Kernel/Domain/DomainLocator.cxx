@@ -362,8 +362,8 @@ bool DomainLocator::MeetsBox(Id segment, const Box2& box) const
   return std::abs(Cross(direction, grown.Center() - a)) <= reach * (1.0 + CellMargin);
 }
 
-// Whether the segment crosses pq, whose ends are not on it. A segment's end on the line pq counts as
-// left of it, for both segments that share that end: the parity along pq stays right.
+// Whether the segment crosses pq, whose ends are not on it. A segment's end on the line pq counts
+// as left of it, for both segments that share that end: the parity along pq stays right.
 bool DomainLocator::Separates(Id segment, const Point2& p, const Point2& q) const
 {
   const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];

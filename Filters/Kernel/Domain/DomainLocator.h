@@ -19,11 +19,10 @@ namespace biting
 /// Answers exactly whether a point lies inside a domain.
 ///
 /// A grid over the domain whose crowded cells are divided again, into strips where the segments in
-/// them are nearly parallel to an axis. A cell with boundary segments has a reference point of known
-/// side; a query counts the boundary segments between that point and its own. Queries cost O(1) away
-/// from the boundary and O(segments of one cell) near it. Made in O(n log n), in memory for some ten
-/// entries a segment.
-/// The domain must outlive the locator.
+/// them are nearly parallel to an axis. A cell with boundary segments has a reference point of
+/// known side; a query counts the boundary segments between that point and its own. Queries cost
+/// O(1) away from the boundary and O(segments of one cell) near it. Made in O(n log n), in memory
+/// for some ten entries a segment. The domain must outlive the locator.
 class DomainLocator
 {
 public:

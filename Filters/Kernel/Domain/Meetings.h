@@ -30,8 +30,8 @@ struct EdgeCrossing
   Id Second = NoId;
 };
 
-/// What the user is told: two edges that cross or overlap, or a boundary that touches another, or one
-/// that lies so near to another that it counts as on it.
+/// What the user is told: two edges that cross or overlap, or a boundary that touches another, or
+/// one that lies so near to another that it counts as on it.
 struct MeetingReport
 {
   ProblemCode Code = ProblemCode::Crossings;
@@ -62,12 +62,13 @@ struct MeetingLimits
 
 /// Finds the meetings of which at least one edge is new. False: the monitor has asked to stop.
 ///
-/// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the edge
-/// and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge, so
-/// that splitting comes to an end. With KeepsSpikes, a vertex that an edge joins to an end of the edge
-/// beside it must lie on it exactly: these are the sides of a spike, which stays open however thin.
-/// Edges that share a vertex can only overlap: each is tested against its neighbours in the order of
-/// directions around that vertex, as far as these are that near. Others are found by the tree.
+/// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the
+/// edge and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge,
+/// so that splitting comes to an end. With KeepsSpikes, a vertex that an edge joins to an end of
+/// the edge beside it must lie on it exactly: these are the sides of a spike, which stays open
+/// however thin. Edges that share a vertex can only overlap: each is tested against its neighbours
+/// in the order of directions around that vertex, as far as these are that near. Others are found
+/// by the tree.
 bool FindMeetings(
   const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse);
 

@@ -23,12 +23,11 @@ struct InsideFlags
   std::vector<std::uint8_t> Vertices; ///< of vertices without segments; 0 for others
 };
 
-/// Finds the sides of every segment, and the place of lone vertices, by a sweep over the vertices in
-/// lexicographic order. Crossing a segment with `bounds` changes between outside and inside; loops
-/// and their orientation play no part. All comparisons are exact.
-/// Precondition: segments meet at common ends only; vertices are distinct and lie on no segment
-/// but those they end. Cost O(n log n).
-/// Source: M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976 (the sweep).
+/// Finds the sides of every segment, and the place of lone vertices, by a sweep over the vertices
+/// in lexicographic order. Crossing a segment with `bounds` changes between outside and inside;
+/// loops and their orientation play no part. All comparisons are exact. Precondition: segments meet
+/// at common ends only; vertices are distinct and lie on no segment but those they end. Cost O(n
+/// log n). Source: M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976 (the sweep).
 InsideFlags FindInside(const std::vector<Point2>& vertices,
   const std::vector<SegmentEnds>& segments, const std::vector<std::uint8_t>& bounds, Pulse& pulse);
 

@@ -51,10 +51,10 @@ SegmentTree::SegmentTree(const std::vector<Point2>& points,
   }
 }
 
-/// With u the unit roundoff and M the largest coordinate, the centre of a box and half its sides are
-/// off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm. A direction of
-/// length one is off by 2 u, a slanted box in units of M by some 10 u for each level of the tree, of
-/// which there are less than 100.
+/// With u the unit roundoff and M the largest coordinate, the centre of a box and half its sides
+/// are off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm. A
+/// direction of length one is off by 2 u, a slanted box in units of M by some 10 u for each level
+/// of the tree, of which there are less than 100.
 void SegmentTree::FileItems(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
 {
@@ -167,8 +167,8 @@ void SegmentTree::Halve(Id first, Id middle, Id last)
   std::nth_element(begin + first, begin + middle, begin + last, isBefore);
 }
 
-/// A segment is a diagonal of its box, and stays within 2 Margin of that of the grown box, which its
-/// grown box leaves by no more than that.
+/// A segment is a diagonal of its box, and stays within 2 Margin of that of the grown box, which
+/// its grown box leaves by no more than that.
 SegmentTree::Extent SegmentTree::ExtentOf(const Item& item) const
 {
   Extent extent;

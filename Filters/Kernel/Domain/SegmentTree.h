@@ -29,8 +29,8 @@ struct SegmentEnds
 /// A tree of boxes over segments: which segments may come near a place. Built in O(n log n).
 ///
 /// Segments that share an end are not asked about one another (see VertexStars): a node whose
-/// segments all end at one vertex is passed over as a whole, so that a fan of n spokes does not cost
-/// n^2 pairs.
+/// segments all end at one vertex is passed over as a whole, so that a fan of n spokes does not
+/// cost n^2 pairs.
 ///
 /// A node also has a slanted box along its longest segment, so that segments which run side by side
 /// are told apart in any direction. Segments of very different lengths lie in different nodes, as a
@@ -38,8 +38,8 @@ struct SegmentEnds
 class SegmentTree
 {
 public:
-  /// `margin` is added to every box, on all sides. Where the monitor wants to stop, the tree is left
-  /// unfinished: not to be asked.
+  /// `margin` is added to every box, on all sides. Where the monitor wants to stop, the tree is
+  /// left unfinished: not to be asked.
   SegmentTree(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
     double margin, Pulse& pulse);
   SegmentTree(
@@ -70,8 +70,8 @@ public:
     this->VisitWhere(meets, skipped, visit);
   }
 
-  /// Calls visitor(first, second) once for each pair of segments without a common end whose grown boxes
-  /// meet and of which one is wanted; the order is that of the tree. Before each step it asks
+  /// Calls visitor(first, second) once for each pair of segments without a common end whose grown
+  /// boxes meet and of which one is wanted; the order is that of the tree. Before each step it asks
   /// visitor.GoesOn(), and ends where that is false; visitor.SetFraction(x) hears how far it is.
   ///
   /// Walks down the tree in pairs of nodes, the larger first: short segments share all of the way.
@@ -278,7 +278,8 @@ private:
       });
   }
 
-  /// Calls visit(item) for the items of all leaves, from node `top` down, that the condition leads to.
+  /// Calls visit(item) for the items of all leaves, from node `top` down, that the condition leads
+  /// to.
   template <typename Condition, typename Visitor>
   void WalkBelow(Id top, const Condition& leads, const Visitor& visit) const
   {

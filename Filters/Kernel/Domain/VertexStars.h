@@ -16,8 +16,8 @@ namespace biting
 /// The segments at each vertex, sorted counterclockwise, exactly.
 ///
 /// The order begins just after straight down: first the segments that lead to lexicographically
-/// greater points ("right", from below to above), then those that lead to smaller ones ("left", from
-/// above to below). Segments of equal direction are sorted by their number.
+/// greater points ("right", from below to above), then those that lead to smaller ones ("left",
+/// from above to below). Segments of equal direction are sorted by their number.
 class VertexStars
 {
 public:

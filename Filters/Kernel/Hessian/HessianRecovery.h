@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The numerical spacing of the paper (section 2.1): f = sqrt(epsilon / lambda), with lambda the largest
-// absolute eigenvalue of the Hessian of a solution that is known at points.
+// The numerical spacing of the paper (section 2.1): f = sqrt(epsilon / lambda), with lambda the
+// largest absolute eigenvalue of the Hessian of a solution that is known at points.
 //
-// What f is worth: between the ends of an edge of length h, the linear interpolant of a function whose
-// second derivatives are at most lambda is off by at most lambda h^2 / 8; inside of a triangle by at
-// most lambda R^2 / 2, R being the radius of the smallest circle that holds it (both are reached by
-// quadratics). With edges of length f that is epsilon / 8 along edges, and epsilon / 6 inside of an
-// equilateral triangle, where R = h / sqrt(3).
+// What f is worth: between the ends of an edge of length h, the linear interpolant of a function
+// whose second derivatives are at most lambda is off by at most lambda h^2 / 8; inside of a
+// triangle by at most lambda R^2 / 2, R being the radius of the smallest circle that holds it (both
+// are reached by quadratics). With edges of length f that is epsilon / 8 along edges, and epsilon /
+// 6 inside of an equilateral triangle, where R = h / sqrt(3).
 
 #ifndef BitingHessianRecovery_h
 #define BitingHessianRecovery_h
@@ -38,14 +38,14 @@ struct CellsView
   const std::vector<Id>& Corners;
 };
 
-/// The Hessian of the function with `values` at the points: that of the quadratic polynomial with the
-/// least sum of squared differences at the points of the cells around each point. Where these do not
-/// determine one well, as at corners, the cells around them are added, up to four rings or 64 points.
-/// Laws: exact, up to rounding, for quadratics, at the boundary as inside; an affine map of the plane
-/// changes it as it changes a Hessian; a point is never compared with one across a hole or a slit.
-/// Values that are not finite are left out, and their points, like those with too few others
-/// around, get NaN. Cost O(n), memory that of the cells once more. Empty where the monitor asked to
-/// stop.
+/// The Hessian of the function with `values` at the points: that of the quadratic polynomial with
+/// the least sum of squared differences at the points of the cells around each point. Where these
+/// do not determine one well, as at corners, the cells around them are added, up to four rings or
+/// 64 points. Laws: exact, up to rounding, for quadratics, at the boundary as inside; an affine map
+/// of the plane changes it as it changes a Hessian; a point is never compared with one across a
+/// hole or a slit. Values that are not finite are left out, and their points, like those with too
+/// few others around, get NaN. Cost O(n), memory that of the cells once more. Empty where the
+/// monitor asked to stop.
 std::vector<Hessian2> RecoverHessians(
   const CellsView& cells, const std::vector<double>& values, Monitor& monitor);
 

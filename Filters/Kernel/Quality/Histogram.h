@@ -16,9 +16,9 @@ struct Histogram
   std::vector<double> Percents; ///< of the values that are numbers; they add up to 100
 };
 
-/// Counts `values` in `numberOfBins` bins (at least 1) of [low, high]. A bin holds its lower end; the
-/// last one its upper end, too, and what is above; the first one what is below. NaN is not counted.
-/// Where nothing is counted, all bins have 0.
+/// Counts `values` in `numberOfBins` bins (at least 1) of [low, high]. A bin holds its lower end;
+/// the last one its upper end, too, and what is above; the first one what is below. NaN is not
+/// counted. Where nothing is counted, all bins have 0.
 Histogram MakeHistogram(
   const std::vector<double>& values, double low, double high, int numberOfBins);
 

@@ -191,8 +191,9 @@ bool MeshChecker::IsCounterclockwise()
     this->Refuse("triangle " + std::to_string(wrong.Slot / 3) + " is not counterclockwise");
 }
 
-// A link to a smaller triangle is followed there, to a slot that must name this triangle. As no slot
-// can answer two triangles, all links to larger triangles are answered too if there are as many.
+// A link to a smaller triangle is followed there, to a slot that must name this triangle. As no
+// slot can answer two triangles, all links to larger triangles are answered too if there are as
+// many.
 bool MeshChecker::HasMutualNeighbors()
 {
   const PulsePart part(this->Beats, TurnsEnd, NeighborsEnd);
@@ -277,9 +278,9 @@ std::vector<std::uint8_t> MeshChecker::FindUses()
   return uses;
 }
 
-// Each fan of triangles at the boundary has one boundary edge that leaves its vertex: with B boundary
-// edges and V inner vertices there are V + B fans. E = (3 F + B) / 2, so twice the formula is
-// 2 V + B - F = 4 C - 2 L.
+// Each fan of triangles at the boundary has one boundary edge that leaves its vertex: with B
+// boundary edges and V inner vertices there are V + B fans. E = (3 F + B) / 2, so twice the formula
+// is 2 V + B - F = 4 C - 2 L.
 bool MeshChecker::FulfilsEuler()
 {
   const std::int64_t numberOfTriangles = static_cast<std::int64_t>(this->Mesh.Corners.size() / 3);
@@ -333,8 +334,8 @@ std::int64_t MeshChecker::CountLoops()
   return count;
 }
 
-// Turns about the end of the boundary edge, through its fan of triangles, to the other boundary edge
-// of the fan. Neighbors are mutual, so the turn cannot come to a triangle again.
+// Turns about the end of the boundary edge, through its fan of triangles, to the other boundary
+// edge of the fan. Neighbors are mutual, so the turn cannot come to a triangle again.
 std::size_t MeshChecker::NextOnBoundary(std::size_t slot) const
 {
   std::size_t leaving = Next(slot);

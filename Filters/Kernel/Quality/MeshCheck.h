@@ -41,8 +41,8 @@ struct MeshCheckInput
 ///   with a handle, and where two fans without boundary share a vertex;
 /// - the sum of the areas is the expected one.
 /// Where the boundary edges are those of the domain, the triangles then cover it once.
-/// Returns the first violation as text, empty where there is none. Cost O(n). Where the monitor asks
-/// to stop the answer has no meaning.
+/// Returns the first violation as text, empty where there is none. Cost O(n). Where the monitor
+/// asks to stop the answer has no meaning.
 std::string CheckMesh(const MeshCheckInput& mesh, Monitor& monitor = NoMonitor());
 
 } // namespace biting

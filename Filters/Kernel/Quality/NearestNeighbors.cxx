@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each vertex v starts with the squared length of its shortest edge, r^2. Let w be a vertex in the open
-// disc B(v, r). If no edge at v is a boundary edge, the triangles at v surround it, none contains w, and
-// none of their corners is in B; so the way from v to w leaves one of them, vab, through the inside of
-// ab. Let d be the apex beyond ab. Then w is d, or the way leaves abd through ad or bd, which B meets.
-// So N(v) is known from the corners of the triangles at v and the apexes beyond them, unless v has a
-// boundary edge, or B meets a boundary edge ab, or both ab and ad (or bd). Where the angles vad and vbd
-// are at least 90 degrees, B does not meet ad or bd outside of a and b, and vd is longer than va: the
-// usual case costs two dot products for both v and d. The other vertices are suspects: they are
-// searched for in a tree. The argument uses no property of the triangulation but that triangles do
-// not overlap.
+// Each vertex v starts with the squared length of its shortest edge, r^2. Let w be a vertex in the
+// open disc B(v, r). If no edge at v is a boundary edge, the triangles at v surround it, none
+// contains w, and none of their corners is in B; so the way from v to w leaves one of them, vab,
+// through the inside of ab. Let d be the apex beyond ab. Then w is d, or the way leaves abd through
+// ad or bd, which B meets. So N(v) is known from the corners of the triangles at v and the apexes
+// beyond them, unless v has a boundary edge, or B meets a boundary edge ab, or both ab and ad (or
+// bd). Where the angles vad and vbd are at least 90 degrees, B does not meet ad or bd outside of a
+// and b, and vd is longer than va: the usual case costs two dot products for both v and d. The
+// other vertices are suspects: they are searched for in a tree. The argument uses no property of
+// the triangulation but that triangles do not overlap.
 
 #include "NearestNeighbors.h"
 

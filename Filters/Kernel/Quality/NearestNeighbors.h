@@ -13,10 +13,11 @@
 namespace biting
 {
 
-/// The distance of each vertex of a triangulation to the nearest other vertex, wherever it is: joined
-/// by an edge or not, visible or hidden behind a hole or a slit. Infinite for a single vertex.
-/// `corners` and `neighbors` are as in Triangulation. The triangles may have any shape (they need not
-/// be Delaunay) but must not overlap, and `neighbors` must be mutual (see CheckMesh).
+/// The distance of each vertex of a triangulation to the nearest other vertex, wherever it is:
+/// joined by an edge or not, visible or hidden behind a hole or a slit. Infinite for a single
+/// vertex. `corners` and `neighbors` are as in Triangulation. The triangles may have any shape
+/// (they need not be Delaunay) but must not overlap, and `neighbors` must be mutual (see
+/// CheckMesh).
 ///
 /// Cost O(n) where triangles are well shaped and few vertices are near the boundary; O(n log n) for
 /// the vertices for which this does not hold. Empty where the monitor asked to stop.

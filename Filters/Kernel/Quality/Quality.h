@@ -63,8 +63,8 @@ MeshQuality MeasureQuality(const MeshView& mesh, std::vector<double> nearestNeig
 /// The middle of each edge, each edge once, in the order of the slots where it is counted.
 std::vector<Point2> EdgeMiddles(const MeshView& mesh, Monitor& monitor = NoMonitor());
 
-/// The length of each edge divided by the spacing at its middle, in the order of EdgeMiddles: by the
-/// midpoint rule, the integral of 1 / f along the edge.
+/// The length of each edge divided by the spacing at its middle, in the order of EdgeMiddles: by
+/// the midpoint rule, the integral of 1 / f along the edge.
 std::vector<double> RelativeLengths(const MeshView& mesh, Monitor& monitor = NoMonitor());
 
 /// All angles in degrees, one a slot. 0 where a side has no length.

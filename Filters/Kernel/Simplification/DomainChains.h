@@ -15,8 +15,9 @@
 namespace biting
 {
 
-/// The segments of a domain as chains. An inner vertex of a chain ends two segments, both boundary or
-/// both interface and with the same tags, and is no embedded point. Chains without an end are closed.
+/// The segments of a domain as chains. An inner vertex of a chain ends two segments, both boundary
+/// or both interface and with the same tags, and is no embedded point. Chains without an end are
+/// closed.
 ///
 /// A chain is a row of slots: one a vertex, in order; an end of several chains has a slot in each.
 /// Slots of one chain are numbered in a row. Nexts and Previous link those that are left.

@@ -40,19 +40,19 @@ struct SimplifiedDomain
 
 /// Removes vertices of chains: paths of segments whose inner vertices end two of them, of the same
 /// kind and with the same tags. Its vertices are a part of those of `domain`, in their order; its
-/// segments too, each with the cell of the first one that it stands for, and in its place. The bounds
-/// are those of `domain`.
+/// segments too, each with the cell of the first one that it stands for, and in its place. The
+/// bounds are those of `domain`.
 ///
 /// - Distance: each segment and the path that it stands for are within Tolerance times f of one
 ///   another, both ways, f being the least along the path nearby.
-/// - Topology, exactly: the result obeys the invariant of Domain. Chains are moved over no vertex, so
-///   crossings, touches, nesting, faces and what lies in each are those of `domain`.
+/// - Topology, exactly: the result obeys the invariant of Domain. Chains are moved over no vertex,
+///   so crossings, touches, nesting, faces and what lies in each are those of `domain`.
 /// - What stays: ends of chains, embedded points, at least three vertices of each loop, and corners
 ///   that turn by CornerAngle or more, seen at some Tolerances' distance (ChainCorners.h).
 /// - Corners: no angle of the inside gets sharp by it where the drawing is blunt (CornerGuard.h).
 /// - Clearance: a path moves by no more than what is left free beside it then. Vertices tell: where
-///   the distance of two segments shrinks it is that of an end of one. A channel so keeps a share of
-///   its width.
+///   the distance of two segments shrinks it is that of an end of one. A channel so keeps a share
+///   of its width.
 ///
 /// Loops are left out first: closed chains without junctions whose larger extent along the axes is
 /// below MinimumLoopSize times the least f on them. Not those of an inside in which something else
@@ -60,7 +60,8 @@ struct SimplifiedDomain
 ///
 /// The result does not depend on the order or direction of segments, nor on how they are joined to
 /// chains of the input. Cost O(n log n), in ordinary cases. Empty where the monitor wants to stop.
-/// Source of the guard: C. Dyken, M. Daehlen, T. Sevaldrud, "Simultaneous curve simplification", 2009.
+/// Source of the guard: C. Dyken, M. Daehlen, T. Sevaldrud, "Simultaneous curve simplification",
+/// 2009.
 SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& options,
   const std::function<double(const Point2&)>& spacing, ProblemList& problems, Monitor& monitor);
 

@@ -17,7 +17,8 @@ namespace
 
 constexpr Id LeafSize = 8;
 
-// Whether the whole box lies strictly on the right of the line from a to b: its leftmost corner does.
+// Whether the whole box lies strictly on the right of the line from a to b: its leftmost corner
+// does.
 bool IsRightOf(const Point2& a, const Point2& b, const Box2& box)
 {
   const Point2 leftmost{ b.Y < a.Y ? box.High.X : box.Low.X, b.X > a.X ? box.High.Y : box.Low.Y };

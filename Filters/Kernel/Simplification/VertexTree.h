@@ -18,8 +18,8 @@ namespace biting
 
 /// Vertices of the plane that go one by one: which of those that are left lies in a triangle?
 /// A balanced tree of boxes, those without a vertex left passed over. Built in
-/// O(n log n); a removal costs O(1) on average, a question the boxes along the triangle's border, and the way
-/// to it from a vertex nearby: short for a small triangle.
+/// O(n log n); a removal costs O(1) on average, a question the boxes along the triangle's border,
+/// and the way to it from a vertex nearby: short for a small triangle.
 class VertexTree
 {
 public:

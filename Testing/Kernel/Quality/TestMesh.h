@@ -46,8 +46,8 @@ struct TestMesh
   std::vector<Id> Neighbors;
   std::vector<Id> Constraints;
 
-  /// A grid of rectangles between the given lines, each cut in two triangles. Those with columns and
-  /// rows that `isKept` denies are left out.
+  /// A grid of rectangles between the given lines, each cut in two triangles. Those with columns
+  /// and rows that `isKept` denies are left out.
   static TestMesh Grid(const std::vector<double>& xLines, const std::vector<double>& yLines,
     const std::function<bool(std::size_t, std::size_t)>& isKept);
 
@@ -231,7 +231,8 @@ inline bool TestMesh::Insert(const Point2& p)
   return false;
 }
 
-// The triangles (p, a, b) and (d, b, a) become (p, a, d) and (d, b, p) if both are counterclockwise.
+// The triangles (p, a, b) and (d, b, a) become (p, a, d) and (d, b, p) if both are
+// counterclockwise.
 inline bool TestMesh::Flip(std::size_t slot)
 {
   if (this->Neighbors[slot] == NoId)

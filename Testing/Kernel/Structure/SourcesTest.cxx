@@ -157,10 +157,14 @@ TEST(Sources, AreAllOfARoomWithArrows)
 TEST(Sources, HaveLinesOfAtMost100Columns)
 {
   std::size_t numberOfFiles = 0;
-  for (const std::string room : { "Biting", "Relaxation", "Meshing", "Remeshing" })
+  for (const std::string folder : { "Filters/Kernel", "Testing" })
   {
-    for (const fs::path& file : FilesBelow("Filters/Kernel/" + room, { ".h", ".cxx" }))
+    for (const fs::path& file : FilesBelow(folder, { ".h", ".cxx" }))
     {
+      if (RoomOf(file) == "Kernel/Spacing")
+      {
+        continue; // not yet
+      }
       ++numberOfFiles;
       const std::vector<std::string> lines = LinesOf(file);
       for (std::size_t k = 0; k < lines.size(); ++k)
@@ -169,7 +173,7 @@ TEST(Sources, HaveLinesOfAtMost100Columns)
       }
     }
   }
-  EXPECT_GT(numberOfFiles, 60u);
+  EXPECT_GT(numberOfFiles, 200u);
 }
 
 } // namespace biting
