@@ -167,41 +167,36 @@ std::shared_ptr<const FeatureSource> WantedSpacing::FeaturesOf(const ChangedRegi
   return features;
 }
 
-// The mean lengths of the marked edges at their ends, linear in the triangles beside them. Edges
-// across a slit say nothing of f.
+// Of the longest marked edge at each vertex, linear in the triangles beside these. Edges across a
+// slit say nothing of f, nor do those that were divided for it.
 std::function<double(const Point2&)> WantedSpacing::LengthsOn(
   const ChangedRegion& region, Monitor& monitor) const
 {
   TriangulatedSource lengths;
-  lengths.Points.resize(region.Vertices.size());
   lengths.Values.resize(region.Vertices.size(), 0.0);
-  std::vector<double> counts(region.Vertices.size(), 0.0);
+  for (const Id vertex : region.Vertices)
+  {
+    lengths.Points.push_back(this->Mesh.Points[vertex]);
+  }
   for (const Id triangle : region.Triangles)
   {
     bool hasMarked = false;
     for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
     {
-      const Id start = this->Mesh.Start(slot);
-      const Id end = this->Mesh.End(slot);
-      for (const Id vertex : { start, end })
+      if (this->Mesh.Marks[slot] != NoId)
       {
-        const Id number = region.Numbers[vertex];
-        const bool isMarked = this->Mesh.Marks[slot] != NoId;
-        const double length = Distance(this->Mesh.Points[start], this->Mesh.Points[end]);
-        lengths.Points[number] = this->Mesh.Points[vertex];
-        lengths.Values[number] += isMarked ? length : 0.0;
-        counts[number] += isMarked ? 1.0 : 0.0;
-        hasMarked = hasMarked || isMarked;
+        const Id start = region.Numbers[this->Mesh.Start(slot)];
+        const Id end = region.Numbers[this->Mesh.End(slot)];
+        const double length = Distance(lengths.Points[start], lengths.Points[end]);
+        lengths.Values[start] = std::max(lengths.Values[start], length);
+        lengths.Values[end] = std::max(lengths.Values[end], length);
+        hasMarked = true;
       }
     }
     for (Id slot = 3 * triangle; hasMarked && slot < 3 * triangle + 3; ++slot)
     {
       lengths.Triangles.push_back(region.Numbers[this->Mesh.Corners[slot]]);
     }
-  }
-  for (std::size_t vertex = 0; vertex < counts.size(); ++vertex)
-  {
-    lengths.Values[vertex] /= std::max(counts[vertex], 1.0);
   }
   const auto interpolator = std::make_shared<const TriangleInterpolator>(lengths, monitor);
   if (interpolator->IsEmpty())

@@ -345,9 +345,8 @@ TEST(Remeshing, TheSameInputGivesTheSameBytes)
   EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
 }
 
-/// A slit of a hundredth of f is capped by a quarter of f. That quarter must not be taken once
-/// more.
-TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedAgain)
+/// A slit of a hundredth of f is capped by a quarter of f. That quarter must not be taken once more.
+TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
 {
   BitingMeshOptions options;
   options.Spacing.Uniform = 0.1;
@@ -358,14 +357,12 @@ TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedAgain)
                                     .Lines(),
     options)
                             .Mesh;
+  const auto least = [](const BitingMesh& of)
+  { return *std::min_element(of.Spacing.begin(), of.Spacing.end()); };
   const RemeshInput input = RemeshInputOf(mesh, Rounding);
   RemeshOptions wanted;
   wanted.Values = mesh.Spacing;
-  const RemeshRun same = RunLawfully(input, wanted);
-  EXPECT_TRUE(same.Result.IsUnchanged || same.ShareOfKept() > 0.98);
-  wanted.Spacing.Scale = 2.0;
-  const RemeshRun coarse = RunLawfully(input, wanted);
-  EXPECT_LT(coarse.Result.Mesh.Points.size(), input.Points.size());
+  EXPECT_GT(least(RunLawfully(input, wanted).Result.Mesh), 0.4 * least(mesh));
 }
 
 TEST(Remeshing, RelaxAllMovesWhatFits)
