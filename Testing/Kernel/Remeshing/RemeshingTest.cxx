@@ -345,7 +345,7 @@ TEST(Remeshing, TheSameInputGivesTheSameBytes)
   EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
 }
 
-/// A slit of a hundredth of f is capped by a quarter of f. That quarter must not be taken once more.
+/// A slit of a hundredth of f is capped by a quarter of f. That must not be taken once more.
 TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
 {
   BitingMeshOptions options;
@@ -362,7 +362,8 @@ TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
   const RemeshInput input = RemeshInputOf(mesh, Rounding);
   RemeshOptions wanted;
   wanted.Values = mesh.Spacing;
-  EXPECT_GT(least(RunLawfully(input, wanted).Result.Mesh), 0.4 * least(mesh));
+  const RemeshRun run = RunLawfully(input, wanted);
+  EXPECT_TRUE(run.Result.IsUnchanged || least(run.Result.Mesh) > 0.4 * least(mesh));
 }
 
 TEST(Remeshing, RelaxAllMovesWhatFits)
