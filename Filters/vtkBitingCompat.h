@@ -36,7 +36,8 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 }
 
 /**
- * Whether the algorithm was stopped, as the pipeline sees it, which then executes it again when asked.
+ * Whether the algorithm was stopped, as the pipeline sees it, which then executes it again when
+ * asked.
  */
 inline bool WasAborted(vtkAlgorithm* algorithm)
 {
@@ -66,8 +67,8 @@ inline void ForgetAbort(vtkAlgorithm* algorithm)
 }
 
 /**
- * Makes the pipeline see an execution that was stopped as one that has ended: it is not executed again
- * before something changes.
+ * Makes the pipeline see an execution that was stopped as one that has ended: it is not executed
+ * again before something changes.
  */
 inline void EndAbort(vtkAlgorithm* algorithm)
 {

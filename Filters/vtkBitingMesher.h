@@ -6,161 +6,165 @@
  * @brief   meshes a planar domain with triangles by biting squares
  *
  * vtkBitingMesher fills the inside of closed polylines with triangles whose edges are as long as a
- * spacing function f asks for. It bites squares of half-width c_b f(x) out of the domain, centred on
- * the front between what is bitten and what is left, until nothing is left. The centres are the
- * vertices of the mesh: no two are nearer than a fixed share of f, and none is farther from the next
- * than another share of it. A constrained Delaunay triangulation joins them.
+ * spacing function f asks for. It bites squares of half-width c_b f(x) out of the domain, centred
+ * on the front between what is bitten and what is left, until nothing is left. The centres are the
+ * vertices of the mesh: no two are nearer than a fixed share of f, and none is farther from the
+ * next than another share of it. A constrained Delaunay triangulation joins them.
  *
  * @par Steps:
  * The input is welded, split where segments meet, and divided into inside and outside by even-odd
- * parity; where BoundaryTolerance or MinimumLoopSize ask for it, it is simplified; f is prepared; the
- * vertices of the domain are bitten, then points along its edges, then the interior; the centres are
- * triangulated, with all input segments as edges; the mesh is relaxed: vertices are moved, inserted and
- * removed, and edges flipped, until triangles are well shaped and edges as long as f; it is checked
- * (orientation, area, every segment covered) and measured.
+ * parity; where BoundaryTolerance or MinimumLoopSize ask for it, it is simplified; f is prepared;
+ * the vertices of the domain are bitten, then points along its edges, then the interior; the
+ * centres are triangulated, with all input segments as edges; the mesh is relaxed: vertices are
+ * moved, inserted and removed, and edges flipped, until triangles are well shaped and edges as long
+ * as f; it is checked (orientation, area, every segment covered) and measured.
  *
  * @par Input:
- * Port 0: any vtkDataSet, by its lines and two-dimensional cells, or a composite dataset of such: all
- * blocks are one drawing, whose points and cells are numbered block after block
- * (MeshBlocksSeparately: each by itself). Lines and polylines may be merged or not, in any order and
- * orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the mesh.
+ * Port 0: any vtkDataSet, by its lines and two-dimensional cells, or a composite dataset of such:
+ * all blocks are one drawing, whose points and cells are numbered block after block
+ * (MeshBlocksSeparately: each by itself). Lines and polylines may be merged or not, in any order
+ * and orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the
+ * mesh.
  * @par
- * Only lines: closed chains bound the domain, by even-odd nesting; open chains are interfaces, which
- * become edges of the mesh.
+ * Only lines: closed chains bound the domain, by even-odd nesting; open chains are interfaces,
+ * which become edges of the mesh.
  * @par
  * Two-dimensional cells (triangles, strips, quads, pixels, polygons; quadratic ones with straight
  * sides through the points of their outline): the domain is the area that an odd number of them
  * covers, whatever their orientation, so that a polygon within a polygon is a hole. Edges between
  * neighbors, also where they share a part of an edge only, are nothing, and points inside of the
  * surface are no vertices of the mesh; but edges are interfaces between cells that differ in
- * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where. Lines
- * beside cells never count for the area: on edges of the domain they carry their tags, elsewhere they
- * are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a volume are refused;
- * apply Extract Surface, Slice or Feature Edges. Curved cells of higher order are refused, too.
+ * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where.
+ * Lines beside cells never count for the area: on edges of the domain they carry their tags,
+ * elsewhere they are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a
+ * volume are refused; apply Extract Surface, Slice or Feature Edges. Curved cells of higher order
+ * are refused, too.
  * @par
- * A numeric cell array `Kind` decides instead what a line or a two-dimensional cell is: 0 boundary (of
- * a line: it counts for the area by parity; a cell counts as it does without), 1 interface, 2 embedded
- * points. Points that no cell uses are ignored.
+ * A numeric cell array `Kind` decides instead what a line or a two-dimensional cell is: 0 boundary
+ * (of a line: it counts for the area by parity; a cell counts as it does without), 1 interface, 2
+ * embedded points. Points that no cell uses are ignored.
  * The chains may lie in any plane: it is fitted, meshed in and mapped back. In a plane of constant
- * x, y or z the coordinates are used as they are. Points that the rounding of their coordinates does not
- * tell apart are one (MergeTolerance). Triangles are counterclockwise seen from the side
+ * x, y or z the coordinates are used as they are. Points that the rounding of their coordinates
+ * does not tell apart are one (MergeTolerance). Triangles are counterclockwise seen from the side
  * of the normal whose largest component is positive.
  * @par
  * Port 1, optional: any vtkDataSet with a point array, the spacing source. Images and rectilinear
  * grids of one layer are interpolated as grids; other cells with an area are triangulated and
  * projected into the plane, cells with a volume are cut by it. Hidden and ghost cells, and places
- * where the array is NaN, are no source; nor are values that are zero, negative or infinite at points
- * outside of the domain, as fill values are. Blocks of a composite dataset are one source: those that
- * have the array; where they overlap the smallest value counts. Where the domain reaches out of the source
- * by more than the distance of its points, a warning says what share of it, and where.
+ * where the array is NaN, are no source; nor are values that are zero, negative or infinite at
+ * points outside of the domain, as fill values are. Blocks of a composite dataset are one source:
+ * those that have the array; where they overlap the smallest value counts. Where the domain reaches
+ * out of the source by more than the distance of its points, a warning says what share of it, and
+ * where.
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
- * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear along
- * chains, inwards growing with the slope Gradation); the source array (SetInputArrayToProcess(1, 1,
- * 0, POINTS, name): interpolated, and outside of the source the nearest value of its border). Then
- * it is multiplied by SpacingScale and clamped to [MinimumSpacing, MaximumSpacing], lowered to the
- * local feature size (LimitByFeatureSize), and last to the largest function below all that with no
- * slope above Gradation. All of that is meant within 2 %, but f is never above MaximumSpacing nor
- * below MinimumSpacing: a source whose slope is Gradation, or above it by interpolation only, is taken
- * as it is. Slopes are limited across the border of a source, too, and outside of it. Where nothing is
- * given f is 2 % of the diagonal of the domain's bounding box.
- * An array named `Spacing` is taken where no other name was set; where there is none, the only scalar
- * point array of the source is, if it has just one; else there is no such source. The name "None", or
- * an empty one, takes no array. Any other name that does not
+ * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear
+ * along chains, inwards growing with the slope Gradation); the source array
+ * (SetInputArrayToProcess(1, 1, 0, POINTS, name): interpolated, and outside of the source the
+ * nearest value of its border). Then it is multiplied by SpacingScale and clamped to
+ * [MinimumSpacing, MaximumSpacing], lowered to the local feature size (LimitByFeatureSize), and
+ * last to the largest function below all that with no slope above Gradation. All of that is meant
+ * within 2 %, but f is never above MaximumSpacing nor below MinimumSpacing: a source whose slope is
+ * Gradation, or above it by interpolation only, is taken as it is. Slopes are limited across the
+ * border of a source, too, and outside of it. Where nothing is given f is 2 % of the diagonal of
+ * the domain's bounding box. An array named `Spacing` is taken where no other name was set; where
+ * there is none, the only scalar point array of the source is, if it has just one; else there is no
+ * such source. The name "None", or an empty one, takes no array. Any other name that does not
  * exist is an error.
  *
  * @par Output 0, the mesh:
  * Triangles; points are doubles, and vertices of the input are there bit for bit. Point data:
- * `Spacing` (f, double), `NearestNeighborDistance` (N, double), `Conformity` (min(N/f, f/N), double),
- * `BiteOrder` (int, -1 where biting stopped before, or Relaxation made the vertex), `VertexKind` (unsigned char: 0 input vertex, 1
- * new on an input segment, 2 interior, 3 embedded point), `OriginalPointId` (vtkIdType, -1 where
- * new). Cell data: `RegionId` (int, connected faces, from the leftmost one on along the
- * boundary), `MinimumAngle` (double, degrees), `RadiusEdgeRatio` (double, 0.577 is best), `AspectRatio` (double, radii of the
- * smallest containing and the inscribed circle, 2 is best). `MinimumAngle` is the active scalar, as
- * are `Phase` of output 2 and `ProblemKind` of output 3. Field data, one value each, marked
- * vtkAbstractArray::GUI_HIDE so that programs do not offer them to colour by:
- * `NumberOfVertices`, `NumberOfTriangles`, `SmallestAngle`, `LargestRadiusEdgeRatio`,
- * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand`
- * (of [1/sqrt(2), sqrt(2)] f), `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the
- * used spacing), `NumberOfSharpCornerTriangles` (with an angle below 30 degrees and all vertices on
- * the sides of one corner of the input below 60 degrees: with this f they cannot be much better),
- * and the number of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`,
- * `RepairedDuplicateSegments`, `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`,
- * `DroppedOutsidePoints`, `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the
- * input, by BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize),
- * `ShareOfDrawing` (share of the vertices that only the drawing asks for, 0 where it is not much finer
- * than the spacing). Field data of the input is passed on.
+ * `Spacing` (f, double), `NearestNeighborDistance` (N, double), `Conformity` (min(N/f, f/N),
+ * double), `BiteOrder` (int, -1 where biting stopped before, or Relaxation made the vertex),
+ * `VertexKind` (unsigned char: 0 input vertex, 1 new on an input segment, 2 interior, 3 embedded
+ * point), `OriginalPointId` (vtkIdType, -1 where new). Cell data: `RegionId` (int, connected faces,
+ * from the leftmost one on along the boundary), `MinimumAngle` (double, degrees), `RadiusEdgeRatio`
+ * (double, 0.577 is best), `AspectRatio` (double, radii of the smallest containing and the
+ * inscribed circle, 2 is best). `MinimumAngle` is the active scalar, as are `Phase` of output 2 and
+ * `ProblemKind` of output 3. Field data, one value each, marked vtkAbstractArray::GUI_HIDE so that
+ * programs do not offer them to colour by: `NumberOfVertices`, `NumberOfTriangles`,
+ * `SmallestAngle`, `LargestRadiusEdgeRatio`, `SmallestConformity`, `MeanConformity`,
+ * `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand` (of [1/sqrt(2), sqrt(2)] f),
+ * `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the used spacing),
+ * `NumberOfSharpCornerTriangles` (with an angle below 30 degrees and all vertices on the sides of
+ * one corner of the input below 60 degrees: with this f they cannot be much better), and the number
+ * of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`, `RepairedDuplicateSegments`,
+ * `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`, `DroppedOutsidePoints`,
+ * `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
+ * BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize), `ShareOfDrawing`
+ * (share of the vertices that only the drawing asks for, 0 where it is not much finer than the
+ * spacing). Field data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, those of the boundary with the
- * domain on their left, with every cell array of the input at its cell, of any type: on the outline of
- * a surface that of the cell there, where a line runs along it that of the line. Blocks of a composite
- * input are told by `BlockName` (string); where a block lacks an array its values are 0, NaN or empty.
- * Point data: `MeshPointId` (vtkIdType, point of output 0). Cell data: `OriginalCellId` (vtkIdType),
- * `Kind` (unsigned char, 0 boundary, 1 interface).
+ * domain on their left, with every cell array of the input at its cell, of any type: on the outline
+ * of a surface that of the cell there, where a line runs along it that of the line. Blocks of a
+ * composite input are told by `BlockName` (string); where a block lacks an array its values are 0,
+ * NaN or empty. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell data:
+ * `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1 interface).
  *
  * @par Output 2, the bites (only with GenerateBites):
  * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:
  * `BiteOrder` (int, -1 for the front), `Phase` (unsigned char: 0 vertex protection, 1 edge
  * protection, 2 interior, 3 front). With PreserveBoundary, bites of phase 1 are squares along
- * segments that make no vertex and keep those of the interior away. Relaxation moves vertices off the
- * centres of their bites.
+ * segments that make no vertex and keep those of the interior away. Relaxation moves vertices off
+ * the centres of their bites.
  *
  * @par Output 3, the problems:
  * What was repaired or refused, to look at: one vertex cell a place, in space, also where there is
- * no mesh. The first 10 000 places of each kind are kept. Point data: `ProblemKind` (unsigned char, a
- * ProblemKindType), `IsError` (unsigned char: 0 repaired or noted, 1 prevents a mesh), `FirstId`
+ * no mesh. The first 10 000 places of each kind are kept. Point data: `ProblemKind` (unsigned char,
+ * a ProblemKindType), `IsError` (unsigned char: 0 repaired or noted, 1 prevents a mesh), `FirstId`
  * and `SecondId` (vtkIdType, -1 where there is none; ProblemKindType says what they number),
- * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames` (string)
- * and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A problem at a
- * point of the input lies exactly there; a point that is not finite is shown at the finite one
- * before it in its chain, else after it. Too many vertices, parameters out of range, missing arrays
- * and cells that cannot be read have no place.
+ * `Message` (string: kind, ids and place in words). Field data, by kind: `ProblemKindNames`
+ * (string) and `ProblemCounts` (vtkIdType: how many there were, also those without a place). A
+ * problem at a point of the input lies exactly there; a point that is not finite is shown at the
+ * finite one before it in its chain, else after it. Too many vertices, parameters out of range,
+ * missing arrays and cells that cannot be read have no place.
  *
  * @par Guarantees:
  * The mesh is valid (all triangles counterclockwise, decided exactly; no overlaps, no duplicate and
- * no unused points; every input segment a union of edges) or there is none. Defects of the input are
- * repaired with a warning for each kind, which says how many, which and where, or refused with one
- * error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of the
- * size, and than rounding, from one plane, a spacing that is not positive, too many vertices, points
- * without any cell. On errors the outputs are empty, but for the problems; so they are, with an error,
- * where memory does not suffice. An empty input gives empty outputs and no message.
- * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh before:
- * after Update() a program learns from GetErrorCode() whether there was one, vtkErrorCode::UserError,
- * or none, vtkErrorCode::NoError.
- * Same input and parameters, same bytes: any run, number of threads and of ranks, any order of points and
- * cells; but OriginalPointId and OriginalCellId number the input, on ranks what was gathered.
- * Notes are no warnings: loops that were left out, and, without BoundaryTolerance, a drawing so fine
- * that more than half of the vertices, and five hundred at least, are there for it alone, are a line of
- * text each, through vtkOutputWindow, and counted in output 3. They are silent where
- * GlobalWarningDisplay is off.
+ * no unused points; every input segment a union of edges) or there is none. Defects of the input
+ * are repaired with a warning for each kind, which says how many, which and where, or refused with
+ * one error that does: no closed loop, coordinates that are not finite, points farther than 1e-6 of
+ * the size, and than rounding, from one plane, a spacing that is not positive, too many vertices,
+ * points without any cell. On errors the outputs are empty, but for the problems; so they are, with
+ * an error, where memory does not suffice. An empty input gives empty outputs and no message.
+ * An error is no failure of the pipeline, so that views show the empty outputs, not the mesh
+ * before: after Update() a program learns from GetErrorCode() whether there was one,
+ * vtkErrorCode::UserError, or none, vtkErrorCode::NoError.
+ * Same input and parameters, same bytes: any run, number of threads and of ranks, any order of
+ * points and cells; but OriginalPointId and OriginalCellId number the input, on ranks what was
+ * gathered. Notes are no warnings: loops that were left out, and, without BoundaryTolerance, a
+ * drawing so fine that more than half of the vertices, and five hundred at least, are there for it
+ * alone, are a line of text each, through vtkOutputWindow, and counted in output 3. They are silent
+ * where GlobalWarningDisplay is off.
  *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
- * about as time goes, and is reported at each percent or tenth of a second. SetAbortExecute, from an
- * observer of the progress, stops the filter within half a second wherever it is: success, all outputs
- * empty. As with other filters the outputs count as up to date then; any change, or Modified(), makes
- * it run again.
+ * about as time goes, and is reported at each percent or tenth of a second. SetAbortExecute, from
+ * an observer of the progress, stops the filter within half a second wherever it is: success, all
+ * outputs empty. As with other filters the outputs count as up to date then; any change, or
+ * Modified(), makes it run again.
  *
  * @par Ranks:
- * Where several processes execute the filter, each with a piece, the pieces of both inputs are gathered
- * on the first one, which makes the mesh and says what is wrong; the others have empty pieces with the
- * same arrays. Copies of one piece, ghost cells, and cells that several pieces have count once. Cells
- * and points keep the order of their global ids, else that of the pieces: where a drawing was divided in
- * its order, or has global ids, the mesh is the serial one, byte for byte. It takes the memory of one
- * process, and at most 2 GB of input. The processes are those of the global
- * vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of 1 works
- * alone.
+ * Where several processes execute the filter, each with a piece, the pieces of both inputs are
+ * gathered on the first one, which makes the mesh and says what is wrong; the others have empty
+ * pieces with the same arrays. Copies of one piece, ghost cells, and cells that several pieces have
+ * count once. Cells and points keep the order of their global ids, else that of the pieces: where a
+ * drawing was divided in its order, or has global ids, the mesh is the serial one, byte for byte.
+ * It takes the memory of one process, and at most 2 GB of input. The processes are those of the
+ * global vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of
+ * 1 works alone.
  *
  * @par Limits:
- * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be thin; so
- * they are in sharp angles of the input.
+ * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be
+ * thin; so they are in sharp angles of the input.
  *
  * @par Cost:
  * O(n log n) for n vertices; memory about 0.5 kB a vertex. The check and the
- * measures of the finished mesh run on NumberOfThreads, the rest on one. Different filters may run in
- * different threads at once, also on shared input.
+ * measures of the finished mesh run on NumberOfThreads, the rest on one. Different filters may run
+ * in different threads at once, also on shared input.
  *
  * @par Sources:
  * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000, bites
@@ -168,7 +172,8 @@
  * requirements" bites squares: sections 3.1 (the three phases) and 4.4 (phi-Delaunay). J. R.
  * Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
  * 1997. C. Dyken, M. Daehlen, T. Sevaldrud, "Simultaneous curve simplification", 2009 (boundary
- * tolerance). S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993.
+ * tolerance). S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
+ * 1993.
  */
 
 #ifndef vtkBitingMesher_h
@@ -199,9 +204,9 @@ public:
   };
 
   /**
-   * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and cells
-   * of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, and BAD_TRIANGLES, leave no mesh; the others are
-   * repaired, or only told.
+   * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and
+   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, and BAD_TRIANGLES, leave no
+   * mesh; the others are repaired, or only told.
    */
   enum ProblemKindType
   {
@@ -258,9 +263,10 @@ public:
 
   ///@{
   /**
-   * Constant spacing, in units of the coordinates, >= 0. Where other sources give a spacing too, the
-   * minimum counts: above all of them it has no effect, and the summary says so. 0 (default): none,
-   * or 2 % of the diagonal of the domain's bounding box where nothing else is given. Negative or not finite: an error.
+   * Constant spacing, in units of the coordinates, >= 0. Where other sources give a spacing too,
+   * the minimum counts: above all of them it has no effect, and the summary says so. 0 (default):
+   * none, or 2 % of the diagonal of the domain's bounding box where nothing else is given. Negative
+   * or not finite: an error.
    */
   vtkSetMacro(UniformSpacing, double);
   vtkGetMacro(UniformSpacing, double);
@@ -294,12 +300,12 @@ public:
 
   ///@{
   /**
-   * The largest slope that f may have, without unit and >= 0. Default 0.3; above 0.5 triangles become
-   * thin. Where what is given is steeper, or jumps, f is the largest function below it that is not
-   * (paper, section 2.1): distances are those of the plane, also across holes. A spacing that is
-   * given on the boundary grows inwards with this slope. 0: f is as given, boundary values grow with
-   * the largest slope that they have themselves, but not from the smallest to the largest one within
-   * less than an edge. Negative or not finite: an error.
+   * The largest slope that f may have, without unit and >= 0. Default 0.3; above 0.5 triangles
+   * become thin. Where what is given is steeper, or jumps, f is the largest function below it that
+   * is not (paper, section 2.1): distances are those of the plane, also across holes. A spacing
+   * that is given on the boundary grows inwards with this slope. 0: f is as given, boundary values
+   * grow with the largest slope that they have themselves, but not from the smallest to the largest
+   * one within less than an edge. Negative or not finite: an error.
    */
   vtkSetMacro(Gradation, double);
   vtkGetMacro(Gradation, double);
@@ -307,10 +313,10 @@ public:
 
   ///@{
   /**
-   * On (default): f is capped by the local feature size on the segments of the input (paper, section
-   * 2.1: the control spacing). There it is at most the distance through the domain to the nearest
-   * segment or embedded point that does not share an end with it, so that narrow channels get
-   * triangles as narrow, but not lowered below a quarter of what is given (a tenth with
+   * On (default): f is capped by the local feature size on the segments of the input (paper,
+   * section 2.1: the control spacing). There it is at most the distance through the domain to the
+   * nearest segment or embedded point that does not share an end with it, so that narrow channels
+   * get triangles as narrow, but not lowered below a quarter of what is given (a tenth with
    * BoundaryTolerance, where long segments run along slits): a slit far narrower than the spacing
    * gets thin triangles, not a multitude of them. And it is at most 1.4 times the length of
    * the segment, which is an edge of the mesh in any case, but not lowered below 0.003 of what is
@@ -335,13 +341,13 @@ public:
 
   ///@{
   /**
-   * Points that are not further apart than this, relative to the diagonal of the box of the input, are
-   * one, and a point that near to a segment lies on it: a warning says how many and where. In [0, 1).
-   * 0 (default): only what the rounding of coordinates does not tell apart, eight units in the last
-   * place of the largest one, of the type that they have: 9.5e-7 of it for floats, 1.8e-15 for doubles.
-   * Doubles that have been floats count as floats. No vertex moves further than that; of points that are
-   * one, those of boundaries stay rather than those of interfaces, and these rather than embedded ones.
-   * Other values: an error.
+   * Points that are not further apart than this, relative to the diagonal of the box of the input,
+   * are one, and a point that near to a segment lies on it: a warning says how many and where. In
+   * [0, 1). 0 (default): only what the rounding of coordinates does not tell apart, eight units in
+   * the last place of the largest one, of the type that they have: 9.5e-7 of it for floats, 1.8e-15
+   * for doubles. Doubles that have been floats count as floats. No vertex moves further than that;
+   * of points that are one, those of boundaries stay rather than those of interfaces, and these
+   * rather than embedded ones. Other values: an error.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
@@ -371,8 +377,8 @@ public:
   ///@{
   /**
    * What a composite input is. Off (default): all of its blocks are one drawing, so that a loop in
-   * one block may be a hole of another. On: each block is meshed by itself, on the rank that has it,
-   * and the outputs are composite.
+   * one block may be a hole of another. On: each block is meshed by itself, on the rank that has
+   * it, and the outputs are composite.
    */
   virtual void SetMeshBlocksSeparately(bool separately);
   vtkGetMacro(MeshBlocksSeparately, bool);
@@ -386,8 +392,8 @@ public:
    * second phase). Where RepairInput resolves crossings and touches, segments still end there.
    *
    * The lengths of the segments then bound the spacing. With L(x) = min(l_i + g d_i(x)), l_i the
-   * length of segment i, d_i the distance from it and g the Gradation (0.3 where it is 0), f is L on
-   * the boundary, whatever else is given, and up to 2 g d above or below what L is there at a
+   * length of segment i, d_i the distance from it and g the Gradation (0.3 where it is 0), f is L
+   * on the boundary, whatever else is given, and up to 2 g d above or below what L is there at a
    * distance d: a spacing much finer or coarser than the segments is reached away from them only.
    * Where nothing else is given, f is L. SpacingScale does not apply to L. Where long segments meet
    * short ones, or pass near them, triangles are valid but thin.
@@ -400,22 +406,23 @@ public:
   ///@{
   /**
    * How far the boundary of the mesh, and its interfaces, may be from the drawing, in units of f at
-   * the place, >= 0; sensible from 0.05 to 0.5. 0 (default): every vertex of the input stays. Above 0
-   * vertices of chains go that the mesh does not need:
+   * the place, >= 0; sensible from 0.05 to 0.5. 0 (default): every vertex of the input stays. Above
+   * 0 vertices of chains go that the mesh does not need:
    *
    *     drawing    /\/\/\/\_/\/\_/\/\      one edge a pixel
    *     mesh      ------+------+------     edges as long as f, within 0.2 f of the drawing
    *
-   * What is left are vertices of the input, and the straight segments between them, which are divided
-   * as others are. Each segment is within that distance of the path of the input that it stands for,
-   * and that path of it. f is the spacing before the limit by feature size; that limit then sees the
-   * simplified drawing. Topology is kept, exactly: nothing crosses or touches that did not, no loop,
-   * face or channel goes. What stays: ends of chains, junctions, embedded points, vertices where a
-   * line of the input has other cell data than the next, three vertices of each loop, and corners
-   * (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees, where the drawing is blunt;
-   * but an end, as of an inlet, that is narrower than 0.002 f counts as a point: f does not follow it. In
-   * output 1 an edge has the cell data of the first segment that it stands for. Cost O(n log n). Without
-   * effect where PreserveBoundary is on. Negative or not finite: an error.
+   * What is left are vertices of the input, and the straight segments between them, which are
+   * divided as others are. Each segment is within that distance of the path of the input that it
+   * stands for, and that path of it. f is the spacing before the limit by feature size; that limit
+   * then sees the simplified drawing. Topology is kept, exactly: nothing crosses or touches that
+   * did not, no loop, face or channel goes. What stays: ends of chains, junctions, embedded points,
+   * vertices where a line of the input has other cell data than the next, three vertices of each
+   * loop, and corners (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees,
+   * where the drawing is blunt; but an end, as of an inlet, that is narrower than 0.002 f counts as
+   * a point: f does not follow it. In output 1 an edge has the cell data of the first segment that
+   * it stands for. Cost O(n log n). Without effect where PreserveBoundary is on. Negative or not
+   * finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);
@@ -423,11 +430,12 @@ public:
 
   ///@{
   /**
-   * With BoundaryTolerance: corners of the drawing where it turns by this or more stay where they are;
-   * in degrees, 0 straight on, 90 a right angle, 180 back. The turning is seen from four tolerances away
-   * (4 BoundaryTolerance f), so that a zigzag of pixels is no row of corners; of several corners nearer
-   * than that to each other the one that turns most stays. >= 0; default 45; from 180 on none stays for
-   * its angle. Smaller values keep more vertices. Negative or not finite: an error.
+   * With BoundaryTolerance: corners of the drawing where it turns by this or more stay where they
+   * are; in degrees, 0 straight on, 90 a right angle, 180 back. The turning is seen from four
+   * tolerances away (4 BoundaryTolerance f), so that a zigzag of pixels is no row of corners; of
+   * several corners nearer than that to each other the one that turns most stays. >= 0; default 45;
+   * from 180 on none stays for its angle. Smaller values keep more vertices. Negative or not
+   * finite: an error.
    */
   vtkSetMacro(CornerAngle, double);
   vtkGetMacro(CornerAngle, double);
@@ -436,10 +444,11 @@ public:
   ///@{
   /**
    * Closed loops (islands, holes, lakes, closed interfaces) are left out where their larger extent
-   * along the axes of the plane is below this many f, the least f on them; >= 0. 0 (default): none is.
-   * A loop with the domain in it stays where anything else lies in it; any other stays where something
-   * in it stays. Where there are only loops the largest stays. A note counts them, output 3 shows
-   * where they were, and `LeftOutArea` is the area that they enclose. Negative or not finite: an error.
+   * along the axes of the plane is below this many f, the least f on them; >= 0. 0 (default): none
+   * is. A loop with the domain in it stays where anything else lies in it; any other stays where
+   * something in it stays. Where there are only loops the largest stays. A note counts them, output
+   * 3 shows where they were, and `LeftOutArea` is the area that they enclose. Negative or not
+   * finite: an error.
    */
   vtkSetMacro(MinimumLoopSize, double);
   vtkGetMacro(MinimumLoopSize, double);
@@ -458,9 +467,9 @@ public:
 
   ///@{
   /**
-   * The biting constant c_b: half the width of a bite at x, or its radius, is c_b f(x) (paper, section
-   * 3.1). Without unit, in [0.1, 1]. 0 (default): automatic, so that the mean edge length of the mesh is f. Other
-   * values: an error.
+   * The biting constant c_b: half the width of a bite at x, or its radius, is c_b f(x) (paper,
+   * section 3.1). Without unit, in [0.1, 1]. 0 (default): automatic, so that the mean edge length
+   * of the mesh is f. Other values: an error.
    */
   vtkSetMacro(BitingConstant, double);
   vtkGetMacro(BitingConstant, double);
@@ -470,11 +479,11 @@ public:
   /**
    * Where on the front the next bite may sit. CORNERS: at its corners, as in the paper; no
    * centre lies in an earlier bite. BISECTORS (default): over two bites, where their bisector
-   * leaves both, which makes triangles nearly equilateral, 5 to 9 degrees better in the mean of their
-   * smallest angles; squares are shifted from there until both new edges are as long as f asks for, and
-   * turned to the bond of the two bites. A centre may then lie in an inner bite, but not within 0.9
-   * (squares) or 0.8 (circles) of its half-width. With both, nothing of the domain is left without a
-   * bite.
+   * leaves both, which makes triangles nearly equilateral, 5 to 9 degrees better in the mean of
+   * their smallest angles; squares are shifted from there until both new edges are as long as f
+   * asks for, and turned to the bond of the two bites. A centre may then lie in an inner bite, but
+   * not within 0.9 (squares) or 0.8 (circles) of its half-width. With both, nothing of the domain
+   * is left without a bite.
    */
   vtkSetClampMacro(Placement, int, CORNERS, BISECTORS);
   vtkGetMacro(Placement, int);
@@ -485,9 +494,10 @@ public:
   ///@{
   /**
    * Which place of the front is bitten next. LAYERS (default): first in, first out, layer by layer
-   * from the boundary; with BISECTORS, places that promise good triangles before others. LARGEST_Y: the
-   * one with the largest second coordinate in the plane, the sweep of the paper's section 5.
-   * BEST_FIRST: the one that promises the best triangle, in 32 classes; at CORNERS the same as LAYERS.
+   * from the boundary; with BISECTORS, places that promise good triangles before others. LARGEST_Y:
+   * the one with the largest second coordinate in the plane, the sweep of the paper's section 5.
+   * BEST_FIRST: the one that promises the best triangle, in 32 classes; at CORNERS the same as
+   * LAYERS.
    */
   vtkSetClampMacro(FrontOrder, int, LAYERS, BEST_FIRST);
   vtkGetMacro(FrontOrder, int);
@@ -499,7 +509,8 @@ public:
   ///@{
   /**
    * Stops after so many bites, to look at the front with GenerateBites; the mesh is that of the
-   * vertices so far, without Relaxation. -1 (default): until the front is empty. Below -1: an error.
+   * vertices so far, without Relaxation. -1 (default): until the front is empty. Below -1: an
+   * error.
    */
   vtkSetMacro(MaximumNumberOfBites, vtkIdType);
   vtkGetMacro(MaximumNumberOfBites, vtkIdType);
@@ -507,11 +518,12 @@ public:
 
   ///@{
   /**
-   * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge that is not Delaunay
-   * stays where neither opposite vertex lies within phi times the circumradius of the circumcentre of the
-   * triangle across it, and both triangles have a radius-edge ratio of at most sqrt(2) / phi: the bound
-   * of theorem 4.12 for a constant spacing, whose proof asks of all vertices what definition 4.1 asks of
-   * two. 1 (default): Delaunay. Other values: an error. Relaxation makes any mesh Delaunay.
+   * The phi of the phi-Delaunay criterion (paper, section 4.4), in (0, 1]: an edge that is not
+   * Delaunay stays where neither opposite vertex lies within phi times the circumradius of the
+   * circumcentre of the triangle across it, and both triangles have a radius-edge ratio of at most
+   * sqrt(2) / phi: the bound of theorem 4.12 for a constant spacing, whose proof asks of all
+   * vertices what definition 4.1 asks of two. 1 (default): Delaunay. Other values: an error.
+   * Relaxation makes any mesh Delaunay.
    */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
@@ -521,12 +533,12 @@ public:
   /**
    * On (default): the mesh of the bites is relaxed. Edges far too short or too long, and those that
    * vertices have too many or too few of, are collapsed and split; vertices are moved for the mean
-   * ratio of their triangles; the worst triangles are improved one by one. New vertices on segments of
-   * the input slide along these, and are inserted and removed there, except with PreserveBoundary;
-   * vertices and embedded points of the input stay, bit for bit. f is the target of the lengths, and the number of vertices
-   * changes by a few percent.
-   * Off: vertices are the centres of bites, as in the paper, which is what its theorems are about. So
-   * it is also where MaximumNumberOfBites is set.
+   * ratio of their triangles; the worst triangles are improved one by one. New vertices on segments
+   * of the input slide along these, and are inserted and removed there, except with
+   * PreserveBoundary; vertices and embedded points of the input stay, bit for bit. f is the target
+   * of the lengths, and the number of vertices changes by a few percent.
+   * Off: vertices are the centres of bites, as in the paper, which is what its theorems are about.
+   * So it is also where MaximumNumberOfBites is set.
    */
   vtkSetMacro(Relaxation, bool);
   vtkGetMacro(Relaxation, bool);
@@ -544,9 +556,9 @@ public:
 
   ///@{
   /**
-   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many as there
-   * are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its backend, or by
-   * STDThread where that is Sequential.
+   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many
+   * as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its
+   * backend, or by STDThread where that is Sequential.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
@@ -568,9 +580,9 @@ public:
   const char* GetSummary() const { return this->Summary.c_str(); }
 
   /**
-   * Ends a running execution, for observers of its progress. Unlike SetAbortExecute, after which newer
-   * pipelines execute again when they are asked, this is an error: outputs are empty, and stay so until
-   * something changes.
+   * Ends a running execution, for observers of its progress. Unlike SetAbortExecute, after which
+   * newer pipelines execute again when they are asked, this is an error: outputs are empty, and
+   * stay so until something changes.
    */
   void Stop();
 

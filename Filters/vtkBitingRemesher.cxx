@@ -87,8 +87,8 @@ std::string CountsOf(vtkPolyData* mesh)
 } // namespace
 
 //------------------------------------------------------------------------------
-// One execution: reads, remeshes, writes, and says what is wrong. Methods return false where nothing is
-// left to do.
+// One execution: reads, remeshes, writes, and says what is wrong. Methods return false where
+// nothing is left to do.
 class vtkBitingRemesher::Execution
 {
 public:

@@ -6,66 +6,68 @@
  * @brief   refines and coarsens a triangle mesh to a new spacing, and leaves what fits
  *
  * vtkBitingRemesher changes a mesh where it must, and leaves it where it can: what stays needs no
- * interpolation. Where the mean length of the edges at each vertex is within [0.75, 1.3] f, with f the
- * spacing that is wanted now, vertices and triangles stay bit for bit. Elsewhere, and in two `Rings` of
- * triangles around, the mesh is made anew (paper, section 7): old vertices bite first, where bites
- * leave a part uncovered new vertices fill it as in vtkBitingMesher, and where old vertices are too
- * dense only those stay that no bite of an earlier one holds. What is made anew is triangulated by
- * Delaunay's criterion and relaxed, around the vertices that are kept.
+ * interpolation. Where the mean length of the edges at each vertex is within [0.75, 1.3] f, with f
+ * the spacing that is wanted now, vertices and triangles stay bit for bit. Elsewhere, and in two
+ * `Rings` of triangles around, the mesh is made anew (paper, section 7): old vertices bite first,
+ * where bites leave a part uncovered new vertices fill it as in vtkBitingMesher, and where old
+ * vertices are too dense only those stay that no bite of an earlier one holds. What is made anew is
+ * triangulated by Delaunay's criterion and relaxed, around the vertices that are kept.
  *
  * @par Input 0, the mesh:
- * vtkPolyData or vtkUnstructuredGrid of linear triangles in one plane of space, from any program, of
- * any orientation. Hidden and ghost cells are left out; points that no triangle uses go where anything
- * changes. Points of free edges at the same place are made one, with a warning.
+ * vtkPolyData or vtkUnstructuredGrid of linear triangles in one plane of space, from any program,
+ * of any orientation. Hidden and ghost cells are left out; points that no triangle uses go where
+ * anything changes. Points of free edges at the same place are made one, with a warning.
  *
  * @par What stays a line:
  * - Free edges are boundary; edges between triangles whose `RegionArray` differs are interfaces.
- * - Edges on lines carry tags: the lines of the dataset at input 2, as output 1 of vtkBitingMesher, or,
- *   where nothing is connected, the lines among the cells of the mesh. Their points are those of the
- *   mesh at the same coordinates, bit for bit; lines that are no edges are dropped, with a warning.
- * - Vertices whose point array `VertexKind` is 3 (embedded) stay, and those that `FrozenArray` marks.
- * The polygon of all these lines stays exactly what it was, but for rounding: where it is straight and
- * its tags and regions are the same on both sides, vertices may go and come. On a boundary that bends
- * at every vertex none goes, however coarse f is; LimitByFeatureSize then keeps f near it as fine as
- * its edges. To coarsen such a boundary, mesh its drawing anew, with a BoundaryTolerance.
+ * - Edges on lines carry tags: the lines of the dataset at input 2, as output 1 of vtkBitingMesher,
+ *   or, where nothing is connected, the lines among the cells of the mesh. Their points are those
+ *   of the mesh at the same coordinates, bit for bit; lines that are no edges are dropped, with a
+ *   warning.
+ * - Vertices whose point array `VertexKind` is 3 (embedded) stay, and those that `FrozenArray`
+ *   marks.
+ * The polygon of all these lines stays exactly what it was, but for rounding: where it is straight
+ * and its tags and regions are the same on both sides, vertices may go and come. On a boundary that
+ * bends at every vertex none goes, however coarse f is; LimitByFeatureSize then keeps f near it as
+ * fine as its edges. To coarsen such a boundary, mesh its drawing anew, with a BoundaryTolerance.
  *
  * @par The spacing f:
- * That of the source at input 1, of the array that SetInputArrayToProcess(1, 1, 0, POINTS, name) names,
- * as vtkBitingMesher takes it. Where nothing is connected there and UniformSpacing is 0, that of the
- * point array of the mesh that SetInputArrayToProcess(0, 0, 0, POINTS, name) names, linear on its
- * triangles. An array named `Spacing` is taken where no other name was set. Then SpacingScale,
- * MinimumSpacing, MaximumSpacing, LimitByFeatureSize and Gradation, as in vtkBitingMesher; the array of
- * the mesh is limited to the gradation by distances through the mesh, which takes far less time than a
- * source does.
+ * That of the source at input 1, of the array that SetInputArrayToProcess(1, 1, 0, POINTS, name)
+ * names, as vtkBitingMesher takes it. Where nothing is connected there and UniformSpacing is 0,
+ * that of the point array of the mesh that SetInputArrayToProcess(0, 0, 0, POINTS, name) names,
+ * linear on its triangles. An array named `Spacing` is taken where no other name was set. Then
+ * SpacingScale, MinimumSpacing, MaximumSpacing, LimitByFeatureSize and Gradation, as in
+ * vtkBitingMesher; the array of the mesh is limited to the gradation by distances through the mesh,
+ * which takes far less time than a source does.
  *
  * @par Outputs:
- * 0, Mesh: with the arrays of vtkBitingMesher::MESH. `OriginalPointId` is the point of the input at a
- * vertex that is kept, else -1; the cell array `OriginalCellId` the cell of a triangle that is
+ * 0, Mesh: with the arrays of vtkBitingMesher::MESH. `OriginalPointId` is the point of the input at
+ * a vertex that is kept, else -1; the cell array `OriginalCellId` the cell of a triangle that is
  * unchanged, else -1. With TransferData the other arrays of the input besides. Field data also:
- * `KeptVertices`, `RemovedVertices`, `NewVertices`, `KeptTriangles`. Old vertices come first, in their
- * order, then new ones; so do triangles. Where nothing changes it is the input, points, cells and
- * arrays, with `OriginalPointId`, `OriginalCellId` and these counts added or replaced.
- * 1, Boundary Edges, 2, Bites (of what was made anew) and 3, Problems: as those of vtkBitingMesher. An
- * edge that no line covers has -1 as `OriginalCellId`, and NaN, -1, 0 where there is no -1, or an empty
- * text in the arrays of lines.
+ * `KeptVertices`, `RemovedVertices`, `NewVertices`, `KeptTriangles`. Old vertices come first, in
+ * their order, then new ones; so do triangles. Where nothing changes it is the input, points, cells
+ * and arrays, with `OriginalPointId`, `OriginalCellId` and these counts added or replaced.
+ * 1, Boundary Edges, 2, Bites (of what was made anew) and 3, Problems: as those of vtkBitingMesher.
+ * An edge that no line covers has -1 as `OriginalCellId`, and NaN, -1, 0 where there is no -1, or
+ * an empty text in the arrays of lines.
  *
  * @par Transfer:
- * At kept vertices and unchanged triangles values are what they were. Real point arrays are linear in
- * the old triangle at a new vertex; of all others its nearest corner counts. New triangles have the
- * cell data of the old one at their middle, and of RegionArray that of their region.
+ * At kept vertices and unchanged triangles values are what they were. Real point arrays are linear
+ * in the old triangle at a new vertex; of all others its nearest corner counts. New triangles have
+ * the cell data of the old one at their middle, and of RegionArray that of their region.
  *
  * @par Messages:
- * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more than
- * two triangles, triangles folded or lying on top of others (BAD_TRIANGLES, with cells and places in
- * output 3 where they are known); a cell that is neither triangle nor line nor vertex; coordinates that
- * are not finite or not in one plane; no spacing, or one that is not positive; more vertices than
- * MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an abort.
- * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
+ * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more
+ * than two triangles, triangles folded or lying on top of others (BAD_TRIANGLES, with cells and
+ * places in output 3 where they are known); a cell that is neither triangle nor line nor vertex;
+ * coordinates that are not finite or not in one plane; no spacing, or one that is not positive;
+ * more vertices than MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an
+ * abort. After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
  *
  * @par Guarantees and limits:
- * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the same
- * input gives the same bytes. The mesh is constrained Delaunay within what is made anew; unchanged
- * triangles are as they are. The measures of the finished
+ * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the
+ * same input gives the same bytes. The mesh is constrained Delaunay within what is made anew;
+ * unchanged triangles are as they are. The measures of the finished
  * mesh run on NumberOfThreads, the rest on one.
  * Cost: one pass over the mesh, about 0.3 us a vertex, and that of meshing what changes.
  *
@@ -173,11 +175,11 @@ public:
 
   ///@{
   /**
-   * On (default): where the mesh is made anew, f is capped by the local feature size of its boundary,
-   * interfaces and tagged edges, straight parts in one, as in vtkBitingMesher; but for the distance of
-   * features not below the length of the edges that are there, so that what was capped before is not
-   * capped again. Off: it is not capped; near edges that are much shorter than f triangles are then as
-   * thin.
+   * On (default): where the mesh is made anew, f is capped by the local feature size of its
+   * boundary, interfaces and tagged edges, straight parts in one, as in vtkBitingMesher; but for
+   * the distance of features not below the length of the edges that are there, so that what was
+   * capped before is not capped again. Off: it is not capped; near edges that are much shorter than
+   * f triangles are then as thin.
    */
   vtkSetMacro(LimitByFeatureSize, bool);
   vtkGetMacro(LimitByFeatureSize, bool);
@@ -186,8 +188,8 @@ public:
 
   ///@{
   /**
-   * What boundary, interfaces and tagged edges may do: FREE (default): vertices on their straight parts
-   * go and come; SPLIT_ONLY: none goes; FROZEN: none goes and none comes, each edge stays.
+   * What boundary, interfaces and tagged edges may do: FREE (default): vertices on their straight
+   * parts go and come; SPLIT_ONLY: none goes; FROZEN: none goes and none comes, each edge stays.
    */
   vtkSetClampMacro(EdgePolicy, int, FREE, FROZEN);
   vtkGetMacro(EdgePolicy, int);
@@ -198,10 +200,10 @@ public:
 
   ///@{
   /**
-   * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices stay
-   * that can; BALANCED (default): where they would leave an angle below 30 degrees, or an edge beyond
-   * [0.65, 1.45] f, one is released, and all are where the mesh is too coarse for f by less than 1.75
-   * or too fine by more than 0.6; SHAPE: more are.
+   * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices
+   * stay that can; BALANCED (default): where they would leave an angle below 30 degrees, or an edge
+   * beyond [0.65, 1.45] f, one is released, and all are where the mesh is too coarse for f by less
+   * than 1.75 or too fine by more than 0.6; SHAPE: more are.
    */
   vtkSetClampMacro(Preference, int, KEEPING, SHAPE);
   vtkGetMacro(Preference, int);
@@ -212,8 +214,9 @@ public:
 
   ///@{
   /**
-   * The name of a cell array of the mesh, of numbers or texts: where it differs is an interface. The
-   * default `RegionId` may be missing, any other name may not. Empty or "None": all is one region.
+   * The name of a cell array of the mesh, of numbers or texts: where it differs is an interface.
+   * The default `RegionId` may be missing, any other name may not. Empty or "None": all is one
+   * region.
    */
   vtkSetStdStringFromCharMacro(RegionArray);
   vtkGetCharFromStdStringMacro(RegionArray);
@@ -221,8 +224,9 @@ public:
 
   ///@{
   /**
-   * The name of a point or cell array of numbers, or of one each: vertices and triangles where it is
-   * not 0 stay as they are. Empty or "None" (default): none. A name that does not exist is an error.
+   * The name of a point or cell array of numbers, or of one each: vertices and triangles where it
+   * is not 0 stay as they are. Empty or "None" (default): none. A name that does not exist is an
+   * error.
    */
   vtkSetStdStringFromCharMacro(FrozenArray);
   vtkGetCharFromStdStringMacro(FrozenArray);
@@ -249,8 +253,8 @@ public:
 
   ///@{
   /**
-   * How many rings of triangles around what must change are made anew with it, >= 0. Default 2. More:
-   * shapes get better along the rim, and fewer vertices are kept.
+   * How many rings of triangles around what must change are made anew with it, >= 0. Default 2.
+   * More: shapes get better along the rim, and fewer vertices are kept.
    */
   vtkSetClampMacro(Rings, int, 0, VTK_INT_MAX);
   vtkGetMacro(Rings, int);
@@ -258,9 +262,9 @@ public:
 
   ///@{
   /**
-   * On: all that is not frozen is made anew and relaxed, also where the spacing has not changed; all
-   * vertices but those of edges and embedded ones count as new. For a mesh with poor triangles. Off
-   * (default): what fits stays.
+   * On: all that is not frozen is made anew and relaxed, also where the spacing has not changed;
+   * all vertices but those of edges and embedded ones count as new. For a mesh with poor triangles.
+   * Off (default): what fits stays.
    */
   vtkSetMacro(RelaxAll, bool);
   vtkGetMacro(RelaxAll, bool);
@@ -269,8 +273,8 @@ public:
 
   ///@{
   /**
-   * A mesh that would have more vertices, by an estimate, is refused before work begins. At least 1.
-   * Default 20 000 000.
+   * A mesh that would have more vertices, by an estimate, is refused before work begins. At least
+   * 1. Default 20 000 000.
    */
   vtkSetMacro(MaximumNumberOfVertices, vtkIdType);
   vtkGetMacro(MaximumNumberOfVertices, vtkIdType);
@@ -278,9 +282,9 @@ public:
 
   ///@{
   /**
-   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many as there
-   * are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its backend, or by
-   * STDThread where that is Sequential.
+   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many
+   * as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its
+   * backend, or by STDThread where that is Sequential.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -11,19 +11,19 @@
  * mesh again.
  *
  * @par Method:
- * At each point the quadratic polynomial is fitted, by least squares, to the values at the points of
- * the cells around it; where these are too few or lie badly, as at corners, the next cells are
+ * At each point the quadratic polynomial is fitted, by least squares, to the values at the points
+ * of the cells around it; where these are too few or lie badly, as at corners, the next cells are
  * added, up to four rings or 64 points. Its second derivatives are the Hessian, and lambda is their
  * largest absolute eigenvalue. Then f = sqrt(ErrorTolerance / lambda), within the bounds
- * MinimumSpacing and MaximumSpacing. The fit is exact for quadratics, also at the boundary, and also
- * on stretched meshes; it never looks across a hole or a slit.
+ * MinimumSpacing and MaximumSpacing. The fit is exact for quadratics, also at the boundary, and
+ * also on stretched meshes; it never looks across a hole or a slit.
  *
  * @par What ErrorTolerance means:
  * On an edge of length h the linear interpolant of the scalar is off by at most lambda h^2 / 8, so
- * with edges of length f by ErrorTolerance / 8; inside of an equilateral triangle by ErrorTolerance /
- * 6, and by lambda R^2 / 2 inside of any that fits in a circle of radius R. Quadratics reach these
- * bounds. They hold as far as the recovered lambda is that of the scalar: inside of a layer that the
- * given mesh does not resolve it is too small, and a second turn of the loop finds more.
+ * with edges of length f by ErrorTolerance / 8; inside of an equilateral triangle by ErrorTolerance
+ * / 6, and by lambda R^2 / 2 inside of any that fits in a circle of radius R. Quadratics reach
+ * these bounds. They hold as far as the recovered lambda is that of the scalar: inside of a layer
+ * that the given mesh does not resolve it is too small, and a second turn of the loop finds more.
  *
  * @par Input:
  * Any vtkDataSet whose cells are linear faces in one plane of space: triangles, quads, polygons,
@@ -32,9 +32,9 @@
  * default: the active scalars.
  *
  * @par Output:
- * The input with all of its arrays, and with these. Point data: `Spacing` (double, f, in units of the
- * coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared). Both are
- * NaN, which a spacing source understands as "nothing known here", at points that no face uses,
+ * The input with all of its arrays, and with these. Point data: `Spacing` (double, f, in units of
+ * the coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared). Both
+ * are NaN, which a spacing source understands as "nothing known here", at points that no face uses,
  * where the scalar is not finite, and where the points around do not determine a quadratic (a mesh
  * with only two rows of points; cells that share no points). Field data: `ErrorTolerance` (the one
  * that was used).
@@ -44,15 +44,16 @@
  * empty output: a cell that is neither face nor line nor vertex, coordinates that are not finite,
  * points farther than 1e-6 of the size from one plane, no scalar, parameters out of range, no point
  * with a Hessian. An empty input gives an empty output and no message; so does an abort.
- * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with an empty output.
+ * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with an empty
+ * output.
  *
  * @par Cost:
  * O(n), about 0.25 kB a point. One thread.
  *
  * @par Sources:
  * "Generate good triangular meshes, conforming to control spacing requirements" (the follow-up of
- * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000), section 2.1.
- * Fitting polynomials over patches: Z. Zhang, A. Naga, "A new finite element gradient recovery
+ * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000), section
+ * 2.1. Fitting polynomials over patches: Z. Zhang, A. Naga, "A new finite element gradient recovery
  * method: superconvergence property", 2005.
  */
 
@@ -75,8 +76,8 @@ public:
   ///@{
   /**
    * Eight times the error that linear interpolation may have along an edge, in units of the scalar,
-   * >= 0. A quarter of it halves the edges. 0 (default): 1 % of the range of the scalar. Negative or
-   * not finite: an error.
+   * >= 0. A quarter of it halves the edges. 0 (default): 1 % of the range of the scalar. Negative
+   * or not finite: an error.
    */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
@@ -84,8 +85,8 @@ public:
 
   ///@{
   /**
-   * The spacing is raised to at least this, in units of the coordinates, >= 0. 0 (default): no bound.
-   * Negative, not finite, or above MaximumSpacing: an error.
+   * The spacing is raised to at least this, in units of the coordinates, >= 0. 0 (default): no
+   * bound. Negative, not finite, or above MaximumSpacing: an error.
    */
   vtkSetMacro(MinimumSpacing, double);
   vtkGetMacro(MinimumSpacing, double);
@@ -94,8 +95,8 @@ public:
   ///@{
   /**
    * The spacing is lowered to at most this, in units of the coordinates, >= 0; it is that where the
-   * scalar is linear. 0 (default): the diagonal of the bounding box, or MinimumSpacing where that is
-   * larger. Negative or not finite: an error.
+   * scalar is linear. 0 (default): the diagonal of the bounding box, or MinimumSpacing where that
+   * is larger. Negative or not finite: an error.
    */
   vtkSetMacro(MaximumSpacing, double);
   vtkGetMacro(MaximumSpacing, double);

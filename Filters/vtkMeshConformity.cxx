@@ -62,7 +62,8 @@ void EmptyOutputs(vtkInformationVector* outputs)
 }
 
 //------------------------------------------------------------------------------
-// `values` of the things with these ids, as one value for each of `size` things; NaN for the others.
+// `values` of the things with these ids, as one value for each of `size` things; NaN for the
+// others.
 std::vector<double> Spread(
   const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
 {
@@ -85,8 +86,8 @@ void AddHistogram(const biting::Histogram& histogram, const std::string& name, v
 } // namespace
 
 //------------------------------------------------------------------------------
-// One execution: reads, measures, writes, and says what is wrong. Methods return false where nothing
-// is left to do.
+// One execution: reads, measures, writes, and says what is wrong. Methods return false where
+// nothing is left to do.
 class vtkMeshConformity::Execution
 {
 public:

@@ -6,58 +6,60 @@
  * @brief   judges a triangle mesh: its shapes, and how well it follows a spacing
  *
  * vtkMeshConformity measures a mesh of any origin against the spacing f that was wanted of it: how
- * far each vertex is from its nearest neighbour, how long each edge is in units of f, how well shaped
- * the triangles are. It measures as vtkBitingMesher measures its own meshes, under the same names.
+ * far each vertex is from its nearest neighbour, how long each edge is in units of f, how well
+ * shaped the triangles are. It measures as vtkBitingMesher measures its own meshes, under the same
+ * names.
  *
  * @par Input 0, the mesh:
- * vtkPolyData, or vtkUnstructuredGrid with cells of two dimensions, of linear triangles in one plane
- * of space, whatever their orientation. Lines and vertices are passed over, so are hidden and ghost
- * cells. Points that no triangle uses are not measured.
+ * vtkPolyData, or vtkUnstructuredGrid with cells of two dimensions, of linear triangles in one
+ * plane of space, whatever their orientation. Lines and vertices are passed over, so are hidden and
+ * ghost cells. Points that no triangle uses are not measured.
  *
  * @par The spacing:
  * Where a dataset is connected to input 1, the point array of it that SetInputArrayToProcess(1, 1,
  * 0, POINTS, name) names, read as vtkBitingMesher reads its source: interpolated, and outside of it
  * the nearest value of its border. Otherwise the point array of the mesh that
- * SetInputArrayToProcess(0, 0, 0, POINTS, name) names: f at the vertices, linear along edges. An array
- * named `Spacing` is taken where no other name was set. f is not changed: it is not limited in its
- * slope, nor capped. Without a spacing only shapes are measured, with a warning.
+ * SetInputArrayToProcess(0, 0, 0, POINTS, name) names: f at the vertices, linear along edges. An
+ * array named `Spacing` is taken where no other name was set. f is not changed: it is not limited
+ * in its slope, nor capped. Without a spacing only shapes are measured, with a warning.
  *
  * @par Output 0, the mesh:
  * The input with all of its arrays, of the same type, and with these. Point data, in units of the
- * coordinates: `Spacing` (f), `NearestNeighborDistance` (N, to the nearest other vertex, joined by an
- * edge or not); `Conformity` (min(N/f, f/N), the paper's section 2.1, 1 is best). Cell data:
+ * coordinates: `Spacing` (f), `NearestNeighborDistance` (N, to the nearest other vertex, joined by
+ * an edge or not); `Conformity` (min(N/f, f/N), the paper's section 2.1, 1 is best). Cell data:
  * `MinimumAngle` (degrees), `RadiusEdgeRatio` (circumradius / shortest edge, 0.577 is best),
  * `AspectRatio` (radii of the smallest containing and the inscribed circle, 2 is best). All are
  * doubles, and NaN at points and cells that are not measured. Field data, one value each:
- * `NumberOfVertices` and `NumberOfTriangles` (that count), `SmallestAngle`, `LargestRadiusEdgeRatio`,
- * `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` and `ShareOfEdgesInBand` (of
- * [1/sqrt(2), sqrt(2)] f, 0 to 1), `GivenLipschitz` (slope of the spacing as given),
- * `UsedLipschitz` (its largest slope along an edge of the mesh).
+ * `NumberOfVertices` and `NumberOfTriangles` (that count), `SmallestAngle`,
+ * `LargestRadiusEdgeRatio`, `SmallestConformity`, `MeanConformity`, `MeanRelativeLength` and
+ * `ShareOfEdgesInBand` (of [1/sqrt(2), sqrt(2)] f, 0 to 1), `GivenLipschitz` (slope of the spacing
+ * as given), `UsedLipschitz` (its largest slope along an edge of the mesh).
  * The relative length of an edge is its length divided by f at its middle (the integral of 1/f
  * along it, by the midpoint rule): f of the source there, or the mean of f at its ends.
  *
  * @par Output 1, the histograms:
- * A table with NumberOfBins rows and a pair of columns for each histogram, the middle of the bin and
- * the percentage in it: `Angle` (degrees, 0 to 180) and `AnglePercent` (of all angles), `Conformity`
- * (0 to 1) and `ConformityPercent` (of the vertices), `RelativeLength` (0 to 3, the last bin holds
- * what is above) and `RelativeLengthPercent` (of the edges).
+ * A table with NumberOfBins rows and a pair of columns for each histogram, the middle of the bin
+ * and the percentage in it: `Angle` (degrees, 0 to 180) and `AnglePercent` (of all angles),
+ * `Conformity` (0 to 1) and `ConformityPercent` (of the vertices), `RelativeLength` (0 to 3, the
+ * last bin holds what is above) and `RelativeLengthPercent` (of the edges).
  *
  * @par Messages:
  * Warnings, each with how many, which and where: triangles without area (they have the angle 0 and
- * infinite ratios), triangles that are oriented against the majority (folds), edges of more than two
- * triangles, vertices at one place (conformity 0), unused points. Errors, with empty outputs: a cell
- * that is neither triangle nor line nor vertex, coordinates that are not finite, points farther than
- * 1e-6 of the size from one plane, a spacing that is not positive and finite at a vertex. An empty
- * input gives empty outputs and no message; so does an abort.
- * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with empty outputs.
+ * infinite ratios), triangles that are oriented against the majority (folds), edges of more than
+ * two triangles, vertices at one place (conformity 0), unused points. Errors, with empty outputs: a
+ * cell that is neither triangle nor line nor vertex, coordinates that are not finite, points
+ * farther than 1e-6 of the size from one plane, a spacing that is not positive and finite at a
+ * vertex. An empty input gives empty outputs and no message; so does an abort.
+ * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with empty
+ * outputs.
  *
  * @par Cost:
  * O(n log n). One thread.
  *
  * @par Sources:
  * "Generate good triangular meshes, conforming to control spacing requirements" (the follow-up of
- * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000), sections 2.1
- * and 6: the measures, and the histograms of angles and conformity.
+ * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000), sections
+ * 2.1 and 6: the measures, and the histograms of angles and conformity.
  */
 
 #ifndef vtkMeshConformity_h

@@ -107,8 +107,8 @@ void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to,
 }
 
 // Any kind of array, numbers or not; never as the active attribute that it may be in the input,
-// since an id that is unique there is not unique here. An array that has no value for some cell is left
-// out.
+// since an id that is unique there is not unique here. An array that has no value for some cell is
+// left out.
 void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData* to, Pulse& pulse)
 {
   vtkFieldData* from = drawing.CellArrays;

@@ -18,8 +18,8 @@ namespace biting
 {
 
 /// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and
-/// interfaces. Each edge carries the values of all cell arrays of `drawing` at its cell; one without a
-/// cell has NaN, -1, 0 where there is no -1, or an empty text.
+/// interfaces. Each edge carries the values of all cell arrays of `drawing` at its cell; one
+/// without a cell has NaN, -1, 0 where there is no -1, or an empty text.
 /// On abort `output` has no meaning.
 void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
   vtkPolyData* output, Pulse& pulse);

@@ -20,10 +20,10 @@ namespace biting
 {
 
 /// Makes the spacing `values` at the points of `drawing`, which was read as `input`, a source of
-/// `options`: linear along the segments of every chain, all edges of faces too, and at every embedded
-/// point. Points of blocks without the array give none.
-/// Returns why the values cannot be used, empty where they can; `places` gets the values that are no
-/// spacing. Where the monitor asks to stop the options have no meaning.
+/// `options`: linear along the segments of every chain, all edges of faces too, and at every
+/// embedded point. Points of blocks without the array give none.
+/// Returns why the values cannot be used, empty where they can; `places` gets the values that are
+/// no spacing. Where the monitor asks to stop the options have no meaning.
 std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
   vtkDataArray* values, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
 

@@ -22,8 +22,8 @@ namespace biting
 /// Lines are chains of automatic kind; two-dimensional cells are faces, strips a face for each
 /// triangle; each point of a vertex cell is an embedded point. A numeric cell array `Kind` of the
 /// block decides instead what a line is, and of faces whether they are interfaces (1) or embedded
-/// points (2). Left out are hidden and duplicated cells, those with a hidden point, faces of less than
-/// three points, and empty cells.
+/// points (2). Left out are hidden and duplicated cells, those with a hidden point, faces of less
+/// than three points, and empty cells.
 /// Returns why the drawing cannot be read, as text, empty where it can: a cell with a volume or of
 /// an unknown kind, one whose points do not exist, more of anything than 32-bit ids can number.
 std::string ReadChains(const Drawing& drawing, const std::vector<Id>& regions, Polylines& chains,

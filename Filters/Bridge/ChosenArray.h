@@ -35,9 +35,9 @@ struct ArrayRole
   const char* Owner; ///< "input"
 };
 
-/// Finds the array that `choice`, what SetInputArrayToProcess left, asks for in `data`. Where it asks
-/// for none, that is SpacingArrayName. The names "None", "" and SpacingArrayName may be missing; any
-/// other may not.
+/// Finds the array that `choice`, what SetInputArrayToProcess left, asks for in `data`. Where it
+/// asks for none, that is SpacingArrayName. The names "None", "" and SpacingArrayName may be
+/// missing; any other may not.
 ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRole& role);
 
 } // namespace biting

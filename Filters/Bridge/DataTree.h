@@ -19,7 +19,8 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Multi-block datasets, partitioned datasets and collections of these, all alike: children with names.
+/// Multi-block datasets, partitioned datasets and collections of these, all alike: children with
+/// names.
 unsigned int NumberOfChildren(vtkDataObjectTree* tree);
 vtkDataObject* ChildOf(vtkDataObjectTree* tree, unsigned int child); ///< may be null
 std::string NameOfChild(vtkDataObjectTree* tree, unsigned int child);

@@ -12,8 +12,8 @@
 namespace biting
 {
 
-/// Whether places lie in the domain that chains bound. The domain is made at the first question, which
-/// most inputs never ask.
+/// Whether places lie in the domain that chains bound. The domain is made at the first question,
+/// which most inputs never ask.
 class DomainMembership
 {
 public:

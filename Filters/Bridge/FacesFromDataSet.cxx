@@ -191,7 +191,8 @@ std::vector<Id> NumberVertices(vtkIdType numberOfPoints, PlanarFaces& faces)
   return used;
 }
 
-// Says "<what> (n): point 3 at (x, y, z), ... <advice>" of the points that are not as `isGood` wants.
+// Says "<what> (n): point 3 at (x, y, z), ... <advice>" of the points that are not as `isGood`
+// wants.
 template <typename Question>
 std::string RefuseWhereNot(const Question& isGood, const std::vector<Id>& points,
   const double* coordinates, const char* what, const char* advice)

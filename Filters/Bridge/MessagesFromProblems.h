@@ -21,8 +21,8 @@ constexpr std::size_t ShownIds = 5;
 /// or can be done.
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 
-/// That of the error `group` among `problems`: where no loop is closed, and points were merged that are
-/// too near to each other, it says that, too.
+/// That of the error `group` among `problems`: where no loop is closed, and points were merged that
+/// are too near to each other, it says that, too.
 std::string RefusalFrom(
   const ProblemGroup& group, const ProblemList& problems, const PlanarInput& input);
 
@@ -33,7 +33,8 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
 /// One problem as one line: its kind in words, its ids, its place, and its figures.
 std::string MessageOfPlace(const Problem& problem, const PlanarInput& input);
 
-/// The ids of `problem` that number points and cells of the input, in the order that its code states.
+/// The ids of `problem` that number points and cells of the input, in the order that its code
+/// states.
 std::vector<std::int64_t> ShownIdsOf(const Problem& problem);
 
 /// In space; where the problem is at a point of the input, exactly there.

@@ -19,8 +19,8 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Shows stages as progress text and progress of a filter, and asks the filter whether to stop. Once
-/// it wanted to, it is not asked again: all later answers are the same.
+/// Shows stages as progress text and progress of a filter, and asks the filter whether to stop.
+/// Once it wanted to, it is not asked again: all later answers are the same.
 /// Progress is reported when it has moved by one percent or when a tenth of a second has passed.
 class MonitorOfFilter : public Monitor
 {

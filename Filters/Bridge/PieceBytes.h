@@ -17,9 +17,9 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Adds a data object to `bytes`: a dataset or a tree of datasets, which may be null. Nothing is lost:
-/// names of blocks, extents and axes of images come back bit for bit. Equal data make equal bytes.
-/// False where it is of another kind.
+/// Adds a data object to `bytes`: a dataset or a tree of datasets, which may be null. Nothing is
+/// lost: names of blocks, extents and axes of images come back bit for bit. Equal data make equal
+/// bytes. False where it is of another kind.
 bool PackPiece(vtkDataObject* piece, std::vector<char>& bytes);
 
 /// The data object that PackPiece made these bytes of.

@@ -33,15 +33,15 @@ struct PlanarInput
   const double* Place(Id point) const { return this->Coordinates->GetPointer(3 * point); }
 };
 
-/// How far a point may lie from the plane, relative to the diagonal of the input's box; but no nearer
-/// than the rounding of its coordinates (CoordinateRounding.h).
+/// How far a point may lie from the plane, relative to the diagonal of the input's box; but no
+/// nearer than the rounding of its coordinates (CoordinateRounding.h).
 constexpr double PlanarTolerance = 1e-6;
 
-/// Reads the cells of `drawing` as ChainReader.h says, and fits their plane. Faces are of one region
-/// where the cell array `regionArray` is the same, or all of one where it is empty or "None".
-/// Returns why the drawing cannot be read, as text, empty where it can; coordinates that are not
-/// finite, or off the plane, worst first, are added to `problems`. Where the monitor asks to stop the
-/// result has no meaning.
+/// Reads the cells of `drawing` as ChainReader.h says, and fits their plane. Faces are of one
+/// region where the cell array `regionArray` is the same, or all of one where it is empty or
+/// "None". Returns why the drawing cannot be read, as text, empty where it can; coordinates that
+/// are not finite, or off the plane, worst first, are added to `problems`. Where the monitor asks
+/// to stop the result has no meaning.
 std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regionArray,
   PlanarInput& result, ProblemList& problems, Monitor& monitor);
 

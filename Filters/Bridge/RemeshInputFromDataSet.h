@@ -41,8 +41,8 @@ struct RemeshArrays
 };
 
 /// Reads the triangles of `mesh` (FacesFromDataSet.h), and the lines that tag edges: the cells of
-/// `lines`, or, where that is null, the lines among those of `mesh`. Lines belong to the vertices at
-/// the same places, bit for bit. Vertices whose point array `VertexKind` is 3 stay.
+/// `lines`, or, where that is null, the lines among those of `mesh`. Lines belong to the vertices
+/// at the same places, bit for bit. Vertices whose point array `VertexKind` is 3 stay.
 /// Returns why the mesh cannot be read, empty where it can.
 std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const RemeshArrays& arrays,
   PlanarMesh& result, Monitor& monitor);

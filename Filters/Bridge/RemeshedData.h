@@ -17,11 +17,11 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// Adds the arrays of `from` to `output`, the mesh `result` as poly data with arrays of its own, which
-/// stay. At kept vertices and unchanged triangles values are copied. At new vertices real numbers are
-/// linear in the old triangle there, and others those of its nearest corner; new triangles have those
-/// of the old one at their middle, and the array `region` that of their region. Active attributes are
-/// not passed on: ids that were unique are not.
+/// Adds the arrays of `from` to `output`, the mesh `result` as poly data with arrays of its own,
+/// which stay. At kept vertices and unchanged triangles values are copied. At new vertices real
+/// numbers are linear in the old triangle there, and others those of its nearest corner; new
+/// triangles have those of the old one at their middle, and the array `region` that of their
+/// region. Active attributes are not passed on: ids that were unique are not.
 void TransferData(const RemeshResult& result, const PlanarMesh& mesh, vtkDataSet* from,
   const std::string& region, vtkPolyData* output, Pulse& pulse);
 

@@ -18,7 +18,8 @@ namespace
 
 constexpr double MostSquaresAlongASide = 1024.0;
 
-// The longest step between nodes at an end of the axis. Along an axis with one node a grid has no end.
+// The longest step between nodes at an end of the axis. Along an axis with one node a grid has no
+// end.
 double StepAtEnds(const std::vector<double>& nodes)
 {
   const std::size_t size = nodes.size();
@@ -26,7 +27,8 @@ double StepAtEnds(const std::vector<double>& nodes)
                   : std::max(nodes[1] - nodes[0], nodes[size - 1] - nodes[size - 2]);
 }
 
-// As wide as the points of a triangulation lie apart in the mean: twice as many triangles as points.
+// As wide as the points of a triangulation lie apart in the mean: twice as many triangles as
+// points.
 double MeanStep(const TriangulatedSource& source)
 {
   double area = 0.0;

@@ -15,8 +15,9 @@
 namespace biting
 {
 
-/// Where a spacing source has something to say: a grid in its box, a triangulation near its triangles;
-/// each with a margin about as wide as its own points lie apart. Holes of a grid belong to it.
+/// Where a spacing source has something to say: a grid in its box, a triangulation near its
+/// triangles; each with a margin about as wide as its own points lie apart. Holes of a grid belong
+/// to it.
 class SourceCover
 {
 public:

@@ -141,7 +141,8 @@ bool TouchesInput(vtkIdList* corners, vtkDataArray* kinds)
   return false;
 }
 
-// How many triangles are thin, and, where `kinds` are known, at how many of them the input has a say.
+// How many triangles are thin, and, where `kinds` are known, at how many of them the input has a
+// say.
 std::string ThinLines(vtkDataSet* mesh, vtkDataArray* kinds)
 {
   vtkDataArray* angles = mesh->GetCellData()->GetArray("MinimumAngle");

@@ -30,8 +30,8 @@ private:
   Clock::time_point Begin = Clock::now();
 };
 
-/// A few lines on a mesh with the arrays and the summary of our filters: how large and how good it is,
-/// how long it took, and what keeps it from being better. Empty where there is no summary.
+/// A few lines on a mesh with the arrays and the summary of our filters: how large and how good it
+/// is, how long it took, and what keeps it from being better. Empty where there is no summary.
 std::string SummaryOf(vtkDataSet* mesh, double seconds);
 
 /// The line that says that a uniform spacing is above what the mesh has everywhere, and so without

@@ -19,9 +19,9 @@ public:
   /// At least 1.
   virtual int NumberOfThreads() const = 0;
 
-  /// Calls `work` on as many threads at once as it can, NumberOfThreads at most and one at least, and
-  /// returns when all calls have returned. Meanwhile the calling thread calls `watch`, at least ten
-  /// times a second. `work` and `watch` throw nothing.
+  /// Calls `work` on as many threads at once as it can, NumberOfThreads at most and one at least,
+  /// and returns when all calls have returned. Meanwhile the calling thread calls `watch`, at least
+  /// ten times a second. `work` and `watch` throw nothing.
   virtual void Run(const std::function<void()>& work, const std::function<void()>& watch) = 0;
 };
 

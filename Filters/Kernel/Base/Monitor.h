@@ -10,8 +10,8 @@ namespace biting
 {
 
 /// Where the kernel reports how far it is, learns whether to stop, and finds threads for its work.
-/// Called from one thread; each loop calls Advance at least every 1024 steps, or every 4096 of those
-/// that take some nanoseconds. Within a stage fractions do not fall.
+/// Called from one thread; each loop calls Advance at least every 1024 steps, or every 4096 of
+/// those that take some nanoseconds. Within a stage fractions do not fall.
 class Monitor
 {
 public:

@@ -140,8 +140,9 @@ private:
   Pulse& Beats;
 };
 
-/// Makes `values` longer with copies of `value`. In steps, because the system gives memory when it is
-/// touched first, a page at a time. False, and they are shorter, where the monitor wants to stop.
+/// Makes `values` longer with copies of `value`. In steps, because the system gives memory when it
+/// is touched first, a page at a time. False, and they are shorter, where the monitor wants to
+/// stop.
 template <typename Value>
 bool GrowInSteps(std::vector<Value>& values, std::size_t size, Value value, Pulse& pulse)
 {

@@ -15,14 +15,15 @@
 namespace biting
 {
 
-/// One of the tasks 0 .. count - 1. Its monitor has no threads to give, where there are other tasks.
+/// One of the tasks 0 .. count - 1. Its monitor has no threads to give, where there are other
+/// tasks.
 using Task = std::function<void(std::size_t, Monitor&)>;
 
-/// Does all tasks, each once, in any order, on the threads of the pulse's monitor; they are all of the
-/// part at hand. What they read none of them may write, and no two may write the same. The monitor is
-/// asked by the calling thread only. What tasks throw is thrown again here, once none runs any more: that of
-/// the first task in their order that was begun. False, and tasks are left undone or stopped on their
-/// way, where the monitor wants to stop.
+/// Does all tasks, each once, in any order, on the threads of the pulse's monitor; they are all of
+/// the part at hand. What they read none of them may write, and no two may write the same. The
+/// monitor is asked by the calling thread only. What tasks throw is thrown again here, once none
+/// runs any more: that of the first task in their order that was begun. False, and tasks are left
+/// undone or stopped on their way, where the monitor wants to stop.
 bool DoTasks(Pulse& pulse, std::size_t count, const Task& task);
 
 /// How many cheap steps are a task: their time is far above that of taking it up. It decides what
@@ -48,9 +49,9 @@ bool ForEachAtOnce(Pulse& pulse, std::size_t count, const Step& step)
     });
 }
 
-/// Adds up over i = 0 .. count - 1 on the threads of the pulse's monitor: add(sum, i) for the steps of
-/// each task in their order, to a sum that begins as a copy of `zero`, then sum.Join(next) for the tasks in
-/// their order. The same rounding whatever the number of threads.
+/// Adds up over i = 0 .. count - 1 on the threads of the pulse's monitor: add(sum, i) for the steps
+/// of each task in their order, to a sum that begins as a copy of `zero`, then sum.Join(next) for
+/// the tasks in their order. The same rounding whatever the number of threads.
 template <typename Sum, typename Add>
 Sum SumAtOnce(Pulse& pulse, std::size_t count, const Sum& zero, const Add& add)
 {

@@ -9,8 +9,8 @@ namespace biting
 namespace
 {
 
-// Of f as given. Triangles in slits are then about as good as without a tolerance, where short segments
-// keep them small, for some 7 % more vertices on coasts.
+// Of f as given. Triangles in slits are then about as good as without a tolerance, where short
+// segments keep them small, for some 7 % more vertices on coasts.
 constexpr double LeastShareOfSimplified = 0.1;
 
 } // namespace

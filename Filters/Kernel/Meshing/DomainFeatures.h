@@ -15,8 +15,8 @@ namespace biting
 {
 
 /// The segments and embedded points of a domain, for the limit by local feature size; of a mesh
-/// that is refused if it has more vertices than that. Where the domain was simplified f follows gaps
-/// down to a tenth of what is given.
+/// that is refused if it has more vertices than that. Where the domain was simplified f follows
+/// gaps down to a tenth of what is given.
 std::shared_ptr<const FeatureSource> FeaturesOf(
   const Domain& domain, bool isSimplified, double mostVertices);
 

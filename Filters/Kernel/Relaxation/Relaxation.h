@@ -56,9 +56,9 @@ struct RelaxationResult
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and
-/// may slide, or be inserted and removed there, unless other segments are so near that rounding could
-/// make them meet. Edges on segments are listed segment by segment, from start to end, each the whole of one
-/// mesh edge.
+/// may slide, or be inserted and removed there, unless other segments are so near that rounding
+/// could make them meet. Edges on segments are listed segment by segment, from start to end, each
+/// the whole of one mesh edge.
 ///
 /// Laws: all triangles are counterclockwise, exactly; the union of triangles, and that of the
 /// edges on each segment, stay what they were, to rounding; the mesh is constrained Delaunay,

@@ -17,9 +17,9 @@ namespace biting
 /// Keeps chains from ending in points where the drawing is blunt: a triangle in a sharp corner of
 /// the domain is as sharp, whatever the spacing.
 ///
-/// A vertex stays while its going would make an angle at a neighbour smaller, seen through the domain,
-/// that is then below 36 degrees. But an end so narrow that f does not follow it counts as a point;
-/// not that of a loop of at most six vertices, which is as small itself.
+/// A vertex stays while its going would make an angle at a neighbour smaller, seen through the
+/// domain, that is then below 36 degrees. But an end so narrow that f does not follow it counts as
+/// a point; not that of a loop of at most six vertices, which is as small itself.
 class CornerGuard
 {
 public:

@@ -20,8 +20,8 @@ constexpr double Slack = 0.005;
 /// With so few cones a square is a leaf, however large: more of them take longer than a level more.
 constexpr Id FewCones = 14;
 
-/// A square across which f grows by no more than this share of itself is a leaf, whatever its cones:
-/// what a lattice misses is rarely lower than what it finds by more than a tenth of that.
+/// A square across which f grows by no more than this share of itself is a leaf, whatever its
+/// cones: what a lattice misses is rarely lower than what it finds by more than a tenth of that.
 constexpr double GrowthOfLeaf = 0.03;
 
 /// Of all lists: then what is left to be cut becomes leaves.
@@ -152,10 +152,10 @@ private:
 
   /// Adds to the stack those of its candidates from `first` on that may be lowest in the square.
   ///
-  /// All are Lipschitz with the slope g: within the radius r a cone is above the lowest one, b, if it
-  /// is by 2 g r at the center. Far away it is nearly a plane: with its gradient G, and D from its
-  /// foot, it differs from that by at most g r^2 / (2 (D - r)). So the difference of two such cones is
-  /// at least that at the center less r |G - G_b| and both these rests.
+  /// All are Lipschitz with the slope g: within the radius r a cone is above the lowest one, b, if
+  /// it is by 2 g r at the center. Far away it is nearly a plane: with its gradient G, and D from
+  /// its foot, it differs from that by at most g r^2 / (2 (D - r)). So the difference of two such
+  /// cones is at least that at the center less r |G - G_b| and both these rests.
   void KeepCandidates(const Point2& center, double radius, const Lowest& lowest, std::size_t first)
   {
     const double rise = 2.0 * this->Slope * radius;

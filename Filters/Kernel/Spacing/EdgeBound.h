@@ -12,8 +12,8 @@
 namespace biting
 {
 
-/// What the values along an edge of a source allow elsewhere: as SegmentCone, but of values as given,
-/// linear along the edge, which become spacing by scaling and clamping.
+/// What the values along an edge of a source allow elsewhere: as SegmentCone, but of values as
+/// given, linear along the edge, which become spacing by scaling and clamping.
 class EdgeBound
 {
 public:

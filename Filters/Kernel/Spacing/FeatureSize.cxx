@@ -11,9 +11,9 @@ namespace
 /// f is at most this many feature sizes: one layer of triangles fits into a channel.
 constexpr double SizesPerSpacing = 1.0;
 
-/// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is: the
-/// square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as an edge
-/// should be, and there are about three vertices more for each segment.
+/// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is:
+/// the square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as
+/// an edge should be, and there are about three vertices more for each segment.
 constexpr double LengthsPerSpacing = 1.4;
 
 /// But at least this share of what is given: of points that are nearly equal.
@@ -27,8 +27,8 @@ constexpr int DeepestPiece = 40;
 /// Positions in the tree, to each side.
 constexpr Id Beside = 2;
 
-/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too many,
-/// but no more than so many in all, as long as there are two for each segment.
+/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too
+/// many, but no more than so many in all, as long as there are two for each segment.
 constexpr double FewParts = 2.0;
 constexpr double ManyParts = 64.0;
 constexpr double MostParts = 500000.0;
@@ -159,8 +159,8 @@ private:
       (manyParts <= FewParts || this->CountPieces(manyParts) > most);
   }
 
-  /// Of f as given, sampled at the ends of parts of each segment. Ends above what is most. Most segments
-  /// begin where the one before ends.
+  /// Of f as given, sampled at the ends of parts of each segment. Ends above what is most. Most
+  /// segments begin where the one before ends.
   double CountPieces(double parts)
   {
     double pieces = 0.0;
@@ -213,8 +213,9 @@ private:
     return sample;
   }
 
-  /// The feature size changes no faster than the place, and f in the end no faster than the gradation:
-  /// from their values at the ends follows how small the one, how large the other can be between.
+  /// The feature size changes no faster than the place, and f in the end no faster than the
+  /// gradation: from their values at the ends follows how small the one, how large the other can be
+  /// between.
   void AddPiece(const Sample& start, const Sample& end, double length, int depth)
   {
     const double least = 0.5 * (start.Size + end.Size - SizesPerSpacing * length);

@@ -13,8 +13,8 @@
 namespace biting
 {
 
-/// Local feature size along the segments of a domain: the distance to the nearest feature that is not
-/// incident, seen through the domain. (The paper, section 2.1, after Ruppert: the radius of the
+/// Local feature size along the segments of a domain: the distance to the nearest feature that is
+/// not incident, seen through the domain. (The paper, section 2.1, after Ruppert: the radius of the
 /// smallest disc that meets two features which are not incident. At a point of a segment one of the
 /// two is the segment itself.)
 class FeatureSize
@@ -23,8 +23,8 @@ public:
   FeatureSize(const FeatureSource& source, Pulse& pulse);
 
   /// At a point of a segment; `known` where no feature is nearer than that, and any distance to one
-  /// up to `enough` where some are nearer than that. That the ends of the segment are not incident to
-  /// each other is left to its length.
+  /// up to `enough` where some are nearer than that. That the ends of the segment are not incident
+  /// to each other is left to its length.
   double operator()(Id segment, const Point2& x, double known, double enough = 0.0) const;
 
 private:
@@ -33,9 +33,10 @@ private:
   std::vector<Id> Positions; ///< of each segment: where it is in the order of the tree
 };
 
-/// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature size;
-/// see FeatureSource for the rule. `given(x)` is f without it, nowhere above `most`;
-/// `gradation` the Lipschitz constant that it will have in the end. False if the monitor asks to stop.
+/// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature
+/// size; see FeatureSource for the rule. `given(x)` is f without it, nowhere above `most`;
+/// `gradation` the Lipschitz constant that it will have in the end. False if the monitor asks to
+/// stop.
 bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
   double most, double gradation, ConeCollector& cones, Monitor& monitor);
 

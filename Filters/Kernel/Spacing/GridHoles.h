@@ -12,8 +12,8 @@ namespace biting
 /// The grid with the value of the nearest given node at each node whose value is NaN; the grid
 /// itself where there is none. At least one value is given. Linear in the number of nodes. Null if
 /// the monitor asks to stop.
-/// Method: nodes hand on the node that is nearest (vector propagation, after Danielsson 1980). Where
-/// two are nearly as near it may be the other one.
+/// Method: nodes hand on the node that is nearest (vector propagation, after Danielsson 1980).
+/// Where two are nearly as near it may be the other one.
 std::shared_ptr<const GridSource> FillHoles(
   std::shared_ptr<const GridSource> source, Monitor& monitor = NoMonitor());
 

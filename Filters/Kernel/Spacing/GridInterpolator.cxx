@@ -19,7 +19,8 @@ double Blend(double low, double high, double weight)
 /// Of the steps outside, one after the other.
 constexpr double StepGrowth = 1.5;
 
-/// The first step from a border outwards: as long as the last one before it, but a share of the way.
+/// The first step from a border outwards: as long as the last one before it, but a share of the
+/// way.
 double FirstStep(double last, double way)
 {
   constexpr double ShortestShare = 1.0 / 1024.0;
@@ -56,8 +57,8 @@ std::vector<double> Padded(const std::vector<double>& nodes, double low, double 
   return padded;
 }
 
-/// Of the nodes of an axis in the values of a grid, `step` apart: nodes that are added have those of
-/// the nodes beside them.
+/// Of the nodes of an axis in the values of a grid, `step` apart: nodes that are added have those
+/// of the nodes beside them.
 std::vector<std::size_t> OffsetsOf(
   const GridAxis& axis, const std::vector<double>& own, std::size_t step)
 {

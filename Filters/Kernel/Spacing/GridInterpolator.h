@@ -39,8 +39,8 @@ private:
   double BucketsPerLength = 0.0;
 };
 
-/// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest value
-/// of the border.
+/// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest
+/// value of the border.
 ///
 /// Its cells have nodes that ascend in rows and columns: those of the grid, a single row or column
 /// twice, and nodes out to the border of given bounds where these are larger.

@@ -227,8 +227,8 @@ void GridLimit::HandOn(NodeId from, NodeId to, const Point2& place, double away,
   }
 }
 
-/// A side bounds by more than the node itself only where values along it, seen from the node, rise less
-/// than the place comes nearer.
+/// A side bounds by more than the node itself only where values along it, seen from the node, rise
+/// less than the place comes nearer.
 double GridLimit::BoundFrom(NodeId source, const Point2& x) const
 {
   const auto columns = static_cast<NodeId>(this->Grid.Columns());

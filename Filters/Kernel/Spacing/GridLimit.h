@@ -15,14 +15,14 @@ namespace biting
 {
 
 /// What f is on a grid that is steeper than the gradation: the largest Lipschitz function below its
-/// interpolant, within the tolerances of Spacing. Outside of the grid the nearest border value is what
-/// is given, as far as bounds reach.
+/// interpolant, within the tolerances of Spacing. Outside of the grid the nearest border value is
+/// what is given, as far as bounds reach.
 ///
 /// Method: f grows from the sides of cells, along which values are linear. Nodes hand on to their
 /// neighbors, in two sweeps, the node whose sides bound them (vector propagation, after Danielsson
-/// 1980), so that distances are those of the plane and not of paths along the grid. Where f may grow by
-/// more than a share of itself across a cell, it is what bounds the corners that bounds its points, too;
-/// elsewhere the interpolant of bounded corners is as good.
+/// 1980), so that distances are those of the plane and not of paths along the grid. Where f may
+/// grow by more than a share of itself across a cell, it is what bounds the corners that bounds its
+/// points, too; elsewhere the interpolant of bounded corners is as good.
 /// Linear in the number of nodes; constant cost for an evaluation.
 class GridLimit
 {
@@ -40,8 +40,8 @@ public:
 private:
   using NodeId = std::uint32_t;
 
-  /// What bounds f at a node: the sides around another one, or its own value. Single precision is more
-  /// than anybody sees.
+  /// What bounds f at a node: the sides around another one, or its own value. Single precision is
+  /// more than anybody sees.
   struct Node
   {
     float Value;

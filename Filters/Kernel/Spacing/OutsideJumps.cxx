@@ -25,8 +25,8 @@ constexpr double MostFeet = 16.0;
 /// Jumps by less than this share of f do not matter.
 constexpr double LeastJump = 0.002;
 
-/// Squares that are searched first, along the longer side of the bounds: more of them where the border
-/// has more edges, as each has at most a few of the lines along which f jumps.
+/// Squares that are searched first, along the longer side of the bounds: more of them where the
+/// border has more edges, as each has at most a few of the lines along which f jumps.
 constexpr double LeastFirstSquares = 16.0;
 constexpr double MostFirstSquares = 64.0;
 constexpr double EdgesPerFirstSquare = 0.0625;
@@ -36,8 +36,9 @@ constexpr double LastSquare = 0.03;
 constexpr double LastUnusedSquare = 0.25;
 constexpr int DeepestLevel = 24;
 
-/// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger: then f
-/// is lowered beside the jump by what it could rise across a square, but to no less than a share of it.
+/// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger:
+/// then f is lowered beside the jump by what it could rise across a square, but to no less than a
+/// share of it.
 constexpr std::size_t MostSquares = 1 << 19;
 constexpr double LeastShare = 0.25;
 constexpr double LongestWay = 1.42; ///< in a square, in units of its side
@@ -122,9 +123,9 @@ private:
     return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
   }
 
-  /// How far along a unit vector a point of the border stays the nearest one: a ball that touches it
-  /// there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with a
-  /// `likely` length, and as large as the bounds where that is too short.
+  /// How far along a unit vector a point of the border stays the nearest one: a ball that touches
+  /// it there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with
+  /// a `likely` length, and as large as the bounds where that is too short.
   double LengthAlong(const Point2& start, const Point2& direction, double likely = 0.0)
   {
     const double reach = this->Reach(start, direction);

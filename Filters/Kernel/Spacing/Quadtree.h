@@ -52,7 +52,8 @@ public:
   /// To be called once, when all leaves are set.
   void Finish();
 
-  /// The number of the leaf of x; of the nearest place along the axes, for a point outside (or NaN).
+  /// The number of the leaf of x; of the nearest place along the axes, for a point outside (or
+  /// NaN).
   Id Locate(const Point2& x) const
   {
     const std::uint64_t column = this->Units(x.X - this->Low.X);

@@ -130,9 +130,9 @@ double GradationOf(const SpacingOptions& options)
 
 } // namespace
 
-/// What is left of the sources after preparation: what is given, and what limits it. A source that is
-/// one value everywhere becomes part of Uniform. Boundary values are among the limits, as long as they
-/// grow inwards with the gradation itself.
+/// What is left of the sources after preparation: what is given, and what limits it. A source that
+/// is one value everywhere becomes part of Uniform. Boundary values are among the limits, as long
+/// as they grow inwards with the gradation itself.
 struct Spacing::Implementation
 {
   std::optional<GridInterpolator> Grid; ///< where it is as given
@@ -324,7 +324,8 @@ private:
   ConeTree::Relief ReliefAbove(double most) const { return { most, this->Options.IsUnused }; }
 
   /// Boundary values are scaled, then clamped. From where f exceeds its least value on, at a
-  /// distance of (Least / scale - f_i) / g from the segment, it grows with g, and not scale times g.
+  /// distance of (Least / scale - f_i) / g from the segment, it grows with g, and not scale times
+  /// g.
   void AddScaled(const SegmentSource& source, Pulse& pulse)
   {
     const double scale = this->Options.Scale;

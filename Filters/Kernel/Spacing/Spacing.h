@@ -65,13 +65,14 @@ struct SegmentSource
   std::vector<Id> Segments;   ///< two point ids each
 };
 
-/// The segments and embedded points of a domain, whose local feature size caps f (the control spacing
-/// of the paper, section 2.1). On a segment f is at most
-/// - the distance, through the domain, to the nearest segment or point that shares no end with it, so
-///   that one layer of triangles fits into a channel; but the cap is no less than LeastShare of what
-///   is given there, so that slits and thin walls do not become a multitude of triangles;
-/// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about three
-///   vertices a segment; but the cap is no less than 0.003 of what is given, for points nearly equal;
+/// The segments and embedded points of a domain, whose local feature size caps f (the control
+/// spacing of the paper, section 2.1). On a segment f is at most
+/// - the distance, through the domain, to the nearest segment or point that shares no end with it,
+///   so that one layer of triangles fits into a channel; but the cap is no less than LeastShare of
+///   what is given there, so that slits and thin walls do not become a multitude of triangles;
+/// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
+///   three vertices a segment; but the cap is no less than 0.003 of what is given, for points
+///   nearly equal;
 /// and never less than Minimum asks for. Segments that meet do not count for each other, whatever
 /// their angle. From there f grows with the gradation (the default, where that is 0).
 struct FeatureSource
@@ -86,12 +87,12 @@ struct FeatureSource
   /// lowers f there: then it is to be less.
   double LeastShare = 0.25;
 
-  /// About how many pieces half as long as f the segments may have. Where they have more, nothing more
-  /// is capped: a mesh that fine will be refused, and this should be soon.
+  /// About how many pieces half as long as f the segments may have. Where they have more, nothing
+  /// more is capped: a mesh that fine will be refused, and this should be soon.
   double MostPieces = std::numeric_limits<double>::infinity();
 
-  /// May be empty. The cap for the distance is no less than that: where f has been capped before, what
-  /// is given is the capped one, and a quarter of that would be less each time.
+  /// May be empty. The cap for the distance is no less than that: where f has been capped before,
+  /// what is given is the capped one, and a quarter of that would be less each time.
   std::function<double(const Point2&)> Floor;
 };
 
@@ -114,7 +115,8 @@ struct SpacingOptions
 
   std::shared_ptr<const FeatureSource> Features; ///< may be null: no limit by feature size
 
-  /// May be empty. True for boxes where f is asked for its rough size only, which saves preparation.
+  /// May be empty. True for boxes where f is asked for its rough size only, which saves
+  /// preparation.
   std::function<bool(const Box2&)> IsUnused;
 
   /// May be null. Not a source: where it asks for more than all the sources, f is raised, last of
@@ -168,8 +170,8 @@ private:
 /// Prepares f over `bounds` (the box of the domain). Where f cannot be, `problems` has the reasons
 /// and the result is 1 everywhere: ProblemCode::BadSpacing
 /// - with the point id of the source, its place, and a detail like "value -3 in the grid source",
-///   for each value that is zero, negative or not finite (a NaN of a segment source; elsewhere it is
-///   a hole, unless there is nothing else), also after scaling, and each position not finite;
+///   for each value that is zero, negative or not finite (a NaN of a segment source; elsewhere it
+///   is a hole, unless there is nothing else), also after scaling, and each position not finite;
 /// - without ids, and a detail that names the parameter, where an option is negative or not finite,
 ///   Scale is zero, or Minimum is above Maximum.
 /// ProblemCode::Aborted where the monitor asked to stop.

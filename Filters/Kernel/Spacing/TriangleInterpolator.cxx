@@ -81,8 +81,8 @@ void ForEachEdge(const std::vector<const Id*>& triangles, Pulse& pulse, const Vi
   }
 }
 
-/// Edges by the smaller id of their ends: for point p the larger ids stand in Ends from Offsets[p] on,
-/// as often as triangles share the edge.
+/// Edges by the smaller id of their ends: for point p the larger ids stand in Ends from Offsets[p]
+/// on, as often as triangles share the edge.
 struct EdgesByPoint
 {
   std::vector<std::size_t> Offsets;
@@ -244,8 +244,8 @@ double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
   return origin * record.Value + first * record.FirstValue + second * record.SecondValue;
 }
 
-/// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a gap
-/// between triangles, which is there by rounding.
+/// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a
+/// gap between triangles, which is there by rounding.
 NearestValue TriangleInterpolator::NearestOutside(
   const Point2& x, const NearestValue& known, const Record*& closed) const
 {

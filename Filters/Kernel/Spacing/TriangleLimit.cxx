@@ -123,8 +123,8 @@ void TriangleLimit::HandOn(Id from, Id to)
   }
 }
 
-/// An edge bounds by more than the point itself only where values along it, seen from the point, rise
-/// less than the place comes nearer.
+/// An edge bounds by more than the point itself only where values along it, seen from the point,
+/// rise less than the place comes nearer.
 double TriangleLimit::BoundFrom(Id source, const Point2& x) const
 {
   const Point2& place = this->PlaceOf(source);

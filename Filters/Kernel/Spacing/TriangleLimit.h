@@ -20,8 +20,8 @@ namespace biting
 {
 
 /// What f is on triangles that are steeper than the gradation: as GridLimit, with the edges of
-/// triangles in place of the sides of cells. Outside, f is the nearest border value, limited by what
-/// bounds the ends of the nearest edge; where that jumps, see OutsideJumps.h.
+/// triangles in place of the sides of cells. Outside, f is the nearest border value, limited by
+/// what bounds the ends of the nearest edge; where that jumps, see OutsideJumps.h.
 ///
 /// Method: points hand on to their neighbors the point whose edges bound them, lowest first (the
 /// order of Dijkstra), so that distances are those of the plane and not of paths along edges. Where
