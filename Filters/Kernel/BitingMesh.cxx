@@ -7,6 +7,7 @@
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Biting/VertexEstimate.h"
+#include "Blocks/BlockMesher.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
 #include "FineDrawing.h"
@@ -26,7 +27,6 @@
 #include <algorithm> // for min, max
 #include <limits>    // for the largest id
 #include <optional>  // for what is released early
-#include <sstream>   // for figures in messages
 #include <utility>   // for move, in_place
 
 namespace biting
@@ -48,15 +48,6 @@ constexpr double CheckEnd = 0.4;
 constexpr double QualityEnd = 0.93;
 constexpr double SlopesEnd = 0.98;
 
-// The order of the mesh's figures.
-std::string Figure(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
 {
   BitingOptions biting;
@@ -71,12 +62,6 @@ BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
   biting.Phi = options.Phi;
   biting.PreserveBoundary = options.PreserveBoundary;
   return biting;
-}
-
-void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& problems)
-{
-  AddProblem(ProblemCode::TooManyVertices,
-    "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
 }
 
 // What is known of the mesh beforehand.
@@ -112,8 +97,17 @@ void Release(Bites& bites, Monitor& monitor)
   ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
 }
 
+// 0: the mesh is to be of one block.
+double VerticesPerBlock(const BitingMeshOptions& options)
+{
+  const bool mayCut = options.Relaxation && options.Order != FrontOrder::LargestY &&
+    options.MaximumNumberOfBites < 0 && !options.KeepBites && !options.PreserveBoundary;
+  return mayCut ? static_cast<double>(options.VerticesPerBlock) : 0.0;
+}
+
 BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  BitingOptions options, ProblemList& problems, Monitor& monitor)
+  BitingOptions options, double verticesPerBlock, BlockMesher& blocks, ProblemList& problems,
+  Monitor& monitor)
 {
   PartOfStage estimating(monitor, 0.0, EstimateEnd);
   const Forecast forecast =
@@ -142,6 +136,10 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
     return {};
   }
   PartOfStage rest(monitor, trialsEnd, 1.0);
+  if (blocks.Bite(locator, forecast.Vertices, verticesPerBlock, options, problems, rest))
+  {
+    return {};
+  }
   BitingResult bites = BiteDomain(domain, locator, spacing, forecast.Vertices, options, rest);
   if (bites.End == BitingEnd::TooManyVertices)
   {
@@ -344,10 +342,28 @@ SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& 
   return SimplifyDrawing(std::move(drawing), options, problems, whole);
 }
 
-} // namespace
+// The last stage; where there are errors then, the mesh is of no use.
+BitingMesh Finish(const SimplifiedDomain& simplified, const Spacing& spacing,
+  const BitingMeshOptions& options, BitingResult bites, Triangulation& triangulation,
+  ProblemList& problems, PartOfStage& whole)
+{
+  const Domain& domain = simplified.Drawing;
+  PartOfStage counting(whole, 0.0, CountingEnd);
+  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
+  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
+  mesh.NumberOfSharpCornerTriangles = sharp;
+  TellGiven(simplified, spacing, mesh);
+  Measure(mesh, problems, whole);
+  TellFineDrawing(domain, options, spacing, mesh, problems, whole);
+  return mesh;
+}
 
-BitingMesh MakeBitingMesh(
-  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+BitingMesh MakeMesh(const Polylines& input, const BitingMeshOptions& options, ProblemList& problems,
+  Monitor& monitor, bool& isOfBlocks)
 {
   PartOfStage whole(monitor, 0.0, 1.0);
   const SimplifiedDomain simplified = PrepareDomain(input, options, problems, monitor, whole);
@@ -373,38 +389,53 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   monitor.BeginStage(MeshingStages::Biting.Text);
-  BitingResult bites = Bite(domain, *locator, spacing, MakeBitingOptions(options), problems, whole);
+  BlockMesher blocks(domain, spacing);
+  BitingResult bites = Bite(domain, *locator, spacing, MakeBitingOptions(options),
+    VerticesPerBlock(options), blocks, problems, whole);
   locator.reset();
+  isOfBlocks = blocks.IsInUse();
   if (IsOver(whole, problems))
   {
     return {};
   }
   monitor.BeginStage(MeshingStages::Triangulation.Text);
-  Triangulation triangulation =
-    TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
+  Triangulation triangulation = blocks.IsInUse()
+    ? blocks.Triangulate(problems, whole)
+    : TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};
   }
   monitor.BeginStage(MeshingStages::Relaxation.Text);
-  RelaxMesh(domain, spacing, options, bites, triangulation, problems, whole);
+  blocks.IsInUse() ? blocks.Relax(bites, triangulation, problems, whole)
+                   : RelaxMesh(domain, spacing, options, bites, triangulation, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};
   }
   monitor.BeginStage(MeshingStages::Quality.Text);
-  PartOfStage counting(whole, 0.0, CountingEnd);
-  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
-  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  mesh.NumberOfSharpCornerTriangles = sharp;
-  TellGiven(simplified, spacing, mesh);
-  Measure(mesh, problems, whole);
-  TellFineDrawing(domain, options, spacing, mesh, problems, whole);
+  BitingMesh mesh =
+    Finish(simplified, spacing, options, std::move(bites), triangulation, problems, whole);
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
+}
+
+} // namespace
+
+// What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
+BitingMesh MakeBitingMesh(
+  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  const ProblemList before = problems;
+  bool isOfBlocks = false;
+  BitingMesh mesh = MakeMesh(input, options, problems, monitor, isOfBlocks);
+  if (isOfBlocks && problems.Has(ProblemCode::CheckFailed))
+  {
+    BitingMeshOptions whole = options;
+    whole.VerticesPerBlock = 0;
+    problems = before;
+    mesh = MakeMesh(input, whole, problems, monitor, isOfBlocks);
+  }
+  return mesh;
 }
 
 } // namespace biting

@@ -124,6 +124,14 @@ set(biting_kernel_sources
   Remeshing/ReleasedVertices.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
+  Blocks/BlockDomains.cxx
+  Blocks/BlockMesher.cxx
+  Blocks/CutLine.cxx
+  Blocks/CutPlan.cxx
+  Blocks/CutStrip.cxx
+  Blocks/DensitySamples.cxx
+  Blocks/JoinedBlocks.cxx
+  Blocks/RimFlips.cxx
   BitingMesh.cxx
   BitingRemesh.cxx
   FineDrawing.cxx

@@ -7,7 +7,9 @@
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 
-#include <string> // for details
+#include <cstdint> // for limits
+#include <sstream> // for figures
+#include <string>  // for details
 
 namespace biting
 {
@@ -18,6 +20,33 @@ inline void AddProblem(ProblemCode code, const std::string& detail, ProblemList&
   problem.Code = code;
   problem.Detail = detail;
   problems.Add(problem);
+}
+
+/// A figure of a message.
+inline std::string Figure(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+inline void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& problems)
+{
+  AddProblem(ProblemCode::TooManyVertices,
+    "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
+}
+
+/// Those that `list` has kept.
+inline void AddAll(const ProblemList& list, ProblemList& problems)
+{
+  for (const ProblemGroup& group : list.Groups())
+  {
+    for (const Problem& problem : group.First)
+    {
+      problems.Add(problem);
+    }
+  }
 }
 
 /// Whether the part was stopped, which is noted then where nothing was refused before.

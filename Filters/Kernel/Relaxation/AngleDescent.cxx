@@ -92,7 +92,7 @@ void AngleDescent::Run(int rings, int rounds, Pulse& pulse)
   this->IsSettled.assign(this->Mesh.Points.size(), 0);
   this->LookAtAll(pulse);
   this->ChooseLimits();
-  const double good = GoodPerPoor * PoorCotangents[this->PoorLevel - 1];
+  const double good = GoodPerPoor * this->Mesh.PoorCotangents * PoorCotangents[this->PoorLevel - 1];
   for (int round = 0; round < rounds; ++round)
   {
     const PulsePart part(
@@ -133,7 +133,8 @@ void AngleDescent::LookAtAll(Pulse& pulse)
 AngleDescent::PoorTriangle AngleDescent::Judge(Id triangle) const
 {
   std::uint8_t levels = 0;
-  while (levels < NumberOfLevels && IsWorseThan(this->Mesh, triangle, PoorCotangents[levels]))
+  while (levels < NumberOfLevels &&
+    IsWorseThan(this->Mesh, triangle, this->Mesh.PoorCotangents * PoorCotangents[levels]))
   {
     ++levels;
   }

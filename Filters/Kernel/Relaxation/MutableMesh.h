@@ -162,6 +162,7 @@ public:
   std::vector<Id> Regions;             ///< one a triangle
   std::vector<std::uint8_t> IsDivided; ///< of a segment: whether vertices on it may slide or go
   bool DividesSegments = true;         ///< whether they may come, where IsDivided
+  double PoorCotangents = 1.0;         ///< times the limits: less than 1: more angles are poor
 
 private:
   struct IdChange

@@ -124,6 +124,7 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
     work.IsDivided = FindDividedSegments(domain, spacing, pulse);
     KeepPreserved(domain, work.IsDivided);
     work.DividesSegments = options.DividesSegments;
+    work.PoorCotangents = options.PoorCotangents;
     origins = ReadMesh(mesh, work, pulse);
   }
   if (!pulse.HasStopped())

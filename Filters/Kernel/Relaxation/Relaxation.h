@@ -23,6 +23,9 @@ struct RelaxationOptions
 
   /// False: the last attempts at single triangles are left out.
   bool TriesTopologies = true;
+
+  /// Of the cotangents of angles that count as poor: with less than 1 more angles do.
+  double PoorCotangents = 1.0;
 };
 
 /// A mesh of a domain, and what binds it.

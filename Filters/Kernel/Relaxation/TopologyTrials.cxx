@@ -142,7 +142,7 @@ void TopologyTrials::FindPoor(Pulse& pulse)
 bool TopologyTrials::IsToBeTried(Id triangle) const
 {
   return this->Mesh.IsEdge(4 * triangle) && this->AreTried[triangle] == 0 &&
-    IsWorseThan(this->Mesh, triangle, CotangentOf38Degrees);
+    IsWorseThan(this->Mesh, triangle, this->Mesh.PoorCotangents * CotangentOf38Degrees);
 }
 
 bool TopologyTrials::Improve(const PoorTriangle& poor, const Effort& effort, Pulse& pulse)

@@ -98,6 +98,8 @@ const std::map<std::string, std::set<std::string>> Arrows = {
   { "Kernel/Meshing",
     { "Base", "Predicates", "Domain", "Simplification", "Spacing", "Biting", "Delaunay",
       "Relaxation", "Quality" } },
+  { "Kernel/Blocks",
+    { "Base", "Predicates", "Domain", "Spacing", "Biting", "Delaunay", "Relaxation", "Meshing" } },
   { "Kernel/Remeshing",
     { "Base", "Predicates", "Domain", "Spacing", "Biting", "Delaunay", "Quality" } },
 };

@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BlockDomains.h"
+
+#include "../Base/PartOfStage.h"
+#include "../Base/PointOnSegment.h"
+#include "../Base/Pulse.h"
+#include "../Biting/EdgeDivision.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/AreaSum.h"
+
+#include <algorithm> // for sort, unique, lower_bound
+#include <cstdint>   // for flags
+#include <map>       // for areas
+#include <utility>   // for move, pair
+
+namespace biting
+{
+
+namespace
+{
+
+// The blocks on the two sides of a piece; NoId outside.
+struct Sides
+{
+  Id Left = NoId;
+  Id Right = NoId;
+};
+
+constexpr double DivisionEnd = 0.3; // of the time
+
+// Of the boundary, with the inside on its left.
+void AddArea(Domain& domain)
+{
+  AreaSum area(domain.Bounds.Center());
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Point2& start = domain.Vertices[domain.Starts[segment]];
+    const Point2& end = domain.Vertices[domain.Ends[segment]];
+    if (domain.IsBoundary[segment] != 0)
+    {
+      domain.LeftInside[segment] != 0 ? area.Add(start, end) : area.Add(end, start);
+    }
+  }
+  domain.Area = area.Area();
+}
+
+// All cuts become parts, one after the other.
+bool DivideCuts(const Spacing& spacing, const CutDivision& wanted, CutGraph& graph, Pulse& pulse)
+{
+  EdgeDivider divider(spacing, wanted.BitingConstant, wanted.PartLength, pulse);
+  DivisionPoints points;
+  const Id undivided = graph.NumberOfPieces();
+  for (Id piece = 0; piece < undivided; ++piece)
+  {
+    if (!graph.IsCut(piece))
+    {
+      continue;
+    }
+    const Point2 a = graph.Vertices[graph.Pieces[piece].Start];
+    const Point2 b = graph.Vertices[graph.Pieces[piece].End];
+    if (!divider.Divide(a, b, wanted.MostVertices, points))
+    {
+      return false;
+    }
+    Id rest = piece;
+    for (std::size_t k = 0; k < points.Parameters.size(); ++k)
+    {
+      const Point2 place = PointOnSegment(a, b, points.Parameters[k], points.Spacings[k]);
+      rest = graph.Split(rest, graph.AddVertex(place, NoId));
+    }
+  }
+  return true;
+}
+
+class BlockMaker
+{
+public:
+  BlockMaker(const Domain& domain, const CutTree& tree, const CutGraph& graph)
+    : Geometry(domain)
+    , Tree(tree)
+    , Graph(graph)
+  {
+  }
+
+  std::vector<BlockDomain> Make(Monitor& monitor);
+
+private:
+  bool Triangulate(Monitor& monitor);
+  bool HasAllPieces() const;
+  bool IsCut(std::size_t half) const
+  {
+    const Id piece = this->Mesh.Constraints[half];
+    return piece != NoId && this->Graph.IsCut(piece);
+  }
+  void FindFaces();
+  void Fill(Id triangle, Id face);
+  void ChooseLeaves();
+  std::pair<Point2, double> MiddleOf(Id triangle) const;
+  void NumberBlocks();
+  void FindSides();
+  std::vector<BlockDomain> MakeBlocks() const;
+  std::vector<Id> BlocksAt(Id piece) const;
+  void AddVertices(std::vector<BlockDomain>& blocks) const;
+  void AddVertex(Id vertex, BlockDomain& block) const;
+  void AddPiece(Id piece, Id number, BlockDomain& block) const;
+  bool IsEmbedded(Id vertex) const
+  {
+    return vertex < this->Geometry.NumberOfVertices() && this->Geometry.IsEmbedded[vertex] != 0;
+  }
+
+  const Domain& Geometry;
+  const CutTree& Tree;
+  const CutGraph& Graph;
+  Triangulation Mesh;
+  std::vector<Id> Faces;  ///< of the triangles: what cuts enclose
+  std::vector<Id> Blocks; ///< of the faces
+  std::vector<Id> Leaves; ///< of the blocks: nodes
+  std::vector<Sides> SidesOf;
+};
+
+std::vector<BlockDomain> BlockMaker::Make(Monitor& monitor)
+{
+  if (!this->Triangulate(monitor) || !this->HasAllPieces())
+  {
+    return {};
+  }
+  this->FindFaces();
+  this->ChooseLeaves();
+  this->NumberBlocks();
+  if (this->Leaves.size() < 2)
+  {
+    return {};
+  }
+  this->FindSides();
+  return this->MakeBlocks();
+}
+
+bool BlockMaker::Triangulate(Monitor& monitor)
+{
+  ConstraintEdges constraints;
+  for (const CutGraph::Piece& piece : this->Graph.Pieces)
+  {
+    constraints.Starts.push_back(piece.Start);
+    constraints.Ends.push_back(piece.End);
+    constraints.IsBoundary.push_back(
+      piece.Segment == NoId ? 0 : this->Geometry.IsBoundary[piece.Segment]);
+  }
+  TriangulationResult result = biting::Triangulate(this->Graph.Vertices, constraints, {}, monitor);
+  this->Mesh = std::move(result.Mesh);
+  return result.Conflicts.empty() && result.Coincidences.empty() && !result.WasAborted;
+}
+
+// Whether each piece is one edge, with the domain on all sides where it must be.
+bool BlockMaker::HasAllPieces() const
+{
+  std::vector<int> halves(this->Graph.Pieces.size(), 0);
+  for (const Id piece : this->Mesh.Constraints)
+  {
+    if (piece != NoId)
+    {
+      ++halves[static_cast<std::size_t>(piece)];
+    }
+  }
+  for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
+  {
+    const Id segment = this->Graph.Pieces[piece].Segment;
+    const int wanted = segment != NoId && this->Geometry.IsBoundary[segment] != 0 ? 1 : 2;
+    if (halves[piece] != wanted)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void BlockMaker::FindFaces()
+{
+  this->Faces.assign(this->Mesh.Regions.size(), NoId);
+  Id count = 0;
+  for (Id triangle = 0; triangle < this->Mesh.NumberOfTriangles(); ++triangle)
+  {
+    if (this->Faces[triangle] == NoId)
+    {
+      this->Fill(triangle, count++);
+    }
+  }
+  this->Blocks.assign(static_cast<std::size_t>(count), NoId);
+}
+
+void BlockMaker::Fill(Id triangle, Id face)
+{
+  std::vector<Id> front{ triangle };
+  this->Faces[triangle] = face;
+  while (!front.empty())
+  {
+    const std::size_t first = 3 * static_cast<std::size_t>(front.back());
+    front.pop_back();
+    for (std::size_t half = first; half < first + 3; ++half)
+    {
+      const Id next = this->Mesh.Neighbors[half];
+      if (next != NoId && this->Faces[next] == NoId && !this->IsCut(half))
+      {
+        this->Faces[next] = face;
+        front.push_back(next);
+      }
+    }
+  }
+}
+
+// A face belongs to the leaf that has most of it.
+void BlockMaker::ChooseLeaves()
+{
+  std::map<std::pair<Id, Id>, double> areas; // of a face in a leaf
+  for (Id triangle = 0; triangle < this->Mesh.NumberOfTriangles(); ++triangle)
+  {
+    const auto [middle, area] = this->MiddleOf(triangle);
+    areas[{ this->Faces[triangle], this->Tree.NodeAt(middle) }] += area;
+  }
+  std::vector<double> largest(this->Blocks.size(), 0.0);
+  for (const auto& [place, area] : areas)
+  {
+    if (area > largest[place.first])
+    {
+      largest[place.first] = area;
+      this->Blocks[place.first] = place.second;
+    }
+  }
+}
+
+std::pair<Point2, double> BlockMaker::MiddleOf(Id triangle) const
+{
+  const Id* corners = this->Mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  const Point2& a = this->Graph.Vertices[corners[0]];
+  const Point2 ab = this->Graph.Vertices[corners[1]] - a;
+  const Point2 ac = this->Graph.Vertices[corners[2]] - a;
+  return { a + 1.0 / 3.0 * (ab + ac), Cross(ab, ac) };
+}
+
+// Leaves without a face are passed over.
+void BlockMaker::NumberBlocks()
+{
+  std::vector<Id> numbers(this->Tree.Nodes.size(), NoId);
+  for (const Id node : this->Blocks)
+  {
+    if (node != NoId)
+    {
+      numbers[node] = 0;
+    }
+  }
+  for (Id node = 0; node < static_cast<Id>(numbers.size()); ++node)
+  {
+    if (numbers[node] != NoId)
+    {
+      numbers[node] = static_cast<Id>(this->Leaves.size());
+      this->Leaves.push_back(node);
+    }
+  }
+  for (Id& block : this->Blocks)
+  {
+    block = block == NoId ? 0 : numbers[block];
+  }
+}
+
+void BlockMaker::FindSides()
+{
+  this->SidesOf.resize(this->Graph.Pieces.size());
+  for (std::size_t half = 0; half < this->Mesh.Corners.size(); ++half)
+  {
+    const Id piece = this->Mesh.Constraints[half];
+    if (piece != NoId)
+    {
+      const Id start = this->Mesh.Corners[half - half % 3 + (half + 1) % 3];
+      const Id block = this->Blocks[this->Faces[half / 3]];
+      Sides& sides = this->SidesOf[piece];
+      (start == this->Graph.Pieces[piece].Start ? sides.Left : sides.Right) = block;
+    }
+  }
+}
+
+std::vector<BlockDomain> BlockMaker::MakeBlocks() const
+{
+  std::vector<BlockDomain> blocks(this->Leaves.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+  {
+    blocks[k].ExpectedVertices = this->Tree.Nodes[this->Leaves[k]].Vertices;
+    blocks[k].Geometry.Resolution = this->Geometry.Resolution;
+  }
+  this->AddVertices(blocks);
+  for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
+  {
+    for (const Id block : this->BlocksAt(piece))
+    {
+      this->AddPiece(piece, block, blocks[block]);
+    }
+  }
+  for (BlockDomain& block : blocks)
+  {
+    AddArea(block.Geometry);
+    block.ExpectedVertices += static_cast<double>(block.Vertices.size());
+  }
+  return blocks;
+}
+
+// A cut within a block is none.
+std::vector<Id> BlockMaker::BlocksAt(Id piece) const
+{
+  const Sides& sides = this->SidesOf[piece];
+  if (sides.Left == sides.Right)
+  {
+    return this->Graph.IsCut(piece) ? std::vector<Id>() : std::vector<Id>{ sides.Left };
+  }
+  std::vector<Id> blocks;
+  for (const Id block : { sides.Left, sides.Right })
+  {
+    if (block != NoId)
+    {
+      blocks.push_back(block);
+    }
+  }
+  return blocks;
+}
+
+// The ends of the pieces at each block, and embedded points, in the order of the graph.
+void BlockMaker::AddVertices(std::vector<BlockDomain>& blocks) const
+{
+  std::vector<std::pair<Id, Id>> uses; // vertex, block
+  for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
+  {
+    for (const Id block : this->BlocksAt(piece))
+    {
+      uses.emplace_back(this->Graph.Pieces[piece].Start, block);
+      uses.emplace_back(this->Graph.Pieces[piece].End, block);
+    }
+  }
+  for (std::size_t half = 0; half < this->Mesh.Corners.size(); ++half)
+  {
+    const Id vertex = this->Mesh.Corners[half];
+    if (this->IsEmbedded(vertex))
+    {
+      uses.emplace_back(vertex, this->Blocks[this->Faces[half / 3]]);
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  for (const auto& [vertex, block] : uses)
+  {
+    this->AddVertex(vertex, blocks[block]);
+  }
+}
+
+void BlockMaker::AddVertex(Id vertex, BlockDomain& block) const
+{
+  const bool isOld = vertex < this->Geometry.NumberOfVertices();
+  Domain& geometry = block.Geometry;
+  block.Vertices.push_back(vertex);
+  geometry.Vertices.push_back(this->Graph.Vertices[vertex]);
+  geometry.VertexPoints.push_back(isOld ? this->Geometry.VertexPoints[vertex] : NoId);
+  geometry.IsEmbedded.push_back(this->IsEmbedded(vertex) ? 1 : 0);
+  geometry.HasPoint.push_back(isOld && !this->Geometry.HasPoint.empty()
+      ? this->Geometry.HasPoint[vertex]
+      : std::uint8_t{ 0 });
+  geometry.Bounds.Add(geometry.Vertices.back());
+}
+
+void BlockMaker::AddPiece(Id piece, Id number, BlockDomain& block) const
+{
+  const auto placeOf = [&block](Id vertex)
+  {
+    return static_cast<Id>(std::lower_bound(block.Vertices.begin(), block.Vertices.end(), vertex) -
+      block.Vertices.begin());
+  };
+  const CutGraph::Piece& ends = this->Graph.Pieces[piece];
+  const bool isCut = ends.Segment == NoId;
+  Domain& geometry = block.Geometry;
+  block.Pieces.push_back(piece);
+  geometry.Starts.push_back(placeOf(ends.Start));
+  geometry.Ends.push_back(placeOf(ends.End));
+  geometry.Cells.push_back(isCut ? NoId : this->Geometry.Cells[ends.Segment]);
+  geometry.IsBoundary.push_back(isCut ? 1 : this->Geometry.IsBoundary[ends.Segment]);
+  geometry.LeftInside.push_back(this->SidesOf[piece].Left == number ? 1 : 0);
+  geometry.RightInside.push_back(this->SidesOf[piece].Right == number ? 1 : 0);
+  geometry.IsPreserved.push_back(isCut || this->Geometry.MustPreserve(ends.Segment) ? 1 : 0);
+}
+
+} // namespace
+
+BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
+  const CutDivision& division, Monitor& monitor)
+{
+  BlockDomains result{ plan.Graph, {} };
+  if (plan.Tree.NumberOfLeaves < 2)
+  {
+    return result;
+  }
+  PartOfStage dividing(monitor, 0.0, DivisionEnd);
+  Pulse pulse(dividing);
+  if (DivideCuts(spacing, division, result.Graph, pulse))
+  {
+    PartOfStage making(monitor, DivisionEnd, 1.0);
+    result.Blocks = BlockMaker(domain, plan.Tree, result.Graph).Make(making);
+  }
+  return result;
+}
+
+} // namespace biting

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBlockDomains_h
+#define BitingBlockDomains_h
+
+#include "../Base/Ids.h"
+#include "../Base/Monitor.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
+#include "CutGraph.h"
+#include "CutPlan.h"
+
+#include <vector> // for the maps
+
+namespace biting
+{
+
+/// A part of a domain as a domain of its own. Its cuts are boundary, and preserved: parts of the
+/// length that the mesh wants, with vertices that both sides share.
+struct BlockDomain
+{
+  Domain Geometry;
+  std::vector<Id> Vertices; ///< of the graph, one a vertex of the geometry
+  std::vector<Id> Pieces;   ///< of the graph, one a segment of the geometry
+  double ExpectedVertices = 0.0;
+};
+
+struct BlockDomains
+{
+  CutGraph Graph; ///< with divided cuts
+  std::vector<BlockDomain> Blocks;
+};
+
+/// What parts of cuts are long.
+struct CutDivision
+{
+  double BitingConstant = 0.0;
+  double PartLength = 1.0;
+  Id MostVertices = 0;
+};
+
+/// Divides the cuts, and the domain along them. A block is what cuts enclose, or several of such,
+/// where they lie in one leaf of the tree. No blocks where there are less than two, where parts of
+/// cuts would meet by rounding, and where the monitor wants to stop.
+BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
+  const CutDivision& division, Monitor& monitor);
+
+} // namespace biting
+
+#endif

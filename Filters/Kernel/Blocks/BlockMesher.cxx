@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BlockMesher.h"
+
+#include "../Base/PartOfStage.h"
+#include "../Base/Tasks.h"
+#include "../Biting/BitingState.h"
+#include "../Meshing/RelaxedBites.h"
+#include "../Meshing/SoundTriangulation.h"
+#include "../Meshing/StageProblems.h"
+#include "CutPlan.h"
+#include "CutStrip.h"
+
+#include <algorithm> // for max
+#include <cstdint>   // for counts
+#include <string>    // for violations
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+// Where steps end, as shares of the time.
+constexpr double PlanEnd = 0.02;
+constexpr double CuttingEnd = 0.7;
+constexpr double LocatorEnd = 0.05;
+constexpr double BlocksEnd = 0.8;
+constexpr double JoiningEnd = 0.85;
+
+// Blocks have more fronts that meet, and by that more chances of a poor triangle than one block.
+constexpr double PoorCotangents = 0.92;
+
+} // namespace
+
+bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
+  const BitingOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  if (!(verticesPerBlock > 0.0))
+  {
+    return false;
+  }
+  this->Options = options;
+  PartOfStage planning(monitor, 0.0, PlanEnd);
+  this->Plan(locator, vertices, verticesPerBlock, planning);
+  if (AddAborted(planning, problems) || !this->IsInUse())
+  {
+    return planning.HasStopped();
+  }
+  PartOfStage biting(monitor, PlanEnd, 1.0);
+  this->BiteBlocks(biting);
+  if (!AddAborted(biting, problems) && this->HasTooManyVertices())
+  {
+    // The estimate did not see all of f: more than the limit is what is known.
+    const std::int64_t most = options.MaximumNumberOfVertices;
+    AddTooManyVertices(std::max(vertices, static_cast<double>(most)), most, problems);
+  }
+  return true;
+}
+
+void BlockMesher::Plan(
+  const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor)
+{
+  PartOfStage cutting(monitor, 0.0, CuttingEnd);
+  Pulse pulse(cutting);
+  const CutPlan plan =
+    PlanCuts(this->Geometry, locator, this->F, vertices, verticesPerBlock, pulse);
+  if (cutting.HasStopped())
+  {
+    return;
+  }
+  PartOfStage making(monitor, CuttingEnd, 1.0);
+  CutDivision division;
+  division.BitingConstant = UsedBitingConstant(this->Options);
+  division.PartLength = UsedPartLength(this->Options);
+  division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
+  this->Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
+  this->Meshes.resize(this->Parts.Blocks.size());
+}
+
+void BlockMesher::BiteBlocks(Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  DoTasks(pulse, this->Meshes.size(),
+    [this](std::size_t block, Monitor& own) { this->BiteBlock(block, own); });
+}
+
+bool BlockMesher::HasTooManyVertices() const
+{
+  std::int64_t vertices = 0;
+  bool isTooMuch = false;
+  for (const BlockMesh& mesh : this->Meshes)
+  {
+    vertices += static_cast<std::int64_t>(mesh.Bites.Points.size());
+    isTooMuch = isTooMuch || mesh.Bites.End == BitingEnd::TooManyVertices;
+  }
+  return isTooMuch || vertices > this->Options.MaximumNumberOfVertices;
+}
+
+void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
+{
+  const BlockDomain& part = this->Parts.Blocks[block];
+  PartOfStage locating(monitor, 0.0, LocatorEnd);
+  Pulse pulse(locating);
+  const DomainLocator locator(part.Geometry, pulse);
+  PartOfStage biting(monitor, LocatorEnd, 1.0);
+  BitingResult& bites = this->Meshes[block].Bites;
+  bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, this->Options, biting);
+  bites.Bites = Bites();
+}
+
+Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
+{
+  std::vector<ProblemList> found(this->Meshes.size());
+  PartOfStage part(monitor, 0.0, 1.0);
+  Pulse pulse(part);
+  DoTasks(pulse, this->Meshes.size(),
+    [this, &found](std::size_t block, Monitor& own)
+    {
+      BlockMesh& mesh = this->Meshes[block];
+      mesh.Triangles =
+        TriangulateBites(this->Parts.Blocks[block].Geometry, {}, mesh.Bites, found[block], own);
+    });
+  for (std::size_t block = 0; block < found.size() && !AddAborted(part, problems); ++block)
+  {
+    AddAll(found[block], problems);
+  }
+  return {};
+}
+
+void BlockMesher::Relax(
+  BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage relaxing(monitor, 0.0, BlocksEnd);
+  this->RelaxBlocks(problems, relaxing);
+  if (AddAborted(relaxing, problems) || problems.HasErrors())
+  {
+    return;
+  }
+  PartOfStage joining(monitor, BlocksEnd, JoiningEnd);
+  this->Join(problems, joining);
+  if (AddAborted(joining, problems) || problems.HasErrors())
+  {
+    return;
+  }
+  PartOfStage mending(monitor, JoiningEnd, 1.0);
+  RelaxCuts(this->Geometry, this->F, this->Joined, mending);
+  AddAborted(mending, problems);
+  bites = std::move(this->Joined.Bites);
+  triangles = std::move(this->Joined.Triangles);
+}
+
+void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
+{
+  std::vector<std::string> violations(this->Meshes.size());
+  RelaxationOptions options;
+  options.PoorCotangents = PoorCotangents;
+  Pulse pulse(monitor);
+  DoTasks(pulse, this->Meshes.size(),
+    [this, &violations, &options](std::size_t block, Monitor& own)
+    {
+      BlockMesh& mesh = this->Meshes[block];
+      violations[block] = RelaxBites(
+        this->Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);
+    });
+  for (const std::string& violation : violations)
+  {
+    if (!violation.empty() && !pulse.HasStopped())
+    {
+      AddProblem(ProblemCode::CheckFailed, violation, problems);
+    }
+  }
+}
+
+void BlockMesher::Join(ProblemList& problems, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  this->Joined = JoinBlocks(this->Geometry, this->Parts, std::move(this->Meshes), pulse);
+  if (!pulse.HasStopped() && !this->Joined.IsSound)
+  {
+    AddProblem(ProblemCode::CheckFailed, "the sides of a cut do not fit", problems);
+  }
+}
+
+} // namespace biting

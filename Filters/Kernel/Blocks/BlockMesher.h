@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBlockMesher_h
+#define BitingBlockMesher_h
+
+#include "../Base/Monitor.h"
+#include "../Base/Problem.h"
+#include "../Biting/BitingScheme.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
+#include "BlockDomains.h"
+#include "JoinedBlocks.h"
+
+#include <vector> // for the blocks
+
+namespace biting
+{
+
+/// Meshes a domain block by block, each by itself, on the threads of the monitor: biting,
+/// triangulation, relaxation; then joins the blocks and relaxes what lies along the cuts.
+///
+/// Blocks are a function of the domain, f and the options alone, and so is the mesh. Where the
+/// domain is too small for two blocks, or no good cut is found, there is none, and the mesher is
+/// not in use. The domain and the spacing must outlive it. Problems are added in the order of the
+/// blocks.
+class BlockMesher
+{
+public:
+  BlockMesher(const Domain& domain, const Spacing& spacing)
+    : Geometry(domain)
+    , F(spacing)
+  {
+  }
+
+  bool IsInUse() const { return !this->Parts.Blocks.empty(); }
+  std::size_t NumberOfBlocks() const { return this->Parts.Blocks.size(); }
+
+  /// The steps, in their order. The first one cuts the domain, and bites its blocks; `vertices` are
+  /// expected, `options` has the biting constant. Returns false where there are no blocks, as where
+  /// `verticesPerBlock` is 0: then nothing is done.
+  bool Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
+    const BitingOptions& options, ProblemList& problems, Monitor& monitor);
+  /// Triangulate returns nothing: only Relax has the mesh of the whole domain, in `bites` and
+  /// `triangles`.
+  Triangulation Triangulate(ProblemList& problems, Monitor& monitor);
+  void Relax(
+    BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor);
+
+private:
+  void Plan(
+    const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
+  void BiteBlocks(Monitor& monitor);
+  bool HasTooManyVertices() const;
+  void BiteBlock(std::size_t block, Monitor& monitor);
+  void RelaxBlocks(ProblemList& problems, Monitor& monitor);
+  void Join(ProblemList& problems, Monitor& monitor);
+
+  const Domain& Geometry;
+  const Spacing& F;
+  BitingOptions Options;
+  BlockDomains Parts;
+  std::vector<BlockMesh> Meshes;
+  JoinedMesh Joined;
+};
+
+} // namespace biting
+
+#endif

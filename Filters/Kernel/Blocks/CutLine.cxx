@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CutLine.h"
+
+#include "../Base/PointOnSegment.h"
+#include "../Predicates/Predicates.h"
+
+#include <algorithm> // for sort, min, max, clamp
+#include <cmath>     // for abs
+
+namespace biting
+{
+
+namespace
+{
+
+// In units of f. Ends that near to a vertex are there; shorter stretches are as good as a narrow
+// place.
+constexpr double Snap = 1.6;
+constexpr double LeastStretch = 6.0;
+constexpr double Clearance = 2.0;
+
+// Of the angle that a stretch makes with a piece, and by which others near its ends stay off it.
+constexpr double CosineOfLeastAngle = 0.76604444311897801; // 40 degrees
+constexpr double SineOfLeastAngle = 0.64278760968653925;
+
+double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
+{
+  const Point2 side = b - a;
+  const double t = std::clamp(Dot(p - a, side) / Dot(side, side), 0.0, 1.0);
+  return Distance(p, a + t * side);
+}
+
+class LineMaker
+{
+public:
+  LineMaker(const CutScene& scene, const AxisLine& line)
+    : Scene(scene)
+    , Line(line)
+  {
+  }
+
+  CutLine Make();
+
+private:
+  double Across(const Point2& p) const { return this->Line.IsVertical ? p.X : p.Y; }
+  double Along(const Point2& p) const { return this->Line.IsVertical ? p.Y : p.X; }
+  Point2 PlaceAt(double along) const
+  {
+    return this->Line.IsVertical ? Point2{ this->Line.At, along } : Point2{ along, this->Line.At };
+  }
+  const Point2& Vertex(Id vertex) const { return this->Scene.Graph.Vertices[vertex]; }
+
+  bool FindEnds();
+  CutEnd MakeEnd(Id piece) const;
+  void Unite();
+  bool IsWanted(const CutEnd& from, const CutEnd& to) const;
+  void FindNear();
+  bool IsGood(const CutStretch& stretch) const;
+  bool HasRoom(const CutStretch& stretch) const;
+  bool IsClearOf(Id piece, const CutStretch& stretch) const;
+  bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
+  bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction) const;
+
+  const CutScene& Scene;
+  const AxisLine& Line;
+  std::vector<CutEnd> Ends;
+  std::vector<Id> NearPieces;
+  std::vector<Id> NearVertices;
+};
+
+CutLine LineMaker::Make()
+{
+  CutLine line;
+  line.IsGood = this->FindEnds();
+  this->FindNear();
+  for (std::size_t k = 0; k + 1 < this->Ends.size() && line.IsGood; ++k)
+  {
+    if (this->IsWanted(this->Ends[k], this->Ends[k + 1]))
+    {
+      line.Stretches.push_back({ this->Ends[k], this->Ends[k + 1] });
+      line.IsGood = this->IsGood(line.Stretches.back());
+    }
+  }
+  return line;
+}
+
+// False where a piece lies on the line.
+bool LineMaker::FindEnds()
+{
+  for (const Id piece : this->Scene.Pieces)
+  {
+    const auto& ends = this->Scene.Graph.Pieces[piece];
+    const double start = this->Across(this->Vertex(ends.Start)) - this->Line.At;
+    const double end = this->Across(this->Vertex(ends.End)) - this->Line.At;
+    if (start == 0.0 && end == 0.0)
+    {
+      return false;
+    }
+    if ((start <= 0.0) != (end <= 0.0))
+    {
+      this->Ends.push_back(this->MakeEnd(piece));
+    }
+  }
+  std::sort(this->Ends.begin(), this->Ends.end(),
+    [](const CutEnd& a, const CutEnd& b)
+    { return a.Along != b.Along ? a.Along < b.Along : a.Vertex < b.Vertex; });
+  this->Unite();
+  return true;
+}
+
+CutEnd LineMaker::MakeEnd(Id piece) const
+{
+  const auto& ends = this->Scene.Graph.Pieces[piece];
+  const Point2& a = this->Vertex(ends.Start);
+  const Point2& b = this->Vertex(ends.End);
+  const double t = (this->Line.At - this->Across(a)) / (this->Across(b) - this->Across(a));
+  CutEnd end;
+  end.Place = a + t * (b - a);
+  end.Along = this->Along(end.Place);
+  end.F = this->Scene.F(end.Place);
+  const double toStart = Distance(end.Place, a);
+  const double toEnd = Distance(end.Place, b);
+  if (std::min(toStart, toEnd) < Snap * end.F)
+  {
+    end.Vertex = toStart <= toEnd ? ends.Start : ends.End;
+    end.Place = this->Vertex(end.Vertex);
+    return end;
+  }
+  end.Piece = piece;
+  end.Place = PointOnSegment(a, b, t, end.F);
+  return end;
+}
+
+// Pieces that meet in a vertex near the line make one end.
+void LineMaker::Unite()
+{
+  std::size_t count = 0;
+  for (const CutEnd& end : this->Ends)
+  {
+    if (count == 0 || end.Vertex == NoId || this->Ends[count - 1].Vertex != end.Vertex)
+    {
+      this->Ends[count++] = end;
+    }
+  }
+  this->Ends.resize(count);
+}
+
+bool LineMaker::IsWanted(const CutEnd& from, const CutEnd& to) const
+{
+  const double along = 0.5 * (from.Along + to.Along);
+  return along >= this->Along(this->Scene.Box.Low) && along <= this->Along(this->Scene.Box.High) &&
+    this->Scene.Locator.IsInside(this->PlaceAt(along));
+}
+
+// Four times f at the ends: what is farther away does not matter, unless f grows very fast.
+void LineMaker::FindNear()
+{
+  double margin = 0.0;
+  for (const CutEnd& end : this->Ends)
+  {
+    margin = std::max(margin, 2.0 * Clearance * end.F);
+  }
+  for (const Id piece : this->Scene.Pieces)
+  {
+    const auto& ends = this->Scene.Graph.Pieces[piece];
+    const double start = this->Across(this->Vertex(ends.Start)) - this->Line.At;
+    const double end = this->Across(this->Vertex(ends.End)) - this->Line.At;
+    if (std::min(start, end) <= margin && std::max(start, end) >= -margin)
+    {
+      this->NearPieces.push_back(piece);
+    }
+  }
+  for (const Id vertex : this->Scene.Vertices)
+  {
+    if (std::abs(this->Across(this->Vertex(vertex)) - this->Line.At) <= margin)
+    {
+      this->NearVertices.push_back(vertex);
+    }
+  }
+}
+
+bool LineMaker::IsGood(const CutStretch& stretch) const
+{
+  if (!this->HasRoom(stretch))
+  {
+    return false;
+  }
+  for (const Id piece : this->NearPieces)
+  {
+    if (!this->IsClearOf(piece, stretch))
+    {
+      return false;
+    }
+  }
+  for (const Id vertex : this->NearVertices)
+  {
+    if (!this->IsClearOfVertex(vertex, stretch))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool LineMaker::HasRoom(const CutStretch& stretch) const
+{
+  const double f = std::max(stretch.From.F, stretch.To.F);
+  return Distance(stretch.From.Place, stretch.To.Place) >= LeastStretch * f;
+}
+
+bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
+{
+  const auto& ends = this->Scene.Graph.Pieces[piece];
+  const Point2 direction = stretch.To.Place - stretch.From.Place;
+  const auto isAt = [piece, &ends](const CutEnd& end)
+  {
+    return end.Piece == piece ||
+      (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
+  };
+  const bool isAtFrom = isAt(stretch.From);
+  const bool isAtTo = isAt(stretch.To);
+  if (isAtFrom || isAtTo)
+  {
+    return !(isAtFrom && isAtTo) &&
+      (isAtFrom ? this->IsOpenAngle(ends, stretch.From, direction)
+                : this->IsOpenAngle(ends, stretch.To, -1.0 * direction));
+  }
+  return Meet(stretch.From.Place, stretch.To.Place, this->Vertex(ends.Start),
+           this->Vertex(ends.End)) == Meeting::None;
+}
+
+// Between the stretch, which leaves its end in that direction, and what the piece has there.
+bool LineMaker::IsOpenAngle(
+  const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction) const
+{
+  const Point2 along = this->Vertex(piece.End) - this->Vertex(piece.Start);
+  const double product = Dot(along, direction);
+  const double limit = CosineOfLeastAngle * Length(along) * Length(direction);
+  if (end.Vertex == NoId)
+  {
+    return std::abs(product) <= limit;
+  }
+  return (piece.Start == end.Vertex ? product : -product) <= limit;
+}
+
+bool LineMaker::IsClearOfVertex(Id vertex, const CutStretch& stretch) const
+{
+  if (vertex == stretch.From.Vertex || vertex == stretch.To.Vertex)
+  {
+    return true;
+  }
+  const Point2& place = this->Vertex(vertex);
+  const double distance = DistanceTo(place, stretch.From.Place, stretch.To.Place);
+  const double nearest =
+    std::min(Distance(place, stretch.From.Place), Distance(place, stretch.To.Place));
+  return distance >= SineOfLeastAngle * nearest || distance >= Clearance * this->Scene.F(place);
+}
+
+} // namespace
+
+CutLine MakeCutLine(const CutScene& scene, const AxisLine& line)
+{
+  return LineMaker(scene, line).Make();
+}
+
+} // namespace biting

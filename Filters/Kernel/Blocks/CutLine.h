@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCutLine_h
+#define BitingCutLine_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
+#include "CutGraph.h"
+
+#include <vector> // for the lists
+
+namespace biting
+{
+
+/// A line parallel to an axis.
+struct AxisLine
+{
+  bool IsVertical = true;
+  double At = 0.0;
+};
+
+/// What a part of the plane holds of a graph.
+struct CutScene
+{
+  const CutGraph& Graph;
+  const DomainLocator& Locator;
+  const Spacing& F;
+  Box2 Box;
+  std::vector<Id> Pieces;   ///< that meet the box, or nearly
+  std::vector<Id> Vertices; ///< their ends, and embedded points near the box
+};
+
+/// Where a cut begins or ends: at a vertex, or on a piece, of which it makes one.
+struct CutEnd
+{
+  Point2 Place;
+  double Along = 0.0; ///< the line
+  Id Vertex = NoId;
+  Id Piece = NoId; ///< where Vertex is NoId
+  double F = 0.0;
+};
+
+/// A straight part of the line, through the domain, between two neighbouring pieces.
+struct CutStretch
+{
+  CutEnd From;
+  CutEnd To;
+};
+
+/// What the line cuts in the box of the scene.
+struct CutLine
+{
+  std::vector<CutStretch> Stretches;
+  bool IsGood = true;
+};
+
+/// The stretches of `line`, each from a piece to the next. Where one meets a piece again, comes
+/// near to a vertex or a piece in proportion to f, leaves a piece at less than 40 degrees, or is
+/// short, the line is not good, and what is listed is of no use.
+CutLine MakeCutLine(const CutScene& scene, const AxisLine& line);
+
+} // namespace biting
+
+#endif

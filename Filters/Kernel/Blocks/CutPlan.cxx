@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CutPlan.h"
+
+#include "CutLine.h"
+#include "DensitySamples.h"
+
+#include <algorithm> // for sort, unique, max
+#include <cmath>     // for log, abs
+#include <limits>    // for the plane
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double LeastBlocks = 2.0; // in all
+constexpr double LeastPart = 1.5;   // of a block, that is divided
+constexpr double SamplesPerBlock = 200.0;
+constexpr double VerticesPerIntegral = 1.1547; // of 1/f^2: of a lattice
+
+// Thin domains in a large box where f is small outside them would have squares without end.
+constexpr double LeastVisits = 50000.0;
+constexpr double VisitsPerSample = 16.0;
+constexpr int PlacesToEachSide = 12;   // of the middle, for a line
+constexpr double LeastShare = 0.25;    // of a part, on each side of a line
+constexpr double StepOfPlaces = 0.015; // of the part's vertices
+
+// Of the integral along a line: parts of a stretch at least, and of the whole domain's diagonal.
+constexpr int LeastParts = 4;
+constexpr double PartsOfLine = 100.0;
+constexpr double WayAside = 0.1;     // of the diagonal
+constexpr double CostOfChange = 0.3; // of f by a factor of e, in vertices on the cut
+
+using Samples = std::vector<DensitySample>;
+
+double Coordinate(const Point2& p, bool isVertical)
+{
+  return isVertical ? p.X : p.Y;
+}
+
+double TotalOf(const Samples& samples)
+{
+  double sum = 0.0;
+  for (const DensitySample& sample : samples)
+  {
+    sum += sample.Density;
+  }
+  return sum;
+}
+
+// Where the lower side has so many shares of the whole: between samples.
+std::vector<double> PlacesOf(Samples& samples, bool isVertical)
+{
+  std::sort(samples.begin(), samples.end(),
+    [isVertical](const DensitySample& a, const DensitySample& b)
+    {
+      const double first = Coordinate(a.Place, isVertical);
+      const double second = Coordinate(b.Place, isVertical);
+      return first != second ? first < second : a.Place < b.Place;
+    });
+  std::vector<double> places(
+    2 * PlacesToEachSide + 1, Coordinate(samples.back().Place, isVertical));
+  const double total = TotalOf(samples);
+  double sum = 0.0;
+  std::size_t next = 0;
+  for (const DensitySample& sample : samples)
+  {
+    sum += sample.Density;
+    while (next < places.size() &&
+      sum >= total * (0.5 + StepOfPlaces * (static_cast<double>(next) - PlacesToEachSide)))
+    {
+      places[next++] = Coordinate(sample.Place, isVertical);
+    }
+  }
+  return places;
+}
+
+// Whether both sides have a fair share: one sample may have nearly all.
+bool Divides(const Samples& samples, bool isVertical, double place)
+{
+  double lower = 0.0;
+  for (const DensitySample& sample : samples)
+  {
+    lower += Coordinate(sample.Place, isVertical) < place ? sample.Density : 0.0;
+  }
+  const double total = TotalOf(samples);
+  return lower >= LeastShare * total && lower <= (1.0 - LeastShare) * total;
+}
+
+// The middle first, then by turns.
+std::vector<double> FromTheMiddle(const std::vector<double>& places)
+{
+  std::vector<double> ordered{ places[PlacesToEachSide] };
+  for (int k = 1; k <= PlacesToEachSide; ++k)
+  {
+    ordered.push_back(places[PlacesToEachSide - k]);
+    ordered.push_back(places[PlacesToEachSide + k]);
+  }
+  return ordered;
+}
+
+// A node that may be divided.
+struct Part
+{
+  Id Node;
+  Box2 Box;
+  Samples Inside;
+};
+
+// A good line with what it cuts; the cost is infinite where there is none.
+struct Cut
+{
+  AxisLine Line;
+  CutLine Along;
+  double Cost = std::numeric_limits<double>::infinity();
+};
+
+class Planner
+{
+public:
+  Planner(const Domain& domain, const DomainLocator& locator, const Spacing& spacing, Pulse& pulse)
+    : Geometry(domain)
+    , Locator(locator)
+    , F(spacing)
+    , Beats(pulse)
+  {
+    this->Plan.Graph = CutGraph(domain);
+  }
+
+  CutPlan Run(double vertices, double verticesPerBlock);
+
+private:
+  Id AddNode(double share);
+  void Divide(Part part);
+  Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
+  double CostOf(const CutLine& line) const;
+  double CostOf(const Point2& place, const Point2& step) const;
+  CutScene SceneOf(const Part& part) const;
+  bool IsInScene(const CutGraph::Piece& piece, const Box2& box) const;
+  void Apply(const CutLine& line);
+  Id VertexFor(const CutEnd& end);
+  void DivideNode(Part& part, const AxisLine& line);
+  void NumberLeaves();
+
+  const Domain& Geometry;
+  const DomainLocator& Locator;
+  const Spacing& F;
+  Pulse& Beats;
+  CutPlan Plan;
+  std::vector<Part> Pending;
+  double VerticesPerDensity = 0.0;
+};
+
+CutPlan Planner::Run(double vertices, double verticesPerBlock)
+{
+  this->AddNode(vertices);
+  if (vertices >= LeastBlocks * verticesPerBlock)
+  {
+    constexpr double Far = std::numeric_limits<double>::infinity();
+    const double most = std::max(1.0, verticesPerBlock / (SamplesPerBlock * VerticesPerIntegral));
+    const double mostVisits = LeastVisits + VisitsPerSample * vertices / most;
+    Samples samples = SampleDensity(this->Geometry, this->Locator, this->F, most,
+      static_cast<std::size_t>(mostVisits), this->Beats);
+    const double total = TotalOf(samples);
+    if (!(total > 0.0) || this->Beats.HasStopped())
+    {
+      this->NumberLeaves();
+      return std::move(this->Plan);
+    }
+    this->VerticesPerDensity = vertices / total;
+    this->Pending.push_back({ 0, { { -Far, -Far }, { Far, Far } }, std::move(samples) });
+  }
+  while (!this->Pending.empty() && this->Beats.Ask())
+  {
+    Part part = std::move(this->Pending.back());
+    this->Pending.pop_back();
+    if (this->Plan.Tree.Nodes[part.Node].Vertices >= LeastPart * verticesPerBlock)
+    {
+      this->Divide(std::move(part));
+    }
+  }
+  this->NumberLeaves();
+  return std::move(this->Plan);
+}
+
+Id Planner::AddNode(double vertices)
+{
+  this->Plan.Tree.Nodes.emplace_back();
+  this->Plan.Tree.Nodes.back().Vertices = vertices;
+  return static_cast<Id>(this->Plan.Tree.Nodes.size()) - 1;
+}
+
+// Where lattices of both sides have to fit along the least of the mesh.
+void Planner::Divide(Part part)
+{
+  const CutScene scene = this->SceneOf(part);
+  const Cut vertical = this->FindCut(part, scene, true);
+  const Cut level = this->FindCut(part, scene, false);
+  const Cut& best = vertical.Cost <= level.Cost ? vertical : level;
+  if (best.Along.IsGood && !this->Beats.HasStopped())
+  {
+    this->Apply(best.Along);
+    this->DivideNode(part, best.Line);
+  }
+}
+
+Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
+{
+  Cut cut;
+  cut.Along.IsGood = false;
+  for (const double place : FromTheMiddle(PlacesOf(part.Inside, isVertical)))
+  {
+    if (!Divides(part.Inside, isVertical, place))
+    {
+      continue;
+    }
+    const AxisLine line{ isVertical, place };
+    CutLine along = MakeCutLine(scene, line);
+    const double cost = along.IsGood ? this->CostOf(along) : cut.Cost;
+    if (!this->Beats.Ask())
+    {
+      return cut;
+    }
+    if (cost < cut.Cost)
+    {
+      cut = { line, std::move(along), cost };
+    }
+  }
+  return cut;
+}
+
+double Planner::CostOf(const CutLine& line) const
+{
+  double cost = 0.0;
+  for (const CutStretch& stretch : line.Stretches)
+  {
+    const Point2 way = stretch.To.Place - stretch.From.Place;
+    const int parts =
+      LeastParts + static_cast<int>(PartsOfLine * Length(way) / this->Geometry.Bounds.Diagonal());
+    const Point2 step = (1.0 / parts) * way;
+    for (int k = 0; k < parts; ++k)
+    {
+      cost += this->CostOf(stretch.From.Place + (k + 0.5) * step, step);
+    }
+  }
+  return cost;
+}
+
+// The vertices on the step, and more the more f changes from there to both sides: lattices that
+// grow from a line into what is coarser lose rows all the way, along it they need not.
+double Planner::CostOf(const Point2& place, const Point2& step) const
+{
+  const double length = Length(step);
+  const double aside = WayAside * this->Geometry.Bounds.Diagonal() / length;
+  const Point2 across{ -aside * step.Y, aside * step.X };
+  const double f = this->F(place);
+  const double change = std::abs(std::log(this->F(place + across) / f)) +
+    std::abs(std::log(this->F(place - across) / f));
+  return length / f * (1.0 + CostOfChange * change);
+}
+
+CutScene Planner::SceneOf(const Part& part) const
+{
+  const CutGraph& graph = this->Plan.Graph;
+  CutScene scene{ graph, this->Locator, this->F, part.Box, {}, {} };
+  for (Id piece = 0; piece < graph.NumberOfPieces(); ++piece)
+  {
+    if (this->IsInScene(graph.Pieces[piece], part.Box))
+    {
+      scene.Pieces.push_back(piece);
+      scene.Vertices.push_back(graph.Pieces[piece].Start);
+      scene.Vertices.push_back(graph.Pieces[piece].End);
+    }
+  }
+  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices(); ++vertex)
+  {
+    if (this->Geometry.IsEmbedded[vertex] != 0)
+    {
+      scene.Vertices.push_back(vertex);
+    }
+  }
+  std::sort(scene.Vertices.begin(), scene.Vertices.end());
+  scene.Vertices.erase(
+    std::unique(scene.Vertices.begin(), scene.Vertices.end()), scene.Vertices.end());
+  return scene;
+}
+
+// A cut is off its line by as much as its ends are, so that pieces beside the box count too.
+bool Planner::IsInScene(const CutGraph::Piece& piece, const Box2& box) const
+{
+  Box2 own;
+  own.Add(this->Plan.Graph.Vertices[piece.Start]);
+  own.Add(this->Plan.Graph.Vertices[piece.End]);
+  own.Grow(0.02 * this->Geometry.Bounds.Diagonal());
+  return own.Meets(box);
+}
+
+void Planner::Apply(const CutLine& line)
+{
+  for (const CutStretch& stretch : line.Stretches)
+  {
+    const Id from = this->VertexFor(stretch.From);
+    const Id to = this->VertexFor(stretch.To);
+    this->Plan.Graph.Pieces.push_back({ from, to, NoId });
+  }
+}
+
+// A place on a piece is the end of one stretch and the beginning of the next.
+Id Planner::VertexFor(const CutEnd& end)
+{
+  CutGraph& graph = this->Plan.Graph;
+  if (end.Vertex != NoId)
+  {
+    return end.Vertex;
+  }
+  if (graph.Vertices.size() > this->Geometry.Vertices.size() && graph.Vertices.back() == end.Place)
+  {
+    return static_cast<Id>(graph.Vertices.size()) - 1;
+  }
+  const Id vertex = graph.AddVertex(end.Place, graph.Pieces[end.Piece].Segment);
+  graph.Split(end.Piece, vertex);
+  return vertex;
+}
+
+void Planner::DivideNode(Part& part, const AxisLine& line)
+{
+  Part low{ NoId, part.Box, {} };
+  Part high{ NoId, part.Box, {} };
+  (line.IsVertical ? low.Box.High.X : low.Box.High.Y) = line.At;
+  (line.IsVertical ? high.Box.Low.X : high.Box.Low.Y) = line.At;
+  for (const DensitySample& sample : part.Inside)
+  {
+    (Coordinate(sample.Place, line.IsVertical) < line.At ? low : high).Inside.push_back(sample);
+  }
+  low.Node = this->AddNode(this->VerticesPerDensity * TotalOf(low.Inside));
+  high.Node = this->AddNode(this->VerticesPerDensity * TotalOf(high.Inside));
+  CutTree::Node& node = this->Plan.Tree.Nodes[part.Node];
+  node.IsVertical = line.IsVertical;
+  node.At = line.At;
+  node.Children = low.Node;
+  this->Pending.push_back(std::move(high));
+  this->Pending.push_back(std::move(low));
+}
+
+void Planner::NumberLeaves()
+{
+  for (CutTree::Node& node : this->Plan.Tree.Nodes)
+  {
+    node.Leaf = node.Children == NoId ? this->Plan.Tree.NumberOfLeaves++ : NoId;
+  }
+}
+
+} // namespace
+
+CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  double vertices, double verticesPerBlock, Pulse& pulse)
+{
+  return Planner(domain, locator, spacing, pulse).Run(vertices, verticesPerBlock);
+}
+
+} // namespace biting

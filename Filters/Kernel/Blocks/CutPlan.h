@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCutPlan_h
+#define BitingCutPlan_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/Spacing.h"
+#include "CutGraph.h"
+
+#include <vector> // for the tree
+
+namespace biting
+{
+
+/// A kd-tree over the plane; node 0 is the root.
+struct CutTree
+{
+  struct Node
+  {
+    bool IsVertical = true; ///< the line that divides it
+    double At = 0.0;
+    Id Children = NoId;    ///< the lower one, the other follows; NoId: a leaf
+    Id Leaf = NoId;        ///< number of the leaf
+    double Vertices = 0.0; ///< of the mesh, expected
+  };
+
+  std::vector<Node> Nodes;
+  Id NumberOfLeaves = 0;
+
+  /// The node that is the leaf at p.
+  Id NodeAt(const Point2& p) const
+  {
+    Id node = 0;
+    while (this->Nodes[node].Children != NoId)
+    {
+      const double x = this->Nodes[node].IsVertical ? p.X : p.Y;
+      node = this->Nodes[node].Children + (x < this->Nodes[node].At ? 0 : 1);
+    }
+    return node;
+  }
+};
+
+/// Where a domain is cut.
+struct CutPlan
+{
+  CutTree Tree;
+  CutGraph Graph; ///< with undivided cuts
+};
+
+/// Cuts the domain by a kd-tree until less than 1.5 `verticesPerBlock` are expected in each part,
+/// `vertices` of them in all; not at all where these are less than 2 blocks' worth. Each line
+/// divides its part nearly equally, in the direction and at the place where fewest vertices lie on
+/// it of those at which it is good (CutLine.h); where there is none the part stays whole. Along f
+/// counts less than across, where f changes. Depends on the arguments alone. Where the monitor
+/// wants to stop the result has no meaning.
+CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  double vertices, double verticesPerBlock, Pulse& pulse);
+
+} // namespace biting
+
+#endif

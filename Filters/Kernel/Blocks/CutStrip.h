@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCutStrip_h
+#define BitingCutStrip_h
+
+#include "../Base/Monitor.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
+#include "JoinedBlocks.h"
+
+namespace biting
+{
+
+/// Relaxes what lies within some rings around the cuts: their vertices move, come and go like all
+/// others. Edges on segments, and what is farther away, stay. Vertices of the domain keep their
+/// numbers, the others their order; new ones come last, and so do triangles of the strip. Where
+/// the monitor wants to stop the result has no meaning.
+void RelaxCuts(const Domain& domain, const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor);
+
+} // namespace biting
+
+#endif

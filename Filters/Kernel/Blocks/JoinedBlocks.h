@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingJoinedBlocks_h
+#define BitingJoinedBlocks_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "../Biting/BitingScheme.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Domain/Domain.h"
+#include "BlockDomains.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the blocks
+
+namespace biting
+{
+
+/// What was made of a block: the triangles refer to the vertices and edges of the bites.
+struct BlockMesh
+{
+  BitingResult Bites;
+  Triangulation Triangles;
+};
+
+/// One mesh of a domain, as if it had not been cut: cuts are no constraints of it.
+struct JoinedMesh
+{
+  BitingResult Bites;
+  Triangulation Triangles;
+  std::vector<std::uint8_t> IsOnCut; ///< of the vertices
+  bool IsSound = true;               ///< false: the sides of a cut do not fit
+};
+
+/// Joins the meshes of all blocks. Vertices: those of the domain, in their order, those of cuts,
+/// then those of the blocks, block by block; triangles block by block; constraints and regions as
+/// in a triangulation of the whole. Numbers of bites go on from block to block; what several
+/// blocks have counts in the first. Takes the blocks' memory. Where the monitor wants to stop the
+/// result has no meaning.
+JoinedMesh JoinBlocks(
+  const Domain& domain, const BlockDomains& blocks, std::vector<BlockMesh> meshes, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingRimFlips_h
+#define BitingRimFlips_h
+
+#include "../Base/Point2.h"
+#include "../Base/Pulse.h"
+#include "../Delaunay/Triangulation.h"
+
+#include <cstddef> // for slots
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// Makes the mesh constrained Delaunay by flips, exactly, given that all edges that may not be so
+/// are opposite the corners `slots`. Where the monitor wants to stop the mesh is valid, no more.
+void FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
+  Triangulation& mesh, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshShapes.h"
+#include "../Support/PolylineShapes.h"
+
+#include "Blocks/BlockDomains.h"
+#include "Blocks/CutPlan.h"
+#include "Blocks/DensitySamples.h"
+#include "Domain/DomainLocator.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric> // for accumulate
+
+namespace biting
+{
+
+namespace
+{
+
+struct Scene
+{
+  Scene(const Polylines& drawing, double length)
+    : Made(Make(drawing).Domain)
+    , Locator(Made)
+  {
+    ProblemList problems;
+    SilentMonitor monitor;
+    this->F = MakeSpacing(UniformSpacing(length), this->Made.Bounds, problems, monitor);
+  }
+
+  CutPlan PlanOf(double vertices, double verticesPerBlock)
+  {
+    SilentMonitor monitor;
+    Pulse pulse(monitor);
+    return PlanCuts(this->Made, this->Locator, this->F, vertices, verticesPerBlock, pulse);
+  }
+
+  Domain Made;
+  DomainLocator Locator;
+  Spacing F;
+};
+
+Polylines Square()
+{
+  return PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines();
+}
+
+} // namespace
+
+TEST(DensitySamples, AddUpToTheIntegral)
+{
+  const Polylines drawing =
+    PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 40)).Lines();
+  const Scene scene(drawing, 0.01);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  double sum = 0.0;
+  for (const DensitySample& sample :
+    SampleDensity(scene.Made, scene.Locator, scene.F, 100.0, 100000, pulse))
+  {
+    EXPECT_LE(sample.Density, 100.0);
+    sum += sample.Density;
+  }
+  EXPECT_NEAR(sum, scene.Made.Area * 1e4, 0.01 * scene.Made.Area * 1e4);
+}
+
+TEST(CutPlan, BlocksHaveAboutTheSize)
+{
+  Scene scene(Square(), 0.005);
+  const CutPlan plan = scene.PlanOf(46000.0, 3000.0);
+  double sum = 0.0;
+  for (const CutTree::Node& node : plan.Tree.Nodes)
+  {
+    if (node.Children == NoId)
+    {
+      EXPECT_LT(node.Vertices, 1.5 * 3000.0);
+      EXPECT_GT(node.Vertices, 0.3 * 1.5 * 3000.0); // the smaller side of the last cut
+      sum += node.Vertices;
+    }
+  }
+  EXPECT_NEAR(sum, 46000.0, 1e-6 * 46000.0);
+}
+
+/// Along the lines between fine and coarse there are more vertices than across.
+TEST(CutPlan, IsCutWhereFewVerticesLieOnTheCut)
+{
+  Scene scene(PolylineBuilder().Box(0.0, 0.0, 9.0, 9.0).Lines(), 1.0);
+  ProblemList problems;
+  scene.F = MakeSpacing(SectionSixSpacing(), scene.Made.Bounds, problems, NoMonitor());
+  const CutPlan plan = scene.PlanOf(300000.0, 140000.0);
+  ASSERT_EQ(plan.Tree.NumberOfLeaves, 2);
+  EXPECT_TRUE(plan.Tree.Nodes[0].IsVertical);
+}
+
+TEST(CutPlan, BelowTwoBlocksNothingIsCut)
+{
+  Scene scene(Square(), 0.005);
+  const CutPlan plan = scene.PlanOf(46000.0, 23001.0);
+  EXPECT_EQ(plan.Tree.NumberOfLeaves, 1);
+  EXPECT_EQ(plan.Graph.NumberOfPieces(), 4);
+}
+
+TEST(CutPlan, NothingIsCutWhereEveryLineMeetsSomethingNarrow)
+{
+  PolylineBuilder builder;
+  builder.Box(0.0, 0.0, 1.0, 1.0);
+  for (int k = 0; k < 40; ++k)
+  {
+    const double at = (k + 0.5) / 40.0;
+    builder.Chain({ { at, 0.01 }, { at, 0.3 } });
+    builder.Chain({ { at, 0.31 }, { at, 0.6 } });
+    builder.Chain({ { at, 0.61 }, { at, 0.99 } });
+  }
+  Scene scene(builder.Lines(), 0.02);
+  EXPECT_EQ(scene.PlanOf(3000.0, 1000.0).Tree.NumberOfLeaves, 1);
+}
+
+TEST(BlockDomains, AreValidAndCoverTheDomainOnce)
+{
+  const Polylines drawing = PolylineBuilder()
+                              .Box(0.0, 0.0, 1.0, 1.0)
+                              .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 40))
+                              .Chain({ { 0.0, 0.125 }, { 1.0, 0.125 } })
+                              .Chain({ { 0.75, 0.875 } }, ChainKind::EmbeddedPoint)
+                              .Lines();
+  Scene scene(drawing, 0.01);
+  const CutPlan plan = scene.PlanOf(10000.0, 1000.0);
+  ASSERT_GT(plan.Tree.NumberOfLeaves, 5);
+  const BlockDomains parts =
+    MakeBlockDomains(scene.Made, scene.F, plan, { 0.824, 1.0, 100000 }, NoMonitor());
+  ASSERT_GT(parts.Blocks.size(), 5u);
+  double area = 0.0;
+  double embedded = 0.0;
+  for (const BlockDomain& block : parts.Blocks)
+  {
+    EXPECT_EQ(CheckDomain(block.Geometry), "");
+    EXPECT_GT(block.Geometry.Area, 0.0);
+    area += block.Geometry.Area;
+    embedded +=
+      std::accumulate(block.Geometry.IsEmbedded.begin(), block.Geometry.IsEmbedded.end(), 0.0);
+  }
+  EXPECT_NEAR(area, scene.Made.Area, 1e-12);
+  EXPECT_EQ(embedded, 1.0);
+}
+
+} // namespace biting
