@@ -8,7 +8,7 @@
 #include "../Relaxation/Relaxation.h"
 #include "RimFlips.h"
 
-#include <algorithm> // for sort, fill_n, max, min
+#include <algorithm> // for sort, fill_n, max
 #include <cstdint>   // for flags
 
 namespace biting
@@ -350,14 +350,12 @@ void Strip::MoveVertices()
       ++count;
     }
   }
-  for (std::size_t k = 0; k < this->NewStripNumbers.size(); ++k)
+  for (const Id number : this->NewStripNumbers)
   {
-    count = std::max(count, static_cast<std::size_t>(this->NewStripNumbers[k]) + 1);
+    count = std::max(count, static_cast<std::size_t>(number) + 1);
   }
   bites.Points.resize(count);
   bites.Spacings.resize(count);
-  const std::size_t old = std::min(count, bites.BiteOrders.size());
-  bites.BiteOrders.resize(old);
   bites.BiteOrders.resize(count, NoId);
   bites.Segments.resize(count, NoId);
   for (std::size_t k = 0; k < this->NewStripNumbers.size(); ++k)
