@@ -282,9 +282,9 @@ public:
 
   ///@{
   /**
-   * How many threads work on the mesh, >= 0; the mesh does not depend on it. 0 (default): as many
-   * as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by its
-   * backend, or by STDThread where that is Sequential.
+   * How many threads check and measure the mesh, >= 0; it does not depend on it. 0 (default): as
+   * many as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by
+   * its backend, or by STDThread where that is Sequential.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
