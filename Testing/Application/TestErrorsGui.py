@@ -8,7 +8,9 @@ Runs on the display it is given (xvfb-run), with the folder of the plugin and an
 arguments.
 """
 
+import math
 import os
+import struct
 import sys
 
 import paraview_window as window
@@ -30,20 +32,33 @@ REFUSALS = (
      'The mesh would be too large', 0),
 )
 
+# Files that are no ASCII polydata: with a point that is no number, and with a volume.
+NOT_A_NUMBER = (
+    b'# vtk DataFile Version 3.0\ndrawing\nBINARY\nDATASET POLYDATA\nPOINTS 4 double\n'
+    + struct.pack('>12d', 0, 0, 0, math.nan, 0, 0, 1, 1, 0, 0, 1, 0)
+    + b'\nLINES 1 6\n' + struct.pack('>6i', 5, 0, 1, 2, 3, 0))
+VOLUME = (
+    b'# vtk DataFile Version 3.0\ndrawing\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n'
+    b'0 0 0  1 0 0  0 1 0  0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n')
+OTHERS = (
+    ('NotANumber', NOT_A_NUMBER, 'Coordinates that are not finite', 1),
+    ('Volume', VOLUME, 'Cell 0 is a vtkTetra: cells with a volume are not meshed', 0),
+)
+
 
 def main(plugin_folder, output):
     session = window.Window('TestErrorsGui', plugin_folder, output)
-    for name, drawing, message, spheres in REFUSALS:
+    for name, drawing, message, spheres in OTHERS + REFUSALS:
         path = os.path.join(output, name + '.vtk')
-        with open(path, 'w', encoding='ascii') as file:
-            file.write(HEADER + drawing)
+        with open(path, 'wb') as file:
+            file.write(drawing if isinstance(drawing, bytes) else (HEADER + drawing).encode())
         session.open(path)
         session.choose_filter('BitingMesher')
         session.apply()
         session.check(the_refusal_is_shown, message, spheres)
     session.check(mend)
     session.check(the_mesh_is_shown)
-    session.run(expected=[message for _, _, message, _ in REFUSALS])
+    session.run(expected=[message for _, _, message, _ in OTHERS + REFUSALS])
 
 
 def is_visible(source):
