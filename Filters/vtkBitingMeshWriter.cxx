@@ -20,7 +20,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, equal, max, replace
+#include <algorithm> // for all_of, any_of, binary_search, equal, max, min, replace, sort
 #include <array>     // for places
 #include <cmath>     // for abs, floor
 #include <fstream>   // for files
@@ -209,6 +209,39 @@ bool Fit(vtkPolyData* edges, vtkDataArray* ids, vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
+using Edge = std::array<biting::MeshFile::Vertex, 2>;
+
+Edge Undirected(biting::MeshFile::Vertex a, biting::MeshFile::Vertex b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+// Whether each tagged edge is one of the triangles, and not of a mesh that was before this one.
+bool AreOfTriangles(const biting::MeshFile& file)
+{
+  std::vector<Edge> sides;
+  sides.reserve(3 * file.Triangles.size());
+  for (const auto& triangle : file.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sides.push_back(Undirected(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return std::all_of(file.Edges.begin(), file.Edges.end(),
+    [&sides](const Edge& edge)
+    { return std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); });
+}
+
+//------------------------------------------------------------------------------
+// The algorithms of ours that have boundary edges beside their mesh.
+bool HasEdges(vtkAlgorithm* producer)
+{
+  return producer->IsA("vtkBitingMesher") || producer->IsA("vtkBitingRemesher");
+}
+
+//------------------------------------------------------------------------------
 void ReadEdges(
   vtkPolyData* edges, vtkDataArray* ids, vtkAbstractArray* tags, biting::MeshFile& file)
 {
@@ -285,7 +318,7 @@ int vtkBitingMeshWriter::FillInputPortInformation(int port, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
-// Those of port 1, else those of the mesher from which the mesh comes; null where there is none.
+// Those of port 1, else those of the filter from which the mesh comes; null where there is none.
 vtkPolyData* vtkBitingMeshWriter::FindEdges()
 {
   if (this->GetNumberOfInputConnections(1) > 0)
@@ -293,7 +326,7 @@ vtkPolyData* vtkBitingMeshWriter::FindEdges()
     return vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
   }
   vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0);
-  while (producer && !producer->IsA("vtkBitingMesher"))
+  while (producer && !HasEdges(producer))
   {
     const bool hasInput =
       producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
@@ -319,10 +352,7 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
   vtkDataArray* ids = edges ? edges->GetPointData()->GetArray("MeshPointId") : nullptr;
   if (!ids || !Fit(edges, ids, mesh))
   {
-    if (edges)
-    {
-      vtkWarningMacro("The boundary edges are not those of this mesh: it is written without tags.");
-    }
+    this->WarnOfEdges(edges);
     return true;
   }
   vtkAbstractArray* tags = FindTags(edges->GetCellData(), Text(this->TagArray));
@@ -332,7 +362,23 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
     return false;
   }
   ReadEdges(edges, ids, tags, file);
+  if (!AreOfTriangles(file))
+  {
+    this->WarnOfEdges(edges);
+    file.Edges.clear();
+    file.TagOfEdge.clear();
+    file.Tags.clear();
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMeshWriter::WarnOfEdges(vtkPolyData* edges)
+{
+  if (edges)
+  {
+    vtkWarningMacro("The boundary edges are not those of this mesh: it is written without tags.");
+  }
 }
 
 //------------------------------------------------------------------------------

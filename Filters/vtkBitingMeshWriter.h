@@ -12,9 +12,9 @@
  *
  * Port 0 is the mesh: a vtkDataSet of triangles; other cells are passed over. Regions are the
  * values of its cell array `RegionId`; the physical number is the value plus 1. Port 1, optional,
- * is output 1 of vtkBitingMesher: lines with the point array `MeshPointId`. Where nothing is
- * connected there, it is taken from the vtkBitingMesher from which the mesh comes, if its points
- * are the same.
+ * is output 1 of vtkBitingMesher or vtkBitingRemesher: lines with the point array `MeshPointId`.
+ * Where nothing is connected there, it is taken from the last of these filters through which the
+ * mesh came. Lines that are not edges of the mesh, at the same points, give a warning and no tags.
  *
  * Tags are the values of one cell array of port 1: TagArray, else `Tag`, else the first array that
  * the mesher has not made, else `Kind`. The physical number of a whole number above 0 is that
@@ -101,6 +101,7 @@ private:
 
   void Refuse(const std::string& reason);
   vtkPolyData* FindEdges();
+  void WarnOfEdges(vtkPolyData* edges);
   bool ReadTags(vtkDataSet* mesh, biting::MeshFile& file);
   void WriteFile(const biting::MeshFile& file);
 

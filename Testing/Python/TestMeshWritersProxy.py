@@ -7,6 +7,7 @@ import os
 import tempfile
 import unittest
 
+from biting.vtkBitingFilters import vtkBitingMeshWriter
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
@@ -163,6 +164,29 @@ class TestMeshWritersProxy(unittest.TestCase):
         points, _, (opens, _) = read_adcirc(self.save('deep.14', deep, OpenTags='1'))
         self.assertEqual([point[2] for point in points], [10 + point[0] for point in points])
         self.assertTrue(opens)
+
+    def test_a_mesh_made_anew_has_its_own_tags(self):
+        finer = BitingRemesher(Input=self.mesher, TaggedLines=simple.OutputPort(self.mesher, 1),
+                               SpacingScale=0.7)
+        finer.UpdatePipeline()
+        own = simple.FetchData(simple.OutputPort(finer, 1))[0]
+        tags = {ends: tag for ends, (tag, _) in edges_of(own, 'Tag').items()}
+        _, triangles, edges = read_gmsh(self.save('finer.msh', finer))
+        self.assertEqual(edges, tags)
+        self.assertTrue(all(any(ends < set(corners) for corners in triangles) for ends in edges))
+
+    def test_edges_of_a_mesh_before_are_no_tags(self):
+        finer = BitingRemesher(Input=self.mesher, SpacingScale=0.7)
+        finer.UpdatePipeline()
+        writer = vtkBitingMeshWriter()
+        writer.SetFileName(os.path.join(self.folder.name, 'before.msh'))
+        writer.SetInputConnection(finer.GetClientSideObject().GetOutputPort(0))
+        writer.SetBoundaryEdgesConnection(self.mesher.GetClientSideObject().GetOutputPort(1))
+        warnings = []
+        writer.AddObserver('WarningEvent', lambda *_: warnings.append(1))
+        writer.Write()
+        self.assertEqual(len(warnings), 1)
+        self.assertFalse(read_gmsh(writer.GetFileName())[2])
 
     def test_another_array_can_be_the_tag(self):
         _, _, edges = read_gmsh(self.save('cells.msh', TagArray='OriginalCellId'))
