@@ -50,7 +50,8 @@ bool EndsWith(const std::string& text, const std::string& end)
 }
 
 //------------------------------------------------------------------------------
-// Groups the values of an array, in their order: numbers by size, strings by alphabet.
+// Groups the values of an array, in their order: numbers by size, strings by alphabet. An empty
+// string is no group.
 class Groups
 {
 public:
@@ -60,7 +61,10 @@ public:
   {
     for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
     {
-      this->Indices.emplace(this->KeyOf(k), 0);
+      if (this->Has(k))
+      {
+        this->Indices.emplace(this->KeyOf(k), 0);
+      }
     }
     std::size_t index = 0;
     for (auto& entry : this->Indices)
@@ -68,6 +72,8 @@ public:
       entry.second = index++;
     }
   }
+
+  bool Has(vtkIdType item) const { return this->Numbers || !this->KeyOf(item).second.empty(); }
 
   std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
 
@@ -238,7 +244,8 @@ bool AreOfTriangles(const biting::MeshFile& file)
 // The algorithms of ours that have boundary edges beside their mesh.
 bool HasEdges(vtkAlgorithm* producer)
 {
-  return producer->IsA("vtkBitingMesher") || producer->IsA("vtkBitingRemesher");
+  return producer->IsA("vtkBitingMesher") || producer->IsA("vtkBitingRemesher") ||
+    producer->IsA("vtkBitingMeshReader");
 }
 
 //------------------------------------------------------------------------------
@@ -251,7 +258,7 @@ void ReadEdges(
   for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)
   {
     edges->GetCellPoints(cell, ends);
-    if (ends->GetNumberOfIds() == 2)
+    if (ends->GetNumberOfIds() == 2 && groups.Has(cell))
     {
       file.Edges.push_back({ static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0))),
         static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1))) });

@@ -18,7 +18,8 @@
  *
  * Tags are the values of one cell array of port 1: TagArray, else `Tag`, else the first array that
  * the mesher has not made, else `Kind`. The physical number of a whole number above 0 is that
- * number; other values and strings are numbered on from the largest of those. Names are the values.
+ * number; other values and strings are numbered on from the largest of those. Names are the values;
+ * an edge whose string is empty has no tag.
  *
  * SU2 and ADCIRC have two coordinates: a mesh that is not in a plane of constant z is an error for
  * them. Numbers are written so that reading gives them back bit for bit.

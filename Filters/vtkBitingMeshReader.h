@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkBitingMeshReader
+ * @brief   reads a triangle mesh with its tags and regions from the file of a solver
+ *
+ * The end of the file name chooses the format:
+ * - `.msh`, Gmsh 2.2 or 4.1, ASCII: physical groups; where there are none, curves and surfaces;
+ * - `.su2`, SU2 of two dimensions: markers;
+ * - `.14`, ADCIRC (fort.14): depths, open and land boundaries.
+ *
+ * Output 0 is the mesh: triangles with the cell array `RegionId`, the number of their group less
+ * 1, as vtkBitingMeshWriter adds 1; points in the order of the file, with `Depth` from ADCIRC.
+ * Cells that are neither triangles nor edges are passed over, with a warning. Output 1 are the
+ * edges that the file names: lines with the cell array `Tag`, the number of their group, and the
+ * point array `MeshPointId`, the number of the point in output 0. So they can be the tagged lines
+ * of vtkBitingRemesher. Where the file has names they are in the cell arrays `RegionName` and
+ * `TagName`. Markers of SU2 that are not called by numbers are numbered from 1 on. In ADCIRC files
+ * the tag of open boundaries is 1, that of land 2 plus its type: 2 mainland, 3 islands.
+ *
+ * A file that cannot be read is one error, with the line; outputs are empty then.
+ */
+
+#ifndef vtkBitingMeshReader_h
+#define vtkBitingMeshReader_h
+
+#include "vtkBitingCompat.h"        // for the ABI namespace
+#include "vtkBitingFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKBITINGFILTERS_EXPORT vtkBitingMeshReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBitingMeshReader* New();
+  vtkTypeMacro(vtkBitingMeshReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum OutputPorts
+  {
+    MESH = 0,
+    BOUNDARY_EDGES = 1
+  };
+
+  ///@{
+  /**
+   * The file to read; its end chooses the format: `.msh`, `.su2` or `.14`.
+   */
+  vtkSetStringMacro(FileName);
+  vtkGetStringMacro(FileName);
+  ///@}
+
+protected:
+  vtkBitingMeshReader();
+  ~vtkBitingMeshReader() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkBitingMeshReader(const vtkBitingMeshReader&) = delete;
+  void operator=(const vtkBitingMeshReader&) = delete;
+
+  char* FileName = nullptr;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Meshes from files of solvers: what our writers wrote, and small files as other programs write them."""
+
+import math
+import os
+import tempfile
+import unittest
+
+from paraview import simple
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+PLATE = os.path.join(os.environ['BITING_SOURCE_DIR'], 'Data', 'plate.vtk')
+
+# A unit square of two triangles. Node numbers with gaps; physical groups with names.
+GMSH_2 = '''$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 7 "100% wall"
+2 3 "the water"
+$EndPhysicalNames
+$Nodes
+4
+10 0 0 0
+20 1 0 0
+30 1 1 0
+50 0 1 0
+$EndNodes
+$Elements
+5
+1 15 2 0 1 10
+2 1 2 7 1 10 20
+3 1 2 7 2 20 30
+4 2 2 3 1 10 20 30
+5 2 2 3 1 10 30 50
+$EndElements
+'''
+# Without physical groups; a node block of a curve with parameters, and an empty section.
+GMSH_4 = '''$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Comments
+none
+$EndComments
+$Entities
+0 1 1 0
+5 0 0 0 1 0 0 0 0
+9 0 0 0 1 1 0 0 1 5
+$EndEntities
+$Nodes
+2 4 1 4
+1 5 1 2
+1
+2
+0 0 0 0
+1 0 0 1
+2 9 0 2
+3
+4
+1 1 0
+0 1 0
+$EndNodes
+$Elements
+2 3 1 3
+1 5 1 1
+1 1 2
+2 9 2 2
+2 1 2 3
+3 1 3 4
+$EndElements
+'''
+SU2 = '''% a comment
+NDIME= 2
+NELEM=2   % two triangles
+5 0 1 2
+5 0 2 3
+NPOIN= 4 4
+0 0 0
+1 0 1
+1 1 2
+0 1 3
+NMARK= 2
+MARKER_TAG= inlet
+MARKER_ELEMS= 1
+3 3 0
+MARKER_TAG= wall
+MARKER_ELEMS= 2
+3 0 1
+3 1 2
+'''
+ADCIRC = '''a square   % of two triangles
+2 4
+1 0 0 5.5
+2 1 0 6
+3 1 1 7
+4 0 1 -1
+1 3 1 2 3
+2 3 1 3 4
+1 = number of open boundaries
+2 = number of their nodes
+2
+4
+1
+1 = number of land boundaries
+3 = number of their nodes
+3 0 = a land boundary
+1
+2
+3
+'''
+FILES = {'old.msh': GMSH_2, 'new.msh': GMSH_4, 'square.su2': SU2, 'square.14': ADCIRC}
+
+
+def cells_of(data, array):
+    """Each cell by its points, with its value."""
+    values = data.GetCellData().GetAbstractArray(array)
+    found = []
+    for c in range(data.GetNumberOfCells()):
+        cell = data.GetCell(c)
+        places = tuple(data.GetPoint(cell.GetPointId(k)) for k in range(cell.GetNumberOfPoints()))
+        found.append((places, values.GetVariantValue(c).ToString()))
+    return found
+
+
+class TestMeshReaderProxy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def path_of(self, name, text):
+        path = os.path.join(self.folder.name, name)
+        with open(path, 'w', encoding='ascii') as file:
+            file.write(text)
+        return path
+
+    def read(self, path):
+        """The mesh and its edges, as File > Open reads them."""
+        self.reader = simple.OpenDataFile(path)
+        self.assertEqual(self.reader.GetXMLName(), 'BitingMeshReader')
+        self.reader.UpdatePipeline()
+        return [simple.FetchData(simple.OutputPort(self.reader, port))[0] for port in range(2)]
+
+    def test_what_our_writers_write_comes_back(self):
+        mesher = BitingMesher(Input=simple.LegacyVTKReader(FileNames=[PLATE]))
+        mesher.UpdatePipeline()
+        mesh, edges = (simple.FetchData(simple.OutputPort(mesher, port))[0] for port in range(2))
+        kind = edges.GetCellData().GetArray('Kind')
+        for end in ('msh', 'su2', '14'):
+            path = os.path.join(self.folder.name, 'plate.' + end)
+            simple.SaveData(path, proxy=mesher)
+            found, found_edges = self.read(path)
+            regions = 'RegionId' if end == 'msh' else None
+            self.assertEqual([places for places, _ in sorted(cells_of(found, 'RegionId'))],
+                             [places for places, _ in sorted(cells_of(mesh, 'RegionId'))])
+            if regions:
+                self.assertEqual(sorted(cells_of(found, regions)), sorted(cells_of(mesh, regions)))
+            if end != '14':
+                tags = {frozenset(places): tag for k, (places, tag)
+                        in enumerate(cells_of(edges, 'Tag')) if end == 'msh' or kind.GetValue(k) == 0}
+                self.assertEqual({frozenset(places): tag
+                                  for places, tag in cells_of(found_edges, 'Tag')}, tags)
+
+    def test_files_as_other_programs_write_them(self):
+        a, b, c, d = (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)
+        expected = {
+            'old.msh': ('2', [((a, b), '7'), ((b, c), '7')]),
+            'new.msh': ('8', [((a, b), '5')]),
+            'square.su2': ('-1', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+            'square.14': ('-1', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+        }
+        for name, text in FILES.items():
+            mesh, edges = self.read(self.path_of(name, text))
+            region, tags = expected[name]
+            self.assertEqual(cells_of(mesh, 'RegionId'), [((a, b, c), region), ((a, c, d), region)])
+            self.assertEqual(cells_of(edges, 'Tag'), tags)
+
+    def test_names_and_depths(self):
+        mesh, edges = self.read(self.path_of('old.msh', GMSH_2))
+        self.assertEqual(cells_of(mesh, 'RegionName')[0][1], 'the water')
+        self.assertEqual(cells_of(edges, 'TagName')[0][1], '100% wall')
+        _, edges = self.read(self.path_of('square.su2', SU2))
+        self.assertEqual([tag for _, tag in cells_of(edges, 'TagName')], ['inlet', 'wall', 'wall'])
+        mesh, edges = self.read(self.path_of('square.14', ADCIRC))
+        depths = mesh.GetPointData().GetArray('Depth')
+        self.assertEqual([depths.GetValue(k) for k in range(4)], [5.5, 6, 7, -1])
+        self.assertEqual(cells_of(edges, 'TagName')[-1][1], 'land, type 0')
+
+    def test_tags_go_on_to_the_remesher_and_back_into_a_file(self):
+        self.read(self.path_of('square.su2', SU2))
+        finer = BitingRemesher(Input=self.reader, TaggedLines=simple.OutputPort(self.reader, 1),
+                               UniformSpacing=0.2)
+        path = os.path.join(self.folder.name, 'finer.su2')
+        simple.SaveData(path, proxy=finer, TagArray='TagName')
+        mesh, edges = self.read(path)
+        self.assertGreater(mesh.GetNumberOfCells(), 30)
+        lengths = {'inlet': 0.0, 'wall': 0.0, 'boundary': 0.0}
+        for (a, b), tag in cells_of(edges, 'TagName'):
+            lengths[tag] += math.dist(a, b)
+        for tag, length in (('inlet', 1), ('wall', 2), ('boundary', 1)):
+            self.assertAlmostEqual(lengths[tag], length)
+
+    def test_a_file_that_cannot_be_read_is_one_error_with_its_line(self):
+        for name, text, reason in (
+                ('few.su2', SU2.replace('5 0 2 3', '5 0 2'), 'Line 5 is not'),
+                ('far.su2', SU2.replace('5 0 2 3', '5 0 2 9'), 'vertex 9'),
+                ('solid.su2', SU2.replace('NDIME= 2', 'NDIME= 3'), 'Line 2 is not'),
+                ('short.14', ADCIRC[:ADCIRC.index('3 1 1 7')], 'The file ends'),
+                ('binary.msh', GMSH_4.replace('4.1 0 8', '4.1 1 8'), 'Line 2 is not'),
+                ('twice.msh', GMSH_2.replace('50 0 1', '10 0 1'), 'Line 14 is not'),
+                ('points.msh', GMSH_2[:GMSH_2.index('$Elements')], 'no triangles'),
+                ('empty.msh', '', 'a mesh of Gmsh')):
+            errors = []
+
+            @calldata_type(VTK_STRING)
+            def note(_reader, _event, text, errors=errors):
+                errors.append(text)
+
+            reader = simple.OpenDataFile(self.path_of(name, text))
+            reader.GetClientSideObject().AddObserver('ErrorEvent', note)
+            window = vtkOutputWindow.GetInstance()
+            mode = window.GetDisplayMode()
+            window.SetDisplayModeToNever()
+            reader.UpdatePipeline()
+            window.SetDisplayMode(mode)
+            self.assertEqual(len(errors), 1, name)
+            self.assertIn(reason, errors[0])
+            self.assertEqual(reader.GetDataInformation().GetNumberOfPoints(), 0)
+
+
+if __name__ == '__main__':
+    unittest.main()
