@@ -114,7 +114,9 @@ void MakeMesh(const MeshFile& file, vtkPolyData* mesh)
   }
   mesh->SetPoints(points);
   mesh->SetPolys(CellsOf(file.Triangles));
-  AddGroups(mesh->GetCellData(), "RegionId", "RegionName", -1, file.RegionOfTriangle, file.Regions);
+  const bool hasRegions = file.Regions.size() > 1 || file.Regions.front().Number > 0;
+  AddGroups(mesh->GetCellData(), "RegionId", "RegionName", hasRegions ? -1 : 0,
+    file.RegionOfTriangle, file.Regions);
   if (!file.Depths.empty())
   {
     vtkNew<vtkDoubleArray> depths;

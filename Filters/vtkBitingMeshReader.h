@@ -11,7 +11,8 @@
  * - `.14`, ADCIRC (fort.14): depths, open and land boundaries.
  *
  * Output 0 is the mesh: triangles with the cell array `RegionId`, the number of their group less
- * 1, as vtkBitingMeshWriter adds 1; points in the order of the file, with `Depth` from ADCIRC.
+ * 1, as vtkBitingMeshWriter adds 1, and 0 where the file has no groups; points in the order of the
+ * file, with `Depth` from ADCIRC.
  * Cells that are neither triangles nor edges are passed over, with a warning. Output 1 are the
  * edges that the file names: lines with the cell array `Tag`, the number of their group, and the
  * point array `MeshPointId`, the number of the point in output 0. So they can be the tagged lines

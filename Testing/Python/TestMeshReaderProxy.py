@@ -175,8 +175,8 @@ class TestMeshReaderProxy(unittest.TestCase):
         expected = {
             'old.msh': ('2', [((a, b), '7'), ((b, c), '7')]),
             'new.msh': ('8', [((a, b), '5')]),
-            'square.su2': ('-1', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
-            'square.14': ('-1', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+            'square.su2': ('0', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+            'square.14': ('0', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
         }
         for name, text in FILES.items():
             mesh, edges = self.read(self.path_of(name, text))
