@@ -220,18 +220,20 @@ bool vtkHessianSpacing::Execution::ReadScalar()
 {
   const biting::ChosenArray chosen = biting::ChooseArray(
     this->Filter->GetInputArrayInformation(0), this->Input, { "scalar array", "input" });
+  // A script may make the filter before its input is known: no name is chosen then.
+  vtkDataArray* array = chosen.Array ? chosen.Array : this->Input->GetPointData()->GetScalars();
   if (!this->Accept(chosen.Refusal) ||
-    !this->Accept(chosen.Array ? "" : "No scalar point array of the input was chosen."))
+    !this->Accept(array ? "" : "No scalar point array of the input was chosen."))
   {
     return false;
   }
-  if (chosen.Array->GetNumberOfComponents() != 1)
+  if (array->GetNumberOfComponents() != 1)
   {
     return this->Accept("The scalar array " +
-      std::string(chosen.Array->GetName() ? chosen.Array->GetName() : "") + " has " +
-      std::to_string(chosen.Array->GetNumberOfComponents()) + " components; it takes one.");
+      std::string(array->GetName() ? array->GetName() : "") + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; it takes one.");
   }
-  const auto doubles = biting::AsDoubles(chosen.Array);
+  const auto doubles = biting::AsDoubles(array);
   for (const vtkIdType point : this->Faces.PointIds)
   {
     this->Values.push_back(doubles->GetValue(point));

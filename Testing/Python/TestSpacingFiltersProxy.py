@@ -57,6 +57,19 @@ class TestSpacingFiltersProxy(unittest.TestCase):
                 self.assertEqual(list(found) if isinstance(value, list) else found, value, name)
             self.assertEqual(set(proxy.ListProperties()), set(properties) | OTHERS[kind])
 
+    def test_a_filter_made_before_its_input_is_known_takes_the_active_scalars(self):
+        values_of_both = []
+        for early in (True, False):
+            image = simple.Wavelet(WholeExtent=[0, 20, 0, 20, 0, 0])
+            if not early:
+                image.UpdatePipeline()
+            spacing = HessianSpacing(Input=image)
+            spacing.UpdatePipeline()
+            values = simple.FetchData(spacing)[0].GetPointData().GetArray('Spacing')
+            values_of_both.append([values.GetValue(k) for k in range(values.GetNumberOfValues())])
+        self.assertEqual(len(values_of_both[0]), 441)
+        self.assertEqual(values_of_both[0], values_of_both[1])
+
     def test_labels_are_the_spaced_names(self):
         for kind, properties in PROPERTIES.items():
             proxy = new_filter(kind).SMProxy
