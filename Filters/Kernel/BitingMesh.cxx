@@ -5,8 +5,8 @@
 
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
+#include "Base/StagesOnce.h"
 #include "Biting/BitingScheme.h"
-#include "Biting/VertexEstimate.h"
 #include "Blocks/BlockMesher.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
@@ -14,6 +14,7 @@
 #include "Meshing/Calibration.h"
 #include "Meshing/DomainFeatures.h"
 #include "Meshing/FinalCheck.h"
+#include "Meshing/Forecast.h"
 #include "Meshing/MeshAssembly.h"
 #include "Meshing/PreservedSpacing.h"
 #include "Meshing/RelaxedBites.h"
@@ -41,7 +42,6 @@ constexpr double LocatorEnd = 0.05;
 constexpr double ChoiceEnd = 0.05;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
-constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
 constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
@@ -64,32 +64,6 @@ BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
   return biting;
 }
 
-// What is known of the mesh beforehand.
-struct Forecast
-{
-  double Density = 0.0; ///< integral of 1/f^2
-  double Vertices = 0.0;
-};
-
-Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  const BitingOptions& options, EstimateEffort effort, Monitor& monitor)
-{
-  PartOfStage integrating(monitor, 0.0, 0.5);
-  const double density = IntegrateDensity(domain, locator, spacing, integrating, effort);
-  PartOfStage dividing(monitor, 0.5, 1.0);
-  const double divisionPoints =
-    options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing, effort);
-  return { density,
-    EstimateNumberOfVertices(density, options) + domain.NumberOfVertices() + divisionPoints };
-}
-
-double EndOfTrials(const BitingOptions& options, const Forecast& forecast)
-{
-  const bool hasTrials = options.BitingConstant == 0.0 && options.Placement == Placement::Corners;
-  const double trials = hasTrials ? VerticesOfTrials : 0.0;
-  return EstimateEnd + (1.0 - EstimateEnd) * trials / (trials + forecast.Vertices);
-}
-
 void Release(Bites& bites, Monitor& monitor)
 {
   Pulse pulse(monitor);
@@ -97,11 +71,17 @@ void Release(Bites& bites, Monitor& monitor)
   ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
 }
 
+// Not where biting was stopped: then the front is to be seen as it is.
+bool IsRelaxed(const BitingMeshOptions& options)
+{
+  return options.Relaxation && options.MaximumNumberOfBites < 0;
+}
+
 // 0: the mesh is to be of one block.
 double VerticesPerBlock(const BitingMeshOptions& options)
 {
-  const bool mayCut = options.Relaxation && options.Order != FrontOrder::LargestY &&
-    options.MaximumNumberOfBites < 0 && !options.KeepBites && !options.PreserveBoundary;
+  const bool mayCut = IsRelaxed(options) && options.Order != FrontOrder::LargestY &&
+    !options.KeepBites && !options.PreserveBoundary;
   return mayCut ? static_cast<double>(options.VerticesPerBlock) : 0.0;
 }
 
@@ -122,7 +102,8 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
     AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
     return {};
   }
-  const double trialsEnd = EndOfTrials(options, forecast);
+  const double trialsEnd =
+    EstimateEnd + (1.0 - EstimateEnd) * ShareOfTrials(options, forecast.Vertices);
   PartOfStage trying(monitor, EstimateEnd, trialsEnd);
   if (options.BitingConstant == 0.0)
   {
@@ -230,11 +211,10 @@ SimplifiedDomain SimplifyDrawing(
     drawing, wanted, [&given](const Point2& x) { return given(x); }, problems, simplifying);
 }
 
-// Not where biting was stopped: then the front is to be seen as it is.
 void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOptions& options,
   BitingResult& bites, Triangulation& triangulation, ProblemList& problems, Monitor& monitor)
 {
-  if (!options.Relaxation || options.MaximumNumberOfBites >= 0)
+  if (!IsRelaxed(options))
   {
     return;
   }
@@ -249,7 +229,7 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
 
 // The mesh as it is handed out, but for its quality.
 BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
-  ProblemList& problems, Monitor& monitor)
+  bool isDelaunay, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage part(monitor, CountingEnd, AssemblyEnd);
   const std::vector<Id> segments = bites.EdgeSegments;
@@ -258,7 +238,7 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   {
     PartOfStage checking(monitor, AssemblyEnd, CheckEnd);
     const std::string violation =
-      CheckFinalMesh(domain, mesh, triangulation.Constraints, segments, checking);
+      CheckFinalMesh({ domain, mesh, triangulation.Constraints, segments, isDelaunay }, checking);
     if (!AddAborted(checking, problems) && !violation.empty())
     {
       AddProblem(ProblemCode::CheckFailed, violation, problems);
@@ -330,15 +310,15 @@ bool IsOver(const PartOfStage& whole, ProblemList& problems)
 
 // The domain as it is meshed; without segments where there is none.
 SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& options,
-  ProblemList& problems, Monitor& monitor, PartOfStage& whole)
+  ProblemList& problems, PartOfStage& whole)
 {
-  monitor.BeginStage(MeshingStages::Domain.Text);
+  whole.BeginStage(MeshingStages::Domain.Text);
   Domain drawing = MakeDomain(input, options.Domain, problems, whole);
   if (IsOver(whole, problems) || drawing.NumberOfSegments() == 0)
   {
     return {};
   }
-  monitor.BeginStage(MeshingStages::Simplification.Text);
+  whole.BeginStage(MeshingStages::Simplification.Text);
   return SimplifyDrawing(std::move(drawing), options, problems, whole);
 }
 
@@ -350,7 +330,8 @@ BitingMesh Finish(const SimplifiedDomain& simplified, const Spacing& spacing,
   const Domain& domain = simplified.Drawing;
   PartOfStage counting(whole, 0.0, CountingEnd);
   const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
-  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, problems, whole);
+  const bool isDelaunay = options.Phi == 1.0 || IsRelaxed(options);
+  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, isDelaunay, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};
@@ -362,18 +343,89 @@ BitingMesh Finish(const SimplifiedDomain& simplified, const Spacing& spacing,
   return mesh;
 }
 
-BitingMesh MakeMesh(const Polylines& input, const BitingMeshOptions& options, ProblemList& problems,
-  Monitor& monitor, bool& isOfBlocks)
+// What is meshed, and how.
+struct Preparation
 {
-  PartOfStage whole(monitor, 0.0, 1.0);
-  const SimplifiedDomain simplified = PrepareDomain(input, options, problems, monitor, whole);
+  const SimplifiedDomain& Simplified;
+  const Spacing& F;
+  const BitingMeshOptions& Options;
+};
+
+// From biting on. The locator is released on the way.
+BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
+  std::optional<const DomainLocator>& locator, bool& isOfBlocks, ProblemList& problems,
+  PartOfStage& whole)
+{
+  const Domain& domain = input.Simplified.Drawing;
+  const BitingMeshOptions& options = input.Options;
+  whole.BeginStage(MeshingStages::Biting.Text);
+  BlockMesher blocks(domain, input.F);
+  BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options), verticesPerBlock,
+    blocks, problems, whole);
+  locator.reset();
+  isOfBlocks = blocks.IsInUse();
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
+  whole.BeginStage(MeshingStages::Triangulation.Text);
+  Triangulation triangulation = isOfBlocks
+    ? blocks.Triangulate(problems, whole)
+    : TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
+  whole.BeginStage(MeshingStages::Relaxation.Text);
+  isOfBlocks ? blocks.Relax(bites, triangulation, problems, whole)
+             : RelaxMesh(domain, input.F, options, bites, triangulation, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
+  whole.BeginStage(MeshingStages::Quality.Text);
+  BitingMesh mesh =
+    Finish(input.Simplified, input.F, options, std::move(bites), triangulation, problems, whole);
+  mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.NumberOfBlocks()) : 1;
+  return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
+}
+
+// What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
+BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const DomainLocator>& locator,
+  ProblemList& problems, PartOfStage& whole)
+{
+  const ProblemList before = problems;
+  bool isOfBlocks = false;
+  BitingMesh mesh =
+    MeshPrepared(input, VerticesPerBlock(input.Options), locator, isOfBlocks, problems, whole);
+  if (!isOfBlocks || !problems.Has(ProblemCode::CheckFailed))
+  {
+    return mesh;
+  }
+  const std::string violation = FirstDetail(ProblemCode::CheckFailed, problems);
+  problems = before;
+  Pulse pulse(whole);
+  locator.emplace(input.Simplified.Drawing, pulse);
+  mesh = MeshPrepared(input, 0.0, locator, isOfBlocks, problems, whole);
+  mesh.BlocksViolation = violation;
+  return mesh;
+}
+
+} // namespace
+
+BitingMesh MakeBitingMesh(
+  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  StagesOnce stages(monitor);
+  PartOfStage whole(stages, 0.0, 1.0);
+  const SimplifiedDomain simplified = PrepareDomain(input, options, problems, whole);
   const Domain& domain = simplified.Drawing;
   if (IsOver(whole, problems) || domain.NumberOfSegments() == 0 ||
     HasTooManyVertices(domain, options, problems))
   {
     return {};
   }
-  monitor.BeginStage(MeshingStages::Spacing.Text);
+  whole.BeginStage(MeshingStages::Spacing.Text);
   PartOfStage locating(whole, 0.0, LocatorEnd);
   Pulse pulse(locating);
   ReportNarrowAngles(domain, problems, pulse);
@@ -384,58 +436,9 @@ BitingMesh MakeMesh(const Polylines& input, const BitingMeshOptions& options, Pr
   }
   PartOfStage preparing(whole, LocatorEnd, 1.0);
   const Spacing spacing = PrepareSpacing(options, domain, *locator, problems, preparing);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  monitor.BeginStage(MeshingStages::Biting.Text);
-  BlockMesher blocks(domain, spacing);
-  BitingResult bites = Bite(domain, *locator, spacing, MakeBitingOptions(options),
-    VerticesPerBlock(options), blocks, problems, whole);
-  locator.reset();
-  isOfBlocks = blocks.IsInUse();
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  monitor.BeginStage(MeshingStages::Triangulation.Text);
-  Triangulation triangulation = blocks.IsInUse()
-    ? blocks.Triangulate(problems, whole)
-    : TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  monitor.BeginStage(MeshingStages::Relaxation.Text);
-  blocks.IsInUse() ? blocks.Relax(bites, triangulation, problems, whole)
-                   : RelaxMesh(domain, spacing, options, bites, triangulation, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  monitor.BeginStage(MeshingStages::Quality.Text);
-  BitingMesh mesh =
-    Finish(simplified, spacing, options, std::move(bites), triangulation, problems, whole);
-  return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
-}
-
-} // namespace
-
-// What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
-BitingMesh MakeBitingMesh(
-  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
-{
-  const ProblemList before = problems;
-  bool isOfBlocks = false;
-  BitingMesh mesh = MakeMesh(input, options, problems, monitor, isOfBlocks);
-  if (isOfBlocks && problems.Has(ProblemCode::CheckFailed))
-  {
-    BitingMeshOptions whole = options;
-    whole.VerticesPerBlock = 0;
-    problems = before;
-    mesh = MakeMesh(input, whole, problems, monitor, isOfBlocks);
-  }
-  return mesh;
+  return IsOver(whole, problems)
+    ? BitingMesh()
+    : MeshBlocksOrWhole({ simplified, spacing, options }, locator, problems, whole);
 }
 
 } // namespace biting

@@ -103,6 +103,12 @@ struct BitingMesh
   double ShareOfDrawing =
     0.0; ///< of the vertices: those that only the drawing asks for (FineDrawing.h)
 
+  Id NumberOfBlocks = 1;
+
+  /// Why the mesh is of one block though the domain was cut: what the check said of the mesh of
+  /// several blocks. Empty: nothing was wrong.
+  std::string BlocksViolation;
+
   // Only with KeepBites.
   biting::Bites Bites;
   std::vector<Point2> Front; ///< two points a piece of the front that is left

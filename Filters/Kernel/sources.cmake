@@ -108,6 +108,7 @@ set(biting_kernel_sources
   Meshing/Calibration.cxx
   Meshing/DomainFeatures.cxx
   Meshing/FinalCheck.cxx
+  Meshing/Forecast.cxx
   Meshing/MeshAssembly.cxx
   Meshing/PreservedSpacing.cxx
   Meshing/RelaxedBites.cxx

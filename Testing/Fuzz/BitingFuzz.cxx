@@ -104,10 +104,11 @@ void BeginCase(std::uint64_t seed)
 class Counts
 {
 public:
-  void Add(Verdict verdict)
+  void Add(const FuzzOutcome& outcome)
   {
     ++this->Cases;
-    ++this->Verdicts[static_cast<std::size_t>(verdict)];
+    ++this->Verdicts[static_cast<std::size_t>(outcome.Kind)];
+    this->Blocks += outcome.IsOfBlocks ? 1 : 0;
   }
 
   void Print() const
@@ -117,7 +118,8 @@ public:
               << static_cast<double>(this->Cases) / seconds.count()
               << " a second: " << this->Verdicts[0] << " meshes, " << this->Verdicts[1]
               << " repaired meshes, " << this->Verdicts[2] << " refusals, " << this->Verdicts[3]
-              << " aborted, " << this->Verdicts[4] << " violations" << std::endl;
+              << " aborted, " << this->Blocks << " of blocks, " << this->Verdicts[4]
+              << " violations" << std::endl;
   }
 
   double Seconds() const
@@ -128,6 +130,7 @@ public:
 private:
   Clock::time_point Begin = Clock::now();
   std::uint64_t Cases = 0;
+  std::uint64_t Blocks = 0;
   std::array<std::uint64_t, 5> Verdicts{};
 };
 
@@ -144,7 +147,7 @@ bool RunCase(std::uint64_t seed, const std::string& file, Counts& counts)
   BeginCase(seed);
   const FuzzOutcome outcome = RunFuzzCase(fuzzCase);
   SetAlarm(0);
-  counts.Add(outcome.Kind);
+  counts.Add(outcome);
   if (outcome.Kind == Verdict::Violation)
   {
     std::cout << "seed " << seed << ": " << outcome.Violation << "\n"

@@ -22,10 +22,10 @@ namespace
 constexpr std::uint64_t FirstSeed = 1;
 constexpr std::uint64_t NumberOfCases = 1500;
 
-FuzzCase CaseOfSeed(std::uint64_t seed)
+FuzzCase CaseOfSeed(std::uint64_t seed, FuzzBlocks blocks = FuzzBlocks::Small)
 {
   FuzzNumbers numbers(seed);
-  return MakeFuzzCase(numbers);
+  return MakeFuzzCase(numbers, blocks);
 }
 
 /// Judges a case; where it fails, its input is written to be looked at.
@@ -42,9 +42,10 @@ void ExpectKept(const FuzzCase& fuzzCase, const std::string& name)
   }
 }
 
+/// Of one block, as when the seed was found.
 void ExpectKept(std::uint64_t seed)
 {
-  ExpectKept(CaseOfSeed(seed), std::to_string(seed));
+  ExpectKept(CaseOfSeed(seed, FuzzBlocks::None), std::to_string(seed));
 }
 
 /// Chains of boundary, each with points of its own.
@@ -74,7 +75,7 @@ TEST(Fuzz, MadeUpInputGivesAValidMeshOrOneClearMessage)
 {
   for (std::uint64_t seed = FirstSeed; seed < FirstSeed + NumberOfCases; ++seed)
   {
-    ExpectKept(seed);
+    ExpectKept(CaseOfSeed(seed), std::to_string(seed));
   }
 }
 
@@ -82,10 +83,14 @@ TEST(Fuzz, MadeUpInputGivesAValidMeshOrOneClearMessage)
 TEST(Fuzz, AllVerdictsOccur)
 {
   int counts[5] = {};
+  int ofBlocks = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed)
   {
-    ++counts[static_cast<int>(RunFuzzCase(CaseOfSeed(seed)).Kind)];
+    const FuzzOutcome outcome = RunFuzzCase(CaseOfSeed(seed));
+    ++counts[static_cast<int>(outcome.Kind)];
+    ofBlocks += outcome.IsOfBlocks ? 1 : 0;
   }
+  EXPECT_GT(ofBlocks, 1);
   EXPECT_GT(counts[static_cast<int>(Verdict::Mesh)], 2);
   EXPECT_GT(counts[static_cast<int>(Verdict::RepairedMesh)], 20);
   EXPECT_GT(counts[static_cast<int>(Verdict::Refusal)], 10);

@@ -3,6 +3,7 @@
 
 #include "Oracle.h"
 
+#include "../Kernel/Support/TestThreads.h"
 #include "EvenOddArea.h"
 #include "MeshOracle.h"
 #include "SimplificationOracle.h"
@@ -21,13 +22,15 @@ namespace
 
 constexpr std::size_t RepeatPeriod = 16; // of cases, by the number of their points and chains
 constexpr int Magnification = 5;         // as a power of two
+constexpr int ThreadsOfRepetition = 3;
 
 /// Says stop at a given call and ever after; remembers what it was told.
-class StoppingMonitor : public Monitor
+class StoppingMonitor : public MonitorWithThreads
 {
 public:
-  explicit StoppingMonitor(std::int64_t stopAtCall)
-    : Rest(stopAtCall)
+  StoppingMonitor(std::int64_t stopAtCall, int numberOfThreads)
+    : MonitorWithThreads(numberOfThreads)
+    , Rest(stopAtCall)
   {
   }
 
@@ -38,8 +41,6 @@ public:
     --this->Rest;
     return !this->SaidStop;
   }
-
-  void BeginStage(const char*) override {}
 
   bool SaidStop = false;
   bool HasBadFraction = false;
@@ -56,10 +57,10 @@ struct FuzzRun
   bool HasBadFraction = false;
 };
 
-FuzzRun Run(const FuzzCase& fuzzCase)
+FuzzRun Run(const FuzzCase& fuzzCase, int numberOfThreads = 1)
 {
   FuzzRun run;
-  StoppingMonitor monitor(fuzzCase.StopAtCall);
+  StoppingMonitor monitor(fuzzCase.StopAtCall, numberOfThreads);
   run.Mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, run.Problems, monitor);
   run.SaidStop = monitor.SaidStop;
   run.HasBadFraction = monitor.HasBadFraction;
@@ -180,6 +181,10 @@ std::string JudgeProblems(const FuzzRun& run, const FuzzCase& fuzzCase)
     {
       return "the kernel's own check failed: " + group.First.front().Detail;
     }
+  }
+  if (!run.Mesh.BlocksViolation.empty())
+  {
+    return "the check of the blocks failed: " + run.Mesh.BlocksViolation;
   }
   return errors > 1 ? "more than one kind of error" : "";
 }
@@ -494,7 +499,7 @@ bool IsSame(const BitingMesh& a, const BitingMesh& b)
 /// Runs the case again, and once more magnified.
 std::string JudgeRepetition(const FuzzRun& run, const FuzzCase& fuzzCase)
 {
-  if (!IsSame(run.Mesh, Run(fuzzCase).Mesh))
+  if (!IsSame(run.Mesh, Run(fuzzCase, ThreadsOfRepetition).Mesh))
   {
     return "the same input gives another mesh";
   }
@@ -517,6 +522,7 @@ FuzzOutcome RunFuzzCase(const FuzzCase& fuzzCase)
 {
   const FuzzRun run = Run(fuzzCase);
   FuzzOutcome outcome = Judge(run, fuzzCase);
+  outcome.IsOfBlocks = run.Mesh.NumberOfBlocks > 1;
   const std::size_t choice = fuzzCase.Input.Points.size() + fuzzCase.Input.Connectivity.size();
   if (outcome.Violation.empty() && choice % RepeatPeriod == 0)
   {

@@ -24,6 +24,7 @@ struct FuzzOutcome
 {
   Verdict Kind = Verdict::Violation;
   std::string Violation; ///< which promise, empty where none
+  bool IsOfBlocks = false;
 };
 
 /// Runs the kernel on the case and judges what it says and makes:
@@ -37,8 +38,10 @@ struct FuzzOutcome
 /// - faces that overlap in part are told of, faces that share no area are not;
 /// - only a monitor that said stop makes an abort, and it is heard;
 /// - progress is a number in [0, 1];
-/// - for some of the cases: the same again is the same to the last bit; and so is, but for the
-///   factor, all of it magnified by a power of two: nothing depends on the unit of length.
+/// - no mesh of blocks was given up;
+/// - for some of the cases: the same again, on three threads, is the same to the last bit; and so
+///   is, but for the factor, all of it magnified by a power of two: nothing depends on the unit of
+///   length.
 FuzzOutcome RunFuzzCase(const FuzzCase& fuzzCase);
 
 } // namespace biting

@@ -247,6 +247,24 @@ void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
                                                       : 1500;
 }
 
+/// Half of the cases: with the options that keep one block there would be nothing to try, and
+/// meshes are finer, as cuts need room.
+void MakeBlocks(FuzzNumbers& numbers, BitingMeshOptions& options)
+{
+  if (numbers.OneIn(2))
+  {
+    return;
+  }
+  options.VerticesPerBlock = numbers.Between(30, 300);
+  options.MaximumNumberOfVertices = 4000;
+  options.Spacing.Scale *= numbers.Power(-6, -1);
+  options.Order = options.Order == FrontOrder::LargestY ? FrontOrder::Layers : options.Order;
+  options.Relaxation = true;
+  options.KeepBites = false;
+  options.MaximumNumberOfBites = -1;
+  options.PreserveBoundary = false;
+}
+
 const char* KindName(ChainKind kind)
 {
   return kind == ChainKind::Automatic ? "-1"
@@ -292,13 +310,18 @@ void WriteKinds(std::ostream& file, const Polylines& input, bool areVertices)
 
 } // namespace
 
-FuzzCase MakeFuzzCase(FuzzNumbers& numbers)
+FuzzCase MakeFuzzCase(FuzzNumbers& numbers, FuzzBlocks blocks)
 {
   FuzzCase fuzzCase;
   fuzzCase.Input = MakeRandomDrawing(numbers);
   fuzzCase.Options.Spacing = SpacingMaker(numbers, fuzzCase.Input).Make();
   MakeMeshOptions(numbers, fuzzCase.Options);
   fuzzCase.StopAtCall = numbers.OneIn(24) ? numbers.Below(24) : -1;
+  // Last, so that seeds from before there were blocks keep their meaning.
+  if (blocks == FuzzBlocks::Small)
+  {
+    MakeBlocks(numbers, fuzzCase.Options);
+  }
   return fuzzCase;
 }
 
@@ -335,7 +358,7 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
        << " phi=" << options.Phi << " relaxation=" << options.Relaxation
-       << " tolerance=" << options.Simplification.Tolerance
+       << " block=" << options.VerticesPerBlock << " tolerance=" << options.Simplification.Tolerance
        << " corner=" << options.Simplification.CornerAngle
        << " loops=" << options.Simplification.MinimumLoopSize
        << " preserve=" << options.PreserveBoundary << " keep=" << options.KeepBites

@@ -17,19 +17,21 @@ constexpr double MeshCheckEnd = 0.95; // of the time
 
 } // namespace
 
-std::string CheckFinalMesh(const Domain& domain, const BitingMesh& mesh,
-  const std::vector<Id>& constraints, const std::vector<Id>& segments, Monitor& monitor)
+std::string CheckFinalMesh(const FinalCheckInput& input, Monitor& monitor)
 {
+  const BitingMesh& mesh = input.Mesh;
   PartOfStage checking(monitor, 0.0, MeshCheckEnd);
-  const std::string violation =
-    CheckMesh({ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area }, checking);
+  MeshCheckInput whole{ mesh.Points, mesh.Corners, mesh.Neighbors, input.Constraints,
+    input.Geometry.Area };
+  whole.IsDelaunay = input.IsDelaunay;
+  const std::string violation = CheckMesh(whole, checking);
   if (!violation.empty() || checking.HasStopped())
   {
     return violation;
   }
   PartOfStage covering(monitor, MeshCheckEnd, 1.0);
-  return CheckSegmentCover(
-    domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, covering);
+  return CheckSegmentCover(input.Geometry,
+    { mesh.Points, mesh.Corners, mesh.Neighbors, input.Constraints, input.Segments }, covering);
 }
 
 } // namespace biting

@@ -15,12 +15,19 @@
 namespace biting
 {
 
-/// What every mesh must pass before it is handed out: CheckMesh with the area of the domain, and
-/// CheckSegmentCover. `constraints` is that of the triangulation, one an edge of a triangle;
-/// `segments` the segment of each constraint. Returns the first violation; empty where there is
-/// none, or the monitor wants to stop.
-std::string CheckFinalMesh(const Domain& domain, const BitingMesh& mesh,
-  const std::vector<Id>& constraints, const std::vector<Id>& segments, Monitor& monitor);
+/// A mesh before it is handed out.
+struct FinalCheckInput
+{
+  const Domain& Geometry;
+  const BitingMesh& Mesh;
+  const std::vector<Id>& Constraints; ///< of the triangulation, one an edge of a triangle
+  const std::vector<Id>& Segments;    ///< of the constraints
+  bool IsDelaunay = true;             ///< it must be
+};
+
+/// What every mesh must pass: CheckMesh with the area of the domain, and CheckSegmentCover. Returns
+/// the first violation; empty where there is none, or the monitor wants to stop.
+std::string CheckFinalMesh(const FinalCheckInput& input, Monitor& monitor);
 
 } // namespace biting
 

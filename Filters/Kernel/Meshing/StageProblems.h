@@ -22,6 +22,19 @@ inline void AddProblem(ProblemCode code, const std::string& detail, ProblemList&
   problems.Add(problem);
 }
 
+/// Of the first problem of that code, which there is.
+inline std::string FirstDetail(ProblemCode code, const ProblemList& problems)
+{
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == code)
+    {
+      return group.First.front().Detail;
+    }
+  }
+  return {};
+}
+
 /// A figure of a message.
 inline std::string Figure(double value)
 {

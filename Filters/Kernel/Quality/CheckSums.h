@@ -82,12 +82,14 @@ struct TurnSum
 struct LinkSum
 {
   FirstDefect Wrong;
+  FirstDefect Bent; ///< edges that are not locally Delaunay
   std::int64_t Unanswered = 0;
   std::vector<std::size_t> BoundarySlots;
 
   void Join(const LinkSum& other)
   {
     this->Wrong.Join(other.Wrong);
+    this->Bent.Join(other.Bent);
     this->Unanswered += other.Unanswered;
     this->BoundarySlots.insert(
       this->BoundarySlots.end(), other.BoundarySlots.begin(), other.BoundarySlots.end());

@@ -112,6 +112,7 @@ private:
   bool IsCounterclockwise();
   bool HasMutualNeighbors();
   bool IsLink(std::size_t slot) const;
+  bool IsLocallyDelaunay(std::size_t slot) const;
   std::size_t SlotAcross(std::size_t slot) const;
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
@@ -208,12 +209,21 @@ bool MeshChecker::HasMutualNeighbors()
       }
       const bool isLarger = static_cast<std::size_t>(neighbor) > slot / 3;
       sum.Unanswered += isLarger ? 1 : -1;
-      sum.Wrong.Add(slot, !isLarger && !this->IsLink(slot));
+      if (!isLarger)
+      {
+        const bool isLink = this->IsLink(slot);
+        sum.Wrong.Add(slot, !isLink);
+        sum.Bent.Add(slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot));
+      }
     });
   this->BoundarySlots.swap(links.BoundarySlots);
   if (links.Wrong.Exists())
   {
     return this->Refuse("the triangles at " + this->EdgeText(links.Wrong.Slot) + " do not match");
+  }
+  if (links.Bent.Exists())
+  {
+    return this->Refuse(this->EdgeText(links.Bent.Slot) + " is not Delaunay");
   }
   return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
@@ -225,6 +235,14 @@ bool MeshChecker::IsLink(std::size_t slot) const
     this->Corner(Next(across)) == this->Corner(Previous(slot)) &&
     this->Corner(Previous(across)) == this->Corner(Next(slot)) &&
     this->Mesh.Constraints[across] == this->Mesh.Constraints[slot];
+}
+
+// Of a link, where no constraint is.
+bool MeshChecker::IsLocallyDelaunay(std::size_t slot) const
+{
+  return this->Mesh.Constraints[slot] != NoId ||
+    InCircle(this->Place(slot), this->Place(Next(slot)), this->Place(Previous(slot)),
+      this->Place(this->SlotAcross(slot))) <= 0;
 }
 
 // The slot of the neighbor whose edge starts where that of `slot` ends; any where there is none.

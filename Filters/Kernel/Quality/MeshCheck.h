@@ -27,6 +27,9 @@ struct MeshCheckInput
   /// boundary vertices, 4 ulp of the largest coordinate along the whole boundary, and that of the
   /// sum itself.
   double AreaTolerance = 1e-12;
+
+  /// True: edges that no constraint covers must be locally Delaunay.
+  bool IsDelaunay = false;
 };
 
 /// The second look at a mesh before it is handed out. Checks that
@@ -34,6 +37,8 @@ struct MeshCheckInput
 /// - every triangle is counterclockwise, exactly;
 /// - neighbors are mutual: both triangles have the same edge, in opposite directions, and the same
 ///   constraint on it;
+/// - where it must be Delaunay, no corner lies within the circle of a triangle beside its own, but
+///   across a constraint, exactly;
 /// - every boundary edge is covered by a constraint;
 /// - every vertex belongs to a triangle;
 /// - Euler's formula holds: with C connected components and L boundary loops, V - E + F = 2 C - L,

@@ -94,6 +94,27 @@ TEST(CutPlan, IsCutWhereFewVerticesLieOnTheCut)
   EXPECT_TRUE(plan.Tree.Nodes[0].IsVertical);
 }
 
+/// The integral is nearly all in one place, so that no line near its median divides it: each side
+/// of a line has a quarter at least.
+TEST(CutPlan, BothSidesOfALineHaveAFairShareWhereverTheVerticesAre)
+{
+  for (const double finest : { 1e-2, 1e-3, 1e-4, 1e-5 })
+  {
+    Scene scene(Square(), 1.0);
+    ProblemList problems;
+    scene.F = MakeSpacing(
+      RadialSpacing({ 0.3, 0.45 }, finest, 1.0), scene.Made.Bounds, problems, NoMonitor());
+    const CutPlan plan = scene.PlanOf(20000.0, 500.0);
+    for (const CutTree::Node& node : plan.Tree.Nodes)
+    {
+      for (Id child = 0; node.Children != NoId && child < 2; ++child)
+      {
+        EXPECT_GE(plan.Tree.Nodes[node.Children + child].Vertices, 0.2499 * node.Vertices);
+      }
+    }
+  }
+}
+
 TEST(CutPlan, BelowTwoBlocksNothingIsCut)
 {
   Scene scene(Square(), 0.005);

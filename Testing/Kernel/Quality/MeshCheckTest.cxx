@@ -63,9 +63,50 @@ std::size_t SlotWithoutNeighbor(const TestMesh& mesh)
   return slot;
 }
 
+std::string CheckDelaunay(const TestMesh& mesh)
+{
+  biting::MeshCheckInput input{ mesh.Points, mesh.Corners, mesh.Neighbors, mesh.Constraints,
+    mesh.Area() };
+  input.IsDelaunay = true;
+  return biting::CheckMesh(input);
+}
+
 TEST(CheckMesh, AcceptsNoMeshOfNoArea)
 {
   EXPECT_EQ(Check({}), "");
+}
+
+TEST(CheckMesh, FindsEachEdgeThatIsNotDelaunayWhereItIsAsked)
+{
+  TestMesh mesh = TestMesh::Random(60, 3);
+  mesh.MakeDelaunay();
+  EXPECT_EQ(CheckDelaunay(mesh), "");
+  int flipped = 0;
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+  {
+    TestMesh bent = mesh;
+    if (mesh.Neighbors[slot] != NoId && bent.Flip(slot) && bent.IsCounterclockwise())
+    {
+      ++flipped;
+      EXPECT_EQ(Check(bent), "");
+      ExpectViolation(CheckDelaunay(bent), "is not Delaunay");
+    }
+  }
+  EXPECT_GT(flipped, 50);
+}
+
+TEST(CheckMesh, AConstrainedEdgeNeedNotBeDelaunay)
+{
+  TestMesh mesh;
+  mesh.Points = { { 0.0, 0.0 }, { 4.0, 0.0 }, { 2.0, 1.0 }, { 2.0, -1.0 } };
+  mesh.Corners = { 0, 1, 2, 1, 0, 3 };
+  mesh.Link();
+  ExpectViolation(CheckDelaunay(mesh), "edge");
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+  {
+    mesh.Constraints[slot] = 0;
+  }
+  EXPECT_EQ(CheckDelaunay(mesh), "");
 }
 
 TEST(CheckMesh, AcceptsHolesAndComponents)
