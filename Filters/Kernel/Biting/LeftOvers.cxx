@@ -5,7 +5,7 @@
 
 #include "BiteOutline.h" // for Gauge
 
-#include <algorithm> // for clamp, max, min
+#include <algorithm> // for clamp, max, min, min_element
 #include <limits>    // for infinity
 #include <utility>   // for exchange
 
@@ -15,7 +15,8 @@ namespace biting
 namespace
 {
 
-constexpr int MostTaken = 256; // far more than there are where f follows the domain
+constexpr int MostTaken = 64;    // more than there are where f follows the domain
+constexpr int MostHalvings = 20; // of triangles: from the whole domain to far below f
 constexpr int LeastCrowd = 64;
 
 ConstraintEdges ConstraintsOf(const BitingState& state)
@@ -105,6 +106,7 @@ std::vector<Point2> LeftOvers::FindPlaces()
     this->Doubtful.insert(this->Doubtful.end(), this->Gaps.begin(), this->Gaps.end());
     return this->Found;
   }
+  this->CutsLeft = this->State.Placed.Size();
   for (const Id triangle : std::exchange(this->Gaps, {}))
   {
     if (!this->State.Progress.Beat())
@@ -125,6 +127,7 @@ std::vector<Id> LeftOvers::FindBites()
   const bool isWhole = this->State.Result.Triangulated.IsWhole();
   std::vector<std::uint8_t> isMarked(
     static_cast<std::size_t>(this->State.Placed.Size()), isWhole ? 0 : 1);
+  this->CutsLeft = this->State.Placed.Size();
   for (const Id triangle : this->Doubtful)
   {
     if (!this->State.Progress.Beat())
@@ -234,39 +237,74 @@ bool LeftOvers::IsOutside(Id triangle) const
     places[0] + 1.0 / 3.0 * ((places[1] - places[0]) + (places[2] - places[0])));
 }
 
-// Takes away the bites of the corners, then for each piece that is left the bite which its middle
-// lies deepest in. Where that lies in none there is a gap.
+// The bites of the corners are taken away first, as they take most.
 bool LeftOvers::IsCovered(Id triangle)
 {
-  const biting::Bites& placed = this->State.Placed;
   const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
-  this->Left.Begin(this->PlacesOf(triangle));
-  for (Id corner = HalfEdgeMesh::FirstEdge(triangle), k = 0; k < 3; ++k, ++corner)
+  const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
+  return this->IsCovered(this->PlacesOf(triangle),
+    { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }, MostHalvings);
+}
+
+// A triangle over which there are many bites is cut into four, so that what each of them takes is
+// looked for in few pieces: cost is linear in the bites, of which there are as many as cuts, at
+// most.
+bool LeftOvers::IsCovered(const Triangle& places, const std::array<Id, 3>& first, int halvings)
+{
+  const std::size_t before = this->Found.size();
+  const Outcome outcome = this->TakeAll(places, first);
+  if (outcome != Outcome::HasTooMany || halvings == 0 || this->CutsLeft == 0)
   {
-    const Id bite = this->Bites[mesh.Corners[corner]];
+    return outcome == Outcome::Covered;
+  }
+  --this->CutsLeft;
+  this->Found.resize(before);
+  const Point2 middles[3] = { Midpoint(places[1], places[2]), Midpoint(places[2], places[0]),
+    Midpoint(places[0], places[1]) };
+  const Triangle parts[4] = { { places[0], middles[2], middles[1] },
+    { middles[2], places[1], middles[0] }, { middles[1], middles[0], places[2] },
+    { middles[0], middles[1], middles[2] } };
+  bool isCovered = true;
+  for (const Triangle& part : parts)
+  {
+    isCovered =
+      this->State.Progress.Beat() && this->IsCovered(part, first, halvings - 1) && isCovered;
+  }
+  return isCovered;
+}
+
+// After those three, for each piece that is left, the bite which its middle lies deepest in. Where
+// that lies in none there is a gap; where that takes nothing the piece is less than rounding, or
+// than a circle is beyond its polygon.
+LeftOvers::Outcome LeftOvers::TakeAll(const Triangle& places, const std::array<Id, 3>& first)
+{
+  const biting::Bites& placed = this->State.Placed;
+  this->Left.Begin(places);
+  for (const Id bite : first)
+  {
     this->Left.TakeAway(placed, bite, this->State.Slack(bite));
   }
-  bool hasGap = false;
+  Outcome outcome = Outcome::Covered;
   for (int taken = 0; !this->Left.IsEmpty(); ++taken)
   {
-    const Point2 middle = this->Left.MiddleOfLast();
-    const Id bite = this->DeepestAt(middle);
     if (taken == MostTaken)
     {
-      return false;
+      return Outcome::HasTooMany;
     }
-    if (bite != NoId)
+    const Point2 middle = this->Left.MiddleOfLast();
+    const Id bite = this->DeepestAt(middle);
+    if (bite != NoId && this->Left.TakeAway(placed, bite, this->State.Slack(bite)))
     {
-      this->Left.TakeAway(placed, bite, this->State.Slack(bite));
+      continue;
     }
-    else
+    outcome = Outcome::NotCovered;
+    if (bite == NoId)
     {
-      hasGap = true;
-      this->PutPlaceBeside(middle);
-      this->Left.DropLast();
+      this->PutPlaceBeside(middle, first);
     }
+    this->Left.DropLast();
   }
-  return !hasGap;
+  return outcome;
 }
 
 // Of the bites that p lies in, or of the first of these where they crowd.
@@ -286,9 +324,32 @@ Id LeftOvers::DeepestAt(const Point2& p) const
   return deepest;
 }
 
-// Puts the place of all outlines that is nearest to p, which no bite covers: nothing between the
-// two is covered either.
-void LeftOvers::PutPlaceBeside(const Point2& p)
+// Where no bite is near, goes towards the nearest corner until one is: what lies between is of the
+// domain.
+void LeftOvers::PutPlaceBeside(const Point2& p, const std::array<Id, 3>& atCorners)
+{
+  const auto squareTo = [this, &p](Id bite)
+  {
+    const Point2 offset = this->State.Placed.Centers[bite] - p;
+    return Dot(offset, offset);
+  };
+  const Id corner = *std::min_element(atCorners.begin(), atCorners.end(),
+    [&squareTo](Id a, Id b) { return squareTo(a) < squareTo(b); });
+  Point2 uncovered = p;
+  Point2 covered = this->State.Placed.Centers[corner];
+  bool isFound = this->FindPlaceBeside(uncovered);
+  for (int halving = 0; halving < MostHalvings && !isFound; ++halving)
+  {
+    const Point2 middle = Midpoint(uncovered, covered);
+    const bool isCovered = this->DeepestAt(middle) != NoId;
+    (isCovered ? covered : uncovered) = middle;
+    isFound = !isCovered && this->FindPlaceBeside(middle);
+  }
+}
+
+// The place of all outlines that is nearest to p, which no bite covers: nothing between the two is
+// covered either. False where no bite is near.
+bool LeftOvers::FindPlaceBeside(const Point2& p)
 {
   Point2 place;
   double least = std::numeric_limits<double>::infinity();
@@ -301,10 +362,12 @@ void LeftOvers::PutPlaceBeside(const Point2& p)
       least = std::min(least, square);
       return false;
     });
-  if (least < std::numeric_limits<double>::infinity() && this->State.Locator.IsInside(place))
+  const bool isFound = least < std::numeric_limits<double>::infinity();
+  if (isFound && this->State.Locator.IsInside(place))
   {
     this->Found.push_back(place);
   }
+  return isFound;
 }
 
 void LeftOvers::MarkAbout(Id triangle, std::vector<std::uint8_t>& isMarked) const

@@ -41,6 +41,13 @@ public:
 private:
   using Triangle = std::array<Point2, 3>;
 
+  enum class Outcome
+  {
+    Covered,
+    NotCovered, ///< or not known to be
+    HasTooMany  ///< bites over it
+  };
+
   void Begin();
   void Triangulate();
   void FindBitesOfVertices();
@@ -48,8 +55,11 @@ private:
   bool IsOutside(Id triangle) const;
   Triangle PlacesOf(Id triangle) const;
   bool IsCovered(Id triangle);
+  bool IsCovered(const Triangle& places, const std::array<Id, 3>& first, int halvings);
+  Outcome TakeAll(const Triangle& places, const std::array<Id, 3>& first);
   Id DeepestAt(const Point2& p) const;
-  void PutPlaceBeside(const Point2& p);
+  void PutPlaceBeside(const Point2& p, const std::array<Id, 3>& atCorners);
+  bool FindPlaceBeside(const Point2& p);
   void MarkAbout(Id triangle, std::vector<std::uint8_t>& isMarked) const;
 
   BitingState& State;
@@ -60,6 +70,7 @@ private:
   std::vector<Id> Gaps;           ///< triangles in which there are places that no bite covers
   std::vector<Id> Doubtful;       ///< those in which there may be some
   Remains Left;                   ///< of the triangle at hand
+  Id CutsLeft = 0;                ///< how many more triangles may be cut, in this call
   std::vector<Point2> Found;
 };
 

@@ -21,12 +21,23 @@ int NumberOfSides(const Bites& bites, Id bite)
   return bites.IsCircle(bite) ? SidesOfCircle : 4;
 }
 
+std::array<Point2, SidesOfCircle> MakeNormalsOfCircle()
+{
+  std::array<Point2, SidesOfCircle> normals;
+  for (int side = 0; side < SidesOfCircle; ++side)
+  {
+    normals[side] = { std::cos(side * TurnOfCircle), std::sin(side * TurnOfCircle) };
+  }
+  return normals;
+}
+
 // The outward normal of a side.
 Point2 NormalOf(const Bites& bites, Id bite, int side)
 {
   if (bites.IsCircle(bite))
   {
-    return { std::cos(side * TurnOfCircle), std::sin(side * TurnOfCircle) };
+    static const std::array<Point2, SidesOfCircle> Normals = MakeNormalsOfCircle();
+    return Normals[side];
   }
   const Point2& axis = bites.Axes[bite];
   const Point2 normal = side % 2 == 0 ? axis : Perpendicular(axis);
@@ -77,19 +88,21 @@ Point2 Remains::MiddleOfLast() const
   return first + 1.0 / static_cast<double>(end - begin) * sum;
 }
 
-void Remains::TakeAway(const Bites& bites, Id bite, double slack)
+bool Remains::TakeAway(const Bites& bites, Id bite, double slack)
 {
   this->Next.Clear();
+  bool isCut = false;
   for (std::size_t piece = 0; piece < this->Left.Ends.size(); ++piece)
   {
-    this->CutPiece(piece, bites, bite, slack);
+    isCut = this->CutPiece(piece, bites, bite, slack) || isCut;
   }
   std::swap(this->Left, this->Next);
+  return isCut;
 }
 
 // Side by side: what lies beyond a side is left, the rest goes on to the next side. A piece that
-// the bite does not meet, or not by more than the slack, stays whole.
-void Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack)
+// the bite does not meet, or not by more than the slack, stays whole: false.
+bool Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack)
 {
   const auto begin =
     this->Left.Corners.begin() + static_cast<std::ptrdiff_t>(this->Left.Begin(piece));
@@ -112,13 +125,14 @@ void Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double sl
       this->Next.Shrink(numberBefore);
       this->Next.Corners.insert(this->Next.Corners.end(), begin, end);
       this->Next.Ends.push_back(this->Next.Corners.size());
-      return;
+      return false;
     }
     if (*most > 0.0)
     {
       this->CutInside();
     }
   }
+  return true;
 }
 
 // Moves what lies beyond the side from Inside to Next.

@@ -24,7 +24,8 @@ public:
   /// Begins with all of the triangle.
   void Begin(const std::array<Point2, 3>& triangle);
 
-  void TakeAway(const Bites& bites, Id bite, double slack);
+  /// False where that changes nothing.
+  bool TakeAway(const Bites& bites, Id bite, double slack);
 
   bool IsEmpty() const { return this->Left.Ends.empty(); }
 
@@ -48,7 +49,7 @@ private:
     void Shrink(std::size_t count);
   };
 
-  void CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack);
+  bool CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack);
   void CutInside();
 
   Polygons Left;
