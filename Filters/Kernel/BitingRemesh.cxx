@@ -14,6 +14,7 @@
 #include "Meshing/StageProblems.h"
 #include "Quality/MeshCheck.h"
 #include "Remeshing/CavityDomain.h"
+#include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/Stitching.h"
@@ -32,6 +33,8 @@ namespace
 
 // Where steps end, as shares of the time of their stage.
 constexpr double FirstComparisonEnd = 0.4;
+constexpr double PiecesEnd = 0.5;
+constexpr double EdgesEnd = 0.05;
 constexpr double LocatorEnd = 0.2;
 constexpr double FirstRelaxationEnd = 0.5;
 constexpr double CheckEnd = 0.3;
@@ -49,6 +52,8 @@ public:
     , Listener(monitor)
     , Whole(monitor, 0.0, 1.0)
   {
+    this->Tolerance.Tolerance = options.Edges == EdgePolicy::Free ? options.BoundaryTolerance : 0.0;
+    this->Tolerance.FeatureAngle = options.FeatureAngle;
   }
 
   RemeshResult Run();
@@ -58,9 +63,10 @@ private:
   void Read();
   void Compare();
   void FindRegion();
+  RegionEdges FindPieces(Monitor& monitor) const;
   void Make();
   void MakeWith(EdgePolicy policy);
-  void ChooseVertices(EdgePolicy policy);
+  void ChooseVertices(EdgePolicy policy, Monitor& monitor);
   void Bite();
   void Triangulate();
   void Relax();
@@ -77,6 +83,7 @@ private:
   ProblemList& Problems;
   Monitor& Listener;
   PartOfStage Whole;
+  EdgeTolerance Tolerance;
   RemeshResult Result;
   ChangedRegion Region;
   RegionEdges Edges;
@@ -133,12 +140,17 @@ void Remesher::Compare()
   {
     return;
   }
+  if (this->Tolerance.IsAsked())
+  {
+    this->Tolerance.Spacings = this->Result.OldSpacings;
+  }
   RegionEdges pieces;
   if (this->Options.LimitByFeatureSize)
   {
-    pieces = StraightPieces(old, this->Region, this->Options.Edges);
+    PartOfStage finding(this->Whole, FirstComparisonEnd, PiecesEnd);
+    pieces = this->FindPieces(finding);
   }
-  PartOfStage preparing(this->Whole, FirstComparisonEnd, 1.0);
+  PartOfStage preparing(this->Whole, PiecesEnd, 1.0);
   this->F = wanted.Prepare(this->Region, this->Options.LimitByFeatureSize ? &pieces : nullptr,
     static_cast<double>(this->Options.MaximumNumberOfVertices), this->Problems, preparing);
   if (!this->IsOver() && this->Options.LimitByFeatureSize)
@@ -146,6 +158,13 @@ void Remesher::Compare()
     this->Result.OldSpacings = wanted.AtVertices();
     this->FindRegion();
   }
+}
+
+RegionEdges Remesher::FindPieces(Monitor& monitor) const
+{
+  return this->Tolerance.IsAsked()
+    ? SimplifiedPieces(this->Result.Old, this->Region, this->Tolerance, monitor)
+    : StraightPieces(this->Result.Old, this->Region, this->Options.Edges);
 }
 
 void Remesher::FindRegion()
@@ -190,7 +209,9 @@ void Remesher::Make()
 
 void Remesher::MakeWith(EdgePolicy policy)
 {
-  this->ChooseVertices(policy);
+  this->Begin(RemeshingStages::Biting);
+  PartOfStage choosing(this->Whole, 0.0, EdgesEnd);
+  this->ChooseVertices(policy, choosing);
   using Step = void (Remesher::*)();
   for (const Step step :
     { &Remesher::Bite, &Remesher::Triangulate, &Remesher::Relax, &Remesher::CheckCavity })
@@ -203,11 +224,14 @@ void Remesher::MakeWith(EdgePolicy policy)
   }
 }
 
-void Remesher::ChooseVertices(EdgePolicy policy)
+void Remesher::ChooseVertices(EdgePolicy policy, Monitor& monitor)
 {
   const OldMesh& old = this->Result.Old;
   const std::vector<double> spacings = this->RegionSpacings();
-  this->Edges = ThinnedEdges(old, this->Region, spacings, this->Rules, policy);
+  const bool mayMove = this->Tolerance.IsAsked() && policy == EdgePolicy::Free;
+  this->Edges = mayMove
+    ? SimplifiedEdges(old, this->Region, spacings, this->Rules, this->Tolerance, monitor)
+    : ThinnedEdges(old, this->Region, spacings, this->Rules, policy);
   const std::vector<std::uint8_t> isKept =
     ChooseKeptVertices(old, this->Region, this->Edges, spacings, this->Rules);
   this->Cavity.Geometry = MakeCavityDomain(old, this->Region, this->Edges, isKept, policy);
@@ -232,7 +256,6 @@ double Remesher::ExpectedVertices() const
 
 void Remesher::Bite()
 {
-  this->Begin(RemeshingStages::Biting);
   const double expected = this->ExpectedVertices();
   const double most = std::min(static_cast<double>(this->Options.MaximumNumberOfVertices),
     static_cast<double>(std::numeric_limits<Id>::max() / 8));
@@ -246,7 +269,7 @@ void Remesher::Bite()
   options.BitingConstant = AutomaticBitingConstant(options);
   if (expected + unchanged <= most)
   {
-    PartOfStage locating(this->Whole, 0.0, LocatorEnd);
+    PartOfStage locating(this->Whole, EdgesEnd, LocatorEnd);
     Pulse pulse(locating);
     const DomainLocator locator(this->Cavity.Geometry, pulse);
     PartOfStage biting(this->Whole, LocatorEnd, 1.0);

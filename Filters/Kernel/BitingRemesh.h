@@ -32,6 +32,12 @@ struct RemeshOptions
 
   bool LimitByFeatureSize = true; ///< as BitingMeshOptions::LimitByFeatureSize
   EdgePolicy Edges = EdgePolicy::Free;
+
+  /// How far edges that bend may move so that vertices can go from them, where the policy is Free,
+  /// in units of f before the limit by feature size. 0: they stay where they are.
+  double BoundaryTolerance = 0.0;
+  double FeatureAngle = 30.0; ///< with it: degrees of turning, from which a corner stays
+
   RemeshPreference Preference = RemeshPreference::Balanced;
   int Rings = 2; ///< of triangles around what must change, that change with it
 

@@ -34,10 +34,13 @@ using Choice =
 class EdgeReader
 {
 public:
-  EdgeReader(const OldMesh& mesh, const ChangedRegion& region, EdgePolicy policy)
+  /// `left`: as for ThinnedEdges, or null.
+  EdgeReader(const OldMesh& mesh, const ChangedRegion& region, EdgePolicy policy,
+    const std::vector<std::uint8_t>* left)
     : Mesh(mesh)
     , Region(region)
     , Policy(policy)
+    , Left(left)
   {
   }
 
@@ -60,6 +63,7 @@ private:
   const OldMesh& Mesh;
   const ChangedRegion& Region;
   EdgePolicy Policy;
+  const std::vector<std::uint8_t>* Left;
   std::vector<RegionEdge> Old;
   std::vector<Id> Offsets; ///< of the edges at a vertex
   std::vector<Id> Incidences;
@@ -143,7 +147,8 @@ void EdgeReader::FindLoose()
   this->AreLoose.assign(this->Region.Vertices.size(), 0);
   for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
   {
-    this->AreLoose[vertex] = this->Policy == EdgePolicy::Free && this->IsLoose(vertex);
+    this->AreLoose[vertex] = this->Policy == EdgePolicy::Free &&
+      (this->Left ? (*this->Left)[vertex] == 0 : this->IsLoose(vertex));
   }
 }
 
@@ -200,7 +205,10 @@ void EdgeReader::Reduce(const Run& run, const Choice& choose)
   std::vector<std::uint8_t> stays(run.Vertices.size(), 0);
   stays.front() = 1;
   stays.back() = 1;
-  this->Straighten(run, stays);
+  if (!this->Left)
+  {
+    this->Straighten(run, stays);
+  }
   std::size_t first = 0;
   for (std::size_t last = 1; last < stays.size(); ++last)
   {
@@ -251,6 +259,11 @@ void EdgeReader::Emit(const Run& run, const std::vector<std::uint8_t>& stays)
     {
       edge.End = run.Vertices[k];
       this->Result.Edges.push_back(edge);
+      this->Result.GoneOffsets.push_back(static_cast<Id>(this->Result.Gone.size()));
+    }
+    if (!stays[k])
+    {
+      this->Result.Gone.push_back(run.Vertices[k]);
     }
     if (stays[k] && k + 1 < run.Vertices.size())
     {
@@ -314,17 +327,14 @@ private:
     const double whole = this->Sums[end] - this->Sums[begin];
     const double parts = std::max(1.0, std::round(whole));
     std::size_t next = begin + 1;
-    for (double part = 1.0; part < parts; part += 1.0)
+    for (double part = 1.0; part < parts && next < end; part += 1.0)
     {
       const double wanted = this->Sums[begin] + whole * part / parts;
       while (next + 1 < end && this->Sums[next + 1] - wanted < wanted - this->Sums[next])
       {
         ++next;
       }
-      if (next < end)
-      {
-        stays[next++] = 1;
-      }
+      stays[next++] = 1;
     }
   }
 
@@ -335,23 +345,30 @@ private:
   std::vector<double> Sums; ///< lengths from the beginning
 };
 
+void ChooseNone(const std::vector<Id>&, std::size_t, std::size_t, std::vector<std::uint8_t>&) {}
+
 } // namespace
 
 RegionEdges StraightPieces(const OldMesh& mesh, const ChangedRegion& region, EdgePolicy policy)
 {
-  const auto none = [](const std::vector<Id>&, std::size_t, std::size_t,
-                      std::vector<std::uint8_t>&) {};
-  return EdgeReader(mesh, region, policy).Read(none);
+  return EdgeReader(mesh, region, policy, nullptr).Read(ChooseNone);
+}
+
+RegionEdges PiecesBetween(
+  const OldMesh& mesh, const ChangedRegion& region, const std::vector<std::uint8_t>& left)
+{
+  return EdgeReader(mesh, region, EdgePolicy::Free, &left).Read(ChooseNone);
 }
 
 RegionEdges ThinnedEdges(const OldMesh& mesh, const ChangedRegion& region,
-  const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy)
+  const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy,
+  const std::vector<std::uint8_t>* left)
 {
   Thinning thinning(mesh, region, spacings, rules.Lowest);
   const auto choose = [&thinning](const std::vector<Id>& vertices, std::size_t first,
                         std::size_t last, std::vector<std::uint8_t>& stays)
   { thinning.Choose(vertices, first, last, stays); };
-  return EdgeReader(mesh, region, policy).Read(choose);
+  return EdgeReader(mesh, region, policy, left).Read(choose);
 }
 
 } // namespace biting

@@ -41,19 +41,30 @@ struct RegionEdges
   std::vector<RegionEdge> Edges;
   std::vector<std::uint8_t> IsKept; ///< one a vertex of the region: on edges, and not gone
   std::vector<std::uint8_t> IsGone; ///< on edges, and not kept; the others lie on none
+
+  // The vertices that edge k stands for, besides its ends: Gone[GoneOffsets[k]] ..
+  std::vector<Id> GoneOffsets{ 0 };
+  std::vector<Id> Gone;
 };
 
-/// The largest straight pieces: `vertices` on them are gone, so that their lengths are those of the
+/// The largest straight pieces: vertices on them are gone, so that their lengths are those of the
 /// drawing. For the limit by feature size.
 RegionEdges StraightPieces(const OldMesh& mesh, const ChangedRegion& region, EdgePolicy policy);
+
+/// The edges between the vertices that `left` marks, one flag a vertex of the region: straight
+/// pieces or not, all others go. Those that may not go must be marked (EdgeSimplification.h).
+RegionEdges PiecesBetween(
+  const OldMesh& mesh, const ChangedRegion& region, const std::vector<std::uint8_t>& left);
 
 /// The edges with the vertices that `spacings`, one a vertex of the region, ask for: where these
 /// lie closer than the band of `rules`, those stay that divide their run best.
 ///
 /// A vertex may go where two edges with equal tags and equal sides meet in a straight line, to
-/// rounding; not on the rim, and not where it is fixed.
+/// rounding; not on the rim, and not where it is fixed. Where `left` is not null it says instead
+/// which must stay, as for PiecesBetween.
 RegionEdges ThinnedEdges(const OldMesh& mesh, const ChangedRegion& region,
-  const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy);
+  const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy,
+  const std::vector<std::uint8_t>* left = nullptr);
 
 } // namespace biting
 

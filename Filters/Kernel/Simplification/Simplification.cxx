@@ -239,10 +239,9 @@ Domain DomainOfChains(const Domain& domain, const DomainChains& chains)
   return rest.Make();
 }
 
-void ReduceChains(const SimplificationOptions& options, const SpacingFunction& spacing,
-  const Domain& domain, SimplifiedDomain& result, Pulse& pulse)
+void ReduceChains(const Domain& domain, const SimplificationOptions& options,
+  const std::vector<double>& tolerances, SimplifiedDomain& result, Pulse& pulse)
 {
-  const std::vector<double> tolerances = MakeTolerances(domain, options.Tolerance, spacing, pulse);
   DomainChains chains = MakeChains(domain, options.AreAlike, pulse);
   if (pulse.HasStopped())
   {
@@ -283,8 +282,24 @@ SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& opt
   if (options.Tolerance > 0.0 && !pulse.HasStopped())
   {
     const Domain whole = std::move(result.Drawing);
-    ReduceChains(options, spacing, whole, result, pulse);
+    const std::vector<double> tolerances = MakeTolerances(whole, options.Tolerance, spacing, pulse);
+    ReduceChains(whole, options, tolerances, result, pulse);
   }
+  return pulse.HasStopped() ? SimplifiedDomain() : std::move(result);
+}
+
+SimplifiedDomain SimplifyChains(const Domain& domain, const SimplificationOptions& options,
+  const std::vector<double>& spacings, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  SimplifiedDomain result;
+  std::vector<double> tolerances;
+  tolerances.reserve(spacings.size());
+  for (const double spacing : spacings)
+  {
+    tolerances.push_back(BelowTies * options.Tolerance * spacing);
+  }
+  ReduceChains(domain, options, tolerances, result, pulse);
   return pulse.HasStopped() ? SimplifiedDomain() : std::move(result);
 }
 

@@ -11,6 +11,7 @@
 #include "../Domain/Domain.h"
 
 #include <functional> // for spacing and tags
+#include <vector>     // for spacings
 
 namespace biting
 {
@@ -64,6 +65,11 @@ struct SimplifiedDomain
 /// 2009.
 SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& options,
   const std::function<double(const Point2&)>& spacing, ProblemList& problems, Monitor& monitor);
+
+/// As Simplify for the chains, where only f at the vertices is known: no loop is left out.
+/// Precondition: Tolerance is above zero.
+SimplifiedDomain SimplifyChains(const Domain& domain, const SimplificationOptions& options,
+  const std::vector<double>& spacings, Monitor& monitor);
 
 } // namespace biting
 

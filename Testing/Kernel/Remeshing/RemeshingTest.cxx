@@ -320,6 +320,15 @@ TEST(Remeshing, TooManyVerticesAreRefused)
   EXPECT_TRUE(run.Result.Mesh.Points.empty());
 }
 
+/// Lines of 1e18 parts are not counted through.
+TEST(Remeshing, AnAbsurdSpacingIsRefusedAtOnce)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.2), Rounding);
+  RemeshOptions options = WantingUniform(input, 1e-18);
+  options.LimitByFeatureSize = false;
+  EXPECT_TRUE(RunRemesh(input, options).Problems.Has(ProblemCode::TooManyVertices));
+}
+
 TEST(Remeshing, AMonitorThatStopsGetsNothing)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);

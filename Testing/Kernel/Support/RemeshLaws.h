@@ -12,7 +12,9 @@
 #include <algorithm> // for sort
 #include <array>     // for corners
 #include <cmath>     // for abs
+#include <limits>    // for infinity
 #include <map>       // for sums
+#include <set>       // for edges
 #include <string>    // for the violation
 #include <utility>   // for pairs
 #include <vector>    // for the arrays
@@ -52,10 +54,19 @@ public:
   {
   }
 
+  /// `allowed`: how far edges may be from each old vertex.
+  RemeshLaws(
+    const RemeshInput& input, const RemeshResult& result, const std::vector<double>& allowed)
+    : RemeshLaws(input, result)
+  {
+    this->Allowed = allowed;
+    this->MostAllowed = allowed.empty() ? 0.0 : *std::max_element(allowed.begin(), allowed.end());
+  }
+
   std::string Violation() const
   {
-    for (const std::string& violation :
-      { this->OfMesh(), this->OfKept(), this->OfTriangles(), this->OfAreas(), this->OfLengths() })
+    for (const std::string& violation : { this->OfMesh(), this->OfKept(), this->OfTriangles(),
+           this->OfAreas(), this->OfLengths(), this->OfPlaces(), this->OfTopology() })
     {
       if (!violation.empty())
       {
@@ -92,8 +103,9 @@ private:
         this->Mesh.Corners[first + (slot + 1) % 3], this->Mesh.Corners[first + (slot + 2) % 3]));
       constraints[slot] = found == edges.end() ? NoId : found->second;
     }
+    const double area = this->Result.Old.Area;
     return CheckMesh({ this->Mesh.Points, this->Mesh.Corners, this->Mesh.Neighbors, constraints,
-      this->Result.Old.Area, Tolerance + this->RoundingOfAreas() / this->Result.Old.Area });
+      area, Tolerance + this->RoundingOfAreas() / area });
   }
 
   std::string OfKept() const
@@ -172,7 +184,10 @@ private:
     {
       length += Distance(points[old.EdgeStarts[k]], points[old.EdgeEnds[k]]);
     }
-    return 2.0 * this->Input.Rounding * length;
+    // A strip as wide, and a disc at each end.
+    const double most = this->MostAllowed;
+    return 2.0 * this->Input.Rounding * length +
+      most * (2.0 * length + 4.0 * most * static_cast<double>(old.EdgeStarts.size()));
   }
 
   /// An end that is off the line by the rounding changes the length of an edge by that at most:
@@ -240,8 +255,105 @@ private:
       after[this->TagOf(this->Mesh.EdgeCells[k])] += Distance(
         this->Mesh.Points[this->Mesh.EdgeStarts[k]], this->Mesh.Points[this->Mesh.EdgeEnds[k]]);
     }
-    return Compare(before, after, Tolerance * whole + this->RoundingOfLengths(old),
-      "edges of a tag have another length");
+    const bool mayDiffer = this->MostAllowed > 0.0;
+    return mayDiffer ? CompareKeys(before, after)
+                     : Compare(before, after, Tolerance * whole + this->RoundingOfLengths(old),
+                         "edges of a tag have another length");
+  }
+
+  static std::string CompareKeys(const Sums& before, const Sums& after)
+  {
+    const bool isSame = before.size() == after.size() &&
+      std::equal(before.begin(), before.end(), after.begin(),
+        [](const auto& a, const auto& b) { return a.first == b.first; });
+    return isSame ? "" : "edges have other tags";
+  }
+
+  using Segments = std::map<Id, std::vector<std::array<Point2, 2>>>;
+
+  Segments SegmentsOf(const BitingMesh& edges, const std::vector<Point2>& points) const
+  {
+    Segments segments;
+    for (std::size_t k = 0; k < edges.EdgeStarts.size(); ++k)
+    {
+      segments[this->TagOf(edges.EdgeCells[k])].push_back(
+        { points[edges.EdgeStarts[k]], points[edges.EdgeEnds[k]] });
+    }
+    return segments;
+  }
+
+  static double DistanceTo(const std::vector<std::array<Point2, 2>>& segments, const Point2& p)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : segments)
+    {
+      const double square = Dot(b - a, b - a);
+      const double share = square > 0.0 ? std::clamp(Dot(p - a, b - a) / square, 0.0, 1.0) : 0.0;
+      least = std::min(least, Distance(p, a + share * (b - a)));
+    }
+    return least;
+  }
+
+  /// Old vertices of edges of a tag are as near to new ones as is allowed there, samples of these
+  /// to old edges as is allowed anywhere.
+  std::string OfPlaces() const
+  {
+    if (this->Allowed.empty())
+    {
+      return {};
+    }
+    const BitingMesh old = EdgesOf(this->Result.Old);
+    const Segments before = this->SegmentsOf(old, this->Result.Old.Points);
+    const Segments after = this->SegmentsOf(this->Mesh, this->Mesh.Points);
+    for (std::size_t k = 0; k < old.EdgeStarts.size(); ++k)
+    {
+      const Id start = old.EdgeStarts[k];
+      const double distance =
+        DistanceTo(after.at(this->TagOf(old.EdgeCells[k])), this->Result.Old.Points[start]);
+      if (!(distance <= this->Allowed[start] + 2.0 * this->Input.Rounding))
+      {
+        return "an edge is too far from an old vertex";
+      }
+    }
+    for (const auto& [tag, segments] : after)
+    {
+      for (const auto& [a, b] : segments)
+      {
+        const double distance = DistanceTo(before.at(tag), 0.5 * (a + b));
+        if (!(distance <= this->MostAllowed + 2.0 * this->Input.Rounding))
+        {
+          return "a new edge is too far from the old ones";
+        }
+      }
+    }
+    return {};
+  }
+
+  /// Of each region, the Euler characteristic: pieces less holes.
+  static std::map<Id, long long> Characteristics(
+    const std::vector<Id>& corners, const std::vector<Id>& regions)
+  {
+    std::set<std::pair<Id, Id>> vertices;
+    std::set<std::pair<Id, Ends>> edges;
+    std::map<Id, long long> sums;
+    for (std::size_t slot = 0; slot < corners.size(); ++slot)
+    {
+      const Id region = regions[slot / 3];
+      const Id next = corners[slot - slot % 3 + (slot + 1) % 3];
+      sums[region] += slot % 3 == 0 ? 1 : 0;
+      sums[region] += vertices.insert({ region, corners[slot] }).second ? 1 : 0;
+      sums[region] -= edges.insert({ region, std::minmax(corners[slot], next) }).second ? 1 : 0;
+    }
+    return sums;
+  }
+
+  std::string OfTopology() const
+  {
+    const OldMesh& old = this->Result.Old;
+    return Characteristics(old.Corners, old.Regions) ==
+        Characteristics(this->Mesh.Corners, this->Mesh.Regions)
+      ? ""
+      : "a region has other pieces or holes";
   }
 
   Id TagOf(Id line) const { return line == NoId ? NoId : this->Input.LineCells[line]; }
@@ -249,6 +361,8 @@ private:
   const RemeshInput& Input;
   const BitingMesh& Mesh;
   const RemeshResult& Result;
+  std::vector<double> Allowed;
+  double MostAllowed = 0.0;
 };
 
 } // namespace biting
