@@ -22,8 +22,43 @@ using Flags = std::vector<std::uint8_t>;
 // height of a good one.
 constexpr double RoomBesideEdges = 0.43;
 
-// All edges of the region as they are, with what may not go as points: all that is on the rim, what
-// is fixed, and what `stays` marks.
+// Beyond the rim lies the rest of the mesh. Its free edges may be as near to those of the region.
+void AddRest(const OldMesh& mesh, const ChangedRegion& region, Domain& drawing)
+{
+  std::vector<Id> numbers(mesh.Points.size(), NoId);
+  for (Id vertex = 0; vertex < drawing.NumberOfVertices(); ++vertex)
+  {
+    numbers[drawing.VertexPoints[vertex]] = vertex;
+  }
+  const auto number = [&mesh, &numbers, &drawing](Id vertex)
+  {
+    if (numbers[vertex] == NoId)
+    {
+      numbers[vertex] = drawing.NumberOfVertices();
+      drawing.Vertices.push_back(mesh.Points[vertex]);
+      drawing.VertexPoints.push_back(vertex);
+      drawing.IsEmbedded.push_back(0);
+      drawing.HasPoint.push_back(1);
+      drawing.Bounds.Add(mesh.Points[vertex]);
+    }
+    return numbers[vertex];
+  };
+  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
+  {
+    if (mesh.Neighbors[slot] == NoId && !region.IsChanged[slot / 3])
+    {
+      drawing.Starts.push_back(number(mesh.Start(slot)));
+      drawing.Ends.push_back(number(mesh.End(slot)));
+      drawing.Cells.push_back(mesh.Marks[slot]);
+      drawing.IsBoundary.push_back(1);
+      drawing.LeftInside.push_back(1);
+      drawing.RightInside.push_back(0);
+    }
+  }
+}
+
+// All edges of the region as they are, and the free ones of the rest of the mesh, with what may not
+// go as points: all that is on the rim or beyond, what is fixed, and what `stays` marks.
 Domain DrawingOf(const OldMesh& mesh, const ChangedRegion& region, const Flags& stays)
 {
   const RegionEdges edges = StraightPieces(mesh, region, EdgePolicy::SplitOnly);
@@ -38,6 +73,15 @@ Domain DrawingOf(const OldMesh& mesh, const ChangedRegion& region, const Flags& 
     const Id number = region.Numbers[vertex];
     drawing.HasPoint.push_back(stays[number] != 0 || region.IsInside[number] == 0);
   }
+  for (std::size_t edge = 0; edge < edges.Edges.size(); ++edge)
+  {
+    if (edges.Edges[edge].RimSlot != NoId)
+    {
+      drawing.IsBoundary[edge] = 0;
+      drawing.RightInside[edge] = 1;
+    }
+  }
+  AddRest(mesh, region, drawing);
   return drawing;
 }
 
@@ -60,7 +104,11 @@ Flags FindLeft(const OldMesh& mesh, const ChangedRegion& region, const Flags& st
   Flags left(region.Vertices.size(), hasStopped ? 1 : 0);
   for (const Id vertex : simplified.Drawing.VertexPoints)
   {
-    left[region.Numbers[vertex]] = 1;
+    const Id number = region.Numbers[vertex];
+    if (number != NoId)
+    {
+      left[number] = 1;
+    }
   }
   return left;
 }

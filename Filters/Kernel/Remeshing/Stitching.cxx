@@ -212,7 +212,7 @@ void Stitcher::CopySlot(Id slot, Id first)
 }
 
 // Each face of the cavity has an edge; the side of it tells. Where edges lie on each other within
-// rounding a side may be outside: no triangle is there.
+// rounding, a face may have only edges whose sides are outside there: then the other sides tell.
 std::vector<Id> Stitcher::RegionsOfFaces() const
 {
   const Triangulation& triangles = this->Cavity.Triangles;
@@ -222,7 +222,8 @@ std::vector<Id> Stitcher::RegionsOfFaces() const
   {
     count = std::max(count, face + 1);
   }
-  std::vector<Id> regions(static_cast<std::size_t>(count), 0);
+  std::vector<Id> regions(static_cast<std::size_t>(count), NoId);
+  std::vector<Id> others(static_cast<std::size_t>(count), 0);
   for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
   {
     if (const RegionEdge* edge = this->EdgeOf(slot))
@@ -233,10 +234,18 @@ std::vector<Id> Stitcher::RegionsOfFaces() const
         bites.Points[triangles.Corners[3 * triangle + (slot + 1) % 3]];
       const Point2 direction =
         bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
-      const Id region = Dot(along, direction) > 0.0 ? edge->LeftRegion : edge->RightRegion;
+      const bool isLeft = Dot(along, direction) > 0.0;
+      const Id region = isLeft ? edge->LeftRegion : edge->RightRegion;
+      const Id other = isLeft ? edge->RightRegion : edge->LeftRegion;
       Id& known = regions[triangles.Regions[triangle]];
       known = region != NoId ? region : known;
+      Id& beyond = others[triangles.Regions[triangle]];
+      beyond = other != NoId ? other : beyond;
     }
+  }
+  for (std::size_t face = 0; face < regions.size(); ++face)
+  {
+    regions[face] = regions[face] != NoId ? regions[face] : others[face];
   }
   return regions;
 }

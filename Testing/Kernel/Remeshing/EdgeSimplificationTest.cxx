@@ -266,6 +266,23 @@ TEST(EdgeSimplification, FixedVerticesAndFrozenTrianglesStay)
   EXPECT_EQ(RemeshLaws(input, result, allowed).Violation(), "");
 }
 
+/// A slit outside of the mesh; on its other side triangles stay, which have no vertex in the way.
+TEST(EdgeSimplification, EdgesDoNotMoveOverWhatIsUnchangedAcrossASlit)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 2, 0 }, { 1, 0.1 }, { 0, -2 }, { 2, -2 }, { 1, 2 } };
+  input.Corners = { 1, 0, 3, 3, 4, 1, 0, 2, 5, 2, 1, 5 };
+  input.IsFrozen = { 1, 1, 0, 0 };
+  RemeshOptions options = WithTolerance(0.9);
+  options.Values.assign(input.Points.size(), 4.0);
+  options.LimitByFeatureSize = false;
+  ProblemList problems;
+  const RemeshResult result = Remesh(input, options, problems, NoMonitor());
+  EXPECT_FALSE(problems.HasErrors());
+  const std::vector<double> allowed(input.Points.size(), 3.6);
+  EXPECT_TRUE(result.IsUnchanged || RemeshLaws(input, result, allowed).Violation().empty());
+}
+
 TEST(EdgeSimplification, AMonitorThatStopsGetsNothing)
 {
   const RemeshInput input = RemeshInputOf(WaveMesh(), Rounding);
