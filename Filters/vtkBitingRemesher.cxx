@@ -273,6 +273,8 @@ bool vtkBitingRemesher::Execution::ReadParameters()
   constexpr biting::EdgePolicy Policies[] = { biting::EdgePolicy::Free,
     biting::EdgePolicy::SplitOnly, biting::EdgePolicy::Frozen };
   this->Options.Edges = Policies[filter.EdgePolicy];
+  this->Options.BoundaryTolerance = filter.BoundaryTolerance;
+  this->Options.FeatureAngle = filter.FeatureAngle;
   constexpr biting::RemeshPreference Preferences[] = { biting::RemeshPreference::Keeping,
     biting::RemeshPreference::Balanced, biting::RemeshPreference::Shape };
   this->Options.Preference = Preferences[filter.Preference];
@@ -293,7 +295,9 @@ std::string vtkBitingRemesher::Execution::ParameterRefusal() const
       biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
       biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
       biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
-      biting::CheckAtLeastZero("Gradation", filter.Gradation) })
+      biting::CheckAtLeastZero("Gradation", filter.Gradation),
+      biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
+      biting::CheckAtLeastZero("FeatureAngle", filter.FeatureAngle) })
   {
     if (!refusal.empty())
     {
@@ -533,6 +537,8 @@ void vtkBitingRemesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Gradation: " << this->Gradation << "\n"
      << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
      << indent << "EdgePolicy: " << this->EdgePolicy << "\n"
+     << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
+     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
      << indent << "Preference: " << this->Preference << "\n"
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "FrozenArray: " << this->FrozenArray << "\n"

@@ -28,8 +28,8 @@
  *   marks.
  * The polygon of all these lines stays exactly what it was, but for rounding: where it is straight
  * and its tags and regions are the same on both sides, vertices may go and come. On a boundary that
- * bends at every vertex none goes, however coarse f is; LimitByFeatureSize then keeps f near it as
- * fine as its edges. To coarsen such a boundary, mesh its drawing anew, with a BoundaryTolerance.
+ * bends at every vertex none goes, however coarse f is, and LimitByFeatureSize then keeps f near it
+ * as fine as its edges; unless BoundaryTolerance lets it move.
  *
  * @par The spacing f:
  * That of the source at input 1, of the array that SetInputArrayToProcess(1, 1, 0, POINTS, name)
@@ -53,8 +53,8 @@
  *
  * @par Transfer:
  * At kept vertices and unchanged triangles values are what they were. Real point arrays are linear
- * in the old triangle at a new vertex; of all others its nearest corner counts. New triangles have
- * the cell data of the old one at their middle, and of RegionArray that of their region.
+ * in the old triangle at a new vertex, or at the nearest place of the old mesh where a boundary
+ * has moved; of all others its nearest corner counts. New triangles have the cell data of the old one at their middle, and of RegionArray that of their region.
  *
  * @par Messages:
  * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more
@@ -200,6 +200,33 @@ public:
 
   ///@{
   /**
+   * How far boundary, interfaces and tagged edges may be from those of the input, in units of f at
+   * the place before the limit by feature size, >= 0; sensible from 0.05 to 0.5. 0 (default):
+   * exactly where they were. Above 0, with EdgePolicy FREE, vertices also go where they bend, where
+   * these are closer than f asks for; f is limited by the features of what is left. Where the mesh
+   * is refined new vertices lie on the old edges. Both paths are within that distance of one
+   * another; topology, what stays, sharp angles and cost are as of vtkBitingMesher's
+   * BoundaryTolerance; ends of tags, vertices that are frozen and the rim of what is unchanged
+   * stay. The distance is from the mesh at hand: in a loop that coarsens again and again it adds
+   * up. New vertices outside of the old mesh have the data of the nearest place in it. Negative or
+   * not finite: an error.
+   */
+  vtkSetMacro(BoundaryTolerance, double);
+  vtkGetMacro(BoundaryTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * With BoundaryTolerance: corners where edges turn by this or more stay where they are; in
+   * degrees, as vtkBitingMesher's CornerAngle, seen from four tolerances away. >= 0; default 30.
+   * Negative or not finite: an error.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices
    * stay that can; BALANCED (default): where they would leave an angle below 30 degrees, or an edge
    * beyond [0.65, 1.45] f, one is released, and all are where the mesh is too coarse for f by less
@@ -328,6 +355,8 @@ private:
   double Gradation = 0.3;
   bool LimitByFeatureSize = true;
   int EdgePolicy = FREE;
+  double BoundaryTolerance = 0.0;
+  double FeatureAngle = 30.0;
   int Preference = BALANCED;
   std::string RegionArray = "RegionId";
   std::string FrozenArray;

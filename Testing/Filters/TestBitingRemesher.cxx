@@ -352,6 +352,20 @@ TEST(BitingRemesher, LeavesWhatIsFrozen)
   }
 }
 
+TEST(BitingRemesher, RefusesTolerancesThatAreNone)
+{
+  for (const char* name : { "BoundaryTolerance", "FeatureAngle" })
+  {
+    const auto remesher = RemesherOf(SquareMesh());
+    const Messages messages(remesher);
+    remesher->SetBoundaryTolerance(std::string(name) == "BoundaryTolerance" ? -0.1 : 0.1);
+    remesher->SetFeatureAngle(std::string(name) == "FeatureAngle" ? -1.0 : 30.0);
+    remesher->Update();
+    ASSERT_EQ(messages.Errors.size(), 1u);
+    EXPECT_TRUE(Has(messages.Errors[0], name));
+  }
+}
+
 TEST(BitingRemesher, SaysOnceWhatIsWrong)
 {
   const auto mesh = SquareMesh();

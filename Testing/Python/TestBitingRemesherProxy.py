@@ -3,6 +3,7 @@
 
 """BitingRemesher as a script in pvpython sees it."""
 
+import math
 import os
 import unittest
 
@@ -11,6 +12,7 @@ from paraview import simple
 PROPERTIES = {
     'UniformSpacing': 0.0, 'SpacingScale': 1.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0,
     'Gradation': 0.3, 'LimitByFeatureSize': 1, 'Preference': 'Balanced', 'EdgePolicy': 'Free',
+    'BoundaryTolerance': 0.0, 'FeatureAngle': 30.0,
     'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1, 'Rings': 2,
     'RelaxAll': 0, 'MaximumNumberOfVertices': 20000000, 'NumberOfThreads': 0, 'GenerateBites': 0,
     'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
@@ -77,6 +79,36 @@ class TestBitingRemesherProxy(unittest.TestCase):
             kept.append(figure(BitingRemesher(Input=disc, Rings=rings), 'KeptTriangles'))
         self.assertGreater(kept[0], kept[1])
         self.assertGreaterEqual(kept[1], kept[2])
+
+    def test_a_bent_boundary_gets_coarser_within_the_tolerance(self):
+        spacing, tolerance = 0.25, 0.2
+        disc = BitingMesher(
+            Input=simple.Disk(InnerRadius=0.4, OuterRadius=1, CircumferentialResolution=90),
+            UniformSpacing=0.06)
+        field = simple.Calculator(Input=disc, ResultArrayName='field', Function='coordsX')
+        counts = []
+        for wanted in (0.0, tolerance):
+            remesher = BitingRemesher(
+                Input=field, UniformSpacing=spacing, BoundaryTolerance=wanted)
+            remesher.UpdatePipeline()
+            mesh_made = simple.FetchData(simple.OutputPort(remesher, 0))[0]
+            edges = simple.FetchData(simple.OutputPort(remesher, 1))[0]
+            counts.append(edges.GetNumberOfCells())
+        self.assertLess(3 * counts[1], counts[0])
+        inner, outer = 0.4 * math.cos(math.pi / 90), math.cos(math.pi / 90)
+        values = mesh_made.GetPointData().GetArray('field')
+        for point in range(mesh_made.GetNumberOfPoints()):
+            x, y, _ = mesh_made.GetPoint(point)
+            self.assertGreater(math.hypot(x, y), inner - tolerance * spacing)
+            # Of the nearest place of the old mesh, where it does not hold the point.
+            off = max(0.4 - math.hypot(x, y), 0.0)
+            self.assertLess(abs(values.GetValue(point) - x), 1e-6 + off)
+        for cell in range(edges.GetNumberOfCells()):
+            ends = edges.GetCell(cell).GetPoints()
+            middle = [0.5 * (ends.GetPoint(0)[k] + ends.GetPoint(1)[k]) for k in (0, 1)]
+            radius = math.hypot(*middle)
+            off = min(max(inner - radius, radius - 0.4), max(outer - radius, radius - 1))
+            self.assertLess(off, tolerance * spacing + 1e-6)
 
     def test_a_scale_of_a_half_keeps_vertices_and_adds_others(self):
         old = mesh()

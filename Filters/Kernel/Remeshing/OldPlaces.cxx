@@ -3,11 +3,13 @@
 
 #include "OldPlaces.h"
 
+#include "../Spacing/BorderTree.h"
 #include "../Spacing/TriangleBuckets.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for infinity
 #include <numeric>   // for iota
+#include <optional>  // for what may not be needed
 
 namespace biting
 {
@@ -19,7 +21,9 @@ class Search
 {
 public:
   Search(const OldMesh& mesh, const std::vector<Id>& triangles, Pulse& pulse)
-    : Triangles(triangles)
+    : Mesh(mesh)
+    , Triangles(triangles)
+    , Progress(pulse)
     , Places(PlacesOf(mesh, triangles))
     , Buckets(this->Places, pulse)
     , All(triangles.size())
@@ -27,24 +31,37 @@ public:
     std::iota(this->All.begin(), this->All.end(), 0);
   }
 
-  OldPlace Find(const Point2& place) const
+  OldPlace Find(const Point2& place)
   {
-    const TriangleBuckets::Range near = this->Buckets.Near(place);
-    const bool isEmpty = near.First == near.Last;
-    return isEmpty ? this->FindAmong(this->All, place) : this->FindAmong(near, place);
+    OldPlace found;
+    if (!this->FindAmong(this->Buckets.Near(place), place, found))
+    {
+      this->FindOnBorder(place, found);
+    }
+    if (found.Triangle == NoId)
+    {
+      this->FindAmong(this->All, place, found);
+    }
+    return found;
   }
 
 private:
   static std::vector<TriangleBuckets::Corners> PlacesOf(
     const OldMesh& mesh, const std::vector<Id>& triangles);
   template <typename Candidates>
-  OldPlace FindAmong(const Candidates& candidates, const Point2& place) const;
+  bool FindAmong(const Candidates& candidates, const Point2& place, OldPlace& found) const;
+  void FindOnBorder(const Point2& place, OldPlace& found);
+  double DistanceTo(const OldPlace& found, const Point2& place) const;
+  BorderTree MakeBorder();
   std::array<double, 3> WeightsIn(Id candidate, const Point2& place) const;
 
+  const OldMesh& Mesh;
   const std::vector<Id>& Triangles;
+  Pulse& Progress;
   std::vector<TriangleBuckets::Corners> Places;
   TriangleBuckets Buckets;
   std::vector<Id> All;
+  std::optional<BorderTree> Border; ///< the free edges, with their slots as both ids
 };
 
 std::vector<TriangleBuckets::Corners> Search::PlacesOf(
@@ -69,10 +86,10 @@ std::array<double, 3> Search::WeightsIn(Id candidate, const Point2& place) const
 }
 
 // The one whose least weight is the largest: not negative in the triangle that holds the place.
+// Whether one does.
 template <typename Candidates>
-OldPlace Search::FindAmong(const Candidates& candidates, const Point2& place) const
+bool Search::FindAmong(const Candidates& candidates, const Point2& place, OldPlace& found) const
 {
-  OldPlace best;
   double largest = -std::numeric_limits<double>::infinity();
   for (const Id candidate : candidates)
   {
@@ -81,20 +98,74 @@ OldPlace Search::FindAmong(const Candidates& candidates, const Point2& place) co
     if (least > largest)
     {
       largest = least;
-      best = { this->Triangles[candidate], weights };
+      found = { this->Triangles[candidate], weights };
     }
   }
   double sum = 0.0;
-  for (double& weight : best.Weights)
+  for (double& weight : found.Weights)
   {
     weight = std::max(weight, 0.0);
     sum += weight;
   }
-  for (double& weight : best.Weights)
+  for (double& weight : found.Weights)
   {
     weight /= sum;
   }
-  return best;
+  return largest >= 0.0;
+}
+
+BorderTree Search::MakeBorder()
+{
+  std::vector<BorderEdge> edges;
+  for (const Id triangle : this->Triangles)
+  {
+    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+    {
+      if (this->Mesh.Neighbors[slot] == NoId)
+      {
+        edges.push_back({ this->Mesh.Points[this->Mesh.Start(slot)],
+          this->Mesh.Points[this->Mesh.End(slot)], 0.0, 1.0, slot, slot });
+      }
+    }
+  }
+  return { edges, this->Progress };
+}
+
+double Search::DistanceTo(const OldPlace& found, const Point2& place) const
+{
+  if (found.Triangle == NoId)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  Point2 sum{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sum = sum + found.Weights[k] * this->Mesh.Points[this->Mesh.Corners[3 * found.Triangle + k]];
+  }
+  return Distance(sum, place);
+}
+
+// Where the border is nearer than what was found: that may be off by rounding only.
+void Search::FindOnBorder(const Point2& place, OldPlace& found)
+{
+  if (!this->Border)
+  {
+    this->Border = this->MakeBorder();
+  }
+  if (this->Progress.HasStopped())
+  {
+    return;
+  }
+  const NearestValue nearest =
+    this->Border->Nearest(place, { this->DistanceTo(found, place), 0.0 });
+  if (nearest.StartId != NoId)
+  {
+    const Id slot = nearest.StartId;
+    found.Triangle = slot / 3;
+    found.Weights = { 0.0, 0.0, 0.0 };
+    found.Weights[(slot % 3 + 1) % 3] = 1.0 - nearest.Value;
+    found.Weights[(slot % 3 + 2) % 3] = nearest.Value;
+  }
 }
 
 } // namespace
@@ -107,7 +178,7 @@ std::vector<OldPlace> FindOldPlaces(const OldMesh& mesh, const std::vector<Id>& 
   {
     return found;
   }
-  const Search search(mesh, triangles, pulse);
+  Search search(mesh, triangles, pulse);
   if (!pulse.HasStopped())
   {
     found.reserve(places.size());

@@ -24,7 +24,8 @@ struct OldPlace
 };
 
 /// The triangle among `triangles` of the mesh, at least one, that holds each of `places`; for those
-/// that none holds, by rounding, one nearby and the place in it that is near. Cost about O(n).
+/// that none holds, by rounding or where the boundary moved, the nearest place on their free edges.
+/// Cost about O(n), and O(log m) for m free edges for each place that none holds.
 std::vector<OldPlace> FindOldPlaces(const OldMesh& mesh, const std::vector<Id>& triangles,
   const std::vector<Point2>& places, Pulse& pulse);
 
