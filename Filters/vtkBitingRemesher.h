@@ -54,7 +54,8 @@
  * @par Transfer:
  * At kept vertices and unchanged triangles values are what they were. Real point arrays are linear
  * in the old triangle at a new vertex, or at the nearest place of the old mesh where a boundary
- * has moved; of all others its nearest corner counts. New triangles have the cell data of the old one at their middle, and of RegionArray that of their region.
+ * has moved; of all others its nearest corner counts. New triangles have the cell data of the old
+ * one at their middle, and of RegionArray that of their region.
  *
  * @par Messages:
  * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more

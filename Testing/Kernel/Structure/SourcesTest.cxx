@@ -101,7 +101,8 @@ const std::map<std::string, std::set<std::string>> Arrows = {
   { "Kernel/Blocks",
     { "Base", "Predicates", "Domain", "Spacing", "Biting", "Delaunay", "Relaxation", "Meshing" } },
   { "Kernel/Remeshing",
-    { "Base", "Predicates", "Domain", "Spacing", "Biting", "Delaunay", "Quality" } },
+    { "Base", "Predicates", "Domain", "Simplification", "Spacing", "Biting", "Delaunay",
+      "Quality" } },
 };
 
 bool IsAllowed(const std::string& from, const std::string& to)
