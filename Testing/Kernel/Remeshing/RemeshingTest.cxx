@@ -277,6 +277,16 @@ TEST(Remeshing, PointsOfFreeEdgesAtOnePlaceAreMadeOne)
   }
 }
 
+/// A hole as thin as rounding: both of its sides would be the same edge.
+TEST(Remeshing, SidesOfAFlatHoleDoNotBecomeOne)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 1, 1e-16 }, { 1, -1 }, { 1, 1 } };
+  input.Corners = { 0, 4, 1, 1, 4, 2, 0, 3, 5, 3, 2, 5 };
+  input.Rounding = Rounding;
+  RunLawfully(input, WantingUniform(input, 3.0));
+}
+
 TEST(Remeshing, WhatIsNoMeshIsRefusedWithItsCells)
 {
   const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 },
