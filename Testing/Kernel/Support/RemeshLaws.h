@@ -103,9 +103,12 @@ private:
         this->Mesh.Corners[first + (slot + 1) % 3], this->Mesh.Corners[first + (slot + 2) % 3]));
       constraints[slot] = found == edges.end() ? NoId : found->second;
     }
-    const double area = this->Result.Old.Area;
+    // Where all of the area is rounding it is anything up to twice that.
+    const double rounding = this->RoundingOfAreas();
+    const bool isRounding = this->Result.Old.Area <= rounding;
+    const double area = isRounding ? rounding : this->Result.Old.Area;
     return CheckMesh({ this->Mesh.Points, this->Mesh.Corners, this->Mesh.Neighbors, constraints,
-      area, Tolerance + this->RoundingOfAreas() / area });
+      area, Tolerance + (isRounding ? 1.0 : rounding / area) });
   }
 
   std::string OfKept() const
@@ -350,10 +353,33 @@ private:
   std::string OfTopology() const
   {
     const OldMesh& old = this->Result.Old;
-    return Characteristics(old.Corners, old.Regions) ==
-        Characteristics(this->Mesh.Corners, this->Mesh.Regions)
-      ? ""
-      : "a region has other pieces or holes";
+    const bool isSame = Characteristics(old.Corners, old.Regions) ==
+      Characteristics(this->Mesh.Corners, this->Mesh.Regions);
+    return isSame || this->HasGapsOfRounding() ? "" : "a region has other pieces or holes";
+  }
+
+  /// Whether a vertex lies as near to an edge that does not end there: they may be meant to touch,
+  /// or not.
+  bool HasGapsOfRounding() const
+  {
+    const BitingMesh old = EdgesOf(this->Result.Old);
+    const std::vector<Point2>& points = this->Result.Old.Points;
+    for (const Id vertex : old.EdgeStarts)
+    {
+      for (std::size_t k = 0; k < old.EdgeStarts.size(); ++k)
+      {
+        const Id start = old.EdgeStarts[k];
+        const Id end = old.EdgeEnds[k];
+        const bool isNear = start != vertex && end != vertex &&
+          DistanceTo({ { points[start], points[end] } }, points[vertex]) <=
+            2.0 * this->Input.Rounding;
+        if (isNear)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   Id TagOf(Id line) const { return line == NoId ? NoId : this->Input.LineCells[line]; }
