@@ -162,9 +162,12 @@
  * thin; so they are in sharp angles of the input.
  *
  * @par Cost:
- * O(n log n) for n vertices; memory about 0.5 kB a vertex. The check and the
- * measures of the finished mesh run on NumberOfThreads, the rest on one. Different filters may run
- * in different threads at once, also on shared input.
+ * O(n log n) for n vertices; memory about 0.5 kB a vertex. Where about 256 000 vertices and more
+ * are expected the domain is cut into blocks of about 128 000, which are meshed on NumberOfThreads,
+ * each by itself, and then relaxed once more along the cuts; but not in the order LargestY, with
+ * MaximumNumberOfBites, GenerateBites or PreserveBoundary, and without Relaxation. The check and
+ * the measures of any finished mesh run on NumberOfThreads; the rest on one. Different filters may
+ * run in different threads at once, also on shared input.
  *
  * @par Sources:
  * X.-Y. Li, S.-H. Teng, A. Ungor, "Biting: advancing front meets sphere packing", 2000, bites
@@ -556,9 +559,9 @@ public:
 
   ///@{
   /**
-   * How many threads check and measure the mesh, >= 0; it does not depend on it. 0 (default): as
-   * many as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by
-   * its backend, or by STDThread where that is Sequential.
+   * How many threads work on the mesh (Cost, above), >= 0; it does not depend on it. 0 (default):
+   * as many as there are cores for this process. 1: none is started. Threads come from vtkSMPTools,
+   * by its backend, or by STDThread where that is Sequential.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -144,7 +144,7 @@ int main(int argc, char** argv)
     {
       continue;
     }
-    if (threads > 1)
+    if (threads >= 1)
     {
       RunOnce(one, 0, 1);
     }

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <thread>
 
@@ -338,6 +339,28 @@ TEST(BitingMesherResult, IsTheSameBytesForAnyNumberOfThreads)
   const auto alone = meshWith(1);
   ASSERT_GT(alone->GetNumberOfCells(), 40000);
   for (const int numberOfThreads : { 0, 2, 3, 8 })
+  {
+    EXPECT_TRUE(AreSame(meshWith(numberOfThreads), alone)) << numberOfThreads;
+  }
+}
+
+/// Two blocks' worth of vertices and more, of which progress is shown once from stage to stage.
+TEST(BitingMesherResult, IsTheSameBytesForAnyNumberOfThreadsThatMeshBlocks)
+{
+  const auto meshWith = [](int numberOfThreads)
+  {
+    vtkNew<vtkBitingMesher> mesher;
+    const ProgressWatcher watcher(mesher);
+    mesher->SetInputData(UnitSquare());
+    mesher->SetUniformSpacing(0.00196);
+    mesher->SetNumberOfThreads(numberOfThreads);
+    mesher->Update();
+    EXPECT_TRUE(std::is_sorted(watcher.Progress.begin(), watcher.Progress.end()));
+    return vtkSmartPointer<vtkPolyData>(mesher->GetOutput());
+  };
+  const auto alone = meshWith(1);
+  ASSERT_GT(alone->GetNumberOfPoints(), 256000);
+  for (const int numberOfThreads : { 2, 8 })
   {
     EXPECT_TRUE(AreSame(meshWith(numberOfThreads), alone)) << numberOfThreads;
   }

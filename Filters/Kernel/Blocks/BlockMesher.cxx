@@ -12,8 +12,9 @@
 #include "CutPlan.h"
 #include "CutStrip.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, stable_sort
 #include <cstdint>   // for counts
+#include <numeric>   // for iota
 #include <string>    // for violations
 #include <utility>   // for move
 
@@ -78,13 +79,24 @@ void BlockMesher::Plan(
   division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
   this->Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
   this->Meshes.resize(this->Parts.Blocks.size());
+  this->OrderBlocks();
+}
+
+// The largest first: while that is at work, other threads do several of the others.
+void BlockMesher::OrderBlocks()
+{
+  this->LargestFirst.resize(this->Parts.Blocks.size());
+  std::iota(this->LargestFirst.begin(), this->LargestFirst.end(), std::size_t{ 0 });
+  std::stable_sort(this->LargestFirst.begin(), this->LargestFirst.end(),
+    [this](std::size_t a, std::size_t b)
+    { return this->Parts.Blocks[a].ExpectedVertices > this->Parts.Blocks[b].ExpectedVertices; });
 }
 
 void BlockMesher::BiteBlocks(Monitor& monitor)
 {
   Pulse pulse(monitor);
   DoTasks(pulse, this->Meshes.size(),
-    [this](std::size_t block, Monitor& own) { this->BiteBlock(block, own); });
+    [this](std::size_t k, Monitor& own) { this->BiteBlock(this->LargestFirst[k], own); });
 }
 
 bool BlockMesher::HasTooManyVertices() const
@@ -117,8 +129,9 @@ Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
   PartOfStage part(monitor, 0.0, 1.0);
   Pulse pulse(part);
   DoTasks(pulse, this->Meshes.size(),
-    [this, &found](std::size_t block, Monitor& own)
+    [this, &found](std::size_t k, Monitor& own)
     {
+      const std::size_t block = this->LargestFirst[k];
       BlockMesh& mesh = this->Meshes[block];
       mesh.Triangles =
         TriangulateBites(this->Parts.Blocks[block].Geometry, {}, mesh.Bites, found[block], own);
@@ -159,8 +172,9 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
   options.PoorCotangents = PoorCotangents;
   Pulse pulse(monitor);
   DoTasks(pulse, this->Meshes.size(),
-    [this, &violations, &options](std::size_t block, Monitor& own)
+    [this, &violations, &options](std::size_t k, Monitor& own)
     {
+      const std::size_t block = this->LargestFirst[k];
       BlockMesh& mesh = this->Meshes[block];
       violations[block] = RelaxBites(
         this->Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);

@@ -52,6 +52,7 @@ public:
 private:
   void Plan(
     const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
+  void OrderBlocks();
   void BiteBlocks(Monitor& monitor);
   bool HasTooManyVertices() const;
   void BiteBlock(std::size_t block, Monitor& monitor);
@@ -62,6 +63,7 @@ private:
   const Spacing& F;
   BitingOptions Options;
   BlockDomains Parts;
+  std::vector<std::size_t> LargestFirst; ///< the blocks, as tasks
   std::vector<BlockMesh> Meshes;
   JoinedMesh Joined;
 };

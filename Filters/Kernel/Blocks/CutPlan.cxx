@@ -9,6 +9,7 @@
 #include <algorithm> // for sort, unique, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
+#include <optional>  // for the first cut
 #include <utility>   // for move
 
 namespace biting
@@ -34,6 +35,10 @@ constexpr int LeastParts = 4;
 constexpr double PartsOfLine = 100.0;
 constexpr double WayAside = 0.1;     // of the diagonal
 constexpr double CostOfChange = 0.3; // of f by a factor of e, in vertices on the cut
+
+// Parallel cuts give both sides of a block the same lattice, and no corners where four meet: two
+// such cuts of a square cost less than a cross does, three or more do not.
+constexpr double CostOfOtherDirection = 2.5; // than that of the first cut
 
 using Samples = std::vector<DensitySample>;
 
@@ -153,6 +158,7 @@ private:
   CutPlan Plan;
   std::vector<Part> Pending;
   double VerticesPerDensity = 0.0;
+  std::optional<bool> IsFirstVertical; ///< the first cut; none: there is none
 };
 
 CutPlan Planner::Run(double vertices, double verticesPerBlock)
@@ -200,9 +206,15 @@ void Planner::Divide(Part part)
   const CutScene scene = this->SceneOf(part);
   const Cut vertical = this->FindCut(part, scene, true);
   const Cut level = this->FindCut(part, scene, false);
-  const Cut& best = vertical.Cost <= level.Cost ? vertical : level;
+  const bool isFirstVertical = this->IsFirstVertical.value_or(true);
+  const bool isFirstLevel = !this->IsFirstVertical.value_or(false);
+  const Cut& best = (isFirstVertical ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
+      (isFirstLevel ? 1.0 : CostOfOtherDirection) * level.Cost
+    ? vertical
+    : level;
   if (best.Along.IsGood && !this->Beats.HasStopped())
   {
+    this->IsFirstVertical = this->IsFirstVertical.value_or(best.Line.IsVertical);
     this->Apply(best.Along);
     this->DivideNode(part, best.Line);
   }

@@ -56,7 +56,8 @@ struct CutPlan
 /// `vertices` of them in all; not at all where these are less than 2 blocks' worth. Each line
 /// divides its part nearly equally, in the direction and at the place where fewest vertices lie on
 /// it of those at which it is good (CutLine.h); where there is none the part stays whole. Along f
-/// counts less than across, where f changes. Depends on the arguments alone. Where the monitor
+/// counts less than across, where f changes, and the direction of the first cut less than the
+/// other. Depends on the arguments alone. Where the monitor
 /// wants to stop the result has no meaning.
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   double vertices, double verticesPerBlock, Pulse& pulse);

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>   // for sqrt
+#include <ctime>   // for CPU time
 #include <map>     // for sums
 #include <numeric> // for accumulate
 #include <string>  // for names
@@ -89,6 +90,11 @@ BitingMesh MeshOf(const Case& input, std::int64_t verticesPerBlock, int numberOf
   return mesh;
 }
 
+double SecondsOfProcess()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 double MeanAngle(const BitingMesh& mesh)
 {
   const std::vector<double>& angles = mesh.Quality.MinimumAngle;
@@ -144,18 +150,21 @@ TEST(BlockMesher, MeshesAreTheSameToTheLastByteForAnyNumberOfThreads)
   }
 }
 
+/// Where the fronts of two sides meet in a block, at most a row is lost or gained.
 TEST(BlockMesher, BlocksDifferFromOneBlockInTheMeshOnly)
 {
+  constexpr std::int64_t VerticesPerBlock = 800;
+  const double ofOneRow = 1.0 / std::sqrt(static_cast<double>(VerticesPerBlock));
   for (const Case& input : Cases())
   {
     SCOPED_TRACE(input.Name);
     const BitingMesh whole = MeshOf(input, 0);
-    const BitingMesh blocks = MeshOf(input, 800);
+    const BitingMesh blocks = MeshOf(input, VerticesPerBlock);
     EXPECT_NE(whole.Corners, blocks.Corners) << "no cut";
     ExpectNear(Areas(blocks), Areas(whole));
     ExpectNear(Lengths(blocks), Lengths(whole));
     EXPECT_NEAR(static_cast<double>(blocks.Points.size()), static_cast<double>(whole.Points.size()),
-      0.02 * static_cast<double>(whole.Points.size()));
+      ofOneRow * static_cast<double>(whole.Points.size()));
     for (std::size_t vertex = 0; vertex < whole.OriginalPoints.size(); ++vertex)
     {
       if (whole.OriginalPoints[vertex] != NoId)
@@ -264,6 +273,38 @@ TEST(BlockMesher, StopsWhereverTheMonitorWantsToOnAnyNumberOfThreads)
       EXPECT_EQ(mesh.Points.empty(), problems.Has(ProblemCode::Aborted));
       EXPECT_FALSE(problems.Has(ProblemCode::CheckFailed));
     }
+  }
+}
+
+/// Of CPU time, which other programs do not make longer.
+TEST(BlockMesher, StopsWithinHalfASecondFromAnyStep)
+{
+  class StoppingByTime : public MonitorWithThreads
+  {
+  public:
+    explicit StoppingByTime(double seconds)
+      : MonitorWithThreads(2)
+      , End(SecondsOfProcess() + seconds)
+    {
+    }
+    bool Advance(double) override { return SecondsOfProcess() < this->End; }
+
+    const double End;
+  };
+
+  const Polylines square = PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines();
+  BitingMeshOptions options;
+  options.Spacing = UniformSpacing(0.00196);
+  bool wasStopped = true;
+  for (double seconds = 0.05; wasStopped; seconds *= 1.7)
+  {
+    ProblemList problems;
+    StoppingByTime monitor(seconds);
+    const BitingMesh mesh = MakeBitingMesh(square, options, problems, monitor);
+    wasStopped = problems.Has(ProblemCode::Aborted);
+    EXPECT_EQ(mesh.Points.empty(), wasStopped);
+    EXPECT_TRUE(!wasStopped || SecondsOfProcess() - monitor.End < 0.5) << seconds;
+    EXPECT_TRUE(wasStopped || mesh.NumberOfBlocks == 2);
   }
 }
 
