@@ -8,10 +8,11 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of
+#include <algorithm> // for all_of, find
 #include <cstddef>   // for size_t
 #include <cstdint>   // for flags
 #include <cstring>   // for memcmp
+#include <iterator>  // for begin, end
 #include <string>    // for names
 #include <vector>    // for arrays
 
@@ -21,13 +22,18 @@ namespace biting
 namespace
 {
 
+// Numbers of the cells from which cells came, as our filters and VTK's write them: they differ from
+// cell to cell, and say nothing of the boundary.
+constexpr const char* CellNumbers[] = { "OriginalCellId", "vtkOriginalCellIds" };
+
 bool IsTag(const Drawing& drawing, vtkAbstractArray* array)
 {
   auto* data = vtkDataSetAttributes::SafeDownCast(drawing.CellArrays);
   const bool isId = data && (array == data->GetGlobalIds() || array == data->GetPedigreeIds());
   const std::string name = array->GetName() ? array->GetName() : "";
   return array->GetNumberOfTuples() >= drawing.NumberOfCells &&
-    name != vtkDataSetAttributes::GhostArrayName() && !isId;
+    name != vtkDataSetAttributes::GhostArrayName() && !isId &&
+    std::find(std::begin(CellNumbers), std::end(CellNumbers), name) == std::end(CellNumbers);
 }
 
 std::vector<std::uint8_t> FindFaces(const Drawing& drawing, const Polylines& chains)

@@ -14,7 +14,8 @@ namespace biting
 {
 
 /// Whether two cells have equal values in every cell array, of any type. Arrays of global or
-/// pedigree ids and of ghosts do not count, nor those that have no value for some cell. Faces,
+/// pedigree ids, of numbers of original cells and of ghosts do not count, nor those that have no
+/// value for some cell. Faces,
 /// those chains of `chains` that are one, are always alike: where the boundary passes from one to
 /// another nothing ends but what belongs to their areas.
 /// Refers to `drawing`. Empty where all cells are alike.

@@ -95,6 +95,12 @@ class TestBitingRemesherProxy(unittest.TestCase):
             edges = simple.FetchData(simple.OutputPort(remesher, 1))[0]
             counts.append(edges.GetNumberOfCells())
         self.assertLess(3 * counts[1], counts[0])
+        # Numbers of cells differ from line to line, and are no tags.
+        tagged = BitingRemesher(Input=disc, TaggedLines=simple.OutputPort(disc, 1),
+                                UniformSpacing=spacing, BoundaryTolerance=tolerance)
+        tagged.UpdatePipeline()
+        self.assertEqual(
+            simple.OutputPort(tagged, 1).GetDataInformation().GetNumberOfCells(), counts[1])
         inner, outer = 0.4 * math.cos(math.pi / 90), math.cos(math.pi / 90)
         values = mesh_made.GetPointData().GetArray('field')
         for point in range(mesh_made.GetNumberOfPoints()):
