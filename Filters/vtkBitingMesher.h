@@ -319,12 +319,13 @@ public:
    * On (default): f is capped by the local feature size on the segments of the input (paper,
    * section 2.1: the control spacing). There it is at most the distance through the domain to the
    * nearest segment or embedded point that does not share an end with it, so that narrow channels
-   * get triangles as narrow, but not lowered below a quarter of what is given (a tenth with
-   * BoundaryTolerance, where long segments run along slits): a slit far narrower than the spacing
-   * gets thin triangles, not a multitude of them. And it is at most 1.4 times the length of
-   * the segment, which is an edge of the mesh in any case, but not lowered below 0.003 of what is
-   * given. Neither goes below MinimumSpacing. Segments that meet in a sharp angle do not count for
-   * each other. From there f grows with the Gradation (0.3 where it is 0).
+   * get triangles as narrow, but not lowered below a quarter of what is given: a slit far narrower
+   * than the spacing gets thin triangles, not a multitude of them. With BoundaryTolerance, where
+   * long segments run along slits, it may also go down to 1.4 times the length of the input's
+   * segments there: no more triangles than without a tolerance, and as good ones. And it is at most
+   * 1.4 times the length of the segment, which is an edge of the mesh in any case, but not lowered
+   * below 0.003 of what is given. Neither goes below MinimumSpacing. Segments that meet in a sharp
+   * angle do not count for each other. From there f grows with the Gradation (0.3 where it is 0).
    * Off: f is what is given, whatever the domain. Without effect where PreserveBoundary is on.
    */
   vtkSetMacro(LimitByFeatureSize, bool);
@@ -422,10 +423,9 @@ public:
    * did not, no loop, face or channel goes. What stays: ends of chains, junctions, embedded points,
    * vertices where a line of the input has other cell data than the next, three vertices of each
    * loop, and corners (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees,
-   * where the drawing is blunt; but an end, as of an inlet, that is narrower than 0.002 f counts as
-   * a point: f does not follow it. In output 1 an edge has the cell data of the first segment that
-   * it stands for. Cost O(n log n). Without effect where PreserveBoundary is on. Negative or not
-   * finite: an error.
+   * where the drawing is blunt, however narrow the end of an inlet is. In output 1 an edge has the
+   * cell data of the first segment that it stands for. Cost O(n log n). Without effect where
+   * PreserveBoundary is on. Negative or not finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);

@@ -136,27 +136,28 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
   return bites;
 }
 
+// The features may be none.
 SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
-  const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
+  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
+  ProblemList& problems, Monitor& monitor)
 {
   SpacingOptions spacing = RaiseToRounding(options.Spacing, domain, problems);
   if (options.PreserveBoundary)
   {
     return FollowSegments(spacing, domain, monitor);
   }
-  const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  const bool isSimplified = options.Simplification.Tolerance > 0.0;
-  spacing.Features =
-    options.LimitByFeatureSize ? FeaturesOf(domain, isSimplified, mostVertices) : nullptr;
+  spacing.Features = std::move(features);
   spacing.IsUnused = OutsideOf(locator);
   return spacing;
 }
 
 Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  const DomainLocator& locator, ProblemList& problems, Monitor& monitor)
+  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
+  ProblemList& problems, Monitor& monitor)
 {
   PartOfStage choosing(monitor, 0.0, ChoiceEnd);
-  SpacingOptions wanted = ChooseSpacing(options, domain, locator, problems, choosing);
+  SpacingOptions wanted =
+    ChooseSpacing(options, domain, std::move(features), locator, problems, choosing);
   if (AddAborted(choosing, problems))
   {
     return {};
@@ -177,15 +178,14 @@ Spacing PrepareGivenSpacing(
       RaiseToRounding(spacing, drawing, problems), drawing.Bounds, problems, monitor);
   }
   BitingMeshOptions given = options;
-  given.LimitByFeatureSize = false;
   given.PreserveBoundary = false;
-  given.MaximumNumberOfVertices += drawing.NumberOfVertices();
   PartOfStage locating(monitor, 0.0, LocatorEnd);
   Pulse pulse(locating);
   const DomainLocator locator(drawing, pulse);
   PartOfStage preparing(monitor, LocatorEnd, 1.0);
-  return locating.HasStopped() ? Spacing()
-                               : PrepareSpacing(given, drawing, locator, problems, preparing);
+  return locating.HasStopped()
+    ? Spacing()
+    : PrepareSpacing(given, drawing, nullptr, locator, problems, preparing);
 }
 
 // The drawing as it is meshed.
@@ -435,7 +435,10 @@ BitingMesh MakeBitingMesh(
     return {};
   }
   PartOfStage preparing(whole, LocatorEnd, 1.0);
-  const Spacing spacing = PrepareSpacing(options, domain, *locator, problems, preparing);
+  const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
+  const Spacing spacing = PrepareSpacing(options, domain,
+    options.LimitByFeatureSize ? FeaturesOf(simplified, mostVertices) : nullptr, *locator, problems,
+    preparing);
   return IsOver(whole, problems)
     ? BitingMesh()
     : MeshBlocksOrWhole({ simplified, spacing, options }, locator, problems, whole);

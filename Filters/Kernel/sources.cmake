@@ -11,6 +11,7 @@ set(biting_kernel_sources
   Spacing/BoxTree.cxx
   Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
+  Spacing/DrawnLengths.cxx
   Spacing/EdgeCones.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridHoles.cxx

@@ -6,26 +6,19 @@
 namespace biting
 {
 
-namespace
-{
-
-// Of f as given. Triangles in slits are then about as good as without a tolerance, where short
-// segments keep them small, for some 7 % more vertices on coasts.
-constexpr double LeastShareOfSimplified = 0.1;
-
-} // namespace
-
 std::shared_ptr<const FeatureSource> FeaturesOf(
-  const Domain& domain, bool isSimplified, double mostVertices)
+  const SimplifiedDomain& simplified, double mostVertices)
 {
+  const Domain& domain = simplified.Drawing;
   auto features = std::make_shared<FeatureSource>();
-  features->LeastShare = isSimplified ? LeastShareOfSimplified : features->LeastShare;
   features->Points = domain.Vertices;
   features->MostPieces = 2.0 * mostVertices; // two for an edge
   features->Starts = domain.Starts;
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;
   features->RightInside = domain.RightInside;
+  features->PathOffsets = simplified.PathOffsets;
+  features->PathLengths = simplified.PathLengths;
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
     if (domain.IsEmbedded[vertex])

@@ -6,6 +6,7 @@
 
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
+#include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
 
 #include <functional> // for what is outside
@@ -15,10 +16,9 @@ namespace biting
 {
 
 /// The segments and embedded points of a domain, for the limit by local feature size; of a mesh
-/// that is refused if it has more vertices than that. Where the domain was simplified f follows
-/// gaps down to a tenth of what is given.
+/// that is refused if it has more vertices than that.
 std::shared_ptr<const FeatureSource> FeaturesOf(
-  const Domain& domain, bool isSimplified, double mostVertices);
+  const SimplifiedDomain& simplified, double mostVertices);
 
 /// True for boxes that lie outside of a domain: nobody asks for f there. The locator must outlive
 /// it.

@@ -74,13 +74,13 @@ std::array<Point2, 3> Enlarged(const Point2& a, const Point2& b, const Point2& c
 
 } // namespace
 
-ChainReduction::ChainReduction(const Domain& domain, const std::vector<double>& tolerances,
-  double pointInTolerances, DomainChains& chains, Pulse& pulse)
+ChainReduction::ChainReduction(
+  const Domain& domain, const std::vector<double>& tolerances, DomainChains& chains, Pulse& pulse)
   : Drawing(domain)
   , Tolerances(tolerances)
   , Chains(chains)
   , Left(domain.Vertices, pulse)
-  , Corners(domain, tolerances, pointInTolerances, chains)
+  , Corners(domain, chains)
   , Middle(MeanOf(domain.Vertices))
   , Size(domain.Bounds.Diagonal())
   , IsKept(chains.Vertices.size(), 0)

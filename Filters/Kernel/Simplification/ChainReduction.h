@@ -36,10 +36,9 @@ namespace biting
 class ChainReduction
 {
 public:
-  /// Refers to its arguments. Tolerances: of each vertex of the domain, above zero. For the other
-  /// number see CornerGuard.
-  ChainReduction(const Domain& domain, const std::vector<double>& tolerances,
-    double pointInTolerances, DomainChains& chains, Pulse& pulse);
+  /// Refers to its arguments. Tolerances: of each vertex of the domain, above zero.
+  ChainReduction(const Domain& domain, const std::vector<double>& tolerances, DomainChains& chains,
+    Pulse& pulse);
 
   /// Slots that stay from now on.
   void Keep(Id slot) { this->IsKept[slot] = 1; }

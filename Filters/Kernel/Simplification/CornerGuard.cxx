@@ -15,7 +15,6 @@ namespace
 // Degrees: about the smallest angle of meshes without sharp corners.
 constexpr double SharpAngle = 36.0;
 
-constexpr Id MostOfSmallLoop = 6; // slots
 constexpr double DegreesPerRadian = 57.29577951308232;
 constexpr double AngleStep = 1e-6; // degrees: nearer ones are equal
 
@@ -29,11 +28,8 @@ double AngleBetween(const Point2& a, const Point2& b)
 
 } // namespace
 
-CornerGuard::CornerGuard(const Domain& domain, const std::vector<double>& tolerances,
-  double pointInTolerances, const DomainChains& chains)
+CornerGuard::CornerGuard(const Domain& domain, const DomainChains& chains)
   : Drawing(domain)
-  , Tolerances(tolerances)
-  , PointInTolerances(pointInTolerances)
   , Chains(chains)
 {
   for (Id slot = 0; slot < chains.NumberOfSlots(); ++slot)
@@ -92,15 +88,7 @@ bool CornerGuard::IsSharpened(Id near, Id slot, Id far, Id other) const
   const Point2 before = this->At(slot) - this->At(near);
   const Point2 after = this->At(far) - this->At(near);
   const double angle = AngleBetween(after, side);
-  if (!(angle < SharpAngle - AngleStep && angle < AngleBetween(before, side) - AngleStep))
-  {
-    return false;
-  }
-  const Id chain = this->Chains.Chains[slot];
-  const bool isSmallLoop =
-    this->Chains.IsClosed[chain] && this->Chains.Left[chain] <= MostOfSmallLoop;
-  const double point = this->PointInTolerances * this->Tolerances[this->Chains.Vertices[slot]];
-  return (isSmallLoop || Length(before) > point) &&
+  return angle < SharpAngle - AngleStep && angle < AngleBetween(before, side) - AngleStep &&
     this->IsInside(near, slot, Cross(after, side) > 0.0);
 }
 

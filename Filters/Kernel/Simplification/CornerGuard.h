@@ -18,15 +18,13 @@ namespace biting
 /// the domain is as sharp, whatever the spacing.
 ///
 /// A vertex stays while its going would make an angle at a neighbour smaller, seen through the
-/// domain, that is then below 36 degrees. But an end so narrow that f does not follow it counts as
-/// a point; not that of a loop of at most six vertices, which is as small itself.
+/// domain, that is then below 36 degrees. Also at ends far narrower than f: two vertices there make
+/// a triangle as narrow as the end, which is less sharp than the corner along the whole sides.
 class CornerGuard
 {
 public:
-  /// Refers to its arguments. Tolerances: of each vertex of the domain. An end that is no wider
-  /// than that many tolerances counts as a point.
-  CornerGuard(const Domain& domain, const std::vector<double>& tolerances, double pointInTolerances,
-    const DomainChains& chains);
+  /// Refers to its arguments.
+  CornerGuard(const Domain& domain, const DomainChains& chains);
 
   /// The vertices on the other sides of the angles that would be too small. The slot may go where
   /// there is none; where there are some it is to be asked again when one of them has gone.
@@ -39,8 +37,6 @@ private:
   const Point2& At(Id slot) const { return this->Drawing.Vertices[this->Chains.Vertices[slot]]; }
 
   const Domain& Drawing;
-  const std::vector<double>& Tolerances;
-  const double PointInTolerances;
   const DomainChains& Chains;
   std::vector<std::pair<Id, Id>> Ends; ///< vertex and slot of each open end, sorted
 };

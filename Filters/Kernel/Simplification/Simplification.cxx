@@ -10,8 +10,9 @@
 #include "DomainChains.h"
 #include "SmallLoops.h"
 
-#include <algorithm> // for max, min, sort
+#include <algorithm> // for max, min, reverse, sort
 #include <cmath>     // for ceil
+#include <cstddef>   // for ptrdiff_t
 #include <cstdint>   // for flags
 #include <utility>   // for move
 #include <vector>    // for the arrays
@@ -35,10 +36,6 @@ constexpr double ShareBeforeCorners = 0.125;
 
 // Errors equal to the tolerance but for rounding are above it, in whatever direction they lie.
 constexpr double BelowTies = 1.0 - 1.0 / (1 << 26);
-
-// Of f: a shorter segment does not lower f, so that a mesh has poor triangles there (FeatureSource:
-// 0.003 of what is given, over 1.4).
-constexpr double LeastFollowed = 0.002;
 
 constexpr double MostSamples = 1024.0; // of f along a segment, half of f apart
 
@@ -210,10 +207,36 @@ std::vector<double> MakeTolerances(
   return least;
 }
 
+// That a segment of the result stands for.
+struct Path
+{
+  Id FirstSegment; ///< the first in the order of the domain
+  Id Slot;         ///< where it begins
+  bool IsAlong;    ///< the result's segment begins there too
+};
+
+// Of the segments of a path, from the slot to the next one that is left or the other way.
+void AddLengths(
+  const Domain& domain, const DomainChains& chains, Id slot, bool isAlong, std::vector<double>& all)
+{
+  const std::size_t first = all.size();
+  for (Id between = slot; between != chains.Nexts[slot]; between = chains.Following(between))
+  {
+    const Id segment = chains.Segments[between];
+    all.push_back(
+      Distance(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
+  }
+  if (!isAlong)
+  {
+    std::reverse(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  }
+}
+
 // The segments of the chains as they are left.
-Domain DomainOfChains(const Domain& domain, const DomainChains& chains)
+void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDomain& result)
 {
   DomainSubset rest(domain);
+  std::vector<Path> paths;
   for (Id slot = 0; slot < chains.NumberOfSlots(); ++slot)
   {
     if (chains.Goes[slot] || chains.Nexts[slot] == NoId)
@@ -235,8 +258,17 @@ Domain DomainOfChains(const Domain& domain, const DomainChains& chains)
     const Id start = chains.Vertices[isAlong ? slot : next];
     const Id end = chains.Vertices[isAlong ? next : slot];
     rest.Add(start, end, first);
+    paths.push_back({ first, slot, isAlong });
   }
-  return rest.Make();
+  result.Drawing = rest.Make();
+  std::sort(paths.begin(), paths.end(),
+    [](const Path& a, const Path& b) { return a.FirstSegment < b.FirstSegment; });
+  result.PathOffsets.assign(1, 0);
+  for (const Path& path : paths)
+  {
+    AddLengths(domain, chains, path.Slot, path.IsAlong, result.PathLengths);
+    result.PathOffsets.push_back(static_cast<Id>(result.PathLengths.size()));
+  }
 }
 
 void ReduceChains(const Domain& domain, const SimplificationOptions& options,
@@ -247,7 +279,7 @@ void ReduceChains(const Domain& domain, const SimplificationOptions& options,
   {
     return;
   }
-  ChainReduction reduction(domain, tolerances, LeastFollowed / options.Tolerance, chains, pulse);
+  ChainReduction reduction(domain, tolerances, chains, pulse);
   {
     const PulsePart part(pulse, TolerancesEnd, FirstRoundEnd);
     reduction.ReduceTo(ShareBeforeCorners, pulse);
@@ -261,7 +293,7 @@ void ReduceChains(const Domain& domain, const SimplificationOptions& options,
   }
   reduction.ReduceTo(1.0, pulse);
   result.RemovedVertices = reduction.NumberOfRemoved();
-  result.Drawing = DomainOfChains(domain, chains);
+  TakeChains(domain, chains, result);
 }
 
 } // namespace

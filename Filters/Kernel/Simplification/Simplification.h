@@ -11,7 +11,7 @@
 #include "../Domain/Domain.h"
 
 #include <functional> // for spacing and tags
-#include <vector>     // for spacings
+#include <vector>     // for the arrays
 
 namespace biting
 {
@@ -34,6 +34,12 @@ struct SimplificationOptions
 struct SimplifiedDomain
 {
   Domain Drawing;
+
+  /// What each segment stands for: the lengths of the segments of its path, from Starts to Ends,
+  /// are those from PathOffsets of it to PathOffsets of the next. Empty where no vertex may go.
+  std::vector<Id> PathOffsets;
+  std::vector<double> PathLengths;
+
   Id RemovedVertices = 0;   ///< of chains
   Id LeftOutLoops = 0;      ///< each is a problem of code SmallLoops
   double LeftOutArea = 0.0; ///< that they enclose

@@ -3,6 +3,8 @@
 
 #include "FeatureSize.h"
 
+#include "DrawnLengths.h"
+
 namespace biting
 {
 namespace
@@ -15,6 +17,11 @@ constexpr double SizesPerSpacing = 1.0;
 /// the square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as
 /// an edge should be, and there are about three vertices more for each segment.
 constexpr double LengthsPerSpacing = 1.4;
+
+/// Slits and thin walls do not lower f below this share of what is given, so that they do not
+/// become a multitude of triangles; where the drawing was simplified: below what its segments would
+/// do.
+constexpr double LeastShareInGaps = 0.25;
 
 /// But at least this share of what is given: of points that are nearly equal.
 constexpr double LeastShareOnShort = 0.003;
@@ -116,6 +123,7 @@ public:
     : Source(source)
     , Beats(monitor)
     , Size(source, this->Beats)
+    , Drawn(source, gradation)
     , Given(given)
     , Most(most)
     , Gradation(gradation)
@@ -136,10 +144,10 @@ public:
       const double length = Distance(feature.Start, feature.End);
       this->MostByLength =
         length > 0.0 ? LengthsPerSpacing * length : std::numeric_limits<double>::infinity();
-      const Sample start = this->TakeSample(feature.Start, length);
+      const Sample start = this->TakeSample(feature.Start, 0.0, length);
       if (length > 0.0)
       {
-        this->AddPiece(start, this->TakeSample(feature.End, length), length, 0);
+        this->AddPiece(start, this->TakeSample(feature.End, 1.0, length), length, 0);
       }
       else if (start.Capped < start.Given)
       {
@@ -186,13 +194,14 @@ private:
   struct Sample
   {
     Point2 Place;
+    double Share;  ///< of the segment
     double Given;  ///< f without the cap
     double Size;   ///< feature size in units of f, as far as it matters
     double Capped; ///< f with the cap
   };
 
   /// `reach` is how far from here the feature size is to be known.
-  Sample TakeSample(const Point2& place, double reach)
+  Sample TakeSample(const Point2& place, double share, double reach)
   {
     this->Beats.SetFraction(
       static_cast<double>(this->Segment) / static_cast<double>(this->Source.Starts.size()));
@@ -200,10 +209,11 @@ private:
     this->NumberOfSamples += 1.0;
     Sample sample;
     sample.Place = place;
+    sample.Share = share;
     sample.Given = this->Given(place);
     const double known = sample.Given / SizesPerSpacing + reach;
     const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
-    const double least = std::max(this->Source.LeastShare * sample.Given, floor);
+    const double least = std::max(floor, this->LeastInGaps(share, sample.Given));
     sample.Size =
       SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
     const double bySize = std::max(sample.Size, least);
@@ -211,6 +221,13 @@ private:
     sample.Capped =
       std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
     return sample;
+  }
+
+  double LeastInGaps(double share, double given) const
+  {
+    const double byDrawing =
+      std::max(LengthsPerSpacing * this->Drawn(this->Segment, share), LeastShareOnShort * given);
+    return std::min(LeastShareInGaps * given, byDrawing);
   }
 
   /// The feature size changes no faster than the place, and f in the end no faster than the
@@ -235,7 +252,8 @@ private:
       }
       return;
     }
-    const Sample middle = this->TakeSample(Midpoint(start.Place, end.Place), 0.5 * length);
+    const Sample middle = this->TakeSample(
+      Midpoint(start.Place, end.Place), 0.5 * (start.Share + end.Share), 0.5 * length);
     this->AddPiece(start, middle, 0.5 * length, depth + 1);
     this->AddPiece(middle, end, 0.5 * length, depth + 1);
   }
@@ -249,6 +267,7 @@ private:
   const FeatureSource& Source;
   Pulse Beats;
   const FeatureSize Size;
+  const DrawnLengths Drawn;
   const std::function<double(const Point2&)>& Given;
   const double Most;
   const double Gradation;

@@ -68,8 +68,10 @@ struct SegmentSource
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
-///   so that one layer of triangles fits into a channel; but the cap is no less than LeastShare of
-///   what is given there, so that slits and thin walls do not become a multitude of triangles;
+///   so that one layer of triangles fits into a channel; but the cap is no less than a quarter of
+///   what is given there, so that slits and thin walls do not become a multitude of triangles, or
+///   than 1.4 times the length of the segment of the drawing there that was simplified, if that is
+///   less: as many triangles were there without the simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 0.003 of what is given, for points
 ///   nearly equal;
@@ -83,9 +85,11 @@ struct FeatureSource
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
 
-  /// A quarter. Where a drawing is simplified, segments are long also along slits, and nothing else
-  /// lowers f there: then it is to be less.
-  double LeastShare = 0.25;
+  /// Where a drawing was simplified: the lengths of what each segment stands for, one after the
+  /// other from Starts to Ends; those of a segment begin at its offset and end at the next. Empty:
+  /// each stands for itself.
+  std::vector<Id> PathOffsets;
+  std::vector<double> PathLengths;
 
   /// About how many pieces half as long as f the segments may have. Where they have more, nothing
   /// more is capped: a mesh that fine will be refused, and this should be soon.

@@ -70,6 +70,41 @@ TEST(BoundaryTolerance, ASlitOfASixthOfTheSpacingHasGoodTriangles)
   EXPECT_GT(run.Mesh.Quality.SmallestAngle, 25.0);
 }
 
+/// A hole comes so near to the outline that f does not follow it; the short segments do, which the
+/// tolerance takes away.
+TEST(BoundaryTolerance, ASlitFarBelowTheSpacingIsNoWorseThanWithoutIt)
+{
+  const std::vector<Point2> hole{ { 1.0, 0.03 }, { 1.02, 0.05 }, { 1.4, 0.6 }, { 1.41, 0.63 },
+    { 1.39, 0.65 }, { 0.7, 0.66 }, { 0.98, 0.05 } };
+  const Polylines lines = PolylineBuilder().Box(0.0, 0.0, 2.0, 1.0).Loop(hole).Lines();
+  for (const double spacing : { 0.5, 1.0, 4.0, 100.0 })
+  {
+    BitingMeshOptions options;
+    options.Spacing = UniformSpacing(spacing);
+    const double without = RunMesh(lines, options).Mesh.Quality.SmallestAngle;
+    options.Simplification.Tolerance = 0.1;
+    const MeshRun run = RunMesh(lines, options);
+    ASSERT_EQ(run.Error(), "");
+    EXPECT_GE(run.Mesh.Quality.SmallestAngle, 0.99 * without);
+  }
+}
+
+/// Its tip is far narrower than what the spacing follows.
+TEST(BoundaryTolerance, ABluntInletIsNoWorseThanWithoutIt)
+{
+  const Polylines lines = PolylineBuilder()
+                            .Loop({ { 0.0, -1.0 }, { 0.4, -1.0 }, { 0.4, 0.0 }, { 0.201, 0.0 },
+                              { 0.201, 0.5 }, { 0.2, 0.5 }, { 0.2, 0.0 }, { 0.0, 0.0 } })
+                            .Lines();
+  BitingMeshOptions options;
+  options.Spacing = UniformSpacing(2.5);
+  const double without = RunMesh(lines, options).Mesh.Quality.SmallestAngle;
+  options.Simplification.Tolerance = 0.1;
+  const MeshRun run = RunMesh(lines, options);
+  ASSERT_EQ(run.Error(), "");
+  EXPECT_GT(run.Mesh.Quality.SmallestAngle, 0.9 * without);
+}
+
 TEST(BoundaryTolerance, VerticesThatStayNameTheirInputPoint)
 {
   const Polylines input = FineDisc();

@@ -107,6 +107,45 @@ TEST(FeatureSize, IsWhatIsKnownWhereNothingIsNearer)
   EXPECT_EQ(FeatureSize(square, pulse)(0, { 0.5, 0.0 }, 0.3), 0.3);
 }
 
+/// A drawing of which no vertex went is as one that was not simplified.
+TEST(FeatureSize, PathsOfOneSegmentChangeNothing)
+{
+  const FeatureSource alone = Loops({ Rectangle(0.0, 0.0, 1.0, 1.0),
+    Reversed(Rectangle(0.1, 0.01, 0.15, 0.5)), Reversed(Rectangle(0.16, 0.01, 0.9, 0.5)) });
+  FeatureSource simplified = alone;
+  for (std::size_t segment = 0; segment < alone.Starts.size(); ++segment)
+  {
+    simplified.PathOffsets.push_back(static_cast<Id>(segment));
+    simplified.PathLengths.push_back(
+      Distance(alone.Points[static_cast<std::size_t>(alone.Starts[segment])],
+        alone.Points[static_cast<std::size_t>(alone.Ends[segment])]));
+  }
+  simplified.PathOffsets.push_back(static_cast<Id>(alone.Starts.size()));
+  const Spacing without = WithFeatures(alone, 0.3);
+  const Spacing with = WithFeatures(simplified, 0.3);
+  Sampler sampler(7);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Point2 x{ sampler.Next(), sampler.Next() };
+    ASSERT_EQ(with(x), without(x));
+  }
+}
+
+/// Below a quarter of what is given, but no further than the drawing's own segments asked for.
+TEST(FeatureSize, GapsBesideASimplifiedDrawingAreFollowedAsFarAsItsSegmentsWere)
+{
+  const double gap = 0.004;
+  FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 1.0, gap) });
+  EXPECT_NEAR(WithFeatures(channel, 0.4)({ 0.5, gap }), 0.1, 0.002);
+  const std::vector<double> fine(20, 0.05);
+  channel.PathLengths = fine;
+  channel.PathLengths.push_back(gap);
+  channel.PathLengths.insert(channel.PathLengths.end(), fine.begin(), fine.end());
+  channel.PathLengths.push_back(gap);
+  channel.PathOffsets = { 0, 20, 21, 41, 42 };
+  EXPECT_NEAR(WithFeatures(channel, 0.4)({ 0.5, gap }), 1.4 * 0.05, 0.002);
+}
+
 TEST(FeatureSize, DoesNotCountSegmentsThatShareAnEnd)
 {
   const FeatureSource wedge = Loops({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.05 } } });
