@@ -12,10 +12,10 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 0.25; // of a part: Simpson's rule on each of its panels
-constexpr double LeastPanel = 1e-3;  // of f: where f jumps, a panel is no shorter
-constexpr double PanelRatio = 1.5;   // of f at the ends of a panel
-constexpr double PartMargin = 1e-9;  // keeps parts shorter than two half-widths after rounding
+constexpr double PanelLength = 0.4; // of a part: Simpson's rule on each of its panels
+constexpr double LeastPanel = 1e-3; // of f: where f jumps, a panel is no shorter
+constexpr double PanelRatio = 1.5;  // of f at the ends of a panel
+constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
@@ -72,6 +72,7 @@ bool EdgeDivider::DivideForward(const Point2& a, const Point2& b,
   const std::vector<double>& startShells, const std::vector<double>& endShells, Id limit,
   DivisionPoints& points)
 {
+  this->AskAtEnds(a, b);
   if (!this->Integrate(a, b, limit) || this->Total / this->TargetLength > limit)
   {
     return false;
@@ -87,6 +88,19 @@ bool EdgeDivider::DivideForward(const Point2& a, const Point2& b,
     }
   }
   return !this->Beats.HasStopped();
+}
+
+// Most edges begin where the one before ends.
+void EdgeDivider::AskAtEnds(const Point2& a, const Point2& b)
+{
+  const Ends last = this->AtEnds;
+  const auto ask = [this, &last](const Point2& p)
+  {
+    return last.StartSpacing > 0.0 && p == last.Start ? last.StartSpacing
+      : last.EndSpacing > 0.0 && p == last.End        ? last.EndSpacing
+                                                      : this->F(p);
+  };
+  this->AtEnds = { a, b, ask(a), ask(b) };
 }
 
 // Takes the shells that leave enough between them.
@@ -123,23 +137,25 @@ void EdgeDivider::FitShells(
 bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 {
   const double length = Distance(a, b);
-  const auto density = [&](double t) { return length / this->F(a + t * (b - a)); };
+  const double lastOfAll = length / this->AtEnds.EndSpacing;
+  const auto density = [&](double t)
+  { return t < 1.0 ? length / this->F(a + t * (b - a)) : lastOfAll; };
   this->Panels.clear();
   this->Total = 0.0;
   double t = 0.0;
-  double first = density(0.0);
+  double first = length / this->AtEnds.StartSpacing;
   while (t < 1.0)
   {
     double step = PanelLength * this->TargetLength / first;
-    double last = density(std::min(1.0, t + step));
+    double last = density(t + step);
     while (IsSteep(first, last) && step * first > LeastPanel)
     {
       step *= 0.5;
-      last = density(std::min(1.0, t + step));
+      last = density(t + step);
     }
     // A remainder of up to half a panel is taken along, where f changes no faster there.
     const bool isNearEnd = t + 1.5 * step >= 1.0;
-    const double atEnd = isNearEnd ? density(1.0) : last;
+    const double atEnd = isNearEnd ? lastOfAll : last;
     const bool isLast = t + step >= 1.0 || (isNearEnd && !IsSteep(first, atEnd));
     const double end = isLast ? 1.0 : t + step;
     last = isLast ? atEnd : last;
@@ -242,12 +258,12 @@ bool EdgeDivider::Covers(const Point2& a, const Point2& b, const DivisionPoints&
 {
   const double length = Distance(a, b);
   double parameter = 0.0;
-  double spacing = this->F(a);
+  double spacing = this->AtEnds.StartSpacing;
   for (std::size_t k = 0; k <= points.Parameters.size() && this->Beats.Beat(); ++k)
   {
     const bool isLast = k == points.Parameters.size();
     const double nextParameter = isLast ? 1.0 : points.Parameters[k];
-    const double nextSpacing = isLast ? this->F(b) : points.Spacings[k];
+    const double nextSpacing = isLast ? this->AtEnds.EndSpacing : points.Spacings[k];
     const double reach = this->BitingConstant * (spacing + nextSpacing);
     if ((nextParameter - parameter) * length > reach * (1.0 - MeetingMargin))
     {

@@ -75,6 +75,15 @@ private:
     double Before;
   };
 
+  // The edge at hand, with f at its ends.
+  struct Ends
+  {
+    Point2 Start, End;
+    double StartSpacing = 0.0;
+    double EndSpacing = 0.0;
+  };
+
+  void AskAtEnds(const Point2& a, const Point2& b);
   bool DivideForward(const Point2& a, const Point2& b, const std::vector<double>& startShells,
     const std::vector<double>& endShells, Id limit, DivisionPoints& points);
   void FitShells(
@@ -92,6 +101,7 @@ private:
   double TargetLength;
   double LeastLength;
   Pulse& Beats;
+  Ends AtEnds;
   std::vector<Panel> Panels; ///< of the edge at hand
   double Total = 0.0;        ///< integral of 1/f along the edge at hand
 
