@@ -277,8 +277,7 @@ bool AngleDescent::Move(Id vertex, double good)
   {
     return false;
   }
-  this->Mesh.Move(vertex, place);
-  this->Mesh.RefreshSpacing(vertex);
+  MoveWithSpacing(this->Mesh, vertex, star, place);
   this->Flips.RestoreAround(vertex);
   return true;
 }

@@ -131,8 +131,12 @@ bool ClearanceSearch::AreNearAt(Id vertex, Id segment, Id other) const
   const Point2 p = this->Geometry.Vertices[OtherEnd(this->Segments[segment], vertex)] - center;
   const Point2 q = this->Geometry.Vertices[OtherEnd(this->Segments[other], vertex)] - center;
   const double lengths = Length(p) * Length(q);
+  if (!(Dot(p, q) > 0.0))
+  {
+    return false;
+  }
   const double reach = std::min(std::min(Length(p), Length(q)), LeastPart * this->F(center));
-  return Dot(p, q) > 0.0 && !(std::abs(Cross(p, q)) * reach > this->Near * lengths);
+  return !(std::abs(Cross(p, q)) * reach > this->Near * lengths);
 }
 
 } // namespace

@@ -125,7 +125,7 @@ void Reader::CopyVertices()
   MutableMesh& mesh = this->Mesh;
   const std::size_t size = this->Origins.size();
   ReserveWithRoom(size, mesh.Points, mesh.Spacings, mesh.Segments, mesh.VertexEdges, mesh.Degrees,
-    mesh.Freedoms, mesh.IdealDegrees);
+    mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
   this->Progress.ForEach(size,
     [this, &mesh](std::size_t vertex)
     {
@@ -138,6 +138,7 @@ void Reader::CopyVertices()
   GrowInSteps(mesh.Degrees, size, Id(0), this->Progress);
   GrowInSteps(mesh.Freedoms, size, Freedom::Fixed, this->Progress);
   GrowInSteps(mesh.IdealDegrees, size, IdealInside, this->Progress);
+  GrowInSteps(mesh.IsEstimate, size, std::uint8_t{ 0 }, this->Progress);
 }
 
 void Reader::CopyTriangles()

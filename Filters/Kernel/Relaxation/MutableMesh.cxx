@@ -66,6 +66,18 @@ void MutableMesh::MoveTo(Id vertex, const Point2& place, double spacing)
   this->Spacings[vertex] = spacing;
 }
 
+void MutableMesh::AskForEstimates(Pulse& pulse)
+{
+  pulse.ForEach(this->Points.size(),
+    [this](std::size_t slot)
+    {
+      if (this->IsEstimate[slot] != 0 && this->IsAlive(static_cast<Id>(slot)))
+      {
+        this->RefreshSpacing(static_cast<Id>(slot));
+      }
+    });
+}
+
 void MutableMesh::Flip(Id edge)
 {
   const Id twin = this->Twins[edge];
@@ -94,6 +106,16 @@ void MutableMesh::Flip(Id edge)
   }
 }
 
+bool MutableMesh::MayDivide(Id edge) const
+{
+  const Id segment = this->Marks[edge];
+  return segment == NoId ||
+    (this->DividesSegments && this->IsDivided[segment] != 0 &&
+      IsFarAboveRounding(
+        Distance(this->Points[this->Origin(edge)], this->Points[this->Target(edge)]),
+        this->Geometry));
+}
+
 Id MutableMesh::Split(Id edge)
 {
   const Id twin = this->Twins[edge];
@@ -102,10 +124,7 @@ Id MutableMesh::Split(Id edge)
   const Point2& target = this->Points[this->Target(edge)];
   const Point2 middle = Midpoint(origin, target);
   const Point2 place = segment == NoId ? middle : this->PlaceOnSegment(segment, middle);
-  const bool isAllowed = segment == NoId ||
-    (this->DividesSegments && this->IsDivided[segment] != 0 &&
-      IsFarAboveRounding(Distance(origin, target), this->Geometry));
-  if (!isAllowed || !this->IsSplittable(edge, place) ||
+  if (!this->MayDivide(edge) || !this->IsSplittable(edge, place) ||
     (twin != NoId && !this->IsSplittable(twin, place)))
   {
     return NoId;
@@ -139,6 +158,7 @@ Id MutableMesh::AddVertex(const Point2& place, Id segment, bool isOnBorder)
   this->VertexEdges.push_back(NoId);
   this->Degrees.push_back(0);
   this->IdealDegrees.push_back(isOnBorder ? IdealOnBorder : IdealInside);
+  this->IsEstimate.push_back(0);
   return this->NumberOfVertices() - 1;
 }
 
@@ -358,6 +378,7 @@ void MutableMesh::TakeBack()
   this->VertexEdges.resize(this->OldNumberOfVertices);
   this->Degrees.resize(this->OldNumberOfVertices);
   this->IdealDegrees.resize(this->OldNumberOfVertices);
+  this->IsEstimate.resize(this->OldNumberOfVertices);
   this->Corners.resize(4 * this->OldNumberOfTriangles);
   this->Twins.resize(4 * this->OldNumberOfTriangles);
   this->Marks.resize(4 * this->OldNumberOfTriangles);

@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
 
@@ -120,15 +121,28 @@ public:
   /// Moves the vertex. Its spacing stays that of the old place until it is refreshed.
   void Move(Id vertex, const Point2& place) { this->MoveTo(vertex, place, this->Spacings[vertex]); }
 
+  /// The same with a spacing that is an estimate, until AskForEstimates.
+  void MoveWithEstimate(Id vertex, const Point2& place, double spacing)
+  {
+    this->IsEstimate[vertex] = 1;
+    this->MoveTo(vertex, place, spacing);
+  }
+
   /// Evaluates the spacing where the vertex is.
   void RefreshSpacing(Id vertex)
   {
     this->MoveTo(vertex, this->Points[vertex], this->F(this->Points[vertex]));
   }
 
+  /// Evaluates it for all vertices that have an estimate.
+  void AskForEstimates(Pulse& pulse);
+
   /// Replaces the edge by the other diagonal of its quadrangle. Precondition: it has a twin and no
   /// mark, and the quadrangle is strictly convex.
   void Flip(Id edge);
+
+  /// Whether there may be a vertex between the ends of the edge, as far as its segment goes.
+  bool MayDivide(Id edge) const;
 
   /// Puts a vertex on the middle of the edge and returns it: free, or sliding where the edge has a
   /// mark. NoId where rounding would leave a triangle without area.
@@ -149,10 +163,11 @@ public:
   std::vector<Point2> Points;
   std::vector<double> Spacings;
   std::vector<Freedom> Freedoms;
-  std::vector<Id> Segments;        ///< of a sliding vertex
-  std::vector<Id> VertexEdges;     ///< a half-edge whose corner is the vertex
-  std::vector<Id> Degrees;         ///< number of triangles
-  std::vector<float> IdealDegrees; ///< 6 inside, 3 on segments of the border
+  std::vector<Id> Segments;             ///< of a sliding vertex
+  std::vector<Id> VertexEdges;          ///< a half-edge whose corner is the vertex
+  std::vector<Id> Degrees;              ///< number of triangles
+  std::vector<float> IdealDegrees;      ///< 6 inside, 3 on segments of the border
+  std::vector<std::uint8_t> IsEstimate; ///< 1 where the spacing may be estimated
 
   // Half-edges.
   std::vector<Id> Corners;

@@ -58,7 +58,9 @@ public:
     this->MendValences(0.4, 0.55, 1);
     this->Smooth(0.55, 0.75, SweepKind::Coarse);
     this->Descend(0.75, 0.95);
-    this->TryTopologies(0.95, 1.0);
+    this->TryTopologies(0.95, 0.99);
+    const PulsePart part(this->Progress, 0.99, 1.0);
+    this->Mesh.AskForEstimates(this->Progress);
   }
 
 private:

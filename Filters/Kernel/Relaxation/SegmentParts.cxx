@@ -99,11 +99,15 @@ bool LeavesShortParts(const MutableMesh& mesh, Id edge)
   {
     return mesh.RelativeLength(edge) < 1.0;
   }
+  if (!mesh.MayDivide(edge))
+  {
+    return true;
+  }
   const Point2& a = mesh.Points[origin];
   const Point2& b = mesh.Points[target];
-  const double spacing =
-    mesh.F(Midpoint(a, b)) + std::max(mesh.Spacings[origin], mesh.Spacings[target]);
-  return Distance(a, b) * mesh.RelativeLength(edge) < spacing;
+  const double most = std::max(mesh.Spacings[origin], mesh.Spacings[target]);
+  const double length = Distance(a, b) * mesh.RelativeLength(edge);
+  return length < most || length < mesh.F(Midpoint(a, b)) + most;
 }
 
 double ShareOfSlide(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& step)

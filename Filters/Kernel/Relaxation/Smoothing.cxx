@@ -7,8 +7,7 @@
 #include "Star.h"
 
 #include <algorithm> // for max
-#include <cstdint>   // for flags
-#include <vector>    // for flags
+#include <cstddef>   // for slots
 
 namespace biting
 {
@@ -142,7 +141,7 @@ bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCo
     const double worst = star.Worst(place - star.Center);
     if (worst <= allowed && (worst < CertainCotangent || IsValidAt(mesh, star, place)))
     {
-      mesh.Move(vertex, place);
+      MoveWithSpacing(mesh, vertex, star, place);
       return true;
     }
     step = 0.5 * step;
@@ -171,31 +170,22 @@ bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
 void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
   double allowedCotangent, Pulse& pulse)
 {
-  const std::size_t numberOfVertices = mesh.Points.size();
-  std::vector<std::uint8_t> areMoved(numberOfVertices, 0);
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
-    const PulsePart part(pulse, sweep / (sweeps + 1.0), (sweep + 1) / (sweeps + 1.0));
-    pulse.ForEach(numberOfVertices,
-      [&mesh, &areMoved, kind, allowedCotangent](std::size_t slot)
+    const PulsePart part(
+      pulse, static_cast<double>(sweep) / sweeps, static_cast<double>(sweep + 1) / sweeps);
+    pulse.ForEach(mesh.Points.size(),
+      [&mesh, kind, allowedCotangent](std::size_t slot)
       {
         const Id vertex = static_cast<Id>(slot);
         if (mesh.IsAlive(vertex))
         {
-          areMoved[slot] |= kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
-                                                   : SmoothCoarse(mesh, vertex, allowedCotangent);
+          kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
+                                 : SmoothCoarse(mesh, vertex, allowedCotangent);
         }
       });
     flips.RestoreAll(pulse);
   }
-  pulse.ForEach(numberOfVertices,
-    [&mesh, &areMoved](std::size_t vertex)
-    {
-      if (areMoved[vertex] != 0)
-      {
-        mesh.RefreshSpacing(static_cast<Id>(vertex));
-      }
-    });
 }
 
 } // namespace biting

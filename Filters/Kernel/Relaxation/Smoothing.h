@@ -19,8 +19,7 @@ namespace biting
 /// The step is 1.3 times Newton's: swept over all vertices it then spreads faster. It is halved,
 /// then given up, where it would leave a triangle that is both worse than the worst around the
 /// vertex before, and than `allowedCotangent`. A vertex on a segment slides no farther than its
-/// parts allow (ShareOfSlide). Returns whether it moved; its spacing is not
-/// refreshed.
+/// parts allow (ShareOfSlide). Returns whether it moved; its spacing then is an estimate.
 bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent);
 
 /// Which vertices a sweep passes over.
@@ -30,8 +29,7 @@ enum class SweepKind
   Coarse ///< those with all angles above 52 degrees and all lengths within 10 % of the spacing
 };
 
-/// Smooths all vertices `sweeps` times, with flips after each sweep, then refreshes the spacings of
-/// those that moved.
+/// Smooths all vertices `sweeps` times, with flips after each sweep.
 void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
   double allowedCotangent, Pulse& pulse);
 

@@ -5,8 +5,64 @@
 
 #include "../Predicates/Predicates.h"
 
+#include <algorithm> // for clamp, max, min
+
 namespace biting
 {
+
+namespace
+{
+
+constexpr double SlimmestFit = 1e-3;     // of a square matrix that is not near a singular one
+constexpr double GreatestEstimate = 2.0; // ratio of the spacings from which one more is estimated
+
+} // namespace
+
+Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around)
+{
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  Point2 moment;
+  for (int k = 0; k < star.NumberOfTriangles; ++k)
+  {
+    const Point2& p = star.Spokes[k];
+    xx += p.X * p.X;
+    xy += p.X * p.Y;
+    yy += p.Y * p.Y;
+    moment = moment + (around[k] - spacing) * p;
+  }
+  const double determinant = xx * yy - xy * xy;
+  return determinant > SlimmestFit * xx * yy
+    ? (1.0 / determinant) * Point2{ yy * moment.X - xy * moment.Y, xx * moment.Y - xy * moment.X }
+    : Point2{};
+}
+
+void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point2& place)
+{
+  if (mesh.F.IsUniform())
+  {
+    mesh.Move(vertex, place);
+    return;
+  }
+  const double spacing = mesh.Spacings[vertex];
+  double around[Star::Capacity + 1];
+  double least = spacing;
+  double most = spacing;
+  for (int k = 0; k <= star.NumberOfTriangles; ++k)
+  {
+    around[k] = mesh.Spacings[star.Vertices[k]];
+    least = std::min(least, around[k]);
+    most = std::max(most, around[k]);
+  }
+  const Point2 slope = SlopeOfSpacing(star, spacing, around);
+  const double moved = spacing + Dot(slope, place - star.Center);
+  mesh.MoveWithEstimate(vertex, place, std::clamp(moved, least, most));
+  if (most > GreatestEstimate * least)
+  {
+    mesh.RefreshSpacing(vertex);
+  }
+}
 
 bool IsValidAt(const MutableMesh& mesh, const Star& star, const Point2& place)
 {

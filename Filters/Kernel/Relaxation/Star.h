@@ -110,6 +110,14 @@ inline bool Star::Read(const MutableMesh& mesh, Id vertex)
   return true;
 }
 
+/// The slope of the linear function through the spacing at the center that fits `around`, those at
+/// the outer corners, best; zero where these do not tell.
+Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around);
+
+/// Moves the vertex of the star. Its spacing goes along with the slope, within those of the star;
+/// where these differ by more than a factor of two it is asked for.
+void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point2& place);
+
 /// Whether the vertex may lie at `place` (exact, and rounded as it will be).
 bool IsValidAt(const MutableMesh& mesh, const Star& star, const Point2& place);
 

@@ -16,7 +16,6 @@ constexpr double ShortLength = 0.74;
 constexpr double LongLength = 1.36;
 constexpr double CotangentPerLength = 3.0; // what a spacing out of the band counts
 constexpr double GreatestPenalty = 1.6;    // cotangent of 32 degrees
-constexpr double SlimmestFit = 1e-3;       // of a square matrix that is not near a singular one
 
 /// As WorstCotangent, without the angles that are fixed.
 double WorstOfOthers(const Point2& p, const Point2& q, const StarObjective::FixedAngles& fixed)
@@ -76,28 +75,10 @@ double StarObjective::TriangleAt(int k, const Point2& shift) const
     : WorstCotangent(p, q, Dot(p, p), Dot(q, q));
 }
 
-// The linear function through the spacing at the center that fits those at the outer corners best:
-// moves are short, and this saves an evaluation for each place that is tried.
+// Moves are short, and this saves an evaluation for each place that is tried.
 void StarObjective::FitSlope()
 {
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-  Point2 moment;
-  for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
-  {
-    const Point2& p = this->Around.Spokes[k];
-    xx += p.X * p.X;
-    xy += p.X * p.Y;
-    yy += p.Y * p.Y;
-    moment = moment + (this->Spacings[k] - this->Spacing) * p;
-  }
-  const double determinant = xx * yy - xy * xy;
-  if (determinant > SlimmestFit * xx * yy)
-  {
-    this->SlopeOfSpacing =
-      (1.0 / determinant) * Point2{ yy * moment.X - xy * moment.Y, xx * moment.Y - xy * moment.X };
-  }
+  this->Slope = SlopeOfSpacing(this->Around, this->Spacing, this->Spacings);
 }
 
 void StarObjective::FindFixedAngles(const MutableMesh& mesh)
@@ -134,7 +115,7 @@ double StarObjective::WorstTriangle(const Point2& shift, double limit) const
 // Roots are taken only of lengths that are out of the band.
 double StarObjective::WorstLength(const Point2& shift) const
 {
-  const double spacing = this->Spacing + Dot(this->SlopeOfSpacing, shift);
+  const double spacing = this->Spacing + Dot(this->Slope, shift);
   const int last = this->Around.NumberOfTriangles - (this->Around.IsClosed ? 1 : 0);
   double excess = 0.0;
   for (int k = 0; k <= last; ++k)

@@ -50,7 +50,7 @@ private:
 
   const Star& Around;
   double Spacing;
-  Point2 SlopeOfSpacing;
+  Point2 Slope; ///< of the spacing
   double Spacings[Star::Capacity + 1];
   double ValueHere = 0.0;
   int Worst = 0; ///< the triangle that is worst here: looked at first, as it mostly decides

@@ -338,7 +338,6 @@ void TopologyTrials::SmoothNear(Id vertex, int rings)
   {
     if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
     {
-      this->Mesh.RefreshSpacing(near);
       this->Flips.RestoreAround(near);
     }
   }

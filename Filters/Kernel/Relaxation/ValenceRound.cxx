@@ -134,12 +134,10 @@ double ValenceRound::CollapseScore(Id edge, double length) const
 double ValenceRound::SplitScore(Id edge, double length) const
 {
   const MutableMesh& mesh = this->Mesh;
-  if (LeavesShortParts(mesh, edge))
-  {
-    return Infinity;
-  }
   const double weight = IsTooLongPart(mesh, edge) ? LongPartWeight : LengthWeight;
-  return weight * (SplitLength + this->Shift - length) + ValenceChangeOfSplit(mesh, edge);
+  const double score =
+    weight * (SplitLength + this->Shift - length) + ValenceChangeOfSplit(mesh, edge);
+  return score < 0.0 && LeavesShortParts(mesh, edge) ? Infinity : score;
 }
 
 bool ValenceRound::IsLocked(Id edge) const
@@ -199,7 +197,6 @@ void ValenceRound::SmoothAround(Id vertex, int rings, int passes)
     {
       if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
       {
-        this->Mesh.RefreshSpacing(near);
         this->Flips.RestoreAround(near);
       }
     }

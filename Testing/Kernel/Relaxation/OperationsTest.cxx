@@ -120,10 +120,22 @@ TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
   EXPECT_LT(Length(tools.Mesh.Points[center]), 1e-9);
 }
 
-TEST(Smoothing, RefreshesTheSpacings)
+TEST(Smoothing, EstimatesSpacingsWithinTwoPercent)
 {
   Tools tools(GradedSquare());
   SmoothAll(tools.Mesh, tools.Flips, 2, SweepKind::All, CotangentOf30Degrees, tools.Progress);
+  for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
+  {
+    const double asked = tools.Raw.Spacing(tools.Mesh.Points[vertex]);
+    ASSERT_NEAR(tools.Mesh.Spacings[vertex], asked, 0.02 * asked);
+  }
+}
+
+TEST(Smoothing, LeavesEstimatesThatAreAskedForOnce)
+{
+  Tools tools(GradedSquare());
+  SmoothAll(tools.Mesh, tools.Flips, 2, SweepKind::All, CotangentOf30Degrees, tools.Progress);
+  tools.Mesh.AskForEstimates(tools.Progress);
   for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
   {
     ASSERT_EQ(tools.Mesh.Spacings[vertex], tools.Raw.Spacing(tools.Mesh.Points[vertex]));
