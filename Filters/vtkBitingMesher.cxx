@@ -8,17 +8,13 @@
 #include "Bridge/BoundarySpacing.h"
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DomainMembership.h"
+#include "Bridge/FilterRun.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
-#include "Bridge/MonitorOfFilter.h"
 #include "Bridge/ParameterCheck.h"
 #include "Bridge/PolylinesFromPolyData.h"
-#include "Bridge/ProblemPlaces.h"
-#include "Bridge/ProblemsToPolyData.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SourceCover.h"
-#include "Bridge/SourceData.h"
-#include "Bridge/SourceSpacing.h"
 #include "Bridge/SummaryText.h"
 #include "Bridge/TagComparison.h"
 #include "Kernel/Base/PartOfStage.h"
@@ -37,9 +33,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <new>    // for bad_alloc
 #include <string> // for refusals
-#include <vector> // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -64,39 +58,18 @@ constexpr double PointsEnd = 0.15;
 constexpr double MeshEnd = 0.7;
 constexpr double EdgesEnd = 0.8;
 
-//------------------------------------------------------------------------------
-std::vector<double> SharesOfStages()
-{
-  std::vector<double> shares{ ReadingStage.Share };
-  const double rest = 1.0 - ReadingStage.Share - WritingStage.Share;
-  for (const biting::Stage& stage : biting::MeshingStages::InOrder)
-  {
-    shares.push_back(rest * stage.Share);
-  }
-  shares.push_back(WritingStage.Share);
-  return shares;
-}
-
-//------------------------------------------------------------------------------
-void EmptyOutputs(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkPolyData::GetData(outputs, port)->Initialize();
-  }
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
 // One execution: reads, meshes, writes, and says what is wrong. Methods return false where nothing
 // is left to do.
-class vtkBitingMesher::Execution
+class vtkBitingMesher::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingMesher* filter)
-    : Filter(filter)
-    , Monitor(filter, SharesOfStages(), filter->NumberOfThreads)
+    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, filter->NumberOfThreads },
+        biting::SharesOfStages(ReadingStage, biting::MeshingStages::InOrder, WritingStage))
+    , Filter(filter)
   {
   }
 
@@ -111,16 +84,11 @@ private:
   bool ReadSpacing();
   bool MakeMesh();
   void Write(vtkInformationVector* outputs);
-  void WriteProblems(vtkPolyData* output);
-  bool WasAborted() const { return this->Monitor.HasStopped(); }
-  bool Accept(const std::string& refusal);
-  void Refuse(const std::string& reason);
   void EndWhereStopped();
   std::string ParameterRefusal() const;
   std::string AddBoundaryArray();
   std::string AddSourceArray();
   bool ReportErrors();
-  void ReportRepairs() const;
   void ReportUncovered() const;
   void ReportNotes() const;
   vtkSmartPointer<vtkPoints> MakePoints(biting::Pulse& pulse) const;
@@ -132,11 +100,7 @@ private:
   vtkSmartPointer<vtkDataObject> Source;
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
-  biting::ProblemList Problems;
-  biting::ProblemPlaces Places; // of what is refused before the kernel sees it
   biting::BitingMesh Mesh;
-  biting::MonitorOfFilter Monitor;
-  bool IsRefused = false;
 };
 
 vtkStandardNewMacro(vtkBitingMesher);
@@ -241,24 +205,22 @@ int vtkBitingMesher::RequestData(
 void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
   const biting::WholeInput& source, vtkInformationVector* outputs)
 {
-  try
+  const auto run = [this, &drawing, &source, outputs]()
   {
     if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
       this->ReadSpacing() && this->MakeMesh())
     {
       this->Write(outputs);
     }
-    this->WriteProblems(vtkPolyData::GetData(outputs, PROBLEMS));
-    if (this->WasAborted())
-    {
-      EmptyOutputs(outputs);
-      this->EndWhereStopped();
-    }
-  }
-  catch (const std::bad_alloc&)
+    const bool isRepaired = this->Options.Domain.Repair;
+    this->WriteProblems(this->Planar,
+      isRepaired ? biting::RepairPolicy::Repaired : biting::RepairPolicy::Left,
+      vtkPolyData::GetData(outputs, PROBLEMS));
+  };
+  this->Guard(outputs, run);
+  if (this->WasAborted())
   {
-    EmptyOutputs(outputs);
-    this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+    this->EndWhereStopped();
   }
 }
 
@@ -289,10 +251,6 @@ bool vtkBitingMesher::Execution::Gather(
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadParameters()
 {
-  if (!this->Accept(this->ParameterRefusal()))
-  {
-    return false;
-  }
   const vtkBitingMesher& filter = *this->Filter;
   this->Options.Spacing.Uniform = filter.UniformSpacing;
   this->Options.Spacing.Scale = filter.SpacingScale;
@@ -320,55 +278,23 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Phi = filter.Phi;
   this->Options.Relaxation = filter.Relaxation;
   this->Options.KeepBites = filter.GenerateBites;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkBitingMesher::Execution::Accept(const std::string& refusal)
-{
-  if (!refusal.empty())
-  {
-    this->Refuse(refusal);
-  }
-  return refusal.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::Refuse(const std::string& reason)
-{
-  this->IsRefused = true;
-  this->Filter->ErrorCode = vtkErrorCode::UserError;
-  this->Filter->Summary += biting::RefusalLines(reason);
-  vtkErrorWithObjectMacro(this->Filter, << reason);
+  return this->Accept(this->ParameterRefusal());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkBitingMesher::Execution::ParameterRefusal() const
 {
   const vtkBitingMesher& filter = *this->Filter;
-  for (const std::string& refusal :
-    { biting::CheckAtLeastZero("UniformSpacing", filter.UniformSpacing),
-      biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
-      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
-      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
-      biting::CheckAtLeastZero("Gradation", filter.Gradation),
-      biting::CheckAtLeastZero("MergeTolerance", filter.MergeTolerance),
-      biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
-      biting::CheckAtLeastZero("CornerAngle", filter.CornerAngle),
-      biting::CheckAtLeastZero("MinimumLoopSize", filter.MinimumLoopSize) })
+  for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
+         biting::CheckAtLeastZero("MergeTolerance", filter.MergeTolerance),
+         biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
+         biting::CheckAtLeastZero("CornerAngle", filter.CornerAngle),
+         biting::CheckAtLeastZero("MinimumLoopSize", filter.MinimumLoopSize) })
   {
     if (!refusal.empty())
     {
       return refusal;
     }
-  }
-  if (filter.SpacingScale == 0.0)
-  {
-    return "SpacingScale is 0; it must be above 0.";
-  }
-  if (filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing)
-  {
-    return "MinimumSpacing is above MaximumSpacing.";
   }
   if (filter.BitingConstant != 0.0 &&
     !(filter.BitingConstant >= 0.1 && filter.BitingConstant <= 1.0))
@@ -397,8 +323,8 @@ std::string vtkBitingMesher::Execution::ParameterRefusal() const
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadChains()
 {
-  this->Monitor.BeginStage(ReadingStage.Text);
-  biting::PartOfStage part(this->Monitor, 0.0, ChainsEnd);
+  this->Progress.BeginStage(ReadingStage.Text);
+  biting::PartOfStage part(this->Progress, 0.0, ChainsEnd);
   const bool isRead = this->Accept(biting::PolylinesFromDrawing(
     this->Drawing, this->Filter->RegionArray, this->Planar, this->Problems, part));
   if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
@@ -428,7 +354,7 @@ std::string vtkBitingMesher::Execution::AddBoundaryArray()
   {
     return chosen.Refusal;
   }
-  biting::PartOfStage part(this->Monitor, ChainsEnd, BoundaryEnd);
+  biting::PartOfStage part(this->Progress, ChainsEnd, BoundaryEnd);
   return biting::AddBoundarySpacing(
     this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
 }
@@ -440,23 +366,12 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
   {
     return {};
   }
-  const biting::SourceData source =
-    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
-  if (source.Chosen.IsMissing)
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, << "The spacing source is not used: it has no point array named "
-                    << biting::SpacingArrayName << ", and no other was chosen.");
-  }
-  if (!source.Chosen.Refusal.empty() || !source.Chosen.Array)
-  {
-    return source.Chosen.Refusal;
-  }
-  biting::PartOfStage part(this->Monitor, BoundaryEnd, 1.0);
+  biting::PartOfStage part(this->Progress, BoundaryEnd, 1.0);
   biting::DomainMembership domain(this->Planar.Chains, part);
-  const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
-  return biting::AddSourceSpacing(
-    source, this->Planar.Frame, isWanted, this->Options.Spacing, this->Places, part);
+  return this->AddSource(
+    this->Filter->GetInputArrayInformation(1), this->Source, this->Planar.Frame,
+    [&domain](const biting::Point2& place) { return domain.MayHold(place); }, this->Options.Spacing,
+    part);
 }
 
 //------------------------------------------------------------------------------
@@ -467,12 +382,12 @@ bool vtkBitingMesher::Execution::MakeMesh()
     this->Options.Simplification.AreAlike = biting::CompareTags(this->Drawing, this->Planar.Chains);
   }
   this->Mesh =
-    biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Monitor);
+    biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Progress);
   if (this->WasAborted() || this->ReportErrors())
   {
     return false;
   }
-  this->ReportRepairs();
+  this->WarnOfRepairs(this->Planar);
   this->ReportUncovered();
   this->ReportNotes();
   return true;
@@ -496,18 +411,6 @@ bool vtkBitingMesher::Execution::ReportErrors()
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::ReportRepairs() const
-{
-  for (const biting::ProblemGroup& group : this->Problems.Groups())
-  {
-    if (!biting::IsNote(group.Code))
-    {
-      vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Planar));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 // A line of text, as nothing is wrong: ParaView keeps it among its messages and opens nothing.
 void vtkBitingMesher::Execution::ReportNotes() const
 {
@@ -528,16 +431,15 @@ void vtkBitingMesher::Execution::ReportUncovered() const
     this->Mesh.Points, this->Mesh.Corners, biting::SourceCover(this->Options.Spacing));
   if (part.Share > 0.0)
   {
-    vtkWarningWithObjectMacro(
-      this->Filter, << biting::UncoveredText(part.Share, this->Planar.Frame.ToSpace(part.Place)));
+    this->Warn(biting::UncoveredText(part.Share, this->Planar.Frame.ToSpace(part.Place)));
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
 {
-  this->Monitor.BeginStage(WritingStage.Text);
-  biting::Pulse pulse(this->Monitor);
+  this->Progress.BeginStage(WritingStage.Text);
+  biting::Pulse pulse(this->Progress);
   const auto points = this->MakePoints(pulse);
   this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
   this->WriteEdges(points, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
@@ -570,19 +472,6 @@ void vtkBitingMesher::Execution::WriteEdges(
 {
   const biting::PulsePart part(pulse, MeshEnd, EdgesEnd);
   biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Drawing, output, pulse);
-}
-
-//------------------------------------------------------------------------------
-// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
-void vtkBitingMesher::Execution::WriteProblems(vtkPolyData* output)
-{
-  if (!this->Problems.Has(biting::ProblemCode::Aborted))
-  {
-    const auto policy =
-      this->Options.Domain.Repair ? biting::RepairPolicy::Repaired : biting::RepairPolicy::Left;
-    biting::AddPlaces(this->Problems, this->Planar, policy, this->Places);
-    biting::ProblemsToPolyData(this->Places, output);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,17 +7,13 @@
 #include "Bridge/BoundaryEdgesToPolyData.h"
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DoubleArray.h"
+#include "Bridge/FilterRun.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
-#include "Bridge/MonitorOfFilter.h"
 #include "Bridge/ParameterCheck.h"
-#include "Bridge/ProblemPlaces.h"
-#include "Bridge/ProblemsToPolyData.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/RemeshInputFromDataSet.h"
 #include "Bridge/RemeshedData.h"
-#include "Bridge/SourceData.h"
-#include "Bridge/SourceSpacing.h"
 #include "Bridge/SpacingValues.h"
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/PartOfStage.h"
@@ -32,9 +28,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <new>    // for bad_alloc
 #include <string> // for refusals
-#include <vector> // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -44,28 +38,6 @@ namespace
 // The stages around those of the kernel, with their shares of the time of a run.
 constexpr biting::Stage ReadingStage{ "Reading the input", 0.1 };
 constexpr biting::Stage WritingStage{ "Writing the mesh", 0.1 };
-
-//------------------------------------------------------------------------------
-std::vector<double> SharesOfStages()
-{
-  std::vector<double> shares{ ReadingStage.Share };
-  const double rest = 1.0 - ReadingStage.Share - WritingStage.Share;
-  for (const biting::Stage& stage : biting::RemeshingStages::InOrder)
-  {
-    shares.push_back(rest * stage.Share);
-  }
-  shares.push_back(WritingStage.Share);
-  return shares;
-}
-
-//------------------------------------------------------------------------------
-void EmptyOutputs(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkPolyData::GetData(outputs, port)->Initialize();
-  }
-}
 
 //------------------------------------------------------------------------------
 // Of what the filter counted; empty where it made nothing.
@@ -89,12 +61,13 @@ std::string CountsOf(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 // One execution: reads, remeshes, writes, and says what is wrong. Methods return false where
 // nothing is left to do.
-class vtkBitingRemesher::Execution
+class vtkBitingRemesher::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingRemesher* filter)
-    : Filter(filter)
-    , Monitor(filter, SharesOfStages(), filter->NumberOfThreads)
+    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, filter->NumberOfThreads },
+        biting::SharesOfStages(ReadingStage, biting::RemeshingStages::InOrder, WritingStage))
+    , Filter(filter)
   {
   }
 
@@ -111,12 +84,7 @@ private:
   bool Remesh();
   void Write(vtkInformationVector* outputs);
   void WriteUnchanged(vtkInformationVector* outputs, biting::Pulse& pulse);
-  void WriteProblems(vtkPolyData* output);
-  bool WasAborted() const { return this->Monitor.HasStopped(); }
-  bool Accept(const std::string& refusal);
-  void Refuse(const std::string& reason);
   std::string ParameterRefusal() const;
-  std::string AddSource();
   std::string AddValues();
   bool Report();
   void NumberPoints();
@@ -127,11 +95,7 @@ private:
   vtkSmartPointer<vtkDataSet> Lines;
   biting::PlanarMesh Mesh;
   biting::RemeshOptions Options;
-  biting::ProblemList Problems;
-  biting::ProblemPlaces Places; // of what is refused before the kernel sees it
   biting::RemeshResult Result;
-  biting::MonitorOfFilter Monitor;
-  bool IsRefused = false;
 };
 
 vtkStandardNewMacro(vtkBitingRemesher);
@@ -222,24 +186,17 @@ int vtkBitingRemesher::RequestData(
 void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
   const biting::WholeInput& source, const biting::WholeInput& lines, vtkInformationVector* outputs)
 {
-  try
+  const auto run = [this, &mesh, &source, &lines, outputs]()
   {
     if (this->Gather(mesh, source, lines) && this->ReadParameters() && this->ReadMesh() &&
       this->ReadSpacing() && this->Remesh())
     {
       this->Write(outputs);
     }
-    this->WriteProblems(vtkPolyData::GetData(outputs, PROBLEMS));
-    if (this->WasAborted())
-    {
-      EmptyOutputs(outputs);
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    EmptyOutputs(outputs);
-    this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
-  }
+    this->WriteProblems(
+      this->Mesh.Planar, biting::RepairPolicy::Repaired, vtkPolyData::GetData(outputs, PROBLEMS));
+  };
+  this->Guard(outputs, run);
 }
 
 //------------------------------------------------------------------------------
@@ -259,10 +216,6 @@ bool vtkBitingRemesher::Execution::Gather(
 //------------------------------------------------------------------------------
 bool vtkBitingRemesher::Execution::ReadParameters()
 {
-  if (!this->Accept(this->ParameterRefusal()))
-  {
-    return false;
-  }
   const vtkBitingRemesher& filter = *this->Filter;
   this->Options.Spacing.Uniform = filter.UniformSpacing;
   this->Options.Spacing.Scale = filter.SpacingScale;
@@ -283,62 +236,29 @@ bool vtkBitingRemesher::Execution::ReadParameters()
   this->Options.RelaxAll = filter.RelaxAll;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.KeepBites = filter.GenerateBites;
-  return true;
+  return this->Accept(this->ParameterRefusal());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 {
-  const vtkBitingRemesher& filter = *this->Filter;
-  for (const std::string& refusal :
-    { biting::CheckAtLeastZero("UniformSpacing", filter.UniformSpacing),
-      biting::CheckAtLeastZero("SpacingScale", filter.SpacingScale),
-      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
-      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing),
-      biting::CheckAtLeastZero("Gradation", filter.Gradation),
-      biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
-      biting::CheckAtLeastZero("FeatureAngle", filter.FeatureAngle) })
+  for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
+         biting::CheckAtLeastZero("BoundaryTolerance", this->Options.BoundaryTolerance),
+         biting::CheckAtLeastZero("FeatureAngle", this->Options.FeatureAngle) })
   {
     if (!refusal.empty())
     {
       return refusal;
     }
   }
-  if (filter.SpacingScale == 0.0)
-  {
-    return "SpacingScale is 0; it must be above 0.";
-  }
-  if (filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing)
-  {
-    return "MinimumSpacing is above MaximumSpacing.";
-  }
-  return filter.MaximumNumberOfVertices < 1 ? "MaximumNumberOfVertices is below 1." : "";
-}
-
-//------------------------------------------------------------------------------
-bool vtkBitingRemesher::Execution::Accept(const std::string& refusal)
-{
-  if (!refusal.empty())
-  {
-    this->Refuse(refusal);
-  }
-  return refusal.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingRemesher::Execution::Refuse(const std::string& reason)
-{
-  this->IsRefused = true;
-  this->Filter->ErrorCode = vtkErrorCode::UserError;
-  this->Filter->Summary += biting::RefusalLines(reason);
-  vtkErrorWithObjectMacro(this->Filter, << reason);
+  return this->Options.MaximumNumberOfVertices < 1 ? "MaximumNumberOfVertices is below 1." : "";
 }
 
 //------------------------------------------------------------------------------
 bool vtkBitingRemesher::Execution::ReadMesh()
 {
-  this->Monitor.BeginStage(ReadingStage.Text);
-  biting::PartOfStage part(this->Monitor, 0.0, 0.5);
+  this->Progress.BeginStage(ReadingStage.Text);
+  biting::PartOfStage part(this->Progress, 0.0, 0.5);
   const biting::RemeshArrays arrays{ this->Filter->RegionArray, this->Filter->FrozenArray };
   if (!this->Accept(
         biting::RemeshInputFromDataSet(this->Input, this->Lines, arrays, this->Mesh, part)) ||
@@ -357,38 +277,17 @@ bool vtkBitingRemesher::Execution::ReadMesh()
 //------------------------------------------------------------------------------
 bool vtkBitingRemesher::Execution::ReadSpacing()
 {
-  if (!this->Accept(this->AddSource()))
+  biting::SpacingOptions& spacing = this->Options.Spacing;
+  biting::PartOfStage part(this->Progress, 0.5, 0.9);
+  if (this->Source &&
+    !this->Accept(this->AddSource(
+      this->Filter->GetInputArrayInformation(1), this->Source, this->Mesh.Planar.Frame,
+      [](const biting::Point2&) { return true; }, spacing, part)))
   {
     return false;
   }
-  const biting::SpacingOptions& spacing = this->Options.Spacing;
   const bool hasOther = spacing.Grid || spacing.Triangulation || spacing.Uniform > 0.0;
   return (hasOther || this->Accept(this->AddValues())) && !this->WasAborted();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBitingRemesher::Execution::AddSource()
-{
-  if (!this->Source)
-  {
-    return {};
-  }
-  const biting::SourceData source =
-    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
-  if (source.Chosen.IsMissing)
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, << "The spacing source is not used: it has no point array named "
-                    << biting::SpacingArrayName << ", and no other was chosen.");
-  }
-  if (!source.Chosen.Refusal.empty() || !source.Chosen.Array)
-  {
-    return source.Chosen.Refusal;
-  }
-  biting::PartOfStage part(this->Monitor, 0.5, 0.9);
-  return biting::AddSourceSpacing(
-    source, this->Mesh.Planar.Frame, [](const biting::Point2&) { return true; },
-    this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -405,7 +304,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
     return "There is no spacing to remesh to. Choose a point array of the mesh, connect a dataset "
            "that has one, or set UniformSpacing.";
   }
-  biting::Pulse pulse(this->Monitor);
+  biting::Pulse pulse(this->Progress);
   const std::string refusal = biting::CheckSpacingValues(this->Input, chosen.Array,
     this->Mesh.PointIds, biting::SpacingOwner::Input, this->Places, pulse);
   if (refusal.empty())
@@ -422,7 +321,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
 //------------------------------------------------------------------------------
 bool vtkBitingRemesher::Execution::Remesh()
 {
-  this->Result = biting::Remesh(this->Mesh.Input, this->Options, this->Problems, this->Monitor);
+  this->Result = biting::Remesh(this->Mesh.Input, this->Options, this->Problems, this->Progress);
   if (this->WasAborted() || !this->Report())
   {
     return false;
@@ -441,11 +340,8 @@ bool vtkBitingRemesher::Execution::Report()
     {
       this->Refuse(biting::MessageFrom(group, this->Mesh.Planar));
     }
-    else if (!biting::IsNote(group.Code))
-    {
-      vtkWarningWithObjectMacro(this->Filter, << biting::MessageFrom(group, this->Mesh.Planar));
-    }
   }
+  this->WarnOfRepairs(this->Mesh.Planar);
   return !this->IsRefused;
 }
 
@@ -468,8 +364,8 @@ void vtkBitingRemesher::Execution::NumberPoints()
 //------------------------------------------------------------------------------
 void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
 {
-  this->Monitor.BeginStage(WritingStage.Text);
-  biting::Pulse pulse(this->Monitor);
+  this->Progress.BeginStage(WritingStage.Text);
+  biting::Pulse pulse(this->Progress);
   if (this->Result.IsUnchanged)
   {
     this->WriteUnchanged(outputs, pulse);
@@ -512,18 +408,6 @@ void vtkBitingRemesher::Execution::WriteUnchanged(
   points->SetData(this->Mesh.Planar.Coordinates);
   biting::BoundaryEdgesToPolyData(
     edges, points, this->Mesh.Lines, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
-}
-
-//------------------------------------------------------------------------------
-// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
-void vtkBitingRemesher::Execution::WriteProblems(vtkPolyData* output)
-{
-  if (!this->Problems.Has(biting::ProblemCode::Aborted))
-  {
-    biting::AddPlaces(
-      this->Problems, this->Mesh.Planar, biting::RepairPolicy::Repaired, this->Places);
-    biting::ProblemsToPolyData(this->Places, output);
-  }
 }
 
 //------------------------------------------------------------------------------

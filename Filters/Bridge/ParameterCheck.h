@@ -4,6 +4,8 @@
 #ifndef BitingParameterCheck_h
 #define BitingParameterCheck_h
 
+#include "../Kernel/Spacing/Spacing.h"
+
 #include <cmath>   // for isfinite
 #include <sstream> // for values
 #include <string>  // for refusals
@@ -27,6 +29,28 @@ inline std::string CheckAtLeastZero(const char* name, double value)
     return {};
   }
   return std::string(name) + " is " + ValueText(value) + "; it must be finite, and 0 or more.";
+}
+
+/// Of the parameters that mesher and remesher have in common.
+inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
+{
+  for (const std::string& refusal : { CheckAtLeastZero("UniformSpacing", spacing.Uniform),
+         CheckAtLeastZero("SpacingScale", spacing.Scale),
+         CheckAtLeastZero("MinimumSpacing", spacing.Minimum),
+         CheckAtLeastZero("MaximumSpacing", spacing.Maximum),
+         CheckAtLeastZero("Gradation", spacing.Gradation) })
+  {
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
+  }
+  if (spacing.Scale == 0.0)
+  {
+    return "SpacingScale is 0; it must be above 0.";
+  }
+  const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
+  return isCrossed ? "MinimumSpacing is above MaximumSpacing." : "";
 }
 
 } // namespace biting

@@ -15,6 +15,7 @@ set(biting_bridge_sources
   DoubleArray.cxx
   Drawing.cxx
   FacesFromDataSet.cxx
+  FilterRun.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx
   MessagesFromProblems.cxx
