@@ -66,7 +66,8 @@ void MarkEmbedded(vtkDataSet* mesh, PlanarMesh& result)
   }
 }
 
-std::string MarkFrozen(vtkDataSet* mesh, const std::string& name, PlanarMesh& result)
+std::string MarkFrozen(
+  vtkDataSet* mesh, vtkDataSet* lines, const std::string& name, PlanarMesh& result)
 {
   if (IsNone(name))
   {
@@ -82,9 +83,10 @@ std::string MarkFrozen(vtkDataSet* mesh, const std::string& name, PlanarMesh& re
   {
     MarkWhere(ofCells, result.CellIds, 0.0, false, result.Input.IsFrozen);
   }
-  return ofPoints || ofCells ? ""
-                             : "The input has no numeric point or cell array named " + name +
-      ", which FrozenArray asks for.";
+  const bool isOfLines = lines && lines->GetCellData()->GetArray(name.c_str());
+  return ofPoints || ofCells || isOfLines ? ""
+                                          : "The input has no numeric point or cell array named " +
+      name + ", which FrozenArray asks for.";
 }
 
 // The array RegionId need not be there.
@@ -139,12 +141,13 @@ vtkSmartPointer<vtkDataSet> CopyOf(vtkDataSet* data)
 }
 
 // Each segment of a line is one of its own, with the cell of the line.
-void ReadLines(vtkDataSet* given, PlanarMesh& result)
+void ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
 {
   const vtkSmartPointer<vtkDataSet> data = CopyOf(given);
   const VertexFinder finder(result);
   const auto coordinates = CoordinatesOf(data);
   RemeshInput& input = result.Input;
+  vtkDataArray* isFrozen = IsNone(frozen) ? nullptr : data->GetCellData()->GetArray(frozen.c_str());
   vtkNew<vtkIdList> points;
   std::vector<vtkIdType> along;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
@@ -164,6 +167,7 @@ void ReadLines(vtkDataSet* given, PlanarMesh& result)
         input.LineStarts.push_back(start);
         input.LineEnds.push_back(end);
         input.LineCells.push_back(static_cast<Id>(cell));
+        input.IsFrozenLine.push_back(isFrozen && isFrozen->GetComponent(cell, 0) != 0.0);
       }
     }
   }
@@ -183,14 +187,14 @@ std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const Re
   Pulse pulse(monitor);
   TakeFaces(mesh, faces, result);
   MarkEmbedded(mesh, result);
-  refusal = MarkFrozen(mesh, arrays.Frozen, result);
+  refusal = MarkFrozen(mesh, lines, arrays.Frozen, result);
   refusal = refusal.empty() ? NumberRegions(mesh, arrays.Region, result, pulse) : refusal;
   vtkDataSet* tags = lines ? lines : mesh;
   const bool hasOthers = tags->GetNumberOfCells() > static_cast<vtkIdType>(result.CellIds.size());
   if (refusal.empty() && (lines || hasOthers))
   {
     result.Lines = ReadDrawing(tags);
-    ReadLines(tags, result);
+    ReadLines(tags, arrays.Frozen, result);
     result.Input.AreAlike = CompareTags(result.Lines, Polylines());
   }
   else

@@ -37,7 +37,7 @@ struct PlanarMesh
 struct RemeshArrays
 {
   std::string Region; ///< cell array: edges between triangles that differ in it stay edges
-  std::string Frozen; ///< point or cell array: what is not 0 there stays as it is
+  std::string Frozen; ///< point or cell array, also of lines: what is not 0 there stays as it is
 };
 
 /// Reads the triangles of `mesh` (FacesFromDataSet.h), and the lines that tag edges: the cells of

@@ -1,97 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "FilterTesting.h"
 #include "MeshChecker.h"
-
-#include "vtkBitingRemesher.h"
+#include "RemesherTesting.h"
 
 #include "vtkDelaunay2D.h"
 #include "vtkErrorCode.h"
-#include "vtkFloatArray.h"
-#include "vtkStringArray.h"
 #include "vtkTransform.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
-#include <functional> // for fields
-
 using namespace testing_filters;
 
 namespace
 {
-
-constexpr double Spacing = 0.05;
-
-vtkSmartPointer<vtkPolyData> Meshed(vtkPolyData* drawing, vtkPolyData** edges = nullptr)
-{
-  vtkNew<vtkBitingMesher> mesher;
-  mesher->SetInputData(drawing);
-  mesher->SetUniformSpacing(Spacing);
-  mesher->Update();
-  if (edges)
-  {
-    *edges = mesher->GetOutput(1);
-    (*edges)->Register(nullptr);
-  }
-  return mesher->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> SquareMesh()
-{
-  return Meshed(UnitSquare());
-}
-
-double Linear(const Place& place)
-{
-  return 3.0 * place[0] - 2.0 * place[1] + 1.0;
-}
-
-double Half(const Place& /*place*/)
-{
-  return 0.5 * Spacing;
-}
-
-/// Half of the spacing at the left, with slope 0.2.
-double Left(const Place& place)
-{
-  return std::min(Spacing, 0.5 * Spacing + 0.2 * std::max(place[0] - 0.2, 0.0));
-}
-
-void AddField(vtkDataSet* mesh, const char* name, const std::function<double(const Place&)>& field)
-{
-  vtkNew<vtkDoubleArray> values;
-  values->SetName(name);
-  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
-  {
-    Place place;
-    mesh->GetPoint(point, place.data());
-    values->InsertNextValue(field(place));
-  }
-  mesh->GetPointData()->AddArray(values);
-}
-
-/// The mesh with a field `Wanted`.
-vtkSmartPointer<vtkPolyData> Wanting(
-  vtkPolyData* mesh, const std::function<double(const Place&)>& field)
-{
-  auto wanting = vtkSmartPointer<vtkPolyData>::New();
-  wanting->ShallowCopy(mesh);
-  AddField(wanting, "Wanted", field);
-  return wanting;
-}
-
-vtkNew<vtkBitingRemesher> RemesherOf(vtkDataSet* mesh)
-{
-  vtkNew<vtkBitingRemesher> remesher;
-  remesher->SetInputDataObject(mesh);
-  if (mesh->GetPointData()->HasArray("Wanted"))
-  {
-    remesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wanted");
-  }
-  return remesher;
-}
 
 bool AreAllEmpty(vtkBitingRemesher* remesher)
 {
@@ -166,106 +89,6 @@ TEST(BitingRemesher, CoarsensToAUniformSpacing)
   EXPECT_FALSE(Has(remesher->GetSummary(), "of the drawing not needed"));
 }
 
-TEST(BitingRemesher, TransfersRealArraysLinearlyAndOthersFromTheNearest)
-{
-  const auto mesh = Wanting(SquareMesh(), Half);
-  AddField(mesh, "Linear", Linear);
-  vtkNew<vtkIntArray> numbers;
-  numbers->SetName("Number");
-  vtkNew<vtkStringArray> texts;
-  texts->SetName("Text");
-  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
-  {
-    numbers->InsertNextValue(static_cast<int>(1000 * (point % 7)));
-    texts->InsertNextValue("p" + std::to_string(point));
-  }
-  mesh->GetPointData()->AddArray(numbers);
-  mesh->GetPointData()->AddArray(texts);
-  vtkNew<vtkFloatArray> ofCells;
-  ofCells->SetName("OfCells");
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    ofCells->InsertNextValue(static_cast<float>(cell));
-  }
-  mesh->GetCellData()->AddArray(ofCells);
-  const auto remesher = RemesherOf(mesh);
-  remesher->Update();
-  vtkPolyData* output = remesher->GetOutput();
-  vtkDataArray* linear = output->GetPointData()->GetArray("Linear");
-  vtkDataArray* number = output->GetPointData()->GetArray("Number");
-  vtkAbstractArray* text = output->GetPointData()->GetAbstractArray("Text");
-  ASSERT_TRUE(linear && number && text && output->GetCellData()->HasArray("OfCells"));
-  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
-  {
-    EXPECT_NEAR(linear->GetComponent(point, 0), Linear(PointOf(output, point)), 1e-12);
-    EXPECT_EQ(static_cast<int>(number->GetComponent(point, 0)) % 1000, 0);
-    EXPECT_TRUE(Has(text->GetVariantValue(point).ToString(), "p"));
-  }
-  remesher->TransferDataOff();
-  remesher->Update();
-  EXPECT_FALSE(remesher->GetOutput()->GetPointData()->HasArray("Linear"));
-}
-
-TEST(BitingRemesher, KeepsTagsOfLinesThatAreConnected)
-{
-  auto drawing = EmptyInput();
-  AddChain(drawing, Rectangle(0.0, 0.0, 1.0, 1.0), true);
-  AddChain(drawing, { { 0.3, 0.4, 0.0 }, { 0.7, 0.4, 0.0 } }, false);
-  AddArray<vtkIntArray>(drawing->GetCellData(), "Tag", { 5.0, 9.0 });
-  vtkPolyData* edges = nullptr;
-  const auto mesh = Wanting(Meshed(drawing, &edges), Half);
-  const auto remesher = RemesherOf(mesh);
-  remesher->SetTaggedLinesData(edges);
-  edges->UnRegister(nullptr);
-  remesher->Update();
-  vtkPolyData* output = remesher->GetOutput(1);
-  vtkDataArray* tags = output->GetCellData()->GetArray("Tag");
-  ASSERT_TRUE(tags);
-  double length = 0.0;
-  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ends;
-    output->GetCellPoints(cell, ends);
-    const Place a = PointOf(output, ends->GetId(0));
-    const Place b = PointOf(output, ends->GetId(1));
-    const bool isInner = a[1] == 0.4 && b[1] == 0.4;
-    EXPECT_EQ(tags->GetComponent(cell, 0), isInner ? 9.0 : 5.0);
-    length += isInner ? std::abs(a[0] - b[0]) : 0.0;
-  }
-  EXPECT_NEAR(length, 0.4, 1e-12);
-  EXPECT_GT(output->GetNumberOfCells(), 150);
-}
-
-TEST(BitingRemesher, KeepsRegionsExactly)
-{
-  auto drawing = EmptyInput();
-  AddChain(drawing, Rectangle(0.0, 0.0, 1.0, 1.0), true);
-  AddChain(drawing, { { 0.0, 0.3, 0.0 }, { 1.0, 0.6, 0.0 } }, false);
-  const auto mesh = Meshed(drawing);
-  for (const double spacing : { 0.02, 0.11 })
-  {
-    const auto remesher = RemesherOf(mesh);
-    remesher->SetUniformSpacing(spacing);
-    remesher->Update();
-    vtkPolyData* output = remesher->GetOutput();
-    vtkDataArray* regions = output->GetCellData()->GetArray("RegionId");
-    ASSERT_TRUE(regions);
-    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
-    {
-      vtkNew<vtkIdList> corners;
-      output->GetCellPoints(cell, corners);
-      Place middle{ 0.0, 0.0, 0.0 };
-      for (const vtkIdType corner : *corners)
-      {
-        middle[0] += PointOf(output, corner)[0] / 3.0;
-        middle[1] += PointOf(output, corner)[1] / 3.0;
-      }
-      const bool isBelow = middle[1] < 0.3 + 0.3 * middle[0];
-      EXPECT_EQ(regions->GetComponent(cell, 0), isBelow ? 0.0 : 1.0);
-    }
-  }
-}
-
 TEST(BitingRemesher, ReadsMeshesInAnyPlaneOfOtherPrograms)
 {
   vtkNew<vtkPoints> points;
@@ -329,27 +152,6 @@ TEST(BitingRemesher, FollowsASpacingSource)
   EXPECT_EQ(MeshChecker(remesher->GetOutput()).CheckValidity(), "");
   EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), mesh->GetNumberOfPoints());
   EXPECT_GT(Figure(remesher->GetOutput(), "MeanConformity"), 0.9);
-}
-
-TEST(BitingRemesher, LeavesWhatIsFrozen)
-{
-  const auto mesh = Wanting(SquareMesh(), Half);
-  AddField(mesh, "Stays", [](const Place& place) { return place[0] < 0.5 ? 1.0 : 0.0; });
-  vtkNew<vtkIntArray> cells;
-  cells->SetName("Stays");
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    cells->InsertNextValue(cell < 200 ? 1 : 0);
-  }
-  mesh->GetCellData()->AddArray(cells);
-  const auto remesher = RemesherOf(mesh);
-  remesher->SetFrozenArray("Stays");
-  remesher->Update();
-  vtkDataArray* originals = remesher->GetOutput()->GetCellData()->GetArray("OriginalCellId");
-  for (int cell = 0; cell < 200; ++cell)
-  {
-    EXPECT_EQ(originals->GetComponent(cell, 0), cell);
-  }
 }
 
 TEST(BitingRemesher, RefusesTolerancesThatAreNone)

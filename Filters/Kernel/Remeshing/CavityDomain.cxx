@@ -37,7 +37,7 @@ std::vector<Id> AddVertices(const OldMesh& mesh, const ChangedRegion& region,
 }
 
 void AddSegment(
-  const RegionEdge& edge, const std::vector<Id>& numbers, EdgePolicy policy, Domain& domain)
+  const RegionEdge& edge, const std::vector<Id>& numbers, bool isPreserved, Domain& domain)
 {
   const bool isRightOut = edge.RightRegion == NoId;
   const bool isLeftOut = edge.LeftRegion == NoId;
@@ -47,7 +47,7 @@ void AddSegment(
   domain.IsBoundary.push_back(isRightOut || isLeftOut);
   domain.LeftInside.push_back(!isLeftOut);
   domain.RightInside.push_back(!isRightOut);
-  domain.IsPreserved.push_back(edge.RimSlot != NoId || policy == EdgePolicy::Frozen);
+  domain.IsPreserved.push_back(isPreserved);
 }
 
 void AddArea(Domain& domain)
@@ -80,7 +80,9 @@ Domain MakeCavityDomain(const OldMesh& mesh, const ChangedRegion& region, const 
   const std::vector<Id> numbers = AddVertices(mesh, region, edges, isKept, domain);
   for (const RegionEdge& edge : edges.Edges)
   {
-    AddSegment(edge, numbers, policy, domain);
+    const bool isPreserved =
+      edge.RimSlot != NoId || policy == EdgePolicy::Frozen || mesh.IsFrozenEdge(edge.Mark);
+    AddSegment(edge, numbers, isPreserved, domain);
   }
   AddArea(domain);
   return domain;

@@ -16,8 +16,8 @@ namespace biting
 {
 
 /// What is meshed in the place of a region: its edges are the segments, in their order, those of
-/// the rim preserved, and all of them where the policy is Frozen; its vertices are those that are
-/// kept, with old ids as VertexPoints, and embedded where they are on no edge.
+/// the rim and frozen ones preserved, and all of them where the policy is Frozen; its vertices are
+/// those that are kept, with old ids as VertexPoints, and embedded where they are on no edge.
 ///
 /// The invariant of a domain holds, as the old mesh is valid; straight parts that lost vertices are
 /// off these by rounding.

@@ -75,6 +75,11 @@ Domain DrawingOf(const OldMesh& mesh, const ChangedRegion& region, const Flags& 
   }
   for (std::size_t edge = 0; edge < edges.Edges.size(); ++edge)
   {
+    if (mesh.IsFrozenEdge(edges.Edges[edge].Mark))
+    {
+      drawing.HasPoint[drawing.Starts[edge]] = 1;
+      drawing.HasPoint[drawing.Ends[edge]] = 1;
+    }
     if (edges.Edges[edge].RimSlot != NoId)
     {
       drawing.IsBoundary[edge] = 0;

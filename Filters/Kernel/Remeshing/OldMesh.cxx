@@ -102,6 +102,7 @@ void Reader::Copy()
   this->Mesh.IsFixed.resize(this->Input.Points.size(), 0);
   this->Mesh.IsFrozen.resize(triangles, 0);
   this->Mesh.LineCells = this->Input.LineCells;
+  this->Mesh.IsFrozenLine = this->Input.IsFrozenLine;
   this->Mesh.AreAlike = this->Input.AreAlike;
   this->Mesh.Rounding = this->Input.Rounding;
 }

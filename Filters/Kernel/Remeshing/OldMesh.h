@@ -24,10 +24,11 @@ struct RemeshInput
   std::vector<Id> Regions; ///< one a triangle: where they differ is an interface; empty: all alike
   std::vector<Id> LineStarts; ///< of edges that stay edges, with their tags
   std::vector<Id> LineEnds;
-  std::vector<Id> LineCells;            ///< the cell of each line, for the output
-  std::function<bool(Id, Id)> AreAlike; ///< whether two such cells may become one; empty: all may
-  std::vector<std::uint8_t> IsFixed;    ///< one a vertex: it stays; empty: none
-  std::vector<std::uint8_t> IsFrozen;   ///< one a triangle: it stays; empty: none
+  std::vector<Id> LineCells;              ///< the cell of each line, for the output
+  std::function<bool(Id, Id)> AreAlike;   ///< whether two such cells may become one; empty: all may
+  std::vector<std::uint8_t> IsFixed;      ///< one a vertex: it stays; empty: none
+  std::vector<std::uint8_t> IsFrozen;     ///< one a triangle: it stays; empty: none
+  std::vector<std::uint8_t> IsFrozenLine; ///< one a line: its edge stays; empty: none
 
   // For messages: what the vertices and triangles are in the input. Empty: the same.
   std::vector<std::int64_t> PointIds;
@@ -51,6 +52,7 @@ struct OldMesh
   std::vector<std::uint8_t> IsFixed;
   std::vector<std::uint8_t> IsFrozen;
   std::vector<Id> LineCells;
+  std::vector<std::uint8_t> IsFrozenLine; ///< one a line, or none
   std::function<bool(Id, Id)> AreAlike;
   double Rounding = 0.0;
   double Area = 0.0;
@@ -59,6 +61,12 @@ struct OldMesh
   Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
   Id Start(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 1) % 3]; }
   Id End(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 2) % 3]; }
+
+  /// Whether an edge with this mark must stay one.
+  bool IsFrozenEdge(Id mark) const
+  {
+    return mark > Untagged && !this->IsFrozenLine.empty() && this->IsFrozenLine[mark - 1] != 0;
+  }
 
   /// Whether edges with these marks may become one.
   bool HaveEqualTags(Id mark, Id other) const

@@ -223,6 +223,10 @@ bool EdgeReader::IsLoose(Id vertex) const
 
 bool EdgeReader::AreAlike(Id vertex, const RegionEdge& a, const RegionEdge& b) const
 {
+  if (this->Mesh.IsFrozenEdge(a.Mark) || this->Mesh.IsFrozenEdge(b.Mark))
+  {
+    return false;
+  }
   const bool isStraight = (a.End == vertex) == (b.Start == vertex);
   const Id left = isStraight ? b.LeftRegion : b.RightRegion;
   const Id right = isStraight ? b.RightRegion : b.LeftRegion;

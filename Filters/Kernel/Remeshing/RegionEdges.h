@@ -60,8 +60,8 @@ RegionEdges PiecesBetween(
 /// lie closer than the band of `rules`, those stay that divide their run best.
 ///
 /// A vertex may go where two edges with equal tags and equal sides meet in a straight line, to
-/// rounding; not on the rim, and not where it is fixed. Where `left` is not null it says instead
-/// which must stay, as for PiecesBetween.
+/// rounding; not on the rim, and not where it, or one of them, is fixed. Where `left` is not null
+/// it says instead which must stay, as for PiecesBetween.
 RegionEdges ThinnedEdges(const OldMesh& mesh, const ChangedRegion& region,
   const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy,
   const std::vector<std::uint8_t>* left = nullptr);
