@@ -67,7 +67,8 @@ class vtkBitingMesher::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingMesher* filter)
-    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, filter->NumberOfThreads },
+    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
+                  filter->NumberOfThreads },
         biting::SharesOfStages(ReadingStage, biting::MeshingStages::InOrder, WritingStage))
     , Filter(filter)
   {
@@ -84,7 +85,6 @@ private:
   bool ReadSpacing();
   bool MakeMesh();
   void Write(vtkInformationVector* outputs);
-  void EndWhereStopped();
   std::string ParameterRefusal() const;
   std::string AddBoundaryArray();
   std::string AddSourceArray();
@@ -218,20 +218,6 @@ void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
       vtkPolyData::GetData(outputs, PROBLEMS));
   };
   this->Guard(outputs, run);
-  if (this->WasAborted())
-  {
-    this->EndWhereStopped();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::EndWhereStopped()
-{
-  if (this->Filter->IsStopping)
-  {
-    vtkBitingCompat::EndAbort(this->Filter);
-    this->Refuse("Stopped, as was asked for. Change a parameter to mesh again.");
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -65,7 +65,8 @@ class vtkBitingRemesher::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingRemesher* filter)
-    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, filter->NumberOfThreads },
+    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
+                  filter->NumberOfThreads },
         biting::SharesOfStages(ReadingStage, biting::RemeshingStages::InOrder, WritingStage))
     , Filter(filter)
   {
@@ -135,6 +136,13 @@ void vtkBitingRemesher::SetTaggedLinesConnection(vtkAlgorithmOutput* lines)
 }
 
 //------------------------------------------------------------------------------
+void vtkBitingRemesher::Stop()
+{
+  this->IsStopping = true;
+  this->SetAbortExecute(1);
+}
+
+//------------------------------------------------------------------------------
 int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   const bool isSource = port == 1;
@@ -164,6 +172,7 @@ int vtkBitingRemesher::RequestData(
   vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
+  this->IsStopping = false;
   const biting::Stopwatch watch;
   const biting::Ranks ranks(request, outputVector);
   const biting::WholeInput mesh(ranks, inputVector[0]);

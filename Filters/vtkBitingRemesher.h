@@ -335,6 +335,12 @@ public:
    */
   const char* GetSummary() const { return this->Summary.c_str(); }
 
+  /**
+   * Ends a running execution, for observers of its progress: an error, with empty outputs, as in
+   * vtkBitingMesher.
+   */
+  void Stop();
+
 protected:
   vtkBitingRemesher();
   ~vtkBitingRemesher() override = default;
@@ -371,6 +377,7 @@ private:
   int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;
+  bool IsStopping = false; // Stop was called in this execution
 };
 VTK_ABI_NAMESPACE_END
 

@@ -13,6 +13,7 @@
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkBitingMesher.h"
+#include "vtkBitingRemesher.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -265,10 +266,14 @@ void StopWhereAsked()
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    vtkObjectBase* filter = source->getProxy()->GetClientSideObject();
-    if (auto* mesher = vtkBitingMesher::SafeDownCast(vtkObject::SafeDownCast(filter)))
+    auto* filter = vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject());
+    if (auto* mesher = vtkBitingMesher::SafeDownCast(filter))
     {
       mesher->Stop();
+    }
+    else if (auto* remesher = vtkBitingRemesher::SafeDownCast(filter))
+    {
+      remesher->Stop();
     }
   }
 }

@@ -47,12 +47,22 @@ void FilterRun::Guard(vtkInformationVector* outputs, const std::function<void()>
     if (this->WasAborted())
     {
       EmptyOutputs(outputs);
+      this->EndWhereStopped();
     }
   }
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputs);
     this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+  }
+}
+
+void FilterRun::EndWhereStopped()
+{
+  if (*this->Running.IsStopping)
+  {
+    vtkBitingCompat::EndAbort(this->Running.Filter);
+    this->Refuse("Stopped, as was asked for. Change a parameter to mesh again.");
   }
 }
 

@@ -36,6 +36,7 @@ struct RunningFilter
   vtkAlgorithm* Filter;
   unsigned long* ErrorCode; ///< of it
   std::string* Summary;
+  const bool* IsStopping; ///< it was asked to end for good, not only for now
   int NumberOfThreads = 0;
 };
 
@@ -60,7 +61,7 @@ protected:
   FilterRun(const RunningFilter& filter, std::vector<double> shares);
 
   /// Calls `run`, which fills the outputs. Where it was aborted, or there is too little memory,
-  /// these are empty.
+  /// these are empty; where it was asked to end for good, that is an error.
   void Guard(vtkInformationVector* outputs, const std::function<void()>& run);
 
   /// Whether there is no refusal; else says it.
@@ -90,6 +91,8 @@ protected:
   bool IsRefused = false;
 
 private:
+  void EndWhereStopped();
+
   RunningFilter Running;
 };
 

@@ -254,6 +254,26 @@ TEST(BitingRemesher, StopsWhenItIsAskedToAndWorksAgain)
   EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), 20000);
 }
 
+TEST(BitingRemesher, EndsByStopWithAnErrorThatStaysUntilSomethingChanges)
+{
+  const auto remesher = RemesherOf(SquareMesh());
+  remesher->SetUniformSpacing(0.005);
+  const Messages messages(remesher);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
+    { static_cast<vtkBitingRemesher*>(filter)->Stop(); });
+  const unsigned long tag = remesher->AddObserver(vtkCommand::ProgressEvent, stop);
+  remesher->Update();
+  remesher->RemoveObserver(tag);
+  remesher->Update();
+  EXPECT_TRUE(AreAllEmpty(remesher));
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors[0], "Stopped")) << messages.Errors[0];
+  remesher->SetUniformSpacing(0.01);
+  remesher->Update();
+  EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), 5000);
+}
+
 TEST(BitingRemesher, ChangesNothingOfItsInput)
 {
   const auto mesh = Wanting(SquareMesh(), Half);
