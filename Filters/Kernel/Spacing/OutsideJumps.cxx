@@ -8,6 +8,7 @@
 #include <algorithm> // for min, max
 #include <array>     // for samples
 #include <cmath>     // for ceil, sqrt
+#include <utility>   // for swap
 #include <vector>    // for squares
 
 namespace biting
@@ -31,15 +32,21 @@ constexpr double LeastFirstSquares = 16.0;
 constexpr double MostFirstSquares = 64.0;
 constexpr double EdgesPerFirstSquare = 0.0625;
 
-/// The last ones: g / f times their side; the same where f is asked for its rough size only.
+/// From this size on, g / f times its side, a square may have a straight piece of a jump.
+constexpr double SquareOfPiece = 0.5;
+
+/// How precisely its ends are found, and how far the jump may be from its middle, times g / f.
+constexpr double EndPrecision = 0.01;
+constexpr double LargestBend = 0.02;
+
+/// The last squares, where jumps meet.
 constexpr double LastSquare = 0.03;
-constexpr double LastUnusedSquare = 0.25;
 constexpr int DeepestLevel = 24;
 
 /// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger:
 /// then f is lowered beside the jump by what it could rise across a square, but to no less than a
 /// share of it.
-constexpr std::size_t MostSquares = 1 << 19;
+constexpr std::size_t MostSquares = 1 << 16;
 constexpr double LeastShare = 0.25;
 constexpr double LongestWay = 1.42; ///< in a square, in units of its side
 
@@ -67,12 +74,11 @@ class JumpFinder
 {
 public:
   JumpFinder(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-    const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor)
+    ConeCollector& cones, Monitor& monitor)
     : Field(field)
     , Bounds(bounds)
     , Gradation(gradation)
     , SeenGradation(std::min(gradation, LargestGradation))
-    , IsUnused(isUnused)
     , Cones(cones)
     , Beats(monitor)
   {
@@ -306,19 +312,110 @@ private:
       }
       const double rise = this->SeenGradation * size;
       const double least = LeastOf(square);
-      const bool isFine = rise <= LastSquare * least ||
-        (rise <= LastUnusedSquare * least && this->IsUnused &&
-          this->IsUnused({ square[0].Place, square[3].Place }));
+      const bool isFine = rise <= LastSquare * least;
       if (isFine || isLast)
       {
         this->AddLowSides(square, isFine ? 0.0 : LongestWay * rise);
       }
-      else
+      else if (rise > SquareOfPiece * least || !this->AddPiece(square, least / this->SeenGradation))
       {
         this->AddQuarters(square, quarters);
       }
     }
     return quarters;
+  }
+
+  /// Two samples on both sides of a jump.
+  struct Crossing
+  {
+    Sample Low;
+    Sample High;
+  };
+
+  /// The jump through a square, as one straight segment. False where it is not that simple.
+  /// `unit` is f / g.
+  bool AddPiece(const Square& square, double unit)
+  {
+    // Each corner has a part of the border; those of the first corner, and others.
+    std::array<bool, 5> isOther{};
+    for (std::size_t k = 1; k < square.size(); ++k)
+    {
+      isOther[k] = AreApart(square[0], square[k]);
+    }
+    constexpr std::array<std::array<std::size_t, 2>, 4> sides{ { { 0, 1 }, { 1, 3 }, { 3, 2 },
+      { 2, 0 } } };
+    std::vector<Crossing> crossings;
+    for (const auto& [from, to] : sides)
+    {
+      if (isOther[from] != isOther[to])
+      {
+        crossings.push_back({ square[from], square[to] });
+      }
+    }
+    return crossings.size() == 2 && AreTwoParts(square, isOther) &&
+      this->Close(EndPrecision * unit, crossings[0]) &&
+      this->Close(EndPrecision * unit, crossings[1]) &&
+      this->AddBetween(crossings[0].Low, crossings[1].Low, LargestBend * unit);
+  }
+
+  static bool AreTwoParts(const Square& square, const std::array<bool, 5>& isOther)
+  {
+    bool areTwo = true;
+    for (std::size_t k = 1; k < square.size(); ++k)
+    {
+      for (std::size_t other = 0; other < k; ++other)
+      {
+        areTwo = areTwo && (isOther[k] != isOther[other]) == AreApart(square[k], square[other]);
+      }
+    }
+    return areTwo;
+  }
+
+  /// Halves the way between two samples until they are `near`. False where there is a third part.
+  bool Close(double near, Crossing& crossing)
+  {
+    auto& [a, b] = crossing;
+    while (Distance(a.Place, b.Place) > near && !this->Beats.HasStopped())
+    {
+      const Sample middle = this->Between(a, b);
+      const bool isOther = AreApart(a, middle);
+      if (isOther == AreApart(middle, b))
+      {
+        return false;
+      }
+      (isOther ? b : a) = middle;
+    }
+    if (b.Spacing < a.Spacing)
+    {
+      std::swap(a, b);
+    }
+    return true;
+  }
+
+  /// Whether the low side is the same at both ends and, but for a `bend`, along the segment between
+  /// them, and linear.
+  bool AddBetween(const Sample& start, const Sample& end, double bend)
+  {
+    const Point2 along = end.Place - start.Place;
+    const double length = Length(along);
+    if (AreApart(start, end) || !(length > 0.0))
+    {
+      return false;
+    }
+    const Point2 middle = Midpoint(start.Place, end.Place);
+    const Point2 aside = (bend / length) * Perpendicular(along);
+    const Sample left = this->TakeSample(middle + aside, start);
+    const Sample right = this->TakeSample(middle - aside, start);
+    const bool isLeftLow = !AreApart(left, start);
+    const Sample& low = isLeftLow ? left : right;
+    const double mean = 0.5 * (start.Spacing + end.Spacing);
+    const bool isPiece =
+      isLeftLow == AreApart(right, start) && std::abs(low.Spacing - mean) <= LargestBend * mean;
+    if (isPiece)
+    {
+      this->Cones.AddSegment(start.Place, end.Place, start.Spacing, end.Spacing);
+    }
+    return isPiece;
   }
 
   void AddQuarters(const Square& square, std::vector<Square>& quarters)
@@ -388,7 +485,6 @@ private:
   const Box2& Bounds;
   const double Gradation;
   const double SeenGradation;
-  const std::function<bool(const Box2&)>& IsUnused;
   ConeCollector& Cones;
   Pulse Beats;
   std::size_t NumberOfSquares = 0;
@@ -397,10 +493,9 @@ private:
 } // namespace
 
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-  const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor)
+  ConeCollector& cones, Monitor& monitor)
 {
-  return !(bounds.Diagonal() > 0.0) ||
-    JumpFinder(field, bounds, gradation, isUnused, cones, monitor).Run();
+  return !(bounds.Diagonal() > 0.0) || JumpFinder(field, bounds, gradation, cones, monitor).Run();
 }
 
 } // namespace biting

@@ -7,8 +7,6 @@
 #include "ConeCollector.h"
 #include "TriangleInterpolator.h"
 
-#include <functional> // for what is not needed
-
 namespace biting
 {
 
@@ -18,12 +16,13 @@ namespace biting
 /// parts of the border are equally near, in holes and before borders that are not convex: there f
 /// grows from the lower side. These places are where perpendiculars to border edges end: where
 /// their foot ceases to be the nearest point. Before corners of the border a quadtree finds them,
-/// from squares of 1/64 of the bounds down to a hundredth of f / g; where a corner stands in a bay
-/// smaller than that, a jump may be missed; and they are larger in boxes that are unused
-/// (SpacingOptions::IsUnused). Nothing is added where the triangles cover the bounds.
-/// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular.
+/// from squares of 1/64 of the bounds down to half of f / g, in which a jump is one straight
+/// segment, and where jumps meet or bend, to .03 of it; where a corner stands in a bay smaller than
+/// the first squares, a jump may be missed. Nothing is added where the triangles cover the bounds.
+/// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular,
+/// and as many for each half f / g of a jump.
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-  const std::function<bool(const Box2&)>& isUnused, ConeCollector& cones, Monitor& monitor);
+  ConeCollector& cones, Monitor& monitor);
 
 } // namespace biting
 

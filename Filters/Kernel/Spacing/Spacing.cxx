@@ -293,8 +293,8 @@ private:
     }
     PartOfStage outside(this->Stage, 0.48, 0.5);
     return this->Options.Gradation == 0.0 || this->Options.Triangulation->CoversDomain ||
-      AddOutsideJumps(*this->Data.Triangulation, this->Bounds, this->Options.Gradation,
-        this->Options.IsUnused, this->Cones, outside);
+      AddOutsideJumps(
+        *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
   }
 
   bool AddSegments()
