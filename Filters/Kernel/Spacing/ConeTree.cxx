@@ -3,8 +3,10 @@
 
 #include "ConeTree.h"
 
-#include <array> // for lattices
-#include <cmath> // for ldexp
+#include <array>   // for lattices
+#include <cmath>   // for ldexp
+#include <cstdint> // for places along a curve
+#include <utility> // for pairs
 
 namespace biting
 {
@@ -23,6 +25,9 @@ constexpr Id FewCones = 14;
 /// A square across which f grows by no more than this share of itself is a leaf, whatever its
 /// cones: what a lattice misses is rarely lower than what it finds by more than a tenth of that.
 constexpr double GrowthOfLeaf = 0.03;
+
+/// A slope above this one counts as this one there, as nobody sees it on a part of f.
+constexpr double LargestSlope = 1.0;
 
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
@@ -43,6 +48,58 @@ double LargestCoordinate(const Box2& box)
     { std::abs(box.Low.X), std::abs(box.Low.Y), std::abs(box.High.X), std::abs(box.High.Y) });
 }
 
+/// Where a point of the unit square (beyond it, the nearest one) lies along the curve of Hilbert.
+std::uint64_t PlaceAlongCurve(Point2 at)
+{
+  constexpr int Levels = 24;
+  at = { std::min(std::max(at.X, 0.0), 1.0), std::min(std::max(at.Y, 0.0), 1.0) };
+  std::uint64_t place = 0;
+  for (int level = 0; level < Levels; ++level)
+  {
+    const bool isRight = at.X >= 0.5;
+    const bool isHigh = at.Y >= 0.5;
+    place = 4 * place + (isRight ? (isHigh ? 2 : 3) : (isHigh ? 1 : 0));
+    at = { 2.0 * at.X - isRight, 2.0 * at.Y - isHigh };
+    if (!isHigh) // the curve within the lower quarters is turned
+    {
+      at = isRight ? Point2{ 1.0 - at.Y, 1.0 - at.X } : Point2{ at.Y, at.X };
+    }
+  }
+  return place;
+}
+
+/// From each cone to the next one.
+double WayThrough(const std::vector<SegmentCone>& cones)
+{
+  double way = 0.0;
+  for (std::size_t cone = 1; cone < cones.size(); ++cone)
+  {
+    way += Distance(cones[cone - 1].Start, cones[cone].Start);
+  }
+  return way;
+}
+
+/// The same cones, those near each other mostly one after the other: as they are given, which is
+/// along the chains of a boundary, or along the curve of Hilbert where that is a shorter way.
+std::vector<SegmentCone> InOrder(std::vector<SegmentCone> cones, const Box2& box)
+{
+  const double perLength = 1.0 / std::max(box.Width(), box.Height());
+  std::vector<std::pair<std::uint64_t, std::size_t>> places;
+  places.reserve(cones.size());
+  for (std::size_t cone = 0; cone < cones.size(); ++cone)
+  {
+    places.emplace_back(PlaceAlongCurve(perLength * (cones[cone].Start - box.Low)), cone);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<SegmentCone> ordered;
+  ordered.reserve(cones.size());
+  for (const auto& place : places)
+  {
+    ordered.push_back(cones[place.second]);
+  }
+  return WayThrough(ordered) < WayThrough(cones) ? ordered : cones;
+}
+
 } // namespace
 
 /// Cuts squares from the root down. The candidates of a square lie on a stack, above those of the
@@ -50,9 +107,10 @@ double LargestCoordinate(const Box2& box)
 class ConeTree::Builder
 {
 public:
-  Builder(ConeTree& whole, std::vector<SegmentCone> cones, const Relief& relief, Monitor& monitor)
+  Builder(
+    ConeTree& whole, const std::vector<SegmentCone>& cones, const Relief& relief, Monitor& monitor)
     : Whole(whole)
-    , Cones(std::move(cones))
+    , Cones(InOrder(std::move(cones), whole.Bounds))
     , Less(relief)
     , Beats(monitor)
     , Slope(whole.Slope)
@@ -107,7 +165,7 @@ private:
   void FinishOrSplit(
     const Quadtree::Square& square, const Box2& box, const Lowest& lowest, std::size_t first)
   {
-    const double growth = this->Slope * square.Size;
+    const double growth = std::min(this->Slope, LargestSlope) * square.Size;
     const bool isLast = square.Level == Quadtree::MaximumLevel ||
       this->Whole.Lists.size() + this->Candidates.size() > MostEntries;
     const auto count = static_cast<Id>(this->Candidates.size() - first);
@@ -156,6 +214,8 @@ private:
   /// it is by 2 g r at the center. Far away it is nearly a plane: with its gradient G, and D from
   /// its foot, it differs from that by at most g r^2 / (2 (D - r)). So the difference of two such
   /// cones is at least that at the center less r |G - G_b| and both these rests.
+  /// Of cones beside each other, one also stands for those after it: so lists do not grow with the
+  /// number of segments where these are close together.
   void KeepCandidates(const Point2& center, double radius, const Lowest& lowest, std::size_t first)
   {
     const double rise = 2.0 * this->Slope * radius;
@@ -167,18 +227,23 @@ private:
     const Point2 direction = (1.0 / distance) * toLowest;
     const double rest = 0.5 * radius / (distance - radius);
     const std::size_t count = this->Candidates.size();
+    Lowest last;
     for (std::size_t k = first; k < count; ++k)
     {
-      const double above = this->Values[k - first] - lowest.Value;
+      const double value = this->Values[k - first];
+      const double above = value - lowest.Value;
       const Id cone = this->Candidates[k];
       const bool mayBeLowest = cone == lowest.Cone ||
-        (!(this->Values[k - first] > limit) &&
+        (!(value > limit) &&
           (!isFar ||
             !this->IsFarAbove(
-              cone, center, radius, (above + room) / (this->Slope * radius), direction, rest)));
+              cone, center, radius, (above + room) / (this->Slope * radius), direction, rest)) &&
+          !(last.Cone != NoId &&
+            this->StandsFor(last.Cone, cone, center, radius, last.Value - value, room)));
       if (mayBeLowest)
       {
         this->Candidates.push_back(cone);
+        last = { cone, value };
       }
     }
   }
@@ -193,6 +258,28 @@ private:
     return distance > FarAway * radius &&
       above >
       Length((1.0 / distance) * toCenter - direction) + rest + 0.5 * radius / (distance - radius);
+  }
+
+  /// Whether, all over the square, a cone is above another one by no more than `room`. `above` is
+  /// what it is above it at the center.
+  /// - It is, everywhere, if at both ends of the other one's segment: along that it is convex, and
+  ///   from there it grows no faster.
+  /// - Far away the gradients differ by no more than the angle between their feet, seen from a
+  ///   point of the square.
+  bool StandsFor(
+    Id cone, Id other, const Point2& center, double radius, double above, double room) const
+  {
+    if (above > room)
+    {
+      return false;
+    }
+    const SegmentCone& a = this->At(cone);
+    const SegmentCone& b = this->At(other);
+    const double apart = Distance(a.Start, b.Start) + a.Length + b.Length;
+    const double away = Distance(center, a.Start) - radius - apart;
+    return (away > 0.0 && (room - above) * away > this->Slope * radius * apart) ||
+      (a(b.Start, this->Slope) <= b.Value + room &&
+        a(b.End(), this->Slope) <= b.Value + b.Slope * b.Length + room);
   }
 
   /// Leaves, of the candidates from `first` on, those that are lowest at points of a lattice.

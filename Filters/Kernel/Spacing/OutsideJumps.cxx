@@ -44,8 +44,8 @@ constexpr double LastSquare = 0.03;
 constexpr int DeepestLevel = 24;
 
 /// Where jumps are so long, in units of f, that more squares are needed, all of them stay larger:
-/// then f is lowered beside the jump by what it could rise across a square, but to no less than a
-/// share of it.
+/// then, where a jump is not straight, f is lowered beside it by what it could rise across a
+/// square, but to no less than a share of it.
 constexpr std::size_t MostSquares = 1 << 16;
 constexpr double LeastShare = 0.25;
 constexpr double LongestWay = 1.42; ///< in a square, in units of its side
@@ -313,11 +313,16 @@ private:
       const double rise = this->SeenGradation * size;
       const double least = LeastOf(square);
       const bool isFine = rise <= LastSquare * least;
+      const bool maybePiece = !isFine && (isLast || rise <= SquareOfPiece * least);
+      if (maybePiece && this->AddPiece(square, least / this->SeenGradation))
+      {
+        continue;
+      }
       if (isFine || isLast)
       {
         this->AddLowSides(square, isFine ? 0.0 : LongestWay * rise);
       }
-      else if (rise > SquareOfPiece * least || !this->AddPiece(square, least / this->SeenGradation))
+      else
       {
         this->AddQuarters(square, quarters);
       }

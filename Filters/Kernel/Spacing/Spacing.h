@@ -141,9 +141,9 @@ struct SpacingOptions
 /// triangles are noise, on cells much larger than f, some ten pairs of points in a million miss the
 /// Lipschitz law, by up to 3 % of f, and by up to 10 % where neighbours differ by a factor of ten.
 /// Beyond the bounds, limits are those of the nearest point of the bounds. Where the nearest border
-/// values of a triangulation jump along more than some ten thousand f, f is lower beside the jump
-/// than it had to be, the more the longer that is: by 10 % at 50 000 f, 40 % at 200 000 f; and it
-/// may miss the Lipschitz law by 4 % of f.
+/// values of a triangulation jump along curves of more than some ten thousand f in all, f is lower
+/// beside them than it had to be, down to a quarter, as far as the curves are not straight. A
+/// Gradation above 1 holds for places farther apart than some hundredths of f.
 /// Preparation: MakeSpacing.
 class Spacing
 {

@@ -247,3 +247,63 @@ TEST(ConeTree, HasFewLeavesWhereValuesJumpWithoutGradation)
   source.Segments.insert(source.Segments.end(), { 39, 40 });
   EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfLeaves(), 10000u);
 }
+
+/// Of a tree, in 4096 comparisons of cones.
+int WorkOf(const SegmentSource& source, double slope)
+{
+  StoppingMonitor monitor(std::numeric_limits<int>::max());
+  ConeTree(ConesOf(source, slope), slope, UnitBox(), {}, monitor);
+  return monitor.Calls;
+}
+
+/// Lines as long as the box, beside each other at distances that nobody sees.
+SegmentSource Stripes(int count, int parts, double value)
+{
+  SegmentSource source;
+  for (int stripe = 0; stripe < count; ++stripe)
+  {
+    for (int part = 0; part <= parts; ++part)
+    {
+      const auto point = static_cast<Id>(source.Points.size());
+      source.Points.push_back({ static_cast<double>(part) / parts, 0.5 + 1e-6 * stripe });
+      source.Values.push_back(value);
+      source.Segments.insert(source.Segments.end(), { std::max(point - (part > 0), 0), point });
+    }
+  }
+  return source;
+}
+
+TEST(ConeTree, TakesNoLongerForASegmentWhereMoreAreCloseTogether)
+{
+  const int few = WorkOf(Stripes(20, 100, 0.002), 0.3);
+  EXPECT_LE(few, 6 * WorkOf(MakeScatter(2000, 0.002, 5), 0.3));
+  EXPECT_LE(WorkOf(Stripes(80, 100, 0.002), 0.3), 4 * few);
+}
+
+/// Found in a drawing of 200 interfaces, with Gradation 10: boxes of a thousandth of f.
+TEST(ConeTree, DoesNotFollowSlopesThatNobodySees)
+{
+  SegmentSource stripes = Stripes(100, 1, 0.02);
+  Sampler sampler(3);
+  for (Point2& point : stripes.Points)
+  {
+    point.X = point.X < 0.5 ? 0.5 * sampler.Next() : 0.5 + 0.5 * sampler.Next();
+  }
+  EXPECT_LE(TreeOf(stripes, 10.0).NumberOfLeaves(), 30000u);
+}
+
+TEST(ConeTree, TakesNoLongerForPointsInDisorder)
+{
+  SegmentSource ordered;
+  SegmentSource disordered;
+  for (Id k = 0; k < 3000; ++k)
+  {
+    ordered.Points.push_back({ k / 3000.0, 0.5 });
+    disordered.Points.push_back({ k * 1471 % 3000 / 3000.0, 0.5 });
+    ordered.Segments.insert(ordered.Segments.end(), { k, k });
+  }
+  ordered.Values.assign(3000, 3e-5);
+  disordered.Values = ordered.Values;
+  disordered.Segments = ordered.Segments;
+  EXPECT_LE(WorkOf(disordered, 0.3), 1.1 * WorkOf(ordered, 0.3));
+}

@@ -14,13 +14,11 @@ using namespace biting;
 
 constexpr double Gradation = 0.3;
 
-using Boxes = std::function<bool(const Box2&)>;
-
-SegmentSource JumpsOf(const TriangulatedSource& source, const Boxes& isUnused = {})
+SegmentSource JumpsOf(const TriangulatedSource& source)
 {
   const TriangleInterpolator field(source);
   ConeCollector cones({ 1.0, 0.0, 1e9 });
-  EXPECT_TRUE(AddOutsideJumps(field, UnitBox(), Gradation, isUnused, cones, NoMonitor()));
+  EXPECT_TRUE(AddOutsideJumps(field, UnitBox(), Gradation, cones, NoMonitor()));
   return cones.Segments();
 }
 
@@ -87,18 +85,47 @@ TEST(OutsideJumps, HaveTheValueOfTheLowerSide)
   }
 }
 
-TEST(OutsideJumps, AreLookedForMoreCoarselyWhereFIsUnused)
+/// In squares of half f / g: some ten segments for each f / g of the jump, in place of a hundred
+/// points, whatever f is.
+TEST(OutsideJumps, AreFewSegmentsForTheirLength)
 {
-  const TriangulatedSource source = Corners(0.05, 1.0);
-  const std::size_t all = JumpsOf(source).Segments.size();
-  const std::size_t few = JumpsOf(source, [](const Box2&) { return true; }).Segments.size();
-  EXPECT_GT(few, 20);
-  EXPECT_LT(3 * few, all);
+  for (const double low : { 0.05, 0.005, 0.0005 })
+  {
+    const SegmentSource cones = JumpsOf(Corners(low, 1.0));
+    const double unitsOfJump = 4.0 * 0.5 * Gradation / low; // a cross, as wide as the bounds
+    EXPECT_LT(static_cast<double>(cones.Segments.size()) / 2.0, 100.0 + 10.0 * unitsOfJump) << low;
+  }
 }
 
-TEST(OutsideJumps, AreFoundAsFinelyWhereFIsUsed)
+TEST(OutsideJumps, AreNearTheLineBetweenPartsWhateverItsDirection)
 {
-  const TriangulatedSource source = Corners(0.05, 1.0);
-  EXPECT_EQ(JumpsOf(source).Points.size(),
-    JumpsOf(source, [](const Box2&) { return false; }).Points.size());
+  TriangulatedSource source = Corners(0.005, 1.0);
+  source.Values.assign(12, 1.0);
+  std::fill(source.Values.begin(), source.Values.begin() + 3, 0.005);
+  // The first corner is nearest below and left of the lines in the middle between it and others.
+  const SegmentSource cones = JumpsOf(source);
+  double length = 0.0;
+  for (std::size_t k = 0; k < cones.Segments.size(); k += 2)
+  {
+    const Point2& start = cones.Points[static_cast<std::size_t>(cones.Segments[k])];
+    const Point2& end = cones.Points[static_cast<std::size_t>(cones.Segments[k + 1])];
+    length += Distance(start, end);
+    for (const Point2& place : { start, end, Midpoint(start, end) })
+    {
+      const double away = std::min(std::abs(place.X - 0.5), std::abs(place.Y - 0.5));
+      EXPECT_LT(away, 0.03 * 0.005 / Gradation + 0.02);
+    }
+  }
+  EXPECT_GT(length, 0.9);
+}
+
+/// There is no room for small squares all along such jumps.
+TEST(OutsideJumps, HaveTheValueOfTheLowerSideHoweverLongTheyAre)
+{
+  const SegmentSource cones = JumpsOf(Corners(1e-5, 1.0));
+  EXPECT_LT(cones.Segments.size(), 500000u);
+  for (const double value : cones.Values)
+  {
+    ASSERT_GE(value, 0.99 * 1e-5);
+  }
 }
