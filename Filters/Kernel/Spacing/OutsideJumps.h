@@ -15,12 +15,10 @@ namespace biting
 /// border edge as along it: f grows from the perpendicular at the lower end. And it jumps where two
 /// parts of the border are equally near, in holes and before borders that are not convex: there f
 /// grows from the lower side. These places are where perpendiculars to border edges end: where
-/// their foot ceases to be the nearest point. Before corners of the border a quadtree finds them,
-/// from squares of 1/64 of the bounds down to half of f / g, in which a jump is one straight
-/// segment, and where jumps meet or bend, to .03 of it; where a corner stands in a bay smaller than
-/// the first squares, a jump may be missed. Nothing is added where the triangles cover the bounds.
-/// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular,
-/// and as many for each half f / g of a jump.
+/// their foot ceases to be the nearest point; before corners of the border JumpSquares finds them,
+/// but where a corner stands in a bay smaller than its first squares, a jump may be missed. Nothing
+/// is added where the triangles cover the bounds.
+/// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular.
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
   ConeCollector& cones, Monitor& monitor);
 

@@ -40,23 +40,6 @@ double LargestDistanceToLine(const SegmentSource& cones, double y)
   return largest;
 }
 
-/// The corners of a square, at which f is low and high in turns: what is nearest to most places.
-TriangulatedSource Corners(double low, double high)
-{
-  TriangulatedSource source;
-  for (const Point2& corner :
-    { Point2{ 0.0, 0.0 }, Point2{ 1.0, 0.0 }, Point2{ 1.0, 1.0 }, Point2{ 0.0, 1.0 } })
-  {
-    const auto first = static_cast<Id>(source.Points.size());
-    const Point2 inwards = 0.02 * (Point2{ 0.5, 0.5 } - corner);
-    source.Points.insert(
-      source.Points.end(), { corner, corner + inwards, corner + Point2{ inwards.X, 0.0 } });
-    source.Values.insert(source.Values.end(), 3, first % 2 == 0 ? low : high);
-    source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
-  }
-  return source;
-}
-
 } // namespace
 
 TEST(OutsideJumps, AreNoneWhereTrianglesCoverTheBounds)
@@ -82,50 +65,5 @@ TEST(OutsideJumps, HaveTheValueOfTheLowerSide)
   for (const double value : JumpsOf(Strips(0.1, 1.0)).Values)
   {
     EXPECT_DOUBLE_EQ(value, 0.1);
-  }
-}
-
-/// In squares of half f / g: some ten segments for each f / g of the jump, in place of a hundred
-/// points, whatever f is.
-TEST(OutsideJumps, AreFewSegmentsForTheirLength)
-{
-  for (const double low : { 0.05, 0.005, 0.0005 })
-  {
-    const SegmentSource cones = JumpsOf(Corners(low, 1.0));
-    const double unitsOfJump = 4.0 * 0.5 * Gradation / low; // a cross, as wide as the bounds
-    EXPECT_LT(static_cast<double>(cones.Segments.size()) / 2.0, 100.0 + 10.0 * unitsOfJump) << low;
-  }
-}
-
-TEST(OutsideJumps, AreNearTheLineBetweenPartsWhateverItsDirection)
-{
-  TriangulatedSource source = Corners(0.005, 1.0);
-  source.Values.assign(12, 1.0);
-  std::fill(source.Values.begin(), source.Values.begin() + 3, 0.005);
-  // The first corner is nearest below and left of the lines in the middle between it and others.
-  const SegmentSource cones = JumpsOf(source);
-  double length = 0.0;
-  for (std::size_t k = 0; k < cones.Segments.size(); k += 2)
-  {
-    const Point2& start = cones.Points[static_cast<std::size_t>(cones.Segments[k])];
-    const Point2& end = cones.Points[static_cast<std::size_t>(cones.Segments[k + 1])];
-    length += Distance(start, end);
-    for (const Point2& place : { start, end, Midpoint(start, end) })
-    {
-      const double away = std::min(std::abs(place.X - 0.5), std::abs(place.Y - 0.5));
-      EXPECT_LT(away, 0.03 * 0.005 / Gradation + 0.02);
-    }
-  }
-  EXPECT_GT(length, 0.9);
-}
-
-/// There is no room for small squares all along such jumps.
-TEST(OutsideJumps, HaveTheValueOfTheLowerSideHoweverLongTheyAre)
-{
-  const SegmentSource cones = JumpsOf(Corners(1e-5, 1.0));
-  EXPECT_LT(cones.Segments.size(), 500000u);
-  for (const double value : cones.Values)
-  {
-    ASSERT_GE(value, 0.99 * 1e-5);
   }
 }
