@@ -91,7 +91,8 @@ set(biting_kernel_sources
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayFlips.cxx
   Relaxation/DividedSegments.cxx
-  Relaxation/MeshExchange.cxx
+  Relaxation/MeshReading.cxx
+  Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Patch.cxx
   Relaxation/Relaxation.cxx

@@ -59,6 +59,28 @@ struct HalfEdgeMesh
     this->Corners[first + 1] = b;
     this->Corners[first + 2] = c;
   }
+
+  /// Divides the triangle into three by a vertex, which becomes corner 0 of each. The triangle
+  /// keeps the edge opposite its corner 0, the two new ones, the last of all, take those opposite 1
+  /// and 2. There is room for them; marks and VertexEdges do not follow.
+  void Split(Id triangle, Id vertex)
+  {
+    const Id old = FirstEdge(triangle);
+    const Id second = FirstEdge(this->NumberOfTriangles);
+    const Id third = second + 4;
+    const Id a = this->Corners[old];
+    const Id b = this->Corners[old + 1];
+    const Id c = this->Corners[old + 2];
+    this->SetTriangle(triangle, vertex, b, c);
+    this->SetTriangle(this->NumberOfTriangles, vertex, c, a);
+    this->SetTriangle(this->NumberOfTriangles + 1, vertex, a, b);
+    this->NumberOfTriangles += 2;
+    this->Link(second, this->Twins[old + 1]);
+    this->Link(third, this->Twins[old + 2]);
+    this->Link(old + 1, second + 2);
+    this->Link(second + 1, third + 2);
+    this->Link(third + 1, old + 2);
+  }
 };
 
 } // namespace biting

@@ -49,7 +49,6 @@ private:
   bool IsOtherWayFirst();
   int Side(Id edge, const Point2& point) const;
 
-  void Split(Id triangle, Id vertex);
   Id CornerTriangle(Id triangle, Id edge) const;
   void FlipAround(Id triangle);
   void RestoreStar(Id triangle);
@@ -85,7 +84,7 @@ Id Inserter::Insert(Id vertex)
   {
     return location.Vertex;
   }
-  this->Split(location.Triangle, vertex);
+  this->Mesh.Split(location.Triangle, vertex);
   if (location.Edge != NoId)
   {
     this->FlipAround(this->CornerTriangle(location.Triangle, location.Edge));
@@ -161,28 +160,6 @@ int Inserter::Side(Id edge, const Point2& point) const
 {
   const auto& points = this->Mesh.Points;
   return Orient2D(points[this->Mesh.Origin(edge)], points[this->Mesh.Target(edge)], point);
-}
-
-/// Into three; the vertex becomes corner 0 of each. The triangle keeps the edge opposite its corner
-/// 0, the two new ones take those opposite 1 and 2.
-void Inserter::Split(Id triangle, Id vertex)
-{
-  HalfEdgeMesh& mesh = this->Mesh;
-  const Id old = HalfEdgeMesh::FirstEdge(triangle);
-  const Id second = HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles);
-  const Id third = second + 4;
-  const Id a = mesh.Corners[old];
-  const Id b = mesh.Corners[old + 1];
-  const Id c = mesh.Corners[old + 2];
-  mesh.SetTriangle(triangle, vertex, b, c);
-  mesh.SetTriangle(mesh.NumberOfTriangles, vertex, c, a);
-  mesh.SetTriangle(mesh.NumberOfTriangles + 1, vertex, a, b);
-  mesh.NumberOfTriangles += 2;
-  mesh.Link(second, mesh.Twins[old + 1]);
-  mesh.Link(third, mesh.Twins[old + 2]);
-  mesh.Link(old + 1, second + 2);
-  mesh.Link(second + 1, third + 2);
-  mesh.Link(third + 1, old + 2);
 }
 
 /// Of the three triangles that Split has just made, the one that took `edge` of `triangle`.

@@ -33,7 +33,6 @@ private:
   Id FindTriangle(const Point2& point);
   Id VertexAt(Id triangle, const Point2& point) const;
   void Split(Id triangle, Id vertex);
-  void SetSplitMarks(Id triangle);
   void DivideEdge(Id edge, Id mark);
   void Mark(Id edge, Id mark);
 
@@ -134,7 +133,7 @@ Id LateInserter::Insert(const Point2& point)
   return vertex;
 }
 
-/// Into three, as Insertion.cxx does it: the vertex is corner 0 of each.
+/// Into three; the outer edges keep their marks.
 void LateInserter::Split(Id triangle, Id vertex)
 {
   HalfEdgeMesh& mesh = this->Mesh;
@@ -145,21 +144,9 @@ void LateInserter::Split(Id triangle, Id vertex)
   mesh.VertexEdges.push_back(HalfEdgeMesh::FirstEdge(triangle));
   const Id old = HalfEdgeMesh::FirstEdge(triangle);
   const Id second = HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles);
-  const Id third = second + 4;
-  const Id a = mesh.Corners[old];
-  const Id b = mesh.Corners[old + 1];
-  const Id c = mesh.Corners[old + 2];
   const Id marks[3] = { mesh.Marks[old], mesh.Marks[old + 1], mesh.Marks[old + 2] };
-  mesh.SetTriangle(triangle, vertex, b, c);
-  mesh.SetTriangle(mesh.NumberOfTriangles, vertex, c, a);
-  mesh.SetTriangle(mesh.NumberOfTriangles + 1, vertex, a, b);
-  mesh.NumberOfTriangles += 2;
-  mesh.Link(second, mesh.Twins[old + 1]);
-  mesh.Link(third, mesh.Twins[old + 2]);
-  mesh.Link(old + 1, second + 2);
-  mesh.Link(second + 1, third + 2);
-  mesh.Link(third + 1, old + 2);
-  const Id firsts[3] = { old, second, third };
+  mesh.Split(triangle, vertex);
+  const Id firsts[3] = { old, second, second + 4 };
   for (int k = 0; k < 3; ++k)
   {
     mesh.Marks[firsts[k]] = marks[k];
