@@ -15,7 +15,9 @@ namespace biting
 namespace
 {
 
-constexpr double TrialVertices = 6000.0;
+constexpr double MostTrialVertices = 6000.0;
+constexpr double LeastTrialVertices = 600.0;
+constexpr double ShareOfTrial = 0.5;    // of the vertices of the mesh
 constexpr double LeastEstimate = 300.0; // a smaller mesh is all border
 constexpr int LeastInnerEdges = 300;
 constexpr int MostTrials = 2;
@@ -86,19 +88,19 @@ double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locato
   trial.MaximumNumberOfBites = -1;
   trial.KeepFront = false;
   const double wanted = EstimateNumberOfVertices(integratedDensity, trial);
-  if (wanted < LeastEstimate || domain.NumberOfVertices() > TrialVertices)
+  if (wanted < LeastEstimate || domain.NumberOfVertices() > MostTrialVertices)
   {
     return first;
   }
-  const double coarsening = std::max(1.0, std::sqrt(wanted / TrialVertices));
+  const double most = std::clamp(ShareOfTrial * wanted, LeastTrialVertices, MostTrialVertices);
+  const double coarsening = std::max(1.0, std::sqrt(wanted / most));
   double constant = first;
   for (int count = 0; count < MostTrials; ++count)
   {
     trial.BitingConstant = coarsening * constant;
     trial.PartLength = coarsening;
     PartOfStage part(monitor, static_cast<double>(count) / MostTrials, (count + 1.0) / MostTrials);
-    const MeanLength mean =
-      RunTrial(domain, locator, spacing, trial, std::min(wanted, TrialVertices), part);
+    const MeanLength mean = RunTrial(domain, locator, spacing, trial, std::min(wanted, most), part);
     if (mean.Count < LeastInnerEdges)
     {
       return constant;

@@ -18,10 +18,11 @@ namespace biting
 /// With Bisectors it is AutomaticBitingConstant, to be used with BitingOptions::FollowSlope.
 /// Squares at corners pack in rows along straight sides and at random elsewhere; the mean length
 /// differs by 15 % between the two, so no one constant serves all domains. Trial meshes of the same
-/// domain with a coarser spacing k f, of some thousand vertices, show which it is: at most two,
-/// each corrects the constant by the mean length that it finds between inner vertices. Where a
-/// trial has too few of these to tell, the constant stays that of AutomaticBitingConstant.
-/// Cost: that of a few thousand vertices, whatever the size of the mesh; none with Bisectors.
+/// domain with a coarser spacing k f, of half as many vertices as the mesh, but not below 600 nor
+/// above 6000, show which it is: at most two, each corrects the constant by the mean length that it
+/// finds between inner vertices. Where a trial has too few of these to tell, the constant stays
+/// that of AutomaticBitingConstant.
+/// Cost: that of a raw mesh, at most of a few thousand vertices; none with Bisectors.
 double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double integratedDensity, const BitingOptions& options, Monitor& monitor);
 

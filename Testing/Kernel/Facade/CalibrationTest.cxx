@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Meshing/Calibration.h"
+#include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/VertexEstimate.h"
 
@@ -97,6 +98,18 @@ TEST(CalibrateBitingConstant, DoesNotDependOnTheUnit)
   {
     EXPECT_EQ(Calibrate(Square(1.0), UniformSpacing(0.01), options),
       Calibrate(Square(0x1p20), UniformSpacing(0x1p20 * 0.01), options));
+  }
+}
+
+TEST(CalibrateBitingConstant, GivesTheLengthsOfSmallMeshesToo)
+{
+  for (const double length : { 0.1, 0.06, 0.03, 0.015 })
+  {
+    BitingMeshOptions options;
+    options.Spacing = UniformSpacing(length);
+    options.Placement = Placement::Corners;
+    EXPECT_NEAR(RunMesh(Square(1.0), options).Mesh.Quality.MeanRelativeLength, 1.0, 0.04) << length;
+    EXPECT_NEAR(RunMesh(Disc(), options).Mesh.Quality.MeanRelativeLength, 1.0, 0.04) << length;
   }
 }
 
