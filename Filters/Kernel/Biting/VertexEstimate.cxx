@@ -50,6 +50,8 @@ struct Cell
   Box2 Box;
   int Depth;
   Sample Values;
+  double AtCenter = 0.0;                 ///< f there; 0 where it was not asked
+  std::array<double, 4> AtQuarters = {}; ///< f at their centres
 };
 
 std::array<Box2, 4> Quarters(const Box2& box)
@@ -88,13 +90,15 @@ double DoubtOf(const Cell& cell, const DomainLocator& locator, double least, dou
 
 void TakeSample(const DomainLocator& locator, const Spacing& spacing, Cell& cell)
 {
-  double least = spacing(cell.Box.Center());
+  double least = cell.AtCenter > 0.0 ? cell.AtCenter : spacing(cell.Box.Center());
   double greatest = least;
   const double area = 0.25 * cell.Box.Width() * cell.Box.Height();
-  for (const Box2& quarter : Quarters(cell.Box))
+  const std::array<Box2, 4> quarters = Quarters(cell.Box);
+  for (std::size_t k = 0; k < quarters.size(); ++k)
   {
-    const Point2 p = quarter.Center();
+    const Point2 p = quarters[k].Center();
     const double f = spacing(p);
+    cell.AtQuarters[k] = f;
     least = std::min(least, f);
     greatest = std::max(greatest, f);
     if (locator.IsInside(p))
@@ -114,7 +118,7 @@ std::vector<Cell> FirstCells(const Box2& bounds)
   std::vector<Cell> cells;
   for (int k = 0; k < columns * rows; ++k)
   {
-    Cell cell{ {}, 0, {} };
+    Cell cell{ {}, 0, {}, 0.0, {} };
     cell.Box.Low = { bounds.Low.X + k % columns * size, bounds.Low.Y + k / columns * size };
     cell.Box.High = { cell.Box.Low.X + size, cell.Box.Low.Y + size };
     cells.push_back(cell);
@@ -181,9 +185,10 @@ private:
       const bool hasRoom = this->NumberOfCells + static_cast<double>(next.size()) < most;
       if (hasRoom && cell.Values.Doubt > LeastDoubt * whole)
       {
-        for (const Box2& quarter : Quarters(cell.Box))
+        const std::array<Box2, 4> quarters = Quarters(cell.Box);
+        for (std::size_t k = 0; k < quarters.size(); ++k)
         {
-          next.push_back({ quarter, cell.Depth + 1, {} });
+          next.push_back({ quarters[k], cell.Depth + 1, {}, cell.AtQuarters[k], {} });
         }
         continue;
       }
