@@ -34,6 +34,7 @@ set(biting_kernel_sources
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx
+  Domain/ArrangementResolution.cxx
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
@@ -43,6 +44,7 @@ set(biting_kernel_sources
   Domain/DomainCheck.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
+  Domain/PointWelding.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
   Domain/VertexGrid.cxx
