@@ -348,6 +348,10 @@ void Remesher::CheckCavity()
       { points, mesh.Corners, mesh.Neighbors, mesh.Constraints, this->Cavity.Bites.EdgeSegments },
       checking);
   }
+  if (violation.empty())
+  {
+    violation = CheckRim(this->Result.Old, this->Region, this->Cavity);
+  }
   if (!this->IsOver() && !violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, this->Problems);

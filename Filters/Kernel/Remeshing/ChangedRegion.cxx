@@ -189,6 +189,23 @@ ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& 
   return region;
 }
 
+std::vector<std::pair<Id, Id>> FreeEdgesOfRest(const OldMesh& mesh, const ChangedRegion& region)
+{
+  std::vector<std::pair<Id, Id>> edges;
+  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
+  {
+    const Id start = mesh.Start(slot);
+    const Id end = mesh.End(slot);
+    if (mesh.Neighbors[slot] == NoId && !region.IsChanged[slot / 3] &&
+      region.Numbers[start] != NoId && region.Numbers[end] != NoId)
+    {
+      edges.push_back(std::minmax(start, end));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 ChangedRegion WholeRegion(const OldMesh& mesh, const std::vector<double>& lengths)
 {
   ChangedRegion region;

@@ -9,6 +9,7 @@
 #include "OldMesh.h"
 
 #include <cstdint> // for flags
+#include <utility> // for pairs
 #include <vector>  // for the arrays
 
 namespace biting
@@ -41,6 +42,10 @@ std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& 
 /// them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths returned. Cost O(n),
 /// little a triangle.
 ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings);
+
+/// The free edges of unchanged triangles between vertices of the region: the old ids of their ends,
+/// the smaller one first, sorted. Cost O(n), little a triangle.
+std::vector<std::pair<Id, Id>> FreeEdgesOfRest(const OldMesh& mesh, const ChangedRegion& region);
 
 /// All triangles that are not frozen.
 ChangedRegion WholeRegion(const OldMesh& mesh, const std::vector<double>& lengths);

@@ -117,22 +117,20 @@ void EdgeReader::ReadRuns(const Choice& choose)
 bool EdgeReader::HoldTwins()
 {
   const RegionEdges& made = this->Result;
+  if (made.Gone.empty())
+  {
+    return false;
+  }
   std::vector<std::pair<std::pair<Id, Id>, Id>> ends;
   for (std::size_t edge = 0; edge < made.Edges.size(); ++edge)
   {
     ends.emplace_back(
       std::minmax({ made.Edges[edge].Start, made.Edges[edge].End }), static_cast<Id>(edge));
   }
-  const auto number = [this](Id vertex) { return this->Region.Numbers[vertex]; };
-  for (Id slot = 0; !made.Gone.empty() && slot < static_cast<Id>(this->Mesh.Corners.size()); ++slot)
+  for (const auto& [start, end] : FreeEdgesOfRest(this->Mesh, this->Region))
   {
-    const Id start = number(this->Mesh.Start(slot));
-    const Id end = number(this->Mesh.End(slot));
-    if (this->Mesh.Neighbors[slot] == NoId && !this->Region.IsChanged[slot / 3] && start != NoId &&
-      end != NoId)
-    {
-      ends.emplace_back(std::minmax({ start, end }), NoId);
-    }
+    ends.emplace_back(
+      std::minmax({ this->Region.Numbers[start], this->Region.Numbers[end] }), NoId);
   }
   std::sort(ends.begin(), ends.end());
   bool hasSome = false;

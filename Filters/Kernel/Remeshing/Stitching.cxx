@@ -3,7 +3,7 @@
 
 #include "Stitching.h"
 
-#include <algorithm> // for sort, lower_bound, rotate, min_element
+#include <algorithm> // for sort, lower_bound, binary_search, rotate, min_element
 #include <array>     // for corners
 #include <cmath>     // for abs
 #include <utility>   // for move
@@ -334,6 +334,26 @@ BitingMesh EdgesOf(const OldMesh& mesh)
   BitingMesh edges;
   ListEdges(mesh.Corners, mesh.Neighbors, mesh.Marks, edges);
   return edges;
+}
+
+std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity)
+{
+  const std::vector<std::pair<Id, Id>> rest = FreeEdgesOfRest(mesh, region);
+  const std::vector<Id>& corners = cavity.Triangles.Corners;
+  const std::vector<Id>& vertexPoints = cavity.Geometry.VertexPoints;
+  for (std::size_t slot = 0; !rest.empty() && slot < corners.size(); ++slot)
+  {
+    const Id start = corners[slot - slot % 3 + (slot + 1) % 3];
+    const Id end = corners[slot - slot % 3 + (slot + 2) % 3];
+    const Id count = cavity.Geometry.NumberOfVertices();
+    if (cavity.Triangles.Neighbors[slot] == NoId && start < count && end < count &&
+      std::binary_search(
+        rest.begin(), rest.end(), std::minmax({ vertexPoints[start], vertexPoints[end] })))
+    {
+      return "an edge lies on one of what is unchanged";
+    }
+  }
+  return {};
 }
 
 StitchedMesh Stitch(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,

@@ -12,6 +12,7 @@
 #include "OldMesh.h"
 #include "RegionEdges.h"
 
+#include <string> // for the violation
 #include <vector> // for ids
 
 namespace biting
@@ -38,6 +39,10 @@ struct StitchedMesh
 /// Lists the marked edges of a mesh that stays as it is: its EdgeStarts, EdgeEnds, EdgeCells and
 /// EdgeIsBoundary, all else is empty.
 BitingMesh EdgesOf(const OldMesh& mesh);
+
+/// Looks for edges of the cavity that lie on free edges of what is unchanged, where these were as
+/// near to the region as rounding. Returns what is wrong as text, empty where nothing is.
+std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity);
 
 /// Puts `cavity` in the place of the region. `spacings` is f at the old vertices, for those that
 /// the cavity does not have. Cost O(n), little for what is unchanged.
