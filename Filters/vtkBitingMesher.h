@@ -140,6 +140,14 @@
  * alone, are a line of text each, through vtkOutputWindow, and counted in output 3. They are silent
  * where GlobalWarningDisplay is off.
  *
+ * @par Ranks:
+ * The pieces are gathered on the first rank, which works and has the outputs; errors are said once.
+ * All ranks have to ask for the output together. A filter before this one that reports an error on
+ * some ranks alone, with success and an empty output, as ParaView's scripts do, counts as an empty
+ * piece. But one whose RequestData returns 0 on some ranks alone makes the others wait without end:
+ * VTK's executive does not call the filters after it there, whatever they do in earlier passes, when
+ * nothing has failed yet. It is the executive's to tell them; so do not return 0 on one rank.
+ *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
  * about as time goes, and is reported at each percent or tenth of a second. SetAbortExecute, from

@@ -175,6 +175,7 @@ bool vtkHessianSpacing::Execution::ReadFaces()
   {
     return this->Accept("The input has no faces to recover a Hessian on.");
   }
+  biting::OrderByPlace(this->Faces);
   return !isEmpty;
 }
 

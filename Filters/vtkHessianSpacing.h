@@ -47,8 +47,13 @@
  * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with an empty
  * output.
  *
+ * @par Ranks:
+ * The pieces are gathered on the first rank, which has the output; points and cells come in the
+ * order of global ids where there are some, else in that of ranks. The values at a place are those
+ * of one rank to the last bit, as they do not depend on the order of points and cells.
+ *
  * @par Cost:
- * O(n), about 0.25 kB a point. One thread.
+ * O(n log n), about 0.25 kB a point. One thread.
  *
  * @par Sources:
  * "Generate good triangular meshes, conforming to control spacing requirements" (the follow-up of

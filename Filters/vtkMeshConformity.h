@@ -53,6 +53,12 @@
  * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with empty
  * outputs.
  *
+ * @par Ranks:
+ * The pieces are gathered on the first rank, which has the output; points and cells come in the
+ * order of global ids where there are some, else in that of ranks. The values of points, cells and
+ * histograms are those of one rank to the last bit; means are sums in the order of what was
+ * gathered, so that their last digits may differ.
+ *
  * @par Cost:
  * O(n log n). One thread.
  *

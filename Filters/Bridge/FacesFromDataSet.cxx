@@ -19,9 +19,10 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, min_element, rotate, stable_sort
 #include <cmath>     // for abs
 #include <limits>    // for the size check
+#include <numeric>   // for iota
 
 namespace biting
 {
@@ -242,6 +243,60 @@ std::string MapToPlane(
     "Project the input onto a plane.");
 }
 
+std::vector<std::size_t> Numbers(std::size_t count)
+{
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
+  return numbers;
+}
+
+void OrderVertices(PlanarFaces& faces)
+{
+  const PlanarFaces before = faces;
+  std::vector<std::size_t> order = Numbers(before.Points.size());
+  std::stable_sort(order.begin(), order.end(),
+    [&before](std::size_t a, std::size_t b) { return before.Points[a] < before.Points[b]; });
+  std::vector<Id> numbers(order.size());
+  for (std::size_t vertex = 0; vertex < order.size(); ++vertex)
+  {
+    numbers[order[vertex]] = static_cast<Id>(vertex);
+    faces.Points[vertex] = before.Points[order[vertex]];
+    faces.PointIds[vertex] = before.PointIds[order[vertex]];
+  }
+  for (Id& corner : faces.Corners)
+  {
+    corner = numbers[static_cast<std::size_t>(corner)];
+  }
+}
+
+void OrderFaces(PlanarFaces& faces)
+{
+  const auto beginOf = [](PlanarFaces& of, std::size_t face)
+  { return of.Corners.begin() + of.Offsets[face]; };
+  std::vector<std::size_t> order = Numbers(faces.CellIds.size());
+  for (const std::size_t face : order)
+  {
+    const auto begin = beginOf(faces, face);
+    const auto end = beginOf(faces, face + 1);
+    std::rotate(begin, std::min_element(begin, end), end);
+  }
+  PlanarFaces before = faces;
+  std::stable_sort(order.begin(), order.end(),
+    [&before, &beginOf](std::size_t a, std::size_t b)
+    {
+      return std::lexicographical_compare(
+        beginOf(before, a), beginOf(before, a + 1), beginOf(before, b), beginOf(before, b + 1));
+    });
+  faces.Corners.clear();
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    const std::size_t face = order[place];
+    faces.Corners.insert(faces.Corners.end(), beginOf(before, face), beginOf(before, face + 1));
+    faces.Offsets[place + 1] = static_cast<Id>(faces.Corners.size());
+    faces.CellIds[place] = before.CellIds[face];
+  }
+}
+
 } // namespace
 
 std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Monitor& monitor)
@@ -259,6 +314,12 @@ std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces
   }
   const std::vector<Id> points = NumberVertices(data->GetNumberOfPoints(), faces);
   return MapToPlane(points, data, faces, pulse);
+}
+
+void OrderByPlace(PlanarFaces& faces)
+{
+  OrderVertices(faces);
+  OrderFaces(faces);
 }
 
 } // namespace biting

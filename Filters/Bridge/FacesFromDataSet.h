@@ -33,9 +33,9 @@ enum class FaceRule
 struct PlanarFaces
 {
   PlaneFrame Frame;
-  std::vector<vtkIdType> PointIds; ///< of each vertex, ascending
+  std::vector<vtkIdType> PointIds; ///< of each vertex; ascending, until ordered by place
   std::vector<Point2> Points;      ///< of each vertex
-  std::vector<vtkIdType> CellIds;  ///< of each face, ascending
+  std::vector<vtkIdType> CellIds;  ///< of each face; likewise
   std::vector<Id> Offsets{ 0 };    ///< face c has Corners[Offsets[c] .. Offsets[c + 1])
   std::vector<Id> Corners;         ///< vertices
   double Rounding = 0.0;           ///< of the coordinates (CoordinateRounding.h)
@@ -48,6 +48,12 @@ struct PlanarFaces
 /// points farther from the plane than PlanarTolerance. Where the monitor asks to stop `faces` have
 /// no meaning.
 std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Monitor& monitor);
+
+/// Numbers vertices by their places, and faces by their vertices, of which the one with the lowest
+/// number comes first: what is computed of them is then the same to the last bit, in whatever order
+/// points and cells come, as where pieces of ranks were put together. Vertices at one place, and
+/// faces of the same vertices, stay in their order.
+void OrderByPlace(PlanarFaces& faces);
 
 } // namespace biting
 

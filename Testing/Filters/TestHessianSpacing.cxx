@@ -5,6 +5,7 @@
 
 #include "vtkHessianSpacing.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>  // for max_element
+#include <cmath>      // for exp
 #include <functional> // for fields
 
 using namespace testing_filters;
@@ -69,6 +71,34 @@ double ValueAt(vtkDataSet* data, const char* name, vtkIdType point)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(name);
   return array ? array->GetComponent(point, 0) : -1.0;
+}
+
+/// The same mesh with points and cells the other way round, and other corners first.
+vtkSmartPointer<vtkPolyData> Backwards(vtkPolyData* mesh)
+{
+  const vtkIdType last = mesh->GetNumberOfPoints() - 1;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::vector<double> values;
+  for (vtkIdType point = last; point >= 0; --point)
+  {
+    points->InsertNextPoint(mesh->GetPoint(point));
+    values.push_back(ValueAt(mesh, "u", point));
+  }
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = mesh->GetNumberOfCells() - 1; cell >= 0; --cell)
+  {
+    vtkNew<vtkIdList> corners;
+    mesh->GetCellPoints(cell, corners);
+    cells->InsertNextCell(
+      { last - corners->GetId(2), last - corners->GetId(0), last - corners->GetId(1) });
+  }
+  auto backwards = vtkSmartPointer<vtkPolyData>::New();
+  backwards->SetPoints(points);
+  backwards->SetPolys(cells);
+  AddArray<vtkDoubleArray>(backwards->GetPointData(), "u", values);
+  backwards->GetPointData()->SetActiveScalars("u");
+  return backwards;
 }
 
 void ExpectSpacing(vtkDataSet* input, double tolerance, double expected)
@@ -143,6 +173,27 @@ double LargestError(const std::vector<EdgeError>& errors)
 }
 
 } // namespace
+
+TEST(HessianSpacing, ValuesAreTheSameBitsInWhateverOrderPointsAndCellsCome)
+{
+  const auto mesh =
+    Mesh(0.05, [](const Place& x) { return std::exp(x[0] - 2.0 * x[1]) / (0.3 + x[0]); });
+  vtkNew<vtkHessianSpacing> forth;
+  forth->SetInputData(mesh);
+  forth->Update();
+  vtkNew<vtkHessianSpacing> back;
+  back->SetInputData(Backwards(mesh));
+  back->Update();
+  const vtkIdType last = mesh->GetNumberOfPoints() - 1;
+  ASSERT_GT(last, 100);
+  for (vtkIdType point = 0; point <= last; ++point)
+  {
+    ASSERT_EQ(ValueAt(forth->GetOutput(), "HessianNorm", point),
+      ValueAt(back->GetOutput(), "HessianNorm", last - point));
+    ASSERT_EQ(ValueAt(forth->GetOutput(), "Spacing", point),
+      ValueAt(back->GetOutput(), "Spacing", last - point));
+  }
+}
 
 TEST(HessianSpacing, OfAQuadraticIsExactOnMeshesAndImages)
 {

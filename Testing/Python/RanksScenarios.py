@@ -259,11 +259,11 @@ self.GetOutput().ShallowCopy(blocks)
 
 
 def field_of(algorithm, names):
-    """A digest of the values by place, to nine digits: their sums are rounded in the order of cells."""
+    """A digest of the values by place, to the last bit."""
     data = servermanager.Fetch(algorithm)
     arrays = [data.GetPointData().GetArray(name) for name in names]
-    rows = sorted(['%.9g' % value for value in data.GetPoint(k)] +
-                  ['%.9g' % array.GetComponent(k, 0) for array in arrays]
+    rows = sorted([value.hex() for value in data.GetPoint(k)] +
+                  [array.GetComponent(k, 0).hex() for array in arrays]
                   for k in range(data.GetNumberOfPoints()))
     return '%d points, %s' % (len(rows), hashlib.sha256(str(rows).encode()).hexdigest()[:16])
 
@@ -274,11 +274,12 @@ def other_filters(answer):
     for name, source in (('Divided', triangles), ('D3', simple.D3(Input=triangles))):
         conformity = MeshConformity(Input=source, SpacingArray=['POINTS', 'Spacing'])
         answer['Conformity.' + name] = run(conformity, (1,))
-        answer['Conformity.' + name]['digests'].append(field_of(conformity, ['Conformity']))
+        answer['Conformity.' + name]['digests'].append(field_of(
+            conformity, ['Spacing', 'NearestNeighborDistance', 'Conformity']))
     for name, source in (('Triangles', triangles), ('Image', image())):
         hessian = HessianSpacing(Input=source, ScalarArray=['POINTS', 'Spacing'])
         answer['Hessian.' + name] = run(hessian, ())
-        answer['Hessian.' + name]['digests'].append(field_of(hessian, ['Spacing']))
+        answer['Hessian.' + name]['digests'].append(field_of(hessian, ['Spacing', 'HessianNorm']))
     mesher = BitingMesher(Input=drawing('Divided'), UniformSpacing=1.0)
     answer['Remesher.Mesh'] = run(BitingRemesher(
         Input=mesher, TaggedLines=simple.OutputPort(mesher, 1), SpacingScale=0.5), (0, 1, 3))
