@@ -202,7 +202,7 @@ def drawings(answer):
             answer['%s.%s' % (form, where)] = mesh(drawing(where, form))
     for where in ('First', 'Dealt'):
         answer['Tilted.' + where] = mesh(drawing(where, tilt=0.3), BoundarySpacingArray='Spacing')
-    for where in ('First', 'Everywhere', 'Dealt'):
+    for where in ('First', 'Last', 'Everywhere', 'Divided', 'Dealt', 'Around'):
         blocks = producer(
             "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')
         answer['Composite.' + where] = mesh(blocks)
