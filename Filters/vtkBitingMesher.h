@@ -145,8 +145,8 @@
  * All ranks have to ask for the output together. A filter before this one that reports an error on
  * some ranks alone, with success and an empty output, as ParaView's scripts do, counts as an empty
  * piece. But one whose RequestData returns 0 on some ranks alone makes the others wait without end:
- * VTK's executive does not call the filters after it there, whatever they do in earlier passes, when
- * nothing has failed yet. It is the executive's to tell them; so do not return 0 on one rank.
+ * VTK's executive does not call the filters after it there, and in the passes before, in which they
+ * are called, nothing has failed yet. Only an executive of its own could tell the others.
  *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
