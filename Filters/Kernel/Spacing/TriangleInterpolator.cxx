@@ -245,28 +245,39 @@ double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
 }
 
 /// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a
-/// gap between triangles, which is there by rounding.
+/// gap between triangles, which is there by rounding. Those of the bucket come first: then the
+/// border is searched nearby only.
 NearestValue TriangleInterpolator::NearestOutside(
   const Point2& x, const NearestValue& known, const Record*& closed) const
 {
   constexpr double NearerThanRounding = 1.0 - 1e-9;
-  const bool isKnown = known.Distance > 0.0 && std::isfinite(known.Distance);
   NearestValue best{ Unknown().Distance, this->Records.front().Value,
     this->Records.front().Origin };
-  if (isKnown)
+  if (known.Distance > 0.0 && std::isfinite(known.Distance))
   {
     best = known;
     best.Distance = Distance(x, known.Foot);
   }
-  best = this->Border.Nearest(x, best);
+  NearestValue triangle = Unknown();
+  const Record* record = nullptr;
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    if (found.Distance < NearerThanRounding * best.Distance)
+    if (found.Distance < triangle.Distance)
     {
-      best = found;
-      closed = &this->Records[static_cast<std::size_t>(id)];
+      triangle = found;
+      record = &this->Records[static_cast<std::size_t>(id)];
     }
+  }
+  NearestValue border = best;
+  border.Distance = std::min(best.Distance, triangle.Distance / NearerThanRounding);
+  const double limit = border.Distance;
+  border = this->Border.Nearest(x, border);
+  best = border.Distance < limit ? border : best;
+  if (triangle.Distance < NearerThanRounding * best.Distance)
+  {
+    closed = record;
+    return triangle;
   }
   return best;
 }
