@@ -6,44 +6,28 @@
 #include "../Kernel/Base/Pulse.h"
 #include "DoubleArray.h"
 #include "MessagesFromProblems.h"
-#include "PlaneCut.h"
 #include "SourceBorder.h"
+#include "SourceCells.h"
 #include "SourceOrder.h"
 #include "SpacingValues.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm> // for all_of, is_sorted, minmax
 #include <array>     // for axes
 #include <cmath>     // for NaN
-#include <limits>    // for the size check, NaN
+#include <limits>    // for NaN
 
 namespace biting
 {
 
 namespace
 {
-
-// Where steps end, as shares of the time: the grid, or what reads cells instead.
-constexpr double GridEnd = 0.1;
-constexpr double DistancesEnd = 0.2;
-constexpr double CellsEnd = 0.8;
-constexpr double PointsEnd = 0.85;
-constexpr double TrianglesEnd = 0.9;
-
-constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
 
 using AxisNodes = std::array<std::vector<double>, 3>;
 
@@ -169,302 +153,6 @@ std::shared_ptr<GridSource> GridFrom(
   return grid;
 }
 
-// Turns the cells of any data into triangles of the plane.
-class CellCollector
-{
-public:
-  CellCollector(vtkDataSet* source, const PlaneFrame& frame, Pulse& pulse);
-
-  std::string Collect();
-  std::vector<vtkIdType> UsedPoints() const;
-  std::shared_ptr<TriangulatedSource> Triangulation(const double* values) const;
-
-private:
-  void MeasureDistances();
-  void CollectCells();
-  int Dimension(int cellType);
-  bool IsSource(vtkIdType cell);
-  bool MeetsPlane() const;
-  void AddCell(vtkIdType cell, int dimension);
-  std::size_t NumberOfNodes() const { return this->Distances.size() + this->Cut.GetEdges().size(); }
-  Point2 PlaceOf(vtkIdType node) const;
-  double ValueOf(vtkIdType node, const double* values) const;
-
-  vtkSmartPointer<vtkDataSet> Source; // a shallow copy: asking it for cells changes nothing shared
-  const PlaneFrame& Frame;
-  Pulse& Beats;
-  vtkUnsignedCharArray* PointGhosts;
-  vtkUnsignedCharArray* CellGhosts;
-  std::vector<double> Distances;
-  PlaneCut Cut;
-  bool HasCells;
-  bool HasVolumes = false;
-  std::array<int, VTK_NUMBER_OF_CELL_TYPES> Dimensions;
-  vtkNew<vtkGenericCell> Cell;
-  vtkNew<vtkIdList> Corners;
-  vtkNew<vtkPoints> Places;
-};
-
-// The entries of a ghost array for the cells from `first` on.
-void CopyGhosts(vtkPolyData* source, vtkIdType first, vtkPolyData* copy)
-{
-  vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();
-  if (!ghosts)
-  {
-    return;
-  }
-  vtkNew<vtkUnsignedCharArray> kept;
-  kept->SetName(vtkDataSetAttributes::GhostArrayName());
-  kept->InsertTuples(0, ghosts->GetNumberOfTuples() - first, first, ghosts);
-  copy->GetCellData()->AddArray(kept);
-}
-
-// Without vertices and lines: they are no source, and where a line has one point, VTK 9.1 cannot
-// build the list of cells.
-vtkSmartPointer<vtkDataSet> FacesOf(vtkPolyData* source)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->SetPoints(source->GetPoints());
-  copy->GetPointData()->ShallowCopy(source->GetPointData());
-  copy->SetPolys(source->GetPolys());
-  copy->SetStrips(source->GetStrips());
-  CopyGhosts(source, source->GetNumberOfVerts() + source->GetNumberOfLines(), copy);
-  return copy;
-}
-
-vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
-{
-  if (auto* polyData = vtkPolyData::SafeDownCast(source))
-  {
-    return FacesOf(polyData);
-  }
-  auto copy = vtk::TakeSmartPointer(source->NewInstance());
-  copy->ShallowCopy(source);
-  return copy;
-}
-
-CellCollector::CellCollector(vtkDataSet* source, const PlaneFrame& frame, Pulse& pulse)
-  : Source(ShallowCopyOf(source))
-  , Frame(frame)
-  , Beats(pulse)
-  , PointGhosts(this->Source->GetPointGhostArray())
-  , CellGhosts(this->Source->GetCellGhostArray())
-  , Distances(static_cast<std::size_t>(source->GetNumberOfPoints()))
-  , Cut(this->Distances)
-  , HasCells(source->GetNumberOfCells() > 0)
-{
-  this->Dimensions.fill(-1);
-}
-
-std::string CellCollector::Collect()
-{
-  if (!this->HasCells)
-  {
-    return "The spacing source has no cells to interpolate in.";
-  }
-  this->MeasureDistances();
-  this->CollectCells();
-  this->Cut.MergeEdges(this->Beats);
-  if (!this->Cut.GetTriangles().empty())
-  {
-    constexpr std::size_t Limit = std::numeric_limits<Id>::max();
-    const bool isTooLarge =
-      this->NumberOfNodes() > Limit || this->Cut.GetTriangles().size() > Limit;
-    return isTooLarge ? "The spacing source has more cells than 32-bit ids can number." : "";
-  }
-  return this->HasVolumes ? "The spacing source does not meet the plane of the input."
-                          : "The spacing source has no visible cells with an area or a volume.";
-}
-
-void CellCollector::MeasureDistances()
-{
-  const PulsePart part(this->Beats, GridEnd, DistancesEnd);
-  this->Beats.ForEach(this->Distances.size(),
-    [this](std::size_t point)
-    {
-      double place[3];
-      this->Source->GetPoint(static_cast<vtkIdType>(point), place);
-      this->Distances[point] = this->Frame.Distance(place);
-    });
-}
-
-void CellCollector::CollectCells()
-{
-  const PulsePart part(this->Beats, DistancesEnd, CellsEnd);
-  const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
-  for (vtkIdType cell = 0; cell < numberOfCells && this->Beats.Beat(CheapStepsPerCell); ++cell)
-  {
-    this->Beats.SetFraction(static_cast<double>(cell) / static_cast<double>(numberOfCells));
-    const int dimension = this->Dimension(this->Source->GetCellType(cell));
-    this->HasVolumes = this->HasVolumes || dimension == 3;
-    if (dimension >= 2 && this->IsSource(cell))
-    {
-      this->AddCell(cell, dimension);
-    }
-  }
-}
-
-int CellCollector::Dimension(int cellType)
-{
-  const auto type = static_cast<std::size_t>(cellType);
-  if (type >= this->Dimensions.size())
-  {
-    return 0;
-  }
-  if (this->Dimensions[type] < 0)
-  {
-    this->Cell->SetCellType(cellType);
-    this->Dimensions[type] = this->Cell->GetCellDimension();
-  }
-  return this->Dimensions[type];
-}
-
-bool CellCollector::IsSource(vtkIdType cell)
-{
-  constexpr unsigned char NotHere =
-    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-  if (this->CellGhosts && (this->CellGhosts->GetValue(cell) & NotHere) != 0)
-  {
-    return false;
-  }
-  this->Source->GetCellPoints(cell, this->Corners);
-  for (vtkIdType k = 0; this->PointGhosts && k < this->Corners->GetNumberOfIds(); ++k)
-  {
-    const unsigned char ghost = this->PointGhosts->GetValue(this->Corners->GetId(k));
-    if ((ghost & vtkDataSetAttributes::HIDDENPOINT) != 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool CellCollector::MeetsPlane() const
-{
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (vtkIdType k = 0; k < this->Corners->GetNumberOfIds(); ++k)
-  {
-    const double distance = this->Distances[static_cast<std::size_t>(this->Corners->GetId(k))];
-    low = std::min(low, distance);
-    high = std::max(high, distance);
-  }
-  return low <= 0.0 && high >= 0.0;
-}
-
-// Expects the points of the cell in Corners.
-void CellCollector::AddCell(vtkIdType cell, int dimension)
-{
-  if (dimension == 3 && !this->MeetsPlane())
-  {
-    return;
-  }
-  if (dimension == 2 && this->Corners->GetNumberOfIds() == 3)
-  {
-    this->Cut.AddTriangle(this->Corners->GetPointer(0));
-    return;
-  }
-  this->Source->GetCell(cell, this->Cell);
-  this->Cell->Triangulate(static_cast<int>(cell % 2), this->Corners, this->Places);
-  const vtkIdType size = dimension + 1;
-  for (vtkIdType k = 0; k + size <= this->Corners->GetNumberOfIds(); k += size)
-  {
-    const vtkIdType* points = this->Corners->GetPointer(k);
-    if (dimension == 3)
-    {
-      this->Cut.AddTetrahedron(points);
-    }
-    else
-    {
-      this->Cut.AddTriangle(points);
-    }
-  }
-}
-
-std::vector<vtkIdType> CellCollector::UsedPoints() const
-{
-  const PulsePart part(this->Beats, CellsEnd, PointsEnd);
-  std::vector<std::uint8_t> isUsed(this->Distances.size(), 0);
-  const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
-  this->Beats.ForEach(nodes.size(),
-    [&nodes, &isUsed](std::size_t k)
-    {
-      const auto node = static_cast<std::size_t>(nodes[k]);
-      if (node < isUsed.size())
-      {
-        isUsed[node] = 1;
-      }
-    });
-  const std::vector<PlaneCut::Edge>& edges = this->Cut.GetEdges();
-  this->Beats.ForEach(edges.size(),
-    [&edges, &isUsed](std::size_t k)
-    {
-      isUsed[static_cast<std::size_t>(edges[k].Low)] = 1;
-      isUsed[static_cast<std::size_t>(edges[k].High)] = 1;
-    });
-  std::vector<vtkIdType> used;
-  this->Beats.ForEach(isUsed.size(),
-    [&isUsed, &used](std::size_t point)
-    {
-      if (isUsed[point])
-      {
-        used.push_back(static_cast<vtkIdType>(point));
-      }
-    });
-  return used;
-}
-
-std::shared_ptr<TriangulatedSource> CellCollector::Triangulation(const double* values) const
-{
-  auto triangulation = std::make_shared<TriangulatedSource>();
-  std::vector<Id> newIds(this->NumberOfNodes(), NoId);
-  const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
-  const PulsePart part(this->Beats, PointsEnd, TrianglesEnd);
-  this->Beats.ForEach(nodes.size(),
-    [this, values, &triangulation, &newIds, &nodes](std::size_t k)
-    {
-      Id& newId = newIds[static_cast<std::size_t>(nodes[k])];
-      if (newId == NoId)
-      {
-        newId = static_cast<Id>(triangulation->Points.size());
-        triangulation->Points.push_back(this->PlaceOf(nodes[k]));
-        triangulation->Values.push_back(this->ValueOf(nodes[k], values));
-      }
-      triangulation->Triangles.push_back(newId);
-    });
-  return triangulation;
-}
-
-Point2 CellCollector::PlaceOf(vtkIdType node) const
-{
-  double place[3];
-  const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
-  if (node < numberOfPoints)
-  {
-    this->Source->GetPoint(node, place);
-    return this->Frame.ToPlane(place);
-  }
-  const PlaneCut::Edge& edge =
-    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
-  this->Source->GetPoint(edge.Low, place);
-  const Point2 low = this->Frame.ToPlane(place);
-  this->Source->GetPoint(edge.High, place);
-  const Point2 high = this->Frame.ToPlane(place);
-  return low + this->Cut.Fraction(edge) * (high - low);
-}
-
-double CellCollector::ValueOf(vtkIdType node, const double* values) const
-{
-  const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
-  if (node < numberOfPoints)
-  {
-    return values[node];
-  }
-  const PlaneCut::Edge& edge =
-    this->Cut.GetEdges()[static_cast<std::size_t>(node - numberOfPoints)];
-  return values[edge.Low] + this->Cut.Fraction(edge) * (values[edge.High] - values[edge.Low]);
-}
-
 bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 {
   for (std::size_t k = 0; k < source.Triangles.size() && pulse.Beat(); k += 3)
@@ -495,9 +183,9 @@ std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<Gr
 std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
   bool mayOverlap, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
-  CellCollector collector(source, frame, pulse);
-  std::string refusal = collector.Collect();
-  const std::vector<vtkIdType> points = collector.UsedPoints();
+  SourceCells cells(source, frame, pulse);
+  std::string refusal = cells.Collect();
+  const std::vector<vtkIdType> points = cells.UsedPoints();
   if (refusal.empty())
   {
     refusal = CheckPoints(source, points, pulse);
@@ -510,7 +198,7 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
   {
     return refusal;
   }
-  const auto triangulation = collector.Triangulation(AsDoubles(values)->GetPointer(0));
+  const auto triangulation = cells.Triangulation(AsDoubles(values)->GetPointer(0));
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
   triangulation->MayOverlap = mayOverlap;

@@ -32,6 +32,7 @@ set(biting_bridge_sources
   RemeshInputFromDataSet.cxx
   RemeshedData.cxx
   SourceBorder.cxx
+  SourceCells.cxx
   SourceCover.cxx
   SourceData.cxx
   SourceOrder.cxx

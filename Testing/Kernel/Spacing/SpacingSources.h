@@ -160,6 +160,27 @@ inline Spacing MakeGoodSpacing(const SpacingOptions& options, const Box2& bounds
   return spacing;
 }
 
+inline SpacingOptions WithGrid(GridSource grid)
+{
+  SpacingOptions options;
+  options.Grid = Share(std::move(grid));
+  return options;
+}
+
+inline SpacingOptions WithTriangles(TriangulatedSource source)
+{
+  SpacingOptions options;
+  options.Triangulation = Share(std::move(source));
+  return options;
+}
+
+inline SpacingOptions WithSegments(SegmentSource source)
+{
+  SpacingOptions options;
+  options.Segments = Share(std::move(source));
+  return options;
+}
+
 } // namespace biting
 
 #endif
