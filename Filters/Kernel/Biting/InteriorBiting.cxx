@@ -101,9 +101,14 @@ void InteriorBiting::PutCandidates(Id bite)
 void InteriorBiting::PutBisectorPoints(Id bite)
 {
   const Id newest = this->State.Placed.Size() - 1;
+  const bool isInner = this->State.Placed.Phases[bite] == BitePhase::Interior;
   this->Points.VisitPoints(bite,
-    [this, bite, newest](const BisectorPoint& point)
+    [this, bite, newest, isInner](const BisectorPoint& point)
     {
+      if (!isInner && !this->State.Locator.IsInside(point.Place))
+      {
+        return; // about half of those on the boundary
+      }
       this->Queue.Put({ this->PlaceOf(bite, point), newest, { bite, point.Neighbor },
         this->Queue.ClassOf(point.Misfit) });
     });
