@@ -5,6 +5,7 @@
 //   BenchmarkMesh cost [vertices [name]]   a table; square meshes up to that size (1000000), cases
 //                                          whose name has `name` in it
 //   BenchmarkMesh quality                  28 pairs of drawing and spacing, and their means
+//   BenchmarkMesh settings                 the means with the settings that README.md compares
 //
 // The unit of the ratio is this kernel's own unconstrained Delaunay triangulation of the mesh's
 // vertices, in the same run: what any mesher of these vertices has to pay.
@@ -233,30 +234,70 @@ void PrintScores(const std::string& name, std::size_t vertices, const Scores& sc
     scores.Smallest, scores.OnePercent, scores.Mean, scores.Conformity, scores.InBand);
 }
 
-void PrintQualities()
+constexpr const char* Columns =
+  "Vertices; degrees: the smallest angle, the smallest of 99 % of the triangles, the mean of their "
+  "smallest;\nmean conformity; percentage of edges in band";
+
+/// One way to make a mesh.
+struct Setting
 {
-  std::printf("Vertices; degrees: the smallest angle, the smallest of 99 %% of the triangles, the "
-              "mean of their smallest;\nmean conformity; percentage of edges in band\n");
+  const char* Name;
+  BiteShape Shape;
+  biting::Placement Placement;
+  FrontOrder Order;
+  bool IsRelaxed;
+};
+
+constexpr Setting Defaults = { "squares at bisectors, relaxed", BiteShape::Square,
+  Placement::Bisectors, FrontOrder::Layers, true };
+constexpr Setting Settings[] = {
+  { "squares at corners, raw", BiteShape::Square, Placement::Corners, FrontOrder::Layers, false },
+  { "squares at corners, relaxed", BiteShape::Square, Placement::Corners, FrontOrder::Layers,
+    true },
+  { "squares at bisectors, raw", BiteShape::Square, Placement::Bisectors, FrontOrder::Layers,
+    false },
+  Defaults,
+  { "the same, best first", BiteShape::Square, Placement::Bisectors, FrontOrder::BestFirst, true },
+  { "circles at bisectors, relaxed", BiteShape::Circle, Placement::Bisectors, FrontOrder::Layers,
+    true },
+};
+
+BitingMesh MeshOf(const MeshCase& one, const Setting& setting)
+{
+  BitingMeshOptions options = one.Options;
+  options.BiteShape = setting.Shape;
+  options.Placement = setting.Placement;
+  options.Order = setting.Order;
+  options.Relaxation = setting.IsRelaxed;
+  ProblemList problems;
+  return MakeBitingMesh(one.Drawing, options, problems, NoMonitor());
+}
+
+void PrintQualities(const Setting& setting, bool printsAll)
+{
   Scores sum{};
   std::size_t vertices = 0;
   double count = 0.0;
   for (const MeshCase& one : QualityCases())
   {
-    ProblemList problems;
-    const BitingMesh mesh = MakeBitingMesh(one.Drawing, one.Options, problems, NoMonitor());
+    const BitingMesh mesh = MeshOf(one, setting);
     if (mesh.Points.empty())
     {
       std::printf("| %-32s | no mesh\n", one.Name.c_str());
       continue;
     }
     const Scores scores = ScoresOf(mesh);
-    PrintScores(one.Name, mesh.Points.size(), scores);
+    if (printsAll)
+    {
+      PrintScores(one.Name, mesh.Points.size(), scores);
+    }
     sum = { sum.Smallest + scores.Smallest, sum.OnePercent + scores.OnePercent,
       sum.Mean + scores.Mean, sum.Conformity + scores.Conformity, sum.InBand + scores.InBand };
     vertices += mesh.Points.size();
     count += 1.0;
   }
-  PrintScores("mean of " + std::to_string(static_cast<int>(count)), vertices,
+  PrintScores(printsAll ? "mean of " + std::to_string(static_cast<int>(count)) : setting.Name,
+    vertices,
     { sum.Smallest / count, sum.OnePercent / count, sum.Mean / count, sum.Conformity / count,
       sum.InBand / count });
 }
@@ -272,11 +313,20 @@ int main(int argc, char** argv)
   }
   else if (what == "quality")
   {
-    PrintQualities();
+    std::printf("%s\n", Columns);
+    PrintQualities(Defaults, true);
+  }
+  else if (what == "settings")
+  {
+    std::printf("%s\n", Columns);
+    for (const Setting& setting : Settings)
+    {
+      PrintQualities(setting, false);
+    }
   }
   else
   {
-    std::printf("What is to be measured: cost or quality?\n");
+    std::printf("What is to be measured: cost, quality or settings?\n");
     return 1;
   }
   return 0;
