@@ -3,16 +3,23 @@
 
 #include "JoinedBlocks.h"
 
-#include <algorithm> // for sort, max
+#include "../Base/SortInSteps.h"
+#include "../Base/Tasks.h"
+
+#include <algorithm> // for max, max_element, stable_sort
 #include <numeric>   // for iota
 #include <tuple>     // for comparing
-#include <utility>   // for move, swap
+#include <utility>   // for move
 
 namespace biting
 {
 
 namespace
 {
+
+// Where copying begins and ends, as shares of the time.
+constexpr double CopyingBegin = 0.2;
+constexpr double CopyingEnd = 0.9;
 
 // A constraint of a block on a segment of the domain.
 struct JoinedEdge
@@ -21,15 +28,32 @@ struct JoinedEdge
   double Along; ///< of its start, on the segment
   Id Start;
   Id End;
-  std::size_t Slot; ///< where its number is asked for
+  std::size_t Block;
+  std::size_t Edge; ///< of the block
 };
 
 // A side of a part of a cut.
 struct CutSide
 {
+  Id Piece = NoId;
   Id Triangle = NoId;
   Id Slot = NoId;
 };
+
+// Where the first of a block's own goes.
+struct BlockPlace
+{
+  Id Vertex = 0; ///< that it shares with none
+  Id Order = 0;
+  Id Triangle = 0;
+  Id Face = 0; ///< a region of the block
+};
+
+template <typename Value>
+void MakeRoom(std::vector<Value>& values, std::size_t size, Pulse& pulse)
+{
+  GrowInSteps(values, size, Value(), pulse);
+}
 
 class Joiner
 {
@@ -40,6 +64,9 @@ public:
     , Parts(blocks)
     , Meshes(meshes)
     , Beats(pulse)
+    , Places(meshes.size() + 1)
+    , EdgePlaces(meshes.size())
+    , Sides(meshes.size())
   {
   }
 
@@ -47,16 +74,28 @@ public:
 
 private:
   void NumberShared();
+  void PlaceBlocks();
+  void AddShared(std::size_t block);
+  void JoinEdges();
+  void ListEdges(std::size_t block);
+  void MakeRoomForAll();
   void CopyBlock(std::size_t block);
-  Id Shared(std::size_t block, Id vertex);
   void CopyVertices(std::size_t block);
-  void CopyEdges(std::size_t block);
   void CopyTriangles(std::size_t block);
-  void SortEdges();
+  void CopySlot(std::size_t block, std::size_t slot);
   void LinkCuts();
+  void Link(const CutSide& side, const CutSide& other);
   bool Fits(const CutSide& side, const CutSide& other) const;
   void NumberRegions();
   Id Face(Id face);
+
+  Id NumberOf(std::size_t block, Id vertex) const
+  {
+    const std::vector<Id>& shared = this->Parts.Blocks[block].Vertices;
+    const Id count = static_cast<Id>(shared.size());
+    return vertex < count ? this->SharedNumbers[shared[vertex]]
+                          : this->Places[block].Vertex + vertex - count;
+  }
 
   const Domain& Geometry;
   const BlockDomains& Parts;
@@ -64,29 +103,28 @@ private:
   Pulse& Beats;
   JoinedMesh Result;
 
-  std::vector<Id> SharedNumbers; ///< of the graph's vertices
-  std::vector<Id> Numbers;       ///< of the block's vertices
-  Id FirstOrder = 0;             ///< of the block's bites
-  std::vector<JoinedEdge> Edges;
-  std::vector<std::size_t> Slots; ///< of the block's constraints: places in Edges
-  std::vector<CutSide> Sides;     ///< two a piece
-  std::vector<Id> Faces;          ///< of the triangles: a region of a block
-  std::vector<Id> Parents;        ///< of the faces: one that is joined with it, not greater
+  std::vector<Id> SharedNumbers;           ///< of the graph's vertices
+  std::vector<BlockPlace> Places;          ///< of the blocks, and past the last
+  std::vector<JoinedEdge> Edges;           ///< in their order
+  std::vector<std::vector<Id>> EdgePlaces; ///< of the edges of each block in Edges, or NoId
+  std::vector<std::vector<CutSide>> Sides; ///< of each block
+  std::vector<Id> Faces;                   ///< of the triangles
+  std::vector<Id> EdgeFaces;               ///< to the left and the right of the edges
+  std::vector<Id> Parents; ///< of the faces: one that is joined with it, not greater
 };
 
 JoinedMesh Joiner::Join()
 {
   this->NumberShared();
-  this->Sides.resize(2 * this->Parts.Graph.Pieces.size());
-  for (std::size_t block = 0; block < this->Meshes.size() && this->Beats.Ask(); ++block)
-  {
-    this->CopyBlock(block);
-  }
-  if (this->Beats.HasStopped())
+  this->PlaceBlocks();
+  this->JoinEdges();
+  this->MakeRoomForAll();
+  const PulsePart copying(this->Beats, CopyingBegin, CopyingEnd);
+  if (!DoTasks(this->Beats, this->Meshes.size(),
+        [this](std::size_t block, Monitor&) { this->CopyBlock(block); }))
   {
     return {};
   }
-  this->SortEdges();
   this->LinkCuts();
   this->NumberRegions();
   return std::move(this->Result);
@@ -117,13 +155,111 @@ void Joiner::NumberShared()
   }
   bites.Spacings.assign(bites.Points.size(), 0.0);
   bites.BiteOrders.assign(bites.Points.size(), NoId);
-  this->Result.IsOnCut.assign(bites.Points.size(), 0);
+  this->Places[0].Vertex = static_cast<Id>(bites.Points.size());
+}
+
+// One after the other.
+void Joiner::PlaceBlocks()
+{
+  for (std::size_t block = 0; block < this->Meshes.size() && this->Beats.Ask(); ++block)
+  {
+    const BlockMesh& mesh = this->Meshes[block];
+    const std::vector<Id>& orders = mesh.Bites.BiteOrders;
+    const std::vector<Id>& regions = mesh.Triangles.Regions;
+    const std::size_t shared = this->Parts.Blocks[block].Vertices.size();
+    const auto sizeOf = [](const std::vector<Id>& numbers)
+    { return numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end()); };
+    this->AddShared(block);
+    const BlockPlace& place = this->Places[block];
+    this->Places[block + 1] = { place.Vertex + static_cast<Id>(mesh.Bites.Points.size() - shared),
+      place.Order + sizeOf(orders), place.Triangle + mesh.Triangles.NumberOfTriangles(),
+      place.Face + sizeOf(regions) };
+  }
+  this->Parents.resize(static_cast<std::size_t>(this->Places.back().Face));
+  std::iota(this->Parents.begin(), this->Parents.end(), 0);
+}
+
+void Joiner::AddShared(std::size_t block)
+{
+  const BitingResult& from = this->Meshes[block].Bites;
+  const std::vector<Id>& shared = this->Parts.Blocks[block].Vertices;
+  for (std::size_t vertex = 0; vertex < shared.size(); ++vertex)
+  {
+    const Id number = this->SharedNumbers[shared[vertex]];
+    const Id order = from.BiteOrders[vertex];
+    Id& joined = this->Result.Bites.BiteOrders[number];
+    this->Result.Bites.Spacings[number] = from.Spacings[vertex];
+    joined = joined != NoId || order == NoId ? joined : this->Places[block].Order + order;
+  }
+}
+
+// Segment by segment, from start to end.
+void Joiner::JoinEdges()
+{
+  for (std::size_t block = 0; block < this->Meshes.size(); ++block)
+  {
+    this->ListEdges(block);
+  }
+  SortInSteps(
+    this->Edges,
+    [](const JoinedEdge& a, const JoinedEdge& b)
+    {
+      return std::tie(a.Segment, a.Along, a.Block, a.Edge) <
+        std::tie(b.Segment, b.Along, b.Block, b.Edge);
+    },
+    this->Beats);
+  BitingResult& bites = this->Result.Bites;
+  for (const JoinedEdge& edge : this->Edges)
+  {
+    this->EdgePlaces[edge.Block][edge.Edge] = static_cast<Id>(bites.EdgeStarts.size());
+    bites.EdgeStarts.push_back(edge.Start);
+    bites.EdgeEnds.push_back(edge.End);
+    bites.EdgeSegments.push_back(edge.Segment);
+  }
+  this->EdgeFaces.assign(2 * this->Edges.size(), NoId);
+}
+
+void Joiner::ListEdges(std::size_t block)
+{
+  const BitingResult& from = this->Meshes[block].Bites;
+  const BlockDomain& part = this->Parts.Blocks[block];
+  this->EdgePlaces[block].assign(from.EdgeSegments.size(), NoId);
+  for (std::size_t edge = 0; edge < from.EdgeSegments.size(); ++edge)
+  {
+    const Id segment = this->Parts.Graph.Pieces[part.Pieces[from.EdgeSegments[edge]]].Segment;
+    if (segment != NoId && this->Beats.Beat())
+    {
+      const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
+      const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
+      const double along = Dot(from.Points[from.EdgeStarts[edge]] - a, b - a);
+      this->Edges.push_back({ segment, along, this->NumberOf(block, from.EdgeStarts[edge]),
+        this->NumberOf(block, from.EdgeEnds[edge]), block, edge });
+    }
+  }
+}
+
+void Joiner::MakeRoomForAll()
+{
+  const PulsePart part(this->Beats, 0.0, CopyingBegin);
+  const std::size_t vertices = static_cast<std::size_t>(this->Places.back().Vertex);
+  const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
+  BitingResult& bites = this->Result.Bites;
+  Triangulation& mesh = this->Result.Triangles;
+  MakeRoom(bites.Points, vertices, this->Beats);
+  MakeRoom(bites.Spacings, vertices, this->Beats);
+  MakeRoom(bites.BiteOrders, vertices, this->Beats);
+  MakeRoom(bites.Segments, vertices, this->Beats);
+  MakeRoom(this->Result.IsOnCut, vertices, this->Beats);
+  MakeRoom(mesh.Corners, 3 * triangles, this->Beats);
+  MakeRoom(mesh.Neighbors, 3 * triangles, this->Beats);
+  MakeRoom(mesh.Constraints, 3 * triangles, this->Beats);
+  MakeRoom(mesh.Regions, triangles, this->Beats);
+  MakeRoom(this->Faces, triangles, this->Beats);
 }
 
 void Joiner::CopyBlock(std::size_t block)
 {
   this->CopyVertices(block);
-  this->CopyEdges(block);
   this->CopyTriangles(block);
   this->Meshes[block] = BlockMesh();
 }
@@ -133,137 +269,97 @@ void Joiner::CopyVertices(std::size_t block)
   const BitingResult& from = this->Meshes[block].Bites;
   const BlockDomain& part = this->Parts.Blocks[block];
   BitingResult& to = this->Result.Bites;
-  Id orders = 0;
-  this->Numbers.resize(from.Points.size());
-  for (std::size_t vertex = 0; vertex < from.Points.size(); ++vertex)
+  for (std::size_t vertex = part.Vertices.size(); vertex < from.Points.size(); ++vertex)
   {
+    const std::size_t number =
+      static_cast<std::size_t>(this->NumberOf(block, static_cast<Id>(vertex)));
     const Id order = from.BiteOrders[vertex];
-    const Id joinedOrder = order == NoId ? NoId : this->FirstOrder + order;
-    orders = std::max(orders, order + 1);
-    if (vertex < part.Vertices.size())
-    {
-      const Id number = this->SharedNumbers[part.Vertices[vertex]];
-      this->Numbers[vertex] = number;
-      const bool isFirst = to.BiteOrders[number] == NoId;
-      to.Spacings[number] = from.Spacings[vertex];
-      to.BiteOrders[number] = isFirst ? joinedOrder : to.BiteOrders[number];
-      continue;
-    }
-    this->Numbers[vertex] = static_cast<Id>(to.Points.size());
     const Id segment = from.Segments[vertex];
-    to.Points.push_back(from.Points[vertex]);
-    to.Spacings.push_back(from.Spacings[vertex]);
-    to.BiteOrders.push_back(joinedOrder);
-    to.Segments.push_back(
-      segment == NoId ? NoId : this->Parts.Graph.Pieces[part.Pieces[segment]].Segment);
-  }
-  this->FirstOrder += orders;
-}
-
-void Joiner::CopyEdges(std::size_t block)
-{
-  const BitingResult& from = this->Meshes[block].Bites;
-  const BlockDomain& part = this->Parts.Blocks[block];
-  this->Slots.assign(from.EdgeSegments.size(), 0);
-  for (std::size_t edge = 0; edge < from.EdgeSegments.size(); ++edge)
-  {
-    const Id segment = this->Parts.Graph.Pieces[part.Pieces[from.EdgeSegments[edge]]].Segment;
-    this->Slots[edge] = this->Edges.size();
-    if (segment != NoId)
-    {
-      const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
-      const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
-      const double along = Dot(from.Points[from.EdgeStarts[edge]] - a, b - a);
-      this->Edges.push_back({ segment, along, this->Numbers[from.EdgeStarts[edge]],
-        this->Numbers[from.EdgeEnds[edge]], this->Edges.size() });
-    }
+    to.Points[number] = from.Points[vertex];
+    to.Spacings[number] = from.Spacings[vertex];
+    to.BiteOrders[number] = order == NoId ? NoId : this->Places[block].Order + order;
+    to.Segments[number] =
+      segment == NoId ? NoId : this->Parts.Graph.Pieces[part.Pieces[segment]].Segment;
   }
 }
 
 void Joiner::CopyTriangles(std::size_t block)
 {
-  const BlockMesh& mesh = this->Meshes[block];
-  const BlockDomain& part = this->Parts.Blocks[block];
-  const Triangulation& from = mesh.Triangles;
-  Triangulation& to = this->Result.Triangles;
-  const Id first = to.NumberOfTriangles();
-  const Id firstFace = static_cast<Id>(this->Parents.size());
+  const Triangulation& from = this->Meshes[block].Triangles;
+  const BlockPlace& place = this->Places[block];
   for (std::size_t slot = 0; slot < from.Corners.size(); ++slot)
   {
-    const Id constraint = from.Constraints[slot];
-    const Id piece = constraint == NoId ? NoId : part.Pieces[mesh.Bites.EdgeSegments[constraint]];
-    const bool isCut = piece != NoId && this->Parts.Graph.IsCut(piece);
-    if (isCut)
-    {
-      CutSide& side = this->Sides[2 * static_cast<std::size_t>(piece)];
-      CutSide& free = side.Triangle == NoId ? side : *(&side + 1);
-      this->Result.IsSound = this->Result.IsSound && free.Triangle == NoId;
-      free = { first + static_cast<Id>(slot / 3), static_cast<Id>(to.Corners.size()) };
-    }
-    to.Corners.push_back(this->Numbers[from.Corners[slot]]);
-    to.Neighbors.push_back(from.Neighbors[slot] == NoId ? NoId : first + from.Neighbors[slot]);
-    to.Constraints.push_back(
-      piece == NoId || isCut ? NoId : static_cast<Id>(this->Slots[constraint]));
+    this->CopySlot(block, slot);
   }
-  Id faces = 0;
-  for (const Id region : from.Regions)
+  for (std::size_t triangle = 0; triangle < from.Regions.size(); ++triangle)
   {
-    this->Faces.push_back(firstFace + region);
-    faces = std::max(faces, region + 1);
+    this->Faces[static_cast<std::size_t>(place.Triangle) + triangle] =
+      place.Face + from.Regions[triangle];
   }
-  this->Parents.resize(this->Parents.size() + static_cast<std::size_t>(faces));
-  std::iota(this->Parents.begin() + firstFace, this->Parents.end(), firstFace);
 }
 
-// Segment by segment, from start to end.
-void Joiner::SortEdges()
+void Joiner::CopySlot(std::size_t block, std::size_t slot)
 {
-  std::sort(this->Edges.begin(), this->Edges.end(),
-    [](const JoinedEdge& a, const JoinedEdge& b)
-    { return std::tie(a.Segment, a.Along, a.Slot) < std::tie(b.Segment, b.Along, b.Slot); });
-  std::vector<Id> places(this->Edges.size());
-  BitingResult& bites = this->Result.Bites;
-  for (std::size_t place = 0; place < this->Edges.size(); ++place)
+  const BlockMesh& mesh = this->Meshes[block];
+  const Triangulation& from = mesh.Triangles;
+  const BlockPlace& place = this->Places[block];
+  Triangulation& to = this->Result.Triangles;
+  const std::size_t joined = 3 * static_cast<std::size_t>(place.Triangle) + slot;
+  const Id neighbor = from.Neighbors[slot];
+  to.Corners[joined] = this->NumberOf(block, from.Corners[slot]);
+  to.Neighbors[joined] = neighbor == NoId ? NoId : place.Triangle + neighbor;
+  to.Constraints[joined] = NoId;
+  const Id constraint = from.Constraints[slot];
+  if (constraint == NoId)
   {
-    const JoinedEdge& edge = this->Edges[place];
-    places[edge.Slot] = static_cast<Id>(place);
-    bites.EdgeStarts.push_back(edge.Start);
-    bites.EdgeEnds.push_back(edge.End);
-    bites.EdgeSegments.push_back(edge.Segment);
+    return;
   }
-  for (Id& constraint : this->Result.Triangles.Constraints)
+  const Id edge = this->EdgePlaces[block][constraint];
+  to.Constraints[joined] = edge;
+  if (edge == NoId)
   {
-    constraint = constraint == NoId ? NoId : places[constraint];
+    const Id piece = this->Parts.Blocks[block].Pieces[mesh.Bites.EdgeSegments[constraint]];
+    this->Sides[block].push_back({ piece, static_cast<Id>(joined / 3), static_cast<Id>(joined) });
+    return;
   }
+  const Id start = this->NumberOf(block, from.Corners[slot - slot % 3 + (slot + 1) % 3]);
+  const std::size_t side = start == this->Result.Bites.EdgeStarts[edge] ? 0 : 1;
+  this->EdgeFaces[2 * static_cast<std::size_t>(edge) + side] = place.Face + from.Regions[slot / 3];
 }
 
+// The two sides of a part of a cut are in different blocks.
 void Joiner::LinkCuts()
 {
-  Triangulation& mesh = this->Result.Triangles;
-  this->Result.IsOnCut.resize(this->Result.Bites.Points.size(), 0);
-  for (std::size_t piece = 0; piece < this->Sides.size(); piece += 2)
+  std::vector<CutSide> sides;
+  for (const std::vector<CutSide>& ofBlock : this->Sides)
   {
-    const CutSide& side = this->Sides[piece];
-    const CutSide& other = this->Sides[piece + 1];
-    if (side.Triangle == NoId)
-    {
-      continue;
-    }
-    if (!this->Fits(side, other))
-    {
-      this->Result.IsSound = false;
-      return;
-    }
-    mesh.Neighbors[side.Slot] = other.Triangle;
-    mesh.Neighbors[other.Slot] = side.Triangle;
-    for (const Id slot : { side.Slot, other.Slot })
-    {
-      this->Result.IsOnCut[mesh.Corners[slot - slot % 3 + (slot + 1) % 3]] = 1;
-    }
-    Id face = this->Face(this->Faces[side.Triangle]);
-    Id joined = this->Face(this->Faces[other.Triangle]);
-    this->Parents[std::max(face, joined)] = std::min(face, joined);
+    sides.insert(sides.end(), ofBlock.begin(), ofBlock.end());
   }
+  std::stable_sort(sides.begin(), sides.end(),
+    [](const CutSide& a, const CutSide& b) { return a.Piece < b.Piece; });
+  this->Result.IsSound = sides.size() % 2 == 0;
+  for (std::size_t k = 0; k < sides.size() && this->Result.IsSound; k += 2)
+  {
+    this->Result.IsSound = this->Fits(sides[k], sides[k + 1]);
+    if (this->Result.IsSound)
+    {
+      this->Link(sides[k], sides[k + 1]);
+    }
+  }
+}
+
+void Joiner::Link(const CutSide& side, const CutSide& other)
+{
+  Triangulation& mesh = this->Result.Triangles;
+  mesh.Neighbors[side.Slot] = other.Triangle;
+  mesh.Neighbors[other.Slot] = side.Triangle;
+  for (const Id slot : { side.Slot, other.Slot })
+  {
+    this->Result.IsOnCut[mesh.Corners[slot - slot % 3 + (slot + 1) % 3]] = 1;
+  }
+  const Id face = this->Face(this->Faces[side.Triangle]);
+  const Id joined = this->Face(this->Faces[other.Triangle]);
+  this->Parents[std::max(face, joined)] = std::min(face, joined);
 }
 
 bool Joiner::Fits(const CutSide& side, const CutSide& other) const
@@ -271,7 +367,7 @@ bool Joiner::Fits(const CutSide& side, const CutSide& other) const
   const std::vector<Id>& corners = this->Result.Triangles.Corners;
   const auto corner = [&corners](Id slot, Id turn)
   { return corners[slot - slot % 3 + (slot + turn) % 3]; };
-  return other.Triangle != NoId && corner(side.Slot, 1) == corner(other.Slot, 2) &&
+  return side.Piece == other.Piece && corner(side.Slot, 1) == corner(other.Slot, 2) &&
     corner(side.Slot, 2) == corner(other.Slot, 1);
 }
 
@@ -288,34 +384,22 @@ Id Joiner::Face(Id face)
 // As one meets them along the constraints, the left side of each before the right.
 void Joiner::NumberRegions()
 {
-  Triangulation& mesh = this->Result.Triangles;
-  const BitingResult& bites = this->Result.Bites;
-  std::vector<Id> faces(2 * bites.EdgeStarts.size(), NoId);
-  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-  {
-    const Id constraint = mesh.Constraints[slot];
-    if (constraint != NoId)
-    {
-      const bool isLeft =
-        mesh.Corners[slot - slot % 3 + (slot + 1) % 3] == bites.EdgeStarts[constraint];
-      faces[2 * static_cast<std::size_t>(constraint) + (isLeft ? 0 : 1)] =
-        this->Face(this->Faces[slot / 3]);
-    }
-  }
   std::vector<Id> numbers(this->Parents.size(), NoId);
   Id next = 0;
-  for (const Id face : faces)
+  for (const Id face : this->EdgeFaces)
   {
-    if (face != NoId && numbers[face] == NoId)
+    if (face != NoId && numbers[this->Face(face)] == NoId)
     {
-      numbers[face] = next++;
+      numbers[this->Face(face)] = next++;
     }
   }
-  mesh.Regions.reserve(this->Faces.size());
-  for (const Id face : this->Faces)
+  for (Id face = 0; face < static_cast<Id>(numbers.size()); ++face)
   {
-    mesh.Regions.push_back(numbers[this->Face(face)]);
+    numbers[face] = numbers[this->Face(face)];
   }
+  ForEachAtOnce(this->Beats, this->Faces.size(),
+    [this, &numbers](std::size_t triangle)
+    { this->Result.Triangles.Regions[triangle] = numbers[this->Faces[triangle]]; });
 }
 
 } // namespace
