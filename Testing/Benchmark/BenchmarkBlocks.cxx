@@ -4,8 +4,9 @@
 // Large meshes as one block and as several, on one thread and on more.
 //   BenchmarkBlocks [vertices [vertices of a block [threads [name]]]]
 // Cases whose name has `name` in it, of so many vertices (1000000): one block, then blocks of that
-// size on one thread, and on 2 to `threads` (2). Seconds by the clock and of CPU, room by room;
-// quality. Where two threads are to be compared with one, the machine must have nothing else to do.
+// size on one thread, and on 2 to `threads` (2). Seconds by the clock and of CPU, room by room, the
+// second also of the calling thread alone, which is what is serial where there are others; quality.
+// By the clock threads can be compared where the machine has nothing else to do.
 
 #include "../Kernel/Support/TestThreads.h"
 #include "MeshCases.h"
@@ -23,10 +24,10 @@ namespace
 
 using namespace biting;
 
-double CpuSeconds()
+double CpuSeconds(clockid_t clock)
 {
   timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -36,14 +37,15 @@ double ClockSeconds()
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// Adds up both times of each stage.
+/// Adds up the times of each stage.
 class StageClock : public MonitorWithThreads
 {
 public:
   struct Time
   {
-    double Wall = 0.0;
-    double Cpu = 0.0;
+    double Wall = ClockSeconds();
+    double Cpu = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
+    double Serial = CpuSeconds(CLOCK_THREAD_CPUTIME_ID);
   };
 
   using MonitorWithThreads::MonitorWithThreads;
@@ -56,10 +58,11 @@ public:
 
   void Stop()
   {
-    const Time now{ ClockSeconds(), CpuSeconds() };
-    Time& spent = this->Spent[this->Stage];
+    const Time now;
+    Time& spent = this->Spent.try_emplace(this->Stage, Time{ 0.0, 0.0, 0.0 }).first->second;
     spent.Wall += now.Wall - this->Begin.Wall;
     spent.Cpu += now.Cpu - this->Begin.Cpu;
+    spent.Serial += now.Serial - this->Begin.Serial;
     this->Begin = now;
   }
 
@@ -67,7 +70,7 @@ public:
 
 private:
   std::string Stage;
-  Time Begin{ ClockSeconds(), CpuSeconds() };
+  Time Begin;
 };
 
 constexpr const char* Stages[] = { "Reading the domain", "Preparing the spacing", "Biting",
@@ -75,18 +78,20 @@ constexpr const char* Stages[] = { "Reading the domain", "Preparing the spacing"
 
 void PrintTimes(const StageClock& clock)
 {
-  StageClock::Time sum;
+  StageClock::Time sum{ 0.0, 0.0, 0.0 };
   for (const auto& [stage, time] : clock.Spent)
   {
     sum.Wall += time.Wall;
     sum.Cpu += time.Cpu;
+    sum.Serial += time.Serial;
   }
-  std::printf(" %6.2f %6.2f |", sum.Wall, sum.Cpu);
+  std::printf(" %6.2f %6.2f %6.2f |", sum.Wall, sum.Cpu, sum.Serial);
   for (const char* stage : Stages)
   {
     const auto found = clock.Spent.find(stage);
-    const StageClock::Time time = found == clock.Spent.end() ? StageClock::Time() : found->second;
-    std::printf(" %5.2f %5.2f |", time.Wall, time.Cpu);
+    const StageClock::Time time =
+      found == clock.Spent.end() ? StageClock::Time{ 0.0, 0.0, 0.0 } : found->second;
+    std::printf(" %5.2f %5.2f %5.3f |", time.Wall, time.Cpu, time.Serial);
   }
 }
 
