@@ -139,6 +139,7 @@ set(biting_kernel_sources
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/RimFlips.cxx
+  Blocks/TakenStrip.cxx
   BitingMesh.cxx
   BitingRemesh.cxx
   FineDrawing.cxx

@@ -5,10 +5,12 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 #include "../Relaxation/Relaxation.h"
 #include "RimFlips.h"
+#include "TakenStrip.h"
 
-#include <algorithm> // for sort, fill_n, max
+#include <algorithm> // for copy, max
 #include <cstdint>   // for flags
 
 namespace biting
@@ -17,8 +19,6 @@ namespace biting
 namespace
 {
 
-constexpr int Steps = 10; // across edges; two are about a ring of vertices
-
 // Angles below 45 degrees are made better, below 43 also one by one.
 constexpr double PoorCotangents = 0.85;
 
@@ -26,399 +26,207 @@ constexpr double PoorCotangents = 0.85;
 constexpr double TakingEnd = 0.1;
 constexpr double RelaxingEnd = 0.8;
 
-// An edge of the strip that stays: what lies across it, if that is not of the strip, and its
-// constraint.
-struct FixedEdge
-{
-  Id Outside = NoId; ///< a slot
-  Id Constraint = NoId;
-};
-
-class Strip
+// Puts the relaxed strip back into the whole.
+class StripReturn
 {
 public:
-  Strip(const Domain& domain, JoinedMesh& mesh, Pulse& pulse)
-    : Geometry(domain)
+  StripReturn(
+    const TakenStrip& strip, const std::vector<Id>& origins, JoinedMesh& mesh, Pulse& pulse)
+    : Strip(strip)
+    , Origins(origins)
     , Whole(mesh)
     , Beats(pulse)
   {
   }
 
-  void Take();
-  bool IsEmpty() const { return this->Triangles.empty(); }
-  void Relax(const Spacing& spacing, Monitor& monitor);
-  void PutBack();
+  void Run();
 
 private:
-  void FindTriangles();
-  void NumberTriangles();
-  bool IsFixed(std::size_t slot) const;
-  void FindFixedVertices();
   void NumberVertices();
-  void AddFixedEdge(std::size_t slot, Id start, Id end);
-  Id SlotAcross(std::size_t slot) const;
-  void CopyTriangles();
-  void FillDomain();
-  void NumberWhole();
   void MoveVertices();
+  void CloseUp();
+  void FillStrip();
+  void NumberTriangles();
   void MoveTriangles();
+  void CloseUpTriangles();
   void AddStrip();
-  Id Corner(std::size_t slot, std::size_t turn) const
-  {
-    return this->Whole.Triangles.Corners[slot - slot % 3 + (slot + turn) % 3];
-  }
 
-  const Domain& Geometry;
+  const TakenStrip& Strip;
+  const std::vector<Id>& Origins; ///< of the relaxed vertices, in the strip before
   JoinedMesh& Whole;
   Pulse& Beats;
-
-  std::vector<Id> Triangles;               ///< of the whole, that are of the strip
-  std::vector<Id> TriangleNumbers;         ///< of the whole's triangles in the strip, or NoId
-  std::vector<std::uint8_t> IsFixedVertex; ///< of the whole's
-  std::vector<Id> Vertices; ///< of the whole, that are of the strip: fixed ones first
-  std::vector<Id> Numbers;  ///< of the whole's vertices in the strip, or NoId
-  std::vector<FixedEdge> FixedEdges;
-
-  Domain Border; ///< the fixed edges as segments
-  RelaxationMesh Mesh;
-  RelaxationResult Result;
-
   std::vector<Id> NewNumbers;      ///< of the whole's vertices, NoId where they are gone
   std::vector<Id> NewStripNumbers; ///< of the strip's
-  std::vector<std::size_t> Rim;    ///< slots of the whole, at edges to what is not of the strip
-  std::vector<Id> NewTriangles;    ///< numbers of the whole's triangles that are not of the strip
+  std::size_t NumberOfVertices = 0;
+  std::vector<Id> NewTriangles;      ///< numbers of the whole's triangles that are not of the strip
+  std::size_t NumberOfTriangles = 0; ///< of these
+  std::vector<std::size_t> Rim;      ///< slots of the whole, at edges to what is not of the strip
 };
 
-void Strip::Take()
+void StripReturn::Run()
 {
-  this->FindTriangles();
-  if (this->IsEmpty())
+  this->NumberVertices();
+  this->NumberTriangles();
+  if (this->Beats.HasStopped())
   {
     return;
   }
-  this->NumberTriangles();
-  this->FindFixedVertices();
-  this->NumberVertices();
-  this->CopyTriangles();
-  this->FillDomain();
-}
-
-// Those at cuts, then step by step those across edges.
-void Strip::FindTriangles()
-{
-  const Triangulation& whole = this->Whole.Triangles;
-  const std::vector<std::uint8_t>& isOnCut = this->Whole.IsOnCut;
-  std::vector<std::uint8_t> isTaken(whole.Regions.size(), 0);
-  this->Beats.ForEach(isTaken.size(),
-    [this, &whole, &isOnCut, &isTaken](std::size_t triangle)
-    {
-      const Id* corners = whole.Corners.data() + 3 * triangle;
-      if (isOnCut[corners[0]] != 0 || isOnCut[corners[1]] != 0 || isOnCut[corners[2]] != 0)
-      {
-        isTaken[triangle] = 1;
-        this->Triangles.push_back(static_cast<Id>(triangle));
-      }
-    });
-  std::size_t begin = 0;
-  for (int step = 0; step < Steps && this->Beats.Ask(); ++step)
-  {
-    const std::size_t end = this->Triangles.size();
-    for (; begin < end; ++begin)
-    {
-      const std::size_t first = 3 * static_cast<std::size_t>(this->Triangles[begin]);
-      for (std::size_t slot = first; slot < first + 3; ++slot)
-      {
-        const Id next = whole.Neighbors[slot];
-        if (next != NoId && isTaken[next] == 0)
-        {
-          isTaken[next] = 1;
-          this->Triangles.push_back(next);
-        }
-      }
-    }
-  }
-  std::sort(this->Triangles.begin(), this->Triangles.end());
-}
-
-void Strip::NumberTriangles()
-{
-  this->TriangleNumbers.assign(this->Whole.Triangles.Regions.size(), NoId);
-  for (std::size_t k = 0; k < this->Triangles.size(); ++k)
-  {
-    this->TriangleNumbers[this->Triangles[k]] = static_cast<Id>(k);
-  }
-}
-
-// Of a slot of a triangle of the strip.
-bool Strip::IsFixed(std::size_t slot) const
-{
-  const Id neighbor = this->Whole.Triangles.Neighbors[slot];
-  return this->Whole.Triangles.Constraints[slot] != NoId || neighbor == NoId ||
-    this->TriangleNumbers[neighbor] == NoId;
-}
-
-void Strip::FindFixedVertices()
-{
-  for (const Id segment : this->Whole.Bites.Segments)
-  {
-    this->IsFixedVertex.push_back(segment != NoId ? 1 : 0);
-  }
-  std::fill_n(this->IsFixedVertex.begin(), this->Geometry.NumberOfVertices(), std::uint8_t{ 1 });
-  for (const Id triangle : this->Triangles)
-  {
-    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
-    for (std::size_t slot = first; slot < first + 3; ++slot)
-    {
-      if (this->IsFixed(slot))
-      {
-        this->IsFixedVertex[this->Corner(slot, 1)] = 1;
-        this->IsFixedVertex[this->Corner(slot, 2)] = 1;
-      }
-    }
-  }
-}
-
-// In the order of the whole, fixed ones first.
-void Strip::NumberVertices()
-{
-  std::vector<std::uint8_t> isUsed(this->Whole.Bites.Points.size(), 0);
-  for (const Id triangle : this->Triangles)
-  {
-    for (std::size_t turn = 0; turn < 3; ++turn)
-    {
-      isUsed[this->Corner(3 * static_cast<std::size_t>(triangle), turn)] = 1;
-    }
-  }
-  this->Numbers.assign(isUsed.size(), NoId);
-  for (const bool fixed : { true, false })
-  {
-    for (std::size_t vertex = 0; vertex < isUsed.size(); ++vertex)
-    {
-      if (isUsed[vertex] != 0 && (this->IsFixedVertex[vertex] != 0) == fixed)
-      {
-        this->Numbers[vertex] = static_cast<Id>(this->Vertices.size());
-        this->Vertices.push_back(static_cast<Id>(vertex));
-      }
-    }
-  }
-  for (const Id vertex : this->Vertices)
-  {
-    this->Mesh.Points.push_back(this->Whole.Bites.Points[vertex]);
-    this->Mesh.Spacings.push_back(this->Whole.Bites.Spacings[vertex]);
-    this->Mesh.Segments.push_back(NoId);
-  }
-}
-
-Id Strip::SlotAcross(std::size_t slot) const
-{
-  std::size_t across = 3 * static_cast<std::size_t>(this->Whole.Triangles.Neighbors[slot]);
-  while (this->Corner(across, 2) != this->Corner(slot, 1))
-  {
-    ++across;
-  }
-  return static_cast<Id>(across);
-}
-
-void Strip::CopyTriangles()
-{
-  const Triangulation& whole = this->Whole.Triangles;
-  Triangulation& strip = this->Mesh.Triangles;
-  for (const Id triangle : this->Triangles)
-  {
-    strip.Regions.push_back(whole.Regions[triangle]);
-    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
-    for (std::size_t slot = first; slot < first + 3; ++slot)
-    {
-      const Id neighbor = whole.Neighbors[slot];
-      const Id inside = neighbor == NoId ? NoId : this->TriangleNumbers[neighbor];
-      strip.Corners.push_back(this->Numbers[whole.Corners[slot]]);
-      strip.Neighbors.push_back(inside);
-      strip.Constraints.push_back(NoId);
-      if (!this->IsFixed(slot))
-      {
-        continue;
-      }
-      const std::size_t own = strip.Constraints.size() - 1;
-      // Of an edge inside, the triangle that comes later has what the first one got.
-      if (inside != NoId && inside < static_cast<Id>(own / 3))
-      {
-        const std::size_t across = static_cast<std::size_t>(this->SlotAcross(slot));
-        strip.Constraints[own] =
-          strip.Constraints[3 * static_cast<std::size_t>(inside) + across % 3];
-        continue;
-      }
-      strip.Constraints[own] = static_cast<Id>(this->FixedEdges.size());
-      this->AddFixedEdge(
-        slot, this->Numbers[this->Corner(slot, 1)], this->Numbers[this->Corner(slot, 2)]);
-    }
-  }
-}
-
-void Strip::AddFixedEdge(std::size_t slot, Id start, Id end)
-{
-  const Triangulation& whole = this->Whole.Triangles;
-  const Id neighbor = whole.Neighbors[slot];
-  const bool isInside = neighbor != NoId && this->TriangleNumbers[neighbor] != NoId;
-  FixedEdge edge;
-  edge.Constraint = whole.Constraints[slot];
-  edge.Outside = neighbor == NoId || isInside ? NoId : this->SlotAcross(slot);
-  this->Mesh.EdgeStarts.push_back(start);
-  this->Mesh.EdgeEnds.push_back(end);
-  this->Mesh.EdgeSegments.push_back(static_cast<Id>(this->FixedEdges.size()));
-  this->Border.Starts.push_back(start);
-  this->Border.Ends.push_back(end);
-  this->Border.IsBoundary.push_back(isInside ? 0 : 1);
-  this->Border.LeftInside.push_back(1);
-  this->Border.RightInside.push_back(isInside ? 1 : 0);
-  this->FixedEdges.push_back(edge);
-}
-
-void Strip::FillDomain()
-{
-  for (const Id vertex : this->Vertices)
-  {
-    if (this->IsFixedVertex[vertex] != 0)
-    {
-      this->Border.Vertices.push_back(this->Whole.Bites.Points[vertex]);
-      this->Border.VertexPoints.push_back(NoId);
-      this->Border.IsEmbedded.push_back(0);
-      this->Border.HasPoint.push_back(0);
-      this->Border.Bounds.Add(this->Border.Vertices.back());
-    }
-  }
-  this->Border.Cells.assign(this->Border.Starts.size(), NoId);
-  this->Border.IsPreserved.assign(this->Border.Starts.size(), 1);
-  this->Border.Resolution = this->Geometry.Resolution;
-}
-
-void Strip::Relax(const Spacing& spacing, Monitor& monitor)
-{
-  this->Result =
-    biting::Relax(this->Border, spacing, { false, true, PoorCotangents }, this->Mesh, monitor);
-}
-
-void Strip::PutBack()
-{
-  this->NumberWhole();
   this->MoveVertices();
   this->MoveTriangles();
-  this->AddStrip();
-  FlipUntilDelaunay(this->Whole.Bites.Points, this->Rim, this->Whole.Triangles, this->Beats);
+  if (!this->Beats.HasStopped())
+  {
+    this->AddStrip();
+    FlipUntilDelaunay(this->Whole.Bites.Points, this->Rim, this->Whole.Triangles, this->Beats);
+  }
 }
 
 // What stays, in its order, then what is new.
-void Strip::NumberWhole()
+void StripReturn::NumberVertices()
 {
   const std::size_t count = this->Whole.Bites.Points.size();
-  std::vector<std::uint8_t> stays(count, 1);
-  for (const Id vertex : this->Vertices)
-  {
-    stays[vertex] = this->IsFixedVertex[vertex];
-  }
-  for (const Id origin : this->Result.Origins)
+  std::vector<std::uint8_t> stays(this->Strip.Vertices.size(), 0);
+  for (const Id origin : this->Origins)
   {
     if (origin != NoId)
     {
-      stays[this->Vertices[origin]] = 1;
+      stays[origin] = 1;
     }
   }
-  this->NewNumbers.assign(count, NoId);
-  Id next = 0;
-  for (std::size_t vertex = 0; vertex < count; ++vertex)
+  GrowInSteps(this->NewNumbers, count, Id{ 0 }, this->Beats);
+  for (std::size_t k = 0; k < stays.size() && this->Beats.Beat(); ++k)
   {
-    this->NewNumbers[vertex] = stays[vertex] != 0 ? next++ : NoId;
+    const bool isGone = stays[k] == 0 && !this->Strip.IsFixed(static_cast<Id>(k));
+    this->NewNumbers[this->Strip.Vertices[k]] = isGone ? NoId : 0;
   }
-  for (const Id origin : this->Result.Origins)
+  Id next = 0;
+  this->Beats.ForEach(count,
+    [this, &next](std::size_t vertex)
+    {
+      Id& number = this->NewNumbers[vertex];
+      number = number == NoId ? NoId : next++;
+    });
+  for (std::size_t k = 0; k < this->Origins.size() && this->Beats.Beat(); ++k)
   {
+    const Id origin = this->Origins[k];
     this->NewStripNumbers.push_back(
-      origin == NoId ? next++ : this->NewNumbers[this->Vertices[origin]]);
+      origin == NoId ? next++ : this->NewNumbers[this->Strip.Vertices[origin]]);
+  }
+  this->NumberOfVertices = static_cast<std::size_t>(next);
+}
+
+void StripReturn::MoveVertices()
+{
+  this->CloseUp();
+  BitingResult& bites = this->Whole.Bites;
+  bites.Points.resize(this->NumberOfVertices);
+  bites.Spacings.resize(this->NumberOfVertices);
+  bites.BiteOrders.resize(this->NumberOfVertices, NoId);
+  bites.Segments.resize(this->NumberOfVertices, NoId);
+  this->FillStrip();
+  for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
+  {
+    ForEachAtOnce(this->Beats, ends->size(),
+      [this, ends](std::size_t edge) { (*ends)[edge] = this->NewNumbers[(*ends)[edge]]; });
   }
 }
 
-void Strip::MoveVertices()
+void StripReturn::CloseUp()
 {
   BitingResult& bites = this->Whole.Bites;
-  std::size_t count = 0;
-  for (std::size_t vertex = 0; vertex < this->NewNumbers.size(); ++vertex)
-  {
-    if (this->NewNumbers[vertex] != NoId)
+  this->Beats.ForEach(this->NewNumbers.size(),
+    [this, &bites](std::size_t vertex)
     {
-      bites.Points[count] = bites.Points[vertex];
-      bites.Spacings[count] = bites.Spacings[vertex];
-      bites.BiteOrders[count] = bites.BiteOrders[vertex];
-      bites.Segments[count] = bites.Segments[vertex];
-      ++count;
-    }
-  }
-  for (const Id number : this->NewStripNumbers)
-  {
-    count = std::max(count, static_cast<std::size_t>(number) + 1);
-  }
-  bites.Points.resize(count);
-  bites.Spacings.resize(count);
-  bites.BiteOrders.resize(count, NoId);
-  bites.Segments.resize(count, NoId);
-  for (std::size_t k = 0; k < this->NewStripNumbers.size(); ++k)
+      const Id number = this->NewNumbers[vertex];
+      if (number != NoId)
+      {
+        bites.Points[number] = bites.Points[vertex];
+        bites.Spacings[number] = bites.Spacings[vertex];
+        bites.BiteOrders[number] = bites.BiteOrders[vertex];
+        bites.Segments[number] = bites.Segments[vertex];
+      }
+    });
+}
+
+void StripReturn::FillStrip()
+{
+  BitingResult& bites = this->Whole.Bites;
+  for (std::size_t k = 0; k < this->NewStripNumbers.size() && this->Beats.Beat(); ++k)
   {
     const std::size_t number = static_cast<std::size_t>(this->NewStripNumbers[k]);
-    bites.Points[number] = this->Mesh.Points[k];
-    bites.Spacings[number] = this->Mesh.Spacings[k];
-    if (this->Result.Origins[k] == NoId)
+    bites.Points[number] = this->Strip.Mesh.Points[k];
+    bites.Spacings[number] = this->Strip.Mesh.Spacings[k];
+    if (this->Origins[k] == NoId)
     {
       bites.BiteOrders[number] = NoId;
       bites.Segments[number] = NoId;
     }
   }
-  for (std::vector<Id>* ends : { &bites.EdgeStarts, &bites.EdgeEnds })
-  {
-    for (Id& end : *ends)
-    {
-      end = this->NewNumbers[end];
-    }
-  }
+}
+
+void StripReturn::NumberTriangles()
+{
+  Id count = 0;
+  GrowInSteps(this->NewTriangles, this->Strip.TriangleNumbers.size(), Id{ NoId }, this->Beats);
+  this->Beats.ForEach(this->NewTriangles.size(),
+    [this, &count](std::size_t triangle) {
+      this->NewTriangles[triangle] = this->Strip.TriangleNumbers[triangle] == NoId ? count++ : NoId;
+    });
+  this->NumberOfTriangles = static_cast<std::size_t>(count);
 }
 
 // Those that are not of the strip close up.
-void Strip::MoveTriangles()
+void StripReturn::MoveTriangles()
 {
   Triangulation& whole = this->Whole.Triangles;
-  Id count = 0;
-  this->NewTriangles.assign(whole.Regions.size(), NoId);
-  for (std::size_t triangle = 0; triangle < this->NewTriangles.size(); ++triangle)
-  {
-    this->NewTriangles[triangle] = this->TriangleNumbers[triangle] == NoId ? count++ : NoId;
-  }
-  for (std::size_t triangle = 0; triangle < this->NewTriangles.size(); ++triangle)
-  {
-    const Id number = this->NewTriangles[triangle];
-    for (std::size_t k = 0; number != NoId && k < 3; ++k)
+  ForEachAtOnce(this->Beats, whole.Corners.size(),
+    [this, &whole](std::size_t slot)
     {
-      const std::size_t from = 3 * triangle + k;
-      const std::size_t to = 3 * static_cast<std::size_t>(number) + k;
-      const Id neighbor = whole.Neighbors[from];
-      whole.Corners[to] = this->NewNumbers[whole.Corners[from]];
-      whole.Neighbors[to] = neighbor == NoId ? NoId : this->NewTriangles[neighbor];
-      whole.Constraints[to] = whole.Constraints[from];
-      whole.Regions[static_cast<std::size_t>(number)] = whole.Regions[triangle];
-    }
-  }
-  const std::size_t size = static_cast<std::size_t>(count);
-  whole.Corners.resize(3 * size);
-  whole.Neighbors.resize(3 * size);
-  whole.Constraints.resize(3 * size);
-  whole.Regions.resize(size);
+      const Id neighbor = whole.Neighbors[slot];
+      whole.Corners[slot] = this->NewNumbers[whole.Corners[slot]];
+      whole.Neighbors[slot] = neighbor == NoId ? NoId : this->NewTriangles[neighbor];
+    });
+  this->CloseUpTriangles();
+  whole.Corners.resize(3 * this->NumberOfTriangles);
+  whole.Neighbors.resize(3 * this->NumberOfTriangles);
+  whole.Constraints.resize(3 * this->NumberOfTriangles);
+  whole.Regions.resize(this->NumberOfTriangles);
 }
 
-void Strip::AddStrip()
+// Run by run between triangles of the strip.
+void StripReturn::CloseUpTriangles()
 {
   Triangulation& whole = this->Whole.Triangles;
-  const Triangulation& strip = this->Mesh.Triangles;
+  const std::vector<Id>& gone = this->Strip.Triangles;
+  const auto move = [](std::vector<Id>& values, std::size_t size, Id first, Id last, std::size_t to)
+  {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(size) * first;
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(size) * last;
+    std::copy(begin, end, values.begin() + static_cast<std::ptrdiff_t>(size * to));
+  };
+  for (std::size_t k = 0; k < gone.size() && this->Beats.Beat(); ++k)
+  {
+    const Id first = gone[k] + 1;
+    const Id last = k + 1 < gone.size() ? gone[k + 1] : static_cast<Id>(this->NewTriangles.size());
+    const std::size_t to = static_cast<std::size_t>(gone[k]) - k;
+    move(whole.Corners, 3, first, last, to);
+    move(whole.Neighbors, 3, first, last, to);
+    move(whole.Constraints, 3, first, last, to);
+    move(whole.Regions, 1, first, last, to);
+  }
+}
+
+void StripReturn::AddStrip()
+{
+  Triangulation& whole = this->Whole.Triangles;
+  const RelaxationMesh& mesh = this->Strip.Mesh;
+  const Triangulation& strip = mesh.Triangles;
   const Id first = whole.NumberOfTriangles();
   for (std::size_t slot = 0; slot < strip.Corners.size(); ++slot)
   {
     const Id constraint = strip.Constraints[slot];
-    const FixedEdge edge =
-      constraint == NoId ? FixedEdge() : this->FixedEdges[this->Mesh.EdgeSegments[constraint]];
+    const TakenStrip::FixedEdge edge = constraint == NoId
+      ? TakenStrip::FixedEdge()
+      : this->Strip.FixedEdges[mesh.EdgeSegments[constraint]];
     Id neighbor = strip.Neighbors[slot] == NoId ? NoId : first + strip.Neighbors[slot];
     if (edge.Outside != NoId)
     {
@@ -439,18 +247,20 @@ void Strip::AddStrip()
 void RelaxCuts(const Domain& domain, const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor)
 {
   PartOfStage taking(monitor, 0.0, TakingEnd);
-  Pulse pulse(taking);
-  Strip strip(domain, mesh, pulse);
-  strip.Take();
-  if (strip.IsEmpty() || !pulse.Ask())
+  Pulse takingPulse(taking);
+  TakenStrip strip = TakeStrip(domain, mesh, takingPulse);
+  if (takingPulse.HasStopped() || strip.IsEmpty())
   {
     return;
   }
   PartOfStage relaxing(monitor, TakingEnd, RelaxingEnd);
-  strip.Relax(spacing, relaxing);
-  if (!relaxing.HasStopped())
+  const RelaxationResult result =
+    Relax(strip.Border, spacing, { false, true, PoorCotangents }, strip.Mesh, relaxing);
+  if (!result.WasAborted)
   {
-    strip.PutBack();
+    PartOfStage returning(monitor, RelaxingEnd, 1.0);
+    Pulse pulse(returning);
+    StripReturn(strip, result.Origins, mesh, pulse).Run();
   }
 }
 

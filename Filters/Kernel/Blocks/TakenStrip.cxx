@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TakenStrip.h"
+
+#include "../Base/Tasks.h"
+
+#include <algorithm> // for sort, unique, stable_partition
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr int Steps = 10; // across edges; two are about a ring of vertices
+
+// Triangles in the order of their numbers, found part by part.
+struct TriangleList
+{
+  std::vector<Id> Triangles;
+
+  void Join(const TriangleList& other)
+  {
+    this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
+  }
+};
+
+class StripTaker
+{
+public:
+  StripTaker(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse)
+    : Geometry(domain)
+    , Whole(mesh)
+    , Beats(pulse)
+  {
+  }
+
+  TakenStrip Take();
+
+private:
+  void FindTriangles();
+  void AddAcross(std::size_t first, std::vector<std::uint8_t>& isTaken);
+  void NumberTriangles();
+  bool IsFixed(std::size_t slot) const;
+  void ListVertices();
+  bool StaysByItself(Id vertex) const;
+  void NumberVertices();
+  void CopyTriangles();
+  void CopySlot(std::size_t slot);
+  void AddFixedEdge(std::size_t slot, Id start, Id end);
+  Id SlotAcross(std::size_t slot) const;
+  void FillDomain();
+  Id Corner(std::size_t slot, std::size_t turn) const
+  {
+    return this->Whole.Triangles.Corners[slot - slot % 3 + (slot + turn) % 3];
+  }
+
+  const Domain& Geometry;
+  const JoinedMesh& Whole;
+  Pulse& Beats;
+  TakenStrip Strip;
+  std::vector<Id> Numbers; ///< of the whole's vertices in the strip, or NoId
+  std::size_t NumberOfFixed = 0;
+};
+
+TakenStrip StripTaker::Take()
+{
+  this->FindTriangles();
+  if (!this->Strip.IsEmpty() && this->Beats.Ask())
+  {
+    this->NumberTriangles();
+    this->ListVertices();
+    this->NumberVertices();
+    this->CopyTriangles();
+  }
+  if (!this->Beats.HasStopped())
+  {
+    this->FillDomain();
+  }
+  return std::move(this->Strip);
+}
+
+// Those at cuts, then step by step those across edges.
+void StripTaker::FindTriangles()
+{
+  const std::vector<Id>& corners = this->Whole.Triangles.Corners;
+  const std::vector<std::uint8_t>& isOnCut = this->Whole.IsOnCut;
+  std::vector<Id>& triangles = this->Strip.Triangles;
+  triangles = SumAtOnce(this->Beats, corners.size() / 3, TriangleList(),
+    [&corners, &isOnCut](TriangleList& list, std::size_t triangle)
+    {
+      const Id* own = corners.data() + 3 * triangle;
+      if (isOnCut[own[0]] != 0 || isOnCut[own[1]] != 0 || isOnCut[own[2]] != 0)
+      {
+        list.Triangles.push_back(static_cast<Id>(triangle));
+      }
+    }).Triangles;
+  std::vector<std::uint8_t> isTaken(corners.size() / 3, 0);
+  for (const Id triangle : triangles)
+  {
+    isTaken[triangle] = 1;
+  }
+  std::size_t begin = 0;
+  for (int step = 0; step < Steps; ++step)
+  {
+    const std::size_t end = triangles.size();
+    for (; begin < end && this->Beats.Beat(); ++begin)
+    {
+      this->AddAcross(3 * static_cast<std::size_t>(triangles[begin]), isTaken);
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+}
+
+void StripTaker::AddAcross(std::size_t first, std::vector<std::uint8_t>& isTaken)
+{
+  for (std::size_t slot = first; slot < first + 3; ++slot)
+  {
+    const Id next = this->Whole.Triangles.Neighbors[slot];
+    if (next != NoId && isTaken[next] == 0)
+    {
+      isTaken[next] = 1;
+      this->Strip.Triangles.push_back(next);
+    }
+  }
+}
+
+void StripTaker::NumberTriangles()
+{
+  GrowInSteps(
+    this->Strip.TriangleNumbers, this->Whole.Triangles.Regions.size(), Id{ NoId }, this->Beats);
+  for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
+  {
+    this->Strip.TriangleNumbers[this->Strip.Triangles[k]] = static_cast<Id>(k);
+  }
+}
+
+// Of a slot of a triangle of the strip.
+bool StripTaker::IsFixed(std::size_t slot) const
+{
+  const Id neighbor = this->Whole.Triangles.Neighbors[slot];
+  return this->Whole.Triangles.Constraints[slot] != NoId || neighbor == NoId ||
+    this->Strip.TriangleNumbers[neighbor] == NoId;
+}
+
+// In the order of the whole; their numbers are 0 where they are fixed, else 1.
+void StripTaker::ListVertices()
+{
+  GrowInSteps(this->Numbers, this->Whole.Bites.Points.size(), Id{ NoId }, this->Beats);
+  std::vector<Id>& vertices = this->Strip.Vertices;
+  for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
+  {
+    const std::size_t first = 3 * static_cast<std::size_t>(this->Strip.Triangles[k]);
+    for (std::size_t slot = first; slot < first + 3; ++slot)
+    {
+      for (const std::size_t turn : { 1, 2 })
+      {
+        const Id vertex = this->Corner(slot, turn);
+        Id& number = this->Numbers[vertex];
+        if (number == NoId)
+        {
+          vertices.push_back(vertex);
+          number = this->StaysByItself(vertex) ? 0 : 1;
+        }
+        number = this->IsFixed(slot) ? 0 : number;
+      }
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+}
+
+bool StripTaker::StaysByItself(Id vertex) const
+{
+  return vertex < this->Geometry.NumberOfVertices() || this->Whole.Bites.Segments[vertex] != NoId;
+}
+
+// Fixed ones first.
+void StripTaker::NumberVertices()
+{
+  std::vector<Id>& vertices = this->Strip.Vertices;
+  const auto free = std::stable_partition(
+    vertices.begin(), vertices.end(), [this](Id vertex) { return this->Numbers[vertex] == 0; });
+  this->NumberOfFixed = static_cast<std::size_t>(free - vertices.begin());
+  for (std::size_t k = 0; k < vertices.size() && this->Beats.Beat(); ++k)
+  {
+    const Id vertex = vertices[k];
+    this->Numbers[vertex] = static_cast<Id>(k);
+    this->Strip.Mesh.Points.push_back(this->Whole.Bites.Points[vertex]);
+    this->Strip.Mesh.Spacings.push_back(this->Whole.Bites.Spacings[vertex]);
+    this->Strip.Mesh.Segments.push_back(NoId);
+  }
+}
+
+void StripTaker::CopyTriangles()
+{
+  for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
+  {
+    const Id triangle = this->Strip.Triangles[k];
+    this->Strip.Mesh.Triangles.Regions.push_back(this->Whole.Triangles.Regions[triangle]);
+    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
+    for (std::size_t slot = first; slot < first + 3; ++slot)
+    {
+      this->CopySlot(slot);
+    }
+  }
+}
+
+void StripTaker::CopySlot(std::size_t slot)
+{
+  const Triangulation& whole = this->Whole.Triangles;
+  Triangulation& strip = this->Strip.Mesh.Triangles;
+  const Id neighbor = whole.Neighbors[slot];
+  const Id inside = neighbor == NoId ? NoId : this->Strip.TriangleNumbers[neighbor];
+  strip.Corners.push_back(this->Numbers[whole.Corners[slot]]);
+  strip.Neighbors.push_back(inside);
+  strip.Constraints.push_back(NoId);
+  if (!this->IsFixed(slot))
+  {
+    return;
+  }
+  const std::size_t own = strip.Constraints.size() - 1;
+  // Of an edge inside, the triangle that comes later has what the first one got.
+  if (inside != NoId && inside < static_cast<Id>(own / 3))
+  {
+    const std::size_t across = static_cast<std::size_t>(this->SlotAcross(slot));
+    strip.Constraints[own] = strip.Constraints[3 * static_cast<std::size_t>(inside) + across % 3];
+    return;
+  }
+  strip.Constraints[own] = static_cast<Id>(this->Strip.FixedEdges.size());
+  this->AddFixedEdge(
+    slot, this->Numbers[this->Corner(slot, 1)], this->Numbers[this->Corner(slot, 2)]);
+}
+
+void StripTaker::AddFixedEdge(std::size_t slot, Id start, Id end)
+{
+  const Triangulation& whole = this->Whole.Triangles;
+  const Id neighbor = whole.Neighbors[slot];
+  const bool isInside = neighbor != NoId && this->Strip.TriangleNumbers[neighbor] != NoId;
+  TakenStrip::FixedEdge edge;
+  edge.Constraint = whole.Constraints[slot];
+  edge.Outside = neighbor == NoId || isInside ? NoId : this->SlotAcross(slot);
+  this->Strip.Mesh.EdgeStarts.push_back(start);
+  this->Strip.Mesh.EdgeEnds.push_back(end);
+  this->Strip.Mesh.EdgeSegments.push_back(static_cast<Id>(this->Strip.FixedEdges.size()));
+  this->Strip.Border.Starts.push_back(start);
+  this->Strip.Border.Ends.push_back(end);
+  this->Strip.Border.IsBoundary.push_back(isInside ? 0 : 1);
+  this->Strip.Border.LeftInside.push_back(1);
+  this->Strip.Border.RightInside.push_back(isInside ? 1 : 0);
+  this->Strip.FixedEdges.push_back(edge);
+}
+
+Id StripTaker::SlotAcross(std::size_t slot) const
+{
+  std::size_t across = 3 * static_cast<std::size_t>(this->Whole.Triangles.Neighbors[slot]);
+  while (this->Corner(across, 2) != this->Corner(slot, 1))
+  {
+    ++across;
+  }
+  return static_cast<Id>(across);
+}
+
+void StripTaker::FillDomain()
+{
+  Domain& border = this->Strip.Border;
+  for (std::size_t k = 0; k < this->NumberOfFixed; ++k)
+  {
+    border.Vertices.push_back(this->Strip.Mesh.Points[k]);
+    border.Bounds.Add(border.Vertices.back());
+  }
+  border.VertexPoints.assign(this->NumberOfFixed, NoId);
+  border.IsEmbedded.assign(this->NumberOfFixed, 0);
+  border.HasPoint.assign(this->NumberOfFixed, 0);
+  border.Cells.assign(border.Starts.size(), NoId);
+  border.IsPreserved.assign(border.Starts.size(), 1);
+  border.Resolution = this->Geometry.Resolution;
+}
+
+} // namespace
+
+TakenStrip TakeStrip(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse)
+{
+  return StripTaker(domain, mesh, pulse).Take();
+}
+
+} // namespace biting

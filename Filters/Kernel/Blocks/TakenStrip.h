@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingTakenStrip_h
+#define BitingTakenStrip_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Relaxation/Relaxation.h"
+#include "JoinedBlocks.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for the maps
+
+namespace biting
+{
+
+/// The triangles within some rings around the cuts, as a mesh of a domain whose segments, the edges
+/// that stay, are preserved.
+struct TakenStrip
+{
+  /// An edge that stays: what lies across it, if that is not of the strip, and its constraint.
+  struct FixedEdge
+  {
+    Id Outside = NoId; ///< a slot of the whole
+    Id Constraint = NoId;
+  };
+
+  bool IsEmpty() const { return this->Triangles.empty(); }
+  bool IsFixed(Id vertex) const
+  {
+    return static_cast<std::size_t>(vertex) < this->Border.Vertices.size();
+  }
+
+  std::vector<Id> Triangles;       ///< of the whole, that are of the strip
+  std::vector<Id> TriangleNumbers; ///< of the whole's triangles in the strip, or NoId
+  std::vector<Id> Vertices;        ///< of the whole, that are of the strip: fixed ones first
+  std::vector<FixedEdge> FixedEdges;
+  Domain Border;
+  RelaxationMesh Mesh;
+};
+
+/// Where the monitor wants to stop the result has no meaning.
+TakenStrip TakeStrip(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse);
+
+} // namespace biting
+
+#endif
