@@ -6,7 +6,7 @@
 #include "../Base/PointOnSegment.h"
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for sort, min, max, clamp
+#include <algorithm> // for sort, lower_bound, min, max, clamp
 #include <cmath>     // for abs
 
 namespace biting
@@ -31,6 +31,51 @@ double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
   const double t = std::clamp(Dot(p - a, side) / Dot(side, side), 0.0, 1.0);
   return Distance(p, a + t * side);
 }
+
+// Pieces or vertices by where they lie along the line.
+class NearList
+{
+public:
+  void Add(Id id, double low, double high) { this->Items.push_back({ id, low, high, high }); }
+
+  void Sort()
+  {
+    std::sort(this->Items.begin(), this->Items.end(),
+      [](const Item& a, const Item& b)
+      { return a.Low != b.Low ? a.Low < b.Low : a.Which < b.Which; });
+    for (std::size_t k = 1; k < this->Items.size(); ++k)
+    {
+      this->Items[k].Reach = std::max(this->Items[k].High, this->Items[k - 1].Reach);
+    }
+  }
+
+  /// Whether `isClear` holds for all that have something between `low` and `high`.
+  template <typename Question>
+  bool AllOf(double low, double high, const Question& isClear) const
+  {
+    auto item = std::lower_bound(this->Items.begin(), this->Items.end(), low,
+      [](const Item& one, double place) { return one.Reach < place; });
+    for (; item != this->Items.end() && item->Low <= high; ++item)
+    {
+      if (item->High >= low && !isClear(item->Which))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  struct Item
+  {
+    Id Which;
+    double Low;
+    double High;
+    double Reach; ///< the greatest High up to here
+  };
+
+  std::vector<Item> Items;
+};
 
 class LineMaker
 {
@@ -66,8 +111,9 @@ private:
   const CutScene& Scene;
   const AxisLine& Line;
   std::vector<CutEnd> Ends;
-  std::vector<Id> NearPieces;
-  std::vector<Id> NearVertices;
+  double Margin = 0.0;
+  NearList NearPieces;
+  NearList NearVertices;
 };
 
 CutLine LineMaker::Make()
@@ -157,28 +203,33 @@ bool LineMaker::IsWanted(const CutEnd& from, const CutEnd& to) const
 // Four times f at the ends: what is farther away does not matter, unless f grows very fast.
 void LineMaker::FindNear()
 {
-  double margin = 0.0;
   for (const CutEnd& end : this->Ends)
   {
-    margin = std::max(margin, 2.0 * Clearance * end.F);
+    this->Margin = std::max(this->Margin, 2.0 * Clearance * end.F);
   }
   for (const Id piece : this->Scene.Pieces)
   {
     const auto& ends = this->Scene.Graph.Pieces[piece];
-    const double start = this->Across(this->Vertex(ends.Start)) - this->Line.At;
-    const double end = this->Across(this->Vertex(ends.End)) - this->Line.At;
-    if (std::min(start, end) <= margin && std::max(start, end) >= -margin)
+    const Point2& a = this->Vertex(ends.Start);
+    const Point2& b = this->Vertex(ends.End);
+    const double low = std::min(this->Across(a), this->Across(b));
+    const double high = std::max(this->Across(a), this->Across(b));
+    if (low - this->Line.At <= this->Margin && high - this->Line.At >= -this->Margin)
     {
-      this->NearPieces.push_back(piece);
+      this->NearPieces.Add(
+        piece, std::min(this->Along(a), this->Along(b)), std::max(this->Along(a), this->Along(b)));
     }
   }
   for (const Id vertex : this->Scene.Vertices)
   {
-    if (std::abs(this->Across(this->Vertex(vertex)) - this->Line.At) <= margin)
+    const Point2& place = this->Vertex(vertex);
+    if (std::abs(this->Across(place) - this->Line.At) <= this->Margin)
     {
-      this->NearVertices.push_back(vertex);
+      this->NearVertices.Add(vertex, this->Along(place), this->Along(place));
     }
   }
+  this->NearPieces.Sort();
+  this->NearVertices.Sort();
 }
 
 bool LineMaker::IsGood(const CutStretch& stretch) const
@@ -187,21 +238,14 @@ bool LineMaker::IsGood(const CutStretch& stretch) const
   {
     return false;
   }
-  for (const Id piece : this->NearPieces)
-  {
-    if (!this->IsClearOf(piece, stretch))
-    {
-      return false;
-    }
-  }
-  for (const Id vertex : this->NearVertices)
-  {
-    if (!this->IsClearOfVertex(vertex, stretch))
-    {
-      return false;
-    }
-  }
-  return true;
+  const double from = this->Along(stretch.From.Place);
+  const double to = this->Along(stretch.To.Place);
+  const double low = std::min(from, to) - this->Margin;
+  const double high = std::max(from, to) + this->Margin;
+  return this->NearPieces.AllOf(
+           low, high, [this, &stretch](Id piece) { return this->IsClearOf(piece, stretch); }) &&
+    this->NearVertices.AllOf(
+      low, high, [this, &stretch](Id vertex) { return this->IsClearOfVertex(vertex, stretch); });
 }
 
 bool LineMaker::HasRoom(const CutStretch& stretch) const

@@ -6,7 +6,7 @@
 #include "CutLine.h"
 #include "DensitySamples.h"
 
-#include <algorithm> // for sort, unique, max
+#include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
 #include <optional>  // for the first cut
@@ -114,6 +114,8 @@ struct Part
   Id Node;
   Box2 Box;
   Samples Inside;
+  std::vector<Id> Pieces; ///< of the graph, that meet the box, or nearly, of the first `Seen`
+  Id Seen = 0;
 };
 
 // A good line with what it cuts; the cost is infinite where there is none.
@@ -134,6 +136,13 @@ public:
     , Beats(pulse)
   {
     this->Plan.Graph = CutGraph(domain);
+    for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+    {
+      if (domain.IsEmbedded[vertex] != 0)
+      {
+        this->Embedded.push_back(vertex);
+      }
+    }
   }
 
   CutPlan Run(double vertices, double verticesPerBlock);
@@ -144,7 +153,8 @@ private:
   Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
-  CutScene SceneOf(const Part& part) const;
+  CutScene SceneOf(Part& part) const;
+  void UpdatePieces(Part& part) const;
   bool IsInScene(const CutGraph::Piece& piece, const Box2& box) const;
   void Apply(const CutLine& line);
   Id VertexFor(const CutEnd& end);
@@ -157,6 +167,7 @@ private:
   Pulse& Beats;
   CutPlan Plan;
   std::vector<Part> Pending;
+  std::vector<Id> Embedded; ///< vertices of the domain
   double VerticesPerDensity = 0.0;
   std::optional<bool> IsFirstVertical; ///< the first cut; none: there is none
 };
@@ -178,7 +189,7 @@ CutPlan Planner::Run(double vertices, double verticesPerBlock)
       return std::move(this->Plan);
     }
     this->VerticesPerDensity = vertices / total;
-    this->Pending.push_back({ 0, { { -Far, -Far }, { Far, Far } }, std::move(samples) });
+    this->Pending.push_back({ 0, { { -Far, -Far }, { Far, Far } }, std::move(samples), {}, 0 });
   }
   while (!this->Pending.empty() && this->Beats.Ask())
   {
@@ -275,30 +286,34 @@ double Planner::CostOf(const Point2& place, const Point2& step) const
   return length / f * (1.0 + CostOfChange * change);
 }
 
-CutScene Planner::SceneOf(const Part& part) const
+CutScene Planner::SceneOf(Part& part) const
 {
+  this->UpdatePieces(part);
   const CutGraph& graph = this->Plan.Graph;
-  CutScene scene{ graph, this->Locator, this->F, part.Box, {}, {} };
-  for (Id piece = 0; piece < graph.NumberOfPieces(); ++piece)
+  CutScene scene{ graph, this->Locator, this->F, part.Box, part.Pieces, this->Embedded };
+  for (const Id piece : scene.Pieces)
   {
-    if (this->IsInScene(graph.Pieces[piece], part.Box))
-    {
-      scene.Pieces.push_back(piece);
-      scene.Vertices.push_back(graph.Pieces[piece].Start);
-      scene.Vertices.push_back(graph.Pieces[piece].End);
-    }
-  }
-  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices(); ++vertex)
-  {
-    if (this->Geometry.IsEmbedded[vertex] != 0)
-    {
-      scene.Vertices.push_back(vertex);
-    }
+    scene.Vertices.push_back(graph.Pieces[piece].Start);
+    scene.Vertices.push_back(graph.Pieces[piece].End);
   }
   std::sort(scene.Vertices.begin(), scene.Vertices.end());
   scene.Vertices.erase(
     std::unique(scene.Vertices.begin(), scene.Vertices.end()), scene.Vertices.end());
   return scene;
+}
+
+// Those of the part that this one is of, and what was added since then.
+void Planner::UpdatePieces(Part& part) const
+{
+  const CutGraph& graph = this->Plan.Graph;
+  for (; part.Seen < graph.NumberOfPieces(); ++part.Seen)
+  {
+    part.Pieces.push_back(part.Seen);
+  }
+  part.Pieces.erase(
+    std::remove_if(part.Pieces.begin(), part.Pieces.end(),
+      [this, &graph, &part](Id piece) { return !this->IsInScene(graph.Pieces[piece], part.Box); }),
+    part.Pieces.end());
 }
 
 // A cut is off its line by as much as its ends are, so that pieces beside the box count too.
@@ -340,8 +355,8 @@ Id Planner::VertexFor(const CutEnd& end)
 
 void Planner::DivideNode(Part& part, const AxisLine& line)
 {
-  Part low{ NoId, part.Box, {} };
-  Part high{ NoId, part.Box, {} };
+  Part low{ NoId, part.Box, {}, part.Pieces, part.Seen };
+  Part high{ NoId, part.Box, {}, std::move(part.Pieces), part.Seen };
   (line.IsVertical ? low.Box.High.X : low.Box.High.Y) = line.At;
   (line.IsVertical ? high.Box.Low.X : high.Box.Low.Y) = line.At;
   for (const DensitySample& sample : part.Inside)

@@ -6,10 +6,11 @@
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
 
-#include <algorithm> // for max, max_element, stable_sort
-#include <numeric>   // for iota
-#include <tuple>     // for comparing
-#include <utility>   // for move
+#include <algorithm>  // for max, max_element, stable_sort
+#include <functional> // for tasks
+#include <numeric>    // for iota
+#include <tuple>      // for comparing
+#include <utility>    // for move
 
 namespace biting
 {
@@ -238,6 +239,7 @@ void Joiner::ListEdges(std::size_t block)
   }
 }
 
+// As tasks: most of the time goes into touching memory first.
 void Joiner::MakeRoomForAll()
 {
   const PulsePart part(this->Beats, 0.0, CopyingBegin);
@@ -245,16 +247,24 @@ void Joiner::MakeRoomForAll()
   const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
   BitingResult& bites = this->Result.Bites;
   Triangulation& mesh = this->Result.Triangles;
-  MakeRoom(bites.Points, vertices, this->Beats);
-  MakeRoom(bites.Spacings, vertices, this->Beats);
-  MakeRoom(bites.BiteOrders, vertices, this->Beats);
-  MakeRoom(bites.Segments, vertices, this->Beats);
-  MakeRoom(this->Result.IsOnCut, vertices, this->Beats);
-  MakeRoom(mesh.Corners, 3 * triangles, this->Beats);
-  MakeRoom(mesh.Neighbors, 3 * triangles, this->Beats);
-  MakeRoom(mesh.Constraints, 3 * triangles, this->Beats);
-  MakeRoom(mesh.Regions, triangles, this->Beats);
-  MakeRoom(this->Faces, triangles, this->Beats);
+  const std::vector<std::function<void(Pulse&)>> rooms{ //
+    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Corners, 3 * triangles, pulse); },
+    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Neighbors, 3 * triangles, pulse); },
+    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Constraints, 3 * triangles, pulse); },
+    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Points, vertices, pulse); },
+    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Regions, triangles, pulse); },
+    [this, triangles](Pulse& pulse) { MakeRoom(this->Faces, triangles, pulse); },
+    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Spacings, vertices, pulse); },
+    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.BiteOrders, vertices, pulse); },
+    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Segments, vertices, pulse); },
+    [this, vertices](Pulse& pulse) { MakeRoom(this->Result.IsOnCut, vertices, pulse); }
+  };
+  DoTasks(this->Beats, rooms.size(),
+    [&rooms](std::size_t k, Monitor& own)
+    {
+      Pulse pulse(own);
+      rooms[k](pulse);
+    });
 }
 
 void Joiner::CopyBlock(std::size_t block)

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>   // for CPU time
 #include <numeric> // for accumulate
 
 namespace biting
@@ -121,6 +122,30 @@ TEST(CutPlan, BelowTwoBlocksNothingIsCut)
   const CutPlan plan = scene.PlanOf(46000.0, 23001.0);
   EXPECT_EQ(plan.Tree.NumberOfLeaves, 1);
   EXPECT_EQ(plan.Graph.NumberOfPieces(), 4);
+}
+
+/// Of CPU. Ten times as many segments, in ten times as many blocks.
+TEST(CutPlan, TakesTimeNearlyLinearInTheSegments)
+{
+  const auto secondsOf = [](int holes)
+  {
+    PolylineBuilder builder;
+    builder.Box(0.0, 0.0, holes + 0.6, holes + 0.6);
+    for (int k = 0; k < holes * holes; ++k)
+    {
+      const double x = 0.6 + k % holes;
+      const double y = 0.6 + k / holes;
+      builder.Box(x, y, x + 0.4, y + 0.4);
+    }
+    Scene scene(builder.Lines(), 0.06);
+    const std::clock_t begin = std::clock();
+    const CutPlan plan = scene.PlanOf(268.0 * holes * holes, 128000.0);
+    EXPECT_GE(plan.Tree.NumberOfLeaves, holes * holes / 1000);
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  const double few = secondsOf(50);
+  const double many = secondsOf(158);
+  EXPECT_LT(many, 30.0 * few) << "seconds: " << many;
 }
 
 TEST(CutPlan, NothingIsCutWhereEveryLineMeetsSomethingNarrow)
