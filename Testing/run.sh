@@ -17,6 +17,8 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/Testing/setup.sh"
 log_folder="$build_root/log"
 format_version=14
+tests_with_threads='Kernel\.(Tasks|Threads)\.|Kernel\.BlockMesher\..*(Threads|Refuses)'
+only=
 passed=0
 failed=0
 failures=
@@ -29,9 +31,13 @@ main()
   stage build-paraview build_paraview
   stage build-vtk build_vtk
   stage build-sanitizer build_sanitizer
+  stage build-thread build_thread
   suite paraview "$paraview_build"
   suite vtk "$vtk_build" LD_LIBRARY_PATH="${vtk_library_path:-}" PYTHONPATH="${vtk_python_path:-}"
   suite sanitizer "$sanitizer_build"
+  only="$tests_with_threads"
+  suite thread "$thread_build"
+  only=
   if clang-format --version | grep -q "version $format_version\."; then
     stage format check_format
   else
@@ -63,7 +69,8 @@ report()
   printf '%-24s %-10s %5d sec\n' "Stage $1" "$2" $(($(date +%s) - stage_begin))
 }
 
-# All tests of one build, counted one by one: name, folder, then variables for the environment.
+# All tests of one build, or those that match `only`, counted one by one: name, folder, then
+# variables for the environment.
 suite()
 {
   name="$1"
@@ -71,6 +78,7 @@ suite()
   shift 2
   stage_begin=$(date +%s)
   env "$@" ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(nproc)" \
+    ${only:+-R "$only"} \
     > "$log_folder/test-$name.log" 2>&1
   status=$?
   count "$log_folder/test-$name.log"

@@ -18,6 +18,7 @@ paraview_build="$build_root/paraview"
 vtk_build="$build_root/vtk"
 vtk_prefix="$build_root/vtk-prefix"
 sanitizer_build="$build_root/sanitizer"
+thread_build="$build_root/thread"
 plugin="$paraview_build/lib/BitingMesh/BitingMesh.so"
 warnings_as_errors="${BITING_WARNINGS_AS_ERRORS:-OFF}"
 
@@ -101,7 +102,7 @@ fetch_packages()
   apt-get update -q && apt-get -q -o APT::Sandbox::User=root download "$@"
 }
 
-# Configures and builds: folder, then arguments for CMake.
+# Configures and builds: folder, then arguments for CMake. Only `build_targets`, where they are set.
 build()
 {
   folder="$1"
@@ -109,7 +110,7 @@ build()
   cmake -G Ninja -S "$root" -B "$folder" \
     -DBITING_BUILD_TESTING=ON -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
-  cmake --build "$folder" --parallel "$(nproc)"
+  cmake --build "$folder" --parallel "$(nproc)" ${build_targets:+--target $build_targets}
 }
 
 # Arguments go to CMake, as in build_paraview -DBITING_BUILD_TESTING=OFF.
@@ -130,6 +131,17 @@ build_sanitizer()
 {
   build "$sanitizer_build" -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DBITING_SANITIZE=address,undefined "$@"
+}
+
+# The programs whose tests use several threads.
+build_thread()
+{
+  build_targets='BitingKernelBaseTest BitingKernelFacadeTest BitingKernelBlocksTest'
+  build "$thread_build" -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Release \
+    -DBITING_SANITIZE=thread "$@"
+  status=$?
+  build_targets=
+  return $status
 }
 
 paraview_python()
