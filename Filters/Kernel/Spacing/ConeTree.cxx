@@ -107,8 +107,7 @@ std::vector<SegmentCone> InOrder(std::vector<SegmentCone> cones, const Box2& box
 class ConeTree::Builder
 {
 public:
-  Builder(
-    ConeTree& whole, const std::vector<SegmentCone>& cones, const Relief& relief, Monitor& monitor)
+  Builder(ConeTree& whole, std::vector<SegmentCone> cones, const Relief& relief, Monitor& monitor)
     : Whole(whole)
     , Cones(InOrder(std::move(cones), whole.Bounds))
     , Less(relief)
