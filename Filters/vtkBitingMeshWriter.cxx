@@ -20,7 +20,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, binary_search, equal, max, min, replace, sort
+#include <algorithm> // for all_of, any_of, equal, max, replace
 #include <array>     // for places
 #include <cmath>     // for abs, floor
 #include <fstream>   // for files
@@ -215,32 +215,6 @@ bool Fit(vtkPolyData* edges, vtkDataArray* ids, vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
-using Edge = std::array<biting::MeshFile::Vertex, 2>;
-
-Edge Undirected(biting::MeshFile::Vertex a, biting::MeshFile::Vertex b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
-// Whether each tagged edge is one of the triangles, and not of a mesh that was before this one.
-bool AreOfTriangles(const biting::MeshFile& file)
-{
-  std::vector<Edge> sides;
-  sides.reserve(3 * file.Triangles.size());
-  for (const auto& triangle : file.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sides.push_back(Undirected(triangle[k], triangle[(k + 1) % 3]));
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  return std::all_of(file.Edges.begin(), file.Edges.end(),
-    [&sides](const Edge& edge)
-    { return std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); });
-}
-
-//------------------------------------------------------------------------------
 // The algorithms of ours that have boundary edges beside their mesh.
 bool HasEdges(vtkAlgorithm* producer)
 {
@@ -369,7 +343,7 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
     return false;
   }
   ReadEdges(edges, ids, tags, file);
-  if (!AreOfTriangles(file))
+  if (!biting::AreEdgesOfTriangles(file))
   {
     this->WarnOfEdges(edges);
     file.Edges.clear();

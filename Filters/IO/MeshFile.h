@@ -6,6 +6,7 @@
 
 #include <array>   // for places and ids
 #include <cstdint> // for ids
+#include <limits>  // for digits of numbers
 #include <ostream> // for files
 #include <string>  // for names
 #include <vector>  // for lists
@@ -17,6 +18,9 @@
  */
 namespace biting
 {
+
+/// As many digits as give a number back when it is read.
+constexpr int DigitsOfDouble = std::numeric_limits<double>::max_digits10;
 
 /// What a set of edges or triangles is called in a file.
 struct MeshGroup
@@ -38,6 +42,9 @@ struct MeshFile
   std::vector<std::size_t> TagOfEdge;       // index into Tags
   std::vector<MeshGroup> Tags;
 };
+
+/// Whether each edge is one of the triangles, and not of another mesh with the same vertices.
+bool AreEdgesOfTriangles(const MeshFile& mesh);
 
 /// A path along the boundary with one label, the domain on its left; closed where its ends agree.
 struct BoundaryPath

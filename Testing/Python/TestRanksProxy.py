@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SECONDS = 120  # each takes a few
+SECONDS = 300  # for all scenarios on a number of ranks, which take a minute
 
 # The time goes into starting ranks, and into what they wait for each other: fewer for many ranks.
 PIECES = ['drawings', 'redistributed', 'sources']
