@@ -15,18 +15,14 @@
 // GuidedFuzz.cxx is the same under the guidance of a fuzzer that watches the branches taken.
 
 #include "Oracle.h"
+#include "SlowCase.h"
 
 #include <array>    // for the counts
 #include <chrono>   // for rates
-#include <csignal>  // for the alarm
-#include <cstdio>   // for messages
 #include <cstdlib>  // for numbers
 #include <fstream>  // for the file
 #include <iostream> // for the report
 #include <string>   // for arguments
-
-#include <sys/time.h> // for the alarm
-#include <unistd.h>   // for write
 
 #if defined(__SANITIZE_ADDRESS__)
 /// Blocks are freed by the thousand in each case: without the stacks of their allocation, and with
@@ -76,31 +72,6 @@ Arguments ReadArguments(int count, char** texts)
   return arguments;
 }
 
-/// What the alarm tells: a signal handler may neither format nor allocate.
-char SlowCase[64];
-
-extern "C" void TellSlowCase(int)
-{
-  const std::size_t length = std::char_traits<char>::length(SlowCase);
-  const bool isWritten = write(STDERR_FILENO, SlowCase, length) > 0;
-  _exit(isWritten ? 1 : 2);
-}
-
-/// In seconds of computing, so that it does not matter how busy the machine is; 0: no alarm.
-void SetAlarm(int seconds)
-{
-  itimerval timer{};
-  timer.it_value.tv_sec = seconds;
-  setitimer(ITIMER_PROF, &timer, nullptr);
-}
-
-void BeginCase(std::uint64_t seed)
-{
-  std::snprintf(SlowCase, sizeof(SlowCase), "seed %llu takes too long\n",
-    static_cast<unsigned long long>(seed));
-  SetAlarm(SecondsPerCase);
-}
-
 class Counts
 {
 public:
@@ -144,9 +115,9 @@ bool RunCase(std::uint64_t seed, const std::string& file, Counts& counts)
     WriteLegacyVtk(stream, fuzzCase.Input, "seed " + std::to_string(seed));
     std::cout << Describe(fuzzCase) << std::endl;
   }
-  BeginCase(seed);
+  BeginCase(seed, SecondsPerCase);
   const FuzzOutcome outcome = RunFuzzCase(fuzzCase);
-  SetAlarm(0);
+  EndCase();
   counts.Add(outcome);
   if (outcome.Kind == Verdict::Violation)
   {
@@ -188,7 +159,6 @@ int RunFuzz(int count, char** texts)
     std::cerr << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]\n";
     return 2;
   }
-  std::signal(SIGPROF, TellSlowCase);
   return RunAll(arguments);
 }
 

@@ -7,16 +7,12 @@
 
 #include "../Kernel/Support/RemeshLaws.h"
 #include "RandomInput.h"
+#include "SlowCase.h"
 
 #include <chrono>   // for rates
-#include <csignal>  // for the alarm
-#include <cstdio>   // for messages
 #include <cstdlib>  // for numbers
 #include <iostream> // for the report
 #include <string>   // for arguments
-
-#include <sys/time.h> // for the alarm
-#include <unistd.h>   // for write
 
 namespace biting
 {
@@ -87,31 +83,6 @@ void FreezeSome(FuzzNumbers& numbers, RemeshInput& input)
   }
 }
 
-/// What the alarm tells: a signal handler may neither format nor allocate.
-char SlowCase[64];
-
-extern "C" void TellSlowCase(int)
-{
-  const std::size_t length = std::char_traits<char>::length(SlowCase);
-  const bool isWritten = write(STDERR_FILENO, SlowCase, length) > 0;
-  _exit(isWritten ? 1 : 2);
-}
-
-/// In seconds of computing, so that it does not matter how busy the machine is; 0: no alarm.
-void SetAlarm(int seconds)
-{
-  itimerval timer{};
-  timer.it_value.tv_sec = seconds;
-  setitimer(ITIMER_PROF, &timer, nullptr);
-}
-
-void BeginCase(std::uint64_t seed)
-{
-  std::snprintf(SlowCase, sizeof(SlowCase), "seed %llu takes too long\n",
-    static_cast<unsigned long long>(seed));
-  SetAlarm(SecondsPerCase);
-}
-
 /// Which law is broken, empty where none.
 std::string RunCase(std::uint64_t seed, Counts& counts)
 {
@@ -167,12 +138,11 @@ int RunRemeshFuzz(int count, char** texts)
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   Counts counts;
   int broken = 0;
-  std::signal(SIGPROF, TellSlowCase);
   for (std::uint64_t k = 0; k < cases && elapsed() < seconds; ++k)
   {
-    BeginCase(seed + k);
+    BeginCase(seed + k, SecondsPerCase);
     const std::string violation = RunCase(seed + k, counts);
-    SetAlarm(0);
+    EndCase();
     if (!violation.empty())
     {
       ++broken;

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SlowCase.h"
+
+#include <csignal> // for the alarm
+#include <cstdio>  // for the line
+#include <string>  // for its length
+
+#include <sys/time.h> // for the alarm
+#include <unistd.h>   // for write
+
+namespace biting
+{
+
+namespace
+{
+
+/// What the alarm tells: a signal handler may neither format nor allocate.
+char SlowCase[64];
+
+extern "C" void TellSlowCase(int)
+{
+  const std::size_t length = std::char_traits<char>::length(SlowCase);
+  const bool isWritten = write(STDERR_FILENO, SlowCase, length) > 0;
+  _exit(isWritten ? 1 : 2);
+}
+
+/// 0: no alarm.
+void SetAlarm(int seconds)
+{
+  itimerval timer{};
+  timer.it_value.tv_sec = seconds;
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+} // namespace
+
+void BeginCase(std::uint64_t seed, int seconds)
+{
+  std::snprintf(SlowCase, sizeof(SlowCase), "seed %llu takes too long\n",
+    static_cast<unsigned long long>(seed));
+  std::signal(SIGPROF, TellSlowCase);
+  SetAlarm(seconds);
+}
+
+void EndCase()
+{
+  SetAlarm(0);
+}
+
+} // namespace biting
