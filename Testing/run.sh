@@ -28,6 +28,8 @@ main()
   mkdir -p "$log_folder"
   begin=$(date +%s)
   stage packages install_packages $paraview_packages $vtk_packages $test_packages
+  install_packages gmsh > "$log_folder/gmsh.log" 2>&1 ||
+    echo "Gmsh cannot be installed here: what asks it is skipped."
   stage build-paraview build_paraview
   stage build-vtk build_vtk
   stage build-sanitizer build_sanitizer
