@@ -489,6 +489,13 @@ TEST(FuzzRegression, DegenerateCellsAndLinesAreKeptAsFarAsTheyAreSure)
   }
 }
 
+/// A strip no thicker than some fifty units of rounding: a vertex slid past its neighbour, and
+/// rounding hid that the triangles beside it had turned over.
+TEST(FuzzRegression, VerticesSlideBetweenTheirNeighboursAlsoWhereTheDomainIsAsThinAsRounding)
+{
+  ExpectKept(CaseOfSeed(181065968u), "181065968");
+}
+
 /// Boundary values without a gradation that differ at points which are nearly one, along bundles of
 /// segments: more than ten seconds each.
 TEST(FuzzRegression, BoundaryValuesThatJumpWithoutGradationArePreparedSoon)

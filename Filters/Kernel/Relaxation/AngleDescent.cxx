@@ -273,7 +273,7 @@ bool AngleDescent::Move(Id vertex, double good)
   objective.FitSlope();
   const Place best = Descend(this->Mesh, vertex, star, objective);
   const Point2 place = this->Mesh.PlaceFor(vertex, star.Center + best.Shift);
-  if (!(best.Value < objective.Here()) || !IsValidAt(this->Mesh, star, place))
+  if (!(best.Value < objective.Here()) || !IsValidAt(this->Mesh, vertex, star, place))
   {
     return false;
   }

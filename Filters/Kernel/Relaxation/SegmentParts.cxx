@@ -115,9 +115,7 @@ double ShareOfSlide(const MutableMesh& mesh, Id vertex, const Star& star, const 
   double share = 1.0;
   for (int k = 0; k <= star.NumberOfTriangles; ++k)
   {
-    const Id spoke = k == star.NumberOfTriangles ? MutableMesh::Next(star.Edges[k - 1])
-                                                 : MutableMesh::Previous(star.Edges[k]);
-    if (mesh.Marks[spoke] != NoId)
+    if (mesh.Marks[star.SpokeEdge(k)] != NoId)
     {
       const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
       share = std::min(share, ShareOfStep(step, star.Spokes[k], mean));

@@ -139,7 +139,7 @@ bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCo
   {
     const Point2 place = mesh.PlaceFor(vertex, star.Center + step);
     const double worst = star.Worst(place - star.Center);
-    if (worst <= allowed && (worst < CertainCotangent || IsValidAt(mesh, star, place)))
+    if (worst <= allowed && (worst < CertainCotangent || IsValidAt(mesh, vertex, star, place)))
     {
       MoveWithSpacing(mesh, vertex, star, place);
       return true;

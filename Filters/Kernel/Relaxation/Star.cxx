@@ -16,6 +16,22 @@ namespace
 constexpr double SlimmestFit = 1e-3;     // of a square matrix that is not near a singular one
 constexpr double GreatestEstimate = 2.0; // ratio of the spacings from which one more is estimated
 
+// A vertex that slides stays between its neighbours on the segment, also where rounding hides that
+// the triangles beside it have turned over: where these are as thin as rounding.
+bool StaysBetween(const MutableMesh& mesh, const Star& star, const Point2& place)
+{
+  const Point2 step = place - star.Center;
+  for (int k = 0; k <= star.NumberOfTriangles; ++k)
+  {
+    const Point2& spoke = star.Spokes[k];
+    if (mesh.Marks[star.SpokeEdge(k)] != NoId && !(Dot(spoke - step, spoke) > 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around)
@@ -64,8 +80,12 @@ void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point
   }
 }
 
-bool IsValidAt(const MutableMesh& mesh, const Star& star, const Point2& place)
+bool IsValidAt(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& place)
 {
+  if (mesh.Freedoms[vertex] == Freedom::Sliding && !StaysBetween(mesh, star, place))
+  {
+    return false;
+  }
   for (int k = 0; k < star.NumberOfTriangles; ++k)
   {
     if (Orient2D(place, mesh.Points[star.Vertices[k]], mesh.Points[star.Vertices[k + 1]]) <= 0)

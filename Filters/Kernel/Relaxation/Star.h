@@ -62,6 +62,13 @@ struct Star
   /// Reads the star of the vertex; false where it is too large.
   bool Read(const MutableMesh& mesh, Id vertex);
 
+  /// The half-edge of a triangle along spoke k.
+  Id SpokeEdge(int k) const
+  {
+    return k == this->NumberOfTriangles ? MutableMesh::Next(this->Edges[k - 1])
+                                        : MutableMesh::Previous(this->Edges[k]);
+  }
+
   /// The largest of its triangles, with the center moved by `shift`.
   double Worst(const Point2& shift) const
   {
@@ -118,8 +125,9 @@ Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around);
 /// where these differ by more than a factor of two it is asked for.
 void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point2& place);
 
-/// Whether the vertex may lie at `place` (exact, and rounded as it will be).
-bool IsValidAt(const MutableMesh& mesh, const Star& star, const Point2& place);
+/// Whether the vertex may lie at `place` (exact, and rounded as it will be), which on a segment is
+/// between its neighbours there.
+bool IsValidAt(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& place);
 
 } // namespace biting
 
