@@ -36,12 +36,6 @@ using biting::MeshGroup;
 using biting::ReadingResult;
 
 //------------------------------------------------------------------------------
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-//------------------------------------------------------------------------------
 ReadingResult ReadFile(const std::string& name, MeshFile& file)
 {
   std::ifstream stream(name);
@@ -49,15 +43,15 @@ ReadingResult ReadFile(const std::string& name, MeshFile& file)
   {
     return { "The file could not be opened.", 0 };
   }
-  if (EndsWith(name, ".msh"))
+  if (biting::EndsWith(name, ".msh"))
   {
     return biting::ReadGmsh(stream, file);
   }
-  if (EndsWith(name, ".su2"))
+  if (biting::EndsWith(name, ".su2"))
   {
     return biting::ReadSU2(stream, file);
   }
-  if (EndsWith(name, ".14"))
+  if (biting::EndsWith(name, ".14"))
   {
     return biting::ReadADCIRC(stream, file);
   }

@@ -44,12 +44,6 @@ std::string Text(const char* text)
 }
 
 //------------------------------------------------------------------------------
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-//------------------------------------------------------------------------------
 // Groups the values of an array, in their order: numbers by size, strings by alphabet. An empty
 // string is no group.
 class Groups
@@ -367,9 +361,9 @@ void vtkBitingMeshWriter::WriteData()
 {
   vtkDataSet* mesh = vtkDataSet::SafeDownCast(this->GetInput());
   const std::string name = Text(this->FileName);
-  const bool isGmsh = EndsWith(name, ".msh");
+  const bool isGmsh = biting::EndsWith(name, ".msh");
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (!isGmsh && !EndsWith(name, ".su2") && !EndsWith(name, ".14"))
+  if (!isGmsh && !biting::EndsWith(name, ".su2") && !biting::EndsWith(name, ".14"))
   {
     this->Refuse("The name of the file must end with .msh, .su2 or .14: " + name);
     return;
@@ -394,11 +388,11 @@ void vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
 {
   const std::string name = Text(this->FileName);
   std::ofstream stream(name);
-  if (EndsWith(name, ".msh"))
+  if (biting::EndsWith(name, ".msh"))
   {
     biting::WriteGmsh(file, stream);
   }
-  else if (EndsWith(name, ".su2"))
+  else if (biting::EndsWith(name, ".su2"))
   {
     biting::WriteSU2(file, stream);
   }

@@ -212,6 +212,11 @@ void WriteLand(const std::vector<BoundaryPath>& paths, std::ostream& file)
 
 } // namespace
 
+bool EndsWith(const std::string& name, const std::string& end)
+{
+  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
 bool AreEdgesOfTriangles(const MeshFile& mesh)
 {
   std::vector<Edge> sides;
