@@ -7,6 +7,7 @@
 
 #include <algorithm> // for max
 #include <cmath>     // for sqrt
+#include <limits>    // of counts
 
 namespace biting
 {
@@ -114,19 +115,18 @@ void BiteGrid::FileInCell(Id cell, const Place& place, Id bite, const LocalBox& 
     return;
   }
   this->Append(cell, place, bite);
-  const double reach = 0.5 * (extent.HighX - extent.LowX);
+  Cell& leaf = this->Cells[cell];
   const Id crowd = this->NearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf;
-  if (this->Cells[cell].Count <= crowd)
-  {
-    return;
-  }
-  if (place.Size > LeastLeaf * reach)
+  const bool isSmaller = place.Size > LeastLeaf * 0.5 * (extent.HighX - extent.LowX);
+  std::uint16_t& count = isSmaller ? leaf.NumberOfSmaller : leaf.NumberOfLarger;
+  count += count < std::numeric_limits<std::uint16_t>::max() ? 1 : 0;
+  if (leaf.NumberOfSmaller > std::max(crowd, Id{ leaf.NumberOfLarger }))
   {
     this->Divide(cell, place);
   }
-  else
+  else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > crowd)
   {
-    this->KeepDeepest(this->Cells[cell], place, bite);
+    this->KeepDeepest(leaf, place, bite);
   }
 }
 
@@ -162,7 +162,6 @@ void BiteGrid::FileInChildren(Id cell, const Place& place, Id bite, const LocalB
 void BiteGrid::Append(Id cell, const Place& place, Id bite)
 {
   Cell& leaf = this->Cells[cell];
-  ++leaf.Count;
   if (leaf.NewestBlock == NoId || this->Blocks[leaf.NewestBlock].Count == Block::Capacity)
   {
     Block block;

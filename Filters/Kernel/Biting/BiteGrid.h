@@ -10,7 +10,8 @@
 #include "../Base/Pulse.h"
 #include "Bites.h"
 
-#include <vector> // for the arrays
+#include <cstdint> // for counts
+#include <vector>  // for the arrays
 
 namespace biting
 {
@@ -20,11 +21,12 @@ namespace biting
 ///
 /// Beside each bite stand its place and reach in units of the leaf, rounded: they tell most of
 /// those that are out of reach without a look at the bites themselves.
-/// A grid of about one cell per few bites; a crowded cell is divided into 4 x 4, again and again,
-/// so leaves follow the spacing wherever it leads. Filing costs O(1) amortised, as does a query:
-/// bites have bounded overlap (paper, lemma 5.2). Those about input vertices and segments that lie
-/// far closer than f have not: cells then grow with the bites, and a bite still stands in a bounded
-/// number of lists.
+/// A grid of about one cell per few bites; a crowded cell is divided into 2 x 2, again and again,
+/// so leaves follow the spacing wherever it leads. Only bites smaller than the cell are a crowd,
+/// and only where they outnumber the larger ones, which then stand in all its children. Filing
+/// costs O(1) amortised, as does a query: bites have bounded overlap (paper, lemma 5.2). Those
+/// about input vertices and segments that lie far closer than f have not: cells then grow with the
+/// bites, and a bite still stands in a bounded number of lists.
 class BiteGrid
 {
 public:
@@ -67,8 +69,9 @@ private:
   {
     Id FirstChild = NoId;
     Id NewestBlock = NoId;
-    Id Count = 0;
     Id Deepest = NoId; ///< in a crowded leaf: the bite that the middle lies deepest in
+    std::uint16_t NumberOfSmaller = 0; ///< bites smaller than the leaf, as far as can be counted
+    std::uint16_t NumberOfLarger = 0;
   };
 
   // A bite as its leaf sees it, in units of the leaf.

@@ -106,10 +106,10 @@ TEST(BiteGrid, FindsEveryBiteThatHoldsAPointWhereCellsWereTooSmall)
   CheckContaining(RandomBites(1500, 0.2, 1.5, { 0.5, 0.5 }, 19), 1500.0, 20);
 }
 
-TEST(BiteGrid, FilesABiteInFewLeavesWhereTheyCrowd)
+/// In how many leaves the bites stand, each counted as often as it is filed.
+std::int64_t CountEntries(const Bites& bites)
 {
-  const Bites bites = RandomBites(20000, 0.2, 1.5, { 0.5, 0.5 }, 21);
-  BiteGrid grid(bites, UnitBox(), 20000.0);
+  BiteGrid grid(bites, UnitBox(), bites.Size());
   for (Id bite = 0; bite < bites.Size(); ++bite)
   {
     grid.File(bite);
@@ -121,7 +121,25 @@ TEST(BiteGrid, FilesABiteInFewLeavesWhereTheyCrowd)
       ++filed;
       return false;
     });
-  EXPECT_LT(filed, 40 * bites.Size());
+  return filed;
+}
+
+TEST(BiteGrid, FilesABiteInFewLeavesWhereTheyCrowd)
+{
+  const Bites bites = RandomBites(20000, 0.2, 1.5, { 0.5, 0.5 }, 21);
+  EXPECT_LT(CountEntries(bites), 40 * bites.Size());
+}
+
+// Remeshing, fuzz seed 8011040: gigabytes.
+TEST(BiteGrid, DoesNotCopyACrowdOfLargeBitesToEachOfTheTinyOnesAmongThem)
+{
+  TestNumbers numbers(22);
+  Bites bites = RandomBites(1000, 0.2, 1.5, { 0.5, 0.5 }, 23);
+  for (int k = 0; k < 1000; ++k)
+  {
+    AddBite({ numbers.Unit(), numbers.Unit() }, { 1.0, 0.0 }, 1e-10, bites);
+  }
+  EXPECT_LT(CountEntries(bites), 40 * bites.Size());
 }
 
 TEST(BiteGrid, KnowsADeepBiteWhereTheyCrowd)
