@@ -117,13 +117,18 @@ check_format()
   sources | xargs clang-format --dry-run -Werror
 }
 
-# Only the sources of the library: they include all of its headers.
+# Only what the library is compiled from, room by room: it includes all of its headers.
 check_with_clang_tidy()
 {
   errors=
   [ "$warnings_as_errors" = OFF ] || errors='-warnings-as-errors=*'
-  sources | grep '/Filters/.*\.cxx$' | grep -v '/Testing/' |
-    xargs -P "$(nproc)" -n 1 clang-tidy --quiet $errors -p "$paraview_build"
+  units_of_library | xargs -P "$(nproc)" -n 1 clang-tidy --quiet $errors -p "$paraview_build"
+}
+
+units_of_library()
+{
+  sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$paraview_build/compile_commands.json" |
+    grep -E "^$root/Filters/.*\.cxx$|^$paraview_build/Filters/.*/Unity/.*\.cxx$" | LC_ALL=C sort -u
 }
 
 summarize()

@@ -109,7 +109,7 @@ build()
   shift
   cmake -G Ninja -S "$root" -B "$folder" \
     -DBITING_BUILD_TESTING=ON -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
-    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
+    -DBITING_UNITY_BUILD=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
   cmake --build "$folder" --parallel "$(nproc)" ${build_targets:+--target $build_targets}
 }
 

@@ -25,7 +25,7 @@ constexpr double DrawingEnd = 0.7; // of the time
 constexpr int CornersOfCircle = 32;
 
 // Collects points, lines and polygons, and what is known of each.
-struct Drawing
+struct Outlines
 {
   std::vector<Point2> Points;
   std::vector<Id> Lines;
@@ -115,7 +115,7 @@ std::vector<Point2> PolygonOfCircle(const Point2& center, double radius)
   return polygon;
 }
 
-void DrawBites(const Bites& bites, Drawing& drawing, Pulse& pulse)
+void DrawBites(const Bites& bites, Outlines& outlines, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, DrawingEnd);
   Id end = 0;
@@ -130,24 +130,24 @@ void DrawBites(const Bites& bites, Drawing& drawing, Pulse& pulse)
       end < bites.Size() && bites.Orders[static_cast<std::size_t>(end)] == bites.Orders[bite]);
     for (const Point2& corner : OutlineOfBite(bites, first, end))
     {
-      drawing.PolygonPoints.push_back(static_cast<Id>(drawing.Points.size()));
-      drawing.Points.push_back(corner);
+      outlines.PolygonPoints.push_back(static_cast<Id>(outlines.Points.size()));
+      outlines.Points.push_back(corner);
     }
-    drawing.PolygonOffsets.push_back(static_cast<Id>(drawing.PolygonPoints.size()));
-    drawing.Orders.push_back(bites.Orders[bite]);
-    drawing.Phases.push_back(bites.Phases[bite]);
+    outlines.PolygonOffsets.push_back(static_cast<Id>(outlines.PolygonPoints.size()));
+    outlines.Orders.push_back(bites.Orders[bite]);
+    outlines.Phases.push_back(bites.Phases[bite]);
   }
 }
 
-void DrawFront(const std::vector<Point2>& front, Drawing& drawing, Pulse& pulse)
+void DrawFront(const std::vector<Point2>& front, Outlines& outlines, Pulse& pulse)
 {
   for (std::size_t k = 0; k < front.size() && pulse.Beat(); ++k)
   {
-    drawing.Lines.push_back(static_cast<Id>(drawing.Points.size()));
-    drawing.Points.push_back(front[k]);
+    outlines.Lines.push_back(static_cast<Id>(outlines.Points.size()));
+    outlines.Points.push_back(front[k]);
   }
-  drawing.Orders.insert(drawing.Orders.end(), front.size() / 2, NoId);
-  drawing.Phases.insert(drawing.Phases.end(), front.size() / 2, BitePhase::Front);
+  outlines.Orders.insert(outlines.Orders.end(), front.size() / 2, NoId);
+  outlines.Phases.insert(outlines.Phases.end(), front.size() / 2, BitePhase::Front);
 }
 
 vtkSmartPointer<vtkPoints> PointsInSpace(
@@ -173,12 +173,12 @@ void CopyIds(const std::vector<Id>& from, vtkIdTypeArray* to, Pulse& pulse)
   pulse.ForEach(from.size(), [&from, ids](std::size_t k) { ids[k] = from[k]; });
 }
 
-vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing, Pulse& pulse)
+vtkSmartPointer<vtkCellArray> PolygonsOf(const Outlines& outlines, Pulse& pulse)
 {
   vtkNew<vtkIdTypeArray> points;
-  CopyIds(drawing.PolygonPoints, points, pulse);
+  CopyIds(outlines.PolygonPoints, points, pulse);
   vtkNew<vtkIdTypeArray> offsets;
-  CopyIds(drawing.PolygonOffsets, offsets, pulse);
+  CopyIds(outlines.PolygonOffsets, offsets, pulse);
   auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->SetData(offsets, points);
   return polygons;
@@ -189,17 +189,17 @@ vtkSmartPointer<vtkCellArray> PolygonsOf(const Drawing& drawing, Pulse& pulse)
 void BitesToPolyData(
   const BitingMesh& mesh, const PlaneFrame& frame, vtkPolyData* output, Pulse& pulse)
 {
-  Drawing drawing;
-  DrawFront(mesh.Front, drawing, pulse);
-  DrawBites(mesh.Bites, drawing, pulse);
+  Outlines outlines;
+  DrawFront(mesh.Front, outlines, pulse);
+  DrawBites(mesh.Bites, outlines, pulse);
   const PulsePart part(pulse, DrawingEnd, 1.0);
   vtkNew<vtkCellArray> lines;
-  SetCells(lines, 2, drawing.Lines, pulse);
-  output->SetPoints(PointsInSpace(drawing.Points, frame, pulse));
+  SetCells(lines, 2, outlines.Lines, pulse);
+  output->SetPoints(PointsInSpace(outlines.Points, frame, pulse));
   output->SetLines(lines);
-  output->SetPolys(PolygonsOf(drawing, pulse));
-  AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", drawing.Orders, pulse);
-  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", drawing.Phases, pulse);
+  output->SetPolys(PolygonsOf(outlines, pulse));
+  AddArray<vtkIntArray>(output->GetCellData(), "BiteOrder", outlines.Orders, pulse);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Phase", outlines.Phases, pulse);
   output->GetCellData()->SetActiveScalars("Phase");
 }
 

@@ -75,7 +75,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* mes
 }
 
 // What an array has where nothing is given: NaN, -1, 0 or an empty text.
-void FillWithNothing(vtkAbstractArray* array)
+void FillWithNaNOrMinusOne(vtkAbstractArray* array)
 {
   if (auto* data = vtkDataArray::SafeDownCast(array))
   {
@@ -133,7 +133,7 @@ void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData
     carried->SetNumberOfTuples(cells->GetNumberOfIds());
     if (hasUnknown)
     {
-      FillWithNothing(carried);
+      FillWithNaNOrMinusOne(carried);
     }
     CopyTuples(given, cells, carried, pulse);
     to->AddArray(carried);

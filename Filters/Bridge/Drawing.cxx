@@ -144,7 +144,7 @@ void ArrayUnion::Run()
   }
 }
 
-void FillWithNothing(vtkAbstractArray* array)
+void FillWithNaNOrZero(vtkAbstractArray* array)
 {
   if (auto* values = vtkDataArray::SafeDownCast(array))
   {
@@ -160,7 +160,7 @@ void ArrayUnion::Add(vtkAbstractArray* model)
   united->SetNumberOfComponents(model->GetNumberOfComponents());
   united->CopyComponentNames(model);
   united->SetNumberOfTuples(this->Size);
-  FillWithNothing(united);
+  FillWithNaNOrZero(united);
   for (const DrawingBlock& block : this->Blocks)
   {
     vtkAbstractArray* array = this->ArraysOf(block)->GetAbstractArray(model->GetName());

@@ -243,7 +243,7 @@ std::string MapToPlane(
     "Project the input onto a plane.");
 }
 
-std::vector<std::size_t> Numbers(std::size_t count)
+std::vector<std::size_t> FromZeroTo(std::size_t count)
 {
   std::vector<std::size_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
@@ -253,7 +253,7 @@ std::vector<std::size_t> Numbers(std::size_t count)
 void OrderVertices(PlanarFaces& faces)
 {
   const PlanarFaces before = faces;
-  std::vector<std::size_t> order = Numbers(before.Points.size());
+  std::vector<std::size_t> order = FromZeroTo(before.Points.size());
   std::stable_sort(order.begin(), order.end(),
     [&before](std::size_t a, std::size_t b) { return before.Points[a] < before.Points[b]; });
   std::vector<Id> numbers(order.size());
@@ -273,7 +273,7 @@ void OrderFaces(PlanarFaces& faces)
 {
   const auto beginOf = [](PlanarFaces& of, std::size_t face)
   { return of.Corners.begin() + of.Offsets[face]; };
-  std::vector<std::size_t> order = Numbers(faces.CellIds.size());
+  std::vector<std::size_t> order = FromZeroTo(faces.CellIds.size());
   for (const std::size_t face : order)
   {
     const auto begin = beginOf(faces, face);

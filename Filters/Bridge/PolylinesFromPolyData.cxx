@@ -24,7 +24,7 @@ namespace
 {
 
 // Where steps end, as shares of the time: of all, and of what follows the cells.
-constexpr double CellsEnd = 0.4;
+constexpr double PolylinesEnd = 0.4;
 constexpr double FrameEnd = 0.5;
 constexpr double MapEnd = 0.7;
 
@@ -33,7 +33,7 @@ std::string ReadCells(
 {
   std::vector<Id> regions;
   const std::string refusal = FindRegionNumbers(drawing, regionArray, regions, pulse);
-  const PulsePart part(pulse, 0.0, CellsEnd);
+  const PulsePart part(pulse, 0.0, PolylinesEnd);
   return refusal.empty() ? ReadChains(drawing, regions, result.Chains, result.IsUsed, pulse)
                          : refusal;
 }
@@ -139,7 +139,7 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
   {
     return refusal;
   }
-  const PulsePart part(pulse, CellsEnd, 1.0);
+  const PulsePart part(pulse, PolylinesEnd, 1.0);
   result.Coordinates = CoordinatesOf(drawing.Points);
   ListUsedPoints(result, pulse);
   RefuseNotFinite(result, problems, pulse);

@@ -19,7 +19,7 @@ namespace
 
 // As GridEnd.
 constexpr double DistancesEnd = 0.2;
-constexpr double CellsEnd = 0.8;
+constexpr double LocatingEnd = 0.8;
 constexpr double PointsEnd = 0.85;
 
 constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
@@ -111,7 +111,7 @@ void SourceCells::MeasureDistances()
 
 void SourceCells::CollectCells()
 {
-  const PulsePart part(this->Beats, DistancesEnd, CellsEnd);
+  const PulsePart part(this->Beats, DistancesEnd, LocatingEnd);
   const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < numberOfCells && this->Beats.Beat(CheapStepsPerCell); ++cell)
   {
@@ -204,7 +204,7 @@ void SourceCells::AddCell(vtkIdType cell, int dimension)
 
 std::vector<vtkIdType> SourceCells::UsedPoints() const
 {
-  const PulsePart part(this->Beats, CellsEnd, PointsEnd);
+  const PulsePart part(this->Beats, LocatingEnd, PointsEnd);
   std::vector<std::uint8_t> isUsed(this->Distances.size(), 0);
   const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
   this->Beats.ForEach(nodes.size(),

@@ -3,6 +3,7 @@
 
 #include "NarrowAngles.h"
 
+#include "Base/Numbers.h"
 #include "Biting/Spokes.h"
 
 #include <cmath>   // for atan2
@@ -14,7 +15,6 @@ namespace biting
 namespace
 {
 
-constexpr double DegreesPerRadian = 57.295779513082320877;
 constexpr double NarrowInDegrees = 0.01;
 
 double AngleInDegrees(const SharpSector& sector)

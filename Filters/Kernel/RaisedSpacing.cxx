@@ -3,8 +3,9 @@
 
 #include "RaisedSpacing.h"
 
+#include "Base/Numbers.h"
+
 #include <algorithm> // for min
-#include <limits>    // for infinity
 #include <memory>    // for sources
 #include <sstream>   // for the detail
 #include <vector>    // for values
@@ -14,8 +15,6 @@ namespace biting
 
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Of the values that are a spacing.
 template <typename Source>

@@ -3,9 +3,10 @@
 
 #include "Bisectors.h"
 
+#include "../Base/Numbers.h"
+
 #include <algorithm> // for min, max
 #include <cmath>     // for abs, sqrt
-#include <limits>    // for infinity
 #include <utility>   // for pair
 
 namespace biting
@@ -15,7 +16,6 @@ namespace
 {
 
 constexpr std::size_t MostNeighbors = 64; // more than there are where f follows the domain
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 double GaugeOf(const Point2& axis, const Point2& offset)
 {

@@ -83,7 +83,7 @@ std::pair<double, double> LeftBehind(const CutOff& arcs, int side)
 }
 
 // Clips [low, high] to where |offset + t slope| < halfWidth.
-void ClipToSlab(double offset, double slope, double halfWidth, double& low, double& high)
+void ClipToOpenSlab(double offset, double slope, double halfWidth, double& low, double& high)
 {
   if (slope == 0.0)
   {
@@ -182,8 +182,8 @@ void BiteOutline::CoverTurned(const Point2& center, const Point2& axis, double h
     const Point2 offset = middle - center;
     double low = -this->HalfWidth;
     double high = this->HalfWidth;
-    ClipToSlab(Dot(offset, axis), Dot(direction, axis), halfWidth, low, high);
-    ClipToSlab(Cross(axis, offset), Cross(axis, direction), halfWidth, low, high);
+    ClipToOpenSlab(Dot(offset, axis), Dot(direction, axis), halfWidth, low, high);
+    ClipToOpenSlab(Cross(axis, offset), Cross(axis, direction), halfWidth, low, high);
     this->Add(side, low, high);
   }
 }
@@ -351,8 +351,8 @@ BiteOutline::Interval BiteOutline::PartWithin(int side, const Interval& gap, con
   const Point2 origin = this->At(side, 0.0) - box.Center();
   const Point2 direction = side % 2 == 0 ? Perpendicular(this->Axis) : this->Axis;
   Interval part{ gap.Low - margin, gap.High + margin };
-  ClipToSlab(origin.X, direction.X, 0.5 * box.Width() + margin, part.Low, part.High);
-  ClipToSlab(origin.Y, direction.Y, 0.5 * box.Height() + margin, part.Low, part.High);
+  ClipToOpenSlab(origin.X, direction.X, 0.5 * box.Width() + margin, part.Low, part.High);
+  ClipToOpenSlab(origin.Y, direction.Y, 0.5 * box.Height() + margin, part.Low, part.High);
   return part;
 }
 

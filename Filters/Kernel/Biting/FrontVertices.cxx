@@ -11,7 +11,7 @@ namespace biting
 namespace
 {
 
-constexpr int LeastCrowd = 64; // more bites than overlap where f follows the domain
+constexpr int MostOverlapping = 64; // more bites than overlap where f follows the domain
 
 } // namespace
 
@@ -61,7 +61,7 @@ bool FrontVertices::IsHidden(Id bite, double reach)
   const auto makesCrowd = [this, bite, &looked](Id other)
   {
     looked += this->Look(bite, other) ? 1 : 0;
-    return looked == LeastCrowd;
+    return looked == MostOverlapping;
   };
   if (this->State.Grid.VisitSquare(center, reach, makesCrowd))
   {

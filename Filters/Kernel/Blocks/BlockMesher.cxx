@@ -32,7 +32,7 @@ constexpr double BlocksEnd = 0.8;
 constexpr double JoiningEnd = 0.85;
 
 // Blocks have more fronts that meet, and by that more chances of a poor triangle than one block.
-constexpr double PoorCotangents = 0.92;
+constexpr double PoorInBlock = 0.92;
 
 } // namespace
 
@@ -169,7 +169,7 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
 {
   std::vector<std::string> violations(this->Meshes.size());
   RelaxationOptions options;
-  options.PoorCotangents = PoorCotangents;
+  options.PoorCotangents = PoorInBlock;
   Pulse pulse(monitor);
   DoTasks(pulse, this->Meshes.size(),
     [this, &violations, &options](std::size_t k, Monitor& own)

@@ -20,7 +20,7 @@ namespace
 {
 
 // Angles below 45 degrees are made better, below 43 also one by one.
-constexpr double PoorCotangents = 0.85;
+constexpr double PoorInStrip = 0.85;
 
 // Where steps end, as shares of the time.
 constexpr double TakingEnd = 0.1;
@@ -255,7 +255,7 @@ void RelaxCuts(const Domain& domain, const Spacing& spacing, JoinedMesh& mesh, M
   }
   PartOfStage relaxing(monitor, TakingEnd, RelaxingEnd);
   const RelaxationResult result =
-    Relax(strip.Border, spacing, { false, true, PoorCotangents }, strip.Mesh, relaxing);
+    Relax(strip.Border, spacing, { false, true, PoorInStrip }, strip.Mesh, relaxing);
   if (!result.WasAborted)
   {
     PartOfStage returning(monitor, RelaxingEnd, 1.0);

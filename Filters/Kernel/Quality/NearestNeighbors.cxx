@@ -15,13 +15,13 @@
 #include "NearestNeighbors.h"
 
 #include "../Base/Box2.h"
+#include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 #include "PointTree.h"
 
 #include <algorithm> // for min, max, fill, find
 #include <cmath>     // for sqrt, abs
 #include <cstdint>   // for flags
-#include <limits>    // for infinity
 #include <utility>   // for move
 
 namespace biting
@@ -30,7 +30,6 @@ namespace biting
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Close = 1e-13; // of the largest coordinate: some hundred ulp
 
 // Where steps end, as shares of the time for a mesh with few suspects; of all points, the tree.

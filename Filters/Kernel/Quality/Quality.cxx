@@ -3,6 +3,7 @@
 
 #include "Quality.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm> // for min, max
 #include <cmath>     // for atan2, abs, sqrt
-#include <limits>    // for infinity
 #include <utility>   // for move
 
 namespace biting
@@ -19,11 +19,8 @@ namespace biting
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
-
 // Where steps end, as shares of the time: of all, and of what follows the neighbors.
-constexpr double NeighborsEnd = 0.4;
+constexpr double NearestEnd = 0.4;
 constexpr double TrianglesEnd = 0.5;
 constexpr double EdgesEnd = 0.8;
 
@@ -280,10 +277,10 @@ struct Steepest
 
 MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor)
 {
-  PartOfStage searching(monitor, 0.0, NeighborsEnd);
+  PartOfStage searching(monitor, 0.0, NearestEnd);
   std::vector<double> distances =
     NearestNeighborDistances(mesh.Points, mesh.Corners, mesh.Neighbors, searching);
-  PartOfStage rest(monitor, NeighborsEnd, 1.0);
+  PartOfStage rest(monitor, NearestEnd, 1.0);
   return searching.HasStopped() ? MeshQuality() : MeasureQuality(mesh, std::move(distances), rest);
 }
 

@@ -14,8 +14,6 @@ namespace biting
 namespace
 {
 
-constexpr float IdealInside = 6.0f;
-constexpr float IdealOnBorder = 3.0f;
 constexpr double IdealAngle = 60.0;
 
 /// The angle between p and q, q being to the left: wrong by less than 0.3 degrees, but the same on

@@ -13,14 +13,6 @@
 namespace biting
 {
 
-namespace
-{
-
-constexpr float IdealInside = 6.0f;
-constexpr float IdealOnBorder = 3.0f;
-
-} // namespace
-
 Id MutableMesh::FirstAround(Id vertex) const
 {
   const Id start = this->VertexEdges[vertex];

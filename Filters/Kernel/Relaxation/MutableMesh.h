@@ -16,6 +16,10 @@
 namespace biting
 {
 
+/// How many triangles meet at a vertex, ideally.
+constexpr float IdealInside = 6.0f;
+constexpr float IdealOnBorder = 3.0f;
+
 /// Where a vertex may go.
 enum class Freedom : std::uint8_t
 {

@@ -3,6 +3,7 @@
 
 #include "TopologyTrials.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/SortInSteps.h"
 #include "SegmentParts.h"
 #include "Smoothing.h"
@@ -17,8 +18,6 @@ namespace biting
 
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 constexpr int JudgedRings = 4;
 // Up to a hundred are usual, an attempt takes about the square of their number. Around fans of long

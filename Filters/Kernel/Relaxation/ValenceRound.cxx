@@ -3,6 +3,7 @@
 
 #include "ValenceRound.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/SortInSteps.h"
 #include "SegmentParts.h"
 #include "Smoothing.h"
@@ -10,7 +11,6 @@
 #include "ValenceChange.h"
 
 #include <algorithm> // for max, clamp
-#include <limits>    // for infinity
 
 namespace biting
 {
@@ -26,7 +26,6 @@ constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean leng
 constexpr double GreatestShift = 0.1;
 constexpr double BoundMargin = 1e-9; // of relative lengths: far above rounding
 constexpr Id SampledEdges = 200000;  // half-edges, for the mean length
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 

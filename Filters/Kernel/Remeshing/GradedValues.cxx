@@ -3,13 +3,13 @@
 
 #include "GradedValues.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/EdgeBound.h"
 
 #include <cmath>      // for isnormal
 #include <cstdint>    // for flags
 #include <functional> // for greater
-#include <limits>     // for infinity
 #include <numeric>    // for partial_sum
 #include <queue>      // for the order of values
 #include <utility>    // for pair
@@ -23,7 +23,6 @@ namespace
 constexpr double SlopeTolerance = 1.02; // that of the law of Spacing
 constexpr double SlightShare = 0.003;   // less than this is not handed on
 constexpr double SteepestBetween = 2.0; // gradations: 1 / cos(60 degrees), and rounding
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class Lowering
 {

@@ -3,6 +3,8 @@
 
 #include "ChainCorners.h"
 
+#include "../Base/Numbers.h"
+
 #include <algorithm> // for max, min, sort
 #include <cmath>     // for acos, round, sqrt
 #include <cstdint>   // for flags
@@ -16,8 +18,6 @@ namespace
 constexpr double RadiusInTolerances = 4.0;
 constexpr double LeastViewInRadii = 0.5;
 constexpr int MostSteps = 256; // along a chain that does not leave a circle
-constexpr double DegreesPerRadian = 57.29577951308232;
-constexpr double AngleStep = 1e-6; // degrees: nearer ones are equal
 
 class CornerFinder
 {

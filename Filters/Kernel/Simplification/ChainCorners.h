@@ -15,6 +15,8 @@
 namespace biting
 {
 
+constexpr double AngleStep = 1e-6; ///< degrees: angles nearer to each other are equal
+
 /// How a corner is seen.
 struct CornerView
 {

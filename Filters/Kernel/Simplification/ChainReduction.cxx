@@ -3,6 +3,7 @@
 
 #include "ChainReduction.h"
 
+#include "../Base/Numbers.h"
 #include "../Predicates/Predicates.h"
 
 #include <algorithm> // for max, min, minmax
@@ -10,15 +11,12 @@
 #include <cmath>     // for sqrt
 #include <cstdint>   // for bits
 #include <cstring>   // for memcpy
-#include <limits>    // for infinity
 
 namespace biting
 {
 
 namespace
 {
-
-constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 // Classes of errors are powers of the fourth root of 2, down to this share of the tolerance. Errors
 // of drawings on a grid are simple fractions of it: the factor keeps them, however rounded, off the
@@ -84,7 +82,7 @@ ChainReduction::ChainReduction(
   , Middle(MeanOf(domain.Vertices))
   , Size(domain.Bounds.Diagonal())
   , IsKept(chains.Vertices.size(), 0)
-  , Errors(chains.Vertices.size(), Infinite)
+  , Errors(chains.Vertices.size(), Infinity)
   , Versions(chains.Vertices.size(), 0)
   , Offsets(chains.Vertices.size(), 0.0f)
   , FirstWaiters(domain.Vertices.size(), NoId)
@@ -168,7 +166,7 @@ double ChainReduction::ErrorOf(Id slot) const
       squaredError, SquaredDistance(this->At(between), start, end) / (tolerance * tolerance));
     if (!(squaredError <= most))
     {
-      return Infinite;
+      return Infinity;
     }
   }
   return std::sqrt(squaredError);

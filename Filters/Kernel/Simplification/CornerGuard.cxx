@@ -3,6 +3,9 @@
 
 #include "CornerGuard.h"
 
+#include "../Base/Numbers.h"
+#include "ChainCorners.h"
+
 #include <algorithm> // for lower_bound, sort
 #include <cmath>     // for atan2
 #include <cstddef>   // for ptrdiff_t
@@ -14,9 +17,6 @@ namespace
 {
 // Degrees: about the smallest angle of meshes without sharp corners.
 constexpr double SharpAngle = 36.0;
-
-constexpr double DegreesPerRadian = 57.29577951308232;
-constexpr double AngleStep = 1e-6; // degrees: nearer ones are equal
 
 // Where more segments than this end, some angles are sharp in any case: 360 / SharpAngle.
 constexpr std::ptrdiff_t MostEnds = 10;

@@ -3,10 +3,10 @@
 
 #include "VertexTree.h"
 
+#include "../Base/Numbers.h"
 #include "../Predicates/Predicates.h"
 
 #include <algorithm> // for nth_element, find
-#include <limits>    // for infinity
 #include <numeric>   // for iota
 
 namespace biting
@@ -33,8 +33,7 @@ bool IsBeside(const std::array<Point2, 3>& corners, const Box2& box)
 
 Box2 Everywhere()
 {
-  constexpr double Infinite = std::numeric_limits<double>::infinity();
-  return { { -Infinite, -Infinite }, { Infinite, Infinite } };
+  return { { -Infinity, -Infinity }, { Infinity, Infinity } };
 }
 
 bool IsStrictlyIn(const Box2& cell, const Box2& box)

@@ -3,17 +3,18 @@
 
 #include "ConeTree.h"
 
+#include "../Base/Numbers.h"
+
 #include <array>   // for lattices
 #include <cmath>   // for ldexp
 #include <cstdint> // for places along a curve
+#include <limits>  // for epsilon
 #include <utility> // for pairs
 
 namespace biting
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A cone is dropped where another one beats it but for this share of its value. Of a chain of
 /// cones, each of which stands for the one before, the ends are rarely much farther apart.
@@ -27,7 +28,7 @@ constexpr Id FewCones = 14;
 constexpr double GrowthOfLeaf = 0.03;
 
 /// A slope above this one counts as this one there, as nobody sees it on a part of f.
-constexpr double LargestSlope = 1.0;
+constexpr double SteepestGrowth = 1.0;
 
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
@@ -164,7 +165,7 @@ private:
   void FinishOrSplit(
     const Quadtree::Square& square, const Box2& box, const Lowest& lowest, std::size_t first)
   {
-    const double growth = std::min(this->Slope, LargestSlope) * square.Size;
+    const double growth = std::min(this->Slope, SteepestGrowth) * square.Size;
     const bool isLast = square.Level == Quadtree::MaximumLevel ||
       this->Whole.Lists.size() + this->Candidates.size() > MostEntries;
     const auto count = static_cast<Id>(this->Candidates.size() - first);

@@ -11,11 +11,6 @@ namespace biting
 namespace
 {
 
-double Blend(double low, double high, double weight)
-{
-  return (1.0 - weight) * low + weight * high;
-}
-
 /// Of the steps outside, one after the other.
 constexpr double StepGrowth = 1.5;
 

@@ -11,6 +11,12 @@
 namespace biting
 {
 
+/// From low, at weight 0, to high, at weight 1.
+inline double Blend(double low, double high, double weight)
+{
+  return (1.0 - weight) * low + weight * high;
+}
+
 /// Finds the cell of a coordinate among ascending nodes: constant cost where the nodes are about
 /// evenly spaced, logarithmic at worst.
 class GridAxis

@@ -26,11 +26,6 @@ constexpr double SlightShare = 0.003;
 /// A grid with fewer cells gets more: within them, too, are places that f grows from.
 constexpr double FewestCells = 4096.0;
 
-double Blend(double low, double high, double weight)
-{
-  return (1.0 - weight) * low + weight * high;
-}
-
 /// Nodes with `parts` for each cell between them.
 std::vector<GridAxis::Place> PartsOf(std::size_t nodes, std::size_t parts)
 {

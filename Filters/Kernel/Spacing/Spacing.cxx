@@ -3,6 +3,7 @@
 
 #include "Spacing.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/PartOfStage.h"
 #include "../Predicates/Predicates.h" // for GreatestCoordinate
 #include "ConeCollector.h"
@@ -19,7 +20,7 @@
 #include "TriangleLimit.h"
 
 #include <algorithm> // for min, max
-#include <limits>    // for infinity
+#include <limits>    // for the least double
 #include <optional>  // for sources that may be missing
 #include <utility>   // for move
 
@@ -32,8 +33,6 @@ constexpr double DefaultShareOfDiagonal = 0.02;
 
 /// Far above what a drawing may be large; fourth powers of it do not overflow.
 constexpr double GreatestSpacing = 1e4 * GreatestCoordinate;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The one value that all have, holes apart; infinite where they differ or there is none.
 double OnlyValue(const std::vector<double>& values)

@@ -16,7 +16,7 @@ namespace
 /// its corners is above the gradation by more than this share of it, or its own gradient adds more
 /// than this share of f. The gradient of one triangle exceeds that of a function with slope g even
 /// where its edges do not.
-constexpr double SteepnessMargin = 0.005;
+constexpr double TriangleMargin = 0.005;
 
 /// Of the triangles around each point, weighted by area.
 std::vector<Point2> AverageGradients(const TriangulatedSource& source, Pulse& pulse)
@@ -42,7 +42,7 @@ std::vector<Point2> AverageGradients(const TriangulatedSource& source, Pulse& pu
 bool IsSteep(const TriangulatedSource& source, std::size_t triangle, double gradation,
   const ValueRange& range, const std::vector<Point2>& gradients)
 {
-  const double most = (1.0 + SteepnessMargin) * gradation;
+  const double most = (1.0 + TriangleMargin) * gradation;
   const double slope = range.Scale * Length(GradientOfTriangle(source, 3 * triangle));
   std::size_t corners[3];
   double values[3];
@@ -69,7 +69,7 @@ bool IsSteep(const TriangulatedSource& source, std::size_t triangle, double grad
     }
     longest = std::max(longest, length);
   }
-  return (slope - gradation) * 0.5 * longest > SteepnessMargin * least;
+  return (slope - gradation) * 0.5 * longest > TriangleMargin * least;
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace
 constexpr double LargestError = 0.006;
 
 /// See GridLimit.cxx.
-constexpr double SlightShare = 0.003;
+constexpr double SlightTriangleShare = 0.003;
 
 /// Of a triangle that has a list, in f.
 constexpr double SmallestRadius = 0.4;
@@ -176,7 +176,7 @@ void TriangleLimit::ForgetSlight(std::size_t at)
 {
   Point& point = this->Points[at];
   const double given = this->Range(this->Source->Values[at]);
-  if (point.Value > (1.0 - SlightShare) * given)
+  if (point.Value > (1.0 - SlightTriangleShare) * given)
   {
     point = { static_cast<float>(given), static_cast<Id>(at) };
   }
@@ -301,7 +301,7 @@ bool TriangleLimit::IsAbove(const Candidate& candidate, const TriangleInside& in
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
     const double least = candidate.first + Dot(gradient, inside.Corners[corner] - inside.Center);
-    isAbove = isAbove && least >= (1.0 - SlightShare) * values[corner];
+    isAbove = isAbove && least >= (1.0 - SlightTriangleShare) * values[corner];
   }
   return isAbove;
 }
