@@ -133,8 +133,10 @@ set(biting_kernel_sources
   Remeshing/WantedSpacing.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
+  Blocks/CutDivision.cxx
   Blocks/CutLine.cxx
   Blocks/CutPlan.cxx
+  Blocks/CutRows.cxx
   Blocks/CutStrip.cxx
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx

@@ -6,6 +6,8 @@
 //                                          whose name has `name` in it
 //   BenchmarkMesh quality                  28 pairs of drawing and spacing, and their means
 //   BenchmarkMesh settings                 the means with the settings that README.md compares
+//   BenchmarkMesh blocks [vertices]        the pairs of at least so many vertices (0) as one block,
+//                                          and as at least eight, where their drawings let them
 //
 // The unit of the ratio is this kernel's own unconstrained Delaunay triangulation of the mesh's
 // vertices, in the same run: what any mesher of these vertices has to pay.
@@ -228,6 +230,18 @@ Scores ScoresOf(const BitingMesh& mesh)
     mesh.Quality.MeanConformity, 100.0 * mesh.Quality.ShareOfEdgesInBand };
 }
 
+void Add(const Scores& scores, Scores& sum)
+{
+  sum = { sum.Smallest + scores.Smallest, sum.OnePercent + scores.OnePercent,
+    sum.Mean + scores.Mean, sum.Conformity + scores.Conformity, sum.InBand + scores.InBand };
+}
+
+Scores Mean(const Scores& sum, double count)
+{
+  return { sum.Smallest / count, sum.OnePercent / count, sum.Mean / count, sum.Conformity / count,
+    sum.InBand / count };
+}
+
 void PrintScores(const std::string& name, std::size_t vertices, const Scores& scores)
 {
   std::printf("| %-32s | %7zu | %5.2f | %5.2f | %5.2f | %.4f | %6.2f |\n", name.c_str(), vertices,
@@ -291,15 +305,59 @@ void PrintQualities(const Setting& setting, bool printsAll)
     {
       PrintScores(one.Name, mesh.Points.size(), scores);
     }
-    sum = { sum.Smallest + scores.Smallest, sum.OnePercent + scores.OnePercent,
-      sum.Mean + scores.Mean, sum.Conformity + scores.Conformity, sum.InBand + scores.InBand };
+    Add(scores, sum);
     vertices += mesh.Points.size();
     count += 1.0;
   }
   PrintScores(printsAll ? "mean of " + std::to_string(static_cast<int>(count)) : setting.Name,
-    vertices,
-    { sum.Smallest / count, sum.OnePercent / count, sum.Mean / count, sum.Conformity / count,
-      sum.InBand / count });
+    vertices, Mean(sum, count));
+}
+
+/// By ever smaller blocks, down to a thirtieth of the mesh each.
+BitingMesh MeshOfBlocks(const MeshCase& one, std::size_t vertices)
+{
+  BitingMesh mesh;
+  for (double share = 9.0; share < 30.0 && mesh.NumberOfBlocks < 8; share *= 1.3)
+  {
+    BitingMeshOptions options = one.Options;
+    options.VerticesPerBlock = static_cast<std::int64_t>(static_cast<double>(vertices) / share);
+    ProblemList problems;
+    mesh = MakeBitingMesh(one.Drawing, options, problems, NoMonitor());
+  }
+  return mesh;
+}
+
+void PrintBlocks(std::size_t least)
+{
+  Scores ofOne{};
+  Scores ofSeveral{};
+  double count = 0.0;
+  std::size_t vertices[2] = { 0, 0 };
+  double worst = 0.0;
+  for (const MeshCase& one : QualityCases())
+  {
+    MeshCase uncut = one;
+    uncut.Options.VerticesPerBlock = 0;
+    const BitingMesh whole = MeshOf(uncut, Defaults);
+    if (whole.Points.size() < std::max<std::size_t>(least, 1))
+    {
+      continue;
+    }
+    const BitingMesh blocks = MeshOfBlocks(one, whole.Points.size());
+    const Scores scores[2] = { ScoresOf(whole), ScoresOf(blocks) };
+    PrintScores(one.Name, whole.Points.size(), scores[0]);
+    PrintScores(std::to_string(blocks.NumberOfBlocks) + " blocks", blocks.Points.size(), scores[1]);
+    Add(scores[0], ofOne);
+    Add(scores[1], ofSeveral);
+    vertices[0] += whole.Points.size();
+    vertices[1] += blocks.Points.size();
+    worst = std::max(worst, scores[0].Smallest - scores[1].Smallest);
+    count += 1.0;
+  }
+  const std::string number = std::to_string(static_cast<int>(count));
+  PrintScores("mean of " + number, vertices[0], Mean(ofOne, count));
+  PrintScores("mean of " + number + " in blocks", vertices[1], Mean(ofSeveral, count));
+  std::printf("The smallest angle falls by %.2f degrees at most\n", worst);
 }
 
 } // namespace
@@ -324,9 +382,14 @@ int main(int argc, char** argv)
       PrintQualities(setting, false);
     }
   }
+  else if (what == "blocks")
+  {
+    std::printf("%s\n", Columns);
+    PrintBlocks(argc > 2 ? static_cast<std::size_t>(std::atoll(argv[2])) : 0);
+  }
   else
   {
-    std::printf("What is to be measured: cost, quality or settings?\n");
+    std::printf("What is to be measured: cost, quality, settings or blocks?\n");
     return 1;
   }
   return 0;

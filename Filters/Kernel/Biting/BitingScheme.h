@@ -34,6 +34,10 @@ struct BitingOptions
   /// f, as in the paper.
   bool FollowSlope = false;
 
+  /// With FollowSlope, squares: by which factor inner edges are longer than f, so that a whole
+  /// number of rows fills the domain. About 1.
+  double Stretch = 1.0;
+
   /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1], and
   /// vertices on a segment may be as near as EdgeDivider::BalancedPart of PartLength. 0:
   /// AutomaticTolerance; 1: the laws to the letter.

@@ -131,7 +131,7 @@ Point2 InteriorBiting::PlaceOf(Id bite, const BisectorPoint& point) const
   const Point2 top =
     BalancedTop({ this->State.Placed.Centers[bite], this->State.Placed.Centers[other], point.Place,
                   left, right, this->IsUniform ? left : this->State.F(point.Place) },
-      share * this->State.PartLength);
+      share * this->State.Options.Stretch * this->State.PartLength);
   const bool isCovered =
     this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
   return isCovered ? point.Place : top;

@@ -4,9 +4,7 @@
 #include "BlockDomains.h"
 
 #include "../Base/PartOfStage.h"
-#include "../Base/PointOnSegment.h"
 #include "../Base/Pulse.h"
-#include "../Biting/EdgeDivision.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/AreaSum.h"
 
@@ -46,40 +44,13 @@ void AddArea(Domain& domain)
   domain.Area = area.Area();
 }
 
-// All cuts become parts, one after the other.
-bool DivideCuts(const Spacing& spacing, const CutDivision& wanted, CutGraph& graph, Pulse& pulse)
-{
-  EdgeDivider divider(spacing, wanted.BitingConstant, wanted.PartLength, pulse);
-  DivisionPoints points;
-  const Id undivided = graph.NumberOfPieces();
-  for (Id piece = 0; piece < undivided; ++piece)
-  {
-    if (!graph.IsCut(piece))
-    {
-      continue;
-    }
-    const Point2 a = graph.Vertices[graph.Pieces[piece].Start];
-    const Point2 b = graph.Vertices[graph.Pieces[piece].End];
-    if (!divider.Divide(a, b, wanted.MostVertices, points))
-    {
-      return false;
-    }
-    Id rest = piece;
-    for (std::size_t k = 0; k < points.Parameters.size(); ++k)
-    {
-      const Point2 place = PointOnSegment(a, b, points.Parameters[k], points.Spacings[k]);
-      rest = graph.Split(rest, graph.AddVertex(place, NoId));
-    }
-  }
-  return true;
-}
-
 class BlockMaker
 {
 public:
-  BlockMaker(const Domain& domain, const CutTree& tree, const CutGraph& graph)
+  BlockMaker(const Domain& domain, const CutPlan& plan, const CutGraph& graph)
     : Geometry(domain)
-    , Tree(tree)
+    , Tree(plan.Tree)
+    , Stretches(plan.Stretches)
     , Graph(graph)
   {
   }
@@ -112,6 +83,7 @@ private:
 
   const Domain& Geometry;
   const CutTree& Tree;
+  const std::vector<double>& Stretches;
   const CutGraph& Graph;
   Triangulation Mesh;
   std::vector<Id> Faces;  ///< of the triangles: what cuts enclose
@@ -285,6 +257,7 @@ std::vector<BlockDomain> BlockMaker::MakeBlocks() const
   for (std::size_t k = 0; k < blocks.size(); ++k)
   {
     blocks[k].ExpectedVertices = this->Tree.Nodes[this->Leaves[k]].Vertices;
+    blocks[k].Stretch = this->Stretches[this->Leaves[k]];
     blocks[k].Geometry.Resolution = this->Geometry.Resolution;
   }
   this->AddVertices(blocks);
@@ -399,7 +372,7 @@ BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, cons
   if (DivideCuts(spacing, division, result.Graph, pulse))
   {
     PartOfStage making(monitor, DivisionEnd, 1.0);
-    result.Blocks = BlockMaker(domain, plan.Tree, result.Graph).Make(making);
+    result.Blocks = BlockMaker(domain, plan, result.Graph).Make(making);
   }
   return result;
 }

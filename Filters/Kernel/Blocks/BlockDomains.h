@@ -8,6 +8,7 @@
 #include "../Base/Monitor.h"
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
+#include "CutDivision.h"
 #include "CutGraph.h"
 #include "CutPlan.h"
 
@@ -24,20 +25,13 @@ struct BlockDomain
   std::vector<Id> Vertices; ///< of the graph, one a vertex of the geometry
   std::vector<Id> Pieces;   ///< of the graph, one a segment of the geometry
   double ExpectedVertices = 0.0;
+  double Stretch = 1.0; ///< of inner edges (CutRows.h)
 };
 
 struct BlockDomains
 {
   CutGraph Graph; ///< with divided cuts
   std::vector<BlockDomain> Blocks;
-};
-
-/// What parts of cuts are long.
-struct CutDivision
-{
-  double BitingConstant = 0.0;
-  double PartLength = 1.0;
-  Id MostVertices = 0;
 };
 
 /// Divides the cuts, and the domain along them. A block is what cuts enclose, or several of such,

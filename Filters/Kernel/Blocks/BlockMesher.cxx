@@ -66,8 +66,8 @@ void BlockMesher::Plan(
 {
   PartOfStage cutting(monitor, 0.0, CuttingEnd);
   Pulse pulse(cutting);
-  const CutPlan plan =
-    PlanCuts(this->Geometry, locator, this->F, vertices, verticesPerBlock, pulse);
+  const CutPlan plan = PlanCuts(this->Geometry, locator, this->F,
+    { vertices, verticesPerBlock, UsedPartLength(this->Options) }, pulse);
   if (cutting.HasStopped())
   {
     return;
@@ -119,7 +119,9 @@ void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
   const DomainLocator locator(part.Geometry, pulse);
   PartOfStage biting(monitor, LocatorEnd, 1.0);
   BitingResult& bites = this->Meshes[block].Bites;
-  bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, this->Options, biting);
+  BitingOptions options = this->Options;
+  options.Stretch = part.Stretch;
+  bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, options, biting);
   bites.Bites = Bites();
 }
 

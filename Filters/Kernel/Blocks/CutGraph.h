@@ -20,11 +20,21 @@ namespace biting
 /// segment have its direction.
 struct CutGraph
 {
+  /// A cut that is folded has vertices on both sides of its line. It may be so up to an end where
+  /// that is open: nothing is near but what it meets there, nearly at a right angle.
+  struct Fold
+  {
+    bool IsFolded = false;
+    bool IsOpenAtStart = true;
+    bool IsOpenAtEnd = true;
+  };
+
   struct Piece
   {
     Id Start;
     Id End;
     Id Segment; ///< of the domain; NoId: a cut
+    Fold Folded;
   };
 
   CutGraph() = default;
@@ -36,7 +46,7 @@ struct CutGraph
     this->Pieces.reserve(domain.Starts.size());
     for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
     {
-      this->Pieces.push_back({ domain.Starts[segment], domain.Ends[segment], segment });
+      this->Pieces.push_back({ domain.Starts[segment], domain.Ends[segment], segment, {} });
     }
   }
 
@@ -51,10 +61,14 @@ struct CutGraph
   }
 
   /// Divides the piece: it ends at the vertex then, and another one, which is returned, goes on.
+  /// What is folded is open there.
   Id Split(Id piece, Id vertex)
   {
-    const Piece rest{ vertex, this->Pieces[piece].End, this->Pieces[piece].Segment };
+    Piece rest = this->Pieces[piece];
+    rest.Start = vertex;
+    rest.Folded.IsOpenAtStart = true;
     this->Pieces[piece].End = vertex;
+    this->Pieces[piece].Folded.IsOpenAtEnd = true;
     this->Pieces.push_back(rest);
     return this->NumberOfPieces() - 1;
   }

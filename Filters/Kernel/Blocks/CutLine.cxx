@@ -25,6 +25,10 @@ constexpr double Clearance = 2.0;
 constexpr double CosineOfLeastAngle = 0.76604444311897801; // 40 degrees
 constexpr double SineOfLeastAngle = 0.64278760968653925;
 
+// Of an end that is open.
+constexpr double OpenReach = 3.0;
+constexpr double CosineOfOpenAngle = 0.42261826174069944; // 65 degrees
+
 double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
 {
   const Point2 side = b - a;
@@ -106,7 +110,10 @@ private:
   bool HasRoom(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
-  bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction) const;
+  bool IsAt(Id piece, const CutEnd& end) const;
+  bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction,
+    double cosineOfLeast) const;
+  bool IsOpen(const CutEnd& end, const CutEnd& other) const;
 
   const CutScene& Scene;
   const AxisLine& Line;
@@ -127,6 +134,9 @@ CutLine LineMaker::Make()
     {
       line.Stretches.push_back({ this->Ends[k], this->Ends[k + 1] });
       line.IsGood = this->IsGood(line.Stretches.back());
+      CutStretch& stretch = line.Stretches.back();
+      stretch.From.IsOpen = line.IsGood && this->IsOpen(stretch.From, stretch.To);
+      stretch.To.IsOpen = line.IsGood && this->IsOpen(stretch.To, stretch.From);
     }
   }
   return line;
@@ -258,35 +268,51 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
 {
   const auto& ends = this->Scene.Graph.Pieces[piece];
   const Point2 direction = stretch.To.Place - stretch.From.Place;
-  const auto isAt = [piece, &ends](const CutEnd& end)
-  {
-    return end.Piece == piece ||
-      (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
-  };
-  const bool isAtFrom = isAt(stretch.From);
-  const bool isAtTo = isAt(stretch.To);
+  const bool isAtFrom = this->IsAt(piece, stretch.From);
+  const bool isAtTo = this->IsAt(piece, stretch.To);
   if (isAtFrom || isAtTo)
   {
     return !(isAtFrom && isAtTo) &&
-      (isAtFrom ? this->IsOpenAngle(ends, stretch.From, direction)
-                : this->IsOpenAngle(ends, stretch.To, -1.0 * direction));
+      (isAtFrom ? this->IsOpenAngle(ends, stretch.From, direction, CosineOfLeastAngle)
+                : this->IsOpenAngle(ends, stretch.To, -1.0 * direction, CosineOfLeastAngle));
   }
   return Meet(stretch.From.Place, stretch.To.Place, this->Vertex(ends.Start),
            this->Vertex(ends.End)) == Meeting::None;
 }
 
+bool LineMaker::IsAt(Id piece, const CutEnd& end) const
+{
+  const auto& ends = this->Scene.Graph.Pieces[piece];
+  return end.Piece == piece ||
+    (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
+}
+
 // Between the stretch, which leaves its end in that direction, and what the piece has there.
-bool LineMaker::IsOpenAngle(
-  const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction) const
+bool LineMaker::IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end,
+  const Point2& direction, double cosineOfLeast) const
 {
   const Point2 along = this->Vertex(piece.End) - this->Vertex(piece.Start);
   const double product = Dot(along, direction);
-  const double limit = CosineOfLeastAngle * Length(along) * Length(direction);
+  const double limit = cosineOfLeast * Length(along) * Length(direction);
   if (end.Vertex == NoId)
   {
     return std::abs(product) <= limit;
   }
   return (piece.Start == end.Vertex ? product : -product) <= limit;
+}
+
+bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other) const
+{
+  const double along = this->Along(end.Place);
+  const double reach = OpenReach * end.F;
+  return this->NearPieces.AllOf(along - reach, along + reach,
+    [this, &end, &other, reach](Id piece)
+    {
+      const auto& ends = this->Scene.Graph.Pieces[piece];
+      return this->IsAt(piece, end)
+        ? this->IsOpenAngle(ends, end, other.Place - end.Place, CosineOfOpenAngle)
+        : DistanceTo(end.Place, this->Vertex(ends.Start), this->Vertex(ends.End)) >= reach;
+    });
 }
 
 bool LineMaker::IsClearOfVertex(Id vertex, const CutStretch& stretch) const

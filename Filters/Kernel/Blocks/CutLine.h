@@ -42,6 +42,7 @@ struct CutEnd
   Id Vertex = NoId;
   Id Piece = NoId; ///< where Vertex is NoId
   double F = 0.0;
+  bool IsOpen = false; ///< nothing is near but what it is on, which lies nearly across
 };
 
 /// A straight part of the line, through the domain, between two neighbouring pieces.

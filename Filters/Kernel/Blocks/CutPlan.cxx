@@ -4,12 +4,12 @@
 #include "CutPlan.h"
 
 #include "CutLine.h"
+#include "CutRows.h"
 #include "DensitySamples.h"
 
 #include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
-#include <optional>  // for the first cut
 #include <utility>   // for move
 
 namespace biting
@@ -36,8 +36,8 @@ constexpr double PartsOfLine = 100.0;
 constexpr double WayAside = 0.1;     // of the diagonal
 constexpr double CostOfChange = 0.3; // of f by a factor of e, in vertices on the cut
 
-// Parallel cuts give both sides of a block the same lattice, and no corners where four meet: two
-// such cuts of a square cost less than a cross does, three or more do not.
+// Parallel cuts give both sides of a block nearly the same lattice also where f changes: two such
+// cuts of a square cost less than a cross does, three or more do not.
 constexpr double CostOfOtherDirection = 2.5; // than that of the first cut
 
 using Samples = std::vector<DensitySample>;
@@ -129,11 +129,14 @@ struct Cut
 class Planner
 {
 public:
-  Planner(const Domain& domain, const DomainLocator& locator, const Spacing& spacing, Pulse& pulse)
+  Planner(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+    const CutOptions& options, Pulse& pulse)
     : Geometry(domain)
     , Locator(locator)
     , F(spacing)
+    , Options(options)
     , Beats(pulse)
+    , Rows(spacing, domain.Bounds, options.SideLength)
   {
     this->Plan.Graph = CutGraph(domain);
     for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
@@ -145,18 +148,18 @@ public:
     }
   }
 
-  CutPlan Run(double vertices, double verticesPerBlock);
+  CutPlan Run();
 
 private:
   Id AddNode(double share);
-  void Divide(Part part);
+  bool Divide(Part& part);
   Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
   CutScene SceneOf(Part& part) const;
   void UpdatePieces(Part& part) const;
   bool IsInScene(const CutGraph::Piece& piece, const Box2& box) const;
-  void Apply(const CutLine& line);
+  void Apply(const CutLine& line, bool isFolded);
   Id VertexFor(const CutEnd& end);
   void DivideNode(Part& part, const AxisLine& line);
   void NumberLeaves();
@@ -164,16 +167,19 @@ private:
   const Domain& Geometry;
   const DomainLocator& Locator;
   const Spacing& F;
+  CutOptions Options;
   Pulse& Beats;
+  CutRows Rows;
   CutPlan Plan;
   std::vector<Part> Pending;
   std::vector<Id> Embedded; ///< vertices of the domain
   double VerticesPerDensity = 0.0;
-  std::optional<bool> IsFirstVertical; ///< the first cut; none: there is none
 };
 
-CutPlan Planner::Run(double vertices, double verticesPerBlock)
+CutPlan Planner::Run()
 {
+  const double vertices = this->Options.Vertices;
+  const double verticesPerBlock = this->Options.VerticesPerBlock;
   this->AddNode(vertices);
   if (vertices >= LeastBlocks * verticesPerBlock)
   {
@@ -195,9 +201,10 @@ CutPlan Planner::Run(double vertices, double verticesPerBlock)
   {
     Part part = std::move(this->Pending.back());
     this->Pending.pop_back();
-    if (this->Plan.Tree.Nodes[part.Node].Vertices >= LeastPart * verticesPerBlock)
+    const bool isLarge = this->Plan.Tree.Nodes[part.Node].Vertices >= LeastPart * verticesPerBlock;
+    if (!isLarge || !this->Divide(part))
     {
-      this->Divide(std::move(part));
+      this->Plan.Stretches[part.Node] = this->Rows.StretchOf(part.Box);
     }
   }
   this->NumberLeaves();
@@ -208,35 +215,37 @@ Id Planner::AddNode(double vertices)
 {
   this->Plan.Tree.Nodes.emplace_back();
   this->Plan.Tree.Nodes.back().Vertices = vertices;
+  this->Plan.Stretches.push_back(1.0);
   return static_cast<Id>(this->Plan.Tree.Nodes.size()) - 1;
 }
 
-// Where lattices of both sides have to fit along the least of the mesh.
-void Planner::Divide(Part part)
+// Where lattices of both sides have to fit along the least of the mesh. False: it stays whole.
+bool Planner::Divide(Part& part)
 {
   const CutScene scene = this->SceneOf(part);
   const Cut vertical = this->FindCut(part, scene, true);
   const Cut level = this->FindCut(part, scene, false);
-  const bool isFirstVertical = this->IsFirstVertical.value_or(true);
-  const bool isFirstLevel = !this->IsFirstVertical.value_or(false);
-  const Cut& best = (isFirstVertical ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
-      (isFirstLevel ? 1.0 : CostOfOtherDirection) * level.Cost
+  const Cut& best = (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
+      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
     ? vertical
     : level;
-  if (best.Along.IsGood && !this->Beats.HasStopped())
+  if (!best.Along.IsGood || this->Beats.HasStopped())
   {
-    this->IsFirstVertical = this->IsFirstVertical.value_or(best.Line.IsVertical);
-    this->Apply(best.Along);
-    this->DivideNode(part, best.Line);
+    return false;
   }
+  this->Rows.AddCut(best.Line.IsVertical);
+  this->Apply(best.Along, !this->Rows.IsStraight(best.Line.IsVertical));
+  this->DivideNode(part, best.Line);
+  return true;
 }
 
 Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
 {
   Cut cut;
   cut.Along.IsGood = false;
-  for (const double place : FromTheMiddle(PlacesOf(part.Inside, isVertical)))
+  for (const double wanted : FromTheMiddle(PlacesOf(part.Inside, isVertical)))
   {
+    const double place = this->Rows.FittingPlace(wanted, part.Box, isVertical);
     if (!Divides(part.Inside, isVertical, place))
     {
       continue;
@@ -326,13 +335,14 @@ bool Planner::IsInScene(const CutGraph::Piece& piece, const Box2& box) const
   return own.Meets(box);
 }
 
-void Planner::Apply(const CutLine& line)
+void Planner::Apply(const CutLine& line, bool isFolded)
 {
   for (const CutStretch& stretch : line.Stretches)
   {
     const Id from = this->VertexFor(stretch.From);
     const Id to = this->VertexFor(stretch.To);
-    this->Plan.Graph.Pieces.push_back({ from, to, NoId });
+    this->Plan.Graph.Pieces.push_back(
+      { from, to, NoId, { isFolded, stretch.From.IsOpen, stretch.To.IsOpen } });
   }
 }
 
@@ -384,9 +394,9 @@ void Planner::NumberLeaves()
 } // namespace
 
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  double vertices, double verticesPerBlock, Pulse& pulse)
+  const CutOptions& options, Pulse& pulse)
 {
-  return Planner(domain, locator, spacing, pulse).Run(vertices, verticesPerBlock);
+  return Planner(domain, locator, spacing, options, pulse).Run();
 }
 
 } // namespace biting

@@ -50,17 +50,27 @@ struct CutPlan
 {
   CutTree Tree;
   CutGraph Graph; ///< with undivided cuts
+
+  /// By which factor sides are longer in a leaf than elsewhere (CutRows.h), one a node.
+  std::vector<double> Stretches;
 };
 
-/// Cuts the domain by a kd-tree until less than 1.5 `verticesPerBlock` are expected in each part,
-/// `vertices` of them in all; not at all where these are less than 2 blocks' worth. Each line
+struct CutOptions
+{
+  double Vertices = 0.0; ///< of the mesh, expected
+  double VerticesPerBlock = 0.0;
+  double SideLength = 1.0; ///< of the mesh's lattice, in units of f
+};
+
+/// Cuts the domain by a kd-tree until less than 1.5 blocks' worth of vertices are expected in each
+/// part; not at all where these are less than 2 in all. Each line
 /// divides its part nearly equally, in the direction and at the place where fewest vertices lie on
 /// it of those at which it is good (CutLine.h); where there is none the part stays whole. Along f
 /// counts less than across, where f changes, and the direction of the first cut less than the
-/// other. Depends on the arguments alone. Where the monitor
-/// wants to stop the result has no meaning.
+/// other. Lines are where lattices fit (CutRows.h). Depends on the arguments alone. Where the
+/// monitor wants to stop the result has no meaning.
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  double vertices, double verticesPerBlock, Pulse& pulse);
+  const CutOptions& options, Pulse& pulse);
 
 } // namespace biting
 

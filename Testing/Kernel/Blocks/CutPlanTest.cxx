@@ -35,7 +35,7 @@ struct Scene
   {
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    return PlanCuts(this->Made, this->Locator, this->F, vertices, verticesPerBlock, pulse);
+    return PlanCuts(this->Made, this->Locator, this->F, { vertices, verticesPerBlock, 1.0 }, pulse);
   }
 
   Domain Made;
