@@ -103,11 +103,12 @@ void CutDivider::SplitFolded(Id piece)
   }
 }
 
-// Halves the integral of 1/f between two places, as it is where f is linear.
+// Halves the integral of 1/f between two places, as it is where f is linear. The root is of a
+// ratio: so it is the same in all units of length.
 Point2 CutDivider::FoldBetween(
   const PlaceOnLine& first, const PlaceOnLine& next, bool isFolded) const
 {
-  const double share = std::sqrt(first.F) / (std::sqrt(first.F) + std::sqrt(next.F));
+  const double share = 1.0 / (1.0 + std::sqrt(next.F / first.F));
   const double parameter = first.Parameter + share * (next.Parameter - first.Parameter);
   const Point2 way = this->End - this->Start;
   const Point2 middle = this->Start + parameter * way;

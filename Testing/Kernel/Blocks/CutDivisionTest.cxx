@@ -78,6 +78,31 @@ TEST(CutDivision, FoldedCutsStayOnTheirLineNextToAnEndThatIsNotOpen)
   }
 }
 
+TEST(CutDivision, IsTheSameInAllUnits)
+{
+  const auto divide = [](double unit)
+  {
+    CutGraph graph;
+    const Id start = graph.AddVertex({ 0.0, 0.1 * unit }, NoId);
+    const Id end = graph.AddVertex({ 0.0, 0.9 * unit }, NoId);
+    graph.Pieces.push_back({ start, end, NoId, { true, true, true } });
+    ProblemList problems;
+    const Spacing f = MakeSpacing(RadialSpacing({ 0.2 * unit, 0.3 * unit }, 0.01 * unit, 0.2),
+      { { 0.0, 0.0 }, { unit, unit } }, problems, NoMonitor());
+    Pulse pulse(NoMonitor());
+    EXPECT_TRUE(DivideCuts(f, { 0.824, 1.0, 1000 }, graph, pulse));
+    return graph.Vertices;
+  };
+  const std::vector<Point2> places = divide(1.0);
+  const std::vector<Point2> doubled = divide(2.0);
+  EXPECT_GT(places.size(), 10u);
+  ASSERT_EQ(places.size(), doubled.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    EXPECT_TRUE(2.0 * places[k] == doubled[k]) << k;
+  }
+}
+
 TEST(CutDivision, WhatIsSplitIsOpenThere)
 {
   CutGraph graph;
