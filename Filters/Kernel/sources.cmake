@@ -104,6 +104,7 @@ set(biting_kernel_sources
   Relaxation/StarObjective.cxx
   Relaxation/TopologyTrials.cxx
   Relaxation/ValenceRound.cxx
+  Quality/Components.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
   Quality/NearestNeighbors.cxx

@@ -6,30 +6,46 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 
 #include <cstddef> // for size_t
+#include <vector>  // for lists
 
 namespace biting
 {
 
+/// Slots of triangles, found part by part.
+struct SlotList
+{
+  std::vector<std::size_t> Slots;
+
+  void Join(const SlotList& other)
+  {
+    this->Slots.insert(this->Slots.end(), other.Slots.begin(), other.Slots.end());
+  }
+};
+
 /// Calls visit(constraint, start, end) once for each mesh edge on a constraint, in the order of the
-/// triangles. `mesh` has Corners, Neighbors and Constraints as Triangulation has. Goes on until
-/// the monitor wants to stop.
+/// triangles; these are looked through on all threads. `mesh` has Corners, Neighbors and
+/// Constraints as Triangulation has. Goes on until the monitor wants to stop.
 template <typename Mesh, typename Visitor>
 void ForEachConstrainedEdge(const Mesh& mesh, Pulse& pulse, const Visitor& visit)
 {
-  pulse.ForEach(mesh.Corners.size(),
-    [&mesh, &visit](std::size_t half)
+  const SlotList list = SumAtOnce(pulse, mesh.Corners.size(), SlotList(),
+    [&mesh](SlotList& sum, std::size_t half)
     {
-      const Id constraint = mesh.Constraints[half];
-      const bool isFirst = mesh.Neighbors[half] < static_cast<Id>(half / 3);
-      if (constraint != NoId && isFirst)
+      if (mesh.Constraints[half] != NoId && mesh.Neighbors[half] < static_cast<Id>(half / 3))
       {
-        const std::size_t corner = half % 3;
-        visit(constraint, mesh.Corners[half - corner + (corner + 1) % 3],
-          mesh.Corners[half - corner + (corner + 2) % 3]);
+        sum.Slots.push_back(half);
       }
     });
+  for (std::size_t k = 0; k < list.Slots.size() && pulse.Beat(); ++k)
+  {
+    const std::size_t half = list.Slots[k];
+    const std::size_t corner = half % 3;
+    visit(mesh.Constraints[half], mesh.Corners[half - corner + (corner + 1) % 3],
+      mesh.Corners[half - corner + (corner + 2) % 3]);
+  }
 }
 
 } // namespace biting

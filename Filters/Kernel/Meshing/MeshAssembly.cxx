@@ -3,12 +3,14 @@
 
 #include "MeshAssembly.h"
 
+#include "../Base/Marks.h"
 #include "../Base/Pulse.h"
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
+#include "../Delaunay/ConstrainedEdges.h"
 
-#include <algorithm> // for max
-#include <utility>   // for move
+#include <algorithm> // for min
+#include <utility>   // for move, swap
 
 namespace biting
 {
@@ -18,8 +20,8 @@ namespace
 
 // Where steps end, as shares of the time.
 constexpr double NumbersEnd = 0.3;
-constexpr double VerticesEnd = 0.6;
-constexpr double EdgesEnd = 0.8;
+constexpr double EdgesEnd = 0.6;
+constexpr double VerticesEnd = 0.9;
 
 VertexKind KindOf(const Domain& domain, const BitingResult& bites, Id vertex)
 {
@@ -34,57 +36,94 @@ VertexKind KindOf(const Domain& domain, const BitingResult& bites, Id vertex)
   return domain.VertexPoints[vertex] == NoId ? VertexKind::Boundary : VertexKind::Input;
 }
 
-// The new numbers of the used vertices, NoId for the others.
+// How many of the vertices are used, and the new numbers of these, NoId for the others; without
+// numbers where all are.
 struct Numbering
 {
+  bool IsNew() const { return !this->Numbers.empty(); }
+  Id NumberOf(Id vertex) const { return this->IsNew() ? this->Numbers[vertex] : vertex; }
+
   std::vector<Id> Numbers;
   Id Size = 0;
+};
+
+struct Count
+{
+  Id Number = 0;
+
+  void Join(const Count& other) { this->Number += other.Number; }
 };
 
 Numbering NumberUsedVertices(const Triangulation& mesh, std::size_t numberOfPoints, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, NumbersEnd);
-  Numbering used{ std::vector<Id>(numberOfPoints, NoId) };
-  pulse.ForEach(mesh.Corners.size(),
-    [&used, &mesh](std::size_t half) { used.Numbers[mesh.Corners[half]] = 0; });
+  Marks used(numberOfPoints);
+  ForEachAtOnce(pulse, mesh.Corners.size(),
+    [&used, &mesh](std::size_t half)
+    { used.Set(static_cast<std::size_t>(mesh.Corners[half]), 1); });
+  Numbering numbering;
+  numbering.Size = SumAtOnce(pulse, numberOfPoints, Count(),
+    [&used](Count& sum, std::size_t vertex) {
+      sum.Number += used[vertex];
+    }).Number;
+  if (static_cast<std::size_t>(numbering.Size) == numberOfPoints || pulse.HasStopped())
+  {
+    return numbering;
+  }
+  numbering.Numbers.reserve(numberOfPoints);
+  Id next = 0;
   pulse.ForEach(numberOfPoints,
-    [&used](std::size_t vertex)
-    {
-      Id& number = used.Numbers[vertex];
-      number = number == NoId ? NoId : used.Size++;
-    });
-  return used;
+    [&numbering, &used, &next](std::size_t vertex)
+    { numbering.Numbers.push_back(used[vertex] != 0 ? next++ : NoId); });
+  return numbering;
 }
 
-void MakeRoom(std::size_t size, BitingMesh& mesh, Pulse& pulse)
+template <typename Value>
+void CloseUp(const Numbering& used, std::vector<Value>& values, Pulse& pulse)
 {
-  mesh.Points.reserve(size);
-  mesh.Spacing.reserve(size);
-  mesh.BiteOrders.reserve(size);
-  mesh.Kinds.reserve(size);
-  mesh.OriginalPoints.reserve(size);
-  pulse.Ask();
-}
-
-void CopyVertices(const Domain& domain, const BitingResult& bites, const Numbering& used,
-  BitingMesh& mesh, Pulse& pulse)
-{
-  const PulsePart part(pulse, NumbersEnd, VerticesEnd);
-  MakeRoom(static_cast<std::size_t>(used.Size), mesh, pulse);
-  pulse.ForEach(used.Numbers.size(),
-    [&domain, &bites, &used, &mesh](std::size_t place)
+  pulse.ForEach(values.size(),
+    [&used, &values](std::size_t vertex)
     {
-      const Id vertex = static_cast<Id>(place);
       if (used.Numbers[vertex] != NoId)
       {
-        const bool isOld = vertex < domain.NumberOfVertices();
-        mesh.Points.push_back(bites.Points[vertex]);
-        mesh.Spacing.push_back(bites.Spacings[vertex]);
-        mesh.BiteOrders.push_back(bites.BiteOrders[vertex]);
-        mesh.Kinds.push_back(KindOf(domain, bites, vertex));
-        mesh.OriginalPoints.push_back(isOld ? domain.VertexPoints[vertex] : NoId);
+        values[used.Numbers[vertex]] = values[vertex];
       }
     });
+  values.resize(static_cast<std::size_t>(used.Size));
+}
+
+// What each vertex is, before any is left out.
+void TellVertices(const Domain& domain, const BitingResult& bites, BitingMesh& mesh, Pulse& pulse)
+{
+  const std::size_t size = bites.Points.size();
+  GrowInSteps(mesh.Kinds, size, VertexKind::Interior, pulse);
+  GrowInSteps(mesh.OriginalPoints, size, Id{ NoId }, pulse);
+  ForEachAtOnce(pulse, std::min(mesh.Kinds.size(), mesh.OriginalPoints.size()),
+    [&domain, &bites, &mesh](std::size_t place)
+    {
+      const Id vertex = static_cast<Id>(place);
+      mesh.Kinds[place] = KindOf(domain, bites, vertex);
+      mesh.OriginalPoints[place] =
+        vertex < domain.NumberOfVertices() ? domain.VertexPoints[vertex] : NoId;
+    });
+}
+
+void MoveVertices(
+  const Domain& domain, const Numbering& used, BitingResult& bites, BitingMesh& mesh, Pulse& pulse)
+{
+  const PulsePart part(pulse, EdgesEnd, VerticesEnd);
+  TellVertices(domain, bites, mesh, pulse);
+  mesh.Points = std::move(bites.Points);
+  mesh.Spacing = std::move(bites.Spacings);
+  mesh.BiteOrders = std::move(bites.BiteOrders);
+  if (used.IsNew() && !pulse.HasStopped())
+  {
+    CloseUp(used, mesh.Points, pulse);
+    CloseUp(used, mesh.Spacing, pulse);
+    CloseUp(used, mesh.BiteOrders, pulse);
+    CloseUp(used, mesh.Kinds, pulse);
+    CloseUp(used, mesh.OriginalPoints, pulse);
+  }
 }
 
 // A mesh edge that a constraint covers, in the direction of its segment.
@@ -96,12 +135,8 @@ struct CoveringEdge
   Id End;
 };
 
-CoveringEdge MakeCoveringEdge(const BitingResult& bites, const Triangulation& mesh, Id half)
+CoveringEdge MakeCoveringEdge(const BitingResult& bites, Id constraint, Id start, Id end)
 {
-  const Id triangle = half / 3;
-  const Id constraint = mesh.Constraints[half];
-  Id start = mesh.Corners[3 * triangle + (half + 1) % 3];
-  Id end = mesh.Corners[3 * triangle + (half + 2) % 3];
   const Point2 from = bites.Points[bites.EdgeStarts[constraint]];
   const Point2 direction = bites.Points[bites.EdgeEnds[constraint]] - from;
   if (Dot(bites.Points[end] - bites.Points[start], direction) < 0.0)
@@ -115,16 +150,9 @@ std::vector<CoveringEdge> FindCoveringEdges(
   const BitingResult& bites, const Triangulation& mesh, Pulse& pulse)
 {
   std::vector<CoveringEdge> edges;
-  pulse.ForEach(mesh.Corners.size(),
-    [&bites, &mesh, &edges](std::size_t slot)
-    {
-      const Id half = static_cast<Id>(slot);
-      const bool isFirst = mesh.Neighbors[half] == NoId || mesh.Neighbors[half] >= half / 3;
-      if (mesh.Constraints[half] != NoId && isFirst)
-      {
-        edges.push_back(MakeCoveringEdge(bites, mesh, half));
-      }
-    });
+  ForEachConstrainedEdge(mesh, pulse,
+    [&bites, &edges](Id constraint, Id start, Id end)
+    { edges.push_back(MakeCoveringEdge(bites, constraint, start, end)); });
   SortInSteps(
     edges,
     [](const CoveringEdge& a, const CoveringEdge& b)
@@ -136,14 +164,14 @@ std::vector<CoveringEdge> FindCoveringEdges(
 void CopyEdges(const Domain& domain, const BitingResult& bites, const Triangulation& triangulation,
   const Numbering& used, BitingMesh& mesh, Pulse& pulse)
 {
-  const PulsePart part(pulse, VerticesEnd, EdgesEnd);
+  const PulsePart part(pulse, NumbersEnd, EdgesEnd);
   const std::vector<CoveringEdge> edges = FindCoveringEdges(bites, triangulation, pulse);
   pulse.ForEach(edges.size(),
     [&domain, &bites, &used, &mesh, &edges](std::size_t k)
     {
       const Id segment = bites.EdgeSegments[edges[k].Constraint];
-      mesh.EdgeStarts.push_back(used.Numbers[edges[k].Start]);
-      mesh.EdgeEnds.push_back(used.Numbers[edges[k].End]);
+      mesh.EdgeStarts.push_back(used.NumberOf(edges[k].Start));
+      mesh.EdgeEnds.push_back(used.NumberOf(edges[k].End));
       mesh.EdgeCells.push_back(domain.Cells[segment]);
       mesh.EdgeIsBoundary.push_back(domain.IsBoundary[segment]);
     });
@@ -152,12 +180,15 @@ void CopyEdges(const Domain& domain, const BitingResult& bites, const Triangulat
 void MoveTriangles(
   const Numbering& used, Triangulation& triangulation, BitingMesh& mesh, Pulse& pulse)
 {
-  const PulsePart part(pulse, EdgesEnd, 1.0);
+  const PulsePart part(pulse, VerticesEnd, 1.0);
   mesh.Corners = std::move(triangulation.Corners);
   mesh.Neighbors = std::move(triangulation.Neighbors);
   mesh.Regions = std::move(triangulation.Regions);
-  ForEachAtOnce(pulse, mesh.Corners.size(),
-    [&used, &mesh](std::size_t half) { mesh.Corners[half] = used.Numbers[mesh.Corners[half]]; });
+  if (used.IsNew())
+  {
+    ForEachAtOnce(pulse, mesh.Corners.size(),
+      [&used, &mesh](std::size_t half) { mesh.Corners[half] = used.Numbers[mesh.Corners[half]]; });
+  }
 }
 
 } // namespace
@@ -168,8 +199,8 @@ BitingMesh AssembleMesh(
   Pulse pulse(monitor);
   const Numbering used = NumberUsedVertices(triangulation, bites.Points.size(), pulse);
   BitingMesh mesh;
-  CopyVertices(domain, bites, used, mesh, pulse);
   CopyEdges(domain, bites, triangulation, used, mesh, pulse);
+  MoveVertices(domain, used, bites, mesh, pulse);
   MoveTriangles(used, triangulation, mesh, pulse);
   mesh.Bites = std::move(bites.Bites);
   mesh.Front = std::move(bites.Front);

@@ -3,10 +3,12 @@
 
 #include "MeshCheck.h"
 
+#include "../Base/Marks.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
 #include "CheckSums.h"
+#include "Components.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs
@@ -37,57 +39,6 @@ constexpr std::size_t Previous(std::size_t slot)
   return slot % 3 == 0 ? slot + 2 : slot - 1;
 }
 
-// Parts of a whole that turn out to be connected (disjoint sets with path halving).
-class Parts
-{
-public:
-  Id Begin();
-  Id Join(Id part, Id other);
-  std::int64_t Count() const { return this->NumberOfParts; }
-
-private:
-  Id Root(Id part);
-
-  std::vector<Id> Parents; ///< of a root: itself
-  std::int64_t NumberOfParts = 0;
-};
-
-Id Parts::Begin()
-{
-  this->Parents.push_back(static_cast<Id>(this->Parents.size()));
-  this->NumberOfParts += 1;
-  return this->Parents.back();
-}
-
-// The root of both; `part` may be none.
-Id Parts::Join(Id part, Id other)
-{
-  if (part == other)
-  {
-    return part;
-  }
-  const Id otherRoot = this->Root(other);
-  const Id root = part == NoId ? otherRoot : this->Root(part);
-  if (root != otherRoot)
-  {
-    this->Parents[static_cast<std::size_t>(std::max(root, otherRoot))] = std::min(root, otherRoot);
-    this->NumberOfParts -= 1;
-  }
-  return std::min(root, otherRoot);
-}
-
-Id Parts::Root(Id part)
-{
-  std::size_t member = static_cast<std::size_t>(part);
-  while (this->Parents[member] != static_cast<Id>(member))
-  {
-    const std::size_t parent = static_cast<std::size_t>(this->Parents[member]);
-    this->Parents[member] = this->Parents[parent];
-    member = static_cast<std::size_t>(this->Parents[member]);
-  }
-  return static_cast<Id>(member);
-}
-
 // How a vertex is used.
 enum Use : std::uint8_t
 {
@@ -116,9 +67,10 @@ private:
   std::size_t SlotAcross(std::size_t slot) const;
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
-  std::vector<std::uint8_t> FindUses();
+  Marks FindUses();
   bool FulfilsEuler();
   std::int64_t CountComponents();
+  Id PartOf(std::size_t triangle, const std::vector<Id>& partOf, ComponentSum& sum) const;
   std::int64_t CountLoops();
   std::size_t NextOnBoundary(std::size_t slot) const;
   bool CoversArea();
@@ -272,27 +224,28 @@ bool MeshChecker::HasConstrainedBoundary()
 
 bool MeshChecker::HasNoUnusedVertex()
 {
-  const std::vector<std::uint8_t> uses = this->FindUses();
-  for (std::size_t vertex = 0; vertex < uses.size() && this->IsGoingOn(vertex); ++vertex)
-  {
-    this->NumberOfInnerVertices += uses[vertex] == Inner ? 1 : 0;
-    if (uses[vertex] == None)
+  const Marks uses = this->FindUses();
+  const UseSum sum = SumAtOnce(this->Beats, uses.Size(), UseSum(),
+    [&uses](UseSum& own, std::size_t vertex)
     {
-      return this->Refuse("vertex " + std::to_string(vertex) + " belongs to no triangle");
-    }
-  }
-  return true;
+      own.Inner += uses[vertex] == Inner ? 1 : 0;
+      own.Unused.Add(vertex, uses[vertex] == None);
+    });
+  this->NumberOfInnerVertices = sum.Inner;
+  return !sum.Unused.Exists() ||
+    this->Refuse("vertex " + std::to_string(sum.Unused.Slot) + " belongs to no triangle");
 }
 
 // The Use of each vertex.
-std::vector<std::uint8_t> MeshChecker::FindUses()
+Marks MeshChecker::FindUses()
 {
   const PulsePart part(this->Beats, NeighborsEnd, UsesEnd);
-  std::vector<std::uint8_t> uses(this->Mesh.Points.size(), None);
-  this->Beats.ForEach(this->Mesh.Corners.size(),
-    [this, &uses](std::size_t slot) { uses[this->Corner(slot)] = Inner; });
+  Marks uses(this->Mesh.Points.size());
+  ForEachAtOnce(this->Beats, this->Mesh.Corners.size(),
+    [this, &uses](std::size_t slot) { uses.Set(this->Corner(slot), Inner); });
   this->Beats.ForEach(this->BoundarySlots.size(),
-    [this, &uses](std::size_t k) { uses[this->Corner(Next(this->BoundarySlots[k]))] = Boundary; });
+    [this, &uses](std::size_t k)
+    { uses.Set(this->Corner(Next(this->BoundarySlots[k])), Boundary); });
   return uses;
 }
 
@@ -314,25 +267,49 @@ bool MeshChecker::FulfilsEuler()
 
 // Each triangle takes the part of a neighbor before it, or begins a part where there is none; where
 // it has neighbors of different parts, these are one. There are few parts, so joining costs little.
+// Each task does so with its triangles; then the parts of different tasks are joined.
 std::int64_t MeshChecker::CountComponents()
 {
   const PulsePart counting(this->Beats, UsesEnd, ComponentsEnd);
-  Parts parts;
   std::vector<Id> partOf(this->Mesh.Neighbors.size() / 3, NoId);
-  for (std::size_t triangle = 0; triangle < partOf.size() && this->IsGoingOn(triangle); ++triangle)
+  ComponentSum sum = SumAtOnce(this->Beats, partOf.size(), ComponentSum(),
+    [this, &partOf](ComponentSum& own, std::size_t triangle)
+    { partOf[triangle] = this->PartOf(triangle, partOf, own); });
+  if (this->Beats.HasStopped())
   {
-    Id part = NoId;
-    for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
-    {
-      const Id neighbor = this->Mesh.Neighbors[slot];
-      if (neighbor != NoId && static_cast<std::size_t>(neighbor) < triangle)
-      {
-        part = parts.Join(part, partOf[static_cast<std::size_t>(neighbor)]);
-      }
-    }
-    partOf[triangle] = part == NoId ? parts.Begin() : part;
+    return 0;
   }
-  return parts.Count();
+  for (const ComponentSum::Link& link : sum.Links)
+  {
+    const std::size_t across = static_cast<std::size_t>(link.Across);
+    sum.Components.Join(link.Part, sum.Begins[across / StepsPerTask] + partOf[across]);
+  }
+  return sum.Components.Count();
+}
+
+// Among the parts of its task. What lies across in an earlier one is kept for later.
+Id MeshChecker::PartOf(std::size_t triangle, const std::vector<Id>& partOf, ComponentSum& sum) const
+{
+  const std::size_t begin = triangle - triangle % StepsPerTask;
+  Id part = NoId;
+  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  {
+    const std::size_t neighbor = static_cast<std::size_t>(this->Mesh.Neighbors[slot]);
+    if (this->Mesh.Neighbors[slot] != NoId && neighbor < triangle && neighbor >= begin)
+    {
+      part = sum.Components.Join(part, partOf[neighbor]);
+    }
+  }
+  part = part == NoId ? sum.Components.Begin() : part;
+  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  {
+    const Id neighbor = this->Mesh.Neighbors[slot];
+    if (neighbor != NoId && static_cast<std::size_t>(neighbor) < begin)
+    {
+      sum.Links.push_back({ part, neighbor });
+    }
+  }
+  return part;
 }
 
 std::int64_t MeshChecker::CountLoops()

@@ -15,13 +15,17 @@
 #include "NearestNeighbors.h"
 
 #include "../Base/Box2.h"
+#include "../Base/Marks.h"
 #include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 #include "PointTree.h"
 
-#include <algorithm> // for min, max, fill, find
+#include <algorithm> // for min, max, fill
+#include <atomic>    // for what threads share
 #include <cmath>     // for sqrt, abs
 #include <cstdint>   // for flags
+#include <numeric>   // for iota
 #include <utility>   // for move
 
 namespace biting
@@ -60,6 +64,38 @@ bool Reaches(const Point2& center, double squaredRadius, const Point2& a, const 
   return height * height * (1.0 - 1e-6) <
     squaredLength * (squaredRadius + 1e-24 * Dot(offset, offset));
 }
+
+// The least of what is told for each of so many things, infinite at first; from several threads.
+class LeastValues
+{
+public:
+  explicit LeastValues(std::size_t count)
+    : Values(count)
+  {
+  }
+
+  std::size_t Size() const { return this->Values.size(); }
+  double operator[](std::size_t k) const { return this->Values[k].load(std::memory_order_relaxed); }
+  void Set(std::size_t k, double value) { this->Values[k].store(value, std::memory_order_relaxed); }
+
+  /// The plain way is for one thread only.
+  void Lower(std::size_t k, double value, bool isAlone)
+  {
+    double known = (*this)[k];
+    if (isAlone)
+    {
+      this->Set(k, std::min(known, value));
+      return;
+    }
+    while (value < known &&
+      !this->Values[k].compare_exchange_weak(known, value, std::memory_order_relaxed))
+    {
+    }
+  }
+
+private:
+  std::vector<std::atomic<double>> Values;
+};
 
 // Cells of a grid that the discs of the suspects touch.
 class CellMask
@@ -123,6 +159,26 @@ void CellMask::Add(const Point2& center, double radius)
   }
 }
 
+// Vertices whose distances are not known, in their order.
+struct SuspectList
+{
+  std::vector<Id> Vertices;
+  bool AreAllUsed = true; ///< by triangles
+
+  void Join(const SuspectList& other)
+  {
+    this->Vertices.insert(this->Vertices.end(), other.Vertices.begin(), other.Vertices.end());
+    this->AreAllUsed = this->AreAllUsed && other.AreAllUsed;
+  }
+};
+
+struct Largest
+{
+  double Value = 0.0;
+
+  void Join(const Largest& other) { this->Value = std::max(this->Value, other.Value); }
+};
+
 class NeighborSearch
 {
 public:
@@ -151,8 +207,9 @@ private:
   const std::vector<Id>& Corners;
   const std::vector<Id>& Neighbors;
   Pulse& Beats;
-  std::vector<double> SquaredDistances;
-  std::vector<std::uint8_t> IsSuspect;
+  bool IsAlone; ///< one thread visits the edges
+  LeastValues SquaredDistances;
+  Marks IsSuspect;
 };
 
 NeighborSearch::NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
@@ -161,15 +218,18 @@ NeighborSearch::NeighborSearch(const std::vector<Point2>& points, const std::vec
   , Corners(corners)
   , Neighbors(neighbors)
   , Beats(pulse)
-  , SquaredDistances(points.size(), Infinity)
-  , IsSuspect(points.size(), 0)
+  , IsAlone(pulse.Threads().NumberOfThreads() == 1)
+  , SquaredDistances(points.size())
+  , IsSuspect(points.size())
 {
 }
 
 void NeighborSearch::VisitEdges()
 {
   const PulsePart part(this->Beats, 0.0, VisitEnd);
-  this->Beats.ForEach(this->Corners.size() / 3,
+  ForEachAtOnce(this->Beats, this->Points.size(),
+    [this](std::size_t vertex) { this->SquaredDistances.Set(vertex, Infinity); });
+  ForEachAtOnce(this->Beats, this->Corners.size() / 3,
     [this](std::size_t triangle) { this->VisitTriangle(static_cast<Id>(triangle)); });
 }
 
@@ -219,13 +279,13 @@ void NeighborSearch::JudgeInnerEdge(Id a, Id b, Id apex, Id beyond)
 void NeighborSearch::JudgeBoundaryEdge(Id a, Id b, Id apex)
 {
   // The boundary runs on from b: another edge marks that.
-  this->IsSuspect[static_cast<std::size_t>(a)] = 1;
+  this->IsSuspect.Set(static_cast<std::size_t>(a), 1);
   const Point2& p = this->Place(apex);
   const double squaredRadius =
     std::min(SquaredDistance(p, this->Place(a)), SquaredDistance(p, this->Place(b)));
   if (Reaches(p, squaredRadius, this->Place(a), this->Place(b)))
   {
-    this->IsSuspect[static_cast<std::size_t>(apex)] = 1;
+    this->IsSuspect.Set(static_cast<std::size_t>(apex), 1);
   }
 }
 
@@ -239,14 +299,13 @@ void NeighborSearch::JudgeApex(Id apex, Id a, Id b, Id beyond)
   if (Reaches(p, squaredRadius, this->Place(a), this->Place(b)) &&
     (Reaches(p, squaredRadius, this->Place(a), q) || Reaches(p, squaredRadius, this->Place(b), q)))
   {
-    this->IsSuspect[static_cast<std::size_t>(apex)] = 1;
+    this->IsSuspect.Set(static_cast<std::size_t>(apex), 1);
   }
 }
 
 void NeighborSearch::Shorten(Id vertex, double squaredDistance)
 {
-  double& known = this->SquaredDistances[static_cast<std::size_t>(vertex)];
-  known = std::min(known, squaredDistance);
+  this->SquaredDistances.Lower(static_cast<std::size_t>(vertex), squaredDistance, this->IsAlone);
 }
 
 void NeighborSearch::SearchSuspects()
@@ -262,8 +321,10 @@ void NeighborSearch::SearchSuspects()
   for (std::size_t k = 0; k < suspects.size() && this->Beats.Beat(); ++k)
   {
     this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(suspects.size()));
-    double& known = this->SquaredDistances[static_cast<std::size_t>(suspects[k])];
-    known = tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known);
+    const std::size_t vertex = static_cast<std::size_t>(suspects[k]);
+    const double known = this->SquaredDistances[vertex];
+    this->SquaredDistances.Set(
+      vertex, tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known));
   }
 }
 
@@ -277,30 +338,32 @@ PointTree NeighborSearch::TreeFor(const std::vector<Id>& suspects) const
 // vertices whose neighbors are so close that rounding decides where they are seen.
 std::vector<Id> NeighborSearch::Suspects() const
 {
-  const bool areAllUsed = std::find(this->SquaredDistances.begin(), this->SquaredDistances.end(),
-                            Infinity) == this->SquaredDistances.end();
   const double close = Close * this->LargestCoordinate();
-  std::vector<Id> suspects;
-  this->Beats.ForEach(this->Points.size(),
-    [this, areAllUsed, close, &suspects](std::size_t i)
+  SuspectList list = SumAtOnce(this->Beats, this->Points.size(), SuspectList(),
+    [this, close](SuspectList& own, std::size_t i)
     {
-      const bool isClose = this->SquaredDistances[i] <= close * close;
-      if (this->IsSuspect[i] != 0 || isClose || !areAllUsed)
+      const double distance = this->SquaredDistances[i];
+      own.AreAllUsed = own.AreAllUsed && distance < Infinity;
+      if (this->IsSuspect[i] != 0 || distance <= close * close)
       {
-        suspects.push_back(static_cast<Id>(i));
+        own.Vertices.push_back(static_cast<Id>(i));
       }
     });
-  return suspects;
+  if (!list.AreAllUsed)
+  {
+    list.Vertices.resize(this->Points.size());
+    std::iota(list.Vertices.begin(), list.Vertices.end(), 0);
+  }
+  return std::move(list.Vertices);
 }
 
 double NeighborSearch::LargestCoordinate() const
 {
-  double largest = 0.0;
-  this->Beats.ForEach(this->Points.size(),
-    [this, &largest](std::size_t i) {
-      largest = std::max({ largest, std::abs(this->Points[i].X), std::abs(this->Points[i].Y) });
-    });
-  return largest;
+  return SumAtOnce(this->Beats, this->Points.size(), Largest(),
+    [this](Largest& own, std::size_t i) {
+      own.Value = std::max({ own.Value, std::abs(this->Points[i].X), std::abs(this->Points[i].Y) });
+    })
+    .Value;
 }
 
 CellMask NeighborSearch::CellsOf(const std::vector<Id>& suspects) const
@@ -332,8 +395,9 @@ std::vector<PointTree::Item> NeighborSearch::Candidates(const CellMask& cells) c
 std::vector<double> NeighborSearch::Distances() const
 {
   const PulsePart part(this->Beats, SearchEnd, 1.0);
-  std::vector<double> distances(this->SquaredDistances.size());
-  this->Beats.ForEach(distances.size(),
+  std::vector<double> distances;
+  GrowInSteps(distances, this->SquaredDistances.Size(), 0.0, this->Beats);
+  ForEachAtOnce(this->Beats, distances.size(),
     [this, &distances](std::size_t i) { distances[i] = std::sqrt(this->SquaredDistances[i]); });
   return this->Beats.HasStopped() ? std::vector<double>() : distances;
 }

@@ -3,6 +3,7 @@
 
 #include "Quality/MeshCheck.h"
 
+#include "../Support/TestThreads.h"
 #include "TestMesh.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +116,25 @@ TEST(CheckMesh, AcceptsHolesAndComponents)
   EXPECT_EQ(Check(TestMesh::Grid(biting::UnitLines(9), biting::UnitLines(9),
               [](std::size_t column, std::size_t) { return column % 3 != 1; })),
     "");
+}
+
+/// So many triangles that there are several tasks, each with some of every component.
+TEST(CheckMesh, CountsComponentsOnAnyNumberOfThreads)
+{
+  TestMesh mesh = TestMesh::Grid(biting::UnitLines(300), biting::UnitLines(300),
+    [](std::size_t column, std::size_t row)
+    { return column % 3 != 1 || (row == 299 && column < 9); });
+  for (const int numberOfThreads : { 1, 2, 8 })
+  {
+    biting::MonitorWithThreads monitor(numberOfThreads);
+    biting::MeshCheckInput input{ mesh.Points, mesh.Corners, mesh.Neighbors, mesh.Constraints,
+      mesh.Area() };
+    EXPECT_EQ(biting::CheckMesh(input, monitor), "");
+    input.ExpectedArea += 1.0;
+    ExpectViolation(biting::CheckMesh(input, monitor), "the area is");
+  }
+  mesh.Points.push_back({ 0.0, 0.0 });
+  ExpectViolation(Check(mesh), "vertex " + std::to_string(mesh.Points.size() - 1) + " belongs");
 }
 
 TEST(CheckMesh, AcceptsPartsThatTouchInVertices)

@@ -3,6 +3,7 @@
 
 #include "Quality/NearestNeighbors.h"
 
+#include "../Support/TestThreads.h"
 #include "TestMesh.h"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,25 @@ TEST(NearestNeighbors, AreFoundInJitteredGrids)
     ExpectTruth(mesh);
     mesh.MakeDelaunay();
     ExpectTruth(mesh);
+  }
+}
+
+/// So many triangles that there are several tasks.
+TEST(NearestNeighbors, AreTheSameForAnyNumberOfThreads)
+{
+  TestMesh mesh = TestMesh::Grid(biting::UnitLines(300), biting::UnitLines(200), IsKeptAlways);
+  for (std::size_t k = 0; k < mesh.Points.size(); ++k)
+  {
+    mesh.Points[k].X += 0.004 * static_cast<double>(7919 * k % 101);
+    mesh.Points[k].Y += 0.004 * static_cast<double>(5413 * k % 97);
+  }
+  const std::vector<double> alone = Distances(mesh);
+  EXPECT_EQ(alone, biting::NearestNeighborDistances(mesh.Points, biting::NoMonitor()));
+  for (const int numberOfThreads : { 2, 3, 8 })
+  {
+    biting::MonitorWithThreads monitor(numberOfThreads);
+    EXPECT_EQ(
+      biting::NearestNeighborDistances(mesh.Points, mesh.Corners, mesh.Neighbors, monitor), alone);
   }
 }
 
