@@ -9,6 +9,7 @@
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DomainMembership.h"
 #include "Bridge/FilterRun.h"
+#include "Bridge/MeshPieces.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
@@ -34,6 +35,7 @@
 #include "vtkPolyData.h"
 
 #include <string> // for refusals
+#include <vector> // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -77,6 +79,9 @@ public:
   /// Fills the outputs of the filter; says what is wrong.
   void Run(const biting::WholeInput& drawing, const biting::WholeInput& source,
     vtkInformationVector* outputs);
+
+  /// Hands out the mesh to all ranks, where it is of blocks: returns whether it has.
+  bool Spread(const biting::Ranks& ranks, vtkInformationVector* outputs);
 
 private:
   bool Gather(const biting::WholeInput& drawing, const biting::WholeInput& source);
@@ -190,12 +195,19 @@ int vtkBitingMesher::RequestData(
     this->IsPassingBlocks ? biting::Ranks() : biting::Ranks(request, outputVector);
   const biting::WholeInput drawing(ranks, inputVector[0]);
   const biting::WholeInput source(ranks, inputVector[1]);
+  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
+  bool isSpread = false;
   if (ranks.IsFirst())
   {
-    Execution(this).Run(drawing, source, outputVector);
+    Execution execution(this);
+    execution.Run(drawing, source, outputVector);
+    isSpread = execution.Spread(ranks, outputVector);
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
-  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
+  else if (ranks.AreSeveral())
+  {
+    ranks.ReceivePiece(mesh);
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, isSpread, this, outputVector);
   this->Summary += biting::SummaryOf(mesh, watch.Seconds()) +
     biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);
   return 1; // also where there was an error: views keep the mesh before it where this is 0
@@ -261,6 +273,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Order = Orders[filter.FrontOrder];
   this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
+  this->Options.VerticesPerBlock = filter.VerticesPerBlock;
   this->Options.Phi = filter.Phi;
   this->Options.Relaxation = filter.Relaxation;
   this->Options.KeepBites = filter.GenerateBites;
@@ -461,6 +474,19 @@ void vtkBitingMesher::Execution::WriteEdges(
 }
 
 //------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::Spread(const biting::Ranks& ranks, vtkInformationVector* outputs)
+{
+  const auto divide = [this, &ranks](biting::Pulse& pulse)
+  {
+    std::vector<biting::Id> pieces =
+      biting::PiecesOfTriangles(this->Mesh, ranks.Count(), pulse);
+    this->Mesh = biting::BitingMesh();
+    return pieces;
+  };
+  return this->FilterRun::Spread(ranks, divide, outputs);
+}
+
+//------------------------------------------------------------------------------
 void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -484,6 +510,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Placement: " << this->Placement << "\n"
      << indent << "FrontOrder: " << this->FrontOrder << "\n"
      << indent << "MaximumNumberOfBites: " << this->MaximumNumberOfBites << "\n"
+     << indent << "VerticesPerBlock: " << this->VerticesPerBlock << "\n"
      << indent << "Phi: " << this->Phi << "\n"
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"

@@ -567,6 +567,17 @@ public:
 
   ///@{
   /**
+   * Where at least twice as many vertices are expected, the domain is cut into blocks of about so
+   * many (Cost, above): what threads and ranks share among them. The mesh depends on it, a little;
+   * with less than the default triangles are worse along the cuts. >= 0; 0: one block. Default
+   * 128 000.
+   */
+  vtkSetClampMacro(VerticesPerBlock, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(VerticesPerBlock, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * How many threads work on the mesh (Cost, above), >= 0; it does not depend on it. 0 (default):
    * as many as there are cores for this process. 1: none is started. Threads come from vtkSMPTools,
    * by its backend, or by STDThread where that is Sequential.
@@ -637,6 +648,7 @@ private:
   double Phi = 1.0;
   bool Relaxation = true;
   vtkIdType MaximumNumberOfVertices = 20000000;
+  vtkIdType VerticesPerBlock = 128000;
   int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;

@@ -182,7 +182,7 @@ int vtkBitingRemesher::RequestData(
   {
     Execution(this).Run(mesh, source, lines, outputVector);
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");

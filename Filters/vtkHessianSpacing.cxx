@@ -125,7 +125,7 @@ int vtkHessianSpacing::RequestData(
   {
     Execution(this).Run(input, vtkDataSet::GetData(outputVector));
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 

@@ -241,7 +241,7 @@ int vtkMeshConformity::RequestData(
   {
     Execution(this).Run(mesh, source, outputVector);
   }
-  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, this, outputVector);
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   this->Summary += biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
   return 1; // also where there was an error: views keep what was before it where this is 0
 }

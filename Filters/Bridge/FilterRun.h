@@ -4,9 +4,11 @@
 #ifndef BitingFilterRun_h
 #define BitingFilterRun_h
 
+#include "../Kernel/Base/Ids.h"
 #include "../Kernel/Base/Monitor.h"
 #include "../Kernel/Base/Point2.h"
 #include "../Kernel/Base/Problem.h"
+#include "../Kernel/Base/Pulse.h"
 #include "../Kernel/MeshingStages.h"
 #include "../Kernel/Spacing/Spacing.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
@@ -14,6 +16,7 @@
 #include "MonitorOfFilter.h"
 #include "PlaneFrame.h"
 #include "ProblemPlaces.h"
+#include "Ranks.h"
 
 #include <functional> // for steps
 #include <string>     // for messages
@@ -83,6 +86,12 @@ protected:
   /// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
   void WriteProblems(const PlanarInput& planar, RepairPolicy policy, vtkPolyData* output);
 
+  /// Of all ranks the first calls this, once, after Guard; the others Ranks::ReceivePiece. Hands out
+  /// the mesh, the first output, to all ranks: `divide` says which is to have each triangle, none
+  /// where the first has all. What goes wrong is said. Returns whether it was handed out.
+  bool Spread(const Ranks& ranks, const std::function<std::vector<Id>(Pulse&)>& divide,
+    vtkInformationVector* outputs);
+
   bool WasAborted() const { return this->Progress.HasStopped(); }
 
   ProblemList Problems;
@@ -92,6 +101,7 @@ protected:
 
 private:
   void EndWhereStopped();
+  void EndUndelivered(vtkInformationVector* outputs);
 
   RunningFilter Running;
 };

@@ -4,6 +4,7 @@
 #include "Ranks.h"
 
 #include "PieceBytes.h"
+#include "PieceTransfer.h"
 #include "WholeFromPieces.h"
 
 #include "vtkAbstractArray.h"
@@ -112,6 +113,20 @@ void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
   }
 }
 
+// Null also where memory does not suffice.
+vtkSmartPointer<vtkPolyData> MakeOrNull(
+  const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, int rank)
+{
+  try
+  {
+    return make(rank);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+
 void MakePoints(vtkDataObject* output)
 {
   if (auto* pointSet = vtkPointSet::SafeDownCast(output))
@@ -140,6 +155,11 @@ Ranks::Ranks(vtkInformation* request, vtkInformationVector* outputs)
   {
     this->Piece = asked->Get(Pipeline::UPDATE_PIECE_NUMBER());
   }
+}
+
+int Ranks::Count() const
+{
+  return this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
 }
 
 void Ranks::AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const
@@ -210,8 +230,42 @@ bool Ranks::CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered)
   return isReady != 0;
 }
 
-unsigned long Ranks::ShareOutcome(
-  unsigned long errorCode, vtkAlgorithm* filter, vtkInformationVector* outputs) const
+Delivery Ranks::SendPieces(
+  const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, vtkPolyData* output) const
+{
+  int areThere = make ? 1 : 0;
+  this->Controller->Broadcast(&areThere, 1, 0);
+  if (areThere == 0)
+  {
+    return Delivery::None;
+  }
+  // Every rank waits for an answer, also once one has failed.
+  bool isDone = true;
+  for (int rank = 1; rank < this->Count(); ++rank)
+  {
+    const auto piece = isDone ? MakeOrNull(make, rank) : nullptr;
+    isDone = biting::SendPiece(this->Controller, rank, piece) && isDone;
+  }
+  const auto own = isDone ? MakeOrNull(make, 0) : nullptr;
+  if (own)
+  {
+    output->ShallowCopy(own);
+  }
+  return own ? Delivery::Done : Delivery::Failed;
+}
+
+void Ranks::ReceivePiece(vtkPolyData* output) const
+{
+  int areThere = 0;
+  this->Controller->Broadcast(&areThere, 1, 0);
+  if (areThere != 0)
+  {
+    biting::ReceivePiece(this->Controller, 0, output);
+  }
+}
+
+unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
+  vtkInformationVector* outputs) const
 {
   if (!this->AreSeveral())
   {
@@ -222,7 +276,8 @@ unsigned long Ranks::ShareOutcome(
   if (this->IsFirst())
   {
     stream << static_cast<vtkTypeUInt64>(errorCode)
-           << static_cast<int>(vtkBitingCompat::WasAborted(filter));
+           << static_cast<int>(vtkBitingCompat::WasAborted(filter))
+           << static_cast<int>(areSpread);
     for (int port = 0; port < numberOfPorts; ++port)
     {
       for (const int association : Associations)
@@ -239,7 +294,8 @@ unsigned long Ranks::ShareOutcome(
   }
   vtkTypeUInt64 code = 0;
   int isAborted = 0;
-  stream >> code >> isAborted;
+  int isKept = 0;
+  stream >> code >> isAborted >> isKept;
   if (isAborted != 0)
   {
     vtkBitingCompat::Abort(filter);
@@ -247,11 +303,14 @@ unsigned long Ranks::ShareOutcome(
   for (int port = 0; port < numberOfPorts; ++port)
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
-    output->Initialize();
-    MakePoints(output);
+    // Of a piece that is kept, what follows is the same once more.
+    vtkNew<vtkPolyData> unused;
+    vtkDataObject* made = port == 0 && isKept != 0 ? unused.Get() : output;
+    made->Initialize();
+    MakePoints(made);
     for (const int association : Associations)
     {
-      MakeArrays(output, association, stream);
+      MakeArrays(made, association, stream);
     }
     MakeFieldData(output, stream);
   }

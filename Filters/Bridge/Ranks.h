@@ -8,7 +8,8 @@
 
 #include "vtkSmartPointer.h" // for data objects
 
-#include <vector> // for buffers
+#include <functional> // for pieces
+#include <vector>     // for buffers
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
@@ -16,6 +17,7 @@ class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 class vtkMultiProcessController;
+class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
@@ -29,8 +31,17 @@ struct GatheredBytes
   std::vector<vtkIdType> Offsets; ///< of each rank's piece, and the end
 };
 
+/// What became of the pieces of an output.
+enum class Delivery
+{
+  None, ///< there were none: the first rank has the whole
+  Done, ///< each rank has its own
+  Failed
+};
+
 /// The processes that execute one filter together, each with a piece of the input: the first one
-/// works on the whole and has the output, the others have empty pieces with the same arrays.
+/// works on the whole. It has the output, and the others empty pieces with the same arrays; or it
+/// hands out the pieces of one output to all.
 ///
 /// They are those of vtkMultiProcessController::GetGlobalController(), where as many pieces are
 /// asked for as it has. A process that asks for one piece of one works alone, whatever the others
@@ -45,6 +56,7 @@ public:
 
   bool AreSeveral() const { return this->Controller != nullptr; }
   bool IsFirst() const { return this->Piece == 0; }
+  int Count() const; ///< of the ranks; 1 where the process is alone
 
   /// In REQUEST_UPDATE_EXTENT: asks for the pieces that Gather takes, without ghosts.
   void AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const;
@@ -52,11 +64,20 @@ public:
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
-  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, and tells its
+  /// On the first rank: hands out pieces of a mesh, `make` makes that of a rank; a null one, and too
+  /// little memory on any rank, are a failure. No `make`: there are none. `output` becomes the
+  /// first rank's piece; it is left as it is where the outcome is not Done.
+  Delivery SendPieces(const std::function<vtkSmartPointer<vtkPolyData>(int)>& make,
+    vtkPolyData* output) const;
+  /// On the others, which do not learn whether all ranks have theirs (ShareOutcome tells).
+  void ReceivePiece(vtkPolyData* output) const;
+
+  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, but for the
+  /// first output where its pieces were handed out (`areSpread`, of the first rank), and tells its
   /// error code, which is returned. Where the first has stopped `filter`, the others do, too: a
   /// pipeline executes it again, which it must do on all ranks.
-  unsigned long ShareOutcome(
-    unsigned long errorCode, vtkAlgorithm* filter, vtkInformationVector* outputs) const;
+  unsigned long ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
+    vtkInformationVector* outputs) const;
 
 private:
   bool CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered) const;
@@ -69,6 +90,9 @@ private:
 constexpr const char* NotGathered =
   "The pieces of the input cannot be gathered on the first rank: they "
   "are too large for its memory, or of a kind that cannot be sent.";
+
+/// What to say where SendPieces has failed.
+constexpr const char* NotSpread = "The mesh cannot be handed out: a rank has too little memory.";
 
 /// What to say where the whole has to be of the kind of its pieces, and is not.
 constexpr const char* NotOneGrid =

@@ -17,10 +17,12 @@ set(biting_bridge_sources
   FacesFromDataSet.cxx
   FilterRun.cxx
   MeshFromPieces.cxx
+  MeshPieces.cxx
   MeshToPolyData.cxx
   MessagesFromProblems.cxx
   MonitorOfFilter.cxx
   PieceBytes.cxx
+  PieceTransfer.cxx
   PlaneCut.cxx
   PlaneFrame.cxx
   PolylinesFromPolyData.cxx

@@ -387,6 +387,7 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   BitingMesh mesh =
     Finish(input.Simplified, input.F, options, std::move(bites), triangulation, problems, whole);
   mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.NumberOfBlocks()) : 1;
+  mesh.Cuts = isOfBlocks ? blocks.Cuts() : CutTree();
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }
 

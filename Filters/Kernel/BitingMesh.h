@@ -10,6 +10,7 @@
 #include "Base/Problem.h"
 #include "Biting/Bites.h"
 #include "Biting/CandidateQueue.h" // for FrontOrder
+#include "Blocks/CutTree.h"
 #include "Domain/Domain.h"
 #include "Domain/Polylines.h"
 #include "Quality/Quality.h"
@@ -104,6 +105,7 @@ struct BitingMesh
     0.0; ///< of the vertices: those that only the drawing asks for (FineDrawing.h)
 
   Id NumberOfBlocks = 1;
+  CutTree Cuts; ///< that made the blocks; without nodes: one block
 
   /// Why the mesh is of one block though the domain was cut: what the check said of the mesh of
   /// several blocks. Empty: nothing was wrong.

@@ -139,6 +139,7 @@ set(biting_kernel_sources
   Blocks/CutPlan.cxx
   Blocks/CutRows.cxx
   Blocks/CutStrip.cxx
+  Blocks/CutTree.cxx
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/RimFlips.cxx

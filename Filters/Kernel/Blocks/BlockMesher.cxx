@@ -78,6 +78,7 @@ void BlockMesher::Plan(
   division.PartLength = UsedPartLength(this->Options);
   division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
   this->Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
+  this->Tree = plan.Tree;
   this->Meshes.resize(this->Parts.Blocks.size());
   this->OrderBlocks();
 }

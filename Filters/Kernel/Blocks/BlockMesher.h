@@ -12,6 +12,7 @@
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
 #include "BlockDomains.h"
+#include "CutTree.h"
 #include "JoinedBlocks.h"
 
 #include <vector> // for the blocks
@@ -38,6 +39,9 @@ public:
   bool IsInUse() const { return !this->Parts.Blocks.empty(); }
   std::size_t NumberOfBlocks() const { return this->Parts.Blocks.size(); }
 
+  /// By which the blocks were cut, where it is in use.
+  const CutTree& Cuts() const { return this->Tree; }
+
   /// The steps, in their order. The first one cuts the domain, and bites its blocks; `vertices` are
   /// expected, `options` has the biting constant. Returns false where there are no blocks, as where
   /// `verticesPerBlock` is 0: then nothing is done.
@@ -63,6 +67,7 @@ private:
   const Spacing& F;
   BitingOptions Options;
   BlockDomains Parts;
+  CutTree Tree;
   std::vector<std::size_t> LargestFirst; ///< the blocks, as tasks
   std::vector<BlockMesh> Meshes;
   JoinedMesh Joined;

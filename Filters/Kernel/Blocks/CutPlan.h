@@ -4,46 +4,15 @@
 #ifndef BitingCutPlan_h
 #define BitingCutPlan_h
 
-#include "../Base/Ids.h"
-#include "../Base/Point2.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
 #include "CutGraph.h"
-
-#include <vector> // for the tree
+#include "CutTree.h"
 
 namespace biting
 {
-
-/// A kd-tree over the plane; node 0 is the root.
-struct CutTree
-{
-  struct Node
-  {
-    bool IsVertical = true; ///< the line that divides it
-    double At = 0.0;
-    Id Children = NoId;    ///< the lower one, the other follows; NoId: a leaf
-    Id Leaf = NoId;        ///< number of the leaf
-    double Vertices = 0.0; ///< of the mesh, expected
-  };
-
-  std::vector<Node> Nodes;
-  Id NumberOfLeaves = 0;
-
-  /// The node that is the leaf at p.
-  Id NodeAt(const Point2& p) const
-  {
-    Id node = 0;
-    while (this->Nodes[node].Children != NoId)
-    {
-      const double x = this->Nodes[node].IsVertical ? p.X : p.Y;
-      node = this->Nodes[node].Children + (x < this->Nodes[node].At ? 0 : 1);
-    }
-    return node;
-  }
-};
 
 /// Where a domain is cut.
 struct CutPlan

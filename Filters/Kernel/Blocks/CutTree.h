@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCutTree_h
+#define BitingCutTree_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <vector> // for the nodes
+
+namespace biting
+{
+
+/// A kd-tree over the plane; node 0 is the root. Without nodes: nothing is cut.
+struct CutTree
+{
+  struct Node
+  {
+    bool IsVertical = true; ///< the line that divides it
+    double At = 0.0;
+    Id Children = NoId;    ///< the lower one, the other follows; NoId: a leaf
+    Id Leaf = NoId;        ///< number of the leaf
+    double Vertices = 0.0; ///< of the mesh, expected
+  };
+
+  std::vector<Node> Nodes;
+  Id NumberOfLeaves = 0;
+
+  /// The node that is the leaf at p.
+  Id NodeAt(const Point2& p) const
+  {
+    Id node = 0;
+    while (this->Nodes[node].Children != NoId)
+    {
+      const double x = this->Nodes[node].IsVertical ? p.X : p.Y;
+      node = this->Nodes[node].Children + (x < this->Nodes[node].At ? 0 : 1);
+    }
+    return node;
+  }
+};
+
+/// Deals the leaves out, in the order of the tree: which of `parts` each leaf (by its number) is
+/// of. A part is leaves in a row, so that it lies together, with about as many expected vertices as
+/// the others; where there are more parts than leaves some have none. Depends on the tree alone.
+std::vector<Id> DealLeaves(const CutTree& tree, Id parts);
+
+} // namespace biting
+
+#endif
