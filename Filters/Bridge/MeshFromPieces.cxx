@@ -91,6 +91,7 @@ private:
   void LeaveOutRepeated(Numbers& cells) const;
   int Group(vtkIdType cell) const;
   Numbers NumberPoints(Numbers& kept) const;
+  Numbers OwnersOf(const Numbers& kept) const;
 
   vtkDataSet* All;
   Numbers PointEnds; ///< of each piece
@@ -325,6 +326,32 @@ Numbers Merger::NumberPoints(Numbers& kept) const
   return numbers;
 }
 
+// Of all points that are one, one that its piece owns, if there is such: what a filter made there
+// of cells all around is right.
+Numbers Merger::OwnersOf(const Numbers& kept) const
+{
+  vtkUnsignedCharArray* ghosts = this->All->GetPointGhostArray();
+  if (!ghosts)
+  {
+    return kept;
+  }
+  const auto isOwn = [ghosts](vtkIdType point)
+  { return (ghosts->GetValue(point) & vtkDataSetAttributes::DUPLICATEPOINT) == 0; };
+  Numbers owners(this->Merged.size());
+  std::iota(owners.begin(), owners.end(), vtkIdType{ 0 });
+  for (vtkIdType point = 0; point < this->All->GetNumberOfPoints(); ++point)
+  {
+    vtkIdType& owner = owners[static_cast<std::size_t>(this->Merged[static_cast<std::size_t>(point)])];
+    owner = isOwn(owner) || !isOwn(point) ? owner : point;
+  }
+  Numbers ofKept;
+  for (const vtkIdType point : kept)
+  {
+    ofKept.push_back(owners[static_cast<std::size_t>(point)]);
+  }
+  return ofKept;
+}
+
 // Arrays of other kinds than those that appending keeps are lost with it.
 void CopyArrays(vtkDataSetAttributes* from, const Numbers& tuples, vtkDataSetAttributes* to)
 {
@@ -382,7 +409,7 @@ vtkSmartPointer<vtkDataSet> Merger::Result()
     result->InsertNextCell(
       this->All->GetCellType(cell), static_cast<int>(corners.size()), corners.data());
   }
-  CopyArrays(this->All->GetPointData(), keptPoints, result->GetPointData());
+  CopyArrays(this->All->GetPointData(), this->OwnersOf(keptPoints), result->GetPointData());
   CopyArrays(this->All->GetCellData(), this->Kept, result->GetCellData());
   return result;
 }

@@ -38,11 +38,12 @@ vtkSmartPointer<vtkAbstractArray> ArrayLike(vtkAbstractArray* given, std::size_t
   return array;
 }
 
-bool IsTransferred(vtkAbstractArray* given, vtkIdType size, vtkFieldData* to)
+bool IsTransferred(
+  vtkDataSetAttributes* from, vtkAbstractArray* given, vtkIdType size, vtkFieldData* to)
 {
   const std::string name = given->GetName() ? given->GetName() : "";
   return given->GetNumberOfTuples() >= size && !name.empty() && !to->HasArray(name.c_str()) &&
-    name != vtkDataSetAttributes::GhostArrayName();
+    name != vtkDataSetAttributes::GhostArrayName() && given != from->GetGlobalIds();
 }
 
 /// Carries arrays from the points and cells of an old mesh to those of a new one.
@@ -83,7 +84,7 @@ void Transfer::CarryPoints(vtkDataSet* from, vtkPointData* to)
   for (int k = 0; k < given->GetNumberOfArrays() && this->Beats.Ask(); ++k)
   {
     vtkAbstractArray* old = given->GetAbstractArray(k);
-    if (IsTransferred(old, from->GetNumberOfPoints(), to))
+    if (IsTransferred(given, old, from->GetNumberOfPoints(), to))
     {
       const auto array = ArrayLike(old, this->Result.Mesh.Points.size());
       this->Carry(old, places, array);
@@ -159,7 +160,7 @@ void Transfer::CarryCells(vtkDataSet* from, const std::string& region, vtkCellDa
   for (int k = 0; k < given->GetNumberOfArrays() && this->Beats.Ask(); ++k)
   {
     vtkAbstractArray* old = given->GetAbstractArray(k);
-    if (IsTransferred(old, from->GetNumberOfCells(), to))
+    if (IsTransferred(given, old, from->GetNumberOfCells(), to))
     {
       const auto array = ArrayLike(old, atMiddles.size());
       const bool isRegion = region == old->GetName();

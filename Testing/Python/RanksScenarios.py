@@ -337,6 +337,11 @@ def aborts(answer):
 
 
 def main():
+    answer_with(globals())
+
+
+def answer_with(scenarios):
+    """Calls those of the functions that the arguments name, and writes what they say."""
     plugin = os.environ['BITING_PLUGIN']
     port = os.environ.get('BITING_SERVER_PORT')
     simple.LoadPlugin(plugin, ns=globals())
@@ -345,9 +350,10 @@ def main():
         simple.LoadPlugin(plugin, remote=True, ns=globals())
     answer = {}
     for name in sys.argv[1:]:
-        globals()[name](answer)
+        scenarios[name](answer)
     with open(os.environ['BITING_ANSWER'], 'w', encoding='ascii') as file:
         json.dump(answer, file)
 
 
-main()
+if __name__ == '__main__':
+    main()

@@ -53,11 +53,10 @@ def environment(path):
     return dict(kept, BITING_ANSWER=path, OMPI_MCA_mpi_yield_when_idle='1')
 
 
-def answer_by(command, scenarios, **variables):
+def answer_by(command, scenarios, script=os.path.join(HERE, 'RanksScenarios.py'), **variables):
     """What the scenarios gave, and what any rank said that the first one did not catch."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, 'answer.json')
-        script = os.path.join(HERE, 'RanksScenarios.py')
         result = subprocess.run(
             command + ['--force-offscreen-rendering', script] + scenarios,
             env=dict(environment(path), **variables), timeout=SECONDS, check=True,
