@@ -478,8 +478,7 @@ bool vtkBitingMesher::Execution::Spread(const biting::Ranks& ranks, vtkInformati
 {
   const auto divide = [this, &ranks](biting::Pulse& pulse)
   {
-    std::vector<biting::Id> pieces =
-      biting::PiecesOfTriangles(this->Mesh, ranks.Count(), pulse);
+    std::vector<biting::Id> pieces = biting::PiecesOfTriangles(this->Mesh, ranks.Count(), pulse);
     this->Mesh = biting::BitingMesh();
     return pieces;
   };

@@ -140,14 +140,6 @@
  * alone, are a line of text each, through vtkOutputWindow, and counted in output 3. They are silent
  * where GlobalWarningDisplay is off.
  *
- * @par Ranks:
- * The pieces are gathered on the first rank, which works and has the outputs; errors are said once.
- * All ranks have to ask for the output together. A filter before this one that reports an error on
- * some ranks alone, with success and an empty output, as ParaView's scripts do, counts as an empty
- * piece. But one whose RequestData returns 0 on some ranks alone makes the others wait without end:
- * VTK's executive does not call the filters after it there, and in the passes before, in which they
- * are called, nothing has failed yet. Only an executive of its own could tell the others.
- *
  * @par Progress and abort:
  * The progress text names the stage, from reading the input to writing the mesh; the progress grows
  * about as time goes, and is reported at each percent or tenth of a second. SetAbortExecute, from
@@ -157,13 +149,29 @@
  *
  * @par Ranks:
  * Where several processes execute the filter, each with a piece, the pieces of both inputs are
- * gathered on the first one, which makes the mesh and says what is wrong; the others have empty
- * pieces with the same arrays. Copies of one piece, ghost cells, and cells that several pieces have
- * count once. Cells and points keep the order of their global ids, else that of the pieces: where a
- * drawing was divided in its order, or has global ids, the mesh is the serial one, byte for byte.
- * It takes the memory of one process, and at most 2 GB of input. The processes are those of the
- * global vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of
- * 1 works alone.
+ * gathered on the first one, which makes the mesh and says what is wrong. Copies of one piece,
+ * ghost cells, and cells that several pieces have count once. Cells and points keep the order of
+ * their global ids, else that of the pieces: where a drawing was divided in its order, or has
+ * global ids, the mesh is the serial one, byte for byte.
+ * @par
+ * A mesh of blocks (Cost, below) is handed out: each rank has the triangles of blocks that lie
+ * together, about as many as the others, in the order of the serial mesh. Point and cell data then
+ * have `GlobalPointIds` and `GlobalCellIds` (vtkIdType, the active global ids), the numbers in the
+ * serial mesh, and points have `vtkGhostType`: DUPLICATEPOINT where the piece of a lower rank has
+ * the point, too. Ghost levels that filters behind ask for are triangles of other ranks,
+ * DUPLICATECELL in the cell array `vtkGhostType`; asking for more levels later executes the filter
+ * again. All other arrays are there as in the serial mesh. The other outputs, and a mesh of one
+ * block, are the first rank's: the others have empty pieces with the same arrays. `MeshPointId` of
+ * output 1 is the number in the serial mesh.
+ * @par
+ * The mesh takes the memory of one process before it is handed out, and inputs of at most 2 GB can
+ * be gathered. The processes are those of the global vtkMultiProcessController where as many pieces
+ * are asked for; one that asks for piece 0 of 1 works alone. All ranks have to ask for the output
+ * together. A filter before this one that reports an error on some ranks alone, with success and an
+ * empty output, as ParaView's scripts do, counts as an empty piece. But one whose RequestData
+ * returns 0 on some ranks alone makes the others wait without end: VTK's executive does not call
+ * the filters after it there, and in the passes before, in which they are called, nothing has
+ * failed yet. Only an executive of its own could tell the others.
  *
  * @par Limits:
  * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be

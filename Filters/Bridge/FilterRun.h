@@ -86,9 +86,10 @@ protected:
   /// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
   void WriteProblems(const PlanarInput& planar, RepairPolicy policy, vtkPolyData* output);
 
-  /// Of all ranks the first calls this, once, after Guard; the others Ranks::ReceivePiece. Hands out
-  /// the mesh, the first output, to all ranks: `divide` says which is to have each triangle, none
-  /// where the first has all. What goes wrong is said. Returns whether it was handed out.
+  /// The first of several ranks calls this, once, after Guard, and the others
+  /// Ranks::ReceivePiece. Hands out the mesh, the first output, to all ranks: `divide` says which
+  /// is to have each triangle, none where the first has all. What goes wrong is said. Returns
+  /// whether it was handed out.
   bool Spread(const Ranks& ranks, const std::function<std::vector<Id>(Pulse&)>& divide,
     vtkInformationVector* outputs);
 

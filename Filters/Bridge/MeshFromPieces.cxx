@@ -341,7 +341,8 @@ Numbers Merger::OwnersOf(const Numbers& kept) const
   std::iota(owners.begin(), owners.end(), vtkIdType{ 0 });
   for (vtkIdType point = 0; point < this->All->GetNumberOfPoints(); ++point)
   {
-    vtkIdType& owner = owners[static_cast<std::size_t>(this->Merged[static_cast<std::size_t>(point)])];
+    vtkIdType& owner =
+      owners[static_cast<std::size_t>(this->Merged[static_cast<std::size_t>(point)])];
     owner = isOwn(owner) || !isOwn(point) ? owner : point;
   }
   Numbers ofKept;

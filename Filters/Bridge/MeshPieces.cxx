@@ -203,8 +203,8 @@ void MeshPieces::AddLevel(Numbers& triangles, std::size_t& seen)
   std::sort(known.begin(), known.end());
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
-  std::set_difference(around.begin(), around.end(), known.begin(), known.end(),
-    std::back_inserter(triangles));
+  std::set_difference(
+    around.begin(), around.end(), known.begin(), known.end(), std::back_inserter(triangles));
 }
 
 Numbers MeshPieces::PointsOf(const Numbers& triangles)
@@ -265,8 +265,7 @@ void MeshPieces::AddTriangles(Id piece, const Numbers& triangles, vtkPolyData* o
     for (std::size_t k = 0; k < triangles.size(); ++k)
     {
       const bool isOwn = this->Pieces[static_cast<std::size_t>(triangles[k])] == piece;
-      ghosts->SetValue(
-        static_cast<vtkIdType>(k), isOwn ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+      ghosts->SetValue(static_cast<vtkIdType>(k), isOwn ? 0 : vtkDataSetAttributes::DUPLICATECELL);
     }
   }
 }

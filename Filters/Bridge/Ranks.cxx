@@ -276,8 +276,7 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAl
   if (this->IsFirst())
   {
     stream << static_cast<vtkTypeUInt64>(errorCode)
-           << static_cast<int>(vtkBitingCompat::WasAborted(filter))
-           << static_cast<int>(areSpread);
+           << static_cast<int>(vtkBitingCompat::WasAborted(filter)) << static_cast<int>(areSpread);
     for (int port = 0; port < numberOfPorts; ++port)
     {
       for (const int association : Associations)

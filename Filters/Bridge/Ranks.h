@@ -64,11 +64,11 @@ public:
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
-  /// On the first rank: hands out pieces of a mesh, `make` makes that of a rank; a null one, and too
-  /// little memory on any rank, are a failure. No `make`: there are none. `output` becomes the
+  /// On the first rank: hands out pieces of a mesh, `make` makes that of a rank; a null one, and
+  /// too little memory on any rank, are a failure. No `make`: there are none. `output` becomes the
   /// first rank's piece; it is left as it is where the outcome is not Done.
-  Delivery SendPieces(const std::function<vtkSmartPointer<vtkPolyData>(int)>& make,
-    vtkPolyData* output) const;
+  Delivery SendPieces(
+    const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, vtkPolyData* output) const;
   /// On the others, which do not learn whether all ranks have theirs (ShareOutcome tells).
   void ReceivePiece(vtkPolyData* output) const;
 

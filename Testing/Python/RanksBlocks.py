@@ -3,8 +3,8 @@
 
 """Meshes of blocks, which are spread over ranks: for TestRanksBlocksProxy.py, as RanksScenarios.py.
 
-What filters gave is put together from the pieces: points and cells by their global ids, each as the rank
-has it that owns it.
+What filters gave is put together from the pieces: points and cells by their global ids, each as
+the rank has it that owns it.
 """
 
 import os
