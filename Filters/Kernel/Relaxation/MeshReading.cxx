@@ -39,10 +39,18 @@ void ReserveWithRoom(std::size_t size, std::vector<Values>&... arrays)
   (arrays.reserve(size + size / 16), ...);
 }
 
+/// Gives back all but the first ones.
+template <typename Value>
+void KeepFirst(Id count, std::vector<Value>& values, Pulse& pulse)
+{
+  std::vector<Value>(values.begin(), values.begin() + count).swap(values);
+  pulse.Ask();
+}
+
 class Reader
 {
 public:
-  Reader(const RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
+  Reader(RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
     : Input(input)
     , Mesh(mesh)
     , Progress(pulse)
@@ -64,13 +72,16 @@ private:
   {
     const PulsePart part(this->Progress, 0.0, VerticesReadEnd);
     this->NumberVertices();
-    this->CopyVertices();
+    this->TakeVertices();
     return !this->Progress.HasStopped();
   }
   bool ReadTriangles()
   {
     const PulsePart part(this->Progress, VerticesReadEnd, TrianglesReadEnd);
-    this->CopyTriangles();
+    this->TakeCorners();
+    this->TakeMarks();
+    this->TakeTwins();
+    this->TakeRegions();
     return !this->Progress.HasStopped();
   }
   void SetBounds()
@@ -81,15 +92,21 @@ private:
   }
 
   void NumberVertices();
-  void CopyVertices();
-  void CopyTriangles();
-  void CopyEdge(std::size_t half, Id edge);
+  void TakeVertices();
+  template <typename Value>
+  void TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to);
+  bool MakeHalves(std::vector<Id>& array);
+  void TakeCorners();
+  void TakeMarks();
+  void TakeTwins();
+  void TakeRegions();
+  Id TwinOf(Id edge, Id neighbor) const;
   static Id EdgeOf(std::size_t half) { return static_cast<Id>(half / 3 * 4 + half % 3); }
   void SetFreedoms();
   Freedom FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const;
   void SetIdealDegrees();
 
-  const RelaxationMesh& Input;
+  RelaxationMesh& Input;
   MutableMesh& Mesh;
   Pulse& Progress;
   std::vector<Id> Numbers; ///< vertex of the input -> of the mesh
@@ -112,20 +129,15 @@ void Reader::NumberVertices()
     });
 }
 
-void Reader::CopyVertices()
+void Reader::TakeVertices()
 {
   MutableMesh& mesh = this->Mesh;
   const std::size_t size = this->Origins.size();
-  ReserveWithRoom(size, mesh.Points, mesh.Spacings, mesh.Segments, mesh.VertexEdges, mesh.Degrees,
-    mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
-  this->Progress.ForEach(size,
-    [this, &mesh](std::size_t vertex)
-    {
-      const Id origin = this->Origins[vertex];
-      mesh.Points.push_back(this->Input.Points[origin]);
-      mesh.Spacings.push_back(this->Input.Spacings[origin]);
-      mesh.Segments.push_back(this->Input.Segments[origin]);
-    });
+  this->TakeOfVertices(this->Input.Points, mesh.Points);
+  this->TakeOfVertices(this->Input.Spacings, mesh.Spacings);
+  this->TakeOfVertices(this->Input.Segments, mesh.Segments);
+  ReserveWithRoom(
+    size, mesh.VertexEdges, mesh.Degrees, mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
   GrowInSteps(mesh.VertexEdges, size, NoId, this->Progress);
   GrowInSteps(mesh.Degrees, size, Id(0), this->Progress);
   GrowInSteps(mesh.Freedoms, size, Freedom::Fixed, this->Progress);
@@ -133,52 +145,92 @@ void Reader::CopyVertices()
   GrowInSteps(mesh.IsEstimate, size, std::uint8_t{ 0 }, this->Progress);
 }
 
-void Reader::CopyTriangles()
+template <typename Value>
+void Reader::TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to)
 {
-  MutableMesh& mesh = this->Mesh;
-  const std::size_t numberOfHalves = this->Input.Triangles.Corners.size();
-  const std::size_t size = numberOfHalves / 3 * 4;
-  ReserveWithRoom(size, mesh.Corners, mesh.Twins, mesh.Marks);
-  for (std::vector<Id>* array : { &mesh.Corners, &mesh.Twins, &mesh.Marks })
-  {
-    if (!GrowInSteps(*array, size, NoId, this->Progress))
-    {
-      return;
-    }
-  }
-  const std::vector<Id>& regions = this->Input.Triangles.Regions;
-  ReserveWithRoom(regions.size(), mesh.Regions);
-  this->Progress.ForEach(regions.size(),
-    [&mesh, &regions](std::size_t triangle) { mesh.Regions.push_back(regions[triangle]); });
-  this->Progress.ForEach(numberOfHalves,
-    [this, &mesh](std::size_t half)
-    {
-      const Id edge = EdgeOf(half);
-      const Id vertex = this->Numbers[this->Input.Triangles.Corners[half]];
-      mesh.Corners[edge] = vertex;
-      mesh.VertexEdges[vertex] = edge;
-      ++mesh.Degrees[vertex];
-    });
-  this->Progress.ForEach(
-    numberOfHalves, [this](std::size_t half) { this->CopyEdge(half, EdgeOf(half)); });
+  ReserveWithRoom(this->Origins.size(), to);
+  this->Progress.ForEach(this->Origins.size(),
+    [this, &from, &to](std::size_t vertex) { to.push_back(from[this->Origins[vertex]]); });
+  KeepFirst(this->Mesh.Geometry.NumberOfVertices(), from, this->Progress);
 }
 
-void Reader::CopyEdge(std::size_t half, Id edge)
+bool Reader::MakeHalves(std::vector<Id>& array)
 {
-  const Id constraint = this->Input.Triangles.Constraints[half];
-  this->Mesh.Marks[edge] = constraint == NoId ? NoId : this->Input.EdgeSegments[constraint];
-  const Id neighbor = this->Input.Triangles.Neighbors[half];
-  if (neighbor == NoId)
+  const std::size_t size = 4 * this->Input.Triangles.Regions.size();
+  ReserveWithRoom(size, array);
+  return GrowInSteps(array, size, NoId, this->Progress);
+}
+
+void Reader::TakeCorners()
+{
+  MutableMesh& mesh = this->Mesh;
+  std::vector<Id>& corners = this->Input.Triangles.Corners;
+  if (this->MakeHalves(mesh.Corners))
   {
-    return;
+    this->Progress.ForEach(corners.size(),
+      [this, &mesh, &corners](std::size_t half)
+      {
+        const Id edge = EdgeOf(half);
+        const Id vertex = this->Numbers[corners[half]];
+        mesh.Corners[edge] = vertex;
+        mesh.VertexEdges[vertex] = edge;
+        ++mesh.Degrees[vertex];
+      });
   }
+  ReleaseInSteps(this->Progress, corners, this->Numbers);
+}
+
+void Reader::TakeMarks()
+{
+  std::vector<Id>& constraints = this->Input.Triangles.Constraints;
+  if (this->MakeHalves(this->Mesh.Marks))
+  {
+    this->Progress.ForEach(constraints.size(),
+      [this, &constraints](std::size_t half)
+      {
+        const Id constraint = constraints[half];
+        this->Mesh.Marks[EdgeOf(half)] =
+          constraint == NoId ? NoId : this->Input.EdgeSegments[constraint];
+      });
+  }
+  ReleaseInSteps(this->Progress, constraints, this->Input.EdgeStarts, this->Input.EdgeEnds,
+    this->Input.EdgeSegments);
+}
+
+void Reader::TakeTwins()
+{
+  std::vector<Id>& neighbors = this->Input.Triangles.Neighbors;
+  if (this->MakeHalves(this->Mesh.Twins))
+  {
+    this->Progress.ForEach(neighbors.size(),
+      [this, &neighbors](std::size_t half)
+      {
+        const Id edge = EdgeOf(half);
+        this->Mesh.Twins[edge] =
+          neighbors[half] == NoId ? NoId : this->TwinOf(edge, neighbors[half]);
+      });
+  }
+  ReleaseInSteps(this->Progress, neighbors);
+}
+
+Id Reader::TwinOf(Id edge, Id neighbor) const
+{
   const Id start = this->Mesh.Origin(edge);
   Id twin = 4 * neighbor;
   while (this->Mesh.Target(twin) != start)
   {
     ++twin;
   }
-  this->Mesh.Twins[edge] = twin;
+  return twin;
+}
+
+void Reader::TakeRegions()
+{
+  std::vector<Id>& regions = this->Input.Triangles.Regions;
+  ReserveWithRoom(regions.size(), this->Mesh.Regions);
+  this->Progress.ForEach(regions.size(),
+    [this, &regions](std::size_t triangle) { this->Mesh.Regions.push_back(regions[triangle]); });
+  ReleaseInSteps(this->Progress, regions);
 }
 
 // Only vertices at which nothing but their own segment passes may slide.
@@ -261,7 +313,7 @@ void Reader::SetIdealDegrees()
 
 } // namespace
 
-std::vector<Id> ReadMesh(const RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
+std::vector<Id> ReadMesh(RelaxationMesh& input, MutableMesh& mesh, Pulse& pulse)
 {
   return Reader(input, mesh, pulse).Read();
 }

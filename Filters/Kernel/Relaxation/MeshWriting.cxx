@@ -5,7 +5,8 @@
 
 #include "../Base/SortInSteps.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for max, min
+#include <numeric>   // for accumulate
 #include <utility>   // for move
 
 namespace biting
@@ -16,49 +17,43 @@ namespace
 
 // Where steps end, as shares of the time.
 constexpr double NumbersEnd = 0.15;
+constexpr double PartsEnd = 0.2;
 constexpr double VerticesWrittenEnd = 0.4;
 constexpr double TrianglesWrittenEnd = 0.85;
 
-/// In steps: all of it at once would take long.
-void Release(RelaxationMesh& mesh, Pulse& pulse)
-{
-  Triangulation& triangles = mesh.Triangles;
-  ReleaseInSteps(pulse, mesh.Points, mesh.Spacings, mesh.Segments, triangles.Corners,
-    triangles.Neighbors, triangles.Constraints, triangles.Regions);
-}
-
-/// A mesh edge on a segment, in the direction of it.
+/// A mesh edge on a segment, in the direction of it, in the numbers of the output.
 struct SegmentPart
 {
   Id Segment;
   double Along; ///< of its start
-  Id Edge;
-  bool IsForward;
+  Id Start;
+  Id End;
+  Id Half;
+  Id Twin; ///< the half on its other side, or NoId
 };
 
 class Writer
 {
 public:
-  Writer(const MutableMesh& mesh, const std::vector<Id>& origins, const RelaxationMesh& input,
-    Pulse& pulse)
+  Writer(
+    MutableMesh& mesh, const std::vector<Id>& origins, const RelaxationMesh& rest, Pulse& pulse)
     : Mesh(mesh)
     , Origins(origins)
-    , Input(input)
+    , Rest(rest)
     , Progress(pulse)
   {
   }
 
   std::vector<Id> Write(RelaxationMesh& output)
   {
+    ReleaseInSteps(this->Progress, this->Mesh.Degrees, this->Mesh.Freedoms,
+      this->Mesh.IdealDegrees, this->Mesh.IsEstimate);
     this->NumberAll();
+    this->FindParts();
     this->WriteVertices();
     this->WriteTriangles();
     this->WriteParts();
-    if (!this->Progress.HasStopped())
-    {
-      Release(output, this->Progress);
-      output = std::move(this->Output);
-    }
+    output = std::move(this->Output);
     return std::move(this->NewOrigins);
   }
 
@@ -67,18 +62,23 @@ private:
   void NumberVertices();
   void NumberVertex(Id source, Id origin);
   void NumberTriangles();
+  void FindParts();
+  SegmentPart MakePart(Id edge) const;
   void WriteVertices();
+  template <typename Value>
+  void WriteOfVertices(
+    std::vector<Value>& from, const std::vector<Value>& unused, std::vector<Value>& to);
   void WriteTriangles();
-  void WriteEdge(Id edge);
+  void WriteNeighbors();
+  void WriteCorners();
+  void WriteRegions();
   void WriteParts();
   void WritePart(const SegmentPart& part);
-  std::vector<SegmentPart> FindParts();
-  SegmentPart MakePart(Id edge) const;
   Id NewHalf(Id edge) const { return 3 * this->Triangles[edge >> 2] + (edge & 3); }
 
-  const MutableMesh& Mesh;
+  MutableMesh& Mesh;
   const std::vector<Id>& Origins;
-  const RelaxationMesh& Input;
+  const RelaxationMesh& Rest; ///< the vertices of the domain
   Pulse& Progress;
   RelaxationMesh Output;
   std::vector<Id> NewOrigins;
@@ -86,6 +86,7 @@ private:
   std::vector<Id> Numbers;   ///< vertex of the mesh -> new vertex
   std::vector<Id> Triangles; ///< triangle of the mesh -> new triangle
   Id NumberOfTriangles = 0;  ///< that are new
+  std::vector<SegmentPart> Parts;
 };
 
 void Writer::NumberAll()
@@ -93,13 +94,18 @@ void Writer::NumberAll()
   const PulsePart part(this->Progress, 0.0, NumbersEnd);
   this->NumberVertices();
   this->NumberTriangles();
+  ReleaseInSteps(this->Progress, this->Mesh.VertexEdges);
 }
 
 // Vertices of the domain stay, whether a triangle uses them or not.
 void Writer::NumberVertices()
 {
   std::vector<Id> sourceOf;
-  const bool isReady = GrowInSteps(sourceOf, this->Input.Points.size(), NoId, this->Progress) &&
+  const Id numberOfOld = std::accumulate(this->Origins.begin(), this->Origins.end(),
+    this->Mesh.Geometry.NumberOfVertices(), [](Id most, Id origin)
+    { return std::max(most, origin + 1); });
+  const bool isReady =
+    GrowInSteps(sourceOf, static_cast<std::size_t>(numberOfOld), NoId, this->Progress) &&
     GrowInSteps(this->Numbers, this->Mesh.Points.size(), NoId, this->Progress) &&
     this->Progress.ForEach(this->Origins.size(),
       [this, &sourceOf](std::size_t slot)
@@ -151,99 +157,24 @@ void Writer::NumberTriangles()
     { this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++; });
 }
 
-void Writer::WriteVertices()
+void Writer::FindParts()
 {
-  const PulsePart part(this->Progress, NumbersEnd, VerticesWrittenEnd);
-  this->Output.Points.reserve(this->Sources.size());
-  this->Output.Spacings.reserve(this->Sources.size());
-  this->Output.Segments.reserve(this->Sources.size());
-  this->Progress.ForEach(this->Sources.size(),
-    [this](std::size_t vertex)
-    {
-      const Id source = this->Sources[vertex];
-      const Id origin = this->NewOrigins[vertex];
-      const bool isUsed = source != NoId;
-      this->Output.Points.push_back(
-        isUsed ? this->Mesh.Points[source] : this->Input.Points[origin]);
-      this->Output.Spacings.push_back(
-        isUsed ? this->Mesh.Spacings[source] : this->Input.Spacings[origin]);
-      this->Output.Segments.push_back(
-        isUsed ? this->Mesh.Segments[source] : this->Input.Segments[origin]);
-    });
-}
-
-void Writer::WriteTriangles()
-{
-  const PulsePart part(this->Progress, VerticesWrittenEnd, TrianglesWrittenEnd);
-  Triangulation& triangles = this->Output.Triangles;
-  const std::size_t count = static_cast<std::size_t>(this->NumberOfTriangles);
-  triangles.Corners.reserve(3 * count);
-  triangles.Neighbors.reserve(3 * count);
-  triangles.Regions.reserve(count);
+  const PulsePart part(this->Progress, NumbersEnd, PartsEnd);
   this->Progress.ForEach(this->Mesh.Corners.size(),
-    [this](std::size_t slot) { this->WriteEdge(static_cast<Id>(slot)); });
-  GrowInSteps(triangles.Constraints, triangles.Corners.size(), NoId, this->Progress);
-}
-
-void Writer::WriteEdge(Id edge)
-{
-  if (this->Mesh.IsEdge(edge))
-  {
-    Triangulation& triangles = this->Output.Triangles;
-    const Id twin = this->Mesh.Twins[edge];
-    triangles.Corners.push_back(this->Numbers[this->Mesh.Corners[edge]]);
-    triangles.Neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
-    if ((edge & 3) == 0)
-    {
-      triangles.Regions.push_back(this->Mesh.Regions[edge >> 2]);
-    }
-  }
-}
-
-void Writer::WriteParts()
-{
-  const PulsePart part(this->Progress, TrianglesWrittenEnd, 1.0);
-  const std::vector<SegmentPart> parts = this->FindParts();
-  this->Progress.ForEach(
-    parts.size(), [this, &parts](std::size_t k) { this->WritePart(parts[k]); });
-}
-
-void Writer::WritePart(const SegmentPart& part)
-{
-  RelaxationMesh& output = this->Output;
-  const Id constraint = static_cast<Id>(output.EdgeSegments.size());
-  const Id origin = this->Numbers[this->Mesh.Origin(part.Edge)];
-  const Id target = this->Numbers[this->Mesh.Target(part.Edge)];
-  output.EdgeStarts.push_back(part.IsForward ? origin : target);
-  output.EdgeEnds.push_back(part.IsForward ? target : origin);
-  output.EdgeSegments.push_back(part.Segment);
-  const Id twin = this->Mesh.Twins[part.Edge];
-  output.Triangles.Constraints[this->NewHalf(part.Edge)] = constraint;
-  if (twin != NoId)
-  {
-    output.Triangles.Constraints[this->NewHalf(twin)] = constraint;
-  }
-}
-
-std::vector<SegmentPart> Writer::FindParts()
-{
-  const MutableMesh& mesh = this->Mesh;
-  std::vector<SegmentPart> parts;
-  this->Progress.ForEach(mesh.Corners.size(),
-    [this, &mesh, &parts](std::size_t slot)
+    [this](std::size_t slot)
     {
       const Id edge = static_cast<Id>(slot);
-      if (mesh.Marks[edge] != NoId && mesh.IsFirstHalf(edge))
+      if (this->Mesh.Marks[edge] != NoId && this->Mesh.IsFirstHalf(edge))
       {
-        parts.push_back(this->MakePart(edge));
+        this->Parts.push_back(this->MakePart(edge));
       }
     });
+  ReleaseInSteps(this->Progress, this->Mesh.Marks);
   SortInSteps(
-    parts,
+    this->Parts,
     [](const SegmentPart& a, const SegmentPart& b)
     { return a.Segment != b.Segment ? a.Segment < b.Segment : a.Along < b.Along; },
     this->Progress);
-  return this->Progress.HasStopped() ? std::vector<SegmentPart>() : std::move(parts);
 }
 
 SegmentPart Writer::MakePart(Id edge) const
@@ -252,15 +183,121 @@ SegmentPart Writer::MakePart(Id edge) const
   const Id segment = mesh.Marks[edge];
   const Point2& from = mesh.Geometry.Vertices[mesh.Geometry.Starts[segment]];
   const Point2 direction = mesh.Geometry.Vertices[mesh.Geometry.Ends[segment]] - from;
-  const double start = Dot(mesh.Points[mesh.Origin(edge)] - from, direction);
-  const double end = Dot(mesh.Points[mesh.Target(edge)] - from, direction);
-  return { segment, std::min(start, end), edge, start < end };
+  const Id origin = mesh.Origin(edge);
+  const Id target = mesh.Target(edge);
+  const double start = Dot(mesh.Points[origin] - from, direction);
+  const double end = Dot(mesh.Points[target] - from, direction);
+  const bool isForward = start < end;
+  const Id twin = mesh.Twins[edge];
+  return { segment, std::min(start, end), this->Numbers[isForward ? origin : target],
+    this->Numbers[isForward ? target : origin], this->NewHalf(edge),
+    twin == NoId ? NoId : this->NewHalf(twin) };
+}
+
+void Writer::WriteVertices()
+{
+  const PulsePart part(this->Progress, PartsEnd, VerticesWrittenEnd);
+  this->WriteOfVertices(this->Mesh.Points, this->Rest.Points, this->Output.Points);
+  this->WriteOfVertices(this->Mesh.Spacings, this->Rest.Spacings, this->Output.Spacings);
+  this->WriteOfVertices(this->Mesh.Segments, this->Rest.Segments, this->Output.Segments);
+  ReleaseInSteps(this->Progress, this->Sources);
+}
+
+template <typename Value>
+void Writer::WriteOfVertices(
+  std::vector<Value>& from, const std::vector<Value>& unused, std::vector<Value>& to)
+{
+  to.reserve(this->Sources.size());
+  this->Progress.ForEach(this->Sources.size(),
+    [this, &from, &unused, &to](std::size_t vertex)
+    {
+      const Id source = this->Sources[vertex];
+      to.push_back(source != NoId ? from[source] : unused[this->NewOrigins[vertex]]);
+    });
+  ReleaseInSteps(this->Progress, from);
+}
+
+void Writer::WriteTriangles()
+{
+  const PulsePart part(this->Progress, VerticesWrittenEnd, TrianglesWrittenEnd);
+  this->WriteNeighbors();
+  this->WriteCorners();
+  this->WriteRegions();
+}
+
+void Writer::WriteNeighbors()
+{
+  std::vector<Id>& neighbors = this->Output.Triangles.Neighbors;
+  neighbors.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
+  this->Progress.ForEach(this->Mesh.Corners.size(),
+    [this, &neighbors](std::size_t slot)
+    {
+      if (this->Mesh.IsEdge(static_cast<Id>(slot)))
+      {
+        const Id twin = this->Mesh.Twins[slot];
+        neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
+      }
+    });
+  ReleaseInSteps(this->Progress, this->Mesh.Twins);
+}
+
+void Writer::WriteCorners()
+{
+  std::vector<Id>& corners = this->Output.Triangles.Corners;
+  corners.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
+  this->Progress.ForEach(this->Mesh.Corners.size(),
+    [this, &corners](std::size_t slot)
+    {
+      if (this->Mesh.IsEdge(static_cast<Id>(slot)))
+      {
+        corners.push_back(this->Numbers[this->Mesh.Corners[slot]]);
+      }
+    });
+  ReleaseInSteps(this->Progress, this->Mesh.Corners);
+}
+
+void Writer::WriteRegions()
+{
+  std::vector<Id>& regions = this->Output.Triangles.Regions;
+  regions.reserve(static_cast<std::size_t>(this->NumberOfTriangles));
+  this->Progress.ForEach(this->Triangles.size(),
+    [this, &regions](std::size_t triangle)
+    {
+      if (this->Triangles[triangle] != NoId)
+      {
+        regions.push_back(this->Mesh.Regions[triangle]);
+      }
+    });
+  ReleaseInSteps(this->Progress, this->Mesh.Regions, this->Numbers, this->Triangles);
+}
+
+void Writer::WriteParts()
+{
+  const PulsePart part(this->Progress, TrianglesWrittenEnd, 1.0);
+  Triangulation& triangles = this->Output.Triangles;
+  GrowInSteps(triangles.Constraints, triangles.Corners.size(), NoId, this->Progress);
+  this->Progress.ForEach(
+    this->Parts.size(), [this](std::size_t k) { this->WritePart(this->Parts[k]); });
+}
+
+void Writer::WritePart(const SegmentPart& part)
+{
+  RelaxationMesh& output = this->Output;
+  const Id constraint = static_cast<Id>(output.EdgeSegments.size());
+  output.EdgeStarts.push_back(part.Start);
+  output.EdgeEnds.push_back(part.End);
+  output.EdgeSegments.push_back(part.Segment);
+  output.Triangles.Constraints[part.Half] = constraint;
+  if (part.Twin != NoId)
+  {
+    output.Triangles.Constraints[part.Twin] = constraint;
+  }
 }
 
 } // namespace
 
 std::vector<Id> WriteMesh(
-  const MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output, Pulse& pulse)
+  MutableMesh& mesh, const std::vector<Id>& origins, RelaxationMesh& output, Pulse& pulse)
 {
   return Writer(mesh, origins, output, pulse).Write(output);
 }

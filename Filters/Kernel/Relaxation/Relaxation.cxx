@@ -139,9 +139,13 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   {
     const PulsePart writing(pulse, WorkingEnd, 1.0);
     result.Origins = WriteMesh(work, origins, mesh, pulse);
-    ReleaseInSteps(pulse, work.Points, work.Spacings, work.Corners, work.Twins, work.Marks);
   }
-  result.WasAborted = pulse.HasStopped();
+  if (pulse.HasStopped())
+  {
+    mesh = {};
+    result = {};
+    result.WasAborted = true;
+  }
   return result;
 }
 

@@ -47,7 +47,7 @@ struct RelaxationMesh
 struct RelaxationResult
 {
   std::vector<Id> Origins; ///< of each vertex: what it was before, NoId where it is new
-  bool WasAborted = false; ///< the mesh is as it was before
+  bool WasAborted = false; ///< the mesh is empty then
 };
 
 /// Makes the triangles of `mesh` better: vertices are moved, inserted and removed, and edges flip.

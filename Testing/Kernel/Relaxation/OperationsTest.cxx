@@ -216,7 +216,7 @@ TEST(StarObjective, DoesNotCountTheAngleBetweenTwoSegments)
 {
   // An angle of 10 degrees cut off where both segments are one long: apart from it 85 and 85.
   const Point2 tip = UnitVector(10.0);
-  const RawMesh raw(PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, tip }).Lines(),
+  RawMesh raw(PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, tip }).Lines(),
     UniformSpacing(1.0), 1.0, 0);
   MutableMesh mesh(raw.Domain, raw.Spacing);
   mesh.IsDivided.assign(3, 1);

@@ -254,7 +254,8 @@ struct Workshop
     this->Mesh.IsDivided.assign(this->Raw.Domain.NumberOfSegments(), 1);
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    this->Origins = ReadMesh(this->Raw.Mesh, this->Mesh, pulse);
+    this->Rest = this->Raw.Mesh;
+    this->Origins = ReadMesh(this->Rest, this->Mesh, pulse);
   }
 
   Workshop(const Workshop&) = delete;
@@ -262,10 +263,11 @@ struct Workshop
   /// The mesh as it is now.
   RelaxationMesh Written() const
   {
-    RelaxationMesh written = this->Raw.Mesh;
+    RelaxationMesh written = this->Rest;
+    MutableMesh mesh = this->Mesh;
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    WriteMesh(this->Mesh, this->Origins, written, pulse);
+    WriteMesh(mesh, this->Origins, written, pulse);
     return written;
   }
 
@@ -292,6 +294,7 @@ struct Workshop
   }
 
   RawMesh Raw;
+  RelaxationMesh Rest; ///< of the mesh of Raw, once it is read
   MutableMesh Mesh;
   std::vector<Id> Origins;
 };

@@ -256,16 +256,15 @@ TEST(Relax, IsAsGoodWhenMirroredOrTurned)
   EXPECT_NEAR(turned.MeanMinimumAngle(), plain.MeanMinimumAngle(), 1.5);
 }
 
-TEST(Relax, LeavesTheMeshAloneWhenStopped)
+TEST(Relax, LeavesNoMeshWhenStopped)
 {
   for (int calls = 1; calls < 40; calls += 3)
   {
     RawMesh raw = Plate();
-    const RelaxationMesh before = raw.Mesh;
     StoppingMonitor monitor(calls);
     const RelaxationResult result = Relax(raw.Domain, raw.Spacing, {}, raw.Mesh, monitor);
     EXPECT_TRUE(monitor.IsAscending);
-    EXPECT_TRUE(!result.WasAborted || AreSame(before, raw.Mesh));
+    EXPECT_TRUE(!result.WasAborted || AreSame(RelaxationMesh(), raw.Mesh));
   }
 }
 
