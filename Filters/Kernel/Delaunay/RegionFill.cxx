@@ -20,7 +20,10 @@ constexpr double FindingEnd = 0.15;
 constexpr double BorderEnd = 0.17;
 constexpr double FloodEnd = 0.6;
 constexpr double RegionsEnd = 0.62;
-constexpr double NumbersEnd = 0.75;
+constexpr double NumbersEnd = 0.72;
+constexpr double ListEnd = 0.78;
+constexpr double ConstraintsEnd = 0.84;
+constexpr double NeighborsEnd = 0.93;
 constexpr double CountingEnd = 0.7;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
@@ -102,6 +105,12 @@ public:
 
   /// The face beyond the convex hull.
   Id OuterFace() { return this->FaceOf(this->Ghost); }
+
+  /// Gives back what tells faces apart.
+  void ReleaseWaves(Pulse& pulse) { ReleaseInSteps(pulse, this->Waves, this->Parents); }
+
+  std::vector<Id> TakeTriangles() { return std::move(this->Triangles); }
+  std::vector<Id> TakePlaces() { return std::move(this->Places); }
 
 private:
   void Start(Id triangle);
@@ -291,7 +300,7 @@ Regions NumberRegions(
 class Writer
 {
 public:
-  Writer(const HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood, Pulse& pulse)
+  Writer(HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood, Pulse& pulse)
     : Mesh(mesh)
     , Order(order)
     , Source(flood)
@@ -305,30 +314,36 @@ public:
 private:
   void NumberTriangles(const Regions& regions);
   std::vector<Id> CountTriangles(const Regions& regions);
-  void MakeRoom();
-  void WriteTriangle(Id place);
+  void ListInside();
+  template <typename ValueOf>
+  void WriteHalves(std::vector<Id>& array, double begin, double end, ValueOf&& valueOf);
 
-  const HalfEdgeMesh& Mesh;
+  HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
   Flood& Source;
   Pulse& Beats;
   std::vector<Id> Numbers; ///< place -> triangle of the result, NoId outside
+  std::vector<Id> Inside;  ///< triangle of the result -> of the mesh
   Triangulation Result;
 };
 
 Triangulation Writer::Write(const Regions& regions)
 {
   this->NumberTriangles(regions);
-  this->MakeRoom();
-  const PulsePart part(this->Beats, NumbersEnd, 1.0);
-  this->Beats.ForEach(this->Numbers.size(),
-    [this](std::size_t place)
+  this->ListInside();
+  this->WriteHalves(this->Result.Constraints, ListEnd, ConstraintsEnd,
+    [this](Id edge)
     {
-      if (this->Numbers[place] != NoId)
-      {
-        this->WriteTriangle(static_cast<Id>(place));
-      }
+      const Id mark = this->Mesh.Marks[edge];
+      return mark == NoId ? NoId : mark / 2;
     });
+  ReleaseInSteps(this->Beats, this->Mesh.Marks);
+  this->WriteHalves(this->Result.Neighbors, ConstraintsEnd, NeighborsEnd,
+    [this](Id edge) { return this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]; });
+  ReleaseInSteps(this->Beats, this->Mesh.Twins, this->Numbers);
+  this->WriteHalves(this->Result.Corners, NeighborsEnd, 1.0,
+    [this](Id edge) { return this->Order[this->Mesh.Corners[edge]]; });
+  ReleaseInSteps(this->Beats, this->Mesh.Corners);
   return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
@@ -370,35 +385,51 @@ std::vector<Id> Writer::CountTriangles(const Regions& regions)
   return sizes;
 }
 
-void Writer::MakeRoom()
+/// From places on to triangles of the mesh: Numbers are theirs afterwards.
+void Writer::ListInside()
 {
-  const std::size_t size = 3 * this->Result.Regions.size();
-  for (auto* array : { &this->Result.Corners, &this->Result.Neighbors, &this->Result.Constraints })
-  {
-    GrowInSteps(*array, size, NoId, this->Beats);
-  }
+  const PulsePart part(this->Beats, NumbersEnd, ListEnd);
+  this->Source.ReleaseWaves(this->Beats);
+  std::vector<Id> triangles = this->Source.TakeTriangles();
+  GrowInSteps(this->Inside, this->Result.Regions.size(), NoId, this->Beats);
+  this->Beats.ForEach(this->Numbers.size(),
+    [this, &triangles](std::size_t place)
+    {
+      if (this->Numbers[place] != NoId)
+      {
+        this->Inside[this->Numbers[place]] = triangles[place];
+      }
+    });
+  ReleaseInSteps(this->Beats, triangles);
+  std::vector<Id> places = this->Source.TakePlaces();
+  this->Beats.ForEach(
+    places.size(), [this, &places](std::size_t t) { places[t] = this->Numbers[places[t]]; });
+  this->Numbers.swap(places);
 }
 
-void Writer::WriteTriangle(Id place)
+template <typename ValueOf>
+void Writer::WriteHalves(std::vector<Id>& array, double begin, double end, ValueOf&& valueOf)
 {
-  const Id first = HalfEdgeMesh::FirstEdge(this->Source.TriangleAt(place));
-  const std::size_t number = this->Numbers[place];
-  for (Id k = 0; k < 3; ++k)
-  {
-    const Id neighbor = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[first + k]);
-    const Id mark = this->Mesh.Marks[first + k];
-    this->Result.Corners[3 * number + k] = this->Order[this->Mesh.Corners[first + k]];
-    this->Result.Neighbors[3 * number + k] = this->Numbers[this->Source.PlaceOf(neighbor)];
-    this->Result.Constraints[3 * number + k] = mark == NoId ? NoId : mark / 2;
-  }
+  const PulsePart part(this->Beats, begin, end);
+  array.reserve(3 * this->Inside.size());
+  this->Beats.ForEach(this->Inside.size(),
+    [this, &array, &valueOf](std::size_t number)
+    {
+      const Id first = HalfEdgeMesh::FirstEdge(this->Inside[number]);
+      for (Id k = 0; k < 3; ++k)
+      {
+        array.push_back(valueOf(first + k));
+      }
+    });
 }
 
 } // namespace
 
-Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
+Triangulation TakeInside(HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse)
 {
   const std::vector<BorderEdge> border = CollectBorder(mesh, constraints, pulse);
+  ReleaseInSteps(pulse, mesh.Points, mesh.VertexEdges);
   Flood flood(mesh, border, pulse);
   const Regions regions = NumberRegions(mesh, border, flood, pulse);
   return Writer(mesh, order, flood, pulse).Write(regions);

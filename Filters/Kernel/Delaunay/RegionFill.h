@@ -20,8 +20,8 @@ namespace biting
 /// Regions are numbered as one meets them along the constraints, in order of number, from start to
 /// end, the left side of each edge before the right. Triangles are ordered region by region, and
 /// within layer by layer, from all constraints inwards: neighbors are near each other in memory.
-/// On abort the result is empty.
-Triangulation TakeInside(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
+/// The arrays of `mesh` are given back as they are read. On abort the result is empty.
+Triangulation TakeInside(HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse);
 
 } // namespace biting
