@@ -27,11 +27,9 @@ constexpr double MostCells = 3e7;  // 480 MB
 // squares of their sizes then add up to the area. Where they crowd in a part of it, cells are too
 // small.
 constexpr double MostCellsPerBite = 16.0;
-// Of blocks and cells in all, for each top cell. Measured: 1 to 2 blocks where bites are not
-// crowded, 6 cells where f varies twentyfold. Room that is not used costs nothing, but to move many
-// takes a second.
-constexpr double BlocksPerCell = 2.5;
-constexpr double CellsPerTopCell = 8.0;
+// In all, for each top cell: 6 cells where f varies twentyfold, seldom more than 1.1. To move them
+// is cheap.
+constexpr double CellsPerTopCell = 1.25;
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
 
 // Of entries: single precision, after the rounding of a place in units of a top cell.
@@ -55,8 +53,6 @@ BiteGrid::BiteGrid(
   this->MostFiled = MostCellsPerBite * std::max(expectedBites, 1.0);
   this->Cells.reserve(static_cast<std::size_t>(CellsPerTopCell * cells));
   this->MakeCells(std::sqrt(cells / (width * height)));
-  this->Blocks.reserve(
-    static_cast<std::size_t>(BlocksPerCell * static_cast<double>(this->Cells.size())));
 }
 
 void BiteGrid::MakeCells(double cellsPerLength)
@@ -67,8 +63,86 @@ void BiteGrid::MakeCells(double cellsPerLength)
   this->Cells.assign(static_cast<std::size_t>(this->Columns) * this->Rows, Cell());
 }
 
+Id BiteGrid::BlockList::Add()
+{
+  if (this->Count % ChunkSize == 0)
+  {
+    this->Chunks.emplace_back(new Block[ChunkSize]); // make_unique would fill it twice
+  }
+  return this->Count++;
+}
+
+void BiteGrid::BlockList::Clear()
+{
+  std::vector<std::unique_ptr<Block[]>>().swap(this->Chunks);
+  this->Count = 0;
+}
+
+void BiteGrid::Release(Pulse& pulse)
+{
+  this->Blocks.Clear();
+  ReleaseInSteps(pulse, this->Cells);
+}
+
+void BiteGrid::Forget(Pulse& pulse)
+{
+  this->HasForgotten = true;
+  this->Blocks.Clear();
+  Cell forgotten;
+  forgotten.FirstChild = Forgotten;
+  std::vector<Cell>(static_cast<std::size_t>(this->Columns) * this->Rows, forgotten)
+    .swap(this->Cells);
+  pulse.Ask();
+}
+
+void BiteGrid::Recall(const std::vector<Box2>& boxes, Pulse& pulse)
+{
+  std::vector<std::uint8_t> isWanted(static_cast<std::size_t>(this->Columns) * this->Rows, 0);
+  for (const Box2& box : boxes)
+  {
+    const double reach = 0.5 * std::max(box.Width(), box.Height());
+    this->VisitTopCells(this->ToGrid(Midpoint(box.Low, box.High), reach),
+      [&isWanted](Id, Id, Id cell) { isWanted[cell] = 1; });
+  }
+  this->RecallCells(isWanted, &pulse);
+}
+
+void BiteGrid::RecallAll()
+{
+  this->HasForgotten = false;
+  const std::size_t count = static_cast<std::size_t>(this->Columns) * this->Rows;
+  this->RecallCells(std::vector<std::uint8_t>(count, 1), nullptr);
+}
+
+// In the order of their filing.
+void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse)
+{
+  std::vector<std::uint8_t> isNew(isWanted.size(), 0);
+  bool hasNew = false;
+  for (std::size_t cell = 0; cell < isWanted.size(); ++cell)
+  {
+    isNew[cell] = isWanted[cell] != 0 && this->Cells[cell].FirstChild == Forgotten ? 1 : 0;
+    this->Cells[cell].FirstChild = isNew[cell] != 0 ? NoId : this->Cells[cell].FirstChild;
+    hasNew = hasNew || isNew[cell] != 0;
+  }
+  for (Id bite = 0; hasNew && bite <= this->Newest && (pulse == nullptr || pulse->Beat(1)); ++bite)
+  {
+    const LocalBox extent = this->Extent(bite);
+    this->VisitTopCells(extent,
+      [this, bite, &extent, &isNew](Id column, Id row, Id cell)
+      {
+        if (isNew[cell] != 0)
+        {
+          this->FileInCell(
+            cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
+        }
+      });
+  }
+}
+
 void BiteGrid::File(Id bite)
 {
+  this->Newest = bite;
   this->FileInCells(bite);
   if (this->Filed > std::max(this->MostFiled, MostCellsPerBite * (bite + 1.0)))
   {
@@ -80,7 +154,7 @@ void BiteGrid::File(Id bite)
 void BiteGrid::Coarsen(Id newest)
 {
   this->MakeCells(0.5 * this->CellsPerLength);
-  this->Blocks.clear();
+  this->Blocks.Clear();
   this->Filed = 0.0;
   for (Id bite = 0; bite <= newest; ++bite)
   {
@@ -92,17 +166,30 @@ void BiteGrid::FileInCells(Id bite)
 {
   this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
   const LocalBox extent = this->Extent(bite);
-  const Id firstRow = ClampedIndex(extent.LowY, this->Rows);
-  const Id lastRow = ClampedIndex(extent.HighY, this->Rows);
-  const Id firstColumn = ClampedIndex(extent.LowX, this->Columns);
-  const Id lastColumn = ClampedIndex(extent.HighX, this->Columns);
-  this->Filed += (lastRow - firstRow + 1.0) * (lastColumn - firstColumn + 1.0);
-  for (Id row = firstRow; row <= lastRow; ++row)
+  this->VisitTopCells(extent,
+    [this, bite, &extent](Id column, Id row, Id cell)
+    {
+      this->Filed += 1.0;
+      if (this->Cells[cell].FirstChild != Forgotten)
+      {
+        this->FileInCell(
+          cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
+      }
+    });
+}
+
+// Calls visit(column, row, cell) for those that the box meets.
+template <typename Visit>
+void BiteGrid::VisitTopCells(const LocalBox& box, Visit&& visit) const
+{
+  const Id lastRow = ClampedIndex(box.HighY, this->Rows);
+  const Id firstColumn = ClampedIndex(box.LowX, this->Columns);
+  const Id lastColumn = ClampedIndex(box.HighX, this->Columns);
+  for (Id row = ClampedIndex(box.LowY, this->Rows); row <= lastRow; ++row)
   {
     for (Id column = firstColumn; column <= lastColumn; ++column)
     {
-      this->FileInCell(row * this->Columns + column,
-        { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
+      visit(column, row, row * this->Columns + column);
     }
   }
 }
@@ -164,10 +251,9 @@ void BiteGrid::Append(Id cell, const Place& place, Id bite)
   Cell& leaf = this->Cells[cell];
   if (leaf.NewestBlock == NoId || this->Blocks[leaf.NewestBlock].Count == Block::Capacity)
   {
-    Block block;
-    block.Older = leaf.NewestBlock;
-    leaf.NewestBlock = static_cast<Id>(this->Blocks.size());
-    this->Blocks.push_back(block);
+    const Id added = this->Blocks.Add();
+    this->Blocks[added].Older = leaf.NewestBlock;
+    leaf.NewestBlock = added;
   }
   Block& newest = this->Blocks[leaf.NewestBlock];
   newest.Entries[newest.Count++] = this->MakeEntry(place, bite);

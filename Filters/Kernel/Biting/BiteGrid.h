@@ -10,7 +10,9 @@
 #include "../Base/Pulse.h"
 #include "Bites.h"
 
+#include <cstddef> // for sizes
 #include <cstdint> // for counts
+#include <memory>  // for chunks of blocks
 #include <vector>  // for the arrays
 
 namespace biting
@@ -59,11 +61,22 @@ public:
   template <typename Visit>
   bool VisitSquare(const Point2& center, double reach, Visit&& visit) const;
 
+  /// Gives the memory back but for the cells at the top.
+  void Forget(Pulse& pulse);
+
+  /// Whether some of it may be forgotten.
+  bool IsForgotten() const { return this->HasForgotten; }
+
+  /// What was forgotten of the cells that meet one of the boxes: it takes a look at each bite.
+  void Recall(const std::vector<Box2>& boxes, Pulse& pulse);
+  void RecallAll();
+
   /// Gives the memory back; there is nothing to be asked for afterwards.
-  void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->Blocks, this->Cells); }
+  void Release(Pulse& pulse);
 
 private:
   static constexpr Id Division = 2;
+  static constexpr Id Forgotten = -2; ///< in place of the first child
 
   struct Cell
   {
@@ -89,6 +102,25 @@ private:
     Id Older = NoId;
     Id Count = 0;
     Entry Entries[Capacity];
+  };
+
+  // In chunks: to move all blocks where there is no room for one more takes twice the memory.
+  class BlockList
+  {
+  public:
+    Id Size() const { return this->Count; }
+    Block& operator[](Id block) { return this->Chunks[block / ChunkSize][block % ChunkSize]; }
+    const Block& operator[](Id block) const
+    {
+      return this->Chunks[block / ChunkSize][block % ChunkSize];
+    }
+    Id Add();
+    void Clear();
+
+  private:
+    static constexpr Id ChunkSize = 64;
+    std::vector<std::unique_ptr<Block[]>> Chunks;
+    Id Count = 0;
   };
 
   // A place in a leaf, in its units.
@@ -130,6 +162,9 @@ private:
 
   void MakeCells(double cellsPerLength);
   void FileInCells(Id bite);
+  template <typename Visit>
+  void VisitTopCells(const LocalBox& box, Visit&& visit) const;
+  void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void Coarsen(Id newest);
   double Spread(Id bite) const;
   LocalBox Extent(Id bite) const;
@@ -151,8 +186,10 @@ private:
   float CircleAbout = 1.0f; ///< squared radius of the circle about a bite, in squared half-widths
   Id Columns = 1;
   Id Rows = 1;
+  Id Newest = NoId; ///< the last bite that was filed
+  bool HasForgotten = false;
   std::vector<Cell> Cells;
-  std::vector<Block> Blocks;
+  BlockList Blocks;
 };
 
 template <typename Visit>
@@ -181,6 +218,11 @@ inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
   const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
   while (cell->FirstChild != NoId)
   {
+    if (cell->FirstChild == Forgotten)
+    {
+      const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
+      return this->Locate(p);
+    }
     u = (u - column) * Division;
     v = (v - row) * Division;
     column = ClampedIndex(u, Division);
@@ -226,6 +268,11 @@ bool BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) co
   {
     for (Id column = ClampedIndex(box.LowX, this->Columns); column <= lastColumn; ++column)
     {
+      if (this->Cells[static_cast<std::size_t>(row) * this->Columns + column].FirstChild ==
+        Forgotten)
+      {
+        const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
+      }
       const Cell& cell = this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
       const LocalBox local{ box.LowX - column, box.LowY - row, box.HighX - column,
         box.HighY - row };

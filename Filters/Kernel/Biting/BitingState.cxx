@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
+constexpr double ForecastError = 0.1;         // that is still expected
 constexpr double TieTolerance = 1e-12;        // of a half-width
 constexpr double GreatestSlack = 0.5;         // of a half-width
 
@@ -56,6 +57,20 @@ BitingState::BitingState(const Domain& domain, const DomainLocator& locator, con
   , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
       NeighborRange(options), domain.Resolution)
 {
+}
+
+void BitingState::Reserve()
+{
+  const std::size_t expected =
+    static_cast<std::size_t>((1.0 + ForecastError) * this->ExpectedVertices) + 16;
+  const auto reserve = [expected](auto&... arrays) { (arrays.reserve(expected), ...); };
+  reserve(this->Result.Points, this->Result.Spacings, this->Result.BiteOrders,
+    this->Result.Segments, this->Placed.Centers, this->Placed.Axes, this->Placed.HalfWidths,
+    this->Placed.Orders, this->Placed.Phases);
+  if (this->Options.FollowSlope)
+  {
+    reserve(this->PlacedSpacings);
+  }
 }
 
 Id BitingState::AddVertex(const Point2& place, double spacing, Id segment)

@@ -32,6 +32,9 @@ struct BitingState
   BitingState(const BitingState&) = delete;
   void operator=(const BitingState&) = delete;
 
+  /// Makes room for the vertices and bites that are expected.
+  void Reserve();
+
   Id AddVertex(const Point2& place, double spacing, Id segment);
   void AddEdge(Id start, Id end, Id segment);
 

@@ -15,8 +15,10 @@ namespace biting
 namespace
 {
 
-constexpr int MostTaken = 64;    // more than there are where f follows the domain
-constexpr int MostHalvings = 20; // of triangles: from the whole domain to far below f
+constexpr double RecalledReach = 4.0; // in half-widths: further than most gaps go on
+constexpr Id LeastToForget = 1 << 16; // with fewer bites the grid takes less than 10 MB
+constexpr int MostTaken = 64;         // more than there are where f follows the domain
+constexpr int MostHalvings = 20;      // of triangles: from the whole domain to far below f
 constexpr int LeastCrowd = 64;
 
 ConstraintEdges ConstraintsOf(const BitingState& state)
@@ -119,6 +121,7 @@ std::vector<Point2> LeftOvers::FindPlaces()
       (this->Found.size() > before ? this->Gaps : this->Doubtful).push_back(triangle);
     }
   }
+  this->RecallAboutFound();
   return this->Found;
 }
 
@@ -147,6 +150,10 @@ std::vector<Id> LeftOvers::FindBites()
       marked.push_back(bite);
     }
   }
+  if (!marked.empty())
+  {
+    this->State.Grid.RecallAll();
+  }
   return marked;
 }
 
@@ -168,12 +175,60 @@ void LeftOvers::Begin()
       this->Gaps.push_back(triangle);
     }
   }
+  this->RecallAboutGaps();
 }
 
+// The grid and the triangulation need as much memory each: where there may be gaps the grid is
+// recalled.
 void LeftOvers::Triangulate()
 {
+  if (this->State.Placed.Size() >= LeastToForget)
+  {
+    this->State.Grid.Forget(this->State.Progress);
+  }
   this->State.Result.Triangulated = MakeConstrainedMesh(this->State.Result.Points,
     ConstraintsOf(this->State), this->State.Options.Phi, this->State.Progress);
+}
+
+void LeftOvers::RecallAboutGaps()
+{
+  if (!this->State.Grid.IsForgotten())
+  {
+    return;
+  }
+  std::vector<Box2> boxes;
+  boxes.reserve(this->Gaps.size());
+  for (const Id triangle : this->Gaps)
+  {
+    boxes.push_back(this->BoxOf(triangle));
+  }
+  this->State.Grid.Recall(boxes, this->State.Progress);
+}
+
+// As far as the bites there, and those that they make, will be asked for.
+void LeftOvers::RecallAboutFound()
+{
+  if (!this->State.Grid.IsForgotten())
+  {
+    return;
+  }
+  std::vector<Box2> boxes(this->Found.size());
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+  {
+    boxes[k].Add(this->Found[k]);
+    boxes[k].Grow(RecalledReach * this->State.BitingConstant * this->State.F(this->Found[k]));
+  }
+  this->State.Grid.Recall(boxes, this->State.Progress);
+}
+
+Box2 LeftOvers::BoxOf(Id triangle) const
+{
+  Box2 box;
+  for (const Point2& p : this->PlacesOf(triangle))
+  {
+    box.Add(p);
+  }
+  return box;
 }
 
 // Bites are numbered as the vertices say, but for several squares of a vertex, and shields.
@@ -372,11 +427,7 @@ bool LeftOvers::FindPlaceBeside(const Point2& p)
 
 void LeftOvers::MarkAbout(Id triangle, std::vector<std::uint8_t>& isMarked) const
 {
-  Box2 box;
-  for (const Point2& p : this->PlacesOf(triangle))
-  {
-    box.Add(p);
-  }
+  const Box2 box = this->BoxOf(triangle);
   this->State.Grid.VisitSquare(Midpoint(box.Low, box.High),
     0.5 * std::max(box.Width(), box.Height()),
     [&isMarked](Id bite)

@@ -4,6 +4,7 @@
 #ifndef BitingLeftOvers_h
 #define BitingLeftOvers_h
 
+#include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "BitingState.h"
@@ -51,6 +52,9 @@ private:
   void Begin();
   void Triangulate();
   void FindBitesOfVertices();
+  void RecallAboutGaps();
+  void RecallAboutFound();
+  Box2 BoxOf(Id triangle) const;
   bool MayHaveGap(Id triangle) const;
   bool IsOutside(Id triangle) const;
   Triangle PlacesOf(Id triangle) const;

@@ -28,12 +28,7 @@ VertexAxes WithoutAxes(Id numberOfVertices)
 
 void AddDomainVertices(BitingState& state)
 {
-  const std::size_t expected = static_cast<std::size_t>(1.25 * state.ExpectedVertices) + 16;
-  state.Result.Points.reserve(expected);
-  state.Result.Spacings.reserve(expected);
-  state.Placed.Centers.reserve(expected);
-  state.Placed.Axes.reserve(expected);
-  state.Placed.HalfWidths.reserve(expected);
+  state.Reserve();
   for (const Point2& vertex : state.Geometry.Vertices)
   {
     state.AddVertex(vertex, state.F(vertex), NoId);
