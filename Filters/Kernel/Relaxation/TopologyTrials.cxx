@@ -45,6 +45,32 @@ constexpr double CotangentOfLast = 1.351; // of 36.5 degrees
 constexpr int NumberOfLast = 4;
 constexpr int MostFailures = 2;
 
+/// The lowest of values that come one by one.
+class LowestValues
+{
+public:
+  explicit LowestValues(std::size_t count)
+    : Count(count)
+  {
+  }
+
+  void Add(double value)
+  {
+    this->Sorted.insert(std::upper_bound(this->Sorted.begin(), this->Sorted.end(), value), value);
+    this->Sorted.resize(std::min(this->Sorted.size(), this->Count));
+  }
+
+  /// What is not below this is none of them, whatever comes.
+  double Limit() const
+  {
+    return this->Sorted.size() < this->Count ? Infinity : this->Sorted.back();
+  }
+
+private:
+  std::size_t Count;
+  std::vector<double> Sorted;
+};
+
 } // namespace
 
 struct TopologyTrials::Effort
@@ -203,10 +229,11 @@ void TopologyTrials::FindEdges(const std::vector<Id>& corners)
   this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
 }
 
-// The most promising first. False where the monitor wants to stop.
+// The most promising first, as many as are tried. False where the monitor wants to stop.
 bool TopologyTrials::RankOperations(const Effort& effort, Pulse& pulse)
 {
   this->Operations.clear();
+  LowestValues lowest(effort.TrialsInFull);
   for (const Id edge : this->Edges)
   {
     for (const bool isCollapse : { true, false })
@@ -214,10 +241,11 @@ bool TopologyTrials::RankOperations(const Effort& effort, Pulse& pulse)
       Operation operation{ edge, isCollapse, Infinity };
       if (this->IsPromising(operation, effort))
       {
-        operation.Worst = this->QuickTrial(operation);
+        operation.Worst = this->QuickTrial(operation, lowest.Limit());
       }
-      if (operation.Worst < Infinity)
+      if (operation.Worst < lowest.Limit())
       {
+        lowest.Add(operation.Worst);
         this->Operations.push_back(operation);
       }
     }
@@ -245,8 +273,8 @@ bool TopologyTrials::IsPromising(const Operation& operation, const Effort& effor
     : this->Mesh.RelativeLength(edge) >= LeastSplitLength && !LeavesShortParts(this->Mesh, edge);
 }
 
-// The worst that it leaves near by, after little smoothing.
-double TopologyTrials::QuickTrial(const Operation& operation)
+// The worst that it leaves near by, after little smoothing; or anything not below `limit`.
+double TopologyTrials::QuickTrial(const Operation& operation, double limit)
 {
   this->Mesh.BeginTrial();
   const Id vertex = this->Perform(operation);
@@ -254,9 +282,10 @@ double TopologyTrials::QuickTrial(const Operation& operation)
   if (vertex != NoId)
   {
     this->SmoothNear(vertex, QuickRings);
-    for (const Id near : this->Surroundings.Around(vertex, QuickJudgedRings))
+    const std::vector<Id>& judged = this->Surroundings.Around(vertex, QuickJudgedRings);
+    for (std::size_t k = 0; k < judged.size() && worst < limit; ++k)
     {
-      worst = std::max(worst, ObjectiveAround(this->Mesh, near));
+      worst = std::max(worst, ObjectiveAround(this->Mesh, judged[k]));
     }
   }
   this->Mesh.EndTrial(false);

@@ -66,7 +66,7 @@ private:
   void FindEdges(const std::vector<Id>& corners);
   bool RankOperations(const Effort& effort, Pulse& pulse);
   bool IsPromising(const Operation& operation, const Effort& effort) const;
-  double QuickTrial(const Operation& operation);
+  double QuickTrial(const Operation& operation, double limit);
   Operation TryInFull(const Effort& effort);
   double FullTrial(const Operation& operation, double good, double limit, bool isCutOff);
   bool Keep(const Operation& operation);
