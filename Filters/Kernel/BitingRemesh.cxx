@@ -20,7 +20,7 @@
 #include "Remeshing/Stitching.h"
 #include "Remeshing/WantedSpacing.h"
 
-#include <algorithm> // for min, find
+#include <algorithm> // for min
 #include <limits>    // for the largest id
 #include <string>    // for figures
 #include <utility>   // for move
@@ -36,9 +36,10 @@ constexpr double FirstComparisonEnd = 0.4;
 constexpr double PiecesEnd = 0.5;
 constexpr double EdgesEnd = 0.05;
 constexpr double LocatorEnd = 0.2;
-constexpr double FirstRelaxationEnd = 0.5;
 constexpr double CheckEnd = 0.3;
 constexpr double QualityEnd = 0.9;
+
+constexpr int ReleaseRounds = 4; // more free few more
 
 class Remesher
 {
@@ -70,7 +71,6 @@ private:
   void Bite();
   void Triangulate();
   void Relax();
-  void RelaxOnce(bool triesTopologies, Monitor& monitor);
   void Finish();
   void CheckCavity();
   double ExpectedVertices() const;
@@ -292,7 +292,7 @@ void Remesher::Triangulate()
     TriangulateBites(this->Cavity.Geometry, {}, this->Cavity.Bites, this->Problems, this->Whole);
 }
 
-// Kept vertices that leave poor triangles are released, and all is relaxed again.
+// Kept vertices stay, but for those that leave poor triangles.
 void Remesher::Relax()
 {
   this->Begin(RemeshingStages::Relaxation);
@@ -300,35 +300,25 @@ void Remesher::Relax()
   {
     return;
   }
-  PartOfStage first(this->Whole, 0.0, FirstRelaxationEnd);
+  const std::vector<std::uint8_t> mayGo =
+    FindVerticesThatMayGo(this->Result.Old, this->Cavity.Geometry);
+  const std::vector<HeldVertex> held = ListHeld(mayGo, this->Cavity.Geometry, this->Cavity.Bites);
+  ReleaseVertices(mayGo, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
+  RelaxationOptions options;
   if (!this->Options.RelaxAll)
   {
-    this->RelaxOnce(false, first);
+    options.Hold = { static_cast<Id>(held.size()), this->Rules.GreatestCotangent,
+      this->Rules.ShortestEdge, this->Rules.LongestEdge, ReleaseRounds };
   }
-  if (this->IsOver())
-  {
-    return;
-  }
-  const std::vector<std::uint8_t> isReleased = this->Options.RelaxAll
-    ? FindVerticesThatMayGo(this->Result.Old, this->Cavity.Geometry)
-    : FindVerticesInTheWay(this->Result.Old, this->Cavity.Geometry, this->Cavity.Bites,
-        this->Cavity.Triangles, this->Rules);
-  ReleaseVertices(isReleased, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
-  PartOfStage again(this->Whole, FirstRelaxationEnd, 1.0);
-  if (this->Options.RelaxAll ||
-    std::find(isReleased.begin(), isReleased.end(), 1) != isReleased.end())
-  {
-    this->RelaxOnce(true, again);
-  }
-}
-
-void Remesher::RelaxOnce(bool triesTopologies, Monitor& monitor)
-{
-  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F,
-    { true, triesTopologies }, this->Cavity.Bites, this->Cavity.Triangles, monitor);
+  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
+    this->Cavity.Bites, this->Cavity.Triangles, this->Whole);
   if (!violation.empty())
   {
     AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
+  }
+  if (!this->IsOver() && !this->Options.RelaxAll)
+  {
+    ReturnVertices(held, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
   }
 }
 

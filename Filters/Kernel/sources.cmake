@@ -93,6 +93,7 @@ set(biting_kernel_sources
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayFlips.cxx
   Relaxation/DividedSegments.cxx
+  Relaxation/HeldVertices.cxx
   Relaxation/MeshReading.cxx
   Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx

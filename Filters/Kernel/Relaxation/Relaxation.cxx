@@ -7,6 +7,7 @@
 #include "AngleDescent.h"
 #include "DelaunayFlips.h"
 #include "DividedSegments.h"
+#include "HeldVertices.h"
 #include "MeshExchange.h"
 #include "MutableMesh.h"
 #include "Patch.h"
@@ -31,6 +32,9 @@ constexpr std::size_t SmallVerticesPerTrial = 60;
 constexpr std::size_t MostSmallTrials = 64;
 constexpr std::size_t VerticesPerTrial = 20000;
 
+constexpr int RingsOfReleased = 2; // about them, that are smoothed with them
+constexpr double CotangentOf45Degrees = 1.0;
+
 // Where steps end, as shares of the time.
 constexpr double ReadingEnd = 0.06;
 constexpr double WorkingEnd = 0.94;
@@ -39,8 +43,9 @@ constexpr double WorkingEnd = 0.94;
 class Relaxer
 {
 public:
-  Relaxer(MutableMesh& mesh, Pulse& pulse)
+  Relaxer(MutableMesh& mesh, HeldVertices& held, Pulse& pulse)
     : Mesh(mesh)
+    , Held(held)
     , Progress(pulse)
     , Flips(mesh)
     , Surroundings(mesh)
@@ -57,7 +62,8 @@ public:
     this->Smooth(0.2, 0.4, SweepKind::All);
     this->MendValences(0.4, 0.55, 1);
     this->Smooth(0.55, 0.75, SweepKind::Coarse);
-    this->Descend(0.75, 0.95);
+    this->Descend(0.75, options.Hold.Count > 0 ? 0.8 : 0.95);
+    this->Release(0.8, 0.95, options.Hold.Rounds);
     this->TryTopologies(0.95, 0.99);
     const PulsePart part(this->Progress, 0.99, 1.0);
     this->Mesh.AskForEstimates(this->Progress);
@@ -82,6 +88,60 @@ private:
     this->Descent.Run(1, 2, this->Progress);
   }
 
+  void Release(double begin, double end, int rounds)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    for (int round = 0; round < rounds && !this->Progress.HasStopped(); ++round)
+    {
+      const std::vector<Id> released = this->Held.ReleaseThoseInTheWay(this->Progress);
+      if (released.empty())
+      {
+        return;
+      }
+      this->SmoothAround(released);
+      this->Valences.Run(1, 1, this->Progress);
+      this->DescendAround(this->SmoothAround(released));
+    }
+  }
+
+  /// Returns the vertices that it looked at.
+  std::vector<Id> SmoothAround(const std::vector<Id>& released)
+  {
+    std::vector<Id> alive;
+    for (const Id vertex : released)
+    {
+      if (this->Mesh.IsAlive(vertex))
+      {
+        alive.push_back(vertex);
+      }
+    }
+    const std::vector<Id> near = this->Surroundings.Around(alive, RingsOfReleased);
+    this->Progress.ForEach(near.size(),
+      [this, &near](std::size_t k)
+      {
+        if (SmoothVertex(this->Mesh, near[k], CotangentOf30Degrees))
+        {
+          this->Flips.RestoreAround(near[k]);
+        }
+      });
+    return near;
+  }
+
+  void DescendAround(const std::vector<Id>& vertices)
+  {
+    this->Descent.Wake(vertices);
+    std::vector<Id> one(1);
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      this->Progress.ForEach(vertices.size(),
+        [this, &vertices, &one](std::size_t k)
+        {
+          one[0] = vertices[k];
+          this->Descent.Improve(one, CotangentOf45Degrees);
+        });
+    }
+  }
+
   void TryTopologies(double begin, double end)
   {
     if (!this->TriesTopologies)
@@ -96,6 +156,7 @@ private:
   }
 
   MutableMesh& Mesh;
+  HeldVertices& Held;
   Pulse& Progress;
   DelaunayFlips Flips;
   Patch Surroundings;
@@ -132,7 +193,8 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   if (!pulse.HasStopped())
   {
     const PulsePart working(pulse, ReadingEnd, WorkingEnd);
-    Relaxer(work, pulse).Run(options);
+    HeldVertices held(options.Hold, domain.NumberOfVertices(), origins, work);
+    Relaxer(work, held, pulse).Run(options);
   }
   RelaxationResult result;
   if (!pulse.HasStopped())

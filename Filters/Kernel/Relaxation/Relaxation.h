@@ -16,6 +16,20 @@
 namespace biting
 {
 
+/// Vertices that stay where they are, but for those in the way of a better mesh.
+struct HoldOptions
+{
+  Id Count = 0; ///< how many: those after the vertices of the domain, but for those on segments
+
+  // Beside an angle whose cotangent is larger, or an edge beyond these, in units of the spacing,
+  // one is in the way.
+  double GreatestCotangent = 0.0;
+  double ShortestEdge = 0.0;
+  double LongestEdge = 0.0;
+
+  int Rounds = 0; ///< so often they are looked for
+};
+
 struct RelaxationOptions
 {
   /// False: no vertex is added on segments; those that are there may slide, or go.
@@ -26,6 +40,8 @@ struct RelaxationOptions
 
   /// Of the cotangents of angles that count as poor: with less than 1 more angles do.
   double PoorCotangents = 1.0;
+
+  HoldOptions Hold = {};
 };
 
 /// A mesh of a domain, and what binds it.
@@ -56,6 +72,8 @@ struct RelaxationResult
 ///   lengths of edges towards the spacing.
 /// - All vertices are smoothed for the mean ratio of the triangles around them.
 /// - The worst triangles are improved one by one.
+/// - Where vertices are held, those that are in the way are then released, round by round, and what
+///   is near them is improved anew.
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and

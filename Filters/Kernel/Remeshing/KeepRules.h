@@ -29,16 +29,16 @@ struct KeepRules
   static constexpr double LowestUnchanged = 0.75;
   static constexpr double HighestUnchanged = 1.3;
 
-  double Crowded = 0.6;
+  double Crowded = 0.7;
   double Lowest = 0.82;
-  double Highest = 1.22;
+  double Highest = 1.35;
   double Sparse = 1.75;
 
-  // Kept vertices are released, they may move and go, beside an angle, in degrees, or an edge
-  // beyond these.
-  double LeastAngle = 30.0;
-  double ShortestEdge = 0.65;
-  double LongestEdge = 1.45;
+  // Kept vertices are released, they may move and go, beside an angle whose cotangent is larger, or
+  // an edge beyond these.
+  double GreatestCotangent = 1.3763819; // 36 degrees
+  double ShortestEdge = 0.70710678;
+  double LongestEdge = 1.41421356;
 
   static bool IsUnchanged(double length)
   {
@@ -56,9 +56,9 @@ inline KeepRules RulesFor(RemeshPreference preference)
   switch (preference)
   {
     case RemeshPreference::Keeping:
-      return { 0.82, 0.82, 1.22, 1.22, 20.0, 0.0, 1e6 };
+      return { 0.82, 0.82, 1.22, 1.22, 2.7474774, 0.0, 1e6 };
     case RemeshPreference::Shape:
-      return { 0.5, 0.82, 1.22, 1.9, 35.0, 0.70710678, 1.41421356 };
+      return { 0.5, 0.82, 1.22, 1.9, 1.4281480, 0.70710678, 1.41421356 };
     default:
       return {};
   }

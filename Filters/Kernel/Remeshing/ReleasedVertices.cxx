@@ -3,9 +3,8 @@
 
 #include "ReleasedVertices.h"
 
-#include "../Quality/Quality.h"
-
-#include <array>   // for corners
+#include <cstddef> // for sizes
+#include <numeric> // for iota
 #include <utility> // for move
 
 namespace biting
@@ -56,85 +55,19 @@ void Renumber(const std::vector<Id>& numbers, std::vector<Id>& ids)
   }
 }
 
-/// Finds what is poor, and which vertices may go for it.
-class Judge
+void RenumberAll(
+  const std::vector<Id>& numbers, Domain& domain, BitingResult& bites, Triangulation& mesh)
 {
-public:
-  Judge(const OldMesh& old, const Domain& domain, const BitingResult& bites, const KeepRules& rules)
-    : Bites(bites)
-    , Rules(rules)
-    , MayGo(FindVerticesThatMayGo(old, domain))
-    , Complaints(domain.Vertices.size(), 0)
-  {
-  }
-
-  /// At a poor triangle it may be any corner, at a poor edge either end.
-  void LookAt(const Id* corners)
-  {
-    const auto place = [this, corners](int k) { return this->Bites.Points[corners[k % 3]]; };
-    const auto spacing = [this, corners](int k) { return this->Bites.Spacings[corners[k % 3]]; };
-    if (MinimumAngle(place(0), place(1), place(2)) < this->Rules.LeastAngle)
-    {
-      this->Add({ corners[0], corners[1], corners[2] });
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const double length = 2.0 * Distance(place(k), place(k + 1)) / (spacing(k) + spacing(k + 1));
-      if (length < this->Rules.ShortestEdge || length > this->Rules.LongestEdge)
-      {
-        this->Add({ corners[k], corners[(k + 1) % 3], NoId });
-      }
-    }
-  }
-
-  /// For each that is poor, one vertex: that at which most is.
-  std::vector<std::uint8_t> Choose() const
-  {
-    std::vector<std::uint8_t> isChosen(this->MayGo.size(), 0);
-    for (const std::array<Id, 3>& poor : this->Poor)
-    {
-      Id chosen = NoId;
-      for (const Id vertex : poor)
-      {
-        const bool isMore =
-          vertex != NoId && (chosen == NoId || this->Complaints[vertex] > this->Complaints[chosen]);
-        chosen = isMore ? vertex : chosen;
-      }
-      if (chosen != NoId)
-      {
-        isChosen[chosen] = 1;
-      }
-    }
-    return isChosen;
-  }
-
-private:
-  void Add(std::array<Id, 3> vertices)
-  {
-    bool hasSome = false;
-    for (Id& vertex : vertices)
-    {
-      const bool mayGo = vertex != NoId && static_cast<std::size_t>(vertex) < this->MayGo.size() &&
-        this->MayGo[vertex] != 0;
-      vertex = mayGo ? vertex : NoId;
-      hasSome = hasSome || mayGo;
-      if (mayGo)
-      {
-        ++this->Complaints[vertex];
-      }
-    }
-    if (hasSome)
-    {
-      this->Poor.push_back(vertices);
-    }
-  }
-
-  const BitingResult& Bites;
-  const KeepRules& Rules;
-  std::vector<std::uint8_t> MayGo;
-  std::vector<Id> Complaints;
-  std::vector<std::array<Id, 3>> Poor;
-};
+  Permute(numbers, bites.Points);
+  Permute(numbers, bites.Spacings);
+  Permute(numbers, bites.BiteOrders);
+  Permute(numbers, bites.Segments);
+  Renumber(numbers, bites.EdgeStarts);
+  Renumber(numbers, bites.EdgeEnds);
+  Renumber(numbers, mesh.Corners);
+  Renumber(numbers, domain.Starts);
+  Renumber(numbers, domain.Ends);
+}
 
 } // namespace
 
@@ -148,30 +81,11 @@ std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain
   return mayGo;
 }
 
-std::vector<std::uint8_t> FindVerticesInTheWay(const OldMesh& old, const Domain& domain,
-  const BitingResult& bites, const Triangulation& mesh, const KeepRules& rules)
-{
-  Judge judge(old, domain, bites, rules);
-  for (std::size_t corner = 0; corner < mesh.Corners.size(); corner += 3)
-  {
-    judge.LookAt(mesh.Corners.data() + corner);
-  }
-  return judge.Choose();
-}
-
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,
   BitingResult& bites, Triangulation& mesh)
 {
   const std::vector<Id> numbers = NumberVertices(isReleased, bites.Points.size());
-  Permute(numbers, bites.Points);
-  Permute(numbers, bites.Spacings);
-  Permute(numbers, bites.BiteOrders);
-  Permute(numbers, bites.Segments);
-  Renumber(numbers, bites.EdgeStarts);
-  Renumber(numbers, bites.EdgeEnds);
-  Renumber(numbers, mesh.Corners);
-  Renumber(numbers, domain.Starts);
-  Renumber(numbers, domain.Ends);
+  RenumberAll(numbers, domain, bites, mesh);
   Permute(numbers, domain.Vertices);
   Permute(numbers, domain.VertexPoints);
   Permute(numbers, domain.IsEmbedded);
@@ -183,6 +97,53 @@ void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain
   domain.Vertices.resize(left);
   domain.VertexPoints.resize(left);
   domain.IsEmbedded.resize(left);
+}
+
+std::vector<HeldVertex> ListHeld(
+  const std::vector<std::uint8_t>& isHeld, const Domain& domain, const BitingResult& bites)
+{
+  std::vector<HeldVertex> held;
+  for (std::size_t vertex = 0; vertex < isHeld.size(); ++vertex)
+  {
+    if (isHeld[vertex])
+    {
+      held.push_back(
+        { domain.Vertices[vertex], domain.VertexPoints[vertex], bites.BiteOrders[vertex] });
+    }
+  }
+  return held;
+}
+
+void ReturnVertices(
+  const std::vector<HeldVertex>& held, Domain& domain, BitingResult& bites, Triangulation& mesh)
+{
+  const std::size_t first = domain.Vertices.size();
+  // Vertices of domains are bitten first, each once.
+  std::vector<const HeldVertex*> heldOf(first + held.size(), nullptr);
+  for (const HeldVertex& one : held)
+  {
+    heldOf[one.BiteOrder] = &one;
+  }
+  std::vector<Id> numbers(bites.Points.size(), NoId);
+  std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(first), 0);
+  for (std::size_t vertex = first; vertex < numbers.size(); ++vertex)
+  {
+    const auto order = static_cast<std::size_t>(bites.BiteOrders[vertex]);
+    const HeldVertex* one = order < heldOf.size() ? heldOf[order] : nullptr;
+    if (one && one->Place == bites.Points[vertex])
+    {
+      numbers[vertex] = domain.NumberOfVertices();
+      domain.Vertices.push_back(one->Place);
+      domain.VertexPoints.push_back(one->Point);
+      domain.IsEmbedded.push_back(1);
+    }
+  }
+  Id last = domain.NumberOfVertices();
+  for (Id& number : numbers)
+  {
+    number = number == NoId ? last++ : number;
+  }
+  RenumberAll(numbers, domain, bites, mesh);
 }
 
 } // namespace biting

@@ -7,7 +7,6 @@
 #include "../Biting/BitingScheme.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/Domain.h"
-#include "KeepRules.h"
 #include "OldMesh.h"
 
 #include <cstdint> // for flags
@@ -19,14 +18,26 @@ namespace biting
 /// 1 for the embedded vertices of the domain, fixed ones apart.
 std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain& domain);
 
-/// 1 for those of them that are in the way of a better mesh: of each triangle with an angle, and of
-/// each edge, beyond what `rules` say, one; that of most such triangles and edges.
-std::vector<std::uint8_t> FindVerticesInTheWay(const OldMesh& old, const Domain& domain,
-  const BitingResult& bites, const Triangulation& mesh, const KeepRules& rules);
-
 /// Takes these vertices out of the domain: they become inner vertices of the mesh like new ones.
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,
   BitingResult& bites, Triangulation& mesh);
+
+/// A vertex that was taken out of a domain.
+struct HeldVertex
+{
+  Point2 Place;
+  Id Point;     ///< Domain::VertexPoints
+  Id BiteOrder; ///< by which it is known
+};
+
+/// Those of the flagged vertices, in their order.
+std::vector<HeldVertex> ListHeld(
+  const std::vector<std::uint8_t>& isHeld, const Domain& domain, const BitingResult& bites);
+
+/// The inverse of ReleaseVertices, for those of `held` that are where they were: they are vertices
+/// of the domain again, after the others.
+void ReturnVertices(
+  const std::vector<HeldVertex>& held, Domain& domain, BitingResult& bites, Triangulation& mesh);
 
 } // namespace biting
 

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "HeldVertices.h"
+
+#include "StarObjective.h"
+
+#include <algorithm> // for sort
+#include <cstddef>   // for sizes
+
+namespace biting
+{
+
+HeldVertices::HeldVertices(
+  const HoldOptions& hold, Id first, const std::vector<Id>& origins, MutableMesh& mesh)
+  : Hold(hold)
+  , Mesh(mesh)
+  , IsHeld(hold.Count > 0 ? mesh.Points.size() : 0, 0)
+{
+  for (std::size_t vertex = 0; vertex < this->IsHeld.size(); ++vertex)
+  {
+    const bool isNamed = origins[vertex] >= first && origins[vertex] < first + hold.Count;
+    if (isNamed && mesh.Freedoms[vertex] == Freedom::Free)
+    {
+      this->IsHeld[vertex] = 1;
+      mesh.Freedoms[vertex] = Freedom::Fixed;
+    }
+  }
+}
+
+std::vector<Id> HeldVertices::ReleaseThoseInTheWay(Pulse& pulse)
+{
+  if (this->Hold.Count == 0)
+  {
+    return {};
+  }
+  this->IsHeld.resize(this->Mesh.Points.size(), 0);
+  this->Counts.assign(this->Mesh.Points.size(), 0);
+  this->Complaints.clear();
+  pulse.ForEach(this->Mesh.Regions.size(),
+    [this](std::size_t triangle)
+    {
+      if (this->Mesh.IsEdge(4 * static_cast<Id>(triangle)))
+      {
+        this->LookAt(static_cast<Id>(triangle));
+      }
+    });
+  std::vector<Id> released = this->Choose();
+  for (const Id vertex : released)
+  {
+    this->IsHeld[vertex] = 0;
+    this->Mesh.Freedoms[vertex] = Freedom::Free;
+  }
+  return released;
+}
+
+void HeldVertices::LookAt(Id triangle)
+{
+  const Id first = 4 * triangle;
+  const std::vector<Id>& corners = this->Mesh.Corners;
+  if (IsWorseThan(this->Mesh, triangle, this->Hold.GreatestCotangent))
+  {
+    this->Complain({ corners[first], corners[first + 1], corners[first + 2] });
+  }
+  for (Id edge = first; edge < first + 3; ++edge)
+  {
+    if (this->IsBeyondLimits(edge))
+    {
+      this->Complain({ this->Mesh.Origin(edge), this->Mesh.Target(edge), NoId });
+    }
+  }
+}
+
+bool HeldVertices::IsBeyondLimits(Id edge) const
+{
+  const double square = this->Mesh.SquaredRelativeLength(edge);
+  return square < this->Hold.ShortestEdge * this->Hold.ShortestEdge ||
+    square > this->Hold.LongestEdge * this->Hold.LongestEdge;
+}
+
+void HeldVertices::Complain(Complaint vertices)
+{
+  bool hasHeld = false;
+  for (Id& vertex : vertices)
+  {
+    vertex = vertex != NoId && this->IsHeld[vertex] ? vertex : NoId;
+    if (vertex != NoId)
+    {
+      hasHeld = true;
+      ++this->Counts[vertex];
+    }
+  }
+  if (hasHeld)
+  {
+    this->Complaints.push_back(vertices);
+  }
+}
+
+// Those with most complaints first. Where one of the vertices of a complaint is chosen the others
+// wait: they may be fine once it is gone.
+std::vector<Id> HeldVertices::Choose() const
+{
+  std::vector<Id> chosen;
+  std::vector<std::uint8_t> waits(this->IsHeld.size(), 0);
+  for (const Candidate& candidate : this->ListCandidates())
+  {
+    const bool isChosen = !chosen.empty() && chosen.back() == candidate.Vertex;
+    if (!isChosen && waits[candidate.Vertex] != 0)
+    {
+      continue;
+    }
+    if (!isChosen)
+    {
+      chosen.push_back(candidate.Vertex);
+    }
+    for (const Id vertex : this->Complaints[candidate.About])
+    {
+      if (vertex != NoId)
+      {
+        waits[vertex] = 1;
+      }
+    }
+  }
+  return chosen;
+}
+
+std::vector<HeldVertices::Candidate> HeldVertices::ListCandidates() const
+{
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < this->Complaints.size(); ++k)
+  {
+    for (const Id vertex : this->Complaints[k])
+    {
+      if (vertex != NoId)
+      {
+        candidates.push_back({ this->Counts[vertex], vertex, k });
+      }
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    {
+      return a.Count != b.Count ? a.Count > b.Count
+        : a.Vertex != b.Vertex  ? a.Vertex < b.Vertex
+                                : a.About < b.About;
+    });
+  return candidates;
+}
+
+} // namespace biting

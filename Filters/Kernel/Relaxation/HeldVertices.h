@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingHeldVertices_h
+#define BitingHeldVertices_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "MutableMesh.h"
+#include "Relaxation.h"
+
+#include <array>   // for corners
+#include <cstddef> // for places
+#include <cstdint> // for flags
+#include <vector>  // for the lists
+
+namespace biting
+{
+
+/// Vertices that stay where they are until they are in the way of a better mesh: then they are
+/// released, and are vertices like all others.
+class HeldVertices
+{
+public:
+  /// Holds those of the `hold.Count` vertices of the input from `first` on that are free; `origins`
+  /// tells which one of the input each vertex of the mesh is.
+  HeldVertices(
+    const HoldOptions& hold, Id first, const std::vector<Id>& origins, MutableMesh& mesh);
+
+  /// Releases vertices of triangles with an angle, and of edges, beyond the limits: of each such
+  /// triangle and edge at most one, that of most of them. Returns those that are released: none
+  /// where the limits are met.
+  std::vector<Id> ReleaseThoseInTheWay(Pulse& pulse);
+
+private:
+  using Complaint = std::array<Id, 3>; ///< the held ones of the corners or ends, NoId the others
+
+  struct Candidate
+  {
+    Id Count; ///< of its complaints
+    Id Vertex;
+    std::size_t About; ///< one of them
+  };
+
+  void LookAt(Id triangle);
+  bool IsBeyondLimits(Id edge) const;
+  void Complain(Complaint vertices);
+  std::vector<Id> Choose() const;
+  std::vector<Candidate> ListCandidates() const;
+
+  const HoldOptions& Hold;
+  MutableMesh& Mesh;
+  std::vector<std::uint8_t> IsHeld; ///< one a vertex
+  std::vector<Id> Counts;           ///< of complaints: one a vertex
+  std::vector<Complaint> Complaints;
+};
+
+} // namespace biting
+
+#endif

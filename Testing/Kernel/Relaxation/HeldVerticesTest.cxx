@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Relaxation/HeldVertices.h"
+#include "RawMesh.h"
+#include "Relaxation/StarObjective.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for find
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double NoCotangent = 1e9; // of no angle
+
+/// How many of the vertices that are held are no more where they were.
+Id CountMoved(const HoldOptions& hold)
+{
+  RawMesh raw = UnitSquare(0.05);
+  const std::vector<Point2> before = raw.Mesh.Points;
+  const std::vector<Id> segments = raw.Mesh.Segments;
+  RelaxationOptions options;
+  options.Hold = hold;
+  raw.Relax(options);
+  EXPECT_EQ(raw.Violation(true), "");
+  const Id first = raw.Domain.NumberOfVertices();
+  Id moved = 0;
+  for (Id vertex = first; vertex < first + hold.Count; ++vertex)
+  {
+    const auto end = raw.Mesh.Points.end();
+    const bool isThere = std::find(raw.Mesh.Points.begin(), end, before[vertex]) != end;
+    moved += isThere || segments[vertex] != NoId ? 0 : 1;
+  }
+  return moved;
+}
+
+Id CountNew(const RawMesh& raw)
+{
+  return static_cast<Id>(raw.Mesh.Points.size()) - raw.Domain.NumberOfVertices();
+}
+
+TEST(HeldVertices, StayWhereTheyAreWhereNoneIsReleased)
+{
+  const Id count = CountNew(UnitSquare(0.05)) / 2;
+  EXPECT_EQ(CountMoved({ count, 0.0, 10.0, 0.0, 0 }), 0);
+  EXPECT_EQ(CountMoved({ count, NoCotangent, 0.0, NoCotangent, 4 }), 0);
+}
+
+TEST(HeldVertices, StricterLimitsReleaseMore)
+{
+  const Id count = CountNew(UnitSquare(0.05)) / 2;
+  const Id few = CountMoved({ count, CotangentOf30Degrees, 0.6, 1.6, 4 });
+  const Id more = CountMoved({ count, CotangentOf40Degrees, 0.8, 1.3, 4 });
+  EXPECT_GT(few, 0);
+  EXPECT_GT(more, few);
+  EXPECT_LT(more, count);
+}
+
+TEST(HeldVertices, OfEachPoorTriangleAtMostOneIsReleasedAtATime)
+{
+  const RawMesh raw = UnitSquare(0.05);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  MutableMesh mesh(raw.Domain, raw.Spacing);
+  mesh.IsDivided.assign(4, 1);
+  const std::vector<Id> origins = ReadMesh(raw.Mesh, mesh, pulse);
+  const Id first = raw.Domain.NumberOfVertices();
+  const HoldOptions hold{ CountNew(raw), CotangentOf35Degrees, 0.0, NoCotangent, 1 };
+  HeldVertices held(hold, first, origins, mesh);
+  const std::vector<Id> released = held.ReleaseThoseInTheWay(pulse);
+  EXPECT_FALSE(released.empty());
+  for (const Id vertex : released)
+  {
+    EXPECT_EQ(mesh.Freedoms[vertex], Freedom::Free);
+    bool isInTheWay = false;
+    mesh.ForEachAround(vertex,
+      [&mesh, &released, &hold, &isInTheWay](Id edge)
+      {
+        const Id triangle = MutableMesh::TriangleOf(edge);
+        if (IsWorseThan(mesh, triangle, hold.GreatestCotangent))
+        {
+          isInTheWay = true;
+          for (const Id other : { mesh.Origin(edge), mesh.Target(edge) })
+          {
+            EXPECT_EQ(std::find(released.begin(), released.end(), other), released.end());
+          }
+        }
+      });
+    EXPECT_TRUE(isInTheWay);
+  }
+}
+
+} // namespace
+
+} // namespace biting
