@@ -11,6 +11,7 @@
 
 #include <algorithm> // for sort, lower_bound
 #include <cmath>     // for abs
+#include <cstdint>   // for flags
 #include <numeric>   // for iota
 #include <string>    // for details
 #include <utility>   // for swap
@@ -69,6 +70,7 @@ private:
   std::vector<Id> VerticesOfFreeEdges() const;
   bool CheckSides();
   void MarkEdges();
+  std::vector<Id> SlotsOfLines() const;
   void MarkLines();
   void CheckOverlaps();
   Polylines FreeEdges();
@@ -236,16 +238,39 @@ void Reader::MarkEdges()
   }
 }
 
-// Finds the slots of lines by their ends.
+// Those between ends of lines, by their ends.
+std::vector<Id> Reader::SlotsOfLines() const
+{
+  const OldMesh& mesh = this->Mesh;
+  std::vector<std::uint8_t> isEnd(mesh.Points.size(), 0);
+  for (const std::vector<Id>* ends : { &this->Input.LineStarts, &this->Input.LineEnds })
+  {
+    for (const Id end : *ends)
+    {
+      isEnd[end] = 1;
+    }
+  }
+  std::vector<Id> slots;
+  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
+  {
+    if (isEnd[mesh.Start(slot)] && isEnd[mesh.End(slot)])
+    {
+      slots.push_back(slot);
+    }
+  }
+  std::sort(slots.begin(), slots.end(),
+    [&mesh](Id a, Id b)
+    {
+      return std::make_pair(mesh.Start(a), mesh.End(a)) <
+        std::make_pair(mesh.Start(b), mesh.End(b));
+    });
+  return slots;
+}
+
 void Reader::MarkLines()
 {
   OldMesh& mesh = this->Mesh;
-  const auto isBefore = [&mesh](Id a, Id b) {
-    return std::make_pair(mesh.Start(a), mesh.End(a)) < std::make_pair(mesh.Start(b), mesh.End(b));
-  };
-  std::vector<Id> slots(mesh.Corners.size());
-  std::iota(slots.begin(), slots.end(), 0);
-  std::sort(slots.begin(), slots.end(), isBefore);
+  const std::vector<Id> slots = this->SlotsOfLines();
   for (std::size_t line = 0; line < this->Input.LineStarts.size(); ++line)
   {
     const Id start = this->Input.LineStarts[line];
