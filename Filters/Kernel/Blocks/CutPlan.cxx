@@ -42,11 +42,6 @@ constexpr double CostOfOtherDirection = 2.5; // than that of the first cut
 
 using Samples = std::vector<DensitySample>;
 
-double Coordinate(const Point2& p, bool isVertical)
-{
-  return isVertical ? p.X : p.Y;
-}
-
 double TotalOf(const Samples& samples)
 {
   double sum = 0.0;

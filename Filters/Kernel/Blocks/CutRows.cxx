@@ -15,11 +15,6 @@ namespace
 // Of f, and of lengths: what is not seen in a mesh.
 constexpr double LevelWithin = 0.005;
 
-double Coordinate(const Point2& p, bool isVertical)
-{
-  return isVertical ? p.X : p.Y;
-}
-
 } // namespace
 
 double CutRows::FittingPlace(double place, const Box2& part, bool isVertical) const

@@ -12,6 +12,12 @@
 namespace biting
 {
 
+/// Of the place where a line parallel to an axis meets the other axis.
+inline double Coordinate(const Point2& p, bool isVertical)
+{
+  return isVertical ? p.X : p.Y;
+}
+
 /// Places of cuts at which the fronts that leave them make one lattice, where f is level.
 ///
 /// A front that leaves a straight cut makes rows of vertices parallel to it. The fronts of all cuts
