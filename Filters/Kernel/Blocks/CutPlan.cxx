@@ -36,6 +36,9 @@ constexpr double PartsOfLine = 100.0;
 constexpr double WayAside = 0.1;     // of the diagonal
 constexpr double CostOfChange = 0.3; // of f by a factor of e, in vertices on the cut
 
+// An end that is not open (CutLine.h), in vertices on the cut: it is where angles may be small.
+constexpr double CostOfNarrowEnd = 40.0;
+
 // Parallel cuts give both sides of a block nearly the same lattice also where f changes: two such
 // cuts of a square cost less than a cross does, three or more do not.
 constexpr double CostOfOtherDirection = 2.5; // than that of the first cut
@@ -265,6 +268,8 @@ double Planner::CostOf(const CutLine& line) const
   double cost = 0.0;
   for (const CutStretch& stretch : line.Stretches)
   {
+    const int narrowEnds = (stretch.From.IsOpen ? 0 : 1) + (stretch.To.IsOpen ? 0 : 1);
+    cost += CostOfNarrowEnd * narrowEnds;
     const Point2 way = stretch.To.Place - stretch.From.Place;
     const int parts =
       LeastParts + static_cast<int>(PartsOfLine * Length(way) / this->Geometry.Bounds.Diagonal());

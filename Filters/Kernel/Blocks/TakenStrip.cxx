@@ -13,7 +13,7 @@ namespace biting
 namespace
 {
 
-constexpr int Steps = 10; // across edges; two are about a ring of vertices
+constexpr int Steps = 6; // across edges; two are about a ring of vertices
 
 // Triangles in the order of their numbers, found part by part.
 struct TriangleList
