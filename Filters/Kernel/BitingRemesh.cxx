@@ -16,6 +16,7 @@
 #include "Remeshing/CavityDomain.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/KeptVertices.h"
+#include "Remeshing/MisfitVertices.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/Stitching.h"
 #include "Remeshing/WantedSpacing.h"
@@ -171,8 +172,11 @@ void Remesher::FindRegion()
 {
   const OldMesh& old = this->Result.Old;
   const std::vector<double> lengths = MeanLengths(old, this->Result.OldSpacings);
-  this->Region = this->Options.RelaxAll ? WholeRegion(old, lengths)
-                                        : FindChangedRegion(old, lengths, this->Options.Rings);
+  const EdgeFreedom freedom{ this->Options.Edges, this->Tolerance.IsAsked() };
+  this->Region = this->Options.RelaxAll
+    ? WholeRegion(old, lengths)
+    : FindChangedRegion(old, lengths, FindMisfits(old, this->Result.OldSpacings, lengths, freedom),
+        this->Options.Rings);
   this->Result.IsUnchanged = this->Region.IsEmpty();
 }
 

@@ -127,6 +127,7 @@ set(biting_kernel_sources
   Remeshing/EdgeSimplification.cxx
   Remeshing/GradedValues.cxx
   Remeshing/KeptVertices.cxx
+  Remeshing/MisfitVertices.cxx
   Remeshing/OldMesh.cxx
   Remeshing/OldPlaces.cxx
   Remeshing/RegionEdges.cxx

@@ -13,17 +13,6 @@ namespace
 
 using Flags = std::vector<std::uint8_t>;
 
-Flags FindSeeds(const OldMesh& mesh, const std::vector<double>& lengths)
-{
-  Flags isSeed(mesh.Points.size(), 0);
-  for (std::size_t vertex = 0; vertex < isSeed.size(); ++vertex)
-  {
-    const double length = lengths[vertex];
-    isSeed[vertex] = length > 0.0 && !KeepRules::IsUnchanged(length);
-  }
-  return isSeed;
-}
-
 // Adds the triangles at the vertices that are marked, and marks their vertices. Whether there were
 // any to add.
 bool AddRing(const OldMesh& mesh, Flags& isMarked, Flags& isChanged)
@@ -171,10 +160,10 @@ std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& 
   return sums;
 }
 
-ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings)
+ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths,
+  std::vector<std::uint8_t> isMarked, int rings)
 {
   ChangedRegion region;
-  Flags isMarked = FindSeeds(mesh, lengths);
   if (std::none_of(isMarked.begin(), isMarked.end(), [](std::uint8_t is) { return is != 0; }))
   {
     return region;

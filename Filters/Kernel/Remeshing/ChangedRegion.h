@@ -38,10 +38,11 @@ struct ChangedRegion
 /// Of each vertex, the mean length of its edges, each in units of the mean f of its ends.
 std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings);
 
-/// The triangles at vertices whose mean length says so (KeepRules::IsUnchanged), and those around
-/// them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths returned. Cost O(n),
-/// little a triangle.
-ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths, int rings);
+/// The triangles at the vertices that are marked (MisfitVertices.h), and those around them: `rings`
+/// of them. Frozen triangles stay. `lengths` is what MeanLengths returned. Cost O(n), little a
+/// triangle.
+ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths,
+  std::vector<std::uint8_t> isMarked, int rings);
 
 /// The free edges of unchanged triangles between vertices of the region: the old ids of their ends,
 /// the smaller one first, sorted. Cost O(n), little a triangle.

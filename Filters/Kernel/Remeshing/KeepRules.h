@@ -29,6 +29,10 @@ struct KeepRules
   static constexpr double LowestUnchanged = 0.75;
   static constexpr double HighestUnchanged = 1.3;
 
+  // Single edges are as they are wanted from 1 / sqrt(2) to sqrt(2): squared.
+  static constexpr double LeastSquare = 0.5;
+  static constexpr double GreatestSquare = 2.0;
+
   double Crowded = 0.7;
   double Lowest = 0.82;
   double Highest = 1.35;

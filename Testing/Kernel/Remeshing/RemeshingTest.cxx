@@ -135,6 +135,20 @@ TEST(Remeshing, AMeshOfTheSpacingThatIsWantedIsUnchanged)
   }
 }
 
+TEST(Remeshing, AMeshWhoseDrawingIsFinerThanTheSpacingIsUnchanged)
+{
+  BitingMeshOptions meshing;
+  meshing.Spacing.Uniform = 0.05;
+  const BitingMesh mesh = RunMesh(
+    PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 36)).Lines(),
+    meshing)
+                            .Mesh;
+  const RemeshInput input = RemeshInputOf(mesh, Rounding);
+  RemeshOptions options;
+  options.Values = mesh.Spacing;
+  EXPECT_TRUE(RunLawfully(input, options).Result.IsUnchanged);
+}
+
 TEST(Remeshing, WhereTheSpacingIsHalvedNearlyAllVerticesStay)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
