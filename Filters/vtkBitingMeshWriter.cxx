@@ -3,8 +3,8 @@
 
 #include "vtkBitingMeshWriter.h"
 
+#include "Bridge/ProducedEdges.h"
 #include "IO/MeshFile.h"
-#include "vtkBitingMesher.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -20,7 +20,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, equal, max, replace
+#include <algorithm> // for all_of, any_of, max, replace
 #include <array>     // for places
 #include <cmath>     // for abs, floor
 #include <fstream>   // for files
@@ -186,37 +186,6 @@ vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
 }
 
 //------------------------------------------------------------------------------
-// Whether each end of an edge is the point of the mesh that it names.
-bool Fit(vtkPolyData* edges, vtkDataArray* ids, vtkDataSet* mesh)
-{
-  for (vtkIdType point = 0; point < edges->GetNumberOfPoints(); ++point)
-  {
-    const auto id = static_cast<vtkIdType>(ids->GetTuple1(point));
-    if (id < 0 || id >= mesh->GetNumberOfPoints())
-    {
-      return false;
-    }
-    double own[3];
-    double other[3];
-    edges->GetPoint(point, own);
-    mesh->GetPoint(id, other);
-    if (!std::equal(own, own + 3, other))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// The algorithms of ours that have boundary edges beside their mesh.
-bool HasEdges(vtkAlgorithm* producer)
-{
-  return producer->IsA("vtkBitingMesher") || producer->IsA("vtkBitingRemesher") ||
-    producer->IsA("vtkBitingMeshReader");
-}
-
-//------------------------------------------------------------------------------
 void ReadEdges(
   vtkPolyData* edges, vtkDataArray* ids, vtkAbstractArray* tags, biting::MeshFile& file)
 {
@@ -300,16 +269,7 @@ vtkPolyData* vtkBitingMeshWriter::FindEdges()
   {
     return vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
   }
-  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0);
-  while (producer && !HasEdges(producer))
-  {
-    const bool hasInput =
-      producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
-    producer = hasInput ? producer->GetInputAlgorithm(0, 0) : nullptr;
-  }
-  return producer
-    ? vtkPolyData::SafeDownCast(producer->GetOutputDataObject(vtkBitingMesher::BOUNDARY_EDGES))
-    : nullptr;
+  return biting::FindProducedEdges(this);
 }
 
 //------------------------------------------------------------------------------
@@ -324,8 +284,7 @@ void vtkBitingMeshWriter::Refuse(const std::string& reason)
 bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
 {
   vtkPolyData* edges = this->FindEdges();
-  vtkDataArray* ids = edges ? edges->GetPointData()->GetArray("MeshPointId") : nullptr;
-  if (!ids || !Fit(edges, ids, mesh))
+  if (!edges || !biting::AreEdgesOf(edges, mesh))
   {
     this->WarnOfEdges(edges);
     return true;
@@ -336,7 +295,7 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
     this->Refuse("The boundary edges have no cell array named " + Text(this->TagArray) + ".");
     return false;
   }
-  ReadEdges(edges, ids, tags, file);
+  ReadEdges(edges, edges->GetPointData()->GetArray("MeshPointId"), tags, file);
   if (!biting::AreEdgesOfTriangles(file))
   {
     this->WarnOfEdges(edges);

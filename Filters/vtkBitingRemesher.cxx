@@ -11,6 +11,7 @@
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
+#include "Bridge/ProducedEdges.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/RemeshInputFromDataSet.h"
 #include "Bridge/RemeshedData.h"
@@ -38,23 +39,6 @@ namespace
 // The stages around those of the kernel, with their shares of the time of a run.
 constexpr biting::Stage ReadingStage{ "Reading the input", 0.1 };
 constexpr biting::Stage WritingStage{ "Writing the mesh", 0.1 };
-
-//------------------------------------------------------------------------------
-// Of what the filter counted; empty where it made nothing.
-std::string CountsOf(vtkPolyData* mesh)
-{
-  if (!mesh->GetFieldData()->HasArray("KeptTriangles"))
-  {
-    return {};
-  }
-  const auto count = [mesh](const char* name)
-  {
-    return std::to_string(
-      static_cast<vtkIdType>(mesh->GetFieldData()->GetArray(name)->GetComponent(0, 0)));
-  };
-  return count("KeptVertices") + " vertices kept, " + count("RemovedVertices") + " removed, " +
-    count("NewVertices") + " new\n" + count("KeptTriangles") + " triangles unchanged\n";
-}
 
 } // namespace
 
@@ -184,7 +168,7 @@ int vtkBitingRemesher::RequestData(
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
-  const std::string counts = CountsOf(output);
+  const std::string counts = biting::CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
   this->Summary += counts +
     (!counts.empty() && isNew ? biting::SummaryOf(output, watch.Seconds()) : std::string());
@@ -219,6 +203,10 @@ bool vtkBitingRemesher::Execution::Gather(
   this->Input = vtkDataSet::SafeDownCast(mesh.Make());
   this->Source = source.Make();
   this->Lines = vtkDataSet::SafeDownCast(lines.Make());
+  if (!this->Lines)
+  {
+    this->Lines = biting::FindTaggedEdges(this->Filter, this->Input);
+  }
   return this->Input != nullptr;
 }
 

@@ -131,7 +131,9 @@ public:
 
   ///@{
   /**
-   * Dataset with lines on edges of the mesh, and their tags as cell arrays (port 2). Optional.
+   * Dataset with lines on edges of the mesh, and their tags as cell arrays (port 2). Optional: the
+   * lines of the mesh count else, or, where it has none, the boundary edges of the vtkBitingMesher,
+   * vtkBitingRemesher or vtkBitingMeshReader from which it comes, as long as its points are theirs.
    */
   void SetTaggedLinesData(vtkDataObject* lines);
   void SetTaggedLinesConnection(vtkAlgorithmOutput* lines);

@@ -200,6 +200,19 @@ std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing)
     : "";
 }
 
+std::string CountsOf(vtkDataSet* mesh)
+{
+  vtkFieldData* data = mesh->GetFieldData();
+  if (!data->HasArray("KeptTriangles"))
+  {
+    return {};
+  }
+  const auto count = [data](const char* name)
+  { return std::to_string(static_cast<vtkIdType>(data->GetArray(name)->GetComponent(0, 0))); };
+  return count("KeptVertices") + " vertices kept, " + count("RemovedVertices") + " removed, " +
+    count("NewVertices") + " new\n" + count("KeptTriangles") + " triangles unchanged\n";
+}
+
 std::string RefusalLines(const std::string& reason)
 {
   constexpr std::size_t Width = 34; // of the panel, as ParaView opens it

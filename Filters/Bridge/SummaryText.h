@@ -34,6 +34,9 @@ private:
 /// is, how long it took, and what keeps it from being better. Empty where there is no summary.
 std::string SummaryOf(vtkDataSet* mesh, double seconds);
 
+/// What the remesher kept and made, in two lines; empty where it made nothing.
+std::string CountsOf(vtkDataSet* mesh);
+
 /// The line that says that a uniform spacing is above what the mesh has everywhere, and so without
 /// effect; empty where it is not.
 std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing);

@@ -28,6 +28,7 @@ set(biting_bridge_sources
   PolylinesFromPolyData.cxx
   ProblemPlaces.cxx
   ProblemsToPolyData.cxx
+  ProducedEdges.cxx
   QualityArrays.cxx
   Ranks.cxx
   RegionNumbers.cxx

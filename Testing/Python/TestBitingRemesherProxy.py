@@ -141,6 +141,23 @@ class TestBitingRemesherProxy(unittest.TestCase):
         edges = simple.FetchData(simple.OutputPort(remesher, 1))[0]
         self.assertGreater(edges.GetNumberOfCells(), 100)
 
+    def test_tags_of_a_mesh_of_ours_come_along_by_themselves(self):
+        square = simple.Plane()
+        sides = simple.Calculator(Input=simple.FeatureEdges(Input=square), ResultArrayName='Side',
+            AttributeType='Cell Data', Function='7')
+        old = BitingMesher(Input=sides, UniformSpacing=0.05)
+        between = simple.Calculator(Input=old, ResultArrayName='Spacing', Function='0.03')
+        for source, tags in [(between, [7]), (simple.Transform(Input=between), []), (old, [7])]:
+            if hasattr(source, 'Transform'):
+                source.Transform.Translate = [1.0, 0.0, 0.0]
+            remesher = BitingRemesher(Input=source, MaximumSpacing=0.03)
+            remesher.UpdatePipeline()
+            edges = simple.FetchData(simple.OutputPort(remesher, 1))[0].GetCellData()
+            array = edges.GetArray('Side')
+            self.assertEqual(array is not None, bool(tags), source)
+            if array:
+                self.assertEqual(list(array.GetRange()), [7.0, 7.0])
+
 
 if __name__ == '__main__':
     unittest.main()
