@@ -151,7 +151,8 @@ public:
 private:
   Id AddNode(double share);
   bool Divide(Part& part);
-  Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
+  Cut FindBestCut(Part& part, const CutScene& scene, CutEffort effort);
+  Cut FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
   CutScene SceneOf(Part& part) const;
@@ -221,12 +222,11 @@ Id Planner::AddNode(double vertices)
 bool Planner::Divide(Part& part)
 {
   const CutScene scene = this->SceneOf(part);
-  const Cut vertical = this->FindCut(part, scene, true);
-  const Cut level = this->FindCut(part, scene, false);
-  const Cut& best = (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
-      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
-    ? vertical
-    : level;
+  Cut best = this->FindBestCut(part, scene, CutEffort::AsItIs);
+  if (!best.Along.IsGood)
+  {
+    best = this->FindBestCut(part, scene, CutEffort::MoveEnds);
+  }
   if (!best.Along.IsGood || this->Beats.HasStopped())
   {
     return false;
@@ -237,7 +237,17 @@ bool Planner::Divide(Part& part)
   return true;
 }
 
-Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
+Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
+{
+  Cut vertical = this->FindCut(part, scene, true, effort);
+  Cut level = this->FindCut(part, scene, false, effort);
+  return (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
+      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
+    ? std::move(vertical)
+    : std::move(level);
+}
+
+Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort)
 {
   Cut cut;
   cut.Along.IsGood = false;
@@ -249,7 +259,7 @@ Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
       continue;
     }
     const AxisLine line{ isVertical, place };
-    CutLine along = MakeCutLine(scene, line);
+    CutLine along = MakeCutLine(scene, line, effort);
     const double cost = along.IsGood ? this->CostOf(along) : cut.Cost;
     if (!this->Beats.Ask())
     {
