@@ -62,14 +62,15 @@ TEST(HeldVertices, StricterLimitsReleaseMore)
 
 TEST(HeldVertices, OfEachPoorTriangleAtMostOneIsReleasedAtATime)
 {
-  const RawMesh raw = UnitSquare(0.05);
+  RawMesh raw = UnitSquare(0.05);
   SilentMonitor monitor;
   Pulse pulse(monitor);
   MutableMesh mesh(raw.Domain, raw.Spacing);
   mesh.IsDivided.assign(4, 1);
+  const Id count = CountNew(raw);
   const std::vector<Id> origins = ReadMesh(raw.Mesh, mesh, pulse);
   const Id first = raw.Domain.NumberOfVertices();
-  const HoldOptions hold{ CountNew(raw), CotangentOf35Degrees, 0.0, NoCotangent, 1 };
+  const HoldOptions hold{ count, CotangentOf35Degrees, 0.0, NoCotangent, 1 };
   HeldVertices held(hold, first, origins, mesh);
   const std::vector<Id> released = held.ReleaseThoseInTheWay(pulse);
   EXPECT_FALSE(released.empty());
