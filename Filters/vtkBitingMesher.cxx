@@ -90,11 +90,9 @@ private:
   bool ReadSpacing();
   bool MakeMesh();
   void Write(vtkInformationVector* outputs);
-  std::string ParameterRefusal() const;
   std::string AddBoundaryArray();
   std::string AddSourceArray();
   bool ReportErrors();
-  void ReportUncovered() const;
   void ReportNotes() const;
   vtkSmartPointer<vtkPoints> MakePoints(biting::Pulse& pulse) const;
   void WriteMesh(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
@@ -277,46 +275,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Phi = filter.Phi;
   this->Options.Relaxation = filter.Relaxation;
   this->Options.KeepBites = filter.GenerateBites;
-  return this->Accept(this->ParameterRefusal());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBitingMesher::Execution::ParameterRefusal() const
-{
-  const vtkBitingMesher& filter = *this->Filter;
-  for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
-         biting::CheckAtLeastZero("MergeTolerance", filter.MergeTolerance),
-         biting::CheckAtLeastZero("BoundaryTolerance", filter.BoundaryTolerance),
-         biting::CheckAtLeastZero("CornerAngle", filter.CornerAngle),
-         biting::CheckAtLeastZero("MinimumLoopSize", filter.MinimumLoopSize) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  if (filter.BitingConstant != 0.0 &&
-    !(filter.BitingConstant >= 0.1 && filter.BitingConstant <= 1.0))
-  {
-    return "BitingConstant is " + biting::ValueText(filter.BitingConstant) +
-      "; it must be 0 (automatic) or within [0.1, 1].";
-  }
-  if (!(filter.Phi > 0.0 && filter.Phi <= 1.0))
-  {
-    return "Phi is " + biting::ValueText(filter.Phi) + "; it must be above 0 and at most 1.";
-  }
-  if (filter.MergeTolerance >= 1.0)
-  {
-    return "MergeTolerance is " + biting::ValueText(filter.MergeTolerance) +
-      "; it is relative to the diagonal of the input, and must be below 1.";
-  }
-  if (filter.MaximumNumberOfBites < -1 || filter.MaximumNumberOfVertices < 1)
-  {
-    return filter.MaximumNumberOfBites < -1
-      ? "MaximumNumberOfBites is below -1; -1 means until the front is empty."
-      : "MaximumNumberOfVertices is below 1.";
-  }
-  return {};
+  return this->Accept(biting::CheckMesherParameters(this->Options));
 }
 
 //------------------------------------------------------------------------------
@@ -387,7 +346,8 @@ bool vtkBitingMesher::Execution::MakeMesh()
     return false;
   }
   this->WarnOfRepairs(this->Planar);
-  this->ReportUncovered();
+  this->Warn(biting::UncoveredWarning(
+    this->Mesh.Points, this->Mesh.Corners, this->Options.Spacing, this->Planar.Frame));
   this->ReportNotes();
   return true;
 }
@@ -420,17 +380,6 @@ void vtkBitingMesher::Execution::ReportNotes() const
       const std::string line = biting::MessageFrom(group, this->Planar) + "\n";
       vtkOutputWindow::GetInstance()->DisplayText(line.c_str());
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::ReportUncovered() const
-{
-  const biting::UncoveredPart part = biting::FindUncovered(
-    this->Mesh.Points, this->Mesh.Corners, biting::SourceCover(this->Options.Spacing));
-  if (part.Share > 0.0)
-  {
-    this->Warn(biting::UncoveredText(part.Share, this->Planar.Frame.ToSpace(part.Place)));
   }
 }
 

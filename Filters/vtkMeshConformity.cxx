@@ -3,14 +3,14 @@
 
 #include "vtkMeshConformity.h"
 
-#include "Bridge/ArrayFromVector.h"
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DomainMembership.h"
 #include "Bridge/DoubleArray.h"
-#include "Bridge/FacesFromDataSet.h"
+#include "Bridge/FilterRun.h" // for EmptyOutputs
+#include "Bridge/MeasuredMesh.h"
+#include "Bridge/MeshWarnings.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
-#include "Bridge/QualityArrays.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SourceCover.h"
 #include "Bridge/SourceData.h"
@@ -19,28 +19,22 @@
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/Box2.h"
 #include "Kernel/Base/Pulse.h"
-#include "Kernel/Predicates/Predicates.h"
-#include "Kernel/Quality/Histogram.h"
 #include "Kernel/Quality/NearestNeighbors.h"
 #include "Kernel/Quality/Quality.h"
-#include "Kernel/Quality/TriangleLinks.h"
 #include "Kernel/Spacing/Spacing.h"
 
-#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkTable.h"
 
-#include <algorithm> // for count, find, min
-#include <limits>    // for NaN
-#include <new>       // for bad_alloc
-#include <string>    // for messages
-#include <utility>   // for move
+#include <limits>  // for NaN
+#include <new>     // for bad_alloc
+#include <string>  // for messages
+#include <utility> // for move
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -48,40 +42,6 @@ namespace
 {
 
 constexpr int NumberOfStages = 4;
-constexpr double HighestAngle = 180.0;
-constexpr double HighestConformity = 1.0;
-constexpr double HighestRelativeLength = 3.0;
-
-//------------------------------------------------------------------------------
-void EmptyOutputs(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-}
-
-//------------------------------------------------------------------------------
-// `values` of the things with these ids, as one value for each of `size` things; NaN for the
-// others.
-std::vector<double> Spread(
-  const std::vector<double>& values, const std::vector<vtkIdType>& ids, vtkIdType size)
-{
-  std::vector<double> all(static_cast<std::size_t>(size), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-  {
-    all[static_cast<std::size_t>(ids[k])] = values[k];
-  }
-  return all;
-}
-
-//------------------------------------------------------------------------------
-void AddHistogram(const biting::Histogram& histogram, const std::string& name, vtkTable* table)
-{
-  biting::AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
-  biting::AddArray<vtkDoubleArray>(
-    table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
-}
 
 } // namespace
 
@@ -109,37 +69,19 @@ private:
   void Write(vtkInformationVector* outputs) const;
   bool Accept(const std::string& refusal);
   void Refuse(const std::string& reason);
-  void WarnOfTriangles() const;
-  void WarnOfUnusedPoints() const;
-  void WarnOfRepeatedPoints(const std::vector<double>& distances) const;
-  void WarnOfCells(
-    const char* what, const std::vector<biting::Id>& triangles, const char* advice) const;
+  void Warn(const std::string& text) const;
   bool ReadSource(const biting::SourceData& source);
   bool ReadOwnSpacing(vtkDataArray* values);
   std::vector<double> Evaluate(
     const biting::Spacing& spacing, const std::vector<biting::Point2>& places);
   bool ReportErrors(const biting::ProblemList& problems);
   biting::SourceData ChooseSource();
-  biting::Polylines OutlinesOfFaces() const;
-  void ReportUncovered(const biting::SpacingOptions& options) const;
-  biting::MeshView View() const;
-  void WriteMesh(vtkDataSet* output) const;
-  void WriteHistograms(vtkTable* output) const;
 
   vtkMeshConformity* Filter;
   vtkSmartPointer<vtkDataSet> Input;
   vtkSmartPointer<vtkDataObject> Source;
   biting::MonitorOfFilter Monitor;
-  biting::PlanarFaces Faces;
-  biting::TriangleLinks Links;
-  std::vector<double> Spacing;       // at each vertex, NaN where none is given
-  std::vector<double> MiddleSpacing; // at the middle of each edge; empty without a source
-  double GivenLipschitz = 0.0;
-  double UsedLipschitz = 0.0;
-  biting::MeshQuality Quality;
-  std::vector<double> Angles;
-  std::vector<double> RelativeLengths;
-  bool HasSpacing = false;
+  biting::MeasuredMesh Mesh;
   bool IsRefused = false;
 };
 
@@ -259,7 +201,7 @@ void vtkMeshConformity::Execution::Run(
   }
   catch (const std::bad_alloc&)
   {
-    EmptyOutputs(outputs);
+    biting::EmptyOutputs(outputs);
     this->Refuse("There is not enough memory to measure this mesh.");
   }
 }
@@ -284,12 +226,12 @@ bool vtkMeshConformity::Execution::ReadMesh()
 {
   this->Monitor.BeginStage("Reading the triangles");
   if (!this->Accept(biting::FacesFromDataSet(
-        this->Input, biting::FaceRule::Triangles, this->Faces, this->Monitor)) ||
+        this->Input, biting::FaceRule::Triangles, this->Mesh.Faces, this->Monitor)) ||
     !this->Monitor.Advance(1.0))
   {
     return false;
   }
-  const bool isEmpty = this->Faces.CellIds.empty();
+  const bool isEmpty = this->Mesh.Faces.CellIds.empty();
   if (isEmpty && this->Input->GetNumberOfCells() > 0)
   {
     return this->Accept("The input has no triangles to measure.");
@@ -298,10 +240,13 @@ bool vtkMeshConformity::Execution::ReadMesh()
   {
     return false;
   }
-  this->Links =
-    biting::LinkTriangles(this->Faces.Corners, static_cast<biting::Id>(this->Faces.Points.size()));
-  this->WarnOfTriangles();
-  this->WarnOfUnusedPoints();
+  this->Mesh.Links = biting::LinkTriangles(
+    this->Mesh.Faces.Corners, static_cast<biting::Id>(this->Mesh.Faces.Points.size()));
+  for (const std::string& text : biting::WarningsOfTriangles(this->Mesh.Faces, this->Mesh.Links))
+  {
+    this->Warn(text);
+  }
+  this->Warn(biting::WarningOfUnusedPoints(this->Mesh.Faces, this->Input->GetNumberOfPoints()));
   return this->Monitor.Advance(1.0);
 }
 
@@ -325,56 +270,12 @@ void vtkMeshConformity::Execution::Refuse(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WarnOfTriangles() const
+// Nothing where the text is empty.
+void vtkMeshConformity::Execution::Warn(const std::string& text) const
 {
-  std::vector<biting::Id> flat;
-  std::vector<biting::Id> turned[2]; // clockwise, counterclockwise
-  const std::vector<biting::Id>& corners = this->Faces.Corners;
-  for (std::size_t slot = 0; slot < corners.size(); slot += 3)
+  if (!text.empty())
   {
-    const auto place = [this, &corners, slot](std::size_t corner) -> const biting::Point2&
-    { return this->Faces.Points[static_cast<std::size_t>(corners[slot + corner])]; };
-    const int sign = biting::Orient2D(place(0), place(1), place(2));
-    (sign == 0 ? flat : turned[sign > 0 ? 1 : 0]).push_back(static_cast<biting::Id>(slot / 3));
-  }
-  this->WarnOfCells("Triangles without area", flat, "They have the angle 0 and infinite ratios.");
-  this->WarnOfCells("Triangles oriented against the majority",
-    turned[turned[1].size() < turned[0].size() ? 1 : 0],
-    "The mesh may overlap itself there; they are measured as if turned.");
-  this->WarnOfCells(
-    "Edges of more than two triangles", this->Links.Crowded, "The mesh is not a surface there.");
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WarnOfCells(
-  const char* what, const std::vector<biting::Id>& triangles, const char* advice) const
-{
-  if (triangles.empty())
-  {
-    return;
-  }
-  std::vector<std::string> first;
-  for (std::size_t k = 0; k < std::min(triangles.size(), biting::ShownIds); ++k)
-  {
-    const auto triangle = static_cast<std::size_t>(triangles[k]);
-    const auto corner = static_cast<std::size_t>(this->Faces.Corners[3 * triangle]);
-    first.push_back("cell " + std::to_string(this->Faces.CellIds[triangle]) + " at " +
-      biting::PlaceText(this->Faces.Frame.ToSpace(this->Faces.Points[corner])));
-  }
-  const auto count = static_cast<std::int64_t>(triangles.size());
-  vtkWarningWithObjectMacro(this->Filter,
-    << what << " (" << count << "): " << biting::ListText(first, count) << ". " << advice);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WarnOfUnusedPoints() const
-{
-  const vtkIdType unused =
-    this->Input->GetNumberOfPoints() - static_cast<vtkIdType>(this->Faces.PointIds.size());
-  if (unused > 0)
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, << "Points that no triangle uses (" << unused << ") are not measured.");
+    vtkWarningWithObjectMacro(this->Filter, << text);
   }
 }
 
@@ -397,10 +298,10 @@ bool vtkMeshConformity::Execution::ReadSpacing()
   {
     return this->ReadOwnSpacing(chosen.Array);
   }
-  vtkWarningWithObjectMacro(
-    this->Filter, << "There is no spacing to compare with: shapes are measured, conformity is not. "
-                     "Choose a point array of the mesh, or connect a dataset that has one.");
-  this->Spacing.assign(this->Faces.Points.size(), std::numeric_limits<double>::quiet_NaN());
+  this->Warn("There is no spacing to compare with: shapes are measured, conformity is not. "
+             "Choose a point array of the mesh, or connect a dataset that has one.");
+  this->Mesh.Spacing.assign(
+    this->Mesh.Faces.Points.size(), std::numeric_limits<double>::quiet_NaN());
   return true;
 }
 
@@ -416,48 +317,28 @@ biting::SourceData vtkMeshConformity::Execution::ChooseSource()
     biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
   if (this->Accept(source.Chosen.Refusal) && !source.Chosen.Array)
   {
-    vtkWarningWithObjectMacro(this->Filter,
-      << "The spacing source is not used: no array of it was chosen, and it has none named "
-      << biting::SpacingArrayName << ".");
+    this->Warn("The spacing source is not used: no array of it was chosen, and it has none named " +
+      std::string(biting::SpacingArrayName) + ".");
   }
   return source;
 }
 
 //------------------------------------------------------------------------------
-// The outlines of the faces: an odd number of them around a place tells that it is in the mesh.
-biting::Polylines vtkMeshConformity::Execution::OutlinesOfFaces() const
-{
-  biting::Polylines outlines;
-  outlines.Points = this->Faces.Points;
-  for (std::size_t face = 0; face + 1 < this->Faces.Offsets.size(); ++face)
-  {
-    const auto first = this->Faces.Corners.begin() + this->Faces.Offsets[face];
-    const auto end = this->Faces.Corners.begin() + this->Faces.Offsets[face + 1];
-    outlines.Connectivity.insert(outlines.Connectivity.end(), first, end);
-    outlines.Connectivity.push_back(*first);
-    outlines.Offsets.push_back(static_cast<biting::Id>(outlines.Connectivity.size()));
-    outlines.Kinds.push_back(biting::ChainKind::Boundary);
-    outlines.Cells.push_back(static_cast<biting::Id>(face));
-  }
-  return outlines;
-}
-
-//------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::ReadSource(const biting::SourceData& source)
 {
-  const biting::Polylines outlines = this->OutlinesOfFaces();
+  const biting::Polylines outlines = biting::OutlinesOf(this->Mesh.Faces);
   biting::DomainMembership domain(outlines, this->Monitor);
   const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
   biting::SpacingOptions options;
   options.Gradation = 0.0;
   biting::ProblemPlaces places;
   if (!this->Accept(biting::AddSourceSpacing(
-        source, this->Faces.Frame, isWanted, options, places, this->Monitor)))
+        source, this->Mesh.Faces.Frame, isWanted, options, places, this->Monitor)))
   {
     return false;
   }
   biting::Box2 box;
-  for (const biting::Point2& point : this->Faces.Points)
+  for (const biting::Point2& point : this->Mesh.Faces.Points)
   {
     box.Add(point);
   }
@@ -467,24 +348,14 @@ bool vtkMeshConformity::Execution::ReadSource(const biting::SourceData& source)
   {
     return this->ReportErrors(problems);
   }
-  this->ReportUncovered(options);
-  this->Spacing = this->Evaluate(spacing, this->Faces.Points);
-  this->MiddleSpacing = this->Evaluate(spacing, biting::EdgeMiddles(this->View(), this->Monitor));
-  this->GivenLipschitz = spacing.GivenLipschitz();
-  this->HasSpacing = true;
+  this->Warn(biting::UncoveredWarning(
+    this->Mesh.Faces.Points, this->Mesh.Faces.Corners, options, this->Mesh.Faces.Frame));
+  this->Mesh.Spacing = this->Evaluate(spacing, this->Mesh.Faces.Points);
+  this->Mesh.MiddleSpacing =
+    this->Evaluate(spacing, biting::EdgeMiddles(this->Mesh.View(), this->Monitor));
+  this->Mesh.GivenLipschitz = spacing.GivenLipschitz();
+  this->Mesh.HasSpacing = true;
   return this->Monitor.Advance(1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::ReportUncovered(const biting::SpacingOptions& options) const
-{
-  const biting::UncoveredPart part =
-    biting::FindUncovered(this->Faces.Points, this->Faces.Corners, biting::SourceCover(options));
-  if (part.Share > 0.0)
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, << biting::UncoveredText(part.Share, this->Faces.Frame.ToSpace(part.Place)));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -503,7 +374,7 @@ std::vector<double> vtkMeshConformity::Execution::Evaluate(
 bool vtkMeshConformity::Execution::ReportErrors(const biting::ProblemList& problems)
 {
   biting::PlanarInput planar;
-  planar.Frame = this->Faces.Frame;
+  planar.Frame = this->Mesh.Faces.Frame;
   for (const biting::ProblemGroup& group : problems.Groups())
   {
     if (group.Code != biting::ProblemCode::Aborted)
@@ -519,18 +390,18 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
 {
   biting::ProblemPlaces places;
   biting::Pulse pulse(this->Monitor);
-  if (!this->Accept(biting::CheckSpacingValues(
-        this->Input, values, this->Faces.PointIds, biting::SpacingOwner::Input, places, pulse)))
+  if (!this->Accept(biting::CheckSpacingValues(this->Input, values, this->Mesh.Faces.PointIds,
+        biting::SpacingOwner::Input, places, pulse)))
   {
     return false;
   }
   const auto doubles = biting::AsDoubles(values);
-  for (const vtkIdType point : this->Faces.PointIds)
+  for (const vtkIdType point : this->Mesh.Faces.PointIds)
   {
-    this->Spacing.push_back(doubles->GetValue(point));
+    this->Mesh.Spacing.push_back(doubles->GetValue(point));
   }
-  this->GivenLipschitz = biting::LargestSlope(this->View(), this->Monitor);
-  this->HasSpacing = true;
+  this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Monitor);
+  this->Mesh.HasSpacing = true;
   return this->Monitor.Advance(1.0);
 }
 
@@ -539,98 +410,26 @@ bool vtkMeshConformity::Execution::Measure()
 {
   this->Monitor.BeginStage("Searching the nearest neighbors");
   std::vector<double> distances =
-    biting::NearestNeighborDistances(this->Faces.Points, this->Monitor);
+    biting::NearestNeighborDistances(this->Mesh.Faces.Points, this->Monitor);
   if (distances.empty())
   {
     return false;
   }
-  this->WarnOfRepeatedPoints(distances);
+  this->Warn(biting::WarningOfRepeatedPoints(this->Mesh.Faces, distances));
   this->Monitor.BeginStage("Measuring");
-  const biting::MeshView mesh = this->View();
-  this->Quality = biting::MeasureQuality(mesh, std::move(distances), this->Monitor);
-  this->Angles = biting::AnglesOf(mesh, this->Monitor);
-  this->RelativeLengths = biting::RelativeLengths(mesh, this->Monitor);
-  this->UsedLipschitz = biting::LargestSlope(mesh, this->Monitor);
+  const biting::MeshView mesh = this->Mesh.View();
+  this->Mesh.Quality = biting::MeasureQuality(mesh, std::move(distances), this->Monitor);
+  this->Mesh.Angles = biting::AnglesOf(mesh, this->Monitor);
+  this->Mesh.RelativeLengths = biting::RelativeLengths(mesh, this->Monitor);
+  this->Mesh.UsedLipschitz = biting::LargestSlope(mesh, this->Monitor);
   return this->Monitor.Advance(1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WarnOfRepeatedPoints(const std::vector<double>& distances) const
-{
-  const auto first = std::find(distances.begin(), distances.end(), 0.0);
-  if (first == distances.end())
-  {
-    return;
-  }
-  const auto vertex = static_cast<std::size_t>(first - distances.begin());
-  vtkWarningWithObjectMacro(this->Filter,
-    << "Points at one place (" << std::count(distances.begin(), distances.end(), 0.0) << "): point "
-    << this->Faces.PointIds[vertex] << " at "
-    << biting::PlaceText(this->Faces.Frame.ToSpace(this->Faces.Points[vertex]))
-    << ", and others. Their conformity is 0; merge them (Clean) if they are meant to be one.");
-}
-
-//------------------------------------------------------------------------------
-biting::MeshView vtkMeshConformity::Execution::View() const
-{
-  return { this->Faces.Points, this->Spacing, this->Faces.Corners, this->Links.Neighbors,
-    this->MiddleSpacing.empty() ? nullptr : &this->MiddleSpacing };
 }
 
 //------------------------------------------------------------------------------
 void vtkMeshConformity::Execution::Write(vtkInformationVector* outputs) const
 {
-  this->WriteMesh(vtkDataSet::GetData(outputs, 0));
-  this->WriteHistograms(vtkTable::GetData(outputs, 1));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WriteMesh(vtkDataSet* output) const
-{
-  output->ShallowCopy(this->Input);
-  const vtkIdType numberOfPoints = this->Input->GetNumberOfPoints();
-  const vtkIdType numberOfCells = this->Input->GetNumberOfCells();
-  biting::MeshQuality all;
-  for (const auto member :
-    { &biting::MeshQuality::NearestNeighborDistance, &biting::MeshQuality::Conformity })
-  {
-    all.*member = Spread(this->Quality.*member, this->Faces.PointIds, numberOfPoints);
-  }
-  for (const auto member : { &biting::MeshQuality::MinimumAngle,
-         &biting::MeshQuality::RadiusEdgeRatio, &biting::MeshQuality::AspectRatio })
-  {
-    all.*member = Spread(this->Quality.*member, this->Faces.CellIds, numberOfCells);
-  }
-  biting::Pulse pulse(biting::NoMonitor());
-  biting::AddShapeArrays(all, output->GetCellData(), pulse);
-  output->GetCellData()->SetActiveScalars("MinimumAngle");
-  biting::AddShapeSummary(this->Quality, output->GetFieldData());
-  if (!this->HasSpacing)
-  {
-    biting::AddArray<vtkDoubleArray>(
-      output->GetPointData(), "NearestNeighborDistance", all.NearestNeighborDistance);
-    return;
-  }
-  biting::AddConformityArrays(all, Spread(this->Spacing, this->Faces.PointIds, numberOfPoints),
-    output->GetPointData(), pulse);
-  output->GetPointData()->SetActiveScalars("Conformity");
-  biting::AddConformitySummary(this->Quality, output->GetFieldData());
-  biting::AddFigure(output->GetFieldData(), "GivenLipschitz", this->GivenLipschitz);
-  biting::AddFigure(output->GetFieldData(), "UsedLipschitz", biting::LargestSlope(this->View()));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::WriteHistograms(vtkTable* output) const
-{
-  const int bins = this->Filter->NumberOfBins;
-  AddHistogram(biting::MakeHistogram(this->Angles, 0.0, HighestAngle, bins), "Angle", output);
-  if (this->HasSpacing)
-  {
-    AddHistogram(biting::MakeHistogram(this->Quality.Conformity, 0.0, HighestConformity, bins),
-      "Conformity", output);
-    AddHistogram(biting::MakeHistogram(this->RelativeLengths, 0.0, HighestRelativeLength, bins),
-      "RelativeLength", output);
-  }
+  biting::WriteMeasures(this->Mesh, this->Input, vtkDataSet::GetData(outputs, 0));
+  biting::WriteHistograms(this->Mesh, this->Filter->NumberOfBins, vtkTable::GetData(outputs, 1));
 }
 
 //------------------------------------------------------------------------------

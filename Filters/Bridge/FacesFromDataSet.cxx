@@ -322,4 +322,21 @@ void OrderByPlace(PlanarFaces& faces)
   OrderFaces(faces);
 }
 
+Polylines OutlinesOf(const PlanarFaces& faces)
+{
+  Polylines outlines;
+  outlines.Points = faces.Points;
+  for (std::size_t face = 0; face + 1 < faces.Offsets.size(); ++face)
+  {
+    const auto first = faces.Corners.begin() + faces.Offsets[face];
+    const auto end = faces.Corners.begin() + faces.Offsets[face + 1];
+    outlines.Connectivity.insert(outlines.Connectivity.end(), first, end);
+    outlines.Connectivity.push_back(*first);
+    outlines.Offsets.push_back(static_cast<Id>(outlines.Connectivity.size()));
+    outlines.Kinds.push_back(ChainKind::Boundary);
+    outlines.Cells.push_back(static_cast<Id>(face));
+  }
+  return outlines;
+}
+
 } // namespace biting

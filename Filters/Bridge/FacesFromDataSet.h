@@ -7,6 +7,7 @@
 #include "../Kernel/Base/Ids.h"
 #include "../Kernel/Base/Monitor.h"
 #include "../Kernel/Base/Point2.h"
+#include "../Kernel/Domain/Polylines.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 #include "PlaneFrame.h"
 
@@ -54,6 +55,10 @@ std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces
 /// points and cells come, as where pieces of ranks were put together. Vertices at one place, and
 /// faces of the same vertices, stay in their order.
 void OrderByPlace(PlanarFaces& faces);
+
+/// The outlines of the faces, as closed chains: an odd number of them around a place tells that it
+/// is in the mesh.
+Polylines OutlinesOf(const PlanarFaces& faces);
 
 } // namespace biting
 

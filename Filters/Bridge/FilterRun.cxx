@@ -24,16 +24,16 @@
 namespace biting
 {
 
-namespace
-{
-
 void EmptyOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    vtkPolyData::GetData(outputs, port)->Initialize();
+    vtkDataObject::GetData(outputs, port)->Initialize();
   }
 }
+
+namespace
+{
 
 // Null where all of the mesh is to stay together.
 std::unique_ptr<MeshPieces> PiecesOf(
@@ -158,7 +158,10 @@ void FilterRun::Refuse(const std::string& reason)
 
 void FilterRun::Warn(const std::string& text) const
 {
-  vtkWarningWithObjectMacro(this->Running.Filter, << text);
+  if (!text.empty())
+  {
+    vtkWarningWithObjectMacro(this->Running.Filter, << text);
+  }
 }
 
 void FilterRun::WarnOfRepairs(const PlanarInput& planar) const

@@ -56,6 +56,9 @@ std::vector<double> SharesOfStages(const Stage& reading, const Stages& stages, c
   return shares;
 }
 
+/// Leaves nothing in them.
+void EmptyOutputs(vtkInformationVector* outputs);
+
 /// What the executions of filters have in common: progress, refusals, messages and where things are
 /// wrong.
 class FilterRun
@@ -73,6 +76,7 @@ protected:
   /// Says once what is wrong, in the summary too; it is an error.
   void Refuse(const std::string& reason);
 
+  /// Nothing where the text is empty.
   void Warn(const std::string& text) const;
 
   /// A warning for each kind of repair.

@@ -4,6 +4,7 @@
 #ifndef BitingParameterCheck_h
 #define BitingParameterCheck_h
 
+#include "../Kernel/BitingMesh.h"
 #include "../Kernel/Spacing/Spacing.h"
 
 #include <cmath>   // for isfinite
@@ -52,6 +53,9 @@ inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
   const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
   return isCrossed ? "MinimumSpacing is above MaximumSpacing." : "";
 }
+
+/// Of all that the mesher has.
+std::string CheckMesherParameters(const BitingMeshOptions& options);
 
 } // namespace biting
 

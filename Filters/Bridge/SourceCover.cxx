@@ -51,6 +51,48 @@ Box2 Widened(const Box2& box, double x, double y)
   return wide;
 }
 
+/// The part of a mesh that a source does not cover.
+struct UncoveredPart
+{
+  double Share = 0.0; ///< of the area
+  Point2 Place;       ///< in it
+};
+
+UncoveredPart FindUncovered(
+  const std::vector<Point2>& points, const std::vector<Id>& corners, const SourceCover& cover)
+{
+  UncoveredPart part;
+  double whole = 0.0;
+  double uncovered = 0.0;
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+  {
+    const Point2& a = points[static_cast<std::size_t>(corners[k])];
+    const Point2& b = points[static_cast<std::size_t>(corners[k + 1])];
+    const Point2& c = points[static_cast<std::size_t>(corners[k + 2])];
+    const double area = std::abs(Cross(b - a, c - a));
+    const Point2 middle = a + (1.0 / 3.0) * ((b - a) + (c - a));
+    whole += area;
+    if (!cover.Covers(middle))
+    {
+      part.Place = uncovered > 0.0 ? part.Place : middle;
+      uncovered += area;
+    }
+  }
+  part.Share = whole > 0.0 ? uncovered / whole : 0.0;
+  return part;
+}
+
+// The warning that says so; the place in space.
+std::string UncoveredText(double share, const Point3& place)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << 100.0 * share;
+  return "The spacing source does not cover " + text.str() + " % of the domain, as near " +
+    PlaceText(place) +
+    ": there the nearest value of its border is used. Both must be in the same coordinates.";
+}
+
 } // namespace
 
 SourceCover::SourceCover(const SpacingOptions& options)
@@ -140,38 +182,11 @@ bool SourceCover::Covers(const Point2& place) const
       this->IsMarked[this->Row(place.Y) * this->Columns + this->Column(place.X)] != 0);
 }
 
-UncoveredPart FindUncovered(
-  const std::vector<Point2>& points, const std::vector<Id>& corners, const SourceCover& cover)
+std::string UncoveredWarning(const std::vector<Point2>& points, const std::vector<Id>& corners,
+  const SpacingOptions& options, const PlaneFrame& frame)
 {
-  UncoveredPart part;
-  double whole = 0.0;
-  double uncovered = 0.0;
-  for (std::size_t k = 0; k < corners.size(); k += 3)
-  {
-    const Point2& a = points[static_cast<std::size_t>(corners[k])];
-    const Point2& b = points[static_cast<std::size_t>(corners[k + 1])];
-    const Point2& c = points[static_cast<std::size_t>(corners[k + 2])];
-    const double area = std::abs(Cross(b - a, c - a));
-    const Point2 middle = a + (1.0 / 3.0) * ((b - a) + (c - a));
-    whole += area;
-    if (!cover.Covers(middle))
-    {
-      part.Place = uncovered > 0.0 ? part.Place : middle;
-      uncovered += area;
-    }
-  }
-  part.Share = whole > 0.0 ? uncovered / whole : 0.0;
-  return part;
-}
-
-std::string UncoveredText(double share, const Point3& place)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << 100.0 * share;
-  return "The spacing source does not cover " + text.str() + " % of the domain, as near " +
-    PlaceText(place) +
-    ": there the nearest value of its border is used. Both must be in the same coordinates.";
+  const UncoveredPart part = FindUncovered(points, corners, SourceCover(options));
+  return part.Share > 0.0 ? UncoveredText(part.Share, frame.ToSpace(part.Place)) : "";
 }
 
 } // namespace biting

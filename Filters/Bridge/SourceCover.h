@@ -6,7 +6,7 @@
 
 #include "../Kernel/Base/Box2.h"
 #include "../Kernel/Spacing/Spacing.h"
-#include "PlaneFrame.h" // for Point3
+#include "PlaneFrame.h"
 
 #include <cstddef> // for numbers of squares
 #include <string>  // for the warning
@@ -41,18 +41,10 @@ private:
   std::vector<char> IsMarked; ///< squares over the bounds; empty: all of them
 };
 
-/// The part of a mesh that a source does not cover.
-struct UncoveredPart
-{
-  double Share = 0.0; ///< of the area
-  Point2 Place;       ///< in it
-};
-
-UncoveredPart FindUncovered(
-  const std::vector<Point2>& points, const std::vector<Id>& corners, const SourceCover& cover);
-
-/// The warning that says so; the place in space.
-std::string UncoveredText(double share, const Point3& place);
+/// Warns of the part of a mesh that the sources of `options` do not cover, if there is any: how
+/// much of it, and a place in space. Empty where there is none.
+std::string UncoveredWarning(const std::vector<Point2>& points, const std::vector<Id>& corners,
+  const SpacingOptions& options, const PlaneFrame& frame);
 
 } // namespace biting
 

@@ -16,11 +16,14 @@ set(biting_bridge_sources
   Drawing.cxx
   FacesFromDataSet.cxx
   FilterRun.cxx
+  MeasuredMesh.cxx
   MeshFromPieces.cxx
   MeshPieces.cxx
   MeshToPolyData.cxx
+  MeshWarnings.cxx
   MessagesFromProblems.cxx
   MonitorOfFilter.cxx
+  ParameterCheck.cxx
   PieceBytes.cxx
   PieceTransfer.cxx
   PlaneCut.cxx

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "../Support/MeshRun.h"
-#include "../Support/MeshShapes.h"
+#include "../Support/SameMesh.h"
+#include "PlateMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm> // for all_of, max_element, count
 #include <array>     // for histograms
 #include <cmath>     // for abs, sqrt
-#include <cstring>   // for memcmp
 #include <map>       // for lookups
 #include <set>       // for distinct places
 
@@ -21,84 +20,12 @@ namespace
 
 constexpr FrontOrder Orders[] = { FrontOrder::Layers, FrontOrder::LargestY };
 
-Polylines UnitSquare()
-{
-  return PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines();
-}
-
-/// A square with a round hole, an interface from side to side and an embedded point.
-Polylines Plate()
-{
-  return PolylineBuilder()
-    .Loop(
-      { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.125 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.125 } })
-    .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 24))
-    .Chain({ { 0.0, 0.125 }, { 1.0, 0.125 } })
-    .Chain({ { 0.25, 0.875 } }, ChainKind::EmbeddedPoint)
-    .Lines();
-}
-
-BitingMeshOptions UniformOptions(double length, double bitingConstant = 0.0)
-{
-  BitingMeshOptions options;
-  options.Spacing = UniformSpacing(length);
-  options.BitingConstant = bitingConstant;
-  return options;
-}
-
-/// The mesh of the paper.
-BitingMeshOptions Raw(BitingMeshOptions options)
-{
-  options.Placement = Placement::Corners;
-  options.Relaxation = false;
-  return options;
-}
-
-BitingMeshOptions RadialOptions()
-{
-  BitingMeshOptions options;
-  options.Spacing = RadialSpacing({ 0.3, 0.25 }, 0.01, 0.1);
-  options.KeepBites = true;
-  return options;
-}
-
 MeshRun SectionSix(BitingMeshOptions options, double bitingConstant, FrontOrder order)
 {
   options.Spacing = SectionSixSpacing();
   options.BitingConstant = bitingConstant;
   options.Order = order;
   return RunMesh(PolylineBuilder().Box(0.0, 0.0, 9.0, 9.0).Lines(), options);
-}
-
-template <typename Value>
-bool HaveSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
-void ExpectSameTopology(const BitingMesh& a, const BitingMesh& b)
-{
-  EXPECT_TRUE(HaveSameBytes(a.BiteOrders, b.BiteOrders));
-  EXPECT_TRUE(HaveSameBytes(a.Kinds, b.Kinds));
-  EXPECT_TRUE(HaveSameBytes(a.OriginalPoints, b.OriginalPoints));
-  EXPECT_TRUE(HaveSameBytes(a.Corners, b.Corners));
-  EXPECT_TRUE(HaveSameBytes(a.Neighbors, b.Neighbors));
-  EXPECT_TRUE(HaveSameBytes(a.Regions, b.Regions));
-  EXPECT_TRUE(HaveSameBytes(a.EdgeStarts, b.EdgeStarts));
-  EXPECT_TRUE(HaveSameBytes(a.EdgeEnds, b.EdgeEnds));
-  EXPECT_TRUE(HaveSameBytes(a.EdgeCells, b.EdgeCells));
-  EXPECT_TRUE(HaveSameBytes(a.EdgeIsBoundary, b.EdgeIsBoundary));
-  EXPECT_TRUE(HaveSameBytes(a.Bites.Orders, b.Bites.Orders));
-  EXPECT_TRUE(HaveSameBytes(a.Bites.Phases, b.Bites.Phases));
-}
-
-/// Valid, of the area `area`, and with about as many vertices as `other`.
-void ExpectEquivalent(const MeshRun& run, const MeshRun& other, double area)
-{
-  ASSERT_EQ(run.Error(), "");
-  EXPECT_NEAR(Area(run.Mesh), area, 1e-9 * area);
-  EXPECT_NEAR(run.NumberOfVertices(), other.NumberOfVertices(), 0.1 * other.NumberOfVertices());
 }
 
 double MeanMinimumAngle(const BitingMesh& mesh)
@@ -179,107 +106,6 @@ std::array<int, 21> ConformityHistogram(const BitingMesh& mesh)
     ++bins[static_cast<std::size_t>(conformity / 0.05)];
   }
   return bins;
-}
-
-TEST(BitingMesh, SameInputGivesSameBytes)
-{
-  for (FrontOrder order : Orders)
-  {
-    BitingMeshOptions options = RadialOptions();
-    options.Order = order;
-    const BitingMesh first = RunMesh(Plate(), options).Mesh;
-    const BitingMesh second = RunMesh(Plate(), options).Mesh;
-    ASSERT_GT(first.Points.size(), 500u);
-    ExpectSameTopology(first, second);
-    EXPECT_TRUE(HaveSameBytes(first.Points, second.Points));
-    EXPECT_TRUE(HaveSameBytes(first.Spacing, second.Spacing));
-    EXPECT_TRUE(HaveSameBytes(first.Bites.Centers, second.Bites.Centers));
-    EXPECT_TRUE(HaveSameBytes(first.Bites.Axes, second.Bites.Axes));
-    EXPECT_TRUE(HaveSameBytes(first.Quality.MinimumAngle, second.Quality.MinimumAngle));
-    EXPECT_TRUE(HaveSameBytes(first.Quality.Conformity, second.Quality.Conformity));
-  }
-}
-
-TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBit)
-{
-  const BitingMesh mesh = RunMesh(Plate(), UniformOptions(0.03)).Mesh;
-  for (double scale : { 0x1p-40, 0.25, 0x1p30 })
-  {
-    const Polylines input = Move(Plate(), [scale](const Point2& p) { return scale * p; });
-    const BitingMesh scaled = RunMesh(input, UniformOptions(scale * 0.03)).Mesh;
-    ExpectSameTopology(mesh, scaled);
-    ASSERT_EQ(mesh.Points.size(), scaled.Points.size());
-    for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
-    {
-      ASSERT_EQ(scale * mesh.Points[vertex], scaled.Points[vertex]);
-      ASSERT_EQ(scale * mesh.Spacing[vertex], scaled.Spacing[vertex]);
-    }
-  }
-}
-
-TEST(BitingMesh, ScaleByPowerOfTwoScalesEveryBitOfGradedMesh)
-{
-  constexpr double Scale = 0x1p-20;
-  const BitingMesh mesh = RunMesh(Plate(), RadialOptions()).Mesh;
-  BitingMeshOptions options = RadialOptions();
-  options.Spacing = RadialSpacing({ Scale * 0.3, Scale * 0.25 }, Scale * 0.01, 0.1);
-  const Polylines input = Move(Plate(), [](const Point2& p) { return Scale * p; });
-  const BitingMesh scaled = RunMesh(input, options).Mesh;
-  ExpectSameTopology(mesh, scaled);
-  ASSERT_EQ(mesh.Points.size(), scaled.Points.size());
-  for (std::size_t vertex = 0; vertex < mesh.Points.size(); ++vertex)
-  {
-    ASSERT_EQ(Scale * mesh.Points[vertex], scaled.Points[vertex]);
-  }
-}
-
-TEST(BitingMesh, ShiftGivesValidMesh)
-{
-  const MeshRun run = RunMesh(UnitSquare(), UniformOptions(0.04));
-  for (const Point2& offset :
-    { Point2{ 1024.0, -4096.0 }, Point2{ 0x1p30, 0x1p29 }, Point2{ -0x1p40, 3.0 } })
-  {
-    const Polylines input = Move(UnitSquare(), [&](const Point2& p) { return p + offset; });
-    ExpectEquivalent(RunMesh(input, UniformOptions(0.04)), run, 1.0);
-  }
-}
-
-TEST(BitingMesh, TurnsMirrorsAndReversalsAreEquivalent)
-{
-  const Polylines plate = Plate();
-  const auto mesh = [](const Polylines& input) { return RunMesh(input, UniformOptions(0.03)); };
-  const MeshRun run = mesh(plate);
-  const double area = Area(run.Mesh);
-  ExpectEquivalent(mesh(Move(plate, Perpendicular)), run, area);
-  ExpectEquivalent(mesh(Move(plate,
-                     [](const Point2& p) {
-                       return Point2{ -p.X, p.Y };
-                     })),
-    run, area);
-  ExpectEquivalent(mesh(Move(plate,
-                     [](const Point2& p) {
-                       return Point2{ p.Y, p.X };
-                     })),
-    run, area);
-  ExpectEquivalent(mesh(Reverse(plate)), run, area);
-  ExpectEquivalent(mesh(Unmerge(plate)), run, area);
-  const Point2 axis = UnitVector(17.0);
-  ExpectEquivalent(
-    mesh(Move(plate, [&axis](const Point2& p) { return p.X * axis + p.Y * Perpendicular(axis); })),
-    run, area);
-}
-
-TEST(BitingMesh, PermutedChainsAreEquivalent)
-{
-  const MeshRun run = RunMesh(Plate(), UniformOptions(0.03));
-  const Polylines permuted = PolylineBuilder()
-                               .Chain({ { 0.25, 0.875 } }, ChainKind::EmbeddedPoint)
-                               .Chain({ { 1.0, 0.125 }, { 0.0, 0.125 } })
-                               .Loop(RegularPolygon({ 0.5, 0.5 }, 0.2, 24))
-                               .Loop({ { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.125 }, { 0.0, 0.0 },
-                                 { 1.0, 0.0 }, { 1.0, 0.125 } })
-                               .Lines();
-  ExpectEquivalent(RunMesh(permuted, UniformOptions(0.03)), run, Area(run.Mesh));
 }
 
 TEST(BitingMesh, SectionSixHasThePapersFigures)

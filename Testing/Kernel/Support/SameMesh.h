@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring> // for memcmp
+#include <vector>  // for arrays
+
 namespace biting
 {
 
@@ -47,6 +50,30 @@ inline void ExpectSame(const BitingMesh& mesh, const BitingMesh& other)
   EXPECT_EQ(mesh.EdgeIsBoundary, other.EdgeIsBoundary);
   EXPECT_EQ(mesh.UsedLipschitz, other.UsedLipschitz);
   ExpectSame(mesh.Quality, other.Quality);
+}
+
+/// NaN and signs of zero too.
+template <typename Value>
+bool HaveSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+inline void ExpectSameTopology(const BitingMesh& a, const BitingMesh& b)
+{
+  EXPECT_TRUE(HaveSameBytes(a.BiteOrders, b.BiteOrders));
+  EXPECT_TRUE(HaveSameBytes(a.Kinds, b.Kinds));
+  EXPECT_TRUE(HaveSameBytes(a.OriginalPoints, b.OriginalPoints));
+  EXPECT_TRUE(HaveSameBytes(a.Corners, b.Corners));
+  EXPECT_TRUE(HaveSameBytes(a.Neighbors, b.Neighbors));
+  EXPECT_TRUE(HaveSameBytes(a.Regions, b.Regions));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeStarts, b.EdgeStarts));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeEnds, b.EdgeEnds));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeCells, b.EdgeCells));
+  EXPECT_TRUE(HaveSameBytes(a.EdgeIsBoundary, b.EdgeIsBoundary));
+  EXPECT_TRUE(HaveSameBytes(a.Bites.Orders, b.Bites.Orders));
+  EXPECT_TRUE(HaveSameBytes(a.Bites.Phases, b.Bites.Phases));
 }
 
 } // namespace biting

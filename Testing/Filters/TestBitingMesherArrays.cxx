@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SourcesTesting.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_filters;
+
+TEST(BitingMesherBoundaryArray, HoldsOnTheBoundaryAndGrowsByGradation)
+{
+  auto input = UnitSquare();
+  AddArray<vtkFloatArray>(input->GetPointData(), "Spacing", { 0.0625, 0.0625, 0.0625, 0.0625 });
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  mesher->SetGradation(0.25);
+  ExpectSpacing(
+    mesher,
+    [](const Place& place)
+    {
+      const double inside =
+        std::min(std::min(place[0], 1.0 - place[0]), std::min(place[1], 1.0 - place[1]));
+      return 0.0625 + 0.25 * inside;
+    },
+    0.02);
+}
+
+TEST(BitingMesherBoundaryArray, HoldsAtEmbeddedPoints)
+{
+  auto input = UnitSquare();
+  AddVertex(input, { 0.5, 0.5, 0.0 });
+  AddArray<vtkDoubleArray>(input->GetPointData(), "Spacing", { 0.2, 0.2, 0.2, 0.2, 0.01 });
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  ExpectSpacing(
+    mesher,
+    [](const Place& place)
+    {
+      const double inside =
+        std::min(std::min(place[0], 1.0 - place[0]), std::min(place[1], 1.0 - place[1]));
+      return std::min(0.2 + 0.3 * inside, 0.01 + 0.3 * std::hypot(place[0] - 0.5, place[1] - 0.5));
+    },
+    0.02);
+}
+
+TEST(BitingMesherArrays, MayHaveOtherNames)
+{
+  auto source = vtkSmartPointer<vtkImageData>::New();
+  source->SetDimensions(2, 2, 1);
+  AddLinearSpacing(source, "Size");
+  const auto mesher = MesherWith(source);
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "Size");
+  ExpectSpacing(mesher, Linear);
+}
+
+TEST(BitingMesherArrays, MayBeTheActiveScalars)
+{
+  auto source = vtkSmartPointer<vtkImageData>::New();
+  source->SetDimensions(2, 2, 1);
+  AddLinearSpacing(source, "Size");
+  source->GetPointData()->SetActiveScalars("Size");
+  const auto mesher = MesherWith(source);
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, vtkDataSetAttributes::SCALARS);
+  ExpectSpacing(mesher, Linear);
+}
+
+TEST(BitingMesherArrays, AreSwitchedOffByTheNameNone)
+{
+  auto input = UnitSquare();
+  AddArray<vtkDoubleArray>(input->GetPointData(), "Spacing", { 0.0, 0.0, 0.0, 0.0 });
+  for (const char* name : { "None", "" })
+  {
+    vtkNew<vtkBitingMesher> mesher;
+    mesher->SetInputData(input);
+    mesher->SetUniformSpacing(0.25);
+    mesher->SetInputArrayToProcess(0, 0, 0, Points, name);
+    ExpectSpacing(mesher, [](const Place&) { return 0.25; });
+  }
+}
+
+TEST(BitingMesherArrays, ThatAreMissingAreRefused)
+{
+  const auto mesher = MesherWith(Image(6, 7, 1));
+  mesher->SetInputArrayToProcess(0, 0, 0, Points, "Size");
+  EXPECT_TRUE(Has(RefusalOf(mesher), "The input has no point array named Size"));
+  mesher->SetInputArrayToProcess(0, 0, 0, Points, "Spacing");
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "Other");
+  EXPECT_TRUE(Has(RefusalOf(mesher), "The spacing source has no point array named Other"));
+  mesher->SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Spacing");
+  EXPECT_TRUE(Has(RefusalOf(mesher), "must be point data"));
+}
+
+TEST(BitingMesherArrays, ThatNobodyChoseMayBeMissingButNotSilentlyOnASource)
+{
+  vtkNew<vtkImageData> source;
+  source->SetDimensions(2, 2, 1);
+  const auto mesher = MesherWith(source);
+  Messages messages(mesher);
+  mesher->Update();
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings.front(), "The spacing source is not used"));
+  // ParaView always chooses: it has this name as its default.
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "Spacing");
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 2u);
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "None");
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 2u);
+}
+
+TEST(BitingMesherArrays, ThatAreTheOnlyScalarOfTheSourceAreTaken)
+{
+  const auto image = Image(6, 7, 1);
+  image->GetPointData()->GetArray("Spacing")->SetName("EdgeLength");
+  const auto mesher = MesherWith(image);
+  Messages messages(mesher);
+  ExpectSpacing(mesher, Linear);
+  EXPECT_TRUE(messages.Warnings.empty());
+  AddArray<vtkDoubleArray>(image->GetPointData(), "Other", std::vector<double>(42, 1.0));
+  mesher->Modified();
+  mesher->Update();
+  EXPECT_EQ(messages.Warnings.size(), 1u);
+}
