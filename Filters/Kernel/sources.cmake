@@ -12,7 +12,6 @@ set(biting_kernel_sources
   Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
   Spacing/DrawnLengths.cxx
-  Spacing/EdgeCones.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
@@ -24,13 +23,12 @@ set(biting_kernel_sources
   Spacing/SegmentCone.cxx
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
-  Spacing/SourceEdges.cxx
   Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
   Spacing/SteepTriangles.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
-  Spacing/TriangleLimit.cxx
+  Spacing/TriangleSides.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx

@@ -3,7 +3,8 @@
 
 // What preparing f costs, by kind and size of source, and how well f keeps the gradation. CPU times
 // of one thread.
-//   BenchmarkSpacing preparation [size]   tables, up to size x size nodes (1025)
+//   BenchmarkSpacing preparation [size [sources]]   tables, up to size x size nodes (1025); of
+//                                         all sources, or images, grids, triangles or segments
 //   BenchmarkSpacing evaluation           ns a call
 //   BenchmarkSpacing lipschitz [pairs]    the law |f(x) - f(y)| <= g |x - y| + 2 % of f (1000000)
 
@@ -303,13 +304,26 @@ std::vector<int> SizesUpTo(int largest, int first)
   return sizes;
 }
 
-void MeasurePreparation(int largest)
+void MeasurePreparation(int largest, const std::string& sources)
 {
-  PrintTable("Images", SizesUpTo(largest, 257), OfImage);
-  PrintTable("Rectilinear grids", SizesUpTo(largest, 257), OfRectilinearGrid);
-  PrintTable("Triangulations", SizesUpTo(std::min(largest, 1000), 125), OfTriangulation);
-  PrintRow("boundary values", { 1000, 10000, 100000, 1000000 }, OfBoundary);
-  PrintRow("Koch curves", { 4, 5, 6, 7, 8, 9 }, OfKoch);
+  const auto isWanted = [&sources](const char* name) { return sources.empty() || sources == name; };
+  if (isWanted("images"))
+  {
+    PrintTable("Images", SizesUpTo(largest, 257), OfImage);
+  }
+  if (isWanted("grids"))
+  {
+    PrintTable("Rectilinear grids", SizesUpTo(largest, 257), OfRectilinearGrid);
+  }
+  if (isWanted("triangles"))
+  {
+    PrintTable("Triangulations", SizesUpTo(std::min(largest, 1000), 125), OfTriangulation);
+  }
+  if (isWanted("segments"))
+  {
+    PrintRow("boundary values", { 1000, 10000, 100000, 1000000 }, OfBoundary);
+    PrintRow("Koch curves", { 4, 5, 6, 7, 8, 9 }, OfKoch);
+  }
 }
 
 /// Of places as the mesher asks for them: each near the one before.
@@ -403,7 +417,7 @@ int main(int argc, char** argv)
   const int number = argc > 2 ? std::atoi(argv[2]) : 0;
   if (what == "preparation")
   {
-    MeasurePreparation(number > 0 ? number : 1025);
+    MeasurePreparation(number > 0 ? number : 1025, argc > 3 ? argv[3] : "");
   }
   else if (what == "evaluation")
   {

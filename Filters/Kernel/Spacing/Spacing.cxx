@@ -16,8 +16,8 @@
 #include "SegmentExtension.h"
 #include "SourceCheck.h"
 #include "SourceSlopes.h"
+#include "SteepTriangles.h"
 #include "TriangleInterpolator.h"
-#include "TriangleLimit.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for the least double
@@ -137,7 +137,6 @@ struct Spacing::Implementation
   std::optional<GridInterpolator> Grid; ///< where it is as given
   std::unique_ptr<const GridLimit> LimitedGrid;
   std::optional<TriangleInterpolator> Triangulation;
-  std::unique_ptr<const TriangleLimit> LimitedTriangulation; ///< where Triangulation is steep
   std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree> Limit;
   std::optional<SegmentExtension>
@@ -178,7 +177,7 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Grid)(x));
     }
-    if (this->Triangulation && !this->LimitedTriangulation)
+    if (this->Triangulation)
     {
       least = std::min(least, (*this->Triangulation)(x));
     }
@@ -186,10 +185,6 @@ struct Spacing::Implementation
     if (this->LimitedGrid)
     {
       scaled = std::min(scaled, (*this->LimitedGrid)(x));
-    }
-    if (this->LimitedTriangulation)
-    {
-      scaled = std::min(scaled, (*this->LimitedTriangulation)(x, *this->Triangulation));
     }
     return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
                           : scaled;
@@ -276,9 +271,8 @@ private:
     if (this->Options.Gradation > 0.0 && !this->Options.Triangulation->IsGraded)
     {
       PartOfStage limiting(this->Stage, 0.32, 0.36);
-      auto limit = std::make_unique<TriangleLimit>(
-        this->Options.Triangulation, this->Options.Gradation, this->Data.Range, limiting);
-      this->Data.LimitedTriangulation = limit->IsNeeded() ? std::move(limit) : nullptr;
+      Pulse pulse(limiting);
+      AddSteepTriangles(*this->Options.Triangulation, this->Options.Gradation, this->Cones, pulse);
     }
     PartOfStage sorting(this->Stage, 0.36, 0.48);
     this->Data.Triangulation.emplace(*this->Options.Triangulation, sorting);

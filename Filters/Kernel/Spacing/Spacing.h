@@ -141,9 +141,9 @@ struct SpacingOptions
 /// Tolerances, within the bounds it was prepared for: f is above what is given by no more than 2 %,
 /// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
 /// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
-/// within 2 % of it at 99 % of all points. That is tested, not proven: where values of a grid or of
-/// triangles are noise, on cells much larger than f, some ten pairs of points in a million miss the
-/// Lipschitz law, by up to 3 % of f, and by up to 10 % where neighbours differ by a factor of ten.
+/// within 2 % of it at 99 % of all points. That is tested, not proven: where values of a grid are
+/// noise, on cells much larger than f, some ten pairs of points in a million miss the Lipschitz law,
+/// by up to 3 % of f.
 /// Beyond the bounds, limits are those of the nearest point of the bounds. Where the nearest border
 /// values of a triangulation jump along curves of more than some ten thousand f in all, f is lower
 /// beside them than it had to be, down to a quarter, as far as the curves are not straight. A

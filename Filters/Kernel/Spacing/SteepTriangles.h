@@ -5,19 +5,18 @@
 #define BitingSteepTriangles_h
 
 #include "../Base/Pulse.h"
-#include "Spacing.h"
-#include "ValueRange.h"
-
-#include <vector> // for marks
+#include "ConeCollector.h"
 
 namespace biting
 {
 
-/// Which triangles are steeper than the gradation, by more than a margin: the slope along one of
-/// their edges, or the mean gradient around one of their corners; or by so much of their own
-/// gradient that it counts in f. Empty where none is, or the pulse stops.
-std::vector<bool> FindSteepTriangles(
-  const TriangulatedSource& source, double gradation, const ValueRange& range, Pulse& pulse);
+/// Adds to `cones` what makes a triangulated source that is steeper than the gradation Lipschitz:
+/// below the interpolant, f grows from the edges of steep triangles (SteepTriangles.cxx). Those are
+/// steeper, by more than a margin, along one of their edges, or in the mean gradient around one of
+/// their corners; or by so much of their own gradient that it counts in f.
+/// Without meaning if the pulse stops. Linear.
+void AddSteepTriangles(
+  const TriangulatedSource& source, double gradation, ConeCollector& cones, Pulse& pulse);
 
 } // namespace biting
 

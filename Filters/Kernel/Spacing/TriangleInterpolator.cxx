@@ -3,11 +3,10 @@
 
 #include "TriangleInterpolator.h"
 
-#include "../Base/Pulse.h"
+#include "TriangleSides.h"
 
-#include <algorithm> // for min, max, sort, upper_bound
+#include <algorithm> // for min, max
 #include <limits>    // for infinity
-#include <numeric>   // for partial_sum
 
 namespace biting
 {
@@ -17,6 +16,11 @@ namespace
 std::size_t PointOf(const Id* corners, std::size_t corner)
 {
   return static_cast<std::size_t>(corners[corner]);
+}
+
+const Id* CornersOf(const TriangulatedSource& source, Id triangle)
+{
+  return &source.Triangles[3 * static_cast<std::size_t>(triangle)];
 }
 
 TriangleBuckets::Corners PointsOf(const TriangulatedSource& source, const Id* corners)
@@ -39,92 +43,52 @@ bool IsUsable(const TriangulatedSource& source, const Id* corners)
   return std::isnormal(Cross(points[1] - points[0], points[2] - points[0]));
 }
 
-std::vector<const Id*> UsableTriangles(const TriangulatedSource& source, Pulse& pulse)
+std::vector<Id> UsableTriangles(const TriangulatedSource& source, Pulse& pulse)
 {
-  std::vector<const Id*> usable;
+  std::vector<Id> usable;
   usable.reserve(source.Triangles.size() / 3);
-  for (std::size_t first = 0; first + 2 < source.Triangles.size() && pulse.Beat(); first += 3)
-  {
-    if (IsUsable(source, &source.Triangles[first]))
+  pulse.ForEach(source.Triangles.size() / 3,
+    [&source, &usable](std::size_t triangle)
     {
-      usable.push_back(&source.Triangles[first]);
-    }
-  }
+      if (IsUsable(source, CornersOf(source, static_cast<Id>(triangle))))
+      {
+        usable.push_back(static_cast<Id>(triangle));
+      }
+    });
   return usable;
 }
 
-std::vector<TriangleBuckets::Corners> CornersOf(
-  const TriangulatedSource& source, const std::vector<const Id*>& triangles)
+std::vector<TriangleBuckets::Corners> PointsOfAll(
+  const TriangulatedSource& source, const std::vector<Id>& triangles)
 {
-  std::vector<TriangleBuckets::Corners> corners;
-  corners.reserve(triangles.size());
-  for (const Id* triangle : triangles)
+  std::vector<TriangleBuckets::Corners> points;
+  points.reserve(triangles.size());
+  for (const Id triangle : triangles)
   {
-    corners.push_back(PointsOf(source, triangle));
+    points.push_back(PointsOf(source, CornersOf(source, triangle)));
   }
-  return corners;
-}
-
-/// Calls visit(low, high) for every edge of every triangle, with the smaller id of its ends first.
-template <typename Visitor>
-void ForEachEdge(const std::vector<const Id*>& triangles, Pulse& pulse, const Visitor& visit)
-{
-  for (std::size_t triangle = 0; triangle < triangles.size() && pulse.Beat(1); ++triangle)
-  {
-    const Id* corners = triangles[triangle];
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      const Id start = corners[corner];
-      const Id end = corners[(corner + 1) % 3];
-      visit(static_cast<std::size_t>(std::min(start, end)), std::max(start, end));
-    }
-  }
-}
-
-/// Edges by the smaller id of their ends: for point p the larger ids stand in Ends from Offsets[p]
-/// on, as often as triangles share the edge.
-struct EdgesByPoint
-{
-  std::vector<std::size_t> Offsets;
-  std::vector<Id> Ends;
-};
-
-EdgesByPoint Distribute(
-  const std::vector<const Id*>& triangles, std::size_t numberOfPoints, Pulse& pulse)
-{
-  EdgesByPoint edges;
-  edges.Offsets.assign(numberOfPoints + 1, 0);
-  edges.Ends.resize(3 * triangles.size());
-  ForEachEdge(triangles, pulse, [&edges](std::size_t low, Id) { ++edges.Offsets[low]; });
-  std::partial_sum(edges.Offsets.begin(), edges.Offsets.end(), edges.Offsets.begin());
-  ForEachEdge(triangles, pulse,
-    [&edges](std::size_t low, Id high) { edges.Ends[--edges.Offsets[low]] = high; });
-  return edges;
+  return points;
 }
 
 /// The edges that belong to one triangle only, in the order of their ends.
 std::vector<BorderEdge> FindBorder(
-  const TriangulatedSource& source, const std::vector<const Id*>& triangles, Pulse& pulse)
+  const TriangulatedSource& source, const std::vector<Id>& triangles, Pulse& pulse)
 {
-  EdgesByPoint edges = Distribute(triangles, source.Points.size(), pulse);
   std::vector<BorderEdge> border;
-  for (std::size_t low = 0; low < source.Points.size() && pulse.Beat(1); ++low)
-  {
-    const auto end = edges.Ends.begin() + static_cast<std::ptrdiff_t>(edges.Offsets[low + 1]);
-    auto first = edges.Ends.begin() + static_cast<std::ptrdiff_t>(edges.Offsets[low]);
-    std::sort(first, end);
-    while (first != end)
+  const TriangleSides sides(source, triangles, pulse);
+  sides.ForEachEdge(pulse,
+    [&](const Id* first, const Id* last)
     {
-      const auto next = std::upper_bound(first, end, *first);
-      if (next - first == 1)
+      if (last - first == 1)
       {
-        const auto high = static_cast<std::size_t>(*first);
-        border.push_back({ source.Points[low], source.Points[high], source.Values[low],
-          source.Values[high], static_cast<Id>(low), static_cast<Id>(high) });
+        const Id low = sides.LowEnd(*first);
+        const Id high = sides.HighEnd(*first);
+        const auto start = static_cast<std::size_t>(low);
+        const auto end = static_cast<std::size_t>(high);
+        border.push_back({ source.Points[start], source.Points[end], source.Values[start],
+          source.Values[end], low, high });
       }
-      first = next;
-    }
-  }
+    });
   return border;
 }
 
@@ -134,12 +98,12 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
   : MayOverlap(source.MayOverlap)
 {
   Pulse pulse(monitor);
-  const std::vector<const Id*> usable = UsableTriangles(source, pulse);
+  const std::vector<Id> usable = UsableTriangles(source, pulse);
   if (usable.empty() || pulse.HasStopped())
   {
     return;
   }
-  this->Buckets = std::make_unique<TriangleBuckets>(CornersOf(source, usable), pulse);
+  this->Buckets = std::make_unique<TriangleBuckets>(PointsOfAll(source, usable), pulse);
   this->Border = BorderTree(FindBorder(source, usable, pulse), pulse);
   this->Records.reserve(usable.size());
   std::vector<Id> recordOf(usable.size(), NoId);
@@ -151,7 +115,7 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
       if (recordOf[triangle] == NoId)
       {
         recordOf[triangle] = static_cast<Id>(this->Records.size());
-        this->Records.push_back(MakeRecord(source, usable[triangle]));
+        this->Records.push_back(MakeRecord(source, CornersOf(source, usable[triangle])));
       }
       entry = recordOf[triangle];
     });
@@ -167,40 +131,12 @@ TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
   const Point2 second = places[PointOf(corners, 2)] - origin;
   const double area = Cross(first, second);
   return { origin, { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
-    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)],
-    static_cast<Id>((corners - source.Triangles.data()) / 3) };
+    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)] };
 }
 
 double TriangleInterpolator::operator()(const Point2& x) const
 {
-  return this->Find(x).Value;
-}
-
-TriangleInterpolator::Place TriangleInterpolator::Find(const Point2& x) const
-{
-  const Record* record = this->FindRecord(x);
-  NearestValue nearest{ 0.0, 0.0, x };
-  const bool isOutside = !record;
-  if (isOutside)
-  {
-    nearest = this->NearestOutside(x, Unknown(), record);
-  }
-  if (!record)
-  {
-    return { nearest.Value, NoId, {}, { nearest.StartId, nearest.EndId } };
-  }
-  const Point2 offset = nearest.Foot - record->Origin;
-  double first = Dot(record->FirstWeight, offset);
-  double second = Dot(record->SecondWeight, offset);
-  if (isOutside)
-  {
-    // Of a triangle whose height is rounding, weights beside it may be anything.
-    first = std::min(std::max(first, 0.0), 1.0);
-    second = std::min(std::max(second, 0.0), 1.0 - first);
-  }
-  const double origin = std::max(1.0 - first - second, 0.0);
-  return { origin * record->Value + first * record->FirstValue + second * record->SecondValue,
-    record->Triangle, { origin, first, second }, { NoId, NoId } };
+  return this->Nearest(x).Value;
 }
 
 NearestValue TriangleInterpolator::Unknown()
@@ -211,8 +147,7 @@ NearestValue TriangleInterpolator::Unknown()
 NearestValue TriangleInterpolator::Nearest(const Point2& x, const NearestValue& known) const
 {
   const Record* record = this->FindRecord(x);
-  return record ? NearestValue{ 0.0, ValueAt(*record, x), x }
-                : this->NearestOutside(x, known, record);
+  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x, known);
 }
 
 const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point2& x) const
@@ -247,8 +182,7 @@ double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
 /// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a
 /// gap between triangles, which is there by rounding. Those of the bucket come first: then the
 /// border is searched nearby only.
-NearestValue TriangleInterpolator::NearestOutside(
-  const Point2& x, const NearestValue& known, const Record*& closed) const
+NearestValue TriangleInterpolator::NearestOutside(const Point2& x, const NearestValue& known) const
 {
   constexpr double NearerThanRounding = 1.0 - 1e-9;
   NearestValue best{ Unknown().Distance, this->Records.front().Value,
@@ -259,27 +193,17 @@ NearestValue TriangleInterpolator::NearestOutside(
     best.Distance = Distance(x, known.Foot);
   }
   NearestValue triangle = Unknown();
-  const Record* record = nullptr;
   for (Id id : this->Buckets->Near(x))
   {
     const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    if (found.Distance < triangle.Distance)
-    {
-      triangle = found;
-      record = &this->Records[static_cast<std::size_t>(id)];
-    }
+    triangle = found.Distance < triangle.Distance ? found : triangle;
   }
   NearestValue border = best;
   border.Distance = std::min(best.Distance, triangle.Distance / NearerThanRounding);
   const double limit = border.Distance;
   border = this->Border.Nearest(x, border);
   best = border.Distance < limit ? border : best;
-  if (triangle.Distance < NearerThanRounding * best.Distance)
-  {
-    closed = record;
-    return triangle;
-  }
-  return best;
+  return triangle.Distance < NearerThanRounding * best.Distance ? triangle : best;
 }
 
 /// For x outside the triangle. The rows of weights, inverted, give back its edges.

@@ -8,7 +8,6 @@
 #include "Spacing.h"
 #include "TriangleBuckets.h"
 
-#include <array>  // for weights
 #include <memory> // for buckets
 
 namespace biting
@@ -27,17 +26,7 @@ public:
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Records.empty(); }
 
-  /// Where a point is: in a triangle, or nearest to a point of an edge on the border.
-  struct Place
-  {
-    double Value;                  ///< of the interpolant
-    Id Triangle = NoId;            ///< NoId outside
-    std::array<double, 3> Weights; ///< of the corners of the triangle
-    std::array<Id, 2> Ends;        ///< of the edge
-  };
-
   double operator()(const Point2& x) const;
-  Place Find(const Point2& x) const;
 
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
   /// distance of 0. It is found sooner beside one that is `known`, of another place.
@@ -55,15 +44,13 @@ private:
     double Value;
     double FirstValue;
     double SecondValue;
-    Id Triangle; ///< of the source
   };
 
   static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
   const Record* FindRecord(const Point2& x) const;
   static double ValueAt(const Record& record, const Point2& x);
   static NearestValue Unknown();
-  NearestValue NearestOutside(
-    const Point2& x, const NearestValue& known, const Record*& closed) const;
+  NearestValue NearestOutside(const Point2& x, const NearestValue& known) const;
   static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
 
   std::unique_ptr<TriangleBuckets> Buckets; ///< of Records

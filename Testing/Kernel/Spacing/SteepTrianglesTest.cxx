@@ -5,9 +5,10 @@
 
 #include "SpacingSources.h"
 
-#include <gtest/gtest.h>
+#include "Spacing/SegmentExtension.h"
+#include "Spacing/TriangleInterpolator.h"
 
-#include <algorithm> // for count
+#include <gtest/gtest.h>
 
 namespace
 {
@@ -16,50 +17,163 @@ using namespace biting;
 
 constexpr double Gradation = 0.3;
 
-std::vector<bool> SteepOnes(
-  const TriangulatedSource& source, const ValueRange& range = { 1.0, 0.0, 1e9 })
+SegmentSource ConesOf(const TriangulatedSource& source, const ValueRange& range = { 1.0, 0.0, 1e9 })
 {
   Pulse pulse(NoMonitor());
-  return FindSteepTriangles(source, Gradation, range, pulse);
+  ConeCollector cones(range);
+  AddSteepTriangles(source, Gradation, cones, pulse);
+  return cones.Segments();
+}
+
+SegmentExtension LimitOf(const SegmentSource& cones)
+{
+  Pulse pulse(NoMonitor());
+  return SegmentExtension(MakeCones(cones, 1.0, Gradation, pulse), Gradation, pulse);
+}
+
+/// The distance from the middle, as a field that is limited to `slope` already.
+Field AroundTheMiddle(double slope)
+{
+  return [slope](const Point2& x) {
+    return 0.003 + slope * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.05, 0.0);
+  };
+}
+
+/// Value and slope at the middle; planes in many directions.
+template <typename Check>
+void ForEachPlane(double slope, Check check)
+{
+  for (double angle = 0.0; angle < 6.3; angle += 0.1)
+  {
+    const Point2 gradient{ slope * std::cos(angle), slope * std::sin(angle) };
+    check([gradient](const Point2& x) { return 1.0 + Dot(gradient, x - Point2{ 0.5, 0.5 }); });
+  }
+}
+
+/// Noise over a triangulation of `nodes` by `nodes` points that are out of line.
+TriangulatedSource Noisy(int nodes, std::uint64_t seed)
+{
+  Sampler sampler(seed);
+  TriangulatedSource source = MakeTriangulation(
+    nodes, [&sampler](const Point2&) { return 0.02 * std::exp(3.0 * sampler.Next()); });
+  for (Point2& point : source.Points)
+  {
+    point = point + (0.45 / nodes) * Point2{ sampler.Next(), sampler.Next() };
+  }
+  return source;
 }
 
 } // namespace
 
 TEST(SteepTriangles, AreNoneWhereTheSlopeIsTheGradationInAnyDirection)
 {
-  for (double angle = 0.0; angle < 6.3; angle += 0.1)
+  ForEachPlane(Gradation,
+    [](const Field& plane) { EXPECT_TRUE(ConesOf(MakeTriangulation(9, plane)).Segments.empty()); });
+}
+
+TEST(SteepTriangles, ChangeAFieldThatIsAsSteepAsTheGradationByNoMoreThanTheTolerance)
+{
+  for (int nodes : { 51, 101 })
   {
-    const Point2 slope{ Gradation * std::cos(angle), Gradation * std::sin(angle) };
-    EXPECT_TRUE(
-      SteepOnes(MakeTriangulation(9, [&slope](const Point2& x) { return 1.0 + Dot(slope, x); }))
-        .empty());
+    const TriangulatedSource source = MakeTriangulation(nodes, AroundTheMiddle(Gradation));
+    const SegmentExtension limit = LimitOf(ConesOf(source));
+    for (std::size_t point = 0; point < source.Points.size(); ++point)
+    {
+      EXPECT_GE(limit(source.Points[point]), 0.98 * source.Values[point]) << nodes;
+    }
   }
 }
 
-TEST(SteepTriangles, AreAllOfASteeperPlaneInAnyDirection)
+TEST(SteepTriangles, OfAPlaneAreConesOnItsLowestPointsOnly)
 {
-  for (double angle = 0.0; angle < 6.3; angle += 0.1)
+  ForEachPlane(1.5 * Gradation,
+    [](const Field& plane)
+    {
+      const SegmentSource cones = ConesOf(MakeTriangulation(33, plane));
+      EXPECT_FALSE(cones.Segments.empty());
+      EXPECT_LE(cones.Segments.size(), 2u * 66u);
+      for (const Point2& place : cones.Points)
+      {
+        const double toBorder = std::min({ place.X, place.Y, 1.0 - place.X, 1.0 - place.Y });
+        EXPECT_LE(toBorder, 1e-12);
+      }
+    });
+}
+
+TEST(SteepTriangles, AreLimitedToTheirLowestEdge)
+{
+  const TriangulatedSource source{ { { 0.0, 0.0 }, { 0.0, 1.0 }, { 1.0, 0.5 } }, { 0.1, 0.1, 0.9 },
+    { 0, 1, 2 } };
+  const SegmentExtension limit = LimitOf(ConesOf(source));
+  for (double x : { 0.0, 0.2, 0.5, 0.9 })
   {
-    const Point2 slope{ 1.02 * Gradation * std::cos(angle), 1.02 * Gradation * std::sin(angle) };
-    const std::vector<bool> steep =
-      SteepOnes(MakeTriangulation(9, [&slope](const Point2& x) { return 1.0 + Dot(slope, x); }));
-    EXPECT_EQ(std::count(steep.begin(), steep.end(), true), 128) << angle;
+    EXPECT_NEAR(limit({ x, 0.5 }), 0.1 + Gradation * x, 1e-12);
   }
 }
 
-TEST(SteepTriangles, AreThoseWhereTheFieldIsSteep)
+/// Cones that are left out are above others: the limit is that of all edges.
+TEST(SteepTriangles, AllowWhatTheConesOfAllTheirEdgesAllow)
 {
-  const std::vector<bool> steep =
-    SteepOnes(MakeTriangulation(9, [](const Point2& x) { return 1.0 + std::max(x.Y - 0.5, 0.0); }));
-  ASSERT_EQ(steep.size(), 128);
-  EXPECT_EQ(std::count(steep.begin(), steep.begin() + 48, true), 0);
-  EXPECT_EQ(std::count(steep.begin() + 64, steep.end(), true), 64);
+  for (std::uint64_t seed : { 1u, 2u, 3u })
+  {
+    const TriangulatedSource source = Noisy(12, seed);
+    const SegmentSource cones = ConesOf(source);
+    const SegmentExtension limit = LimitOf(cones);
+    SegmentSource all{ source.Points, source.Values, {} };
+    for (std::size_t first = 0; first < source.Triangles.size(); first += 3)
+    {
+      const Id* corners = &source.Triangles[first];
+      all.Segments.insert(all.Segments.end(),
+        { corners[0], corners[1], corners[1], corners[2], corners[2], corners[0] });
+    }
+    EXPECT_LT(2 * cones.Segments.size(), all.Segments.size());
+    const SegmentExtension limitOfAll = LimitOf(all);
+    const TriangleInterpolator given(source);
+    Sampler sampler(seed);
+    for (int probe = 0; probe < 2000; ++probe)
+    {
+      const Point2 x = sampler.NextIn({ { 0.05, 0.05 }, { 0.95, 0.95 } });
+      const double expected = std::min(given(x), limitOfAll(x));
+      EXPECT_NEAR(std::min(given(x), limit(x)), expected, 0.01 * expected);
+    }
+  }
+}
+
+/// There f is level; it grows from where the values exceed the least spacing.
+TEST(SteepTriangles, GrowFromWhereTheyExceedTheLeastSpacing)
+{
+  const TriangulatedSource source{ { { 0.0, 0.0 }, { 0.0, 2.0 }, { 2.0, 0.0 }, { 2.0, 2.0 } },
+    { 0.1, 0.1, 2.1, 2.1 }, { 0, 2, 1, 2, 3, 1 } };
+  const SegmentExtension limit = LimitOf(ConesOf(source, { 1.0, 0.5, 1e9 }));
+  for (double x : { 0.4, 0.7, 1.0, 1.9 })
+  {
+    EXPECT_NEAR(limit({ x, 1.3 }), 0.5 + Gradation * (x - 0.4), 1e-12);
+  }
+  EXPECT_TRUE(ConesOf(source, { 1.0, 3.0, 1e9 }).Segments.empty());
 }
 
 TEST(SteepTriangles, AreJudgedByTheSpacingAndNotByTheValues)
 {
   const TriangulatedSource source = MakeTriangulation(9, [](const Point2& x) { return 1.0 + x.X; });
-  EXPECT_FALSE(SteepOnes(source).empty());
-  EXPECT_TRUE(SteepOnes(source, { 0.1, 0.0, 1e9 }).empty()); // scaled
-  EXPECT_TRUE(SteepOnes(source, { 1.0, 3.0, 1e9 }).empty()); // all below the least
+  EXPECT_FALSE(ConesOf(source).Segments.empty());
+  EXPECT_TRUE(ConesOf(source, { 0.1, 0.0, 1e9 }).Segments.empty()); // scaled
+  const SegmentSource scaled = ConesOf(source, { 2.0, 0.0, 1e9 });
+  for (std::size_t point = 0; point < scaled.Points.size(); ++point)
+  {
+    EXPECT_DOUBLE_EQ(scaled.Values[point], 2.0 + 2.0 * scaled.Points[point].X);
+  }
+}
+
+TEST(SteepTriangles, IgnorePointsWithoutAValue)
+{
+  const SegmentSource cones = ConesOf(MakeTriangulation(
+    21, [](const Point2& x) { return x.X < 0.3 ? NotANumber
+                                : x.X < 0.6    ? 0.02
+                                               : 1.0; }));
+  const SegmentExtension limit = LimitOf(cones);
+  EXPECT_NEAR(limit({ 0.95, 0.5 }), 0.02 + 0.4 * Gradation, 0.005);
+  for (const double value : cones.Values)
+  {
+    EXPECT_DOUBLE_EQ(value, 0.02);
+  }
 }
