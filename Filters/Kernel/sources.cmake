@@ -16,7 +16,6 @@ set(biting_kernel_sources
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
-  Spacing/JumpSquares.cxx
   Spacing/MergedCones.cxx
   Spacing/OutsideJumps.cxx
   Spacing/Quadtree.cxx

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Of the steps outside, one after the other.
-constexpr double StepGrowth = 1.5;
+constexpr double StepGrowth = 1.2;
 
 /// The first step from a border outwards: as long as the last one before it, but a share of the
 /// way.

@@ -4,41 +4,64 @@
 #include "OutsideJumps.h"
 
 #include "../Base/Pulse.h"
-#include "JumpSquares.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for ceil
+#include <algorithm> // for min, max, lower_bound, sort
+#include <cmath>     // for atan2, ceil
+#include <utility>   // for pairs
 
 namespace biting
 {
 namespace
 {
 
-/// Perpendiculars along an edge: so many f / g apart, but no more than so many.
-constexpr double FootDistance = 0.1;
-constexpr double MostFeet = 16.0;
+// Lengths are in units of f / g.
 
-/// Ends of neighboring perpendiculars that are farther apart than so many times their feet or their
-/// lengths may have anything between them.
-constexpr double LargestStep = 4.0;
+/// A gradation above this one counts as this one, as nobody sees such slopes on a part of f.
+constexpr double LargestSeenGradation = 1.0;
 
-/// Steps to the length of a perpendicular, and the room for rounding in comparing lengths.
-constexpr int LengthSteps = 16;
+/// Jumps by less than this share of f do not matter.
+constexpr double LeastJump = 0.002;
+
+/// How far ends of rays are apart at first, but no more than so many rays to an edge or a corner.
+constexpr double FirstStep = 0.25;
+constexpr double MostFirstRays = 8.0;
+constexpr double LargestTurn = 0.4; ///< radians between two rays from a corner
+
+/// How far a jump may be from the segment that stands for it, and its end from where it was found.
+constexpr double LargestBend = 0.01;
+constexpr double EndPrecision = 0.003;
+
+/// Nothing is looked for between ends that are as near as this; or as this where f is low at none.
+constexpr double LastStep = 0.02;
+constexpr double LastStepOfNone = 0.1;
+constexpr int MostHalvings = 20;
+constexpr double MostRaysOfEdge = 100.0;
+
+/// Steps to the length of a ray, and the room for rounding in comparing lengths.
+constexpr int LengthSteps = 32;
+constexpr double GrowthOfBall = 8.0;
 constexpr double SameLength = 1e-6;
 
-/// Where a perpendicular ends, and the value along it.
-struct RayEnd
+constexpr double FullTurn = 6.283185307179586;
+
+/// A straight way from a point of the border to where that ceases to be the nearest one.
+struct Ray
 {
   Point2 Foot;
-  Point2 Place;
+  double Value = 0.0; ///< given there
+  Point2 Direction;
+  Point2 End{};
+  double Length = 0.0;
   double Spacing = 0.0;
   bool IsLow = false; ///< f is larger beyond
+  Id FarStart = NoId; ///< of the edge that is nearest there
+  Id FarEnd = NoId;
 };
 
-class PerpendicularFinder
+class JumpTracer
 {
 public:
-  PerpendicularFinder(const TriangleInterpolator& field, const Box2& bounds, double gradation,
+  JumpTracer(const TriangleInterpolator& field, const Box2& bounds, double gradation,
     ConeCollector& cones, Monitor& monitor)
     : Field(field)
     , Bounds(bounds)
@@ -51,33 +74,30 @@ public:
 
   bool Run()
   {
-    for (const BorderEdge& edge : this->Field.BorderEdges())
+    const std::vector<BorderEdge>& edges = this->Field.BorderEdges();
+    this->RaysLeft = MostRaysOfEdge * static_cast<double>(edges.size());
+    this->SortEnds();
+    for (std::size_t k = 0; k < edges.size() && this->Beats.Beat(); ++k)
     {
+      this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(edges.size()));
+      const BorderEdge& edge = edges[k];
       const double length = Distance(edge.Start, edge.End);
-      if (!this->Beats.Beat() || !(length > 0.0))
+      for (const bool isLeft : { false, true })
       {
-        continue;
-      }
-      const Point2 normal = (1.0 / length) * Perpendicular(edge.End - edge.Start);
-      for (double side : { -1.0, 1.0 })
-      {
-        if (this->LeavesTriangles(Midpoint(edge.Start, edge.End), side * normal, length))
-        {
-          this->AddPerpendicular(edge, side * normal);
-          this->AddEnds(edge, side * normal);
-        }
+        // The border goes on from the start of an edge whose outside is on its left.
+        const BorderEdge turned{ edge.End, edge.Start, edge.EndValue, edge.StartValue, edge.EndId,
+          edge.StartId };
+        this->AddSide(isLeft ? turned : edge, length);
       }
     }
-    AddJumpSquares(this->Field, this->Bounds, this->Gradation, this->Cones, this->Beats);
     return !this->Beats.HasStopped();
   }
 
 private:
-  /// Whether a direction leads from the border to the outside, within the bounds.
+  /// Whether a direction leads from the border to the outside.
   bool LeavesTriangles(const Point2& start, const Point2& direction, double length) const
   {
-    const double step = std::min(SameLength * length, 0.5 * this->Reach(start, direction));
-    return step > 0.0 && this->Field.Nearest(start + step * direction).Distance > 0.0;
+    return this->Field.Nearest(start + SameLength * length * direction).Distance > 0.0;
   }
 
   /// How far it is along a unit vector to the end of the bounds; 0 where that is behind.
@@ -96,24 +116,30 @@ private:
 
   /// How far along a unit vector a point of the border stays the nearest one: a ball that touches
   /// it there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with
-  /// a `likely` length, and as large as the bounds where that is too short.
-  double LengthAlong(const Point2& start, const Point2& direction, double likely = 0.0)
+  /// a `likely` length, and grows where that is too short.
+  double LengthAlong(const Point2& start, const Point2& direction, double unit, double likely)
   {
     const double reach = this->Reach(start, direction);
-    bool isWhole = !(likely > 0.0 && likely < reach);
-    double length = isWhole ? reach : likely;
-    for (int step = 0; step < LengthSteps && this->Beats.Beat(64); ++step)
+    double length = std::min(likely, reach);
+    bool isLarge = false;
+    for (int step = 0; length > 0.0 && step < LengthSteps && this->Beats.Beat(64); ++step)
     {
       const NearestValue nearest =
         this->Field.Nearest(start + length * direction, { length, 0.0, start });
       const Point2 within = nearest.Foot - start;
       const bool isEmpty = nearest.Distance >= (1.0 - SameLength) * length;
-      if (isEmpty && isWhole)
+      if (isEmpty && (isLarge || length == reach))
       {
         return length;
       }
-      length = isEmpty ? reach : 0.5 * Dot(within, within) / Dot(within, direction);
-      isWhole = true;
+      const double next = isEmpty ? std::min(GrowthOfBall * length, reach)
+                                  : 0.5 * Dot(within, within) / Dot(within, direction);
+      if (!isEmpty && length - next <= std::max(EndPrecision * unit, SameLength * likely))
+      {
+        return next;
+      }
+      length = next;
+      isLarge = !isEmpty;
     }
     return length;
   }
@@ -132,61 +158,208 @@ private:
     {
       const double weight = std::max(0.0, (range.Least - low) / (high - low));
       const Point2 start = lowEnd + weight * (highEnd - lowEnd);
-      const Point2 end = start + this->LengthAlong(start, normal) * normal;
+      const Point2 end = start +
+        this->LengthAlong(
+          start, normal, this->UnitOf(low / range.Scale), Distance(lowEnd, highEnd)) *
+          normal;
       this->Cones.AddSegment(start, end, std::max(low, range.Least), std::max(low, range.Least));
     }
   }
 
-  /// The jumps before an edge.
-  void AddEnds(const BorderEdge& edge, const Point2& normal)
+  /// The edges at each point of the border, with the directions to their other ends.
+  void SortEnds()
   {
-    const double least = this->Cones.Values()(std::min(edge.StartValue, edge.EndValue));
-    const double length = Distance(edge.Start, edge.End);
-    const double feet =
-      std::min(std::ceil(length * this->SeenGradation / (FootDistance * least)), MostFeet);
-    RayEnd last;
-    for (double foot = 0.0; foot <= feet && !this->Beats.HasStopped(); foot += 1.0)
+    for (const BorderEdge& edge : this->Field.BorderEdges())
     {
-      const double weight = foot / feet;
-      const Point2 start = edge.Start + weight * (edge.End - edge.Start);
-      const double value = (1.0 - weight) * edge.StartValue + weight * edge.EndValue;
-      const RayEnd next = this->FindEnd(start, value, normal, Distance(last.Place, last.Foot));
-      this->Connect(last, next, foot > 0.0);
+      this->Ends.push_back({ edge.StartId, edge.End - edge.Start });
+      this->Ends.push_back({ edge.EndId, edge.Start - edge.End });
+    }
+    std::stable_sort(this->Ends.begin(), this->Ends.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  /// What is right of an edge, and around its end.
+  void AddSide(const BorderEdge& edge, double length)
+  {
+    const Point2 along = (1.0 / length) * (edge.End - edge.Start);
+    const Point2 normal = -1.0 * Perpendicular(along);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    if (!this->LeavesTriangles(Midpoint(edge.Start, edge.End), normal, length))
+    {
+      this->AddSheet(edge, SameLength * length * normal);
+    }
+    else
+    {
+      if (this->Reach(Midpoint(edge.Start, edge.End), normal) > 0.0)
+      {
+        this->AddPerpendicular(edge, normal);
+        this->AddBefore(edge, normal, length);
+      }
+      this->AddAround(edge, normal, length);
+    }
+  }
+
+  /// An edge of triangles that lie on others, or beside others that have corners of their own.
+  void AddSheet(const BorderEdge& edge, const Point2& aside)
+  {
+    const ValueRange& range = this->Cones.Values();
+    for (const double weight : { 0.25, 0.75 })
+    {
+      const Point2 place = edge.Start + weight * (edge.End - edge.Start) + aside;
+      const double value = range((1.0 - weight) * edge.StartValue + weight * edge.EndValue);
+      if (range(this->Field(place)) > (1.0 + LeastJump) * value)
+      {
+        this->Cones.AddSegment(edge.Start, edge.End, range(edge.StartValue), range(edge.EndValue));
+        return;
+      }
+    }
+  }
+
+  /// The jumps before an edge.
+  void AddBefore(const BorderEdge& edge, const Point2& normal, double length)
+  {
+    const double least = std::min(edge.StartValue, edge.EndValue);
+    const double rays =
+      std::ceil(std::min(length / (FirstStep * this->UnitOf(least)), MostFirstRays));
+    Ray last = this->FindEnd({ edge.Start, edge.StartValue, normal }, length);
+    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
+    {
+      const double weight = ray / rays;
+      const Ray next =
+        this->FindEnd({ edge.Start + weight * (edge.End - edge.Start),
+                        (1.0 - weight) * edge.StartValue + weight * edge.EndValue, normal },
+          std::max(2.0 * last.Length, length));
+      this->Trace(last, next, 0);
       last = next;
     }
   }
 
-  /// `lastLength` is that of a perpendicular beside it.
-  RayEnd FindEnd(const Point2& foot, double value, const Point2& direction, double lastLength)
+  /// The jumps before the end of an edge, up to the perpendicular of the next one.
+  void AddAround(const BorderEdge& edge, const Point2& normal, double length)
   {
-    const double reach = this->Reach(foot, direction);
-    const double length = this->LengthAlong(foot, direction, 2.0 * lastLength);
-    RayEnd end;
-    end.Foot = foot;
-    end.Place = foot + length * direction;
-    end.Spacing = this->Cones.Values()(value);
-    if (length > 0.0 && length < reach)
+    const double turn = this->TurnAround(edge);
+    if (!(turn > 0.0))
     {
-      const double beyond = std::min((1.0 + 1000.0 * SameLength) * length, reach);
-      const NearestValue nearest =
-        this->Field.Nearest(foot + beyond * direction, { beyond, value, foot });
-      end.IsLow = this->Cones.Values()(nearest.Value) > (1.0 + LeastJump) * end.Spacing;
+      return;
     }
-    return end;
+    Ray last = this->FindEnd({ edge.End, edge.EndValue, normal }, length);
+    const double arc = turn * last.Length / (FirstStep * this->UnitOf(edge.EndValue));
+    const double rays = std::ceil(std::max(turn / LargestTurn, std::min(arc, MostFirstRays)));
+    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
+    {
+      const double angle = turn * ray / rays;
+      const Point2 direction = std::cos(angle) * normal + std::sin(angle) * Perpendicular(normal);
+      const Ray next =
+        this->FindEnd({ edge.End, edge.EndValue, direction }, std::max(2.0 * last.Length, length));
+      this->Trace(last, next, 0);
+      last = next;
+    }
   }
 
-  void Connect(const RayEnd& last, const RayEnd& next, bool hasLast)
+  /// From the normal of an edge, at its end, counterclockwise to that of the next one.
+  double TurnAround(const BorderEdge& edge) const
   {
-    const double step = Distance(last.Place, next.Place);
-    const double usual = std::max(Distance(last.Foot, next.Foot),
-      0.25 * std::min(Distance(last.Place, last.Foot), Distance(next.Place, next.Foot)));
-    if (hasLast && last.IsLow && next.IsLow && step <= LargestStep * usual)
+    const Point2 back = edge.Start - edge.End;
+    double outside = FullTurn;
+    auto end = std::lower_bound(this->Ends.begin(), this->Ends.end(), edge.EndId,
+      [](const auto& entry, Id point) { return entry.first < point; });
+    for (; end != this->Ends.end() && end->first == edge.EndId; ++end)
     {
-      this->Cones.AddSegment(last.Place, next.Place, last.Spacing, next.Spacing);
+      const double angle = std::atan2(Cross(back, end->second), Dot(back, end->second));
+      outside = angle > 0.0 ? std::min(outside, angle)
+        : angle < 0.0       ? std::min(outside, FullTurn + angle)
+                            : outside;
     }
-    else if (next.IsLow)
+    return outside - 0.5 * FullTurn;
+  }
+
+  double UnitOf(double value) const { return this->Cones.Values()(value) / this->SeenGradation; }
+
+  Ray FindEnd(Ray ray, double likely)
+  {
+    this->RaysLeft -= 1.0;
+    const double reach = this->Reach(ray.Foot, ray.Direction);
+    const double unit = this->UnitOf(ray.Value);
+    ray.Spacing = this->Cones.Values()(ray.Value);
+    ray.Length = this->LengthAlong(ray.Foot, ray.Direction, unit, likely);
+    ray.End = ray.Foot + ray.Length * ray.Direction;
+    if (ray.Length > 0.0 && ray.Length < reach)
     {
-      this->Cones.AddPoint(next.Place, next.Spacing);
+      const double margin = std::max(1000.0 * SameLength * ray.Length, 2.0 * EndPrecision * unit);
+      const double beyond = std::min(ray.Length + margin, reach);
+      const NearestValue nearest =
+        this->Field.Nearest(ray.Foot + beyond * ray.Direction, { beyond, ray.Value, ray.Foot });
+      ray.IsLow = this->Cones.Values()(nearest.Value) > (1.0 + LeastJump) * ray.Spacing;
+      ray.FarStart = nearest.StartId;
+      ray.FarEnd = nearest.EndId;
+    }
+    return ray;
+  }
+
+  Ray Between(const Ray& a, const Ray& b)
+  {
+    const Point2 direction = a.Direction + b.Direction;
+    return this->FindEnd({ Midpoint(a.Foot, b.Foot), 0.5 * (a.Value + b.Value),
+                           (1.0 / Length(direction)) * direction },
+      std::max(2.0 * std::max(a.Length, b.Length), Distance(a.End, b.End)));
+  }
+
+  /// The jumps at the ends of the rays between two of them.
+  void Trace(const Ray& a, const Ray& b, int halvings)
+  {
+    const double unit = this->UnitOf(std::min(a.Value, b.Value));
+    const double step = Distance(a.End, b.End);
+    const bool isNear = step <= std::max(LastStep * unit, SameLength * (a.Length + b.Length));
+    if (isNear || halvings == MostHalvings || this->RaysLeft < 0.0 || !this->Beats.Beat(64))
+    {
+      this->AddLow(a, b);
+      return;
+    }
+    const Ray middle = this->Between(a, b);
+    if (a.IsLow && middle.IsLow && b.IsLow && this->IsStraight(a, middle, b, unit))
+    {
+      this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
+      return;
+    }
+    const bool isLowAtNone = !a.IsLow && !middle.IsLow && !b.IsLow;
+    const bool isOne = HaveOneBeyond(a, middle) && HaveOneBeyond(middle, b);
+    if (!isLowAtNone || !(isOne || step <= LastStepOfNone * unit))
+    {
+      this->Trace(a, middle, halvings + 1);
+      this->Trace(middle, b, halvings + 1);
+    }
+  }
+
+  static bool HaveOneBeyond(const Ray& a, const Ray& b)
+  {
+    return a.FarStart == b.FarStart && a.FarEnd == b.FarEnd;
+  }
+
+  static bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
+  {
+    const Point2 along = b.End - a.End;
+    const Point2 toMiddle = middle.End - a.End;
+    const double share = Dot(toMiddle, along) / Dot(along, along);
+    const double room = std::max(LargestBend * unit, 4.0 * SameLength * (a.Length + b.Length));
+    return Length(toMiddle - std::min(std::max(share, 0.0), 1.0) * along) <= room;
+  }
+
+  void AddLow(const Ray& a, const Ray& b)
+  {
+    if (a.IsLow && b.IsLow && Distance(a.End, b.End) <= LastStep * this->UnitOf(a.Value))
+    {
+      this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
+      return;
+    }
+    for (const Ray* ray : { &a, &b })
+    {
+      if (ray->IsLow)
+      {
+        this->Cones.AddPoint(ray->End, ray->Spacing);
+      }
     }
   }
 
@@ -196,6 +369,8 @@ private:
   const double SeenGradation;
   ConeCollector& Cones;
   Pulse Beats;
+  double RaysLeft = 0.0;
+  std::vector<std::pair<Id, Point2>> Ends; ///< in the order of points
 };
 
 } // namespace
@@ -203,8 +378,7 @@ private:
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
   ConeCollector& cones, Monitor& monitor)
 {
-  return !(bounds.Diagonal() > 0.0) ||
-    PerpendicularFinder(field, bounds, gradation, cones, monitor).Run();
+  return !(bounds.Diagonal() > 0.0) || JumpTracer(field, bounds, gradation, cones, monitor).Run();
 }
 
 } // namespace biting

@@ -14,11 +14,12 @@ namespace biting
 /// `bounds`. There it has the value of the nearest point of its border. So it is as steep before a
 /// border edge as along it: f grows from the perpendicular at the lower end. And it jumps where two
 /// parts of the border are equally near, in holes and before borders that are not convex: there f
-/// grows from the lower side. These places are where perpendiculars to border edges end: where
-/// their foot ceases to be the nearest point; before corners of the border JumpSquares finds them,
-/// but where a corner stands in a bay smaller than its first squares, a jump may be missed. Nothing
-/// is added where the triangles cover the bounds.
-/// False if the monitor asks to stop. Cost: some ten searches of the border for each perpendicular.
+/// grows from the lower side. These lines are traced by rays, perpendicular to border edges and in
+/// all directions between at corners, each to where its foot ceases to be the nearest point; where
+/// the line through the ends of two rays is not straight, there are more between them. What is
+/// narrower than the first rays are apart, and seen by none of them, may be missed.
+/// Where triangles lie on others, it jumps along the edges of the lower ones.
+/// False if the monitor asks to stop. Cost: some five searches of the border for each ray.
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
   ConeCollector& cones, Monitor& monitor);
 

@@ -142,12 +142,10 @@ struct SpacingOptions
 /// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
 /// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
 /// within 2 % of it at 99 % of all points. That is tested, not proven: where values of a grid are
-/// noise, on cells much larger than f, some ten pairs of points in a million miss the Lipschitz law,
-/// by up to 3 % of f.
-/// Beyond the bounds, limits are those of the nearest point of the bounds. Where the nearest border
-/// values of a triangulation jump along curves of more than some ten thousand f in all, f is lower
-/// beside them than it had to be, down to a quarter, as far as the curves are not straight. A
-/// Gradation above 1 holds for places farther apart than some hundredths of f.
+/// noise, on cells much larger than f, some ten pairs of points in a million miss the Lipschitz
+/// law, by up to 3 % of f; and so do as many between triangles that are noise with gaps, by 6 %.
+/// Beyond the bounds, limits are those of the nearest point of the bounds. A Gradation above 1
+/// holds for places farther apart than some hundredths of f.
 /// Preparation: MakeSpacing.
 class Spacing
 {

@@ -44,6 +44,77 @@ SpacingOptions OfTriangles(int nodes, const Field& field)
   return options;
 }
 
+/// Four in ten triangles are missing, the others are noise.
+TriangulatedSource Gappy(int nodes, double range)
+{
+  Sampler sampler(6);
+  TriangulatedSource source = MakeTriangulation(nodes,
+    [&sampler, range](const Point2&)
+    { return 0.005 * std::exp(std::log(range) * sampler.Next()); });
+  for (Point2& point : source.Points)
+  {
+    point = point + (0.45 / nodes) * Point2{ sampler.Next(), sampler.Next() };
+  }
+  std::vector<Id> kept;
+  for (std::size_t first = 0; first < source.Triangles.size(); first += 3)
+  {
+    if (sampler.Next() > 0.4)
+    {
+      const auto corner = source.Triangles.begin() + static_cast<std::ptrdiff_t>(first);
+      kept.insert(kept.end(), corner, corner + 3);
+    }
+  }
+  source.Triangles = kept;
+  return source;
+}
+
+/// Blocks without values, between steep ones.
+SpacingOptions WithBlocks(int nodes, double power)
+{
+  const auto field = [](const Point2& x)
+  {
+    const bool isHole = std::fmod(7.0 * x.X, 1.0) < 0.4 && std::fmod(5.0 * x.Y, 1.0) < 0.5;
+    return isHole ? NotANumber : 0.01 + 0.1 * std::abs(std::sin(9.0 * x.X) * std::cos(8.0 * x.Y));
+  };
+  return OfGrid(nodes, field, power);
+}
+
+/// The same sources on a part of the domain.
+TriangulatedSource OnAPart(TriangulatedSource source)
+{
+  for (Point2& point : source.Points)
+  {
+    point = { 0.3 + 0.3 * point.X, 0.2 + 0.4 * point.Y };
+  }
+  return source;
+}
+
+SpacingOptions OnAPart(const SpacingOptions& options)
+{
+  GridSource grid = *options.Grid;
+  for (double& x : grid.XNodes)
+  {
+    x = 0.3 + 0.3 * x;
+  }
+  for (double& y : grid.YNodes)
+  {
+    y = 0.2 + 0.4 * y;
+  }
+  return WithGrid(grid);
+}
+
+/// A sheet of low values on one of high ones: the smallest value counts.
+SpacingOptions OfSheets()
+{
+  TriangulatedSource source = MakeTriangulation(9, [](const Point2&) { return 0.3; });
+  const auto first = static_cast<Id>(source.Points.size());
+  source.Points.insert(source.Points.end(), { { 0.2, 0.3 }, { 0.7, 0.4 }, { 0.4, 0.8 } });
+  source.Values.insert(source.Values.end(), { 0.01, 0.02, 0.03 });
+  source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  source.MayOverlap = true;
+  return WithTriangles(source);
+}
+
 SpacingOptions Bounded(SpacingOptions options)
 {
   options.Scale = 1.5;
@@ -76,8 +147,33 @@ std::vector<Case> Cases()
     { "triangles with a jump", OfTriangles(25, Jump) },
     { "steep triangles", OfTriangles(6, Steep) }, { "noisy triangles", OfTriangles(25, noise) },
     { "bounded triangles", Bounded(OfTriangles(9, Steep)) },
-    { "triangles around a hole", OfTriangles(25, holed) }, { "several sources", both },
+    { "triangles around a hole", OfTriangles(25, holed) },
+    { "blocks without values", WithBlocks(120, 1.0) },
+    { "blocks without values in a graded grid", WithBlocks(90, 1.7) },
+    { "one sheet on another", OfSheets() }, { "several sources", both },
     { "scaled up boundary values", scaled }, { "scaled down boundary values", shrunk } };
+}
+
+/// Others, which a sample of nodes does not see well enough.
+std::vector<Case> LawCases()
+{
+  Sampler sampler(7);
+  const auto noise = [&sampler](const Point2&) { return 0.02 * std::exp(2.0 * sampler.Next()); };
+  return { { "a steep grid on a part", OnAPart(OfGrid(40, Steep)) },
+    { "noise in a grid on a part", OnAPart(OfGrid(40, noise)) },
+    { "triangles with gaps", WithTriangles(Gappy(60, 100.0)) },
+    { "large triangles with gaps", WithTriangles(Gappy(9, 100.0)) },
+    { "noise on a part", WithTriangles(OnAPart(Gappy(20, 30.0))) } };
+}
+
+std::vector<Case> AllCases()
+{
+  std::vector<Case> all = Cases();
+  for (Case& other : LawCases())
+  {
+    all.push_back(other);
+  }
+  return all;
 }
 
 /// What is given, without any limit.
@@ -137,8 +233,16 @@ public:
       for (double x : nodes)
       {
         this->Points.push_back({ x, y });
-        this->Values.push_back(given({ x, y }));
       }
+    }
+    if (options.Triangulation)
+    {
+      const std::vector<Point2>& corners = options.Triangulation->Points;
+      this->Points.insert(this->Points.end(), corners.begin(), corners.end());
+    }
+    for (const Point2& point : this->Points)
+    {
+      this->Values.push_back(given(point));
     }
   }
 
@@ -170,7 +274,7 @@ private:
 
 TEST(Gradation, LeavesNothingAboveWhatIsGiven)
 {
-  for (const Case& test : Cases())
+  for (const Case& test : AllCases())
   {
     if (!test.Options.Segments)
     {
@@ -188,7 +292,7 @@ TEST(Gradation, LeavesNothingAboveWhatIsGiven)
 
 TEST(Gradation, BoundsTheSlopeOverAnyDistance)
 {
-  for (const Case& test : Cases())
+  for (const Case& test : AllCases())
   {
     const Spacing used = MakeGoodSpacing(test.Options);
     Sampler sampler(32);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm> // for fill, count_if
+
 namespace
 {
 
@@ -28,6 +30,23 @@ TriangulatedSource Strips(double low, double high)
   return { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.4 }, { 0.0, 0.4 }, { 0.0, 0.6 }, { 1.0, 0.6 },
              { 1.0, 1.0 }, { 0.0, 1.0 } },
     { low, low, low, low, high, high, high, high }, { 0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7 } };
+}
+
+/// The corners of a square, at which f is low and high in turns: what is nearest to most places.
+TriangulatedSource Corners(double low, double high)
+{
+  TriangulatedSource source;
+  for (const Point2& corner :
+    { Point2{ 0.0, 0.0 }, Point2{ 1.0, 0.0 }, Point2{ 1.0, 1.0 }, Point2{ 0.0, 1.0 } })
+  {
+    const auto first = static_cast<Id>(source.Points.size());
+    const Point2 inwards = 0.02 * (Point2{ 0.5, 0.5 } - corner);
+    source.Points.insert(
+      source.Points.end(), { corner, corner + inwards, corner + Point2{ inwards.X, 0.0 } });
+    source.Values.insert(source.Values.end(), 3, first % 2 == 0 ? low : high);
+    source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  }
+  return source;
 }
 
 double LargestDistanceToLine(const SegmentSource& cones, double y)
@@ -66,4 +85,70 @@ TEST(OutsideJumps, HaveTheValueOfTheLowerSide)
   {
     EXPECT_DOUBLE_EQ(value, 0.1);
   }
+}
+
+/// Straight ones are some segments, whatever f is.
+TEST(OutsideJumps, AreFewSegmentsHoweverLongTheyAre)
+{
+  for (const double low : { 0.05, 0.005, 1e-3, 1e-5 })
+  {
+    EXPECT_LT(JumpsOf(Corners(low, 1.0)).Segments.size() / 2, 2000u) << low;
+  }
+}
+
+TEST(OutsideJumps, AreNearTheLineBetweenPartsWhateverItsDirection)
+{
+  TriangulatedSource source = Corners(0.005, 1.0);
+  source.Values.assign(12, 1.0);
+  std::fill(source.Values.begin(), source.Values.begin() + 3, 0.005);
+  // The first corner is nearest below and left of the lines in the middle between it and others.
+  const SegmentSource cones = JumpsOf(source);
+  double length = 0.0;
+  for (std::size_t k = 0; k < cones.Segments.size(); k += 2)
+  {
+    const Point2& start = cones.Points[static_cast<std::size_t>(cones.Segments[k])];
+    const Point2& end = cones.Points[static_cast<std::size_t>(cones.Segments[k + 1])];
+    length += Distance(start, end);
+    for (const Point2& place : { start, end, Midpoint(start, end) })
+    {
+      const double away = std::min(std::abs(place.X - 0.5), std::abs(place.Y - 0.5));
+      EXPECT_LT(away, 0.03 * 0.005 / Gradation + 0.02);
+    }
+  }
+  EXPECT_GT(length, 0.9);
+}
+
+TEST(OutsideJumps, HaveTheValueOfTheLowerSideHoweverLongTheyAre)
+{
+  for (const double low : { 1e-3, 1e-5 })
+  {
+    for (const double value : JumpsOf(Corners(low, 1.0)).Values)
+    {
+      ASSERT_DOUBLE_EQ(value, low);
+    }
+  }
+}
+
+/// Found by fuzzing: halving what is between down to a share of f, which rounding does not allow.
+TEST(OutsideJumps, AreFoundWhereFIsFarBelowRounding)
+{
+  EXPECT_LT(JumpsOf(Corners(1e-200, 1.0)).Segments.size(), 400000u);
+}
+
+/// Between two corners, in a hole that is small beside the bounds.
+TEST(OutsideJumps, AreFoundBetweenCornersInASmallHole)
+{
+  const Point2 center{ 0.337, 0.613 };
+  const auto field = [&center](const Point2& x)
+  {
+    const Point2 offset = x - center;
+    return Length(offset) < 0.02 ? NotANumber : offset.X + 0.3 * offset.Y < 0.0 ? 0.01 : 1.0;
+  };
+  const SegmentSource cones = JumpsOf(MakeTriangulation(201, field));
+  double least = 1.0;
+  for (const Point2& place : cones.Points)
+  {
+    least = std::min(least, Distance(place, center));
+  }
+  EXPECT_LT(least, 0.005);
 }
