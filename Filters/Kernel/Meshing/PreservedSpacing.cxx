@@ -133,7 +133,6 @@ SpacingOptions FollowSegments(SpacingOptions spacing, const Domain& domain, Moni
   PartOfStage raising(monitor, CheckEnd, 1.0);
   spacing.Floor =
     IsAsked(spacing) ? MakeFloor(*lengths, domain, spacing.Gradation, raising) : nullptr;
-  spacing.AreSegmentsAboveFloor = !spacing.Segments; // the floor is lengths' at some points
   if (spacing.Segments)
   {
     lengths = std::make_shared<SegmentSource>(*spacing.Segments);

@@ -142,7 +142,6 @@ struct Spacing::Implementation
   std::optional<SegmentExtension>
     LimitBeforeFeatures;                 ///< a part of Limit, where there are features
   std::optional<SegmentExtension> Floor; ///< of its values, negative
-  bool IsLimitAboveFloor = false;        ///< where Limit is below what is given
   double Uniform = Infinity;             ///< infinite: none
   ValueRange Range{ 1.0, std::numeric_limits<double>::min(), GreatestSpacing };
   double GivenLipschitz = 0.0;
@@ -199,10 +198,9 @@ struct Spacing::Implementation
   double Evaluate(const Point2& x) const
   {
     const double given = this->EvaluateGiven(x);
-    const double limit = this->Limit ? (*this->Limit)(x) : Infinity;
-    const double limited = std::max(std::min(given, limit), this->Range.Least);
-    const bool isAboveFloor = !this->Floor || (this->IsLimitAboveFloor && limit < given);
-    return isAboveFloor ? limited : -(*this->Floor)(x, -limited);
+    const double limited =
+      this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
+    return this->Floor ? -(*this->Floor)(x, -limited) : limited;
   }
 };
 
@@ -377,8 +375,6 @@ private:
       Pulse pulse(sorting);
       const double slope = GradationOf(this->Options);
       this->Data.Floor.emplace(MakeCones(*this->Options.Floor, -1.0, slope, pulse), slope, pulse);
-      this->Data.IsLimitAboveFloor = this->Options.AreSegmentsAboveFloor &&
-        !this->Options.Triangulation && !this->Options.Features && !this->Options.IsUnused;
     }
     return !this->Stage.HasStopped();
   }

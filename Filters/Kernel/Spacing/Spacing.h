@@ -127,10 +127,6 @@ struct SpacingOptions
   /// all, to max_i(f_i - g |x - x_i|) with f_i the values along its segments. Its values are meant
   /// as they are, neither scaled nor clamped. With gradation 0, g is the default.
   std::shared_ptr<const SegmentSource> Floor;
-
-  /// True: what Segments asks for is nowhere less than the floor. Where it is the least of all
-  /// sources the floor is not looked for.
-  bool AreSegmentsAboveFloor = false;
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite

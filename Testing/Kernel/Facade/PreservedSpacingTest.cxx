@@ -111,33 +111,6 @@ TEST(FollowSegments, KeepsWhatIsGivenBetweenItsBounds)
   }
 }
 
-TEST(FollowSegments, IsTheSameWhereverTheFloorIsLookedFor)
-{
-  const Domain domain = UnevenSquare();
-  std::vector<Point2> places = Places();
-  places.insert(places.end(), domain.Vertices.begin(), domain.Vertices.end());
-  for (const double given : { 1e-3, 0.07, 0.2, 50.0 })
-  {
-    for (const double most : { 0.0, 0.05, 0.5 })
-    {
-      SpacingOptions options = UniformSpacing(given);
-      options.Gradation = Gradation;
-      options.Maximum = most;
-      ProblemList problems;
-      SilentMonitor monitor;
-      options = FollowSegments(options, domain, monitor);
-      ASSERT_TRUE(options.AreSegmentsAboveFloor);
-      const Spacing spacing = MakeSpacing(options, domain.Bounds, problems, monitor);
-      options.AreSegmentsAboveFloor = false;
-      const Spacing everywhere = MakeSpacing(options, domain.Bounds, problems, monitor);
-      for (const Point2& p : places)
-      {
-        ASSERT_NEAR(spacing(p), everywhere(p), 1e-12 * everywhere(p)) << given << " " << most;
-      }
-    }
-  }
-}
-
 TEST(FollowSegments, DoesNotScaleTheLengths)
 {
   const Domain domain = UnevenSquare();
