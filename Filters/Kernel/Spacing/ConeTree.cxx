@@ -49,6 +49,22 @@ double LargestCoordinate(const Box2& box)
     { std::abs(box.Low.X), std::abs(box.Low.Y), std::abs(box.High.X), std::abs(box.High.Y) });
 }
 
+/// A box of no extent is replaced by that of the cones, grown to have one.
+Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
+{
+  if (!(box.Diagonal() > 0.0))
+  {
+    for (const SegmentCone& cone : cones)
+    {
+      box.Add(cone.Start);
+      box.Add(cone.End());
+    }
+    const double extent = box.Diagonal();
+    box.Grow(extent > 0.0 || cones.empty() ? extent : cones.front().Value);
+  }
+  return box;
+}
+
 /// Where a point of the unit square (beyond it, the nearest one) lies along the curve of Hilbert.
 std::uint64_t PlaceAlongCurve(Point2 at)
 {
@@ -353,8 +369,8 @@ private:
 ConeTree::ConeTree(std::vector<SegmentCone> cones, double slope, const Box2& bounds,
   const Relief& relief, Monitor& monitor)
   : Slope(slope)
-  , Bounds(bounds)
-  , Tree(bounds)
+  , Bounds(WithExtent(bounds, cones))
+  , Tree(this->Bounds)
 {
   Builder(*this, std::move(cones), relief, monitor).Build();
 }

@@ -41,8 +41,8 @@ public:
 
   ConeTree() = default;
 
-  /// `slope` is that of all the cones; values are positive. The box has an extent. Incomplete if
-  /// the monitor asks to stop: it must not be evaluated then.
+  /// `slope` is that of all the cones; values are positive. A box without an extent
+  /// is that of the cones. Incomplete if the monitor asks to stop: it must not be evaluated then.
   ConeTree(std::vector<SegmentCone> cones, double slope, const Box2& bounds, const Relief& relief,
     Monitor& monitor = NoMonitor());
 

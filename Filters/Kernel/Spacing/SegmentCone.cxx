@@ -64,6 +64,29 @@ std::vector<SegmentCone> MakeCones(
   return cones;
 }
 
+std::vector<SegmentCone> ConesBelow(const std::vector<SegmentCone>& cones,
+  const std::function<double(const Point2&)>& most, Pulse& pulse)
+{
+  constexpr int Parts = 4;
+  std::vector<SegmentCone> below;
+  for (std::size_t k = 0; k < cones.size() && pulse.Beat(16); ++k)
+  {
+    const SegmentCone& cone = cones[k];
+    const int parts = cone.Length > 0.0 ? Parts : 0;
+    bool isBelow = false;
+    for (int part = 0; part <= parts && !isBelow; ++part)
+    {
+      const double along = cone.Length * part / Parts;
+      isBelow = cone.Value + cone.Slope * along < most(cone.Start + along * cone.Direction);
+    }
+    if (isBelow)
+    {
+      below.push_back(cone);
+    }
+  }
+  return below;
+}
+
 double SlopeOfCones(const SegmentSource& source, double gradation)
 {
   const double slope =

@@ -7,9 +7,10 @@
 #include "../Base/Pulse.h"
 #include "Spacing.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for sqrt
-#include <vector>    // for cones
+#include <algorithm>  // for min, max
+#include <cmath>      // for sqrt
+#include <functional> // for what cones are compared to
+#include <vector>     // for cones
 
 namespace biting
 {
@@ -71,6 +72,10 @@ private:
 /// One for each segment of a source, with the values times `scale`.
 std::vector<SegmentCone> MakeCones(
   const SegmentSource& source, double scale, double gradation, Pulse& pulse);
+
+/// Those that are below a function on their own segment, at one of a few places along it.
+std::vector<SegmentCone> ConesBelow(const std::vector<SegmentCone>& cones,
+  const std::function<double(const Point2&)>& most, Pulse& pulse);
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.

@@ -40,10 +40,7 @@ double OnlyValue(const std::vector<double>& values)
   double only = Infinity;
   for (double value : values)
   {
-    if (only == Infinity && !std::isnan(value))
-    {
-      only = value;
-    }
+    only = only == Infinity && !std::isnan(value) ? value : only;
     if (value < only || value > only)
     {
       return Infinity;
@@ -103,22 +100,6 @@ double UniformOf(const SpacingOptions& options)
     uniform = std::min(uniform, OnlyValue(options.Segments->Values));
   }
   return uniform;
-}
-
-/// The domain's box; a box of no extent is replaced by that of the source, grown to have one.
-Box2 TreeBox(const Box2& bounds, const SegmentSource& source)
-{
-  Box2 box = bounds;
-  if (!(box.Diagonal() > 0.0))
-  {
-    for (const Point2& point : source.Points)
-    {
-      box.Add(point);
-    }
-    const double extent = box.Diagonal();
-    box.Grow(extent > 0.0 ? extent : source.Values.front());
-  }
-  return box;
 }
 
 /// The slope of what grows from features, and falls from a floor, also where f is as given.
@@ -195,11 +176,15 @@ struct Spacing::Implementation
     return std::max((*this->LimitBeforeFeatures)(x, given), this->Range.Least);
   }
 
-  double Evaluate(const Point2& x) const
+  double EvaluateBeforeFloor(const Point2& x) const
   {
     const double given = this->EvaluateGiven(x);
-    const double limited =
-      this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
+    return this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
+  }
+
+  double Evaluate(const Point2& x) const
+  {
+    const double limited = this->EvaluateBeforeFloor(x);
     return this->Floor ? -(*this->Floor)(x, -limited) : limited;
   }
 };
@@ -309,7 +294,7 @@ private:
     else
     {
       this->Data.Segments.emplace(MergeCones(source, scale, scale * slope, pulse), scale * slope,
-        TreeBox(this->Bounds, source), this->ReliefAbove(this->Cones.Values().Most), part);
+        this->Bounds, this->ReliefAbove(this->Cones.Values().Most), part);
     }
     return !this->Stage.HasStopped();
   }
@@ -361,8 +346,8 @@ private:
       PartOfStage refining(this->Stage, 0.7, 1.0);
       Pulse pulse(refining);
       const double slope = GradationOf(this->Options);
-      this->Data.Limit.emplace(MergeCones(source, 1.0, slope, pulse), slope,
-        TreeBox(this->Bounds, source), this->ReliefAbove(this->Cones.Values().Most), refining);
+      this->Data.Limit.emplace(MergeCones(source, 1.0, slope, pulse), slope, this->Bounds,
+        this->ReliefAbove(this->Cones.Values().Most), refining);
     }
     return !this->Stage.HasStopped();
   }
@@ -374,7 +359,17 @@ private:
       PartOfStage sorting(this->Stage, 1.0, 1.0);
       Pulse pulse(sorting);
       const double slope = GradationOf(this->Options);
-      this->Data.Floor.emplace(MakeCones(*this->Options.Floor, -1.0, slope, pulse), slope, pulse);
+      std::vector<SegmentCone> cones = MakeCones(*this->Options.Floor, -1.0, slope, pulse);
+      if (this->Options.Gradation > 0.0)
+      {
+        // Where f is not below a segment, it is not anywhere, as it falls no faster from there.
+        cones = ConesBelow(
+          cones, [this](const Point2& x) { return -this->Data.EvaluateBeforeFloor(x); }, pulse);
+      }
+      if (!cones.empty())
+      {
+        this->Data.Floor.emplace(std::move(cones), slope, pulse);
+      }
     }
     return !this->Stage.HasStopped();
   }

@@ -72,3 +72,18 @@ TEST(SegmentCone, WithoutGradationIsNotSteeperThanFromTheLeastToTheMostWithinAnE
   EXPECT_DOUBLE_EQ(SlopeOfCones(noise, 0.0), 6.0);
   EXPECT_DOUBLE_EQ(SlopeOfCones(noise, 20.0), 20.0);
 }
+
+/// A line at .5 from below which a field falls: segments above it are, and those that cross it.
+TEST(SegmentCone, IsBelowAFunctionWhereItIsOnItsOwnSegment)
+{
+  const SegmentSource source{ { { 0.1, 0.1 }, { 0.3, 0.2 }, { 0.1, 0.8 }, { 0.3, 0.9 },
+                                { 0.5, 0.1 }, { 0.5, 0.9 }, { 0.7, 0.6 } },
+    { 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 }, { 0, 1, 2, 3, 4, 5, 6, 6 } };
+  Pulse pulse(NoMonitor());
+  const std::vector<SegmentCone> below = ConesBelow(
+    MakeCones(source, 1.0, 0.3, pulse), [](const Point2& x) { return x.Y; }, pulse);
+  ASSERT_EQ(below.size(), 3u);
+  EXPECT_TRUE(below[0].Start == source.Points[2]);
+  EXPECT_TRUE(below[1].Start == source.Points[4]);
+  EXPECT_TRUE(below[2].Start == source.Points[6]);
+}
