@@ -13,6 +13,7 @@ set(biting_kernel_sources
   Spacing/ConeTree.cxx
   Spacing/DrawnLengths.cxx
   Spacing/FeatureSize.cxx
+  Spacing/GivenSources.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx

@@ -9,6 +9,7 @@
 #include "ConeCollector.h"
 #include "ConeTree.h"
 #include "FeatureSize.h"
+#include "GivenSources.h"
 #include "GridHoles.h"
 #include "GridLimit.h"
 #include "MergedCones.h"
@@ -33,74 +34,6 @@ constexpr double DefaultShareOfDiagonal = 0.02;
 
 /// Far above what a drawing may be large; fourth powers of it do not overflow.
 constexpr double GreatestSpacing = 1e4 * GreatestCoordinate;
-
-/// The one value that all have, holes apart; infinite where they differ or there is none.
-double OnlyValue(const std::vector<double>& values)
-{
-  double only = Infinity;
-  for (double value : values)
-  {
-    only = only == Infinity && !std::isnan(value) ? value : only;
-    if (value < only || value > only)
-    {
-      return Infinity;
-    }
-  }
-  return only;
-}
-
-bool HasValues(const std::shared_ptr<const GridSource>& source)
-{
-  return source && !source->Values.empty();
-}
-
-bool HasTriangles(const std::shared_ptr<const TriangulatedSource>& source)
-{
-  return source && !source->Triangles.empty();
-}
-
-bool HasSegments(const std::shared_ptr<const SegmentSource>& source)
-{
-  return source && !source->Segments.empty();
-}
-
-/// Whether a source is given that is not one value everywhere.
-bool HasGrid(const SpacingOptions& options)
-{
-  return HasValues(options.Grid) && OnlyValue(options.Grid->Values) == Infinity;
-}
-
-bool HasTriangulation(const SpacingOptions& options)
-{
-  return HasTriangles(options.Triangulation) &&
-    OnlyValue(options.Triangulation->Values) == Infinity;
-}
-
-/// The same for boundary values, from which f grows.
-bool HasExtension(const SpacingOptions& options)
-{
-  return HasSegments(options.Segments) &&
-    (options.Gradation > 0.0 || OnlyValue(options.Segments->Values) == Infinity);
-}
-
-/// The least of what is one value everywhere; infinite where there is none.
-double UniformOf(const SpacingOptions& options)
-{
-  double uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
-  if (HasValues(options.Grid))
-  {
-    uniform = std::min(uniform, OnlyValue(options.Grid->Values));
-  }
-  if (HasTriangles(options.Triangulation))
-  {
-    uniform = std::min(uniform, OnlyValue(options.Triangulation->Values));
-  }
-  if (HasSegments(options.Segments) && !HasExtension(options))
-  {
-    uniform = std::min(uniform, OnlyValue(options.Segments->Values));
-  }
-  return uniform;
-}
 
 /// The slope of what grows from features, and falls from a floor, also where f is as given.
 double GradationOf(const SpacingOptions& options)
