@@ -3,9 +3,10 @@
 
 #include "Oracle.h"
 
-#include "../Kernel/Support/TestThreads.h"
 #include "EvenOddArea.h"
+#include "FuzzRun.h"
 #include "MeshOracle.h"
+#include "Repetition.h"
 #include "SimplificationOracle.h"
 
 #include <algorithm> // for all_of, clamp, remove_if
@@ -21,51 +22,6 @@ namespace
 {
 
 constexpr std::size_t RepeatPeriod = 16; // of cases, by the number of their points and chains
-constexpr int Magnification = 5;         // as a power of two
-constexpr int ThreadsOfRepetition = 3;
-
-/// Says stop at a given call and ever after; remembers what it was told.
-class StoppingMonitor : public MonitorWithThreads
-{
-public:
-  StoppingMonitor(std::int64_t stopAtCall, int numberOfThreads)
-    : MonitorWithThreads(numberOfThreads)
-    , Rest(stopAtCall)
-  {
-  }
-
-  bool Advance(double fraction) override
-  {
-    this->HasBadFraction = this->HasBadFraction || !(fraction >= 0.0 && fraction <= 1.0);
-    this->SaidStop = this->SaidStop || this->Rest == 0;
-    --this->Rest;
-    return !this->SaidStop;
-  }
-
-  bool SaidStop = false;
-  bool HasBadFraction = false;
-
-private:
-  std::int64_t Rest;
-};
-
-struct FuzzRun
-{
-  BitingMesh Mesh;
-  ProblemList Problems;
-  bool SaidStop = false;
-  bool HasBadFraction = false;
-};
-
-FuzzRun Run(const FuzzCase& fuzzCase, int numberOfThreads = 1)
-{
-  FuzzRun run;
-  StoppingMonitor monitor(fuzzCase.StopAtCall, numberOfThreads);
-  run.Mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, run.Problems, monitor);
-  run.SaidStop = monitor.SaidStop;
-  run.HasBadFraction = monitor.HasBadFraction;
-  return run;
-}
 
 bool IsEmpty(const BitingMesh& mesh)
 {
@@ -394,126 +350,6 @@ FuzzOutcome Judge(const FuzzRun& run, const FuzzCase& fuzzCase)
       : isRepaired            ? Verdict::RepairedMesh
                               : Verdict::Mesh,
     violation };
-}
-
-double Magnified(double length)
-{
-  return std::ldexp(length, Magnification);
-}
-
-void Magnify(std::vector<double>& lengths)
-{
-  std::transform(lengths.begin(), lengths.end(), lengths.begin(), Magnified);
-}
-
-void Magnify(std::vector<Point2>& points)
-{
-  for (Point2& point : points)
-  {
-    point = { Magnified(point.X), Magnified(point.Y) };
-  }
-}
-
-template <typename Source>
-std::shared_ptr<Source> Copy(const std::shared_ptr<const Source>& source)
-{
-  return source ? std::make_shared<Source>(*source) : nullptr;
-}
-
-FuzzCase Magnify(FuzzCase fuzzCase)
-{
-  SpacingOptions& spacing = fuzzCase.Options.Spacing;
-  Magnify(fuzzCase.Input.Points);
-  spacing.Uniform = Magnified(spacing.Uniform);
-  spacing.Minimum = Magnified(spacing.Minimum);
-  spacing.Maximum = Magnified(spacing.Maximum);
-  if (const auto grid = Copy(spacing.Grid))
-  {
-    Magnify(grid->XNodes);
-    Magnify(grid->YNodes);
-    Magnify(grid->Values);
-    spacing.Grid = grid;
-  }
-  if (const auto triangulation = Copy(spacing.Triangulation))
-  {
-    Magnify(triangulation->Points);
-    Magnify(triangulation->Values);
-    spacing.Triangulation = triangulation;
-  }
-  if (const auto segments = Copy(spacing.Segments))
-  {
-    Magnify(segments->Points);
-    Magnify(segments->Values);
-    spacing.Segments = segments;
-  }
-  return fuzzCase;
-}
-
-/// Far from where numbers overflow, underflow or are taken for zero.
-bool IsOrdinary(double x)
-{
-  return x == 0.0 || (std::abs(x) > 1e-40 && std::abs(x) < 1e40);
-}
-
-bool IsOrdinary(const std::vector<double>& numbers)
-{
-  return std::all_of(
-    numbers.begin(), numbers.end(), [](double x) { return std::isnan(x) || IsOrdinary(x); });
-}
-
-bool IsOrdinary(const std::vector<Point2>& points)
-{
-  return std::all_of(points.begin(), points.end(),
-    [](const Point2& p) { return IsOrdinary(p.X) && IsOrdinary(p.Y); });
-}
-
-bool IsOrdinary(const FuzzCase& fuzzCase)
-{
-  const SpacingOptions& spacing = fuzzCase.Options.Spacing;
-  return IsOrdinary(fuzzCase.Input.Points) && IsOrdinary(spacing.Uniform) &&
-    IsOrdinary(spacing.Minimum) && IsOrdinary(spacing.Maximum) && IsOrdinary(spacing.Scale) &&
-    IsOrdinary(spacing.Gradation) && (!spacing.Grid || IsOrdinary(spacing.Grid->Values)) &&
-    (!spacing.Triangulation ||
-      (IsOrdinary(spacing.Triangulation->Values) && IsOrdinary(spacing.Triangulation->Points))) &&
-    (!spacing.Segments ||
-      (IsOrdinary(spacing.Segments->Values) && IsOrdinary(spacing.Segments->Points)));
-}
-
-template <typename Value>
-bool IsSame(const std::vector<Value>& a, const std::vector<Value>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
-bool IsSame(const BitingMesh& a, const BitingMesh& b)
-{
-  return IsSame(a.Points, b.Points) && IsSame(a.Spacing, b.Spacing) &&
-    IsSame(a.Corners, b.Corners) && IsSame(a.Neighbors, b.Neighbors) && IsSame(a.Kinds, b.Kinds) &&
-    IsSame(a.Regions, b.Regions) && IsSame(a.BiteOrders, b.BiteOrders) &&
-    IsSame(a.EdgeStarts, b.EdgeStarts) && IsSame(a.EdgeCells, b.EdgeCells) &&
-    IsSame(a.Front, b.Front) && IsSame(a.Quality.AspectRatio, b.Quality.AspectRatio) &&
-    IsSame(a.Bites.Centers, b.Bites.Centers);
-}
-
-/// Runs the case again, and once more magnified.
-std::string JudgeRepetition(const FuzzRun& run, const FuzzCase& fuzzCase)
-{
-  if (!IsSame(run.Mesh, Run(fuzzCase, ThreadsOfRepetition).Mesh))
-  {
-    return "the same input gives another mesh";
-  }
-  if (IsOrdinary(fuzzCase))
-  {
-    std::vector<Point2> points = run.Mesh.Points;
-    Magnify(points);
-    const FuzzRun magnified = Run(Magnify(fuzzCase));
-    if (!IsSame(points, magnified.Mesh.Points) || !IsSame(run.Mesh.Corners, magnified.Mesh.Corners))
-    {
-      return "a larger unit of length gives another mesh";
-    }
-  }
-  return "";
 }
 
 } // namespace

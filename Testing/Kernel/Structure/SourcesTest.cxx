@@ -23,6 +23,8 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::size_t Width = 100;
+constexpr std::size_t MostLines = 450;
+constexpr std::size_t MostLinesOfAFunction = 60;
 
 const fs::path Root = BITING_SOURCE_DIR;
 
@@ -123,6 +125,44 @@ bool IsAllowed(const std::string& from, const std::string& to)
   return from == "Kernel" ? isToKernel : from.compare(0, kernel.size(), kernel) != 0;
 }
 
+/// The interface of a filter: one piece of documentation a parameter, and no code.
+bool IsInterface(const fs::path& file)
+{
+  return file.extension() == ".h" && file.filename().string().compare(0, 3, "vtk") == 0;
+}
+
+/// Whether what begins with the brace at the first column of line k is a function.
+bool IsFunctionAt(const std::vector<std::string>& lines, std::size_t k)
+{
+  while (k > 0 && (lines[k] == "{" || lines[k].empty() || lines[k].front() == ' '))
+  {
+    --k;
+  }
+  const std::string word = lines[k].substr(0, lines[k].find(' '));
+  const std::set<std::string> others{ "class", "enum", "namespace", "struct" };
+  return others.count(word) == 0;
+}
+
+/// The lines of each function, from brace to brace, by the line that it begins at.
+std::map<std::size_t, std::size_t> LinesOfFunctions(const std::vector<std::string>& lines)
+{
+  std::map<std::size_t, std::size_t> functions;
+  std::size_t begin = lines.size();
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    if (lines[k] == "{")
+    {
+      begin = IsFunctionAt(lines, k) ? k : lines.size();
+    }
+    else if (!lines[k].empty() && lines[k].front() == '}' && begin < k)
+    {
+      functions[begin + 1] = k - begin + 1;
+      begin = lines.size();
+    }
+  }
+  return functions;
+}
+
 } // namespace
 
 TEST(Sources, IncludesFollowTheArrowsBetweenRooms)
@@ -173,6 +213,34 @@ TEST(Sources, HaveLinesOfAtMost100Columns)
     }
   }
   EXPECT_GT(numberOfFiles, 300u);
+}
+
+TEST(Sources, HaveAtMost450Lines)
+{
+  for (const std::string folder : { "Filters", "Plugin", "Testing" })
+  {
+    for (const fs::path& file : FilesBelow(folder, { ".h", ".cxx" }))
+    {
+      EXPECT_TRUE(LinesOf(file).size() <= MostLines || IsInterface(file)) << file;
+    }
+  }
+}
+
+TEST(Sources, HaveFunctionsOfAtMost60Lines)
+{
+  std::size_t numberOfFunctions = 0;
+  for (const std::string folder : { "Filters", "Plugin", "Testing" })
+  {
+    for (const fs::path& file : FilesBelow(folder, { ".h", ".cxx" }))
+    {
+      for (const auto& [line, size] : LinesOfFunctions(LinesOf(file)))
+      {
+        EXPECT_LE(size, MostLinesOfAFunction) << file.string() << ":" << line;
+        ++numberOfFunctions;
+      }
+    }
+  }
+  EXPECT_GT(numberOfFunctions, 3000u);
 }
 
 } // namespace biting

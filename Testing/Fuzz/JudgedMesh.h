@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingJudgedMesh_h
+#define BitingJudgedMesh_h
+
+#include "BitingMesh.h"
+#include "Drawing.h"
+#include "ExactSigns.h"
+
+#include <algorithm> // for max, min
+#include <cmath>     // for hypot
+#include <cstddef>   // for slots
+#include <sstream>   // for texts
+#include <string>    // for violations
+#include <utility>   // for pairs
+#include <vector>    // for arrays
+
+namespace biting
+{
+
+/// A directed edge of a triangle, opposite the corner at `Slot`.
+struct HalfEdge
+{
+  Id Start;
+  Id End;
+  std::size_t Slot;
+
+  std::pair<Id, Id> Ends() const { return { this->Start, this->End }; }
+};
+
+inline bool operator<(const HalfEdge& a, const HalfEdge& b)
+{
+  return a.Ends() < b.Ends();
+}
+
+inline std::size_t Next(std::size_t slot)
+{
+  return slot % 3 == 2 ? slot - 2 : slot + 1;
+}
+
+inline std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+inline bool IsBetween(double value, double low, double high)
+{
+  return value >= low && value <= high;
+}
+
+/// The parameter of the place on the segment nearest to p.
+inline double ParameterOf(const Point2& p, const Point2& start, const Point2& end)
+{
+  const Point2 direction = end - start;
+  const double longest = std::max(std::abs(direction.X), std::abs(direction.Y));
+  const Point2 unit = 1.0 / longest * direction;
+  const double t = Dot(1.0 / longest * (p - start), unit) / Dot(unit, unit);
+  return std::min(std::max(t, 0.0), 1.0);
+}
+
+inline double DistanceTo(const Point2& p, const Point2& start, const Point2& end)
+{
+  const Point2 nearest = start + ParameterOf(p, start, end) * (end - start);
+  return std::hypot(p.X - nearest.X, p.Y - nearest.Y);
+}
+
+inline std::string PlaceText(const Point2& p)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "(" << p.X << ", " << p.Y << ")";
+  return text.str();
+}
+
+inline bool AreCollinear(const DrawnSegment& a, const DrawnSegment& b)
+{
+  return ExactOrientation(a.Start, a.End, b.Start) == 0 &&
+    ExactOrientation(a.Start, a.End, b.End) == 0;
+}
+
+/// A mesh, what it was made of, and what the oracles have found out so far.
+struct JudgedMesh
+{
+  JudgedMesh(const BitingMesh& mesh, const Polylines& input, const BitingMeshOptions& options)
+    : Mesh(mesh)
+    , Input(input)
+    , Options(options)
+    , Drawn(ReadDrawing(input))
+    , Slack(this->Drawn.Slack())
+  {
+  }
+
+  bool Refuse(const std::string& violation);
+  bool Require(bool holds, const char* promise) { return holds || this->Refuse(promise); }
+  bool IsRelaxed() const
+  {
+    return this->Options.Relaxation && this->Options.MaximumNumberOfBites < 0;
+  }
+  const Point2& Place(Id vertex) const { return this->Mesh.Points[At(vertex)]; }
+  const Point2& Corner(std::size_t slot) const { return this->Place(this->Mesh.Corners[slot]); }
+  const HalfEdge* FindHalf(Id start, Id end) const;
+  bool IsCovering(const HalfEdge& half) const;
+  std::string EdgeText(Id start, Id end) const;
+
+  const BitingMesh& Mesh;
+  const Polylines& Input;
+  const BitingMeshOptions& Options;
+  Drawing Drawn;
+  double Slack;
+  std::vector<HalfEdge> Halves;            ///< sorted
+  std::vector<std::pair<Id, Id>> Covering; ///< smaller id first; sorted
+  std::vector<std::size_t> BoundarySlots;
+  std::vector<Point2> SortedPoints;
+  std::string Violation;
+};
+
+} // namespace biting
+
+#endif
