@@ -8,6 +8,9 @@
 //     2 (Shape)
 //   BenchmarkRemesh [vertices] layer [preference]
 //     each step of the layer that moves
+//   BenchmarkRemesh [vertices] curve
+//     what is kept against what it is worth: doubled, and the last step of the layer, with each
+//     preference, and meshed anew
 
 #include "../Kernel/Support/MeshShapes.h"
 #include "../Kernel/Support/PolylineShapes.h"
@@ -38,6 +41,18 @@ using Field = std::function<double(const Point2&)>;
 double Seconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// That makes about so many vertices of the unit square.
+double SpacingOf(double vertices)
+{
+  return std::sqrt(1.1547 / vertices);
+}
+
+/// The same of the layer: its least.
+double LayerSpacingOf(double vertices)
+{
+  return 0.19 / std::sqrt(vertices);
 }
 
 /// The unit square, with seven by seven round holes or none.
@@ -242,6 +257,20 @@ void RunLayer(const Polylines& domain, double spacing, RemeshPreference preferen
   Print("   meshed anew", MeshedAnew(domain, outcome));
 }
 
+void RunCurve(const Polylines& domain, double vertices)
+{
+  const double spacing = SpacingOf(vertices);
+  const BitingMesh mesh = MeshOf(domain, spacing);
+  for (const RemeshPreference preference :
+    { RemeshPreference::Keeping, RemeshPreference::Balanced, RemeshPreference::Shape })
+  {
+    std::printf("preference %d\n", static_cast<int>(preference));
+    const Field twice = [spacing](const Point2&) { return 2.0 * spacing; };
+    Print("c: doubled", RemeshTo(mesh, twice, preference));
+    RunLayer(domain, LayerSpacingOf(vertices), preference, false);
+  }
+}
+
 } // namespace
 
 int main(int count, char** texts)
@@ -251,10 +280,15 @@ int main(int count, char** texts)
   const auto preference =
     static_cast<biting::RemeshPreference>(count > 3 ? std::atoi(texts[3]) : 1);
   PrintHead();
+  if (domain == "curve")
+  {
+    RunCurve(DomainNamed(domain), vertices);
+    return 0;
+  }
   if (domain != "layer")
   {
-    RunUniform(DomainNamed(domain), std::sqrt(1.1547 / vertices), preference);
+    RunUniform(DomainNamed(domain), SpacingOf(vertices), preference);
   }
-  RunLayer(DomainNamed(domain), 0.19 / std::sqrt(vertices), preference, domain == "layer");
+  RunLayer(DomainNamed(domain), LayerSpacingOf(vertices), preference, domain == "layer");
   return 0;
 }
