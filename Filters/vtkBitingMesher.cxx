@@ -14,6 +14,7 @@
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
 #include "Bridge/PolylinesFromPolyData.h"
+#include "Bridge/RankCrew.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SourceCover.h"
 #include "Bridge/SummaryText.h"
@@ -34,6 +35,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <new>    // for bad_alloc
 #include <string> // for refusals
 #include <vector> // for pieces
 
@@ -68,13 +70,17 @@ constexpr double EdgesEnd = 0.8;
 class vtkBitingMesher::Execution : private biting::FilterRun
 {
 public:
-  explicit Execution(vtkBitingMesher* filter)
+  explicit Execution(vtkBitingMesher* filter, biting::RankCrew& crew)
     : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
-                  filter->NumberOfThreads },
+                  filter->NumberOfThreads, crew.Own() != 0 },
         biting::SharesOfStages(ReadingStage, biting::MeshingStages::InOrder, WritingStage))
     , Filter(filter)
+    , Crew(crew)
   {
   }
+
+  /// On ranks that are not the first: works for that one, where it calls.
+  void Help(const biting::WholeInput& drawing, const biting::WholeInput& source);
 
   /// Fills the outputs of the filter; says what is wrong.
   void Run(const biting::WholeInput& drawing, const biting::WholeInput& source,
@@ -99,6 +105,7 @@ private:
   void WriteEdges(vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const;
 
   vtkBitingMesher* Filter;
+  biting::RankCrew& Crew;
   biting::Drawing Drawing;
   vtkSmartPointer<vtkDataObject> Source;
   biting::PlanarInput Planar;
@@ -191,18 +198,20 @@ int vtkBitingMesher::RequestData(
   // Ranks may have different numbers of blocks: each meshes its own.
   const biting::Ranks ranks =
     this->IsPassingBlocks ? biting::Ranks() : biting::Ranks(request, outputVector);
-  const biting::WholeInput drawing(ranks, inputVector[0]);
-  const biting::WholeInput source(ranks, inputVector[1]);
+  biting::WholeInput drawing(ranks, inputVector[0]);
+  biting::WholeInput source(ranks, inputVector[1]);
+  biting::RankCrew crew(ranks, { &drawing, &source });
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   bool isSpread = false;
   if (ranks.IsFirst())
   {
-    Execution execution(this);
+    Execution execution(this, crew);
     execution.Run(drawing, source, outputVector);
     isSpread = execution.Spread(ranks, outputVector);
   }
   else if (ranks.AreSeveral())
   {
+    Execution(this, crew).Help(drawing, source);
     ranks.ReceivePiece(mesh);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, isSpread, this, outputVector);
@@ -228,6 +237,31 @@ void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
       vtkPolyData::GetData(outputs, PROBLEMS));
   };
   this->Guard(outputs, run);
+  this->Crew.End();
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Help(
+  const biting::WholeInput& drawing, const biting::WholeInput& source)
+{
+  if (!this->Crew.AwaitCall())
+  {
+    return;
+  }
+  this->Progress.StopWhere([this]() { return this->Crew.IsDismissed(); });
+  try
+  {
+    if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
+      this->ReadSpacing())
+    {
+      this->MakeMesh();
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    // The first rank does it itself, then.
+  }
+  this->Crew.End();
 }
 
 //------------------------------------------------------------------------------
@@ -339,9 +373,9 @@ bool vtkBitingMesher::Execution::MakeMesh()
   {
     this->Options.Simplification.AreAlike = biting::CompareTags(this->Drawing, this->Planar.Chains);
   }
-  this->Mesh =
-    biting::MakeBitingMesh(this->Planar.Chains, this->Options, this->Problems, this->Progress);
-  if (this->WasAborted() || this->ReportErrors())
+  this->Mesh = biting::MakeBitingMesh(
+    this->Planar.Chains, this->Options, this->Problems, this->Progress, this->Crew);
+  if (this->Crew.Own() != 0 || this->WasAborted() || this->ReportErrors())
   {
     return false;
   }

@@ -151,6 +151,10 @@ bool FilterRun::Accept(const std::string& refusal)
 void FilterRun::Refuse(const std::string& reason)
 {
   this->IsRefused = true;
+  if (this->Running.IsSilent)
+  {
+    return;
+  }
   *this->Running.ErrorCode = vtkErrorCode::UserError;
   *this->Running.Summary += RefusalLines(reason);
   vtkErrorWithObjectMacro(this->Running.Filter, << reason);
@@ -158,7 +162,7 @@ void FilterRun::Refuse(const std::string& reason)
 
 void FilterRun::Warn(const std::string& text) const
 {
-  if (!text.empty())
+  if (!text.empty() && !this->Running.IsSilent)
   {
     vtkWarningWithObjectMacro(this->Running.Filter, << text);
   }

@@ -41,6 +41,7 @@ struct RunningFilter
   std::string* Summary;
   const bool* IsStopping; ///< it was asked to end for good, not only for now
   int NumberOfThreads = 0;
+  bool IsSilent = false; ///< it works for another process, which says what is wrong
 };
 
 /// The shares of the time of a run: `reading`, those of `stages` in the rest, `writing`.

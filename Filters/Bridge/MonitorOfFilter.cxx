@@ -37,7 +37,8 @@ bool MonitorOfFilter::Advance(double fraction)
   {
     this->Report(progress);
   }
-  this->Stopped = this->Stopped || vtkBitingCompat::IsAborted(this->Filter);
+  this->Stopped = this->Stopped || vtkBitingCompat::IsAborted(this->Filter) ||
+    (this->IsUnwanted && this->IsUnwanted());
   return !this->Stopped;
 }
 

@@ -8,9 +8,11 @@
 #include "../vtkBitingCompat.h" // for the ABI namespace
 #include "ThreadsOfVtk.h"
 
-#include <chrono>  // for the time of the last report
-#include <cstddef> // for the number of the stage
-#include <vector>  // for shares
+#include <chrono>     // for the time of the last report
+#include <cstddef>    // for the number of the stage
+#include <functional> // for who else may stop it
+#include <utility>    // for move
+#include <vector>     // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
@@ -36,6 +38,9 @@ public:
   void BeginStage(const char* text) override;
   Executor& Threads() override { return this->Workers; }
 
+  /// Asks this, too, whether to stop.
+  void StopWhere(std::function<bool()> isUnwanted) { this->IsUnwanted = std::move(isUnwanted); }
+
   bool HasStopped() const { return this->Stopped; }
 
 private:
@@ -52,6 +57,7 @@ private:
   double Reported = 0.0;
   Clock::time_point ReportTime;
   bool Stopped = false;
+  std::function<bool()> IsUnwanted; ///< may be none
 };
 
 } // namespace biting

@@ -3,6 +3,8 @@
 
 #include "PieceTransfer.h"
 
+#include "Ranks.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -28,9 +30,6 @@ namespace
 {
 
 constexpr int Tag = 18420;
-
-// One message holds at most as many bytes as an int can count.
-constexpr vtkIdType LargestMessage = vtkIdType{ 1 } << 30;
 
 using Arrays = std::vector<vtkSmartPointer<vtkDataArray>>;
 

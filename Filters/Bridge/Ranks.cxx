@@ -9,6 +9,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -21,7 +22,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm> // for equal
+#include <algorithm> // for equal, min
 #include <limits>    // for what a message can hold
 #include <new>       // for bad_alloc
 #include <string>    // for names
@@ -327,6 +328,36 @@ WholeInput::WholeInput(const Ranks& ranks, vtkInformationVector* input)
   {
     this->Own = piece;
   }
+}
+
+bool WholeInput::Share(vtkMultiProcessController* controller)
+{
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  this->Gathered.Offsets.resize(static_cast<std::size_t>(controller->GetNumberOfProcesses()) + 1);
+  controller->Broadcast(
+    this->Gathered.Offsets.data(), static_cast<vtkIdType>(this->Gathered.Offsets.size()), 0);
+  int isReady = 1;
+  try
+  {
+    this->Gathered.Bytes.resize(static_cast<std::size_t>(this->Gathered.Offsets.back()));
+  }
+  catch (const std::bad_alloc&)
+  {
+    isReady = 0;
+  }
+  int areReady = 0;
+  controller->AllReduce(&isReady, &areReady, 1, vtkCommunicator::MIN_OP);
+  std::vector<char>& bytes = this->Gathered.Bytes;
+  if (areReady == 0 && !isFirst)
+  {
+    this->Gathered = GatheredBytes();
+  }
+  for (std::size_t first = 0; areReady != 0 && first < bytes.size(); first += LargestMessage)
+  {
+    const std::size_t size = std::min<std::size_t>(bytes.size() - first, LargestMessage);
+    controller->Broadcast(bytes.data() + first, static_cast<vtkIdType>(size), 0);
+  }
+  return areReady != 0;
 }
 
 vtkSmartPointer<vtkDataObject> WholeInput::Make() const

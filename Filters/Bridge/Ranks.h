@@ -31,6 +31,9 @@ struct GatheredBytes
   std::vector<vtkIdType> Offsets; ///< of each rank's piece, and the end
 };
 
+/// One message holds at most as many bytes as an int can count.
+constexpr vtkIdType LargestMessage = vtkIdType{ 1 } << 30;
+
 /// What became of the pieces of an output.
 enum class Delivery
 {
@@ -57,6 +60,9 @@ public:
   bool AreSeveral() const { return this->Controller != nullptr; }
   bool IsFirst() const { return this->Piece == 0; }
   int Count() const; ///< of the ranks; 1 where the process is alone
+
+  /// Null where the process is alone.
+  vtkMultiProcessController* Processes() const { return this->Controller; }
 
   /// In REQUEST_UPDATE_EXTENT: asks for the pieces that Gather takes, without ghosts.
   void AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const;
@@ -109,7 +115,11 @@ public:
   /// send data of this kind.
   bool IsComplete() const { return this->Gathered.IsComplete; }
 
-  /// On the first rank; null where nothing is connected. Pieces that are equal byte by byte count
+  /// Gives what the first rank has gathered to all of them, which all call this. False where one has
+  /// too little memory for it; then the others have nothing.
+  bool Share(vtkMultiProcessController* controller);
+
+  /// On ranks that have the pieces; null where nothing is connected. Pieces that are equal byte by byte count
   /// once.
   vtkSmartPointer<vtkDataObject> Make() const;
 

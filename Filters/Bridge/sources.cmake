@@ -33,6 +33,7 @@ set(biting_bridge_sources
   ProblemsToPolyData.cxx
   ProducedEdges.cxx
   QualityArrays.cxx
+  RankCrew.cxx
   Ranks.cxx
   RegionNumbers.cxx
   RemeshInputFromDataSet.cxx

@@ -117,7 +117,8 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
     return {};
   }
   PartOfStage rest(monitor, trialsEnd, 1.0);
-  if (blocks.Bite(locator, forecast.Vertices, verticesPerBlock, options, problems, rest))
+  if (blocks.Bite(locator, forecast.Vertices, verticesPerBlock, options, problems, rest) ||
+    blocks.IsHelping())
   {
     return {};
   }
@@ -349,6 +350,7 @@ struct Preparation
   const SimplifiedDomain& Simplified;
   const Spacing& F;
   const BitingMeshOptions& Options;
+  Crew& Members;
 };
 
 // From biting on. The locator is released on the way.
@@ -359,12 +361,12 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   const Domain& domain = input.Simplified.Drawing;
   const BitingMeshOptions& options = input.Options;
   whole.BeginStage(MeshingStages::Biting.Text);
-  BlockMesher blocks(domain, input.F);
+  BlockMesher blocks(domain, input.F, verticesPerBlock > 0.0 ? input.Members : NoCrew());
   BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options), verticesPerBlock,
     blocks, problems, whole);
   locator.reset();
   isOfBlocks = blocks.IsInUse();
-  if (IsOver(whole, problems))
+  if (IsOver(whole, problems) || (blocks.IsHelping() && !isOfBlocks))
   {
     return {};
   }
@@ -379,7 +381,7 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   whole.BeginStage(MeshingStages::Relaxation.Text);
   isOfBlocks ? blocks.Relax(bites, triangulation, problems, whole)
              : RelaxMesh(domain, input.F, options, bites, triangulation, problems, whole);
-  if (IsOver(whole, problems))
+  if (IsOver(whole, problems) || blocks.IsHelping())
   {
     return {};
   }
@@ -399,7 +401,7 @@ BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const Domai
   bool isOfBlocks = false;
   BitingMesh mesh =
     MeshPrepared(input, VerticesPerBlock(input.Options), locator, isOfBlocks, problems, whole);
-  if (!isOfBlocks || !problems.Has(ProblemCode::CheckFailed))
+  if (!isOfBlocks || input.Members.Own() != 0 || !problems.Has(ProblemCode::CheckFailed))
   {
     return mesh;
   }
@@ -414,8 +416,8 @@ BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const Domai
 
 } // namespace
 
-BitingMesh MakeBitingMesh(
-  const Polylines& input, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,
+  ProblemList& problems, Monitor& monitor, Crew& crew)
 {
   StagesOnce stages(monitor);
   PartOfStage whole(stages, 0.0, 1.0);
@@ -442,7 +444,7 @@ BitingMesh MakeBitingMesh(
     preparing);
   return IsOver(whole, problems)
     ? BitingMesh()
-    : MeshBlocksOrWhole({ simplified, spacing, options }, locator, problems, whole);
+    : MeshBlocksOrWhole({ simplified, spacing, options, crew }, locator, problems, whole);
 }
 
 } // namespace biting

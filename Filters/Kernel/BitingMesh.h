@@ -4,6 +4,7 @@
 #ifndef BitingMesh_h
 #define BitingMesh_h
 
+#include "Base/Crew.h"
 #include "Base/Ids.h"
 #include "Base/Monitor.h"
 #include "Base/Point2.h"
@@ -119,9 +120,11 @@ struct BitingMesh
 /// The way of the data: polylines -> domain -> simplification -> spacing -> biting -> Delaunay ->
 /// relaxation -> quality -> mesh.
 /// Repairs and refusals are added to `problems`; where it has errors afterwards the mesh is empty.
-/// Deterministic: the same input gives the same mesh, bit for bit.
+/// Deterministic: the same input gives the same mesh, bit for bit. Members of a crew call it with
+/// the same input and options; where it is meshed in blocks they share them, and only the first one
+/// gets the mesh. It calls the others as soon as there are blocks, else never.
 BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,
-  ProblemList& problems, Monitor& monitor);
+  ProblemList& problems, Monitor& monitor, Crew& crew = NoCrew());
 
 } // namespace biting
 

@@ -132,6 +132,7 @@ set(biting_kernel_sources
   Remeshing/ReleasedVertices.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
+  Blocks/BlockBytes.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
   Blocks/CutDivision.cxx

@@ -9,10 +9,11 @@
 #include "../Meshing/RelaxedBites.h"
 #include "../Meshing/SoundTriangulation.h"
 #include "../Meshing/StageProblems.h"
+#include "BlockBytes.h"
 #include "CutPlan.h"
 #include "CutStrip.h"
 
-#include <algorithm> // for max, stable_sort
+#include <algorithm> // for max, min_element, stable_sort
 #include <cstdint>   // for counts
 #include <numeric>   // for iota
 #include <string>    // for violations
@@ -44,6 +45,7 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
     return false;
   }
   this->Options = options;
+  this->Expected = vertices;
   PartOfStage planning(monitor, 0.0, PlanEnd);
   this->Plan(locator, vertices, verticesPerBlock, planning);
   if (AddAborted(planning, problems) || !this->IsInUse())
@@ -54,11 +56,16 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
   this->BiteBlocks(biting);
   if (!AddAborted(biting, problems) && this->HasTooManyVertices())
   {
-    // The estimate did not see all of f: more than the limit is what is known.
-    const std::int64_t most = options.MaximumNumberOfVertices;
-    AddTooManyVertices(std::max(vertices, static_cast<double>(most)), most, problems);
+    this->AddTooMany(problems);
   }
   return true;
+}
+
+// The estimate did not see all of f: more than the limit is what is known.
+void BlockMesher::AddTooMany(ProblemList& problems) const
+{
+  const std::int64_t most = this->Options.MaximumNumberOfVertices;
+  AddTooManyVertices(std::max(this->Expected, static_cast<double>(most)), most, problems);
 }
 
 void BlockMesher::Plan(
@@ -81,6 +88,10 @@ void BlockMesher::Plan(
   this->Tree = plan.Tree;
   this->Meshes.resize(this->Parts.Blocks.size());
   this->OrderBlocks();
+  if (this->IsInUse())
+  {
+    this->ShareBlocks();
+  }
 }
 
 // The largest first: while that is at work, other threads do several of the others.
@@ -93,10 +104,28 @@ void BlockMesher::OrderBlocks()
     { return this->Parts.Blocks[a].ExpectedVertices > this->Parts.Blocks[b].ExpectedVertices; });
 }
 
+// Each block, the largest first, to the member that has fewest vertices so far.
+void BlockMesher::ShareBlocks()
+{
+  this->Shares.resize(static_cast<std::size_t>(this->Members.Size()));
+  std::vector<double> vertices(this->Shares.size(), 0.0);
+  for (const std::size_t block : this->LargestFirst)
+  {
+    const auto least = std::min_element(vertices.begin(), vertices.end());
+    *least += this->Parts.Blocks[block].ExpectedVertices;
+    this->Shares[static_cast<std::size_t>(least - vertices.begin())].push_back(block);
+  }
+  this->LargestFirst = this->Shares[static_cast<std::size_t>(this->Members.Own())];
+  if (this->IsCollecting())
+  {
+    this->Members.Call();
+  }
+}
+
 void BlockMesher::BiteBlocks(Monitor& monitor)
 {
   Pulse pulse(monitor);
-  DoTasks(pulse, this->Meshes.size(),
+  DoTasks(pulse, this->LargestFirst.size(),
     [this](std::size_t k, Monitor& own) { this->BiteBlock(this->LargestFirst[k], own); });
 }
 
@@ -106,7 +135,7 @@ bool BlockMesher::HasTooManyVertices() const
   bool isTooMuch = false;
   for (const BlockMesh& mesh : this->Meshes)
   {
-    vertices += static_cast<std::int64_t>(mesh.Bites.Points.size());
+    vertices += mesh.Bitten;
     isTooMuch = isTooMuch || mesh.Bites.End == BitingEnd::TooManyVertices;
   }
   return isTooMuch || vertices > this->Options.MaximumNumberOfVertices;
@@ -124,6 +153,7 @@ void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
   options.Stretch = part.Stretch;
   bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, options, biting);
   bites.Bites = Bites();
+  this->Meshes[block].Bitten = static_cast<std::int64_t>(bites.Points.size());
 }
 
 Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
@@ -131,7 +161,7 @@ Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
   std::vector<ProblemList> found(this->Meshes.size());
   PartOfStage part(monitor, 0.0, 1.0);
   Pulse pulse(part);
-  DoTasks(pulse, this->Meshes.size(),
+  DoTasks(pulse, this->LargestFirst.size(),
     [this, &found](std::size_t k, Monitor& own)
     {
       const std::size_t block = this->LargestFirst[k];
@@ -151,8 +181,18 @@ void BlockMesher::Relax(
 {
   PartOfStage relaxing(monitor, 0.0, BlocksEnd);
   this->RelaxBlocks(problems, relaxing);
+  if (!AddAborted(relaxing, problems) && !problems.HasErrors() && this->IsCollecting())
+  {
+    this->Collect(relaxing);
+    this->MakeMissing(problems, relaxing);
+  }
   if (AddAborted(relaxing, problems) || problems.HasErrors())
   {
+    return;
+  }
+  if (this->IsHelping())
+  {
+    this->SendOwn();
     return;
   }
   PartOfStage joining(monitor, BlocksEnd, JoiningEnd);
@@ -174,7 +214,7 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
   RelaxationOptions options;
   options.PoorCotangents = PoorInBlock;
   Pulse pulse(monitor);
-  DoTasks(pulse, this->Meshes.size(),
+  DoTasks(pulse, this->LargestFirst.size(),
     [this, &violations, &options](std::size_t k, Monitor& own)
     {
       const std::size_t block = this->LargestFirst[k];
@@ -188,6 +228,45 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
     {
       AddProblem(ProblemCode::CheckFailed, violation, problems);
     }
+  }
+}
+
+void BlockMesher::SendOwn()
+{
+  this->Members.Send(PackBlocks(this->Parts, this->LargestFirst, this->Meshes));
+}
+
+// What the others have made; what is missing is left as the blocks that this process makes.
+void BlockMesher::Collect(Monitor& monitor)
+{
+  this->LargestFirst.clear();
+  for (std::size_t member = 1; member < this->Shares.size(); ++member)
+  {
+    const std::vector<char> bytes = this->Members.Receive(static_cast<int>(member), monitor);
+    if (!UnpackBlocks(bytes, this->Parts, this->Shares[member], this->Meshes))
+    {
+      this->LargestFirst.insert(
+        this->LargestFirst.end(), this->Shares[member].begin(), this->Shares[member].end());
+    }
+  }
+}
+
+// The stages once more, for blocks that did not arrive.
+void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage making(monitor, 1.0, 1.0);
+  if (!this->LargestFirst.empty() && !making.HasStopped())
+  {
+    this->BiteBlocks(making);
+  }
+  if (!making.HasStopped() && this->HasTooManyVertices())
+  {
+    this->AddTooMany(problems);
+  }
+  if (!this->LargestFirst.empty() && !AddAborted(making, problems) && !problems.HasErrors())
+  {
+    this->Triangulate(problems, making);
+    this->RelaxBlocks(problems, making);
   }
 }
 

@@ -4,6 +4,7 @@
 #ifndef BitingBlockMesher_h
 #define BitingBlockMesher_h
 
+#include "../Base/Crew.h"
 #include "../Base/Monitor.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
@@ -27,17 +28,23 @@ namespace biting
 /// domain is too small for two blocks, or no good cut is found, there is none, and the mesher is
 /// not in use. The domain and the spacing must outlive it. Problems are added in the order of the
 /// blocks.
+///
+/// The members of a crew share the blocks. Those that are not the first have no mesh in the end.
 class BlockMesher
 {
 public:
-  BlockMesher(const Domain& domain, const Spacing& spacing)
+  BlockMesher(const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew())
     : Geometry(domain)
     , F(spacing)
+    , Members(crew)
   {
   }
 
   bool IsInUse() const { return !this->Parts.Blocks.empty(); }
   std::size_t NumberOfBlocks() const { return this->Parts.Blocks.size(); }
+
+  /// Another process has the mesh in the end.
+  bool IsHelping() const { return this->Members.Own() != 0; }
 
   /// By which the blocks were cut, where it is in use.
   const CutTree& Cuts() const { return this->Tree; }
@@ -57,18 +64,27 @@ private:
   void Plan(
     const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
   void OrderBlocks();
+  void ShareBlocks();
   void BiteBlocks(Monitor& monitor);
   bool HasTooManyVertices() const;
+  void AddTooMany(ProblemList& problems) const;
+  bool IsCollecting() const { return this->Members.Own() == 0 && this->Members.Size() > 1; }
   void BiteBlock(std::size_t block, Monitor& monitor);
   void RelaxBlocks(ProblemList& problems, Monitor& monitor);
+  void SendOwn();
+  void Collect(Monitor& monitor);
+  void MakeMissing(ProblemList& problems, Monitor& monitor);
   void Join(ProblemList& problems, Monitor& monitor);
 
   const Domain& Geometry;
   const Spacing& F;
+  Crew& Members;
   BitingOptions Options;
+  double Expected = 0.0; ///< vertices
   BlockDomains Parts;
   CutTree Tree;
-  std::vector<std::size_t> LargestFirst; ///< the blocks, as tasks
+  std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks
+  std::vector<std::vector<std::size_t>> Shares; ///< of the members: blocks, the largest first
   std::vector<BlockMesh> Meshes;
   JoinedMesh Joined;
 };

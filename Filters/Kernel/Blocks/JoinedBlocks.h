@@ -11,7 +11,7 @@
 #include "../Domain/Domain.h"
 #include "BlockDomains.h"
 
-#include <cstdint> // for flags
+#include <cstdint> // for flags, counts
 #include <vector>  // for the blocks
 
 namespace biting
@@ -22,6 +22,7 @@ struct BlockMesh
 {
   BitingResult Bites;
   Triangulation Triangles;
+  std::int64_t Bitten = 0; ///< vertices, before relaxation
 };
 
 /// One mesh of a domain, as if it had not been cut: cuts are no constraints of it.
