@@ -175,5 +175,23 @@ def errors(answer):
     answer['Polylines.AfterAbort'] = result_of(mesher)
 
 
+def killed(unused, seconds=0.0):
+    """The last rank ends while the others wait for it; the test looks at what mpiexec says."""
+    source = scenes.producer('''
+import os, subprocess
+if rank == ranks - 1:
+    subprocess.Popen(['sh', '-c', 'sleep %s; kill -9 %%d' %% os.getpid()])
+self.GetOutput().ShallowCopy(Drawing(Spread('Everywhere')))
+''' % seconds)
+    mesher = mesher_of(source, UniformSpacing=0.02, VerticesPerBlock=20000)
+    for unused in range(10):
+        mesher.UpdatePipeline()
+        mesher.SpacingScale *= 1.01
+
+
+def killed_at_work(answer):
+    killed(answer, 0.5)
+
+
 if __name__ == '__main__':
     scenes.answer_with(globals())

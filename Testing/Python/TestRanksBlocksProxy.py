@@ -5,9 +5,10 @@
 
 import os
 import shutil
+import subprocess
 import unittest
 
-from TestRanksProxy import HERE, RENUMBERED, answer_by, mpiexec
+from TestRanksProxy import HERE, RENUMBERED, answer_by, environment, mpiexec
 
 SCRIPT = os.path.join(HERE, 'RanksBlocks.py')
 ALL = ['pieces', 'drawings', 'sources', 'filters', 'files', 'errors']
@@ -68,6 +69,14 @@ class TestRanksBlocksProxy(unittest.TestCase):
             lines = [line for line in said.splitlines() if 'pvbatch.0' not in line]
             if ranks > 1:
                 self.assertFalse([line for line in lines if 'ERR|' in line or 'WARN|' in line])
+
+    def test_a_rank_that_is_killed_ends_the_run_with_a_message(self):
+        for scenario in ('killed', 'killed_at_work'):
+            result = subprocess.run(
+                mpiexec() + ['-n', '3', 'pvbatch', '--force-offscreen-rendering', SCRIPT, scenario],
+                env=environment(''), timeout=120, check=False, capture_output=True, text=True)
+            self.assertNotEqual(result.returncode, 0)
+            self.assertRegex(result.stdout + result.stderr, '(?i)signal 9|killed', scenario)
 
 
 if __name__ == '__main__':
