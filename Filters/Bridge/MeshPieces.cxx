@@ -14,7 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm> // for copy, min, sort, unique
+#include <algorithm> // for any_of, copy_if, inplace_merge, min, sort, unique
+#include <iterator>  // for back_inserter
 #include <numeric>   // for iota, partial_sum
 #include <utility>   // for move
 
@@ -44,6 +45,13 @@ Numbers GroupBy(vtkIdType count, std::size_t groups, const GroupOf& groupOf, Num
     members[static_cast<std::size_t>(next[static_cast<std::size_t>(groupOf(k))]++)] = k;
   }
   return first;
+}
+
+// Sorted, each once.
+void SortOnce(Numbers& numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 // The tuples of all arrays, and with that their numbers as global ids.
@@ -134,6 +142,11 @@ void MeshPieces::OwnPoints()
     Id& owner = this->Owners[static_cast<std::size_t>(this->Corners[slot])];
     owner = std::min(owner, this->Pieces[slot / 3]);
   }
+  // A point that no triangle uses is in no piece.
+  this->FirstPoints = GroupBy(
+    static_cast<vtkIdType>(this->Owners.size()), static_cast<std::size_t>(this->NumberOfPieces) + 1,
+    [this](vtkIdType point) { return this->Owners[static_cast<std::size_t>(point)]; },
+    this->OwnedPoints);
 }
 
 void MeshPieces::ListTriangles()
@@ -158,7 +171,7 @@ void MeshPieces::ListUses()
 vtkSmartPointer<vtkPolyData> MeshPieces::Make(Id piece)
 {
   const Numbers triangles = this->TrianglesOf(piece);
-  const Numbers points = this->PointsOf(triangles);
+  const Numbers points = this->PointsOf(piece, triangles);
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     this->NewIds[static_cast<std::size_t>(points[k])] = static_cast<vtkIdType>(k);
@@ -170,54 +183,79 @@ vtkSmartPointer<vtkPolyData> MeshPieces::Make(Id piece)
   return output;
 }
 
-Numbers MeshPieces::TrianglesOf(Id piece)
+Numbers MeshPieces::TrianglesOf(Id piece) const
 {
   const auto own = static_cast<std::size_t>(piece);
   const auto begin = this->Triangles.begin();
   Numbers triangles(begin + this->FirstTriangles[own], begin + this->FirstTriangles[own + 1]);
-  std::size_t seen = 0;
+  Numbers ghosts;
+  Numbers points;
+  for (const vtkIdType triangle : this->GhostLevels > 0 ? triangles : Numbers())
+  {
+    const auto corner = this->Corners.begin() + 3 * triangle;
+    std::copy_if(corner, corner + 3, std::back_inserter(points),
+      [this](vtkIdType point) { return this->IsShared(point); });
+  }
   for (int level = 0; level < this->GhostLevels; ++level)
   {
-    this->AddLevel(triangles, seen);
+    this->AddLevel(piece, points, ghosts);
   }
-  std::sort(triangles.begin(), triangles.end());
+  triangles.insert(triangles.end(), ghosts.begin(), ghosts.end());
+  std::inplace_merge(triangles.begin(),
+    triangles.end() - static_cast<Numbers::difference_type>(ghosts.size()), triangles.end());
   return triangles;
 }
 
-// Those around the points of the triangles from `seen` on.
-void MeshPieces::AddLevel(Numbers& triangles, std::size_t& seen)
+bool MeshPieces::IsShared(vtkIdType point) const
 {
-  Numbers around;
-  for (; seen < triangles.size(); ++seen)
-  {
-    const std::size_t first = 3 * static_cast<std::size_t>(triangles[seen]);
-    for (std::size_t slot = first; slot < first + 3; ++slot)
-    {
-      const auto point = static_cast<std::size_t>(this->Corners[slot]);
-      const auto begin = this->Uses.begin();
-      around.insert(
-        around.end(), begin + this->FirstUses[point], begin + this->FirstUses[point + 1]);
-    }
-  }
-  Numbers known = triangles;
-  std::sort(known.begin(), known.end());
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  std::set_difference(
-    around.begin(), around.end(), known.begin(), known.end(), std::back_inserter(triangles));
+  const auto begin = this->Uses.begin();
+  const auto first = begin + this->FirstUses[static_cast<std::size_t>(point)];
+  const auto end = begin + this->FirstUses[static_cast<std::size_t>(point) + 1];
+  const Id piece = this->Pieces[static_cast<std::size_t>(*first)];
+  return std::any_of(first, end,
+    [this, piece](vtkIdType triangle)
+    { return this->Pieces[static_cast<std::size_t>(triangle)] != piece; });
 }
 
-Numbers MeshPieces::PointsOf(const Numbers& triangles)
+// The triangles of other pieces around the points, which become those of these triangles.
+void MeshPieces::AddLevel(Id piece, Numbers& points, Numbers& ghosts) const
 {
-  Numbers points;
-  points.reserve(3 * triangles.size());
-  for (const vtkIdType triangle : triangles)
+  SortOnce(points);
+  for (const vtkIdType point : points)
+  {
+    const auto begin = this->Uses.begin();
+    std::copy_if(begin + this->FirstUses[static_cast<std::size_t>(point)],
+      begin + this->FirstUses[static_cast<std::size_t>(point) + 1], std::back_inserter(ghosts),
+      [this, piece](vtkIdType triangle)
+      { return this->Pieces[static_cast<std::size_t>(triangle)] != piece; });
+  }
+  SortOnce(ghosts);
+  points.clear();
+  for (const vtkIdType triangle : ghosts)
   {
     const auto corner = this->Corners.begin() + 3 * triangle;
     points.insert(points.end(), corner, corner + 3);
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+// Those that it owns, and those that its triangles share with others.
+Numbers MeshPieces::PointsOf(Id piece, const Numbers& triangles) const
+{
+  const auto own = static_cast<std::size_t>(piece);
+  const auto begin = this->OwnedPoints.begin();
+  Numbers points(begin + this->FirstPoints[own], begin + this->FirstPoints[own + 1]);
+  Numbers others;
+  for (const vtkIdType triangle : triangles)
+  {
+    const auto corner = this->Corners.begin() + 3 * triangle;
+    std::copy_if(corner, corner + 3, std::back_inserter(others),
+      [this, piece](vtkIdType point)
+      { return this->Owners[static_cast<std::size_t>(point)] != piece; });
+  }
+  SortOnce(others);
+  points.insert(points.end(), others.begin(), others.end());
+  std::inplace_merge(points.begin(),
+    points.end() - static_cast<Numbers::difference_type>(others.size()), points.end());
   return points;
 }
 

@@ -51,9 +51,10 @@ private:
   void OwnPoints();
   void ListTriangles();
   void ListUses();
-  Numbers TrianglesOf(Id piece);
-  void AddLevel(Numbers& triangles, std::size_t& seen);
-  Numbers PointsOf(const Numbers& triangles);
+  Numbers TrianglesOf(Id piece) const;
+  bool IsShared(vtkIdType point) const;
+  void AddLevel(Id piece, Numbers& points, Numbers& ghosts) const;
+  Numbers PointsOf(Id piece, const Numbers& triangles) const;
   void AddPoints(Id piece, const Numbers& points, vtkPolyData* output) const;
   void AddTriangles(Id piece, const Numbers& triangles, vtkPolyData* output) const;
 
@@ -63,6 +64,8 @@ private:
   int GhostLevels = 0;
   Numbers Corners;
   std::vector<Id> Owners; ///< pieces, of the points
+  Numbers FirstPoints;    ///< of each piece, in OwnedPoints
+  Numbers OwnedPoints;
   Numbers FirstTriangles; ///< of each piece, in Triangles
   Numbers Triangles;
   Numbers FirstUses; ///< of each point, in Uses; with ghost levels
