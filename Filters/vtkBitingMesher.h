@@ -154,9 +154,15 @@
  * their global ids, else that of the pieces: where a drawing was divided in its order, or has
  * global ids, the mesh is the serial one, byte for byte.
  * @par
- * A mesh of blocks (Cost, below) is handed out: each rank has the triangles of blocks that lie
- * together, about as many as the others, in the order of the serial mesh. Point and cell data then
- * have `GlobalPointIds` and `GlobalCellIds` (vtkIdType, the active global ids), the numbers in the
+ * A mesh of blocks (Cost, below) is a work of all: the first rank sends them the inputs, each
+ * prepares domain and spacing, plans the same cuts and meshes its share of the blocks; the first
+ * joins them, relaxes what lies along the cuts, and checks and measures the whole. What a rank does
+ * not deliver, for want of memory or since its arithmetic differs, the first makes itself. Without
+ * MPI in VTK's build the first makes all.
+ * @par
+ * Then such a mesh is handed out: each rank has the triangles of blocks that lie together, about as
+ * many as the others, in the order of the serial mesh. Point and cell data then have
+ * `GlobalPointIds` and `GlobalCellIds` (vtkIdType, the active global ids), the numbers in the
  * serial mesh, and points have `vtkGhostType`: DUPLICATEPOINT where the piece of a lower rank has
  * the point, too. Ghost levels that filters behind ask for are triangles of other ranks,
  * DUPLICATECELL in the cell array `vtkGhostType`; asking for more levels later executes the filter
@@ -164,14 +170,15 @@
  * block, are the first rank's: the others have empty pieces with the same arrays. `MeshPointId` of
  * output 1 is the number in the serial mesh.
  * @par
- * The mesh takes the memory of one process before it is handed out, and inputs of at most 2 GB can
- * be gathered. The processes are those of the global vtkMultiProcessController where as many pieces
- * are asked for; one that asks for piece 0 of 1 works alone. All ranks have to ask for the output
- * together. A filter before this one that reports an error on some ranks alone, with success and an
- * empty output, as ParaView's scripts do, counts as an empty piece. But one whose RequestData
- * returns 0 on some ranks alone makes the others wait without end: VTK's executive does not call
- * the filters after it there, and in the passes before, in which they are called, nothing has
- * failed yet. Only an executive of its own could tell the others.
+ * The first rank needs the memory of a process that works alone, and inputs of at most 2 GB can be
+ * gathered (Filters/README.md has figures). The processes are those of the global
+ * vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of 1
+ * works alone. All ranks have to ask for the output together. A filter before this one that reports
+ * an error on some ranks alone, with success and an empty output, as ParaView's scripts do, counts
+ * as an empty piece. But one whose RequestData returns 0 on some ranks alone makes the others wait
+ * without end: VTK's executive does not call the filters after it there, and in the passes before,
+ * in which they are called, nothing has failed yet. Only an executive of its own could tell the
+ * others.
  *
  * @par Limits:
  * Where f is much larger than a gap, or its slope far above 0.3, triangles are valid but may be
