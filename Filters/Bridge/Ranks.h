@@ -115,12 +115,12 @@ public:
   /// send data of this kind.
   bool IsComplete() const { return this->Gathered.IsComplete; }
 
-  /// Gives what the first rank has gathered to all of them, which all call this. False where one has
-  /// too little memory for it; then the others have nothing.
+  /// Gives what the first rank has gathered to all of them, which all call this. False where one
+  /// has too little memory for it; then the others have nothing.
   bool Share(vtkMultiProcessController* controller);
 
-  /// On ranks that have the pieces; null where nothing is connected. Pieces that are equal byte by byte count
-  /// once.
+  /// On ranks that have the pieces; null where nothing is connected. Pieces that are equal byte by
+  /// byte count once.
   vtkSmartPointer<vtkDataObject> Make() const;
 
 private:
