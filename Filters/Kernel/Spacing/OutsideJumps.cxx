@@ -23,7 +23,7 @@ constexpr double LargestSeenGradation = 1.0;
 constexpr double LeastJump = 0.002;
 
 /// How far ends of rays are apart at first, but no more than so many rays to an edge or a corner.
-constexpr double FirstStep = 0.25;
+constexpr double StepOfFirstRays = 0.25;
 constexpr double MostFirstRays = 8.0;
 constexpr double LargestTurn = 0.4; ///< radians between two rays from a corner
 
@@ -223,7 +223,7 @@ private:
   {
     const double least = std::min(edge.StartValue, edge.EndValue);
     const double rays =
-      std::ceil(std::min(length / (FirstStep * this->UnitOf(least)), MostFirstRays));
+      std::ceil(std::min(length / (StepOfFirstRays * this->UnitOf(least)), MostFirstRays));
     Ray last = this->FindEnd({ edge.Start, edge.StartValue, normal }, length);
     for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
     {
@@ -246,7 +246,7 @@ private:
       return;
     }
     Ray last = this->FindEnd({ edge.End, edge.EndValue, normal }, length);
-    const double arc = turn * last.Length / (FirstStep * this->UnitOf(edge.EndValue));
+    const double arc = turn * last.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
     const double rays = std::ceil(std::max(turn / LargestTurn, std::min(arc, MostFirstRays)));
     for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
     {
