@@ -17,7 +17,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/Testing/setup.sh"
 log_folder="$build_root/log"
 format_version=14
-tests_with_threads='Kernel\.(Tasks|Threads)\.|Kernel\.BlockMesher\..*(Threads|Refuses)'
+tests_with_threads='Kernel\.(Tasks|Threads|Marks)\.|Kernel\..*OnAnyNumberOfThreads|Kernel\..*ForAnyNumberOfThreads|Kernel\.BlockMesher\..*(Threads|Refuses)'
 only=
 passed=0
 failed=0

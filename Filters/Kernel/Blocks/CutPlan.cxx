@@ -3,6 +3,7 @@
 
 #include "CutPlan.h"
 
+#include "../Base/Tasks.h"
 #include "CutLine.h"
 #include "CutRows.h"
 #include "DensitySamples.h"
@@ -247,30 +248,32 @@ Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
     : std::move(level);
 }
 
+// Lines as tasks.
 Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort)
 {
-  Cut cut;
-  cut.Along.IsGood = false;
-  for (const double wanted : FromTheMiddle(PlacesOf(part.Inside, isVertical)))
+  const std::vector<double> places = FromTheMiddle(PlacesOf(part.Inside, isVertical));
+  std::vector<Cut> cuts(places.size());
+  DoTasks(this->Beats, places.size(),
+    [this, &part, &scene, isVertical, effort, &places, &cuts](std::size_t k, Monitor&)
+    {
+      const double place = this->Rows.FittingPlace(places[k], part.Box, isVertical);
+      if (Divides(part.Inside, isVertical, place))
+      {
+        cuts[k].Line = { isVertical, place };
+        cuts[k].Along = MakeCutLine(scene, cuts[k].Line, effort);
+        cuts[k].Cost = cuts[k].Along.IsGood ? this->CostOf(cuts[k].Along) : cuts[k].Cost;
+      }
+    });
+  Cut best;
+  best.Along.IsGood = false;
+  for (Cut& cut : cuts)
   {
-    const double place = this->Rows.FittingPlace(wanted, part.Box, isVertical);
-    if (!Divides(part.Inside, isVertical, place))
+    if (cut.Cost < best.Cost)
     {
-      continue;
-    }
-    const AxisLine line{ isVertical, place };
-    CutLine along = MakeCutLine(scene, line, effort);
-    const double cost = along.IsGood ? this->CostOf(along) : cut.Cost;
-    if (!this->Beats.Ask())
-    {
-      return cut;
-    }
-    if (cost < cut.Cost)
-    {
-      cut = { line, std::move(along), cost };
+      best = std::move(cut);
     }
   }
-  return cut;
+  return best;
 }
 
 double Planner::CostOf(const CutLine& line) const
