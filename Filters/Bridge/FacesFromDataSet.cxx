@@ -103,7 +103,8 @@ std::string FaceReader::ReadCells(vtkCellArray* cells, int type)
 // Expects the points of the cell in Points.
 std::string FaceReader::AddCell(int type)
 {
-  constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
+  constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
+    vtkDataSetAttributes::REFINEDCELL;
   const bool isGhost =
     this->Ghosts && (static_cast<int>(this->Ghosts->GetComponent(this->Cell, 0)) & NotHere) != 0;
   if (isGhost || this->IsIgnored(type))

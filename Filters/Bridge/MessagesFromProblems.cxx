@@ -52,7 +52,10 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:
-      return { "Interfaces outside of the domain", "cell", "", "They were dropped." };
+      return { "Interfaces outside of the domain", "cell", "",
+        "They were dropped. Where they are to bound the domain, close them; where a Contour ends "
+        "at "
+        "the rim of its input, Clip or IsoVolume give the whole area." };
   }
 }
 
@@ -62,7 +65,8 @@ Wording WordingOf(ProblemCode code)
   {
     case ProblemCode::NoClosedLoop:
       return { "There is no closed loop, and so no domain", "open end at point", "",
-        "Close the polylines, or mark as Kind 0 what is boundary." };
+        "Close the polylines, or mark as Kind 0 what is boundary; where a Contour ends at the rim "
+        "of its input, Clip or IsoVolume give the whole area." };
     case ProblemCode::NotFinite:
       return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
     case ProblemCode::OutOfRange:
