@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkBitingMesherExecution.h"
+
+#include "Bridge/BitesToPolyData.h"
+#include "Bridge/BoundaryEdgesToPolyData.h"
+#include "Bridge/BoundarySpacing.h"
+#include "Bridge/ChosenArray.h"
+#include "Bridge/DomainMembership.h"
+#include "Bridge/FilterRun.h"
+#include "Bridge/MeshPieces.h"
+#include "Bridge/MeshToPolyData.h"
+#include "Bridge/MessagesFromProblems.h"
+#include "Bridge/ParameterCheck.h"
+#include "Bridge/PolylinesFromPolyData.h"
+#include "Bridge/RankCrew.h"
+#include "Bridge/Ranks.h"
+#include "Bridge/SourceCover.h"
+#include "Bridge/SummaryText.h"
+#include "Bridge/TagComparison.h"
+#include "Kernel/Base/PartOfStage.h"
+#include "Kernel/BitingMesh.h"
+#include "Kernel/MeshingStages.h"
+
+#include "vtkInformationVector.h"
+#include "vtkOutputWindow.h"
+#include "vtkPolyData.h"
+
+#include <new>    // for bad_alloc
+#include <vector> // for pieces
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+// The stages around those of the kernel, with their shares of the time of a run.
+constexpr biting::Stage ReadingStage{ "Reading the input", 0.02 };
+constexpr biting::Stage WritingStage{ "Writing the mesh", 0.06 };
+
+// Where steps of reading and of writing end, as shares of their time.
+constexpr double ChainsEnd = 0.5;
+constexpr double BoundaryEnd = 0.6;
+constexpr double PointsEnd = 0.15;
+constexpr double MeshEnd = 0.7;
+constexpr double EdgesEnd = 0.8;
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkBitingMesher::Execution::Execution(vtkBitingMesher* filter, biting::RankCrew& crew)
+  : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
+                filter->NumberOfThreads, crew.Own() != 0 },
+      biting::SharesOfStages(ReadingStage, biting::MeshingStages::InOrder, WritingStage))
+  , Filter(filter)
+  , Crew(crew)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
+  const biting::WholeInput& source, vtkInformationVector* outputs)
+{
+  const auto run = [this, &drawing, &source, outputs]()
+  {
+    if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
+      this->ReadSpacing() && this->MakeMesh())
+    {
+      this->Write(outputs);
+    }
+    const bool isRepaired = this->Options.Domain.Repair;
+    this->WriteProblems(this->Planar,
+      isRepaired ? biting::RepairPolicy::Repaired : biting::RepairPolicy::Left,
+      vtkPolyData::GetData(outputs, PROBLEMS));
+  };
+  this->Guard(outputs, run);
+  this->Crew.End();
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Help(
+  const biting::WholeInput& drawing, const biting::WholeInput& source)
+{
+  if (!this->Crew.AwaitCall())
+  {
+    return;
+  }
+  this->Progress.StopWhere([this]() { return this->Crew.IsDismissed(); });
+  try
+  {
+    if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
+      this->ReadSpacing())
+    {
+      this->MakeMesh();
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    // The first rank does it itself, then.
+  }
+  this->Crew.End();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::Gather(
+  const biting::WholeInput& drawing, const biting::WholeInput& source)
+{
+  if (!drawing.IsComplete() || !source.IsComplete())
+  {
+    return this->Accept(biting::NotGathered);
+  }
+  const vtkSmartPointer<vtkDataObject> input = drawing.Make();
+  this->Drawing = biting::ReadDrawing(input);
+  this->Source = source.Make();
+  return input != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::ReadParameters()
+{
+  const vtkBitingMesher& filter = *this->Filter;
+  this->Options.Spacing.Uniform = filter.UniformSpacing;
+  this->Options.Spacing.Scale = filter.SpacingScale;
+  this->Options.Spacing.Minimum = filter.MinimumSpacing;
+  this->Options.Spacing.Maximum = filter.MaximumSpacing;
+  this->Options.Spacing.Gradation = filter.Gradation;
+  this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
+  this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
+  this->Options.Domain.MergeTolerance = filter.MergeTolerance;
+  this->Options.PreserveBoundary = filter.PreserveBoundary;
+  this->Options.Simplification.Tolerance = filter.BoundaryTolerance;
+  this->Options.Simplification.CornerAngle = filter.CornerAngle;
+  this->Options.Simplification.MinimumLoopSize = filter.MinimumLoopSize;
+  this->Options.BitingConstant = filter.BitingConstant;
+  this->Options.BiteShape =
+    filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
+  this->Options.Placement =
+    filter.Placement == BISECTORS ? biting::Placement::Bisectors : biting::Placement::Corners;
+  constexpr biting::FrontOrder Orders[] = { biting::FrontOrder::Layers,
+    biting::FrontOrder::LargestY, biting::FrontOrder::BestFirst };
+  this->Options.Order = Orders[filter.FrontOrder];
+  this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
+  this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
+  this->Options.VerticesPerBlock = filter.VerticesPerBlock;
+  this->Options.Phi = filter.Phi;
+  this->Options.Relaxation = filter.Relaxation;
+  this->Options.KeepBites = filter.GenerateBites;
+  return this->Accept(biting::CheckMesherParameters(this->Options));
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::ReadChains()
+{
+  this->Progress.BeginStage(ReadingStage.Text);
+  biting::PartOfStage part(this->Progress, 0.0, ChainsEnd);
+  const bool isRead = this->Accept(biting::PolylinesFromDrawing(
+    this->Drawing, this->Filter->RegionArray, this->Planar, this->Problems, part));
+  if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
+    !this->WasAborted())
+  {
+    return this->Accept(
+      "The input has points, but no cells; lines, two-dimensional cells and vertex "
+      "cells describe a domain.");
+  }
+  return isRead && !this->ReportErrors() && !this->WasAborted() &&
+    this->Planar.Chains.NumberOfChains() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::ReadSpacing()
+{
+  return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray()) &&
+    !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBitingMesher::Execution::AddBoundaryArray()
+{
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Drawing.Points, { "spacing array", "input" });
+  if (!chosen.Refusal.empty() || !chosen.Array)
+  {
+    return chosen.Refusal;
+  }
+  biting::PartOfStage part(this->Progress, ChainsEnd, BoundaryEnd);
+  return biting::AddBoundarySpacing(
+    this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBitingMesher::Execution::AddSourceArray()
+{
+  if (!this->Source)
+  {
+    return {};
+  }
+  biting::PartOfStage part(this->Progress, BoundaryEnd, 1.0);
+  biting::DomainMembership domain(this->Planar.Chains, part);
+  return this->AddSource(
+    this->Filter->GetInputArrayInformation(1), this->Source, this->Planar.Frame,
+    [&domain](const biting::Point2& place) { return domain.MayHold(place); }, this->Options.Spacing,
+    part);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::MakeMesh()
+{
+  if (this->Options.Simplification.Tolerance > 0.0)
+  {
+    this->Options.Simplification.AreAlike = biting::CompareTags(this->Drawing, this->Planar.Chains);
+  }
+  this->Mesh = biting::MakeBitingMesh(
+    this->Planar.Chains, this->Options, this->Problems, this->Progress, this->Crew);
+  if (this->Crew.Own() != 0 || this->WasAborted() || this->ReportErrors())
+  {
+    return false;
+  }
+  this->WarnOfRepairs(this->Planar);
+  this->Warn(biting::UncoveredWarning(
+    this->Mesh.Points, this->Mesh.Corners, this->Options.Spacing, this->Planar.Frame));
+  this->ReportNotes();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// One error for each kind. Returns whether there was one.
+bool vtkBitingMesher::Execution::ReportErrors()
+{
+  for (const biting::ProblemGroup& group : this->Problems.Groups())
+  {
+    if (biting::IsError(group.Code))
+    {
+      const bool isLeft =
+        group.Code == biting::ProblemCode::NotResolved && !this->Filter->RepairInput;
+      this->Accept(isLeft ? biting::NotResolvedMessageFrom(this->Problems, this->Planar)
+                          : biting::RefusalFrom(group, this->Problems, this->Planar));
+    }
+  }
+  return this->IsRefused;
+}
+
+//------------------------------------------------------------------------------
+// A line of text, as nothing is wrong: ParaView keeps it among its messages and opens nothing.
+void vtkBitingMesher::Execution::ReportNotes() const
+{
+  for (const biting::ProblemGroup& group : this->Problems.Groups())
+  {
+    if (biting::IsNote(group.Code) && vtkObject::GetGlobalWarningDisplay())
+    {
+      const std::string line = biting::MessageFrom(group, this->Planar) + "\n";
+      vtkOutputWindow::GetInstance()->DisplayText(line.c_str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
+{
+  this->Progress.BeginStage(WritingStage.Text);
+  biting::Pulse pulse(this->Progress);
+  const auto points = this->MakePoints(pulse);
+  this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
+  this->WriteEdges(points, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
+  if (this->Filter->GenerateBites)
+  {
+    const biting::PulsePart part(pulse, EdgesEnd, 1.0);
+    biting::BitesToPolyData(
+      this->Mesh, this->Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> vtkBitingMesher::Execution::MakePoints(biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, 0.0, PointsEnd);
+  return biting::PointsInSpace(this->Mesh, this->Planar, pulse);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::WriteMesh(
+  vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, PointsEnd, MeshEnd);
+  biting::MeshToPolyData(this->Mesh, points, this->Problems, output, pulse);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::WriteEdges(
+  vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
+{
+  const biting::PulsePart part(pulse, MeshEnd, EdgesEnd);
+  biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Drawing, output, pulse);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::Spread(const biting::Ranks& ranks, vtkInformationVector* outputs)
+{
+  const auto divide = [this, &ranks](biting::Pulse& pulse)
+  {
+    std::vector<biting::Id> pieces = biting::PiecesOfTriangles(this->Mesh, ranks.Count(), pulse);
+    this->Mesh = biting::BitingMesh();
+    return pieces;
+  };
+  return this->FilterRun::Spread(ranks, divide, outputs);
+}
+
+VTK_ABI_NAMESPACE_END
