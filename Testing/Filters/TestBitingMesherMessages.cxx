@@ -128,6 +128,7 @@ TEST(BitingMesherMessages, NameInterfacesOutside)
   auto input = UnitSquare();
   AddChain(input, { { 3, 3, 0 }, { 4, 4, 0 } }, false);
   EXPECT_TRUE(Has(WarningOf(input), "Interfaces outside of the domain (1): cell 1"));
+  EXPECT_TRUE(Has(WarningOf(input), "Clip or IsoVolume give the whole area"));
 }
 
 TEST(BitingMesherMessages, RefuseInputWithoutALoop)
