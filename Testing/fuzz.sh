@@ -16,7 +16,8 @@ seed=${2:-1}
 processes=${3:-1}
 
 cmake -G Ninja -S . -B build/fuzz -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DBITING_SANITIZE=address,undefined,float-cast-overflow -DBITING_UNITY_BUILD=ON
+  -DBITING_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+  -DBITING_SANITIZE=address,undefined,float-cast-overflow
 cmake --build build/fuzz --target BitingFuzz
 
 each=$(((cases + processes - 1) / processes))
