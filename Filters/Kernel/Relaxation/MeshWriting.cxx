@@ -46,8 +46,8 @@ public:
 
   std::vector<Id> Write(RelaxationMesh& output)
   {
-    ReleaseInSteps(this->Progress, this->Mesh.Degrees, this->Mesh.Freedoms,
-      this->Mesh.IdealDegrees, this->Mesh.IsEstimate);
+    ReleaseInSteps(this->Progress, this->Mesh.Degrees, this->Mesh.Freedoms, this->Mesh.IdealDegrees,
+      this->Mesh.IsEstimate);
     this->NumberAll();
     this->FindParts();
     this->WriteVertices();
@@ -102,8 +102,8 @@ void Writer::NumberVertices()
 {
   std::vector<Id> sourceOf;
   const Id numberOfOld = std::accumulate(this->Origins.begin(), this->Origins.end(),
-    this->Mesh.Geometry.NumberOfVertices(), [](Id most, Id origin)
-    { return std::max(most, origin + 1); });
+    this->Mesh.Geometry.NumberOfVertices(),
+    [](Id most, Id origin) { return std::max(most, origin + 1); });
   const bool isReady =
     GrowInSteps(sourceOf, static_cast<std::size_t>(numberOfOld), NoId, this->Progress) &&
     GrowInSteps(this->Numbers, this->Mesh.Points.size(), NoId, this->Progress) &&
