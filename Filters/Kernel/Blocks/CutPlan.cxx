@@ -152,8 +152,7 @@ public:
 private:
   Id AddNode(double share);
   bool Divide(Part& part);
-  Cut FindBestCut(Part& part, const CutScene& scene, CutEffort effort);
-  Cut FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort);
+  Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
   CutScene SceneOf(Part& part) const;
@@ -223,11 +222,12 @@ Id Planner::AddNode(double vertices)
 bool Planner::Divide(Part& part)
 {
   const CutScene scene = this->SceneOf(part);
-  Cut best = this->FindBestCut(part, scene, CutEffort::AsItIs);
-  if (!best.Along.IsGood)
-  {
-    best = this->FindBestCut(part, scene, CutEffort::MoveEnds);
-  }
+  const Cut vertical = this->FindCut(part, scene, true);
+  const Cut level = this->FindCut(part, scene, false);
+  const Cut& best = (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
+      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
+    ? vertical
+    : level;
   if (!best.Along.IsGood || this->Beats.HasStopped())
   {
     return false;
@@ -238,29 +238,19 @@ bool Planner::Divide(Part& part)
   return true;
 }
 
-Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
-{
-  Cut vertical = this->FindCut(part, scene, true, effort);
-  Cut level = this->FindCut(part, scene, false, effort);
-  return (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
-      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
-    ? std::move(vertical)
-    : std::move(level);
-}
-
 // Lines as tasks.
-Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort)
+Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
 {
   const std::vector<double> places = FromTheMiddle(PlacesOf(part.Inside, isVertical));
   std::vector<Cut> cuts(places.size());
   DoTasks(this->Beats, places.size(),
-    [this, &part, &scene, isVertical, effort, &places, &cuts](std::size_t k, Monitor&)
+    [this, &part, &scene, isVertical, &places, &cuts](std::size_t k, Monitor&)
     {
       const double place = this->Rows.FittingPlace(places[k], part.Box, isVertical);
       if (Divides(part.Inside, isVertical, place))
       {
         cuts[k].Line = { isVertical, place };
-        cuts[k].Along = MakeCutLine(scene, cuts[k].Line, effort);
+        cuts[k].Along = MakeCutLine(scene, cuts[k].Line);
         cuts[k].Cost = cuts[k].Along.IsGood ? this->CostOf(cuts[k].Along) : cuts[k].Cost;
       }
     });
