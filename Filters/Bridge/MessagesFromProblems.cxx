@@ -54,8 +54,7 @@ Wording WordingOfRepair(ProblemCode code)
     default:
       return { "Interfaces outside of the domain", "cell", "",
         "They were dropped. Where they are to bound the domain, close them; where a Contour ends "
-        "at "
-        "the rim of its input, Clip or IsoVolume give the whole area." };
+        "at the rim of its input, Clip or IsoVolume give the whole area." };
   }
 }
 

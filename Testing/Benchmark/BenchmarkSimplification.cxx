@@ -4,6 +4,7 @@
 // The simplification alone, in segments of the drawing per second of CPU time. Part of
 // BenchmarkKernel.
 
+#include "KernelShapes.h"
 #include "Simplification/Simplification.h"
 
 #include <benchmark/benchmark.h>
@@ -77,27 +78,13 @@ private:
   std::uint64_t State = 1;
 };
 
-Polylines LoopOf(const std::vector<Point2>& points)
-{
-  Polylines loop;
-  loop.Points = points;
-  for (std::size_t i = 0; i <= points.size(); ++i)
-  {
-    loop.Connectivity.push_back(static_cast<Id>(i % points.size()));
-  }
-  loop.Offsets.push_back(static_cast<Id>(loop.Connectivity.size()));
-  loop.Kinds = { ChainKind::Automatic };
-  loop.Cells = { 0 };
-  return loop;
-}
-
 // 6 * 4^levels segments; the radius over the spacing.
 void SimplificationOfFractalCoast(benchmark::State& state)
 {
   ProblemList problems;
   SilentMonitor monitor;
-  const Domain coast = MakeDomain(
-    LoopOf(FractalCoast(static_cast<int>(state.range(0))).Points), {}, problems, monitor);
+  const Domain coast =
+    MakeDomain(Loop(FractalCoast(static_cast<int>(state.range(0))).Points), {}, problems, monitor);
   const double spacing = 1.0 / static_cast<double>(state.range(1));
   SimplificationOptions options;
   options.Tolerance = Tolerance;
