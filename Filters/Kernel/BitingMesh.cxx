@@ -393,6 +393,18 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }
 
+// What is wrong with a mesh of blocks; empty: nothing. Segments of different blocks that touch but
+// for rounding may have vertices at one place.
+std::string ViolationOfBlocks(const BitingMesh& mesh, const ProblemList& problems)
+{
+  if (problems.Has(ProblemCode::CheckFailed))
+  {
+    return FirstDetail(ProblemCode::CheckFailed, problems);
+  }
+  const bool hasCoincidence = !mesh.Points.empty() && mesh.Quality.SmallestConformity == 0.0;
+  return hasCoincidence ? "two vertices are at one place" : "";
+}
+
 // What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
 BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const DomainLocator>& locator,
   ProblemList& problems, PartOfStage& whole)
@@ -401,11 +413,11 @@ BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const Domai
   bool isOfBlocks = false;
   BitingMesh mesh =
     MeshPrepared(input, VerticesPerBlock(input.Options), locator, isOfBlocks, problems, whole);
-  if (!isOfBlocks || input.Members.Own() != 0 || !problems.Has(ProblemCode::CheckFailed))
+  const std::string violation = isOfBlocks ? ViolationOfBlocks(mesh, problems) : std::string();
+  if (violation.empty() || input.Members.Own() != 0)
   {
     return mesh;
   }
-  const std::string violation = FirstDetail(ProblemCode::CheckFailed, problems);
   problems = before;
   Pulse pulse(whole);
   locator.emplace(input.Simplified.Drawing, pulse);

@@ -109,7 +109,7 @@ struct BitingMesh
   CutTree Cuts; ///< that made the blocks; without nodes: one block
 
   /// Why the mesh is of one block though the domain was cut: what the check said of the mesh of
-  /// several blocks. Empty: nothing was wrong.
+  /// several blocks, or that two of its vertices are at one place. Empty: nothing was wrong.
   std::string BlocksViolation;
 
   // Only with KeepBites.

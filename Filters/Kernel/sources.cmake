@@ -143,6 +143,7 @@ set(biting_kernel_sources
   Blocks/CutTree.cxx
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
+  Blocks/NearTouches.cxx
   Blocks/RimFlips.cxx
   Blocks/TakenStrip.cxx
   BitingMesh.cxx

@@ -6,8 +6,9 @@
 //                                          whose name has `name` in it
 //   BenchmarkMesh quality                  28 pairs of drawing and spacing, and their means
 //   BenchmarkMesh settings                 the means with the settings that README.md compares
-//   BenchmarkMesh blocks [vertices]        the pairs of at least so many vertices (0) as one block,
-//                                          and as at least eight, where their drawings let them
+//   BenchmarkMesh blocks [vertices]        the pairs of at least so many vertices (10000) as one
+//                                          block and as at least eight; means over all, the smaller
+//                                          ones as one block in both
 //
 // The unit of the ratio is this kernel's own unconstrained Delaunay triangulation of the mesh's
 // vertices, in the same run: what any mesher of these vertices has to pay.
@@ -339,14 +340,20 @@ void PrintBlocks(std::size_t least)
     MeshCase uncut = one;
     uncut.Options.VerticesPerBlock = 0;
     const BitingMesh whole = MeshOf(uncut, Defaults);
-    if (whole.Points.size() < std::max<std::size_t>(least, 1))
+    if (whole.Points.empty())
     {
+      std::printf("| %-32s | no mesh\n", one.Name.c_str());
       continue;
     }
-    const BitingMesh blocks = MeshOfBlocks(one, whole.Points.size());
+    const bool isCut = whole.Points.size() >= least;
+    const BitingMesh blocks = isCut ? MeshOfBlocks(one, whole.Points.size()) : whole;
     const Scores scores[2] = { ScoresOf(whole), ScoresOf(blocks) };
-    PrintScores(one.Name, whole.Points.size(), scores[0]);
-    PrintScores(std::to_string(blocks.NumberOfBlocks) + " blocks", blocks.Points.size(), scores[1]);
+    if (isCut)
+    {
+      PrintScores(one.Name, whole.Points.size(), scores[0]);
+      PrintScores(
+        std::to_string(blocks.NumberOfBlocks) + " blocks", blocks.Points.size(), scores[1]);
+    }
     Add(scores[0], ofOne);
     Add(scores[1], ofSeveral);
     vertices[0] += whole.Points.size();
@@ -385,7 +392,7 @@ int main(int argc, char** argv)
   else if (what == "blocks")
   {
     std::printf("%s\n", Columns);
-    PrintBlocks(argc > 2 ? static_cast<std::size_t>(std::atoll(argv[2])) : 0);
+    PrintBlocks(argc > 2 ? static_cast<std::size_t>(std::atoll(argv[2])) : 10000);
   }
   else
   {

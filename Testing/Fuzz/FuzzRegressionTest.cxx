@@ -328,6 +328,16 @@ TEST(FuzzRegression, BoundaryValuesThatJumpWithoutGradationArePreparedSoon)
   }
 }
 
+/// Segments of two blocks touched each other but for rounding, where cuts ended beside their lines,
+/// and had vertices at one place.
+TEST(FuzzRegression, BlocksWhoseSegmentsTouchHaveNoPointTwice)
+{
+  for (const std::uint64_t seed : { 300140529u, 300095066u })
+  {
+    ExpectKept(CaseOfSeed(seed), std::to_string(seed));
+  }
+}
+
 TEST(FuzzRegression, SpacingNearTheLargestNumberIsNoMoreThanOneThatCoversTheDrawing)
 {
   ExpectKept(95004254u);

@@ -29,6 +29,12 @@ constexpr double SineOfLeastAngle = 0.64278760968653925;
 constexpr double OpenReach = 3.0;
 constexpr double CosineOfOpenAngle = 0.42261826174069944; // 65 degrees
 
+// How far ends may be moved, the least length of their stretches, both in f, and to how many
+// vertices.
+constexpr double MoveReach = 4.0;
+constexpr double LeastMoved = 20.0;
+constexpr std::size_t MostMoves = 8;
+
 double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
 {
   const Point2 side = b - a;
@@ -84,9 +90,10 @@ private:
 class LineMaker
 {
 public:
-  LineMaker(const CutScene& scene, const AxisLine& line)
+  LineMaker(const CutScene& scene, const AxisLine& line, CutEffort effort)
     : Scene(scene)
     , Line(line)
+    , Effort(effort)
   {
   }
 
@@ -106,6 +113,9 @@ private:
   void Unite();
   bool IsWanted(const CutEnd& from, const CutEnd& to) const;
   void FindNear();
+  bool Add(CutStretch stretch, CutLine& line) const;
+  bool MoveEnds(CutStretch& stretch) const;
+  std::vector<CutEnd> EndsNear(const CutEnd& end) const;
   bool IsGood(const CutStretch& stretch) const;
   bool HasRoom(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
@@ -117,6 +127,7 @@ private:
 
   const CutScene& Scene;
   const AxisLine& Line;
+  CutEffort Effort;
   std::vector<CutEnd> Ends;
   double Margin = 0.0;
   NearList NearPieces;
@@ -132,14 +143,77 @@ CutLine LineMaker::Make()
   {
     if (this->IsWanted(this->Ends[k], this->Ends[k + 1]))
     {
-      line.Stretches.push_back({ this->Ends[k], this->Ends[k + 1] });
-      line.IsGood = this->IsGood(line.Stretches.back());
-      CutStretch& stretch = line.Stretches.back();
-      stretch.From.IsOpen = line.IsGood && this->IsOpen(stretch.From, stretch.To);
-      stretch.To.IsOpen = line.IsGood && this->IsOpen(stretch.To, stretch.From);
+      line.IsGood = this->Add({ this->Ends[k], this->Ends[k + 1] }, line);
     }
   }
+  line.IsGood = line.IsGood && (this->Effort == CutEffort::AsItIs || !line.Stretches.empty());
   return line;
+}
+
+// False where it is not good.
+bool LineMaker::Add(CutStretch stretch, CutLine& line) const
+{
+  if (!this->IsGood(stretch))
+  {
+    const bool isLeftOut = this->Effort == CutEffort::MoveEnds && !this->HasRoom(stretch);
+    if (isLeftOut || this->Effort == CutEffort::AsItIs || !this->MoveEnds(stretch))
+    {
+      return isLeftOut;
+    }
+  }
+  stretch.From.IsOpen = this->IsOpen(stretch.From, stretch.To);
+  stretch.To.IsOpen = this->IsOpen(stretch.To, stretch.From);
+  line.Stretches.push_back(stretch);
+  return true;
+}
+
+// False where there are no good ends.
+bool LineMaker::MoveEnds(CutStretch& stretch) const
+{
+  const double f = std::max(stretch.From.F, stretch.To.F);
+  if (Distance(stretch.From.Place, stretch.To.Place) < LeastMoved * f)
+  {
+    return false;
+  }
+  for (const CutEnd& from : this->EndsNear(stretch.From))
+  {
+    for (const CutEnd& to : this->EndsNear(stretch.To))
+    {
+      const CutStretch moved{ from, to };
+      if (this->IsGood(moved) && this->Scene.Locator.IsInside(Midpoint(from.Place, to.Place)))
+      {
+        stretch = moved;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// The end itself, and vertices, the nearest first.
+std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end) const
+{
+  std::vector<CutEnd> ends{ end };
+  const double reach = MoveReach * end.F;
+  this->NearVertices.AllOf(end.Along - reach, end.Along + reach,
+    [this, &ends, &end, reach](Id vertex)
+    {
+      const Point2& place = this->Vertex(vertex);
+      if (vertex != end.Vertex && Distance(place, end.Place) <= reach)
+      {
+        ends.push_back({ place, this->Along(place), vertex, NoId, this->Scene.F(place), false });
+      }
+      return true;
+    });
+  std::sort(ends.begin() + 1, ends.end(),
+    [&end](const CutEnd& a, const CutEnd& b)
+    {
+      const double first = Distance(a.Place, end.Place);
+      const double second = Distance(b.Place, end.Place);
+      return first != second ? first < second : a.Vertex < b.Vertex;
+    });
+  ends.resize(std::min(ends.size(), MostMoves));
+  return ends;
 }
 
 // False where a piece lies on the line.
@@ -330,9 +404,9 @@ bool LineMaker::IsClearOfVertex(Id vertex, const CutStretch& stretch) const
 
 } // namespace
 
-CutLine MakeCutLine(const CutScene& scene, const AxisLine& line)
+CutLine MakeCutLine(const CutScene& scene, const AxisLine& line, CutEffort effort)
 {
-  return LineMaker(scene, line).Make();
+  return LineMaker(scene, line, effort).Make();
 }
 
 } // namespace biting

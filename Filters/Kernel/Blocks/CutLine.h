@@ -59,10 +59,20 @@ struct CutLine
   bool IsGood = true;
 };
 
+/// What is done about stretches that are not good.
+enum class CutEffort
+{
+  AsItIs,
+  /// Their ends go to vertices some f away, from which they are good; short ones are left out: the
+  /// line need not divide the domain then.
+  MoveEnds
+};
+
 /// The stretches of `line`, each from a piece to the next. Where one meets a piece again, comes
 /// near to a vertex or a piece in proportion to f, leaves a piece at less than 40 degrees, or is
 /// short, the line is not good, and what is listed is of no use.
-CutLine MakeCutLine(const CutScene& scene, const AxisLine& line);
+CutLine MakeCutLine(
+  const CutScene& scene, const AxisLine& line, CutEffort effort = CutEffort::AsItIs);
 
 } // namespace biting
 

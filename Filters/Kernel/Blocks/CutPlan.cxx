@@ -7,10 +7,12 @@
 #include "CutLine.h"
 #include "CutRows.h"
 #include "DensitySamples.h"
+#include "NearTouches.h"
 
 #include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
+#include <optional>  // for what is not known yet
 #include <utility>   // for move
 
 namespace biting
@@ -152,7 +154,9 @@ public:
 private:
   Id AddNode(double share);
   bool Divide(Part& part);
-  Cut FindCut(Part& part, const CutScene& scene, bool isVertical);
+  bool MayMoveEnds();
+  Cut FindBestCut(Part& part, const CutScene& scene, CutEffort effort);
+  Cut FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
   CutScene SceneOf(Part& part) const;
@@ -173,6 +177,7 @@ private:
   std::vector<Part> Pending;
   std::vector<Id> Embedded; ///< vertices of the domain
   double VerticesPerDensity = 0.0;
+  std::optional<bool> HasTouches; ///< NearTouches.h
 };
 
 CutPlan Planner::Run()
@@ -222,12 +227,11 @@ Id Planner::AddNode(double vertices)
 bool Planner::Divide(Part& part)
 {
   const CutScene scene = this->SceneOf(part);
-  const Cut vertical = this->FindCut(part, scene, true);
-  const Cut level = this->FindCut(part, scene, false);
-  const Cut& best = (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
-      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
-    ? vertical
-    : level;
+  Cut best = this->FindBestCut(part, scene, CutEffort::AsItIs);
+  if (!best.Along.IsGood && this->MayMoveEnds())
+  {
+    best = this->FindBestCut(part, scene, CutEffort::MoveEnds);
+  }
   if (!best.Along.IsGood || this->Beats.HasStopped())
   {
     return false;
@@ -238,19 +242,40 @@ bool Planner::Divide(Part& part)
   return true;
 }
 
+// A cut whose ends are not on its line divides segments that touch each other there: what is of the
+// one block and what of the other does not follow from the line any more.
+bool Planner::MayMoveEnds()
+{
+  if (!this->HasTouches)
+  {
+    this->HasTouches = HasNearTouches(this->Geometry, this->F, this->Beats);
+  }
+  return !*this->HasTouches;
+}
+
+Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
+{
+  Cut vertical = this->FindCut(part, scene, true, effort);
+  Cut level = this->FindCut(part, scene, false, effort);
+  return (this->Rows.IsStraight(true) ? 1.0 : CostOfOtherDirection) * vertical.Cost <=
+      (this->Rows.IsStraight(false) ? 1.0 : CostOfOtherDirection) * level.Cost
+    ? std::move(vertical)
+    : std::move(level);
+}
+
 // Lines as tasks.
-Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical)
+Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort)
 {
   const std::vector<double> places = FromTheMiddle(PlacesOf(part.Inside, isVertical));
   std::vector<Cut> cuts(places.size());
   DoTasks(this->Beats, places.size(),
-    [this, &part, &scene, isVertical, &places, &cuts](std::size_t k, Monitor&)
+    [this, &part, &scene, isVertical, effort, &places, &cuts](std::size_t k, Monitor&)
     {
       const double place = this->Rows.FittingPlace(places[k], part.Box, isVertical);
       if (Divides(part.Inside, isVertical, place))
       {
         cuts[k].Line = { isVertical, place };
-        cuts[k].Along = MakeCutLine(scene, cuts[k].Line);
+        cuts[k].Along = MakeCutLine(scene, cuts[k].Line, effort);
         cuts[k].Cost = cuts[k].Along.IsGood ? this->CostOf(cuts[k].Along) : cuts[k].Cost;
       }
     });

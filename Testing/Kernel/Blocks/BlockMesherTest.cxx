@@ -58,6 +58,17 @@ Polylines Islands()
   return builder.Lines();
 }
 
+/// As fine as f.
+Polylines RoughDisc()
+{
+  std::vector<Point2> loop = RegularPolygon({ 0.0, 0.0 }, 1.0, 300);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    loop[k] = (1.0 + 0.008 * static_cast<double>(37 * k % 11)) * loop[k];
+  }
+  return PolylineBuilder().Loop(loop).Lines();
+}
+
 SpacingOptions Section6Scaled(double scale)
 {
   SpacingOptions spacing = SectionSixSpacing();
@@ -71,6 +82,7 @@ std::vector<Case> Cases()
     { "plan", Plan(), UniformSpacing(0.012) },
     { "disc", PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 90)).Lines(),
       UniformSpacing(0.02) },
+    { "rough disc", RoughDisc(), UniformSpacing(0.02) },
     { "ell", PolylineBuilder().Loop(EllShape(1.0)).Lines(), UniformSpacing(0.011) },
     { "comb", PolylineBuilder().Loop(Comb(12, 0.5)).Lines(), UniformSpacing(0.05) },
     { "islands", Islands(), UniformSpacing(0.03) },

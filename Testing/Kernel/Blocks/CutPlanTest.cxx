@@ -6,6 +6,7 @@
 
 #include "Blocks/BlockDomains.h"
 #include "Blocks/CutPlan.h"
+#include "Blocks/CutRows.h"
 #include "Blocks/DensitySamples.h"
 #include "Domain/DomainLocator.h"
 
@@ -42,6 +43,25 @@ struct Scene
   DomainLocator Locator;
   Spacing F;
 };
+
+/// Of Koch: each side is replaced by four of a third of its length, again and again.
+std::vector<Point2> Snowflake(int depth)
+{
+  std::vector<Point2> points = RegularPolygon({ 0.0, 0.0 }, 1.0, 3);
+  for (int step = 0; step < depth; ++step)
+  {
+    std::vector<Point2> finer;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const Point2& start = points[k];
+      const Point2 third = 1.0 / 3.0 * (points[(k + 1) % points.size()] - start);
+      const Point2 top = start + 1.5 * third - 0.5 * CutRows::Pair * Perpendicular(third);
+      finer.insert(finer.end(), { start, start + third, top, start + 2.0 * third });
+    }
+    points = finer;
+  }
+  return points;
+}
 
 Polylines Square()
 {
@@ -146,6 +166,25 @@ TEST(CutPlan, TakesTimeNearlyLinearInTheSegments)
   const double few = secondsOf(50);
   const double many = secondsOf(158);
   EXPECT_LT(many, 30.0 * few) << "seconds: " << many;
+}
+
+/// A snowflake of segments as long as f. Only six blocks are had where ends of cuts stay in place.
+TEST(CutPlan, DrawingsAsFineAsTheSpacingAreCut)
+{
+  const std::vector<Point2> loop = Snowflake(3);
+  const double length = Distance(loop[0], loop[1]);
+  Scene scene(PolylineBuilder().Loop(loop).Lines(), length);
+  const CutPlan plan = scene.PlanOf(586.0, 58.6);
+  const BlockDomains parts =
+    MakeBlockDomains(scene.Made, scene.F, plan, { 0.824, 1.0, 100000 }, NoMonitor());
+  EXPECT_GE(parts.Blocks.size(), 8u);
+  double area = 0.0;
+  for (const BlockDomain& block : parts.Blocks)
+  {
+    EXPECT_EQ(CheckDomain(block.Geometry), "");
+    area += block.Geometry.Area;
+  }
+  EXPECT_NEAR(area, scene.Made.Area, 1e-12);
 }
 
 TEST(CutPlan, NothingIsCutWhereEveryLineMeetsSomethingNarrow)

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NearTouches.h"
+
+#include "../Base/SortInSteps.h"
+#include "../Domain/SegmentTree.h"
+
+#include <algorithm> // for clamp, min
+#include <cmath>     // for atan2
+#include <cstdint>   // for flags
+#include <vector>    // for the lists
+
+namespace biting
+{
+
+namespace
+{
+
+// In units of the domain's resolution: twice what rounding takes a vertex off its segment, on both
+// sides, with a factor of two to spare.
+constexpr double RoundingReach = 8.0;
+
+// Of f: how near to its ends a segment may be divided.
+constexpr double LeastPart = 0.25;
+
+double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+{
+  const Point2 side = b - a;
+  const double squaredLength = Dot(side, side);
+  const double t =
+    squaredLength > 0.0 ? std::clamp(Dot(p - a, side) / squaredLength, 0.0, 1.0) : 0.0;
+  return Distance(p, a + t * side);
+}
+
+// Segments that do not cross are nearest to each other at an end.
+class TouchSearch
+{
+public:
+  TouchSearch(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
+    double reach, Pulse& pulse)
+    : Points(points)
+    , Segments(segments)
+    , Reach(reach)
+    , Beats(pulse)
+  {
+  }
+
+  bool GoesOn() { return !this->HasFound && this->Beats.Beat(); }
+  void SetFraction(double fraction) { this->Beats.SetFraction(fraction); }
+
+  void operator()(Id first, Id second)
+  {
+    this->HasFound = this->HasFound ||
+      this->IsNear(this->Segments[first], this->Segments[second]) ||
+      this->IsNear(this->Segments[second], this->Segments[first]);
+  }
+
+  bool HasFound = false;
+
+private:
+  bool IsNear(const SegmentEnds& one, const SegmentEnds& other) const
+  {
+    const Point2& a = this->Points[other.Start];
+    const Point2& b = this->Points[other.End];
+    return DistanceToSegment(this->Points[one.Start], a, b) <= this->Reach ||
+      DistanceToSegment(this->Points[one.End], a, b) <= this->Reach;
+  }
+
+  const std::vector<Point2>& Points;
+  const std::vector<SegmentEnds>& Segments;
+  double Reach;
+  Pulse& Beats;
+};
+
+// Those of the domain, and its embedded points.
+std::vector<SegmentEnds> SegmentsOf(const Domain& domain)
+{
+  std::vector<SegmentEnds> segments;
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
+  }
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (domain.IsEmbedded[vertex] != 0)
+    {
+      segments.push_back({ vertex, vertex });
+    }
+  }
+  return segments;
+}
+
+bool HasNearSegments(const Domain& domain, double reach, Pulse& pulse)
+{
+  const std::vector<SegmentEnds> segments = SegmentsOf(domain);
+  const SegmentTree tree(domain.Vertices, segments, reach, pulse);
+  TouchSearch search(domain.Vertices, segments, reach, pulse);
+  if (!pulse.HasStopped())
+  {
+    tree.VisitPairs(std::vector<std::uint8_t>(segments.size(), 1), search);
+  }
+  return search.HasFound;
+}
+
+// A segment as it leaves a vertex.
+struct Spoke
+{
+  Id Vertex;
+  Id End;
+  double Direction;
+};
+
+std::vector<Spoke> SpokesOf(const Domain& domain, Pulse& pulse)
+{
+  std::vector<Spoke> spokes;
+  const auto add = [&domain, &spokes](Id vertex, Id end)
+  {
+    const Point2 way = domain.Vertices[end] - domain.Vertices[vertex];
+    spokes.push_back({ vertex, end, std::atan2(way.Y, way.X) });
+  };
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    add(domain.Starts[segment], domain.Ends[segment]);
+    add(domain.Ends[segment], domain.Starts[segment]);
+  }
+  SortInSteps(
+    spokes,
+    [](const Spoke& a, const Spoke& b)
+    {
+      return a.Vertex != b.Vertex    ? a.Vertex < b.Vertex
+        : a.Direction != b.Direction ? a.Direction < b.Direction
+                                     : a.End < b.End;
+    },
+    pulse);
+  return spokes;
+}
+
+// Whether the first vertices on the two, or their ends, are that near.
+bool AreNear(
+  const Domain& domain, const Spacing& spacing, const Spoke& one, const Spoke& other, double reach)
+{
+  const Point2& vertex = domain.Vertices[one.Vertex];
+  const Point2 first = domain.Vertices[one.End] - vertex;
+  const Point2 second = domain.Vertices[other.End] - vertex;
+  const double length = Length(first);
+  const double otherLength = Length(second);
+  const double along = std::min({ length, otherLength, LeastPart * spacing(vertex) });
+  return Distance(along / length * first, along / otherLength * second) <= reach;
+}
+
+bool HasNearSpokes(const Domain& domain, const Spacing& spacing, double reach, Pulse& pulse)
+{
+  const std::vector<Spoke> spokes = SpokesOf(domain, pulse);
+  std::size_t first = 0; // at the vertex
+  for (std::size_t k = 0; k < spokes.size() && pulse.Beat(); ++k)
+  {
+    first = spokes[first].Vertex == spokes[k].Vertex ? first : k;
+    const bool isLast = k + 1 == spokes.size() || spokes[k + 1].Vertex != spokes[k].Vertex;
+    const Spoke& next = isLast ? spokes[first] : spokes[k + 1];
+    if (next.End != spokes[k].End && AreNear(domain, spacing, spokes[k], next, reach))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool HasNearTouches(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, 0.0);
+  const double reach = RoundingReach * domain.Resolution;
+  return HasNearSpokes(domain, spacing, reach, pulse) || HasNearSegments(domain, reach, pulse);
+}
+
+} // namespace biting
