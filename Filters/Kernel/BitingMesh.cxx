@@ -261,14 +261,6 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   }
 }
 
-void TellGiven(const SimplifiedDomain& simplified, const Spacing& spacing, BitingMesh& mesh)
-{
-  mesh.GivenLipschitz = spacing.GivenLipschitz();
-  mesh.RemovedVertices = simplified.RemovedVertices;
-  mesh.LeftOutLoops = simplified.LeftOutLoops;
-  mesh.LeftOutArea = simplified.LeftOutArea;
-}
-
 // Says so where it is large and no tolerance is set.
 void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options,
   const Spacing& spacing, BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
@@ -338,7 +330,10 @@ BitingMesh Finish(const SimplifiedDomain& simplified, const Spacing& spacing,
     return {};
   }
   mesh.NumberOfSharpCornerTriangles = sharp;
-  TellGiven(simplified, spacing, mesh);
+  mesh.GivenLipschitz = spacing.GivenLipschitz();
+  mesh.RemovedVertices = simplified.RemovedVertices;
+  mesh.LeftOutLoops = simplified.LeftOutLoops;
+  mesh.LeftOutArea = simplified.LeftOutArea;
   Measure(mesh, problems, whole);
   TellFineDrawing(domain, options, spacing, mesh, problems, whole);
   return mesh;
@@ -388,21 +383,13 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   whole.BeginStage(MeshingStages::Quality.Text);
   BitingMesh mesh =
     Finish(input.Simplified, input.F, options, std::move(bites), triangulation, problems, whole);
+  if (isOfBlocks && !IsOver(whole, problems) && mesh.Quality.SmallestConformity == 0.0)
+  {
+    AddProblem(ProblemCode::CheckFailed, "two vertices are at one place", problems);
+  }
   mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.NumberOfBlocks()) : 1;
   mesh.Cuts = isOfBlocks ? blocks.Cuts() : CutTree();
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
-}
-
-// What is wrong with a mesh of blocks; empty: nothing. Segments of different blocks that touch but
-// for rounding may have vertices at one place.
-std::string ViolationOfBlocks(const BitingMesh& mesh, const ProblemList& problems)
-{
-  if (problems.Has(ProblemCode::CheckFailed))
-  {
-    return FirstDetail(ProblemCode::CheckFailed, problems);
-  }
-  const bool hasCoincidence = !mesh.Points.empty() && mesh.Quality.SmallestConformity == 0.0;
-  return hasCoincidence ? "two vertices are at one place" : "";
 }
 
 // What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
@@ -413,11 +400,11 @@ BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const Domai
   bool isOfBlocks = false;
   BitingMesh mesh =
     MeshPrepared(input, VerticesPerBlock(input.Options), locator, isOfBlocks, problems, whole);
-  const std::string violation = isOfBlocks ? ViolationOfBlocks(mesh, problems) : std::string();
-  if (violation.empty() || input.Members.Own() != 0)
+  if (!isOfBlocks || input.Members.Own() != 0 || !problems.Has(ProblemCode::CheckFailed))
   {
     return mesh;
   }
+  const std::string violation = FirstDetail(ProblemCode::CheckFailed, problems);
   problems = before;
   Pulse pulse(whole);
   locator.emplace(input.Simplified.Drawing, pulse);

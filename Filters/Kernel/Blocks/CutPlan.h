@@ -34,10 +34,11 @@ struct CutOptions
 /// Cuts the domain by a kd-tree until less than 1.5 blocks' worth of vertices are expected in each
 /// part; not at all where these are less than 2 in all. Each line divides its part nearly equally,
 /// in the direction and at the place where fewest vertices lie on it, and its ends are open, of
-/// those at which it is good (CutLine.h); where there is none, and segments do not nearly touch each
-/// other (NearTouches.h), ends of lines are moved, and where that does not help the part stays whole. Along f counts less than across, where f changes, and
-/// the direction of the first cut less than the other. Lines are where lattices fit (CutRows.h).
-/// Depends on the arguments alone. Where the monitor wants to stop the result has no meaning.
+/// those at which it is good (CutLine.h). Where there is none, ends of lines are moved, unless
+/// segments nearly touch each other (NearTouches.h); where that does not help the part stays whole.
+/// Along f counts less than across, where f changes, and the direction of the first cut less than
+/// the other. Lines are where lattices fit (CutRows.h). Depends on the arguments alone. Where the
+/// monitor wants to stop the result has no meaning.
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   const CutOptions& options, Pulse& pulse);
 
