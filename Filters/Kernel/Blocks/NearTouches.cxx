@@ -22,7 +22,7 @@ namespace
 constexpr double RoundingReach = 8.0;
 
 // Of f: how near to its ends a segment may be divided.
-constexpr double LeastPart = 0.25;
+constexpr double LeastLength = 0.25;
 
 double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
 {
@@ -145,7 +145,7 @@ bool AreNear(
   const Point2 second = domain.Vertices[other.End] - vertex;
   const double length = Length(first);
   const double otherLength = Length(second);
-  const double along = std::min({ length, otherLength, LeastPart * spacing(vertex) });
+  const double along = std::min({ length, otherLength, LeastLength * spacing(vertex) });
   return Distance(along / length * first, along / otherLength * second) <= reach;
 }
 
