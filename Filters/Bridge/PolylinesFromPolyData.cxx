@@ -15,6 +15,7 @@
 
 #include <algorithm> // for max
 #include <cmath>     // for abs
+#include <limits>    // for epsilon
 #include <utility>   // for pair
 
 namespace biting
@@ -81,6 +82,7 @@ void MapToPlane(PlanarInput& input, Pulse& pulse)
 
 double Diagonal(const PlanarInput& input, Pulse& pulse)
 {
+  const PulsePart part(pulse, MapEnd, MapEnd);
   Box2 box;
   pulse.ForEach(input.UsedPoints.size(),
     [&input, &box](std::size_t k)
@@ -91,9 +93,9 @@ double Diagonal(const PlanarInput& input, Pulse& pulse)
 // A point and its distance from the plane, worst first.
 using Distances = std::vector<std::pair<double, Id>>;
 
-Distances FindNotPlanar(const PlanarInput& input, Pulse& pulse)
+Distances FindNotPlanar(const PlanarInput& input, double diagonal, Pulse& pulse)
 {
-  const double farthest = std::max(PlanarTolerance * Diagonal(input, pulse), input.Chains.Rounding);
+  const double farthest = std::max(PlanarTolerance * diagonal, input.Chains.Rounding);
   Distances off;
   pulse.ForEach(input.UsedPoints.size(),
     [&input, farthest, &off](std::size_t k)
@@ -113,10 +115,10 @@ Distances FindNotPlanar(const PlanarInput& input, Pulse& pulse)
   return off;
 }
 
-void RefuseNotPlanar(const PlanarInput& input, ProblemList& problems, Pulse& pulse)
+void RefuseNotPlanar(const PlanarInput& input, double diagonal, ProblemList& problems, Pulse& pulse)
 {
   const PulsePart part(pulse, MapEnd, 1.0);
-  for (const auto& [distance, point] : FindNotPlanar(input, pulse))
+  for (const auto& [distance, point] : FindNotPlanar(input, diagonal, pulse))
   {
     if (!pulse.Beat())
     {
@@ -152,7 +154,9 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
     RoundingOfCoordinates(drawing.CoordinateType(), places, result.UsedPoints, pulse);
   result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, result.Chains.Rounding, pulse);
   MapToPlane(result, pulse);
-  RefuseNotPlanar(result, problems, pulse);
+  const double diagonal = Diagonal(result, pulse);
+  result.Chains.SeamNoise = SeamInUlp * std::numeric_limits<double>::epsilon() * diagonal;
+  RefuseNotPlanar(result, diagonal, problems, pulse);
   return {};
 }
 

@@ -200,7 +200,7 @@ std::vector<Id> PointWelder::Leaders(const std::vector<Id>& firstEquals)
   {
     leaders[static_cast<std::size_t>(first)] = first;
   }
-  const double reach = this->Result.Resolution;
+  const double reach = std::max(this->Result.Resolution, this->Input.SeamNoise);
   const std::vector<Id> candidates = this->Candidates(leaders);
   std::vector<Point2> places;
   std::vector<Id> chosen;

@@ -33,6 +33,22 @@ constexpr double RoundingInUlp = 4.0;
 /// In slices of ParaView's sources points that are meant to be one are up to 6 units apart.
 constexpr double NoiseInUlp = 2.0 * RoundingInUlp;
 
+/// How far apart points may be that were computed along two ways, in units of 2^-52 of the size of
+/// the drawing: at the seam of a surface that closes on itself, by an angle near zero and by a full
+/// turn.
+///
+/// With e = 2^-52, a full turn start + i step is off by 1.1 e for pi, by pi e for the step, and by
+/// 2 e for the product and for the sum each: below 9 e. Shapes are trigonometric polynomials of
+/// their angles, no larger than S / 2 where S is their size. Of degree k, by Bernstein's
+/// inequality, a place moves by at most k S / 2 times what its angle does: 4.5 k e S. Degrees up to
+/// six are usual (Boy's surface): 27 e S, and a few for the formula itself. Where such a shape was
+/// moved far away its size has stayed: what the place adds is in NoiseInUlp. In slices of
+/// ParaView's sources such points are up to 16 units of their largest coordinate apart, 8 of their
+/// size.
+///
+/// It is no measure for points beside segments: a bend or a spike that thin is a shape.
+constexpr double SeamInUlp = 32.0;
+
 /// The input of the kernel: chains of points in the plane, as they come (points may repeat, chains
 /// may touch). Chain c has the points Connectivity[Offsets[c]] .. Connectivity[Offsets[c + 1] - 1];
 /// a closed chain repeats its first point id at its end.
@@ -49,6 +65,10 @@ struct Polylines
   /// coordinate, in the type that the points had. Where it is less, RoundingInUlp counts, in
   /// doubles.
   double Rounding = 0.0;
+
+  /// Where it is more, points that are not further apart than this are one, too: SeamInUlp. But a
+  /// point that near to a segment is beside it.
+  double SeamNoise = 0.0;
 
   Id NumberOfChains() const { return static_cast<Id>(this->Kinds.size()); }
 };

@@ -95,6 +95,53 @@ TEST(Welding, PointsSevenUnitsApartAreOneInFloats)
   EXPECT_EQ(Make(InFloats(builder, 1.0)).Domain.NumberOfVertices(), 4);
 }
 
+constexpr double Seam = SeamInUlp * 0x1p-52; ///< of a drawing of size 1
+
+Polylines WithSeams(const PolylineBuilder& builder)
+{
+  Polylines lines = builder.Lines();
+  lines.SeamNoise = Seam;
+  return lines;
+}
+
+/// Two halves of a disk, each with points of its own on the seam.
+TEST(Welding, PointsOnBothSidesOfASeamAreOne)
+{
+  const PolylineBuilder halves =
+    PolylineBuilder()
+      .Chain({ { 0, 0 }, { 1, 0 }, { 1, 1 } })
+      .Chain({ { 1 - 0.6 * Seam, 1 + 0.6 * Seam }, { 0, 1 }, { 0, 0 } });
+  const MadeDomain made = Make(WithSeams(halves));
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 4);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 1);
+  EXPECT_NEAR(made.Domain.Area, 1.0, Seam);
+}
+
+TEST(Welding, PointsFurtherApartThanASeamStay)
+{
+  const MadeDomain made = Make(WithSeams(
+    PolylineBuilder().Loop({ { 0, 0 }, { 1, 0 }, { 1, 1.5 * Seam }, { 1, 1 }, { 0, 1 } })));
+  EXPECT_TRUE(made.Problems.Groups().empty());
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 5);
+}
+
+/// The bend of a side, and the tip of a notch before another one, as thin as seams are wide.
+TEST(Welding, BendsAndWallsThinnerThanASeamStay)
+{
+  const double thin = 0.25 * Seam; // 8 units in the last place of 1
+  const MadeDomain made = Make(WithSeams(PolylineBuilder().Loop({ { 0, 0 }, { 0.5, -thin },
+    { 1, 0 }, { 1, 1 }, { 0.6, 1 }, { 0.5, thin }, { 0.4, 1 }, { 0, 1 } })));
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 7); // bend and tip are one
+  EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 1);
+  const MadeDomain beside = Make(WithSeams(PolylineBuilder().Loop({ { 0, 0 }, { 0.3, -thin },
+    { 1, 0 }, { 1, 1 }, { 0.7, 1 }, { 0.6, thin }, { 0.5, 1 }, { 0, 1 } })));
+  EXPECT_EQ(beside.Violation, "");
+  EXPECT_EQ(beside.Domain.NumberOfVertices(), 8);
+  EXPECT_TRUE(beside.Problems.Groups().empty());
+}
+
 TEST(Welding, TheSameDrawingInDoublesKeepsAllOfItsPoints)
 {
   const MadeDomain made =
