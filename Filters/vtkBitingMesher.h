@@ -346,10 +346,12 @@ public:
    * than the spacing gets thin triangles, not a multitude of them. With BoundaryTolerance, where
    * long segments run along slits, it may also go down to 1.4 times the length of the input's
    * segments there: no more triangles than without a tolerance, and as good ones. And it is at most
-   * 1.4 times the length of the segment, which is an edge of the mesh in any case, but not lowered
-   * below 0.003 of what is given. Neither goes below MinimumSpacing. Segments that meet in a sharp
-   * angle do not count for each other. From there f grows with the Gradation (0.3 where it is 0).
-   * Off: f is what is given, whatever the domain. Without effect where PreserveBoundary is on.
+   * 1.4 times the length of the segment, which is an edge of the mesh in any case, so that short
+   * segments have good triangles too, some hundred each; but not lowered below 1.2e-7 of what is
+   * given: floats do not tell lengths apart below that. Neither goes below MinimumSpacing. Segments
+   * that meet in a sharp angle do not count for each other. From there f grows with the Gradation
+   * (0.3 where it is 0). Off: f is what is given, whatever the domain. Without effect where
+   * PreserveBoundary is on.
    */
   vtkSetMacro(LimitByFeatureSize, bool);
   vtkGetMacro(LimitByFeatureSize, bool);
@@ -372,9 +374,11 @@ public:
    * are one, and a point that near to a segment lies on it: a warning says how many and where. In
    * [0, 1). 0 (default): only what the rounding of coordinates does not tell apart, eight units in
    * the last place of the largest one, of the type that they have: 9.5e-7 of it for floats, 1.8e-15
-   * for doubles. Doubles that have been floats count as floats. No vertex moves further than that;
-   * of points that are one, those of boundaries stay rather than those of interfaces, and these
-   * rather than embedded ones. Other values: an error.
+   * for doubles. Doubles that have been floats count as floats. Points are one also within
+   * 7.1e-15 of the diagonal (but not points and segments): at seams of surfaces the same point is
+   * computed along two ways. No vertex moves further than that; of points that are one, those of
+   * boundaries stay rather than those of interfaces, and these rather than embedded ones. Other
+   * values: an error.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);

@@ -43,6 +43,21 @@ class TestParaViewProducersProxy(unittest.TestCase):
                     mesh = self.mesh(slice_of(producer, origin, normal))
                     self.assertGreater(figure(mesh, 'SmallestAngle'), 20, (shape, origin, normal))
 
+    def test_slices_of_surfaces_with_seams_have_no_slivers_of_noise(self):
+        shapes = simple.PartitionedDataSetCollectionSource()
+        for producer in (shapes, in_doubles(shapes)):
+            for origin, normal in (((0, 0, 0), (0, 0, 1)), ((0, 0, 0), (1, 0, 0)),
+                                   ((.1, .2, .3), (1, 1, .2)), ((.03, .01, .02), (3, 2, 1))):
+                mesh = self.mesh(slice_of(producer, origin, normal))
+                self.assertGreater(figure(mesh, 'SmallestAngle'), 20, (origin, normal))
+
+    def test_slices_that_pass_close_to_vertices_have_good_triangles(self):
+        for roundness in ({'ThetaRoundness': .3}, {'ThetaRoundness': .3, 'PhiRoundness': .3}):
+            shape = simple.Superquadric(**roundness)
+            for producer in (shape, in_doubles(shape)):
+                mesh = self.mesh(slice_of(producer, (0, 0, 0), (0, 0, 1)))
+                self.assertGreater(figure(mesh, 'SmallestAngle'), 30, roundness)
+
     def test_points_of_a_superquadric_within_rounding_are_merged_with_a_word(self):
         cut = slice_of(simple.Superquadric(), (0, 0, 0), (0, 1, 0))
         mesher = BitingMesher(Input=cut)

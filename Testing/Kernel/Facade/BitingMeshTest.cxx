@@ -342,6 +342,25 @@ TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
   }
 }
 
+/// As where a plane passes vertices of a surface at a distance far below its size.
+TEST(BitingMesh, SegmentsFarShorterThanTheSpacingHaveGoodTriangles)
+{
+  const std::vector<Point2> corners = RegularPolygon({ 0.5, 0.5 }, 0.5, 16);
+  for (const double share : { 1e-2, 1e-4, 1e-6 })
+  {
+    std::vector<Point2> loop;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      loop.push_back(corners[k]);
+      loop.push_back(corners[k] + share * (corners[(k + 1) % corners.size()] - corners[k]));
+    }
+    const Polylines input = PolylineBuilder().Loop(loop).Lines();
+    const MeshRun run = RunMesh(input, UniformOptions(0.1));
+    ExpectCovered(input, run);
+    EXPECT_GT(run.Mesh.Quality.SmallestAngle, 30.0) << share;
+  }
+}
+
 TEST(BitingMesh, RelaxationMakesTrianglesBetterAndHardlyChangesTheirNumber)
 {
   for (BitingMeshOptions options : { UniformOptions(0.03), RadialOptions() })

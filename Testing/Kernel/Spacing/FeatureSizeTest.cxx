@@ -248,11 +248,25 @@ TEST(FeatureLimit, LeavesShortSegmentsNoShorterThanEdgesShouldBe)
   EXPECT_EQ(f({ 0.5, 0.9 }), 0.1);
 }
 
-TEST(FeatureLimit, IsNotMuchBelowWhatIsGivenWhereSegmentsAreTiny)
+/// In a side of a square.
+Spacing AroundSegment(double length)
 {
   std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);
-  loop.insert(loop.begin() + 1, { { 0.5, 0.0 }, { 0.5 + 1e-12, 0.0 } });
-  EXPECT_NEAR(WithFeatures(Loops({ loop }), 0.1)({ 0.5, 0.0 }), 3e-4, 3e-6);
+  loop.insert(loop.begin() + 1, { { 0.5, 0.0 }, { 0.5 + length, 0.0 } });
+  return WithFeatures(Loops({ loop }), 0.1);
+}
+
+TEST(FeatureLimit, FollowsSegmentsAsShortAsFloatsTellLengthsApart)
+{
+  for (const double length : { 1e-3, 1e-5, 1e-7 })
+  {
+    EXPECT_NEAR(AroundSegment(length)({ 0.5, 0.0 }), 1.4 * length, 0.02 * length) << length;
+  }
+}
+
+TEST(FeatureLimit, DoesNotFollowSegmentsShorterThanThat)
+{
+  EXPECT_NEAR(AroundSegment(1e-12)({ 0.5, 0.0 }), 0x1p-23 * 0.1, 1e-3 * 0x1p-23);
 }
 
 TEST(FeatureLimit, IsNotBelowTheMinimum)
