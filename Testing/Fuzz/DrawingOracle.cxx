@@ -234,14 +234,25 @@ bool DrawingOracle::SurelyDividesFaces(const Point2& p, const Point2& q) const
     std::any_of(this->Judged.Drawn.Segments.begin(), this->Judged.Drawn.Segments.end(),
       [isNear](const DrawnSegment& segment)
       { return segment.Face != NoId && (isNear(segment.Start) || isNear(segment.End)); });
-  return !hasCorner && this->DividesFaces(p, q, this->Judged.Slack) == Answer::Yes &&
-    this->DividesFaces(p, q, LeastSlack * this->Judged.Slack) == Answer::Yes;
+  return !hasCorner && this->AllSay(Answer::Yes, p, q);
 }
 
 bool DrawingOracle::MayDivideFaces(const Point2& p, const Point2& q) const
 {
-  return this->DividesFaces(p, q, this->Judged.Slack) != Answer::No ||
-    this->DividesFaces(p, q, LeastSlack * this->Judged.Slack) != Answer::No;
+  return !this->AllSay(Answer::No, p, q);
+}
+
+/// Whether that is the answer however near edges must be to count: each step may take in one more.
+bool DrawingOracle::AllSay(Answer answer, const Point2& p, const Point2& q) const
+{
+  for (double share = LeastSlack; share <= 1.0; share *= 2.0)
+  {
+    if (this->DividesFaces(p, q, share * this->Judged.Slack) != answer)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Whether a line runs from p towards q.

@@ -41,6 +41,7 @@ private:
   Answer DividesFaces(const Point2& p, const Point2& q, double slack) const;
   bool SurelyDividesFaces(const Point2& p, const Point2& q) const;
   bool MayDivideFaces(const Point2& p, const Point2& q) const;
+  bool AllSay(Answer answer, const Point2& p, const Point2& q) const;
   bool HasLine(const Point2& p, const Point2& q) const;
   bool CoversSafely(const Point2& p) const;
   bool LiesOnInput();

@@ -317,6 +317,13 @@ TEST(FuzzRegression, VerticesSlideBetweenTheirNeighboursAlsoWhereTheDomainIsAsTh
   ExpectKept(CaseOfSeed(181065968u), "181065968");
 }
 
+/// Two triangles in a strip of 150 units of rounding, with diagonals three units apart that are one
+/// edge between neighbours: three edges are near, or one, but two for widths between.
+TEST(FuzzRegression, NeighboursButForRoundingHaveNoEdgeBetweenThem)
+{
+  ExpectKept(CaseOfSeed(410001115u), "410001115");
+}
+
 /// Boundary values without a gradation that differ at points which are nearly one, along bundles of
 /// segments: more than ten seconds each.
 TEST(FuzzRegression, BoundaryValuesThatJumpWithoutGradationArePreparedSoon)
