@@ -18,6 +18,7 @@ set(biting_kernel_sources
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
   Spacing/MergedCones.cxx
+  Spacing/NeededCones.cxx
   Spacing/OutsideJumps.cxx
   Spacing/Quadtree.cxx
   Spacing/SegmentCone.cxx

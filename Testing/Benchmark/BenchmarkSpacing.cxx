@@ -3,8 +3,9 @@
 
 // What preparing f costs, by kind and size of source, and how well f keeps the gradation. CPU times
 // of one thread.
-//   BenchmarkSpacing preparation [size [sources]]   tables, up to size x size nodes (1025); of
-//                                         all sources, or images, grids, triangles or segments
+//   BenchmarkSpacing preparation [size [sources [kind]]]   tables, up to size x size nodes (1025);
+//                                         of all sources, or images, grids, triangles or segments;
+//                                         of all kinds, or one like "slope g"
 //   BenchmarkSpacing evaluation           ns a call
 //   BenchmarkSpacing lipschitz [pairs]    the law |f(x) - f(y)| <= g |x - y| + 2 % of f (1000000)
 
@@ -279,8 +280,8 @@ void PrintRow(const char* name, const std::vector<int>& sizes, MakeCase makeCase
   std::printf(" | %5.2f |\n", growth);
 }
 
-void PrintTable(
-  const char* name, const std::vector<int>& sizes, Case (*makeCase)(int, const Field&))
+void PrintTable(const char* name, const std::string& wanted, const std::vector<int>& sizes,
+  Case (*makeCase)(int, const Field&))
 {
   std::printf("%s, ns an item for", name);
   for (const int size : sizes)
@@ -290,7 +291,10 @@ void PrintTable(
   std::printf(" a side, exponent of growth\n");
   for (const Kind& kind : Kinds())
   {
-    PrintRow(kind.Name, sizes, [&](int size) { return makeCase(size, kind.Value); });
+    if (wanted.empty() || wanted == kind.Name)
+    {
+      PrintRow(kind.Name, sizes, [&](int size) { return makeCase(size, kind.Value); });
+    }
   }
 }
 
@@ -304,20 +308,20 @@ std::vector<int> SizesUpTo(int largest, int first)
   return sizes;
 }
 
-void MeasurePreparation(int largest, const std::string& sources)
+void MeasurePreparation(int largest, const std::string& sources, const std::string& kind)
 {
   const auto isWanted = [&sources](const char* name) { return sources.empty() || sources == name; };
   if (isWanted("images"))
   {
-    PrintTable("Images", SizesUpTo(largest, 257), OfImage);
+    PrintTable("Images", kind, SizesUpTo(largest, 257), OfImage);
   }
   if (isWanted("grids"))
   {
-    PrintTable("Rectilinear grids", SizesUpTo(largest, 257), OfRectilinearGrid);
+    PrintTable("Rectilinear grids", kind, SizesUpTo(largest, 257), OfRectilinearGrid);
   }
   if (isWanted("triangles"))
   {
-    PrintTable("Triangulations", SizesUpTo(std::min(largest, 1000), 125), OfTriangulation);
+    PrintTable("Triangulations", kind, SizesUpTo(std::min(largest, 1000), 125), OfTriangulation);
   }
   if (isWanted("segments"))
   {
@@ -417,7 +421,8 @@ int main(int argc, char** argv)
   const int number = argc > 2 ? std::atoi(argv[2]) : 0;
   if (what == "preparation")
   {
-    MeasurePreparation(number > 0 ? number : 1025, argc > 3 ? argv[3] : "");
+    MeasurePreparation(
+      number > 0 ? number : 1025, argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
   }
   else if (what == "evaluation")
   {

@@ -3,6 +3,7 @@
 
 #include "SteepTriangles.h"
 
+#include "NeededCones.h"
 #include "SourceSlopes.h"
 #include "TriangleSides.h"
 
@@ -19,6 +20,10 @@ namespace
 /// than this share of f. The gradient of one triangle exceeds that of a function with slope g even
 /// where its edges do not.
 constexpr double TriangleMargin = 0.005;
+
+/// Where there are more edges that f grows from than this share of the triangles, most of these are
+/// hardly steep, and many of the edges are not needed.
+constexpr double ShareOfSlight = 0.3;
 
 /// Of the triangles around each point, weighted by area.
 std::vector<Point2> AverageGradients(const TriangulatedSource& source, Pulse& pulse)
@@ -106,13 +111,12 @@ public:
   {
   }
 
-  void Run(const std::vector<Id>& steep, Pulse& pulse)
+  std::vector<LowEdge> Find(const std::vector<Id>& steep, const TriangleSides& sides, Pulse& pulse)
   {
     for (std::size_t k = 0; k < steep.size() && pulse.Beat(); ++k)
     {
       this->MarkPoints(&this->Source.Triangles[3 * static_cast<std::size_t>(steep[k])]);
     }
-    const TriangleSides sides(this->Source, steep, pulse);
     sides.ForEachEdge(pulse,
       [this, &sides](const Id* first, const Id* last)
       {
@@ -132,6 +136,7 @@ public:
         this->AddEdge(static_cast<Id>(point), static_cast<Id>(point));
       }
     }
+    return std::move(this->Found);
   }
 
 private:
@@ -211,14 +216,16 @@ private:
     if (this->ValueOf(low) < this->Cones.Values().Most && this->ValueOf(high) >= this->Least())
     {
       const bool isCut = this->ValueOf(low) < this->Least();
-      this->Cones.AddSegment(isCut ? this->PlaceAtLeast(low, high) : this->PlaceOf(low),
-        this->PlaceOf(high), std::max(this->ValueOf(low), this->Least()), this->ValueOf(high));
+      this->Found.push_back(
+        { isCut ? this->PlaceAtLeast(low, high) : this->PlaceOf(low), this->PlaceOf(high),
+          std::max(this->ValueOf(low), this->Least()), this->ValueOf(high), low, high });
     }
   }
 
   const TriangulatedSource& Source;
   const double Gradation;
   ConeCollector& Cones;
+  std::vector<LowEdge> Found;
   std::vector<bool> IsLowEnd;   ///< of an edge that is steep
   std::vector<bool> HasWayDown; ///< within a steep triangle, or along such an edge
 };
@@ -229,9 +236,20 @@ void AddSteepTriangles(
   const TriangulatedSource& source, double gradation, ConeCollector& cones, Pulse& pulse)
 {
   const std::vector<Id> steep = FindSteepTriangles(source, gradation, cones.Values(), pulse);
-  if (!steep.empty() && !pulse.HasStopped())
+  if (steep.empty() || pulse.HasStopped())
   {
-    ConeFinder(source, gradation, cones).Run(steep, pulse);
+    return;
+  }
+  const TriangleSides sides(source, steep, pulse);
+  std::vector<LowEdge> edges = ConeFinder(source, gradation, cones).Find(steep, sides, pulse);
+  if (static_cast<double>(edges.size()) > ShareOfSlight * static_cast<double>(steep.size()))
+  {
+    edges =
+      NeededCones(std::move(edges), { source, steep, sides }, cones.Values(), gradation, pulse);
+  }
+  for (const LowEdge& edge : edges)
+  {
+    cones.AddSegment(edge.Start, edge.End, edge.StartValue, edge.EndValue);
   }
 }
 

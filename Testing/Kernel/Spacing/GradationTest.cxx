@@ -30,6 +30,14 @@ double Steep(const Point2& x)
   return 0.02 + 0.3 * x.X * x.X + 0.15 * x.Y * (1.0 - x.X);
 }
 
+/// The distance from the middle, from a low value on.
+Field AroundTheMiddle(double slope)
+{
+  return [slope](const Point2& x) {
+    return 0.003 + slope * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.05, 0.0);
+  };
+}
+
 SpacingOptions OfGrid(int nodes, const Field& field, double power = 1.0)
 {
   SpacingOptions options;
@@ -161,6 +169,9 @@ std::vector<Case> LawCases()
   const auto noise = [&sampler](const Point2&) { return 0.02 * std::exp(2.0 * sampler.Next()); };
   return { { "a steep grid on a part", OnAPart(OfGrid(40, Steep)) },
     { "noise in a grid on a part", OnAPart(OfGrid(40, noise)) },
+    { "triangles as steep as the gradation", OfTriangles(60, AroundTheMiddle(0.3)) },
+    { "triangles a little steeper", OfTriangles(60, AroundTheMiddle(0.303)) },
+    { "triangles steeper by a tenth", OfTriangles(60, AroundTheMiddle(0.33)) },
     { "triangles with gaps", WithTriangles(Gappy(60, 100.0)) },
     { "large triangles with gaps", WithTriangles(Gappy(9, 100.0)) },
     { "noise on a part", WithTriangles(OnAPart(Gappy(20, 30.0))) } };
