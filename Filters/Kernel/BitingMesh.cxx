@@ -45,8 +45,7 @@ constexpr double EstimateEnd = 0.02;
 constexpr double CountingEnd = 0.01;
 constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
-constexpr double QualityEnd = 0.93;
-constexpr double SlopesEnd = 0.98;
+constexpr double QualityEnd = 0.98;
 
 BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
 {
@@ -253,12 +252,8 @@ void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
   const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
   PartOfStage measuring(monitor, CheckEnd, QualityEnd);
   mesh.Quality = MeasureQuality(view, measuring);
-  if (!AddAborted(measuring, problems))
-  {
-    PartOfStage comparing(monitor, QualityEnd, SlopesEnd);
-    mesh.UsedLipschitz = LargestSlope(view, comparing);
-    AddAborted(comparing, problems);
-  }
+  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
+  AddAborted(measuring, problems);
 }
 
 // Says so where it is large and no tolerance is set.
@@ -269,7 +264,7 @@ void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options,
   {
     return;
   }
-  PartOfStage part(monitor, SlopesEnd, 1.0);
+  PartOfStage part(monitor, QualityEnd, 1.0);
   mesh.ShareOfDrawing = ShareOfFineDrawing(drawing, mesh, spacing, part);
   const bool isAccepted = options.Simplification.Tolerance > 0.0;
   if (!AddAborted(part, problems) && !isAccepted && IsWorthTelling(mesh.ShareOfDrawing, mesh))

@@ -155,4 +155,16 @@ bool Bisectors::IsCovered(const Point2& p) const
     p, [this, &p](Id bite) { return Gauge(this->All, bite, p) < this->CoreOf(bite); });
 }
 
+bool Bisectors::IsDeep(const Point2& p, Id birth) const
+{
+  bool isDeep = false;
+  this->Grid.VisitLeaf(p,
+    [this, &p, birth, &isDeep](Id bite)
+    {
+      isDeep = bite > birth && Gauge(this->All, bite, p) < DeepShare * this->CoreOf(bite);
+      return isDeep || bite <= birth;
+    });
+  return isDeep;
+}
+
 } // namespace biting

@@ -36,6 +36,38 @@ constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less 
 constexpr double EntryMargin = 4e-6;
 constexpr double PlaceRounding = 1e-15;
 
+// How many cells of a grid are marked, from its low corner to each node.
+class MarkedCells
+{
+public:
+  MarkedCells(const std::vector<std::uint8_t>& isMarked, Id columns)
+    : Stride(static_cast<std::size_t>(columns) + 1)
+    , Sums(isMarked.size() + isMarked.size() / static_cast<std::size_t>(columns) + this->Stride, 0)
+  {
+    for (std::size_t cell = 0; cell < isMarked.size(); ++cell)
+    {
+      const std::size_t low = cell + cell / static_cast<std::size_t>(columns);
+      const std::size_t high = low + this->Stride + 1;
+      this->Sums[high] =
+        isMarked[cell] + this->Sums[high - 1] + this->Sums[high - this->Stride] - this->Sums[low];
+    }
+  }
+
+  bool HasAny() const { return this->Sums.back() > 0; }
+
+  bool HasAny(Id firstColumn, Id firstRow, Id lastColumn, Id lastRow) const
+  {
+    const auto at = [this](Id column, Id row) { return this->Sums[row * this->Stride + column]; };
+    return at(lastColumn + 1, lastRow + 1) - at(firstColumn, lastRow + 1) -
+      at(lastColumn + 1, firstRow) + at(firstColumn, firstRow) >
+      0;
+  }
+
+private:
+  std::size_t Stride;
+  std::vector<Id> Sums;
+};
+
 } // namespace
 
 BiteGrid::BiteGrid(
@@ -118,23 +150,30 @@ void BiteGrid::RecallAll()
 void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse)
 {
   std::vector<std::uint8_t> isNew(isWanted.size(), 0);
-  bool hasNew = false;
   for (std::size_t cell = 0; cell < isWanted.size(); ++cell)
   {
     isNew[cell] = isWanted[cell] != 0 && this->Cells[cell].FirstChild == Forgotten ? 1 : 0;
     this->Cells[cell].FirstChild = isNew[cell] != 0 ? NoId : this->Cells[cell].FirstChild;
-    hasNew = hasNew || isNew[cell] != 0;
   }
+  const MarkedCells areNew(isNew, this->Columns);
+  const bool hasNew = areNew.HasAny();
   for (Id bite = 0; hasNew && bite <= this->Newest && (pulse == nullptr || pulse->Beat(1)); ++bite)
   {
-    const LocalBox extent = this->Extent(bite);
-    this->VisitTopCells(extent,
-      [this, bite, &extent, &isNew](Id column, Id row, Id cell)
+    const LocalBox extent = this->ExtentOf(bite);
+    if (!areNew.HasAny(ClampedIndex(extent.LowX, this->Columns),
+          ClampedIndex(extent.LowY, this->Rows), ClampedIndex(extent.HighX, this->Columns),
+          ClampedIndex(extent.HighY, this->Rows)))
+    {
+      continue;
+    }
+    const Filed filed = this->MakeFiled(bite);
+    this->VisitTopCells(filed.Extent,
+      [this, &filed, &isNew](Id column, Id row, Id cell)
       {
         if (isNew[cell] != 0)
         {
           this->FileInCell(
-            cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
+            cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, filed);
         }
       });
   }
@@ -144,7 +183,7 @@ void BiteGrid::File(Id bite)
 {
   this->Newest = bite;
   this->FileInCells(bite);
-  if (this->Filed > std::max(this->MostFiled, MostCellsPerBite * (bite + 1.0)))
+  if (this->NumberOfFiled > std::max(this->MostFiled, MostCellsPerBite * (bite + 1.0)))
   {
     this->Coarsen(bite);
   }
@@ -155,7 +194,7 @@ void BiteGrid::Coarsen(Id newest)
 {
   this->MakeCells(0.5 * this->CellsPerLength);
   this->Blocks.Clear();
-  this->Filed = 0.0;
+  this->NumberOfFiled = 0.0;
   for (Id bite = 0; bite <= newest; ++bite)
   {
     this->FileInCells(bite);
@@ -165,15 +204,15 @@ void BiteGrid::Coarsen(Id newest)
 void BiteGrid::FileInCells(Id bite)
 {
   this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
-  const LocalBox extent = this->Extent(bite);
-  this->VisitTopCells(extent,
-    [this, bite, &extent](Id column, Id row, Id cell)
+  const Filed filed = this->MakeFiled(bite);
+  this->VisitTopCells(filed.Extent,
+    [this, &filed](Id column, Id row, Id cell)
     {
-      this->Filed += 1.0;
+      this->NumberOfFiled += 1.0;
       if (this->Cells[cell].FirstChild != Forgotten)
       {
         this->FileInCell(
-          cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, bite, extent);
+          cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, filed);
       }
     });
 }
@@ -194,17 +233,17 @@ void BiteGrid::VisitTopCells(const LocalBox& box, Visit&& visit) const
   }
 }
 
-void BiteGrid::FileInCell(Id cell, const Place& place, Id bite, const LocalBox& extent)
+void BiteGrid::FileInCell(Id cell, const Place& place, const Filed& bite)
 {
   if (this->Cells[cell].FirstChild != NoId)
   {
-    this->FileInChildren(cell, place, bite, extent);
+    this->FileInChildren(cell, place, bite);
     return;
   }
   this->Append(cell, place, bite);
   Cell& leaf = this->Cells[cell];
   const Id crowd = this->NearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf;
-  const bool isSmaller = place.Size > LeastLeaf * 0.5 * (extent.HighX - extent.LowX);
+  const bool isSmaller = place.Size > LeastLeaf * 0.5 * (bite.Extent.HighX - bite.Extent.LowX);
   std::uint16_t& count = isSmaller ? leaf.NumberOfSmaller : leaf.NumberOfLarger;
   count += count < std::numeric_limits<std::uint16_t>::max() ? 1 : 0;
   if (leaf.NumberOfSmaller > std::max(crowd, Id{ leaf.NumberOfLarger }))
@@ -213,7 +252,7 @@ void BiteGrid::FileInCell(Id cell, const Place& place, Id bite, const LocalBox& 
   }
   else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > crowd)
   {
-    this->KeepDeepest(leaf, place, bite);
+    this->KeepDeepest(leaf, place, bite.Bite);
   }
 }
 
@@ -228,25 +267,25 @@ void BiteGrid::KeepDeepest(Cell& leaf, const Place& place, Id bite)
   }
 }
 
-void BiteGrid::FileInChildren(Id cell, const Place& place, Id bite, const LocalBox& extent)
+void BiteGrid::FileInChildren(Id cell, const Place& place, const Filed& bite)
 {
   const double scale = Division / place.Size;
   const Id firstChild = this->Cells[cell].FirstChild;
-  const Id lastRow = ClampedIndex((extent.HighY - place.Y) * scale, Division);
-  const Id firstColumn = ClampedIndex((extent.LowX - place.X) * scale, Division);
-  const Id lastColumn = ClampedIndex((extent.HighX - place.X) * scale, Division);
+  const Id lastRow = ClampedIndex((bite.Extent.HighY - place.Y) * scale, Division);
+  const Id firstColumn = ClampedIndex((bite.Extent.LowX - place.X) * scale, Division);
+  const Id lastColumn = ClampedIndex((bite.Extent.HighX - place.X) * scale, Division);
   const double size = place.Size / Division;
-  for (Id row = ClampedIndex((extent.LowY - place.Y) * scale, Division); row <= lastRow; ++row)
+  for (Id row = ClampedIndex((bite.Extent.LowY - place.Y) * scale, Division); row <= lastRow; ++row)
   {
     for (Id column = firstColumn; column <= lastColumn; ++column)
     {
       this->FileInCell(firstChild + row * Division + column,
-        { place.X + column * size, place.Y + row * size, size }, bite, extent);
+        { place.X + column * size, place.Y + row * size, size }, bite);
     }
   }
 }
 
-void BiteGrid::Append(Id cell, const Place& place, Id bite)
+void BiteGrid::Append(Id cell, const Place& place, const Filed& bite)
 {
   Cell& leaf = this->Cells[cell];
   if (leaf.NewestBlock == NoId || this->Blocks[leaf.NewestBlock].Count == Block::Capacity)
@@ -259,18 +298,14 @@ void BiteGrid::Append(Id cell, const Place& place, Id bite)
   newest.Entries[newest.Count++] = this->MakeEntry(place, bite);
 }
 
-BiteGrid::Entry BiteGrid::MakeEntry(const Place& place, Id bite) const
+BiteGrid::Entry BiteGrid::MakeEntry(const Place& place, const Filed& bite) const
 {
-  const Point2 center = this->All.Centers[bite];
-  const double scale = this->CellsPerLength / place.Size;
-  const double x = (center.X - this->Origin.X) * this->CellsPerLength;
-  const double y = (center.Y - this->Origin.Y) * this->CellsPerLength;
+  const double scale = 1.0 / place.Size; // a power of two
   const double rounding =
-    EntryMargin + PlaceRounding * (static_cast<double>(this->Columns) + this->Rows) / place.Size;
-  const double reach =
-    (this->All.HalfWidths[bite] + this->Slack) * scale * (1.0 + EntryMargin) + rounding;
-  return { static_cast<float>((x - place.X) / place.Size),
-    static_cast<float>((y - place.Y) / place.Size), static_cast<float>(reach * reach), bite };
+    EntryMargin + PlaceRounding * (static_cast<double>(this->Columns) + this->Rows) * scale;
+  const double reach = bite.Reach * scale * (1.0 + EntryMargin) + rounding;
+  return { static_cast<float>((bite.X - place.X) * scale),
+    static_cast<float>((bite.Y - place.Y) * scale), static_cast<float>(reach * reach), bite.Bite };
 }
 
 // Deals the leaf's bites to its new children in the order of their filing.
@@ -288,7 +323,7 @@ void BiteGrid::Divide(Id cell, const Place& place)
   this->Cells[cell].FirstChild = firstChild;
   for (auto bite = entries.rbegin(); bite != entries.rend(); ++bite)
   {
-    this->FileInChildren(cell, place, *bite, this->Extent(*bite));
+    this->FileInChildren(cell, place, this->MakeFiled(*bite));
   }
 }
 
@@ -301,11 +336,19 @@ double BiteGrid::Spread(Id bite) const
   return std::max(spread, this->NearReach);
 }
 
-BiteGrid::LocalBox BiteGrid::Extent(Id bite) const
+BiteGrid::LocalBox BiteGrid::ExtentOf(Id bite) const
 {
   const double reach =
     this->Spread(bite) * this->All.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
   return this->ToGrid(this->All.Centers[bite], reach);
+}
+
+BiteGrid::Filed BiteGrid::MakeFiled(Id bite) const
+{
+  const Point2& center = this->All.Centers[bite];
+  return { bite, (center.X - this->Origin.X) * this->CellsPerLength,
+    (center.Y - this->Origin.Y) * this->CellsPerLength,
+    (this->All.HalfWidths[bite] + this->Slack) * this->CellsPerLength, this->ExtentOf(bite) };
 }
 
 } // namespace biting

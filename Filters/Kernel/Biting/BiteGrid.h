@@ -136,6 +136,15 @@ private:
     double LowX, LowY, HighX, HighY;
   };
 
+  // A bite that is filed, in units of a top cell.
+  struct Filed
+  {
+    Id Bite;
+    double X, Y;     ///< its centre
+    double Reach;    ///< half-width and slack
+    LocalBox Extent; ///< as far as it is filed
+  };
+
   static Id ClampedIndex(double position, Id count)
   {
     return position <= 0.0 ? 0 : (position >= count ? count - 1 : static_cast<Id>(position));
@@ -167,19 +176,20 @@ private:
   void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void Coarsen(Id newest);
   double Spread(Id bite) const;
-  LocalBox Extent(Id bite) const;
-  void FileInCell(Id cell, const Place& place, Id bite, const LocalBox& extent);
-  void FileInChildren(Id cell, const Place& place, Id bite, const LocalBox& extent);
-  void Append(Id cell, const Place& place, Id bite);
+  LocalBox ExtentOf(Id bite) const;
+  Filed MakeFiled(Id bite) const;
+  void FileInCell(Id cell, const Place& place, const Filed& bite);
+  void FileInChildren(Id cell, const Place& place, const Filed& bite);
+  void Append(Id cell, const Place& place, const Filed& bite);
   void KeepDeepest(Cell& leaf, const Place& place, Id bite);
-  Entry MakeEntry(const Place& place, Id bite) const;
+  Entry MakeEntry(const Place& place, const Filed& bite) const;
   void Divide(Id cell, const Place& place);
 
   const Bites& All;
   Point2 Origin;
   Point2 Extents;         ///< width and height
-  double MostFiled = 0.0; ///< what Filed may be in any case
-  double Filed = 0.0;     ///< bites in top cells, each as often as it is filed
+  double MostFiled = 0.0;     ///< what NumberOfFiled may be in any case
+  double NumberOfFiled = 0.0; ///< bites in top cells, each as often as it is filed
   double CellsPerLength = 1.0;
   double NearReach;         ///< in half-widths
   double Slack;             ///< a length

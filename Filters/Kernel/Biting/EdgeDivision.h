@@ -60,6 +60,12 @@ public:
   EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength, Pulse& pulse,
     double leastPart = LeastPart);
 
+  /// Tells f at the ends of the edge that is divided next, so that it is not asked for.
+  void TellEnds(const Point2& a, double atA, const Point2& b, double atB)
+  {
+    this->AtEnds = { a, b, atA, atB };
+  }
+
   /// The points that divide the edge ab. At most `limit` points; where more are needed, and on
   /// abort, returns false. Law: the edge ba has the same points, its parameters mirrored.
   bool Divide(const Point2& a, const Point2& b, Id limit, DivisionPoints& points);

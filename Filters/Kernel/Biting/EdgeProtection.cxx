@@ -33,6 +33,7 @@ void ProtectEdge(Id segment, const SharpCorners& corners, EdgeDivider& divider,
   const Point2 a = state.Geometry.Vertices[start];
   const Point2 b = state.Geometry.Vertices[end];
   const auto limit = state.Options.MaximumNumberOfVertices - state.Result.Points.size();
+  divider.TellEnds(a, state.Result.Spacings[start], b, state.Result.Spacings[end]);
   if (!divider.Divide(a, b, corners.ShellsOn(segment), static_cast<Id>(limit), division))
   {
     state.Result.End = state.ReasonNotToDivide();

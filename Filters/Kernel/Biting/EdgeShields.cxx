@@ -78,6 +78,8 @@ void ShieldEdge(Id segment, EdgeDivider& divider, DivisionPoints& division, Biti
   const Point2& b = state.Geometry.Vertices[state.Geometry.Ends[segment]];
   const std::int64_t limit =
     std::max(state.Options.MaximumNumberOfVertices, FewShields) - state.Placed.Size();
+  divider.TellEnds(a, state.Result.Spacings[state.Geometry.Starts[segment]], b,
+    state.Result.Spacings[state.Geometry.Ends[segment]]);
   if (!divider.Divide(a, b, static_cast<Id>(std::max<std::int64_t>(limit, 0)), division))
   {
     state.Result.End = state.ReasonNotToDivide();

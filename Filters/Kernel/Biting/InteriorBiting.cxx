@@ -46,8 +46,14 @@ void InteriorBiting::Run()
   }
 }
 
-void InteriorBiting::BiteCandidate(const Candidate& candidate)
+void InteriorBiting::BiteCandidate(Candidate candidate)
 {
+  const bool isBisector = candidate.Parents[0] != NoId;
+  if (isBisector && this->Points.IsDeep(candidate.Place, candidate.Birth))
+  {
+    return;
+  }
+  candidate.Place = isBisector ? this->PlaceOf(candidate) : candidate.Place;
   if (!this->IsUncovered(candidate))
   {
     return;
@@ -57,6 +63,30 @@ void InteriorBiting::BiteCandidate(const Candidate& candidate)
     vertex, this->AxisOf(candidate), this->ShareOf(candidate, vertex), BitePhase::Interior);
   this->PutCandidates(this->State.Placed.Size() - 1);
   this->State.FinishBite();
+}
+
+// Squares go where f asks for them, unless one of the two bites covers that; circles are made
+// larger or smaller instead (ReachFactor.h). Most candidates are covered by then, and f is asked
+// for the others only.
+Point2 InteriorBiting::PlaceOf(const Candidate& candidate) const
+{
+  if (!this->State.Options.FollowSlope || this->State.Options.Shape != BiteShape::Square)
+  {
+    return candidate.Place;
+  }
+  const auto [bite, other] = candidate.Parents;
+  const double left = this->State.PlacedSpacings[bite];
+  const double right = this->State.PlacedSpacings[other];
+  const double share =
+    (this->State.Placed.HalfWidths[bite] + this->State.Placed.HalfWidths[other]) /
+    (this->State.BitingConstant * (left + right));
+  const Point2 top = BalancedTop(
+    { this->State.Placed.Centers[bite], this->State.Placed.Centers[other], candidate.Place, left,
+      right, this->IsUniform ? left : this->State.F(candidate.Place) },
+    share * this->State.Options.Stretch * this->State.PartLength);
+  const bool isCovered =
+    this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
+  return isCovered ? candidate.Place : top;
 }
 
 // The bond of the two bites that the candidate stands on.
@@ -109,32 +139,9 @@ void InteriorBiting::PutBisectorPoints(Id bite)
       {
         return; // about half of those on the boundary
       }
-      this->Queue.Put({ this->PlaceOf(bite, point), newest, { bite, point.Neighbor },
-        this->Queue.ClassOf(point.Misfit) });
+      this->Queue.Put(
+        { point.Place, newest, { bite, point.Neighbor }, this->Queue.ClassOf(point.Misfit) });
     });
-}
-
-// Squares go where f asks for them, unless one of the two bites covers that; circles are made
-// larger or smaller instead (ReachFactor.h).
-Point2 InteriorBiting::PlaceOf(Id bite, const BisectorPoint& point) const
-{
-  if (!this->State.Options.FollowSlope || this->State.Options.Shape != BiteShape::Square)
-  {
-    return point.Place;
-  }
-  const Id other = point.Neighbor;
-  const double left = this->State.PlacedSpacings[bite];
-  const double right = this->State.PlacedSpacings[other];
-  const double share =
-    (this->State.Placed.HalfWidths[bite] + this->State.Placed.HalfWidths[other]) /
-    (this->State.BitingConstant * (left + right));
-  const Point2 top =
-    BalancedTop({ this->State.Placed.Centers[bite], this->State.Placed.Centers[other], point.Place,
-                  left, right, this->IsUniform ? left : this->State.F(point.Place) },
-      share * this->State.Options.Stretch * this->State.PartLength);
-  const bool isCovered =
-    this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
-  return isCovered ? point.Place : top;
 }
 
 void InteriorBiting::PutFrontVertices(Id bite)

@@ -30,12 +30,12 @@ public:
 
 private:
   void SeedFront();
-  void BiteCandidate(const Candidate& candidate);
+  void BiteCandidate(Candidate candidate);
+  Point2 PlaceOf(const Candidate& candidate) const;
   Point2 AxisOf(const Candidate& candidate) const;
   double ShareOf(const Candidate& candidate, Id vertex) const;
   void PutCandidates(Id bite);
   void PutBisectorPoints(Id bite);
-  Point2 PlaceOf(Id bite, const BisectorPoint& point) const;
   void PutFrontVertices(Id bite);
   bool PutLeftOvers();
   bool HasOpen();

@@ -32,6 +32,7 @@ constexpr double LeastCells = 2048.0;
 constexpr double GreatestCells = 100000.0;
 constexpr double GreatestCellsOfRough = 8192.0;
 constexpr double CellsPerVertex = 16.0;      // between these limits: a small mesh asks for no more
+constexpr double SegmentPanel = 2.0;         // of a segment, in spacings
 constexpr double MostPanels = 64.0;          // along a segment
 constexpr double MostPanelsInAll = 300000.0; // but at least one a segment
 constexpr double MostPanelsOfRough = 32768.0;
@@ -239,7 +240,7 @@ std::vector<double> CountPanels(
     last = domain.Ends[segment];
     atLast = spacing(domain.Vertices[last]);
     const double length = Distance(domain.Vertices[start], domain.Vertices[last]);
-    panels.push_back(std::max(1.0, std::min(MostPanels, length / std::min(atStart, atLast))));
+    panels.push_back(std::max(1.0, std::min(MostPanels, length / (SegmentPanel * std::min(atStart, atLast)))));
   }
   return panels;
 }
@@ -263,6 +264,11 @@ double IntegrateInverse(
 double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   Monitor& monitor, EstimateEffort effort)
 {
+  if (spacing.IsUniform())
+  {
+    const double f = spacing(domain.Bounds.Center());
+    return domain.Area / (f * f);
+  }
   const double mostCells = effort == EstimateEffort::Full ? GreatestCells : GreatestCellsOfRough;
   Quadrature quadrature(locator, spacing, mostCells, monitor);
   quadrature.Run(FirstCells(domain.Bounds));

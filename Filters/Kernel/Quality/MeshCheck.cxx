@@ -62,8 +62,8 @@ private:
   bool HasValidIds();
   bool IsCounterclockwise();
   bool HasMutualNeighbors();
-  bool IsLink(std::size_t slot) const;
-  bool IsLocallyDelaunay(std::size_t slot) const;
+  bool IsLink(std::size_t slot, std::size_t across) const;
+  bool IsLocallyDelaunay(std::size_t slot, std::size_t across) const;
   std::size_t SlotAcross(std::size_t slot) const;
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
@@ -163,9 +163,11 @@ bool MeshChecker::HasMutualNeighbors()
       sum.Unanswered += isLarger ? 1 : -1;
       if (!isLarger)
       {
-        const bool isLink = this->IsLink(slot);
+        const std::size_t across = this->SlotAcross(slot);
+        const bool isLink = this->IsLink(slot, across);
         sum.Wrong.Add(slot, !isLink);
-        sum.Bent.Add(slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot));
+        sum.Bent.Add(
+          slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot, across));
       }
     });
   this->BoundarySlots.swap(links.BoundarySlots);
@@ -180,9 +182,8 @@ bool MeshChecker::HasMutualNeighbors()
   return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
 
-bool MeshChecker::IsLink(std::size_t slot) const
+bool MeshChecker::IsLink(std::size_t slot, std::size_t across) const
 {
-  const std::size_t across = this->SlotAcross(slot);
   return static_cast<std::size_t>(this->Mesh.Neighbors[across]) == slot / 3 &&
     this->Corner(Next(across)) == this->Corner(Previous(slot)) &&
     this->Corner(Previous(across)) == this->Corner(Next(slot)) &&
@@ -190,11 +191,11 @@ bool MeshChecker::IsLink(std::size_t slot) const
 }
 
 // Of a link, where no constraint is.
-bool MeshChecker::IsLocallyDelaunay(std::size_t slot) const
+bool MeshChecker::IsLocallyDelaunay(std::size_t slot, std::size_t across) const
 {
   return this->Mesh.Constraints[slot] != NoId ||
     InCircle(this->Place(slot), this->Place(Next(slot)), this->Place(Previous(slot)),
-      this->Place(this->SlotAcross(slot))) <= 0;
+      this->Place(across)) <= 0;
 }
 
 // The slot of the neighbor whose edge starts where that of `slot` ends; any where there is none.
@@ -290,23 +291,25 @@ std::int64_t MeshChecker::CountComponents()
 // Among the parts of its task. What lies across in an earlier one is kept for later.
 Id MeshChecker::PartOf(std::size_t triangle, const std::vector<Id>& partOf, ComponentSum& sum) const
 {
-  const std::size_t begin = triangle - triangle % StepsPerTask;
+  const Id begin = static_cast<Id>(triangle - triangle % StepsPerTask);
+  const Id* across = this->Mesh.Neighbors.data() + 3 * triangle;
   Id part = NoId;
-  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  bool hasEarlier = false;
+  for (int corner = 0; corner < 3; ++corner)
   {
-    const std::size_t neighbor = static_cast<std::size_t>(this->Mesh.Neighbors[slot]);
-    if (this->Mesh.Neighbors[slot] != NoId && neighbor < triangle && neighbor >= begin)
+    const bool isBefore = across[corner] < static_cast<Id>(triangle);
+    if (isBefore && across[corner] >= begin)
     {
-      part = sum.Components.Join(part, partOf[neighbor]);
+      part = sum.Components.Join(part, partOf[static_cast<std::size_t>(across[corner])]);
     }
+    hasEarlier = hasEarlier || (across[corner] != NoId && across[corner] < begin);
   }
   part = part == NoId ? sum.Components.Begin() : part;
-  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  for (int corner = 0; hasEarlier && corner < 3; ++corner)
   {
-    const Id neighbor = this->Mesh.Neighbors[slot];
-    if (neighbor != NoId && static_cast<std::size_t>(neighbor) < begin)
+    if (across[corner] != NoId && across[corner] < begin)
     {
-      sum.Links.push_back({ part, neighbor });
+      sum.Links.push_back({ part, across[corner] });
     }
   }
   return part;

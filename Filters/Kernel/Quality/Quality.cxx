@@ -160,12 +160,17 @@ double LengthOf(const MeshView& mesh, const EdgeEnds& ends)
   return Distance(mesh.Points[ends.Start], mesh.Points[ends.End]);
 }
 
-double RelativeLength(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends)
+double WantedLength(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends)
 {
-  const double spacing = mesh.MiddleSpacing
-    ? (*mesh.MiddleSpacing)[edge]
-    : 0.5 * (mesh.Spacing[ends.Start] + mesh.Spacing[ends.End]);
-  return LengthOf(mesh, ends) / spacing;
+  return mesh.MiddleSpacing ? (*mesh.MiddleSpacing)[edge]
+                            : 0.5 * (mesh.Spacing[ends.Start] + mesh.Spacing[ends.End]);
+}
+
+// 0 where it has no length.
+double SlopeOf(const MeshView& mesh, const EdgeEnds& ends, double length)
+{
+  const double rise = std::abs(mesh.Spacing[ends.Start] - mesh.Spacing[ends.End]);
+  return length > 0.0 ? rise / length : 0.0;
 }
 
 bool IsInBand(double relativeLength)
@@ -174,46 +179,50 @@ bool IsInBand(double relativeLength)
   return square >= 0.5 && square <= 2.0;
 }
 
-// Lengths of edges, relative to the spacing.
-struct LengthSum
+// Lengths of edges, relative to the spacing, and its largest slope along one.
+struct EdgeSum
 {
   double Sum = 0.0;
   std::int64_t Count = 0;
   std::int64_t CountInBand = 0;
+  double LargestSlope = 0.0;
 
-  void Add(double relativeLength)
+  void Add(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends)
   {
+    const double length = LengthOf(mesh, ends);
+    const double relativeLength = length / WantedLength(mesh, edge, ends);
     this->Sum += relativeLength;
     this->Count += 1;
     this->CountInBand += IsInBand(relativeLength) ? 1 : 0;
+    this->LargestSlope = std::max(this->LargestSlope, SlopeOf(mesh, ends, length));
   }
 
-  void Join(const LengthSum& other)
+  void Join(const EdgeSum& other)
   {
     this->Sum += other.Sum;
     this->Count += other.Count;
     this->CountInBand += other.CountInBand;
+    this->LargestSlope = std::max(this->LargestSlope, other.LargestSlope);
   }
 };
 
 // The spacing at the middles is in the order of the edges, which only counting tells.
-LengthSum SumNumberedLengths(const MeshView& mesh, Pulse& pulse)
+EdgeSum SumNumberedEdges(const MeshView& mesh, Pulse& pulse)
 {
-  LengthSum sum;
+  EdgeSum sum;
   ForEachEdge(mesh, pulse,
-    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends)
-    { sum.Add(RelativeLength(mesh, edge, ends)); });
+    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends) { sum.Add(mesh, edge, ends); });
   return sum;
 }
 
-LengthSum SumLengths(const MeshView& mesh, Pulse& pulse)
+EdgeSum SumEdges(const MeshView& mesh, Pulse& pulse)
 {
-  return SumAtOnce(pulse, mesh.Corners.size(), LengthSum(),
-    [&mesh](LengthSum& sum, std::size_t slot)
+  return SumAtOnce(pulse, mesh.Corners.size(), EdgeSum(),
+    [&mesh](EdgeSum& sum, std::size_t slot)
     {
       if (IsCounted(mesh, slot))
       {
-        sum.Add(RelativeLength(mesh, 0, EndsOf(mesh, slot)));
+        sum.Add(mesh, 0, EndsOf(mesh, slot));
       }
     });
 }
@@ -221,8 +230,8 @@ LengthSum SumLengths(const MeshView& mesh, Pulse& pulse)
 void MeasureEdges(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, TrianglesEnd, EdgesEnd);
-  const LengthSum all =
-    mesh.MiddleSpacing ? SumNumberedLengths(mesh, pulse) : SumLengths(mesh, pulse);
+  const EdgeSum all = mesh.MiddleSpacing ? SumNumberedEdges(mesh, pulse) : SumEdges(mesh, pulse);
+  quality.LargestSlope = all.LargestSlope;
   if (all.Count > 0)
   {
     const double count = static_cast<double>(all.Count);
@@ -314,7 +323,7 @@ std::vector<double> RelativeLengths(const MeshView& mesh, Monitor& monitor)
   std::vector<double> lengths;
   ForEachEdge(mesh, pulse,
     [&mesh, &lengths](std::size_t edge, const EdgeEnds& ends)
-    { lengths.push_back(RelativeLength(mesh, edge, ends)); });
+    { lengths.push_back(LengthOf(mesh, ends) / WantedLength(mesh, edge, ends)); });
   return lengths;
 }
 
@@ -345,9 +354,7 @@ double LargestSlope(const MeshView& mesh, Monitor& monitor)
       if (IsCounted(mesh, slot))
       {
         const EdgeEnds ends = EndsOf(mesh, slot);
-        const double length = LengthOf(mesh, ends);
-        const double rise = std::abs(mesh.Spacing[ends.Start] - mesh.Spacing[ends.End]);
-        sum.Slope = length > 0.0 ? std::max(sum.Slope, rise / length) : sum.Slope;
+        sum.Slope = std::max(sum.Slope, SlopeOf(mesh, ends, LengthOf(mesh, ends)));
       }
     });
   return largest.Slope;

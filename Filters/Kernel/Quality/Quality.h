@@ -34,6 +34,7 @@ struct MeshQuality
   double SmallestConformity = 0.0;
   double MeanConformity = 0.0;
   double MeanRelativeLength = 0.0; ///< mean over edges of length / mean f of its ends
+  double LargestSlope = 0.0;       ///< as the function says
   double ShareOfEdgesInBand = 0.0; ///< of edges with length within [1/sqrt(2), sqrt(2)] f, 0..1
 };
 
