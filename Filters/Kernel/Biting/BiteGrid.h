@@ -187,7 +187,7 @@ private:
 
   const Bites& All;
   Point2 Origin;
-  Point2 Extents;         ///< width and height
+  Point2 Extents;             ///< width and height
   double MostFiled = 0.0;     ///< what NumberOfFiled may be in any case
   double NumberOfFiled = 0.0; ///< bites in top cells, each as often as it is filed
   double CellsPerLength = 1.0;

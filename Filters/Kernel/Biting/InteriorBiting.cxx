@@ -53,12 +53,13 @@ void InteriorBiting::BiteCandidate(Candidate candidate)
   {
     return;
   }
-  candidate.Place = isBisector ? this->PlaceOf(candidate) : candidate.Place;
+  const double known = isBisector ? this->Shift(candidate) : 0.0;
   if (!this->IsUncovered(candidate))
   {
     return;
   }
-  const Id vertex = this->State.AddVertex(candidate.Place, this->State.F(candidate.Place), NoId);
+  const double spacing = known > 0.0 ? known : this->State.F(candidate.Place);
+  const Id vertex = this->State.AddVertex(candidate.Place, spacing, NoId);
   this->State.Bite(
     vertex, this->AxisOf(candidate), this->ShareOf(candidate, vertex), BitePhase::Interior);
   this->PutCandidates(this->State.Placed.Size() - 1);
@@ -67,26 +68,31 @@ void InteriorBiting::BiteCandidate(Candidate candidate)
 
 // Squares go where f asks for them, unless one of the two bites covers that; circles are made
 // larger or smaller instead (ReachFactor.h). Most candidates are covered by then, and f is asked
-// for the others only.
-Point2 InteriorBiting::PlaceOf(const Candidate& candidate) const
+// for the others only. Returns f where the candidate comes to lie, 0 where it was not asked there.
+double InteriorBiting::Shift(Candidate& candidate) const
 {
   if (!this->State.Options.FollowSlope || this->State.Options.Shape != BiteShape::Square)
   {
-    return candidate.Place;
+    return 0.0;
   }
   const auto [bite, other] = candidate.Parents;
   const double left = this->State.PlacedSpacings[bite];
   const double right = this->State.PlacedSpacings[other];
+  const double here = this->IsUniform ? left : this->State.F(candidate.Place);
+  const BiteTriangle triangle{ this->State.Placed.Centers[bite], this->State.Placed.Centers[other],
+    candidate.Place, left, right, here };
   const double share =
     (this->State.Placed.HalfWidths[bite] + this->State.Placed.HalfWidths[other]) /
     (this->State.BitingConstant * (left + right));
-  const Point2 top = BalancedTop(
-    { this->State.Placed.Centers[bite], this->State.Placed.Centers[other], candidate.Place, left,
-      right, this->IsUniform ? left : this->State.F(candidate.Place) },
-    share * this->State.Options.Stretch * this->State.PartLength);
-  const bool isCovered =
-    this->Points.IsCoveredBy(bite, top) || this->Points.IsCoveredBy(other, top);
-  return isCovered ? candidate.Place : top;
+  const Point2 top =
+    BalancedTop(triangle, share * this->State.Options.Stretch * this->State.PartLength);
+  if (top == candidate.Place || this->Points.IsCoveredBy(bite, top) ||
+    this->Points.IsCoveredBy(other, top))
+  {
+    return here;
+  }
+  candidate.Place = top;
+  return this->IsUniform ? here : 0.0;
 }
 
 // The bond of the two bites that the candidate stands on.

@@ -31,7 +31,7 @@ public:
 private:
   void SeedFront();
   void BiteCandidate(Candidate candidate);
-  Point2 PlaceOf(const Candidate& candidate) const;
+  double Shift(Candidate& candidate) const;
   Point2 AxisOf(const Candidate& candidate) const;
   double ShareOf(const Candidate& candidate, Id vertex) const;
   void PutCandidates(Id bite);

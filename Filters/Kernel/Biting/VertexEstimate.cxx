@@ -26,7 +26,7 @@ constexpr int GreatestDepth = 16;     // halvings at all
 constexpr double GreatestRatio = 1.5; // of f within a cell
 constexpr double LeastShare = 0.01;   // of a vertex, that a cell may hold, to be worth a division
 constexpr double LeastDoubt =
-  0.001; // of the integral, that a cell may be wrong by, to be worth one
+  0.002; // of the integral, that a cell may be wrong by, to be worth one
 constexpr double DoubtOnBorder = 0.3; // of what a cell may hold: the area is known
 constexpr double LeastCells = 2048.0;
 constexpr double GreatestCells = 100000.0;
@@ -240,7 +240,8 @@ std::vector<double> CountPanels(
     last = domain.Ends[segment];
     atLast = spacing(domain.Vertices[last]);
     const double length = Distance(domain.Vertices[start], domain.Vertices[last]);
-    panels.push_back(std::max(1.0, std::min(MostPanels, length / (SegmentPanel * std::min(atStart, atLast)))));
+    panels.push_back(
+      std::max(1.0, std::min(MostPanels, length / (SegmentPanel * std::min(atStart, atLast)))));
   }
   return panels;
 }

@@ -31,6 +31,7 @@ constexpr int MovedRings = 2;
 constexpr int MovedRingsOfWorst = 3;
 constexpr int LaterRounds = 1; // of moves after the first; only what has changed is looked at
 constexpr int UtmostLaterRounds = 5;
+constexpr std::size_t EnoughTrials = 2; // in full, where one of them helps
 constexpr int QuickRings = 1;
 constexpr int QuickJudgedRings = 2;
 
@@ -299,6 +300,10 @@ TopologyTrials::Operation TopologyTrials::TryInFull(const Effort& effort)
   const std::size_t count = std::min(this->Operations.size(), effort.TrialsInFull);
   for (std::size_t k = 0; k < count; ++k)
   {
+    if (effort.IsCutOff && best.Edge != NoId && k >= EnoughTrials)
+    {
+      break;
+    }
     Operation operation = this->Operations[k];
     this->Mesh.BeginTrial();
     const double good = std::max(CotangentOf40Degrees, BetterThanBest * best.Worst);
