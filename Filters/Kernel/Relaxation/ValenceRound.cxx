@@ -24,8 +24,31 @@ constexpr double CollapseLength = 0.67;
 constexpr double SplitLength = 1.28;
 constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean length lacks
 constexpr double GreatestShift = 0.1;
-constexpr double BoundMargin = 1e-9; // of relative lengths: far above rounding
-constexpr Id SampledEdges = 200000;  // half-edges, for the mean length
+constexpr double ChangeOfRegular = 6.0; // of the valences, by a split or a collapse
+constexpr double BoundMargin = 1e-9;    // of relative lengths: far above rounding
+constexpr Id SampledEdges = 40000;      // half-edges, for the mean length
+
+/// Whether the edge is inside, and its four vertices have their six triangles.
+bool IsRegular(const MutableMesh& mesh, Id edge)
+{
+  const Id twin = mesh.Twins[edge];
+  if (twin == NoId || mesh.Marks[edge] != NoId)
+  {
+    return false;
+  }
+  const auto isRegular = [&mesh](Id vertex)
+  { return mesh.Degrees[vertex] == 6 && mesh.IdealDegrees[vertex] == IdealInside; };
+  return isRegular(mesh.Corners[edge]) && isRegular(mesh.Origin(edge)) &&
+    isRegular(mesh.Target(edge)) && isRegular(mesh.Corners[twin]);
+}
+
+/// Whether a regular edge of this squared length has no negative score.
+bool IsFine(double square, double shift)
+{
+  const double shortest = CollapseLength + shift + BoundMargin - ChangeOfRegular / LengthWeight;
+  const double longest = SplitLength + shift - BoundMargin + ChangeOfRegular / LengthWeight;
+  return square > shortest * shortest && square < longest * longest;
+}
 
 } // namespace
 
@@ -93,6 +116,10 @@ void ValenceRound::AddCandidates(Id edge)
 {
   const MutableMesh& mesh = this->Mesh;
   const double square = mesh.SquaredRelativeLength(edge);
+  if (IsFine(square, this->Shift) && IsRegular(mesh, edge))
+  {
+    return;
+  }
   const double shortest =
     CollapseLength + this->Shift + BoundMargin - ValenceChangeOfCollapse(mesh, edge) / LengthWeight;
   const double longest =
