@@ -68,6 +68,8 @@ private:
   bool Link();
   bool WeldFreeEdges();
   std::vector<Id> VerticesOfFreeEdges() const;
+  void Renumber();
+  Id NumberOf(Id vertex) const { return this->Numbers.empty() ? vertex : this->Numbers[vertex]; }
   bool CheckSides();
   void MarkEdges();
   std::vector<Id> SlotsOfLines() const;
@@ -75,6 +77,7 @@ private:
   void CheckOverlaps();
   Polylines FreeEdges();
   void AddMeetings(const ProblemList& found);
+  void AddCovered(const Domain& domain);
   void AddBad(Id triangle, const char* detail);
   std::int64_t PointId(Id vertex) const
   {
@@ -90,6 +93,7 @@ private:
   Monitor& Listener;
   Pulse Progress;
   OldMesh Mesh;
+  std::vector<Id> Numbers; ///< of each vertex of the input: the one that it was made; empty: itself
 };
 
 void Reader::Copy()
@@ -172,32 +176,41 @@ bool Reader::WeldFreeEdges()
   std::vector<Id> vertices = this->VerticesOfFreeEdges();
   std::sort(vertices.begin(), vertices.end(),
     [&points](Id a, Id b) { return points[a] == points[b] ? a < b : points[a] < points[b]; });
-  std::vector<Id> numbers;
   for (std::size_t k = 1; k < vertices.size(); ++k)
   {
     const Id before = vertices[k - 1];
     const Id vertex = vertices[k];
     if (vertex != before && points[vertex] == points[before])
     {
-      if (numbers.empty())
+      if (this->Numbers.empty())
       {
-        numbers.resize(points.size());
-        std::iota(numbers.begin(), numbers.end(), 0);
+        this->Numbers.resize(points.size());
+        std::iota(this->Numbers.begin(), this->Numbers.end(), 0);
       }
-      numbers[vertex] = numbers[before];
+      this->Numbers[vertex] = this->Numbers[before];
       this->Problems.Add({ ProblemCode::DuplicatePoints,
-        { this->PointId(vertex), this->PointId(numbers[before]) }, points[vertex], "" });
+        { this->PointId(vertex), this->PointId(this->Numbers[before]) }, points[vertex], "" });
     }
   }
-  if (numbers.empty())
+  if (this->Numbers.empty())
   {
     return true;
   }
+  this->Renumber();
+  return this->Link();
+}
+
+// What stays stays under the number that is left.
+void Reader::Renumber()
+{
   for (Id& corner : this->Mesh.Corners)
   {
-    corner = numbers[corner];
+    corner = this->Numbers[corner];
   }
-  return this->Link();
+  for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
+  {
+    this->Mesh.IsFixed[this->Numbers[vertex]] |= this->Mesh.IsFixed[vertex];
+  }
 }
 
 bool Reader::CheckSides()
@@ -247,7 +260,7 @@ std::vector<Id> Reader::SlotsOfLines() const
   {
     for (const Id end : *ends)
     {
-      isEnd[end] = 1;
+      isEnd[this->NumberOf(end)] = 1;
     }
   }
   std::vector<Id> slots;
@@ -273,8 +286,8 @@ void Reader::MarkLines()
   const std::vector<Id> slots = this->SlotsOfLines();
   for (std::size_t line = 0; line < this->Input.LineStarts.size(); ++line)
   {
-    const Id start = this->Input.LineStarts[line];
-    const Id end = this->Input.LineEnds[line];
+    const Id start = this->NumberOf(this->Input.LineStarts[line]);
+    const Id end = this->NumberOf(this->Input.LineEnds[line]);
     bool isEdge = false;
     for (const auto& ends : { std::make_pair(start, end), std::make_pair(end, start) })
     {
@@ -314,6 +327,7 @@ void Reader::CheckOverlaps()
     return;
   }
   this->AddMeetings(found);
+  this->AddCovered(domain);
   if (!this->Problems.HasErrors())
   {
     this->Problems.Add({ ProblemCode::BadTriangles, {}, {},
@@ -349,6 +363,26 @@ void Reader::AddMeetings(const ProblemList& found)
     for (std::size_t k = 0; isMeeting && k < group.First.size(); ++k)
     {
       this->AddBad(static_cast<Id>(group.First[k].Ids[0]), "a free edge of it meets another");
+    }
+  }
+}
+
+// Of triangles on top of others the free edges are those of a hole, by even-odd.
+void Reader::AddCovered(const Domain& domain)
+{
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Id triangle = domain.Cells[segment];
+    const Id* corners = this->Mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    const Point2 middle = (1.0 / 3.0) *
+      (this->Mesh.Points[corners[0]] + this->Mesh.Points[corners[1]] +
+        this->Mesh.Points[corners[2]]);
+    const Point2& start = domain.Vertices[domain.Starts[segment]];
+    const Point2& end = domain.Vertices[domain.Ends[segment]];
+    const bool isLeft = Orient2D(start, end, middle) > 0;
+    if (!(isLeft ? domain.LeftInside : domain.RightInside)[segment])
+    {
+      this->AddBad(triangle, "it lies on top of others");
     }
   }
 }

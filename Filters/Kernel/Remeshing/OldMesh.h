@@ -94,8 +94,9 @@ struct OldMesh
 };
 
 /// Reads `input`: triangles are turned counterclockwise, and vertices of free edges at the same
-/// place are made one (ProblemCode::DuplicatePoints). Edges of one triangle, or between regions, or
-/// on lines are marked; lines that are no edges are dropped (ProblemCode::OutsideInterfaces).
+/// place are made one (ProblemCode::DuplicatePoints), with their lines; it is fixed where one of them
+/// was. Edges of one triangle, or between regions, or on lines are marked; lines that are no edges
+/// are dropped (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: a triangle without area,
 /// an edge of more than two triangles, two triangles on the same side of an edge, and triangles

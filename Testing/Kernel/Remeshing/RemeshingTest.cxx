@@ -301,28 +301,6 @@ TEST(Remeshing, SidesOfAFlatHoleDoNotBecomeOne)
   RunLawfully(input, WantingUniform(input, 3.0));
 }
 
-TEST(Remeshing, WhatIsNoMeshIsRefusedWithItsCells)
-{
-  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 },
-    { 0.8, 0.3 }, { 0.6, 0.6 } };
-  const std::vector<std::vector<Id>> bad{
-    { 0, 1, 4 },                   // no area
-    { 0, 1, 2, 0, 1, 3 },          // folded
-    { 0, 1, 2, 0, 2, 3, 0, 2, 4 }, // three at an edge
-    { 0, 1, 2, 0, 2, 3, 5, 6, 7 }, // one on top of the others
-    { 0, 1, 2, 3, 5, 6 },          // crossing
-  };
-  for (const std::vector<Id>& corners : bad)
-  {
-    RemeshInput input;
-    input.Points = points;
-    input.Corners = corners;
-    const RemeshRun run = RunRemesh(input, WantingUniform(input, 0.1));
-    EXPECT_GE(run.Problems.Count(ProblemCode::BadTriangles), 1);
-    EXPECT_TRUE(run.Result.Mesh.Points.empty());
-  }
-}
-
 TEST(Remeshing, ASpacingThatIsNoneIsRefused)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.2), Rounding);

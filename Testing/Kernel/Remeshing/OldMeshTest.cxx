@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remeshing/OldMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <map> // for counts
+
+namespace biting
+{
+
+TEST(OldMesh, LinesAndFixedVerticesStayWherePointsAreMadeOne)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 }, { 1, 1 }, { 2, 1 }, { 1, 0 } };
+  input.Corners = { 0, 1, 2, 4, 5, 3, 7, 6, 5 };
+  input.LineStarts = { 4, 5, 7 };
+  input.LineEnds = { 5, 7, 0 };
+  input.LineCells = { 7, 8, 9 };
+  input.IsFixed = { 0, 0, 0, 0, 0, 1, 0, 0 };
+  ProblemList problems;
+  const OldMesh mesh = ReadOldMesh(input, problems, NoMonitor());
+  EXPECT_EQ(problems.Count(ProblemCode::DuplicatePoints), 3);
+  EXPECT_EQ(problems.Count(ProblemCode::OutsideInterfaces), 0);
+  std::map<Id, int> sides; // of the triangles, on each line
+  for (const Id mark : mesh.Marks)
+  {
+    ++sides[mark];
+  }
+  EXPECT_EQ(sides, (std::map<Id, int>{ { OldMesh::Untagged, 4 }, { 1, 2 }, { 2, 2 }, { 3, 1 } }));
+  EXPECT_EQ(mesh.IsFixed[2], 1);
+}
+
+TEST(OldMesh, WhatIsNoMeshIsRefusedWithItsCells)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 },
+    { 0.8, 0.3 }, { 0.6, 0.6 }, { 0, 0 }, { 1, 0 }, { 1, 1 } };
+  const std::vector<std::vector<Id>> bad{
+    { 0, 1, 4 },                   // no area
+    { 0, 1, 2, 0, 1, 3 },          // folded
+    { 0, 1, 2, 0, 1, 2 },          // twice the same
+    { 0, 1, 2, 0, 2, 3, 1, 0, 2 }, // one of them twice, turned
+    { 0, 1, 2, 8, 9, 10 },         // twice the same, by points of its own
+    { 0, 1, 2, 0, 2, 3, 0, 2, 4 }, // three at an edge
+    { 0, 1, 2, 0, 2, 3, 5, 6, 7 }, // one on top of the others
+    { 0, 1, 2, 3, 5, 6 },          // crossing
+  };
+  for (const std::vector<Id>& corners : bad)
+  {
+    RemeshInput input;
+    input.Points = points;
+    input.Corners = corners;
+    ProblemList problems;
+    EXPECT_TRUE(ReadOldMesh(input, problems, NoMonitor()).Points.empty());
+    ASSERT_GE(problems.Count(ProblemCode::BadTriangles), 1);
+    const Problem& first = problems.Groups().back().First.front();
+    EXPECT_EQ(first.Ids.size(), 1u);
+    EXPECT_TRUE(first.Place.X >= 0.0 && first.Place.X <= 1.0);
+  }
+}
+
+} // namespace biting
