@@ -6,6 +6,8 @@
 //   BenchmarkRemesh [vertices] [domain] [preference]
 //     about so many (10000), on "square" or "holes", with 0 (Keeping), 1 (Balanced, default) or
 //     2 (Shape)
+//   BenchmarkRemesh [vertices] coast [preference]
+//     the coast of Data, made finer: f halved in a disc, and doubled
 //   BenchmarkRemesh [vertices] layer [preference]
 //     each step of the layer that moves
 //   BenchmarkRemesh [vertices] curve
@@ -17,6 +19,7 @@
 #include "../Kernel/Support/RemeshLaws.h"
 #include "BitingMesh.h"
 #include "BitingRemesh.h"
+#include "MeshCases.h"
 
 #include <algorithm>  // for sort
 #include <cmath>      // for fields
@@ -35,6 +38,7 @@ constexpr double Gradation = 0.3;
 constexpr double Rounding = 1e-15;
 constexpr int Steps = 20;
 constexpr double StepLength = 0.02;
+constexpr double CoastVertices = 14100.0; ///< of the coast of Data as it is
 
 using Field = std::function<double(const Point2&)>;
 
@@ -96,7 +100,8 @@ std::vector<double> ValuesAt(const std::vector<Point2>& points, const Field& f)
   return values;
 }
 
-Outcome RemeshTo(const BitingMesh& mesh, const Field& f, RemeshPreference preference)
+Outcome RemeshTo(
+  const BitingMesh& mesh, const std::vector<double>& values, RemeshPreference preference)
 {
   Outcome outcome;
   outcome.Input = RemeshInputOf(mesh, Rounding);
@@ -104,7 +109,7 @@ Outcome RemeshTo(const BitingMesh& mesh, const Field& f, RemeshPreference prefer
   RemeshOptions options;
   options.Preference = preference;
   options.Spacing.Gradation = Gradation;
-  options.Values = ValuesAt(mesh.Points, f);
+  options.Values = values;
   ProblemList problems;
   const double begin = Seconds();
   outcome.Result = Remesh(outcome.Input, options, problems, NoMonitor());
@@ -118,6 +123,11 @@ Outcome RemeshTo(const BitingMesh& mesh, const Field& f, RemeshPreference prefer
     }
   }
   return outcome;
+}
+
+Outcome RemeshTo(const BitingMesh& mesh, const Field& f, RemeshPreference preference)
+{
+  return RemeshTo(mesh, ValuesAt(mesh.Points, f), preference);
 }
 
 /// What the mesher makes of the same spacing.
@@ -223,6 +233,37 @@ void RunUniform(const Polylines& domain, double spacing, RemeshPreference prefer
   Print("d: and back", RemeshTo(doubled.Mesh(), uniform(spacing), preference));
 }
 
+/// `spacing` is that of the mesh: f is half of it in a disc, and twice as large.
+void RunCoast(double vertices, RemeshPreference preference)
+{
+  const MeshCase coast = OfFile("coast.vtk", Gradation, std::sqrt(CoastVertices / vertices));
+  ProblemList problems;
+  const BitingMesh mesh = MakeBitingMesh(coast.Drawing, coast.Options, problems, NoMonitor());
+  Box2 box;
+  for (const Point2& point : mesh.Points)
+  {
+    box.Add(point);
+  }
+  const double radius = 0.2 * (box.High.Y - box.Low.Y);
+  std::vector<double> halved = mesh.Spacing;
+  std::vector<double> doubled = mesh.Spacing;
+  for (std::size_t vertex = 0; vertex < halved.size(); ++vertex)
+  {
+    const double distance = Distance(mesh.Points[vertex], box.Center()) - radius;
+    halved[vertex] =
+      std::min(halved[vertex], 0.5 * halved[vertex] + Gradation * std::max(distance, 0.0));
+    doubled[vertex] *= 2.0;
+  }
+  Print("a: same", RemeshTo(mesh, mesh.Spacing, preference));
+  for (const auto& [name, values] :
+    { std::make_pair("b: disc halved", halved), std::make_pair("c: doubled", doubled) })
+  {
+    const Outcome outcome = RemeshTo(mesh, values, preference);
+    Print(name, outcome);
+    Print("   meshed anew", MeshedAnew(coast.Drawing, outcome));
+  }
+}
+
 /// What interpolation of a steep tanh asks for.
 Field LayerAt(double place, double spacing)
 {
@@ -280,6 +321,11 @@ int main(int count, char** texts)
   const auto preference =
     static_cast<biting::RemeshPreference>(count > 3 ? std::atoi(texts[3]) : 1);
   PrintHead();
+  if (domain == "coast")
+  {
+    RunCoast(vertices, preference);
+    return 0;
+  }
   if (domain == "curve")
   {
     RunCurve(DomainNamed(domain), vertices);

@@ -3,9 +3,10 @@
 
 #include "HeldVertices.h"
 
+#include "Star.h"
 #include "StarObjective.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for max, sort
 #include <cstddef>   // for sizes
 
 namespace biting
@@ -48,10 +49,34 @@ std::vector<Id> HeldVertices::ReleaseThoseInTheWay(Pulse& pulse)
   std::vector<Id> released = this->Choose();
   for (const Id vertex : released)
   {
+    this->WereReleased.push_back({ vertex, this->Mesh.Points[vertex] });
     this->IsHeld[vertex] = 0;
     this->Mesh.Freedoms[vertex] = Freedom::Free;
   }
   return released;
+}
+
+bool HeldVertices::TakeBack(const Released& released)
+{
+  const Id vertex = released.Vertex;
+  Star star;
+  if (!this->Mesh.IsAlive(vertex) || this->Mesh.Freedoms[vertex] != Freedom::Free ||
+    !star.Read(this->Mesh, vertex))
+  {
+    return false;
+  }
+  StarObjective objective(this->Mesh, vertex, star);
+  objective.FitSlope();
+  const double limit = std::max(objective.Here(), this->Hold.GreatestCotangent);
+  if (!(objective.At(released.Home - star.Center, limit) < limit) ||
+    !IsValidAt(this->Mesh, vertex, star, released.Home))
+  {
+    return false;
+  }
+  MoveWithSpacing(this->Mesh, vertex, star, released.Home);
+  this->IsHeld[vertex] = 1;
+  this->Mesh.Freedoms[vertex] = Freedom::Fixed;
+  return true;
 }
 
 void HeldVertices::LookAt(Id triangle)

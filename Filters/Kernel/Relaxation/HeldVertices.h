@@ -5,6 +5,7 @@
 #define BitingHeldVertices_h
 
 #include "../Base/Ids.h"
+#include "../Base/Point2.h"
 #include "../Base/Pulse.h"
 #include "MutableMesh.h"
 #include "Relaxation.h"
@@ -18,7 +19,7 @@ namespace biting
 {
 
 /// Vertices that stay where they are until they are in the way of a better mesh: then they are
-/// released, and are vertices like all others.
+/// released, and are vertices like all others. Where that did not help they are taken back.
 class HeldVertices
 {
 public:
@@ -31,6 +32,19 @@ public:
   /// triangle and edge at most one, that of most of them. Returns those that are released: none
   /// where the limits are met.
   std::vector<Id> ReleaseThoseInTheWay(Pulse& pulse);
+
+  /// A vertex that was released.
+  struct Released
+  {
+    Id Vertex;
+    Point2 Home; ///< where it was held
+  };
+  const std::vector<Released>& ListReleased() const { return this->WereReleased; }
+
+  /// Puts the vertex back where it was and holds it there, if the objective of its star is then
+  /// within the limit of angles, or less than it is now. Returns whether it did. The mesh may not be
+  /// Delaunay around it then.
+  bool TakeBack(const Released& released);
 
 private:
   using Complaint = std::array<Id, 3>; ///< the held ones of the corners or ends, NoId the others
@@ -53,6 +67,7 @@ private:
   std::vector<std::uint8_t> IsHeld; ///< one a vertex
   std::vector<Id> Counts;           ///< of complaints: one a vertex
   std::vector<Complaint> Complaints;
+  std::vector<Released> WereReleased;
 };
 
 } // namespace biting

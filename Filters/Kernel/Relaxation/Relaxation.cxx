@@ -13,10 +13,11 @@
 #include "Patch.h"
 #include "Smoothing.h"
 #include "Star.h"
+#include "StarObjective.h"
 #include "TopologyTrials.h"
 #include "ValenceRound.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for max, min
 #include <cstddef>   // for limits
 
 namespace biting
@@ -32,6 +33,7 @@ constexpr std::size_t SmallVerticesPerTrial = 60;
 constexpr std::size_t MostSmallTrials = 64;
 constexpr std::size_t VerticesPerTrial = 20000;
 
+constexpr int PassesOfTakingBack = 2;
 constexpr int RingsOfReleased = 2; // about them, that are smoothed with them
 constexpr double CotangentOf45Degrees = 1.0;
 
@@ -64,7 +66,8 @@ public:
     this->Smooth(0.55, 0.75, SweepKind::Coarse);
     this->Descend(0.75, options.Hold.Count > 0 ? 0.8 : 0.95);
     this->Release(0.8, 0.95, options.Hold.Rounds);
-    this->TryTopologies(0.95, 0.99);
+    this->TryTopologies(0.95, 0.98, options.Hold);
+    this->TakeBack(0.98, 0.99);
     const PulsePart part(this->Progress, 0.99, 1.0);
     this->Mesh.AskForEstimates(this->Progress);
   }
@@ -127,6 +130,25 @@ private:
     return near;
   }
 
+  /// What is beside a vertex that came back is improved, and may then make room for others.
+  void TakeBack(double begin, double end)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    for (int pass = 0; pass < PassesOfTakingBack; ++pass)
+    {
+      std::vector<Id> returned;
+      for (const HeldVertices::Released& released : this->Held.ListReleased())
+      {
+        if (this->Progress.Beat() && this->Held.TakeBack(released))
+        {
+          this->Flips.RestoreAround(released.Vertex);
+          returned.push_back(released.Vertex);
+        }
+      }
+      this->DescendAround(this->Surroundings.Around(returned, 1));
+    }
+  }
+
   void DescendAround(const std::vector<Id>& vertices)
   {
     this->Descent.Wake(vertices);
@@ -142,7 +164,7 @@ private:
     }
   }
 
-  void TryTopologies(double begin, double end)
+  void TryTopologies(double begin, double end, const HoldOptions& hold)
   {
     if (!this->TriesTopologies)
     {
@@ -150,9 +172,27 @@ private:
     }
     const PulsePart part(this->Progress, begin, end);
     const std::size_t vertices = this->Mesh.Points.size();
-    this->Trials.Run(LeastNumberOfTrials +
-        std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial,
-      this->Progress);
+    const std::size_t limit = LeastNumberOfTrials +
+      std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial;
+    if (hold.Count > 0 && this->CountPoor() > limit)
+    {
+      const double allowed = std::min(hold.GreatestCotangent, CotangentOf35Degrees);
+      this->Mesh.PoorCotangents =
+        std::max(this->Mesh.PoorCotangents, allowed / CotangentOf38Degrees);
+    }
+    this->Trials.Run(limit, this->Progress);
+  }
+
+  std::size_t CountPoor()
+  {
+    std::size_t count = 0;
+    this->Progress.ForEach(this->Mesh.Regions.size(),
+      [this, &count](std::size_t triangle)
+      {
+        const Id id = static_cast<Id>(triangle);
+        count += this->Mesh.IsEdge(4 * id) && IsWorseThan(this->Mesh, id, CotangentOf38Degrees);
+      });
+    return count;
   }
 
   MutableMesh& Mesh;

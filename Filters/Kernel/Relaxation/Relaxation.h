@@ -73,7 +73,7 @@ struct RelaxationResult
 /// - All vertices are smoothed for the mean ratio of the triangles around them.
 /// - The worst triangles are improved one by one.
 /// - Where vertices are held, those that are in the way are then released, round by round, and what
-///   is near them is improved anew.
+///   is near them is improved anew. In the end those go back for which there is a place again.
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and
@@ -91,7 +91,8 @@ struct RelaxationResult
 /// out of proportion to it.
 /// Cost O(n): it grows with the share of triangles that are poor. Up to 8 attempts at single
 /// triangles, 64 more in meshes of some thousand vertices, each for about two thousand vertices'
-/// time, are made where angles stay below 38 degrees.
+/// time, are made where angles stay below 38 degrees; where vertices are held, and more do, only
+/// where they stay below the limit of holding, or 35 degrees.
 /// Precondition: `mesh` passes CheckTriangulation but for the Delaunay criterion.
 RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor);

@@ -21,9 +21,9 @@ enum class RemeshPreference
 /// Within the band from LowestUnchanged to HighestUnchanged the mesh is as it is wanted: meshes of
 /// the mesher, relaxed, are, and a change of f by a tenth leaves vertices within. What is beyond is
 /// made anew, with what is around it; there a vertex fits that is within Lowest to Highest. Below
-/// Crowded the vertices of a coarser lattice are among the old ones, and above Sparse there is room
-/// for new ones between them; but in between neither is so: old vertices there are in the way of
-/// others.
+/// Crowded, at most Lowest, the vertices of a coarser lattice are among the old ones, and above
+/// Sparse there is room for new ones between them; but in between neither is so: old vertices there
+/// are in the way of others.
 struct KeepRules
 {
   static constexpr double LowestUnchanged = 0.75;
@@ -33,8 +33,8 @@ struct KeepRules
   static constexpr double LeastSquare = 0.5;
   static constexpr double GreatestSquare = 2.0;
 
-  double Crowded = 0.7;
-  double Lowest = 0.82;
+  double Crowded = LowestUnchanged;
+  double Lowest = LowestUnchanged;
   double Highest = 1.35;
   double Sparse = 1.75;
 

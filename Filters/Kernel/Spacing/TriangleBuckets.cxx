@@ -88,8 +88,9 @@ TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles, Pulse& p
 void TriangleBuckets::Fill(
   Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies)
 {
-  Grid grid = this->ChooseGrid(box, ids, copies);
-  if (ids.size() <= EntriesPerLeaf || depth == MaximumDepth || grid.Columns * grid.Rows < 2)
+  const bool isLeaf = ids.size() <= EntriesPerLeaf || depth == MaximumDepth;
+  Grid grid = isLeaf ? Grid() : this->ChooseGrid(box, ids, copies);
+  if (grid.Columns * grid.Rows < 2)
   {
     this->FillLeaf(cellId, ids);
     return;
