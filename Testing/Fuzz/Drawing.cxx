@@ -47,6 +47,7 @@ private:
 
 Drawing DrawingReader::Read()
 {
+  this->Result.SeamNoise = this->Input.SeamNoise;
   this->Result.HasFaces = std::find(this->Input.Kinds.begin(), this->Input.Kinds.end(),
                             ChainKind::Face) != this->Input.Kinds.end();
   for (std::size_t chain = 0; chain < this->Input.Kinds.size(); ++chain)
@@ -117,7 +118,7 @@ bool DrawingReader::HasEvenEnds() const
 
 double Drawing::Slack() const
 {
-  return SlackInUlp * std::numeric_limits<double>::epsilon() * this->Largest;
+  return SlackInUlp * std::numeric_limits<double>::epsilon() * this->Largest + this->SeamNoise;
 }
 
 Drawing Drawing::Of(const std::vector<DrawnSegment>& segments) const
@@ -125,6 +126,7 @@ Drawing Drawing::Of(const std::vector<DrawnSegment>& segments) const
   Drawing part;
   part.Segments = segments;
   part.Largest = this->Largest;
+  part.SeamNoise = this->SeamNoise;
   return part;
 }
 

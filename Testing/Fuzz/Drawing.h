@@ -29,12 +29,13 @@ struct Drawing
   std::vector<DrawnSegment> Segments; ///< none of length zero
   std::vector<Point2> Points;         ///< embedded ones
   double Largest = 0.0;               ///< coordinate, in magnitude
+  double SeamNoise = 0.0;             ///< of the input: points that near are one
   bool IsExplicit = false;            ///< what bounds is known without interpretation
   bool HasFaces = false;
 
   /// How far what is drawn may move in the domain: the kernel welds what is nearer than
   /// RoundingInUlp of the largest coordinate, once a round of its resolution, and rounds points on
-  /// segments.
+  /// segments; but first points that SeamNoise does not tell apart.
   double Slack() const;
 
   /// The same with some of the segments only, and no points.

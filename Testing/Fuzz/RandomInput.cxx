@@ -3,9 +3,11 @@
 
 #include "RandomInput.h"
 
+#include "Base/Box2.h"
 #include "RandomDrawing.h"
 
 #include <algorithm> // for min, max
+#include <cmath>     // for isfinite
 #include <limits>    // for values that are none
 #include <memory>    // for sources
 #include <ostream>   // for the file
@@ -308,6 +310,23 @@ void WriteKinds(std::ostream& file, const Polylines& input, bool areVertices)
   }
 }
 
+/// Sometimes, as the filter does for every drawing.
+void MakeSeams(FuzzNumbers& numbers, Polylines& input)
+{
+  if (!numbers.OneIn(8))
+  {
+    return;
+  }
+  Box2 box;
+  for (const Point2& place : input.Points)
+  {
+    box.Add(place);
+  }
+  const double size = box.Diagonal();
+  input.SeamNoise =
+    std::isfinite(size) ? SeamInUlp * std::numeric_limits<double>::epsilon() * size : 0.0;
+}
+
 } // namespace
 
 FuzzCase MakeFuzzCase(FuzzNumbers& numbers, FuzzBlocks blocks)
@@ -317,10 +336,11 @@ FuzzCase MakeFuzzCase(FuzzNumbers& numbers, FuzzBlocks blocks)
   fuzzCase.Options.Spacing = SpacingMaker(numbers, fuzzCase.Input).Make();
   MakeMeshOptions(numbers, fuzzCase.Options);
   fuzzCase.StopAtCall = numbers.OneIn(24) ? numbers.Below(24) : -1;
-  // Last, so that seeds from before there were blocks keep their meaning.
+  // Last, so that seeds from before there were blocks and seams keep their meaning.
   if (blocks == FuzzBlocks::Small)
   {
     MakeBlocks(numbers, fuzzCase.Options);
+    MakeSeams(numbers, fuzzCase.Input);
   }
   return fuzzCase;
 }
@@ -358,7 +378,8 @@ std::string Describe(const FuzzCase& fuzzCase)
        << " bisectors=" << (options.Placement == Placement::Bisectors)
        << " order=" << static_cast<int>(options.Order) << " limit=" << options.LimitByFeatureSize
        << " phi=" << options.Phi << " relaxation=" << options.Relaxation
-       << " block=" << options.VerticesPerBlock << " tolerance=" << options.Simplification.Tolerance
+       << " seams=" << fuzzCase.Input.SeamNoise << " block=" << options.VerticesPerBlock
+       << " tolerance=" << options.Simplification.Tolerance
        << " corner=" << options.Simplification.CornerAngle
        << " loops=" << options.Simplification.MinimumLoopSize
        << " preserve=" << options.PreserveBoundary << " keep=" << options.KeepBites

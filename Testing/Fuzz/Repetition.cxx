@@ -46,6 +46,7 @@ FuzzCase Magnify(FuzzCase fuzzCase)
 {
   SpacingOptions& spacing = fuzzCase.Options.Spacing;
   Magnify(fuzzCase.Input.Points);
+  fuzzCase.Input.SeamNoise = Magnified(fuzzCase.Input.SeamNoise);
   spacing.Uniform = Magnified(spacing.Uniform);
   spacing.Minimum = Magnified(spacing.Minimum);
   spacing.Maximum = Magnified(spacing.Maximum);
