@@ -3,6 +3,7 @@
 
 #include "DoubleArray.h"
 
+#include "vtkFloatArray.h"
 #include "vtkPointSet.h"
 #include "vtkRectilinearGrid.h"
 
@@ -21,6 +22,16 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
     doubles->DeepCopy(array);
   }
   return doubles;
+}
+
+std::vector<double> ReadDoubles(vtkDataArray* array, vtkIdType count)
+{
+  if (auto* floats = vtkFloatArray::FastDownCast(array))
+  {
+    return { floats->GetPointer(0), floats->GetPointer(0) + count };
+  }
+  const auto doubles = AsDoubles(array);
+  return { doubles->GetPointer(0), doubles->GetPointer(0) + count };
 }
 
 vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data)

@@ -9,6 +9,8 @@
 #include "vtkDoubleArray.h"  // for the return value
 #include "vtkSmartPointer.h" // for the return value
 
+#include <vector> // for values
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
@@ -19,6 +21,9 @@ namespace biting
 
 /// `array` itself where it holds doubles, otherwise a copy of it that does. Values are not rounded.
 vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array);
+
+/// The first `count` values of an array of one component.
+std::vector<double> ReadDoubles(vtkDataArray* array, vtkIdType count);
 
 /// The places of all points of `data`, those of a point set without a copy where they are doubles.
 vtkSmartPointer<vtkDoubleArray> CoordinatesOf(vtkDataSet* data);

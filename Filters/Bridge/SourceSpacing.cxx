@@ -127,9 +127,9 @@ bool IsAscending(const std::vector<double>& nodes)
   return isFinite && !nodes.empty() && repeated == nodes.end();
 }
 
-// The source as a grid of the plane; null where it is none.
+// The source as a grid of the plane, which takes the values; null where it is none.
 std::shared_ptr<GridSource> GridFrom(
-  vtkDataSet* source, const double* values, const PlaneFrame& frame, Pulse& pulse)
+  vtkDataSet* source, std::vector<double>& values, const PlaneFrame& frame, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, GridEnd);
   const AxisNodes nodes = NodesOfGrid(source);
@@ -146,9 +146,15 @@ std::shared_ptr<GridSource> GridFrom(
   grid->XNodes = nodes[first];
   grid->YNodes = nodes[second];
   const std::size_t width = nodes[first].size();
+  const bool isInOrder = strides[first] == 1 && strides[second] == width;
+  if (isInOrder)
+  {
+    grid->Values = std::move(values);
+    return grid;
+  }
   GrowInSteps(grid->Values, width * nodes[second].size(), 0.0, pulse);
   pulse.ForEach(grid->Values.size(),
-    [values, &grid, width, along = strides[first], across = strides[second]](std::size_t k)
+    [&values, &grid, width, along = strides[first], across = strides[second]](std::size_t k)
     { grid->Values[k] = values[k % width * along + k / width * across]; });
   return grid;
 }
@@ -168,21 +174,18 @@ bool HasArea(const TriangulatedSource& source, Pulse& pulse)
   return false;
 }
 
-std::string AddGrid(vtkDataSet* source, vtkDataArray* values, std::shared_ptr<GridSource> grid,
-  SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
+std::string AddGrid(const SourceData& chosen, const std::vector<double>& values,
+  std::shared_ptr<GridSource> grid, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
-  std::vector<vtkIdType> points(static_cast<std::size_t>(source->GetNumberOfPoints()));
-  for (std::size_t point = 0; point < points.size(); ++point)
-  {
-    points[point] = static_cast<vtkIdType>(point);
-  }
-  options.Grid = std::move(grid);
-  return CheckSpacingValues(source, values, points, SpacingOwner::Source, places, pulse);
+  options.Grid = grid;
+  return CheckReadValues(chosen.Data, chosen.Chosen.Array, values.empty() ? grid->Values : values,
+    nullptr, SpacingOwner::Source, places, pulse);
 }
 
-std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame& frame,
-  bool mayOverlap, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
+std::string AddCells(const SourceData& chosen, const std::vector<double>& values,
+  const PlaneFrame& frame, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
+  vtkDataSet* source = chosen.Data;
   SourceCells cells(source, frame, pulse);
   std::string refusal = cells.Collect();
   const std::vector<vtkIdType> points = cells.UsedPoints();
@@ -192,17 +195,18 @@ std::string AddCells(vtkDataSet* source, vtkDataArray* values, const PlaneFrame&
   }
   if (refusal.empty())
   {
-    refusal = CheckSpacingValues(source, values, points, SpacingOwner::Source, places, pulse);
+    refusal = CheckReadValues(
+      source, chosen.Chosen.Array, values, &points, SpacingOwner::Source, places, pulse);
   }
   if (!refusal.empty())
   {
     return refusal;
   }
-  const auto triangulation = cells.Triangulation(AsDoubles(values)->GetPointer(0));
+  const auto triangulation = cells.Triangulation(values.data());
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
-  triangulation->MayOverlap = mayOverlap;
-  if (mayOverlap)
+  triangulation->MayOverlap = chosen.MayOverlap;
+  if (chosen.MayOverlap)
   {
     AddBorderOf(*triangulation, options, pulse);
   }
@@ -217,40 +221,30 @@ bool IsFillValue(double value)
   return !std::isnan(value) && !(value > 0.0 && std::isfinite(value));
 }
 
-// The values as doubles, NaN for those that are no spacing where none is wanted.
-vtkSmartPointer<vtkDoubleArray> KnownValues(vtkDataSet* source, vtkDataArray* given,
-  const PlaneFrame& frame, const std::function<bool(const Point2&)>& isWanted, Pulse& pulse)
+// The values, NaN for those that are no spacing where none is wanted.
+std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const PlaneFrame& frame,
+  const std::function<bool(const Point2&)>& isWanted, Pulse& pulse)
 {
-  vtkSmartPointer<vtkDoubleArray> values = AsDoubles(given);
-  bool isOwn = false;
+  std::vector<double> values = ReadDoubles(given, source->GetNumberOfPoints());
   bool isAnyKnown = false;
-  pulse.ForEach(static_cast<std::size_t>(source->GetNumberOfPoints()),
-    [source, given, &frame, &isWanted, &values, &isOwn, &isAnyKnown](std::size_t k)
+  pulse.ForEach(values.size(),
+    [source, &frame, &isWanted, &values, &isAnyKnown](std::size_t point)
     {
-      const auto point = static_cast<vtkIdType>(k);
+      double& value = values[point];
+      if (!IsFillValue(value))
+      {
+        isAnyKnown = isAnyKnown || value > 0.0;
+        return;
+      }
       double place[3];
-      if (!IsFillValue(values->GetValue(point)))
+      source->GetPoint(static_cast<vtkIdType>(point), place);
+      if (!isWanted(frame.ToPlane(place)))
       {
-        isAnyKnown = isAnyKnown || values->GetValue(point) > 0.0;
-        return;
+        value = std::numeric_limits<double>::quiet_NaN();
       }
-      source->GetPoint(point, place);
-      if (isWanted(frame.ToPlane(place)))
-      {
-        return;
-      }
-      if (!isOwn)
-      {
-        const auto own = vtkSmartPointer<vtkDoubleArray>::New();
-        own->DeepCopy(values);
-        own->SetName(given->GetName());
-        values = own;
-        isOwn = true;
-      }
-      values->SetValue(point, std::numeric_limits<double>::quiet_NaN());
     });
   // Where nothing else is known, what is given is refused by its values.
-  return isAnyKnown ? values : vtkSmartPointer<vtkDoubleArray>(AsDoubles(given));
+  return isAnyKnown ? values : ReadDoubles(given, source->GetNumberOfPoints());
 }
 
 } // namespace
@@ -272,11 +266,11 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   {
     return misplaced;
   }
-  const auto values = KnownValues(source, given, frame, isWanted, pulse);
-  auto grid = GridFrom(source, values->GetPointer(0), frame, pulse);
+  std::vector<double> values = KnownValues(source, given, frame, isWanted, pulse);
+  auto grid = GridFrom(source, values, frame, pulse);
   const std::string refusal = grid
-    ? AddGrid(source, values, std::move(grid), options, places, pulse)
-    : AddCells(source, values, frame, chosen.MayOverlap, options, places, pulse);
+    ? AddGrid(chosen, values, std::move(grid), options, places, pulse)
+    : AddCells(chosen, values, frame, options, places, pulse);
   return pulse.HasStopped() ? "" : refusal;
 }
 

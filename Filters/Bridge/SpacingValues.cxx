@@ -24,6 +24,11 @@ bool IsSpacing(double value, SpacingOwner owner)
   return isHole || (value > 0.0 && std::isfinite(value));
 }
 
+std::string NameOf(vtkDataArray* array)
+{
+  return std::string("The spacing array ") + (array->GetName() ? array->GetName() : "");
+}
+
 std::string Describe(vtkIdType point, double value, const Point3& place)
 {
   std::ostringstream text;
@@ -52,8 +57,7 @@ void AddPlace(
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
   const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse)
 {
-  const std::string array =
-    std::string("The spacing array ") + (values->GetName() ? values->GetName() : "");
+  const std::string array = NameOf(values);
   if (values->GetNumberOfComponents() != 1)
   {
     return array + " has " + std::to_string(values->GetNumberOfComponents()) +
@@ -64,18 +68,27 @@ std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
     return array + " has " + std::to_string(values->GetNumberOfTuples()) + " values for " +
       std::to_string(data->GetNumberOfPoints()) + " points.";
   }
+  return CheckReadValues(
+    data, values, ReadDoubles(values, data->GetNumberOfPoints()), &points, owner, places, pulse);
+}
+
+std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
+  const std::vector<double>& values, const std::vector<vtkIdType>* points, SpacingOwner owner,
+  ProblemPlaces& places, Pulse& pulse)
+{
   const std::string subject =
-    array + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
-  const auto doubles = AsDoubles(values);
+    NameOf(array) + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
   std::vector<std::string> bad;
   std::int64_t count = 0;
-  for (const vtkIdType point : points)
+  const std::size_t last = points ? points->size() : values.size();
+  for (std::size_t k = 0; k < last; ++k)
   {
     if (!pulse.Beat(1))
     {
       return {};
     }
-    const double value = doubles->GetValue(point);
+    const vtkIdType point = points ? (*points)[k] : static_cast<vtkIdType>(k);
+    const double value = values[static_cast<std::size_t>(point)];
     if (!IsSpacing(value, owner) && static_cast<std::size_t>(++count) <= ProblemList::KeptPerKind)
     {
       Point3 place;
@@ -90,8 +103,8 @@ std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
   }
   places.Counts[static_cast<std::size_t>(ProblemCode::BadSpacing)] += count;
   bad.resize(std::min(bad.size(), ShownIds));
-  return array + " has values that are zero, negative or not finite (" + std::to_string(count) +
-    "): " + ListText(bad, count) + ". Spacing is an edge length.";
+  return NameOf(array) + " has values that are zero, negative or not finite (" +
+    std::to_string(count) + "): " + ListText(bad, count) + ". Spacing is an edge length.";
 }
 
 } // namespace biting

@@ -34,6 +34,12 @@ enum class SpacingOwner
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
   const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse);
 
+/// The same of values that were read from `array`, which has one for each point of `data`; of all
+/// where `points` is null.
+std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
+  const std::vector<double>& values, const std::vector<vtkIdType>* points, SpacingOwner owner,
+  ProblemPlaces& places, Pulse& pulse);
+
 } // namespace biting
 
 #endif

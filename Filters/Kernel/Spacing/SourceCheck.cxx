@@ -71,7 +71,14 @@ bool CheckParameters(const SpacingOptions& options, ProblemList& problems)
   return valid;
 }
 
-/// Checks the values and positions of one source; `positionOf(id)` is where value id is given.
+bool AreFinite(const std::vector<double>& coordinates)
+{
+  return std::all_of(coordinates.begin(), coordinates.end(),
+    [](double coordinate) { return std::isfinite(coordinate); });
+}
+
+/// Checks the values and positions of one source; `positionOf(id)` is where value id is given. Those
+/// of values that are good are not asked for where all positions are known to be finite.
 class ValueCheck
 {
 public:
@@ -86,11 +93,16 @@ public:
   }
 
   template <typename PositionOf>
-  bool operator()(const std::vector<double>& values, PositionOf positionOf)
+  bool operator()(
+    const std::vector<double>& values, PositionOf positionOf, bool hasFinitePositions = false)
   {
     bool valid = true;
     for (std::size_t id = 0; id < values.size() && this->Beats.Beat(1); ++id)
     {
+      if (hasFinitePositions && this->IsSpacing(values[id]))
+      {
+        continue;
+      }
       const Point2 place = positionOf(id);
       if (!std::isfinite(place.X) || !std::isfinite(place.Y))
       {
@@ -156,10 +168,12 @@ bool CheckGrid(const GridSource& grid, double scale, ProblemList& problems, Puls
   const std::size_t columns = grid.XNodes.size();
   assert(grid.Values.size() == columns * grid.YNodes.size());
   ValueCheck check("grid source", scale, HolePolicy::Allowed, problems, pulse);
-  const bool valid = check(grid.Values,
+  const bool valid = check(
+    grid.Values,
     [&grid, columns](std::size_t id) {
       return Point2{ grid.XNodes[id % columns], grid.YNodes[id / columns] };
-    });
+    },
+    AreFinite(grid.XNodes) && AreFinite(grid.YNodes));
   return valid && CheckNodes("x", grid.XNodes, problems) && CheckNodes("y", grid.YNodes, problems);
 }
 

@@ -19,29 +19,32 @@ double SlopeOf(double from, double to, double step)
   return step > 0.0 && std::isfinite(slope) ? slope : 0.0;
 }
 
-/// The slope of the piece of row j (or column i) that starts at node (i, j); 0 past the end.
-double SlopeAlongX(const GridSource& source, std::size_t i, std::size_t j)
+/// Of the pieces of row j from node to node; none past the last row.
+void FindSlopesAlong(const GridSource& source, std::size_t row, std::vector<double>& slopes)
 {
   const std::size_t columns = source.XNodes.size();
-  if (i + 1 >= columns || j >= source.YNodes.size())
+  if (row >= source.YNodes.size())
   {
-    return 0.0;
+    slopes.assign(columns, 0.0);
+    return;
   }
-  const std::size_t node = i + j * columns;
-  return SlopeOf(
-    source.Values[node], source.Values[node + 1], source.XNodes[i + 1] - source.XNodes[i]);
+  const double* values = source.Values.data() + row * columns;
+  for (std::size_t k = 0; k + 1 < columns; ++k)
+  {
+    slopes[k] = SlopeOf(values[k], values[k + 1], source.XNodes[k + 1] - source.XNodes[k]);
+  }
 }
 
-double SlopeAlongY(const GridSource& source, std::size_t i, std::size_t j)
+/// From the nodes of a row to those of the next one.
+void FindSlopesAcross(const GridSource& source, std::size_t row, std::vector<double>& slopes)
 {
   const std::size_t columns = source.XNodes.size();
-  if (i >= columns || j + 1 >= source.YNodes.size())
+  const double* values = source.Values.data() + row * columns;
+  for (std::size_t k = 0; k < columns && row + 1 < source.YNodes.size(); ++k)
   {
-    return 0.0;
+    slopes[k] =
+      SlopeOf(values[k], values[k + columns], source.YNodes[row + 1] - source.YNodes[row]);
   }
-  const std::size_t node = i + j * columns;
-  return SlopeOf(
-    source.Values[node], source.Values[node + columns], source.YNodes[j + 1] - source.YNodes[j]);
 }
 
 const Point2& PointOf(const TriangulatedSource& source, std::size_t corner)
@@ -60,16 +63,25 @@ double LargestSlope(const GridSource& source, Monitor& monitor)
 {
   Pulse pulse(monitor);
   double largest = 0.0;
-  for (std::size_t j = 0; j < source.YNodes.size() && pulse.Beat(4 * source.XNodes.size()); ++j)
+  const std::size_t columns = source.XNodes.size();
+  std::vector<double> low(columns, 0.0);
+  std::vector<double> high(columns, 0.0);
+  std::vector<double> across(columns + 1, 0.0);
+  FindSlopesAlong(source, 0, low);
+  for (std::size_t row = 0; row < source.YNodes.size() && pulse.Beat(4 * columns); ++row)
   {
-    for (std::size_t i = 0; i < source.XNodes.size(); ++i)
+    FindSlopesAlong(source, row + 1, high);
+    across.assign(columns + 1, 0.0);
+    FindSlopesAcross(source, row, across);
+    for (std::size_t k = 0; k < columns; ++k)
     {
-      const double alongX = std::max(SlopeAlongX(source, i, j), SlopeAlongX(source, i, j + 1));
-      const double alongY = std::max(SlopeAlongY(source, i, j), SlopeAlongY(source, i + 1, j));
-      largest = std::max(largest, Length({ alongX, alongY }));
+      const double alongX = std::max(low[k], high[k]);
+      const double alongY = std::max(across[k], across[k + 1]);
+      largest = std::max(largest, alongX * alongX + alongY * alongY);
     }
+    low.swap(high);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor)

@@ -77,7 +77,7 @@ TriangulatedSource Noisy(std::uint64_t seed)
     14, [&sampler](const Point2&) { return 0.02 * std::exp(3.0 * sampler.Next()); });
 }
 
-/// At the points and the middles of sides, f as all edges limit it, against that of the needed ones.
+/// At the middles of sides, f as all edges limit it, against that of the needed ones.
 void ExpectTheSameLimit(const TriangulatedSource& source)
 {
   const SegmentExtension all = LimitOf(AllEdges(source));
