@@ -77,8 +77,8 @@ bool AreFinite(const std::vector<double>& coordinates)
     [](double coordinate) { return std::isfinite(coordinate); });
 }
 
-/// Checks the values and positions of one source; `positionOf(id)` is where value id is given. Those
-/// of values that are good are not asked for where all positions are known to be finite.
+/// Checks the values and positions of one source; `positionOf(id)` is where value id is given.
+/// Where all positions are known to be finite, only those of bad values are asked for.
 class ValueCheck
 {
 public:
