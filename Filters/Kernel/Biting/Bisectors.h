@@ -63,7 +63,7 @@ public:
   /// Whether a bite covers p.
   bool IsCovered(const Point2& p) const;
 
-  /// Whether a bite after `birth` does, and would if p were moved by a quarter of its half-width.
+  /// Whether a bite after `birth` does, and would if p were moved by half of its half-width.
   bool IsDeep(const Point2& p, Id birth) const;
 
   /// Whether this one does.
@@ -74,7 +74,7 @@ private:
     1e-12; // of a half-width: a point this near a side lies on it
   // Of what is left of a core as small as the rounding of places: each bite takes something away.
   static constexpr double LeastCore = 0.5;
-  static constexpr double DeepShare = 0.7; // of a core
+  static constexpr double DeepShare = 0.4; // of a core
 
   // A bite by value, so that pairs read nothing else.
   struct Neighbor

@@ -12,7 +12,7 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 1.0; // of a part: Simpson's rule on each of its panels
+constexpr double PanelLength = 0.4; // of a part: Simpson's rule on each of its panels
 constexpr double LeastPanel = 1e-3; // of f: where f jumps, a panel is no shorter
 constexpr double PanelRatio = 1.5;  // of f at the ends of a panel
 constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
@@ -133,7 +133,7 @@ void EdgeDivider::FitShells(
   }
 }
 
-// Panels follow f: a part each, shorter where f changes fast.
+// Panels follow f: a quarter of a part each, shorter where f changes fast.
 bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 {
   const double length = Distance(a, b);

@@ -26,7 +26,7 @@ constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean leng
 constexpr double GreatestShift = 0.1;
 constexpr double ChangeOfRegular = 6.0; // of the valences, by a split or a collapse
 constexpr double BoundMargin = 1e-9;    // of relative lengths: far above rounding
-constexpr Id SampledEdges = 40000;      // half-edges, for the mean length
+constexpr Id SampledEdges = 60000;      // half-edges, for the mean length
 
 /// Whether the edge is inside, and its four vertices have their six triangles.
 bool IsRegular(const MutableMesh& mesh, Id edge)
