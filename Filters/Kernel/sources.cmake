@@ -92,11 +92,13 @@ set(biting_kernel_sources
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayFlips.cxx
   Relaxation/DividedSegments.cxx
+  Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
   Relaxation/MeshReading.cxx
   Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Patch.cxx
+  Relaxation/RelaxedMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx

@@ -6,30 +6,9 @@
 #include "DividedSegments.h"
 
 #include "../Base/PointOnSegment.h"
-#include "../Predicates/Predicates.h"
-
-#include <utility> // for swap
 
 namespace biting
 {
-
-Id MutableMesh::FirstAround(Id vertex) const
-{
-  const Id start = this->VertexEdges[vertex];
-  Id first = start;
-  for (Id edge = this->TurnBack(start); edge != NoId && edge != start; edge = this->TurnBack(edge))
-  {
-    first = edge;
-  }
-  return this->TurnBack(first) == NoId ? first : start;
-}
-
-double MutableMesh::RelativeLength(Id edge) const
-{
-  const Id u = this->Origin(edge);
-  const Id v = this->Target(edge);
-  return 2.0 * Distance(this->Points[u], this->Points[v]) / (this->Spacings[u] + this->Spacings[v]);
-}
 
 // From the nearer end, so that the rounding is that of the shorter part.
 Point2 MutableMesh::PlaceOnSegment(Id segment, const Point2& place) const
@@ -108,39 +87,6 @@ bool MutableMesh::MayDivide(Id edge) const
         this->Geometry));
 }
 
-Id MutableMesh::Split(Id edge)
-{
-  const Id twin = this->Twins[edge];
-  const Id segment = this->Marks[edge];
-  const Point2& origin = this->Points[this->Origin(edge)];
-  const Point2& target = this->Points[this->Target(edge)];
-  const Point2 middle = Midpoint(origin, target);
-  const Point2 place = segment == NoId ? middle : this->PlaceOnSegment(segment, middle);
-  if (!this->MayDivide(edge) || !this->IsSplittable(edge, place) ||
-    (twin != NoId && !this->IsSplittable(twin, place)))
-  {
-    return NoId;
-  }
-  const Id vertex = this->AddVertex(place, segment, twin == NoId);
-  const Id added = this->AddTriangle(this->Regions[TriangleOf(edge)]);
-  const Id addedTwin = twin == NoId ? NoId : this->AddTriangle(this->Regions[TriangleOf(twin)]);
-  this->SplitSide(edge, vertex, added);
-  if (twin != NoId)
-  {
-    this->SplitSide(twin, vertex, addedTwin);
-    this->Link(added, twin);
-  }
-  this->Link(edge, addedTwin);
-  return vertex;
-}
-
-bool MutableMesh::IsSplittable(Id edge, const Point2& place) const
-{
-  const Point2& apex = this->Points[this->Corners[edge]];
-  return Orient2D(apex, this->Points[this->Origin(edge)], place) > 0 &&
-    Orient2D(apex, place, this->Points[this->Target(edge)]) > 0;
-}
-
 Id MutableMesh::AddVertex(const Point2& place, Id segment, bool isOnBorder)
 {
   this->Points.push_back(place);
@@ -163,175 +109,6 @@ Id MutableMesh::AddTriangle(Id region)
   }
   this->Regions.push_back(region);
   return first;
-}
-
-// The half of the triangle (p, u, v) at u stays, that at v is new: (p, vertex, v).
-void MutableMesh::SplitSide(Id edge, Id vertex, Id added)
-{
-  const Id apex = this->Corners[edge];
-  const Id target = this->Target(edge);
-  const Id outer = Next(edge);
-  this->Store(this->Corners, added, apex);
-  this->Store(this->Corners, added + 1, vertex);
-  this->Store(this->Corners, added + 2, target);
-  this->Store(this->Corners, Previous(edge), vertex);
-  this->Store(this->Twins, added, NoId);
-  this->Store(this->Twins, added + 1, NoId);
-  this->Link(added + 1, this->Twins[outer]);
-  this->Link(added + 2, outer);
-  this->Store(this->Marks, added, this->Marks[edge]);
-  this->Store(this->Marks, added + 1, this->Marks[outer]);
-  this->Store(this->Marks, outer, NoId);
-  this->Store(this->VertexEdges, vertex, added + 1);
-  this->Store(this->VertexEdges, target, added + 2);
-  this->AddDegree(vertex, 2);
-  this->AddDegree(apex, 1);
-}
-
-Id MutableMesh::Collapse(Id edge)
-{
-  if (!this->MayMerge(edge) || !this->MayVanish(edge) ||
-    (this->Twins[edge] != NoId && !this->MayVanish(this->Twins[edge])))
-  {
-    return NoId;
-  }
-  Id kept = this->Origin(edge);
-  Id vertex = this->Target(edge);
-  const bool isMoved = this->Freedoms[kept] == this->Freedoms[vertex];
-  if (this->Freedoms[vertex] < this->Freedoms[kept])
-  {
-    std::swap(kept, vertex);
-  }
-  const Point2 oldPlace = this->Points[kept];
-  if (isMoved && !this->MoveToMiddle(edge, kept))
-  {
-    return NoId;
-  }
-  if (!this->IsValidWithout(vertex, kept))
-  {
-    this->Move(kept, oldPlace);
-    return NoId;
-  }
-  if (isMoved)
-  {
-    this->RefreshSpacing(kept);
-  }
-  this->RemoveVertex(edge, vertex, kept);
-  return kept;
-}
-
-// A free vertex may become any other; a sliding one only a neighbor on its segment.
-bool MutableMesh::MayMerge(Id edge) const
-{
-  const Id u = this->Origin(edge);
-  const Id v = this->Target(edge);
-  if (this->Freedoms[u] == Freedom::Free || this->Freedoms[v] == Freedom::Free)
-  {
-    return true;
-  }
-  const Id segment = this->Marks[edge];
-  return segment != NoId && this->IsDivided[segment] &&
-    (this->Freedoms[u] == Freedom::Sliding || this->Freedoms[v] == Freedom::Sliding);
-}
-
-// The triangle becomes one edge: that must not join two constraints, nor cut the mesh.
-bool MutableMesh::MayVanish(Id edge) const
-{
-  const Id next = Next(edge);
-  const Id previous = Previous(edge);
-  return (this->Marks[next] == NoId || this->Marks[previous] == NoId) &&
-    (this->Twins[next] != NoId || this->Twins[previous] != NoId);
-}
-
-bool MutableMesh::MoveToMiddle(Id edge, Id kept)
-{
-  const Point2 place = this->PlaceFor(
-    kept, Midpoint(this->Points[this->Origin(edge)], this->Points[this->Target(edge)]));
-  if (!this->IsValidAt(kept, place))
-  {
-    return false;
-  }
-  this->Move(kept, place);
-  return true;
-}
-
-bool MutableMesh::IsValidAt(Id vertex, const Point2& place) const
-{
-  const Id first = this->FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    if (Orient2D(place, this->Points[this->Origin(edge)], this->Points[this->Target(edge)]) <= 0)
-    {
-      return false;
-    }
-    edge = this->Turn(edge);
-  } while (edge != NoId && edge != first);
-  return true;
-}
-
-bool MutableMesh::IsValidWithout(Id vertex, Id kept) const
-{
-  const Id first = this->FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    const Id a = this->Origin(edge);
-    const Id b = this->Target(edge);
-    if (a != kept && b != kept &&
-      Orient2D(this->Points[kept], this->Points[a], this->Points[b]) <= 0)
-    {
-      return false;
-    }
-    edge = this->Turn(edge);
-  } while (edge != NoId && edge != first);
-  return true;
-}
-
-void MutableMesh::RemoveVertex(Id edge, Id vertex, Id kept)
-{
-  const Id twin = this->Twins[edge];
-  const Id numberOfSides = twin == NoId ? 1 : 2;
-  this->AddDegree(kept, this->Degrees[vertex] - 2 * numberOfSides);
-  const Id first = this->FirstAround(vertex);
-  Id around = first;
-  do
-  {
-    const Id following = this->Turn(around);
-    this->Store(this->Corners, around, kept);
-    around = following;
-  } while (around != NoId && around != first);
-  this->Store(this->VertexEdges, vertex, NoId);
-  this->RemoveSide(edge);
-  if (twin != NoId)
-  {
-    this->RemoveSide(twin);
-  }
-}
-
-void MutableMesh::RemoveSide(Id edge)
-{
-  const Id next = Next(edge);
-  const Id previous = Previous(edge);
-  const Id apex = this->Corners[edge];
-  const Id beyondNext = this->Twins[next];
-  const Id beyondPrevious = this->Twins[previous];
-  const Id mark = this->Marks[next] == NoId ? this->Marks[previous] : this->Marks[next];
-  for (const Id outer : { beyondNext, beyondPrevious })
-  {
-    if (outer != NoId)
-    {
-      this->Store(this->Twins, outer, outer == beyondNext ? beyondPrevious : beyondNext);
-      this->Store(this->Marks, outer, mark);
-      this->Store(this->VertexEdges, this->Origin(outer), Next(outer));
-      this->Store(this->VertexEdges, this->Target(outer), Previous(outer));
-    }
-  }
-  this->AddDegree(apex, -1);
-  for (const Id gone : { edge, next, previous })
-  {
-    this->Store(this->Corners, gone, NoId);
-  }
 }
 
 void MutableMesh::BeginTrial()
@@ -377,15 +154,6 @@ void MutableMesh::TakeBack()
   this->Regions.resize(this->OldNumberOfTriangles);
 }
 
-void MutableMesh::Store(std::vector<Id>& array, Id index, Id value)
-{
-  if (this->IsTrial)
-  {
-    this->Changes.push_back({ &array, index, array[index] });
-  }
-  array[index] = value;
-}
-
 void MutableMesh::Link(Id edge, Id twin)
 {
   this->Store(this->Twins, edge, twin);
@@ -393,11 +161,6 @@ void MutableMesh::Link(Id edge, Id twin)
   {
     this->Store(this->Twins, twin, edge);
   }
-}
-
-void MutableMesh::AddDegree(Id vertex, Id change)
-{
-  this->Store(this->Degrees, vertex, this->Degrees[vertex] + change);
 }
 
 } // namespace biting

@@ -7,106 +7,21 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
-#include "../Domain/Domain.h"
-#include "../Spacing/Spacing.h"
+#include "RelaxedMesh.h"
 
-#include <cstdint> // for freedoms
-#include <vector>  // for the arrays
+#include <vector> // for what is written down
 
 namespace biting
 {
 
-/// How many triangles meet at a vertex, ideally.
-constexpr float IdealInside = 6.0f;
-constexpr float IdealOnBorder = 3.0f;
-
-/// Where a vertex may go.
-enum class Freedom : std::uint8_t
-{
-  Fixed,
-  Sliding, ///< along its segment
-  Free
-};
-
-/// A triangulation whose vertices are moved, inserted and removed.
-///
-/// Half-edge e = 4t + k (k = 0..2; 4t + 3 is unused) belongs to triangle t and lies opposite its
-/// corner k, Corners[e]. It runs from Corners[Next(e)] to Corners[Previous(e)], its triangle on
-/// the left. Twins[e] is the same edge in the triangle on its right, NoId on the border. What is
-/// removed stays in the arrays: a removed triangle has no corners, a removed vertex no edge.
+/// A triangulation whose vertices are moved, inserted and removed (EdgeOperations.h), and whose
+/// edges flip.
 ///
 /// Between BeginTrial and EndTrial every change is written down, so that it can be taken back.
-class MutableMesh
+class MutableMesh : public RelaxedMesh
 {
 public:
-  MutableMesh(const Domain& domain, const Spacing& spacing)
-    : Geometry(domain)
-    , F(spacing)
-  {
-  }
-
-  static Id Next(Id edge) { return (edge & 3) == 2 ? edge - 2 : edge + 1; }
-  static Id Previous(Id edge) { return (edge & 3) == 0 ? edge + 2 : edge - 1; }
-  static Id TriangleOf(Id edge) { return edge >> 2; }
-
-  Id Origin(Id edge) const { return this->Corners[Next(edge)]; }
-  Id Target(Id edge) const { return this->Corners[Previous(edge)]; }
-  Id NumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
-  Id NumberOfEdges() const { return static_cast<Id>(this->Corners.size()); }
-  bool IsAlive(Id vertex) const { return this->VertexEdges[vertex] != NoId; }
-  bool IsEdge(Id edge) const { return (edge & 3) != 3 && this->Corners[edge] != NoId; }
-
-  /// Each inner edge has two half-edges: true for one of them, and for those of the border.
-  bool IsFirstHalf(Id edge) const { return this->IsEdge(edge) && this->Twins[edge] < edge; }
-
-  /// The half-edge of the next triangle counterclockwise around the same corner, or NoId.
-  Id Turn(Id edge) const
-  {
-    const Id twin = this->Twins[Next(edge)];
-    return twin == NoId ? NoId : Next(twin);
-  }
-
-  /// The same clockwise.
-  Id TurnBack(Id edge) const
-  {
-    const Id twin = this->Twins[Previous(edge)];
-    return twin == NoId ? NoId : Previous(twin);
-  }
-
-  /// The first half-edge of the vertex, counterclockwise: any where its triangles surround it.
-  Id FirstAround(Id vertex) const;
-
-  /// Calls visit(edge) for the half-edges of all triangles of the vertex, counterclockwise.
-  template <typename Visit>
-  void ForEachAround(Id vertex, Visit&& visit) const
-  {
-    const Id first = this->FirstAround(vertex);
-    Id edge = first;
-    do
-    {
-      visit(edge);
-      edge = this->Turn(edge);
-    } while (edge != NoId && edge != first);
-  }
-
-  /// Number of triangles of a vertex less the number that would fit best.
-  double Excess(Id vertex) const
-  {
-    return this->Degrees[vertex] - static_cast<double>(this->IdealDegrees[vertex]);
-  }
-
-  /// Length of the edge in units of the mean spacing of its ends.
-  double RelativeLength(Id edge) const;
-
-  /// The square of that, without a root.
-  double SquaredRelativeLength(Id edge) const
-  {
-    const Id u = this->Origin(edge);
-    const Id v = this->Target(edge);
-    const Point2 along = this->Points[v] - this->Points[u];
-    const double sum = this->Spacings[u] + this->Spacings[v];
-    return 4.0 * Dot(along, along) / (sum * sum);
-  }
+  using RelaxedMesh::RelaxedMesh;
 
   /// The point of the segment's line nearest to `place`, rounded.
   Point2 PlaceOnSegment(Id segment, const Point2& place) const;
@@ -148,40 +63,32 @@ public:
   /// Whether there may be a vertex between the ends of the edge, as far as its segment goes.
   bool MayDivide(Id edge) const;
 
-  /// Puts a vertex on the middle of the edge and returns it: free, or sliding where the edge has a
-  /// mark. NoId where rounding would leave a triangle without area.
-  Id Split(Id edge);
+  /// Adds one without triangles: on the segment, or free where that is none.
+  Id AddVertex(const Point2& place, Id segment, bool isOnBorder);
 
-  /// Makes one vertex of the two ends of the edge and returns it. It stays where it is if it is
-  /// more bound than the other, else the middle is taken. NoId, and nothing changed, where
-  /// constraints or areas do not allow it.
-  Id Collapse(Id edge);
+  /// Adds one without corners; returns its first half-edge.
+  Id AddTriangle(Id region);
+
+  /// Changes one of the arrays of ids.
+  void Store(std::vector<Id>& array, Id index, Id value)
+  {
+    if (this->IsTrial)
+    {
+      this->Changes.push_back({ &array, index, array[index] });
+    }
+    array[index] = value;
+  }
+
+  /// Makes two half-edges each other's twins; the second may be none.
+  void Link(Id edge, Id twin);
+
+  void AddDegree(Id vertex, Id change)
+  {
+    this->Store(this->Degrees, vertex, this->Degrees[vertex] + change);
+  }
 
   void BeginTrial();
   void EndTrial(bool isKept);
-
-  const Domain& Geometry;
-  const Spacing& F;
-
-  // Vertices.
-  std::vector<Point2> Points;
-  std::vector<double> Spacings;
-  std::vector<Freedom> Freedoms;
-  std::vector<Id> Segments;             ///< of a sliding vertex
-  std::vector<Id> VertexEdges;          ///< a half-edge whose corner is the vertex
-  std::vector<Id> Degrees;              ///< number of triangles
-  std::vector<float> IdealDegrees;      ///< 6 inside, 3 on segments of the border
-  std::vector<std::uint8_t> IsEstimate; ///< 1 where the spacing may be estimated
-
-  // Half-edges.
-  std::vector<Id> Corners;
-  std::vector<Id> Twins;
-  std::vector<Id> Marks; ///< the segment that the edge is a part of, or NoId
-
-  std::vector<Id> Regions;             ///< one a triangle
-  std::vector<std::uint8_t> IsDivided; ///< of a segment: whether vertices on it may slide or go
-  bool DividesSegments = true;         ///< whether they may come, where IsDivided
-  double PoorCotangents = 1.0;         ///< times the limits: less than 1: more angles are poor
 
 private:
   struct IdChange
@@ -197,21 +104,7 @@ private:
     double Spacing;
   };
 
-  void Store(std::vector<Id>& array, Id index, Id value);
   void MoveTo(Id vertex, const Point2& place, double spacing);
-  void Link(Id edge, Id twin);
-  void AddDegree(Id vertex, Id change);
-  Id AddVertex(const Point2& place, Id segment, bool isOnBorder);
-  Id AddTriangle(Id region);
-  void SplitSide(Id edge, Id vertex, Id added);
-  bool IsSplittable(Id edge, const Point2& place) const;
-  bool MayVanish(Id edge) const;
-  bool MayMerge(Id edge) const;
-  bool IsValidWithout(Id vertex, Id kept) const;
-  bool IsValidAt(Id vertex, const Point2& place) const;
-  bool MoveToMiddle(Id edge, Id kept);
-  void RemoveVertex(Id edge, Id vertex, Id kept);
-  void RemoveSide(Id edge);
   void TakeBack();
 
   bool IsTrial = false;

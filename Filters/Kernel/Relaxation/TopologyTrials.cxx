@@ -5,6 +5,7 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/SortInSteps.h"
+#include "EdgeOperations.h"
 #include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
@@ -355,7 +356,8 @@ bool TopologyTrials::Keep(const Operation& operation)
 Id TopologyTrials::Perform(const Operation& operation)
 {
   const Id edge = operation.Edge;
-  const Id vertex = operation.IsCollapse ? this->Mesh.Collapse(edge) : this->Mesh.Split(edge);
+  const Id vertex =
+    operation.IsCollapse ? CollapseEdge(this->Mesh, edge) : SplitEdge(this->Mesh, edge);
   if (vertex == NoId || this->Mesh.Degrees[vertex] > Star::Capacity)
   {
     return NoId;

@@ -5,6 +5,7 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/SortInSteps.h"
+#include "EdgeOperations.h"
 #include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
@@ -192,7 +193,7 @@ Id ValenceRound::Perform(const Candidate& candidate)
     return NoId;
   }
   mesh.BeginTrial();
-  const Id vertex = candidate.IsCollapse ? mesh.Collapse(edge) : mesh.Split(edge);
+  const Id vertex = candidate.IsCollapse ? CollapseEdge(mesh, edge) : SplitEdge(mesh, edge);
   const bool isGood =
     vertex != NoId && this->WorstAround(vertex) <= std::max(before, CotangentOf20Degrees);
   mesh.EndTrial(isGood);

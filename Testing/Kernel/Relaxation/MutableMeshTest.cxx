@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "RawMesh.h"
+#include "Relaxation/EdgeOperations.h"
 
 #include <gtest/gtest.h>
 
@@ -34,10 +35,10 @@ void OperateAnywhere(MutableMesh& mesh, Dice& dice)
   switch (dice.Below(4))
   {
     case 0:
-      mesh.Split(edge);
+      SplitEdge(mesh, edge);
       break;
     case 1:
-      mesh.Collapse(edge);
+      CollapseEdge(mesh, edge);
       break;
     default:
       if (IsFlippable(mesh, edge))
@@ -124,7 +125,7 @@ TEST(MutableMesh, CollapsesAllThatIsNotBound)
       {
         if (shop.Mesh.IsEdge(edge))
         {
-          shop.Mesh.Collapse(edge);
+          CollapseEdge(shop.Mesh, edge);
         }
       }
     }

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "EdgeOperations.h"
+
+#include "../Predicates/Predicates.h"
+
+#include <utility> // for swap
+
+namespace biting
+{
+
+namespace
+{
+
+bool IsSplittable(const MutableMesh& mesh, Id edge, const Point2& place)
+{
+  const Point2& apex = mesh.Points[mesh.Corners[edge]];
+  return Orient2D(apex, mesh.Points[mesh.Origin(edge)], place) > 0 &&
+    Orient2D(apex, place, mesh.Points[mesh.Target(edge)]) > 0;
+}
+
+// The half of the triangle (p, u, v) at u stays, that at v is new: (p, vertex, v).
+void SplitSide(MutableMesh& mesh, Id edge, Id vertex, Id added)
+{
+  const Id apex = mesh.Corners[edge];
+  const Id target = mesh.Target(edge);
+  const Id outer = MutableMesh::Next(edge);
+  mesh.Store(mesh.Corners, added, apex);
+  mesh.Store(mesh.Corners, added + 1, vertex);
+  mesh.Store(mesh.Corners, added + 2, target);
+  mesh.Store(mesh.Corners, MutableMesh::Previous(edge), vertex);
+  mesh.Store(mesh.Twins, added, NoId);
+  mesh.Store(mesh.Twins, added + 1, NoId);
+  mesh.Link(added + 1, mesh.Twins[outer]);
+  mesh.Link(added + 2, outer);
+  mesh.Store(mesh.Marks, added, mesh.Marks[edge]);
+  mesh.Store(mesh.Marks, added + 1, mesh.Marks[outer]);
+  mesh.Store(mesh.Marks, outer, NoId);
+  mesh.Store(mesh.VertexEdges, vertex, added + 1);
+  mesh.Store(mesh.VertexEdges, target, added + 2);
+  mesh.AddDegree(vertex, 2);
+  mesh.AddDegree(apex, 1);
+}
+
+// A free vertex may become any other; a sliding one only a neighbor on its segment.
+bool MayMerge(const MutableMesh& mesh, Id edge)
+{
+  const Id u = mesh.Origin(edge);
+  const Id v = mesh.Target(edge);
+  if (mesh.Freedoms[u] == Freedom::Free || mesh.Freedoms[v] == Freedom::Free)
+  {
+    return true;
+  }
+  const Id segment = mesh.Marks[edge];
+  return segment != NoId && mesh.IsDivided[segment] &&
+    (mesh.Freedoms[u] == Freedom::Sliding || mesh.Freedoms[v] == Freedom::Sliding);
+}
+
+// The triangle becomes one edge: that must not join two constraints, nor cut the mesh.
+bool MayVanish(const MutableMesh& mesh, Id edge)
+{
+  const Id next = MutableMesh::Next(edge);
+  const Id previous = MutableMesh::Previous(edge);
+  return (mesh.Marks[next] == NoId || mesh.Marks[previous] == NoId) &&
+    (mesh.Twins[next] != NoId || mesh.Twins[previous] != NoId);
+}
+
+bool IsValidAt(const MutableMesh& mesh, Id vertex, const Point2& place)
+{
+  const Id first = mesh.FirstAround(vertex);
+  Id edge = first;
+  do
+  {
+    if (Orient2D(place, mesh.Points[mesh.Origin(edge)], mesh.Points[mesh.Target(edge)]) <= 0)
+    {
+      return false;
+    }
+    edge = mesh.Turn(edge);
+  } while (edge != NoId && edge != first);
+  return true;
+}
+
+bool MoveToMiddle(MutableMesh& mesh, Id edge, Id kept)
+{
+  const Point2 place =
+    mesh.PlaceFor(kept, Midpoint(mesh.Points[mesh.Origin(edge)], mesh.Points[mesh.Target(edge)]));
+  if (!IsValidAt(mesh, kept, place))
+  {
+    return false;
+  }
+  mesh.Move(kept, place);
+  return true;
+}
+
+bool IsValidWithout(const MutableMesh& mesh, Id vertex, Id kept)
+{
+  const Id first = mesh.FirstAround(vertex);
+  Id edge = first;
+  do
+  {
+    const Id a = mesh.Origin(edge);
+    const Id b = mesh.Target(edge);
+    if (a != kept && b != kept && Orient2D(mesh.Points[kept], mesh.Points[a], mesh.Points[b]) <= 0)
+    {
+      return false;
+    }
+    edge = mesh.Turn(edge);
+  } while (edge != NoId && edge != first);
+  return true;
+}
+
+void RemoveSide(MutableMesh& mesh, Id edge)
+{
+  const Id next = MutableMesh::Next(edge);
+  const Id previous = MutableMesh::Previous(edge);
+  const Id apex = mesh.Corners[edge];
+  const Id beyondNext = mesh.Twins[next];
+  const Id beyondPrevious = mesh.Twins[previous];
+  const Id mark = mesh.Marks[next] == NoId ? mesh.Marks[previous] : mesh.Marks[next];
+  for (const Id outer : { beyondNext, beyondPrevious })
+  {
+    if (outer != NoId)
+    {
+      mesh.Store(mesh.Twins, outer, outer == beyondNext ? beyondPrevious : beyondNext);
+      mesh.Store(mesh.Marks, outer, mark);
+      mesh.Store(mesh.VertexEdges, mesh.Origin(outer), MutableMesh::Next(outer));
+      mesh.Store(mesh.VertexEdges, mesh.Target(outer), MutableMesh::Previous(outer));
+    }
+  }
+  mesh.AddDegree(apex, -1);
+  for (const Id gone : { edge, next, previous })
+  {
+    mesh.Store(mesh.Corners, gone, NoId);
+  }
+}
+
+void RemoveVertex(MutableMesh& mesh, Id edge, Id vertex, Id kept)
+{
+  const Id twin = mesh.Twins[edge];
+  const Id numberOfSides = twin == NoId ? 1 : 2;
+  mesh.AddDegree(kept, mesh.Degrees[vertex] - 2 * numberOfSides);
+  const Id first = mesh.FirstAround(vertex);
+  Id around = first;
+  do
+  {
+    const Id following = mesh.Turn(around);
+    mesh.Store(mesh.Corners, around, kept);
+    around = following;
+  } while (around != NoId && around != first);
+  mesh.Store(mesh.VertexEdges, vertex, NoId);
+  RemoveSide(mesh, edge);
+  if (twin != NoId)
+  {
+    RemoveSide(mesh, twin);
+  }
+}
+
+} // namespace
+
+Id SplitEdge(MutableMesh& mesh, Id edge)
+{
+  const Id twin = mesh.Twins[edge];
+  const Id segment = mesh.Marks[edge];
+  const Point2& origin = mesh.Points[mesh.Origin(edge)];
+  const Point2& target = mesh.Points[mesh.Target(edge)];
+  const Point2 middle = Midpoint(origin, target);
+  const Point2 place = segment == NoId ? middle : mesh.PlaceOnSegment(segment, middle);
+  if (!mesh.MayDivide(edge) || !IsSplittable(mesh, edge, place) ||
+    (twin != NoId && !IsSplittable(mesh, twin, place)))
+  {
+    return NoId;
+  }
+  const Id vertex = mesh.AddVertex(place, segment, twin == NoId);
+  const Id added = mesh.AddTriangle(mesh.Regions[MutableMesh::TriangleOf(edge)]);
+  const Id addedTwin =
+    twin == NoId ? NoId : mesh.AddTriangle(mesh.Regions[MutableMesh::TriangleOf(twin)]);
+  SplitSide(mesh, edge, vertex, added);
+  if (twin != NoId)
+  {
+    SplitSide(mesh, twin, vertex, addedTwin);
+    mesh.Link(added, twin);
+  }
+  mesh.Link(edge, addedTwin);
+  return vertex;
+}
+
+Id CollapseEdge(MutableMesh& mesh, Id edge)
+{
+  if (!MayMerge(mesh, edge) || !MayVanish(mesh, edge) ||
+    (mesh.Twins[edge] != NoId && !MayVanish(mesh, mesh.Twins[edge])))
+  {
+    return NoId;
+  }
+  Id kept = mesh.Origin(edge);
+  Id vertex = mesh.Target(edge);
+  const bool isMoved = mesh.Freedoms[kept] == mesh.Freedoms[vertex];
+  if (mesh.Freedoms[vertex] < mesh.Freedoms[kept])
+  {
+    std::swap(kept, vertex);
+  }
+  const Point2 oldPlace = mesh.Points[kept];
+  if (isMoved && !MoveToMiddle(mesh, edge, kept))
+  {
+    return NoId;
+  }
+  if (!IsValidWithout(mesh, vertex, kept))
+  {
+    mesh.Move(kept, oldPlace);
+    return NoId;
+  }
+  if (isMoved)
+  {
+    mesh.RefreshSpacing(kept);
+  }
+  RemoveVertex(mesh, edge, vertex, kept);
+  return kept;
+}
+
+} // namespace biting

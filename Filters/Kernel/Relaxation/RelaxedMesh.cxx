@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RelaxedMesh.h"
+
+namespace biting
+{
+
+Id RelaxedMesh::FirstAround(Id vertex) const
+{
+  const Id start = this->VertexEdges[vertex];
+  Id first = start;
+  for (Id edge = this->TurnBack(start); edge != NoId && edge != start; edge = this->TurnBack(edge))
+  {
+    first = edge;
+  }
+  return this->TurnBack(first) == NoId ? first : start;
+}
+
+double RelaxedMesh::RelativeLength(Id edge) const
+{
+  const Id u = this->Origin(edge);
+  const Id v = this->Target(edge);
+  return 2.0 * Distance(this->Points[u], this->Points[v]) / (this->Spacings[u] + this->Spacings[v]);
+}
+
+} // namespace biting
