@@ -3,7 +3,6 @@
 
 #include "HeldVertices.h"
 
-#include "Star.h"
 #include "StarObjective.h"
 
 #include <algorithm> // for max, sort
@@ -69,6 +68,7 @@ bool HeldVertices::TakeBack(const Released& released)
   objective.FitSlope();
   const double limit = std::max(objective.Here(), this->Hold.GreatestCotangent);
   if (!(objective.At(released.Home - star.Center, limit) < limit) ||
+    !this->AreLengthsWithinLimits(vertex, star, released.Home) ||
     !IsValidAt(this->Mesh, vertex, star, released.Home))
   {
     return false;
@@ -76,6 +76,21 @@ bool HeldVertices::TakeBack(const Released& released)
   MoveWithSpacing(this->Mesh, vertex, star, released.Home);
   this->IsHeld[vertex] = 1;
   this->Mesh.Freedoms[vertex] = Freedom::Fixed;
+  return true;
+}
+
+bool HeldVertices::AreLengthsWithinLimits(Id vertex, const Star& star, const Point2& place) const
+{
+  for (int k = 0; k < star.NumberOfTriangles; ++k)
+  {
+    const Id other = star.Vertices[k];
+    const Point2 along = this->Mesh.Points[other] - place;
+    const double mean = 0.5 * (this->Mesh.Spacings[vertex] + this->Mesh.Spacings[other]);
+    if (!this->IsWithinLimits(Dot(along, along) / (mean * mean)))
+    {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -98,9 +113,13 @@ void HeldVertices::LookAt(Id triangle)
 
 bool HeldVertices::IsBeyondLimits(Id edge) const
 {
-  const double square = this->Mesh.SquaredRelativeLength(edge);
-  return square < this->Hold.ShortestEdge * this->Hold.ShortestEdge ||
-    square > this->Hold.LongestEdge * this->Hold.LongestEdge;
+  return !this->IsWithinLimits(this->Mesh.SquaredRelativeLength(edge));
+}
+
+bool HeldVertices::IsWithinLimits(double squaredLength) const
+{
+  return squaredLength >= this->Hold.ShortestEdge * this->Hold.ShortestEdge &&
+    squaredLength <= this->Hold.LongestEdge * this->Hold.LongestEdge;
 }
 
 void HeldVertices::Complain(Complaint vertices)

@@ -9,6 +9,7 @@
 #include "../Base/Pulse.h"
 #include "MutableMesh.h"
 #include "Relaxation.h"
+#include "Star.h"
 
 #include <array>   // for corners
 #include <cstddef> // for places
@@ -42,8 +43,8 @@ public:
   const std::vector<Released>& ListReleased() const { return this->WereReleased; }
 
   /// Puts the vertex back where it was and holds it there, if the objective of its star is then
-  /// within the limit of angles, or less than it is now. Returns whether it did. The mesh may not be
-  /// Delaunay around it then.
+  /// within the limit of angles, or less than it is now, and its edges are within theirs. Returns
+  /// whether it did; the mesh may not be Delaunay around it then.
   bool TakeBack(const Released& released);
 
 private:
@@ -58,6 +59,8 @@ private:
 
   void LookAt(Id triangle);
   bool IsBeyondLimits(Id edge) const;
+  bool IsWithinLimits(double squaredLength) const;
+  bool AreLengthsWithinLimits(Id vertex, const Star& star, const Point2& place) const;
   void Complain(Complaint vertices);
   std::vector<Id> Choose() const;
   std::vector<Candidate> ListCandidates() const;

@@ -94,7 +94,7 @@ struct OldMesh
 };
 
 /// Reads `input`: triangles are turned counterclockwise, and vertices of free edges at the same
-/// place are made one (ProblemCode::DuplicatePoints), with their lines; it is fixed where one of them
+/// place are made one (ProblemCode::DuplicatePoints), with their lines, and fixed where one of them
 /// was. Edges of one triangle, or between regions, or on lines are marked; lines that are no edges
 /// are dropped (ProblemCode::OutsideInterfaces).
 ///

@@ -95,6 +95,36 @@ TEST(HeldVertices, OfEachPoorTriangleAtMostOneIsReleasedAtATime)
   }
 }
 
+TEST(HeldVertices, ThatWereReleasedComeBackWhereThatIsWithinTheLimits)
+{
+  RawMesh raw = UnitSquare(0.05);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  MutableMesh mesh(raw.Domain, raw.Spacing);
+  mesh.IsDivided.assign(4, 1);
+  const Id count = CountNew(raw);
+  const std::vector<Id> origins = ReadMesh(raw.Mesh, mesh, pulse);
+  HoldOptions hold{ count, CotangentOf40Degrees, 0.0, NoCotangent, 1 };
+  HeldVertices held(hold, raw.Domain.NumberOfVertices(), origins, mesh);
+  ASSERT_FALSE(held.ReleaseThoseInTheWay(pulse).empty());
+  for (const HeldVertices::Released& released : held.ListReleased())
+  {
+    const auto comesBack = [&](double cotangent, double longest)
+    {
+      hold.GreatestCotangent = cotangent;
+      hold.LongestEdge = longest;
+      return held.TakeBack(released);
+    };
+    EXPECT_FALSE(comesBack(0.0, NoCotangent)); // it is there, and that is not better
+    mesh.Move(released.Vertex, released.Home + Point2{ 1e-3, 1e-3 });
+    EXPECT_FALSE(comesBack(NoCotangent, 0.1));
+    EXPECT_TRUE(comesBack(NoCotangent, NoCotangent));
+    EXPECT_EQ(mesh.Points[released.Vertex], released.Home);
+    EXPECT_EQ(mesh.Freedoms[released.Vertex], Freedom::Fixed);
+    EXPECT_FALSE(comesBack(NoCotangent, NoCotangent));
+  }
+}
+
 } // namespace
 
 } // namespace biting
