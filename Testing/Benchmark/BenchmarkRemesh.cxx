@@ -260,6 +260,13 @@ void RunCoast(double vertices, RemeshPreference preference)
   {
     const Outcome outcome = RemeshTo(mesh, values, preference);
     Print(name, outcome);
+    std::printf("   kept where f is as it was, half or twice of it: %.2f\n",
+      ShareOfKept(outcome,
+        [&outcome](std::size_t vertex)
+        {
+          const double ratio = outcome.Result.OldSpacings[vertex] / outcome.Before[vertex];
+          return ratio < 0.501 || std::abs(ratio - 1.0) < 0.001 || ratio > 1.999;
+        }));
     Print("   meshed anew", MeshedAnew(coast.Drawing, outcome));
   }
 }
