@@ -24,7 +24,7 @@ bool IsSpacing(double value, SpacingOwner owner)
   return isHole || (value > 0.0 && std::isfinite(value));
 }
 
-std::string NameOf(vtkDataArray* array)
+std::string SubjectOf(vtkDataArray* array)
 {
   return std::string("The spacing array ") + (array->GetName() ? array->GetName() : "");
 }
@@ -57,7 +57,7 @@ void AddPlace(
 std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
   const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse)
 {
-  const std::string array = NameOf(values);
+  const std::string array = SubjectOf(values);
   if (values->GetNumberOfComponents() != 1)
   {
     return array + " has " + std::to_string(values->GetNumberOfComponents()) +
@@ -77,7 +77,7 @@ std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
   ProblemPlaces& places, Pulse& pulse)
 {
   const std::string subject =
-    NameOf(array) + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
+    SubjectOf(array) + (owner == SpacingOwner::Input ? " of the input: " : " of the source: ");
   std::vector<std::string> bad;
   std::int64_t count = 0;
   const std::size_t last = points ? points->size() : values.size();
@@ -103,7 +103,7 @@ std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
   }
   places.Counts[static_cast<std::size_t>(ProblemCode::BadSpacing)] += count;
   bad.resize(std::min(bad.size(), ShownIds));
-  return NameOf(array) + " has values that are zero, negative or not finite (" +
+  return SubjectOf(array) + " has values that are zero, negative or not finite (" +
     std::to_string(count) + "): " + ListText(bad, count) + ". Spacing is an edge length.";
 }
 
