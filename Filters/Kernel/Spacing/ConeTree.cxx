@@ -30,6 +30,9 @@ constexpr double GrowthOfLeaf = 0.03;
 /// A slope above this one counts as this one there, as nobody sees it on a part of f.
 constexpr double SteepestGrowth = 1.0;
 
+/// Among more, those that another one beside them stands for are looked for.
+constexpr std::size_t ManyCones = 64;
+
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
 
@@ -243,6 +246,7 @@ private:
     const Point2 direction = (1.0 / distance) * toLowest;
     const double rest = 0.5 * radius / (distance - radius);
     const std::size_t count = this->Candidates.size();
+    const bool areMany = count - first > ManyCones;
     Lowest last;
     for (std::size_t k = first; k < count; ++k)
     {
@@ -254,7 +258,7 @@ private:
           (!isFar ||
             !this->IsFarAbove(
               cone, center, radius, (above + room) / (this->Slope * radius), direction, rest)) &&
-          !(last.Cone != NoId &&
+          !(areMany && last.Cone != NoId &&
             this->StandsFor(last.Cone, cone, center, radius, last.Value - value, room)));
       if (mayBeLowest)
       {

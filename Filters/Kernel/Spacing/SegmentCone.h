@@ -62,9 +62,9 @@ struct SegmentCone
 private:
   double FootAt(double along, double across) const
   {
-    // Written out, these are one instruction each.
+    // A branch for what is negative would be guessed wrong as often as not, and take as long again.
     const double foot = along - across * this->Lean;
-    const double ahead = foot > 0.0 ? foot : 0.0;
+    const double ahead = 0.5 * (foot + std::abs(foot));
     return ahead < this->Length ? ahead : this->Length;
   }
 };
