@@ -9,7 +9,6 @@ set(biting_kernel_sources
   Predicates/Predicates.cxx
   Spacing/BorderTree.cxx
   Spacing/BoxTree.cxx
-  Spacing/ConeCollector.cxx
   Spacing/ConeTree.cxx
   Spacing/DrawnLengths.cxx
   Spacing/FeatureSize.cxx

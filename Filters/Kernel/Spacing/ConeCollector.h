@@ -21,10 +21,14 @@ public:
 
   const ValueRange& Values() const { return this->Range; }
 
-  void AddPoint(const Point2& place, double spacing);
-
-  /// `startSpacing` and `endSpacing` are the values of f.
-  void AddSegment(const Point2& start, const Point2& end, double startSpacing, double endSpacing);
+  /// Or a point, where the ends are equal. `startSpacing` and `endSpacing` are the values of f.
+  void AddSegment(const Point2& start, const Point2& end, double startSpacing, double endSpacing)
+  {
+    const auto point = static_cast<Id>(this->Source.Points.size());
+    this->Source.Points.insert(this->Source.Points.end(), { start, end });
+    this->Source.Values.insert(this->Source.Values.end(), { startSpacing, endSpacing });
+    this->Source.Segments.insert(this->Source.Segments.end(), { point, point + 1 });
+  }
 
   const SegmentSource& Segments() const { return this->Source; }
 

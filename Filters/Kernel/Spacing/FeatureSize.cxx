@@ -154,7 +154,7 @@ public:
       }
       else if (start.Capped < start.Given)
       {
-        this->Cones.AddPoint(start.Place, start.Capped);
+        this->Cones.AddSegment(start.Place, start.Place, start.Capped, start.Capped);
       }
     }
     return !this->Beats.HasStopped();

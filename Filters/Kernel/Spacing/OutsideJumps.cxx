@@ -358,7 +358,7 @@ private:
     {
       if (ray->IsLow)
       {
-        this->Cones.AddPoint(ray->End, ray->Spacing);
+        this->Cones.AddSegment(ray->End, ray->End, ray->Spacing, ray->Spacing);
       }
     }
   }
