@@ -335,14 +335,22 @@ TEST(FuzzRegression, BoundaryValuesThatJumpWithoutGradationArePreparedSoon)
   }
 }
 
-/// Segments of two blocks touched each other but for rounding, where cuts ended beside their lines,
-/// and had vertices at one place.
+/// Segments of two blocks touched each other but for rounding, and had vertices at one place.
 TEST(FuzzRegression, BlocksWhoseSegmentsTouchHaveNoPointTwice)
 {
   for (const std::uint64_t seed : { 300140529u, 300095066u })
   {
     ExpectKept(CaseOfSeed(seed), std::to_string(seed));
   }
+  FuzzCase cut = CaseOfSeed(720038313u, FuzzBlocks::None);
+  cut.Options.VerticesPerBlock = 274;
+  cut.Options.MaximumNumberOfVertices = 4000;
+  cut.Options.Spacing.Scale = 0.03046640917455079;
+  cut.Options.Relaxation = true;
+  cut.Options.KeepBites = false;
+  cut.Options.MaximumNumberOfBites = -1;
+  cut.Options.PreserveBoundary = false;
+  ExpectKept(cut, "720038313");
 }
 
 TEST(FuzzRegression, SpacingNearTheLargestNumberIsNoMoreThanOneThatCoversTheDrawing)

@@ -97,16 +97,28 @@ void BiteGrid::MakeCells(double cellsPerLength)
 
 Id BiteGrid::BlockList::Add()
 {
-  if (this->Count % ChunkSize == 0)
+  if (static_cast<std::size_t>(this->Count) == ChunkSize * this->Chunks.size())
   {
-    this->Chunks.emplace_back(new Block[ChunkSize]); // make_unique would fill it twice
+    this->AddChunks();
   }
   return this->Count++;
 }
 
+void BiteGrid::BlockList::AddChunks()
+{
+  const std::size_t chunks = 1 + this->Chunks.size() / ShareAtOnce;
+  // make_unique would fill it twice
+  this->Allocated.emplace_back(new Block[chunks * ChunkSize]);
+  for (std::size_t k = 0; k < chunks; ++k)
+  {
+    this->Chunks.push_back(this->Allocated.back().get() + k * ChunkSize);
+  }
+}
+
 void BiteGrid::BlockList::Clear()
 {
-  std::vector<std::unique_ptr<Block[]>>().swap(this->Chunks);
+  std::vector<std::unique_ptr<Block[]>>().swap(this->Allocated);
+  std::vector<Block*>().swap(this->Chunks);
   this->Count = 0;
 }
 

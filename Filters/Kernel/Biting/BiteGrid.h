@@ -105,6 +105,8 @@ private:
   };
 
   // In chunks: to move all blocks where there is no room for one more takes twice the memory.
+  // Chunks are allocated several at once, the more the more there are: threads that allocate small
+  // parts by the thousand wait for each other.
   class BlockList
   {
   public:
@@ -119,7 +121,12 @@ private:
 
   private:
     static constexpr Id ChunkSize = 64;
-    std::vector<std::unique_ptr<Block[]>> Chunks;
+    static constexpr std::size_t ShareAtOnce = 16; ///< one of so many that there are
+
+    void AddChunks();
+
+    std::vector<std::unique_ptr<Block[]>> Allocated;
+    std::vector<Block*> Chunks; ///< in what is allocated
     Id Count = 0;
   };
 

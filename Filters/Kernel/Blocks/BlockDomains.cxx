@@ -8,7 +8,7 @@
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/AreaSum.h"
 
-#include <algorithm> // for sort, unique, lower_bound
+#include <algorithm> // for sort, unique, lower_bound, any_of
 #include <cstdint>   // for flags
 #include <map>       // for areas
 #include <utility>   // for move, pair
@@ -47,8 +47,10 @@ void AddArea(Domain& domain)
 class BlockMaker
 {
 public:
-  BlockMaker(const Domain& domain, const CutPlan& plan, const CutGraph& graph)
+  BlockMaker(
+    const Domain& domain, const CutPlan& plan, const NearTouches& touches, const CutGraph& graph)
     : Geometry(domain)
+    , Touches(touches)
     , Tree(plan.Tree)
     , Stretches(plan.Stretches)
     , Graph(graph)
@@ -71,6 +73,8 @@ private:
   std::pair<Point2, double> MiddleOf(Id triangle) const;
   void NumberBlocks();
   void FindSides();
+  bool HasTouchesApart() const;
+  std::vector<Id> BlocksOfSegments() const;
   std::vector<BlockDomain> MakeBlocks() const;
   std::vector<Id> BlocksAt(Id piece) const;
   void AddVertices(std::vector<BlockDomain>& blocks) const;
@@ -82,6 +86,7 @@ private:
   }
 
   const Domain& Geometry;
+  const NearTouches& Touches;
   const CutTree& Tree;
   const std::vector<double>& Stretches;
   const CutGraph& Graph;
@@ -106,7 +111,7 @@ std::vector<BlockDomain> BlockMaker::Make(Monitor& monitor)
     return {};
   }
   this->FindSides();
-  return this->MakeBlocks();
+  return this->HasTouchesApart() ? std::vector<BlockDomain>() : this->MakeBlocks();
 }
 
 bool BlockMaker::Triangulate(Monitor& monitor)
@@ -251,6 +256,36 @@ void BlockMaker::FindSides()
   }
 }
 
+// Whether segments that nearly touch each other are not of one block.
+bool BlockMaker::HasTouchesApart() const
+{
+  if (this->Touches.IsEmpty())
+  {
+    return false;
+  }
+  const std::vector<Id> blocks = this->BlocksOfSegments();
+  return this->Touches.AreEverywhere ||
+    std::any_of(this->Touches.Pairs.begin(), this->Touches.Pairs.end(),
+      [&blocks](const NearTouches::Pair& pair)
+      { return blocks[pair.First] == NoId || blocks[pair.First] != blocks[pair.Second]; });
+}
+
+// NoId where they are of several.
+std::vector<Id> BlockMaker::BlocksOfSegments() const
+{
+  constexpr Id Unknown = -2;
+  std::vector<Id> blocks(this->Geometry.Starts.size(), Unknown);
+  for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
+  {
+    for (const Id block : this->Graph.IsCut(piece) ? std::vector<Id>() : this->BlocksAt(piece))
+    {
+      Id& known = blocks[this->Graph.Pieces[piece].Segment];
+      known = known == Unknown || known == block ? block : NoId;
+    }
+  }
+  return blocks;
+}
+
 std::vector<BlockDomain> BlockMaker::MakeBlocks() const
 {
   std::vector<BlockDomain> blocks(this->Leaves.size());
@@ -371,8 +406,10 @@ BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, cons
   Pulse pulse(dividing);
   if (DivideCuts(spacing, division, result.Graph, pulse))
   {
+    const NearTouches touches =
+      plan.Touches ? *plan.Touches : FindNearTouches(domain, spacing, pulse);
     PartOfStage making(monitor, DivisionEnd, 1.0);
-    result.Blocks = BlockMaker(domain, plan, result.Graph).Make(making);
+    result.Blocks = BlockMaker(domain, plan, touches, result.Graph).Make(making);
   }
   return result;
 }

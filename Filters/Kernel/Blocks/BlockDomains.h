@@ -36,7 +36,8 @@ struct BlockDomains
 
 /// Divides the cuts, and the domain along them. A block is what cuts enclose, or several of such,
 /// where they lie in one leaf of the tree. No blocks where there are less than two, where parts of
-/// cuts would meet by rounding, and where the monitor wants to stop.
+/// cuts would meet by rounding, where segments that nearly touch each other (NearTouches.h) would
+/// be of different ones, and where the monitor wants to stop.
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor);
 

@@ -7,12 +7,10 @@
 #include "CutLine.h"
 #include "CutRows.h"
 #include "DensitySamples.h"
-#include "NearTouches.h"
 
 #include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
-#include <optional>  // for what is not known yet
 #include <utility>   // for move
 
 namespace biting
@@ -177,7 +175,6 @@ private:
   std::vector<Part> Pending;
   std::vector<Id> Embedded; ///< vertices of the domain
   double VerticesPerDensity = 0.0;
-  std::optional<bool> HasTouches; ///< NearTouches.h
 };
 
 CutPlan Planner::Run()
@@ -246,11 +243,11 @@ bool Planner::Divide(Part& part)
 // one block and what of the other does not follow from the line any more.
 bool Planner::MayMoveEnds()
 {
-  if (!this->HasTouches)
+  if (!this->Plan.Touches)
   {
-    this->HasTouches = HasNearTouches(this->Geometry, this->F, this->Beats);
+    this->Plan.Touches = FindNearTouches(this->Geometry, this->F, this->Beats);
   }
-  return !*this->HasTouches;
+  return this->Plan.Touches->IsEmpty();
 }
 
 Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)

@@ -10,6 +10,10 @@
 #include "../Spacing/Spacing.h"
 #include "CutGraph.h"
 #include "CutTree.h"
+#include "NearTouches.h"
+
+#include <optional> // for what is not known
+#include <vector>   // for factors
 
 namespace biting
 {
@@ -22,6 +26,8 @@ struct CutPlan
 
   /// By which factor sides are longer in a leaf than elsewhere (CutRows.h), one a node.
   std::vector<double> Stretches;
+
+  std::optional<NearTouches> Touches; ///< of the domain, where it had to be known
 };
 
 struct CutOptions

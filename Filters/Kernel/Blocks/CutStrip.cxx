@@ -10,8 +10,10 @@
 #include "RimFlips.h"
 #include "TakenStrip.h"
 
-#include <algorithm> // for copy, max
-#include <cstdint>   // for flags
+#include <algorithm>  // for copy
+#include <array>      // for lists of arrays
+#include <cstdint>    // for flags
+#include <functional> // for tasks
 
 namespace biting
 {
@@ -45,10 +47,13 @@ private:
   void NumberVertices();
   void MoveVertices();
   void CloseUp();
+  template <typename Value>
+  void CloseUp(std::vector<Value>& values, Pulse& own) const;
   void FillStrip();
   void NumberTriangles();
   void MoveTriangles();
   void CloseUpTriangles();
+  void CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pulse& own) const;
   void AddStrip();
 
   const TakenStrip& Strip;
@@ -130,19 +135,33 @@ void StripReturn::MoveVertices()
   }
 }
 
+// Array by array as tasks.
 void StripReturn::CloseUp()
 {
   BitingResult& bites = this->Whole.Bites;
-  this->Beats.ForEach(this->NewNumbers.size(),
-    [this, &bites](std::size_t vertex)
+  const std::array<std::function<void(Pulse&)>, 4> tasks{ [this, &bites](Pulse& own)
+    { this->CloseUp(bites.Points, own); },
+    [this, &bites](Pulse& own) { this->CloseUp(bites.Spacings, own); },
+    [this, &bites](Pulse& own) { this->CloseUp(bites.BiteOrders, own); },
+    [this, &bites](Pulse& own) { this->CloseUp(bites.Segments, own); } };
+  DoTasks(this->Beats, tasks.size(),
+    [&tasks](std::size_t k, Monitor& monitor)
+    {
+      Pulse own(monitor);
+      tasks[k](own);
+    });
+}
+
+template <typename Value>
+void StripReturn::CloseUp(std::vector<Value>& values, Pulse& own) const
+{
+  own.ForEach(this->NewNumbers.size(),
+    [this, &values](std::size_t vertex)
     {
       const Id number = this->NewNumbers[vertex];
       if (number != NoId)
       {
-        bites.Points[number] = bites.Points[vertex];
-        bites.Spacings[number] = bites.Spacings[vertex];
-        bites.BiteOrders[number] = bites.BiteOrders[vertex];
-        bites.Segments[number] = bites.Segments[vertex];
+        values[number] = values[vertex];
       }
     });
 }
@@ -192,26 +211,30 @@ void StripReturn::MoveTriangles()
   whole.Regions.resize(this->NumberOfTriangles);
 }
 
-// Run by run between triangles of the strip.
+// Run by run between triangles of the strip, array by array as tasks.
 void StripReturn::CloseUpTriangles()
 {
   Triangulation& whole = this->Whole.Triangles;
+  const std::array<std::vector<Id>*, 4> arrays{ &whole.Corners, &whole.Neighbors,
+    &whole.Constraints, &whole.Regions };
+  DoTasks(this->Beats, arrays.size(),
+    [this, &arrays](std::size_t k, Monitor& monitor)
+    {
+      Pulse own(monitor);
+      this->CloseUpTriangles(*arrays[k], k < 3 ? 3 : 1, own);
+    });
+}
+
+void StripReturn::CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pulse& own) const
+{
   const std::vector<Id>& gone = this->Strip.Triangles;
-  const auto move = [](std::vector<Id>& values, std::size_t size, Id first, Id last, std::size_t to)
+  for (std::size_t k = 0; k < gone.size() && own.Beat(); ++k)
   {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(size) * first;
-    const auto end = values.begin() + static_cast<std::ptrdiff_t>(size) * last;
-    std::copy(begin, end, values.begin() + static_cast<std::ptrdiff_t>(size * to));
-  };
-  for (std::size_t k = 0; k < gone.size() && this->Beats.Beat(); ++k)
-  {
-    const Id first = gone[k] + 1;
-    const Id last = k + 1 < gone.size() ? gone[k + 1] : static_cast<Id>(this->NewTriangles.size());
-    const std::size_t to = static_cast<std::size_t>(gone[k]) - k;
-    move(whole.Corners, 3, first, last, to);
-    move(whole.Neighbors, 3, first, last, to);
-    move(whole.Constraints, 3, first, last, to);
-    move(whole.Regions, 1, first, last, to);
+    const std::size_t first = size * (static_cast<std::size_t>(gone[k]) + 1);
+    const std::size_t last = size *
+      (k + 1 < gone.size() ? static_cast<std::size_t>(gone[k + 1]) : this->NewTriangles.size());
+    std::copy(values.data() + first, values.data() + last,
+      values.data() + size * (static_cast<std::size_t>(gone[k]) - k));
   }
 }
 

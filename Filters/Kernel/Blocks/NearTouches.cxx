@@ -6,7 +6,7 @@
 #include "../Base/SortInSteps.h"
 #include "../Domain/SegmentTree.h"
 
-#include <algorithm> // for clamp, min
+#include <algorithm> // for clamp, min, max
 #include <cmath>     // for atan2
 #include <cstdint>   // for flags
 #include <vector>    // for the lists
@@ -22,7 +22,9 @@ namespace
 constexpr double RoundingReach = 8.0;
 
 // Of f: how near to its ends a segment may be divided.
-constexpr double LeastLength = 0.25;
+constexpr double LeastWay = 0.25;
+
+constexpr std::size_t MostPairs = 1000; // and one a segment
 
 double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
 {
@@ -33,43 +35,53 @@ double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
   return Distance(p, a + t * side);
 }
 
-// Segments that do not cross are nearest to each other at an end.
+// Segments that do not cross are nearest to each other at an end. Those after the domain's own are
+// embedded points.
 class TouchSearch
 {
 public:
-  TouchSearch(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
-    double reach, Pulse& pulse)
-    : Points(points)
+  TouchSearch(const Domain& domain, const std::vector<SegmentEnds>& segments, double reach,
+    NearTouches& touches, Pulse& pulse)
+    : Geometry(domain)
     , Segments(segments)
     , Reach(reach)
+    , Found(touches)
     , Beats(pulse)
   {
   }
 
-  bool GoesOn() { return !this->HasFound && this->Beats.Beat(); }
+  bool GoesOn() { return !this->Found.AreEverywhere && this->Beats.Beat(); }
   void SetFraction(double fraction) { this->Beats.SetFraction(fraction); }
 
   void operator()(Id first, Id second)
   {
-    this->HasFound = this->HasFound ||
-      this->IsNear(this->Segments[first], this->Segments[second]) ||
-      this->IsNear(this->Segments[second], this->Segments[first]);
+    if (this->IsNear(this->Segments[first], this->Segments[second]) ||
+      this->IsNear(this->Segments[second], this->Segments[first]))
+    {
+      this->Found.Pairs.push_back({ first, second });
+      this->Found.AreEverywhere =
+        std::max(first, second) >= this->Geometry.NumberOfSegments() || IsLong(this->Found);
+    }
   }
-
-  bool HasFound = false;
 
 private:
-  bool IsNear(const SegmentEnds& one, const SegmentEnds& other) const
+  bool IsLong(const NearTouches& touches) const
   {
-    const Point2& a = this->Points[other.Start];
-    const Point2& b = this->Points[other.End];
-    return DistanceToSegment(this->Points[one.Start], a, b) <= this->Reach ||
-      DistanceToSegment(this->Points[one.End], a, b) <= this->Reach;
+    return touches.Pairs.size() > MostPairs + this->Segments.size();
   }
 
-  const std::vector<Point2>& Points;
+  bool IsNear(const SegmentEnds& one, const SegmentEnds& other) const
+  {
+    const Point2& a = this->Geometry.Vertices[other.Start];
+    const Point2& b = this->Geometry.Vertices[other.End];
+    return DistanceToSegment(this->Geometry.Vertices[one.Start], a, b) <= this->Reach ||
+      DistanceToSegment(this->Geometry.Vertices[one.End], a, b) <= this->Reach;
+  }
+
+  const Domain& Geometry;
   const std::vector<SegmentEnds>& Segments;
   double Reach;
+  NearTouches& Found;
   Pulse& Beats;
 };
 
@@ -91,16 +103,15 @@ std::vector<SegmentEnds> SegmentsOf(const Domain& domain)
   return segments;
 }
 
-bool HasNearSegments(const Domain& domain, double reach, Pulse& pulse)
+void AddNearSegments(const Domain& domain, double reach, NearTouches& touches, Pulse& pulse)
 {
   const std::vector<SegmentEnds> segments = SegmentsOf(domain);
   const SegmentTree tree(domain.Vertices, segments, reach, pulse);
-  TouchSearch search(domain.Vertices, segments, reach, pulse);
+  TouchSearch search(domain, segments, reach, touches, pulse);
   if (!pulse.HasStopped())
   {
     tree.VisitPairs(std::vector<std::uint8_t>(segments.size(), 1), search);
   }
-  return search.HasFound;
 }
 
 // A segment as it leaves a vertex.
@@ -108,21 +119,22 @@ struct Spoke
 {
   Id Vertex;
   Id End;
+  Id Segment;
   double Direction;
 };
 
 std::vector<Spoke> SpokesOf(const Domain& domain, Pulse& pulse)
 {
   std::vector<Spoke> spokes;
-  const auto add = [&domain, &spokes](Id vertex, Id end)
+  const auto add = [&domain, &spokes](Id vertex, Id end, Id segment)
   {
     const Point2 way = domain.Vertices[end] - domain.Vertices[vertex];
-    spokes.push_back({ vertex, end, std::atan2(way.Y, way.X) });
+    spokes.push_back({ vertex, end, segment, std::atan2(way.Y, way.X) });
   };
   for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
   {
-    add(domain.Starts[segment], domain.Ends[segment]);
-    add(domain.Ends[segment], domain.Starts[segment]);
+    add(domain.Starts[segment], domain.Ends[segment], segment);
+    add(domain.Ends[segment], domain.Starts[segment], segment);
   }
   SortInSteps(
     spokes,
@@ -145,11 +157,12 @@ bool AreNear(
   const Point2 second = domain.Vertices[other.End] - vertex;
   const double length = Length(first);
   const double otherLength = Length(second);
-  const double along = std::min({ length, otherLength, LeastLength * spacing(vertex) });
+  const double along = std::min({ length, otherLength, LeastWay * spacing(vertex) });
   return Distance(along / length * first, along / otherLength * second) <= reach;
 }
 
-bool HasNearSpokes(const Domain& domain, const Spacing& spacing, double reach, Pulse& pulse)
+void AddNearSpokes(
+  const Domain& domain, const Spacing& spacing, double reach, NearTouches& touches, Pulse& pulse)
 {
   const std::vector<Spoke> spokes = SpokesOf(domain, pulse);
   std::size_t first = 0; // at the vertex
@@ -160,19 +173,21 @@ bool HasNearSpokes(const Domain& domain, const Spacing& spacing, double reach, P
     const Spoke& next = isLast ? spokes[first] : spokes[k + 1];
     if (next.End != spokes[k].End && AreNear(domain, spacing, spokes[k], next, reach))
     {
-      return true;
+      touches.Pairs.push_back({ spokes[k].Segment, next.Segment });
     }
   }
-  return false;
 }
 
 } // namespace
 
-bool HasNearTouches(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+NearTouches FindNearTouches(const Domain& domain, const Spacing& spacing, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, 0.0);
   const double reach = RoundingReach * domain.Resolution;
-  return HasNearSpokes(domain, spacing, reach, pulse) || HasNearSegments(domain, reach, pulse);
+  NearTouches touches;
+  AddNearSpokes(domain, spacing, reach, touches, pulse);
+  AddNearSegments(domain, reach, touches, pulse);
+  return touches;
 }
 
 } // namespace biting

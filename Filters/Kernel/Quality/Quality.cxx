@@ -10,6 +10,7 @@
 #include "NearestNeighbors.h"
 
 #include <algorithm> // for min, max
+#include <array>     // for a list of arrays
 #include <cmath>     // for atan2, abs, sqrt
 #include <utility>   // for move
 
@@ -91,14 +92,36 @@ struct Extremes
   }
 };
 
+// Of large meshes array by array as tasks: the system takes its time to hand out memory.
+void MakeRoom(MeshQuality& quality, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, 0.0);
+  const std::array<std::vector<double>*, 4> arrays{ &quality.MinimumAngle, &quality.RadiusEdgeRatio,
+    &quality.AspectRatio, &quality.Conformity };
+  const std::size_t triangles = static_cast<std::size_t>(quality.NumberOfTriangles);
+  const std::size_t vertices = static_cast<std::size_t>(quality.NumberOfVertices);
+  const auto makeRoom = [&arrays, triangles, vertices](std::size_t k, Pulse& beats)
+  { GrowInSteps(*arrays[k], k < 3 ? triangles : vertices, 0.0, beats); };
+  if (triangles > StepsPerTask)
+  {
+    DoTasks(pulse, arrays.size(),
+      [&makeRoom](std::size_t k, Monitor& monitor)
+      {
+        Pulse own(monitor);
+        makeRoom(k, own);
+      });
+    return;
+  }
+  for (std::size_t k = 0; k < arrays.size(); ++k)
+  {
+    makeRoom(k, pulse);
+  }
+}
+
 void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, TrianglesEnd);
   const std::size_t count = mesh.Corners.size() / 3;
-  for (auto* array : { &quality.MinimumAngle, &quality.RadiusEdgeRatio, &quality.AspectRatio })
-  {
-    GrowInSteps(*array, count, 0.0, pulse);
-  }
   if (pulse.HasStopped() || count == 0)
   {
     return;
@@ -257,8 +280,7 @@ void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, EdgesEnd, 1.0);
   const std::size_t count = mesh.Points.size();
-  quality.Conformity.resize(count);
-  if (count == 0)
+  if (count == 0 || pulse.HasStopped())
   {
     return;
   }
@@ -300,6 +322,7 @@ MeshQuality MeasureQuality(
   MeshQuality quality;
   quality.NumberOfVertices = static_cast<std::int64_t>(mesh.Points.size());
   quality.NumberOfTriangles = static_cast<std::int64_t>(mesh.Corners.size() / 3);
+  MakeRoom(quality, pulse);
   MeasureTriangles(mesh, quality, pulse);
   MeasureEdges(mesh, quality, pulse);
   quality.NearestNeighborDistance = std::move(nearestNeighborDistances);

@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>  // for cos, sin
-#include <limits> // for epsilon
+#include <algorithm> // for minmax
+#include <cmath>     // for cos, sin
+#include <limits>    // for epsilon
+#include <set>       // for pairs
+#include <utility>   // for pairs
 
 namespace biting
 {
@@ -58,14 +61,16 @@ public:
     return turned;
   }
 
-  bool Touches(double f = 0.1) const
+  bool Touches(double f = 0.1) const { return !this->Found(f).IsEmpty(); }
+
+  NearTouches Found(double f = 0.1) const
   {
     ProblemList problems;
     const Spacing spacing =
       MakeSpacing(UniformSpacing(f), this->Made.Bounds, problems, NoMonitor());
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    return HasNearTouches(this->Made, spacing, pulse);
+    return FindNearTouches(this->Made, spacing, pulse);
   }
 
   double Resolution() const { return this->Made.Resolution; }
@@ -101,6 +106,19 @@ TEST(NearTouches, SegmentsAsNearAsRoundingTouchInAnyDirection)
     EXPECT_FALSE(Squares(16.0 * resolution).Turned(turn).Touches());
     EXPECT_FALSE(Squares(1e-3).Turned(turn).Touches());
   }
+}
+
+/// The sides that lie beside each other, and the two that end there.
+TEST(NearTouches, TellsWhichSegmentsTouch)
+{
+  const NearTouches touches = Squares(Drawn().Resolution()).Found();
+  std::set<std::pair<Id, Id>> pairs;
+  for (const NearTouches::Pair& pair : touches.Pairs)
+  {
+    pairs.insert(std::minmax(pair.First, pair.Second));
+  }
+  EXPECT_EQ(pairs, (std::set<std::pair<Id, Id>>{ { 1, 4 }, { 1, 7 }, { 2, 7 } }));
+  EXPECT_FALSE(touches.AreEverywhere);
 }
 
 /// The first vertices on both are as far from the corner as f is long.
