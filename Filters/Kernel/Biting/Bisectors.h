@@ -63,7 +63,7 @@ public:
   /// Whether a bite covers p.
   bool IsCovered(const Point2& p) const;
 
-  /// Whether a bite after `birth` does, and would if p were moved by half of its half-width.
+  /// Whether a bite after `birth` does, and would if p were moved by about half of its half-width.
   bool IsDeep(const Point2& p, Id birth) const;
 
   /// Whether this one does.

@@ -158,6 +158,31 @@ TEST(Bisectors, MisfitIsThatOfTheTriangle)
   }
 }
 
+TEST(Bisectors, WhatIsDeepInALaterBiteStaysCoveredWhenMoved)
+{
+  const Bites bites = TwoSquares(0.8);
+  Box2 box;
+  box.Add({ -1.0, -1.0 });
+  box.Add({ 2.0, 1.0 });
+  BiteGrid grid(bites, box, 10.0, Bisectors::GreatestBond / 0.8);
+  grid.File(0);
+  grid.File(1);
+  const Bisectors bisectors(bites, grid, 1.0 / 0.8, 0.9, 0.0);
+  int numberOfDeep = 0;
+  for (double x = -0.9; x < 2.0; x += 0.1)
+  {
+    const Point2 p{ x, 0.1 };
+    EXPECT_FALSE(bisectors.IsDeep(p, 1));
+    if (bisectors.IsDeep(p, 0))
+    {
+      ++numberOfDeep;
+      EXPECT_TRUE(bisectors.IsCoveredBy(1, p + Point2{ 0.4, 0.0 }));
+      EXPECT_TRUE(bisectors.IsCoveredBy(1, p - Point2{ 0.4, 0.0 }));
+    }
+  }
+  EXPECT_GT(numberOfDeep, 3);
+}
+
 } // namespace
 
 } // namespace biting

@@ -91,6 +91,27 @@ TEST(EdgeDivider, PartsHaveEqualIntegrals)
   }
 }
 
+TEST(EdgeDivider, DividesTheSameWhereTheEndsAreTold)
+{
+  const SpacingOptions options = LinearSpacing(0.02, 0.3, 1.0);
+  const Point2 low{ 0.3, 0.0 };
+  const Point2 high{ 0.3, 1.0 };
+  const Spacing spacing = Make(options);
+  Pulse pulse(NoMonitor());
+  for (const bool isReversed : { false, true })
+  {
+    const Point2 a = isReversed ? high : low;
+    const Point2 b = isReversed ? low : high;
+    const DivisionPoints asked = Divide(options, 0.5, 0.7, a, b);
+    EdgeDivider divider(spacing, 0.5, 0.7, pulse);
+    DivisionPoints told;
+    divider.TellEnds(a, spacing(a), b, spacing(b));
+    EXPECT_TRUE(divider.Divide(a, b, NoLimit, told));
+    EXPECT_EQ(told.Parameters, asked.Parameters);
+    EXPECT_EQ(told.Spacings, asked.Spacings);
+  }
+}
+
 TEST(EdgeDivider, PartsAreAtLeastOneAndBelowTwoBites)
 {
   const double low = 0.1;

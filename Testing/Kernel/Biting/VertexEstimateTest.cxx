@@ -53,6 +53,11 @@ TEST(IntegrateDensity, UniformIsAreaOverSquare)
   }
 }
 
+TEST(IntegrateDensity, OfOneSpacingIsExact)
+{
+  EXPECT_DOUBLE_EQ(Integral(Box(4.0, 2.0), UniformSpacing(0.25)), 128.0);
+}
+
 TEST(IntegrateDensity, LinearHasItsClosedForm)
 {
   for (double low : { 0.01, 0.1, 1.0 })

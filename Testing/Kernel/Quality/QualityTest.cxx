@@ -351,8 +351,9 @@ TEST(MeasureQuality, FindsTheSlopeOfALinearSpacing)
   {
     spacing.push_back(1.0 + 0.25 * (p.X + p.Y));
   }
-  EXPECT_DOUBLE_EQ(biting::LargestSlope({ mesh.Points, spacing, mesh.Corners, mesh.Neighbors }),
-    0.25 * SquareRootOf2);
+  const biting::MeshView view{ mesh.Points, spacing, mesh.Corners, mesh.Neighbors };
+  EXPECT_DOUBLE_EQ(biting::LargestSlope(view), 0.25 * SquareRootOf2);
+  EXPECT_EQ(biting::MeasureQuality(view).LargestSlope, biting::LargestSlope(view));
 }
 
 TEST(MeasureQuality, FindsNothingInNothing)
