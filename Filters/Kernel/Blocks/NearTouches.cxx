@@ -89,6 +89,7 @@ private:
 std::vector<SegmentEnds> SegmentsOf(const Domain& domain)
 {
   std::vector<SegmentEnds> segments;
+  segments.reserve(domain.Starts.size());
   for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
   {
     segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
