@@ -175,7 +175,8 @@ bool HasArea(const TriangulatedSource& source, Pulse& pulse)
 }
 
 std::string AddGrid(const SourceData& chosen, const std::vector<double>& values,
-  std::shared_ptr<GridSource> grid, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
+  const std::shared_ptr<const GridSource>& grid, SpacingOptions& options, ProblemPlaces& places,
+  Pulse& pulse)
 {
   options.Grid = grid;
   return CheckReadValues(chosen.Data, chosen.Chosen.Array, values.empty() ? grid->Values : values,
@@ -267,10 +268,9 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
     return misplaced;
   }
   std::vector<double> values = KnownValues(source, given, frame, isWanted, pulse);
-  auto grid = GridFrom(source, values, frame, pulse);
-  const std::string refusal = grid
-    ? AddGrid(chosen, values, std::move(grid), options, places, pulse)
-    : AddCells(chosen, values, frame, options, places, pulse);
+  const std::shared_ptr<const GridSource> grid = GridFrom(source, values, frame, pulse);
+  const std::string refusal = grid ? AddGrid(chosen, values, grid, options, places, pulse)
+                                   : AddCells(chosen, values, frame, options, places, pulse);
   return pulse.HasStopped() ? "" : refusal;
 }
 
