@@ -10,6 +10,7 @@
 #include <algorithm>  // for min
 #include <cstddef>    // for counts
 #include <functional> // for tasks
+#include <utility>    // for move
 #include <vector>     // for parts of sums
 
 namespace biting
@@ -56,7 +57,25 @@ template <typename Sum, typename Add>
 Sum SumAtOnce(Pulse& pulse, std::size_t count, const Sum& zero, const Add& add)
 {
   std::vector<Sum> sums((count + StepsPerTask - 1) / StepsPerTask, zero);
-  ForEachAtOnce(pulse, count, [&sums, &add](std::size_t i) { add(sums[i / StepsPerTask], i); });
+  if (count <= StepsPerTask || pulse.Threads().NumberOfThreads() == 1)
+  {
+    pulse.ForEach(count, [&sums, &add](std::size_t i) { add(sums[i / StepsPerTask], i); });
+  }
+  else
+  {
+    // Each task adds to a sum on its own stack: those in the list share cache lines.
+    DoTasks(pulse, sums.size(),
+      [count, &sums, &zero, &add](std::size_t k, Monitor&)
+      {
+        Sum sum = zero;
+        const std::size_t end = std::min(count, (k + 1) * StepsPerTask);
+        for (std::size_t i = k * StepsPerTask; i < end; ++i)
+        {
+          add(sum, i);
+        }
+        sums[k] = std::move(sum);
+      });
+  }
   Sum whole = zero;
   for (const Sum& sum : sums)
   {
