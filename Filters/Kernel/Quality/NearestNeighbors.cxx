@@ -318,14 +318,14 @@ void NeighborSearch::SearchSuspects()
   }
   const PointTree tree = this->TreeFor(suspects);
   const PulsePart search(this->Beats, TreeEnd, 1.0);
-  for (std::size_t k = 0; k < suspects.size() && this->Beats.Beat(); ++k)
-  {
-    this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(suspects.size()));
-    const std::size_t vertex = static_cast<std::size_t>(suspects[k]);
-    const double known = this->SquaredDistances[vertex];
-    this->SquaredDistances.Set(
-      vertex, tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known));
-  }
+  ForEachAtOnce(this->Beats, suspects.size(),
+    [this, &suspects, &tree](std::size_t k)
+    {
+      const std::size_t vertex = static_cast<std::size_t>(suspects[k]);
+      const double known = this->SquaredDistances[vertex];
+      this->SquaredDistances.Set(
+        vertex, tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known));
+    });
 }
 
 PointTree NeighborSearch::TreeFor(const std::vector<Id>& suspects) const
