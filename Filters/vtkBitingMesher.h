@@ -185,8 +185,8 @@
  * thin; so they are in sharp angles of the input.
  *
  * @par Cost:
- * O(n log n) for n vertices; memory about 0.5 kB a vertex. Where about 256 000 vertices and more
- * are expected the domain is cut into blocks of about 128 000, which are meshed on NumberOfThreads,
+ * O(n log n) for n vertices; memory about 0.5 kB a vertex. Where about 128 000 vertices and more
+ * are expected the domain is cut into blocks of about 64 000, which are meshed on NumberOfThreads,
  * each by itself, and then relaxed once more along the cuts; but not in the order LargestY, with
  * MaximumNumberOfBites, GenerateBites or PreserveBoundary, and without Relaxation. The check and
  * the measures of any finished mesh run on NumberOfThreads; the rest on one. Different filters may
@@ -589,7 +589,7 @@ public:
    * Where at least twice as many vertices are expected, the domain is cut into blocks of about so
    * many (Cost, above): what threads and ranks share among them. The mesh depends on it, a little;
    * with less than the default triangles are worse along the cuts. >= 0; 0: one block. Default
-   * 128 000.
+   * 64 000.
    */
   vtkSetClampMacro(VerticesPerBlock, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(VerticesPerBlock, vtkIdType);
@@ -667,7 +667,7 @@ private:
   double Phi = 1.0;
   bool Relaxation = true;
   vtkIdType MaximumNumberOfVertices = 20000000;
-  vtkIdType VerticesPerBlock = 128000;
+  vtkIdType VerticesPerBlock = 64000;
   int NumberOfThreads = 0;
   bool GenerateBites = false;
   std::string Summary;

@@ -135,7 +135,7 @@ void RunOnce(const MeshCase& one, std::int64_t verticesPerBlock, int numberOfThr
 int main(int argc, char** argv)
 {
   const double vertices = argc > 1 ? std::atof(argv[1]) : 1e6;
-  const std::int64_t perBlock = argc > 2 ? std::atoll(argv[2]) : 128000;
+  const std::int64_t perBlock = argc > 2 ? std::atoll(argv[2]) : 64000;
   const int threads = argc > 3 ? std::atoi(argv[3]) : 2;
   const std::string name = argc > 4 ? argv[4] : "";
   std::printf("Case, vertices, blocks, threads; seconds by the clock and of CPU: all, domain, "

@@ -352,14 +352,14 @@ TEST(BitingMesherResult, IsTheSameBytesForAnyNumberOfThreadsThatMeshBlocks)
     vtkNew<vtkBitingMesher> mesher;
     const ProgressWatcher watcher(mesher);
     mesher->SetInputData(UnitSquare());
-    mesher->SetUniformSpacing(0.00196);
+    mesher->SetUniformSpacing(0.0028);
     mesher->SetNumberOfThreads(numberOfThreads);
     mesher->Update();
     EXPECT_TRUE(std::is_sorted(watcher.Progress.begin(), watcher.Progress.end()));
     return vtkSmartPointer<vtkPolyData>(mesher->GetOutput());
   };
   const auto alone = meshWith(1);
-  ASSERT_GT(alone->GetNumberOfPoints(), 256000);
+  ASSERT_GT(alone->GetNumberOfPoints(), 128000);
   for (const int numberOfThreads : { 2, 8 })
   {
     EXPECT_TRUE(AreSame(meshWith(numberOfThreads), alone)) << numberOfThreads;

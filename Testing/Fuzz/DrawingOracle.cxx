@@ -9,6 +9,7 @@
 #include <algorithm> // for sort, binary_search
 #include <cmath>     // for abs
 #include <limits>    // for infinity
+#include <map>       // for faces
 
 namespace biting
 {

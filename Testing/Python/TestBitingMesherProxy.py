@@ -36,7 +36,7 @@ DEFAULTS = {
     'Phi': 1.0,
     'Relaxation': 1,
     'MaximumNumberOfVertices': 20000000,
-    'VerticesPerBlock': 128000,
+    'VerticesPerBlock': 64000,
     'NumberOfThreads': 0,
     'GenerateBites': 0,
 }

@@ -216,7 +216,7 @@ TEST(BlockMesher, CutsAreHardlySeenInFigures)
 
 TEST(BlockMesher, LargeBlocksAreAsGoodAsOneBlock)
 {
-  constexpr std::int64_t VerticesPerBlock = 128000;
+  constexpr std::int64_t VerticesPerBlock = 64000;
   for (const Case& input :
     { Case{ "square", PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), UniformSpacing(0.00196) },
       Case{
@@ -338,7 +338,7 @@ TEST(BlockMesher, StopsWithinHalfASecondFromAnyStep)
     wasStopped = problems.Has(ProblemCode::Aborted);
     EXPECT_EQ(mesh.Points.empty(), wasStopped);
     EXPECT_TRUE(!wasStopped || SecondsOfProcess() - monitor.End < 0.5) << seconds;
-    EXPECT_TRUE(wasStopped || mesh.NumberOfBlocks == 2);
+    EXPECT_TRUE(wasStopped || mesh.NumberOfBlocks > 1);
   }
 }
 
