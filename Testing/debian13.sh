@@ -33,7 +33,8 @@ fail()
   exit 1
 }
 
-# The tree as it would be cloned, with what is not committed, and without build folders.
+# The tree as it would be cloned, with what is not committed, and without build folders; those of an
+# earlier run stay, its sources do not.
 prepare()
 {
   for folder in proc sys dev dev/pts; do
@@ -41,6 +42,7 @@ prepare()
   done
   cp /etc/resolv.conf "$system/etc/" || return
   mkdir -p "$system$tree" || return
+  find "$system$tree" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} + || return
   (cd "$root" && git ls-files -co --exclude-standard -z | tar -cf - --null -T -) |
     tar -xf - -C "$system$tree"
 }
