@@ -44,7 +44,7 @@ prepare()
   mkdir -p "$system$tree" || return
   find "$system$tree" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} + || return
   (cd "$root" && git ls-files -co --exclude-standard -z | tar -cf - --null -T -) |
-    tar -xf - -C "$system$tree"
+    tar -xmf - -C "$system$tree"
 }
 
 in_system()
