@@ -58,8 +58,8 @@ struct BitingMeshOptions
   /// How many vertices a block is expected to have, roughly, where the mesh has at least twice as
   /// many: then the domain is cut, and blocks are meshed by themselves, on all threads of the
   /// monitor (Blocks/BlockMesher.h). The mesh depends on this number, but not on that of threads.
-  /// With 64000, squares and polygons of 450000 vertices lose .15 degrees of the mean smallest angle
-  /// at most; smaller blocks lose more. 0: one block. One it is, too, for the order LargestY,
+  /// With 64000, squares and polygons of 450000 vertices lose at most .15 degrees of the mean
+  /// smallest angle; smaller blocks lose more. 0: one block. One it is, too, for the order LargestY,
   /// MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
   std::int64_t VerticesPerBlock = 64000;
 

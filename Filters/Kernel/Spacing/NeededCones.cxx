@@ -13,7 +13,7 @@ namespace biting
 namespace
 {
 
-/// A side of a triangle is looked at at so many places.
+/// Cones and values are compared at so many places of a side.
 constexpr int PartsOfSide = 4;
 
 /// Items (cones, or edges) by point.
