@@ -59,8 +59,8 @@ struct BitingMeshOptions
   /// many: then the domain is cut, and blocks are meshed by themselves, on all threads of the
   /// monitor (Blocks/BlockMesher.h). The mesh depends on this number, but not on that of threads.
   /// With 64000, squares and polygons of 450000 vertices lose at most .15 degrees of the mean
-  /// smallest angle; smaller blocks lose more. 0: one block. One it is, too, for the order LargestY,
-  /// MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
+  /// smallest angle; smaller blocks lose more. 0: one block. It is one, too, for the order
+  /// LargestY, MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
   std::int64_t VerticesPerBlock = 64000;
 
   bool KeepBites = false; ///< fill Bites and Front of the mesh
