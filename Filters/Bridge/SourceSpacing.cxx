@@ -244,8 +244,11 @@ std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const P
         value = std::numeric_limits<double>::quiet_NaN();
       }
     });
-  // Where nothing else is known, what is given is refused by its values.
-  return isAnyKnown ? values : ReadDoubles(given, source->GetNumberOfPoints());
+  if (!isAnyKnown) // what is given is refused by its values
+  {
+    return ReadDoubles(given, source->GetNumberOfPoints());
+  }
+  return values;
 }
 
 } // namespace

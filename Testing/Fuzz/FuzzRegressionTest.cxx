@@ -356,6 +356,7 @@ TEST(FuzzRegression, BlocksWhoseSegmentsTouchHaveNoPointTwice)
 TEST(FuzzRegression, SpacingNearTheLargestNumberIsNoMoreThanOneThatCoversTheDrawing)
 {
   ExpectKept(95004254u);
+  ExpectKept(CaseOfSeed(501130240u), "501130240");
 }
 
 } // namespace

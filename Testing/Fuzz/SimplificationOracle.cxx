@@ -4,6 +4,7 @@
 #include "SimplificationOracle.h"
 
 #include "ExactSigns.h"
+#include "Predicates/Predicates.h"
 
 #include <algorithm> // for max, min, minmax
 #include <cmath>     // for isfinite
@@ -351,20 +352,19 @@ SimplificationOptions WantedOf(const FuzzCase& fuzzCase)
   return wanted;
 }
 
-// Where squares of lengths overflow, which vertices go first is no matter of the spacing any more.
 bool IsUniform(const SpacingOptions& spacing)
 {
-  return spacing.Uniform > 0.0 && std::isfinite(spacing.Uniform * spacing.Uniform) &&
-    spacing.Scale == 1.0 && spacing.Minimum == 0.0 && spacing.Maximum == 0.0 && !spacing.Grid &&
-    !spacing.Triangulation && !spacing.Segments;
+  return spacing.Uniform > 0.0 && spacing.Scale == 1.0 && spacing.Minimum == 0.0 &&
+    spacing.Maximum == 0.0 && !spacing.Grid && !spacing.Triangulation && !spacing.Segments;
 }
 
 SpacingFunction SpacingOf(const FuzzCase& fuzzCase, const Domain& domain)
 {
   const double uniform = fuzzCase.Options.Spacing.Uniform;
-  if (IsUniform(fuzzCase.Options.Spacing))
+  if (IsUniform(fuzzCase.Options.Spacing) && std::isfinite(uniform))
   {
-    const double length = std::max(uniform, domain.Resolution);
+    constexpr double Greatest = 1e4 * GreatestCoordinate; // f is no larger
+    const double length = std::max(std::min(uniform, Greatest), domain.Resolution);
     return [length](const Point2&) { return length; };
   }
   const Box2 box = domain.Bounds;
