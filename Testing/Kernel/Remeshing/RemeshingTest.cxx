@@ -301,6 +301,22 @@ TEST(Remeshing, SidesOfAFlatHoleDoNotBecomeOne)
   RunLawfully(input, WantingUniform(input, 3.0));
 }
 
+/// All that is refused is in OldMeshTest.
+TEST(Remeshing, WhatIsNoMeshIsRefusedAndLeavesNoResult)
+{
+  for (const std::vector<Id>& corners : { std::vector<Id>{ 0, 1, 4 }, { 0, 1, 2, 0, 1, 3 },
+         { 0, 1, 2, 0, 2, 3, 0, 2, 4 }, { 0, 1, 2, 0, 2, 3, 5, 6, 7 }, { 0, 1, 2, 3, 5, 6 } })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 }, { 0.8, 0.3 },
+      { 0.6, 0.6 } };
+    input.Corners = corners;
+    const RemeshRun run = RunRemesh(input, WantingUniform(input, 0.1));
+    EXPECT_GE(run.Problems.Count(ProblemCode::BadTriangles), 1);
+    EXPECT_TRUE(run.Result.Mesh.Points.empty());
+  }
+}
+
 TEST(Remeshing, ASpacingThatIsNoneIsRefused)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.2), Rounding);
