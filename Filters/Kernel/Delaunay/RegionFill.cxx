@@ -15,16 +15,16 @@ namespace biting
 namespace
 {
 
-// Where steps end, as shares of the time for a million points: of all, and of numbering triangles.
+// Where steps end, as shares of the time for a million points.
 constexpr double FindingEnd = 0.15;
 constexpr double BorderEnd = 0.17;
-constexpr double FloodEnd = 0.6;
-constexpr double RegionsEnd = 0.62;
-constexpr double NumbersEnd = 0.72;
-constexpr double ListEnd = 0.78;
-constexpr double ConstraintsEnd = 0.84;
-constexpr double NeighborsEnd = 0.93;
-constexpr double CountingEnd = 0.7;
+constexpr double FacesEnd = 0.35;
+constexpr double RegionsEnd = 0.36;
+constexpr double CountsEnd = 0.4;
+constexpr double PointsEnd = 0.5;
+constexpr double NumbersEnd = 0.75;
+constexpr double ConstraintsEnd = 0.83;
+constexpr double NeighborsEnd = 0.92;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge
@@ -87,122 +87,80 @@ std::vector<BorderEdge> CollectBorder(
   return border;
 }
 
-/// All triangles, breadth first from all borders at once: layer by layer. Waves that meet within a
-/// face become one; a wave stands for the others of its face.
-class Flood
+/// The faces that marks part: sets of triangles that share edges without one, united in the order
+/// of triangles. A parent has no greater number than its triangle, and a root is its own.
+class Faces
 {
 public:
-  Flood(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Pulse& pulse);
+  Faces(const HalfEdgeMesh& mesh, Pulse& pulse);
 
-  Id Size() const { return static_cast<Id>(this->Triangles.size()); }
-  Id NumberOfWaves() const { return static_cast<Id>(this->Parents.size()); }
-  Id TriangleAt(Id place) const { return this->Triangles[place]; }
-  Id PlaceOf(Id triangle) const { return this->Places[triangle]; }
-
-  /// The face of the triangle at a place: the number of one of its waves.
-  Id FaceAt(Id place) { return this->FaceOfWave(this->Waves[place]); }
-  Id FaceOf(Id triangle) { return this->FaceAt(this->Places[triangle]); }
+  Id Size() const { return this->Count; }
+  Id FaceOf(Id triangle) const { return this->OfTriangle[triangle]; }
 
   /// The face beyond the convex hull.
-  Id OuterFace() { return this->FaceOf(this->Ghost); }
+  Id OuterFace() const { return this->Outer; }
 
-  /// Gives back what tells faces apart.
-  void ReleaseWaves(Pulse& pulse) { ReleaseInSteps(pulse, this->Waves, this->Parents); }
-
-  std::vector<Id> TakeTriangles() { return std::move(this->Triangles); }
-  std::vector<Id> TakePlaces() { return std::move(this->Places); }
+  std::vector<Id> Take() { return std::move(this->OfTriangle); }
 
 private:
-  void Start(Id triangle);
-  void Spread(Id place);
-  void Add(Id triangle, Id wave);
-  void Unite(Id wave, Id other);
-  Id FaceOfWave(Id wave);
+  void UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle);
+  Id RootOf(Id triangle);
+  void Number(const HalfEdgeMesh& mesh, Id triangle);
 
-  const HalfEdgeMesh& Mesh;
-  Id Ghost = 0;
-  std::vector<Id> Triangles; ///< place -> triangle
-  std::vector<Id> Places;    ///< triangle -> place
-  std::vector<Id> Waves;     ///< place -> wave
-  std::vector<Id> Parents;   ///< wave -> a wave of the same face, not greater
+  std::vector<Id> OfTriangle; ///< triangle -> parent, then face
+  Id Count = 0;
+  Id Outer = NoId;
 };
 
-Flood::Flood(const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Pulse& pulse)
-  : Mesh(mesh)
-  , Places(mesh.NumberOfTriangles, NoId)
+Faces::Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
 {
-  const PulsePart part(pulse, BorderEnd, FloodEnd);
-  this->Triangles.reserve(mesh.NumberOfTriangles);
-  this->Waves.reserve(mesh.NumberOfTriangles);
-  for (std::size_t k = 0; k < border.size() && pulse.Beat(); ++k)
-  {
-    this->Start(HalfEdgeMesh::TriangleOf(border[k].Edge));
-  }
-  while (!mesh.IsGhost(this->Ghost) && pulse.Beat())
-  {
-    ++this->Ghost;
-  }
-  this->Start(this->Ghost);
-  for (Id place = 0; place < this->Size() && pulse.Beat(); ++place)
-  {
-    pulse.SetFraction(static_cast<double>(place) / mesh.NumberOfTriangles);
-    this->Spread(place);
-  }
+  const PulsePart part(pulse, BorderEnd, FacesEnd);
+  this->OfTriangle.reserve(mesh.NumberOfTriangles);
+  pulse.ForEach(mesh.NumberOfTriangles,
+    [this, &mesh](std::size_t t) { this->UniteWithEarlier(mesh, static_cast<Id>(t)); });
+  pulse.ForEach(this->OfTriangle.size(),
+    [this, &mesh](std::size_t t) { this->Number(mesh, static_cast<Id>(t)); });
 }
 
-void Flood::Start(Id triangle)
+void Faces::UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle)
 {
-  if (this->Places[triangle] == NoId)
-  {
-    this->Parents.push_back(this->NumberOfWaves());
-    this->Add(triangle, this->NumberOfWaves() - 1);
-  }
-}
-
-void Flood::Spread(Id place)
-{
-  const Id wave = this->Waves[place];
-  const Id first = HalfEdgeMesh::FirstEdge(this->Triangles[place]);
+  this->OfTriangle.push_back(triangle);
+  const Id first = HalfEdgeMesh::FirstEdge(triangle);
+  Id root = triangle;
   for (Id edge = first; edge < first + 3; ++edge)
   {
-    if (this->Mesh.Marks[edge] != NoId)
+    const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
+    if (neighbor < triangle && mesh.Marks[edge] == NoId)
     {
-      continue;
-    }
-    const Id neighbor = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
-    if (this->Places[neighbor] == NoId)
-    {
-      this->Add(neighbor, wave);
-    }
-    else if (this->Waves[this->Places[neighbor]] != wave)
-    {
-      this->Unite(wave, this->Waves[this->Places[neighbor]]);
+      const Id other = this->RootOf(neighbor);
+      const Id least = std::min(root, other);
+      this->OfTriangle[root] = this->OfTriangle[other] = least;
+      root = least;
     }
   }
 }
 
-void Flood::Add(Id triangle, Id wave)
+Id Faces::RootOf(Id triangle)
 {
-  this->Places[triangle] = this->Size();
-  this->Triangles.push_back(triangle);
-  this->Waves.push_back(wave);
-}
-
-void Flood::Unite(Id wave, Id other)
-{
-  const Id face = this->FaceOfWave(wave);
-  const Id otherFace = this->FaceOfWave(other);
-  this->Parents[std::max(face, otherFace)] = std::min(face, otherFace);
-}
-
-Id Flood::FaceOfWave(Id wave)
-{
-  while (this->Parents[wave] != wave)
+  std::vector<Id>& parents = this->OfTriangle;
+  while (parents[triangle] != triangle)
   {
-    this->Parents[wave] = this->Parents[this->Parents[wave]];
-    wave = this->Parents[wave];
+    parents[triangle] = parents[parents[triangle]];
+    triangle = parents[triangle];
   }
-  return wave;
+  return triangle;
+}
+
+/// Parents come before: theirs are faces by then.
+void Faces::Number(const HalfEdgeMesh& mesh, Id triangle)
+{
+  const Id parent = this->OfTriangle[triangle];
+  const Id face = parent == triangle ? this->Count++ : this->OfTriangle[parent];
+  this->OfTriangle[triangle] = face;
+  if (this->Outer == NoId && mesh.IsGhost(triangle))
+  {
+    this->Outer = face;
+  }
 }
 
 /// A step from face to face, across a half-edge with a mark.
@@ -222,21 +180,21 @@ struct FaceGraph
 };
 
 FaceGraph MakeFaceGraph(
-  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood, Pulse& pulse)
+  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, const Faces& faces, Pulse& pulse)
 {
   FaceGraph graph;
-  graph.Begins.assign(flood.NumberOfWaves() + 1, 0);
+  graph.Begins.assign(faces.Size() + 1, 0);
   std::vector<Step> steps(border.size());
   pulse.ForEach(border.size(),
-    [&mesh, &border, &flood, &graph, &steps](std::size_t k)
+    [&mesh, &border, &faces, &graph, &steps](std::size_t k)
     {
       const Id edge = border[k].Edge;
-      const Id from = flood.FaceOf(HalfEdgeMesh::TriangleOf(edge));
-      const Id to = flood.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge]));
+      const Id from = faces.FaceOf(HalfEdgeMesh::TriangleOf(edge));
+      const Id to = faces.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge]));
       steps[k] = { from, to, static_cast<std::uint8_t>(mesh.Marks[edge] & 1) };
       ++graph.Begins[from + 1];
     });
-  for (Id face = 0; face < flood.NumberOfWaves() && pulse.Beat(); ++face)
+  for (Id face = 0; face < faces.Size() && pulse.Beat(); ++face)
   {
     graph.Begins[face + 1] += graph.Begins[face];
   }
@@ -278,16 +236,16 @@ struct Regions
 };
 
 Regions NumberRegions(
-  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, Flood& flood, Pulse& pulse)
+  const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, const Faces& faces, Pulse& pulse)
 {
-  const PulsePart part(pulse, FloodEnd, RegionsEnd);
+  const PulsePart part(pulse, FacesEnd, RegionsEnd);
   const std::vector<std::uint8_t> isInside =
-    FindInside(MakeFaceGraph(mesh, border, flood, pulse), flood.OuterFace(), pulse);
+    FindInside(MakeFaceGraph(mesh, border, faces, pulse), faces.OuterFace(), pulse);
   Regions regions;
-  regions.OfFace.assign(flood.NumberOfWaves(), NoId);
+  regions.OfFace.assign(faces.Size(), NoId);
   for (std::size_t k = 0; k < border.size() && pulse.Beat(); ++k)
   {
-    const Id face = flood.FaceOf(HalfEdgeMesh::TriangleOf(border[k].Edge));
+    const Id face = faces.FaceOf(HalfEdgeMesh::TriangleOf(border[k].Edge));
     if (isInside[face] == 1 && regions.OfFace[face] == NoId)
     {
       regions.OfFace[face] = regions.Size++;
@@ -300,11 +258,12 @@ Regions NumberRegions(
 class Writer
 {
 public:
-  Writer(HalfEdgeMesh& mesh, const std::vector<Id>& order, Flood& flood, Pulse& pulse)
+  /// `numbers` are the faces of the triangles.
+  Writer(HalfEdgeMesh& mesh, const std::vector<Id>& order, std::vector<Id>&& numbers, Pulse& pulse)
     : Mesh(mesh)
     , Order(order)
-    , Source(flood)
     , Beats(pulse)
+    , Numbers(std::move(numbers))
   {
   }
 
@@ -312,26 +271,29 @@ public:
   Triangulation Write(const Regions& regions);
 
 private:
-  void NumberTriangles(const Regions& regions);
-  std::vector<Id> CountTriangles(const Regions& regions);
-  void ListInside();
+  Id LastCorner(std::size_t triangle) const;
+  std::vector<Id> TakeRegions(const Regions& regions);
+  void TakePoints();
+  void NumberTriangles(std::vector<Id> next);
+  std::vector<Id> SortByLastCorner();
   template <typename ValueOf>
   void WriteHalves(std::vector<Id>& array, double begin, double end, ValueOf&& valueOf);
 
   HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
-  Flood& Source;
   Pulse& Beats;
-  std::vector<Id> Numbers; ///< place -> triangle of the result, NoId outside
+  std::vector<Id> Numbers; ///< triangle of the mesh -> of the result, NoId outside
   std::vector<Id> Inside;  ///< triangle of the result -> of the mesh
+  Id LastPoint = 0;        ///< at a corner
   Triangulation Result;
 };
 
 Triangulation Writer::Write(const Regions& regions)
 {
-  this->NumberTriangles(regions);
-  this->ListInside();
-  this->WriteHalves(this->Result.Constraints, ListEnd, ConstraintsEnd,
+  std::vector<Id> sizes = this->TakeRegions(regions);
+  this->TakePoints();
+  this->NumberTriangles(std::move(sizes));
+  this->WriteHalves(this->Result.Constraints, NumbersEnd, ConstraintsEnd,
     [this](Id edge)
     {
       const Id mark = this->Mesh.Marks[edge];
@@ -341,42 +303,22 @@ Triangulation Writer::Write(const Regions& regions)
   this->WriteHalves(this->Result.Neighbors, ConstraintsEnd, NeighborsEnd,
     [this](Id edge) { return this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]; });
   ReleaseInSteps(this->Beats, this->Mesh.Twins, this->Numbers);
-  this->WriteHalves(this->Result.Corners, NeighborsEnd, 1.0,
-    [this](Id edge) { return this->Order[this->Mesh.Corners[edge]]; });
+  this->WriteHalves(
+    this->Result.Corners, NeighborsEnd, 1.0, [this](Id edge) { return this->Mesh.Corners[edge]; });
   ReleaseInSteps(this->Beats, this->Mesh.Corners);
   return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
-/// Region by region, in the order of the flood within; fills Regions of the result.
-void Writer::NumberTriangles(const Regions& regions)
-{
-  const PulsePart part(this->Beats, RegionsEnd, NumbersEnd);
-  std::vector<Id> begins = this->CountTriangles(regions);
-  for (Id region = 0; region < regions.Size && !this->Beats.HasStopped(); ++region)
-  {
-    this->Result.Regions.resize(this->Result.Regions.size() + begins[region + 1], region);
-    begins[region + 1] += begins[region];
-  }
-  const PulsePart rest(this->Beats, CountingEnd, 1.0);
-  this->Beats.ForEach(this->Numbers.size(),
-    [this, &begins](std::size_t place)
-    {
-      Id& number = this->Numbers[place];
-      number = number == NoId ? NoId : begins[number]++;
-    });
-}
-
 /// Numbers become those of the regions; returns the size of region r as entry r + 1.
-std::vector<Id> Writer::CountTriangles(const Regions& regions)
+std::vector<Id> Writer::TakeRegions(const Regions& regions)
 {
-  const PulsePart part(this->Beats, 0.0, CountingEnd);
+  const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
   std::vector<Id> sizes(regions.Size + 1, 0);
-  this->Numbers.resize(this->Source.Size());
   this->Beats.ForEach(this->Numbers.size(),
-    [this, &regions, &sizes](std::size_t place)
+    [this, &regions, &sizes](std::size_t triangle)
     {
-      const Id region = regions.OfFace[this->Source.FaceAt(static_cast<Id>(place))];
-      this->Numbers[place] = region;
+      const Id region = regions.OfFace[this->Numbers[triangle]];
+      this->Numbers[triangle] = region;
       if (region != NoId)
       {
         ++sizes[region + 1];
@@ -385,26 +327,75 @@ std::vector<Id> Writer::CountTriangles(const Regions& regions)
   return sizes;
 }
 
-/// From places on to triangles of the mesh: Numbers are theirs afterwards.
-void Writer::ListInside()
+/// Corners become points of the caller.
+void Writer::TakePoints()
 {
-  const PulsePart part(this->Beats, NumbersEnd, ListEnd);
-  this->Source.ReleaseWaves(this->Beats);
-  std::vector<Id> triangles = this->Source.TakeTriangles();
-  GrowInSteps(this->Inside, this->Result.Regions.size(), NoId, this->Beats);
-  this->Beats.ForEach(this->Numbers.size(),
-    [this, &triangles](std::size_t place)
+  const PulsePart part(this->Beats, CountsEnd, PointsEnd);
+  this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
+    [this](std::size_t edge)
     {
-      if (this->Numbers[place] != NoId)
+      Id& corner = this->Mesh.Corners[edge];
+      corner = corner == NoId ? NoId : this->Order[corner];
+      this->LastPoint = std::max(this->LastPoint, corner);
+    });
+}
+
+/// Region by region, within by last corners; fills Regions of the result.
+void Writer::NumberTriangles(std::vector<Id> next)
+{
+  const PulsePart part(this->Beats, PointsEnd, NumbersEnd);
+  for (std::size_t region = 0; region + 1 < next.size() && !this->Beats.HasStopped(); ++region)
+  {
+    this->Result.Regions.resize(
+      this->Result.Regions.size() + next[region + 1], static_cast<Id>(region));
+    next[region + 1] += next[region];
+  }
+  const std::vector<Id> sorted = this->SortByLastCorner();
+  GrowInSteps(this->Inside, sorted.size(), NoId, this->Beats);
+  this->Beats.ForEach(sorted.size(),
+    [this, &next, &sorted](std::size_t place)
+    {
+      Id& number = this->Numbers[sorted[place]];
+      number = next[number]++;
+      this->Inside[number] = sorted[place];
+    });
+}
+
+/// The triangles inside, by counting.
+std::vector<Id> Writer::SortByLastCorner()
+{
+  std::vector<Id> begins;
+  std::vector<Id> sorted;
+  if (!GrowInSteps(begins, static_cast<std::size_t>(this->LastPoint) + 2, Id(0), this->Beats) ||
+    !GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats))
+  {
+    return {};
+  }
+  this->Beats.ForEach(this->Numbers.size(),
+    [this, &begins](std::size_t triangle)
+    {
+      if (this->Numbers[triangle] != NoId)
       {
-        this->Inside[this->Numbers[place]] = triangles[place];
+        ++begins[this->LastCorner(triangle) + 1];
       }
     });
-  ReleaseInSteps(this->Beats, triangles);
-  std::vector<Id> places = this->Source.TakePlaces();
   this->Beats.ForEach(
-    places.size(), [this, &places](std::size_t t) { places[t] = this->Numbers[places[t]]; });
-  this->Numbers.swap(places);
+    begins.size() - 1, [&begins](std::size_t point) { begins[point + 1] += begins[point]; });
+  this->Beats.ForEach(this->Numbers.size(),
+    [this, &begins, &sorted](std::size_t triangle)
+    {
+      if (this->Numbers[triangle] != NoId)
+      {
+        sorted[begins[this->LastCorner(triangle)]++] = static_cast<Id>(triangle);
+      }
+    });
+  return sorted;
+}
+
+Id Writer::LastCorner(std::size_t triangle) const
+{
+  const Id* corners = &this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle))];
+  return std::max({ corners[0], corners[1], corners[2] });
 }
 
 template <typename ValueOf>
@@ -430,9 +421,13 @@ Triangulation TakeInside(HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
 {
   const std::vector<BorderEdge> border = CollectBorder(mesh, constraints, pulse);
   ReleaseInSteps(pulse, mesh.Points, mesh.VertexEdges);
-  Flood flood(mesh, border, pulse);
-  const Regions regions = NumberRegions(mesh, border, flood, pulse);
-  return Writer(mesh, order, flood, pulse).Write(regions);
+  Faces faces(mesh, pulse);
+  if (pulse.HasStopped())
+  {
+    return {};
+  }
+  const Regions regions = NumberRegions(mesh, border, faces, pulse);
+  return Writer(mesh, order, faces.Take(), pulse).Write(regions);
 }
 
 } // namespace biting

@@ -19,7 +19,8 @@ namespace biting
 /// which the result refers to.
 /// Regions are numbered as one meets them along the constraints, in order of number, from start to
 /// end, the left side of each edge before the right. Triangles are ordered region by region, and
-/// within layer by layer, from all constraints inwards: neighbors are near each other in memory.
+/// within by the last of their corners, as a point of the caller: where points near each other are
+/// so in the caller's order, neighbors are near each other in memory, too.
 /// The arrays of `mesh` are given back as they are read. On abort the result is empty.
 Triangulation TakeInside(HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse);

@@ -177,15 +177,19 @@ TEST(TakeInside, NumbersTheLeftOfAConstraintBeforeItsRightAndItsStartBeforeItsEn
   EXPECT_EQ(RegionAt(scene, mesh, { 1.0, 7.0 }), 3);
 }
 
-TEST(TakeInside, OrdersTrianglesSoThatNeighborsAreNearEachOther)
+TEST(TakeInside, OrdersTrianglesByRegionsAndWithinByTheirLastCorners)
 {
-  const Scene scene = RandomScene(20000, 1 << 20, 3);
+  Scene scene = RandomScene(20000, 1 << 20, 3);
+  scene.AddEdge(0, 2, false);
   const Triangulation mesh = CheckedMesh(scene);
-  double sum = 0.0;
-  for (std::size_t edge = 0; edge < mesh.Neighbors.size(); ++edge)
+  EXPECT_EQ(NumberOfRegions(mesh), 2);
+  const auto placeOf = [&mesh](Id t)
   {
-    const Id neighbor = mesh.Neighbors[edge];
-    sum += neighbor == NoId ? 0.0 : std::abs(static_cast<double>(edge / 3) - neighbor);
+    const Id* corners = &mesh.Corners[3 * t];
+    return std::make_pair(mesh.Regions[t], std::max({ corners[0], corners[1], corners[2] }));
+  };
+  for (Id t = 1; t < mesh.NumberOfTriangles(); ++t)
+  {
+    EXPECT_LE(placeOf(t - 1), placeOf(t));
   }
-  EXPECT_LT(sum / static_cast<double>(mesh.Neighbors.size()), 3.0 * std::sqrt(40000.0));
 }
