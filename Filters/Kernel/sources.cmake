@@ -11,6 +11,7 @@ set(biting_kernel_sources
   Spacing/BoxTree.cxx
   Spacing/ConeTree.cxx
   Spacing/DrawnLengths.cxx
+  Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
   Spacing/GivenSources.cxx
   Spacing/GridHoles.cxx

@@ -3,7 +3,7 @@
 
 #include "GridHoles.h"
 
-#include "../Base/Pulse.h"
+#include "GridSweeps.h"
 
 #include <algorithm> // for any_of
 
@@ -12,89 +12,69 @@ namespace biting
 namespace
 {
 
-/// Nodes hand on to their neighbors the node whose value they take, in two sweeps.
+/// For each node the given one whose value it takes.
 class HoleFiller
 {
 public:
-  HoleFiller(const GridSource& source, Pulse& pulse)
+  explicit HoleFiller(const GridSource& source)
     : Source(source)
-    , Beats(pulse)
-    , Columns(static_cast<Id>(source.XNodes.size()))
-    , Rows(static_cast<Id>(source.YNodes.size()))
+    , Columns(source.XNodes.size())
     , Nearest(source.Values.size(), NoId)
   {
   }
 
-  bool Fill(std::vector<double>& values)
+  void Fill(std::vector<double>& values, Pulse& pulse)
   {
-    for (Id node = 0; node < static_cast<Id>(values.size()); ++node)
+    GridSweeps sweeps(this->Columns, this->Source.YNodes.size());
+    for (std::size_t node = 0; node < values.size(); ++node)
     {
-      this->Nearest[static_cast<std::size_t>(node)] =
-        std::isnan(values[static_cast<std::size_t>(node)]) ? NoId : node;
+      if (std::isnan(values[node]))
+      {
+        sweeps.Add(node % this->Columns, node / this->Columns);
+      }
+      else
+      {
+        this->Nearest[node] = static_cast<Id>(node);
+      }
     }
-    for (Id row = 0; row < this->Rows && this->SweepRow(row, row - 1); ++row)
-    {
-    }
-    for (Id row = this->Rows - 1; row >= 0 && this->SweepRow(row, row + 1); --row)
-    {
-    }
-    for (std::size_t node = 0; node < values.size() && !this->Beats.HasStopped(); ++node)
+    sweeps.Run(pulse,
+      [this](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
+      {
+        Id& nearest = this->Nearest[to];
+        return nearest != static_cast<Id>(to) &&
+          this->Offer(this->Nearest[from], nearest, { column, row });
+      });
+    for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
     {
       values[node] = this->Source.Values[static_cast<std::size_t>(this->Nearest[node])];
     }
-    return !this->Beats.HasStopped();
   }
 
 private:
-  bool SweepRow(Id row, Id from)
+  struct Node
   {
-    const bool hasFrom = from >= 0 && from < this->Rows;
-    for (Id column = 0; column < this->Columns; ++column)
-    {
-      for (Id side = -1; hasFrom && side <= 1; ++side)
-      {
-        this->Adopt(column, row, column + side, from);
-      }
-      this->Adopt(column, row, column - 1, row);
-    }
-    for (Id column = this->Columns - 2; column >= 0; --column)
-    {
-      this->Adopt(column, row, column + 1, row);
-    }
-    return this->Beats.Beat(4 * static_cast<std::size_t>(this->Columns));
-  }
+    std::size_t Column;
+    std::size_t Row;
+  };
 
-  void Adopt(Id column, Id row, Id fromColumn, Id fromRow)
+  bool Offer(Id offered, Id& nearest, const Node& node) const
   {
-    Id& nearest = this->Nearest[static_cast<std::size_t>(column + this->Columns * row)];
-    if (fromColumn < 0 || fromColumn >= this->Columns || nearest == column + this->Columns * row)
-    {
-      return;
-    }
-    const Id offered =
-      this->Nearest[static_cast<std::size_t>(fromColumn + this->Columns * fromRow)];
     const bool isNearer = offered != NoId && offered != nearest &&
-      (nearest == NoId || this->Away(column, row, offered) < this->Away(column, row, nearest));
+      (nearest == NoId || this->Away(node, offered) < this->Away(node, nearest));
     nearest = isNearer ? offered : nearest;
+    return isNearer;
   }
 
-  double Away(Id column, Id row, Id node) const
+  double Away(const Node& node, Id given) const
   {
-    return Distance(
-      this->Place(column, row), this->Place(node % this->Columns, node / this->Columns));
-  }
-
-  Point2 Place(Id column, Id row) const
-  {
-    return { this->Source.XNodes[static_cast<std::size_t>(column)],
-      this->Source.YNodes[static_cast<std::size_t>(row)] };
+    const auto other = static_cast<std::size_t>(given);
+    return Distance({ this->Source.XNodes[node.Column], this->Source.YNodes[node.Row] },
+      { this->Source.XNodes[other % this->Columns], this->Source.YNodes[other / this->Columns] });
   }
 
   const GridSource& Source;
-  Pulse& Beats;
-  const Id Columns;
-  const Id Rows;
-  std::vector<Id> Nearest; ///< of each node, the given one; NoId where none is known
+  const std::size_t Columns;
+  std::vector<Id> Nearest; ///< NoId where none is known
 };
 
 } // namespace
@@ -110,7 +90,8 @@ std::shared_ptr<const GridSource> FillHoles(
   }
   auto filled = std::make_shared<GridSource>(*source);
   Pulse pulse(monitor);
-  return HoleFiller(*source, pulse).Fill(filled->Values) ? filled : nullptr;
+  HoleFiller(*source).Fill(filled->Values, pulse);
+  return pulse.HasStopped() ? nullptr : filled;
 }
 
 } // namespace biting

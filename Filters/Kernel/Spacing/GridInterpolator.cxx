@@ -3,70 +3,13 @@
 
 #include "GridInterpolator.h"
 
-#include <algorithm> // for min, max, lower_bound
+#include <algorithm> // for min, max
 #include <utility>   // for move
 
 namespace biting
 {
 namespace
 {
-
-/// Of the steps outside, one after the other.
-constexpr double StepGrowth = 1.2;
-
-/// The first step from a border outwards: as long as the last one before it, but a share of the
-/// way.
-double FirstStep(double last, double way)
-{
-  constexpr double ShortestShare = 1.0 / 1024.0;
-  return last > ShortestShare * way ? last : ShortestShare * way;
-}
-
-/// Nodes out to the ends of an interval, beside those that there are, in steps that grow.
-std::vector<double> Padded(const std::vector<double>& nodes, double low, double high)
-{
-  std::vector<double> padded = nodes;
-  const std::size_t last = nodes.size() - 1;
-  if (high > nodes.back())
-  {
-    double step = FirstStep(last > 0 ? nodes[last] - nodes[last - 1] : 0.0, high - nodes.back());
-    for (double node = nodes.back() + step; node < high; node += step)
-    {
-      padded.push_back(node);
-      step *= StepGrowth;
-    }
-    padded.push_back(high);
-  }
-  if (low < nodes.front())
-  {
-    std::vector<double> before;
-    double step = FirstStep(last > 0 ? nodes[1] - nodes[0] : 0.0, nodes.front() - low);
-    for (double node = nodes.front() - step; node > low; node -= step)
-    {
-      before.push_back(node);
-      step *= StepGrowth;
-    }
-    before.push_back(low);
-    padded.insert(padded.begin(), before.rbegin(), before.rend());
-  }
-  return padded;
-}
-
-/// Of the nodes of an axis in the values of a grid, `step` apart: nodes that are added have those
-/// of the nodes beside them.
-std::vector<std::size_t> OffsetsOf(
-  const GridAxis& axis, const std::vector<double>& own, std::size_t step)
-{
-  const std::vector<double>& nodes = axis.AllNodes();
-  const auto before = static_cast<std::size_t>(
-    std::lower_bound(nodes.begin(), nodes.end(), own.front()) - nodes.begin());
-  std::vector<std::size_t> offsets;
-  for (std::size_t node = 0; node < nodes.size(); ++node)
-  {
-    offsets.push_back(step * std::min(std::max(node, before) - before, own.size() - 1));
-  }
-  return offsets;
-}
 
 std::vector<double> AtLeastTwo(std::vector<double> nodes)
 {
@@ -124,12 +67,12 @@ GridAxis::Place GridAxis::Find(double coordinate) const
   return { cell, std::min(std::max(0.0, weight), 1.0) };
 }
 
-GridInterpolator::GridInterpolator(std::shared_ptr<const GridSource> source, const Box2& bounds)
+GridInterpolator::GridInterpolator(std::shared_ptr<const GridSource> source)
   : Source(std::move(source))
-  , XAxis(Padded(this->Source->XNodes, bounds.Low.X, bounds.High.X))
-  , YAxis(Padded(this->Source->YNodes, bounds.Low.Y, bounds.High.Y))
-  , ColumnOffsets(OffsetsOf(this->XAxis, this->Source->XNodes, 1))
-  , RowOffsets(OffsetsOf(this->YAxis, this->Source->YNodes, this->Source->XNodes.size()))
+  , XAxis(this->Source->XNodes)
+  , YAxis(this->Source->YNodes)
+  , ToRight(this->Source->XNodes.size() > 1 ? 1 : 0)
+  , ToNextRow(this->Source->YNodes.size() > 1 ? this->Source->XNodes.size() : 0)
 {
 }
 
@@ -142,17 +85,10 @@ GridInterpolator::Place GridInterpolator::Find(const Point2& x) const
 
 double GridInterpolator::At(const Place& place) const
 {
-  const auto [a, b, c, d] = this->Corners(place.Column, place.Row);
-  return Blend(Blend(a, b, place.X), Blend(c, d, place.X), place.Y);
-}
-
-std::array<double, 4> GridInterpolator::Corners(std::size_t column, std::size_t row) const
-{
-  const std::size_t left = this->ColumnOffsets[column];
-  const std::size_t right = this->ColumnOffsets[column + 1];
-  const double* low = this->Source->Values.data() + this->RowOffsets[row];
-  const double* high = this->Source->Values.data() + this->RowOffsets[row + 1];
-  return { low[left], low[right], high[left], high[right] };
+  const double* low = &this->Source->Values[this->NodeAt(place.Column, place.Row)];
+  const double* high = low + this->ToNextRow;
+  return Blend(Blend(low[0], low[this->ToRight], place.X),
+    Blend(high[0], high[this->ToRight], place.X), place.Y);
 }
 
 } // namespace biting

@@ -6,8 +6,6 @@
 
 #include "Spacing.h"
 
-#include <array> // for corners
-
 namespace biting
 {
 
@@ -46,10 +44,7 @@ private:
 };
 
 /// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest
-/// value of the border.
-///
-/// Its cells have nodes that ascend in rows and columns: those of the grid, a single row or column
-/// twice, and nodes out to the border of given bounds where these are larger.
+/// value of the border. A single row or column counts twice, so that there are cells.
 class GridInterpolator
 {
 public:
@@ -62,33 +57,24 @@ public:
     double Y; ///< weight of the nodes above
   };
 
-  explicit GridInterpolator(std::shared_ptr<const GridSource> source, const Box2& bounds = {});
+  explicit GridInterpolator(std::shared_ptr<const GridSource> source);
 
   double operator()(const Point2& x) const { return this->At(this->Find(x)); }
 
   Place Find(const Point2& x) const;
   double At(const Place& place) const;
 
-  std::size_t Columns() const { return this->XAxis.AllNodes().size(); }
-  std::size_t Rows() const { return this->YAxis.AllNodes().size(); }
-  double X(std::size_t column) const { return this->XAxis.AllNodes()[column]; }
-  double Y(std::size_t row) const { return this->YAxis.AllNodes()[row]; }
-
-  /// As given.
-  double Value(std::size_t column, std::size_t row) const
+private:
+  std::size_t NodeAt(std::size_t column, std::size_t row) const
   {
-    return this->Source->Values[this->ColumnOffsets[column] + this->RowOffsets[row]];
+    return column + row * this->Source->XNodes.size();
   }
 
-  /// At the corners (0, 0), (1, 0), (0, 1), (1, 1) of the cell with that low node.
-  std::array<double, 4> Corners(std::size_t column, std::size_t row) const;
-
-private:
   std::shared_ptr<const GridSource> Source;
   GridAxis XAxis;
   GridAxis YAxis;
-  std::vector<std::size_t> ColumnOffsets; ///< where they begin in Values
-  std::vector<std::size_t> RowOffsets;
+  std::size_t ToRight; ///< from a value to that of the next column
+  std::size_t ToNextRow;
 };
 
 } // namespace biting

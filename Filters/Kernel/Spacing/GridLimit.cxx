@@ -3,6 +3,9 @@
 
 #include "GridLimit.h"
 
+#include "ExtendedGrid.h"
+#include "SourceSlopes.h"
+
 #include <cmath> // for abs, sqrt
 
 namespace biting
@@ -23,103 +26,93 @@ constexpr double WidestGrowth = 0.09;
 /// What is bounded by less than this share of itself is left as given.
 constexpr double SlightShare = 0.003;
 
-/// A grid with fewer cells gets more: within them, too, are places that f grows from.
-constexpr double FewestCells = 4096.0;
+/// A side of width w lets f be lower than its ends do by g w^2 / (8 d) at most, at a distance d of a
+/// cell or more: its nearer end is at most w / 2 from the foot. That is not looked at where it is
+/// below this share of f at the side, and below a share of what f grows by, 1 / (8 * 6^2), that is less than the
+/// SteepnessMargin: else what is a little steeper in a direction between those of nodes would not be
+/// bounded.
+constexpr double SideShare = 0.009;
+constexpr double SideReach = 6.0;
 
-/// Nodes with `parts` for each cell between them.
-std::vector<GridAxis::Place> PartsOf(std::size_t nodes, std::size_t parts)
+/// How much f may grow across the wider one of the cells beside each node.
+std::vector<double> GrowthBeside(const std::vector<double>& nodes, double gradation)
 {
-  std::vector<GridAxis::Place> places{ { 0, 0.0 } };
-  for (std::size_t part = 0; part < parts * (nodes - 1); ++part)
+  std::vector<double> growth(nodes.size(), 0.0);
+  for (std::size_t node = 1; node < nodes.size(); ++node)
   {
-    places.push_back({ part / parts, static_cast<double>(part % parts + 1) / parts });
+    growth[node] = gradation * (nodes[node] - nodes[node - 1]);
+    growth[node - 1] = std::max(growth[node - 1], growth[node]);
   }
-  return places;
-}
-
-std::vector<double> NodesAt(
-  const std::vector<GridAxis::Place>& places, const std::vector<double>& nodes)
-{
-  std::vector<double> refined{ nodes.front() };
-  for (std::size_t k = 1; k < places.size(); ++k)
-  {
-    refined.push_back(Blend(nodes[places[k].Cell], nodes[places[k].Cell + 1], places[k].Weight));
-  }
-  return refined;
-}
-
-/// The same interpolant, on more cells if they are few.
-std::shared_ptr<const GridSource> Refined(const std::shared_ptr<const GridSource>& source)
-{
-  const double cells = static_cast<double>(source->Values.size());
-  if (cells >= FewestCells)
-  {
-    return source;
-  }
-  const auto parts = static_cast<std::size_t>(std::ceil(std::sqrt(FewestCells / cells)));
-  const GridInterpolator coarse(source);
-  const std::vector<GridAxis::Place> columns = PartsOf(source->XNodes.size(), parts);
-  const std::vector<GridAxis::Place> rows = PartsOf(source->YNodes.size(), parts);
-  auto fine = std::make_shared<GridSource>(
-    GridSource{ NodesAt(columns, source->XNodes), NodesAt(rows, source->YNodes), {} });
-  for (const GridAxis::Place& row : rows)
-  {
-    for (const GridAxis::Place& column : columns)
-    {
-      fine->Values.push_back(coarse.At({ column.Cell, row.Cell, column.Weight, row.Weight }));
-    }
-  }
-  return fine;
+  return growth;
 }
 
 } // namespace
 
 GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gradation,
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
-  : Grid(Refined(source), bounds)
+  : Source(ExtendedGrid(source, bounds))
+  , Given(this->Source)
   , Gradation(gradation)
   , Range(range)
   , Bound(range, gradation)
+  , ColumnGrowth(GrowthBeside(this->Source->XNodes, gradation))
+  , RowGrowth(GrowthBeside(this->Source->YNodes, gradation))
 {
   Pulse pulse(monitor);
-  if (this->FindSteepCells(pulse))
+  GridSweeps sweeps(this->Source->XNodes.size(), this->Source->YNodes.size());
+  if (this->FindSteepCells(sweeps, pulse))
   {
-    this->SetGiven(pulse);
-    this->Sweep(pulse);
-    this->ClassifyCells(pulse);
+    const PulsePart part(pulse, 0.2, 0.9);
+    const GridSource& grid = *this->Source;
+    sweeps.Run(pulse,
+      [this, &grid](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
+      {
+        return this->HandOn(
+          this->Nodes[from], this->Nodes[to], { grid.XNodes[column], grid.YNodes[row] });
+      });
+    this->ClassifyCells(sweeps, pulse);
+  }
+  if (pulse.HasStopped())
+  {
+    this->Nodes.clear();
   }
 }
 
-/// Whether there are any: Cells says which.
-bool GridLimit::FindSteepCells(Pulse& pulse)
+/// Whether there are any. Their nodes hand on what is given.
+bool GridLimit::FindSteepCells(GridSweeps& sweeps, Pulse& pulse)
 {
-  bool isFound = false;
-  this->Cells.assign(this->Grid.Columns() * this->Grid.Rows(), Cell::AsGiven);
-  for (std::size_t row = 0; row + 1 < this->Grid.Rows() && pulse.Beat(4 * this->Grid.Columns());
+  const GridSource& grid = *this->Source;
+  GridSlopes slopes(grid);
+  const double most = this->Gradation / this->Range.Scale;
+  for (std::size_t row = 0; row + 1 < grid.YNodes.size() && pulse.Beat(4 * grid.XNodes.size());
        ++row)
   {
-    for (std::size_t column = 0; column + 1 < this->Grid.Columns(); ++column)
+    const std::vector<double>& squares = slopes.SquaresOfRow(row);
+    const bool hasHeight = grid.YNodes[row] < grid.YNodes[row + 1];
+    for (std::size_t column = 0; column + 1 < grid.XNodes.size(); ++column)
     {
-      if (this->IsSteep(column, row))
+      const bool mayBe = squares[column] > most * most || !hasHeight ||
+        !(grid.XNodes[column] < grid.XNodes[column + 1]);
+      if (mayBe && this->IsSteep(column, row))
       {
-        this->Cells[this->NodeAt(column, row)] = Cell::Steep;
-        isFound = true;
+        this->AddSteepCell(column, row, sweeps);
       }
     }
   }
   pulse.SetFraction(0.2);
-  return isFound && !pulse.HasStopped();
+  return !this->Nodes.empty();
 }
 
 bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
 {
-  auto [a, b, c, d] = this->Grid.Corners(column, row);
-  for (double* corner : { &a, &b, &c, &d })
-  {
-    *corner = this->Range(*corner);
-  }
-  const double width = this->Grid.X(column + 1) - this->Grid.X(column);
-  const double height = this->Grid.Y(row + 1) - this->Grid.Y(row);
+  const double* low = &this->Source->Values[this->NodeAt(column, row)];
+  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
+  const double a = this->Range(low[0]);
+  const double b = this->Range(low[1]);
+  const double c = this->Range(high[0]);
+  const double d = this->Range(high[1]);
+  const double width = this->Source->XNodes[column + 1] - this->Source->XNodes[column];
+  const double height = this->Source->YNodes[row + 1] - this->Source->YNodes[row];
   const double most = (1.0 + SteepnessMargin) * this->Gradation;
   const double both = most * width * height;
   const double alongX = std::max(std::abs(b - a), std::abs(d - c));
@@ -142,202 +135,221 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
     isAbove(0.0, alongY) || added > SteepnessMargin * std::min({ a, b, c, d });
 }
 
-void GridLimit::SetGiven(Pulse& pulse)
+void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps)
 {
-  this->Nodes.reserve(this->Cells.size());
-  for (std::size_t row = 0; row < this->Grid.Rows() && pulse.Beat(this->Grid.Columns()); ++row)
+  if (this->Nodes.empty())
   {
-    for (std::size_t column = 0; column < this->Grid.Columns(); ++column)
+    this->SetGiven();
+  }
+  for (const std::size_t low : { row, row + 1 })
+  {
+    for (const std::size_t left : { column, column + 1 })
     {
-      this->Nodes.push_back(
-        { static_cast<float>(this->Given(column, row)), this->NodeAt(column, row) });
+      Node& node = this->Nodes[this->NodeAt(left, low)];
+      node.Start = node.Value;
+      sweeps.Add(left, low);
     }
   }
 }
 
-void GridLimit::Sweep(Pulse& pulse)
+void GridLimit::SetGiven()
 {
-  const std::size_t rows = this->Grid.Rows();
-  for (std::size_t row = 1; row < rows && pulse.Beat(16 * this->Grid.Columns()); ++row)
+  const std::size_t columns = this->Source->XNodes.size();
+  this->Nodes.reserve(this->Source->Values.size());
+  this->GentleSides.assign(this->Source->Values.size(), 0);
+  for (std::size_t row = 0; row < this->Source->YNodes.size(); ++row)
   {
-    pulse.SetFraction(0.2 + 0.35 * static_cast<double>(row) / static_cast<double>(rows));
-    this->SweepRow(row, row - 1);
-  }
-  for (std::size_t row = rows - 1; row > 0 && pulse.Beat(16 * this->Grid.Columns()); --row)
-  {
-    pulse.SetFraction(0.9 - 0.35 * static_cast<double>(row) / static_cast<double>(rows));
-    this->SweepRow(row - 1, row);
-  }
-}
-
-void GridLimit::SweepRow(std::size_t row, std::size_t from)
-{
-  const std::size_t columns = this->Grid.Columns();
-  const double across = std::abs(this->Grid.Y(from) - this->Grid.Y(row));
-  const std::size_t low = std::min(row, from);
-  const auto isSteepAround = [this, row](std::size_t column)
-  { return this->IsSteepCell(column, row) || (row > 0 && this->IsSteepCell(column, row - 1)); };
-  for (std::size_t column = 0; column < columns; ++column)
-  {
-    const NodeId to = this->NodeAt(column, row);
-    const NodeId beside = this->NodeAt(column, from);
-    const Point2 place = this->PlaceOf(column, row);
-    const bool isSteepBefore = column > 0 && this->IsSteepCell(column - 1, low);
-    const bool isSteepAfter = this->IsSteepCell(column, low);
-    if (column > 0)
+    for (std::size_t column = 0; column < columns; ++column)
     {
-      const double along = place.X - this->Grid.X(column - 1);
-      this->HandOn(beside - 1, to, place, along + across, isSteepBefore);
-      this->HandOn(to - 1, to, place, along, isSteepBefore || isSteepAround(column - 1));
-    }
-    this->HandOn(beside, to, place, across, isSteepBefore || isSteepAfter);
-    if (column + 1 < columns)
-    {
-      const double along = this->Grid.X(column + 1) - place.X;
-      this->HandOn(beside + 1, to, place, along + across, isSteepAfter);
-    }
-  }
-  for (std::size_t column = columns - 1; column > 0; --column)
-  {
-    const NodeId to = this->NodeAt(column - 1, row);
-    const Point2 place = this->PlaceOf(column - 1, row);
-    this->HandOn(to + 1, to, place, this->Grid.X(column) - place.X, isSteepAround(column - 1));
-  }
-}
-
-/// What bounds a node that is at most so far `away`, and grows with the gradation, no faster. What
-/// bounds itself bounds others only across a steep cell.
-void GridLimit::HandOn(NodeId from, NodeId to, const Point2& place, double away, bool isSteep)
-{
-  const Node& other = this->Nodes[from];
-  Node& node = this->Nodes[to];
-  if (other.Source != node.Source && (isSteep || other.Source != from) &&
-    other.Value - this->Gradation * away < node.Value)
-  {
-    const auto value = static_cast<float>(this->BoundFrom(other.Source, place));
-    if (value < node.Value)
-    {
-      node = { value, other.Source };
+      const std::size_t node = this->Nodes.size();
+      this->Nodes.push_back(this->AsGiven(column, row));
+      if (column > 0)
+      {
+        const double width = this->Source->XNodes[column] - this->Source->XNodes[column - 1];
+        this->FindGentleSides(node - 1, node, width, ToRight, ToLeft);
+      }
+      if (row > 0)
+      {
+        const double height = this->Source->YNodes[row] - this->Source->YNodes[row - 1];
+        this->FindGentleSides(node - columns, node, height, Up, Down);
+      }
     }
   }
 }
 
-/// A side bounds by more than the node itself only where values along it, seen from the node, rise
-/// less than the place comes nearer.
-double GridLimit::BoundFrom(NodeId source, const Point2& x) const
+/// One that is steeper is bounded by its lower end; but the least value may go on for a while.
+void GridLimit::FindGentleSides(
+  std::size_t node, std::size_t other, double length, unsigned toOther, unsigned back)
 {
-  const auto columns = static_cast<NodeId>(this->Grid.Columns());
-  const std::size_t column = source % columns;
-  const std::size_t row = source / columns;
-  const Point2 offset = x - this->PlaceOf(column, row);
-  const double away = Length(offset);
-  const double value = this->Grid.Value(column, row);
-  const double own = this->Range(value);
-  double bound = own + this->Gradation * away;
-  const auto look = [&](double along, double across, double length, double end)
+  const double value = this->Source->Values[node];
+  const double otherValue = this->Source->Values[other];
+  const bool isGentle = this->Range.Scale * std::abs(value - otherValue) < this->Gradation * length;
+  const auto sideOf = [this, isGentle, length](double start, unsigned side)
+  { return isGentle || (this->IsLeast(start) && length > 0.0) ? side : 0u; };
+  this->GentleSides[node] |= sideOf(value, toOther);
+  this->GentleSides[other] |= sideOf(otherValue, back);
+}
+
+/// Hands on what bounds one node to another one. What is as given bounds others only from steep
+/// cells.
+bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
+{
+  if (!(other.Start < node.Value) || (other.Column == node.Column && other.Row == node.Row))
   {
-    const double rise = own > this->Range.Least ? this->Range.Scale * (end - value) : 0.0;
-    if (rise * away < this->Gradation * along * length)
+    return false;
+  }
+  Node source = other;
+  source.Value = static_cast<float>(this->BoundFrom(source, place, node.Value, Sides::IfNear));
+  const bool isLower = source.Value < node.Value;
+  node = isLower ? source : node;
+  return isLower;
+}
+
+/// What the sides around the node that bounds `source` allow at x; where that is not below `limit`,
+/// it may be any value that is not. The source becomes the end of these sides that is nearest to
+/// what bounds x.
+double GridLimit::BoundFrom(Node& source, const Point2& x, double limit, Sides sides) const
+{
+  const Point2 offset = x - this->PlaceOf(source.Column, source.Row);
+  const double squared = this->Gradation * this->Gradation * Dot(offset, offset);
+  const double start = source.Start;
+  const double width = std::max(this->ColumnGrowth[source.Column], this->RowGrowth[source.Row]);
+  const double most = width * width / (8.0 * SideShare);
+  const bool hasSides = this->GentleSides[this->NodeAt(source.Column, source.Row)] != 0 &&
+    (sides == Sides::Always || squared < SideReach * SideReach * width * width ||
+      start * start * squared < most * most);
+  const double room = limit - start + (hasSides ? 2.0 * width : 0.0);
+  if (!(squared < room * room))
+  {
+    return limit;
+  }
+  const double bound = start + std::sqrt(squared);
+  return hasSides ? this->BoundFromSides(source, x, bound) : bound;
+}
+
+/// A side bounds by more than its node only where values along it, seen from the node, rise less
+/// than the place comes nearer.
+double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) const
+{
+  const std::size_t columns = this->Source->XNodes.size();
+  const std::size_t node = this->NodeAt(source.Column, source.Row);
+  const double start = this->Source->Values[node];
+  const bool isLeast = this->IsLeast(start);
+  const double grown = own - static_cast<double>(source.Start);
+  const Point2 offset = x - this->PlaceOf(source.Column, source.Row);
+  const unsigned gentle = this->GentleSides[node];
+  double bound = own;
+  std::size_t nearest = node;
+  const auto look =
+    [&](const double* nodes, std::ptrdiff_t toEnd, double along, double across, std::size_t endNode)
+  {
+    const double end = this->Source->Values[endNode];
+    const double rise = isLeast ? 0.0 : this->Range.Scale * (end - start);
+    const double length = std::abs(nodes[toEnd] - nodes[0]);
+    if (rise * grown < this->Gradation * this->Gradation * along * length)
     {
-      bound = std::min(bound, this->Bound(along, across, length, value, end));
+      const double found = this->Bound(along, across, length, start, end);
+      nearest = found < bound ? endNode : nearest;
+      bound = std::min(bound, found);
     }
   };
-  if (column > 0)
+  const double* xNode = &this->Source->XNodes[source.Column];
+  const double* yNode = &this->Source->YNodes[source.Row];
+  if ((gentle & ToLeft) != 0)
   {
-    const double length = this->Grid.X(column) - this->Grid.X(column - 1);
-    look(-offset.X, offset.Y, length, this->Grid.Value(column - 1, row));
+    look(xNode, -1, -offset.X, offset.Y, node - 1);
   }
-  if (column + 1 < this->Grid.Columns())
+  if ((gentle & ToRight) != 0)
   {
-    const double length = this->Grid.X(column + 1) - this->Grid.X(column);
-    look(offset.X, offset.Y, length, this->Grid.Value(column + 1, row));
+    look(xNode, 1, offset.X, offset.Y, node + 1);
   }
-  if (row > 0)
+  if ((gentle & Down) != 0)
   {
-    const double length = this->Grid.Y(row) - this->Grid.Y(row - 1);
-    look(-offset.Y, offset.X, length, this->Grid.Value(column, row - 1));
+    look(yNode, -1, -offset.Y, offset.X, node - columns);
   }
-  if (row + 1 < this->Grid.Rows())
+  if ((gentle & Up) != 0)
   {
-    const double length = this->Grid.Y(row + 1) - this->Grid.Y(row);
-    look(offset.Y, offset.X, length, this->Grid.Value(column, row + 1));
+    look(yNode, 1, offset.Y, offset.X, node + columns);
+  }
+  if (nearest != node)
+  {
+    const Node end = this->Itself(nearest % columns, nearest / columns);
+    const Point2 away = x - this->PlaceOf(end.Column, end.Row);
+    source = end.Start + this->Gradation * Length(away) < own ? end : source;
   }
   return bound;
 }
 
-void GridLimit::ClassifyCells(Pulse& pulse)
+void GridLimit::ClassifyCells(const GridSweeps& sweeps, Pulse& pulse)
 {
-  const std::size_t columns = this->Grid.Columns();
-  std::vector<bool> isOfSteep(this->Nodes.size(), false);
-  for (std::size_t row = 0; row < this->Grid.Rows() && pulse.Beat(2 * columns); ++row)
+  const std::size_t columns = this->Source->XNodes.size();
+  const std::size_t rows = this->Source->YNodes.size();
+  for (std::size_t row = 0; row < rows && pulse.Beat(2 * columns); ++row)
   {
-    for (std::size_t column = 0; column < columns; ++column)
+    const GridSweeps::Stretch stretch = sweeps.OfRows(row, row);
+    for (std::size_t column = stretch.First; column < stretch.End; ++column)
     {
       this->ForgetSlight(column, row);
-      if (this->IsSteepCell(column, row))
-      {
-        const NodeId low = this->NodeAt(column, row);
-        const NodeId high = this->NodeAt(column, row + 1);
-        isOfSteep[low] = isOfSteep[low + 1] = isOfSteep[high] = isOfSteep[high + 1] = true;
-      }
     }
   }
-  for (std::size_t row = 0; row + 1 < this->Grid.Rows() && pulse.Beat(2 * columns); ++row)
+  this->Cells.assign(this->Nodes.size(), Cell::AsGiven);
+  for (std::size_t row = 0; row + 1 < rows && pulse.Beat(2 * columns); ++row)
   {
-    for (std::size_t column = 0; column + 1 < columns; ++column)
+    const GridSweeps::Stretch stretch = sweeps.OfRows(row, row + 1);
+    for (std::size_t column = stretch.First > 0 ? stretch.First - 1 : 0;
+         column < std::min(stretch.End, columns - 1); ++column)
     {
-      this->Cells[this->NodeAt(column, row)] = this->KindOf(column, row, isOfSteep);
+      this->Cells[this->NodeAt(column, row)] = this->KindOf(column, row);
     }
   }
 }
 
 void GridLimit::ForgetSlight(std::size_t column, std::size_t row)
 {
-  const NodeId own = this->NodeAt(column, row);
-  const double given = this->Given(column, row);
-  if (this->Nodes[own].Value > (1.0 - SlightShare) * given)
+  Node& node = this->Nodes[this->NodeAt(column, row)];
+  const Node given = this->AsGiven(column, row);
+  if (node.Value > (1.0 - SlightShare) * given.Value && std::isfinite(node.Start))
   {
-    this->Nodes[own] = { static_cast<float>(given), own };
+    node = this->Itself(column, row);
   }
 }
 
 /// What grows from within a steep cell reaches those beside it.
-GridLimit::Cell GridLimit::KindOf(
-  std::size_t column, std::size_t row, const std::vector<bool>& isOfSteep) const
+GridLimit::Cell GridLimit::KindOf(std::size_t column, std::size_t row) const
 {
   float least = std::numeric_limits<float>::infinity();
+  float start = least;
   bool isBounded = false;
-  bool isNearSteep = false;
-  const NodeId low = this->NodeAt(column, row);
-  const NodeId high = this->NodeAt(column, row + 1);
-  for (const NodeId corner : { low, low + 1, high, high + 1 })
+  for (const std::size_t y : { row, row + 1 })
   {
-    least = std::min(least, this->Nodes[corner].Value);
-    isBounded = isBounded || this->Nodes[corner].Source != corner;
-    isNearSteep = isNearSteep || isOfSteep[corner];
+    for (const std::size_t x : { column, column + 1 })
+    {
+      const Node& node = this->Nodes[this->NodeAt(x, y)];
+      least = std::min(least, node.Value);
+      start = std::min(start, node.Start);
+      isBounded = isBounded || node.Column != x || node.Row != y;
+    }
   }
-  const double size = std::max(
-    this->Grid.X(column + 1) - this->Grid.X(column), this->Grid.Y(row + 1) - this->Grid.Y(row));
-  const bool isWide = this->Gradation * size > WidestGrowth * least;
-  return isWide && (isBounded || isNearSteep) ? Cell::Wide
-    : isBounded                               ? Cell::Small
-                                              : Cell::AsGiven;
+  const double width = this->Source->XNodes[column + 1] - this->Source->XNodes[column];
+  const double height = this->Source->YNodes[row + 1] - this->Source->YNodes[row];
+  const bool isWide = this->Gradation * std::max(width, height) > WidestGrowth * least;
+  return isWide && std::isfinite(start) ? Cell::Wide : isBounded ? Cell::Small : Cell::AsGiven;
 }
 
 double GridLimit::operator()(const Point2& x) const
 {
-  const GridInterpolator::Place place = this->Grid.Find(x);
-  const double given = this->Range(this->Grid.At(place));
-  const Node* low = &this->Nodes[this->NodeAt(place.Column, place.Row)];
-  const Node* high = low + this->Grid.Columns();
-  switch (this->Cells[this->NodeAt(place.Column, place.Row)])
+  const GridInterpolator::Place place = this->Given.Find(x);
+  const double given = this->Range(this->Given.At(place));
+  const std::size_t low = this->NodeAt(place.Column, place.Row);
+  const std::size_t high = this->NodeAt(place.Column, place.Row + 1);
+  switch (this->Cells[low])
   {
     case Cell::AsGiven:
       return given;
     case Cell::Small:
       return std::min(given,
-        Blend(Blend(low[0].Value, low[1].Value, place.X),
-          Blend(high[0].Value, high[1].Value, place.X), place.Y));
+        Blend(Blend(this->Nodes[low].Value, this->Nodes[low + 1].Value, place.X),
+          Blend(this->Nodes[high].Value, this->Nodes[high + 1].Value, place.X), place.Y));
     default:
       return this->ValueInWideCell(x, place, given);
   }
@@ -346,7 +358,7 @@ double GridLimit::operator()(const Point2& x) const
 double GridLimit::ValueInWideCell(
   const Point2& x, const GridInterpolator::Place& place, double given) const
 {
-  LookedAt<NodeId> looked;
+  LookedAt<std::uint64_t> looked;
   double least = given;
   for (std::size_t row = place.Row; row <= place.Row + 1; ++row)
   {
@@ -354,9 +366,9 @@ double GridLimit::ValueInWideCell(
   }
   // What grows from beyond may pass between the corners.
   const std::size_t first = place.Column > 0 ? place.Column - 1 : 0;
-  const std::size_t last = std::min(place.Column + 3, this->Grid.Columns());
+  const std::size_t last = std::min(place.Column + 3, this->Source->XNodes.size());
   for (std::size_t row = place.Row > 0 ? place.Row - 1 : 0;
-       row < std::min(place.Row + 3, this->Grid.Rows()); ++row)
+       row < std::min(place.Row + 3, this->Source->YNodes.size()); ++row)
   {
     least = this->LowerFromRow(x, row, first, last, looked, least);
   }
@@ -365,15 +377,14 @@ double GridLimit::ValueInWideCell(
 
 /// By what bounds the nodes of a row.
 double GridLimit::LowerFromRow(const Point2& x, std::size_t row, std::size_t first,
-  std::size_t last, LookedAt<NodeId>& looked, double least) const
+  std::size_t last, LookedAt<std::uint64_t>& looked, double least) const
 {
   for (std::size_t column = first; column < last; ++column)
   {
-    const Node& node = this->Nodes[this->NodeAt(column, row)];
-    const double away = std::abs(x.X - this->Grid.X(column)) + std::abs(x.Y - this->Grid.Y(row));
-    if (node.Value - this->Gradation * away < least && looked.Add(node.Source))
+    Node node = this->Nodes[this->NodeAt(column, row)];
+    if (node.Start < least && looked.Add(this->NodeAt(node.Column, node.Row)))
     {
-      least = std::min(least, this->BoundFrom(node.Source, x));
+      least = std::min(least, this->BoundFrom(node, x, least, Sides::Always));
     }
   }
   return least;

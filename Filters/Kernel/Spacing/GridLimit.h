@@ -4,12 +4,12 @@
 #ifndef BitingGridLimit_h
 #define BitingGridLimit_h
 
-#include "../Base/Pulse.h"
 #include "EdgeBound.h"
 #include "GridInterpolator.h"
+#include "GridSweeps.h"
 #include "LookedAt.h"
 
-#include <cstdint> // for ids of nodes
+#include <cstdint> // for places of nodes
 
 namespace biting
 {
@@ -19,8 +19,8 @@ namespace biting
 /// what is given, as far as bounds reach.
 ///
 /// Method: f grows from the sides of cells, along which values are linear. Nodes hand on to their
-/// neighbors, in two sweeps, the node whose sides bound them (vector propagation, after Danielsson
-/// 1980), so that distances are those of the plane and not of paths along the grid. Where f may
+/// neighbors, in two sweeps, the node whose sides bound them, so that distances are those of the
+/// plane and not of paths along the grid. Where f may
 /// grow by more than a share of itself across a cell, it is what bounds the corners that bounds its
 /// points, too; elsewhere the interpolant of bounded corners is as good.
 /// Linear in the number of nodes; constant cost for an evaluation.
@@ -38,62 +38,84 @@ public:
   double operator()(const Point2& x) const;
 
 private:
-  using NodeId = std::uint32_t;
-
-  /// What bounds f at a node: the sides around another one, or its own value. Single precision is
-  /// more than anybody sees.
+  /// Single precision is more than anybody sees.
   struct Node
   {
-    float Value;
-    NodeId Source;
+    float Value; ///< f
+    float Start; ///< f at the node that bounds it; infinite where nothing is steep nor bounded
+    std::uint32_t Column; ///< of that node: this one where it is as given
+    std::uint32_t Row;
   };
 
   enum class Cell : std::uint8_t
   {
     AsGiven,
     Small, ///< corners are bounded
-    Wide,  ///< the same, or it is steep, and f may grow by more than a share of itself
-    Steep  ///< while it is not known whether it is wide
+    Wide   ///< the same, or it is beside a steep one, and f may grow by more than a share of itself
   };
 
-  NodeId NodeAt(std::size_t column, std::size_t row) const
+  enum class Sides
   {
-    return static_cast<NodeId>(column + this->Grid.Columns() * row);
+    IfNear, ///< where they make a difference
+    Always
+  };
+
+  /// Bits of GentleSides.
+  static constexpr unsigned ToLeft = 1;
+  static constexpr unsigned ToRight = 2;
+  static constexpr unsigned Down = 4;
+  static constexpr unsigned Up = 8;
+
+  std::size_t NodeAt(std::size_t column, std::size_t row) const
+  {
+    return column + this->Source->XNodes.size() * row;
   }
   Point2 PlaceOf(std::size_t column, std::size_t row) const
   {
-    return { this->Grid.X(column), this->Grid.Y(row) };
+    return { this->Source->XNodes[column], this->Source->YNodes[row] };
   }
-  double Given(std::size_t column, std::size_t row) const
+  Node AsGiven(std::size_t column, std::size_t row) const
   {
-    return this->Range(this->Grid.Value(column, row));
+    return { static_cast<float>(this->Range(this->Source->Values[this->NodeAt(column, row)])),
+      std::numeric_limits<float>::infinity(), static_cast<std::uint32_t>(column),
+      static_cast<std::uint32_t>(row) };
   }
 
-  bool IsSteepCell(std::size_t column, std::size_t row) const
+  bool IsLeast(double value) const { return !(this->Range.Scale * value > this->Range.Least); }
+
+  Node Itself(std::size_t column, std::size_t row) const
   {
-    return this->Cells[this->NodeAt(column, row)] == Cell::Steep;
+    Node node = this->AsGiven(column, row);
+    node.Start = node.Value;
+    return node;
   }
 
-  bool FindSteepCells(Pulse& pulse);
+  bool FindSteepCells(GridSweeps& sweeps, Pulse& pulse);
   bool IsSteep(std::size_t column, std::size_t row) const;
-  void SetGiven(Pulse& pulse);
-  void Sweep(Pulse& pulse);
-  void SweepRow(std::size_t row, std::size_t from);
-  void HandOn(NodeId from, NodeId to, const Point2& place, double away, bool isSteep);
-  void ClassifyCells(Pulse& pulse);
+  void AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps);
+  void SetGiven();
+  void FindGentleSides(
+    std::size_t node, std::size_t other, double length, unsigned toOther, unsigned back);
+  bool HandOn(const Node& other, Node& node, const Point2& place) const;
+  void ClassifyCells(const GridSweeps& sweeps, Pulse& pulse);
   void ForgetSlight(std::size_t column, std::size_t row);
-  Cell KindOf(std::size_t column, std::size_t row, const std::vector<bool>& isOfSteep) const;
-  double BoundFrom(NodeId source, const Point2& x) const;
+  Cell KindOf(std::size_t column, std::size_t row) const;
+  double BoundFrom(Node& source, const Point2& x, double limit, Sides sides) const;
+  double BoundFromSides(Node& source, const Point2& x, double own) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
   double LowerFromRow(const Point2& x, std::size_t row, std::size_t first, std::size_t last,
-    LookedAt<NodeId>& looked, double least) const;
+    LookedAt<std::uint64_t>& looked, double least) const;
 
-  GridInterpolator Grid;
+  const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
+  const GridInterpolator Given;
   const double Gradation;
   const ValueRange Range;
   const EdgeBound Bound;
+  std::vector<double> ColumnGrowth; ///< of f across the wider cell beside each column
+  std::vector<double> RowGrowth;
   std::vector<Node> Nodes;
-  std::vector<Cell> Cells; ///< cell k has node k as its low corner
+  std::vector<std::uint8_t> GentleSides; ///< of each node: where values grow less than f may
+  std::vector<Cell> Cells;               ///< cell k has node k as its low corner
 };
 
 } // namespace biting

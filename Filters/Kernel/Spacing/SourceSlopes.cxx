@@ -6,6 +6,7 @@
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for max
+#include <limits>    // for what is finite
 
 namespace biting
 {
@@ -19,32 +20,23 @@ double SlopeOf(double from, double to, double step)
   return step > 0.0 && std::isfinite(slope) ? slope : 0.0;
 }
 
-/// Of the pieces of row j from node to node; none past the last row.
-void FindSlopesAlong(const GridSource& source, std::size_t row, std::vector<double>& slopes)
+/// 1 / step; 0 where there is none.
+std::vector<double> InverseSteps(const std::vector<double>& nodes)
 {
-  const std::size_t columns = source.XNodes.size();
-  if (row >= source.YNodes.size())
+  std::vector<double> inverse;
+  for (std::size_t node = 1; node < nodes.size(); ++node)
   {
-    slopes.assign(columns, 0.0);
-    return;
+    const double step = nodes[node] - nodes[node - 1];
+    inverse.push_back(step > 0.0 ? 1.0 / step : 0.0);
   }
-  const double* values = source.Values.data() + row * columns;
-  for (std::size_t k = 0; k + 1 < columns; ++k)
-  {
-    slopes[k] = SlopeOf(values[k], values[k + 1], source.XNodes[k + 1] - source.XNodes[k]);
-  }
+  return inverse;
 }
 
-/// From the nodes of a row to those of the next one.
-void FindSlopesAcross(const GridSource& source, std::size_t row, std::vector<double>& slopes)
+/// 0 where the slope is not known.
+double KnownSlope(double rise, double inverseStep)
 {
-  const std::size_t columns = source.XNodes.size();
-  const double* values = source.Values.data() + row * columns;
-  for (std::size_t k = 0; k < columns && row + 1 < source.YNodes.size(); ++k)
-  {
-    slopes[k] =
-      SlopeOf(values[k], values[k + columns], source.YNodes[row + 1] - source.YNodes[row]);
-  }
+  const double slope = std::abs(rise) * inverseStep;
+  return slope <= std::numeric_limits<double>::max() ? slope : 0.0;
 }
 
 const Point2& PointOf(const TriangulatedSource& source, std::size_t corner)
@@ -59,29 +51,76 @@ double ValueOf(const TriangulatedSource& source, std::size_t corner)
 
 } // namespace
 
+GridSlopes::GridSlopes(const GridSource& source)
+  : Source(source)
+  , Columns(InverseSteps(source.XNodes))
+  , Rows(InverseSteps(source.YNodes))
+  , Low(source.XNodes.size() + 1, 0.0)
+  , High(source.XNodes.size() + 1, 0.0)
+  , Across(source.XNodes.size() + 1, 0.0)
+  , Squares(source.XNodes.size(), 0.0)
+{
+  this->FindAlong(0, this->High);
+}
+
+const std::vector<double>& GridSlopes::SquaresOfRow(std::size_t row)
+{
+  this->Low.swap(this->High);
+  this->FindAlong(row + 1, this->High);
+  this->FindAcross(row);
+  for (std::size_t k = 0; k < this->Squares.size(); ++k)
+  {
+    const double alongX = this->Low[k] < this->High[k] ? this->High[k] : this->Low[k];
+    const double alongY =
+      this->Across[k] < this->Across[k + 1] ? this->Across[k + 1] : this->Across[k];
+    this->Squares[k] = alongX * alongX + alongY * alongY;
+  }
+  return this->Squares;
+}
+
+void GridSlopes::FindAlong(std::size_t row, std::vector<double>& slopes) const
+{
+  if (row > this->Rows.size())
+  {
+    slopes.assign(slopes.size(), 0.0);
+    return;
+  }
+  const double* values = &this->Source.Values[row * this->Source.XNodes.size()];
+  for (std::size_t k = 0; k < this->Columns.size(); ++k)
+  {
+    slopes[k] = KnownSlope(values[k + 1] - values[k], this->Columns[k]);
+  }
+}
+
+void GridSlopes::FindAcross(std::size_t row)
+{
+  if (row == this->Rows.size())
+  {
+    this->Across.assign(this->Across.size(), 0.0);
+    return;
+  }
+  const std::size_t columns = this->Source.XNodes.size();
+  const double* values = &this->Source.Values[row * columns];
+  for (std::size_t k = 0; k < columns; ++k)
+  {
+    this->Across[k] = KnownSlope(values[k + columns] - values[k], this->Rows[row]);
+  }
+}
+
 double LargestSlope(const GridSource& source, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  double largest = 0.0;
-  const std::size_t columns = source.XNodes.size();
-  std::vector<double> low(columns, 0.0);
-  std::vector<double> high(columns, 0.0);
-  std::vector<double> across(columns + 1, 0.0);
-  FindSlopesAlong(source, 0, low);
-  for (std::size_t row = 0; row < source.YNodes.size() && pulse.Beat(4 * columns); ++row)
+  GridSlopes slopes(source);
+  std::vector<double> largest(source.XNodes.size(), 0.0);
+  for (std::size_t row = 0; row < source.YNodes.size() && pulse.Beat(2 * largest.size()); ++row)
   {
-    FindSlopesAlong(source, row + 1, high);
-    across.assign(columns + 1, 0.0);
-    FindSlopesAcross(source, row, across);
-    for (std::size_t k = 0; k < columns; ++k)
+    const std::vector<double>& squares = slopes.SquaresOfRow(row);
+    for (std::size_t k = 0; k < largest.size(); ++k)
     {
-      const double alongX = std::max(low[k], high[k]);
-      const double alongY = std::max(across[k], across[k + 1]);
-      largest = std::max(largest, alongX * alongX + alongY * alongY);
+      largest[k] = largest[k] < squares[k] ? squares[k] : largest[k];
     }
-    low.swap(high);
   }
-  return std::sqrt(largest);
+  return std::sqrt(*std::max_element(largest.begin(), largest.end()));
 }
 
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor)

@@ -41,6 +41,14 @@ double GradationOf(const SpacingOptions& options)
   return options.Gradation > 0.0 ? options.Gradation : SpacingOptions().Gradation;
 }
 
+/// Between nodes at one place.
+bool HasJumps(const GridSource& grid)
+{
+  const auto hasEqual = [](const std::vector<double>& nodes)
+  { return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end(); };
+  return hasEqual(grid.XNodes) || hasEqual(grid.YNodes);
+}
+
 } // namespace
 
 /// What is left of the sources after preparation: what is given, and what limits it. A source that
@@ -151,23 +159,25 @@ private:
       return true;
     }
     PartOfStage measuring(this->Stage, 0.05, 0.08);
-    this->AddSlope(LargestSlope(*this->Options.Grid, measuring));
+    const double slope = LargestSlope(*this->Options.Grid, measuring);
+    this->AddSlope(slope);
     PartOfStage filling(this->Stage, 0.08, 0.15);
     std::shared_ptr<const GridSource> grid = FillHoles(this->Options.Grid, filling);
     if (grid && !this->Stage.HasStopped())
     {
-      this->LimitGrid(grid);
+      this->LimitGrid(grid, grid == this->Options.Grid ? slope : Infinity);
     }
     return !this->Stage.HasStopped();
   }
 
-  void LimitGrid(const std::shared_ptr<const GridSource>& grid)
+  void LimitGrid(const std::shared_ptr<const GridSource>& grid, double slope)
   {
     PartOfStage limiting(this->Stage, 0.15, 0.3);
-    if (this->Options.Gradation > 0.0)
+    const double gradation = this->Options.Gradation;
+    if (gradation > 0.0 && (this->Data.Range.Scale * slope > gradation || HasJumps(*grid)))
     {
-      auto limit = std::make_unique<GridLimit>(
-        grid, this->Options.Gradation, this->Bounds, this->Data.Range, limiting);
+      auto limit =
+        std::make_unique<GridLimit>(grid, gradation, this->Bounds, this->Data.Range, limiting);
       this->Data.LimitedGrid = limit->IsNeeded() ? std::move(limit) : nullptr;
     }
     if (!this->Data.LimitedGrid)

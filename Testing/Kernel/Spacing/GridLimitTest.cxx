@@ -161,8 +161,23 @@ TEST(GridLimit, GrowsFromASideWhoseValuesRise)
   const GridLimit limit =
     LimitOf({ { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.1, 0.9, 1.8, 0.28, 1.0, 1.8 } });
   const double across = Gradation * 0.8; // the cosine of the angle whose sine is .18 / g
-  EXPECT_NEAR(limit({ 0.3, 0.9 }), 0.1 + 0.18 * 0.9 + across * 0.3, 1e-6);
-  EXPECT_NEAR(limit({ 1.05, 0.95 }), 0.1 + 0.18 * 0.95 + across * 1.05, 1e-6);
+  EXPECT_NEAR(limit({ 0.1, 0.9 }), 0.1 + 0.18 * 0.9 + across * 0.1, 1e-6);
+  EXPECT_NEAR(limit({ 0.15, 0.95 }), 0.1 + 0.18 * 0.95 + across * 0.15, 1e-6);
+}
+
+/// From afar its nodes, of which this grid gets 28, are nearly as good: g w^2 / (8 d) at most.
+TEST(GridLimit, GrowsFromTheNodesOfAFarSide)
+{
+  const GridLimit limit =
+    LimitOf({ { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.1, 0.9, 1.8, 0.28, 1.0, 1.8 } });
+  const double across = Gradation * 0.8;
+  for (double x : { 0.3, 0.5, 0.8, 1.05 })
+  {
+    const double exact = 0.1 + 0.18 * 0.95 + across * x;
+    const double error = limit({ x, 0.95 }) - exact;
+    EXPECT_GE(error, -1e-6);
+    EXPECT_LE(error, Gradation / (28.0 * 28.0) / (8.0 * x)) << x;
+  }
 }
 
 TEST(GridLimit, LimitsTheNearestBorderValueAsFarAsTheBoundsReach)

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ExtendedGrid.h"
+
+#include "GridInterpolator.h"
+
+#include <cmath> // for sqrt
+
+namespace biting
+{
+namespace
+{
+
+/// Within coarse cells, too, are places that f grows from.
+constexpr double FewestNodes = 4096.0;
+
+/// Of the steps outside, one after the other.
+constexpr double StepGrowth = 1.2;
+
+/// The first step outside is as long as the last one before it, but this share of the way.
+constexpr double ShortestShare = 1.0 / 1024.0;
+
+/// Nodes along x or y, and where each is among those of the source.
+struct ExtendedAxis
+{
+  std::vector<double> Nodes;
+  std::vector<GridAxis::Place> Places;
+
+  void Add(double node, const GridAxis::Place& place)
+  {
+    this->Nodes.push_back(node);
+    this->Places.push_back(place);
+  }
+};
+
+/// How far nodes outside are from the border, the farthest first.
+std::vector<double> Outside(double last, double way)
+{
+  std::vector<double> distances;
+  double step = std::max(last, ShortestShare * way);
+  for (double distance = step; distance < way; distance += step)
+  {
+    distances.insert(distances.begin(), distance);
+    step *= StepGrowth;
+  }
+  if (way > 0.0)
+  {
+    distances.insert(distances.begin(), way);
+  }
+  return distances;
+}
+
+ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high, std::size_t parts)
+{
+  ExtendedAxis axis;
+  const std::size_t cells = nodes.size() - 1;
+  const double first = cells > 0 ? nodes[1] - nodes[0] : 0.0;
+  for (const double distance : Outside(first, nodes.front() - low))
+  {
+    axis.Add(nodes.front() - distance, { 0, 0.0 });
+  }
+  for (std::size_t part = 0; part < parts * cells; ++part)
+  {
+    const std::size_t cell = part / parts;
+    const double weight = static_cast<double>(part % parts) / static_cast<double>(parts);
+    axis.Add(Blend(nodes[cell], nodes[cell + 1], weight), { cell, weight });
+  }
+  const GridAxis::Place end =
+    cells > 0 ? GridAxis::Place{ cells - 1, 1.0 } : GridAxis::Place{ 0, 0.0 };
+  axis.Add(nodes.back(), end);
+  const double last = cells > 0 ? nodes[cells] - nodes[cells - 1] : 0.0;
+  const std::vector<double> beyond = Outside(last, high - nodes.back());
+  for (auto distance = beyond.rbegin(); distance != beyond.rend(); ++distance)
+  {
+    axis.Add(nodes.back() + *distance, end);
+  }
+  if (axis.Nodes.size() == 1)
+  {
+    axis.Add(nodes.back(), end);
+  }
+  return axis;
+}
+
+} // namespace
+
+std::shared_ptr<const GridSource> ExtendedGrid(
+  const std::shared_ptr<const GridSource>& source, const Box2& bounds)
+{
+  const double share = FewestNodes / static_cast<double>(source->Values.size());
+  const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(share))));
+  ExtendedAxis columns = Extended(source->XNodes, bounds.Low.X, bounds.High.X, parts);
+  ExtendedAxis rows = Extended(source->YNodes, bounds.Low.Y, bounds.High.Y, parts);
+  if (columns.Nodes.size() == source->XNodes.size() && rows.Nodes.size() == source->YNodes.size())
+  {
+    return source;
+  }
+  const GridInterpolator given(source);
+  auto extended = std::make_shared<GridSource>();
+  extended->Values.reserve(columns.Nodes.size() * rows.Nodes.size());
+  for (const GridAxis::Place& row : rows.Places)
+  {
+    for (const GridAxis::Place& column : columns.Places)
+    {
+      extended->Values.push_back(given.At({ column.Cell, row.Cell, column.Weight, row.Weight }));
+    }
+  }
+  extended->XNodes = std::move(columns.Nodes);
+  extended->YNodes = std::move(rows.Nodes);
+  return extended;
+}
+
+} // namespace biting

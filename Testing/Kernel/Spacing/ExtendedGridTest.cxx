@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/ExtendedGrid.h"
+
+#include "Spacing/GridInterpolator.h"
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+const Box2 Bounds{ { -0.7, -0.2 }, { 1.5, 3.0 } };
+
+GridSource Noise(int columns, int rows)
+{
+  Sampler sampler(61);
+  return MakeGrid(
+    columns, rows, [&sampler](const Point2&) { return 0.1 + sampler.Next(); }, 1.4);
+}
+
+bool IsAscending(const std::vector<double>& nodes)
+{
+  return std::is_sorted(nodes.begin(), nodes.end());
+}
+
+} // namespace
+
+TEST(ExtendedGrid, IsTheSameSpacingOutToTheBounds)
+{
+  for (const GridSource& source :
+    { Noise(2, 2), Noise(5, 3), Noise(70, 80), GridSource{ { 0.3 }, { 0.3, 0.7 }, { 0.02, 2.0 } },
+      GridSource{ { 0.3 }, { 0.4 }, { 0.1 } } })
+  {
+    const GridInterpolator given(Share(source));
+    const auto extended = ExtendedGrid(Share(source), Bounds);
+    const GridInterpolator found(extended);
+    Sampler sampler(62);
+    for (int probe = 0; probe < 2000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(Bounds);
+      ASSERT_NEAR(found(x), given(x), 1e-12);
+    }
+    for (const std::vector<double>* nodes : { &extended->XNodes, &extended->YNodes })
+    {
+      ASSERT_TRUE(IsAscending(*nodes));
+    }
+    ASSERT_NEAR(extended->XNodes.front(), Bounds.Low.X, 1e-15);
+    ASSERT_NEAR(extended->YNodes.back(), Bounds.High.Y, 1e-15);
+  }
+}
+
+TEST(ExtendedGrid, HasThousandsOfCellsOfEqualParts)
+{
+  const auto extended = ExtendedGrid(Share(Noise(5, 3)), {});
+  EXPECT_GE(extended->Values.size(), 2048);
+  EXPECT_LE(extended->Values.size(), 8192);
+  EXPECT_EQ(extended->Values.size(), extended->XNodes.size() * extended->YNodes.size());
+}
+
+TEST(ExtendedGrid, KeepsJumpsBetweenNodesAtOnePlace)
+{
+  const auto extended = ExtendedGrid(Share(GridSource{ { 0.0, 1.0, 1.0, 2.0 }, { 0.0, 1.0 },
+                                       { 0.1, 0.1, 0.5, 0.5, 0.1, 0.1, 0.5, 0.5 } }),
+    {});
+  const GridInterpolator found(extended);
+  EXPECT_NEAR(found({ 0.999, 0.5 }), 0.1, 1e-12);
+  EXPECT_NEAR(found({ 1.001, 0.5 }), 0.5, 1e-12);
+}
+
+TEST(ExtendedGrid, IsTheSourceItselfWhereThatIsEnough)
+{
+  const auto source = Share(Noise(70, 80));
+  EXPECT_EQ(ExtendedGrid(source, UnitBox()), source);
+  EXPECT_EQ(ExtendedGrid(source, {}), source);
+}
