@@ -57,6 +57,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   , Bound(range, gradation)
   , ColumnGrowth(GrowthBeside(this->Source->XNodes, gradation))
   , RowGrowth(GrowthBeside(this->Source->YNodes, gradation))
+  , SquaredGradation(gradation * gradation)
 {
   Pulse pulse(monitor);
   GridSweeps sweeps(this->Source->XNodes.size(), this->Source->YNodes.size());
@@ -154,25 +155,28 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sw
 
 void GridLimit::SetGiven()
 {
-  const std::size_t columns = this->Source->XNodes.size();
-  this->Nodes.reserve(this->Source->Values.size());
+  const std::vector<double>& x = this->Source->XNodes;
+  const std::vector<double>& y = this->Source->YNodes;
   this->GentleSides.assign(this->Source->Values.size(), 0);
-  for (std::size_t row = 0; row < this->Source->YNodes.size(); ++row)
+  for (std::size_t row = 0; row < y.size(); ++row)
   {
-    for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t column = 1; column < x.size(); ++column)
     {
-      const std::size_t node = this->Nodes.size();
+      const std::size_t node = this->NodeAt(column, row);
+      this->FindGentleSides(node - 1, node, x[column] - x[column - 1], ToRight, ToLeft);
+    }
+    for (std::size_t column = 0; row > 0 && column < x.size(); ++column)
+    {
+      const std::size_t node = this->NodeAt(column, row);
+      this->FindGentleSides(node - x.size(), node, y[row] - y[row - 1], Up, Down);
+    }
+  }
+  this->Nodes.reserve(this->Source->Values.size());
+  for (std::size_t row = 0; row < y.size(); ++row)
+  {
+    for (std::size_t column = 0; column < x.size(); ++column)
+    {
       this->Nodes.push_back(this->AsGiven(column, row));
-      if (column > 0)
-      {
-        const double width = this->Source->XNodes[column] - this->Source->XNodes[column - 1];
-        this->FindGentleSides(node - 1, node, width, ToRight, ToLeft);
-      }
-      if (row > 0)
-      {
-        const double height = this->Source->YNodes[row] - this->Source->YNodes[row - 1];
-        this->FindGentleSides(node - columns, node, height, Up, Down);
-      }
     }
   }
 }
@@ -194,14 +198,19 @@ void GridLimit::FindGentleSides(
 /// cells.
 bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
 {
-  if (!(other.Start < node.Value) || (other.Column == node.Column && other.Row == node.Row))
+  if (other.From == node.From || !(other.Start < node.Value))
   {
     return false;
   }
   Node source = other;
-  source.Value = static_cast<float>(this->BoundFrom(source, place, node.Value, Sides::IfNear));
-  const bool isLower = source.Value < node.Value;
-  node = isLower ? source : node;
+  const auto value = static_cast<float>(this->BoundFrom(source, place, node.Value, Sides::IfNear));
+  const bool isLower = value < node.Value;
+  if (isLower)
+  {
+    node.Value = value;
+    node.Start = source.Start;
+    node.From = source.From;
+  }
   return isLower;
 }
 
@@ -210,12 +219,13 @@ bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
 /// what bounds x.
 double GridLimit::BoundFrom(Node& source, const Point2& x, double limit, Sides sides) const
 {
-  const Point2 offset = x - this->PlaceOf(source.Column, source.Row);
-  const double squared = this->Gradation * this->Gradation * Dot(offset, offset);
+  const Point2 offset = x - this->PlaceOf(source.From);
+  const double squared = this->SquaredGradation * Dot(offset, offset);
   const double start = source.Start;
-  const double width = std::max(this->ColumnGrowth[source.Column], this->RowGrowth[source.Row]);
+  const double width =
+    std::max(this->ColumnGrowth[source.From.Column()], this->RowGrowth[source.From.Row()]);
   const double most = width * width / (8.0 * SideShare);
-  const bool hasSides = this->GentleSides[this->NodeAt(source.Column, source.Row)] != 0 &&
+  const bool hasSides = source.From.HasSides() &&
     (sides == Sides::Always || squared < SideReach * SideReach * width * width ||
       start * start * squared < most * most);
   const double room = limit - start + (hasSides ? 2.0 * width : 0.0);
@@ -232,11 +242,11 @@ double GridLimit::BoundFrom(Node& source, const Point2& x, double limit, Sides s
 double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) const
 {
   const std::size_t columns = this->Source->XNodes.size();
-  const std::size_t node = this->NodeAt(source.Column, source.Row);
+  const std::size_t node = this->NodeAt(source.From.Column(), source.From.Row());
   const double start = this->Source->Values[node];
   const bool isLeast = this->IsLeast(start);
   const double grown = own - static_cast<double>(source.Start);
-  const Point2 offset = x - this->PlaceOf(source.Column, source.Row);
+  const Point2 offset = x - this->PlaceOf(source.From);
   const unsigned gentle = this->GentleSides[node];
   double bound = own;
   std::size_t nearest = node;
@@ -246,15 +256,15 @@ double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) cons
     const double end = this->Source->Values[endNode];
     const double rise = isLeast ? 0.0 : this->Range.Scale * (end - start);
     const double length = std::abs(nodes[toEnd] - nodes[0]);
-    if (rise * grown < this->Gradation * this->Gradation * along * length)
+    if (rise * grown < this->SquaredGradation * along * length)
     {
       const double found = this->Bound(along, across, length, start, end);
       nearest = found < bound ? endNode : nearest;
       bound = std::min(bound, found);
     }
   };
-  const double* xNode = &this->Source->XNodes[source.Column];
-  const double* yNode = &this->Source->YNodes[source.Row];
+  const double* xNode = &this->Source->XNodes[source.From.Column()];
+  const double* yNode = &this->Source->YNodes[source.From.Row()];
   if ((gentle & ToLeft) != 0)
   {
     look(xNode, -1, -offset.X, offset.Y, node - 1);
@@ -274,7 +284,7 @@ double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) cons
   if (nearest != node)
   {
     const Node end = this->Itself(nearest % columns, nearest / columns);
-    const Point2 away = x - this->PlaceOf(end.Column, end.Row);
+    const Point2 away = x - this->PlaceOf(end.From);
     source = end.Start + this->Gradation * Length(away) < own ? end : source;
   }
   return bound;
@@ -327,7 +337,7 @@ GridLimit::Cell GridLimit::KindOf(std::size_t column, std::size_t row) const
       const Node& node = this->Nodes[this->NodeAt(x, y)];
       least = std::min(least, node.Value);
       start = std::min(start, node.Start);
-      isBounded = isBounded || node.Column != x || node.Row != y;
+      isBounded = isBounded || node.From.Column() != x || node.From.Row() != y;
     }
   }
   const double width = this->Source->XNodes[column + 1] - this->Source->XNodes[column];
@@ -358,7 +368,7 @@ double GridLimit::operator()(const Point2& x) const
 double GridLimit::ValueInWideCell(
   const Point2& x, const GridInterpolator::Place& place, double given) const
 {
-  LookedAt<std::uint64_t> looked;
+  LookedAt<std::size_t> looked;
   double least = given;
   for (std::size_t row = place.Row; row <= place.Row + 1; ++row)
   {
@@ -377,12 +387,12 @@ double GridLimit::ValueInWideCell(
 
 /// By what bounds the nodes of a row.
 double GridLimit::LowerFromRow(const Point2& x, std::size_t row, std::size_t first,
-  std::size_t last, LookedAt<std::uint64_t>& looked, double least) const
+  std::size_t last, LookedAt<std::size_t>& looked, double least) const
 {
   for (std::size_t column = first; column < last; ++column)
   {
     Node node = this->Nodes[this->NodeAt(column, row)];
-    if (node.Start < least && looked.Add(this->NodeAt(node.Column, node.Row)))
+    if (node.Start < least && looked.Add(this->NodeAt(node.From.Column(), node.From.Row())))
     {
       least = std::min(least, this->BoundFrom(node, x, least, Sides::Always));
     }

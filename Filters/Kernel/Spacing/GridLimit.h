@@ -38,13 +38,32 @@ public:
   double operator()(const Point2& x) const;
 
 private:
+  /// A node that f grows from, with whether sides are gentle around it; in one word, so that it is
+  /// handed on as one.
+  class Origin
+  {
+  public:
+    Origin(std::size_t column, std::size_t row, bool hasSides)
+      : Word(static_cast<std::uint64_t>(row) << 33 |
+          static_cast<std::uint64_t>(hasSides ? 1u : 0u) << 32 | column)
+    {
+    }
+
+    std::size_t Column() const { return this->Word & 0xffffffffu; }
+    std::size_t Row() const { return this->Word >> 33; }
+    bool HasSides() const { return (this->Word >> 32 & 1u) != 0; }
+    bool operator==(const Origin& other) const { return this->Word == other.Word; }
+
+  private:
+    std::uint64_t Word;
+  };
+
   /// Single precision is more than anybody sees.
   struct Node
   {
     float Value; ///< f
-    float Start; ///< f at the node that bounds it; infinite where nothing is steep nor bounded
-    std::uint32_t Column; ///< of that node: this one where it is as given
-    std::uint32_t Row;
+    float Start; ///< f at its origin; infinite where nothing is steep nor bounded
+    Origin From; ///< itself where f is as given
   };
 
   enum class Cell : std::uint8_t
@@ -70,15 +89,15 @@ private:
   {
     return column + this->Source->XNodes.size() * row;
   }
-  Point2 PlaceOf(std::size_t column, std::size_t row) const
+  Point2 PlaceOf(const Origin& from) const
   {
-    return { this->Source->XNodes[column], this->Source->YNodes[row] };
+    return { this->Source->XNodes[from.Column()], this->Source->YNodes[from.Row()] };
   }
   Node AsGiven(std::size_t column, std::size_t row) const
   {
-    return { static_cast<float>(this->Range(this->Source->Values[this->NodeAt(column, row)])),
-      std::numeric_limits<float>::infinity(), static_cast<std::uint32_t>(column),
-      static_cast<std::uint32_t>(row) };
+    const std::size_t node = this->NodeAt(column, row);
+    return { static_cast<float>(this->Range(this->Source->Values[node])),
+      std::numeric_limits<float>::infinity(), { column, row, this->GentleSides[node] != 0 } };
   }
 
   bool IsLeast(double value) const { return !(this->Range.Scale * value > this->Range.Least); }
@@ -104,7 +123,7 @@ private:
   double BoundFromSides(Node& source, const Point2& x, double own) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
   double LowerFromRow(const Point2& x, std::size_t row, std::size_t first, std::size_t last,
-    LookedAt<std::uint64_t>& looked, double least) const;
+    LookedAt<std::size_t>& looked, double least) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
@@ -113,6 +132,7 @@ private:
   const EdgeBound Bound;
   std::vector<double> ColumnGrowth; ///< of f across the wider cell beside each column
   std::vector<double> RowGrowth;
+  const double SquaredGradation;
   std::vector<Node> Nodes;
   std::vector<std::uint8_t> GentleSides; ///< of each node: where values grow less than f may
   std::vector<Cell> Cells;               ///< cell k has node k as its low corner
