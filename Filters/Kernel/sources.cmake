@@ -13,7 +13,6 @@ set(biting_kernel_sources
   Spacing/DrawnLengths.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
-  Spacing/GivenSources.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx

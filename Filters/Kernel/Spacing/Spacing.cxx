@@ -9,7 +9,6 @@
 #include "ConeCollector.h"
 #include "ConeTree.h"
 #include "FeatureSize.h"
-#include "GivenSources.h"
 #include "GridHoles.h"
 #include "GridLimit.h"
 #include "MergedCones.h"
@@ -21,6 +20,7 @@
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
+#include <cmath>     // for isnan
 #include <limits>    // for the least double
 #include <optional>  // for sources that may be missing
 #include <utility>   // for move
@@ -49,6 +49,45 @@ bool HasJumps(const GridSource& grid)
   return hasEqual(grid.XNodes) || hasEqual(grid.YNodes);
 }
 
+/// The one value that all have, holes apart; infinite where they differ or there is none.
+double OnlyValue(const std::vector<double>& values)
+{
+  double only = Infinity;
+  for (const double value : values)
+  {
+    only = only == Infinity && !std::isnan(value) ? value : only;
+    if (value < only || value > only)
+    {
+      return Infinity;
+    }
+  }
+  return only;
+}
+
+/// The same f, without sources that are one value everywhere: these are part of Uniform, which is
+/// infinite where there is none. From boundary values f grows, unless there is no gradation.
+SpacingOptions WithoutConstants(SpacingOptions options)
+{
+  options.Uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
+  const auto fold = [&options](auto& source, bool isEmpty)
+  {
+    const double only = isEmpty ? Infinity : OnlyValue(source->Values);
+    options.Uniform = std::min(options.Uniform, only);
+    if (isEmpty || only < Infinity)
+    {
+      source = nullptr;
+    }
+  };
+  fold(options.Grid, !options.Grid || options.Grid->Values.empty());
+  fold(options.Triangulation, !options.Triangulation || options.Triangulation->Triangles.empty());
+  const bool hasNoSegments = !options.Segments || options.Segments->Segments.empty();
+  if (hasNoSegments || !(options.Gradation > 0.0))
+  {
+    fold(options.Segments, hasNoSegments);
+  }
+  return options;
+}
+
 } // namespace
 
 /// What is left of the sources after preparation: what is given, and what limits it. A source that
@@ -70,15 +109,15 @@ struct Spacing::Implementation
 
   Implementation() = default;
 
+  /// Of options without constants.
   Implementation(const SpacingOptions& options, const Box2& bounds)
   {
     this->Range.Scale = options.Scale;
     this->Range.Least = std::max(this->Range.Least, options.Minimum);
     this->Range.Most =
       options.Maximum > 0.0 ? std::min(options.Maximum, this->Range.Most) : this->Range.Most;
-    this->Uniform = UniformOf(options);
-    if (this->Uniform == Infinity && !HasGrid(options) && !HasTriangulation(options) &&
-      !HasExtension(options))
+    this->Uniform = options.Uniform;
+    if (this->Uniform == Infinity && !options.Grid && !options.Triangulation && !options.Segments)
     {
       const double diagonal = bounds.Diagonal();
       this->Uniform = diagonal > 0.0 ? DefaultShareOfDiagonal * diagonal : 1.0;
@@ -154,7 +193,7 @@ public:
 private:
   bool AddGrid()
   {
-    if (!HasGrid(this->Options))
+    if (!this->Options.Grid)
     {
       return true;
     }
@@ -188,7 +227,7 @@ private:
 
   bool AddTriangulation()
   {
-    if (!HasTriangulation(this->Options))
+    if (!this->Options.Triangulation)
     {
       return true;
     }
@@ -220,7 +259,7 @@ private:
 
   bool AddSegments()
   {
-    if (!HasExtension(this->Options))
+    if (!this->Options.Segments)
     {
       return true;
     }
@@ -297,7 +336,7 @@ private:
 
   bool AddFloor()
   {
-    if (HasSegments(this->Options.Floor))
+    if (this->Options.Floor && !this->Options.Floor->Segments.empty())
     {
       PartOfStage sorting(this->Stage, 1.0, 1.0);
       Pulse pulse(sorting);
@@ -368,11 +407,12 @@ Spacing MakeSpacing(
   Spacing spacing;
   PartOfStage stage(monitor, 0.0, 1.0);
   PartOfStage checking(stage, 0.0, 0.05);
-  auto data = std::make_unique<Spacing::Implementation>(options, bounds);
+  const SpacingOptions varying = WithoutConstants(options);
+  auto data = std::make_unique<Spacing::Implementation>(varying, bounds);
   Spacing::Implementation& inside = *data;
   spacing.Data = std::move(data);
   if (CheckSpacing(options, problems, checking) &&
-    Spacing::Preparation(options, bounds, inside, problems, stage).Run())
+    Spacing::Preparation(varying, bounds, inside, problems, stage).Run())
   {
     return spacing;
   }
