@@ -4,12 +4,11 @@
 #include "ConeTree.h"
 
 #include "../Base/Numbers.h"
+#include "BoxTree.h"
 
-#include <array>   // for lattices
-#include <cmath>   // for ldexp
-#include <cstdint> // for places along a curve
-#include <limits>  // for epsilon
-#include <utility> // for pairs
+#include <array>  // for lattices
+#include <cmath>  // for ldexp
+#include <limits> // for epsilon
 
 namespace biting
 {
@@ -68,26 +67,6 @@ Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
   return box;
 }
 
-/// Where a point of the unit square (beyond it, the nearest one) lies along the curve of Hilbert.
-std::uint64_t PlaceAlongCurve(Point2 at)
-{
-  constexpr int Levels = 24;
-  at = { std::min(std::max(at.X, 0.0), 1.0), std::min(std::max(at.Y, 0.0), 1.0) };
-  std::uint64_t place = 0;
-  for (int level = 0; level < Levels; ++level)
-  {
-    const bool isRight = at.X >= 0.5;
-    const bool isHigh = at.Y >= 0.5;
-    place = 4 * place + (isRight ? (isHigh ? 2 : 3) : (isHigh ? 1 : 0));
-    at = { 2.0 * at.X - isRight, 2.0 * at.Y - isHigh };
-    if (!isHigh) // the curve within the lower quarters is turned
-    {
-      at = isRight ? Point2{ 1.0 - at.Y, 1.0 - at.X } : Point2{ at.Y, at.X };
-    }
-  }
-  return place;
-}
-
 /// From each cone to the next one.
 double WayThrough(const std::vector<SegmentCone>& cones)
 {
@@ -100,22 +79,20 @@ double WayThrough(const std::vector<SegmentCone>& cones)
 }
 
 /// The same cones, those near each other mostly one after the other: as they are given, which is
-/// along the chains of a boundary, or along the curve of Hilbert where that is a shorter way.
-std::vector<SegmentCone> InOrder(std::vector<SegmentCone> cones, const Box2& box)
+/// along the chains of a boundary, or in the order of a tree where that is a shorter way.
+std::vector<SegmentCone> InOrder(const std::vector<SegmentCone>& cones, Pulse& pulse)
 {
-  const double perLength = 1.0 / std::max(box.Width(), box.Height());
-  std::vector<std::pair<std::uint64_t, std::size_t>> places;
-  places.reserve(cones.size());
+  std::vector<BoxTree::Item> places(cones.size());
   for (std::size_t cone = 0; cone < cones.size(); ++cone)
   {
-    places.emplace_back(PlaceAlongCurve(perLength * (cones[cone].Start - box.Low)), cone);
+    places[cone].Box.Add(cones[cone].Start);
   }
-  std::sort(places.begin(), places.end());
+  const BoxTree tree(places, pulse);
   std::vector<SegmentCone> ordered;
   ordered.reserve(cones.size());
-  for (const auto& place : places)
+  for (const Id cone : tree.Order())
   {
-    ordered.push_back(cones[place.second]);
+    ordered.push_back(cones[static_cast<std::size_t>(cone)]);
   }
   return WayThrough(ordered) < WayThrough(cones) ? ordered : cones;
 }
@@ -127,11 +104,12 @@ std::vector<SegmentCone> InOrder(std::vector<SegmentCone> cones, const Box2& box
 class ConeTree::Builder
 {
 public:
-  Builder(ConeTree& whole, std::vector<SegmentCone> cones, const Relief& relief, Monitor& monitor)
+  Builder(
+    ConeTree& whole, const std::vector<SegmentCone>& cones, const Relief& relief, Monitor& monitor)
     : Whole(whole)
-    , Cones(InOrder(std::move(cones), whole.Bounds))
-    , Less(relief)
     , Beats(monitor)
+    , Cones(InOrder(cones, this->Beats))
+    , Less(relief)
     , Slope(whole.Slope)
     , Margin(RoundingShare * LargestCoordinate(whole.Bounds))
   {
@@ -359,9 +337,9 @@ private:
   const SegmentCone& At(Id cone) const { return this->Cones[static_cast<std::size_t>(cone)]; }
 
   ConeTree& Whole;
+  Pulse Beats;
   const std::vector<SegmentCone> Cones;
   const Relief& Less;
-  Pulse Beats;
   const double Slope;
   const double Margin;
   std::vector<Id> Candidates;
@@ -370,13 +348,13 @@ private:
   double AreaDone = 0.0;
 };
 
-ConeTree::ConeTree(std::vector<SegmentCone> cones, double slope, const Box2& bounds,
+ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
   const Relief& relief, Monitor& monitor)
   : Slope(slope)
   , Bounds(WithExtent(bounds, cones))
   , Tree(this->Bounds)
 {
-  Builder(*this, std::move(cones), relief, monitor).Build();
+  Builder(*this, cones, relief, monitor).Build();
 }
 
 } // namespace biting

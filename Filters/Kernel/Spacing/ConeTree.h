@@ -43,8 +43,8 @@ public:
 
   /// `slope` is that of all the cones; values are positive. A box without an extent
   /// is that of the cones. Incomplete if the monitor asks to stop: it must not be evaluated then.
-  ConeTree(std::vector<SegmentCone> cones, double slope, const Box2& bounds, const Relief& relief,
-    Monitor& monitor = NoMonitor());
+  ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
+    const Relief& relief, Monitor& monitor = NoMonitor());
 
   /// Infinite where all of the leaf is above Relief::Most. Outside of the box the value of the
   /// nearest point in it.
