@@ -145,7 +145,7 @@ private:
   }
 
   /// From the lower end of a steep edge.
-  void AddPerpendicular(const BorderEdge& edge, const Point2& normal)
+  void AddPerpendicular(const BorderEdge& edge, const Point2& normal, double length)
   {
     const ValueRange& range = this->Cones.Values();
     const bool isRising = edge.StartValue < edge.EndValue;
@@ -153,16 +153,14 @@ private:
     const Point2& highEnd = isRising ? edge.End : edge.Start;
     const double low = range.Scale * std::min(edge.StartValue, edge.EndValue);
     const double high = range.Scale * std::max(edge.StartValue, edge.EndValue);
-    const bool isSteep = high - low > this->Gradation * Distance(lowEnd, highEnd);
-    if (isSteep && low < range.Most && high > range.Least)
+    if (high - low > this->Gradation * length && low < range.Most && high > range.Least)
     {
       const double weight = std::max(0.0, (range.Least - low) / (high - low));
       const Point2 start = lowEnd + weight * (highEnd - lowEnd);
-      const Point2 end = start +
-        this->LengthAlong(
-          start, normal, this->UnitOf(low / range.Scale), Distance(lowEnd, highEnd)) *
-          normal;
-      this->Cones.AddSegment(start, end, std::max(low, range.Least), std::max(low, range.Least));
+      const double reach =
+        this->LengthAlong(start, normal, this->UnitOf(low / range.Scale), length);
+      this->Cones.AddSegment(
+        start, start + reach * normal, std::max(low, range.Least), std::max(low, range.Least));
     }
   }
 
@@ -193,13 +191,48 @@ private:
     }
     else
     {
-      if (this->Reach(Midpoint(edge.Start, edge.End), normal) > 0.0)
-      {
-        this->AddPerpendicular(edge, normal);
-        this->AddBefore(edge, normal, length);
-      }
-      this->AddAround(edge, normal, length);
+      this->AddOutside(edge, normal, length);
     }
+  }
+
+  /// The jumps before an edge, and before its end up to the perpendicular of the next one.
+  void AddOutside(const BorderEdge& edge, const Point2& normal, double length)
+  {
+    double rays = 1.0;
+    if (this->Reach(Midpoint(edge.Start, edge.End), normal) > 0.0)
+    {
+      this->AddPerpendicular(edge, normal, length);
+      const double unit = this->UnitOf(std::min(edge.StartValue, edge.EndValue));
+      rays = std::ceil(std::min(length / (StepOfFirstRays * unit), MostFirstRays));
+    }
+    const Ray last = this->Sweep(this->FindEnd({ edge.Start, edge.StartValue, normal }, length),
+      { edge.End, edge.EndValue, normal }, 0.0, rays, length);
+    const double turn = this->TurnAround(edge);
+    if (turn > 0.0)
+    {
+      const double arc = turn * last.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
+      this->Sweep(last, last, turn,
+        std::ceil(std::max(turn / LargestTurn, std::min(arc, MostFirstRays))), length);
+    }
+  }
+
+  /// The jumps at the ends of so many rays from one on, up to a foot, and as far as they turn.
+  Ray Sweep(const Ray& first, const Ray& end, double turn, double rays, double likely)
+  {
+    Ray last = first;
+    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
+    {
+      const double weight = ray / rays;
+      const double angle = turn * weight;
+      const Ray next = this->FindEnd(
+        { first.Foot + weight * (end.Foot - first.Foot),
+          (1.0 - weight) * first.Value + weight * end.Value,
+          std::cos(angle) * first.Direction + std::sin(angle) * Perpendicular(first.Direction) },
+        std::max(2.0 * last.Length, likely));
+      this->Trace(last, next, 0);
+      last = next;
+    }
+    return last;
   }
 
   /// An edge of triangles that lie on others, or beside others that have corners of their own.
@@ -215,47 +248,6 @@ private:
         this->Cones.AddSegment(edge.Start, edge.End, range(edge.StartValue), range(edge.EndValue));
         return;
       }
-    }
-  }
-
-  /// The jumps before an edge.
-  void AddBefore(const BorderEdge& edge, const Point2& normal, double length)
-  {
-    const double least = std::min(edge.StartValue, edge.EndValue);
-    const double rays =
-      std::ceil(std::min(length / (StepOfFirstRays * this->UnitOf(least)), MostFirstRays));
-    Ray last = this->FindEnd({ edge.Start, edge.StartValue, normal }, length);
-    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
-    {
-      const double weight = ray / rays;
-      const Ray next =
-        this->FindEnd({ edge.Start + weight * (edge.End - edge.Start),
-                        (1.0 - weight) * edge.StartValue + weight * edge.EndValue, normal },
-          std::max(2.0 * last.Length, length));
-      this->Trace(last, next, 0);
-      last = next;
-    }
-  }
-
-  /// The jumps before the end of an edge, up to the perpendicular of the next one.
-  void AddAround(const BorderEdge& edge, const Point2& normal, double length)
-  {
-    const double turn = this->TurnAround(edge);
-    if (!(turn > 0.0))
-    {
-      return;
-    }
-    Ray last = this->FindEnd({ edge.End, edge.EndValue, normal }, length);
-    const double arc = turn * last.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
-    const double rays = std::ceil(std::max(turn / LargestTurn, std::min(arc, MostFirstRays)));
-    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
-    {
-      const double angle = turn * ray / rays;
-      const Point2 direction = std::cos(angle) * normal + std::sin(angle) * Perpendicular(normal);
-      const Ray next =
-        this->FindEnd({ edge.End, edge.EndValue, direction }, std::max(2.0 * last.Length, length));
-      this->Trace(last, next, 0);
-      last = next;
     }
   }
 

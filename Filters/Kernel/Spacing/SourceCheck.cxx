@@ -15,12 +15,6 @@ namespace biting
 namespace
 {
 
-enum class HolePolicy
-{
-  Allowed,
-  Refused
-};
-
 std::string NumberText(double value)
 {
   if (std::isnan(value))
@@ -34,194 +28,160 @@ std::string NumberText(double value)
   return text.str();
 }
 
-void Refuse(ProblemList& problems, const std::string& detail)
-{
-  problems.Add({ ProblemCode::BadSpacing, {}, {}, detail });
-}
-
-bool CheckParameter(const char* name, double value, ProblemList& problems)
-{
-  if (std::isfinite(value) && value >= 0.0)
-  {
-    return true;
-  }
-  Refuse(problems, std::string(name) + " is " + NumberText(value));
-  return false;
-}
-
-bool CheckParameters(const SpacingOptions& options, ProblemList& problems)
-{
-  bool valid = CheckParameter("UniformSpacing", options.Uniform, problems);
-  valid = CheckParameter("SpacingScale", options.Scale, problems) && valid;
-  valid = CheckParameter("MinimumSpacing", options.Minimum, problems) && valid;
-  valid = CheckParameter("MaximumSpacing", options.Maximum, problems) && valid;
-  valid = CheckParameter("Gradation", options.Gradation, problems) && valid;
-  if (options.Scale == 0.0)
-  {
-    Refuse(problems, "SpacingScale is 0");
-    valid = false;
-  }
-  if (options.Maximum > 0.0 && options.Minimum > options.Maximum)
-  {
-    Refuse(problems,
-      "MinimumSpacing " + NumberText(options.Minimum) + " is above MaximumSpacing " +
-        NumberText(options.Maximum));
-    valid = false;
-  }
-  return valid;
-}
-
-bool AreFinite(const std::vector<double>& coordinates)
-{
-  return std::all_of(coordinates.begin(), coordinates.end(),
-    [](double coordinate) { return std::isfinite(coordinate); });
-}
-
-/// Checks the values and positions of one source; `positionOf(id)` is where value id is given.
-/// Where all positions are known to be finite, only those of bad values are asked for.
-class ValueCheck
+/// Adds a problem for everything that it finds.
+class Checker
 {
 public:
-  ValueCheck(
-    const char* sourceName, double scale, HolePolicy holes, ProblemList& problems, Pulse& pulse)
-    : SourceName(sourceName)
-    , Scale(scale)
-    , Holes(holes)
-    , Problems(problems)
-    , Beats(pulse)
+  Checker(ProblemList& problems, Monitor& monitor)
+    : Problems(problems)
+    , Beats(monitor)
   {
   }
 
-  template <typename PositionOf>
-  bool operator()(
-    const std::vector<double>& values, PositionOf positionOf, bool hasFinitePositions = false)
+  /// Whether all was checked, and nothing found.
+  bool IsGood() const { return !this->HasFound && !this->Beats.HasStopped(); }
+
+  void CheckParameters(const SpacingOptions& options)
   {
-    bool valid = true;
-    for (std::size_t id = 0; id < values.size() && this->Beats.Beat(1); ++id)
+    const std::pair<const char*, double> parameters[] = { { "UniformSpacing", options.Uniform },
+      { "SpacingScale", options.Scale }, { "MinimumSpacing", options.Minimum },
+      { "MaximumSpacing", options.Maximum }, { "Gradation", options.Gradation } };
+    for (const auto& [name, value] : parameters)
     {
-      if (hasFinitePositions && this->IsSpacing(values[id]))
+      if (!std::isfinite(value) || value < 0.0)
       {
-        continue;
-      }
-      const Point2 place = positionOf(id);
-      if (!std::isfinite(place.X) || !std::isfinite(place.Y))
-      {
-        this->Add(id, place, "position");
-        valid = false;
-      }
-      else if (!this->IsSpacing(values[id]))
-      {
-        this->Add(id, place, "value " + NumberText(values[id]));
-        valid = false;
+        this->Refuse(std::string(name) + " is " + NumberText(value));
       }
     }
-    return valid && !this->Beats.HasStopped() && this->CheckNotAllHoles(values);
+    if (options.Scale == 0.0)
+    {
+      this->Refuse("SpacingScale is 0");
+    }
+    if (options.Maximum > 0.0 && options.Minimum > options.Maximum)
+    {
+      this->Refuse("MinimumSpacing " + NumberText(options.Minimum) + " is above MaximumSpacing " +
+        NumberText(options.Maximum));
+    }
+  }
+
+  void CheckGrid(const GridSource& grid, double scale)
+  {
+    const std::size_t columns = grid.XNodes.size();
+    assert(grid.Values.size() == columns * grid.YNodes.size());
+    this->CheckNodes("x", grid.XNodes);
+    this->CheckNodes("y", grid.YNodes);
+    this->CheckValues("grid source", grid.Values, scale, true,
+      [&grid, columns](std::size_t id) {
+        return Point2{ grid.XNodes[id % columns], grid.YNodes[id / columns] };
+      });
+  }
+
+  void CheckTriangulation(const TriangulatedSource& source, double scale)
+  {
+    assert(source.Triangles.size() % 3 == 0);
+    if (source.Triangles.empty() && !source.Points.empty())
+    {
+      this->Refuse("there are points but no triangles in the triangulated source");
+      return;
+    }
+    this->CheckPoints("triangulated source", source, scale, true);
+  }
+
+  void CheckSegments(const std::string& name, const SegmentSource& source, double scale)
+  {
+    assert(source.Segments.size() % 2 == 0);
+    this->CheckPoints(name, source, scale, false);
   }
 
 private:
-  bool IsSpacing(double value) const
+  void CheckNodes(const std::string& axis, const std::vector<double>& nodes)
   {
-    if (std::isnan(value))
+    const bool areFinite = std::all_of(
+      nodes.begin(), nodes.end(), [](double coordinate) { return std::isfinite(coordinate); });
+    if (!areFinite || !std::is_sorted(nodes.begin(), nodes.end()))
     {
-      return this->Holes == HolePolicy::Allowed;
+      this->Refuse(axis + " nodes do not ascend in the grid source");
     }
-    const double scaled = this->Scale > 0.0 ? this->Scale * value : value;
-    return scaled > 0.0 && std::isfinite(scaled);
   }
 
-  bool CheckNotAllHoles(const std::vector<double>& values)
+  template <typename Source>
+  void CheckPoints(const std::string& name, const Source& source, double scale, bool mayBeHoles)
   {
-    const bool onlyHoles = !values.empty() &&
-      std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-    if (onlyHoles)
+    assert(source.Values.size() == source.Points.size());
+    for (std::size_t id = 0; id < source.Points.size() && this->Beats.Beat(1); ++id)
     {
-      Refuse(this->Problems, "every value is nan in the " + this->SourceName);
+      if (!std::isfinite(source.Points[id].X) || !std::isfinite(source.Points[id].Y))
+      {
+        this->Add(id, source.Points[id], "position in the " + name);
+      }
     }
-    return !onlyHoles;
+    this->CheckValues(name, source.Values, scale, mayBeHoles,
+      [&source](std::size_t id) { return source.Points[id]; });
   }
 
-  void Add(std::size_t id, const Point2& place, const std::string& what)
+  /// `positionOf(id)` is where value id is given.
+  template <typename PositionOf>
+  void CheckValues(const std::string& name, const std::vector<double>& values, double scale,
+    bool mayBeHoles, PositionOf positionOf)
   {
-    this->Problems.Add({ ProblemCode::BadSpacing, { static_cast<std::int64_t>(id) }, place,
-      what + " in the " + this->SourceName });
+    bool areHoles = mayBeHoles && !values.empty();
+    for (std::size_t id = 0; id < values.size() && this->Beats.Beat(1); ++id)
+    {
+      const double scaled = scale > 0.0 ? scale * values[id] : values[id];
+      const bool isHole = mayBeHoles && std::isnan(scaled);
+      areHoles = areHoles && isHole;
+      if (!isHole && !(scaled > 0.0 && std::isfinite(scaled)))
+      {
+        this->Add(id, positionOf(id), "value " + NumberText(values[id]) + " in the " + name);
+      }
+    }
+    if (areHoles && !this->Beats.HasStopped())
+    {
+      this->Refuse("every value is nan in the " + name);
+    }
   }
 
-  std::string SourceName;
-  double Scale;
-  HolePolicy Holes;
+  void Refuse(const std::string& detail)
+  {
+    this->Problems.Add({ ProblemCode::BadSpacing, {}, {}, detail });
+    this->HasFound = true;
+  }
+
+  void Add(std::size_t id, const Point2& place, const std::string& detail)
+  {
+    this->Problems.Add(
+      { ProblemCode::BadSpacing, { static_cast<std::int64_t>(id) }, place, detail });
+    this->HasFound = true;
+  }
+
   ProblemList& Problems;
-  Pulse& Beats;
+  Pulse Beats;
+  bool HasFound = false;
 };
-
-bool CheckNodes(const char* axis, const std::vector<double>& nodes, ProblemList& problems)
-{
-  if (std::is_sorted(nodes.begin(), nodes.end()))
-  {
-    return true;
-  }
-  Refuse(problems, std::string(axis) + " nodes do not ascend in the grid source");
-  return false;
-}
-
-bool CheckGrid(const GridSource& grid, double scale, ProblemList& problems, Pulse& pulse)
-{
-  const std::size_t columns = grid.XNodes.size();
-  assert(grid.Values.size() == columns * grid.YNodes.size());
-  ValueCheck check("grid source", scale, HolePolicy::Allowed, problems, pulse);
-  const bool valid = check(
-    grid.Values,
-    [&grid, columns](std::size_t id) {
-      return Point2{ grid.XNodes[id % columns], grid.YNodes[id / columns] };
-    },
-    AreFinite(grid.XNodes) && AreFinite(grid.YNodes));
-  return valid && CheckNodes("x", grid.XNodes, problems) && CheckNodes("y", grid.YNodes, problems);
-}
-
-bool CheckTriangulation(
-  const TriangulatedSource& source, double scale, ProblemList& problems, Pulse& pulse)
-{
-  assert(source.Values.size() == source.Points.size() && source.Triangles.size() % 3 == 0);
-  if (source.Triangles.empty() && !source.Points.empty())
-  {
-    Refuse(problems, "there are points but no triangles in the triangulated source");
-    return false;
-  }
-  ValueCheck check("triangulated source", scale, HolePolicy::Allowed, problems, pulse);
-  return check(source.Values, [&source](std::size_t id) { return source.Points[id]; });
-}
-
-bool CheckSegments(
-  const char* name, const SegmentSource& source, double scale, ProblemList& problems, Pulse& pulse)
-{
-  assert(source.Values.size() == source.Points.size() && source.Segments.size() % 2 == 0);
-  ValueCheck check(name, scale, HolePolicy::Refused, problems, pulse);
-  return check(source.Values, [&source](std::size_t id) { return source.Points[id]; });
-}
 
 } // namespace
 
 bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor& monitor)
 {
-  Pulse pulse(monitor);
-  bool valid = CheckParameters(options, problems);
+  Checker checker(problems, monitor);
+  checker.CheckParameters(options);
   if (options.Grid)
   {
-    valid = CheckGrid(*options.Grid, options.Scale, problems, pulse) && valid;
+    checker.CheckGrid(*options.Grid, options.Scale);
   }
   if (options.Triangulation)
   {
-    valid = CheckTriangulation(*options.Triangulation, options.Scale, problems, pulse) && valid;
+    checker.CheckTriangulation(*options.Triangulation, options.Scale);
   }
   if (options.Segments)
   {
-    valid =
-      CheckSegments("segment source", *options.Segments, options.Scale, problems, pulse) && valid;
+    checker.CheckSegments("segment source", *options.Segments, options.Scale);
   }
   if (options.Floor)
   {
-    valid = CheckSegments("floor of the spacing", *options.Floor, 1.0, problems, pulse) && valid;
+    checker.CheckSegments("floor of the spacing", *options.Floor, 1.0);
   }
-  return valid;
+  return checker.IsGood();
 }
 
 } // namespace biting
