@@ -40,11 +40,15 @@ set(biting_kernel_sources
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
+  Domain/MeetingReports.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/PointWelding.cxx
+  Domain/ResolutionReport.cxx
+  Domain/SegmentSides.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
+  Domain/SlantedBox.cxx
   Domain/VertexGrid.cxx
   Domain/VertexStars.cxx
   Domain/Welding.cxx
@@ -59,7 +63,9 @@ set(biting_kernel_sources
   Simplification/VertexTree.cxx
   Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
+  Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
+  Biting/BiteLists.cxx
   Biting/BiteOutline.cxx
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
@@ -108,6 +114,7 @@ set(biting_kernel_sources
   Quality/Components.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
+  Quality/MeshParts.cxx
   Quality/NearestNeighbors.cxx
   Quality/PointTree.cxx
   Quality/Quality.cxx

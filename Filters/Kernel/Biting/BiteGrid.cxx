@@ -30,12 +30,6 @@ constexpr double MostCellsPerBite = 16.0;
 // In all, for each top cell: 6 cells where f varies twentyfold, seldom more than 1.1. To move them
 // is cheap.
 constexpr double CellsPerTopCell = 1.25;
-constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
-
-// Of entries: single precision, after the rounding of a place in units of a top cell.
-constexpr double EntryMargin = 4e-6;
-constexpr double PlaceRounding = 1e-15;
-
 // How many cells of a grid are marked, from its low corner to each node.
 class MarkedCells
 {
@@ -73,79 +67,40 @@ private:
 BiteGrid::BiteGrid(
   const Bites& bites, const Box2& bounds, double expectedBites, double nearReach, double slack)
   : All(bites)
-  , Origin(bounds.Low)
-  , NearReach(nearReach)
-  , Slack(slack)
+  , Frame(bites, bounds, nearReach, slack)
+  , MostFiled(MostCellsPerBite * std::max(expectedBites, 1.0))
+  , Crowd(nearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf)
 {
-  const double width = std::max(bounds.Width(), 1e-3 * bounds.Height());
-  const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
   const double bitesPerCell = nearReach > 0.0 ? BitesPerWideCell : BitesPerCell;
   const double cells = std::min(std::max(expectedBites / bitesPerCell, 1.0), MostCells);
-  this->Extents = { width, height };
-  this->MostFiled = MostCellsPerBite * std::max(expectedBites, 1.0);
   this->Cells.reserve(static_cast<std::size_t>(CellsPerTopCell * cells));
-  this->MakeCells(std::sqrt(cells / (width * height)));
-}
-
-void BiteGrid::MakeCells(double cellsPerLength)
-{
-  this->CellsPerLength = cellsPerLength;
-  this->Columns = static_cast<Id>(this->Extents.X * cellsPerLength) + 1;
-  this->Rows = static_cast<Id>(this->Extents.Y * cellsPerLength) + 1;
-  this->Cells.assign(static_cast<std::size_t>(this->Columns) * this->Rows, Cell());
-}
-
-Id BiteGrid::BlockList::Add()
-{
-  if (static_cast<std::size_t>(this->Count) == ChunkSize * this->Chunks.size())
-  {
-    this->AddChunks();
-  }
-  return this->Count++;
-}
-
-void BiteGrid::BlockList::AddChunks()
-{
-  const std::size_t chunks = 1 + this->Chunks.size() / ShareAtOnce;
-  // make_unique would fill it twice
-  this->Allocated.emplace_back(new Block[chunks * ChunkSize]);
-  for (std::size_t k = 0; k < chunks; ++k)
-  {
-    this->Chunks.push_back(this->Allocated.back().get() + k * ChunkSize);
-  }
-}
-
-void BiteGrid::BlockList::Clear()
-{
-  std::vector<std::unique_ptr<Block[]>>().swap(this->Allocated);
-  std::vector<Block*>().swap(this->Chunks);
-  this->Count = 0;
+  this->Frame.SetCellsPerLength(std::sqrt(cells / this->Frame.Area()));
+  this->Cells.assign(this->Frame.Size(), Cell());
 }
 
 void BiteGrid::Release(Pulse& pulse)
 {
-  this->Blocks.Clear();
+  this->Lists.Clear();
   ReleaseInSteps(pulse, this->Cells);
 }
 
 void BiteGrid::Forget(Pulse& pulse)
 {
   this->HasForgotten = true;
-  this->Blocks.Clear();
+  this->Lists.Clear();
   Cell forgotten;
   forgotten.FirstChild = Forgotten;
-  std::vector<Cell>(static_cast<std::size_t>(this->Columns) * this->Rows, forgotten)
-    .swap(this->Cells);
+  std::vector<Cell>(this->Frame.Size(), forgotten).swap(this->Cells);
   pulse.Ask();
 }
 
 void BiteGrid::Recall(const std::vector<Box2>& boxes, Pulse& pulse)
 {
-  std::vector<std::uint8_t> isWanted(static_cast<std::size_t>(this->Columns) * this->Rows, 0);
+  std::vector<std::uint8_t> isWanted(this->Frame.Size(), 0);
   for (const Box2& box : boxes)
   {
     const double reach = 0.5 * std::max(box.Width(), box.Height());
-    this->VisitTopCells(this->ToGrid(Midpoint(box.Low, box.High), reach),
+    this->Frame.VisitCells(this->Frame.ToGrid(Midpoint(box.Low, box.High), reach),
       [&isWanted](Id, Id, Id cell) { isWanted[cell] = 1; });
   }
   this->RecallCells(isWanted, &pulse);
@@ -154,8 +109,7 @@ void BiteGrid::Recall(const std::vector<Box2>& boxes, Pulse& pulse)
 void BiteGrid::RecallAll()
 {
   this->HasForgotten = false;
-  const std::size_t count = static_cast<std::size_t>(this->Columns) * this->Rows;
-  this->RecallCells(std::vector<std::uint8_t>(count, 1), nullptr);
+  this->RecallCells(std::vector<std::uint8_t>(this->Frame.Size(), 1), nullptr);
 }
 
 // In the order of their filing.
@@ -167,19 +121,20 @@ void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pul
     isNew[cell] = isWanted[cell] != 0 && this->Cells[cell].FirstChild == Forgotten ? 1 : 0;
     this->Cells[cell].FirstChild = isNew[cell] != 0 ? NoId : this->Cells[cell].FirstChild;
   }
-  const MarkedCells areNew(isNew, this->Columns);
+  const MarkedCells areNew(isNew, this->Frame.Columns());
   const bool hasNew = areNew.HasAny();
   for (Id bite = 0; hasNew && bite <= this->Newest && (pulse == nullptr || pulse->Beat(1)); ++bite)
   {
-    const LocalBox extent = this->ExtentOf(bite);
-    if (!areNew.HasAny(ClampedIndex(extent.LowX, this->Columns),
-          ClampedIndex(extent.LowY, this->Rows), ClampedIndex(extent.HighX, this->Columns),
-          ClampedIndex(extent.HighY, this->Rows)))
+    const CellBox extent = this->Frame.ExtentOf(bite);
+    const Id columns = this->Frame.Columns();
+    const Id rows = this->Frame.Rows();
+    if (!areNew.HasAny(ClampedIndex(extent.LowX, columns), ClampedIndex(extent.LowY, rows),
+          ClampedIndex(extent.HighX, columns), ClampedIndex(extent.HighY, rows)))
     {
       continue;
     }
-    const Filed filed = this->MakeFiled(bite);
-    this->VisitTopCells(filed.Extent,
+    const FramedBite filed = this->Frame.Framed(bite);
+    this->Frame.VisitCells(filed.Extent,
       [this, &filed, &isNew](Id column, Id row, Id cell)
       {
         if (isNew[cell] != 0)
@@ -204,8 +159,9 @@ void BiteGrid::File(Id bite)
 // Twice as wide, the cells have about a quarter of the entries: O(1) amortised.
 void BiteGrid::Coarsen(Id newest)
 {
-  this->MakeCells(0.5 * this->CellsPerLength);
-  this->Blocks.Clear();
+  this->Frame.SetCellsPerLength(0.5 * this->Frame.CellsPerLength());
+  this->Cells.assign(this->Frame.Size(), Cell());
+  this->Lists.Clear();
   this->NumberOfFiled = 0.0;
   for (Id bite = 0; bite <= newest; ++bite)
   {
@@ -216,8 +172,8 @@ void BiteGrid::Coarsen(Id newest)
 void BiteGrid::FileInCells(Id bite)
 {
   this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
-  const Filed filed = this->MakeFiled(bite);
-  this->VisitTopCells(filed.Extent,
+  const FramedBite filed = this->Frame.Framed(bite);
+  this->Frame.VisitCells(filed.Extent,
     [this, &filed](Id column, Id row, Id cell)
     {
       this->NumberOfFiled += 1.0;
@@ -229,103 +185,60 @@ void BiteGrid::FileInCells(Id bite)
     });
 }
 
-// Calls visit(column, row, cell) for those that the box meets.
-template <typename Visit>
-void BiteGrid::VisitTopCells(const LocalBox& box, Visit&& visit) const
-{
-  const Id lastRow = ClampedIndex(box.HighY, this->Rows);
-  const Id firstColumn = ClampedIndex(box.LowX, this->Columns);
-  const Id lastColumn = ClampedIndex(box.HighX, this->Columns);
-  for (Id row = ClampedIndex(box.LowY, this->Rows); row <= lastRow; ++row)
-  {
-    for (Id column = firstColumn; column <= lastColumn; ++column)
-    {
-      visit(column, row, row * this->Columns + column);
-    }
-  }
-}
-
-void BiteGrid::FileInCell(Id cell, const Place& place, const Filed& bite)
+void BiteGrid::FileInCell(Id cell, const CellPlace& place, const FramedBite& bite)
 {
   if (this->Cells[cell].FirstChild != NoId)
   {
     this->FileInChildren(cell, place, bite);
     return;
   }
-  this->Append(cell, place, bite);
   Cell& leaf = this->Cells[cell];
-  const Id crowd = this->NearReach > 0.0 ? CrowdedWideLeaf : CrowdedLeaf;
+  this->Lists.Append(this->Frame.EntryOf(bite, place), leaf.List);
   const bool isSmaller = place.Size > LeastLeaf * 0.5 * (bite.Extent.HighX - bite.Extent.LowX);
   std::uint16_t& count = isSmaller ? leaf.NumberOfSmaller : leaf.NumberOfLarger;
   count += count < std::numeric_limits<std::uint16_t>::max() ? 1 : 0;
-  if (leaf.NumberOfSmaller > std::max(crowd, Id{ leaf.NumberOfLarger }))
+  if (leaf.NumberOfSmaller > std::max(this->Crowd, Id{ leaf.NumberOfLarger }))
   {
     this->Divide(cell, place);
   }
-  else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > crowd)
+  else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > this->Crowd)
   {
     this->KeepDeepest(leaf, place, bite.Bite);
   }
 }
 
-void BiteGrid::KeepDeepest(Cell& leaf, const Place& place, Id bite)
+void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, Id bite)
 {
-  const double middle = 0.5 * place.Size;
-  const Point2 offset{ place.X + middle, place.Y + middle };
-  const Point2 p = this->Origin + 1.0 / this->CellsPerLength * offset;
+  const Point2 p = this->Frame.MiddleOf(place);
   if (leaf.Deepest == NoId || Depth(this->All, leaf.Deepest, p) < Depth(this->All, bite, p))
   {
     leaf.Deepest = bite;
   }
 }
 
-void BiteGrid::FileInChildren(Id cell, const Place& place, const Filed& bite)
+void BiteGrid::FileInChildren(Id cell, const CellPlace& place, const FramedBite& bite)
 {
   const double scale = Division / place.Size;
   const Id firstChild = this->Cells[cell].FirstChild;
-  const Id lastRow = ClampedIndex((bite.Extent.HighY - place.Y) * scale, Division);
-  const Id firstColumn = ClampedIndex((bite.Extent.LowX - place.X) * scale, Division);
-  const Id lastColumn = ClampedIndex((bite.Extent.HighX - place.X) * scale, Division);
   const double size = place.Size / Division;
-  for (Id row = ClampedIndex((bite.Extent.LowY - place.Y) * scale, Division); row <= lastRow; ++row)
-  {
-    for (Id column = firstColumn; column <= lastColumn; ++column)
+  const CellBox inChildren{ (bite.Extent.LowX - place.X) * scale,
+    (bite.Extent.LowY - place.Y) * scale, (bite.Extent.HighX - place.X) * scale,
+    (bite.Extent.HighY - place.Y) * scale };
+  VisitCellsAt(inChildren, Division, Division,
+    [this, &place, &bite, firstChild, size](Id column, Id row)
     {
       this->FileInCell(firstChild + row * Division + column,
         { place.X + column * size, place.Y + row * size, size }, bite);
-    }
-  }
-}
-
-void BiteGrid::Append(Id cell, const Place& place, const Filed& bite)
-{
-  Cell& leaf = this->Cells[cell];
-  if (leaf.NewestBlock == NoId || this->Blocks[leaf.NewestBlock].Count == Block::Capacity)
-  {
-    const Id added = this->Blocks.Add();
-    this->Blocks[added].Older = leaf.NewestBlock;
-    leaf.NewestBlock = added;
-  }
-  Block& newest = this->Blocks[leaf.NewestBlock];
-  newest.Entries[newest.Count++] = this->MakeEntry(place, bite);
-}
-
-BiteGrid::Entry BiteGrid::MakeEntry(const Place& place, const Filed& bite) const
-{
-  const double scale = 1.0 / place.Size; // a power of two
-  const double rounding =
-    EntryMargin + PlaceRounding * (static_cast<double>(this->Columns) + this->Rows) * scale;
-  const double reach = bite.Reach * scale * (1.0 + EntryMargin) + rounding;
-  return { static_cast<float>((bite.X - place.X) * scale),
-    static_cast<float>((bite.Y - place.Y) * scale), static_cast<float>(reach * reach), bite.Bite };
+      return false;
+    });
 }
 
 // Deals the leaf's bites to its new children in the order of their filing.
-void BiteGrid::Divide(Id cell, const Place& place)
+void BiteGrid::Divide(Id cell, const CellPlace& place)
 {
   std::vector<Id> entries;
-  this->VisitBlocks(this->Cells[cell],
-    [&entries](const Entry& entry)
+  this->Lists.Visit(this->Cells[cell].List,
+    [&entries](const BiteEntry& entry)
     {
       entries.push_back(entry.Bite);
       return false;
@@ -335,32 +248,8 @@ void BiteGrid::Divide(Id cell, const Place& place)
   this->Cells[cell].FirstChild = firstChild;
   for (auto bite = entries.rbegin(); bite != entries.rend(); ++bite)
   {
-    this->FileInChildren(cell, place, this->MakeFiled(*bite));
+    this->FileInChildren(cell, place, this->Frame.Framed(*bite));
   }
-}
-
-// Of the bite's bounding box, or of its near reach where that is larger: half its width, in
-// half-widths.
-double BiteGrid::Spread(Id bite) const
-{
-  const Point2& axis = this->All.Axes[bite];
-  const double spread = this->All.IsCircle(bite) ? 1.0 : std::abs(axis.X) + std::abs(axis.Y);
-  return std::max(spread, this->NearReach);
-}
-
-BiteGrid::LocalBox BiteGrid::ExtentOf(Id bite) const
-{
-  const double reach =
-    this->Spread(bite) * this->All.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
-  return this->ToGrid(this->All.Centers[bite], reach);
-}
-
-BiteGrid::Filed BiteGrid::MakeFiled(Id bite) const
-{
-  const Point2& center = this->All.Centers[bite];
-  return { bite, (center.X - this->Origin.X) * this->CellsPerLength,
-    (center.Y - this->Origin.Y) * this->CellsPerLength,
-    (this->All.HalfWidths[bite] + this->Slack) * this->CellsPerLength, this->ExtentOf(bite) };
 }
 
 } // namespace biting

@@ -5,14 +5,16 @@
 #define BitingBiteGrid_h
 
 #include "../Base/Box2.h"
+#include "../Base/CellIndex.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
+#include "BiteFrame.h"
+#include "BiteLists.h"
 #include "Bites.h"
 
 #include <cstddef> // for sizes
 #include <cstdint> // for counts
-#include <memory>  // for chunks of blocks
 #include <vector>  // for the arrays
 
 namespace biting
@@ -81,53 +83,10 @@ private:
   struct Cell
   {
     Id FirstChild = NoId;
-    Id NewestBlock = NoId;
+    Id List = NoId;    ///< of a leaf
     Id Deepest = NoId; ///< in a crowded leaf: the bite that the middle lies deepest in
     std::uint16_t NumberOfSmaller = 0; ///< bites smaller than the leaf, as far as can be counted
     std::uint16_t NumberOfLarger = 0;
-  };
-
-  // A bite as its leaf sees it, in units of the leaf.
-  struct Entry
-  {
-    float X, Y;   ///< its centre, from the low corner
-    float Square; ///< of its half-width
-    Id Bite;
-  };
-
-  // Four cache lines.
-  struct Block
-  {
-    static constexpr Id Capacity = 15;
-    Id Older = NoId;
-    Id Count = 0;
-    Entry Entries[Capacity];
-  };
-
-  // In chunks: to move all blocks where there is no room for one more takes twice the memory.
-  // Chunks are allocated several at once, the more the more there are: threads that allocate small
-  // parts by the thousand wait for each other.
-  class BlockList
-  {
-  public:
-    Id Size() const { return this->Count; }
-    Block& operator[](Id block) { return this->Chunks[block / ChunkSize][block % ChunkSize]; }
-    const Block& operator[](Id block) const
-    {
-      return this->Chunks[block / ChunkSize][block % ChunkSize];
-    }
-    Id Add();
-    void Clear();
-
-  private:
-    static constexpr Id ChunkSize = 64;
-    static constexpr std::size_t ShareAtOnce = 16; ///< one of so many that there are
-
-    void AddChunks();
-
-    std::vector<std::unique_ptr<Block[]>> Allocated;
-    std::vector<Block*> Chunks; ///< in what is allocated
-    Id Count = 0;
   };
 
   // A place in a leaf, in its units.
@@ -137,102 +96,37 @@ private:
     float X, Y;
   };
 
-  // A box in units of a cell, relative to its low corner.
-  struct LocalBox
-  {
-    double LowX, LowY, HighX, HighY;
-  };
-
-  // A bite that is filed, in units of a top cell.
-  struct Filed
-  {
-    Id Bite;
-    double X, Y;     ///< its centre
-    double Reach;    ///< half-width and slack
-    LocalBox Extent; ///< as far as it is filed
-  };
-
-  static Id ClampedIndex(double position, Id count)
-  {
-    return position <= 0.0 ? 0 : (position >= count ? count - 1 : static_cast<Id>(position));
-  }
-
-  LocalBox ToGrid(const Point2& center, double reach) const
-  {
-    return { (center.X - reach - this->Origin.X) * this->CellsPerLength,
-      (center.Y - reach - this->Origin.Y) * this->CellsPerLength,
-      (center.X + reach - this->Origin.X) * this->CellsPerLength,
-      (center.Y + reach - this->Origin.Y) * this->CellsPerLength };
-  }
-
-  template <typename Visit>
-  bool VisitBlocks(const Cell& cell, Visit&& visit) const;
   LeafPlace Locate(const Point2& p) const;
   template <typename Visit>
-  bool VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
-  // A cell's low corner and size, in units of a top cell.
-  struct Place
-  {
-    double X, Y, Size;
-  };
-
-  void MakeCells(double cellsPerLength);
-  void FileInCells(Id bite);
-  template <typename Visit>
-  void VisitTopCells(const LocalBox& box, Visit&& visit) const;
+  bool VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const;
   void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
+  void FileInCells(Id bite);
   void Coarsen(Id newest);
-  double Spread(Id bite) const;
-  LocalBox ExtentOf(Id bite) const;
-  Filed MakeFiled(Id bite) const;
-  void FileInCell(Id cell, const Place& place, const Filed& bite);
-  void FileInChildren(Id cell, const Place& place, const Filed& bite);
-  void Append(Id cell, const Place& place, const Filed& bite);
-  void KeepDeepest(Cell& leaf, const Place& place, Id bite);
-  Entry MakeEntry(const Place& place, const Filed& bite) const;
-  void Divide(Id cell, const Place& place);
+  void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite);
+  void FileInChildren(Id cell, const CellPlace& place, const FramedBite& bite);
+  void KeepDeepest(Cell& leaf, const CellPlace& place, Id bite);
+  void Divide(Id cell, const CellPlace& place);
 
   const Bites& All;
-  Point2 Origin;
-  Point2 Extents;             ///< width and height
+  BiteFrame Frame;            ///< of the cells at the top
   double MostFiled = 0.0;     ///< what NumberOfFiled may be in any case
   double NumberOfFiled = 0.0; ///< bites in top cells, each as often as it is filed
-  double CellsPerLength = 1.0;
-  double NearReach;         ///< in half-widths
-  double Slack;             ///< a length
-  float CircleAbout = 1.0f; ///< squared radius of the circle about a bite, in squared half-widths
-  Id Columns = 1;
-  Id Rows = 1;
-  Id Newest = NoId; ///< the last bite that was filed
+  Id Crowd;                   ///< more bites than that divide a leaf
+  float CircleAbout = 1.0f;   ///< squared radius of the circle about a bite, in squared half-widths
+  Id Newest = NoId;           ///< the last bite that was filed
   bool HasForgotten = false;
-  std::vector<Cell> Cells;
-  BlockList Blocks;
+  std::vector<Cell> Cells; ///< those at the top first
+  BiteLists Lists;
 };
-
-template <typename Visit>
-bool BiteGrid::VisitBlocks(const Cell& cell, Visit&& visit) const
-{
-  for (Id block = cell.NewestBlock; block != NoId; block = this->Blocks[block].Older)
-  {
-    const Block& entries = this->Blocks[block];
-    for (Id k = entries.Count; k-- > 0;)
-    {
-      if (visit(entries.Entries[k]))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
 
 inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
 {
-  double u = (p.X - this->Origin.X) * this->CellsPerLength;
-  double v = (p.Y - this->Origin.Y) * this->CellsPerLength;
-  Id column = ClampedIndex(u, this->Columns);
-  Id row = ClampedIndex(v, this->Rows);
-  const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
+  const Point2 place = this->Frame.ToGrid(p);
+  double u = place.X;
+  double v = place.Y;
+  Id column = ClampedIndex(u, this->Frame.Columns());
+  Id row = ClampedIndex(v, this->Frame.Rows());
+  const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Frame.Columns() + column];
   while (cell->FirstChild != NoId)
   {
     if (cell->FirstChild == Forgotten)
@@ -253,8 +147,8 @@ template <typename Visit>
 bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
 {
   const LeafPlace place = this->Locate(p);
-  return this->VisitBlocks(*place.Leaf,
-    [&place, &visit, reach = this->CircleAbout](const Entry& entry)
+  return this->Lists.Visit(place.Leaf->List,
+    [&place, &visit, reach = this->CircleAbout](const BiteEntry& entry)
     {
       const float x = entry.X - place.X;
       const float y = entry.Y - place.Y;
@@ -266,8 +160,8 @@ template <typename Visit>
 bool BiteGrid::VisitNear(const Point2& p, double reach, Visit&& visit) const
 {
   const LeafPlace place = this->Locate(p);
-  return this->VisitBlocks(*place.Leaf,
-    [&place, &visit, square = static_cast<float>(reach * reach)](const Entry& entry)
+  return this->Lists.Visit(place.Leaf->List,
+    [&place, &visit, square = static_cast<float>(reach * reach)](const BiteEntry& entry)
     {
       const float x = entry.X - place.X;
       const float y = entry.Y - place.Y;
@@ -278,55 +172,34 @@ bool BiteGrid::VisitNear(const Point2& p, double reach, Visit&& visit) const
 template <typename Visit>
 bool BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) const
 {
-  const LocalBox box = this->ToGrid(center, reach);
-  const Id lastRow = ClampedIndex(box.HighY, this->Rows);
-  const Id lastColumn = ClampedIndex(box.HighX, this->Columns);
-  for (Id row = ClampedIndex(box.LowY, this->Rows); row <= lastRow; ++row)
-  {
-    for (Id column = ClampedIndex(box.LowX, this->Columns); column <= lastColumn; ++column)
+  const CellBox box = this->Frame.ToGrid(center, reach);
+  return VisitCellsAt(box, this->Frame.Columns(), this->Frame.Rows(),
+    [this, &box, &visit](Id column, Id row)
     {
-      if (this->Cells[static_cast<std::size_t>(row) * this->Columns + column].FirstChild ==
-        Forgotten)
+      const std::size_t cell = static_cast<std::size_t>(row) * this->Frame.Columns() + column;
+      if (this->Cells[cell].FirstChild == Forgotten)
       {
         const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
       }
-      const Cell& cell = this->Cells[static_cast<std::size_t>(row) * this->Columns + column];
-      const LocalBox local{ box.LowX - column, box.LowY - row, box.HighX - column,
-        box.HighY - row };
-      if (this->VisitCell(cell, local, visit))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+      return this->VisitCell(this->Cells[cell], box.From(column, row), visit);
+    });
 }
 
 template <typename Visit>
-bool BiteGrid::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
+bool BiteGrid::VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const
 {
   if (cell.FirstChild == NoId)
   {
-    return this->VisitBlocks(cell, [&visit](const Entry& entry) { return visit(entry.Bite); });
+    return this->Lists.Visit(
+      cell.List, [&visit](const BiteEntry& entry) { return visit(entry.Bite); });
   }
-  const double lowX = box.LowX * Division;
-  const double lowY = box.LowY * Division;
-  const double highX = box.HighX * Division;
-  const double highY = box.HighY * Division;
-  const Id lastRow = ClampedIndex(highY, Division);
-  const Id lastColumn = ClampedIndex(highX, Division);
-  for (Id row = ClampedIndex(lowY, Division); row <= lastRow; ++row)
-  {
-    for (Id column = ClampedIndex(lowX, Division); column <= lastColumn; ++column)
+  const CellBox inParts = box.Divided(Division, Division);
+  return VisitCellsAt(inParts, Division, Division,
+    [this, &cell, &inParts, &visit](Id column, Id row)
     {
-      if (this->VisitCell(this->Cells[cell.FirstChild + row * Division + column],
-            { lowX - column, lowY - row, highX - column, highY - row }, visit))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+      return this->VisitCell(
+        this->Cells[cell.FirstChild + row * Division + column], inParts.From(column, row), visit);
+    });
 }
 
 } // namespace biting

@@ -54,18 +54,11 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
   }
   PartOfStage biting(monitor, PlanEnd, 1.0);
   this->BiteBlocks(biting);
-  if (!AddAborted(biting, problems) && this->HasTooManyVertices())
+  if (!AddAborted(biting, problems))
   {
-    this->AddTooMany(problems);
+    this->RefuseTooManyVertices(problems);
   }
   return true;
-}
-
-// The estimate did not see all of f: more than the limit is what is known.
-void BlockMesher::AddTooMany(ProblemList& problems) const
-{
-  const std::int64_t most = this->Options.MaximumNumberOfVertices;
-  AddTooManyVertices(std::max(this->Expected, static_cast<double>(most)), most, problems);
 }
 
 void BlockMesher::Plan(
@@ -129,8 +122,9 @@ void BlockMesher::BiteBlocks(Monitor& monitor)
     [this](std::size_t k, Monitor& own) { this->BiteBlock(this->LargestFirst[k], own); });
 }
 
-bool BlockMesher::HasTooManyVertices() const
+void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
 {
+  const std::int64_t most = this->Options.MaximumNumberOfVertices;
   std::int64_t vertices = 0;
   bool isTooMuch = false;
   for (const BlockMesh& mesh : this->Meshes)
@@ -138,7 +132,11 @@ bool BlockMesher::HasTooManyVertices() const
     vertices += mesh.Bitten;
     isTooMuch = isTooMuch || mesh.Bites.End == BitingEnd::TooManyVertices;
   }
-  return isTooMuch || vertices > this->Options.MaximumNumberOfVertices;
+  if (isTooMuch || vertices > most)
+  {
+    // The estimate did not see all of f: more than the limit is what is known.
+    AddTooManyVertices(std::max(this->Expected, static_cast<double>(most)), most, problems);
+  }
 }
 
 void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
@@ -259,9 +257,9 @@ void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
   {
     this->BiteBlocks(making);
   }
-  if (!making.HasStopped() && this->HasTooManyVertices())
+  if (!making.HasStopped())
   {
-    this->AddTooMany(problems);
+    this->RefuseTooManyVertices(problems);
   }
   if (!this->LargestFirst.empty() && !AddAborted(making, problems) && !problems.HasErrors())
   {

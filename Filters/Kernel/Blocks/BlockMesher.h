@@ -66,8 +66,7 @@ private:
   void OrderBlocks();
   void ShareBlocks();
   void BiteBlocks(Monitor& monitor);
-  bool HasTooManyVertices() const;
-  void AddTooMany(ProblemList& problems) const;
+  void RefuseTooManyVertices(ProblemList& problems) const;
   bool IsCollecting() const { return this->Members.Own() == 0 && this->Members.Size() > 1; }
   void BiteBlock(std::size_t block, Monitor& monitor);
   void RelaxBlocks(ProblemList& problems, Monitor& monitor);

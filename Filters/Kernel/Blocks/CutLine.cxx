@@ -87,6 +87,13 @@ private:
   std::vector<Item> Items;
 };
 
+bool IsAt(const CutGraph& graph, Id piece, const CutEnd& end)
+{
+  const auto& ends = graph.Pieces[piece];
+  return end.Piece == piece ||
+    (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
+}
+
 class LineMaker
 {
 public:
@@ -120,7 +127,6 @@ private:
   bool HasRoom(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
-  bool IsAt(Id piece, const CutEnd& end) const;
   bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction,
     double cosineOfLeast) const;
   bool IsOpen(const CutEnd& end, const CutEnd& other) const;
@@ -342,8 +348,8 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
 {
   const auto& ends = this->Scene.Graph.Pieces[piece];
   const Point2 direction = stretch.To.Place - stretch.From.Place;
-  const bool isAtFrom = this->IsAt(piece, stretch.From);
-  const bool isAtTo = this->IsAt(piece, stretch.To);
+  const bool isAtFrom = IsAt(this->Scene.Graph, piece, stretch.From);
+  const bool isAtTo = IsAt(this->Scene.Graph, piece, stretch.To);
   if (isAtFrom || isAtTo)
   {
     return !(isAtFrom && isAtTo) &&
@@ -352,13 +358,6 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
   }
   return Meet(stretch.From.Place, stretch.To.Place, this->Vertex(ends.Start),
            this->Vertex(ends.End)) == Meeting::None;
-}
-
-bool LineMaker::IsAt(Id piece, const CutEnd& end) const
-{
-  const auto& ends = this->Scene.Graph.Pieces[piece];
-  return end.Piece == piece ||
-    (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
 }
 
 // Between the stretch, which leaves its end in that direction, and what the piece has there.
@@ -383,7 +382,7 @@ bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other) const
     [this, &end, &other, reach](Id piece)
     {
       const auto& ends = this->Scene.Graph.Pieces[piece];
-      return this->IsAt(piece, end)
+      return IsAt(this->Scene.Graph, piece, end)
         ? this->IsOpenAngle(ends, end, other.Place - end.Place, CosineOfOpenAngle)
         : DistanceTo(end.Place, this->Vertex(ends.Start), this->Vertex(ends.End)) >= reach;
     });

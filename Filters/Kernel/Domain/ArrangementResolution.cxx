@@ -7,6 +7,7 @@
 #include "../Predicates/Predicates.h"
 #include "CollinearCrowds.h"
 #include "Meetings.h"
+#include "ResolutionReport.h"
 #include "VertexGrid.h"
 
 #include <algorithm>  // for sort, minmax, count_if
@@ -14,8 +15,6 @@
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
 #include <limits>     // for no limit
-#include <sstream>    // for a count
-#include <string>     // for to_string
 #include <utility>    // for pair
 
 namespace biting
@@ -38,6 +37,7 @@ public:
     , Problems(problems)
     , Beats(pulse)
     , Grid(arrangement.Vertices, arrangement.Resolution)
+    , Report(arrangement, problems)
   {
   }
 
@@ -46,13 +46,6 @@ public:
 private:
   MeetingLimits LimitsFor(const DomainOptions& options) const;
   void MergeCrowds();
-  void ReportMeetings();
-  void Report(const MeetingReport& report);
-  Point2 PlaceOf(const MeetingReport& report) const;
-  void RememberFirst(Id firstCell, Id secondCell, const Point2& place);
-  void RememberLast();
-  bool Refuse(ProblemCode code);
-  bool RefuseCrowd();
 
   void MakeCrossingVertices();
   Id VertexAt(const Point2& place);
@@ -64,7 +57,6 @@ private:
   void MergeEqualEdges();
   bool Drop(const ArrangementEdge& edge);
   std::vector<std::size_t> AbsorbEqualEdges();
-  void ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& other);
   bool MarkAllNew(bool isWanted);
 
   Arrangement& Data;
@@ -72,10 +64,8 @@ private:
   Pulse& Beats;
   VertexGrid Grid;
   Meetings Found;
-  bool IsFirstRound = true;
+  ResolutionReport Report;
   bool HasMergedCrowds = false;
-  Problem FirstDefect; ///< the cells and the place of the first report
-  Problem LastDefect;  ///< of something that the last round has found
 };
 
 bool Resolver::Run(const DomainOptions& options)
@@ -91,22 +81,21 @@ bool Resolver::Run(const DomainOptions& options)
       round < MostRoundsWithSpikes && this->Data.Resolution <= MostForSpikes * this->Data.Rounding;
     if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
     {
-      return this->Refuse(ProblemCode::Aborted);
+      return this->Report.Refuse(ProblemCode::Aborted);
     }
     if (this->Found.HasTooManyCrossings)
     {
-      return this->RefuseCrowd();
+      return this->Report.RefuseCrowd(this->Found);
     }
     if (this->Found.HasTooManySplits)
     {
       this->MergeCrowds();
       continue;
     }
-    this->ReportMeetings();
-    this->RememberLast();
-    if (!options.Repair && !this->FirstDefect.Ids.empty())
+    this->Report.AddRound(this->Found, this->Beats);
+    if (!options.Repair && this->Report.HasDefect())
     {
-      return this->Refuse(ProblemCode::NotResolved);
+      return this->Report.Refuse(ProblemCode::NotResolved);
     }
     const bool isClean = this->Found.IsEmpty();
     if (isClean && isFullRound)
@@ -117,7 +106,8 @@ bool Resolver::Run(const DomainOptions& options)
     this->MergeEqualEdges();
     isFullRound = this->MarkAllNew(isClean);
   }
-  return this->Refuse(this->Beats.HasStopped() ? ProblemCode::Aborted : ProblemCode::NotResolved);
+  return this->Report.Refuse(
+    this->Beats.HasStopped() ? ProblemCode::Aborted : ProblemCode::NotResolved);
 }
 
 MeetingLimits Resolver::LimitsFor(const DomainOptions& options) const
@@ -134,117 +124,11 @@ MeetingLimits Resolver::LimitsFor(const DomainOptions& options) const
 void Resolver::MergeCrowds()
 {
   ProblemList unheard;
-  MergeCollinearCrowds(this->Data, this->IsFirstRound ? this->Problems : unheard, this->Beats);
-  for (const ProblemGroup& group : this->Problems.Groups())
-  {
-    if (group.Code == ProblemCode::DuplicateSegments && this->FirstDefect.Ids.empty())
-    {
-      this->FirstDefect = group.First.front();
-    }
-  }
+  MergeCollinearCrowds(
+    this->Data, this->Report.IsOfFirstRound() ? this->Problems : unheard, this->Beats);
+  this->Report.RememberCrowds();
   this->MarkAllNew(true);
   this->HasMergedCrowds = true;
-}
-
-/// Later rounds mend what the first one has bent: no news for the user.
-void Resolver::ReportMeetings()
-{
-  for (const MeetingReport& report : this->Found.Reports)
-  {
-    if (this->IsFirstRound && this->Beats.Beat())
-    {
-      this->Report(report);
-    }
-  }
-  this->IsFirstRound = false;
-}
-
-void Resolver::Report(const MeetingReport& report)
-{
-  if (report.Code == ProblemCode::NearPoints)
-  {
-    this->Problems.Add(
-      { report.Code, { this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)], NoId },
-        this->Data.At(report.Vertex),
-        "on a segment of cell " + std::to_string(this->Data.Edge(report.First).Cell) });
-    return;
-  }
-  const auto [first, second] =
-    std::minmax({ this->Data.Edge(report.First).Cell, this->Data.Edge(report.Second).Cell });
-  const Id other = report.Code == ProblemCode::Touches
-    ? this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)]
-    : second;
-  constexpr auto MostKept = static_cast<std::int64_t>(ProblemList::KeptPerKind);
-  const bool isKept = this->Problems.Count(report.Code) < MostKept;
-  const Point2 place = isKept ? this->PlaceOf(report) : Point2();
-  this->Problems.Add({ report.Code, { first, other }, place, {} });
-  this->RememberFirst(first, second, place);
-}
-
-Point2 Resolver::PlaceOf(const MeetingReport& report) const
-{
-  if (report.Vertex != NoId)
-  {
-    return this->Data.At(report.Vertex);
-  }
-  const SegmentEnds& a = this->Data.Edge(report.First).Ends;
-  const SegmentEnds& b = this->Data.Edge(report.Second).Ends;
-  return CrossingPoint(
-    this->Data.At(a.Start), this->Data.At(a.End), this->Data.At(b.Start), this->Data.At(b.End));
-}
-
-void Resolver::RememberFirst(Id firstCell, Id secondCell, const Point2& place)
-{
-  if (this->FirstDefect.Ids.empty())
-  {
-    this->FirstDefect.Ids = { firstCell, secondCell };
-    this->FirstDefect.Place = place;
-  }
-}
-
-/// For a refusal where the first round had nothing to report, as all was within rounding.
-void Resolver::RememberLast()
-{
-  if (!this->Found.Splits.empty())
-  {
-    const EdgeSplit& split = this->Found.Splits.front();
-    const Id cell = this->Data.Edge(split.Edge).Cell;
-    this->LastDefect.Ids = { cell, cell };
-    this->LastDefect.Place = this->Data.At(split.Vertex);
-  }
-  else if (!this->Found.Crossings.empty())
-  {
-    const EdgeCrossing& crossing = this->Found.Crossings.front();
-    const ArrangementEdge& edge = this->Data.Edge(crossing.First);
-    this->LastDefect.Ids = { edge.Cell, this->Data.Edge(crossing.Second).Cell };
-    this->LastDefect.Place = this->Data.At(edge.Ends.Start);
-  }
-}
-
-bool Resolver::Refuse(ProblemCode code)
-{
-  Problem problem;
-  if (code != ProblemCode::Aborted)
-  {
-    problem = this->FirstDefect.Ids.empty() ? this->LastDefect : this->FirstDefect;
-  }
-  problem.Code = code;
-  this->Problems.Add(problem);
-  return false;
-}
-
-/// One crossing stands for all.
-bool Resolver::RefuseCrowd()
-{
-  std::ostringstream count;
-  count.precision(2);
-  count << "one of about " << this->Found.NumberOfCrossings << " crossings or more";
-  const EdgeCrossing& crossing = this->Found.Crossings.front();
-  const MeetingReport report{ ProblemCode::Crossings, crossing.First, crossing.Second, NoId };
-  this->Problems.Add({ ProblemCode::NotResolved,
-    { this->Data.Edge(crossing.First).Cell, this->Data.Edge(crossing.Second).Cell },
-    this->PlaceOf(report), count.str() });
-  return false;
 }
 
 void Resolver::MakeCrossingVertices()
@@ -399,24 +283,10 @@ std::vector<std::size_t> Resolver::AbsorbEqualEdges()
     }
     ArrangementEdge& edge = this->Data.Edges[keys[first].second];
     const ArrangementEdge& other = this->Data.Edges[keys[i].second];
-    this->ReportEqual(edge, other);
+    this->Report.AddEqual(edge, other);
     Absorb(edge, other);
   }
   return kept;
-}
-
-/// Faces share edges, and lines carry the tags of their edges.
-void Resolver::ReportEqual(const ArrangementEdge& kept, const ArrangementEdge& other)
-{
-  const bool areLines = kept.HasLine() && other.HasLine();
-  const bool countsTwice = kept.BoundaryCount + other.BoundaryCount > 0;
-  if (this->IsFirstRound && (areLines || countsTwice))
-  {
-    const Point2& place = this->Data.At(kept.Ends.Start);
-    const auto [first, second] = std::minmax({ kept.Cell, other.Cell });
-    this->Problems.Add({ ProblemCode::DuplicateSegments, { first, second }, place, {} });
-    this->RememberFirst(first, second, place);
-  }
 }
 
 /// Where that is wanted, or most are new anyway: one round then does for two. Returns whether it

@@ -4,6 +4,7 @@
 #include "DomainLocator.h"
 
 #include "../Predicates/Predicates.h"
+#include "SegmentSides.h"
 
 #include <algorithm> // for clamp, max, sort, unique
 #include <cmath>     // for sqrt
@@ -30,6 +31,19 @@ Box2 ChildBox(const Box2& box, Id columns, Id rows, Id child)
   childBox.Low = { box.Low.X + child % columns * width, box.Low.Y + child / columns * height };
   childBox.High = { childBox.Low.X + width, childBox.Low.Y + height };
   return childBox;
+}
+
+// Long segments side by side would be filed in too many cells.
+double LeastCellSize(const Domain& domain)
+{
+  double length = 0.0;
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    const Point2 direction =
+      domain.Vertices[domain.Ends[segment]] - domain.Vertices[domain.Starts[segment]];
+    length += std::abs(direction.X) + std::abs(direction.Y);
+  }
+  return length / (MostTopCells * std::max(LeastCells, domain.NumberOfSegments()));
 }
 
 } // namespace
@@ -97,7 +111,7 @@ bool DomainLocator::IsInside(const Point2& p) const
     {
       return false;
     }
-    isInside ^= this->Separates(segment, cell->Reference, p);
+    isInside ^= Separates(this->Geometry, segment, cell->Reference, p);
   }
   return isInside;
 }
@@ -108,25 +122,12 @@ void DomainLocator::MakeGrid(Pulse& pulse)
   const double width = std::max(bounds.Width(), 1e-3 * bounds.Height());
   const double height = std::max(bounds.Height(), 1e-3 * bounds.Width());
   const double wanted = std::max(LeastCells, 2 * this->Geometry.NumberOfSegments());
-  this->CellSize = std::max(std::sqrt(width * height / wanted), this->LeastCellSize());
+  this->CellSize = std::max(std::sqrt(width * height / wanted), LeastCellSize(this->Geometry));
   this->Origin = bounds.Low;
   this->Columns = static_cast<Id>(width / this->CellSize) + 1;
   this->Rows = static_cast<Id>(height / this->CellSize) + 1;
   this->Cells.resize(static_cast<std::size_t>(this->Columns) * this->Rows);
   this->FileSegments(pulse);
-}
-
-// Long segments side by side would be filed in too many cells.
-double DomainLocator::LeastCellSize() const
-{
-  double length = 0.0;
-  for (Id segment = 0; segment < this->Geometry.NumberOfSegments(); ++segment)
-  {
-    const Point2 direction = this->Geometry.Vertices[this->Geometry.Ends[segment]] -
-      this->Geometry.Vertices[this->Geometry.Starts[segment]];
-    length += std::abs(direction.X) + std::abs(direction.Y);
-  }
-  return length / (MostTopCells * std::max(LeastCells, this->Geometry.NumberOfSegments()));
 }
 
 // Counts first, so that the segments of a cell lie together without a list of its own.
@@ -207,7 +208,8 @@ void DomainLocator::SetReferences(Pulse& pulse)
         this->CollectSegments(*previous, cell, between);
         for (const Id segment : between)
         {
-          cell.ReferenceIsInside ^= this->Separates(segment, previous->Reference, cell.Reference);
+          cell.ReferenceIsInside ^=
+            Separates(this->Geometry, segment, previous->Reference, cell.Reference);
         }
       }
       previous = &cell;
@@ -293,7 +295,7 @@ void DomainLocator::MakeChild(Id child, const Box2& box, const Cell& parent)
   for (Id k = 0; k < parent.NumberOfSegments; ++k)
   {
     const Id segment = this->Segments[parent.FirstSegment + k];
-    if (this->MeetsBox(segment, box))
+    if (PassesBox(this->Geometry, segment, box))
     {
       this->Segments.push_back(segment);
     }
@@ -303,8 +305,8 @@ void DomainLocator::MakeChild(Id child, const Box2& box, const Cell& parent)
   cell.ReferenceIsInside = parent.ReferenceIsInside;
   for (Id k = 0; k < parent.NumberOfSegments; ++k)
   {
-    cell.ReferenceIsInside ^=
-      this->Separates(this->Segments[parent.FirstSegment + k], parent.Reference, cell.Reference);
+    cell.ReferenceIsInside ^= Separates(
+      this->Geometry, this->Segments[parent.FirstSegment + k], parent.Reference, cell.Reference);
   }
   this->Cells[child] = cell;
 }
@@ -339,40 +341,6 @@ Box2 DomainLocator::TopBox(Id column, Id row) const
   box.Low = { this->Origin.X + column * this->CellSize, this->Origin.Y + row * this->CellSize };
   box.High = { box.Low.X + this->CellSize, box.Low.Y + this->CellSize };
   return box;
-}
-
-// True also for segments that pass by within the margin.
-bool DomainLocator::MeetsBox(Id segment, const Box2& box) const
-{
-  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
-  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
-  const double margin = CellMargin * box.Width() + this->Geometry.Resolution;
-  Box2 grown = box;
-  grown.Grow(margin);
-  Box2 span;
-  span.Add(a);
-  span.Add(b);
-  if (!grown.Meets(span))
-  {
-    return false;
-  }
-  const Point2 direction = b - a;
-  const double reach =
-    0.5 * (std::abs(direction.X) * grown.Height() + std::abs(direction.Y) * grown.Width());
-  return std::abs(Cross(direction, grown.Center() - a)) <= reach * (1.0 + CellMargin);
-}
-
-// Whether the segment crosses pq, whose ends are not on it. A segment's end on the line pq counts
-// as left of it, for both segments that share that end: the parity along pq stays right.
-bool DomainLocator::Separates(Id segment, const Point2& p, const Point2& q) const
-{
-  const Point2& a = this->Geometry.Vertices[this->Geometry.Starts[segment]];
-  const Point2& b = this->Geometry.Vertices[this->Geometry.Ends[segment]];
-  if ((Orient2D(a, b, p) > 0) == (Orient2D(a, b, q) > 0))
-  {
-    return false;
-  }
-  return (Orient2D(p, q, a) >= 0) != (Orient2D(p, q, b) >= 0);
 }
 
 } // namespace biting

@@ -5,6 +5,7 @@
 #define BitingDomainLocator_h
 
 #include "../Base/Box2.h"
+#include "../Base/CellIndex.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
@@ -58,7 +59,6 @@ private:
 
   void Build(Pulse& pulse);
   void MakeGrid(Pulse& pulse);
-  double LeastCellSize() const;
   void FileSegments(Pulse& pulse);
   template <typename Visit>
   void VisitTopCells(Id segment, const Visit& visit);
@@ -70,26 +70,13 @@ private:
   void MakeChild(Id child, const Box2& box, const Cell& parent);
   Point2 FreePoint(const Box2& box, const Cell& cell) const;
   Box2 TopBox(Id column, Id row) const;
-  bool MeetsBox(Id segment, const Box2& box) const;
-  bool Separates(Id segment, const Point2& p, const Point2& q) const;
-
-  // A box in units of a cell, relative to its low corner.
-  struct LocalBox
-  {
-    double LowX, LowY, HighX, HighY;
-  };
 
   static constexpr Id NumberOfChildren = 16; ///< 16 x 1, 4 x 4 or 1 x 16
 
-  static Id ClampedIndex(double position, Id count)
-  {
-    return position <= 0.0 ? 0 : (position >= count ? count - 1 : static_cast<Id>(position));
-  }
-
   template <typename Visit>
-  bool VisitCells(Id firstCell, Id columns, Id rows, const LocalBox& box, Visit&& visit) const;
+  bool VisitCells(Id firstCell, Id columns, Id rows, const CellBox& box, Visit&& visit) const;
   template <typename Visit>
-  bool VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const;
+  bool VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const;
 
   const Domain& Geometry;
   Point2 Origin;
@@ -104,7 +91,7 @@ private:
 template <typename Visit>
 bool DomainLocator::VisitSegments(const Box2& box, Visit&& visit) const
 {
-  const LocalBox local{ (box.Low.X - this->Origin.X) / this->CellSize,
+  const CellBox local{ (box.Low.X - this->Origin.X) / this->CellSize,
     (box.Low.Y - this->Origin.Y) / this->CellSize, (box.High.X - this->Origin.X) / this->CellSize,
     (box.High.Y - this->Origin.Y) / this->CellSize };
   return this->VisitCells(0, this->Columns, this->Rows, local, visit);
@@ -112,35 +99,24 @@ bool DomainLocator::VisitSegments(const Box2& box, Visit&& visit) const
 
 template <typename Visit>
 bool DomainLocator::VisitCells(
-  Id firstCell, Id columns, Id rows, const LocalBox& box, Visit&& visit) const
+  Id firstCell, Id columns, Id rows, const CellBox& box, Visit&& visit) const
 {
-  const Id lastRow = ClampedIndex(box.HighY, rows);
-  const Id lastColumn = ClampedIndex(box.HighX, columns);
-  for (Id row = ClampedIndex(box.LowY, rows); row <= lastRow; ++row)
-  {
-    for (Id column = ClampedIndex(box.LowX, columns); column <= lastColumn; ++column)
+  return VisitCellsAt(box, columns, rows,
+    [this, firstCell, columns, &box, &visit](Id column, Id row)
     {
-      const LocalBox inCell{ box.LowX - column, box.LowY - row, box.HighX - column,
-        box.HighY - row };
-      if (this->VisitCell(this->Cells[firstCell + row * columns + column], inCell, visit))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+      return this->VisitCell(
+        this->Cells[firstCell + row * columns + column], box.From(column, row), visit);
+    });
 }
 
 template <typename Visit>
-bool DomainLocator::VisitCell(const Cell& cell, const LocalBox& box, Visit&& visit) const
+bool DomainLocator::VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const
 {
   if (cell.FirstChild != NoId)
   {
     const Id columns = cell.ChildColumns;
     const Id rows = NumberOfChildren / columns;
-    const LocalBox scaled{ box.LowX * columns, box.LowY * rows, box.HighX * columns,
-      box.HighY * rows };
-    return this->VisitCells(cell.FirstChild, columns, rows, scaled, visit);
+    return this->VisitCells(cell.FirstChild, columns, rows, box.Divided(columns, rows), visit);
   }
   for (Id k = 0; k < cell.NumberOfSegments; ++k)
   {

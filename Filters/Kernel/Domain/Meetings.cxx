@@ -6,6 +6,7 @@
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
 #include "CrossingEstimate.h"
+#include "MeetingReports.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
@@ -37,6 +38,7 @@ public:
     , Ends(arrangement.EdgeEnds())
     , Stars(arrangement.Vertices, this->Ends, pulse)
     , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution, pulse)
+    , News(arrangement, meetings.Reports)
   {
   }
 
@@ -62,16 +64,9 @@ private:
   bool TestVertex(Id edge, Id vertex);
   bool IsOn(Id vertex, const SegmentEnds& ends) const;
   bool IsSpike(Id vertex, const SegmentEnds& ends) const;
-  void ReportOverlap(Id first, Id second, Id vertex);
-  void ReportTouch(Id edge, Id toucher, Id vertex);
-  void ReportNear(Id edge, Id other, Id vertex);
-  void ReportCrossing(Id first, Id second);
-  bool IsNews(Id first, Id second) const;
-  bool AreOfOneFace(Id first, Id second) const;
-  bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
-  bool MayBound(Id edge) const
+  void ReportNear(Id edge, Id other, Id vertex)
   {
-    return this->IsBoundary(edge) || this->Input.Edge(edge).OpenCount > 0;
+    this->News.ReportNear(edge, other, vertex, this->Stars.Degree(vertex) > 1);
   }
   const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
 
@@ -82,6 +77,7 @@ private:
   const std::vector<SegmentEnds> Ends;
   const VertexStars Stars;
   const SegmentTree Tree;
+  MeetingReporter News;
 };
 
 /// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
@@ -141,7 +137,7 @@ void MeetingFinder::TestApart(Id first, Id second)
       const Id toucher = edge == first ? second : first;
       if (meeting == Meeting::Touch || meeting == Meeting::Crossing)
       {
-        this->ReportTouch(edge, toucher, vertex);
+        this->News.ReportTouch(edge, toucher, vertex);
       }
       else
       {
@@ -151,11 +147,11 @@ void MeetingFinder::TestApart(Id first, Id second)
   }
   if (touched != NoId && meeting == Meeting::Overlap)
   {
-    this->ReportOverlap(first, second, touched);
+    this->News.ReportOverlap(first, second, touched);
   }
   if (touched == NoId && meeting == Meeting::Crossing)
   {
-    this->ReportCrossing(first, second);
+    this->News.ReportCrossing(first, second);
     this->Found.Crossings.push_back({ first, second });
   }
 }
@@ -220,7 +216,8 @@ bool MeetingFinder::TestFan(Id first, Id second, Id apex, bool tells)
   }
   if (tells && Orient2D(this->Input.At(apex), this->Input.At(a), this->Input.At(b)) == 0)
   {
-    this->ReportOverlap(std::min(first, second), std::max(first, second), isSecondNearer ? b : a);
+    this->News.ReportOverlap(
+      std::min(first, second), std::max(first, second), isSecondNearer ? b : a);
   }
   else if (tells)
   {
@@ -283,63 +280,6 @@ bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
   return this->Input.KeepsSpikes && this->Stars.Degree(vertex) > 0 &&
     std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex),
       [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
-}
-
-/// Faces share parts of edges, and lines run over faces.
-bool MeetingFinder::IsNews(Id first, Id second) const
-{
-  const bool isOfLines = this->Input.Edge(first).HasLine() && this->Input.Edge(second).HasLine();
-  return isOfLines || this->IsBoundary(first) || this->IsBoundary(second);
-}
-
-bool MeetingFinder::AreOfOneFace(Id first, Id second) const
-{
-  const Id face = this->Input.Edge(first).Faces.First();
-  return face != NoId && face == this->Input.Edge(second).Faces.First();
-}
-
-void MeetingFinder::ReportOverlap(Id first, Id second, Id vertex)
-{
-  if (this->IsNews(first, second))
-  {
-    this->Found.Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
-  }
-}
-
-/// Where what may bound the domain is moved to a vertex near it: by more than rounding, or to one
-/// that a chain passes. That an interface ends on it but for rounding, or a point lies on it, is no
-/// news.
-void MeetingFinder::ReportNear(Id edge, Id other, Id vertex)
-{
-  const Point2& start = this->Input.At(this->EndsOf(edge).Start);
-  const Point2& end = this->Input.At(this->EndsOf(edge).End);
-  const Point2& p = this->Input.At(vertex);
-  const bool isRounding =
-    std::abs(Cross(end - start, p - start)) <= this->Input.Rounding * Distance(start, end);
-  const bool isPassed = this->MayBound(other) && this->Stars.Degree(vertex) > 1;
-  if (this->MayBound(edge) && (isPassed || !isRounding) && !IsOnSegment(p, start, end))
-  {
-    this->Found.Reports.push_back({ ProblemCode::NearPoints, edge, other, vertex });
-  }
-}
-
-/// Interfaces may end anywhere; only boundaries that touch are worth a word.
-void MeetingFinder::ReportTouch(Id edge, Id toucher, Id vertex)
-{
-  if (this->IsBoundary(edge) && this->IsBoundary(toucher))
-  {
-    this->Found.Reports.push_back({ ProblemCode::Touches, edge, toucher, vertex });
-  }
-}
-
-/// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses
-/// itself.
-void MeetingFinder::ReportCrossing(Id first, Id second)
-{
-  if (this->IsNews(first, second) || this->AreOfOneFace(first, second))
-  {
-    this->Found.Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
-  }
 }
 
 /// Of entries with equal keys the least is kept.

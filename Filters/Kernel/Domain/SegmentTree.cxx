@@ -31,6 +31,30 @@ void AddBox(Box2& bounds, const Box2& other)
 
 } // namespace
 
+/// Makes the nodes and brings the items into their order.
+class SegmentTree::Builder
+{
+public:
+  Builder(SegmentTree& tree, Pulse& pulse)
+    : Tree(tree)
+    , Beats(pulse)
+  {
+  }
+
+  void FileItems(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments);
+  void Build(Id first, Id last);
+
+private:
+  double Enclose(Node& node) const;
+  Id Part(const Node& node, double longest);
+  Id PartByLength(Id first, Id last, double length);
+  void Halve(Id first, Id middle, Id last);
+  void EncloseItems(Node& leaf) const;
+
+  SegmentTree& Tree;
+  Pulse& Beats;
+};
+
 SegmentTree::SegmentTree(
   const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
 {
@@ -43,11 +67,12 @@ SegmentTree::SegmentTree(const std::vector<Point2>& points,
   const std::vector<SegmentEnds>& segments, double margin, Pulse& pulse)
 {
   this->Margin = margin;
-  this->FileItems(points, segments, margin);
+  Builder builder(*this, pulse);
+  builder.FileItems(points, segments);
   if (!this->Items.empty() && pulse.Ask())
   {
     this->Nodes.reserve(this->Items.size());
-    this->Build(0, static_cast<Id>(this->Items.size()), pulse);
+    builder.Build(0, static_cast<Id>(this->Items.size()));
   }
 }
 
@@ -55,11 +80,11 @@ SegmentTree::SegmentTree(const std::vector<Point2>& points,
 /// are off by at most 2 u M, so their products with a direction by 8 u M times its 1-norm. A
 /// direction of length one is off by 2 u, a slanted box in units of M by some 10 u for each level
 /// of the tree, of which there are less than 100.
-void SegmentTree::FileItems(
-  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin)
+void SegmentTree::Builder::FileItems(
+  const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments)
 {
   double largest = 0.0;
-  this->Items.reserve(segments.size());
+  this->Tree.Items.reserve(segments.size());
   for (const SegmentEnds& ends : segments)
   {
     Item item;
@@ -68,50 +93,50 @@ void SegmentTree::FileItems(
     item.Shortest = LengthOf(start, end);
     item.Bounds.Add(start);
     item.Bounds.Add(end);
-    item.Bounds.Grow(margin);
+    item.Bounds.Grow(this->Tree.Margin);
     item.Ends = ends;
-    item.Segment = static_cast<Id>(this->Items.size());
+    item.Segment = static_cast<Id>(this->Tree.Items.size());
     item.Rises = (end.X >= start.X) == (end.Y >= start.Y);
-    this->Items.push_back(item);
+    this->Tree.Items.push_back(item);
     largest = std::max({ largest, std::abs(item.Bounds.Low.X), std::abs(item.Bounds.Low.Y),
       std::abs(item.Bounds.High.X), std::abs(item.Bounds.High.Y) });
   }
-  this->Rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
-  this->Slack = 1024.0 * std::numeric_limits<double>::epsilon() * largest;
+  this->Tree.Rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  this->Tree.Slack = 1024.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-void SegmentTree::Build(Id first, Id last, Pulse& pulse)
+void SegmentTree::Builder::Build(Id first, Id last)
 {
-  const std::size_t index = this->Nodes.size();
+  const std::size_t index = this->Tree.Nodes.size();
   Node node;
   node.FirstItem = first;
   node.LastItem = last;
   const double longest = this->Enclose(node);
-  this->Nodes.push_back(node);
-  if (last - first > LeafSize && pulse.Beat(static_cast<std::size_t>(last - first)))
+  this->Tree.Nodes.push_back(node);
+  if (last - first > LeafSize && this->Beats.Beat(static_cast<std::size_t>(last - first)))
   {
     const Id middle = this->Part(node, longest);
-    this->Build(first, middle, pulse);
-    const std::size_t second = this->Nodes.size();
-    this->Build(middle, last, pulse);
-    EncloseBoth(this->Nodes[index], this->Nodes[index + 1], this->Nodes[second]);
+    this->Build(first, middle);
+    const std::size_t second = this->Tree.Nodes.size();
+    this->Build(middle, last);
+    this->Tree.Nodes[index].SlantAround(this->Tree.Nodes[index + 1], this->Tree.Nodes[second]);
   }
   else
   {
-    this->EncloseItems(this->Nodes[index]);
+    this->EncloseItems(this->Tree.Nodes[index]);
   }
-  this->Nodes[index].Next = static_cast<Id>(this->Nodes.size());
+  this->Tree.Nodes[index].Next = static_cast<Id>(this->Tree.Nodes.size());
 }
 
 /// All but the slanted box; returns the length of the longest item.
-double SegmentTree::Enclose(Node& node) const
+double SegmentTree::Builder::Enclose(Node& node) const
 {
   double longest = 0.0;
-  node.Common = this->ItemAt(node.FirstItem).Ends;
-  node.Shortest = this->ItemAt(node.FirstItem).Shortest;
+  node.Common = this->Tree.ItemAt(node.FirstItem).Ends;
+  node.Shortest = this->Tree.ItemAt(node.FirstItem).Shortest;
   for (Id i = node.FirstItem; i < node.LastItem; ++i)
   {
-    const Item& item = this->ItemAt(i);
+    const Item& item = this->Tree.ItemAt(i);
     AddBox(node.Bounds, item.Bounds);
     node.Common = CommonVertices(node.Common, item.Ends);
     node.Shortest = std::min(node.Shortest, item.Shortest);
@@ -121,7 +146,7 @@ double SegmentTree::Enclose(Node& node) const
 }
 
 /// By length where that differs much, else by place; returns where the second part begins.
-Id SegmentTree::Part(const Node& node, double longest)
+Id SegmentTree::Builder::Part(const Node& node, double longest)
 {
   if (longest > SimilarLengths * node.Shortest)
   {
@@ -138,21 +163,21 @@ Id SegmentTree::Part(const Node& node, double longest)
 }
 
 /// The longer ones go first.
-Id SegmentTree::PartByLength(Id first, Id last, double length)
+Id SegmentTree::Builder::PartByLength(Id first, Id last, double length)
 {
-  const auto begin = this->Items.begin();
+  const auto begin = this->Tree.Items.begin();
   const auto middle = std::partition(
     begin + first, begin + last, [length](const Item& item) { return item.Shortest > length; });
   return static_cast<Id>(middle - begin);
 }
 
 /// Parts the items at the median of their centres, along the longer side of the centres' box.
-void SegmentTree::Halve(Id first, Id middle, Id last)
+void SegmentTree::Builder::Halve(Id first, Id middle, Id last)
 {
   Box2 centers;
   for (Id i = first; i < last; ++i)
   {
-    centers.Add(this->Items[static_cast<std::size_t>(i)].Bounds.Center());
+    centers.Add(this->Tree.Items[static_cast<std::size_t>(i)].Bounds.Center());
   }
   const bool alongX = centers.Width() >= centers.Height();
   const auto isBefore = [alongX](const Item& a, const Item& b)
@@ -163,15 +188,26 @@ void SegmentTree::Halve(Id first, Id middle, Id last)
     const double right = alongX ? q.X : q.Y;
     return left < right || (left == right && a.Segment < b.Segment);
   };
-  const auto begin = this->Items.begin();
+  const auto begin = this->Tree.Items.begin();
   std::nth_element(begin + first, begin + middle, begin + last, isBefore);
+}
+
+/// Along the longest item.
+void SegmentTree::Builder::EncloseItems(Node& leaf) const
+{
+  for (Id i = leaf.FirstItem; i < leaf.LastItem; ++i)
+  {
+    const SlantedBox item = this->Tree.BoxOf(this->Tree.ItemAt(i));
+    const SlantedBox before = leaf;
+    leaf.SlantAround(i == leaf.FirstItem ? item : before, item);
+  }
 }
 
 /// A segment is a diagonal of its box, and stays within 2 Margin of that of the grown box, which
 /// its grown box leaves by no more than that.
-SegmentTree::Extent SegmentTree::ExtentOf(const Item& item) const
+SlantedBox SegmentTree::BoxOf(const Item& item) const
 {
-  Extent extent;
+  SlantedBox extent;
   extent.Bounds = item.Bounds;
   extent.Center = item.Bounds.Center();
   const double height = item.Bounds.Height();
@@ -181,40 +217,6 @@ SegmentTree::Extent SegmentTree::ExtentOf(const Item& item) const
   extent.Along = 0.5 * length + 4.0 * this->Margin;
   extent.Across = 4.0 * this->Margin;
   return extent;
-}
-
-/// Along the longest item.
-void SegmentTree::EncloseItems(Node& leaf) const
-{
-  for (Id i = leaf.FirstItem; i < leaf.LastItem; ++i)
-  {
-    const Extent item = this->ExtentOf(this->ItemAt(i));
-    const Extent before = leaf;
-    EncloseBoth(leaf, i == leaf.FirstItem ? item : before, item);
-  }
-}
-
-/// Along the longer one; the box along the axes is left as it is.
-void SegmentTree::EncloseBoth(Node& parent, const Extent& first, const Extent& second)
-{
-  const Point2 axis = first.Along >= second.Along ? first.Axis : second.Axis;
-  const Point2 normal = Perpendicular(axis);
-  const Point2 gap = second.Center - first.Center;
-  const auto span = [&first, &second, &gap](const Point2& direction)
-  {
-    const double place = Dot(direction, gap);
-    const double reach = first.ReachIn(direction);
-    const double other = second.ReachIn(direction);
-    const double low = std::min(-reach, place - other);
-    const double high = std::max(reach, place + other);
-    return Point2{ 0.5 * (low + high), 0.5 * (high - low) };
-  };
-  const Point2 along = span(axis);
-  const Point2 across = span(normal);
-  parent.Center = first.Center + along.X * axis + across.X * normal;
-  parent.Axis = axis;
-  parent.Along = along.Y;
-  parent.Across = across.Y;
 }
 
 std::vector<Id> SegmentTree::CountWanted(const std::vector<std::uint8_t>& isWanted) const

@@ -8,6 +8,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
+#include "SlantedBox.h"
 
 #include <cmath>   // for abs
 #include <cstddef> // for size_t
@@ -91,6 +92,8 @@ public:
   }
 
 private:
+  class Builder;
+
   struct Item
   {
     Box2 Bounds;
@@ -100,23 +103,8 @@ private:
     double Shortest = 0.0; ///< its own length
   };
 
-  /// A box along the axes, and a slanted one around the same.
-  struct Extent
-  {
-    Box2 Bounds;
-    Point2 Center;
-    Point2 Axis{ 1.0, 0.0 }; ///< of length one
-    double Along = 0.0;      ///< half of the extent along the axis
-    double Across = 0.0;     ///< half of the extent across it
-
-    Point2 Normal() const { return Perpendicular(this->Axis); }
-    double Size() const { return this->Bounds.Width() + this->Bounds.Height(); }
-    double ReachIn(const Point2& direction) const;
-    bool IsBeside(const Extent& other, double slack) const;
-  };
-
   /// Nodes lie in preorder: the first child follows its parent, Next is the node after the subtree.
-  struct Node : Extent
+  struct Node : SlantedBox
   {
     SegmentEnds Common; ///< vertices at which every segment of the subtree ends
     Id Next = NoId;
@@ -197,7 +185,7 @@ private:
       for (Id i = leaf.FirstItem; i < leaf.LastItem && this->Visit.GoesOn(); ++i)
       {
         const Item& item = this->Tree.ItemAt(i);
-        const Extent extent = this->Tree.ExtentOf(item);
+        const SlantedBox extent = this->Tree.BoxOf(item);
         this->Tree.WalkBelow(
           top,
           [this, &item, &extent](const Node& node)
@@ -312,7 +300,7 @@ private:
       (common.End != NoId && skipped.Has(common.End));
   }
 
-  bool MayMeet(const Extent& a, const Extent& b) const
+  bool MayMeet(const SlantedBox& a, const SlantedBox& b) const
   {
     return a.Bounds.Meets(b.Bounds) && !a.IsBeside(b, this->Slack) && !b.IsBeside(a, this->Slack);
   }
@@ -320,18 +308,8 @@ private:
   const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
   const Item& ItemAt(Id item) const { return this->Items[static_cast<std::size_t>(item)]; }
   bool IsLeaf(Id node) const { return this->NodeAt(node).Next == node + 1; }
-  Extent ExtentOf(const Item& item) const;
+  SlantedBox BoxOf(const Item& item) const;
   std::vector<Id> CountWanted(const std::vector<std::uint8_t>& isWanted) const;
-
-  void FileItems(
-    const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
-  void Build(Id first, Id last, Pulse& pulse);
-  double Enclose(Node& node) const;
-  Id Part(const Node& node, double longest);
-  Id PartByLength(Id first, Id last, double length);
-  void Halve(Id first, Id middle, Id last);
-  void EncloseItems(Node& leaf) const;
-  static void EncloseBoth(Node& parent, const Extent& first, const Extent& second);
 
   std::vector<Item> Items;
   std::vector<Node> Nodes;
@@ -339,21 +317,6 @@ private:
   double Rounding = 0.0; ///< of a cross product with a direction, over the latter's 1-norm
   double Slack = 0.0;    ///< rounding of the sides of slanted boxes
 };
-
-/// Half of the extent of the slanted box in a direction of length one.
-inline double SegmentTree::Extent::ReachIn(const Point2& direction) const
-{
-  return this->Along * std::abs(Dot(direction, this->Axis)) +
-    this->Across * std::abs(Cross(direction, this->Axis));
-}
-
-/// Whether the other slanted box lies on one side of this one, seen along its axis.
-inline bool SegmentTree::Extent::IsBeside(const Extent& other, double slack) const
-{
-  const Point2 normal = this->Normal();
-  const double distance = std::abs(Dot(normal, other.Center - this->Center));
-  return distance > this->Across + other.ReachIn(normal) + slack;
-}
 
 } // namespace biting
 

@@ -8,7 +8,9 @@
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
 #include "CheckSums.h"
-#include "Components.h"
+#include "Components.h" // for UseSum
+#include "MeshParts.h"
+#include "TriangleSlots.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs
@@ -29,16 +31,6 @@ constexpr double NeighborsEnd = 0.7;
 constexpr double UsesEnd = 0.8;
 constexpr double ComponentsEnd = 0.98;
 
-constexpr std::size_t Next(std::size_t slot)
-{
-  return slot % 3 == 2 ? slot - 2 : slot + 1;
-}
-
-constexpr std::size_t Previous(std::size_t slot)
-{
-  return slot % 3 == 0 ? slot + 2 : slot - 1;
-}
-
 // How a vertex is used.
 enum Use : std::uint8_t
 {
@@ -46,6 +38,18 @@ enum Use : std::uint8_t
   Inner,
   Boundary
 };
+
+std::string EdgeText(const MeshCheckInput& mesh, std::size_t slot)
+{
+  const Id startId = mesh.Corners[NextSlotOf(slot)];
+  const Id endId = mesh.Corners[PreviousSlotOf(slot)];
+  const Point2& start = mesh.Points[static_cast<std::size_t>(startId)];
+  const Point2& end = mesh.Points[static_cast<std::size_t>(endId)];
+  std::ostringstream text;
+  text << "edge " << startId << " - " << endId << " of triangle " << slot / 3 << ", (" << start.X
+       << ", " << start.Y << ") - (" << end.X << ", " << end.Y << ")";
+  return text.str();
+}
 
 class MeshChecker
 {
@@ -64,20 +68,16 @@ private:
   bool HasMutualNeighbors();
   bool IsLink(std::size_t slot, std::size_t across) const;
   bool IsLocallyDelaunay(std::size_t slot, std::size_t across) const;
-  std::size_t SlotAcross(std::size_t slot) const;
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
   Marks FindUses();
   bool FulfilsEuler();
-  std::int64_t CountComponents();
-  Id PartOf(std::size_t triangle, const std::vector<Id>& partOf, ComponentSum& sum) const;
+  std::int64_t CountParts();
   std::int64_t CountLoops();
-  std::size_t NextOnBoundary(std::size_t slot) const;
   bool CoversArea();
   double BoundaryRounding() const;
   bool IsGoingOn(std::size_t slot);
   bool Refuse(const std::string& violation);
-  std::string EdgeText(std::size_t slot) const;
 
   std::size_t Corner(std::size_t slot) const
   {
@@ -163,7 +163,7 @@ bool MeshChecker::HasMutualNeighbors()
       sum.Unanswered += isLarger ? 1 : -1;
       if (!isLarger)
       {
-        const std::size_t across = this->SlotAcross(slot);
+        const std::size_t across = SlotAcross(this->Mesh.Corners, slot, neighbor);
         const bool isLink = this->IsLink(slot, across);
         sum.Wrong.Add(slot, !isLink);
         sum.Bent.Add(
@@ -173,11 +173,12 @@ bool MeshChecker::HasMutualNeighbors()
   this->BoundarySlots.swap(links.BoundarySlots);
   if (links.Wrong.Exists())
   {
-    return this->Refuse("the triangles at " + this->EdgeText(links.Wrong.Slot) + " do not match");
+    return this->Refuse(
+      "the triangles at " + EdgeText(this->Mesh, links.Wrong.Slot) + " do not match");
   }
   if (links.Bent.Exists())
   {
-    return this->Refuse(this->EdgeText(links.Bent.Slot) + " is not Delaunay");
+    return this->Refuse(EdgeText(this->Mesh, links.Bent.Slot) + " is not Delaunay");
   }
   return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
@@ -185,8 +186,8 @@ bool MeshChecker::HasMutualNeighbors()
 bool MeshChecker::IsLink(std::size_t slot, std::size_t across) const
 {
   return static_cast<std::size_t>(this->Mesh.Neighbors[across]) == slot / 3 &&
-    this->Corner(Next(across)) == this->Corner(Previous(slot)) &&
-    this->Corner(Previous(across)) == this->Corner(Next(slot)) &&
+    this->Corner(NextSlotOf(across)) == this->Corner(PreviousSlotOf(slot)) &&
+    this->Corner(PreviousSlotOf(across)) == this->Corner(NextSlotOf(slot)) &&
     this->Mesh.Constraints[across] == this->Mesh.Constraints[slot];
 }
 
@@ -194,20 +195,8 @@ bool MeshChecker::IsLink(std::size_t slot, std::size_t across) const
 bool MeshChecker::IsLocallyDelaunay(std::size_t slot, std::size_t across) const
 {
   return this->Mesh.Constraints[slot] != NoId ||
-    InCircle(this->Place(slot), this->Place(Next(slot)), this->Place(Previous(slot)),
+    InCircle(this->Place(slot), this->Place(NextSlotOf(slot)), this->Place(PreviousSlotOf(slot)),
       this->Place(across)) <= 0;
-}
-
-// The slot of the neighbor whose edge starts where that of `slot` ends; any where there is none.
-// Without branches: which corner it is cannot be predicted.
-std::size_t MeshChecker::SlotAcross(std::size_t slot) const
-{
-  constexpr std::size_t SlotBefore[] = { 2, 0, 1, 1 };
-  const std::size_t first = 3 * static_cast<std::size_t>(this->Mesh.Neighbors[slot]);
-  const Id end = this->Mesh.Corners[Previous(slot)];
-  const std::size_t isSecond = this->Mesh.Corners[first + 1] == end ? 1 : 0;
-  const std::size_t isThird = this->Mesh.Corners[first + 2] == end ? 2 : 0;
-  return first + SlotBefore[isSecond + isThird];
 }
 
 bool MeshChecker::HasConstrainedBoundary()
@@ -217,7 +206,7 @@ bool MeshChecker::HasConstrainedBoundary()
     const std::size_t slot = this->BoundarySlots[k];
     if (this->Mesh.Constraints[slot] == NoId)
     {
-      return this->Refuse("no constraint covers the boundary at " + this->EdgeText(slot));
+      return this->Refuse("no constraint covers the boundary at " + EdgeText(this->Mesh, slot));
     }
   }
   return true;
@@ -246,7 +235,7 @@ Marks MeshChecker::FindUses()
     [this, &uses](std::size_t slot) { uses.Set(this->Corner(slot), Inner); });
   this->Beats.ForEach(this->BoundarySlots.size(),
     [this, &uses](std::size_t k)
-    { uses.Set(this->Corner(Next(this->BoundarySlots[k])), Boundary); });
+    { uses.Set(this->Corner(NextSlotOf(this->BoundarySlots[k])), Boundary); });
   return uses;
 }
 
@@ -257,7 +246,7 @@ bool MeshChecker::FulfilsEuler()
 {
   const std::int64_t numberOfTriangles = static_cast<std::int64_t>(this->Mesh.Corners.size() / 3);
   const std::int64_t numberOfBoundaryEdges = static_cast<std::int64_t>(this->BoundarySlots.size());
-  const std::int64_t components = this->CountComponents();
+  const std::int64_t components = this->CountParts();
   const std::int64_t loops = this->CountLoops();
   const std::int64_t found =
     2 * this->NumberOfInnerVertices + numberOfBoundaryEdges - numberOfTriangles;
@@ -266,82 +255,17 @@ bool MeshChecker::FulfilsEuler()
       std::to_string(loops) + " boundary loops");
 }
 
-// Each triangle takes the part of a neighbor before it, or begins a part where there is none; where
-// it has neighbors of different parts, these are one. There are few parts, so joining costs little.
-// Each task does so with its triangles; then the parts of different tasks are joined.
-std::int64_t MeshChecker::CountComponents()
+std::int64_t MeshChecker::CountParts()
 {
-  const PulsePart counting(this->Beats, UsesEnd, ComponentsEnd);
-  std::vector<Id> partOf(this->Mesh.Neighbors.size() / 3, NoId);
-  ComponentSum sum = SumAtOnce(this->Beats, partOf.size(), ComponentSum(),
-    [this, &partOf](ComponentSum& own, std::size_t triangle)
-    { partOf[triangle] = this->PartOf(triangle, partOf, own); });
-  if (this->Beats.HasStopped())
-  {
-    return 0;
-  }
-  for (const ComponentSum::Link& link : sum.Links)
-  {
-    const std::size_t across = static_cast<std::size_t>(link.Across);
-    sum.Components.Join(link.Part, sum.Begins[across / StepsPerTask] + partOf[across]);
-  }
-  return sum.Components.Count();
-}
-
-// Among the parts of its task. What lies across in an earlier one is kept for later.
-Id MeshChecker::PartOf(std::size_t triangle, const std::vector<Id>& partOf, ComponentSum& sum) const
-{
-  const Id begin = static_cast<Id>(triangle - triangle % StepsPerTask);
-  const Id* across = this->Mesh.Neighbors.data() + 3 * triangle;
-  Id part = NoId;
-  bool hasEarlier = false;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const bool isBefore = across[corner] < static_cast<Id>(triangle);
-    if (isBefore && across[corner] >= begin)
-    {
-      part = sum.Components.Join(part, partOf[static_cast<std::size_t>(across[corner])]);
-    }
-    hasEarlier = hasEarlier || (across[corner] != NoId && across[corner] < begin);
-  }
-  part = part == NoId ? sum.Components.Begin() : part;
-  for (int corner = 0; hasEarlier && corner < 3; ++corner)
-  {
-    if (across[corner] != NoId && across[corner] < begin)
-    {
-      sum.Links.push_back({ part, across[corner] });
-    }
-  }
-  return part;
+  const PulsePart part(this->Beats, UsesEnd, ComponentsEnd);
+  return CountComponents(this->Mesh.Neighbors, this->Beats);
 }
 
 std::int64_t MeshChecker::CountLoops()
 {
   const PulsePart part(this->Beats, ComponentsEnd, 1.0);
-  std::vector<bool> isTraced(this->Mesh.Neighbors.size(), false);
-  std::int64_t count = 0;
-  for (const std::size_t start : this->BoundarySlots)
-  {
-    count += isTraced[start] ? 0 : 1;
-    for (std::size_t slot = start; !isTraced[slot] && this->Beats.Beat();
-         slot = this->NextOnBoundary(slot))
-    {
-      isTraced[slot] = true;
-    }
-  }
-  return count;
-}
-
-// Turns about the end of the boundary edge, through its fan of triangles, to the other boundary
-// edge of the fan. Neighbors are mutual, so the turn cannot come to a triangle again.
-std::size_t MeshChecker::NextOnBoundary(std::size_t slot) const
-{
-  std::size_t leaving = Next(slot);
-  while (this->Mesh.Neighbors[leaving] != NoId)
-  {
-    leaving = Next(this->SlotAcross(leaving));
-  }
-  return leaving;
+  return CountBoundaryLoops(
+    this->Mesh.Corners, this->Mesh.Neighbors, this->BoundarySlots, this->Beats);
 }
 
 bool MeshChecker::CoversArea()
@@ -368,8 +292,8 @@ double MeshChecker::BoundaryRounding() const
   double largest = 0.0;
   for (const std::size_t slot : this->BoundarySlots)
   {
-    const Point2& start = this->Place(Next(slot));
-    length += Distance(start, this->Place(Previous(slot)));
+    const Point2& start = this->Place(NextSlotOf(slot));
+    length += Distance(start, this->Place(PreviousSlotOf(slot)));
     largest = std::max({ largest, std::abs(start.X), std::abs(start.Y) });
   }
   return 4.0 * length * largest;
@@ -391,17 +315,6 @@ bool MeshChecker::Refuse(const std::string& violation)
 {
   this->Violation = violation;
   return false;
-}
-
-std::string MeshChecker::EdgeText(std::size_t slot) const
-{
-  const Point2& start = this->Place(Next(slot));
-  const Point2& end = this->Place(Previous(slot));
-  std::ostringstream text;
-  text << "edge " << this->Corner(Next(slot)) << " - " << this->Corner(Previous(slot))
-       << " of triangle " << slot / 3 << ", (" << start.X << ", " << start.Y << ") - (" << end.X
-       << ", " << end.Y << ")";
-  return text.str();
 }
 
 } // namespace

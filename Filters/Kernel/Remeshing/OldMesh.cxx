@@ -38,6 +38,19 @@ double LengthOf(const Polylines& edges)
   return length;
 }
 
+std::vector<Id> VerticesOfFreeEdges(const OldMesh& mesh)
+{
+  std::vector<Id> vertices;
+  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
+  {
+    if (mesh.Neighbors[slot] == NoId)
+    {
+      vertices.push_back(mesh.Start(slot));
+    }
+  }
+  return vertices;
+}
+
 class Reader
 {
 public:
@@ -67,7 +80,6 @@ private:
   void Orient();
   bool Link();
   bool WeldFreeEdges();
-  std::vector<Id> VerticesOfFreeEdges() const;
   void Renumber();
   Id NumberOf(Id vertex) const { return this->Numbers.empty() ? vertex : this->Numbers[vertex]; }
   bool CheckSides();
@@ -157,23 +169,10 @@ bool Reader::Link()
   return !this->IsOver();
 }
 
-std::vector<Id> Reader::VerticesOfFreeEdges() const
-{
-  std::vector<Id> vertices;
-  for (Id slot = 0; slot < static_cast<Id>(this->Mesh.Corners.size()); ++slot)
-  {
-    if (this->Mesh.Neighbors[slot] == NoId)
-    {
-      vertices.push_back(this->Mesh.Start(slot));
-    }
-  }
-  return vertices;
-}
-
 bool Reader::WeldFreeEdges()
 {
   const std::vector<Point2>& points = this->Mesh.Points;
-  std::vector<Id> vertices = this->VerticesOfFreeEdges();
+  std::vector<Id> vertices = VerticesOfFreeEdges(this->Mesh);
   std::sort(vertices.begin(), vertices.end(),
     [&points](Id a, Id b) { return points[a] == points[b] ? a < b : points[a] < points[b]; });
   for (std::size_t k = 1; k < vertices.size(); ++k)

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What holds for the sources as texts: the arrows between rooms, and the width of lines.
+// What holds for the sources as texts: the arrows between rooms, the width of lines, the sizes of
+// files, functions and classes.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>  // for sort, count_if
+#include <cctype>     // for letters
 #include <cstddef>    // for columns
 #include <filesystem> // for the tree
 #include <fstream>    // for the files
 #include <map>        // for the rooms
+#include <regex>      // for declarations
 #include <set>        // for their neighbors
 #include <string>     // for lines
 #include <vector>     // for lists
@@ -25,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t Width = 100;
 constexpr std::size_t MostLines = 450;
 constexpr std::size_t MostLinesOfAFunction = 60;
+constexpr std::size_t MostMethods = 20;
 
 const fs::path Root = BITING_SOURCE_DIR;
 
@@ -163,6 +167,114 @@ std::map<std::size_t, std::size_t> LinesOfFunctions(const std::vector<std::strin
   return functions;
 }
 
+/// The text without comments, preprocessor lines, and what stands in quotes.
+std::string CodeOf(const std::vector<std::string>& lines)
+{
+  std::string code;
+  for (const std::string& line : lines)
+  {
+    const std::size_t begin = line.find_first_not_of(' ');
+    const bool isCode = begin != std::string::npos && line[begin] != '#';
+    char quote = ' ';
+    for (std::size_t k = isCode ? begin : line.size(); k < line.size(); ++k)
+    {
+      const bool isDigitMark = k > 0 && line[k] == '\'' && std::isalnum(line[k - 1]) != 0;
+      if (quote != ' ')
+      {
+        quote = line[k] == quote ? ' ' : quote;
+        k += line[k] == '\\' ? 1 : 0;
+      }
+      else if (line.compare(k, 2, "//") == 0)
+      {
+        break;
+      }
+      else if (line[k] == '"' || (line[k] == '\'' && !isDigitMark))
+      {
+        quote = line[k];
+      }
+      else
+      {
+        code += line[k];
+      }
+    }
+    code += ' ';
+  }
+  return code;
+}
+
+/// Without template arguments, which may have brackets of their own, and words for access.
+std::string Plain(const std::string& head)
+{
+  static const std::regex arguments("->|<[^<>]*>|\\b(public|private|protected) *:");
+  std::string plain = head;
+  for (std::string before; before != plain && plain.find_first_of("<>:") != std::string::npos;)
+  {
+    before = plain;
+    plain = std::regex_replace(plain, arguments, " ");
+  }
+  const std::size_t begin = plain.find_first_not_of(' ');
+  return begin == std::string::npos ? std::string() : plain.substr(begin);
+}
+
+/// Whether a member that is declared so is a method: constructors and accessors are, too; not what
+/// is defaulted or deleted.
+bool IsMethod(const std::string& head)
+{
+  static const std::regex noMember(
+    "^(using|friend|static_assert|typedef)\\b|= *(default|delete) *$");
+  const std::size_t bracket = head.find('(');
+  return !std::regex_search(head, noMember) &&
+    (head.find("operator") != std::string::npos || bracket < head.find('='));
+}
+
+/// The name of the class whose definition begins so, empty where none does.
+std::string ClassOf(const std::string& head)
+{
+  static const std::regex isClass(
+    "^(template *)?(class|struct|union) ([\\w ]*?)([\\w:]+) *(final *)?(:[^:].*)?$");
+  std::smatch match;
+  const bool mayBe = head.find("class ") != std::string::npos ||
+    head.find("struct ") != std::string::npos || head.find("union ") != std::string::npos;
+  return mayBe && std::regex_match(head, match, isClass) ? match[4].str() : std::string();
+}
+
+/// How many methods each class of the text has.
+std::map<std::string, std::size_t> MethodsOfClasses(const std::string& code)
+{
+  std::map<std::string, std::size_t> methods;
+  std::vector<std::string> scopes; // the class whose members stand there, or nothing
+  std::string head;
+  bool isInitializer = false; // of a constructor: its head was counted
+  for (std::size_t k = 0; k < code.size(); ++k)
+  {
+    if (code[k] != '{' && code[k] != '}' && code[k] != ';')
+    {
+      head += code[k];
+      continue;
+    }
+    const bool isMember = code[k] != '}' && !scopes.empty() && !scopes.back().empty();
+    const std::string plain = isMember || code[k] == '{' ? Plain(head) : std::string();
+    const std::string opened = code[k] == '{' ? ClassOf(plain) : std::string();
+    if (isMember && opened.empty())
+    {
+      methods[scopes.back()] += !isInitializer && IsMethod(plain) ? 1 : 0;
+    }
+    head.clear();
+    isInitializer = false;
+    if (code[k] == '{')
+    {
+      scopes.push_back(opened);
+    }
+    else if (code[k] == '}' && !scopes.empty())
+    {
+      scopes.pop_back();
+      const std::size_t next = code.find_first_not_of(' ', k + 1);
+      isInitializer = next != std::string::npos && (code[next] == ',' || code[next] == '{');
+    }
+  }
+  return methods;
+}
+
 } // namespace
 
 TEST(Sources, IncludesFollowTheArrowsBetweenRooms)
@@ -241,6 +353,34 @@ TEST(Sources, HaveFunctionsOfAtMost60Lines)
     }
   }
   EXPECT_GT(numberOfFunctions, 3000u);
+}
+
+TEST(Methods, AreCounted)
+{
+  const std::string code = "namespace a { class A final : public B { public: A(int x) : X{ x }, "
+                           "Y{ 1 } { } A() = default; template <typename T> T Get(T t) const; "
+                           "bool operator<(const A& a) const { if (a()) { } return b(c); } "
+                           "using F = int(int); std::function<int(int)> G; int H = f(1); "
+                           "struct D { int X{ 3 }; void M(); }; enum class E { One, Two }; "
+                           "~A(); private: int X{ 0 }; friend void f(); }; void A::Out() { } }";
+  const std::map<std::string, std::size_t> expected{ { "A", 4 }, { "D", 1 } };
+  EXPECT_EQ(MethodsOfClasses(code), expected);
+}
+
+// Those of VTK have what its macros ask for: two methods a parameter, and more.
+TEST(Sources, HaveClassesOfAtMost20Methods)
+{
+  std::size_t numberOfClasses = 0;
+  for (const fs::path& file : FilesBelow("Filters", { ".h", ".cxx" }))
+  {
+    for (const auto& [name, count] : MethodsOfClasses(CodeOf(LinesOf(file))))
+    {
+      EXPECT_TRUE(count <= MostMethods || IsInterface(file))
+        << file.string() << ": " << name << " has " << count;
+      ++numberOfClasses;
+    }
+  }
+  EXPECT_GT(numberOfClasses, 150u);
 }
 
 } // namespace biting

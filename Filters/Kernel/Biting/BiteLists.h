@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBiteLists_h
+#define BitingBiteLists_h
+
+#include "../Base/Ids.h"
+
+#include <cstddef> // for sizes
+#include <memory>  // for chunks of blocks
+#include <vector>  // for the chunks
+
+namespace biting
+{
+
+/// A bite as a leaf of the grid sees it, in units of the leaf.
+struct BiteEntry
+{
+  float X, Y;   ///< its centre, from the low corner
+  float Square; ///< of its half-width
+  Id Bite;
+};
+
+/// Lists of bites, the newest first. A list is told by the number of its newest block, NoId where
+/// it is empty; bites are only ever added to it. All blocks stand one after the other and are given
+/// back together.
+class BiteLists
+{
+public:
+  void Append(const BiteEntry& entry, Id& list);
+
+  /// Calls visit(entry), the newest first, until it returns true.
+  template <typename Visitor>
+  bool Visit(Id list, Visitor&& visit) const;
+
+  /// Gives the memory back: lists of before must not be asked for any more.
+  void Clear();
+
+private:
+  // Four cache lines.
+  struct Block
+  {
+    static constexpr Id Capacity = 15;
+    Id Older = NoId;
+    Id Count = 0;
+    BiteEntry Entries[Capacity];
+  };
+
+  static constexpr Id ChunkSize = 64;
+  static constexpr std::size_t ShareAtOnce = 16; ///< one of so many that there are
+
+  const Block& At(Id block) const { return this->Chunks[block / ChunkSize][block % ChunkSize]; }
+  Id Add();
+  void AddChunks();
+
+  // In chunks: to move all blocks where there is no room for one more takes twice the memory.
+  // Chunks are allocated several at once, the more the more there are: threads that allocate small
+  // parts by the thousand wait for each other.
+  std::vector<std::unique_ptr<Block[]>> Allocated;
+  std::vector<Block*> Chunks; ///< in what is allocated
+  Id Count = 0;
+};
+
+template <typename Visitor>
+bool BiteLists::Visit(Id list, Visitor&& visit) const
+{
+  for (Id block = list; block != NoId; block = this->At(block).Older)
+  {
+    const Block& entries = this->At(block);
+    for (Id k = entries.Count; k-- > 0;)
+    {
+      if (visit(entries.Entries[k]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSlantedBox_h
+#define BitingSlantedBox_h
+
+#include "../Base/Box2.h"
+#include "../Base/Point2.h"
+
+#include <cmath> // for abs
+
+namespace biting
+{
+
+/// A box along the axes, and a slanted one around the same.
+struct SlantedBox
+{
+  Box2 Bounds;
+  Point2 Center;           ///< of the slanted box
+  Point2 Axis{ 1.0, 0.0 }; ///< of length one
+  double Along = 0.0;      ///< half of the extent along the axis
+  double Across = 0.0;     ///< half of the extent across it
+
+  double Size() const { return this->Bounds.Width() + this->Bounds.Height(); }
+
+  /// Half of the extent of the slanted box in a direction of length one.
+  double ReachIn(const Point2& direction) const
+  {
+    return this->Along * std::abs(Dot(direction, this->Axis)) +
+      this->Across * std::abs(Cross(direction, this->Axis));
+  }
+
+  /// Whether the other slanted box lies on one side of this one, seen along its axis, by more than
+  /// `slack`.
+  bool IsBeside(const SlantedBox& other, double slack) const
+  {
+    const Point2 normal = Perpendicular(this->Axis);
+    const double distance = std::abs(Dot(normal, other.Center - this->Center));
+    return distance > this->Across + other.ReachIn(normal) + slack;
+  }
+
+  /// Makes the slanted box the smallest around those of both, along the axis of the longer one; the
+  /// box along the axes is left as it is.
+  void SlantAround(const SlantedBox& first, const SlantedBox& second);
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshParts.h"
+
+#include "../Base/Tasks.h"
+#include "Components.h"
+#include "TriangleSlots.h"
+
+namespace biting
+{
+
+namespace
+{
+
+// Among the parts of its task. What lies across in an earlier one is kept for later.
+Id PartOf(std::size_t triangle, const std::vector<Id>& neighbors, const std::vector<Id>& partOf,
+  ComponentSum& sum)
+{
+  const Id begin = static_cast<Id>(triangle - triangle % StepsPerTask);
+  const Id* across = neighbors.data() + 3 * triangle;
+  Id part = NoId;
+  bool hasEarlier = false;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const bool isBefore = across[corner] < static_cast<Id>(triangle);
+    if (isBefore && across[corner] >= begin)
+    {
+      part = sum.Components.Join(part, partOf[static_cast<std::size_t>(across[corner])]);
+    }
+    hasEarlier = hasEarlier || (across[corner] != NoId && across[corner] < begin);
+  }
+  part = part == NoId ? sum.Components.Begin() : part;
+  for (int corner = 0; hasEarlier && corner < 3; ++corner)
+  {
+    if (across[corner] != NoId && across[corner] < begin)
+    {
+      sum.Links.push_back({ part, across[corner] });
+    }
+  }
+  return part;
+}
+
+// Turns about the end of the boundary edge, through its fan of triangles, to the other boundary
+// edge of the fan. Neighbors are mutual, so the turn cannot come to a triangle again.
+std::size_t NextOnBoundary(
+  std::size_t slot, const std::vector<Id>& corners, const std::vector<Id>& neighbors)
+{
+  std::size_t leaving = NextSlotOf(slot);
+  while (neighbors[leaving] != NoId)
+  {
+    leaving = NextSlotOf(SlotAcross(corners, leaving, neighbors[leaving]));
+  }
+  return leaving;
+}
+
+} // namespace
+
+// Each triangle takes the part of a neighbor before it, or begins a part where there is none; where
+// it has neighbors of different parts, these are one. There are few parts, so joining costs little.
+// Each task does so with its triangles; then the parts of different tasks are joined.
+std::int64_t CountComponents(const std::vector<Id>& neighbors, Pulse& pulse)
+{
+  std::vector<Id> partOf(neighbors.size() / 3, NoId);
+  ComponentSum sum = SumAtOnce(pulse, partOf.size(), ComponentSum(),
+    [&neighbors, &partOf](ComponentSum& own, std::size_t triangle)
+    { partOf[triangle] = PartOf(triangle, neighbors, partOf, own); });
+  if (pulse.HasStopped())
+  {
+    return 0;
+  }
+  for (const ComponentSum::Link& link : sum.Links)
+  {
+    const std::size_t across = static_cast<std::size_t>(link.Across);
+    sum.Components.Join(link.Part, sum.Begins[across / StepsPerTask] + partOf[across]);
+  }
+  return sum.Components.Count();
+}
+
+std::int64_t CountBoundaryLoops(const std::vector<Id>& corners, const std::vector<Id>& neighbors,
+  const std::vector<std::size_t>& boundarySlots, Pulse& pulse)
+{
+  std::vector<bool> isTraced(neighbors.size(), false);
+  std::int64_t count = 0;
+  for (const std::size_t start : boundarySlots)
+  {
+    count += isTraced[start] ? 0 : 1;
+    for (std::size_t slot = start; !isTraced[slot] && pulse.Beat();
+         slot = NextOnBoundary(slot, corners, neighbors))
+    {
+      isTraced[slot] = true;
+    }
+  }
+  return count;
+}
+
+} // namespace biting

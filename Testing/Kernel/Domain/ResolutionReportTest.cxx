@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Domain/ResolutionReport.h"
+#include "Domain/MeetingReports.h"
+
+#include "../Support/Monitors.h"
+#include "Base/Monitor.h"
+
+#include <gtest/gtest.h>
+
+namespace biting
+{
+
+namespace
+{
+
+ArrangementEdge Edge(Id start, Id end, Id cell, Id boundaryCount)
+{
+  ArrangementEdge edge;
+  edge.Ends = { start, end };
+  edge.Cell = cell;
+  edge.BoundaryCount = boundaryCount;
+  edge.IsInterface = boundaryCount == 0;
+  return edge;
+}
+
+/// Two boundary edges that cross in (1, 1), and an interface that ends near the first.
+Arrangement Cross()
+{
+  Arrangement cross;
+  cross.Vertices = { { 0.0, 0.0 }, { 2.0, 2.0 }, { 0.0, 2.0 }, { 2.0, 0.0 }, { 0.5, 0.5 + 1e-12 },
+    { 0.0, 1.0 } };
+  cross.VertexPoints = { 10, 11, 12, 13, 14, 15 };
+  cross.Edges = { Edge(0, 1, 7, 1), Edge(2, 3, 5, 1), Edge(4, 5, 3, 0) };
+  cross.Rounding = 1e-15;
+  cross.Resolution = 1e-11;
+  return cross;
+}
+
+} // namespace
+
+TEST(MeetingReporter, TellsOfBoundariesAndNotOfInterfacesThatTouch)
+{
+  const Arrangement cross = Cross();
+  std::vector<MeetingReport> reports;
+  MeetingReporter reporter(cross, reports);
+  reporter.ReportTouch(0, 2, 4);
+  EXPECT_TRUE(reports.empty());
+  reporter.ReportTouch(0, 1, 2);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].Code, ProblemCode::Touches);
+}
+
+TEST(MeetingReporter, TellsOfVerticesThatBendAnEdgeByMoreThanRounding)
+{
+  Arrangement cross = Cross();
+  std::vector<MeetingReport> reports;
+  MeetingReporter(cross, reports).ReportNear(0, 2, 4, false);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].Code, ProblemCode::NearPoints);
+  cross.Rounding = 1e-11;
+  reports.clear();
+  MeetingReporter(cross, reports).ReportNear(0, 2, 4, false);
+  EXPECT_TRUE(reports.empty()) << "within rounding";
+  MeetingReporter(cross, reports).ReportNear(0, 2, 4, true);
+  EXPECT_TRUE(reports.empty()) << "an interface bounds nothing";
+  MeetingReporter(cross, reports).ReportNear(0, 1, 4, true);
+  EXPECT_EQ(reports.size(), 1u) << "a boundary passes it";
+}
+
+TEST(MeetingReporter, TellsOfLinesThatCrossAndOverlap)
+{
+  const Arrangement cross = Cross();
+  std::vector<MeetingReport> reports;
+  MeetingReporter reporter(cross, reports);
+  reporter.ReportCrossing(0, 1);
+  reporter.ReportOverlap(0, 2, 4);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports[0].Code, ProblemCode::Crossings);
+  EXPECT_EQ(reports[1].Code, ProblemCode::DuplicateSegments);
+}
+
+TEST(ResolutionReport, HasTheFirstRoundOnly)
+{
+  const Arrangement cross = Cross();
+  ProblemList problems;
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  ResolutionReport report(cross, problems);
+  Meetings found;
+  found.Reports = { { ProblemCode::Crossings, 0, 1, NoId } };
+  EXPECT_TRUE(report.IsOfFirstRound());
+  EXPECT_FALSE(report.HasDefect());
+  report.AddRound(found, pulse);
+  EXPECT_FALSE(report.IsOfFirstRound());
+  EXPECT_TRUE(report.HasDefect());
+  report.AddRound(found, pulse);
+  EXPECT_EQ(problems.Count(ProblemCode::Crossings), 1);
+  const Problem& first = problems.Groups().front().First.front();
+  EXPECT_EQ(first.Ids, (std::vector<std::int64_t>{ 5, 7 })) << "cells, ascending";
+  EXPECT_EQ(first.Place, (Point2{ 1.0, 1.0 }));
+}
+
+TEST(ResolutionReport, RefusesWithThePlaceOfTheFirstDefect)
+{
+  const Arrangement cross = Cross();
+  ProblemList problems;
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  ResolutionReport report(cross, problems);
+  Meetings found;
+  found.Reports = { { ProblemCode::Crossings, 0, 1, NoId } };
+  report.AddRound(found, pulse);
+  found.Reports.clear();
+  found.Splits = { { 0, 4 } };
+  report.AddRound(found, pulse);
+  EXPECT_FALSE(report.Refuse(ProblemCode::NotResolved));
+  EXPECT_EQ(problems.Groups().back().First.front().Place, (Point2{ 1.0, 1.0 }));
+}
+
+TEST(ResolutionReport, RefusesWithThePlaceOfTheLastRoundWhereTheFirstHadNothingToSay)
+{
+  const Arrangement cross = Cross();
+  ProblemList problems;
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  ResolutionReport report(cross, problems);
+  Meetings found;
+  found.Splits = { { 0, 4 } };
+  report.AddRound(found, pulse);
+  EXPECT_FALSE(report.HasDefect());
+  EXPECT_FALSE(report.Refuse(ProblemCode::NotResolved));
+  EXPECT_EQ(problems.Groups().back().First.front().Place, cross.Vertices[4]);
+}
+
+} // namespace biting
