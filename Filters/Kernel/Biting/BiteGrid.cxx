@@ -243,6 +243,7 @@ void BiteGrid::Divide(Id cell, const CellPlace& place)
       entries.push_back(entry.Bite);
       return false;
     });
+  this->Lists.Empty(this->Cells[cell].List);
   const Id firstChild = static_cast<Id>(this->Cells.size());
   this->Cells.resize(this->Cells.size() + static_cast<std::size_t>(Division) * Division);
   this->Cells[cell].FirstChild = firstChild;

@@ -11,15 +11,34 @@ void BiteLists::Append(const BiteEntry& entry, Id& list)
   if (list == NoId || this->At(list).Count == Block::Capacity)
   {
     const Id added = this->Add();
-    this->Chunks[added / ChunkSize][added % ChunkSize].Older = list;
+    Block& block = this->At(added);
+    block.Older = list;
+    block.Count = 0;
     list = added;
   }
-  Block& newest = this->Chunks[list / ChunkSize][list % ChunkSize];
+  Block& newest = this->At(list);
   newest.Entries[newest.Count++] = entry;
+}
+
+void BiteLists::Empty(Id& list)
+{
+  while (list != NoId)
+  {
+    const Id older = this->At(list).Older;
+    this->At(list).Older = this->Unused;
+    this->Unused = list;
+    list = older;
+  }
 }
 
 Id BiteLists::Add()
 {
+  if (this->Unused != NoId)
+  {
+    const Id block = this->Unused;
+    this->Unused = this->At(block).Older;
+    return block;
+  }
   if (static_cast<std::size_t>(this->Count) == ChunkSize * this->Chunks.size())
   {
     this->AddChunks();
@@ -43,6 +62,7 @@ void BiteLists::Clear()
   std::vector<std::unique_ptr<Block[]>>().swap(this->Allocated);
   std::vector<Block*>().swap(this->Chunks);
   this->Count = 0;
+  this->Unused = NoId;
 }
 
 } // namespace biting

@@ -78,6 +78,10 @@ BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, cons
   state.Grid.Release(state.Progress);
   interior.Release(state.Progress);
   ReleaseInSteps(state.Progress, state.PlacedSpacings);
+  if (state.Result.Triangulated.IsWhole())
+  {
+    InsertLate(state.Result.Points, options.Phi, state.Result.Triangulated, state.Progress);
+  }
   return std::move(state.Result);
 }
 

@@ -5,7 +5,7 @@
 
 #include "Bisectors.h"
 
-#include <algorithm> // for all_of, min
+#include <algorithm> // for all_of, max, min
 
 namespace biting
 {
@@ -14,9 +14,23 @@ namespace
 {
 
 constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
-constexpr double ForecastError = 0.1;         // that is still expected
+constexpr double ForecastError = 0.02;        // that is expected: mostly it is too high
 constexpr double TieTolerance = 1e-12;        // of a half-width
 constexpr double GreatestSlack = 0.5;         // of a half-width
+
+// Where the first is full all get room for a few more: twice as many would be more than are needed.
+template <typename First, typename... Rest>
+void MakeRoom(std::vector<First>& first, std::vector<Rest>&... rest)
+{
+  constexpr std::size_t SizePerMore = 16;
+  const std::size_t size = first.size();
+  if (size == first.capacity())
+  {
+    const std::size_t wanted = size + std::max(size / SizePerMore, SizePerMore);
+    first.reserve(wanted);
+    (rest.reserve(wanted), ...);
+  }
+}
 
 } // namespace
 
@@ -75,6 +89,8 @@ void BitingState::Reserve()
 
 Id BitingState::AddVertex(const Point2& place, double spacing, Id segment)
 {
+  MakeRoom(
+    this->Result.Points, this->Result.Spacings, this->Result.BiteOrders, this->Result.Segments);
   this->Result.Points.push_back(place);
   this->Result.Spacings.push_back(spacing);
   this->Result.BiteOrders.push_back(NoId);
@@ -102,6 +118,8 @@ void BitingState::AddBite(
   const Point2& center, const Point2& axis, double halfWidth, double spacing, BitePhase phase)
 {
   const Id bite = this->Placed.Size();
+  MakeRoom(this->Placed.HalfWidths, this->Placed.Centers, this->Placed.Axes, this->Placed.Orders,
+    this->Placed.Phases);
   this->Placed.Centers.push_back(center);
   this->Placed.Axes.push_back(axis);
   this->Placed.HalfWidths.push_back(halfWidth);
@@ -109,6 +127,7 @@ void BitingState::AddBite(
   this->Placed.Phases.push_back(phase);
   if (this->Options.FollowSlope)
   {
+    MakeRoom(this->PlacedSpacings);
     this->PlacedSpacings.push_back(spacing);
   }
   this->Grid.File(bite);

@@ -39,11 +39,6 @@ void InteriorBiting::Run()
     this->BiteCandidate(this->Queue.Take());
     this->State.Step();
   }
-  if (this->State.Result.Triangulated.IsWhole())
-  {
-    InsertLate(this->State.Result.Points, this->State.Options.Phi, this->State.Result.Triangulated,
-      this->State.Progress);
-  }
 }
 
 void InteriorBiting::BiteCandidate(Candidate candidate)

@@ -26,7 +26,11 @@ public:
   void Run();
 
   /// Gives the memory back.
-  void Release(Pulse& pulse) { this->Front.Release(pulse); }
+  void Release(Pulse& pulse)
+  {
+    this->Front.Release(pulse);
+    this->Rest.Release(pulse);
+  }
 
 private:
   void SeedFront();

@@ -242,11 +242,9 @@ void LeftOvers::FindBitesOfVertices()
   }
   const std::vector<Id>& points = this->State.Result.Triangulated.Inserted.Order;
   this->Bites.reserve(points.size());
-  this->HalfWidths.reserve(points.size());
   for (const Id point : points)
   {
     this->Bites.push_back(ofOrder[this->State.Result.BiteOrders[point]]);
-    this->HalfWidths.push_back(placed.HalfWidths[this->Bites.back()]);
   }
 }
 
@@ -257,6 +255,13 @@ LeftOvers::Triangle LeftOvers::PlacesOf(Id triangle) const
   return { mesh.PointAt(corners[0]), mesh.PointAt(corners[1]), mesh.PointAt(corners[2]) };
 }
 
+double LeftOvers::LeastHalfWidth(const Id* corners) const
+{
+  const std::vector<double>& halfWidths = this->State.Placed.HalfWidths;
+  return std::min({ halfWidths[this->Bites[corners[0]]], halfWidths[this->Bites[corners[1]]],
+    halfWidths[this->Bites[corners[2]]] });
+}
+
 bool LeftOvers::MayHaveGap(Id triangle) const
 {
   const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
@@ -265,9 +270,7 @@ bool LeftOvers::MayHaveGap(Id triangle) const
     return false;
   }
   const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
-  const double least = std::min(
-    { this->HalfWidths[corners[0]], this->HalfWidths[corners[1]], this->HalfWidths[corners[2]] });
-  return !IsWithinOfCorners(this->PlacesOf(triangle), least) &&
+  return !IsWithinOfCorners(this->PlacesOf(triangle), this->LeastHalfWidth(corners)) &&
     !CoverTriangle(this->State.Placed,
       { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }) &&
     !this->IsOutside(triangle);

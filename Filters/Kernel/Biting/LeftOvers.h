@@ -7,6 +7,7 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "BitingState.h"
 #include "Remains.h"
 
@@ -39,6 +40,9 @@ public:
   /// bites where constraints cannot all be edges. Without meaning on abort.
   std::vector<Id> FindBites();
 
+  /// Gives the memory back, once all is found.
+  void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->Bites, this->Gaps, this->Doubtful); }
+
 private:
   using Triangle = std::array<Point2, 3>;
 
@@ -55,6 +59,7 @@ private:
   void RecallAboutGaps();
   void RecallAboutFound();
   Box2 BoxOf(Id triangle) const;
+  double LeastHalfWidth(const Id* corners) const;
   bool MayHaveGap(Id triangle) const;
   bool IsOutside(Id triangle) const;
   Triangle PlacesOf(Id triangle) const;
@@ -68,13 +73,12 @@ private:
 
   BitingState& State;
   bool HasBegun = false;
-  Id LastSize = NoId;             ///< how many bites there were at the last call
-  std::vector<Id> Bites;          ///< the first one of each vertex of the triangulation
-  std::vector<double> HalfWidths; ///< theirs
-  std::vector<Id> Gaps;           ///< triangles in which there are places that no bite covers
-  std::vector<Id> Doubtful;       ///< those in which there may be some
-  Remains Left;                   ///< of the triangle at hand
-  Id CutsLeft = 0;                ///< how many more triangles may be cut, in this call
+  Id LastSize = NoId;       ///< how many bites there were at the last call
+  std::vector<Id> Bites;    ///< the first one of each vertex of the triangulation
+  std::vector<Id> Gaps;     ///< triangles in which there are places that no bite covers
+  std::vector<Id> Doubtful; ///< those in which there may be some
+  Remains Left;             ///< of the triangle at hand
+  Id CutsLeft = 0;          ///< how many more triangles may be cut, in this call
   std::vector<Point2> Found;
 };
 

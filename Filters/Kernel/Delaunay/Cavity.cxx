@@ -98,7 +98,7 @@ void ChainFiller::NoteOutside()
   for (const Id edge : edges)
   {
     this->Outside.push_back(this->Mesh.Twins[edge]);
-    this->Marks.push_back(this->Mesh.Marks[edge]);
+    this->Marks.push_back(this->Mesh.Mark(edge));
   }
   for (std::size_t place = 0; place < edges.size(); ++place)
   {
@@ -324,7 +324,7 @@ void ChainFiller::Finish(std::vector<Id>& stack)
     const Id first = HalfEdgeMesh::FirstEdge(this->Triangles[i]);
     for (Id edge = first; edge < first + 3; ++edge)
     {
-      this->Mesh.Marks[edge] = NoId;
+      this->Mesh.SetMark(edge, NoId);
       this->Mesh.VertexEdges[this->Mesh.Corners[edge]] = edge;
       if (this->Mesh.Twins[edge] > edge)
       {
@@ -337,7 +337,7 @@ void ChainFiller::Finish(std::vector<Id>& stack)
     const Id edge = this->Inside[place];
     const Id outside = this->Outside[place];
     this->Mesh.Link(edge, outside < 0 ? this->Inside[~outside] : outside);
-    this->Mesh.Marks[edge] = this->Marks[place];
+    this->Mesh.SetMark(edge, this->Marks[place]);
     stack.push_back(edge);
   }
 }

@@ -178,9 +178,7 @@ private:
 void Recovery::PrepareMesh()
 {
   const PulsePart part(this->Beats, 0.0, PreparationEnd);
-  this->Mesh.Marks.reserve(this->Mesh.Corners.capacity());
   this->Mesh.VertexEdges.reserve(this->Mesh.Points.capacity());
-  GrowInSteps(this->Mesh.Marks, this->Mesh.Corners.size(), NoId, this->Beats);
   GrowInSteps(this->Mesh.VertexEdges, this->Mesh.Points.size(), NoId, this->Beats);
   this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
     [this](std::size_t edge)
@@ -326,16 +324,16 @@ Id Recovery::CollectCavity(Id edge)
 
 void Recovery::NoteConflict(Id edge)
 {
-  if (this->Mesh.Marks[edge] != NoId)
+  if (this->Mesh.Mark(edge) != NoId)
   {
-    this->Result.Conflicts.push_back(this->PairWith(this->Mesh.Marks[edge]));
+    this->Result.Conflicts.push_back(this->PairWith(this->Mesh.Mark(edge)));
   }
 }
 
 void Recovery::MarkEdge(Id edge)
 {
   const Id oddity = this->IsBoundary ? 1 : 0;
-  const Id old = this->Mesh.Marks[edge];
+  const Id old = this->Mesh.Mark(edge);
   Id mark = 2 * this->Constraint + oddity;
   if (old != NoId)
   {
@@ -346,8 +344,8 @@ void Recovery::MarkEdge(Id edge)
     }
     mark = 2 * pair.First + ((old ^ oddity) & 1);
   }
-  this->Mesh.Marks[edge] = mark;
-  this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
+  this->Mesh.SetMark(edge, mark);
+  this->Mesh.SetMark(this->Mesh.Twins[edge], mark);
 }
 
 ConstraintConflict Recovery::PairWith(Id mark) const

@@ -46,7 +46,7 @@ bool MustFlip(const HalfEdgeMesh& mesh, Id edge, double phi)
   const Id a = mesh.Origin(edge);
   const Id b = mesh.Target(edge);
   const Id d = mesh.Corners[twin];
-  if ((!mesh.Marks.empty() && mesh.Marks[edge] >= 0) || !BreaksDelaunay(mesh, p, a, b, d))
+  if (mesh.Mark(edge) != NoId || !BreaksDelaunay(mesh, p, a, b, d))
   {
     return false;
   }
@@ -64,10 +64,10 @@ void MoveMarks(HalfEdgeMesh& mesh, Id edge, Id twin)
 {
   const Id nextEdge = HalfEdgeMesh::Next(edge);
   const Id nextTwin = HalfEdgeMesh::Next(twin);
-  mesh.Marks[edge] = mesh.Marks[nextTwin];
-  mesh.Marks[twin] = mesh.Marks[nextEdge];
-  mesh.Marks[nextEdge] = NoId;
-  mesh.Marks[nextTwin] = NoId;
+  mesh.SetMark(edge, mesh.Mark(nextTwin));
+  mesh.SetMark(twin, mesh.Mark(nextEdge));
+  mesh.SetMark(nextEdge, NoId);
+  mesh.SetMark(nextTwin, NoId);
 }
 
 void UpdateVertexEdges(HalfEdgeMesh& mesh, Id edge, Id twin)
@@ -105,7 +105,7 @@ void FlipEdge(HalfEdgeMesh& mesh, Id edge)
   mesh.Link(edge, beyondTwin);
   mesh.Link(twin, beyondEdge);
   mesh.Link(nextEdge, nextTwin);
-  if (!mesh.Marks.empty())
+  if (!mesh.VertexEdges.empty())
   {
     MoveMarks(mesh, edge, twin);
     UpdateVertexEdges(mesh, edge, twin);

@@ -15,7 +15,7 @@ namespace biting
 /// The triangulation at work: it covers the whole plane. Beyond each edge of the convex hull lies a
 /// ghost triangle whose third corner, NoId, is the vertex at infinity.
 ///
-/// Half-edge e = 4t + k (k = 0..2; 4t + 3 is unused) belongs to triangle t and lies opposite its
+/// Half-edge e = 4t + k (k = 0..2; 4t + 3 is none) belongs to triangle t and lies opposite its
 /// corner k, Corners[e]. It runs from Corners[Next(e)] to Corners[Previous(e)], its triangle on the
 /// left. Twins[e] is the same edge in the triangle on its right: there is always one.
 struct HalfEdgeMesh
@@ -25,9 +25,10 @@ struct HalfEdgeMesh
   std::vector<Id> Twins;
   Id NumberOfTriangles = 0; ///< ghosts included
 
+  std::vector<Id> Marks; ///< three for each triangle that has or had one, from Twins[4t + 3] on,
+                         ///< which is NoId elsewhere
+
   // Filled when constraints are recovered, empty before.
-  std::vector<Id> Marks;       ///< twice the constraint on the half-edge, plus 1 where inside and
-                               ///< outside change across it; NoId where there is none
   std::vector<Id> VertexEdges; ///< a half-edge whose corner is the vertex
 
   static Id Next(Id edge) { return (edge & 3) == 2 ? edge - 2 : edge + 1; }
@@ -44,6 +45,30 @@ struct HalfEdgeMesh
   {
     const Id first = FirstEdge(triangle);
     return (this->Corners[first] | this->Corners[first + 1] | this->Corners[first + 2]) < 0;
+  }
+
+  /// Twice the constraint on the half-edge, plus 1 where inside and outside change across it; NoId
+  /// where there is none. Few triangles have one.
+  Id Mark(Id edge) const
+  {
+    const Id place = this->Twins[edge | 3];
+    return place == NoId ? NoId : this->Marks[place + (edge & 3)];
+  }
+
+  bool HasMarks(Id triangle) const { return this->Twins[FirstEdge(triangle) + 3] != NoId; }
+
+  void SetMark(Id edge, Id mark)
+  {
+    Id& place = this->Twins[edge | 3];
+    if (place == NoId && mark != NoId)
+    {
+      place = static_cast<Id>(this->Marks.size());
+      this->Marks.insert(this->Marks.end(), 3, NoId);
+    }
+    if (place != NoId)
+    {
+      this->Marks[place + (edge & 3)] = mark;
+    }
   }
 
   void Link(Id edge, Id twin)

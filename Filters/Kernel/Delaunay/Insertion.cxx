@@ -269,7 +269,7 @@ bool MakeRoom(HalfEdgeMesh& mesh, Pulse& pulse)
   mesh.Corners.reserve(4 * numberOfTriangles + RoomForLate(4 * numberOfTriangles));
   mesh.Twins.reserve(mesh.Corners.capacity());
   return GrowInSteps(mesh.Corners, 4 * numberOfTriangles, Id(0), pulse) &&
-    GrowInSteps(mesh.Twins, 4 * numberOfTriangles, Id(0), pulse);
+    GrowInSteps(mesh.Twins, 4 * numberOfTriangles, NoId, pulse);
 }
 
 } // namespace
@@ -279,6 +279,8 @@ InsertionResult InsertPoints(
 {
   InsertionResult result;
   result.Order = std::move(order);
+  result.Order.reserve(points.size() + RoomForLate(points.size()));
+  result.Vertex.reserve(result.Order.capacity());
   result.Vertex.resize(points.size());
   CopyPoints(points, result, pulse);
   if (pulse.HasStopped() || !ChooseFirstTriangle(result.Mesh.Points, result.Order) ||

@@ -127,7 +127,7 @@ Id LateInserter::Insert(const Point2& point)
   {
     const Id flat = onEdge == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + onEdge;
     const Id edge = HalfEdgeMesh::FirstEdge(flat);
-    this->DivideEdge(edge, this->Mesh.Marks[edge]);
+    this->DivideEdge(edge, this->Mesh.Mark(edge));
   }
   RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
   return vertex;
@@ -139,19 +139,18 @@ void LateInserter::Split(Id triangle, Id vertex)
   HalfEdgeMesh& mesh = this->Mesh;
   const std::size_t size = mesh.Corners.size() + 8;
   mesh.Corners.resize(size, 0);
-  mesh.Twins.resize(size, 0);
-  mesh.Marks.resize(size, NoId);
+  mesh.Twins.resize(size, NoId);
   mesh.VertexEdges.push_back(HalfEdgeMesh::FirstEdge(triangle));
   const Id old = HalfEdgeMesh::FirstEdge(triangle);
   const Id second = HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles);
-  const Id marks[3] = { mesh.Marks[old], mesh.Marks[old + 1], mesh.Marks[old + 2] };
+  const Id marks[3] = { mesh.Mark(old), mesh.Mark(old + 1), mesh.Mark(old + 2) };
   mesh.Split(triangle, vertex);
   const Id firsts[3] = { old, second, second + 4 };
   for (int k = 0; k < 3; ++k)
   {
-    mesh.Marks[firsts[k]] = marks[k];
-    mesh.Marks[firsts[k] + 1] = NoId;
-    mesh.Marks[firsts[k] + 2] = NoId;
+    mesh.SetMark(firsts[k], marks[k]);
+    mesh.SetMark(firsts[k] + 1, NoId);
+    mesh.SetMark(firsts[k] + 2, NoId);
     this->Stack.push_back(firsts[k]);
     for (Id corner = firsts[k]; corner < firsts[k] + 3; ++corner)
     {
@@ -179,8 +178,8 @@ void LateInserter::DivideEdge(Id edge, Id mark)
 
 void LateInserter::Mark(Id edge, Id mark)
 {
-  this->Mesh.Marks[edge] = mark;
-  this->Mesh.Marks[this->Mesh.Twins[edge]] = mark;
+  this->Mesh.SetMark(edge, mark);
+  this->Mesh.SetMark(this->Mesh.Twins[edge], mark);
 }
 
 } // namespace

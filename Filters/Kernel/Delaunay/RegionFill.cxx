@@ -52,7 +52,7 @@ bool ComesBefore(const BorderEdge& a, const BorderEdge& b)
 
 BorderEdge MakeBorderEdge(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Id edge)
 {
-  const Id constraint = mesh.Marks[edge] / 2;
+  const Id constraint = mesh.Mark(edge) / 2;
   const Point2& origin = mesh.PointAt(mesh.Origin(edge));
   const Point2& target = mesh.PointAt(mesh.Target(edge));
   const bool isReverse =
@@ -66,12 +66,16 @@ std::vector<BorderEdge> FindBorder(
 {
   const PulsePart part(pulse, 0.0, FindingEnd);
   std::vector<BorderEdge> border;
-  pulse.ForEach(HalfEdgeMesh::FirstEdge(mesh.NumberOfTriangles),
-    [&mesh, &constraints, &border](std::size_t edge)
+  pulse.ForEach(mesh.NumberOfTriangles,
+    [&mesh, &constraints, &border](std::size_t triangle)
     {
-      if (mesh.Marks[edge] != NoId)
+      const Id first = HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle));
+      for (Id edge = first; mesh.HasMarks(static_cast<Id>(triangle)) && edge < first + 3; ++edge)
       {
-        border.push_back(MakeBorderEdge(mesh, constraints, static_cast<Id>(edge)));
+        if (mesh.Mark(edge) != NoId)
+        {
+          border.push_back(MakeBorderEdge(mesh, constraints, edge));
+        }
       }
     });
   return border;
@@ -130,7 +134,7 @@ void Faces::UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle)
   for (Id edge = first; edge < first + 3; ++edge)
   {
     const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
-    if (neighbor < triangle && mesh.Marks[edge] == NoId)
+    if (neighbor < triangle && mesh.Mark(edge) == NoId)
     {
       const Id other = this->RootOf(neighbor);
       const Id least = std::min(root, other);
@@ -191,7 +195,7 @@ FaceGraph MakeFaceGraph(
       const Id edge = border[k].Edge;
       const Id from = faces.FaceOf(HalfEdgeMesh::TriangleOf(edge));
       const Id to = faces.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge]));
-      steps[k] = { from, to, static_cast<std::uint8_t>(mesh.Marks[edge] & 1) };
+      steps[k] = { from, to, static_cast<std::uint8_t>(mesh.Mark(edge) & 1) };
       ++graph.Begins[from + 1];
     });
   for (Id face = 0; face < faces.Size() && pulse.Beat(); ++face)
@@ -296,7 +300,7 @@ Triangulation Writer::Write(const Regions& regions)
   this->WriteHalves(this->Result.Constraints, NumbersEnd, ConstraintsEnd,
     [this](Id edge)
     {
-      const Id mark = this->Mesh.Marks[edge];
+      const Id mark = this->Mesh.Mark(edge);
       return mark == NoId ? NoId : mark / 2;
     });
   ReleaseInSteps(this->Beats, this->Mesh.Marks);
