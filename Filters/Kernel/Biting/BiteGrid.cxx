@@ -28,8 +28,10 @@ constexpr double MostCells = 3e7;  // 480 MB
 // small.
 constexpr double MostCellsPerBite = 16.0;
 // In all, for each top cell: 6 cells where f varies twentyfold, seldom more than 1.1. To move them
-// is cheap.
-constexpr double CellsPerTopCell = 1.25;
+// is cheap; twice as many would be more than are needed.
+constexpr double CellsPerTopCell = 1.1;
+constexpr std::size_t SizePerMore = 8;
+
 // How many cells of a grid are marked, from its low corner to each node.
 class MarkedCells
 {
@@ -245,7 +247,12 @@ void BiteGrid::Divide(Id cell, const CellPlace& place)
     });
   this->Lists.Empty(this->Cells[cell].List);
   const Id firstChild = static_cast<Id>(this->Cells.size());
-  this->Cells.resize(this->Cells.size() + static_cast<std::size_t>(Division) * Division);
+  const std::size_t size = this->Cells.size() + static_cast<std::size_t>(Division) * Division;
+  if (size > this->Cells.capacity())
+  {
+    this->Cells.reserve(size + size / SizePerMore);
+  }
+  this->Cells.resize(size);
   this->Cells[cell].FirstChild = firstChild;
   for (auto bite = entries.rbegin(); bite != entries.rend(); ++bite)
   {

@@ -82,6 +82,7 @@ BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, cons
   {
     InsertLate(state.Result.Points, options.Phi, state.Result.Triangulated, state.Progress);
   }
+  state.Result.Segments.resize(state.Result.Points.size(), NoId);
   return std::move(state.Result);
 }
 

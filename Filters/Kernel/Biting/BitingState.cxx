@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr std::size_t CheapStepsPerBite = 32; // where bites are crowded: thousands
-constexpr double ForecastError = 0.02;        // that is expected: mostly it is too high
 constexpr double TieTolerance = 1e-12;        // of a half-width
 constexpr double GreatestSlack = 0.5;         // of a half-width
 
@@ -75,12 +74,10 @@ BitingState::BitingState(const Domain& domain, const DomainLocator& locator, con
 
 void BitingState::Reserve()
 {
-  const std::size_t expected =
-    static_cast<std::size_t>((1.0 + ForecastError) * this->ExpectedVertices) + 16;
+  const std::size_t expected = static_cast<std::size_t>(this->ExpectedVertices) + 16;
   const auto reserve = [expected](auto&... arrays) { (arrays.reserve(expected), ...); };
-  reserve(this->Result.Points, this->Result.Spacings, this->Result.BiteOrders,
-    this->Result.Segments, this->Placed.Centers, this->Placed.Axes, this->Placed.HalfWidths,
-    this->Placed.Orders, this->Placed.Phases);
+  reserve(this->Result.Points, this->Result.Spacings, this->Result.BiteOrders, this->Placed.Centers,
+    this->Placed.Axes, this->Placed.HalfWidths, this->Placed.Orders, this->Placed.Phases);
   if (this->Options.FollowSlope)
   {
     reserve(this->PlacedSpacings);
@@ -89,12 +86,15 @@ void BitingState::Reserve()
 
 Id BitingState::AddVertex(const Point2& place, double spacing, Id segment)
 {
-  MakeRoom(
-    this->Result.Points, this->Result.Spacings, this->Result.BiteOrders, this->Result.Segments);
+  MakeRoom(this->Result.Points, this->Result.Spacings, this->Result.BiteOrders);
+  if (segment != NoId)
+  {
+    this->Result.Segments.resize(this->Result.Points.size(), NoId);
+    this->Result.Segments.push_back(segment);
+  }
   this->Result.Points.push_back(place);
   this->Result.Spacings.push_back(spacing);
   this->Result.BiteOrders.push_back(NoId);
-  this->Result.Segments.push_back(segment);
   return static_cast<Id>(this->Result.Points.size()) - 1;
 }
 

@@ -54,6 +54,13 @@ struct BitingState
   /// To be called now and then: progress, and abort.
   void Step();
 
+  /// BitingResult::Segments: the array ends with the last vertex that has one, until all are made.
+  Id SegmentOf(Id vertex) const
+  {
+    const bool isListed = vertex < static_cast<Id>(this->Result.Segments.size());
+    return isListed ? this->Result.Segments[vertex] : NoId;
+  }
+
   /// Whether the segment is to stay one edge.
   bool IsPreserved(Id segment) const
   {

@@ -284,8 +284,7 @@ bool LeftOvers::IsOutside(Id triangle) const
   for (int k = 0; k < 3; ++k)
   {
     const Id point = inserted.Order[corners[k]];
-    if (point >= this->State.Geometry.NumberOfVertices() &&
-      this->State.Result.Segments[point] == NoId)
+    if (point >= this->State.Geometry.NumberOfVertices() && this->State.SegmentOf(point) == NoId)
     {
       return false;
     }

@@ -19,7 +19,7 @@ namespace
 {
 
 // Where copying begins and ends, as shares of the time.
-constexpr double CopyingBegin = 0.2;
+constexpr double VerticesEnd = 0.3;
 constexpr double CopyingEnd = 0.9;
 
 // A constraint of a block on a segment of the domain.
@@ -56,6 +56,17 @@ void MakeRoom(std::vector<Value>& values, std::size_t size, Pulse& pulse)
   GrowInSteps(values, size, Value(), pulse);
 }
 
+// As tasks: most of the time goes into touching memory first.
+void MakeRooms(const std::vector<std::function<void(Pulse&)>>& rooms, Pulse& pulse)
+{
+  DoTasks(pulse, rooms.size(),
+    [&rooms](std::size_t k, Monitor& own)
+    {
+      Pulse ownPulse(own);
+      rooms[k](ownPulse);
+    });
+}
+
 class Joiner
 {
 public:
@@ -79,8 +90,8 @@ private:
   void AddShared(std::size_t block);
   void JoinEdges();
   void ListEdges(std::size_t block);
-  void MakeRoomForAll();
-  void CopyBlock(std::size_t block);
+  bool JoinVertices();
+  bool JoinTriangles();
   void CopyVertices(std::size_t block);
   void CopyTriangles(std::size_t block);
   void CopySlot(std::size_t block, std::size_t slot);
@@ -119,10 +130,7 @@ JoinedMesh Joiner::Join()
   this->NumberShared();
   this->PlaceBlocks();
   this->JoinEdges();
-  this->MakeRoomForAll();
-  const PulsePart copying(this->Beats, CopyingBegin, CopyingEnd);
-  if (!DoTasks(this->Beats, this->Meshes.size(),
-        [this](std::size_t block, Monitor&) { this->CopyBlock(block); }))
+  if (!this->JoinVertices() || !this->JoinTriangles())
   {
     return {};
   }
@@ -239,39 +247,46 @@ void Joiner::ListEdges(std::size_t block)
   }
 }
 
-// As tasks: most of the time goes into touching memory first.
-void Joiner::MakeRoomForAll()
+// What blocks have of them is given back before there are triangles: these are most of a mesh.
+bool Joiner::JoinVertices()
 {
-  const PulsePart part(this->Beats, 0.0, CopyingBegin);
+  const PulsePart part(this->Beats, 0.0, VerticesEnd);
   const std::size_t vertices = static_cast<std::size_t>(this->Places.back().Vertex);
-  const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
   BitingResult& bites = this->Result.Bites;
-  Triangulation& mesh = this->Result.Triangles;
-  const std::vector<std::function<void(Pulse&)>> rooms{ //
-    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Corners, 3 * triangles, pulse); },
-    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Neighbors, 3 * triangles, pulse); },
-    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Constraints, 3 * triangles, pulse); },
-    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Points, vertices, pulse); },
-    [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Regions, triangles, pulse); },
-    [this, triangles](Pulse& pulse) { MakeRoom(this->Faces, triangles, pulse); },
-    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Spacings, vertices, pulse); },
-    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.BiteOrders, vertices, pulse); },
-    [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Segments, vertices, pulse); },
-    [this, vertices](Pulse& pulse) { MakeRoom(this->Result.IsOnCut, vertices, pulse); }
-  };
-  DoTasks(this->Beats, rooms.size(),
-    [&rooms](std::size_t k, Monitor& own)
+  MakeRooms({ [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Points, vertices, pulse); },
+              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Spacings, vertices, pulse); },
+              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.BiteOrders, vertices, pulse); },
+              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Segments, vertices, pulse); },
+              [this, vertices](Pulse& pulse) { MakeRoom(this->Result.IsOnCut, vertices, pulse); } },
+    this->Beats);
+  return DoTasks(this->Beats, this->Meshes.size(),
+    [this](std::size_t block, Monitor& own)
     {
+      this->CopyVertices(block);
+      BitingResult& from = this->Meshes[block].Bites;
       Pulse pulse(own);
-      rooms[k](pulse);
+      ReleaseInSteps(pulse, from.Points, from.Spacings, from.BiteOrders, from.Segments);
     });
 }
 
-void Joiner::CopyBlock(std::size_t block)
+bool Joiner::JoinTriangles()
 {
-  this->CopyVertices(block);
-  this->CopyTriangles(block);
-  this->Meshes[block] = BlockMesh();
+  const PulsePart part(this->Beats, VerticesEnd, CopyingEnd);
+  const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
+  Triangulation& mesh = this->Result.Triangles;
+  MakeRooms(
+    { [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Corners, 3 * triangles, pulse); },
+      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Neighbors, 3 * triangles, pulse); },
+      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Constraints, 3 * triangles, pulse); },
+      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Regions, triangles, pulse); },
+      [this, triangles](Pulse& pulse) { MakeRoom(this->Faces, triangles, pulse); } },
+    this->Beats);
+  return DoTasks(this->Beats, this->Meshes.size(),
+    [this](std::size_t block, Monitor&)
+    {
+      this->CopyTriangles(block);
+      this->Meshes[block] = BlockMesh();
+    });
 }
 
 void Joiner::CopyVertices(std::size_t block)

@@ -54,7 +54,9 @@ ConstrainedMesh MakeConstrainedMesh(
   made.Inserted = Insert(points, Order(points, pulse), phi, pulse);
   if (made.Inserted.Mesh.NumberOfTriangles > 0 && !pulse.HasStopped())
   {
+    made.NumberOfPoints = points.size();
     made.Edges = Renumber(constraints, made.Inserted.Vertex, pulse);
+    ReleaseInSteps(pulse, made.Inserted.Vertex);
     const PulsePart part(pulse, InsertionEnd, 1.0);
     made.Recovery = RecoverConstraints(made.Inserted.Mesh, made.Edges, phi, pulse);
   }

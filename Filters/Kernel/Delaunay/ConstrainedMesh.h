@@ -10,7 +10,8 @@
 #include "Insertion.h"
 #include "Triangulation.h"
 
-#include <vector> // for the points
+#include <cstddef> // for a count
+#include <vector>  // for the points
 
 namespace biting
 {
@@ -22,6 +23,7 @@ struct ConstrainedMesh
   InsertionResult Inserted;
   ConstraintEdges Edges; ///< the constraints; their ends are vertices of the mesh
   RecoveryResult Recovery;
+  std::size_t NumberOfPoints = 0; ///< that were inserted
 
   /// Whether it has triangles, and all constraints are among their edges.
   bool IsWhole() const

@@ -280,7 +280,6 @@ InsertionResult InsertPoints(
   InsertionResult result;
   result.Order = std::move(order);
   result.Order.reserve(points.size() + RoomForLate(points.size()));
-  result.Vertex.reserve(result.Order.capacity());
   result.Vertex.resize(points.size());
   CopyPoints(points, result, pulse);
   if (pulse.HasStopped() || !ChooseFirstTriangle(result.Mesh.Points, result.Order) ||

@@ -188,14 +188,13 @@ void InsertLate(const std::vector<Point2>& points, double phi, ConstrainedMesh& 
 {
   InsertionResult& inserted = mesh.Inserted;
   LateInserter inserter(inserted.Mesh, phi, pulse);
-  for (std::size_t point = inserted.Vertex.size(); point < points.size() && pulse.Beat(); ++point)
+  for (std::size_t& point = mesh.NumberOfPoints; point < points.size() && pulse.Beat(); ++point)
   {
     const Id vertex = inserter.Insert(points[point]);
     if (vertex == static_cast<Id>(inserted.Order.size()))
     {
       inserted.Order.push_back(static_cast<Id>(point));
     }
-    inserted.Vertex.push_back(vertex);
   }
 }
 

@@ -23,7 +23,6 @@ TriangulationResult TakeResult(ConstrainedMesh& made, Pulse& pulse)
   result.Conflicts = std::move(made.Recovery.Conflicts);
   result.Coincidences = std::move(made.Recovery.Coincidences);
   const bool isWhole = made.Inserted.Mesh.NumberOfTriangles > 0 && result.Conflicts.empty();
-  ReleaseInSteps(pulse, made.Inserted.Vertex);
   if (isWhole && !pulse.HasStopped())
   {
     result.Mesh = TakeInside(made.Inserted.Mesh, made.Edges, made.Inserted.Order, pulse);

@@ -64,6 +64,28 @@ TEST(BiteLists, AreVisitedUntilTrue)
   EXPECT_EQ(count, 40);
 }
 
+TEST(BiteLists, ThatAreEmptiedLeaveTheOthersAsTheyAre)
+{
+  BiteLists lists;
+  Id heads[2] = { NoId, NoId };
+  for (Id bite = 0; bite < 1000; ++bite)
+  {
+    lists.Append({ 0.0f, 0.0f, 1.0f, bite }, heads[bite % 2]);
+  }
+  const std::vector<Id> before = BitesOf(lists, heads[1]);
+  lists.Empty(heads[0]);
+  EXPECT_EQ(heads[0], NoId);
+  for (Id bite = 1000; bite < 3000; ++bite)
+  {
+    lists.Append({ 0.0f, 0.0f, 1.0f, bite }, heads[0]);
+  }
+  EXPECT_EQ(BitesOf(lists, heads[1]), before);
+  const std::vector<Id> after = BitesOf(lists, heads[0]);
+  ASSERT_EQ(after.size(), 2000u);
+  EXPECT_EQ(after.front(), 2999);
+  EXPECT_EQ(after.back(), 1000);
+}
+
 TEST(BiteLists, BeginAnewOnceTheyAreCleared)
 {
   BiteLists lists;
