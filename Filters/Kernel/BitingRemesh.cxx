@@ -14,6 +14,7 @@
 #include "Meshing/StageProblems.h"
 #include "Quality/MeshCheck.h"
 #include "Remeshing/CavityDomain.h"
+#include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/MisfitVertices.h"
@@ -90,6 +91,7 @@ private:
   RegionEdges Edges;
   Spacing F;
   CavityMesh Cavity;
+  Id NumberOfMiddles = 0; ///< among the vertices of the cavity
 };
 
 RemeshResult Remesher::Run()
@@ -238,7 +240,9 @@ void Remesher::ChooseVertices(EdgePolicy policy, Monitor& monitor)
     : ThinnedEdges(old, this->Region, spacings, this->Rules, policy);
   const std::vector<std::uint8_t> isKept =
     ChooseKeptVertices(old, this->Region, this->Edges, spacings, this->Rules);
-  this->Cavity.Geometry = MakeCavityDomain(old, this->Region, this->Edges, isKept, policy);
+  const std::vector<Point2> middles = FindMiddles(old, this->Region, isKept, spacings);
+  this->NumberOfMiddles = static_cast<Id>(middles.size());
+  this->Cavity.Geometry = MakeCavityDomain(old, this->Region, this->Edges, isKept, middles, policy);
 }
 
 // By the area of the triangles in units of f: their vertices say enough of f.
@@ -255,7 +259,8 @@ double Remesher::ExpectedVertices() const
     const double f = (spacings[corners[0]] + spacings[corners[1]] + spacings[corners[2]]) / 3.0;
     density += area / (f * f);
   }
-  return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices();
+  return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices() -
+    this->NumberOfMiddles;
 }
 
 void Remesher::Bite()
@@ -302,6 +307,8 @@ void Remesher::Relax()
   this->Begin(RemeshingStages::Relaxation);
   if (!this->Options.Relaxation)
   {
+    ReleaseVertices(FindAddedVertices(this->Cavity.Geometry), this->Cavity.Geometry,
+      this->Cavity.Bites, this->Cavity.Triangles);
     return;
   }
   const std::vector<std::uint8_t> mayGo =

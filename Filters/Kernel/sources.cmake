@@ -131,6 +131,7 @@ set(biting_kernel_sources
   Meshing/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
+  Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/GradedValues.cxx
   Remeshing/KeptVertices.cxx

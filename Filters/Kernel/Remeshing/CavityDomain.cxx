@@ -74,7 +74,7 @@ void AddArea(Domain& domain)
 } // namespace
 
 Domain MakeCavityDomain(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,
-  const std::vector<std::uint8_t>& isKept, EdgePolicy policy)
+  const std::vector<std::uint8_t>& isKept, const std::vector<Point2>& added, EdgePolicy policy)
 {
   Domain domain;
   const std::vector<Id> numbers = AddVertices(mesh, region, edges, isKept, domain);
@@ -84,6 +84,9 @@ Domain MakeCavityDomain(const OldMesh& mesh, const ChangedRegion& region, const 
       edge.RimSlot != NoId || policy == EdgePolicy::Frozen || mesh.IsFrozenEdge(edge.Mark);
     AddSegment(edge, numbers, isPreserved, domain);
   }
+  domain.Vertices.insert(domain.Vertices.end(), added.begin(), added.end());
+  domain.VertexPoints.resize(domain.Vertices.size(), NoId);
+  domain.IsEmbedded.resize(domain.Vertices.size(), 1);
   AddArea(domain);
   return domain;
 }

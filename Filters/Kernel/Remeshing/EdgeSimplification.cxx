@@ -67,7 +67,7 @@ Domain DrawingOf(const OldMesh& mesh, const ChangedRegion& region, const Flags& 
   {
     isKept[vertex] |= mesh.IsFixed[region.Vertices[vertex]];
   }
-  Domain drawing = MakeCavityDomain(mesh, region, edges, isKept, EdgePolicy::Free);
+  Domain drawing = MakeCavityDomain(mesh, region, edges, isKept, {}, EdgePolicy::Free);
   for (const Id vertex : drawing.VertexPoints)
   {
     const Id number = region.Numbers[vertex];

@@ -33,10 +33,13 @@ struct KeepRules
   static constexpr double LeastSquare = 0.5;
   static constexpr double GreatestSquare = 2.0;
 
+  /// Acceptance radius in units of f, measured: with it a mesh that fits is kept whole.
+  static constexpr double RadiusOfFitting = 0.7;
+
   double Crowded = LowestUnchanged;
   double Lowest = LowestUnchanged;
   double Highest = 1.35;
-  double Sparse = 1.75;
+  double Sparse = 1.6;
 
   // Kept vertices are released, they may move and go, beside an angle whose cotangent is larger, or
   // an edge beyond these.

@@ -13,9 +13,7 @@ namespace biting
 namespace
 {
 
-// Acceptance radii in units of f, measured: with 0.7 a mesh of the spacing that is wanted is kept
-// whole; with 0.9 what is left of a finer one has the best shapes.
-constexpr double RadiusOfFitting = 0.7;
+// Acceptance radius in units of f, measured: what is left of a finer mesh has the best shapes.
 constexpr double RadiusOfCrowded = 0.9;
 
 class Front
@@ -122,7 +120,7 @@ void Front::LookAt(Id vertex, Id near)
       this->Mesh.Points[this->Region.Vertices[near]]) /
     (this->Spacings[vertex] + this->Spacings[near]);
   const bool isCrowded = this->Region.Lengths[near] < this->Rules.Lowest;
-  if (distance < (isCrowded ? RadiusOfCrowded : RadiusOfFitting))
+  if (distance < (isCrowded ? RadiusOfCrowded : KeepRules::RadiusOfFitting))
   {
     this->IsHeld[near] = 1;
     this->Held.push_back(near);

@@ -3,9 +3,10 @@
 
 #include "ReleasedVertices.h"
 
-#include <cstddef> // for sizes
-#include <numeric> // for iota
-#include <utility> // for move
+#include <algorithm> // for max
+#include <cstddef>   // for sizes
+#include <numeric>   // for iota
+#include <utility>   // for move
 
 namespace biting
 {
@@ -76,9 +77,20 @@ std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain
   std::vector<std::uint8_t> mayGo = domain.IsEmbedded;
   for (std::size_t vertex = 0; vertex < mayGo.size(); ++vertex)
   {
-    mayGo[vertex] &= old.IsFixed[domain.VertexPoints[vertex]] == 0;
+    const Id point = domain.VertexPoints[vertex];
+    mayGo[vertex] &= point == NoId || old.IsFixed[point] == 0;
   }
   return mayGo;
+}
+
+std::vector<std::uint8_t> FindAddedVertices(const Domain& domain)
+{
+  std::vector<std::uint8_t> isAdded(domain.Vertices.size(), 0);
+  for (std::size_t vertex = 0; vertex < isAdded.size(); ++vertex)
+  {
+    isAdded[vertex] = domain.VertexPoints[vertex] == NoId;
+  }
+  return isAdded;
 }
 
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,
@@ -105,7 +117,7 @@ std::vector<HeldVertex> ListHeld(
   std::vector<HeldVertex> held;
   for (std::size_t vertex = 0; vertex < isHeld.size(); ++vertex)
   {
-    if (isHeld[vertex])
+    if (isHeld[vertex] && domain.VertexPoints[vertex] != NoId)
     {
       held.push_back(
         { domain.Vertices[vertex], domain.VertexPoints[vertex], bites.BiteOrders[vertex] });
@@ -119,7 +131,12 @@ void ReturnVertices(
 {
   const std::size_t first = domain.Vertices.size();
   // Vertices of domains are bitten first, each once.
-  std::vector<const HeldVertex*> heldOf(first + held.size(), nullptr);
+  Id last = 0;
+  for (const HeldVertex& one : held)
+  {
+    last = std::max(last, one.BiteOrder);
+  }
+  std::vector<const HeldVertex*> heldOf(static_cast<std::size_t>(last) + 1, nullptr);
   for (const HeldVertex& one : held)
   {
     heldOf[one.BiteOrder] = &one;
@@ -138,10 +155,10 @@ void ReturnVertices(
       domain.IsEmbedded.push_back(1);
     }
   }
-  Id last = domain.NumberOfVertices();
+  Id next = domain.NumberOfVertices();
   for (Id& number : numbers)
   {
-    number = number == NoId ? last++ : number;
+    number = number == NoId ? next++ : number;
   }
   RenumberAll(numbers, domain, bites, mesh);
 }

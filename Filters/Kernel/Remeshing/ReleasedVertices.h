@@ -18,6 +18,9 @@ namespace biting
 /// 1 for the embedded vertices of the domain, fixed ones apart.
 std::vector<std::uint8_t> FindVerticesThatMayGo(const OldMesh& old, const Domain& domain);
 
+/// 1 for those of no old mesh.
+std::vector<std::uint8_t> FindAddedVertices(const Domain& domain);
+
 /// Takes these vertices out of the domain: they become inner vertices of the mesh like new ones.
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,
   BitingResult& bites, Triangulation& mesh);
@@ -30,7 +33,7 @@ struct HeldVertex
   Id BiteOrder; ///< by which it is known
 };
 
-/// Those of the flagged vertices, in their order.
+/// Those of the flagged vertices that are of the old mesh, in their order.
 std::vector<HeldVertex> ListHeld(
   const std::vector<std::uint8_t>& isHeld, const Domain& domain, const BitingResult& bites);
 

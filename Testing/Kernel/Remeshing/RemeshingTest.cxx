@@ -153,12 +153,22 @@ TEST(Remeshing, WhereTheSpacingIsHalvedNearlyAllVerticesStay)
 {
   const RemeshInput input = RemeshInputOf(SquareMesh(0.02), Rounding);
   const RemeshRun disc = RunLawfully(input, WantingDisc(input, 0.02));
-  EXPECT_GT(disc.ShareOfKept(), 0.95);
+  EXPECT_GT(disc.ShareOfKept(), 0.97);
   EXPECT_GT(disc.SmallestAngle(), 30.0);
   EXPECT_GT(disc.Result.Mesh.Points.size(), 1.2 * static_cast<double>(input.Points.size()));
   const RemeshRun all = RunLawfully(input, WantingUniform(input, 0.01));
-  EXPECT_GT(all.ShareOfKept(), 0.95);
-  EXPECT_GT(all.SmallestAngle(), 30.0);
+  EXPECT_GT(all.ShareOfKept(), 0.999);
+  EXPECT_GT(all.SmallestAngle(), 35.0);
+}
+
+TEST(Remeshing, WithoutRelaxationTooVerticesBetweenOldOnesAreNew)
+{
+  const RemeshInput input = RemeshInputOf(SquareMesh(0.05), Rounding);
+  RemeshOptions options = WantingUniform(input, 0.025);
+  options.Relaxation = false;
+  const RemeshRun raw = RunLawfully(input, options);
+  EXPECT_EQ(raw.ShareOfKept(), 1.0);
+  EXPECT_GT(raw.Result.Mesh.Points.size(), 3 * input.Points.size());
 }
 
 TEST(Remeshing, WhatIsFarFromAChangeIsUnchanged)
