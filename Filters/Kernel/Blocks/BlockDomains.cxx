@@ -8,8 +8,9 @@
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/AreaSum.h"
 
-#include <algorithm> // for sort, unique, lower_bound, any_of
+#include <algorithm> // for sort, unique, lower_bound, replace
 #include <cstdint>   // for flags
+#include <limits>    // for areas
 #include <map>       // for areas
 #include <utility>   // for move, pair
 
@@ -47,12 +48,9 @@ void AddArea(Domain& domain)
 class BlockMaker
 {
 public:
-  BlockMaker(
-    const Domain& domain, const CutPlan& plan, const NearTouches& touches, const CutGraph& graph)
+  BlockMaker(const Domain& domain, const CutPlan& plan, const CutGraph& graph)
     : Geometry(domain)
-    , Touches(touches)
-    , Tree(plan.Tree)
-    , Stretches(plan.Stretches)
+    , Plan(plan)
     , Graph(graph)
   {
   }
@@ -73,8 +71,8 @@ private:
   std::pair<Point2, double> MiddleOf(Id triangle) const;
   void NumberBlocks();
   void FindSides();
-  bool HasTouchesApart() const;
-  std::vector<Id> BlocksOfSegments() const;
+  void UniteTouching();
+  std::vector<Id> FacesOfSegments() const;
   std::vector<BlockDomain> MakeBlocks() const;
   std::vector<Id> BlocksAt(Id piece) const;
   void AddVertices(std::vector<BlockDomain>& blocks) const;
@@ -86,14 +84,13 @@ private:
   }
 
   const Domain& Geometry;
-  const NearTouches& Touches;
-  const CutTree& Tree;
-  const std::vector<double>& Stretches;
+  const CutPlan& Plan;
   const CutGraph& Graph;
   Triangulation Mesh;
-  std::vector<Id> Faces;  ///< of the triangles: what cuts enclose
-  std::vector<Id> Blocks; ///< of the faces
-  std::vector<Id> Leaves; ///< of the blocks: nodes
+  std::vector<Id> Faces;        ///< of the triangles: what cuts enclose
+  std::vector<Id> Blocks;       ///< of the faces; nodes of the tree at first
+  std::vector<double> Expected; ///< vertices, of the nodes
+  std::vector<Id> Leaves;       ///< of the blocks: nodes
   std::vector<Sides> SidesOf;
 };
 
@@ -105,13 +102,14 @@ std::vector<BlockDomain> BlockMaker::Make(Monitor& monitor)
   }
   this->FindFaces();
   this->ChooseLeaves();
+  this->UniteTouching();
   this->NumberBlocks();
   if (this->Leaves.size() < 2)
   {
     return {};
   }
   this->FindSides();
-  return this->HasTouchesApart() ? std::vector<BlockDomain>() : this->MakeBlocks();
+  return this->MakeBlocks();
 }
 
 bool BlockMaker::Triangulate(Monitor& monitor)
@@ -193,9 +191,9 @@ void BlockMaker::ChooseLeaves()
   for (Id triangle = 0; triangle < this->Mesh.NumberOfTriangles(); ++triangle)
   {
     const auto [middle, area] = this->MiddleOf(triangle);
-    areas[{ this->Faces[triangle], this->Tree.NodeAt(middle) }] += area;
+    areas[{ this->Faces[triangle], this->Plan.Tree.NodeAt(middle) }] += area;
   }
-  std::vector<double> largest(this->Blocks.size(), 0.0);
+  std::vector<double> largest(this->Blocks.size(), -std::numeric_limits<double>::infinity());
   for (const auto& [place, area] : areas)
   {
     if (area > largest[place.first])
@@ -215,16 +213,48 @@ std::pair<Point2, double> BlockMaker::MiddleOf(Id triangle) const
   return { a + 1.0 / 3.0 * (ab + ac), Cross(ab, ac) };
 }
 
+// What touches may lie in two leaves also where no cut is near: land on both sides of a strait.
+void BlockMaker::UniteTouching()
+{
+  for (const CutTree::Node& node : this->Plan.Tree.Nodes)
+  {
+    this->Expected.push_back(node.Vertices);
+  }
+  const std::vector<Id> faces = this->FacesOfSegments();
+  for (const NearTouches::Pair& pair : this->Plan.Touches.Pairs)
+  {
+    const Id first = this->Blocks[faces[pair.First]];
+    const Id second = this->Blocks[faces[pair.Second]];
+    if (first != second)
+    {
+      std::replace(this->Blocks.begin(), this->Blocks.end(), second, first);
+      this->Expected[first] += this->Expected[second];
+    }
+  }
+}
+
+// One that is uncut has both of its sides in one face.
+std::vector<Id> BlockMaker::FacesOfSegments() const
+{
+  std::vector<Id> faces(this->Geometry.Starts.size(), NoId);
+  for (std::size_t half = 0; half < this->Mesh.Constraints.size(); ++half)
+  {
+    const Id piece = this->Mesh.Constraints[half];
+    if (piece != NoId && !this->Graph.IsCut(piece))
+    {
+      faces[this->Graph.Pieces[piece].Segment] = this->Faces[half / 3];
+    }
+  }
+  return faces;
+}
+
 // Leaves without a face are passed over.
 void BlockMaker::NumberBlocks()
 {
-  std::vector<Id> numbers(this->Tree.Nodes.size(), NoId);
+  std::vector<Id> numbers(this->Plan.Tree.Nodes.size(), NoId);
   for (const Id node : this->Blocks)
   {
-    if (node != NoId)
-    {
-      numbers[node] = 0;
-    }
+    numbers[node] = 0;
   }
   for (Id node = 0; node < static_cast<Id>(numbers.size()); ++node)
   {
@@ -236,7 +266,7 @@ void BlockMaker::NumberBlocks()
   }
   for (Id& block : this->Blocks)
   {
-    block = block == NoId ? 0 : numbers[block];
+    block = numbers[block];
   }
 }
 
@@ -256,43 +286,13 @@ void BlockMaker::FindSides()
   }
 }
 
-// Whether segments that nearly touch each other are not of one block.
-bool BlockMaker::HasTouchesApart() const
-{
-  if (this->Touches.IsEmpty())
-  {
-    return false;
-  }
-  const std::vector<Id> blocks = this->BlocksOfSegments();
-  return this->Touches.AreEverywhere ||
-    std::any_of(this->Touches.Pairs.begin(), this->Touches.Pairs.end(),
-      [&blocks](const NearTouches::Pair& pair)
-      { return blocks[pair.First] == NoId || blocks[pair.First] != blocks[pair.Second]; });
-}
-
-// NoId where they are of several.
-std::vector<Id> BlockMaker::BlocksOfSegments() const
-{
-  constexpr Id Unknown = -2;
-  std::vector<Id> blocks(this->Geometry.Starts.size(), Unknown);
-  for (Id piece = 0; piece < this->Graph.NumberOfPieces(); ++piece)
-  {
-    for (const Id block : this->Graph.IsCut(piece) ? std::vector<Id>() : this->BlocksAt(piece))
-    {
-      Id& known = blocks[this->Graph.Pieces[piece].Segment];
-      known = known == Unknown || known == block ? block : NoId;
-    }
-  }
-  return blocks;
-}
-
 std::vector<BlockDomain> BlockMaker::MakeBlocks() const
 {
   std::vector<BlockDomain> blocks(this->Leaves.size());
   for (std::size_t k = 0; k < blocks.size(); ++k)
   {
-    blocks[k].ExpectedVertices = this->Tree.Nodes[this->Leaves[k]].Vertices;
-    blocks[k].Stretch = this->Stretches[this->Leaves[k]];
+    blocks[k].ExpectedVertices = this->Expected[this->Leaves[k]];
+    blocks[k].Stretch = this->Plan.Stretches[this->Leaves[k]];
     blocks[k].Geometry.Resolution = this->Geometry.Resolution;
   }
   this->AddVertices(blocks);
@@ -397,7 +397,7 @@ void BlockMaker::AddPiece(Id piece, Id number, BlockDomain& block) const
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor)
 {
-  BlockDomains result{ plan.Graph, {} };
+  BlockDomains result{ plan.Graph, {}, plan.AreTouching };
   if (plan.Tree.NumberOfLeaves < 2)
   {
     return result;
@@ -406,10 +406,8 @@ BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, cons
   Pulse pulse(dividing);
   if (DivideCuts(spacing, division, result.Graph, pulse))
   {
-    const NearTouches touches =
-      plan.Touches ? *plan.Touches : FindNearTouches(domain, spacing, pulse);
     PartOfStage making(monitor, DivisionEnd, 1.0);
-    result.Blocks = BlockMaker(domain, plan, touches, result.Graph).Make(making);
+    result.Blocks = BlockMaker(domain, plan, result.Graph).Make(making);
   }
   return result;
 }

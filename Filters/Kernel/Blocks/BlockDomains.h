@@ -12,7 +12,8 @@
 #include "CutGraph.h"
 #include "CutPlan.h"
 
-#include <vector> // for the maps
+#include <cstdint> // for flags
+#include <vector>  // for the maps
 
 namespace biting
 {
@@ -32,12 +33,13 @@ struct BlockDomains
 {
   CutGraph Graph; ///< with divided cuts
   std::vector<BlockDomain> Blocks;
+  std::vector<std::uint8_t> AreTouching; ///< segments of the domain (CutPlan.h)
 };
 
 /// Divides the cuts, and the domain along them. A block is what cuts enclose, or several of such,
-/// where they lie in one leaf of the tree. No blocks where there are less than two, where parts of
-/// cuts would meet by rounding, where segments that nearly touch each other (NearTouches.h) would
-/// be of different ones, and where the monitor wants to stop.
+/// where they lie in one leaf of the tree, or in leaves with segments that nearly touch each other
+/// (NearTouches.h). No blocks where there are less than two, where parts of cuts would meet by
+/// rounding, and where the monitor wants to stop.
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor);
 

@@ -200,7 +200,7 @@ void BlockMesher::Relax(
     return;
   }
   PartOfStage mending(monitor, JoiningEnd, 1.0);
-  RelaxCuts(this->Geometry, this->F, this->Joined, mending);
+  RelaxCuts(this->Geometry, this->Parts.AreTouching, this->F, this->Joined, mending);
   AddAborted(mending, problems);
   bites = std::move(this->Joined.Bites);
   triangles = std::move(this->Joined.Triangles);

@@ -11,7 +11,8 @@
 #include "../Spacing/Spacing.h"
 #include "CutGraph.h"
 
-#include <vector> // for the lists
+#include <cstdint> // for flags
+#include <vector>  // for the lists
 
 namespace biting
 {
@@ -30,8 +31,9 @@ struct CutScene
   const DomainLocator& Locator;
   const Spacing& F;
   Box2 Box;
-  std::vector<Id> Pieces;   ///< that meet the box, or nearly
-  std::vector<Id> Vertices; ///< their ends, and embedded points near the box
+  const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
+  std::vector<Id> Pieces;                    ///< that meet the box, or nearly
+  std::vector<Id> Vertices;                  ///< their ends, and embedded points near the box
 };
 
 /// Where a cut begins or ends: at a vertex, or on a piece, of which it makes one.
@@ -69,8 +71,8 @@ enum class CutEffort
 };
 
 /// The stretches of `line`, each from a piece to the next. Where one meets a piece again, comes
-/// near to a vertex or a piece in proportion to f, leaves a piece at less than 40 degrees, or is
-/// short, the line is not good, and what is listed is of no use.
+/// near to a vertex or a piece in proportion to f, leaves a piece at less than 40 degrees, ends on
+/// a segment that stays uncut, or is short, the line is not good, and what is listed is of no use.
 CutLine MakeCutLine(
   const CutScene& scene, const AxisLine& line, CutEffort effort = CutEffort::AsItIs);
 

@@ -10,6 +10,7 @@
 
 #include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
+#include <cstdint>   // for flags
 #include <limits>    // for the plane
 #include <utility>   // for move
 
@@ -152,7 +153,7 @@ public:
 private:
   Id AddNode(double share);
   bool Divide(Part& part);
-  bool MayMoveEnds();
+  bool FindTouches();
   Cut FindBestCut(Part& part, const CutScene& scene, CutEffort effort);
   Cut FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort);
   double CostOf(const CutLine& line) const;
@@ -182,7 +183,7 @@ CutPlan Planner::Run()
   const double vertices = this->Options.Vertices;
   const double verticesPerBlock = this->Options.VerticesPerBlock;
   this->AddNode(vertices);
-  if (vertices >= LeastBlocks * verticesPerBlock)
+  if (vertices >= LeastBlocks * verticesPerBlock && this->FindTouches())
   {
     constexpr double Far = std::numeric_limits<double>::infinity();
     const double most = std::max(1.0, verticesPerBlock / (SamplesPerBlock * VerticesPerIntegral));
@@ -225,7 +226,7 @@ bool Planner::Divide(Part& part)
 {
   const CutScene scene = this->SceneOf(part);
   Cut best = this->FindBestCut(part, scene, CutEffort::AsItIs);
-  if (!best.Along.IsGood && this->MayMoveEnds())
+  if (!best.Along.IsGood)
   {
     best = this->FindBestCut(part, scene, CutEffort::MoveEnds);
   }
@@ -239,15 +240,23 @@ bool Planner::Divide(Part& part)
   return true;
 }
 
-// A cut whose ends are not on its line divides segments that touch each other there: what is of the
-// one block and what of the other does not follow from the line any more.
-bool Planner::MayMoveEnds()
+// Blocks have a segment that touches another one as a whole, or not at all. False where there are
+// too many to be kept apart from cuts.
+bool Planner::FindTouches()
 {
-  if (!this->Plan.Touches)
+  NearTouches& touches = this->Plan.Touches;
+  touches = FindNearTouches(this->Geometry, this->F, this->Beats);
+  if (touches.AreEverywhere)
   {
-    this->Plan.Touches = FindNearTouches(this->Geometry, this->F, this->Beats);
+    return false;
   }
-  return this->Plan.Touches->IsEmpty();
+  this->Plan.AreTouching.assign(this->Geometry.Starts.size(), 0);
+  for (const NearTouches::Pair& pair : touches.Pairs)
+  {
+    this->Plan.AreTouching[pair.First] = 1;
+    this->Plan.AreTouching[pair.Second] = 1;
+  }
+  return true;
 }
 
 Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
@@ -324,7 +333,8 @@ CutScene Planner::SceneOf(Part& part) const
 {
   this->UpdatePieces(part);
   const CutGraph& graph = this->Plan.Graph;
-  CutScene scene{ graph, this->Locator, this->F, part.Box, part.Pieces, this->Embedded };
+  CutScene scene{ graph, this->Locator, this->F, part.Box, this->Plan.AreTouching, part.Pieces,
+    this->Embedded };
   for (const Id piece : scene.Pieces)
   {
     scene.Vertices.push_back(graph.Pieces[piece].Start);

@@ -12,8 +12,8 @@
 #include "CutTree.h"
 #include "NearTouches.h"
 
-#include <optional> // for what is not known
-#include <vector>   // for factors
+#include <cstdint> // for flags
+#include <vector>  // for factors
 
 namespace biting
 {
@@ -27,7 +27,9 @@ struct CutPlan
   /// By which factor sides are longer in a leaf than elsewhere (CutRows.h), one a node.
   std::vector<double> Stretches;
 
-  std::optional<NearTouches> Touches; ///< of the domain, where it had to be known
+  // Of the domain, where it was cut.
+  NearTouches Touches;
+  std::vector<std::uint8_t> AreTouching; ///< segments that are of such a pair
 };
 
 struct CutOptions
@@ -40,8 +42,8 @@ struct CutOptions
 /// Cuts the domain by a kd-tree until less than 1.5 blocks' worth of vertices are expected in each
 /// part; not at all where these are less than 2 in all. Each line divides its part nearly equally,
 /// in the direction and at the place where fewest vertices lie on it, and its ends are open, of
-/// those at which it is good (CutLine.h). Where there is none, ends of lines are moved, unless
-/// segments nearly touch each other (NearTouches.h); where that does not help the part stays whole.
+/// those at which it is good (CutLine.h). Where there is none, ends of lines are moved; where that
+/// does not help the part stays whole. What nearly touches others (NearTouches.h) stays uncut.
 /// Along f counts less than across, where f changes, and the direction of the first cut less than
 /// the other. Lines are where lattices fit (CutRows.h). Depends on the arguments alone. Where the
 /// monitor wants to stop the result has no meaning.

@@ -22,7 +22,7 @@ namespace
 {
 
 // Angles below 45 degrees are made better, below 43 also one by one.
-constexpr double PoorInStrip = 0.85;
+constexpr double PoorInStrip = 0.80;
 
 // Where steps end, as shares of the time.
 constexpr double TakingEnd = 0.1;
@@ -54,7 +54,11 @@ private:
   void MoveTriangles();
   void CloseUpTriangles();
   void CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pulse& own) const;
+  void FindFirstParts();
+  Id ConstraintOf(Id part) const;
   void AddStrip();
+  void ChangeEdges();
+  void CloseUpEdges();
 
   const TakenStrip& Strip;
   const std::vector<Id>& Origins; ///< of the relaxed vertices, in the strip before
@@ -66,6 +70,7 @@ private:
   std::vector<Id> NewTriangles;      ///< numbers of the whole's triangles that are not of the strip
   std::size_t NumberOfTriangles = 0; ///< of these
   std::vector<std::size_t> Rim;      ///< slots of the whole, at edges to what is not of the strip
+  std::vector<Id> FirstParts;        ///< of the segments of the strip
 };
 
 void StripReturn::Run()
@@ -80,7 +85,10 @@ void StripReturn::Run()
   this->MoveTriangles();
   if (!this->Beats.HasStopped())
   {
+    this->FindFirstParts();
     this->AddStrip();
+    this->ChangeEdges();
+    this->CloseUpEdges();
     FlipUntilDelaunay(this->Whole.Bites.Points, this->Rim, this->Whole.Triangles, this->Beats);
   }
 }
@@ -238,6 +246,25 @@ void StripReturn::CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pu
   }
 }
 
+// They are listed segment by segment.
+void StripReturn::FindFirstParts()
+{
+  const std::vector<Id>& segments = this->Strip.Mesh.EdgeSegments;
+  this->FirstParts.assign(this->Strip.Sides.size(), NoId);
+  for (std::size_t part = segments.size(); part > 0; --part)
+  {
+    this->FirstParts[segments[part - 1]] = static_cast<Id>(part - 1);
+  }
+}
+
+// Of the whole, or NoId. Parts of a run have its constraints, one after the other.
+Id StripReturn::ConstraintOf(Id part) const
+{
+  const Id segment = this->Strip.Mesh.EdgeSegments[part];
+  const Id first = this->Strip.Sides[segment].Constraint;
+  return first == NoId ? NoId : first + part - this->FirstParts[segment];
+}
+
 void StripReturn::AddStrip()
 {
   Triangulation& whole = this->Whole.Triangles;
@@ -247,31 +274,84 @@ void StripReturn::AddStrip()
   for (std::size_t slot = 0; slot < strip.Corners.size(); ++slot)
   {
     const Id constraint = strip.Constraints[slot];
-    const TakenStrip::FixedEdge edge = constraint == NoId
-      ? TakenStrip::FixedEdge()
-      : this->Strip.FixedEdges[mesh.EdgeSegments[constraint]];
+    const Id outside =
+      constraint == NoId ? NoId : this->Strip.Sides[mesh.EdgeSegments[constraint]].Outside;
     Id neighbor = strip.Neighbors[slot] == NoId ? NoId : first + strip.Neighbors[slot];
-    if (edge.Outside != NoId)
+    if (outside != NoId)
     {
       this->Rim.push_back(3 * static_cast<std::size_t>(first) + slot);
-      neighbor = this->NewTriangles[edge.Outside / 3];
-      whole.Neighbors[3 * static_cast<std::size_t>(neighbor) + edge.Outside % 3] =
+      neighbor = this->NewTriangles[outside / 3];
+      whole.Neighbors[3 * static_cast<std::size_t>(neighbor) + outside % 3] =
         first + static_cast<Id>(slot / 3);
     }
     whole.Corners.push_back(this->NewStripNumbers[strip.Corners[slot]]);
     whole.Neighbors.push_back(neighbor);
-    whole.Constraints.push_back(edge.Constraint);
+    whole.Constraints.push_back(constraint == NoId ? NoId : this->ConstraintOf(constraint));
   }
   whole.Regions.insert(whole.Regions.end(), strip.Regions.begin(), strip.Regions.end());
 }
 
+// Runs have other edges now, and perhaps fewer: those that are gone have no segment any more.
+void StripReturn::ChangeEdges()
+{
+  BitingResult& bites = this->Whole.Bites;
+  const RelaxationMesh& mesh = this->Strip.Mesh;
+  for (std::size_t run = 0; run < this->Strip.Sides.size() && this->Beats.Beat(); ++run)
+  {
+    const TakenStrip::Side& side = this->Strip.Sides[run];
+    for (Id k = 0; k < side.NumberOfParts && side.NumberOfParts > 1; ++k)
+    {
+      const std::size_t part = static_cast<std::size_t>(this->FirstParts[run] + k);
+      const Id edge = side.Constraint + k;
+      if (part < mesh.EdgeSegments.size() && mesh.EdgeSegments[part] == static_cast<Id>(run))
+      {
+        bites.EdgeStarts[edge] = this->NewStripNumbers[mesh.EdgeStarts[part]];
+        bites.EdgeEnds[edge] = this->NewStripNumbers[mesh.EdgeEnds[part]];
+      }
+      else
+      {
+        bites.EdgeSegments[edge] = NoId;
+      }
+    }
+  }
+}
+
+void StripReturn::CloseUpEdges()
+{
+  BitingResult& bites = this->Whole.Bites;
+  std::vector<Id> numbers(bites.EdgeSegments.size(), NoId);
+  std::size_t count = 0;
+  for (std::size_t edge = 0; edge < numbers.size() && this->Beats.Beat(); ++edge)
+  {
+    if (bites.EdgeSegments[edge] != NoId)
+    {
+      bites.EdgeStarts[count] = bites.EdgeStarts[edge];
+      bites.EdgeEnds[count] = bites.EdgeEnds[edge];
+      bites.EdgeSegments[count] = bites.EdgeSegments[edge];
+      numbers[edge] = static_cast<Id>(count++);
+    }
+  }
+  if (count == numbers.size())
+  {
+    return;
+  }
+  bites.EdgeStarts.resize(count);
+  bites.EdgeEnds.resize(count);
+  bites.EdgeSegments.resize(count);
+  std::vector<Id>& constraints = this->Whole.Triangles.Constraints;
+  ForEachAtOnce(this->Beats, constraints.size(),
+    [&numbers, &constraints](std::size_t slot)
+    { constraints[slot] = constraints[slot] == NoId ? NoId : numbers[constraints[slot]]; });
+}
+
 } // namespace
 
-void RelaxCuts(const Domain& domain, const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor)
+void RelaxCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+  const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor)
 {
   PartOfStage taking(monitor, 0.0, TakingEnd);
   Pulse takingPulse(taking);
-  TakenStrip strip = TakeStrip(domain, mesh, takingPulse);
+  TakenStrip strip = TakeStrip(domain, areTouching, mesh, takingPulse);
   if (takingPulse.HasStopped() || strip.IsEmpty())
   {
     return;

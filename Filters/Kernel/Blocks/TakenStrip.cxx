@@ -4,8 +4,9 @@
 #include "TakenStrip.h"
 
 #include "../Base/Tasks.h"
+#include "../Relaxation/DividedSegments.h"
 
-#include <algorithm> // for sort, unique, stable_partition
+#include <algorithm> // for sort, unique, lower_bound, stable_partition
 
 namespace biting
 {
@@ -29,8 +30,10 @@ struct TriangleList
 class StripTaker
 {
 public:
-  StripTaker(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse)
+  StripTaker(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+    const JoinedMesh& mesh, Pulse& pulse)
     : Geometry(domain)
+    , AreTouching(areTouching)
     , Whole(mesh)
     , Beats(pulse)
   {
@@ -45,7 +48,19 @@ private:
   bool IsFixed(std::size_t slot) const;
   void ListVertices();
   bool StaysByItself(Id vertex) const;
+  bool MaySlideAlong(std::size_t slot, Id vertex) const;
   void NumberVertices();
+  bool Slides(Id vertex) const
+  {
+    return static_cast<std::size_t>(this->Numbers[vertex]) >= this->NumberOfFixed;
+  }
+  void FindSlidingEdges();
+  void UniteSides();
+  void AddRuns();
+  void AddRun(std::size_t begin, std::size_t end);
+  void AddEdge(Id start, Id end, Id segment);
+  void AddSegment(Id start, Id end, bool isLeftInside, bool isRightInside);
+  Id SlidingEdgeOf(Id constraint) const;
   void CopyTriangles();
   void CopySlot(std::size_t slot);
   void AddFixedEdge(std::size_t slot, Id start, Id end);
@@ -56,12 +71,22 @@ private:
     return this->Whole.Triangles.Corners[slot - slot % 3 + (slot + turn) % 3];
   }
 
+  // A constraint of the whole with an end that may slide, and on which of its sides the strip is.
+  struct SlidingEdge
+  {
+    Id Constraint;
+    bool IsLeftInside;
+    bool IsRightInside;
+  };
+
   const Domain& Geometry;
+  const std::vector<std::uint8_t>& AreTouching;
   const JoinedMesh& Whole;
   Pulse& Beats;
   TakenStrip Strip;
   std::vector<Id> Numbers; ///< of the whole's vertices in the strip, or NoId
   std::size_t NumberOfFixed = 0;
+  std::vector<SlidingEdge> SlidingEdges; ///< by their constraints: the first edges of the strip
 };
 
 TakenStrip StripTaker::Take()
@@ -72,6 +97,8 @@ TakenStrip StripTaker::Take()
     this->NumberTriangles();
     this->ListVertices();
     this->NumberVertices();
+    this->FindSlidingEdges();
+    this->AddRuns();
     this->CopyTriangles();
   }
   if (!this->Beats.HasStopped())
@@ -163,7 +190,7 @@ void StripTaker::ListVertices()
           vertices.push_back(vertex);
           number = this->StaysByItself(vertex) ? 0 : 1;
         }
-        number = this->IsFixed(slot) ? 0 : number;
+        number = this->IsFixed(slot) && !this->MaySlideAlong(slot, vertex) ? 0 : number;
       }
     }
   }
@@ -172,7 +199,21 @@ void StripTaker::ListVertices()
 
 bool StripTaker::StaysByItself(Id vertex) const
 {
-  return vertex < this->Geometry.NumberOfVertices() || this->Whole.Bites.Segments[vertex] != NoId;
+  const Id segment = this->Whole.Bites.Segments[vertex];
+  return vertex < this->Geometry.NumberOfVertices() ||
+    (segment != NoId &&
+      (this->Geometry.MustPreserve(segment) || this->AreTouching[segment] != 0 ||
+        !IsFarAboveRounding(this->Whole.Bites.Spacings[vertex], this->Geometry)));
+}
+
+// An edge on the vertex's own segment, with nothing beside it that stays.
+bool StripTaker::MaySlideAlong(std::size_t slot, Id vertex) const
+{
+  const Id neighbor = this->Whole.Triangles.Neighbors[slot];
+  const Id constraint = this->Whole.Triangles.Constraints[slot];
+  return constraint != NoId &&
+    this->Whole.Bites.EdgeSegments[constraint] == this->Whole.Bites.Segments[vertex] &&
+    (neighbor == NoId || this->Strip.TriangleNumbers[neighbor] != NoId);
 }
 
 // Fixed ones first.
@@ -190,6 +231,107 @@ void StripTaker::NumberVertices()
     this->Strip.Mesh.Spacings.push_back(this->Whole.Bites.Spacings[vertex]);
     this->Strip.Mesh.Segments.push_back(NoId);
   }
+}
+
+// By their constraints, and so in the order of their segments.
+void StripTaker::FindSlidingEdges()
+{
+  const BitingResult& bites = this->Whole.Bites;
+  std::vector<SlidingEdge>& edges = this->SlidingEdges;
+  for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
+  {
+    const std::size_t first = 3 * static_cast<std::size_t>(this->Strip.Triangles[k]);
+    for (std::size_t slot = first; slot < first + 3; ++slot)
+    {
+      const Id constraint = this->Whole.Triangles.Constraints[slot];
+      if (constraint != NoId &&
+        (this->Slides(bites.EdgeStarts[constraint]) || this->Slides(bites.EdgeEnds[constraint])))
+      {
+        const bool isLeft = this->Corner(slot, 1) == bites.EdgeStarts[constraint];
+        edges.push_back({ constraint, isLeft, !isLeft });
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const SlidingEdge& a, const SlidingEdge& b) { return a.Constraint < b.Constraint; });
+  this->UniteSides();
+}
+
+// Of edges inside both sides were found.
+void StripTaker::UniteSides()
+{
+  std::vector<SlidingEdge> united;
+  for (const SlidingEdge& edge : this->SlidingEdges)
+  {
+    if (united.empty() || united.back().Constraint != edge.Constraint)
+    {
+      united.push_back(edge);
+      continue;
+    }
+    united.back().IsLeftInside = united.back().IsLeftInside || edge.IsLeftInside;
+    united.back().IsRightInside = united.back().IsRightInside || edge.IsRightInside;
+  }
+  this->SlidingEdges = std::move(united);
+}
+
+// From a vertex that stays to the next.
+void StripTaker::AddRuns()
+{
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < this->SlidingEdges.size() && this->Beats.Beat(); ++k)
+  {
+    const Id end = this->Whole.Bites.EdgeEnds[this->SlidingEdges[k].Constraint];
+    if (!this->Slides(end))
+    {
+      this->AddRun(begin, k + 1);
+      begin = k + 1;
+    }
+  }
+}
+
+void StripTaker::AddRun(std::size_t begin, std::size_t end)
+{
+  const BitingResult& bites = this->Whole.Bites;
+  const SlidingEdge& first = this->SlidingEdges[begin];
+  const Id segment = static_cast<Id>(this->Strip.Sides.size());
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    const Id constraint = this->SlidingEdges[k].Constraint;
+    const Id start = this->Numbers[bites.EdgeStarts[constraint]];
+    this->AddEdge(start, this->Numbers[bites.EdgeEnds[constraint]], segment);
+    this->Strip.Mesh.Segments[start] = k == begin ? NoId : segment;
+  }
+  this->Strip.Sides.push_back({ NoId, first.Constraint, static_cast<Id>(end - begin) });
+  this->AddSegment(this->Strip.Mesh.EdgeStarts[begin], this->Strip.Mesh.EdgeEnds.back(),
+    first.IsLeftInside, first.IsRightInside);
+}
+
+void StripTaker::AddEdge(Id start, Id end, Id segment)
+{
+  this->Strip.Mesh.EdgeStarts.push_back(start);
+  this->Strip.Mesh.EdgeEnds.push_back(end);
+  this->Strip.Mesh.EdgeSegments.push_back(segment);
+}
+
+void StripTaker::AddSegment(Id start, Id end, bool isLeftInside, bool isRightInside)
+{
+  Domain& border = this->Strip.Border;
+  border.Starts.push_back(start);
+  border.Ends.push_back(end);
+  border.IsBoundary.push_back(isLeftInside && isRightInside ? 0 : 1);
+  border.LeftInside.push_back(isLeftInside ? 1 : 0);
+  border.RightInside.push_back(isRightInside ? 1 : 0);
+  border.IsPreserved.push_back(this->Strip.Sides.back().NumberOfParts == 1 ? 1 : 0);
+}
+
+// Of a constraint of the whole among those of which an end slides; NoId where it is none.
+Id StripTaker::SlidingEdgeOf(Id constraint) const
+{
+  const auto found = std::lower_bound(this->SlidingEdges.begin(), this->SlidingEdges.end(),
+    constraint, [](const SlidingEdge& edge, Id wanted) { return edge.Constraint < wanted; });
+  return found != this->SlidingEdges.end() && found->Constraint == constraint
+    ? static_cast<Id>(found - this->SlidingEdges.begin())
+    : NoId;
 }
 
 void StripTaker::CopyTriangles()
@@ -220,6 +362,14 @@ void StripTaker::CopySlot(std::size_t slot)
     return;
   }
   const std::size_t own = strip.Constraints.size() - 1;
+  if (whole.Constraints[slot] != NoId)
+  {
+    strip.Constraints[own] = this->SlidingEdgeOf(whole.Constraints[slot]);
+    if (strip.Constraints[own] != NoId)
+    {
+      return;
+    }
+  }
   // Of an edge inside, the triangle that comes later has what the first one got.
   if (inside != NoId && inside < static_cast<Id>(own / 3))
   {
@@ -227,7 +377,7 @@ void StripTaker::CopySlot(std::size_t slot)
     strip.Constraints[own] = strip.Constraints[3 * static_cast<std::size_t>(inside) + across % 3];
     return;
   }
-  strip.Constraints[own] = static_cast<Id>(this->Strip.FixedEdges.size());
+  strip.Constraints[own] = static_cast<Id>(this->Strip.Mesh.EdgeStarts.size());
   this->AddFixedEdge(
     slot, this->Numbers[this->Corner(slot, 1)], this->Numbers[this->Corner(slot, 2)]);
 }
@@ -237,18 +387,12 @@ void StripTaker::AddFixedEdge(std::size_t slot, Id start, Id end)
   const Triangulation& whole = this->Whole.Triangles;
   const Id neighbor = whole.Neighbors[slot];
   const bool isInside = neighbor != NoId && this->Strip.TriangleNumbers[neighbor] != NoId;
-  TakenStrip::FixedEdge edge;
-  edge.Constraint = whole.Constraints[slot];
-  edge.Outside = neighbor == NoId || isInside ? NoId : this->SlotAcross(slot);
-  this->Strip.Mesh.EdgeStarts.push_back(start);
-  this->Strip.Mesh.EdgeEnds.push_back(end);
-  this->Strip.Mesh.EdgeSegments.push_back(static_cast<Id>(this->Strip.FixedEdges.size()));
-  this->Strip.Border.Starts.push_back(start);
-  this->Strip.Border.Ends.push_back(end);
-  this->Strip.Border.IsBoundary.push_back(isInside ? 0 : 1);
-  this->Strip.Border.LeftInside.push_back(1);
-  this->Strip.Border.RightInside.push_back(isInside ? 1 : 0);
-  this->Strip.FixedEdges.push_back(edge);
+  TakenStrip::Side side;
+  side.Constraint = whole.Constraints[slot];
+  side.Outside = neighbor == NoId || isInside ? NoId : this->SlotAcross(slot);
+  this->AddEdge(start, end, static_cast<Id>(this->Strip.Sides.size()));
+  this->Strip.Sides.push_back(side);
+  this->AddSegment(start, end, true, isInside);
 }
 
 Id StripTaker::SlotAcross(std::size_t slot) const
@@ -273,15 +417,15 @@ void StripTaker::FillDomain()
   border.IsEmbedded.assign(this->NumberOfFixed, 0);
   border.HasPoint.assign(this->NumberOfFixed, 0);
   border.Cells.assign(border.Starts.size(), NoId);
-  border.IsPreserved.assign(border.Starts.size(), 1);
   border.Resolution = this->Geometry.Resolution;
 }
 
 } // namespace
 
-TakenStrip TakeStrip(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse)
+TakenStrip TakeStrip(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+  const JoinedMesh& mesh, Pulse& pulse)
 {
-  return StripTaker(domain, mesh, pulse).Take();
+  return StripTaker(domain, areTouching, mesh, pulse).Take();
 }
 
 } // namespace biting

@@ -16,15 +16,18 @@
 namespace biting
 {
 
-/// The triangles within some rings around the cuts, as a mesh of a domain whose segments, the edges
-/// that stay, are preserved.
+/// The triangles within some rings around the cuts, as a mesh of a domain. Its segments are edges
+/// that stay, which are preserved, and runs of edges on one segment of the whole, whose vertices
+/// may slide, or go.
 struct TakenStrip
 {
-  /// An edge that stays: what lies across it, if that is not of the strip, and its constraint.
-  struct FixedEdge
+  /// Of an edge that stays: what lies across it, if that is not of the strip, and its constraint.
+  /// Of a run: the first of its constraints, which follow each other.
+  struct Side
   {
     Id Outside = NoId; ///< a slot of the whole
     Id Constraint = NoId;
+    Id NumberOfParts = 1; ///< more: a run
   };
 
   bool IsEmpty() const { return this->Triangles.empty(); }
@@ -36,13 +39,15 @@ struct TakenStrip
   std::vector<Id> Triangles;       ///< of the whole, that are of the strip
   std::vector<Id> TriangleNumbers; ///< of the whole's triangles in the strip, or NoId
   std::vector<Id> Vertices;        ///< of the whole, that are of the strip: fixed ones first
-  std::vector<FixedEdge> FixedEdges;
+  std::vector<Side> Sides;         ///< of the segments of the border
   Domain Border;
   RelaxationMesh Mesh;
 };
 
-/// Where the monitor wants to stop the result has no meaning.
-TakenStrip TakeStrip(const Domain& domain, const JoinedMesh& mesh, Pulse& pulse);
+/// Vertices slide on segments that are not preserved, and do not nearly touch others, as far as
+/// they are inside of the strip. Where the monitor wants to stop the result has no meaning.
+TakenStrip TakeStrip(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+  const JoinedMesh& mesh, Pulse& pulse);
 
 } // namespace biting
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for sort
-#include <cmath>     // for sqrt
+#include <cmath>     // for sqrt, cos, sin
 #include <ctime>     // for CPU time
 #include <map>       // for sums
 #include <numeric>   // for accumulate
@@ -245,6 +245,32 @@ TEST(BlockMesher, WhereTheSpacingIsLevelManyBlocksAreAsGoodAsOne)
   EXPECT_GT(OnePercentAngle(blocks), OnePercentAngle(whole) - 1.0);
   EXPECT_GT(blocks.Quality.MeanConformity, whole.Quality.MeanConformity - 0.002);
   EXPECT_GT(blocks.Quality.SmallestAngle, whole.Quality.SmallestAngle - 1.0);
+}
+
+/// Vertices of the boundary near the ends of cuts slide, and go, as all others do.
+TEST(BlockMesher, WhereCutsMeetTheBoundaryAtASlantAnglesAreAsInOneBlock)
+{
+  std::vector<Case> cases{ { "triangle",
+    PolylineBuilder().Loop({ { 0.0, 0.0 }, { 1.0, 0.1 }, { 0.35, 0.9 } }).Lines(),
+    UniformSpacing(0.002885) } };
+  for (const double angle : { 5.0, 17.0, 45.0 })
+  {
+    const double turn = 0.017453292519943295 * angle;
+    const Point2 side{ std::cos(turn), std::sin(turn) };
+    cases.push_back({ "square turned by " + std::to_string(angle),
+      PolylineBuilder()
+        .Loop({ { 0.0, 0.0 }, side, side + Perpendicular(side), Perpendicular(side) })
+        .Lines(),
+      UniformSpacing(0.004387) });
+  }
+  for (const Case& input : cases)
+  {
+    SCOPED_TRACE(input.Name);
+    const BitingMesh whole = MeshOf(input, 0);
+    const BitingMesh blocks = MeshOf(input, 8000);
+    EXPECT_GE(blocks.NumberOfBlocks, 8);
+    EXPECT_GT(blocks.Quality.SmallestAngle, whole.Quality.SmallestAngle - 1.0);
+  }
 }
 
 TEST(BlockMesher, BelowTwoBlocksTheMeshIsThatOfOne)
