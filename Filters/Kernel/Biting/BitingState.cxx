@@ -21,11 +21,11 @@ constexpr double GreatestSlack = 0.5;         // of a half-width
 template <typename First, typename... Rest>
 void MakeRoom(std::vector<First>& first, std::vector<Rest>&... rest)
 {
-  constexpr std::size_t SizePerMore = 16;
+  constexpr std::size_t SizePerRoom = 16;
   const std::size_t size = first.size();
   if (size == first.capacity())
   {
-    const std::size_t wanted = size + std::max(size / SizePerMore, SizePerMore);
+    const std::size_t wanted = size + std::max(size / SizePerRoom, SizePerRoom);
     first.reserve(wanted);
     (rest.reserve(wanted), ...);
   }

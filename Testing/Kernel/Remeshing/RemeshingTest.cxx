@@ -382,11 +382,13 @@ TEST(Remeshing, TheSameInputGivesTheSameBytes)
   EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
 }
 
-/// A slit of a hundredth of f is capped by a quarter of f. That must not be taken once more.
+/// A slit of a hundredth of f is capped by a quarter of f. That must not be taken once more. The
+/// mesh is not relaxed: in a slit that may make edges that are short, which cap f, too.
 TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
 {
   BitingMeshOptions options;
   options.Spacing.Uniform = 0.1;
+  options.Relaxation = false;
   const BitingMesh mesh = RunMesh(PolylineBuilder()
                                     .Box(0.0, 0.0, 1.0, 1.0)
                                     .Box(0.2, 0.3, 0.5, 0.7)
@@ -400,7 +402,7 @@ TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
   RemeshOptions wanted;
   wanted.Values = mesh.Spacing;
   const RemeshRun run = RunLawfully(input, wanted);
-  EXPECT_TRUE(run.Result.IsUnchanged || least(run.Result.Mesh) > 0.4 * least(mesh));
+  EXPECT_TRUE(run.Result.IsUnchanged || least(run.Result.Mesh) > 0.9 * least(mesh));
 }
 
 TEST(Remeshing, RelaxAllMovesWhatFits)
