@@ -71,15 +71,15 @@ struct TriangulationResult
 
 /// The constrained phi-Delaunay triangulation of the even-odd inside of the constraints.
 ///
-/// Points are inserted in an order of their own (Hilbert curve, rounds of doubling size), so the
+/// Points are inserted in an order of their own (Hilbert curve, rounds of growing size), so the
 /// result depends only on the points and constraints; co-circular points are decided by the order
 /// of insertion. Constraints not present after insertion are recovered; a point that lies exactly
-/// on a constraint splits it (both parts carry the constraint's number). The outside is removed by
-/// flood fill across constraints, starting beyond the convex hull. Points that no inside triangle
-/// uses are allowed: they are simply not referred to. Region numbers are by the smallest constraint
-/// on each face's border. Precondition: points are distinct and finite. Cost O(n log n). Source: S.
-/// W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993; N.
-/// Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", 2003.
+/// on a constraint splits it (both parts carry the constraint's number). The outside is removed:
+/// what an even number of boundaries parts from beyond the convex hull. Points that no inside
+/// triangle uses are allowed: they are simply not referred to. Region numbers are by the smallest
+/// constraint on each face's border. Precondition: points are distinct and finite. Cost O(n log n).
+/// Source: S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
+/// 1993; N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", 2003.
 TriangulationResult Triangulate(const std::vector<Point2>& points,
   const ConstraintEdges& constraints, const TriangulationOptions& options, Monitor& monitor);
 
