@@ -12,70 +12,45 @@ namespace biting
 namespace
 {
 
-/// For each node the given one whose value it takes.
-class HoleFiller
+void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
 {
-public:
-  explicit HoleFiller(const GridSource& source)
-    : Source(source)
-    , Columns(source.XNodes.size())
-    , Nearest(source.Values.size(), NoId)
+  const std::size_t columns = source.XNodes.size();
+  GridSweeps sweeps(columns, source.YNodes.size());
+  std::vector<Id> nearest(values.size(), NoId); // of each node the given one whose value it takes
+  for (std::size_t node = 0; node < values.size(); ++node)
   {
-  }
-
-  void Fill(std::vector<double>& values, Pulse& pulse)
-  {
-    GridSweeps sweeps(this->Columns, this->Source.YNodes.size());
-    for (std::size_t node = 0; node < values.size(); ++node)
+    if (std::isnan(values[node]))
     {
-      if (std::isnan(values[node]))
-      {
-        sweeps.Add(node % this->Columns, node / this->Columns);
-      }
-      else
-      {
-        this->Nearest[node] = static_cast<Id>(node);
-      }
+      sweeps.Add(node % columns, node / columns);
     }
-    sweeps.Run(pulse,
-      [this](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
-      {
-        Id& nearest = this->Nearest[to];
-        return nearest != static_cast<Id>(to) &&
-          this->Offer(this->Nearest[from], nearest, { column, row });
-      });
-    for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
+    else
     {
-      values[node] = this->Source.Values[static_cast<std::size_t>(this->Nearest[node])];
+      nearest[node] = static_cast<Id>(node);
     }
   }
-
-private:
-  struct Node
-  {
-    std::size_t Column;
-    std::size_t Row;
-  };
-
-  bool Offer(Id offered, Id& nearest, const Node& node) const
-  {
-    const bool isNearer = offered != NoId && offered != nearest &&
-      (nearest == NoId || this->Away(node, offered) < this->Away(node, nearest));
-    nearest = isNearer ? offered : nearest;
-    return isNearer;
-  }
-
-  double Away(const Node& node, Id given) const
+  const auto away = [&source, columns](const Point2& place, Id given)
   {
     const auto other = static_cast<std::size_t>(given);
-    return Distance({ this->Source.XNodes[node.Column], this->Source.YNodes[node.Row] },
-      { this->Source.XNodes[other % this->Columns], this->Source.YNodes[other / this->Columns] });
+    return Distance(place, { source.XNodes[other % columns], source.YNodes[other / columns] });
+  };
+  sweeps.Run(pulse,
+    [&](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
+    {
+      const Id offered = nearest[from];
+      if (nearest[to] == static_cast<Id>(to) || offered == NoId || offered == nearest[to])
+      {
+        return false;
+      }
+      const Point2 place{ source.XNodes[column], source.YNodes[row] };
+      const bool isNearer = nearest[to] == NoId || away(place, offered) < away(place, nearest[to]);
+      nearest[to] = isNearer ? offered : nearest[to];
+      return isNearer;
+    });
+  for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
+  {
+    values[node] = source.Values[static_cast<std::size_t>(nearest[node])];
   }
-
-  const GridSource& Source;
-  const std::size_t Columns;
-  std::vector<Id> Nearest; ///< NoId where none is known
-};
+}
 
 } // namespace
 
@@ -90,7 +65,7 @@ std::shared_ptr<const GridSource> FillHoles(
   }
   auto filled = std::make_shared<GridSource>(*source);
   Pulse pulse(monitor);
-  HoleFiller(*source).Fill(filled->Values, pulse);
+  Fill(*source, filled->Values, pulse);
   return pulse.HasStopped() ? nullptr : filled;
 }
 

@@ -9,6 +9,7 @@
 #include "GridSweeps.h"
 #include "LookedAt.h"
 
+#include <array>   // for sides
 #include <cstdint> // for places of nodes
 
 namespace biting
@@ -38,14 +39,13 @@ public:
   double operator()(const Point2& x) const;
 
 private:
-  /// A node that f grows from, with whether sides are gentle around it; in one word, so that it is
-  /// handed on as one.
+  /// A node that f grows from, and whether any of its sides is gentle: values along it rise or fall
+  /// less than f may. In one word, so that it is handed on as one.
   class Origin
   {
   public:
     Origin(std::size_t column, std::size_t row, bool hasSides)
-      : Word(static_cast<std::uint64_t>(row) << 33 |
-          static_cast<std::uint64_t>(hasSides ? 1u : 0u) << 32 | column)
+      : Word(static_cast<std::uint64_t>(row << 1 | (hasSides ? 1u : 0u)) << 32 | column)
     {
     }
 
@@ -58,6 +58,15 @@ private:
     std::uint64_t Word;
   };
 
+  /// From a node to an end of the cells beside it: along x or along y. Of no length at the border.
+  struct Side
+  {
+    std::size_t Column; ///< of its end
+    std::size_t Row;
+    double Width;
+    double Height;
+  };
+
   /// Single precision is more than anybody sees.
   struct Node
   {
@@ -65,25 +74,6 @@ private:
     float Start; ///< f at its origin; infinite where nothing is steep nor bounded
     Origin From; ///< itself where f is as given
   };
-
-  enum class Cell : std::uint8_t
-  {
-    AsGiven,
-    Small, ///< corners are bounded
-    Wide   ///< the same, or it is beside a steep one, and f may grow by more than a share of itself
-  };
-
-  enum class Sides
-  {
-    IfNear, ///< where they make a difference
-    Always
-  };
-
-  /// Bits of GentleSides.
-  static constexpr unsigned ToLeft = 1;
-  static constexpr unsigned ToRight = 2;
-  static constexpr unsigned Down = 4;
-  static constexpr unsigned Up = 8;
 
   std::size_t NodeAt(std::size_t column, std::size_t row) const
   {
@@ -93,37 +83,31 @@ private:
   {
     return { this->Source->XNodes[from.Column()], this->Source->YNodes[from.Row()] };
   }
-  Node AsGiven(std::size_t column, std::size_t row) const
+  double GivenAt(std::size_t column, std::size_t row) const
   {
-    const std::size_t node = this->NodeAt(column, row);
-    return { static_cast<float>(this->Range(this->Source->Values[node])),
-      std::numeric_limits<float>::infinity(), { column, row, this->GentleSides[node] != 0 } };
+    return this->Source->Values[this->NodeAt(column, row)];
   }
-
   bool IsLeast(double value) const { return !(this->Range.Scale * value > this->Range.Least); }
 
+  /// As given; it bounds others.
   Node Itself(std::size_t column, std::size_t row) const
   {
-    Node node = this->AsGiven(column, row);
-    node.Start = node.Value;
-    return node;
+    const auto value = static_cast<float>(this->Range(this->GivenAt(column, row)));
+    return { value, value, { column, row, this->HasGentleSides(column, row) } };
   }
 
   bool FindSteepCells(GridSweeps& sweeps, Pulse& pulse);
   bool IsSteep(std::size_t column, std::size_t row) const;
   void AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps);
   void SetGiven();
-  void FindGentleSides(
-    std::size_t node, std::size_t other, double length, unsigned toOther, unsigned back);
+  std::array<Side, 4> SidesOf(std::size_t column, std::size_t row) const;
+  double Rise(double start, const Side& side) const;
+  bool IsGentle(double rise, const Side& side) const;
+  bool HasGentleSides(std::size_t column, std::size_t row) const;
   bool HandOn(const Node& other, Node& node, const Point2& place) const;
-  void ClassifyCells(const GridSweeps& sweeps, Pulse& pulse);
-  void ForgetSlight(std::size_t column, std::size_t row);
-  Cell KindOf(std::size_t column, std::size_t row) const;
-  double BoundFrom(Node& source, const Point2& x, double limit, Sides sides) const;
+  double BoundFrom(Node& source, const Point2& x, double limit) const;
   double BoundFromSides(Node& source, const Point2& x, double own) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
-  double LowerFromRow(const Point2& x, std::size_t row, std::size_t first, std::size_t last,
-    LookedAt<std::size_t>& looked, double least) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
@@ -134,8 +118,6 @@ private:
   std::vector<double> RowGrowth;
   const double SquaredGradation;
   std::vector<Node> Nodes;
-  std::vector<std::uint8_t> GentleSides; ///< of each node: where values grow less than f may
-  std::vector<Cell> Cells;               ///< cell k has node k as its low corner
 };
 
 } // namespace biting

@@ -20,7 +20,7 @@ double SlopeOf(double from, double to, double step)
   return step > 0.0 && std::isfinite(slope) ? slope : 0.0;
 }
 
-/// 1 / step; 0 where there is none.
+/// 1 / step for each cell; 0 where there is none. A single node is a cell of no width.
 std::vector<double> InverseSteps(const std::vector<double>& nodes)
 {
   std::vector<double> inverse;
@@ -29,6 +29,7 @@ std::vector<double> InverseSteps(const std::vector<double>& nodes)
     const double step = nodes[node] - nodes[node - 1];
     inverse.push_back(step > 0.0 ? 1.0 / step : 0.0);
   }
+  inverse.resize(std::max<std::size_t>(inverse.size(), 1), 0.0);
   return inverse;
 }
 
@@ -51,76 +52,28 @@ double ValueOf(const TriangulatedSource& source, std::size_t corner)
 
 } // namespace
 
-GridSlopes::GridSlopes(const GridSource& source)
-  : Source(source)
-  , Columns(InverseSteps(source.XNodes))
-  , Rows(InverseSteps(source.YNodes))
-  , Low(source.XNodes.size() + 1, 0.0)
-  , High(source.XNodes.size() + 1, 0.0)
-  , Across(source.XNodes.size() + 1, 0.0)
-  , Squares(source.XNodes.size(), 0.0)
-{
-  this->FindAlong(0, this->High);
-}
-
-const std::vector<double>& GridSlopes::SquaresOfRow(std::size_t row)
-{
-  this->Low.swap(this->High);
-  this->FindAlong(row + 1, this->High);
-  this->FindAcross(row);
-  for (std::size_t k = 0; k < this->Squares.size(); ++k)
-  {
-    const double alongX = this->Low[k] < this->High[k] ? this->High[k] : this->Low[k];
-    const double alongY =
-      this->Across[k] < this->Across[k + 1] ? this->Across[k + 1] : this->Across[k];
-    this->Squares[k] = alongX * alongX + alongY * alongY;
-  }
-  return this->Squares;
-}
-
-void GridSlopes::FindAlong(std::size_t row, std::vector<double>& slopes) const
-{
-  if (row > this->Rows.size())
-  {
-    slopes.assign(slopes.size(), 0.0);
-    return;
-  }
-  const double* values = &this->Source.Values[row * this->Source.XNodes.size()];
-  for (std::size_t k = 0; k < this->Columns.size(); ++k)
-  {
-    slopes[k] = KnownSlope(values[k + 1] - values[k], this->Columns[k]);
-  }
-}
-
-void GridSlopes::FindAcross(std::size_t row)
-{
-  if (row == this->Rows.size())
-  {
-    this->Across.assign(this->Across.size(), 0.0);
-    return;
-  }
-  const std::size_t columns = this->Source.XNodes.size();
-  const double* values = &this->Source.Values[row * columns];
-  for (std::size_t k = 0; k < columns; ++k)
-  {
-    this->Across[k] = KnownSlope(values[k + columns] - values[k], this->Rows[row]);
-  }
-}
-
 double LargestSlope(const GridSource& source, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  GridSlopes slopes(source);
-  std::vector<double> largest(source.XNodes.size(), 0.0);
-  for (std::size_t row = 0; row < source.YNodes.size() && pulse.Beat(2 * largest.size()); ++row)
+  const std::vector<double> inverseWidths = InverseSteps(source.XNodes);
+  const std::vector<double> inverseHeights = InverseSteps(source.YNodes);
+  const std::size_t toRight = source.XNodes.size() > 1 ? 1 : 0;
+  const std::size_t toNextRow = source.YNodes.size() > 1 ? source.XNodes.size() : 0;
+  std::vector<double> squares(inverseWidths.size(), 0.0);
+  for (std::size_t row = 0; row < inverseHeights.size() && pulse.Beat(2 * squares.size()); ++row)
   {
-    const std::vector<double>& squares = slopes.SquaresOfRow(row);
-    for (std::size_t k = 0; k < largest.size(); ++k)
+    const double* low = &source.Values[row * source.XNodes.size()];
+    const double* high = low + toNextRow;
+    for (std::size_t k = 0; k < squares.size(); ++k)
     {
-      largest[k] = largest[k] < squares[k] ? squares[k] : largest[k];
+      const double alongX = std::max(KnownSlope(low[k + toRight] - low[k], inverseWidths[k]),
+        KnownSlope(high[k + toRight] - high[k], inverseWidths[k]));
+      const double alongY = std::max(KnownSlope(high[k] - low[k], inverseHeights[row]),
+        KnownSlope(high[k + toRight] - low[k + toRight], inverseHeights[row]));
+      squares[k] = std::max(squares[k], alongX * alongX + alongY * alongY);
     }
   }
-  return std::sqrt(*std::max_element(largest.begin(), largest.end()));
+  return std::sqrt(*std::max_element(squares.begin(), squares.end()));
 }
 
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor)

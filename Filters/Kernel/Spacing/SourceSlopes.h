@@ -9,34 +9,9 @@
 namespace biting
 {
 
-/// The slopes of a grid, without the scale of its values: squares of the length of the largest
-/// slopes along x and along y, over each cell.
-class GridSlopes
-{
-public:
-  explicit GridSlopes(const GridSource& source);
-
-  /// Of the cells between that row of nodes and the next one; beyond the last row and the last
-  /// column they have one side. Holes and steps of no length count nothing. To be asked for each
-  /// row, in their order.
-  const std::vector<double>& SquaresOfRow(std::size_t row);
-
-private:
-  void FindAlong(std::size_t row, std::vector<double>& slopes) const;
-  void FindAcross(std::size_t row);
-
-  const GridSource& Source;
-  std::vector<double> Columns; ///< 1 / width; 0 where there is none
-  std::vector<double> Rows;
-  std::vector<double> Low; ///< along the row of nodes below
-  std::vector<double> High;
-  std::vector<double> Across;
-  std::vector<double> Squares;
-};
-
 /// The largest slope of the given values, without their scale; holes and degenerate cells count
 /// nothing.
-/// Grid: the largest one of GridSlopes.
+/// Grid: over each cell, the length of the largest slopes along x and along y.
 /// Triangulation: the length of the gradient. Segments: the slope along them.
 /// Of what was seen, if the monitor asks to stop.
 double LargestSlope(const GridSource& source, Monitor& monitor = NoMonitor());
