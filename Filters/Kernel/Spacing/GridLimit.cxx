@@ -24,9 +24,9 @@ constexpr double WidestGrowth = 0.09;
 
 /// A side of width w lets f be lower than its ends do by g w^2 / (8 d) at most, at a distance d of a
 /// cell or more: its nearer end is at most w / 2 from the foot. That is not looked at where it is
-/// below this share of f at the side, and below a share of what f grows by, 1 / (8 * 6^2), that is less than the
-/// SteepnessMargin: else what is a little steeper in a direction between those of nodes would not be
-/// bounded.
+/// below this share of f at the side, and below a share of what f grows by, 1 / (8 * 6^2), that is
+/// less than the SteepnessMargin: else what is a little steeper in a direction between those of
+/// nodes would not be bounded.
 constexpr double SideShare = 0.009;
 constexpr double SideReach = 6.0;
 
@@ -67,6 +67,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
         return this->HandOn(
           this->Nodes[from], this->Nodes[to], { grid.XNodes[column], grid.YNodes[row] });
       });
+    this->FindLimitedCells(pulse);
   }
   if (pulse.HasStopped())
   {
@@ -266,18 +267,31 @@ double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) cons
   return bound;
 }
 
+/// What grows from within a steep cell reaches those beside it.
+void GridLimit::FindLimitedCells(Pulse& pulse)
+{
+  this->IsLimited.assign(this->Nodes.size(), false);
+  const std::size_t columns = this->Source->XNodes.size();
+  for (std::size_t cell = 0; cell + columns + 1 < this->Nodes.size() && pulse.Beat(1); ++cell)
+  {
+    const Node* low = &this->Nodes[cell];
+    const Node* high = low + columns;
+    this->IsLimited[cell] = std::min({ low[0].Start, low[1].Start, high[0].Start, high[1].Start }) <
+      std::numeric_limits<float>::infinity();
+  }
+}
+
 double GridLimit::operator()(const Point2& x) const
 {
   const GridInterpolator::Place place = this->Given.Find(x);
   const double given = this->Range(this->Given.At(place));
-  const Node* low = &this->Nodes[this->NodeAt(place.Column, place.Row)];
-  const Node* high = low + this->Source->XNodes.size();
-  // What grows from within a steep cell reaches those beside it.
-  const float start = std::min({ low[0].Start, low[1].Start, high[0].Start, high[1].Start });
-  if (start == std::numeric_limits<float>::infinity())
+  const std::size_t cell = this->NodeAt(place.Column, place.Row);
+  if (!this->IsLimited[cell])
   {
     return given;
   }
+  const Node* low = &this->Nodes[cell];
+  const Node* high = low + this->Source->XNodes.size();
   const float least = std::min({ low[0].Value, low[1].Value, high[0].Value, high[1].Value });
   const double growth =
     std::max(this->ColumnGrowth[place.Column + 1], this->RowGrowth[place.Row + 1]);

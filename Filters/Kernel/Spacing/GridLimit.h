@@ -105,6 +105,7 @@ private:
   bool IsGentle(double rise, const Side& side) const;
   bool HasGentleSides(std::size_t column, std::size_t row) const;
   bool HandOn(const Node& other, Node& node, const Point2& place) const;
+  void FindLimitedCells(Pulse& pulse);
   double BoundFrom(Node& source, const Point2& x, double limit) const;
   double BoundFromSides(Node& source, const Point2& x, double own) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
@@ -118,6 +119,7 @@ private:
   std::vector<double> RowGrowth;
   const double SquaredGradation;
   std::vector<Node> Nodes;
+  std::vector<bool> IsLimited; ///< whether f may be below what is given in the cell above a node
 };
 
 } // namespace biting
