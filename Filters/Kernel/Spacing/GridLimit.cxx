@@ -22,8 +22,8 @@ constexpr double SteepnessMargin = 0.005;
 /// one that f grows from, linear values are too high by up to .15 of that.
 constexpr double WidestGrowth = 0.09;
 
-/// A side of width w lets f be lower than its ends do by g w^2 / (8 d) at most, at a distance d of a
-/// cell or more: its nearer end is at most w / 2 from the foot. That is not looked at where it is
+/// A side of width w lets f be lower than its ends do by g w^2 / (8 d) at most, at a distance d of
+/// a cell or more: its nearer end is at most w / 2 from the foot. That is not looked at where it is
 /// below this share of f at the side, and below a share of what f grows by, 1 / (8 * 6^2), that is
 /// less than the SteepnessMargin: else what is a little steeper in a direction between those of
 /// nodes would not be bounded.
