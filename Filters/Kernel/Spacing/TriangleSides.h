@@ -22,14 +22,9 @@ public:
   template <typename Visit>
   void ForEachEdge(Pulse& pulse, Visit visit) const
   {
-    std::size_t last = 0;
-    for (std::size_t first = 0; first < this->Sides.size() && pulse.Beat(1); first = last)
+    for (std::size_t edge = 0; edge + 1 < this->Firsts.size() && pulse.Beat(1); ++edge)
     {
-      while (last < this->Sides.size() && this->IsOneEdge(this->Sides[first], this->Sides[last]))
-      {
-        ++last;
-      }
-      visit(this->Sides.data() + first, this->Sides.data() + last);
+      visit(this->Sides.data() + this->Firsts[edge], this->Sides.data() + this->Firsts[edge + 1]);
     }
   }
 
@@ -41,13 +36,10 @@ public:
 
 private:
   Id Corner(Id corner) const { return this->Source.Triangles[static_cast<std::size_t>(corner)]; }
-  bool IsOneEdge(Id a, Id b) const
-  {
-    return this->LowEnd(a) == this->LowEnd(b) && this->HighEnd(a) == this->HighEnd(b);
-  }
 
   const TriangulatedSource& Source;
-  std::vector<Id> Sides; ///< in the order of their ends
+  std::vector<Id> Sides;           ///< in the order of their ends
+  std::vector<std::size_t> Firsts; ///< of each edge, in Sides; and the end of these
 };
 
 } // namespace biting
