@@ -79,6 +79,34 @@ TEST(MergedCones, AreNearlyAllWhereSegmentsAreAsLongAsTheirValues)
   EXPECT_GE(Merged(source, 0.3).size(), 90u);
 }
 
+TEST(MergedCones, OfAStraightLineWithEvenValuesAreOne)
+{
+  SegmentSource source;
+  for (Id point = 0; point <= 1000; ++point)
+  {
+    const double share = point / 1000.0;
+    source.Points.push_back({ 0.1 + 0.8 * share, 0.3 + 0.2 * share });
+    source.Values.push_back(0.01 + 0.02 * share);
+    source.Segments.insert(source.Segments.end(), { std::max(point - 1, 0), point });
+  }
+  EXPECT_EQ(Merged(source, 0.3).size(), 1u);
+}
+
+/// What each longer piece adds to the error adds up.
+TEST(MergedCones, FollowACurveOfSegmentsThatHardlyTurn)
+{
+  SegmentSource source;
+  for (Id point = 0; point <= 20000; ++point)
+  {
+    const double angle = 6.0 * point / 20000.0;
+    const double radius = 0.45 * std::exp(-0.3 * angle);
+    source.Points.push_back({ 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) });
+    source.Values.push_back(0.02 * radius * (1.0 + 1e-4 * (point % 2)));
+    source.Segments.insert(source.Segments.end(), { std::max(point - 1, 0), point });
+  }
+  ExpectTheSameMinimum(source, 0.3);
+}
+
 TEST(MergedCones, AreNoneOfNoSegments)
 {
   EXPECT_TRUE(Merged({}, 0.3).empty());

@@ -131,6 +131,12 @@ TEST(MakeSpacing, RefusesNodesThatDoNotAscend)
   GridSource grid = MakeGrid(4, 4, Level);
   std::swap(grid.YNodes[1], grid.YNodes[2]);
   ExpectRefused(WithGrid(grid), "y nodes do not ascend in the grid source");
+  for (const double bad : { NotANumber, std::numeric_limits<double>::infinity() })
+  {
+    grid = MakeGrid(4, 4, Level);
+    grid.XNodes.back() = bad;
+    ExpectRefused(WithGrid(grid), "x nodes do not ascend in the grid source");
+  }
 }
 
 TEST(MakeSpacing, RefusesParametersThatAreNoSpacing)

@@ -203,6 +203,16 @@ TEST(Spacing, OfSourcesWithOneValueIsUniform)
   const Spacing spacing = MakeGoodSpacing(options);
   EXPECT_TRUE(spacing.IsUniform());
   EXPECT_EQ(spacing({ 0.5, 0.5 }), 0.25);
+  options.Gradation = 0.3;
+  EXPECT_FALSE(MakeGoodSpacing(options).IsUniform()); // it grows from the boundary
+}
+
+TEST(Spacing, OfOneValueAndHolesIsUniform)
+{
+  const auto level = [](const Point2& x) { return x.X > 0.6 ? NotANumber : 0.5; };
+  EXPECT_TRUE(MakeGoodSpacing(WithGrid(MakeGrid(4, 4, level))).IsUniform());
+  const auto step = [](const Point2& x) { return x.X > 0.6 ? NotANumber : x.Y > 0.6 ? 0.6 : 0.5; };
+  EXPECT_FALSE(MakeGoodSpacing(WithGrid(MakeGrid(4, 4, step))).IsUniform());
 }
 
 TEST(Spacing, FillsHolesFromTheirBorder)
