@@ -75,6 +75,7 @@ private:
   void Relax();
   void Finish();
   void CheckCavity();
+  std::vector<std::uint8_t> FindFitting(const std::vector<HeldVertex>& held) const;
   double ExpectedVertices() const;
   std::vector<double> RegionSpacings() const;
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
@@ -301,6 +302,19 @@ void Remesher::Triangulate()
     TriangulateBites(this->Cavity.Geometry, {}, this->Cavity.Bites, this->Problems, this->Whole);
 }
 
+// 1 for those where the spacing agrees with the old mesh: they go last.
+std::vector<std::uint8_t> Remesher::FindFitting(const std::vector<HeldVertex>& held) const
+{
+  std::vector<std::uint8_t> isFitting;
+  isFitting.reserve(held.size());
+  for (const HeldVertex& one : held)
+  {
+    const Id number = this->Region.Numbers[one.Point];
+    isFitting.push_back(KeepRules::IsUnchanged(this->Region.Lengths[number]));
+  }
+  return isFitting;
+}
+
 // Kept vertices stay, but for those that leave poor triangles.
 void Remesher::Relax()
 {
@@ -319,7 +333,7 @@ void Remesher::Relax()
   if (!this->Options.RelaxAll)
   {
     options.Hold = { static_cast<Id>(held.size()), this->Rules.GreatestCotangent,
-      this->Rules.ShortestEdge, this->Rules.LongestEdge, ReleaseRounds };
+      this->Rules.ShortestEdge, this->Rules.LongestEdge, ReleaseRounds, this->FindFitting(held) };
   }
   const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
     this->Cavity.Bites, this->Cavity.Triangles, this->Whole);

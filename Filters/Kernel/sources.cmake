@@ -99,6 +99,7 @@ set(biting_kernel_sources
   Relaxation/DividedSegments.cxx
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
+  Relaxation/LongEdges.cxx
   Relaxation/MeshReading.cxx
   Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx

@@ -16,6 +16,7 @@ HeldVertices::HeldVertices(
   : Hold(hold)
   , Mesh(mesh)
   , IsHeld(hold.Count > 0 ? mesh.Points.size() : 0, 0)
+  , IsLast(this->IsHeld)
 {
   for (std::size_t vertex = 0; vertex < this->IsHeld.size(); ++vertex)
   {
@@ -23,6 +24,7 @@ HeldVertices::HeldVertices(
     if (isNamed && mesh.Freedoms[vertex] == Freedom::Free)
     {
       this->IsHeld[vertex] = 1;
+      this->IsLast[vertex] = hold.AreLast.empty() ? 0 : hold.AreLast[origins[vertex] - first];
       mesh.Freedoms[vertex] = Freedom::Fixed;
     }
   }
@@ -35,6 +37,7 @@ std::vector<Id> HeldVertices::ReleaseThoseInTheWay(Pulse& pulse)
     return {};
   }
   this->IsHeld.resize(this->Mesh.Points.size(), 0);
+  this->IsLast.resize(this->Mesh.Points.size(), 0);
   this->Counts.assign(this->Mesh.Points.size(), 0);
   this->Complaints.clear();
   pulse.ForEach(this->Mesh.Regions.size(),
@@ -140,8 +143,8 @@ void HeldVertices::Complain(Complaint vertices)
   }
 }
 
-// Those with most complaints first. Where one of the vertices of a complaint is chosen the others
-// wait: they may be fine once it is gone.
+// Last ones after all others, those with most complaints first. Where one of the vertices of a
+// complaint is chosen the others wait: they may be fine once it is gone.
 std::vector<Id> HeldVertices::Choose() const
 {
   std::vector<Id> chosen;
@@ -177,16 +180,17 @@ std::vector<HeldVertices::Candidate> HeldVertices::ListCandidates() const
     {
       if (vertex != NoId)
       {
-        candidates.push_back({ this->Counts[vertex], vertex, k });
+        candidates.push_back({ this->IsLast[vertex] != 0, this->Counts[vertex], vertex, k });
       }
     }
   }
   std::sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b)
     {
-      return a.Count != b.Count ? a.Count > b.Count
-        : a.Vertex != b.Vertex  ? a.Vertex < b.Vertex
-                                : a.About < b.About;
+      return a.IsLast != b.IsLast ? b.IsLast
+        : a.Count != b.Count      ? a.Count > b.Count
+        : a.Vertex != b.Vertex    ? a.Vertex < b.Vertex
+                                  : a.About < b.About;
     });
   return candidates;
 }

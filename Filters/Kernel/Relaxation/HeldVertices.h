@@ -30,8 +30,8 @@ public:
     const HoldOptions& hold, Id first, const std::vector<Id>& origins, MutableMesh& mesh);
 
   /// Releases vertices of triangles with an angle, and of edges, beyond the limits: of each such
-  /// triangle and edge at most one, that of most of them. Returns those that are released: none
-  /// where the limits are met.
+  /// triangle and edge at most one, that of most of them, and last ones after all others. Returns
+  /// those that are released: none where the limits are met.
   std::vector<Id> ReleaseThoseInTheWay(Pulse& pulse);
 
   /// A vertex that was released.
@@ -52,6 +52,7 @@ private:
 
   struct Candidate
   {
+    bool IsLast;
     Id Count; ///< of its complaints
     Id Vertex;
     std::size_t About; ///< one of them
@@ -68,6 +69,7 @@ private:
   const HoldOptions& Hold;
   MutableMesh& Mesh;
   std::vector<std::uint8_t> IsHeld; ///< one a vertex
+  std::vector<std::uint8_t> IsLast; ///< one a vertex
   std::vector<Id> Counts;           ///< of complaints: one a vertex
   std::vector<Complaint> Complaints;
   std::vector<Released> WereReleased;

@@ -8,6 +8,7 @@
 #include "DelaunayFlips.h"
 #include "DividedSegments.h"
 #include "HeldVertices.h"
+#include "LongEdges.h"
 #include "MeshExchange.h"
 #include "MutableMesh.h"
 #include "Patch.h"
@@ -65,7 +66,8 @@ public:
     this->MendValences(0.4, 0.55, 1);
     this->Smooth(0.55, 0.75, SweepKind::Coarse);
     this->Descend(0.75, options.Hold.Count > 0 ? 0.8 : 0.95);
-    this->Release(0.8, 0.95, options.Hold.Rounds);
+    this->SplitLong(0.8, 0.82, options.Hold);
+    this->Release(0.82, 0.95, options.Hold.Rounds);
     this->TryTopologies(0.95, 0.98, options.Hold);
     this->TakeBack(0.98, 0.99);
     const PulsePart part(this->Progress, 0.99, 1.0);
@@ -89,6 +91,16 @@ private:
   {
     const PulsePart part(this->Progress, begin, end);
     this->Descent.Run(1, 2, this->Progress);
+  }
+
+  void SplitLong(double begin, double end, const HoldOptions& hold)
+  {
+    if (hold.Count > 0)
+    {
+      const PulsePart part(this->Progress, begin, end);
+      LongEdges(this->Mesh, this->Flips, this->Surroundings)
+        .Split(hold.LongestEdge, hold.GreatestCotangent, this->Progress);
+    }
   }
 
   void Release(double begin, double end, int rounds)

@@ -11,7 +11,8 @@
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
 
-#include <vector> // for the arrays
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
 
 namespace biting
 {
@@ -28,6 +29,9 @@ struct HoldOptions
   double LongestEdge = 0.0;
 
   int Rounds = 0; ///< so often they are looked for
+
+  /// One a held vertex, or none: 1 for those that go only where none of the others does.
+  std::vector<std::uint8_t> AreLast = {};
 };
 
 struct RelaxationOptions

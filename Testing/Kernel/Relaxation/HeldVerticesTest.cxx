@@ -60,6 +60,38 @@ TEST(HeldVertices, StricterLimitsReleaseMore)
   EXPECT_LT(more, count);
 }
 
+/// Of the vertices with odd numbers: how many are released, as last ones or not.
+Id CountOddOnesReleased(bool areLast)
+{
+  RawMesh raw = UnitSquare(0.05);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  MutableMesh mesh(raw.Domain, raw.Spacing);
+  mesh.IsDivided.assign(4, 1);
+  const Id count = CountNew(raw);
+  const Id first = raw.Domain.NumberOfVertices();
+  const std::vector<Id> origins = ReadMesh(raw.Mesh, mesh, pulse);
+  HoldOptions hold{ count, CotangentOf35Degrees, 0.0, NoCotangent, 1 };
+  for (Id vertex = 0; areLast && vertex < count; ++vertex)
+  {
+    hold.AreLast.push_back(vertex % 2);
+  }
+  HeldVertices held(hold, first, origins, mesh);
+  Id odd = 0;
+  for (const Id vertex : held.ReleaseThoseInTheWay(pulse))
+  {
+    odd += (origins[vertex] - first) % 2;
+  }
+  return odd;
+}
+
+TEST(HeldVertices, LastOnesAreReleasedMoreSeldom)
+{
+  const Id last = CountOddOnesReleased(true);
+  EXPECT_GT(last, 0);
+  EXPECT_LT(last, CountOddOnesReleased(false));
+}
+
 TEST(HeldVertices, OfEachPoorTriangleAtMostOneIsReleasedAtATime)
 {
   RawMesh raw = UnitSquare(0.05);

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Relaxation/LongEdges.h"
+#include "RawMesh.h"
+#include "Relaxation/Star.h"
+
+#include <gtest/gtest.h>
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Longest = 1.3;
+
+/// A mesh whose inner edges are split.
+struct SplitMesh : Workshop
+{
+  explicit SplitMesh(double longest, double greatestCotangent = CotangentOf20Degrees)
+    : Workshop(UnitSquare(0.05))
+    , Before(this->Mesh.NumberOfVertices())
+    , LongBefore(this->CountLong())
+    , WorstBefore(this->WorstCotangentOfAll())
+  {
+    SilentMonitor monitor;
+    Pulse pulse(monitor);
+    DelaunayFlips flips(this->Mesh);
+    Patch patch(this->Mesh);
+    LongEdges(this->Mesh, flips, patch).Split(longest, greatestCotangent, pulse);
+    EXPECT_EQ(this->Violation(true), "");
+  }
+
+  Id CountLong() const
+  {
+    Id count = 0;
+    for (Id edge = 0; edge < this->Mesh.NumberOfEdges(); ++edge)
+    {
+      count += this->Mesh.IsFirstHalf(edge) && this->Mesh.Marks[edge] == NoId &&
+          this->Mesh.SquaredRelativeLength(edge) > Longest * Longest
+        ? 1
+        : 0;
+    }
+    return count;
+  }
+
+  Id Before;
+  Id LongBefore;
+  double WorstBefore;
+};
+
+TEST(LongEdges, AreFewerAfterwardsAndNoAngleIsWorse)
+{
+  const SplitMesh split(Longest);
+  EXPECT_GT(split.Mesh.NumberOfVertices(), split.Before);
+  EXPECT_LT(split.CountLong(), split.LongBefore);
+  EXPECT_LE(split.WorstCotangentOfAll(), std::max(split.WorstBefore, CotangentOf20Degrees));
+}
+
+TEST(LongEdges, AreNotSplitWhereNoneIsTooLong)
+{
+  EXPECT_EQ(SplitMesh(1e9).CountLong(), SplitMesh(1e9).LongBefore);
+}
+
+TEST(LongEdges, AreSplitMoreOftenWhereAnglesMayBeSmaller)
+{
+  const SplitMesh strict(Longest, 0.0);
+  const SplitMesh loose(Longest, CotangentOf20Degrees);
+  EXPECT_LE(loose.CountLong(), strict.CountLong());
+}
+
+} // namespace
+
+} // namespace biting
