@@ -147,6 +147,7 @@ set(biting_kernel_sources
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
   Blocks/CutDivision.cxx
+  Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
   Blocks/CutPlan.cxx
   Blocks/CutRows.cxx

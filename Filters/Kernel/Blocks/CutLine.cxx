@@ -5,6 +5,7 @@
 
 #include "../Base/PointOnSegment.h"
 #include "../Predicates/Predicates.h"
+#include "CutRows.h"
 
 #include <algorithm> // for sort, lower_bound, min, max, clamp
 #include <cmath>     // for abs
@@ -107,11 +108,20 @@ public:
   CutLine Make();
 
 private:
-  double Across(const Point2& p) const { return this->Line.IsVertical ? p.X : p.Y; }
-  double Along(const Point2& p) const { return this->Line.IsVertical ? p.Y : p.X; }
+  double Across(const Point2& p) const
+  {
+    const Point2 place = this->Scene.Frame.To(p);
+    return this->Line.IsVertical ? place.X : place.Y;
+  }
+  double Along(const Point2& p) const
+  {
+    const Point2 place = this->Scene.Frame.To(p);
+    return this->Line.IsVertical ? place.Y : place.X;
+  }
   Point2 PlaceAt(double along) const
   {
-    return this->Line.IsVertical ? Point2{ this->Line.At, along } : Point2{ along, this->Line.At };
+    return this->Scene.Frame.From(
+      this->Line.IsVertical ? Point2{ this->Line.At, along } : Point2{ along, this->Line.At });
   }
   const Point2& Vertex(Id vertex) const { return this->Scene.Graph.Vertices[vertex]; }
 
@@ -290,7 +300,9 @@ void LineMaker::Unite()
 bool LineMaker::IsWanted(const CutEnd& from, const CutEnd& to) const
 {
   const double along = 0.5 * (from.Along + to.Along);
-  return along >= this->Along(this->Scene.Box.Low) && along <= this->Along(this->Scene.Box.High) &&
+  const Box2& box = this->Scene.Box;
+  return along >= Coordinate(box.Low, !this->Line.IsVertical) &&
+    along <= Coordinate(box.High, !this->Line.IsVertical) &&
     this->Scene.Locator.IsInside(this->PlaceAt(along));
 }
 

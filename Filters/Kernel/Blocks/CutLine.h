@@ -9,6 +9,7 @@
 #include "../Base/Point2.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
+#include "CutFrame.h"
 #include "CutGraph.h"
 
 #include <cstdint> // for flags
@@ -17,7 +18,7 @@
 namespace biting
 {
 
-/// A line parallel to an axis.
+/// A line parallel to an axis of a frame.
 struct AxisLine
 {
   bool IsVertical = true;
@@ -30,7 +31,8 @@ struct CutScene
   const CutGraph& Graph;
   const DomainLocator& Locator;
   const Spacing& F;
-  Box2 Box;
+  const CutFrame& Frame;
+  Box2 Box;                                  ///< in the frame
   const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
   std::vector<Id> Pieces;                    ///< that meet the box, or nearly
   std::vector<Id> Vertices;                  ///< their ends, and embedded points near the box

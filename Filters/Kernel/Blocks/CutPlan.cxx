@@ -108,11 +108,21 @@ std::vector<double> FromTheMiddle(const std::vector<double>& places)
   return ordered;
 }
 
+Box2 BoundsIn(const CutFrame& frame, const Domain& domain)
+{
+  Box2 bounds;
+  for (const Point2& vertex : domain.Vertices)
+  {
+    bounds.Add(frame.To(vertex));
+  }
+  return bounds;
+}
+
 // A node that may be divided.
 struct Part
 {
   Id Node;
-  Box2 Box;
+  Box2 Box; ///< in the frame, as the samples
   Samples Inside;
   std::vector<Id> Pieces; ///< of the graph, that meet the box, or nearly, of the first `Seen`
   Id Seen = 0;
@@ -136,8 +146,10 @@ public:
     , F(spacing)
     , Options(options)
     , Beats(pulse)
-    , Rows(spacing, domain.Bounds, options.SideLength)
+    , Frame(FrameOf(domain))
+    , Rows(spacing, BoundsIn(Frame, domain), options.SideLength, Frame)
   {
+    this->Plan.Tree.Frame = this->Frame;
     this->Plan.Graph = CutGraph(domain);
     for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
     {
@@ -171,6 +183,7 @@ private:
   const Spacing& F;
   CutOptions Options;
   Pulse& Beats;
+  CutFrame Frame;
   CutRows Rows;
   CutPlan Plan;
   std::vector<Part> Pending;
@@ -190,6 +203,10 @@ CutPlan Planner::Run()
     const double mostVisits = LeastVisits + VisitsPerSample * vertices / most;
     Samples samples = SampleDensity(this->Geometry, this->Locator, this->F, most,
       static_cast<std::size_t>(mostVisits), this->Beats);
+    for (DensitySample& sample : samples)
+    {
+      sample.Place = this->Frame.To(sample.Place);
+    }
     const double total = TotalOf(samples);
     if (!(total > 0.0) || this->Beats.HasStopped())
     {
@@ -333,8 +350,8 @@ CutScene Planner::SceneOf(Part& part) const
 {
   this->UpdatePieces(part);
   const CutGraph& graph = this->Plan.Graph;
-  CutScene scene{ graph, this->Locator, this->F, part.Box, this->Plan.AreTouching, part.Pieces,
-    this->Embedded };
+  CutScene scene{ graph, this->Locator, this->F, this->Frame, part.Box, this->Plan.AreTouching,
+    part.Pieces, this->Embedded };
   for (const Id piece : scene.Pieces)
   {
     scene.Vertices.push_back(graph.Pieces[piece].Start);
@@ -364,8 +381,8 @@ void Planner::UpdatePieces(Part& part) const
 bool Planner::IsInScene(const CutGraph::Piece& piece, const Box2& box) const
 {
   Box2 own;
-  own.Add(this->Plan.Graph.Vertices[piece.Start]);
-  own.Add(this->Plan.Graph.Vertices[piece.End]);
+  own.Add(this->Frame.To(this->Plan.Graph.Vertices[piece.Start]));
+  own.Add(this->Frame.To(this->Plan.Graph.Vertices[piece.End]));
   own.Grow(0.02 * this->Geometry.Bounds.Diagonal());
   return own.Meets(box);
 }

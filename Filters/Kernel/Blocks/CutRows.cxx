@@ -22,7 +22,7 @@ double CutRows::FittingPlace(double place, const Box2& part, bool isVertical) co
   const Box2 box = this->Within(part);
   Point2 middle = 0.5 * (box.Low + box.High);
   (isVertical ? middle.X : middle.Y) = place;
-  const double side = this->SideLength * this->F(middle);
+  const double side = this->SideLength * this->SpacingAt(middle);
   const double wanted = this->IsStraight(isVertical) ? Pair * side : side;
   const double width =
     Coordinate(this->Bounds.High, isVertical) - Coordinate(this->Bounds.Low, isVertical);
@@ -41,7 +41,7 @@ double CutRows::StretchOf(const Box2& part) const
   }
   const double width =
     Coordinate(box.High, *this->IsFirstVertical) - Coordinate(box.Low, *this->IsFirstVertical);
-  const double side = this->SideLength * this->F(0.5 * (box.Low + box.High));
+  const double side = this->SideLength * this->SpacingAt(0.5 * (box.Low + box.High));
   const double rows = 2.0 * std::max(1.0, std::round(width / (Pair * side)));
   const double height = width / (rows * side);
   const double stretch = std::sqrt(height * height + 0.25);
@@ -63,9 +63,9 @@ bool CutRows::IsLevel(const Box2& part) const
   const Point2 middle = 0.5 * (part.Low + part.High);
   const Point2 toHigh = 0.4 * (part.High - part.Low);
   const Point2 toSide{ toHigh.X, -toHigh.Y };
-  const double f = this->F(middle);
+  const double f = this->SpacingAt(middle);
   const auto isAsThere = [this, f](const Point2& p)
-  { return std::abs(this->F(p) - f) < LevelWithin * f; };
+  { return std::abs(this->SpacingAt(p) - f) < LevelWithin * f; };
   return isAsThere(middle + toHigh) && isAsThere(middle - toHigh) && isAsThere(middle + toSide) &&
     isAsThere(middle - toSide);
 }

@@ -6,6 +6,7 @@
 
 #include "../Base/Box2.h"
 #include "../Spacing/Spacing.h"
+#include "CutFrame.h"
 
 #include <optional> // for the first cut
 
@@ -36,9 +37,11 @@ public:
   /// Of two rows, in units of the sides of the lattice.
   static constexpr double Pair = 1.7320508075688772;
 
-  /// `sideLength`: of the lattice, in units of f. The spacing must outlive this object.
-  CutRows(const Spacing& spacing, const Box2& bounds, double sideLength)
+  /// `bounds`: of the domain, in the frame, as all boxes and places. `sideLength`: of the lattice,
+  /// in units of f. The spacing must outlive this object.
+  CutRows(const Spacing& spacing, const Box2& bounds, double sideLength, const CutFrame& frame = {})
     : F(spacing)
+    , Frame(frame)
     , Bounds(bounds)
     , SideLength(sideLength)
   {
@@ -65,8 +68,10 @@ public:
 private:
   Box2 Within(const Box2& part) const;
   bool IsLevel(const Box2& part) const;
+  double SpacingAt(const Point2& place) const { return this->F(this->Frame.From(place)); }
 
   const Spacing& F;
+  CutFrame Frame;
   Box2 Bounds;
   double SideLength;
   std::optional<bool> IsFirstVertical;

@@ -6,13 +6,14 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
+#include "CutFrame.h"
 
 #include <vector> // for the nodes
 
 namespace biting
 {
 
-/// A kd-tree over the plane; node 0 is the root. Without nodes: nothing is cut.
+/// A kd-tree over the plane, in a frame; node 0 is the root. Without nodes: nothing is cut.
 struct CutTree
 {
   struct Node
@@ -24,16 +25,18 @@ struct CutTree
     double Vertices = 0.0; ///< of the mesh, expected
   };
 
+  CutFrame Frame;
   std::vector<Node> Nodes;
   Id NumberOfLeaves = 0;
 
   /// The node that is the leaf at p.
   Id NodeAt(const Point2& p) const
   {
+    const Point2 place = this->Frame.To(p);
     Id node = 0;
     while (this->Nodes[node].Children != NoId)
     {
-      const double x = this->Nodes[node].IsVertical ? p.X : p.Y;
+      const double x = this->Nodes[node].IsVertical ? place.X : place.Y;
       node = this->Nodes[node].Children + (x < this->Nodes[node].At ? 0 : 1);
     }
     return node;
