@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr std::size_t MostDirections = 16;
-constexpr double Within = 1e-3;          // of a right angle: half a row over five hundred
+constexpr double Within = 1e-3; // of a right angle: half a row over five hundred
+constexpr double FarMore = 3.0;
 constexpr double LeastShare = 0.3;       // of the boundary
 constexpr double OverCoordinates = 1.25; // so much more than along the axes of the coordinates
 
@@ -35,18 +36,21 @@ std::vector<Point2> WaysOf(const Domain& domain)
   return ways;
 }
 
-// How much runs along the axis, or across it.
+// How much runs along the axis.
 double LengthAlong(const std::vector<Point2>& ways, const Point2& axis)
 {
   double sum = 0.0;
   for (const Point2& way : ways)
   {
     const double length = Length(way);
-    const bool isAlong = std::abs(Cross(axis, way)) <= Within * length;
-    const bool isAcross = std::abs(Dot(axis, way)) <= Within * length;
-    sum += isAlong || isAcross ? length : 0.0;
+    sum += std::abs(Cross(axis, way)) <= Within * length ? length : 0.0;
   }
   return sum;
+}
+
+double LengthAlongBoth(const std::vector<Point2>& ways, const Point2& axis)
+{
+  return LengthAlong(ways, axis) + LengthAlong(ways, Perpendicular(axis));
 }
 
 // Turned by right angles, within 45 degrees of the first axis.
@@ -71,7 +75,7 @@ CutFrame FrameOf(const Domain& domain)
     all += Length(way);
   }
   CutFrame frame;
-  double most = std::max(LeastShare * all, OverCoordinates * LengthAlong(ways, frame.Axis));
+  double most = std::max(LeastShare * all, OverCoordinates * LengthAlongBoth(ways, frame.Axis));
   std::vector<Point2> longest(std::min(MostDirections, ways.size()));
   std::partial_sort_copy(ways.begin(), ways.end(), longest.begin(), longest.end(),
     [](const Point2& a, const Point2& b)
@@ -83,14 +87,30 @@ CutFrame FrameOf(const Domain& domain)
   for (const Point2& way : longest)
   {
     const Point2 axis = AxisAlong(way);
-    const double along = LengthAlong(ways, axis);
+    const double along = LengthAlongBoth(ways, axis);
     if (along > most)
     {
       frame.Axis = axis;
       most = along;
     }
   }
+  const double along = LengthAlong(ways, frame.Axis);
+  const double across = LengthAlong(ways, Perpendicular(frame.Axis));
+  if (std::max(along, across) > std::max(LeastShare * all, FarMore * std::min(along, across)))
+  {
+    frame.IsMostlyVertical = across > along;
+  }
   return frame;
+}
+
+Box2 BoundsIn(const CutFrame& frame, const Domain& domain)
+{
+  Box2 bounds;
+  for (const Point2& vertex : domain.Vertices)
+  {
+    bounds.Add(frame.To(vertex));
+  }
+  return bounds;
 }
 
 } // namespace biting

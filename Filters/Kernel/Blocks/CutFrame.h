@@ -4,8 +4,11 @@
 #ifndef BitingCutFrame_h
 #define BitingCutFrame_h
 
+#include "../Base/Box2.h"
 #include "../Base/Point2.h"
 #include "../Domain/Domain.h"
+
+#include <optional> // for what is not so
 
 namespace biting
 {
@@ -15,6 +18,10 @@ namespace biting
 struct CutFrame
 {
   Point2 Axis{ 1.0, 0.0 }; ///< of unit length
+
+  /// Along which axis far more of the boundary runs than along the other, if it is so: the second
+  /// one where it is true. Lattices have their rows along it.
+  std::optional<bool> IsMostlyVertical;
 
   /// A place of the plane in the frame, and back.
   Point2 To(const Point2& p) const { return { Dot(this->Axis, p), Cross(this->Axis, p) }; }
@@ -29,6 +36,9 @@ struct CutFrame
 /// boundary and those that leave cuts then make one lattice, however the drawing is turned. Depends
 /// on the domain alone.
 CutFrame FrameOf(const Domain& domain);
+
+/// The box of a domain in the frame.
+Box2 BoundsIn(const CutFrame& frame, const Domain& domain);
 
 } // namespace biting
 

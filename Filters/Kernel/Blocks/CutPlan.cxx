@@ -108,16 +108,6 @@ std::vector<double> FromTheMiddle(const std::vector<double>& places)
   return ordered;
 }
 
-Box2 BoundsIn(const CutFrame& frame, const Domain& domain)
-{
-  Box2 bounds;
-  for (const Point2& vertex : domain.Vertices)
-  {
-    bounds.Add(frame.To(vertex));
-  }
-  return bounds;
-}
-
 // A node that may be divided.
 struct Part
 {
@@ -150,6 +140,10 @@ public:
     , Rows(spacing, BoundsIn(Frame, domain), options.SideLength, Frame)
   {
     this->Plan.Tree.Frame = this->Frame;
+    if (this->Frame.IsMostlyVertical)
+    {
+      this->Rows.AddCut(*this->Frame.IsMostlyVertical);
+    }
     this->Plan.Graph = CutGraph(domain);
     for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
     {
