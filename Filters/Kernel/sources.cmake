@@ -146,6 +146,7 @@ set(biting_kernel_sources
   Blocks/BlockBytes.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
+  Blocks/BlockShares.cxx
   Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx

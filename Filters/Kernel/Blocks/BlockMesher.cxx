@@ -10,12 +10,12 @@
 #include "../Meshing/SoundTriangulation.h"
 #include "../Meshing/StageProblems.h"
 #include "BlockBytes.h"
+#include "BlockShares.h"
 #include "CutPlan.h"
 #include "CutStrip.h"
 
-#include <algorithm> // for max, min_element, stable_sort
+#include <algorithm> // for max
 #include <cstdint>   // for counts
-#include <numeric>   // for iota
 #include <string>    // for violations
 #include <utility>   // for move
 
@@ -80,34 +80,11 @@ void BlockMesher::Plan(
   this->Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
   this->Tree = plan.Tree;
   this->Meshes.resize(this->Parts.Blocks.size());
-  this->OrderBlocks();
-  if (this->IsInUse())
+  if (!this->IsInUse())
   {
-    this->ShareBlocks();
+    return;
   }
-}
-
-// The largest first: while that is at work, other threads do several of the others.
-void BlockMesher::OrderBlocks()
-{
-  this->LargestFirst.resize(this->Parts.Blocks.size());
-  std::iota(this->LargestFirst.begin(), this->LargestFirst.end(), std::size_t{ 0 });
-  std::stable_sort(this->LargestFirst.begin(), this->LargestFirst.end(),
-    [this](std::size_t a, std::size_t b)
-    { return this->Parts.Blocks[a].ExpectedVertices > this->Parts.Blocks[b].ExpectedVertices; });
-}
-
-// Each block, the largest first, to the member that has fewest vertices so far.
-void BlockMesher::ShareBlocks()
-{
-  this->Shares.resize(static_cast<std::size_t>(this->Members.Size()));
-  std::vector<double> vertices(this->Shares.size(), 0.0);
-  for (const std::size_t block : this->LargestFirst)
-  {
-    const auto least = std::min_element(vertices.begin(), vertices.end());
-    *least += this->Parts.Blocks[block].ExpectedVertices;
-    this->Shares[static_cast<std::size_t>(least - vertices.begin())].push_back(block);
-  }
+  this->Shares = ShareBlocks(this->Parts.Blocks, static_cast<std::size_t>(this->Members.Size()));
   this->LargestFirst = this->Shares[static_cast<std::size_t>(this->Members.Own())];
   if (this->IsCollecting())
   {

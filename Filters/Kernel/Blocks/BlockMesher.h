@@ -63,8 +63,6 @@ public:
 private:
   void Plan(
     const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
-  void OrderBlocks();
-  void ShareBlocks();
   void BiteBlocks(Monitor& monitor);
   void RefuseTooManyVertices(ProblemList& problems) const;
   bool IsCollecting() const { return this->Members.Own() == 0 && this->Members.Size() > 1; }

@@ -16,9 +16,9 @@ namespace
 {
 
 constexpr std::size_t MostDirections = 16;
-constexpr double Within = 1e-3; // of a right angle: half a row over five hundred
+constexpr double ParallelWithin = 1e-3; // of a right angle: half a row over five hundred
 constexpr double FarMore = 3.0;
-constexpr double LeastShare = 0.3;       // of the boundary
+constexpr double LeastAlongAxes = 0.3;   // of the boundary
 constexpr double OverCoordinates = 1.25; // so much more than along the axes of the coordinates
 
 // Segments of the boundary as vectors.
@@ -43,7 +43,7 @@ double LengthAlong(const std::vector<Point2>& ways, const Point2& axis)
   for (const Point2& way : ways)
   {
     const double length = Length(way);
-    sum += std::abs(Cross(axis, way)) <= Within * length ? length : 0.0;
+    sum += std::abs(Cross(axis, way)) <= ParallelWithin * length ? length : 0.0;
   }
   return sum;
 }
@@ -75,7 +75,7 @@ CutFrame FrameOf(const Domain& domain)
     all += Length(way);
   }
   CutFrame frame;
-  double most = std::max(LeastShare * all, OverCoordinates * LengthAlongBoth(ways, frame.Axis));
+  double most = std::max(LeastAlongAxes * all, OverCoordinates * LengthAlongBoth(ways, frame.Axis));
   std::vector<Point2> longest(std::min(MostDirections, ways.size()));
   std::partial_sort_copy(ways.begin(), ways.end(), longest.begin(), longest.end(),
     [](const Point2& a, const Point2& b)
@@ -96,7 +96,7 @@ CutFrame FrameOf(const Domain& domain)
   }
   const double along = LengthAlong(ways, frame.Axis);
   const double across = LengthAlong(ways, Perpendicular(frame.Axis));
-  if (std::max(along, across) > std::max(LeastShare * all, FarMore * std::min(along, across)))
+  if (std::max(along, across) > std::max(LeastAlongAxes * all, FarMore * std::min(along, across)))
   {
     frame.IsMostlyVertical = across > along;
   }
