@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr std::size_t MostDirections = 16;
-constexpr double ParallelWithin = 1e-3; // of a right angle: half a row over five hundred
-constexpr double FarMore = 3.0;
+constexpr double ParallelWithin = 1e-3;  // sine of an angle: half a row over five hundred
+constexpr double FarMore = 3.0;          // along one axis than along the other
 constexpr double LeastAlongAxes = 0.3;   // of the boundary
 constexpr double OverCoordinates = 1.25; // so much more than along the axes of the coordinates
 
