@@ -14,10 +14,6 @@ namespace
 
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
 
-// Of entries: single precision, after the rounding of a place in units of a cell.
-constexpr double EntryMargin = 4e-6;
-constexpr double PlaceRounding = 1e-15;
-
 // Of the bite's bounding box, half its width, in half-widths.
 double Spread(const Bites& bites, Id bite)
 {
@@ -69,16 +65,6 @@ FramedBite BiteFrame::Framed(Id bite) const
   const Point2 center = this->ToGrid(this->All.Centers[bite]);
   return { bite, center.X, center.Y, (this->All.HalfWidths[bite] + this->Slack) * this->Scale,
     this->ExtentOf(bite) };
-}
-
-BiteEntry BiteFrame::EntryOf(const FramedBite& bite, const CellPlace& leaf) const
-{
-  const double scale = 1.0 / leaf.Size; // a power of two
-  const double rounding = EntryMargin +
-    PlaceRounding * (static_cast<double>(this->NumberOfColumns) + this->NumberOfRows) * scale;
-  const double reach = bite.Reach * scale * (1.0 + EntryMargin) + rounding;
-  return { static_cast<float>((bite.X - leaf.X) * scale),
-    static_cast<float>((bite.Y - leaf.Y) * scale), static_cast<float>(reach * reach), bite.Bite };
 }
 
 } // namespace biting

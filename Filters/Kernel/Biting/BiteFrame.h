@@ -90,6 +90,18 @@ private:
   double Slack;     ///< a length
 };
 
+inline BiteEntry BiteFrame::EntryOf(const FramedBite& bite, const CellPlace& leaf) const
+{
+  constexpr double EntryMargin = 4e-6; // single precision, after the rounding of a place
+  constexpr double PlaceRounding = 1e-15;
+  const double scale = 1.0 / leaf.Size; // a power of two
+  const double rounding = EntryMargin +
+    PlaceRounding * (static_cast<double>(this->NumberOfColumns) + this->NumberOfRows) * scale;
+  const double reach = bite.Reach * scale * (1.0 + EntryMargin) + rounding;
+  return { static_cast<float>((bite.X - leaf.X) * scale),
+    static_cast<float>((bite.Y - leaf.Y) * scale), static_cast<float>(reach * reach), bite.Bite };
+}
+
 } // namespace biting
 
 #endif

@@ -6,20 +6,6 @@
 namespace biting
 {
 
-void BiteLists::Append(const BiteEntry& entry, Id& list)
-{
-  if (list == NoId || this->At(list).Count == Block::Capacity)
-  {
-    const Id added = this->Add();
-    Block& block = this->At(added);
-    block.Older = list;
-    block.Count = 0;
-    list = added;
-  }
-  Block& newest = this->At(list);
-  newest.Entries[newest.Count++] = entry;
-}
-
 void BiteLists::Empty(Id& list)
 {
   while (list != NoId)

@@ -65,6 +65,20 @@ private:
   Id Unused = NoId; ///< a list of blocks that were emptied
 };
 
+inline void BiteLists::Append(const BiteEntry& entry, Id& list)
+{
+  if (list == NoId || this->At(list).Count == Block::Capacity)
+  {
+    const Id added = this->Add();
+    Block& block = this->At(added);
+    block.Older = list;
+    block.Count = 0;
+    list = added;
+  }
+  Block& newest = this->At(list);
+  newest.Entries[newest.Count++] = entry;
+}
+
 template <typename Visitor>
 bool BiteLists::Visit(Id list, Visitor&& visit) const
 {
