@@ -255,13 +255,6 @@ LeftOvers::Triangle LeftOvers::PlacesOf(Id triangle) const
   return { mesh.PointAt(corners[0]), mesh.PointAt(corners[1]), mesh.PointAt(corners[2]) };
 }
 
-double LeftOvers::LeastHalfWidth(const Id* corners) const
-{
-  const std::vector<double>& halfWidths = this->State.Placed.HalfWidths;
-  return std::min({ halfWidths[this->Bites[corners[0]]], halfWidths[this->Bites[corners[1]]],
-    halfWidths[this->Bites[corners[2]]] });
-}
-
 bool LeftOvers::MayHaveGap(Id triangle) const
 {
   const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
@@ -270,10 +263,13 @@ bool LeftOvers::MayHaveGap(Id triangle) const
     return false;
   }
   const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
-  return !IsWithinOfCorners(this->PlacesOf(triangle), this->LeastHalfWidth(corners)) &&
-    !CoverTriangle(this->State.Placed,
-      { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }) &&
-    !this->IsOutside(triangle);
+  const std::array<Id, 3> bites{ this->Bites[corners[0]], this->Bites[corners[1]],
+    this->Bites[corners[2]] };
+  const std::vector<double>& halfWidths = this->State.Placed.HalfWidths;
+  const double least =
+    std::min({ halfWidths[bites[0]], halfWidths[bites[1]], halfWidths[bites[2]] });
+  return !IsWithinOfCorners(this->PlacesOf(triangle), least) &&
+    !CoverTriangle(this->State.Placed, bites) && !this->IsOutside(triangle);
 }
 
 // No constraint crosses it: its middle tells.

@@ -59,7 +59,6 @@ private:
   void RecallAboutGaps();
   void RecallAboutFound();
   Box2 BoxOf(Id triangle) const;
-  double LeastHalfWidth(const Id* corners) const;
   bool MayHaveGap(Id triangle) const;
   bool IsOutside(Id triangle) const;
   Triangle PlacesOf(Id triangle) const;
