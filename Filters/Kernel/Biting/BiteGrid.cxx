@@ -31,7 +31,7 @@ constexpr double MostCellsPerBite = 16.0;
 // In all, for each top cell: 6 cells where f varies twentyfold, seldom more than 1.1. To move them
 // is cheap; twice as many would be more than are needed.
 constexpr double CellsPerTopCell = 1.1;
-constexpr std::size_t SizePerMore = 8;
+constexpr std::size_t CellsPerMore = 8;
 
 // How many cells of a grid are marked, from its low corner to each node.
 class MarkedCells
@@ -251,7 +251,7 @@ void BiteGrid::Divide(Id cell, const CellPlace& place)
   const std::size_t size = this->Cells.size() + static_cast<std::size_t>(Division) * Division;
   if (size > this->Cells.capacity())
   {
-    this->Cells.reserve(size + size / SizePerMore);
+    this->Cells.reserve(size + size / CellsPerMore);
   }
   this->Cells.resize(size);
   this->Cells[cell].FirstChild = firstChild;
