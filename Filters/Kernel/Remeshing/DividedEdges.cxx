@@ -22,6 +22,7 @@ public:
     , Region(region)
     , IsKept(isKept)
     , Spacings(spacings)
+    , IsDivisible(mesh.Regions.size(), 0)
     , IsDivided(mesh.Corners.size(), 0)
   {
   }
@@ -30,9 +31,12 @@ public:
   {
     for (const Id triangle : this->Region.Triangles)
     {
-      for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+      const Id first = 3 * triangle;
+      this->IsDivisible[triangle] = this->HasGoodHalves(first) && this->HasGoodHalves(first + 1) &&
+        this->HasGoodHalves(first + 2);
+      for (Id slot = first; this->IsDivisible[triangle] != 0 && slot < first + 3; ++slot)
       {
-        if (this->IsFirstOfInner(slot) && this->HasGoodHalves(slot))
+        if (this->IsLastOfInner(slot) && this->IsDivisible[this->Mesh.Neighbors[slot]] != 0)
         {
           this->Divide(slot, this->Mesh.Across(slot));
         }
@@ -53,7 +57,7 @@ private:
     return start + 0.5 * (this->Mesh.Points[this->Mesh.End(slot)] - start);
   }
 
-  bool IsFirstOfInner(Id slot) const;
+  bool IsLastOfInner(Id slot) const;
   bool HasGoodHalves(Id slot) const;
   bool HasRoom(Id slot, const Point2& middle, double room) const;
   void Divide(Id slot, Id across);
@@ -62,12 +66,13 @@ private:
   const ChangedRegion& Region;
   const std::vector<std::uint8_t>& IsKept;
   const std::vector<double>& Spacings;
-  std::vector<std::uint8_t> IsDivided; ///< one a slot
+  std::vector<std::uint8_t> IsDivisible; ///< one a triangle
+  std::vector<std::uint8_t> IsDivided;   ///< one a slot
   std::vector<Point2> Middles;
 };
 
-// Each edge between two changed triangles once, but for marked ones.
-bool Dividing::IsFirstOfInner(Id slot) const
+// Each edge between two changed triangles once, but for marked ones: with the second triangle.
+bool Dividing::IsLastOfInner(Id slot) const
 {
   const Id neighbor = this->Mesh.Neighbors[slot];
   return this->Mesh.Marks[slot] == NoId && neighbor != NoId && neighbor < slot / 3 &&

@@ -14,10 +14,10 @@
 namespace biting
 {
 
-/// The middles of the inner edges of the region whose halves have the length that is wanted: from
-/// sqrt(2) to 2 sqrt(2) in units of the mean f of the ends, which are kept both. Where f is halved
-/// the new mesh then has the old one's vertices and shapes: four similar triangles of each.
-/// `spacings` is f, one a vertex of the region.
+/// The middles of the inner edges between two triangles of the region, all of whose edges have
+/// halves of the length that is wanted: from sqrt(2) to 2 sqrt(2) in units of the mean f of the
+/// ends, which are kept both. Where f is halved the new mesh then has the old one's vertices and
+/// shapes: four similar triangles of each. `spacings` is f, one a vertex of the region.
 ///
 /// Left out are edges beside a flat triangle, and middles that are nearer to one chosen before, on
 /// an edge of the same triangle, than the acceptance radius. Cost O(n).

@@ -74,7 +74,7 @@ TEST(DividedEdges, AreThoseWhoseHalvesAreWithinTheBand)
 
 TEST(DividedEdges, AreNoneAtVerticesThatGo)
 {
-  EXPECT_EQ(MiddlesOf(Hexagon(), 0.5, 0).size(), 5u);
+  EXPECT_EQ(MiddlesOf(Hexagon(), 0.5, 0).size(), 3u);
   EXPECT_TRUE(MiddlesOf(Hexagon(), 0.5, 6).empty());
 }
 
@@ -90,11 +90,21 @@ TEST(DividedEdges, AreNoneOnLines)
 TEST(DividedEdges, AreNoneBesideFlatTriangles)
 {
   RemeshInput input;
-  input.Points = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 1.0, 1.8 }, { 1.0, -0.6 } };
+  input.Points = { { 0.0, 0.0 }, { 2.8, 0.0 }, { 1.4, 1.8 }, { 1.4, -0.6 } };
   input.Corners = { 0, 1, 2, 1, 0, 3 };
   EXPECT_TRUE(MiddlesOf(input, 1.0).empty());
   input.Points[3].Y = -0.8;
-  EXPECT_EQ(MiddlesOf(input, 1.0), (std::vector<Point2>{ { 1.0, 0.0 } }));
+  EXPECT_EQ(MiddlesOf(input, 1.0), (std::vector<Point2>{ { 1.4, 0.0 } }));
+}
+
+TEST(DividedEdges, AreNoneBesideTrianglesWithAShortEdge)
+{
+  RemeshInput input;
+  input.Points = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 1.0, 1.8 }, { 0.2, -1.2 } };
+  input.Corners = { 0, 1, 2, 1, 0, 3 };
+  EXPECT_TRUE(MiddlesOf(input, 1.0).empty());
+  input.Points[3] = { 0.8, -1.8 };
+  EXPECT_EQ(MiddlesOf(input, 1.0).size(), 1u);
 }
 
 } // namespace biting
