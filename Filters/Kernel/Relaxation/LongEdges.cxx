@@ -57,6 +57,7 @@ std::vector<Id> LongEdges::Find(double longest, Pulse& pulse) const
     found, [](const std::pair<double, Id>& a, const std::pair<double, Id>& b) { return a < b; },
     pulse);
   std::vector<Id> edges;
+  edges.reserve(found.size());
   for (const auto& [length, edge] : found)
   {
     edges.push_back(edge);
