@@ -136,10 +136,6 @@ private:
   bool IsGood(const CutStretch& stretch) const;
   bool HasRoom(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
-  bool MayEndOn(const CutGraph::Piece& piece) const
-  {
-    return piece.Segment == NoId || this->Scene.AreUncut[piece.Segment] == 0;
-  }
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
   bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction,
     double cosineOfLeast) const;
@@ -368,7 +364,7 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
   const bool isAtTo = IsAt(this->Scene.Graph, piece, stretch.To);
   if (isAtFrom || isAtTo)
   {
-    return !(isAtFrom && isAtTo) && this->MayEndOn(ends) &&
+    return !(isAtFrom && isAtTo) && this->Scene.MayEndOn(ends) &&
       (isAtFrom ? this->IsOpenAngle(ends, stretch.From, direction, CosineOfLeastAngle)
                 : this->IsOpenAngle(ends, stretch.To, -1.0 * direction, CosineOfLeastAngle));
   }

@@ -36,6 +36,11 @@ struct CutScene
   const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
   std::vector<Id> Pieces;                    ///< that meet the box, or nearly
   std::vector<Id> Vertices;                  ///< their ends, and embedded points near the box
+
+  bool MayEndOn(const CutGraph::Piece& piece) const
+  {
+    return piece.Segment == NoId || this->AreUncut[piece.Segment] == 0;
+  }
 };
 
 /// Where a cut begins or ends: at a vertex, or on a piece, of which it makes one.

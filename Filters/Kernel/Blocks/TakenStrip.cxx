@@ -4,6 +4,7 @@
 #include "TakenStrip.h"
 
 #include "../Base/Tasks.h"
+#include "../Base/TriangleSlots.h"
 #include "../Relaxation/DividedSegments.h"
 
 #include <algorithm> // for sort, unique, lower_bound, stable_partition
@@ -26,6 +27,60 @@ struct TriangleList
     this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
   }
 };
+
+// Constraints of the whole with an end that may slide, and on which of their sides the strip is.
+class SlidingEdges
+{
+public:
+  struct Edge
+  {
+    Id Constraint;
+    bool IsLeftInside;
+    bool IsRightInside;
+  };
+
+  void Add(Id constraint, bool isLeft) { this->Edges.push_back({ constraint, isLeft, !isLeft }); }
+
+  // By their constraints, and so in the order of their segments. Of edges inside both sides were
+  // added: they become one.
+  void Sort();
+
+  // Its place among the others; NoId where it is none of them.
+  Id PlaceOf(Id constraint) const;
+
+  std::size_t Size() const { return this->Edges.size(); }
+  const Edge& operator[](std::size_t place) const { return this->Edges[place]; }
+
+private:
+  std::vector<Edge> Edges;
+};
+
+void SlidingEdges::Sort()
+{
+  std::sort(this->Edges.begin(), this->Edges.end(),
+    [](const Edge& a, const Edge& b) { return a.Constraint < b.Constraint; });
+  std::vector<Edge> united;
+  for (const Edge& edge : this->Edges)
+  {
+    if (united.empty() || united.back().Constraint != edge.Constraint)
+    {
+      united.push_back(edge);
+      continue;
+    }
+    united.back().IsLeftInside = united.back().IsLeftInside || edge.IsLeftInside;
+    united.back().IsRightInside = united.back().IsRightInside || edge.IsRightInside;
+  }
+  this->Edges = std::move(united);
+}
+
+Id SlidingEdges::PlaceOf(Id constraint) const
+{
+  const auto found = std::lower_bound(this->Edges.begin(), this->Edges.end(), constraint,
+    [](const Edge& edge, Id wanted) { return edge.Constraint < wanted; });
+  return found != this->Edges.end() && found->Constraint == constraint
+    ? static_cast<Id>(found - this->Edges.begin())
+    : NoId;
+}
 
 class StripTaker
 {
@@ -55,29 +110,14 @@ private:
     return static_cast<std::size_t>(this->Numbers[vertex]) >= this->NumberOfFixed;
   }
   void FindSlidingEdges();
-  void UniteSides();
   void AddRuns();
   void AddRun(std::size_t begin, std::size_t end);
   void AddEdge(Id start, Id end, Id segment);
   void AddSegment(Id start, Id end, bool isLeftInside, bool isRightInside);
-  Id SlidingEdgeOf(Id constraint) const;
   void CopyTriangles();
   void CopySlot(std::size_t slot);
   void AddFixedEdge(std::size_t slot, Id start, Id end);
-  Id SlotAcross(std::size_t slot) const;
   void FillDomain();
-  Id Corner(std::size_t slot, std::size_t turn) const
-  {
-    return this->Whole.Triangles.Corners[slot - slot % 3 + (slot + turn) % 3];
-  }
-
-  // A constraint of the whole with an end that may slide, and on which of its sides the strip is.
-  struct SlidingEdge
-  {
-    Id Constraint;
-    bool IsLeftInside;
-    bool IsRightInside;
-  };
 
   const Domain& Geometry;
   const std::vector<std::uint8_t>& AreTouching;
@@ -86,7 +126,7 @@ private:
   TakenStrip Strip;
   std::vector<Id> Numbers; ///< of the whole's vertices in the strip, or NoId
   std::size_t NumberOfFixed = 0;
-  std::vector<SlidingEdge> SlidingEdges; ///< by their constraints: the first edges of the strip
+  SlidingEdges Sliding; ///< the first edges of the strip
 };
 
 TakenStrip StripTaker::Take()
@@ -181,9 +221,9 @@ void StripTaker::ListVertices()
     const std::size_t first = 3 * static_cast<std::size_t>(this->Strip.Triangles[k]);
     for (std::size_t slot = first; slot < first + 3; ++slot)
     {
-      for (const std::size_t turn : { 1, 2 })
+      for (const std::size_t end : { NextSlotOf(slot), PreviousSlotOf(slot) })
       {
-        const Id vertex = this->Corner(slot, turn);
+        const Id vertex = this->Whole.Triangles.Corners[end];
         Id& number = this->Numbers[vertex];
         if (number == NoId)
         {
@@ -233,11 +273,9 @@ void StripTaker::NumberVertices()
   }
 }
 
-// By their constraints, and so in the order of their segments.
 void StripTaker::FindSlidingEdges()
 {
   const BitingResult& bites = this->Whole.Bites;
-  std::vector<SlidingEdge>& edges = this->SlidingEdges;
   for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
   {
     const std::size_t first = 3 * static_cast<std::size_t>(this->Strip.Triangles[k]);
@@ -247,40 +285,21 @@ void StripTaker::FindSlidingEdges()
       if (constraint != NoId &&
         (this->Slides(bites.EdgeStarts[constraint]) || this->Slides(bites.EdgeEnds[constraint])))
       {
-        const bool isLeft = this->Corner(slot, 1) == bites.EdgeStarts[constraint];
-        edges.push_back({ constraint, isLeft, !isLeft });
+        this->Sliding.Add(constraint,
+          this->Whole.Triangles.Corners[NextSlotOf(slot)] == bites.EdgeStarts[constraint]);
       }
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const SlidingEdge& a, const SlidingEdge& b) { return a.Constraint < b.Constraint; });
-  this->UniteSides();
-}
-
-// Of edges inside both sides were found.
-void StripTaker::UniteSides()
-{
-  std::vector<SlidingEdge> united;
-  for (const SlidingEdge& edge : this->SlidingEdges)
-  {
-    if (united.empty() || united.back().Constraint != edge.Constraint)
-    {
-      united.push_back(edge);
-      continue;
-    }
-    united.back().IsLeftInside = united.back().IsLeftInside || edge.IsLeftInside;
-    united.back().IsRightInside = united.back().IsRightInside || edge.IsRightInside;
-  }
-  this->SlidingEdges = std::move(united);
+  this->Sliding.Sort();
 }
 
 // From a vertex that stays to the next.
 void StripTaker::AddRuns()
 {
   std::size_t begin = 0;
-  for (std::size_t k = 0; k < this->SlidingEdges.size() && this->Beats.Beat(); ++k)
+  for (std::size_t k = 0; k < this->Sliding.Size() && this->Beats.Beat(); ++k)
   {
-    const Id end = this->Whole.Bites.EdgeEnds[this->SlidingEdges[k].Constraint];
+    const Id end = this->Whole.Bites.EdgeEnds[this->Sliding[k].Constraint];
     if (!this->Slides(end))
     {
       this->AddRun(begin, k + 1);
@@ -292,11 +311,11 @@ void StripTaker::AddRuns()
 void StripTaker::AddRun(std::size_t begin, std::size_t end)
 {
   const BitingResult& bites = this->Whole.Bites;
-  const SlidingEdge& first = this->SlidingEdges[begin];
+  const SlidingEdges::Edge& first = this->Sliding[begin];
   const Id segment = static_cast<Id>(this->Strip.Sides.size());
   for (std::size_t k = begin; k < end; ++k)
   {
-    const Id constraint = this->SlidingEdges[k].Constraint;
+    const Id constraint = this->Sliding[k].Constraint;
     const Id start = this->Numbers[bites.EdgeStarts[constraint]];
     this->AddEdge(start, this->Numbers[bites.EdgeEnds[constraint]], segment);
     this->Strip.Mesh.Segments[start] = k == begin ? NoId : segment;
@@ -322,16 +341,6 @@ void StripTaker::AddSegment(Id start, Id end, bool isLeftInside, bool isRightIns
   border.LeftInside.push_back(isLeftInside ? 1 : 0);
   border.RightInside.push_back(isRightInside ? 1 : 0);
   border.IsPreserved.push_back(this->Strip.Sides.back().NumberOfParts == 1 ? 1 : 0);
-}
-
-// Of a constraint of the whole among those of which an end slides; NoId where it is none.
-Id StripTaker::SlidingEdgeOf(Id constraint) const
-{
-  const auto found = std::lower_bound(this->SlidingEdges.begin(), this->SlidingEdges.end(),
-    constraint, [](const SlidingEdge& edge, Id wanted) { return edge.Constraint < wanted; });
-  return found != this->SlidingEdges.end() && found->Constraint == constraint
-    ? static_cast<Id>(found - this->SlidingEdges.begin())
-    : NoId;
 }
 
 void StripTaker::CopyTriangles()
@@ -364,7 +373,7 @@ void StripTaker::CopySlot(std::size_t slot)
   const std::size_t own = strip.Constraints.size() - 1;
   if (whole.Constraints[slot] != NoId)
   {
-    strip.Constraints[own] = this->SlidingEdgeOf(whole.Constraints[slot]);
+    strip.Constraints[own] = this->Sliding.PlaceOf(whole.Constraints[slot]);
     if (strip.Constraints[own] != NoId)
     {
       return;
@@ -373,13 +382,13 @@ void StripTaker::CopySlot(std::size_t slot)
   // Of an edge inside, the triangle that comes later has what the first one got.
   if (inside != NoId && inside < static_cast<Id>(own / 3))
   {
-    const std::size_t across = static_cast<std::size_t>(this->SlotAcross(slot));
+    const std::size_t across = SlotAcross(whole.Corners, slot, neighbor);
     strip.Constraints[own] = strip.Constraints[3 * static_cast<std::size_t>(inside) + across % 3];
     return;
   }
   strip.Constraints[own] = static_cast<Id>(this->Strip.Mesh.EdgeStarts.size());
-  this->AddFixedEdge(
-    slot, this->Numbers[this->Corner(slot, 1)], this->Numbers[this->Corner(slot, 2)]);
+  this->AddFixedEdge(slot, this->Numbers[whole.Corners[NextSlotOf(slot)]],
+    this->Numbers[whole.Corners[PreviousSlotOf(slot)]]);
 }
 
 void StripTaker::AddFixedEdge(std::size_t slot, Id start, Id end)
@@ -389,20 +398,12 @@ void StripTaker::AddFixedEdge(std::size_t slot, Id start, Id end)
   const bool isInside = neighbor != NoId && this->Strip.TriangleNumbers[neighbor] != NoId;
   TakenStrip::Side side;
   side.Constraint = whole.Constraints[slot];
-  side.Outside = neighbor == NoId || isInside ? NoId : this->SlotAcross(slot);
+  side.Outside = neighbor == NoId || isInside
+    ? NoId
+    : static_cast<Id>(SlotAcross(whole.Corners, slot, neighbor));
   this->AddEdge(start, end, static_cast<Id>(this->Strip.Sides.size()));
   this->Strip.Sides.push_back(side);
   this->AddSegment(start, end, true, isInside);
-}
-
-Id StripTaker::SlotAcross(std::size_t slot) const
-{
-  std::size_t across = 3 * static_cast<std::size_t>(this->Whole.Triangles.Neighbors[slot]);
-  while (this->Corner(across, 2) != this->Corner(slot, 1))
-  {
-    ++across;
-  }
-  return static_cast<Id>(across);
 }
 
 void StripTaker::FillDomain()

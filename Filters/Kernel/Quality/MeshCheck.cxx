@@ -6,11 +6,11 @@
 #include "../Base/Marks.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
+#include "../Base/TriangleSlots.h"
 #include "../Predicates/Predicates.h"
 #include "CheckSums.h"
 #include "Components.h" // for UseSum
 #include "MeshParts.h"
-#include "TriangleSlots.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs

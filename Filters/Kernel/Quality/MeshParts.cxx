@@ -4,8 +4,8 @@
 #include "MeshParts.h"
 
 #include "../Base/Tasks.h"
+#include "../Base/TriangleSlots.h"
 #include "Components.h"
-#include "TriangleSlots.h"
 
 namespace biting
 {

@@ -171,8 +171,9 @@ std::array<GridLimit::Side, 4> GridLimit::SidesOf(std::size_t column, std::size_
 /// Along a side from its start; the least value may go on for a while.
 double GridLimit::Rise(double start, const Side& side) const
 {
-  return this->IsLeast(start) ? 0.0
-                              : this->Range.Scale * (this->GivenAt(side.Column, side.Row) - start);
+  return !(this->Range.Scale * start > this->Range.Least)
+    ? 0.0
+    : this->Range.Scale * (this->GivenAt(side.Column, side.Row) - start);
 }
 
 /// One that is steeper is bounded by its lower end.

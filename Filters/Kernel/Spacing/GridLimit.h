@@ -87,7 +87,6 @@ private:
   {
     return this->Source->Values[this->NodeAt(column, row)];
   }
-  bool IsLeast(double value) const { return !(this->Range.Scale * value > this->Range.Least); }
 
   /// As given; it bounds others.
   Node Itself(std::size_t column, std::size_t row) const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Quality/MeshParts.h"
-#include "Quality/TriangleSlots.h"
+#include "Base/TriangleSlots.h"
 #include "TestMesh.h"
 
 #include "Base/Monitor.h"

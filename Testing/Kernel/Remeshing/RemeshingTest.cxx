@@ -382,8 +382,7 @@ TEST(Remeshing, TheSameInputGivesTheSameBytes)
   EXPECT_EQ(one.Result.Mesh.Corners, two.Result.Mesh.Corners);
 }
 
-/// A slit of a hundredth of f is capped by a quarter of f. That must not be taken once more. The
-/// mesh is not relaxed: in a slit that may make edges that are short, which cap f, too.
+/// A quarter of f is not taken once more. Not relaxed: no short edges cap f in the slit.
 TEST(Remeshing, WhatWasCappedForFeaturesIsNotCappedByAQuarterAgain)
 {
   BitingMeshOptions options;

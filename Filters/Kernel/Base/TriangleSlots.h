@@ -4,13 +4,13 @@
 #ifndef BitingTriangleSlots_h
 #define BitingTriangleSlots_h
 
-#include "../Base/Ids.h"
+#include "Ids.h"
 
 #include <cstddef> // for slots
 #include <vector>  // for the arrays
 
-// Slot 3 t + k is corner k of triangle t, and the edge opposite it, from the next corner to the
-// previous one.
+// Slots of triangles: slot 3 t + k is corner k of triangle t, and the edge opposite it, from the
+// next corner to the previous one.
 
 namespace biting
 {
