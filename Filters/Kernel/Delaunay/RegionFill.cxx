@@ -23,7 +23,6 @@ constexpr double RegionsEnd = 0.36;
 constexpr double CountsEnd = 0.4;
 constexpr double PointsEnd = 0.5;
 constexpr double NumbersEnd = 0.75;
-constexpr double ConstraintsEnd = 0.83;
 constexpr double NeighborsEnd = 0.92;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
@@ -280,8 +279,9 @@ private:
   void TakePoints();
   void NumberTriangles(std::vector<Id> next);
   std::vector<Id> SortByLastCorner();
-  template <typename ValueOf>
-  void WriteHalves(std::vector<Id>& array, double begin, double end, ValueOf&& valueOf);
+  void WriteTriangles();
+  template <typename Step>
+  void ForEachHalf(Step&& step);
 
   HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
@@ -297,19 +297,7 @@ Triangulation Writer::Write(const Regions& regions)
   std::vector<Id> sizes = this->TakeRegions(regions);
   this->TakePoints();
   this->NumberTriangles(std::move(sizes));
-  this->WriteHalves(this->Result.Constraints, NumbersEnd, ConstraintsEnd,
-    [this](Id edge)
-    {
-      const Id mark = this->Mesh.Mark(edge);
-      return mark == NoId ? NoId : mark / 2;
-    });
-  ReleaseInSteps(this->Beats, this->Mesh.Marks);
-  this->WriteHalves(this->Result.Neighbors, ConstraintsEnd, NeighborsEnd,
-    [this](Id edge) { return this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]; });
-  ReleaseInSteps(this->Beats, this->Mesh.Twins, this->Numbers);
-  this->WriteHalves(
-    this->Result.Corners, NeighborsEnd, 1.0, [this](Id edge) { return this->Mesh.Corners[edge]; });
-  ReleaseInSteps(this->Beats, this->Mesh.Corners);
+  this->WriteTriangles();
   return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
@@ -402,18 +390,41 @@ Id Writer::LastCorner(std::size_t triangle) const
   return std::max({ corners[0], corners[1], corners[2] });
 }
 
-template <typename ValueOf>
-void Writer::WriteHalves(std::vector<Id>& array, double begin, double end, ValueOf&& valueOf)
+/// In two passes: what the first one reads is given back before the second one needs memory.
+void Writer::WriteTriangles()
 {
-  const PulsePart part(this->Beats, begin, end);
-  array.reserve(3 * this->Inside.size());
+  const std::size_t size = 3 * this->Inside.size();
+  {
+    const PulsePart part(this->Beats, NumbersEnd, NeighborsEnd);
+    this->Result.Neighbors.reserve(size);
+    this->Result.Constraints.reserve(size);
+    this->ForEachHalf(
+      [this](Id edge)
+      {
+        const Id mark = this->Mesh.Mark(edge);
+        const Id beyond = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
+        this->Result.Constraints.push_back(mark == NoId ? NoId : mark / 2);
+        this->Result.Neighbors.push_back(this->Numbers[beyond]);
+      });
+  }
+  ReleaseInSteps(this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Numbers);
+  const PulsePart part(this->Beats, NeighborsEnd, 1.0);
+  this->Result.Corners.reserve(size);
+  this->ForEachHalf([this](Id edge) { this->Result.Corners.push_back(this->Mesh.Corners[edge]); });
+  ReleaseInSteps(this->Beats, this->Mesh.Corners);
+}
+
+/// Does step(edge) for the half-edges of all triangles of the result, in their order.
+template <typename Step>
+void Writer::ForEachHalf(Step&& step)
+{
   this->Beats.ForEach(this->Inside.size(),
-    [this, &array, &valueOf](std::size_t number)
+    [this, &step](std::size_t number)
     {
       const Id first = HalfEdgeMesh::FirstEdge(this->Inside[number]);
-      for (Id k = 0; k < 3; ++k)
+      for (Id edge = first; edge < first + 3; ++edge)
       {
-        array.push_back(valueOf(first + k));
+        step(edge);
       }
     });
 }

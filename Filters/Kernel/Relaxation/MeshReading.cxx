@@ -213,15 +213,15 @@ void Reader::TakeTwins()
   ReleaseInSteps(this->Progress, neighbors);
 }
 
+// The half-edge after the corner that both share; without branches: which it is cannot be predicted.
 Id Reader::TwinOf(Id edge, Id neighbor) const
 {
+  constexpr Id After[] = { 1, 2, 0, 0 };
   const Id start = this->Mesh.Origin(edge);
-  Id twin = 4 * neighbor;
-  while (this->Mesh.Target(twin) != start)
-  {
-    ++twin;
-  }
-  return twin;
+  const Id* corners = &this->Mesh.Corners[4 * neighbor];
+  const std::size_t isSecond = corners[1] == start ? 1 : 0;
+  const std::size_t isThird = corners[2] == start ? 2 : 0;
+  return 4 * neighbor + After[isSecond + isThird];
 }
 
 void Reader::TakeRegions()
