@@ -213,7 +213,8 @@ void Reader::TakeTwins()
   ReleaseInSteps(this->Progress, neighbors);
 }
 
-// The half-edge after the corner that both share; without branches: which it is cannot be predicted.
+// The half-edge of the neighbor that ends where `edge` starts. Without branches: which it is cannot
+// be predicted.
 Id Reader::TwinOf(Id edge, Id neighbor) const
 {
   constexpr Id After[] = { 1, 2, 0, 0 };
