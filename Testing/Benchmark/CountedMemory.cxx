@@ -28,6 +28,12 @@ void* operator new(std::size_t size)
   return memory;
 }
 
+// A sanitizer has its own otherwise, which does not go with the others here.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return operator new(size);
+}
+
 void operator delete(void* memory) noexcept
 {
   Live -= malloc_usable_size(memory);
