@@ -10,7 +10,6 @@
 
 #include <algorithm> // for sort, unique, remove_if, max
 #include <cmath>     // for log, abs
-#include <cstdint>   // for flags
 #include <limits>    // for the plane
 #include <utility>   // for move
 

@@ -21,7 +21,7 @@ namespace biting
 namespace
 {
 
-// Angles below 45 degrees are made better, below 43 also one by one.
+// Angles below 46 degrees are made better, below 44 also one by one.
 constexpr double PoorInStrip = 0.80;
 
 // Where steps end, as shares of the time.

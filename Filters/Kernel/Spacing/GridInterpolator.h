@@ -32,13 +32,10 @@ public:
   /// The nearest place inside, for a coordinate outside (or NaN).
   Place Find(double coordinate) const;
 
-  /// At least two; a single one is doubled.
-  const std::vector<double>& AllNodes() const { return this->Nodes; }
-
 private:
   std::size_t BucketOf(double coordinate) const;
 
-  std::vector<double> Nodes;
+  std::vector<double> Nodes;      ///< at least two; a single one is doubled
   std::vector<Id> LastNodeBefore; ///< last node in a bucket before this one, or 0; one past the end
   double BucketsPerLength = 0.0;
 };

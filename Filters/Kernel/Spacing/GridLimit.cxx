@@ -30,6 +30,9 @@ constexpr double WidestGrowth = 0.09;
 constexpr double SideShare = 0.009;
 constexpr double SideReach = 6.0;
 
+/// So that differences do not overflow.
+constexpr double GreatestGiven = 1e300;
+
 /// How much f may grow across the wider one of the cells beside each node.
 std::vector<double> GrowthBeside(const std::vector<double>& nodes, double gradation)
 {
@@ -98,10 +101,17 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
 {
   const double* low = &this->Source->Values[this->NodeAt(column, row)];
   const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
-  const double a = this->Range(low[0]);
-  const double b = this->Range(low[1]);
-  const double c = this->Range(high[0]);
-  const double d = this->Range(high[1]);
+  const double least = this->Range.Scale * std::min({ low[0], low[1], high[0], high[1] });
+  const double greatest = this->Range.Scale * std::max({ low[0], low[1], high[0], high[1] });
+  if (!(greatest > this->Range.Least && least < this->Range.Most))
+  {
+    return false;
+  }
+  // f is clamped between corners, not at them: until there it is as steep as what is given.
+  const double a = std::min(this->Range.Scale * low[0], GreatestGiven);
+  const double b = std::min(this->Range.Scale * low[1], GreatestGiven);
+  const double c = std::min(this->Range.Scale * high[0], GreatestGiven);
+  const double d = std::min(this->Range.Scale * high[1], GreatestGiven);
   const double width = this->Source->XNodes[column + 1] - this->Source->XNodes[column];
   const double height = this->Source->YNodes[row + 1] - this->Source->YNodes[row];
   const double most = (1.0 + SteepnessMargin) * this->Gradation;
@@ -123,7 +133,7 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
   }
   const double added = 0.25 * std::abs(a - b - c + d);
   return isAbove(0.5 * (b - a + d - c), 0.5 * (c - a + d - b)) || isAbove(alongX, 0.0) ||
-    isAbove(0.0, alongY) || added > SteepnessMargin * std::min({ a, b, c, d });
+    isAbove(0.0, alongY) || added > SteepnessMargin * std::max(least, this->Range.Least);
 }
 
 void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps)

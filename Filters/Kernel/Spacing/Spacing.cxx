@@ -144,7 +144,7 @@ struct Spacing::Implementation
     double scaled = this->Range(least);
     if (this->LimitedGrid)
     {
-      scaled = std::min(scaled, (*this->LimitedGrid)(x));
+      scaled = std::max(std::min(scaled, (*this->LimitedGrid)(x)), this->Range.Least);
     }
     return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
                           : scaled;

@@ -276,7 +276,7 @@ TEST(BlockMesher, HoweverADrawingIsTurnedManyBlocksAreAsGoodAsOne)
 }
 
 /// Vertices of the boundary near the ends of cuts slide, and go, as all others do. Relaxation works
-/// on angles below 43 degrees there.
+/// on angles below 44 degrees there.
 TEST(BlockMesher, WhereCutsMeetTheBoundaryAtASlantAnglesAreAsInOneBlock)
 {
   for (const Case& input :

@@ -230,6 +230,31 @@ TEST(Spacing, IsLimitedOutsideOfAnImageOfOneCell)
   ExpectLimited(OfGrid({ { 0.3 }, { 0.3, 0.7 }, { 0.02, 2.0 } }), UnitBox());
 }
 
+/// Between corners that are clamped f is as steep as what is given.
+TEST(Spacing, IsLimitedWhereALargestValueClampsWithinCoarseCells)
+{
+  SpacingOptions options =
+    OfGrid(MakeGrid(65, 65, [](const Point2& x) { return x.X < 0.5 ? 1e-4 : 0.5; }));
+  options.Maximum = 0.0047;
+  ExpectLimited(options, UnitBox());
+}
+
+TEST(Spacing, OfALimitedImageIsNowhereBelowTheLeastValue)
+{
+  SpacingOptions options =
+    OfGrid(MakeGrid(201, 201, [](const Point2& x) { return x.X < 0.5 ? 0.01 : 0.2; }));
+  for (const double minimum : { 0.02, 0.03 })
+  {
+    options.Minimum = minimum;
+    const Spacing f = MakeGoodSpacing(options, UnitBox());
+    Sampler sampler(7);
+    for (int probe = 0; probe < 20000; ++probe)
+    {
+      EXPECT_GE(f(sampler.NextIn(UnitBox())), minimum);
+    }
+  }
+}
+
 TEST(Spacing, IsLimitedOutsideOfNoise)
 {
   Sampler sampler(9);
