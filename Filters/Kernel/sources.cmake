@@ -158,6 +158,8 @@ set(biting_kernel_sources
   Blocks/JoinedBlocks.cxx
   Blocks/NearTouches.cxx
   Blocks/RimFlips.cxx
+  Blocks/StripParts.cxx
+  Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx
   BitingMesh.cxx
   BitingRemesh.cxx

@@ -37,18 +37,21 @@ double ClockSeconds()
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// Adds up the times of each stage.
+/// Adds up the times of each stage. Looks after its threads as often as the filters do.
 class StageClock : public MonitorWithThreads
 {
 public:
+  explicit StageClock(int numberOfThreads)
+    : MonitorWithThreads(numberOfThreads, std::chrono::milliseconds(20))
+  {
+  }
+
   struct Time
   {
     double Wall = ClockSeconds();
     double Cpu = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
     double Serial = CpuSeconds(CLOCK_THREAD_CPUTIME_ID);
   };
-
-  using MonitorWithThreads::MonitorWithThreads;
 
   void BeginStage(const char* text) override
   {

@@ -15,6 +15,7 @@
 #include "CutStrip.h"
 
 #include <algorithm> // for max
+#include <atomic>    // for what threads share
 #include <cstdint>   // for counts
 #include <string>    // for violations
 #include <utility>   // for move
@@ -92,11 +93,34 @@ void BlockMesher::Plan(
   }
 }
 
+// Threads that find no more blocks to bite triangulate some, for as long as others bite.
 void BlockMesher::BiteBlocks(Monitor& monitor)
 {
+  const std::size_t count = this->LargestFirst.size();
+  this->Found.resize(this->Meshes.size());
+  this->AreTriangulated.assign(this->Meshes.size(), 0);
+  std::vector<std::atomic<bool>> areBitten(count);
+  std::atomic<std::size_t> begun{ 0 };
+  std::atomic<std::size_t> ended{ 0 };
+  std::atomic<std::size_t> next{ 0 };
   Pulse pulse(monitor);
-  DoTasks(pulse, this->LargestFirst.size(),
-    [this](std::size_t k, Monitor& own) { this->BiteBlock(this->LargestFirst[k], own); });
+  DoTasks(pulse, count,
+    [this, count, &areBitten, &begun, &ended, &next](std::size_t k, Monitor& own)
+    {
+      ++begun;
+      this->BiteBlock(this->LargestFirst[k], own);
+      areBitten[k] = true;
+      ++ended;
+      PartOfStage after(own, 1.0, 1.0);
+      while (begun == count && ended < count && next < count && !after.HasStopped())
+      {
+        const std::size_t other = next++;
+        if (other < count && areBitten[other])
+        {
+          this->TriangulateBlock(this->LargestFirst[other], after);
+        }
+      }
+    });
 }
 
 void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
@@ -133,22 +157,30 @@ void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
 
 Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
 {
-  std::vector<ProblemList> found(this->Meshes.size());
   PartOfStage part(monitor, 0.0, 1.0);
   Pulse pulse(part);
   DoTasks(pulse, this->LargestFirst.size(),
-    [this, &found](std::size_t k, Monitor& own)
+    [this](std::size_t k, Monitor& own)
     {
-      const std::size_t block = this->LargestFirst[k];
-      BlockMesh& mesh = this->Meshes[block];
-      mesh.Triangles =
-        TriangulateBites(this->Parts.Blocks[block].Geometry, {}, mesh.Bites, found[block], own);
+      if (this->AreTriangulated[this->LargestFirst[k]] == 0)
+      {
+        this->TriangulateBlock(this->LargestFirst[k], own);
+      }
     });
-  for (std::size_t block = 0; block < found.size() && !AddAborted(part, problems); ++block)
+  for (std::size_t block = 0; block < this->Found.size() && !AddAborted(part, problems); ++block)
   {
-    AddAll(found[block], problems);
+    AddAll(this->Found[block], problems);
   }
+  this->Found.clear();
   return {};
+}
+
+void BlockMesher::TriangulateBlock(std::size_t block, Monitor& monitor)
+{
+  BlockMesh& mesh = this->Meshes[block];
+  mesh.Triangles = TriangulateBites(
+    this->Parts.Blocks[block].Geometry, {}, mesh.Bites, this->Found[block], monitor);
+  this->AreTriangulated[block] = 1;
 }
 
 void BlockMesher::Relax(

@@ -16,7 +16,8 @@
 #include "CutTree.h"
 #include "JoinedBlocks.h"
 
-#include <vector> // for the blocks
+#include <cstdint> // for flags
+#include <vector>  // for the blocks
 
 namespace biting
 {
@@ -67,6 +68,7 @@ private:
   void RefuseTooManyVertices(ProblemList& problems) const;
   bool IsCollecting() const { return this->Members.Own() == 0 && this->Members.Size() > 1; }
   void BiteBlock(std::size_t block, Monitor& monitor);
+  void TriangulateBlock(std::size_t block, Monitor& monitor);
   void RelaxBlocks(ProblemList& problems, Monitor& monitor);
   void SendOwn();
   void Collect(Monitor& monitor);
@@ -83,6 +85,8 @@ private:
   std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks
   std::vector<std::vector<std::size_t>> Shares; ///< of the members: blocks, the largest first
   std::vector<BlockMesh> Meshes;
+  std::vector<ProblemList> Found; ///< in the triangulations of the blocks
+  std::vector<std::uint8_t> AreTriangulated;
   JoinedMesh Joined;
 };
 

@@ -3,10 +3,11 @@
 
 #include "CutFrame.h"
 
-#include "../Base/Ids.h"
+#include "../Base/Tasks.h"
 
 #include <algorithm> // for partial_sort_copy, min, max
 #include <cmath>     // for abs
+#include <cstddef>   // for counts
 #include <vector>    // for segments
 
 namespace biting
@@ -22,35 +23,68 @@ constexpr double LeastAlongAxes = 0.3;   // of the boundary
 constexpr double OverCoordinates = 1.25; // so much more than along the axes of the coordinates
 
 // Segments of the boundary as vectors.
-std::vector<Point2> WaysOf(const Domain& domain)
+std::vector<Point2> WaysOf(const Domain& domain, Pulse& pulse)
 {
   std::vector<Point2> ways;
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    if (domain.IsBoundary[segment] != 0)
+  pulse.ForEach(static_cast<std::size_t>(domain.NumberOfSegments()),
+    [&domain, &ways](std::size_t segment)
     {
-      ways.push_back(
-        domain.Vertices[domain.Ends[segment]] - domain.Vertices[domain.Starts[segment]]);
-    }
-  }
+      if (domain.IsBoundary[segment] != 0)
+      {
+        ways.push_back(
+          domain.Vertices[domain.Ends[segment]] - domain.Vertices[domain.Starts[segment]]);
+      }
+    });
   return ways;
 }
 
-// How much runs along the axis.
-double LengthAlong(const std::vector<Point2>& ways, const Point2& axis)
+// How much runs along an axis, and along the one across.
+struct LengthsAlong
 {
-  double sum = 0.0;
-  for (const Point2& way : ways)
+  double Axis = 0.0;
+  double Across = 0.0;
+
+  void Add(const Point2& axis, const Point2& way)
   {
     const double length = Length(way);
-    sum += std::abs(Cross(axis, way)) <= ParallelWithin * length ? length : 0.0;
+    this->Axis += std::abs(Cross(axis, way)) <= ParallelWithin * length ? length : 0.0;
+    this->Across += std::abs(Dot(axis, way)) <= ParallelWithin * length ? length : 0.0;
   }
-  return sum;
-}
 
-double LengthAlongBoth(const std::vector<Point2>& ways, const Point2& axis)
+  double Both() const { return this->Axis + this->Across; }
+};
+
+// Of several axes at once.
+struct LengthsAlongAxes
 {
-  return LengthAlong(ways, axis) + LengthAlong(ways, Perpendicular(axis));
+  double All = 0.0;
+  std::vector<LengthsAlong> Along;
+
+  void Join(const LengthsAlongAxes& other)
+  {
+    this->All += other.All;
+    for (std::size_t axis = 0; axis < this->Along.size(); ++axis)
+    {
+      this->Along[axis].Axis += other.Along[axis].Axis;
+      this->Along[axis].Across += other.Along[axis].Across;
+    }
+  }
+};
+
+LengthsAlongAxes LengthsOf(
+  const std::vector<Point2>& ways, const std::vector<Point2>& axes, Pulse& pulse)
+{
+  LengthsAlongAxes none;
+  none.Along.resize(axes.size());
+  return SumAtOnce(pulse, ways.size(), none,
+    [&ways, &axes](LengthsAlongAxes& sum, std::size_t k)
+    {
+      sum.All += Length(ways[k]);
+      for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      {
+        sum.Along[axis].Add(axes[axis], ways[k]);
+      }
+    });
 }
 
 // Turned by right angles, within 45 degrees of the first axis.
@@ -64,18 +98,9 @@ Point2 AxisAlong(const Point2& way)
   return axis;
 }
 
-} // namespace
-
-CutFrame FrameOf(const Domain& domain)
+// Those of the coordinates, then those of the longest segments.
+std::vector<Point2> AxesAlong(const std::vector<Point2>& ways)
 {
-  const std::vector<Point2> ways = WaysOf(domain);
-  double all = 0.0;
-  for (const Point2& way : ways)
-  {
-    all += Length(way);
-  }
-  CutFrame frame;
-  double most = std::max(LeastAlongAxes * all, OverCoordinates * LengthAlongBoth(ways, frame.Axis));
   std::vector<Point2> longest(std::min(MostDirections, ways.size()));
   std::partial_sort_copy(ways.begin(), ways.end(), longest.begin(), longest.end(),
     [](const Point2& a, const Point2& b)
@@ -84,19 +109,36 @@ CutFrame FrameOf(const Domain& domain)
       const double second = Dot(b, b);
       return first != second ? first > second : a < b;
     });
+  std::vector<Point2> axes{ CutFrame().Axis };
   for (const Point2& way : longest)
   {
-    const Point2 axis = AxisAlong(way);
-    const double along = LengthAlongBoth(ways, axis);
-    if (along > most)
+    axes.push_back(AxisAlong(way));
+  }
+  return axes;
+}
+
+} // namespace
+
+CutFrame FrameOf(const Domain& domain, Pulse& pulse)
+{
+  const std::vector<Point2> ways = WaysOf(domain, pulse);
+  const std::vector<Point2> axes = AxesAlong(ways);
+  const LengthsAlongAxes lengths = LengthsOf(ways, axes, pulse);
+  const double least = LeastAlongAxes * lengths.All;
+  std::size_t best = 0;
+  double most = std::max(least, OverCoordinates * lengths.Along[0].Both());
+  for (std::size_t axis = 1; axis < axes.size(); ++axis)
+  {
+    if (lengths.Along[axis].Both() > most)
     {
-      frame.Axis = axis;
-      most = along;
+      best = axis;
+      most = lengths.Along[axis].Both();
     }
   }
-  const double along = LengthAlong(ways, frame.Axis);
-  const double across = LengthAlong(ways, Perpendicular(frame.Axis));
-  if (std::max(along, across) > std::max(LeastAlongAxes * all, FarMore * std::min(along, across)))
+  CutFrame frame;
+  frame.Axis = axes[best];
+  const auto [along, across] = lengths.Along[best];
+  if (std::max(along, across) > std::max(least, FarMore * std::min(along, across)))
   {
     frame.IsMostlyVertical = across > along;
   }

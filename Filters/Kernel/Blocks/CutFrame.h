@@ -6,6 +6,7 @@
 
 #include "../Base/Box2.h"
 #include "../Base/Point2.h"
+#include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 
 #include <optional> // for what is not so
@@ -34,8 +35,8 @@ struct CutFrame
 /// The axes along which, or across, the most of the boundary runs, of the directions of its longest
 /// segments, where that is a good part of it; else those of the coordinates. Fronts that leave the
 /// boundary and those that leave cuts then make one lattice, however the drawing is turned. Depends
-/// on the domain alone.
-CutFrame FrameOf(const Domain& domain);
+/// on the domain alone. Where the monitor wants to stop the result has no meaning.
+CutFrame FrameOf(const Domain& domain, Pulse& pulse);
 
 /// The box of a domain in the frame.
 Box2 BoundsIn(const CutFrame& frame, const Domain& domain);

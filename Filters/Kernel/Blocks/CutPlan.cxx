@@ -135,7 +135,7 @@ public:
     , F(spacing)
     , Options(options)
     , Beats(pulse)
-    , Frame(FrameOf(domain))
+    , Frame(FrameOf(domain, pulse))
     , Rows(spacing, BoundsIn(Frame, domain), options.SideLength, Frame)
   {
     this->Plan.Tree.Frame = this->Frame;

@@ -8,6 +8,7 @@
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
 #include "JoinedBlocks.h"
+#include "StripReturn.h"
 
 #include <cstdint> // for flags
 #include <vector>  // for flags
@@ -20,7 +21,7 @@ namespace biting
 /// segment nearly touches another. What is farther away stays. Vertices of the domain keep their
 /// numbers, the others their order; new ones come last, and so do triangles of the strip. Where
 /// the monitor wants to stop the result has no meaning.
-void RelaxCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+StripChange RelaxCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
   const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor);
 
 } // namespace biting

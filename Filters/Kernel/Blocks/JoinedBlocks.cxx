@@ -5,10 +5,11 @@
 
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
+#include "DisjointSets.h"
+#include "StripParts.h"
 
-#include <algorithm>  // for max, max_element, stable_sort
+#include <algorithm>  // for max_element, stable_sort
 #include <functional> // for tasks
-#include <numeric>    // for iota
 #include <tuple>      // for comparing
 #include <utility>    // for move
 
@@ -41,21 +42,6 @@ struct CutSide
   Id Slot = NoId;
 };
 
-// Where the first of a block's own goes.
-struct BlockPlace
-{
-  Id Vertex = 0; ///< that it shares with none
-  Id Order = 0;
-  Id Triangle = 0;
-  Id Face = 0; ///< a region of the block
-};
-
-template <typename Value>
-void MakeRoom(std::vector<Value>& values, std::size_t size, Pulse& pulse)
-{
-  GrowInSteps(values, size, Value(), pulse);
-}
-
 // As tasks: most of the time goes into touching memory first.
 void MakeRooms(const std::vector<std::function<void(Pulse&)>>& rooms, Pulse& pulse)
 {
@@ -79,6 +65,7 @@ public:
     , Places(meshes.size() + 1)
     , EdgePlaces(meshes.size())
     , Sides(meshes.size())
+    , NearCuts(meshes.size())
   {
   }
 
@@ -92,14 +79,14 @@ private:
   void ListEdges(std::size_t block);
   bool JoinVertices();
   bool JoinTriangles();
-  void CopyVertices(std::size_t block);
-  void CopyTriangles(std::size_t block);
+  void CopyVertices(std::size_t block, Pulse& pulse);
+  void CopyTriangles(std::size_t block, Pulse& pulse);
+  void FindNearCuts(std::size_t block, Pulse& pulse);
   void CopySlot(std::size_t block, std::size_t slot);
   void LinkCuts();
   void Link(const CutSide& side, const CutSide& other);
   bool Fits(const CutSide& side, const CutSide& other) const;
   void NumberRegions();
-  Id Face(Id face);
 
   Id NumberOf(std::size_t block, Id vertex) const
   {
@@ -107,6 +94,12 @@ private:
     const Id count = static_cast<Id>(shared.size());
     return vertex < count ? this->SharedNumbers[shared[vertex]]
                           : this->Places[block].Vertex + vertex - count;
+  }
+
+  std::size_t NumberOfVertices(std::size_t block) const
+  {
+    const Id own = this->Places[block + 1].Vertex - this->Places[block].Vertex;
+    return this->Parts.Blocks[block].Vertices.size() + static_cast<std::size_t>(own);
   }
 
   const Domain& Geometry;
@@ -120,9 +113,10 @@ private:
   std::vector<JoinedEdge> Edges;           ///< in their order
   std::vector<std::vector<Id>> EdgePlaces; ///< of the edges of each block in Edges, or NoId
   std::vector<std::vector<CutSide>> Sides; ///< of each block
+  std::vector<TriangleList> NearCuts;      ///< of each block, in the whole
   std::vector<Id> Faces;                   ///< of the triangles
   std::vector<Id> EdgeFaces;               ///< to the left and the right of the edges
-  std::vector<Id> Parents; ///< of the faces: one that is joined with it, not greater
+  DisjointSets JoinedFaces;
 };
 
 JoinedMesh Joiner::Join()
@@ -184,8 +178,7 @@ void Joiner::PlaceBlocks()
       place.Order + sizeOf(orders), place.Triangle + mesh.Triangles.NumberOfTriangles(),
       place.Face + sizeOf(regions) };
   }
-  this->Parents.resize(static_cast<std::size_t>(this->Places.back().Face));
-  std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  this->JoinedFaces = DisjointSets(static_cast<std::size_t>(this->Places.back().Face));
 }
 
 void Joiner::AddShared(std::size_t block)
@@ -253,18 +246,18 @@ bool Joiner::JoinVertices()
   const PulsePart part(this->Beats, 0.0, VerticesEnd);
   const std::size_t vertices = static_cast<std::size_t>(this->Places.back().Vertex);
   BitingResult& bites = this->Result.Bites;
-  MakeRooms({ [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Points, vertices, pulse); },
-              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Spacings, vertices, pulse); },
-              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.BiteOrders, vertices, pulse); },
-              [&bites, vertices](Pulse& pulse) { MakeRoom(bites.Segments, vertices, pulse); },
-              [this, vertices](Pulse& pulse) { MakeRoom(this->Result.IsOnCut, vertices, pulse); } },
+  MakeRooms(
+    { [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Points, vertices, Point2(), pulse); },
+      [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Spacings, vertices, 0.0, pulse); },
+      [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.BiteOrders, vertices, Id{ 0 }, pulse); },
+      [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Segments, vertices, Id{ 0 }, pulse); } },
     this->Beats);
   return DoTasks(this->Beats, this->Meshes.size(),
     [this](std::size_t block, Monitor& own)
     {
-      this->CopyVertices(block);
-      BitingResult& from = this->Meshes[block].Bites;
       Pulse pulse(own);
+      this->CopyVertices(block, pulse);
+      BitingResult& from = this->Meshes[block].Bites;
       ReleaseInSteps(pulse, from.Points, from.Spacings, from.BiteOrders, from.Segments);
     });
 }
@@ -274,52 +267,86 @@ bool Joiner::JoinTriangles()
   const PulsePart part(this->Beats, VerticesEnd, CopyingEnd);
   const std::size_t triangles = static_cast<std::size_t>(this->Places.back().Triangle);
   Triangulation& mesh = this->Result.Triangles;
-  MakeRooms(
-    { [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Corners, 3 * triangles, pulse); },
-      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Neighbors, 3 * triangles, pulse); },
-      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Constraints, 3 * triangles, pulse); },
-      [&mesh, triangles](Pulse& pulse) { MakeRoom(mesh.Regions, triangles, pulse); },
-      [this, triangles](Pulse& pulse) { MakeRoom(this->Faces, triangles, pulse); } },
-    this->Beats);
-  return DoTasks(this->Beats, this->Meshes.size(),
-    [this](std::size_t block, Monitor&)
+  std::vector<std::function<void(Pulse&)>> rooms;
+  for (std::vector<Id>* slots : { &mesh.Corners, &mesh.Neighbors, &mesh.Constraints })
+  {
+    rooms.emplace_back(
+      [slots, triangles](Pulse& pulse) { GrowInSteps(*slots, 3 * triangles, Id{ 0 }, pulse); });
+  }
+  for (std::vector<Id>* values : { &mesh.Regions, &this->Faces })
+  {
+    rooms.emplace_back(
+      [values, triangles](Pulse& pulse) { GrowInSteps(*values, triangles, Id{ 0 }, pulse); });
+  }
+  MakeRooms(rooms, this->Beats);
+  DoTasks(this->Beats, this->Meshes.size(),
+    [this](std::size_t block, Monitor& own)
     {
-      this->CopyTriangles(block);
+      Pulse pulse(own);
+      this->CopyTriangles(block, pulse);
+      this->FindNearCuts(block, pulse);
       this->Meshes[block] = BlockMesh();
     });
+  for (const TriangleList& near : this->NearCuts)
+  {
+    this->Result.NearCuts.insert(this->Result.NearCuts.end(), near.begin(), near.end());
+  }
+  return !this->Beats.HasStopped();
 }
 
-void Joiner::CopyVertices(std::size_t block)
+void Joiner::CopyVertices(std::size_t block, Pulse& pulse)
 {
   const BitingResult& from = this->Meshes[block].Bites;
   const BlockDomain& part = this->Parts.Blocks[block];
   BitingResult& to = this->Result.Bites;
-  for (std::size_t vertex = part.Vertices.size(); vertex < from.Points.size(); ++vertex)
-  {
-    const std::size_t number =
-      static_cast<std::size_t>(this->NumberOf(block, static_cast<Id>(vertex)));
-    const Id order = from.BiteOrders[vertex];
-    const Id segment = from.Segments[vertex];
-    to.Points[number] = from.Points[vertex];
-    to.Spacings[number] = from.Spacings[vertex];
-    to.BiteOrders[number] = order == NoId ? NoId : this->Places[block].Order + order;
-    to.Segments[number] =
-      segment == NoId ? NoId : this->Parts.Graph.Pieces[part.Pieces[segment]].Segment;
-  }
+  const std::size_t shared = part.Vertices.size();
+  pulse.ForEach(from.Points.size() - shared,
+    [this, block, shared, &from, &part, &to](std::size_t k)
+    {
+      const std::size_t vertex = shared + k;
+      const std::size_t number = static_cast<std::size_t>(this->Places[block].Vertex) + k;
+      const Id order = from.BiteOrders[vertex];
+      const Id segment = from.Segments[vertex];
+      to.Points[number] = from.Points[vertex];
+      to.Spacings[number] = from.Spacings[vertex];
+      to.BiteOrders[number] = order == NoId ? NoId : this->Places[block].Order + order;
+      to.Segments[number] =
+        segment == NoId ? NoId : this->Parts.Graph.Pieces[part.Pieces[segment]].Segment;
+    });
 }
 
-void Joiner::CopyTriangles(std::size_t block)
+void Joiner::CopyTriangles(std::size_t block, Pulse& pulse)
 {
   const Triangulation& from = this->Meshes[block].Triangles;
   const BlockPlace& place = this->Places[block];
-  for (std::size_t slot = 0; slot < from.Corners.size(); ++slot)
+  pulse.ForEach(
+    from.Corners.size(), [this, block](std::size_t slot) { this->CopySlot(block, slot); });
+  pulse.ForEach(from.Regions.size(),
+    [this, &from, &place](std::size_t triangle)
+    {
+      this->Faces[static_cast<std::size_t>(place.Triangle) + triangle] =
+        place.Face + from.Regions[triangle];
+    });
+}
+
+// What is near a cut across other blocks is at their cuts as well.
+void Joiner::FindNearCuts(std::size_t block, Pulse& pulse)
+{
+  const BlockMesh& mesh = this->Meshes[block];
+  const std::vector<Id>& edges = this->EdgePlaces[block];
+  std::vector<Id> ends;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
-    this->CopySlot(block, slot);
+    if (edges[edge] == NoId)
+    {
+      ends.insert(ends.end(), { mesh.Bites.EdgeStarts[edge], mesh.Bites.EdgeEnds[edge] });
+    }
   }
-  for (std::size_t triangle = 0; triangle < from.Regions.size(); ++triangle)
+  TriangleList& triangles = this->NearCuts[block];
+  triangles = TrianglesAround(mesh.Triangles, this->NumberOfVertices(block), ends, pulse);
+  for (Id& triangle : triangles)
   {
-    this->Faces[static_cast<std::size_t>(place.Triangle) + triangle] =
-      place.Face + from.Regions[triangle];
+    triangle += this->Places[block].Triangle;
   }
 }
 
@@ -378,13 +405,7 @@ void Joiner::Link(const CutSide& side, const CutSide& other)
   Triangulation& mesh = this->Result.Triangles;
   mesh.Neighbors[side.Slot] = other.Triangle;
   mesh.Neighbors[other.Slot] = side.Triangle;
-  for (const Id slot : { side.Slot, other.Slot })
-  {
-    this->Result.IsOnCut[mesh.Corners[slot - slot % 3 + (slot + 1) % 3]] = 1;
-  }
-  const Id face = this->Face(this->Faces[side.Triangle]);
-  const Id joined = this->Face(this->Faces[other.Triangle]);
-  this->Parents[std::max(face, joined)] = std::min(face, joined);
+  this->JoinedFaces.Unite(this->Faces[side.Triangle], this->Faces[other.Triangle]);
 }
 
 bool Joiner::Fits(const CutSide& side, const CutSide& other) const
@@ -396,31 +417,21 @@ bool Joiner::Fits(const CutSide& side, const CutSide& other) const
     corner(side.Slot, 2) == corner(other.Slot, 1);
 }
 
-Id Joiner::Face(Id face)
-{
-  while (this->Parents[face] != face)
-  {
-    this->Parents[face] = this->Parents[this->Parents[face]];
-    face = this->Parents[face];
-  }
-  return face;
-}
-
 // As one meets them along the constraints, the left side of each before the right.
 void Joiner::NumberRegions()
 {
-  std::vector<Id> numbers(this->Parents.size(), NoId);
+  std::vector<Id> numbers(this->JoinedFaces.Size(), NoId);
   Id next = 0;
   for (const Id face : this->EdgeFaces)
   {
-    if (face != NoId && numbers[this->Face(face)] == NoId)
+    if (face != NoId && numbers[this->JoinedFaces.SetOf(face)] == NoId)
     {
-      numbers[this->Face(face)] = next++;
+      numbers[this->JoinedFaces.SetOf(face)] = next++;
     }
   }
   for (Id face = 0; face < static_cast<Id>(numbers.size()); ++face)
   {
-    numbers[face] = numbers[this->Face(face)];
+    numbers[face] = numbers[this->JoinedFaces.SetOf(face)];
   }
   ForEachAtOnce(this->Beats, this->Faces.size(),
     [this, &numbers](std::size_t triangle)

@@ -11,7 +11,7 @@
 #include "../Domain/Domain.h"
 #include "BlockDomains.h"
 
-#include <cstdint> // for flags, counts
+#include <cstdint> // for counts
 #include <vector>  // for the blocks
 
 namespace biting
@@ -25,13 +25,22 @@ struct BlockMesh
   std::int64_t Bitten = 0; ///< vertices, before relaxation
 };
 
+/// Where the first of a block's own goes.
+struct BlockPlace
+{
+  Id Vertex = 0; ///< that it shares with none
+  Id Order = 0;
+  Id Triangle = 0;
+  Id Face = 0; ///< a region of the block
+};
+
 /// One mesh of a domain, as if it had not been cut: cuts are no constraints of it.
 struct JoinedMesh
 {
   BitingResult Bites;
   Triangulation Triangles;
-  std::vector<std::uint8_t> IsOnCut; ///< of the vertices
-  bool IsSound = true;               ///< false: the sides of a cut do not fit
+  std::vector<Id> NearCuts; ///< triangles at cuts, and those around them (StripParts.h), rising
+  bool IsSound = true;      ///< false: the sides of a cut do not fit
 };
 
 /// Joins the meshes of all blocks. Vertices: those of the domain, in their order, those of cuts,

@@ -55,15 +55,17 @@ void Flip(Triangulation& mesh, std::size_t slot, std::size_t across)
 
 } // namespace
 
-void FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
+bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
   Triangulation& mesh, Pulse& pulse)
 {
+  bool isWhole = true;
   while (!slots.empty() && pulse.Beat())
   {
     const std::size_t slot = slots.back();
     slots.pop_back();
     if (mesh.Neighbors[slot] == NoId || mesh.Constraints[slot] != NoId)
     {
+      isWhole = isWhole && mesh.Constraints[slot] != NoId;
       continue;
     }
     const std::size_t across = Across(mesh, slot);
@@ -75,6 +77,7 @@ void FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_
       slots.insert(slots.end(), { slot, Turned(slot, 2), across, Turned(across, 2) });
     }
   }
+  return isWhole;
 }
 
 } // namespace biting

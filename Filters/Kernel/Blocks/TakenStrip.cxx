@@ -3,30 +3,17 @@
 
 #include "TakenStrip.h"
 
-#include "../Base/Tasks.h"
 #include "../Base/TriangleSlots.h"
 #include "../Relaxation/DividedSegments.h"
 
-#include <algorithm> // for sort, unique, lower_bound, stable_partition
+#include <algorithm> // for sort, lower_bound, stable_partition
+#include <utility>   // for move
 
 namespace biting
 {
 
 namespace
 {
-
-constexpr int Steps = 6; // across edges; two are about a ring of vertices
-
-// Triangles in the order of their numbers, found part by part.
-struct TriangleList
-{
-  std::vector<Id> Triangles;
-
-  void Join(const TriangleList& other)
-  {
-    this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
-  }
-};
 
 // Constraints of the whole with an end that may slide, and on which of their sides the strip is.
 class SlidingEdges
@@ -82,27 +69,33 @@ Id SlidingEdges::PlaceOf(Id constraint) const
     : NoId;
 }
 
+} // namespace
+
 class StripTaker
 {
 public:
-  StripTaker(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
-    const JoinedMesh& mesh, Pulse& pulse)
-    : Geometry(domain)
-    , AreTouching(areTouching)
-    , Whole(mesh)
+  StripTaker(StripSource& source, std::vector<Id> triangles, Pulse& pulse)
+    : Geometry(source.Geometry)
+    , AreTouching(source.AreTouching)
+    , Whole(source.Whole)
     , Beats(pulse)
+    , TriangleNumbers(source.TriangleNumbers)
+    , Numbers(source.VertexNumbers)
   {
+    this->Strip.Triangles = std::move(triangles);
   }
 
   TakenStrip Take();
 
 private:
-  void FindTriangles();
-  void AddAcross(std::size_t first, std::vector<std::uint8_t>& isTaken);
   void NumberTriangles();
   bool IsFixed(std::size_t slot) const;
   void ListVertices();
   bool StaysByItself(Id vertex) const;
+  bool IsTouching(Id segment) const
+  {
+    return !this->AreTouching.empty() && this->AreTouching[segment] != 0;
+  }
   bool MaySlideAlong(std::size_t slot, Id vertex) const;
   void NumberVertices();
   bool Slides(Id vertex) const
@@ -124,14 +117,14 @@ private:
   const JoinedMesh& Whole;
   Pulse& Beats;
   TakenStrip Strip;
-  std::vector<Id> Numbers; ///< of the whole's vertices in the strip, or NoId
+  std::vector<Id>& TriangleNumbers;
+  std::vector<Id>& Numbers; ///< of the whole's vertices in the strip, or NoId
   std::size_t NumberOfFixed = 0;
   SlidingEdges Sliding; ///< the first edges of the strip
 };
 
 TakenStrip StripTaker::Take()
 {
-  this->FindTriangles();
   if (!this->Strip.IsEmpty() && this->Beats.Ask())
   {
     this->NumberTriangles();
@@ -148,58 +141,11 @@ TakenStrip StripTaker::Take()
   return std::move(this->Strip);
 }
 
-// Those at cuts, then step by step those across edges.
-void StripTaker::FindTriangles()
-{
-  const std::vector<Id>& corners = this->Whole.Triangles.Corners;
-  const std::vector<std::uint8_t>& isOnCut = this->Whole.IsOnCut;
-  std::vector<Id>& triangles = this->Strip.Triangles;
-  triangles = SumAtOnce(this->Beats, corners.size() / 3, TriangleList(),
-    [&corners, &isOnCut](TriangleList& list, std::size_t triangle)
-    {
-      const Id* own = corners.data() + 3 * triangle;
-      if (isOnCut[own[0]] != 0 || isOnCut[own[1]] != 0 || isOnCut[own[2]] != 0)
-      {
-        list.Triangles.push_back(static_cast<Id>(triangle));
-      }
-    }).Triangles;
-  std::vector<std::uint8_t> isTaken(corners.size() / 3, 0);
-  for (const Id triangle : triangles)
-  {
-    isTaken[triangle] = 1;
-  }
-  std::size_t begin = 0;
-  for (int step = 0; step < Steps; ++step)
-  {
-    const std::size_t end = triangles.size();
-    for (; begin < end && this->Beats.Beat(); ++begin)
-    {
-      this->AddAcross(3 * static_cast<std::size_t>(triangles[begin]), isTaken);
-    }
-  }
-  std::sort(triangles.begin(), triangles.end());
-}
-
-void StripTaker::AddAcross(std::size_t first, std::vector<std::uint8_t>& isTaken)
-{
-  for (std::size_t slot = first; slot < first + 3; ++slot)
-  {
-    const Id next = this->Whole.Triangles.Neighbors[slot];
-    if (next != NoId && isTaken[next] == 0)
-    {
-      isTaken[next] = 1;
-      this->Strip.Triangles.push_back(next);
-    }
-  }
-}
-
 void StripTaker::NumberTriangles()
 {
-  GrowInSteps(
-    this->Strip.TriangleNumbers, this->Whole.Triangles.Regions.size(), Id{ NoId }, this->Beats);
   for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
   {
-    this->Strip.TriangleNumbers[this->Strip.Triangles[k]] = static_cast<Id>(k);
+    this->TriangleNumbers[this->Strip.Triangles[k]] = static_cast<Id>(k);
   }
 }
 
@@ -208,13 +154,12 @@ bool StripTaker::IsFixed(std::size_t slot) const
 {
   const Id neighbor = this->Whole.Triangles.Neighbors[slot];
   return this->Whole.Triangles.Constraints[slot] != NoId || neighbor == NoId ||
-    this->Strip.TriangleNumbers[neighbor] == NoId;
+    this->TriangleNumbers[neighbor] == NoId;
 }
 
 // In the order of the whole; their numbers are 0 where they are fixed, else 1.
 void StripTaker::ListVertices()
 {
-  GrowInSteps(this->Numbers, this->Whole.Bites.Points.size(), Id{ NoId }, this->Beats);
   std::vector<Id>& vertices = this->Strip.Vertices;
   for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
   {
@@ -242,7 +187,7 @@ bool StripTaker::StaysByItself(Id vertex) const
   const Id segment = this->Whole.Bites.Segments[vertex];
   return vertex < this->Geometry.NumberOfVertices() ||
     (segment != NoId &&
-      (this->Geometry.MustPreserve(segment) || this->AreTouching[segment] != 0 ||
+      (this->Geometry.MustPreserve(segment) || this->IsTouching(segment) ||
         !IsFarAboveRounding(this->Whole.Bites.Spacings[vertex], this->Geometry)));
 }
 
@@ -253,7 +198,7 @@ bool StripTaker::MaySlideAlong(std::size_t slot, Id vertex) const
   const Id constraint = this->Whole.Triangles.Constraints[slot];
   return constraint != NoId &&
     this->Whole.Bites.EdgeSegments[constraint] == this->Whole.Bites.Segments[vertex] &&
-    (neighbor == NoId || this->Strip.TriangleNumbers[neighbor] != NoId);
+    (neighbor == NoId || this->TriangleNumbers[neighbor] != NoId);
 }
 
 // Fixed ones first.
@@ -362,7 +307,7 @@ void StripTaker::CopySlot(std::size_t slot)
   const Triangulation& whole = this->Whole.Triangles;
   Triangulation& strip = this->Strip.Mesh.Triangles;
   const Id neighbor = whole.Neighbors[slot];
-  const Id inside = neighbor == NoId ? NoId : this->Strip.TriangleNumbers[neighbor];
+  const Id inside = neighbor == NoId ? NoId : this->TriangleNumbers[neighbor];
   strip.Corners.push_back(this->Numbers[whole.Corners[slot]]);
   strip.Neighbors.push_back(inside);
   strip.Constraints.push_back(NoId);
@@ -395,7 +340,7 @@ void StripTaker::AddFixedEdge(std::size_t slot, Id start, Id end)
 {
   const Triangulation& whole = this->Whole.Triangles;
   const Id neighbor = whole.Neighbors[slot];
-  const bool isInside = neighbor != NoId && this->Strip.TriangleNumbers[neighbor] != NoId;
+  const bool isInside = neighbor != NoId && this->TriangleNumbers[neighbor] != NoId;
   TakenStrip::Side side;
   side.Constraint = whole.Constraints[slot];
   side.Outside = neighbor == NoId || isInside
@@ -421,12 +366,19 @@ void StripTaker::FillDomain()
   border.Resolution = this->Geometry.Resolution;
 }
 
-} // namespace
-
-TakenStrip TakeStrip(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+StripSource::StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
   const JoinedMesh& mesh, Pulse& pulse)
+  : Geometry(domain)
+  , AreTouching(areTouching)
+  , Whole(mesh)
 {
-  return StripTaker(domain, areTouching, mesh, pulse).Take();
+  GrowInSteps(this->TriangleNumbers, mesh.Triangles.Regions.size(), Id{ NoId }, pulse);
+  GrowInSteps(this->VertexNumbers, mesh.Bites.Points.size(), Id{ NoId }, pulse);
+}
+
+TakenStrip StripSource::Take(std::vector<Id> triangles, Pulse& pulse)
+{
+  return StripTaker(*this, std::move(triangles), pulse).Take();
 }
 
 } // namespace biting

@@ -16,9 +16,8 @@
 namespace biting
 {
 
-/// The triangles within some rings around the cuts, as a mesh of a domain. Its segments are edges
-/// that stay, which are preserved, and runs of edges on one segment of the whole, whose vertices
-/// may slide, or go.
+/// Some triangles of a mesh, as a mesh of a domain. Its segments are edges that stay, which are
+/// preserved, and runs of edges on one segment of the whole, whose vertices may slide, or go.
 struct TakenStrip
 {
   /// Of an edge that stays: what lies across it, if that is not of the strip, and its constraint.
@@ -36,18 +35,37 @@ struct TakenStrip
     return static_cast<std::size_t>(vertex) < this->Border.Vertices.size();
   }
 
-  std::vector<Id> Triangles;       ///< of the whole, that are of the strip
-  std::vector<Id> TriangleNumbers; ///< of the whole's triangles in the strip, or NoId
-  std::vector<Id> Vertices;        ///< of the whole, that are of the strip: fixed ones first
-  std::vector<Side> Sides;         ///< of the segments of the border
+  std::vector<Id> Triangles; ///< of the whole, that are of the strip
+  std::vector<Id> Vertices;  ///< of the whole, that are of the strip: fixed ones first
+  std::vector<Side> Sides;   ///< of the segments of the border
   Domain Border;
   RelaxationMesh Mesh;
 };
 
-/// Vertices slide on segments that are not preserved, and do not nearly touch others, as far as
-/// they are inside of the strip. Where the monitor wants to stop the result has no meaning.
-TakenStrip TakeStrip(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
-  const JoinedMesh& mesh, Pulse& pulse);
+/// A mesh from which strips are taken, with memory for all of them together.
+class StripSource
+{
+public:
+  /// What it is made of must outlive it. `areTouching`: segments that nearly touch others; none
+  /// where it is empty.
+  StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+    const JoinedMesh& mesh, Pulse& pulse);
+
+  /// The strip of these triangles, which are in their order. Vertices slide on segments that are
+  /// not preserved, and do not nearly touch others, as far as they are inside of the strip. No two
+  /// strips of one source have a vertex in common: so they may be taken at the same time. Where the
+  /// monitor wants to stop the result has no meaning.
+  TakenStrip Take(std::vector<Id> triangles, Pulse& pulse);
+
+private:
+  friend class StripTaker;
+
+  const Domain& Geometry;
+  const std::vector<std::uint8_t>& AreTouching;
+  const JoinedMesh& Whole;
+  std::vector<Id> TriangleNumbers; ///< of the whole's in their strip, or NoId
+  std::vector<Id> VertexNumbers;
+};
 
 } // namespace biting
 

@@ -181,6 +181,18 @@ TEST(BlockMesher, MeshesAreTheSameToTheLastByteForAnyNumberOfThreads)
   }
 }
 
+/// Cuts are so long that what lies along them is relaxed part by part.
+TEST(BlockMesher, LongStripsAreTheSameToTheLastByteForAnyNumberOfThreads)
+{
+  const Case input{ "plan", Plan(), UniformSpacing(0.0045) };
+  const BitingMesh alone = MeshOf(input, 4000);
+  EXPECT_GT(alone.NumberOfBlocks, 8);
+  for (const int numberOfThreads : { 2, 3, 8 })
+  {
+    ExpectSame(MeshOf(input, 4000, numberOfThreads), alone);
+  }
+}
+
 TEST(BlockMesher, BlocksDifferFromOneBlockInTheMeshOnly)
 {
   constexpr std::int64_t VerticesPerBlock = 800;

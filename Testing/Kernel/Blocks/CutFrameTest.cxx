@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "../Support/MeshShapes.h"
+#include "../Support/Monitors.h"
 #include "../Support/PolylineShapes.h"
 
 #include "Blocks/CutFrame.h"
@@ -23,7 +24,8 @@ Point2 Direction(double angle)
 
 CutFrame FrameOfLoop(const std::vector<Point2>& loop)
 {
-  return FrameOf(Make(PolylineBuilder().Loop(loop).Lines()).Domain);
+  Pulse pulse(NoMonitor());
+  return FrameOf(Make(PolylineBuilder().Loop(loop).Lines()).Domain, pulse);
 }
 
 std::vector<Point2> Rectangle(double width, double height, double angle)
@@ -82,12 +84,29 @@ TEST(CutFrame, TellsAlongWhichAxisMostOfTheBoundaryRuns)
 
 TEST(CutFrame, WhereTheBoundaryHasNoDirectionAxesAreThoseOfTheCoordinates)
 {
+  Pulse pulse(NoMonitor());
   for (const CutFrame& frame : { FrameOfLoop(RegularPolygon({ 0.0, 0.0 }, 1.0, 90)),
-         FrameOfLoop(RegularPolygon({ 0.0, 0.0 }, 1.0, 5)), FrameOf(Domain()) })
+         FrameOfLoop(RegularPolygon({ 0.0, 0.0 }, 1.0, 5)), FrameOf(Domain(), pulse) })
   {
     EXPECT_TRUE(frame.Axis == (Point2{ 1.0, 0.0 }));
     EXPECT_FALSE(frame.IsMostlyVertical.has_value());
   }
+}
+
+/// Drawings may have millions of segments.
+TEST(CutFrame, AsksTheMonitorAllTheWayAlongTheBoundary)
+{
+  const Domain domain =
+    Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 40000)).Lines()).Domain;
+  StoppingMonitor monitor(1 << 20);
+  Pulse pulse(monitor);
+  FrameOf(domain, pulse);
+  EXPECT_GT(monitor.Calls, 16);
+  StoppingMonitor stopping(2);
+  Pulse stopped(stopping);
+  FrameOf(domain, stopped);
+  EXPECT_TRUE(stopped.HasStopped());
+  EXPECT_LT(stopping.Calls, 5);
 }
 
 } // namespace biting

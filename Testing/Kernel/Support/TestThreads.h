@@ -14,12 +14,13 @@
 namespace biting
 {
 
-/// So many threads, whatever the machine has.
+/// So many threads, whatever the machine has. The calling thread looks after them every so often.
 class TestThreads : public Executor
 {
 public:
-  explicit TestThreads(int numberOfThreads)
+  explicit TestThreads(int numberOfThreads, std::chrono::milliseconds betweenLooks)
     : Size(numberOfThreads)
+    , BetweenLooks(betweenLooks)
   {
   }
 
@@ -34,7 +35,7 @@ public:
     }
     for (const std::future<void>& thread : threads)
     {
-      while (thread.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready)
+      while (thread.wait_for(this->BetweenLooks) != std::future_status::ready)
       {
         watch();
       }
@@ -43,14 +44,16 @@ public:
 
 private:
   int Size;
+  std::chrono::milliseconds BetweenLooks;
 };
 
 /// Shows nothing, never stops, and has threads.
 class MonitorWithThreads : public SilentMonitor
 {
 public:
-  explicit MonitorWithThreads(int numberOfThreads)
-    : Workers(numberOfThreads)
+  explicit MonitorWithThreads(
+    int numberOfThreads, std::chrono::milliseconds betweenLooks = std::chrono::milliseconds(1))
+    : Workers(numberOfThreads, betweenLooks)
   {
   }
 

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingStripReturn_h
+#define BitingStripReturn_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "JoinedBlocks.h"
+#include "TakenStrip.h"
+
+#include <vector> // for the strips
+
+namespace biting
+{
+
+/// A strip whose mesh has been relaxed.
+struct RelaxedStrip
+{
+  TakenStrip Strip;
+  std::vector<Id> Origins; ///< of its vertices, in the strip as it was taken; NoId: new
+};
+
+/// What became of a mesh along its cuts, in its numbers before.
+struct StripChange
+{
+  std::vector<Id> GoneVertices; ///< rising
+  std::vector<Id> Triangles;    ///< of the strip, rising: in the place of these others came last
+  bool IsWhole = true;          ///< false: flips needed what is not there (RimFlips.h)
+};
+
+/// Puts strips, which have no vertex in common, back into the mesh that they were taken from.
+/// Vertices of the domain keep their numbers, the others their order; new ones come last, and so do
+/// the triangles of strips, strip by strip. The mesh is constrained Delaunay where strips meet the
+/// rest. Where the monitor wants to stop the result has no meaning.
+StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& mesh, Pulse& pulse);
+
+} // namespace biting
+
+#endif
