@@ -18,7 +18,8 @@ namespace biting
 class TestThreads : public Executor
 {
 public:
-  explicit TestThreads(int numberOfThreads, std::chrono::milliseconds betweenLooks)
+  explicit TestThreads(
+    int numberOfThreads, std::chrono::milliseconds betweenLooks = std::chrono::milliseconds(1))
     : Size(numberOfThreads)
     , BetweenLooks(betweenLooks)
   {
