@@ -30,6 +30,13 @@ constexpr double TakingEnd = 0.1;
 constexpr double RelaxingEnd = 0.8;
 constexpr double PartsEnd = 0.9;
 
+TakenStrip TakeNearCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
+  const JoinedMesh& mesh, Pulse& pulse)
+{
+  StripSource source(domain, areTouching, mesh, pulse);
+  return TakeStrip(source, mesh.NearCuts, pulse);
+}
+
 RelaxedStrip RelaxStrip(TakenStrip strip, const Spacing& spacing, Monitor& monitor)
 {
   RelaxedStrip relaxed;
@@ -51,7 +58,7 @@ bool RelaxParts(const Domain& domain, const Spacing& spacing, std::vector<Triang
     {
       PartOfStage taking(own, 0.0, TakingEnd);
       Pulse takingPulse(taking);
-      TakenStrip strip = source.Take(std::move(parts[k]), takingPulse);
+      TakenStrip strip = TakeStrip(source, std::move(parts[k]), takingPulse);
       PartOfStage relaxing(own, TakingEnd, 1.0);
       if (!takingPulse.HasStopped())
       {
@@ -145,8 +152,7 @@ StripChange RelaxCuts(const Domain& domain, const std::vector<std::uint8_t>& are
 {
   PartOfStage taking(monitor, 0.0, TakingEnd);
   Pulse takingPulse(taking);
-  TakenStrip strip =
-    StripSource(domain, areTouching, mesh, takingPulse).Take(mesh.NearCuts, takingPulse);
+  TakenStrip strip = TakeNearCuts(domain, areTouching, mesh, takingPulse);
   if (takingPulse.HasStopped() || strip.IsEmpty())
   {
     return {};

@@ -69,8 +69,6 @@ Id SlidingEdges::PlaceOf(Id constraint) const
     : NoId;
 }
 
-} // namespace
-
 class StripTaker
 {
 public:
@@ -366,6 +364,8 @@ void StripTaker::FillDomain()
   border.Resolution = this->Geometry.Resolution;
 }
 
+} // namespace
+
 StripSource::StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
   const JoinedMesh& mesh, Pulse& pulse)
   : Geometry(domain)
@@ -376,9 +376,9 @@ StripSource::StripSource(const Domain& domain, const std::vector<std::uint8_t>& 
   GrowInSteps(this->VertexNumbers, mesh.Bites.Points.size(), Id{ NoId }, pulse);
 }
 
-TakenStrip StripSource::Take(std::vector<Id> triangles, Pulse& pulse)
+TakenStrip TakeStrip(StripSource& source, std::vector<Id> triangles, Pulse& pulse)
 {
-  return StripTaker(*this, std::move(triangles), pulse).Take();
+  return StripTaker(source, std::move(triangles), pulse).Take();
 }
 
 } // namespace biting

@@ -43,29 +43,24 @@ struct TakenStrip
 };
 
 /// A mesh from which strips are taken, with memory for all of them together.
-class StripSource
+struct StripSource
 {
-public:
-  /// What it is made of must outlive it. `areTouching`: segments that nearly touch others; none
-  /// where it is empty.
+  /// What it is made of must outlive it.
   StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
     const JoinedMesh& mesh, Pulse& pulse);
 
-  /// The strip of these triangles, which are in their order. Vertices slide on segments that are
-  /// not preserved, and do not nearly touch others, as far as they are inside of the strip. No two
-  /// strips of one source have a vertex in common: so they may be taken at the same time. Where the
-  /// monitor wants to stop the result has no meaning.
-  TakenStrip Take(std::vector<Id> triangles, Pulse& pulse);
-
-private:
-  friend class StripTaker;
-
   const Domain& Geometry;
-  const std::vector<std::uint8_t>& AreTouching;
+  const std::vector<std::uint8_t>& AreTouching; ///< segments nearly touch others; empty: none does
   const JoinedMesh& Whole;
   std::vector<Id> TriangleNumbers; ///< of the whole's in their strip, or NoId
   std::vector<Id> VertexNumbers;
 };
+
+/// The strip of these triangles, which are in their order. Vertices slide on segments that are not
+/// preserved, and do not nearly touch others, as far as they are inside of the strip. No two strips
+/// of one source have a vertex in common: so they may be taken at the same time. Where the monitor
+/// wants to stop the result has no meaning.
+TakenStrip TakeStrip(StripSource& source, std::vector<Id> triangles, Pulse& pulse);
 
 } // namespace biting
 

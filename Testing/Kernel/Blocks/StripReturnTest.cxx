@@ -57,7 +57,7 @@ StripChange TakeAndReturn(const RawMesh& raw, std::size_t most, bool areRelaxed,
   for (TriangleList& part : DivideIntoParts(mesh.Triangles, mesh.Bites.Points.size(), most, pulse))
   {
     RelaxedStrip strip;
-    strip.Strip = source.Take(std::move(part), pulse);
+    strip.Strip = TakeStrip(source, std::move(part), pulse);
     strip.Origins.resize(strip.Strip.Vertices.size());
     std::iota(strip.Origins.begin(), strip.Origins.end(), 0);
     if (areRelaxed)
