@@ -113,20 +113,19 @@ int vtkBitingMesher::RequestData(
   biting::WholeInput drawing(ranks, inputVector[0]);
   biting::WholeInput source(ranks, inputVector[1]);
   biting::RankCrew crew(ranks, { &drawing, &source });
-  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   bool isSpread = false;
   if (ranks.IsFirst())
   {
     Execution execution(this, crew);
     execution.Run(drawing, source, outputVector);
-    isSpread = execution.Spread(ranks, outputVector);
+    isSpread = execution.HasSpread();
   }
   else if (ranks.AreSeveral())
   {
-    Execution(this, crew).Help(drawing, source);
-    ranks.ReceivePiece(mesh);
+    Execution(this, crew).Help(drawing, source, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, isSpread, this, outputVector);
+  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   this->Summary += biting::SummaryOf(mesh, watch.Seconds()) +
     biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);
   return 1; // also where there was an error: views keep the mesh before it where this is 0

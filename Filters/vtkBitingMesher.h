@@ -155,13 +155,14 @@
  * global ids, the mesh is the serial one, byte for byte.
  * @par
  * A mesh of blocks (Cost, below) is a work of all: the first rank sends them the inputs, each
- * prepares domain and spacing, plans the same cuts and meshes its share of the blocks; the first
- * joins them, relaxes what lies along the cuts, and checks and measures the whole. What a rank does
- * not deliver, for want of memory or since its arithmetic differs, the first makes itself. Without
- * MPI in VTK's build the first makes all.
+ * prepares domain and spacing, plans the same cuts and meshes its share of the blocks, which stay
+ * with it. The first gets what lies along the cuts, and at segments, relaxes it, and gives each its
+ * own of it; then each checks and measures its piece, and the first adds that up. What a rank does
+ * not deliver at first, for want of memory or since its arithmetic differs, the first makes itself;
+ * one that is lost later is an error. Without MPI in VTK's build the first makes all, and has all.
  * @par
- * Then such a mesh is handed out: each rank has the triangles of blocks that lie together, about as
- * many as the others, in the order of the serial mesh. Point and cell data then have
+ * So each rank has the triangles of blocks that lie together, about as many as the others, in the
+ * order of the serial mesh. Point and cell data then have
  * `GlobalPointIds` and `GlobalCellIds` (vtkIdType, the active global ids), the numbers in the
  * serial mesh, and points have `vtkGhostType`: DUPLICATEPOINT where the piece of a lower rank has
  * the point, too. Ghost levels that filters behind ask for are triangles of other ranks,
@@ -170,9 +171,10 @@
  * block, are the first rank's: the others have empty pieces with the same arrays. `MeshPointId` of
  * output 1 is the number in the serial mesh.
  * @par
- * The first rank needs the memory of a process that works alone, and inputs of at most 2 GB can be
- * gathered (Filters/README.md has figures). The processes are those of the global
- * vtkMultiProcessController where as many pieces are asked for; one that asks for piece 0 of 1
+ * Each rank needs memory for the inputs and its own piece, the first one for what lies along cuts
+ * and segments, too; inputs of at most 2 GB can be gathered (Filters/README.md has figures). The
+ * processes are those of the global vtkMultiProcessController where as many pieces are asked for;
+ * one that asks for piece 0 of 1
  * works alone. All ranks have to ask for the output together. A filter before this one that reports
  * an error on some ranks alone, with success and an empty output, as ParaView's scripts do, counts
  * as an empty piece. But one whose RequestData returns 0 on some ranks alone makes the others wait

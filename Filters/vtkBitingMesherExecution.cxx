@@ -9,7 +9,6 @@
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DomainMembership.h"
 #include "Bridge/FilterRun.h"
-#include "Bridge/MeshPieces.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
@@ -21,14 +20,19 @@
 #include "Bridge/TagComparison.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
+#include "Kernel/Blocks/ByteStream.h"
 #include "Kernel/MeshingStages.h"
+#include "Kernel/Pieces/CrewRounds.h"
 
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkOutputWindow.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <new>    // for bad_alloc
-#include <vector> // for pieces
+#include <new>     // for bad_alloc
+#include <utility> // for move
+#include <vector>  // for bytes
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -62,12 +66,14 @@ vtkBitingMesher::Execution::Execution(vtkBitingMesher* filter, biting::RankCrew&
 void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
   const biting::WholeInput& source, vtkInformationVector* outputs)
 {
+  this->ReadGhostLevels(outputs);
   const auto run = [this, &drawing, &source, outputs]()
   {
     if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
       this->ReadSpacing() && this->MakeMesh())
     {
       this->Write(outputs);
+      this->IsSpread = this->Mesh.Piece.IsPart && this->Deliver();
     }
     const bool isRepaired = this->Options.Domain.Repair;
     this->WriteProblems(this->Planar,
@@ -79,27 +85,44 @@ void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingMesher::Execution::Help(
-  const biting::WholeInput& drawing, const biting::WholeInput& source)
+void vtkBitingMesher::Execution::Help(const biting::WholeInput& drawing,
+  const biting::WholeInput& source, vtkInformationVector* outputs)
 {
   if (!this->Crew.AwaitCall())
   {
     return;
   }
+  this->ReadGhostLevels(outputs);
   this->Progress.StopWhere([this]() { return this->Crew.IsDismissed(); });
   try
   {
     if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
-      this->ReadSpacing())
+      this->ReadSpacing() && this->MakeMesh())
     {
-      this->MakeMesh();
+      this->Write(outputs);
+      this->IsSpread = this->Deliver();
     }
   }
   catch (const std::bad_alloc&)
   {
-    // The first rank does it itself, then.
+    // The first rank does it itself, or says so.
+    this->IsSpread = false;
+  }
+  if (!this->IsSpread)
+  {
+    biting::EmptyOutputs(outputs);
   }
   this->Crew.End();
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::Execution::ReadGhostLevels(vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* mesh = outputs->GetInformationObject(MESH);
+  this->Options.GhostLevels = mesh->Has(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
+    ? mesh->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -213,15 +236,50 @@ bool vtkBitingMesher::Execution::MakeMesh()
   }
   this->Mesh = biting::MakeBitingMesh(
     this->Planar.Chains, this->Options, this->Problems, this->Progress, this->Crew);
-  if (this->Crew.Own() != 0 || this->WasAborted() || this->ReportErrors())
+  if (this->Crew.Own() != 0)
+  {
+    return this->Mesh.Piece.IsPart;
+  }
+  if (this->WasAborted() || this->ReportErrors())
   {
     return false;
   }
   this->WarnOfRepairs(this->Planar);
-  this->Warn(biting::UncoveredWarning(
-    this->Mesh.Points, this->Mesh.Corners, this->Options.Spacing, this->Planar.Frame));
+  if (!this->Mesh.Piece.IsPart)
+  {
+    this->Warn(biting::UncoveredWarning(
+      biting::FindUncovered(this->Mesh, this->Options.Spacing), this->Planar.Frame));
+  }
   this->ReportNotes();
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Of several ranks, each has its piece: whether all of them have. Warns of all of it.
+bool vtkBitingMesher::Execution::Deliver()
+{
+  biting::PartOfStage part(this->Progress, 1.0, 1.0);
+  biting::CrewRounds rounds(this->Crew, this->Crew.WhoIsAtWork());
+  biting::ByteWriter own;
+  own.Put(biting::FindUncovered(this->Mesh, this->Options.Spacing));
+  const std::vector<std::vector<char>> all = rounds.Gather(std::move(own.Bytes), part);
+  if (!rounds.IsFirst())
+  {
+    return !rounds.Scatter({}).empty();
+  }
+  if (part.HasStopped())
+  {
+    return false;
+  }
+  biting::UncoveredPart uncovered;
+  for (const std::vector<char>& bytes : all)
+  {
+    biting::UncoveredPart next;
+    biting::ByteReader(bytes).Take(next);
+    uncovered.Join(next);
+  }
+  this->Warn(biting::UncoveredWarning(uncovered, this->Planar.Frame));
+  return !rounds.Scatter(rounds.ForEach({ 1 })).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +342,10 @@ void vtkBitingMesher::Execution::WriteMesh(
 {
   const biting::PulsePart part(pulse, PointsEnd, MeshEnd);
   biting::MeshToPolyData(this->Mesh, points, this->Problems, output, pulse);
+  if (this->Mesh.Piece.IsPart)
+  {
+    biting::AddPieceArrays(this->Mesh.Piece, this->Options.GhostLevels > 0, output, pulse);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -291,19 +353,16 @@ void vtkBitingMesher::Execution::WriteEdges(
   vtkPoints* points, vtkPolyData* output, biting::Pulse& pulse) const
 {
   const biting::PulsePart part(pulse, MeshEnd, EdgesEnd);
-  biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Drawing, output, pulse);
-}
-
-//------------------------------------------------------------------------------
-bool vtkBitingMesher::Execution::Spread(const biting::Ranks& ranks, vtkInformationVector* outputs)
-{
-  const auto divide = [this, &ranks](biting::Pulse& pulse)
+  const biting::BitingMesh* border = this->Mesh.Border.get();
+  if (!border && !this->Mesh.Piece.IsPart)
   {
-    std::vector<biting::Id> pieces = biting::PiecesOfTriangles(this->Mesh, ranks.Count(), pulse);
-    this->Mesh = biting::BitingMesh();
-    return pieces;
-  };
-  return this->FilterRun::Spread(ranks, divide, outputs);
+    biting::BoundaryEdgesToPolyData(this->Mesh, points, this->Drawing, output, pulse);
+  }
+  else if (border)
+  {
+    biting::BoundaryEdgesToPolyData(
+      *border, biting::PointsInSpace(*border, this->Planar, pulse), this->Drawing, output, pulse);
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -27,22 +27,26 @@ class vtkBitingMesher::Execution : private biting::FilterRun
 public:
   Execution(vtkBitingMesher* filter, biting::RankCrew& crew);
 
-  /// On ranks that are not the first: works for that one, where it calls.
-  void Help(const biting::WholeInput& drawing, const biting::WholeInput& source);
+  /// On ranks that are not the first: works with that one, where it calls. The mesh is this rank's
+  /// piece then, or nothing.
+  void Help(const biting::WholeInput& drawing, const biting::WholeInput& source,
+    vtkInformationVector* outputs);
 
   /// Fills the outputs of the filter; says what is wrong.
   void Run(const biting::WholeInput& drawing, const biting::WholeInput& source,
     vtkInformationVector* outputs);
 
-  /// Hands out the mesh to all ranks, where it is of blocks: returns whether it has.
-  bool Spread(const biting::Ranks& ranks, vtkInformationVector* outputs);
+  /// After Run: whether all ranks have their pieces of the mesh.
+  bool HasSpread() const { return this->IsSpread && !this->IsRefused && !this->WasAborted(); }
 
 private:
   bool Gather(const biting::WholeInput& drawing, const biting::WholeInput& source);
   bool ReadParameters();
   bool ReadChains();
   bool ReadSpacing();
+  void ReadGhostLevels(vtkInformationVector* outputs);
   bool MakeMesh();
+  bool Deliver();
   void Write(vtkInformationVector* outputs);
   std::string AddBoundaryArray();
   std::string AddSourceArray();
@@ -59,6 +63,7 @@ private:
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
   biting::BitingMesh Mesh;
+  bool IsSpread = false;
 };
 
 VTK_ABI_NAMESPACE_END

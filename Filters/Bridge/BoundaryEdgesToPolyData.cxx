@@ -151,6 +151,18 @@ std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
   return kinds;
 }
 
+// Those of the whole, where `mesh` is the border of a mesh in pieces.
+void AddMeshPointIds(
+  const BitingMesh& mesh, const std::vector<Id>& vertices, vtkPointData* data, Pulse& pulse)
+{
+  std::vector<std::int64_t> ids(vertices.begin(), vertices.end());
+  for (std::size_t k = 0; k < ids.size() && mesh.Piece.IsPart && pulse.Beat(); ++k)
+  {
+    ids[k] = mesh.Piece.PointIds[vertices[k]];
+  }
+  AddArray<vtkIdTypeArray>(data, "MeshPointId", ids, pulse);
+}
+
 } // namespace
 
 void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
@@ -161,7 +173,7 @@ void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Dr
   SetCells(lines, 2, vertices.Connectivity, pulse);
   output->SetPoints(PointsOf(vertices, points));
   output->SetLines(lines);
-  AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", vertices.MeshIds, pulse);
+  AddMeshPointIds(mesh, vertices.MeshIds, output->GetPointData(), pulse);
   CarryCellArrays(mesh, drawing, output->GetCellData(), pulse);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
   AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);

@@ -4,7 +4,6 @@
 #include "FilterRun.h"
 
 #include "ChosenArray.h"
-#include "MeshPieces.h"
 #include "ProblemsToPolyData.h"
 #include "SourceData.h"
 #include "SourceSpacing.h"
@@ -15,9 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <memory>  // for pieces
 #include <new>     // for bad_alloc
 #include <utility> // for move
 
@@ -31,29 +28,6 @@ void EmptyOutputs(vtkInformationVector* outputs)
     vtkDataObject::GetData(outputs, port)->Initialize();
   }
 }
-
-namespace
-{
-
-// Null where all of the mesh is to stay together.
-std::unique_ptr<MeshPieces> PiecesOf(
-  vtkInformation* output, std::vector<Id> piecesOfTriangles, int numberOfPieces)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (piecesOfTriangles.empty())
-  {
-    return nullptr;
-  }
-  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->ShallowCopy(vtkPolyData::GetData(output));
-  auto pieces = std::make_unique<MeshPieces>(mesh, std::move(piecesOfTriangles), numberOfPieces);
-  pieces->SetGhostLevels(output->Has(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
-      ? output->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())
-      : 0);
-  return pieces;
-}
-
-} // namespace
 
 FilterRun::FilterRun(const RunningFilter& filter, std::vector<double> shares)
   : Progress(filter.Filter, std::move(shares), filter.NumberOfThreads)
@@ -76,57 +50,6 @@ void FilterRun::Guard(vtkInformationVector* outputs, const std::function<void()>
   {
     EmptyOutputs(outputs);
     this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
-  }
-}
-
-bool FilterRun::Spread(const Ranks& ranks, const std::function<std::vector<Id>(Pulse&)>& divide,
-  vtkInformationVector* outputs)
-{
-  if (!ranks.AreSeveral())
-  {
-    return false;
-  }
-  vtkInformation* output = outputs->GetInformationObject(0);
-  vtkPolyData* mesh = vtkPolyData::GetData(output);
-  std::unique_ptr<MeshPieces> pieces;
-  if (mesh->GetNumberOfCells() > 0)
-  {
-    this->Guard(outputs,
-      [this, &ranks, &divide, output, &pieces]()
-      {
-        Pulse pulse(this->Progress);
-        pieces = PiecesOf(output, divide(pulse), ranks.Count());
-      });
-  }
-  Delivery delivery = Delivery::None;
-  if (!pieces || this->WasAborted())
-  {
-    delivery = ranks.SendPieces({}, mesh);
-  }
-  else
-  {
-    const auto make = [this, &pieces](int rank)
-    { return this->Progress.Advance(1.0) ? pieces->Make(rank) : nullptr; };
-    delivery = ranks.SendPieces(make, mesh);
-  }
-  if (delivery == Delivery::Failed)
-  {
-    this->EndUndelivered(outputs);
-  }
-  return delivery == Delivery::Done;
-}
-
-// It was stopped, or memory did not suffice.
-void FilterRun::EndUndelivered(vtkInformationVector* outputs)
-{
-  EmptyOutputs(outputs);
-  if (this->WasAborted())
-  {
-    this->EndWhereStopped();
-  }
-  else
-  {
-    this->Refuse(NotSpread);
   }
 }
 

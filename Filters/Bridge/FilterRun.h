@@ -16,7 +16,6 @@
 #include "MonitorOfFilter.h"
 #include "PlaneFrame.h"
 #include "ProblemPlaces.h"
-#include "Ranks.h"
 
 #include <functional> // for steps
 #include <string>     // for messages
@@ -91,13 +90,6 @@ protected:
   /// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
   void WriteProblems(const PlanarInput& planar, RepairPolicy policy, vtkPolyData* output);
 
-  /// The first of several ranks calls this, once, after Guard, and the others
-  /// Ranks::ReceivePiece. Hands out the mesh, the first output, to all ranks: `divide` says which
-  /// is to have each triangle, none where the first has all. What goes wrong is said. Returns
-  /// whether it was handed out.
-  bool Spread(const Ranks& ranks, const std::function<std::vector<Id>(Pulse&)>& divide,
-    vtkInformationVector* outputs);
-
   bool WasAborted() const { return this->Progress.HasStopped(); }
 
   ProblemList Problems;
@@ -107,7 +99,6 @@ protected:
 
 private:
   void EndWhereStopped();
-  void EndUndelivered(vtkInformationVector* outputs);
 
   RunningFilter Running;
 };

@@ -7,6 +7,7 @@
 #include "QualityArrays.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -68,7 +69,38 @@ void AddSimplification(const BitingMesh& mesh, vtkFieldData* data)
   AddFigure(data, "ShareOfDrawing", mesh.ShareOfDrawing);
 }
 
+void AddGlobalIds(
+  const char* name, const std::vector<std::int64_t>& ids, vtkDataSetAttributes* data, Pulse& pulse)
+{
+  AddArray<vtkIdTypeArray>(data, name, ids, pulse);
+  data->SetActiveGlobalIds(name);
+}
+
+void AddGhosts(const std::vector<std::uint8_t>& levels, unsigned char mark,
+  vtkDataSetAttributes* data, Pulse& pulse)
+{
+  std::vector<unsigned char> marks;
+  marks.reserve(levels.size());
+  for (const std::uint8_t level : levels)
+  {
+    marks.push_back(level != 0 ? mark : 0);
+  }
+  AddArray<vtkUnsignedCharArray>(data, vtkDataSetAttributes::GhostArrayName(), marks, pulse);
+}
+
 } // namespace
+
+void AddPieceArrays(const MeshPiece& piece, bool hasGhosts, vtkPolyData* output, Pulse& pulse)
+{
+  AddGlobalIds("GlobalPointIds", piece.PointIds, output->GetPointData(), pulse);
+  AddGlobalIds("GlobalCellIds", piece.TriangleIds, output->GetCellData(), pulse);
+  AddGhosts(
+    piece.ForeignPoints, vtkDataSetAttributes::DUPLICATEPOINT, output->GetPointData(), pulse);
+  if (hasGhosts)
+  {
+    AddGhosts(piece.Levels, vtkDataSetAttributes::DUPLICATECELL, output->GetCellData(), pulse);
+  }
+}
 
 vtkSmartPointer<vtkPoints> PointsInSpace(
   const BitingMesh& mesh, const PlanarInput& input, Pulse& pulse)

@@ -28,6 +28,13 @@ vtkSmartPointer<vtkPoints> PointsInSpace(
 void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList& problems,
   vtkPolyData* output, Pulse& pulse);
 
+/// Says where a piece is in the whole mesh: adds `GlobalPointIds` and `GlobalCellIds` (vtkIdType,
+/// the active global ids), the numbers in the whole, and the point array `vtkGhostType` (unsigned
+/// char): DUPLICATEPOINT where another rank has the point as its own, which is the first one that
+/// has a triangle at it. With ghosts, the cell array `vtkGhostType` marks triangles of other ranks
+/// as DUPLICATECELL.
+void AddPieceArrays(const MeshPiece& piece, bool hasGhosts, vtkPolyData* output, Pulse& pulse);
+
 } // namespace biting
 
 #endif

@@ -31,7 +31,12 @@ public:
   int Own() const override { return this->IsFirst ? 0 : this->Rank; }
   void Call() override;
   std::vector<char> Receive(int member, Monitor& monitor) override;
+  void Reply(int member, const std::vector<char>& bytes) override;
   void Send(const std::vector<char>& bytes) override;
+  std::vector<char> Await() override;
+
+  /// On the first: the members that something is to come from.
+  std::vector<bool> WhoIsAtWork() const;
 
   /// On the others: waits until the first rank calls, then they have the inputs; or until it has
   /// ended without: false.
@@ -40,20 +45,29 @@ public:
   /// On the others, at work: nothing that they send is wanted any more.
   bool IsDismissed() const;
 
-  /// The first rank dismisses who is at work, the others send what they have not: nothing.
+  /// The first rank dismisses who is at work or waits, the others send what they owe: nothing.
   void End();
 
 private:
   void ShareInputs();
   bool HasMessage(int rank, int tag) const;
+  void SendBytes(const std::vector<char>& bytes, int rank);
+  void ReceiveBytes(std::vector<char>& bytes, int rank);
+
+  enum class State : std::uint8_t
+  {
+    Away,
+    AtWork, ///< owes something to the first
+    Waiting ///< for a reply
+  };
 
   vtkMPIController* Controller = nullptr; // null: the first rank works alone
   bool IsFirst;
   int Rank = 0;
   std::vector<WholeInput*> Inputs;
-  bool IsCalled = false;               // or ended
-  bool IsAtWork = false;               // of the others: has not sent
-  std::vector<std::uint8_t> AreAtWork; // of the first: members who have not sent
+  bool IsCalled = false;        // or ended
+  State OwnState = State::Away; // of the others
+  std::vector<State> States;    // of the first: the members'
 };
 
 } // namespace biting

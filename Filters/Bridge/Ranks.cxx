@@ -4,7 +4,6 @@
 #include "Ranks.h"
 
 #include "PieceBytes.h"
-#include "PieceTransfer.h"
 #include "WholeFromPieces.h"
 
 #include "vtkAbstractArray.h"
@@ -114,20 +113,6 @@ void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
   }
 }
 
-// Null also where memory does not suffice.
-vtkSmartPointer<vtkPolyData> MakeOrNull(
-  const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, int rank)
-{
-  try
-  {
-    return make(rank);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return nullptr;
-  }
-}
-
 void MakePoints(vtkDataObject* output)
 {
   if (auto* pointSet = vtkPointSet::SafeDownCast(output))
@@ -229,40 +214,6 @@ bool Ranks::CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered)
   }
   this->Controller->Broadcast(&isReady, 1, 0);
   return isReady != 0;
-}
-
-Delivery Ranks::SendPieces(
-  const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, vtkPolyData* output) const
-{
-  int areThere = make ? 1 : 0;
-  this->Controller->Broadcast(&areThere, 1, 0);
-  if (areThere == 0)
-  {
-    return Delivery::None;
-  }
-  // Every rank waits for an answer, also once one has failed.
-  bool isDone = true;
-  for (int rank = 1; rank < this->Count(); ++rank)
-  {
-    const auto piece = isDone ? MakeOrNull(make, rank) : nullptr;
-    isDone = biting::SendPiece(this->Controller, rank, piece) && isDone;
-  }
-  const auto own = isDone ? MakeOrNull(make, 0) : nullptr;
-  if (own)
-  {
-    output->ShallowCopy(own);
-  }
-  return own ? Delivery::Done : Delivery::Failed;
-}
-
-void Ranks::ReceivePiece(vtkPolyData* output) const
-{
-  int areThere = 0;
-  this->Controller->Broadcast(&areThere, 1, 0);
-  if (areThere != 0)
-  {
-    biting::ReceivePiece(this->Controller, 0, output);
-  }
 }
 
 unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,

@@ -34,17 +34,9 @@ struct GatheredBytes
 /// One message holds at most as many bytes as an int can count.
 constexpr vtkIdType LargestMessage = vtkIdType{ 1 } << 30;
 
-/// What became of the pieces of an output.
-enum class Delivery
-{
-  None, ///< there were none: the first rank has the whole
-  Done, ///< each rank has its own
-  Failed
-};
-
 /// The processes that execute one filter together, each with a piece of the input: the first one
-/// works on the whole. It has the output, and the others empty pieces with the same arrays; or it
-/// hands out the pieces of one output to all.
+/// works on the whole. It has the output, and the others empty pieces with the same arrays; or each
+/// has its own piece of the first output (RankCrew.h).
 ///
 /// They are those of vtkMultiProcessController::GetGlobalController(), where as many pieces are
 /// asked for as it has. A process that asks for one piece of one works alone, whatever the others
@@ -70,16 +62,8 @@ public:
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
-  /// On the first rank: hands out pieces of a mesh, `make` makes that of a rank; a null one, and
-  /// too little memory on any rank, are a failure. No `make`: there are none. `output` becomes the
-  /// first rank's piece; it is left as it is where the outcome is not Done.
-  Delivery SendPieces(
-    const std::function<vtkSmartPointer<vtkPolyData>(int)>& make, vtkPolyData* output) const;
-  /// On the others, which do not learn whether all ranks have theirs (ShareOutcome tells).
-  void ReceivePiece(vtkPolyData* output) const;
-
   /// Makes the other ranks' outputs empty pieces with the arrays of the first's, but for the
-  /// first output where its pieces were handed out (`areSpread`, of the first rank), and tells its
+  /// first output where each has its piece (`areSpread`, of the first rank), and tells its
   /// error code, which is returned. Where the first has stopped `filter`, the others do, too: a
   /// pipeline executes it again, which it must do on all ranks.
   unsigned long ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
@@ -96,9 +80,6 @@ private:
 constexpr const char* NotGathered =
   "The pieces of the input cannot be gathered on the first rank: they "
   "are too large for its memory, or of a kind that cannot be sent.";
-
-/// What to say where SendPieces has failed.
-constexpr const char* NotSpread = "The mesh cannot be handed out: a rank has too little memory.";
 
 /// What to say where the whole has to be of the kind of its pieces, and is not.
 constexpr const char* NotOneGrid =

@@ -51,35 +51,18 @@ Box2 Widened(const Box2& box, double x, double y)
   return wide;
 }
 
-/// The part of a mesh that a source does not cover.
-struct UncoveredPart
+void AddTriangle(const Point2& a, const Point2& b, const Point2& c, std::int64_t number,
+  const SourceCover& cover, UncoveredPart& part)
 {
-  double Share = 0.0; ///< of the area
-  Point2 Place;       ///< in it
-};
-
-UncoveredPart FindUncovered(
-  const std::vector<Point2>& points, const std::vector<Id>& corners, const SourceCover& cover)
-{
-  UncoveredPart part;
-  double whole = 0.0;
-  double uncovered = 0.0;
-  for (std::size_t k = 0; k < corners.size(); k += 3)
+  const double area = std::abs(Cross(b - a, c - a));
+  const Point2 middle = a + (1.0 / 3.0) * ((b - a) + (c - a));
+  part.WholeArea += area;
+  if (!cover.Covers(middle))
   {
-    const Point2& a = points[static_cast<std::size_t>(corners[k])];
-    const Point2& b = points[static_cast<std::size_t>(corners[k + 1])];
-    const Point2& c = points[static_cast<std::size_t>(corners[k + 2])];
-    const double area = std::abs(Cross(b - a, c - a));
-    const Point2 middle = a + (1.0 / 3.0) * ((b - a) + (c - a));
-    whole += area;
-    if (!cover.Covers(middle))
-    {
-      part.Place = uncovered > 0.0 ? part.Place : middle;
-      uncovered += area;
-    }
+    part.Place = number < part.FirstTriangle ? middle : part.Place;
+    part.FirstTriangle = std::min(number, part.FirstTriangle);
+    part.Area += area;
   }
-  part.Share = whole > 0.0 ? uncovered / whole : 0.0;
-  return part;
 }
 
 // The warning that says so; the place in space.
@@ -182,11 +165,56 @@ bool SourceCover::Covers(const Point2& place) const
       this->IsMarked[this->Row(place.Y) * this->Columns + this->Column(place.X)] != 0);
 }
 
+void UncoveredPart::Join(const UncoveredPart& other)
+{
+  this->WholeArea += other.WholeArea;
+  this->Area += other.Area;
+  if (other.FirstTriangle < this->FirstTriangle)
+  {
+    this->FirstTriangle = other.FirstTriangle;
+    this->Place = other.Place;
+  }
+}
+
+UncoveredPart FindUncovered(const BitingMesh& mesh, const SpacingOptions& options)
+{
+  const SourceCover cover(options);
+  UncoveredPart part;
+  for (std::size_t triangle = 0; triangle < mesh.Regions.size(); ++triangle)
+  {
+    if (!mesh.Piece.IsPart || mesh.Piece.Levels[triangle] == 0)
+    {
+      const Id* corners = mesh.Corners.data() + 3 * triangle;
+      const auto number =
+        mesh.Piece.IsPart ? mesh.Piece.TriangleIds[triangle] : static_cast<std::int64_t>(triangle);
+      AddTriangle(mesh.Points[static_cast<std::size_t>(corners[0])],
+        mesh.Points[static_cast<std::size_t>(corners[1])],
+        mesh.Points[static_cast<std::size_t>(corners[2])], number, cover, part);
+    }
+  }
+  return part;
+}
+
+std::string UncoveredWarning(const UncoveredPart& part, const PlaneFrame& frame)
+{
+  return part.WholeArea > 0.0 && part.Area > 0.0
+    ? UncoveredText(part.Area / part.WholeArea, frame.ToSpace(part.Place))
+    : "";
+}
+
 std::string UncoveredWarning(const std::vector<Point2>& points, const std::vector<Id>& corners,
   const SpacingOptions& options, const PlaneFrame& frame)
 {
-  const UncoveredPart part = FindUncovered(points, corners, SourceCover(options));
-  return part.Share > 0.0 ? UncoveredText(part.Share, frame.ToSpace(part.Place)) : "";
+  const SourceCover cover(options);
+  UncoveredPart part;
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+  {
+    AddTriangle(points[static_cast<std::size_t>(corners[k])],
+      points[static_cast<std::size_t>(corners[k + 1])],
+      points[static_cast<std::size_t>(corners[k + 2])], static_cast<std::int64_t>(k / 3), cover,
+      part);
+  }
+  return UncoveredWarning(part, frame);
 }
 
 } // namespace biting

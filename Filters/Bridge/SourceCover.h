@@ -5,10 +5,13 @@
 #define BitingSourceCover_h
 
 #include "../Kernel/Base/Box2.h"
+#include "../Kernel/BitingMesh.h"
 #include "../Kernel/Spacing/Spacing.h"
 #include "PlaneFrame.h"
 
 #include <cstddef> // for numbers of squares
+#include <cstdint> // for triangles
+#include <limits>  // for none
 #include <string>  // for the warning
 #include <vector>  // for marks
 
@@ -40,6 +43,23 @@ private:
   std::size_t Rows = 0;
   std::vector<char> IsMarked; ///< squares over the bounds; empty: all of them
 };
+
+/// The part of a mesh that sources do not cover, or of a piece of it: these are joined.
+struct UncoveredPart
+{
+  double WholeArea = 0.0;
+  double Area = 0.0;
+  std::int64_t FirstTriangle = std::numeric_limits<std::int64_t>::max(); ///< that is not covered
+  Point2 Place;                                                          ///< its middle
+
+  void Join(const UncoveredPart& other);
+};
+
+/// Of the triangles that are the piece's own; all are where it is none.
+UncoveredPart FindUncovered(const BitingMesh& mesh, const SpacingOptions& options);
+
+/// A warning of it, with the place in space; empty where there is nothing.
+std::string UncoveredWarning(const UncoveredPart& part, const PlaneFrame& frame);
 
 /// Warns of the part of a mesh that the sources of `options` do not cover, if there is any: how
 /// much of it, and a place in space. Empty where there is none.

@@ -18,14 +18,12 @@ set(biting_bridge_sources
   FilterRun.cxx
   MeasuredMesh.cxx
   MeshFromPieces.cxx
-  MeshPieces.cxx
   MeshToPolyData.cxx
   MeshWarnings.cxx
   MessagesFromProblems.cxx
   MonitorOfFilter.cxx
   ParameterCheck.cxx
   PieceBytes.cxx
-  PieceTransfer.cxx
   PlaneCut.cxx
   PlaneFrame.cxx
   PolylinesFromPolyData.cxx

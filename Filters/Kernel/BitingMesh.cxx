@@ -16,14 +16,15 @@
 #include "Meshing/FinalCheck.h"
 #include "Meshing/Forecast.h"
 #include "Meshing/MeshAssembly.h"
-#include "Meshing/PreservedSpacing.h"
 #include "Meshing/RelaxedBites.h"
+#include "Meshing/SegmentCover.h"
 #include "Meshing/SharpCornerTriangles.h"
 #include "Meshing/SoundTriangulation.h"
 #include "Meshing/StageProblems.h"
 #include "MeshingStages.h"
 #include "NarrowAngles.h"
-#include "RaisedSpacing.h"
+#include "Pieces/SpreadMesh.h"
+#include "PreparedSpacing.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for the largest id
@@ -39,7 +40,6 @@ namespace
 // Where steps end, as shares of the time of a stage: of preparing the spacing, biting, a
 // triangulation, and the last stage.
 constexpr double LocatorEnd = 0.05;
-constexpr double ChoiceEnd = 0.05;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
 constexpr double CountingEnd = 0.01;
@@ -136,58 +136,6 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
   return bites;
 }
 
-// The features may be none.
-SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
-  ProblemList& problems, Monitor& monitor)
-{
-  SpacingOptions spacing = RaiseToRounding(options.Spacing, domain, problems);
-  if (options.PreserveBoundary)
-  {
-    return FollowSegments(spacing, domain, monitor);
-  }
-  spacing.Features = std::move(features);
-  spacing.IsUnused = OutsideOf(locator);
-  return spacing;
-}
-
-Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
-  ProblemList& problems, Monitor& monitor)
-{
-  PartOfStage choosing(monitor, 0.0, ChoiceEnd);
-  SpacingOptions wanted =
-    ChooseSpacing(options, domain, std::move(features), locator, problems, choosing);
-  if (AddAborted(choosing, problems))
-  {
-    return {};
-  }
-  PartOfStage making(monitor, ChoiceEnd, 1.0);
-  return MakeSpacing(wanted, domain.Bounds, problems, making);
-}
-
-// f before any limit by feature size. Many of the drawing's vertices will go: they are no reason to
-// refuse.
-Spacing PrepareGivenSpacing(
-  const BitingMeshOptions& options, const Domain& drawing, ProblemList& problems, Monitor& monitor)
-{
-  const SpacingOptions& spacing = options.Spacing;
-  if (!spacing.Grid && !spacing.Triangulation && !spacing.Segments)
-  {
-    return MakeSpacing(
-      RaiseToRounding(spacing, drawing, problems), drawing.Bounds, problems, monitor);
-  }
-  BitingMeshOptions given = options;
-  given.PreserveBoundary = false;
-  PartOfStage locating(monitor, 0.0, LocatorEnd);
-  Pulse pulse(locating);
-  const DomainLocator locator(drawing, pulse);
-  PartOfStage preparing(monitor, LocatorEnd, 1.0);
-  return locating.HasStopped()
-    ? Spacing()
-    : PrepareSpacing(given, drawing, nullptr, locator, problems, preparing);
-}
-
 // The drawing as it is meshed.
 SimplifiedDomain SimplifyDrawing(
   Domain drawing, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
@@ -227,9 +175,10 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
   }
 }
 
-// The mesh as it is handed out, but for its quality.
+// The mesh as it is handed out, but for its quality. Where blocks are spread it is that of their
+// collars, of which more is to be checked (Pieces/PieceMeasures.h).
 BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
-  bool isDelaunay, ProblemList& problems, Monitor& monitor)
+  bool isDelaunay, bool isSpread, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage part(monitor, CountingEnd, AssemblyEnd);
   const std::vector<Id> segments = bites.EdgeSegments;
@@ -237,8 +186,11 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   if (!AddAborted(part, problems))
   {
     PartOfStage checking(monitor, AssemblyEnd, CheckEnd);
-    const std::string violation =
-      CheckFinalMesh({ domain, mesh, triangulation.Constraints, segments, isDelaunay }, checking);
+    const std::vector<Id>& constraints = triangulation.Constraints;
+    const std::string violation = isSpread
+      ? CheckSegmentCover(
+          domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, checking)
+      : CheckFinalMesh({ domain, mesh, constraints, segments, isDelaunay }, checking);
     if (!AddAborted(checking, problems) && !violation.empty())
     {
       AddProblem(ProblemCode::CheckFailed, violation, problems);
@@ -247,27 +199,22 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   return mesh;
 }
 
-void Measure(BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
+// Whether so much is due to the drawing that it is counted.
+bool IsFine(const Domain& drawing, const BitingMeshOptions& options, const Spacing& spacing,
+  const BitingMesh& mesh, double numberOfVertices)
 {
-  const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
-  PartOfStage measuring(monitor, CheckEnd, QualityEnd);
-  mesh.Quality = MeasureQuality(view, measuring);
-  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
-  AddAborted(measuring, problems);
+  return !options.PreserveBoundary &&
+    IsFineDrawing(drawing, mesh.Spacing, numberOfVertices, spacing);
 }
 
 // Says so where it is large and no tolerance is set.
-void TellFineDrawing(const Domain& drawing, const BitingMeshOptions& options,
-  const Spacing& spacing, BitingMesh& mesh, ProblemList& problems, Monitor& monitor)
+void TellFineDrawing(
+  const ExactSum& asked, const BitingMeshOptions& options, BitingMesh& mesh, ProblemList& problems)
 {
-  if (options.PreserveBoundary)
-  {
-    return;
-  }
-  PartOfStage part(monitor, QualityEnd, 1.0);
-  mesh.ShareOfDrawing = ShareOfFineDrawing(drawing, mesh, spacing, part);
+  const double vertices = static_cast<double>(mesh.Quality.NumberOfVertices);
+  mesh.ShareOfDrawing = ShareOfFineDrawing(asked, vertices);
   const bool isAccepted = options.Simplification.Tolerance > 0.0;
-  if (!AddAborted(part, problems) && !isAccepted && IsWorthTelling(mesh.ShareOfDrawing, mesh))
+  if (!isAccepted && IsWorthTelling(mesh.ShareOfDrawing, vertices))
   {
     AddProblem(ProblemCode::FineDrawing,
       Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices are there for it alone", problems);
@@ -310,30 +257,6 @@ SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& 
   return SimplifyDrawing(std::move(drawing), options, problems, whole);
 }
 
-// The last stage; where there are errors then, the mesh is of no use.
-BitingMesh Finish(const SimplifiedDomain& simplified, const Spacing& spacing,
-  const BitingMeshOptions& options, BitingResult bites, Triangulation& triangulation,
-  ProblemList& problems, PartOfStage& whole)
-{
-  const Domain& domain = simplified.Drawing;
-  PartOfStage counting(whole, 0.0, CountingEnd);
-  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
-  const bool isDelaunay = options.Phi == 1.0 || IsRelaxed(options);
-  BitingMesh mesh = Assemble(domain, std::move(bites), triangulation, isDelaunay, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  mesh.NumberOfSharpCornerTriangles = sharp;
-  mesh.GivenLipschitz = spacing.GivenLipschitz();
-  mesh.RemovedVertices = simplified.RemovedVertices;
-  mesh.LeftOutLoops = simplified.LeftOutLoops;
-  mesh.LeftOutArea = simplified.LeftOutArea;
-  Measure(mesh, problems, whole);
-  TellFineDrawing(domain, options, spacing, mesh, problems, whole);
-  return mesh;
-}
-
 // What is meshed, and how.
 struct Preparation
 {
@@ -343,6 +266,84 @@ struct Preparation
   Crew& Members;
 };
 
+SpreadInput Spread(const Preparation& input, BlockMesher& blocks)
+{
+  return { input.Simplified.Drawing, input.F, blocks.Kept(), input.Members,
+    input.Options.GhostLevels };
+}
+
+// The quality, and what the drawing has to do with it.
+void Judge(const Preparation& input, BitingMesh& mesh, ProblemList& problems, PartOfStage& whole)
+{
+  const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
+  PartOfStage measuring(whole, CheckEnd, QualityEnd);
+  mesh.Quality = MeasureQuality(view, measuring);
+  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
+  if (!IsOver(whole, problems) &&
+    IsFine(input.Simplified.Drawing, input.Options, input.F, mesh,
+      static_cast<double>(mesh.Points.size())))
+  {
+    PartOfStage part(whole, QualityEnd, 1.0);
+    Pulse pulse(part);
+    const ExactSum asked = CountAsked(mesh, input.F, pulse);
+    if (!AddAborted(part, problems))
+    {
+      TellFineDrawing(asked, input.Options, mesh, problems);
+    }
+  }
+}
+
+// The same for the piece of the first of several members; the others take theirs.
+void JudgePieces(const Preparation& input, BlockMesher& blocks, const std::vector<Id>& constraints,
+  BitingMesh& mesh, ProblemList& problems, PartOfStage& whole)
+{
+  const bool isFine = IsFine(input.Simplified.Drawing, input.Options, input.F, mesh,
+    static_cast<double>(blocks.Kept().Numbers.NumberOfVertices));
+  PartOfStage sharing(whole, CheckEnd, 1.0);
+  ExactSum asked;
+  mesh = ShareMesh(
+    Spread(input, blocks), std::move(mesh), constraints, isFine, asked, problems, sharing);
+  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
+  if (!AddAborted(sharing, problems) && !problems.HasErrors() && isFine)
+  {
+    TellFineDrawing(asked, input.Options, mesh, problems);
+  }
+}
+
+// The last stage; where there are errors then, the mesh is of no use.
+BitingMesh Finish(const Preparation& input, BlockMesher& blocks, BitingResult bites,
+  Triangulation& triangulation, ProblemList& problems, PartOfStage& whole)
+{
+  const Domain& domain = input.Simplified.Drawing;
+  const bool isSpread = blocks.Kept().AreSpread;
+  PartOfStage counting(whole, 0.0, CountingEnd);
+  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
+  const bool isDelaunay = input.Options.Phi == 1.0 || IsRelaxed(input.Options);
+  BitingMesh mesh =
+    Assemble(domain, std::move(bites), triangulation, isDelaunay, isSpread, problems, whole);
+  if (IsOver(whole, problems))
+  {
+    return {};
+  }
+  isSpread ? JudgePieces(input, blocks, triangulation.Constraints, mesh, problems, whole)
+           : Judge(input, mesh, problems, whole);
+  mesh.NumberOfSharpCornerTriangles = sharp;
+  mesh.GivenLipschitz = input.F.GivenLipschitz();
+  mesh.RemovedVertices = input.Simplified.RemovedVertices;
+  mesh.LeftOutLoops = input.Simplified.LeftOutLoops;
+  mesh.LeftOutArea = input.Simplified.LeftOutArea;
+  return mesh;
+}
+
+// What a member that is not the first has in the end.
+BitingMesh TakeOwnPiece(
+  const Preparation& input, BlockMesher& blocks, ProblemList& problems, PartOfStage& whole)
+{
+  whole.BeginStage(MeshingStages::Quality.Text);
+  PartOfStage taking(whole, 0.0, 1.0);
+  return TakePiece(Spread(input, blocks), problems, taking);
+}
+
 // From biting on. The locator is released on the way.
 BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   std::optional<const DomainLocator>& locator, bool& isOfBlocks, ProblemList& problems,
@@ -351,7 +352,8 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   const Domain& domain = input.Simplified.Drawing;
   const BitingMeshOptions& options = input.Options;
   whole.BeginStage(MeshingStages::Biting.Text);
-  BlockMesher blocks(domain, input.F, verticesPerBlock > 0.0 ? input.Members : NoCrew());
+  BlockMesher blocks(
+    domain, input.F, verticesPerBlock > 0.0 ? input.Members : NoCrew(), options.GhostLevels);
   BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options), verticesPerBlock,
     blocks, problems, whole);
   locator.reset();
@@ -371,18 +373,21 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   whole.BeginStage(MeshingStages::Relaxation.Text);
   isOfBlocks ? blocks.Relax(bites, triangulation, problems, whole)
              : RelaxMesh(domain, input.F, options, bites, triangulation, problems, whole);
-  if (IsOver(whole, problems) || blocks.IsHelping())
+  if (IsOver(whole, problems))
   {
     return {};
   }
+  if (blocks.IsHelping())
+  {
+    return TakeOwnPiece(input, blocks, problems, whole);
+  }
   whole.BeginStage(MeshingStages::Quality.Text);
-  BitingMesh mesh =
-    Finish(input.Simplified, input.F, options, std::move(bites), triangulation, problems, whole);
+  BitingMesh mesh = Finish(input, blocks, std::move(bites), triangulation, problems, whole);
   if (isOfBlocks && !IsOver(whole, problems) && mesh.Quality.SmallestConformity == 0.0)
   {
     AddProblem(ProblemCode::CheckFailed, "two vertices are at one place", problems);
   }
-  mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.NumberOfBlocks()) : 1;
+  mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.Kept().Parts.Blocks.size()) : 1;
   mesh.Cuts = isOfBlocks ? blocks.Cuts() : CutTree();
   return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
 }

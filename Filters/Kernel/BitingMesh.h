@@ -19,6 +19,7 @@
 #include "Spacing/Spacing.h"
 
 #include <cstdint> // for limits
+#include <memory>  // for the border
 #include <vector>  // for the arrays
 
 namespace biting
@@ -63,6 +64,9 @@ struct BitingMeshOptions
   /// LargestY, MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
   std::int64_t VerticesPerBlock = 64000;
 
+  /// How many rings of triangles around its own a member of a crew gets, where the mesh is spread.
+  int GhostLevels = 0;
+
   bool KeepBites = false; ///< fill Bites and Front of the mesh
 };
 
@@ -72,6 +76,18 @@ enum class VertexKind : std::uint8_t
   Boundary = 1, ///< new, on a boundary or interface segment
   Interior = 2,
   Embedded = 3
+};
+
+/// Of a mesh that members of a crew share: where what one of them has is in the whole. Vertices and
+/// triangles have the order of the whole.
+struct MeshPiece
+{
+  bool IsPart = false; ///< false: the mesh is whole, and nothing follows
+  std::vector<std::int64_t> PointIds;
+  std::vector<std::int64_t> TriangleIds;
+  std::vector<std::uint8_t>
+    ForeignPoints;                  ///< 1: another member, before this one, has it as its own
+  std::vector<std::uint8_t> Levels; ///< of triangles: 0 for its own; those of others are ghosts
 };
 
 struct BitingMesh
@@ -94,7 +110,13 @@ struct BitingMesh
   std::vector<Id> EdgeCells; ///< input cell
   std::vector<std::uint8_t> EdgeIsBoundary;
 
-  MeshQuality Quality;
+  MeshPiece Piece;
+
+  /// Where the mesh is a piece, on the first member: the edges of the whole, over vertices of their
+  /// own (Points, OriginalPoints, Piece.PointIds); the piece has none.
+  std::shared_ptr<const BitingMesh> Border;
+
+  MeshQuality Quality; ///< of a piece: arrays of its own; on the first member figures of the whole
   double GivenLipschitz = 0.0;         ///< of the spacing as given
   double UsedLipschitz = 0.0;          ///< of the spacing as used, over the edges of the mesh
   Id NumberOfSharpCornerTriangles = 0; ///< poor only because the input is (SharpCornerTriangles.h)
@@ -121,8 +143,9 @@ struct BitingMesh
 /// relaxation -> quality -> mesh.
 /// Repairs and refusals are added to `problems`; where it has errors afterwards the mesh is empty.
 /// Deterministic: the same input gives the same mesh, bit for bit. Members of a crew call it with
-/// the same input and options; where it is meshed in blocks they share them, and only the first one
-/// gets the mesh. It calls the others as soon as there are blocks, else never.
+/// the same input and options; where it is meshed in blocks these stay with those that made them,
+/// and each gets a piece. The first one calls the others as soon as there are blocks, else never;
+/// where it has no piece of several it has the whole. Throws bad_alloc where another is lost.
 BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,
   ProblemList& problems, Monitor& monitor, Crew& crew = NoCrew());
 

@@ -3,9 +3,6 @@
 
 #include "FineDrawing.h"
 
-#include "Base/PartOfStage.h"
-#include "Base/Pulse.h"
-
 #include <algorithm> // for max
 
 namespace biting
@@ -61,50 +58,48 @@ bool AreMostBelow(const std::vector<double>& lengths, double share, const Values
   return 2 * count > lengths.size();
 }
 
-// How many vertices the spacing asks for.
-double CountAsked(const BitingMesh& mesh, const Spacing& spacing, Pulse& pulse)
+} // namespace
+
+bool IsFineDrawing(const Domain& drawing, const std::vector<double>& spacings,
+  double numberOfVertices, const Spacing& spacing)
 {
-  double density = 0.0;
+  const std::vector<double> lengths = MeanLengths(drawing);
+  // The vertices of the drawing are the first of the mesh, and few are missing there.
+  const std::size_t known = spacings.size();
+  return static_cast<double>(lengths.size()) > LeastShareOfVertices * numberOfVertices &&
+    AreMostBelow(lengths, LongLength,
+      [&spacings, known](std::size_t vertex) { return vertex < known ? spacings[vertex] : 0.0; }) &&
+    AreMostBelow(lengths, ShortLength,
+      [&drawing, &spacing](std::size_t vertex)
+      { return spacing.BeforeFeatures(drawing.Vertices[vertex]); });
+}
+
+ExactSum CountAsked(const BitingMesh& mesh, const Spacing& spacing, Pulse& pulse)
+{
+  ExactSum density;
   for (std::size_t corner = 0; corner < mesh.Corners.size() && pulse.Beat(16); corner += 3)
   {
+    if (mesh.Piece.IsPart && mesh.Piece.Levels[corner / 3] != 0)
+    {
+      continue;
+    }
     const Point2& a = mesh.Points[mesh.Corners[corner]];
     const Point2& b = mesh.Points[mesh.Corners[corner + 1]];
     const Point2& c = mesh.Points[mesh.Corners[corner + 2]];
     const double value = spacing.BeforeFeatures(a + (1.0 / 3.0) * ((b - a) + (c - a)));
-    density += 0.5 * Cross(b - a, c - a) / (value * value);
+    density.Add(0.5 * Cross(b - a, c - a) / (value * value));
   }
-  return VerticesPerDensity * density;
+  return density;
 }
 
-} // namespace
-
-double ShareOfFineDrawing(
-  const Domain& drawing, const BitingMesh& mesh, const Spacing& spacing, Monitor& monitor)
+double ShareOfFineDrawing(const ExactSum& asked, double numberOfVertices)
 {
-  const std::vector<double> lengths = MeanLengths(drawing);
-  // The vertices of the drawing are the first of the mesh, and few are missing there.
-  const std::size_t known = mesh.Spacing.size();
-  const bool isFine =
-    static_cast<double>(lengths.size()) > LeastShareOfVertices * static_cast<double>(known) &&
-    AreMostBelow(lengths, LongLength,
-      [&mesh, known](std::size_t vertex) { return vertex < known ? mesh.Spacing[vertex] : 0.0; }) &&
-    AreMostBelow(lengths, ShortLength,
-      [&drawing, &spacing](std::size_t vertex)
-      { return spacing.BeforeFeatures(drawing.Vertices[vertex]); });
-  if (!isFine)
-  {
-    return 0.0;
-  }
-  PartOfStage counting(monitor, 0.0, 1.0);
-  Pulse pulse(counting);
-  const double asked = CountAsked(mesh, spacing, pulse);
-  return std::max(0.0, 1.0 - asked / static_cast<double>(mesh.Points.size()));
+  return std::max(0.0, 1.0 - VerticesPerDensity * asked.Value() / numberOfVertices);
 }
 
-bool IsWorthTelling(double shareOfDrawing, const BitingMesh& mesh)
+bool IsWorthTelling(double shareOfDrawing, double numberOfVertices)
 {
-  return shareOfDrawing > LargeShare &&
-    shareOfDrawing * static_cast<double>(mesh.Points.size()) >= ManyVertices;
+  return shareOfDrawing > LargeShare && shareOfDrawing * numberOfVertices >= ManyVertices;
 }
 
 } // namespace biting

@@ -112,11 +112,13 @@ set(biting_kernel_sources
   Relaxation/StarObjective.cxx
   Relaxation/TopologyTrials.cxx
   Relaxation/ValenceRound.cxx
+  Quality/CellMask.cxx
   Quality/Components.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
   Quality/MeshParts.cxx
   Quality/NearestNeighbors.cxx
+  Quality/NearestQueries.cxx
   Quality/PointTree.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
@@ -144,9 +146,11 @@ set(biting_kernel_sources
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
   Blocks/BlockBytes.cxx
+  Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
   Blocks/BlockShares.cxx
+  Blocks/CollarOwners.cxx
   Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
@@ -161,8 +165,16 @@ set(biting_kernel_sources
   Blocks/StripParts.cxx
   Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx
+  Blocks/WholeNumbers.cxx
+  Pieces/CollarPart.cxx
+  Pieces/PieceDealer.cxx
+  Pieces/PieceMeasures.cxx
+  Pieces/PieceUnion.cxx
+  Pieces/SpreadMesh.cxx
+  Pieces/TrimmedPiece.cxx
   BitingMesh.cxx
   BitingRemesh.cxx
   FineDrawing.cxx
   NarrowAngles.cxx
+  PreparedSpacing.cxx
   RaisedSpacing.cxx)

@@ -11,10 +11,11 @@
 namespace biting
 {
 
-/// Processes that mesh one domain together. The first member has the mesh in the end; the others
-/// work for it once it calls them, which it does at most once. They then prepare the same domain
-/// and spacing, do their share, and send it. What does not arrive the first member does itself, so
-/// that nothing depends on the others but the time it takes.
+/// Processes that mesh one domain together. The others work for the first member once it calls
+/// them, which it does at most once. They then prepare the same domain and spacing, do their share,
+/// and send what the first one needs of it. From then on they hold what they made: the first
+/// replies, and each of the others sends again, and so on; an empty reply is the last one. What
+/// does not arrive the first time the first member does itself.
 class Crew
 {
 public:
@@ -27,8 +28,13 @@ public:
   /// For the first member. After that the others are at work.
   virtual void Call() = 0;
 
-  /// For the others, once.
+  /// For the first member, to one of which something has come: that one is at work again, or done
+  /// where there are no bytes.
+  virtual void Reply(int member, const std::vector<char>& bytes) = 0;
+
+  /// For the others, in turns; not empty.
   virtual void Send(const std::vector<char>& bytes) = 0;
+  virtual std::vector<char> Await() = 0; ///< the reply; empty: nothing more is wanted
 };
 
 /// A process that works by itself.
@@ -39,7 +45,9 @@ public:
   int Own() const override { return 0; }
   std::vector<char> Receive(int, Monitor&) override { return {}; }
   void Call() override {}
+  void Reply(int, const std::vector<char>&) override {}
   void Send(const std::vector<char>&) override {}
+  std::vector<char> Await() override { return {}; }
 };
 
 /// For those who have no other.

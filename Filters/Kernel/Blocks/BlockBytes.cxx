@@ -3,11 +3,12 @@
 
 #include "BlockBytes.h"
 
-#include <cstdint>     // for digests
-#include <cstring>     // for copies of bytes
-#include <tuple>       // for lists of arrays
-#include <type_traits> // for what may be copied
-#include <utility>     // for move
+#include "ByteStream.h"
+
+#include <cstdint> // for digests
+#include <cstring> // for copies of bytes
+#include <tuple>   // for lists of arrays
+#include <utility> // for move
 
 namespace biting
 {
@@ -15,76 +16,17 @@ namespace biting
 namespace
 {
 
-// All that is joined (JoinBlocks) of a mesh, which may be constant.
-template <typename Mesh>
-auto ArraysOf(Mesh& mesh)
+// All of it, which may be constant.
+template <typename Collar>
+auto MembersOf(Collar& collar)
 {
-  auto& bites = mesh.Bites;
-  auto& triangles = mesh.Triangles;
-  return std::tie(bites.Points, bites.Spacings, bites.BiteOrders, bites.Segments, bites.EdgeStarts,
-    bites.EdgeEnds, bites.EdgeSegments, triangles.Corners, triangles.Neighbors,
-    triangles.Constraints, triangles.Regions);
+  auto& bites = collar.Mesh.Bites;
+  auto& triangles = collar.Mesh.Triangles;
+  return std::tie(collar.Mesh.Bitten, collar.Mesh.NumberOfOrders, collar.NumberOfVertices,
+    collar.NumberOfTriangles, collar.Vertices, collar.Triangles, bites.Points, bites.Spacings,
+    bites.BiteOrders, bites.Segments, bites.EdgeStarts, bites.EdgeEnds, bites.EdgeSegments,
+    triangles.Corners, triangles.Neighbors, triangles.Constraints, triangles.Regions);
 }
-
-class Writer
-{
-public:
-  template <typename Value>
-  void operator()(const std::vector<Value>& values)
-  {
-    static_assert(std::is_trivially_copyable_v<Value>, "bytes are the value");
-    const std::uint64_t size = values.size();
-    this->Put(&size, sizeof(size));
-    this->Put(values.data(), values.size() * sizeof(Value));
-  }
-
-  void Put(const void* from, std::size_t size)
-  {
-    const char* first = static_cast<const char*>(from);
-    this->Bytes.insert(this->Bytes.end(), first, first + size);
-  }
-
-  std::vector<char> Bytes;
-};
-
-class Reader
-{
-public:
-  explicit Reader(const std::vector<char>& bytes)
-    : Bytes(bytes)
-  {
-  }
-
-  template <typename Value>
-  void operator()(std::vector<Value>& values)
-  {
-    std::uint64_t size = 0;
-    this->Take(&size, sizeof(size));
-    this->IsSound = this->IsSound && size <= (this->Bytes.size() - this->Next) / sizeof(Value);
-    if (this->IsSound)
-    {
-      values.resize(static_cast<std::size_t>(size));
-      this->Take(values.data(), values.size() * sizeof(Value));
-    }
-  }
-
-  void Take(void* to, std::size_t size)
-  {
-    this->IsSound = this->IsSound && size <= this->Bytes.size() - this->Next;
-    if (this->IsSound && size > 0)
-    {
-      std::memcpy(to, this->Bytes.data() + this->Next, size);
-      this->Next += size;
-    }
-  }
-
-  bool IsAtEnd() const { return this->IsSound && this->Next == this->Bytes.size(); }
-
-private:
-  const std::vector<char>& Bytes;
-  std::size_t Next = 0;
-  bool IsSound = true;
-};
 
 // FNV-1a, eight bytes at a time: equal only for equal cuts, but by an accident that nobody lives to
 // see.
@@ -129,40 +71,37 @@ std::uint64_t DigestOf(const BlockDomains& blocks)
 
 } // namespace
 
-std::vector<char> PackBlocks(const BlockDomains& blocks, const std::vector<std::size_t>& numbers,
-  const std::vector<BlockMesh>& meshes)
+std::vector<char> PackCollars(const BlockDomains& blocks, const std::vector<std::size_t>& numbers,
+  const std::vector<BlockCollar>& collars)
 {
-  Writer writer;
-  const std::uint64_t digest = DigestOf(blocks);
-  writer.Put(&digest, sizeof(digest));
+  ByteWriter writer;
+  writer.Put(DigestOf(blocks));
   for (const std::size_t block : numbers)
   {
-    writer.Put(&meshes[block].Bitten, sizeof(meshes[block].Bitten));
     std::apply(
-      [&writer](const auto&... arrays) { (writer(arrays), ...); }, ArraysOf(meshes[block]));
+      [&writer](const auto&... members) { (writer.Put(members), ...); }, MembersOf(collars[block]));
   }
   return std::move(writer.Bytes);
 }
 
-bool UnpackBlocks(const std::vector<char>& bytes, const BlockDomains& blocks,
-  const std::vector<std::size_t>& numbers, std::vector<BlockMesh>& meshes)
+bool UnpackCollars(const std::vector<char>& bytes, const BlockDomains& blocks,
+  const std::vector<std::size_t>& numbers, std::vector<BlockCollar>& collars)
 {
-  Reader reader(bytes);
+  ByteReader reader(bytes);
   std::uint64_t digest = 0;
-  reader.Take(&digest, sizeof(digest));
+  reader.Take(digest);
   if (digest != DigestOf(blocks))
   {
     return false;
   }
-  std::vector<BlockMesh> made(numbers.size());
-  for (BlockMesh& mesh : made)
+  std::vector<BlockCollar> made(numbers.size());
+  for (BlockCollar& collar : made)
   {
-    reader.Take(&mesh.Bitten, sizeof(mesh.Bitten));
-    std::apply([&reader](auto&... arrays) { (reader(arrays), ...); }, ArraysOf(mesh));
+    std::apply([&reader](auto&... members) { (reader.Take(members), ...); }, MembersOf(collar));
   }
   for (std::size_t k = 0; k < made.size() && reader.IsAtEnd(); ++k)
   {
-    meshes[numbers[k]] = std::move(made[k]);
+    collars[numbers[k]] = std::move(made[k]);
   }
   return reader.IsAtEnd();
 }

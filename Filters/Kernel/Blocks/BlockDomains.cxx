@@ -293,6 +293,7 @@ std::vector<BlockDomain> BlockMaker::MakeBlocks() const
   {
     blocks[k].ExpectedVertices = this->Expected[this->Leaves[k]];
     blocks[k].Stretch = this->Plan.Stretches[this->Leaves[k]];
+    blocks[k].Leaf = this->Plan.Tree.Nodes[this->Leaves[k]].Leaf;
     blocks[k].Geometry.Resolution = this->Geometry.Resolution;
   }
   this->AddVertices(blocks);

@@ -27,6 +27,7 @@ struct BlockDomain
   std::vector<Id> Pieces;   ///< of the graph, one a segment of the geometry
   double ExpectedVertices = 0.0;
   double Stretch = 1.0; ///< of inner edges (CutRows.h)
+  Id Leaf = NoId;       ///< of the tree, that it lies in: the first one
 };
 
 struct BlockDomains

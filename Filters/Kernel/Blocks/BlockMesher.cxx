@@ -11,8 +11,9 @@
 #include "../Meshing/StageProblems.h"
 #include "BlockBytes.h"
 #include "BlockShares.h"
+#include "CollarOwners.h"
 #include "CutPlan.h"
-#include "CutStrip.h"
+#include "StripParts.h"
 
 #include <algorithm> // for max
 #include <atomic>    // for what threads share
@@ -31,7 +32,15 @@ constexpr double PlanEnd = 0.02;
 constexpr double CuttingEnd = 0.7;
 constexpr double LocatorEnd = 0.05;
 constexpr double BlocksEnd = 0.8;
-constexpr double JoiningEnd = 0.85;
+constexpr double JoiningEnd = 0.25; // of what follows
+
+// How many steps across edges collars are wider than the strips: for flips at their rims, and for
+// what lies around the part of a member; a ring of vertices takes two to three.
+constexpr int StepsAround = 6;
+constexpr int StepsALevel = 3;
+
+// Of vertices, for what is measured at a vertex: triangles at it, and those beyond them.
+constexpr int RingsBeyond = 2;
 
 // Blocks have more fronts that meet, and by that more chances of a poor triangle than one block.
 constexpr double PoorInBlock = 0.92;
@@ -78,16 +87,18 @@ void BlockMesher::Plan(
   division.BitingConstant = UsedBitingConstant(this->Options);
   division.PartLength = UsedPartLength(this->Options);
   division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
-  this->Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
+  this->Own.Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
   this->Tree = plan.Tree;
-  this->Meshes.resize(this->Parts.Blocks.size());
+  this->Own.Meshes.resize(this->Own.Parts.Blocks.size());
   if (!this->IsInUse())
   {
     return;
   }
-  this->Shares = ShareBlocks(this->Parts.Blocks, static_cast<std::size_t>(this->Members.Size()));
+  const auto members = static_cast<std::size_t>(this->Members.Size());
+  this->Shares =
+    ShareBlocks(this->Own.Parts.Blocks, DealLeaves(this->Tree, static_cast<Id>(members)), members);
   this->LargestFirst = this->Shares[static_cast<std::size_t>(this->Members.Own())];
-  if (this->IsCollecting())
+  if (!this->IsHelping() && members > 1)
   {
     this->Members.Call();
   }
@@ -97,8 +108,8 @@ void BlockMesher::Plan(
 void BlockMesher::BiteBlocks(Monitor& monitor)
 {
   const std::size_t count = this->LargestFirst.size();
-  this->Found.resize(this->Meshes.size());
-  this->AreTriangulated.assign(this->Meshes.size(), 0);
+  this->Found.resize(this->Own.Meshes.size());
+  this->AreTriangulated.assign(this->Own.Meshes.size(), 0);
   std::vector<std::atomic<bool>> areBitten(count);
   std::atomic<std::size_t> begun{ 0 };
   std::atomic<std::size_t> ended{ 0 };
@@ -128,7 +139,7 @@ void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
   const std::int64_t most = this->Options.MaximumNumberOfVertices;
   std::int64_t vertices = 0;
   bool isTooMuch = false;
-  for (const BlockMesh& mesh : this->Meshes)
+  for (const BlockMesh& mesh : this->Own.Meshes)
   {
     vertices += mesh.Bitten;
     isTooMuch = isTooMuch || mesh.Bites.End == BitingEnd::TooManyVertices;
@@ -142,17 +153,17 @@ void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
 
 void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
 {
-  const BlockDomain& part = this->Parts.Blocks[block];
+  const BlockDomain& part = this->Own.Parts.Blocks[block];
   PartOfStage locating(monitor, 0.0, LocatorEnd);
   Pulse pulse(locating);
   const DomainLocator locator(part.Geometry, pulse);
   PartOfStage biting(monitor, LocatorEnd, 1.0);
-  BitingResult& bites = this->Meshes[block].Bites;
+  BitingResult& bites = this->Own.Meshes[block].Bites;
   BitingOptions options = this->Options;
   options.Stretch = part.Stretch;
   bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, options, biting);
   bites.Bites = Bites();
-  this->Meshes[block].Bitten = static_cast<std::int64_t>(bites.Points.size());
+  this->Own.Meshes[block].Bitten = static_cast<std::int64_t>(bites.Points.size());
 }
 
 Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
@@ -177,9 +188,9 @@ Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
 
 void BlockMesher::TriangulateBlock(std::size_t block, Monitor& monitor)
 {
-  BlockMesh& mesh = this->Meshes[block];
+  BlockMesh& mesh = this->Own.Meshes[block];
   mesh.Triangles = TriangulateBites(
-    this->Parts.Blocks[block].Geometry, {}, mesh.Bites, this->Found[block], monitor);
+    this->Own.Parts.Blocks[block].Geometry, {}, mesh.Bites, this->Found[block], monitor);
   this->AreTriangulated[block] = 1;
 }
 
@@ -188,36 +199,37 @@ void BlockMesher::Relax(
 {
   PartOfStage relaxing(monitor, 0.0, BlocksEnd);
   this->RelaxBlocks(problems, relaxing);
-  if (!AddAborted(relaxing, problems) && !problems.HasErrors() && this->IsCollecting())
-  {
-    this->Collect(relaxing);
-    this->MakeMissing(problems, relaxing);
-  }
   if (AddAborted(relaxing, problems) || problems.HasErrors())
   {
     return;
   }
+  if (this->Members.Size() > 1)
+  {
+    this->TakeCollars();
+  }
   if (this->IsHelping())
   {
-    this->SendOwn();
+    this->Members.Send(PackCollars(this->Own.Parts, this->LargestFirst, this->Own.Collars));
     return;
   }
-  PartOfStage joining(monitor, BlocksEnd, JoiningEnd);
-  this->Join(problems, joining);
+  PartOfStage joining(monitor, BlocksEnd, 1.0);
+  this->Own.AreSpread = this->Members.Size() > 1 && this->MendCollars(problems, joining);
   if (AddAborted(joining, problems) || problems.HasErrors())
   {
     return;
   }
-  PartOfStage mending(monitor, JoiningEnd, 1.0);
-  RelaxCuts(this->Geometry, this->Parts.AreTouching, this->F, this->Joined, mending);
-  AddAborted(mending, problems);
+  if (!this->Own.AreSpread)
+  {
+    this->MendWhole(problems, joining);
+  }
+  AddAborted(joining, problems);
   bites = std::move(this->Joined.Bites);
   triangles = std::move(this->Joined.Triangles);
 }
 
 void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
 {
-  std::vector<std::string> violations(this->Meshes.size());
+  std::vector<std::string> violations(this->Own.Meshes.size());
   RelaxationOptions options;
   options.PoorCotangents = PoorInBlock;
   Pulse pulse(monitor);
@@ -225,9 +237,9 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
     [this, &violations, &options](std::size_t k, Monitor& own)
     {
       const std::size_t block = this->LargestFirst[k];
-      BlockMesh& mesh = this->Meshes[block];
+      BlockMesh& mesh = this->Own.Meshes[block];
       violations[block] = RelaxBites(
-        this->Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);
+        this->Own.Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);
     });
   for (const std::string& violation : violations)
   {
@@ -238,24 +250,45 @@ void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
   }
 }
 
-void BlockMesher::SendOwn()
+// Of the blocks at hand.
+void BlockMesher::TakeCollars()
 {
-  this->Members.Send(PackBlocks(this->Parts, this->LargestFirst, this->Meshes));
+  this->Own.Collars.resize(this->Own.Meshes.size());
+  const std::vector<std::uint8_t> isOnCut = VerticesOnCuts(this->Own.Parts.Graph);
+  for (const std::size_t block : this->LargestFirst)
+  {
+    this->Own.Collars[block] = TakeCollar(this->Own.Parts.Blocks[block], isOnCut,
+      this->Own.Meshes[block], StripSteps + StepsAround + StepsALevel * this->GhostLevels);
+  }
 }
 
-// What the others have made; what is missing is left as the blocks that this process makes.
-void BlockMesher::Collect(Monitor& monitor)
+// What the others have made; what is missing is left as the blocks that this process makes. Returns
+// whether anybody holds blocks.
+bool BlockMesher::Collect(Monitor& monitor)
 {
+  KeptBlocks& own = this->Own;
+  own.Holders.assign(own.Meshes.size(), 0);
+  own.AreHolding.assign(this->Shares.size(), false);
   this->LargestFirst.clear();
+  bool isAny = false;
   for (std::size_t member = 1; member < this->Shares.size(); ++member)
   {
+    const std::vector<std::size_t>& share = this->Shares[member];
     const std::vector<char> bytes = this->Members.Receive(static_cast<int>(member), monitor);
-    if (!UnpackBlocks(bytes, this->Parts, this->Shares[member], this->Meshes))
+    if (!UnpackCollars(bytes, own.Parts, share, own.Collars))
     {
-      this->LargestFirst.insert(
-        this->LargestFirst.end(), this->Shares[member].begin(), this->Shares[member].end());
+      this->LargestFirst.insert(this->LargestFirst.end(), share.begin(), share.end());
+      continue;
+    }
+    own.AreHolding[member] = true;
+    isAny = isAny || !share.empty();
+    for (const std::size_t block : share)
+    {
+      own.Holders[block] = static_cast<Id>(member);
+      own.Meshes[block].Bitten = own.Collars[block].Mesh.Bitten;
     }
   }
+  return isAny;
 }
 
 // The stages once more, for blocks that did not arrive.
@@ -277,14 +310,71 @@ void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
   }
 }
 
-void BlockMesher::Join(ProblemList& problems, Monitor& monitor)
+// False where that does not give the whole.
+bool BlockMesher::MendCollars(ProblemList& problems, PartOfStage& part)
 {
-  Pulse pulse(monitor);
-  this->Joined = JoinBlocks(this->Geometry, this->Parts, std::move(this->Meshes), pulse);
+  KeptBlocks& own = this->Own;
+  const bool isAny = this->Collect(part);
+  if (!isAny || part.HasStopped())
+  {
+    return false;
+  }
+  this->MakeMissing(problems, part);
+  if (part.HasStopped() || problems.HasErrors())
+  {
+    return false;
+  }
+  this->TakeCollars();
+  std::vector<BlockMesh> meshes;
+  for (BlockCollar& collar : own.Collars)
+  {
+    meshes.push_back(std::move(collar.Mesh));
+    collar.Mesh = BlockMesh();
+  }
+  const StripChange change = this->Mend(std::move(meshes), problems, part);
+  if (part.HasStopped() || problems.HasErrors() || !change.IsWhole)
+  {
+    return false;
+  }
+  own.Numbers = NumberWhole(own.Collars, this->Joined, change);
+  own.Owners = OwnersOfTriangles(this->Joined.Triangles, own.Numbers, own.Holders);
+  return HasRingsAround(this->Joined.Triangles, own.Owners, this->Joined.Bites.Points.size(),
+    this->GhostLevels + RingsBeyond);
+}
+
+void BlockMesher::MendWhole(ProblemList& problems, PartOfStage& part)
+{
+  this->LargestFirst.clear();
+  for (std::size_t block = 0; block < this->Own.Meshes.size(); ++block)
+  {
+    if (this->Own.Meshes[block].Triangles.Corners.empty())
+    {
+      this->LargestFirst.push_back(block);
+    }
+  }
+  this->MakeMissing(problems, part);
+  if (!AddAborted(part, problems) && !problems.HasErrors())
+  {
+    this->Mend(std::move(this->Own.Meshes), problems, part);
+  }
+}
+
+StripChange BlockMesher::Mend(
+  std::vector<BlockMesh> meshes, ProblemList& problems, Monitor& monitor)
+{
+  PartOfStage joining(monitor, 0.0, JoiningEnd);
+  Pulse pulse(joining);
+  this->Joined = JoinBlocks(this->Geometry, this->Own.Parts, std::move(meshes), pulse);
   if (!pulse.HasStopped() && !this->Joined.IsSound)
   {
     AddProblem(ProblemCode::CheckFailed, "the sides of a cut do not fit", problems);
   }
+  if (pulse.HasStopped() || problems.HasErrors())
+  {
+    return {};
+  }
+  PartOfStage mending(monitor, JoiningEnd, 1.0);
+  return RelaxCuts(this->Geometry, this->Own.Parts.AreTouching, this->F, this->Joined, mending);
 }
 
 } // namespace biting

@@ -6,15 +6,17 @@
 
 #include "../Base/Crew.h"
 #include "../Base/Monitor.h"
+#include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
-#include "BlockDomains.h"
+#include "CutStrip.h"
 #include "CutTree.h"
 #include "JoinedBlocks.h"
+#include "KeptBlocks.h"
 
 #include <cstdint> // for flags
 #include <vector>  // for the blocks
@@ -30,25 +32,34 @@ namespace biting
 /// not in use. The domain and the spacing must outlive it. Problems are added in the order of the
 /// blocks.
 ///
-/// The members of a crew share the blocks. Those that are not the first have no mesh in the end.
+/// The members of a crew share the blocks, which stay with them: the first one joins and relaxes
+/// their collars only (BlockCollar.h), and has in `bites` and `triangles` the mesh of these. What
+/// does not arrive it makes itself; where the collars do not suffice, or nobody has sent any, it
+/// makes all, and has the mesh of the whole.
 class BlockMesher
 {
 public:
-  BlockMesher(const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew())
+  /// With `ghostLevels`, what lies so many rings of vertices around a member's part is in the
+  /// collars' mesh, and two rings more.
+  BlockMesher(
+    const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew(), int ghostLevels = 0)
     : Geometry(domain)
     , F(spacing)
     , Members(crew)
+    , GhostLevels(ghostLevels)
   {
   }
 
-  bool IsInUse() const { return !this->Parts.Blocks.empty(); }
-  std::size_t NumberOfBlocks() const { return this->Parts.Blocks.size(); }
+  bool IsInUse() const { return !this->Own.Parts.Blocks.empty(); }
 
-  /// Another process has the mesh in the end.
+  /// Another process is the first.
   bool IsHelping() const { return this->Members.Own() != 0; }
 
   /// By which the blocks were cut, where it is in use.
   const CutTree& Cuts() const { return this->Tree; }
+
+  /// The blocks, and after the last step what is kept of them, where there are several members.
+  KeptBlocks& Kept() { return this->Own; }
 
   /// The steps, in their order. The first one cuts the domain, and bites its blocks; `vertices` are
   /// expected, `options` has the biting constant. Returns false where there are no blocks, as where
@@ -66,26 +77,27 @@ private:
     const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
   void BiteBlocks(Monitor& monitor);
   void RefuseTooManyVertices(ProblemList& problems) const;
-  bool IsCollecting() const { return this->Members.Own() == 0 && this->Members.Size() > 1; }
   void BiteBlock(std::size_t block, Monitor& monitor);
   void TriangulateBlock(std::size_t block, Monitor& monitor);
   void RelaxBlocks(ProblemList& problems, Monitor& monitor);
-  void SendOwn();
-  void Collect(Monitor& monitor);
+  void TakeCollars();
+  bool Collect(Monitor& monitor);
   void MakeMissing(ProblemList& problems, Monitor& monitor);
-  void Join(ProblemList& problems, Monitor& monitor);
+  bool MendCollars(ProblemList& problems, PartOfStage& part);
+  void MendWhole(ProblemList& problems, PartOfStage& part);
+  StripChange Mend(std::vector<BlockMesh> meshes, ProblemList& problems, Monitor& monitor);
 
   const Domain& Geometry;
   const Spacing& F;
   Crew& Members;
+  int GhostLevels;
   BitingOptions Options;
   double Expected = 0.0; ///< vertices
-  BlockDomains Parts;
+  KeptBlocks Own;
   CutTree Tree;
   std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks
   std::vector<std::vector<std::size_t>> Shares; ///< of the members: blocks, the largest first
-  std::vector<BlockMesh> Meshes;
-  std::vector<ProblemList> Found; ///< in the triangulations of the blocks
+  std::vector<ProblemList> Found;               ///< in the triangulations of the blocks
   std::vector<std::uint8_t> AreTriangulated;
   JoinedMesh Joined;
 };

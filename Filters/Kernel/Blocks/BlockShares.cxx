@@ -3,14 +3,14 @@
 
 #include "BlockShares.h"
 
-#include <algorithm> // for stable_sort, min_element
+#include <algorithm> // for stable_sort
 #include <numeric>   // for iota
 
 namespace biting
 {
 
 std::vector<std::vector<std::size_t>> ShareBlocks(
-  const std::vector<BlockDomain>& blocks, std::size_t members)
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members)
 {
   std::vector<std::size_t> largestFirst(blocks.size());
   std::iota(largestFirst.begin(), largestFirst.end(), std::size_t{ 0 });
@@ -18,12 +18,9 @@ std::vector<std::vector<std::size_t>> ShareBlocks(
     [&blocks](std::size_t a, std::size_t b)
     { return blocks[a].ExpectedVertices > blocks[b].ExpectedVertices; });
   std::vector<std::vector<std::size_t>> shares(members);
-  std::vector<double> vertices(members, 0.0);
   for (const std::size_t block : largestFirst)
   {
-    const auto least = std::min_element(vertices.begin(), vertices.end());
-    *least += blocks[block].ExpectedVertices;
-    shares[static_cast<std::size_t>(least - vertices.begin())].push_back(block);
+    shares[static_cast<std::size_t>(dealtLeaves[blocks[block].Leaf])].push_back(block);
   }
   return shares;
 }

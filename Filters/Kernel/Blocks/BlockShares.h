@@ -12,12 +12,11 @@
 namespace biting
 {
 
-/// The blocks of each of `members`, as numbers: one after the other, the largest first, goes to the
-/// member that has fewest expected vertices so far, the first of those. So a member's share begins
-/// with its largest: while that is at work, other threads do several of the others. Depends on the
-/// blocks alone.
+/// The blocks of each of `members`, as numbers: `dealtLeaves` (DealLeaves) says to whom each leaf
+/// goes, and with it the blocks that lie there. A member's share begins with its largest block:
+/// while that is at work, other threads do several of the others. Depends on the blocks alone.
 std::vector<std::vector<std::size_t>> ShareBlocks(
-  const std::vector<BlockDomain>& blocks, std::size_t members);
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members);
 
 } // namespace biting
 

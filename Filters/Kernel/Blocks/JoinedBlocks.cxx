@@ -8,7 +8,7 @@
 #include "DisjointSets.h"
 #include "StripParts.h"
 
-#include <algorithm>  // for max_element, stable_sort
+#include <algorithm>  // for max, max_element, stable_sort
 #include <functional> // for tasks
 #include <tuple>      // for comparing
 #include <utility>    // for move
@@ -130,6 +130,7 @@ JoinedMesh Joiner::Join()
   }
   this->LinkCuts();
   this->NumberRegions();
+  this->Result.Places = std::move(this->Places);
   return std::move(this->Result);
 }
 
@@ -167,7 +168,6 @@ void Joiner::PlaceBlocks()
   for (std::size_t block = 0; block < this->Meshes.size() && this->Beats.Ask(); ++block)
   {
     const BlockMesh& mesh = this->Meshes[block];
-    const std::vector<Id>& orders = mesh.Bites.BiteOrders;
     const std::vector<Id>& regions = mesh.Triangles.Regions;
     const std::size_t shared = this->Parts.Blocks[block].Vertices.size();
     const auto sizeOf = [](const std::vector<Id>& numbers)
@@ -175,8 +175,8 @@ void Joiner::PlaceBlocks()
     this->AddShared(block);
     const BlockPlace& place = this->Places[block];
     this->Places[block + 1] = { place.Vertex + static_cast<Id>(mesh.Bites.Points.size() - shared),
-      place.Order + sizeOf(orders), place.Triangle + mesh.Triangles.NumberOfTriangles(),
-      place.Face + sizeOf(regions) };
+      place.Order + std::max(mesh.NumberOfOrders, sizeOf(mesh.Bites.BiteOrders)),
+      place.Triangle + mesh.Triangles.NumberOfTriangles(), place.Face + sizeOf(regions) };
   }
   this->JoinedFaces = DisjointSets(static_cast<std::size_t>(this->Places.back().Face));
 }
@@ -436,6 +436,7 @@ void Joiner::NumberRegions()
   ForEachAtOnce(this->Beats, this->Faces.size(),
     [this, &numbers](std::size_t triangle)
     { this->Result.Triangles.Regions[triangle] = numbers[this->Faces[triangle]]; });
+  this->Result.FaceRegions = std::move(numbers);
 }
 
 } // namespace

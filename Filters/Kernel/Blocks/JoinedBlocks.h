@@ -23,6 +23,7 @@ struct BlockMesh
   BitingResult Bites;
   Triangulation Triangles;
   std::int64_t Bitten = 0; ///< vertices, before relaxation
+  Id NumberOfOrders = 0;   ///< of the block, where this is a part of it (BlockCollar.h)
 };
 
 /// Where the first of a block's own goes.
@@ -40,7 +41,9 @@ struct JoinedMesh
   BitingResult Bites;
   Triangulation Triangles;
   std::vector<Id> NearCuts; ///< triangles at cuts, and those around them (StripParts.h), rising
-  bool IsSound = true;      ///< false: the sides of a cut do not fit
+  std::vector<BlockPlace> Places; ///< of the blocks, and past the last
+  std::vector<Id> FaceRegions;    ///< regions, of the blocks' faces
+  bool IsSound = true;            ///< false: the sides of a cut do not fit
 };
 
 /// Joins the meshes of all blocks. Vertices: those of the domain, in their order, those of cuts,

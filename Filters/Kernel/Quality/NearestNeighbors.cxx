@@ -14,14 +14,14 @@
 
 #include "NearestNeighbors.h"
 
-#include "../Base/Box2.h"
 #include "../Base/Marks.h"
 #include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
+#include "CellMask.h"
 #include "PointTree.h"
 
-#include <algorithm> // for min, max, fill
+#include <algorithm> // for min, max
 #include <atomic>    // for what threads share
 #include <cmath>     // for sqrt, abs
 #include <cstdint>   // for flags
@@ -97,68 +97,6 @@ private:
   std::vector<std::atomic<double>> Values;
 };
 
-// Cells of a grid that the discs of the suspects touch.
-class CellMask
-{
-public:
-  CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects, Pulse& pulse);
-  bool IsFull() const { return this->Budget < 0; }
-  void Add(const Point2& center, double radius);
-  bool Contains(const Point2& p) const
-  {
-    return this->IsMarked[static_cast<std::size_t>(
-             this->Row(p.Y) * this->Columns + this->Column(p.X))] != 0;
-  }
-
-private:
-  std::int64_t Column(double x) const
-  {
-    return ToCell((x - this->Bounds.Low.X) * this->CellsPerLength, this->Columns);
-  }
-  std::int64_t Row(double y) const
-  {
-    return ToCell((y - this->Bounds.Low.Y) * this->CellsPerLength, this->Rows);
-  }
-  static std::int64_t ToCell(double position, std::int64_t count)
-  {
-    const double last = static_cast<double>(count - 1);
-    return position > 0.0 ? static_cast<std::int64_t>(std::min(position, last)) : 0;
-  }
-
-  Box2 Bounds;
-  double CellsPerLength = 0.0;
-  std::int64_t Columns = 1;
-  std::int64_t Rows = 1;
-  std::int64_t Budget; ///< cells that may still be marked: keeps the cost O(n) for any input
-  std::vector<std::uint8_t> IsMarked;
-};
-
-CellMask::CellMask(const std::vector<Point2>& points, std::size_t numberOfSuspects, Pulse& pulse)
-  : Budget(static_cast<std::int64_t>(points.size() + 9 * numberOfSuspects))
-{
-  pulse.ForEach(points.size(), [this, &points](std::size_t i) { this->Bounds.Add(points[i]); });
-  const double root = std::sqrt(static_cast<double>(points.size()));
-  const double extent = std::max(this->Bounds.Width(), this->Bounds.Height());
-  this->CellsPerLength = extent > 0.0 ? root / extent : 0.0;
-  this->Columns += static_cast<std::int64_t>(this->Bounds.Width() * this->CellsPerLength);
-  this->Rows += static_cast<std::int64_t>(this->Bounds.Height() * this->CellsPerLength);
-  this->IsMarked.assign(static_cast<std::size_t>(this->Columns * this->Rows), 0);
-}
-
-void CellMask::Add(const Point2& center, double radius)
-{
-  const std::int64_t firstColumn = this->Column(center.X - radius);
-  const std::int64_t lastColumn = this->Column(center.X + radius);
-  const std::int64_t firstRow = this->Row(center.Y - radius);
-  const std::int64_t lastRow = this->Row(center.Y + radius);
-  this->Budget -= (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1);
-  for (std::int64_t row = firstRow; row <= lastRow && !this->IsFull(); ++row)
-  {
-    const auto begin = this->IsMarked.begin() + row * this->Columns;
-    std::fill(begin + firstColumn, begin + lastColumn + 1, std::uint8_t{ 1 });
-  }
-}
-
 // Vertices whose distances are not known, in their order.
 struct SuspectList
 {
@@ -185,7 +123,7 @@ public:
   NeighborSearch(const std::vector<Point2>& points, const std::vector<Id>& corners,
     const std::vector<Id>& neighbors, Pulse& pulse);
   void VisitEdges();
-  void SearchSuspects();
+  void SearchSuspects(std::vector<Id>* found);
   std::vector<double> Distances() const;
 
 private:
@@ -308,7 +246,7 @@ void NeighborSearch::Shorten(Id vertex, double squaredDistance)
   this->SquaredDistances.Lower(static_cast<std::size_t>(vertex), squaredDistance, this->IsAlone);
 }
 
-void NeighborSearch::SearchSuspects()
+void NeighborSearch::SearchSuspects(std::vector<Id>* found)
 {
   const PulsePart part(this->Beats, VisitEnd, SearchEnd);
   const std::vector<Id> suspects = this->Suspects();
@@ -326,6 +264,10 @@ void NeighborSearch::SearchSuspects()
       this->SquaredDistances.Set(
         vertex, tree.NearestSquaredDistance(this->Place(suspects[k]), suspects[k], known));
     });
+  if (found)
+  {
+    *found = suspects;
+  }
 }
 
 PointTree NeighborSearch::TreeFor(const std::vector<Id>& suspects) const
@@ -405,12 +347,13 @@ std::vector<double> NeighborSearch::Distances() const
 } // namespace
 
 std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor)
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor,
+  std::vector<Id>* suspects)
 {
   Pulse pulse(monitor);
   NeighborSearch search(points, corners, neighbors, pulse);
   search.VisitEdges();
-  search.SearchSuspects();
+  search.SearchSuspects(suspects);
   return search.Distances();
 }
 

@@ -21,8 +21,12 @@ namespace biting
 ///
 /// Cost O(n) where triangles are well shaped and few vertices are near the boundary; O(n log n) for
 /// the vertices for which this does not hold. Empty where the monitor asked to stop.
+/// The triangles may be a part of a mesh: then distances are those within it; vertices that may be
+/// nearer to others, though all triangles at them and beyond these are in the part, are among
+/// `suspects`, where it is not null.
 std::vector<double> NearestNeighborDistances(const std::vector<Point2>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor = NoMonitor());
+  const std::vector<Id>& corners, const std::vector<Id>& neighbors, Monitor& monitor = NoMonitor(),
+  std::vector<Id>* suspects = nullptr);
 
 /// The same of any points, without a triangulation; equal points have the distance 0.
 /// Cost O(n log n). Empty where the monitor asked to stop.

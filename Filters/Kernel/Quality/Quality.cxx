@@ -78,20 +78,6 @@ double AspectRatio(const Shape& shape)
   return 0.5 * diameter * (shortest + middle + longest) / shape.DoubledArea;
 }
 
-// The worst that was seen.
-struct Extremes
-{
-  double SmallestAngle = Infinity;
-  double LargestRadiusEdgeRatio = 0.0;
-
-  void Join(const Extremes& other)
-  {
-    this->SmallestAngle = std::min(this->SmallestAngle, other.SmallestAngle);
-    this->LargestRadiusEdgeRatio =
-      std::max(this->LargestRadiusEdgeRatio, other.LargestRadiusEdgeRatio);
-  }
-};
-
 // Of large meshes array by array as tasks: the system takes its time to hand out memory.
 void MakeRoom(MeshQuality& quality, Pulse& pulse)
 {
@@ -126,8 +112,8 @@ void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
   {
     return;
   }
-  const Extremes extremes = SumAtOnce(pulse, count, Extremes(),
-    [&mesh, &quality](Extremes& sum, std::size_t t)
+  const QualitySums sums = SumAtOnce(pulse, count, QualitySums(),
+    [&mesh, &quality](QualitySums& sum, std::size_t t)
     {
       const auto place = [&mesh, t](std::size_t corner) -> const Point2&
       { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
@@ -135,10 +121,15 @@ void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
       quality.MinimumAngle[t] = MinimumAngle(shape);
       quality.RadiusEdgeRatio[t] = RadiusEdgeRatio(shape);
       quality.AspectRatio[t] = AspectRatio(shape);
-      sum.Join({ quality.MinimumAngle[t], quality.RadiusEdgeRatio[t] });
+      if (mesh.CountsTriangle(t))
+      {
+        sum.Triangles += 1;
+        sum.SmallestAngle = std::min(sum.SmallestAngle, quality.MinimumAngle[t]);
+        sum.LargestRadiusEdgeRatio =
+          std::max(sum.LargestRadiusEdgeRatio, quality.RadiusEdgeRatio[t]);
+      }
     });
-  quality.SmallestAngle = extremes.SmallestAngle;
-  quality.LargestRadiusEdgeRatio = extremes.LargestRadiusEdgeRatio;
+  quality.Sums.Join(sums);
 }
 
 // The ends of the edge opposite a slot's corner.
@@ -202,50 +193,33 @@ bool IsInBand(double relativeLength)
   return square >= 0.5 && square <= 2.0;
 }
 
-// Lengths of edges, relative to the spacing, and its largest slope along one.
-struct EdgeSum
+void AddEdge(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends, QualitySums& sum)
 {
-  double Sum = 0.0;
-  std::int64_t Count = 0;
-  std::int64_t CountInBand = 0;
-  double LargestSlope = 0.0;
-
-  void Add(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends)
-  {
-    const double length = LengthOf(mesh, ends);
-    const double relativeLength = length / WantedLength(mesh, edge, ends);
-    this->Sum += relativeLength;
-    this->Count += 1;
-    this->CountInBand += IsInBand(relativeLength) ? 1 : 0;
-    this->LargestSlope = std::max(this->LargestSlope, SlopeOf(mesh, ends, length));
-  }
-
-  void Join(const EdgeSum& other)
-  {
-    this->Sum += other.Sum;
-    this->Count += other.Count;
-    this->CountInBand += other.CountInBand;
-    this->LargestSlope = std::max(this->LargestSlope, other.LargestSlope);
-  }
-};
+  const double length = LengthOf(mesh, ends);
+  const double relativeLength = length / WantedLength(mesh, edge, ends);
+  sum.RelativeLengths.Add(relativeLength);
+  sum.Edges += 1;
+  sum.EdgesInBand += IsInBand(relativeLength) ? 1 : 0;
+  sum.LargestSlope = std::max(sum.LargestSlope, SlopeOf(mesh, ends, length));
+}
 
 // The spacing at the middles is in the order of the edges, which only counting tells.
-EdgeSum SumNumberedEdges(const MeshView& mesh, Pulse& pulse)
+QualitySums SumNumberedEdges(const MeshView& mesh, Pulse& pulse)
 {
-  EdgeSum sum;
+  QualitySums sum;
   ForEachEdge(mesh, pulse,
-    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends) { sum.Add(mesh, edge, ends); });
+    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends) { AddEdge(mesh, edge, ends, sum); });
   return sum;
 }
 
-EdgeSum SumEdges(const MeshView& mesh, Pulse& pulse)
+QualitySums SumEdges(const MeshView& mesh, Pulse& pulse)
 {
-  return SumAtOnce(pulse, mesh.Corners.size(), EdgeSum(),
-    [&mesh](EdgeSum& sum, std::size_t slot)
+  return SumAtOnce(pulse, mesh.Corners.size(), QualitySums(),
+    [&mesh](QualitySums& sum, std::size_t slot)
     {
-      if (IsCounted(mesh, slot))
+      if (IsCounted(mesh, slot) && mesh.CountsTriangle(slot / 3))
       {
-        sum.Add(mesh, 0, EndsOf(mesh, slot));
+        AddEdge(mesh, 0, EndsOf(mesh, slot), sum);
       }
     });
 }
@@ -253,28 +227,8 @@ EdgeSum SumEdges(const MeshView& mesh, Pulse& pulse)
 void MeasureEdges(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, TrianglesEnd, EdgesEnd);
-  const EdgeSum all = mesh.MiddleSpacing ? SumNumberedEdges(mesh, pulse) : SumEdges(mesh, pulse);
-  quality.LargestSlope = all.LargestSlope;
-  if (all.Count > 0)
-  {
-    const double count = static_cast<double>(all.Count);
-    quality.MeanRelativeLength = all.Sum / count;
-    quality.ShareOfEdgesInBand = static_cast<double>(all.CountInBand) / count;
-  }
+  quality.Sums.Join(mesh.MiddleSpacing ? SumNumberedEdges(mesh, pulse) : SumEdges(mesh, pulse));
 }
-
-// Of the vertices.
-struct ConformitySum
-{
-  double Sum = 0.0;
-  double Smallest = Infinity;
-
-  void Join(const ConformitySum& other)
-  {
-    this->Sum += other.Sum;
-    this->Smallest = std::min(this->Smallest, other.Smallest);
-  }
-};
 
 void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
@@ -284,16 +238,19 @@ void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
   {
     return;
   }
-  const ConformitySum all = SumAtOnce(pulse, count, ConformitySum(),
-    [&mesh, &quality](ConformitySum& sum, std::size_t i)
+  quality.Sums.Join(SumAtOnce(pulse, count, QualitySums(),
+    [&mesh, &quality](QualitySums& sum, std::size_t i)
     {
       const double distance = quality.NearestNeighborDistance[i];
       const double spacing = mesh.Spacing[i];
       quality.Conformity[i] = std::min(distance, spacing) / std::max(distance, spacing);
-      sum.Join({ quality.Conformity[i], quality.Conformity[i] });
-    });
-  quality.SmallestConformity = all.Smallest;
-  quality.MeanConformity = all.Sum / static_cast<double>(count);
+      if (mesh.CountsVertex(i))
+      {
+        sum.Vertices += 1;
+        sum.SmallestConformity = std::min(sum.SmallestConformity, quality.Conformity[i]);
+        sum.Conformities.Add(quality.Conformity[i]);
+      }
+    }));
 }
 
 // Of the slopes along edges.
@@ -305,6 +262,22 @@ struct Steepest
 };
 
 } // namespace
+
+void MeshQuality::Conclude(const QualitySums& sums)
+{
+  const auto share = [](double sum, std::int64_t count)
+  { return count > 0 ? sum / static_cast<double>(count) : 0.0; };
+  this->Sums = sums;
+  this->NumberOfVertices = sums.Vertices;
+  this->NumberOfTriangles = sums.Triangles;
+  this->SmallestAngle = sums.Triangles > 0 ? sums.SmallestAngle : 0.0;
+  this->LargestRadiusEdgeRatio = sums.LargestRadiusEdgeRatio;
+  this->SmallestConformity = sums.Vertices > 0 ? sums.SmallestConformity : 0.0;
+  this->MeanConformity = share(sums.Conformities.Value(), sums.Vertices);
+  this->MeanRelativeLength = share(sums.RelativeLengths.Value(), sums.Edges);
+  this->LargestSlope = sums.LargestSlope;
+  this->ShareOfEdgesInBand = share(static_cast<double>(sums.EdgesInBand), sums.Edges);
+}
 
 MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor)
 {
@@ -327,6 +300,7 @@ MeshQuality MeasureQuality(
   MeasureEdges(mesh, quality, pulse);
   quality.NearestNeighborDistance = std::move(nearestNeighborDistances);
   MeasureConformity(mesh, quality, pulse);
+  quality.Conclude(quality.Sums);
   return quality;
 }
 

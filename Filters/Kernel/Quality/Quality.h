@@ -7,6 +7,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
 #include "../Base/Point2.h"
+#include "QualitySums.h"
 
 #include <cstdint> // for counts
 #include <vector>  // for the arrays
@@ -36,6 +37,11 @@ struct MeshQuality
   double MeanRelativeLength = 0.0; ///< mean over edges of length / mean f of its ends
   double LargestSlope = 0.0;       ///< as the function says
   double ShareOfEdgesInBand = 0.0; ///< of edges with length within [1/sqrt(2), sqrt(2)] f, 0..1
+
+  QualitySums Sums; ///< of which the whole follows
+
+  /// Makes the figures of the whole those of `sums`.
+  void Conclude(const QualitySums& sums);
 };
 
 /// A mesh to judge: vertices, the spacing wanted at each, and triangles (three vertex ids each).
@@ -48,6 +54,21 @@ struct MeshView
 
   /// The spacing at EdgeMiddles, in their order; null: the mean of that at the ends.
   const std::vector<double>* MiddleSpacing = nullptr;
+
+  /// Not 0 for vertices, and for triangles, that do not count in sums: they are there for what
+  /// others need of them. An edge counts with the triangle that has the larger number. Null: all
+  /// count.
+  const std::vector<std::uint8_t>* ForeignVertices = nullptr;
+  const std::vector<std::uint8_t>* ForeignTriangles = nullptr;
+
+  bool CountsVertex(std::size_t vertex) const
+  {
+    return !this->ForeignVertices || (*this->ForeignVertices)[vertex] == 0;
+  }
+  bool CountsTriangle(std::size_t triangle) const
+  {
+    return !this->ForeignTriangles || (*this->ForeignTriangles)[triangle] == 0;
+  }
 };
 
 /// Measures `mesh`. Cost O(n) for a Delaunay mesh.

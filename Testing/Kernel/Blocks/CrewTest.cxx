@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Blocks that several processes share: here they do their work one after the other.
+// Blocks that several processes share: here each is a thread.
 
 #include "../Support/MeshShapes.h"
 #include "../Support/PolylineShapes.h"
@@ -9,11 +9,15 @@
 
 #include "Base/Crew.h"
 #include "BitingMesh.h"
+#include "ThreadCrew.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>  // for min
+#include <algorithm>  // for max, min
+#include <array>      // for corners
+#include <cstdint>    // for ids
 #include <functional> // for work
+#include <new>        // for bad_alloc
 #include <utility>    // for move
 #include <vector>     // for bytes
 
@@ -23,91 +27,21 @@ namespace biting
 namespace
 {
 
-using Bytes = std::vector<char>;
-
-/// One of those that are not the first.
-class Helper : public Crew
-{
-public:
-  Helper(int own, int size)
-    : Number(own)
-    , Count(size)
-  {
-  }
-
-  int Size() const override { return this->Count; }
-  int Own() const override { return this->Number; }
-  Bytes Receive(int, Monitor&) override { return {}; }
-  void Call() override { ADD_FAILURE() << "only the first calls"; }
-  void Send(const Bytes& bytes) override
-  {
-    EXPECT_TRUE(this->Sent.empty());
-    this->Sent = bytes;
-  }
-
-  Bytes Sent;
-
-private:
-  int Number;
-  int Count;
-};
-
-/// The first one. The others do all of their work when it calls.
-class First : public Crew
-{
-public:
-  First(int size, std::function<void(Crew&)> work, std::function<void(int, Bytes&)> spoil)
-    : Mail(static_cast<std::size_t>(size))
-    , Work(std::move(work))
-    , Spoil(std::move(spoil))
-  {
-  }
-
-  int Size() const override { return static_cast<int>(this->Mail.size()); }
-  int Own() const override { return 0; }
-  void Send(const Bytes&) override { ADD_FAILURE() << "the first sends nothing"; }
-
-  void Call() override
-  {
-    ++this->NumberOfCalls;
-    for (int member = 1; member < this->Size(); ++member)
-    {
-      Helper helper(member, this->Size());
-      this->Work(helper);
-      this->NumberOfBytes += helper.Sent.size();
-      this->Spoil(member, helper.Sent);
-      this->Mail[static_cast<std::size_t>(member)] = helper.Sent;
-    }
-  }
-
-  Bytes Receive(int member, Monitor&) override
-  {
-    return std::move(this->Mail[static_cast<std::size_t>(member)]);
-  }
-
-  int NumberOfCalls = 0;
-  std::size_t NumberOfBytes = 0; ///< that the others sent
-
-private:
-  std::vector<Bytes> Mail;
-  std::function<void(Crew&)> Work;
-  std::function<void(int, Bytes&)> Spoil;
-};
-
 void KeepAll(int, Bytes&) {}
 
 struct Outcome
 {
-  BitingMesh Mesh;
+  BitingMesh Mesh; ///< put together, where it is in pieces
+  std::vector<BitingMesh> Pieces;
   ProblemList Problems;
   int NumberOfCalls = 0;
   std::size_t NumberOfBytes = 0;
 };
 
-BitingMeshOptions Options(std::int64_t verticesPerBlock)
+BitingMeshOptions Options(std::int64_t verticesPerBlock, double spacing = 0.012)
 {
   BitingMeshOptions options;
-  options.Spacing = UniformSpacing(0.012);
+  options.Spacing = UniformSpacing(spacing);
   options.VerticesPerBlock = verticesPerBlock;
   return options;
 }
@@ -121,21 +55,124 @@ Polylines Drawing()
     .Lines();
 }
 
+template <typename Value>
+void Place(const std::vector<Value>& from, const std::vector<std::int64_t>& ids,
+  const std::vector<std::uint8_t>& areForeign, std::vector<Value>& to)
+{
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    const std::size_t id = static_cast<std::size_t>(ids[k]);
+    to.resize(std::max(to.size(), id + 1));
+    if (areForeign[k] == 0)
+    {
+      to[id] = from[k];
+    }
+  }
+}
+
+/// Each vertex and triangle as that member has it whose own it is. Without neighbors.
+BitingMesh Unite(const std::vector<BitingMesh>& pieces)
+{
+  BitingMesh whole = pieces[0];
+  whole.Corners.clear();
+  whole.Neighbors.clear();
+  for (const BitingMesh& piece : pieces)
+  {
+    const std::vector<std::int64_t>& points = piece.Piece.PointIds;
+    const std::vector<std::uint8_t>& foreign = piece.Piece.ForeignPoints;
+    const auto place = [&points, &foreign, &piece, &whole](auto member)
+    { Place(piece.*member, points, foreign, whole.*member); };
+    place(&BitingMesh::Points);
+    place(&BitingMesh::Spacing);
+    place(&BitingMesh::BiteOrders);
+    place(&BitingMesh::Kinds);
+    place(&BitingMesh::OriginalPoints);
+    Place(piece.Quality.NearestNeighborDistance, points, foreign,
+      whole.Quality.NearestNeighborDistance);
+    Place(piece.Quality.Conformity, points, foreign, whole.Quality.Conformity);
+    std::vector<std::array<Id, 3>> corners;
+    for (std::size_t slot = 0; slot < piece.Corners.size(); slot += 3)
+    {
+      corners.push_back({});
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        corners.back()[k] =
+          static_cast<Id>(points[static_cast<std::size_t>(piece.Corners[slot + k])]);
+      }
+    }
+    const std::vector<std::int64_t>& triangles = piece.Piece.TriangleIds;
+    std::vector<std::array<Id, 3>> all;
+    for (std::size_t slot = 0; slot < whole.Corners.size(); slot += 3)
+    {
+      all.push_back({ whole.Corners[slot], whole.Corners[slot + 1], whole.Corners[slot + 2] });
+    }
+    Place(corners, triangles, piece.Piece.Levels, all);
+    whole.Corners.clear();
+    for (const std::array<Id, 3>& own : all)
+    {
+      whole.Corners.insert(whole.Corners.end(), own.begin(), own.end());
+    }
+    Place(piece.Regions, triangles, piece.Piece.Levels, whole.Regions);
+    Place(piece.Quality.MinimumAngle, triangles, piece.Piece.Levels, whole.Quality.MinimumAngle);
+    Place(
+      piece.Quality.RadiusEdgeRatio, triangles, piece.Piece.Levels, whole.Quality.RadiusEdgeRatio);
+    Place(piece.Quality.AspectRatio, triangles, piece.Piece.Levels, whole.Quality.AspectRatio);
+  }
+  const BitingMesh& border = *pieces[0].Border;
+  const auto idOf = [&border](Id vertex)
+  { return static_cast<Id>(border.Piece.PointIds[static_cast<std::size_t>(vertex)]); };
+  for (std::size_t edge = 0; edge < border.EdgeStarts.size(); ++edge)
+  {
+    whole.EdgeStarts.push_back(idOf(border.EdgeStarts[edge]));
+    whole.EdgeEnds.push_back(idOf(border.EdgeEnds[edge]));
+  }
+  whole.EdgeCells = border.EdgeCells;
+  whole.EdgeIsBoundary = border.EdgeIsBoundary;
+  whole.Piece = MeshPiece();
+  return whole;
+}
+
 Outcome MeshBy(int members, const BitingMeshOptions& options,
   const std::function<void(int, Bytes&)>& spoil = KeepAll)
 {
   const auto help = [&options](Crew& crew)
   {
     ProblemList problems;
-    const BitingMesh mesh = MakeBitingMesh(Drawing(), options, problems, NoMonitor(), crew);
-    EXPECT_TRUE(mesh.Points.empty());
+    return MakeBitingMesh(Drawing(), options, problems, NoMonitor(), crew);
   };
   First first(members, help, spoil);
   Outcome outcome;
-  outcome.Mesh = MakeBitingMesh(Drawing(), options, outcome.Problems, NoMonitor(), first);
+  try
+  {
+    outcome.Mesh = MakeBitingMesh(Drawing(), options, outcome.Problems, NoMonitor(), first);
+  }
+  catch (const std::bad_alloc&)
+  {
+    first.End();
+    throw;
+  }
+  first.End();
   outcome.NumberOfCalls = first.NumberOfCalls;
   outcome.NumberOfBytes = first.NumberOfBytes;
+  if (outcome.Mesh.Piece.IsPart)
+  {
+    outcome.Pieces.push_back(outcome.Mesh);
+    for (int member = 1; member < members; ++member)
+    {
+      outcome.Pieces.push_back(first.Of(member).Piece);
+    }
+    outcome.Mesh = Unite(outcome.Pieces);
+  }
   return outcome;
+}
+
+/// But for the neighbors, which pieces do not have.
+void ExpectSameWhole(const BitingMesh& mesh, BitingMesh alone)
+{
+  alone.Neighbors.clear();
+  BitingMesh whole = mesh;
+  whole.Neighbors.clear();
+  ExpectSame(whole, alone);
 }
 
 } // namespace
@@ -148,12 +185,81 @@ TEST(Crew, TheMeshIsTheSameToTheLastByteForAnyNumberOfMembers)
   {
     const Outcome shared = MeshBy(members, Options(500));
     EXPECT_EQ(shared.NumberOfCalls, 1);
-    ExpectSame(shared.Mesh, alone);
-    // They have done their share, and sent about 115 bytes a vertex.
-    const double bytes = 115.0 * static_cast<double>(alone.Points.size());
-    const double share = 1.0 - 1.0 / std::min(members, static_cast<int>(alone.NumberOfBlocks));
-    EXPECT_GT(static_cast<double>(shared.NumberOfBytes), 0.7 * share * bytes) << members;
-    EXPECT_LT(static_cast<double>(shared.NumberOfBytes), 1.5 * share * bytes) << members;
+    ExpectSameWhole(shared.Mesh, alone);
+    EXPECT_EQ(shared.Pieces.size(), static_cast<std::size_t>(members));
+  }
+}
+
+/// Only what lies around the cuts is sent to the first, about 115 bytes a vertex.
+TEST(Crew, BlocksStayWithThoseThatMadeThem)
+{
+  const BitingMeshOptions options = Options(8000, 0.004);
+  const BitingMesh alone = MeshBy(1, options).Mesh;
+  ASSERT_GE(alone.NumberOfBlocks, 8);
+  for (const int members : { 2, 3 })
+  {
+    const Outcome shared = MeshBy(members, options);
+    ASSERT_EQ(shared.Pieces.size(), static_cast<std::size_t>(members));
+    ExpectSameWhole(shared.Mesh, alone);
+    const double vertices = static_cast<double>(alone.Points.size());
+    EXPECT_LT(static_cast<double>(shared.NumberOfBytes), 0.5 * 115.0 * vertices);
+    for (const BitingMesh& piece : shared.Pieces)
+    {
+      EXPECT_LT(static_cast<double>(piece.Points.size()), 1.4 * vertices / members);
+    }
+  }
+}
+
+/// Vertices, triangles and what is measured of them are the same in all pieces that have them.
+TEST(Crew, GhostsAreAsTheirOwnersHaveThem)
+{
+  for (const int levels : { 0, 1, 2 })
+  {
+    SCOPED_TRACE(levels);
+    BitingMeshOptions options = Options(6000, 0.005);
+    options.GhostLevels = levels;
+    const Outcome shared = MeshBy(3, options);
+    ASSERT_EQ(shared.Pieces.size(), 3u);
+    for (const BitingMesh& piece : shared.Pieces)
+    {
+      std::vector<int> counts(3, 0);
+      for (std::size_t triangle = 0; triangle < piece.Regions.size(); ++triangle)
+      {
+        const std::size_t id = static_cast<std::size_t>(piece.Piece.TriangleIds[triangle]);
+        ++counts.at(piece.Piece.Levels[triangle]);
+        EXPECT_EQ(piece.Quality.MinimumAngle[triangle], shared.Mesh.Quality.MinimumAngle[id]);
+        EXPECT_EQ(piece.Regions[triangle], shared.Mesh.Regions[id]);
+      }
+      for (int level = 0; level < 3; ++level)
+      {
+        EXPECT_EQ(counts[static_cast<std::size_t>(level)] > 0, level <= levels);
+      }
+      for (std::size_t vertex = 0; vertex < piece.Points.size(); ++vertex)
+      {
+        const std::size_t id = static_cast<std::size_t>(piece.Piece.PointIds[vertex]);
+        EXPECT_EQ(piece.Quality.NearestNeighborDistance[vertex],
+          shared.Mesh.Quality.NearestNeighborDistance[id]);
+        EXPECT_EQ(piece.Points[vertex], shared.Mesh.Points[id]);
+        EXPECT_EQ(piece.Kinds[vertex], shared.Mesh.Kinds[id]);
+      }
+    }
+  }
+}
+
+/// What it holds cannot be made again by then.
+TEST(Crew, AMemberThatIsLostAfterItsCollarsIsAnError)
+{
+  for (int round = 1; round < 4; ++round)
+  {
+    int number = 0;
+    const auto lose = [&number, round](int member, Bytes& bytes)
+    {
+      if (member == 1 && number++ == round)
+      {
+        bytes.clear();
+      }
+    };
+    EXPECT_THROW(MeshBy(3, Options(500), lose), std::bad_alloc) << round;
   }
 }
 
@@ -171,7 +277,7 @@ TEST(Crew, WhatDoesNotArriveOrIsOfOtherBlocksTheFirstMakesItself)
     SCOPED_TRACE(k);
     const Outcome shared = MeshBy(3, Options(500), spoils[k]);
     EXPECT_FALSE(shared.Problems.HasErrors());
-    ExpectSame(shared.Mesh, alone);
+    ExpectSameWhole(shared.Mesh, alone);
   }
 }
 
@@ -198,7 +304,7 @@ TEST(Crew, TooManyVerticesAreRefusedAsByOneMember)
     EXPECT_EQ(shared.Problems.HasErrors(), alone.Problems.HasErrors()) << share;
     EXPECT_EQ(shared.Problems.Count(ProblemCode::TooManyVertices),
       alone.Problems.Count(ProblemCode::TooManyVertices));
-    ExpectSame(shared.Mesh, alone.Mesh);
+    ExpectSameWhole(shared.Mesh, alone.Mesh);
   }
 }
 

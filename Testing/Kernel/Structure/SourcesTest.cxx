@@ -106,6 +106,8 @@ const std::map<std::string, std::set<std::string>> Arrows = {
       "Relaxation", "Quality" } },
   { "Kernel/Blocks",
     { "Base", "Predicates", "Domain", "Spacing", "Biting", "Delaunay", "Relaxation", "Meshing" } },
+  { "Kernel/Pieces",
+    { "Base", "Predicates", "Domain", "Spacing", "Delaunay", "Quality", "Meshing", "Blocks" } },
   { "Kernel/Remeshing",
     { "Base", "Predicates", "Domain", "Simplification", "Spacing", "Biting", "Delaunay",
       "Quality" } },
@@ -114,7 +116,8 @@ const std::map<std::string, std::set<std::string>> Arrows = {
 bool IsAllowed(const std::string& from, const std::string& to)
 {
   // The mesh that these assemble and check is declared in the header of the facade.
-  if ((from == "Kernel/Meshing" || from == "Kernel/Remeshing") && to == "Kernel")
+  const std::set<std::string> assembling{ "Kernel/Meshing", "Kernel/Remeshing", "Kernel/Pieces" };
+  if (assembling.count(from) > 0 && to == "Kernel")
   {
     return true;
   }

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingWholeNumbers_h
+#define BitingWholeNumbers_h
+
+#include "../Base/Ids.h"
+#include "BlockCollar.h"
+#include "CutStrip.h"
+#include "JoinedBlocks.h"
+
+#include <cstdint> // for numbers in the whole
+#include <vector>  // for the maps
+
+namespace biting
+{
+
+/// Number of a vertex or triangle in a mesh of any size.
+using WholeId = std::int64_t;
+
+/// Where the vertices and triangles of one block are in the whole mesh.
+struct BlockNumbers
+{
+  WholeId FirstVertex = 0;        ///< of those that it shares with none, if that is not gone
+  std::vector<Id> GoneVertices;   ///< of these, rising
+  WholeId FirstTriangle = 0;      ///< if that is not taken
+  std::vector<Id> TakenTriangles; ///< of the block, that were of a strip, rising
+  Id FirstOrder = 0;
+  std::vector<Id> Regions; ///< of its faces
+};
+
+/// The numbers that vertices and triangles have in the mesh of all blocks, as they would have if
+/// the whole of all blocks had been joined, and unused vertices left out: found from the sizes of
+/// the blocks and what became of their collars.
+struct WholeNumbers
+{
+  std::vector<BlockNumbers> Blocks;
+  std::vector<WholeId> Vertices;  ///< of the collars' mesh; NoId: unused
+  std::vector<WholeId> Triangles; ///< of the collars' mesh
+  WholeId NumberOfVertices = 0;   ///< of the whole
+  std::vector<Id> VertexBlocks;   ///< that have them alone; NoId: shared, or new
+  std::vector<Id> TriangleBlocks; ///< that they come from; NoId: of a strip
+};
+
+/// `collars` have no mesh any more: that is `joined`, with `change` made along the cuts.
+WholeNumbers NumberWhole(
+  const std::vector<BlockCollar>& collars, const JoinedMesh& joined, const StripChange& change);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PieceDealer.h"
+
+#include <algorithm> // for min, sort, unique
+#include <numeric>   // for partial_sum
+
+namespace biting
+{
+
+PieceDealer::PieceDealer(const DealtMesh& dealt, int levels)
+  : Dealt(dealt)
+  , Levels(levels)
+  , Own(static_cast<std::size_t>(dealt.NumberOfMembers))
+  , LevelsSoFar(dealt.Owners.size(), 0)
+  , NewVertices(dealt.Mesh.Points.size(), NoId)
+  , NewTriangles(dealt.Owners.size(), NoId)
+{
+  this->OwnVertices();
+  this->ListUses();
+  for (std::size_t triangle = 0; triangle < dealt.Owners.size(); ++triangle)
+  {
+    this->Own[dealt.Owners[triangle]].push_back(static_cast<Id>(triangle));
+  }
+}
+
+void PieceDealer::OwnVertices()
+{
+  const std::vector<Id>& corners = this->Dealt.Mesh.Corners;
+  this->Owners.assign(this->Dealt.Mesh.Points.size(), this->Dealt.NumberOfMembers);
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
+  {
+    Id& owner = this->Owners[corners[slot]];
+    owner = std::min(owner, this->Dealt.Owners[slot / 3]);
+  }
+}
+
+void PieceDealer::ListUses()
+{
+  const std::vector<Id>& corners = this->Dealt.Mesh.Corners;
+  this->FirstUses.assign(this->Dealt.Mesh.Points.size() + 1, 0);
+  for (const Id corner : corners)
+  {
+    ++this->FirstUses[static_cast<std::size_t>(corner) + 1];
+  }
+  std::partial_sum(this->FirstUses.begin(), this->FirstUses.end(), this->FirstUses.begin());
+  Numbers next(this->FirstUses.begin(), this->FirstUses.end() - 1);
+  this->Uses.resize(corners.size());
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
+  {
+    this->Uses[next[corners[slot]]++] = static_cast<Id>(slot / 3);
+  }
+}
+
+CollarPart PieceDealer::Make(Id member)
+{
+  CollarPart part;
+  part.Mesh.Piece.IsPart = true;
+  const Numbers triangles = this->TrianglesOf(member);
+  const Numbers vertices = this->VerticesOf(triangles);
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+  {
+    this->NewVertices[vertices[k]] = static_cast<Id>(k);
+  }
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+  {
+    this->NewTriangles[triangles[k]] = static_cast<Id>(k);
+  }
+  this->CopyVertices(member, vertices, part);
+  this->CopyTriangles(triangles, part);
+  for (const Id triangle : triangles)
+  {
+    this->NewTriangles[triangle] = NoId;
+    this->LevelsSoFar[triangle] = 0;
+  }
+  return part;
+}
+
+PieceDealer::Numbers PieceDealer::TrianglesOf(Id member)
+{
+  Numbers triangles = this->Own[member];
+  for (const Id triangle : triangles)
+  {
+    this->LevelsSoFar[triangle] = 1;
+  }
+  Numbers front = triangles;
+  for (int level = 1; level <= this->Levels; ++level)
+  {
+    this->AddLevel(static_cast<std::uint8_t>(level + 1), front, triangles);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+// Triangles around the vertices of those of the front, which they become.
+void PieceDealer::AddLevel(std::uint8_t level, Numbers& front, Numbers& triangles)
+{
+  Numbers next;
+  for (const Id triangle : front)
+  {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const Id vertex = this->Dealt.Mesh.Corners[3 * static_cast<std::size_t>(triangle) + corner];
+      for (Id use = this->FirstUses[vertex]; use < this->FirstUses[vertex + 1]; ++use)
+      {
+        const Id other = this->Uses[use];
+        if (this->LevelsSoFar[other] == 0)
+        {
+          this->LevelsSoFar[other] = level;
+          next.push_back(other);
+        }
+      }
+    }
+  }
+  triangles.insert(triangles.end(), next.begin(), next.end());
+  front.swap(next);
+}
+
+PieceDealer::Numbers PieceDealer::VerticesOf(const Numbers& triangles) const
+{
+  Numbers vertices;
+  for (const Id triangle : triangles)
+  {
+    const auto corner =
+      this->Dealt.Mesh.Corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangle);
+    vertices.insert(vertices.end(), corner, corner + 3);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+void PieceDealer::CopyVertices(Id member, const Numbers& vertices, CollarPart& part) const
+{
+  const BitingMesh& from = this->Dealt.Mesh;
+  BitingMesh& to = part.Mesh;
+  for (const Id vertex : vertices)
+  {
+    to.Points.push_back(from.Points[vertex]);
+    to.Spacing.push_back(from.Spacing[vertex]);
+    to.BiteOrders.push_back(from.BiteOrders[vertex]);
+    to.Kinds.push_back(from.Kinds[vertex]);
+    to.OriginalPoints.push_back(from.OriginalPoints[vertex]);
+    to.Piece.PointIds.push_back(from.Piece.PointIds[vertex]);
+    to.Piece.ForeignPoints.push_back(this->Owners[vertex] == member ? 0 : 1);
+  }
+}
+
+void PieceDealer::CopyTriangles(const Numbers& triangles, CollarPart& part) const
+{
+  const BitingMesh& from = this->Dealt.Mesh;
+  BitingMesh& to = part.Mesh;
+  for (const Id triangle : triangles)
+  {
+    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
+    for (std::size_t slot = first; slot < first + 3; ++slot)
+    {
+      const Id across = from.Neighbors[slot];
+      to.Corners.push_back(this->NewVertices[from.Corners[slot]]);
+      to.Neighbors.push_back(across == NoId ? NoId : this->NewTriangles[across]);
+      part.Constraints.push_back(this->Dealt.Constraints[slot]);
+    }
+    to.Regions.push_back(from.Regions[triangle]);
+    to.Piece.TriangleIds.push_back(from.Piece.TriangleIds[triangle]);
+    to.Piece.Levels.push_back(static_cast<std::uint8_t>(this->LevelsSoFar[triangle] - 1));
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingPieceMeasures_h
+#define BitingPieceMeasures_h
+
+#include "../Base/Ids.h"
+#include "../Base/PartOfStage.h"
+#include "../Base/Problem.h"
+#include "../BitingMesh.h"
+#include "../Domain/Domain.h"
+#include "../Quality/ExactSum.h"
+#include "../Spacing/Spacing.h"
+#include "CrewRounds.h"
+
+#include <vector> // for constraints
+
+namespace biting
+{
+
+/// What is measured of a piece. Two more rings of triangles than `GhostLevels` lie around its own.
+struct MeasuredPiece
+{
+  const Domain& Geometry;
+  const Spacing& F;
+  const std::vector<Id>& Constraints;
+  int GhostLevels = 0;
+  bool CountsAsked = false; ///< vertices that the spacing asks for (FineDrawing.h)
+};
+
+/// Checks the pieces of a mesh, each by itself, with the area of all of them together; finds
+/// nearest neighbors also among those of other pieces, and measures each. All members of a crew
+/// that have one call it.
+///
+/// The pieces pass where they would as one mesh: each is sound (CheckMesh), as far as its ghosts
+/// reach, so that all that is across edges is looked at; and the areas of their own triangles add
+/// up to that of the domain. On the first member the figures of `mesh.Quality` are those of the
+/// whole, and what is wrong is added to the problems. Returns whether all is well on all members.
+bool MeasurePieces(const MeasuredPiece& piece, CrewRounds& rounds, BitingMesh& mesh,
+  ExactSum& density, ProblemList& problems, PartOfStage& part);
+
+} // namespace biting
+
+#endif

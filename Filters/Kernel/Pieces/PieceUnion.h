@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingPieceUnion_h
+#define BitingPieceUnion_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "../BitingMesh.h"
+#include "../Blocks/KeptBlocks.h"
+#include "CollarPart.h"
+
+#include <cstddef> // for numbers of blocks
+#include <vector>  // for constraints
+
+namespace biting
+{
+
+/// What a member of a crew has of the mesh: the cores of its blocks and its part of the collars'
+/// mesh, as one.
+struct UnitedPiece
+{
+  BitingMesh Mesh; ///< vertices, triangles and Piece only
+  /// Of the triangles; where the part of the collars ends, too, so that no boundary is without.
+  std::vector<Id> Constraints;
+  bool IsSound = true; ///< false: a core does not fit to its collar
+};
+
+/// The blocks `numbers` of `kept`, rising, give their memory. Where the monitor wants to stop the
+/// result has no meaning.
+UnitedPiece UnitePiece(
+  KeptBlocks& kept, const std::vector<std::size_t>& numbers, CollarPart part, Pulse& pulse);
+
+} // namespace biting
+
+#endif

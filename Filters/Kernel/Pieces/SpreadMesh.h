@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSpreadMesh_h
+#define BitingSpreadMesh_h
+
+#include "../Base/Crew.h"
+#include "../Base/Ids.h"
+#include "../Base/PartOfStage.h"
+#include "../Base/Problem.h"
+#include "../BitingMesh.h"
+#include "../Blocks/KeptBlocks.h"
+#include "../Domain/Domain.h"
+#include "../Quality/ExactSum.h"
+#include "../Spacing/Spacing.h"
+
+#include <vector> // for constraints
+
+namespace biting
+{
+
+/// What a member of a crew has of a mesh whose blocks stay where they were made.
+struct SpreadInput
+{
+  const Domain& Geometry;
+  const Spacing& F;
+  KeptBlocks& Kept;
+  Crew& Members;
+  int GhostLevels = 0;
+};
+
+/// For the first member: `collars` is the assembled mesh of all collars, its triangles in the order
+/// in which `input.Kept` numbers them, with `constraints`. Gives each member its part, and makes
+/// its own piece, with the figures of the whole; `density` is what CountAsked says of the whole,
+/// where that is asked for. Empty where the monitor wants to stop, or there is a problem.
+BitingMesh ShareMesh(const SpreadInput& input, BitingMesh collars,
+  const std::vector<Id>& constraints, bool countsAsked, ExactSum& density, ProblemList& problems,
+  PartOfStage& part);
+
+/// For the others: their piece, empty where there is none.
+BitingMesh TakePiece(const SpreadInput& input, ProblemList& problems, PartOfStage& part);
+
+} // namespace biting
+
+#endif
