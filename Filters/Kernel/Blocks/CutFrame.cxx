@@ -20,6 +20,7 @@ constexpr std::size_t MostDirections = 16;
 constexpr double ParallelWithin = 1e-3;  // sine of an angle: half a row over five hundred
 constexpr double FarMore = 3.0;          // along one axis than along the other
 constexpr double LeastAlongAxes = 0.3;   // of the boundary
+constexpr double LeastOfWidth = 0.25;    // of the domain's box, for a side
 constexpr double OverCoordinates = 1.25; // so much more than along the axes of the coordinates
 
 // Segments of the boundary as vectors.
@@ -153,6 +154,34 @@ Box2 BoundsIn(const CutFrame& frame, const Domain& domain)
     bounds.Add(frame.To(vertex));
   }
   return bounds;
+}
+
+Box2 LongestSidesIn(const CutFrame& frame, const Domain& domain, Pulse& pulse)
+{
+  Box2 sides = BoundsIn(frame, domain);
+  double level = LeastOfWidth * sides.Width();
+  double upright = LeastOfWidth * sides.Height();
+  pulse.ForEach(static_cast<std::size_t>(domain.NumberOfSegments()),
+    [&frame, &domain, &sides, &level, &upright](std::size_t segment)
+    {
+      const Point2 start = frame.To(domain.Vertices[domain.Starts[segment]]);
+      const Point2 end = frame.To(domain.Vertices[domain.Ends[segment]]);
+      const double width = std::abs(end.X - start.X);
+      const double height = std::abs(end.Y - start.Y);
+      if (domain.IsBoundary[segment] != 0 && width > level && height <= ParallelWithin * width)
+      {
+        level = width;
+        sides.Low.X = std::min(start.X, end.X);
+        sides.High.X = std::max(start.X, end.X);
+      }
+      if (domain.IsBoundary[segment] != 0 && height > upright && width <= ParallelWithin * height)
+      {
+        upright = height;
+        sides.Low.Y = std::min(start.Y, end.Y);
+        sides.High.Y = std::max(start.Y, end.Y);
+      }
+    });
+  return sides;
 }
 
 } // namespace biting

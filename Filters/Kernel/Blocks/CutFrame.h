@@ -41,6 +41,10 @@ CutFrame FrameOf(const Domain& domain, Pulse& pulse);
 /// The box of a domain in the frame.
 Box2 BoundsIn(const CutFrame& frame, const Domain& domain);
 
+/// From where to where, along each axis, the longest segment of the boundary runs that is parallel
+/// to it, in the frame; the box of the domain along axes with none of a good part of its width.
+Box2 LongestSidesIn(const CutFrame& frame, const Domain& domain, Pulse& pulse);
+
 } // namespace biting
 
 #endif

@@ -136,7 +136,8 @@ public:
     , Options(options)
     , Beats(pulse)
     , Frame(FrameOf(domain, pulse))
-    , Rows(spacing, BoundsIn(Frame, domain), options.SideLength, Frame)
+    , Rows(spacing, BoundsIn(Frame, domain), LongestSidesIn(Frame, domain, pulse),
+        options.SideLength, Frame)
   {
     this->Plan.Tree.Frame = this->Frame;
     if (this->Frame.IsMostlyVertical)

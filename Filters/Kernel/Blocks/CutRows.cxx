@@ -24,10 +24,11 @@ double CutRows::FittingPlace(double place, const Box2& part, bool isVertical) co
   (isVertical ? middle.X : middle.Y) = place;
   const double side = this->SideLength * this->SpacingAt(middle);
   const double wanted = this->IsStraight(isVertical) ? Pair * side : side;
-  const double width =
-    Coordinate(this->Bounds.High, isVertical) - Coordinate(this->Bounds.Low, isVertical);
+  const Box2& base = this->IsStraight(isVertical) ? this->Bounds : this->Sides;
+  const double width = Coordinate(base.High, isVertical) - Coordinate(base.Low, isVertical);
   const double step = width / std::max(1.0, std::round(width / wanted));
-  const double low = Coordinate(box.Low, isVertical);
+  const bool isCut = Coordinate(part.Low, isVertical) > Coordinate(this->Bounds.Low, isVertical);
+  const double low = Coordinate(isCut ? box.Low : base.Low, isVertical);
   return low + step * std::round((place - low) / step);
 }
 

@@ -28,8 +28,9 @@ inline double Coordinate(const Point2& p, bool isVertical)
 /// - the others, across the rows, are folded: their vertices lie in the rows, one to the left and
 ///   one to the right in turns, by half a side. They are whole sides apart, and cuts meet them in
 ///   the left ones.
-/// All are counted from the low sides of the domain's box. So that its high sides fit as well, rows
-/// and sides are shorter or longer by a part of one over its width.
+/// Rows are counted from the low side of the domain's box, sides along them from the low end of the
+/// longest side of the boundary that is parallel to them. So that the high ones fit as well, rows
+/// and sides are shorter or longer by a part of one over the width.
 /// Where f is not level no lattice is to be had, and cuts are moved by less than a pair of rows.
 class CutRows
 {
@@ -40,9 +41,17 @@ public:
   /// `bounds`: of the domain, in the frame, as all boxes and places. `sideLength`: of the lattice,
   /// in units of f. The spacing must outlive this object.
   CutRows(const Spacing& spacing, const Box2& bounds, double sideLength, const CutFrame& frame = {})
+    : CutRows(spacing, bounds, bounds, sideLength, frame)
+  {
+  }
+
+  /// `sides`: of the longest sides of the boundary (CutFrame.h).
+  CutRows(const Spacing& spacing, const Box2& bounds, const Box2& sides, double sideLength,
+    const CutFrame& frame)
     : F(spacing)
     , Frame(frame)
     , Bounds(bounds)
+    , Sides(sides)
     , SideLength(sideLength)
   {
   }
@@ -73,6 +82,7 @@ private:
   const Spacing& F;
   CutFrame Frame;
   Box2 Bounds;
+  Box2 Sides;
   double SideLength;
   std::optional<bool> IsFirstVertical;
 };

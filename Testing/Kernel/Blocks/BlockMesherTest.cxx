@@ -287,6 +287,21 @@ TEST(BlockMesher, HoweverADrawingIsTurnedManyBlocksAreAsGoodAsOne)
   }
 }
 
+/// Fronts of the sides and of the cuts make one lattice, however many sides fit into the width.
+TEST(BlockMesher, HexagonsInBlocksAreAsGoodAsOneBlock)
+{
+  for (const double f : { 0.0061, 0.00612, 0.0071 })
+  {
+    const Case input{ "hexagon",
+      PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 6)).Lines(), UniformSpacing(f) };
+    const BitingMesh whole = MeshOf(input, 0);
+    const BitingMesh blocks = MeshOf(input, 5000);
+    EXPECT_GE(blocks.NumberOfBlocks, 8);
+    EXPECT_GT(blocks.Quality.SmallestAngle, whole.Quality.SmallestAngle - 1.0) << f;
+    EXPECT_GT(MeanAngle(blocks), MeanAngle(whole) - 0.15) << f;
+  }
+}
+
 /// Vertices of the boundary near the ends of cuts slide, and go, as all others do. Relaxation works
 /// on angles below 44 degrees there.
 TEST(BlockMesher, WhereCutsMeetTheBoundaryAtASlantAnglesAreAsInOneBlock)

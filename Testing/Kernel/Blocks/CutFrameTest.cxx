@@ -93,6 +93,28 @@ TEST(CutFrame, WhereTheBoundaryHasNoDirectionAxesAreThoseOfTheCoordinates)
   }
 }
 
+TEST(CutFrame, LongestSidesAreThoseOfTheBoundaryThatAreParallelToTheAxes)
+{
+  Pulse pulse(NoMonitor());
+  for (const double angle : { 0.0, 0.2 })
+  {
+    CutFrame frame;
+    frame.Axis = Direction(angle);
+    std::vector<Point2> hexagon = RegularPolygon({ 0.0, 0.0 }, 1.0, 6);
+    for (Point2& corner : hexagon)
+    {
+      corner = frame.From(corner);
+    }
+    const Domain domain = Make(PolylineBuilder().Loop(hexagon).Lines()).Domain;
+    const Box2 sides = LongestSidesIn(frame, domain, pulse);
+    const Box2 bounds = BoundsIn(frame, domain);
+    EXPECT_NEAR(sides.Low.X, -0.5, 1e-15);
+    EXPECT_NEAR(sides.High.X, 0.5, 1e-15);
+    EXPECT_EQ(sides.Low.Y, bounds.Low.Y);
+    EXPECT_EQ(sides.High.Y, bounds.High.Y);
+  }
+}
+
 /// Drawings may have millions of segments.
 TEST(CutFrame, AsksTheMonitorAllTheWayAlongTheBoundary)
 {

@@ -46,6 +46,24 @@ TEST(CutRows, FittingPlacesAreWholePairsOfRowsOrWholeSidesFromBothSidesOfTheBox)
   }
 }
 
+/// A hexagon's level sides are half as long as it is wide, and begin between whole sides of its box.
+TEST(CutRows, SidesAreCountedAlongTheLongestSideOfTheBoundary)
+{
+  const Spacing f = SpacingOf(UniformSpacing(0.01));
+  const Box2 longest{ { 0.2473, 2.0 }, { 2.7473, 5.0 } };
+  CutRows rows(f, Bounds, longest, 1.0, {});
+  rows.AddCut(false);
+  for (const double share : { 0.1, 0.31, 0.77 })
+  {
+    const double sides = (rows.FittingPlace(-1.0 + share * 5.0, Plane, true) - 0.2473) / 0.01;
+    EXPECT_NEAR(sides, std::round(sides), 1e-9);
+    EXPECT_NEAR(sides, (share * 5.0 - 1.2473) / 0.01, 0.5 + 1e-9);
+    const double pairs = std::round(3.0 / (CutRows::Pair * 0.01));
+    const double y = rows.FittingPlace(2.0 + share * 3.0, Plane, false);
+    EXPECT_NEAR((y - 2.0) / 3.0 * pairs, std::round((y - 2.0) / 3.0 * pairs), 1e-9);
+  }
+}
+
 TEST(CutRows, WhereTheFirstCutIsLevelRowsAreLevel)
 {
   const Spacing f = SpacingOf(UniformSpacing(0.01));
