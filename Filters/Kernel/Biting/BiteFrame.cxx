@@ -13,6 +13,8 @@ namespace
 {
 
 constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
+constexpr double EntryMargin = 4e-6;  // single precision, after the rounding of a place
+constexpr double PlaceRounding = 1e-15;
 
 // Of the bite's bounding box, half its width, in half-widths.
 double Spread(const Bites& bites, Id bite)
@@ -45,9 +47,9 @@ std::size_t BiteFrame::Size() const
   return static_cast<std::size_t>(this->NumberOfColumns) * this->NumberOfRows;
 }
 
-Point2 BiteFrame::MiddleOf(const CellPlace& cell) const
+Point2 BiteFrame::MiddleOf(const CellPlace& cell, double size) const
 {
-  const double middle = 0.5 * cell.Size;
+  const double middle = 0.5 * size;
   const Point2 offset{ cell.X + middle, cell.Y + middle };
   return this->Origin + 1.0 / this->Scale * offset;
 }
@@ -65,6 +67,15 @@ FramedBite BiteFrame::Framed(Id bite) const
   const Point2 center = this->ToGrid(this->All.Centers[bite]);
   return { bite, center.X, center.Y, (this->All.HalfWidths[bite] + this->Slack) * this->Scale,
     this->ExtentOf(bite) };
+}
+
+SizedBite BiteFrame::InCells(const FramedBite& bite, double size) const
+{
+  const double perSize = 1.0 / size;
+  const double extent = static_cast<double>(this->NumberOfColumns) + this->NumberOfRows;
+  const double rounding = EntryMargin + PlaceRounding * extent * perSize;
+  const double reach = bite.Reach * perSize * (1.0 + EntryMargin) + rounding;
+  return { size, perSize, static_cast<float>(reach * reach) };
 }
 
 } // namespace biting

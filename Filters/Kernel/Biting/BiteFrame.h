@@ -25,10 +25,18 @@ struct FramedBite
   CellBox Extent; ///< as far as it is filed
 };
 
-/// A cell's low corner and size, in units of a grid's cells.
+/// A cell's low corner, in units of a grid's cells.
 struct CellPlace
 {
-  double X, Y, Size;
+  double X, Y;
+};
+
+/// A bite as cells of one size see it.
+struct SizedBite
+{
+  double Size;    ///< of the cells, in units of those at the top: a power of two
+  double PerSize; ///< its inverse
+  float Square;   ///< of the bite's reach, in units of the cells
 };
 
 /// A grid of equal squares over a box, and how bites lie in it: how far each is filed, and what
@@ -62,10 +70,17 @@ public:
       (center.Y + reach - this->Origin.Y) * this->Scale };
   }
 
-  Point2 MiddleOf(const CellPlace& cell) const;
+  Point2 MiddleOf(const CellPlace& cell, double size) const;
   CellBox ExtentOf(Id bite) const;
   FramedBite Framed(Id bite) const;
-  BiteEntry EntryOf(const FramedBite& bite, const CellPlace& leaf) const;
+  SizedBite InCells(const FramedBite& bite, double size) const;
+
+  /// What stands in the list of a leaf.
+  static BiteEntry EntryOf(const FramedBite& bite, const SizedBite& sized, const CellPlace& leaf)
+  {
+    return { static_cast<float>((bite.X - leaf.X) * sized.PerSize),
+      static_cast<float>((bite.Y - leaf.Y) * sized.PerSize), sized.Square, bite.Bite };
+  }
 
   /// Calls visit(column, row, cell) for the cells that the box meets.
   template <typename Visit>
@@ -89,18 +104,6 @@ private:
   double NearReach; ///< in half-widths
   double Slack;     ///< a length
 };
-
-inline BiteEntry BiteFrame::EntryOf(const FramedBite& bite, const CellPlace& leaf) const
-{
-  constexpr double EntryMargin = 4e-6; // single precision, after the rounding of a place
-  constexpr double PlaceRounding = 1e-15;
-  const double scale = 1.0 / leaf.Size; // a power of two
-  const double rounding = EntryMargin +
-    PlaceRounding * (static_cast<double>(this->NumberOfColumns) + this->NumberOfRows) * scale;
-  const double reach = bite.Reach * scale * (1.0 + EntryMargin) + rounding;
-  return { static_cast<float>((bite.X - leaf.X) * scale),
-    static_cast<float>((bite.Y - leaf.Y) * scale), static_cast<float>(reach * reach), bite.Bite };
-}
 
 } // namespace biting
 

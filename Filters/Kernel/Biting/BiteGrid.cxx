@@ -137,13 +137,14 @@ void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pul
       continue;
     }
     const FramedBite filed = this->Frame.Framed(bite);
+    const SizedBite sized = this->Frame.InCells(filed, 1.0);
     this->Frame.VisitCells(filed.Extent,
-      [this, &filed, &isNew](Id column, Id row, Id cell)
+      [this, &filed, &sized, &isNew](Id column, Id row, Id cell)
       {
         if (isNew[cell] != 0)
         {
           this->FileInCell(
-            cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, filed);
+            cell, { static_cast<double>(column), static_cast<double>(row) }, filed, sized);
         }
       });
   }
@@ -176,68 +177,71 @@ void BiteGrid::FileInCells(Id bite)
 {
   this->CircleAbout = this->All.IsCircle(bite) ? this->CircleAbout : 2.0f;
   const FramedBite filed = this->Frame.Framed(bite);
+  const SizedBite sized = this->Frame.InCells(filed, 1.0);
   this->Frame.VisitCells(filed.Extent,
-    [this, &filed](Id column, Id row, Id cell)
+    [this, &filed, &sized](Id column, Id row, Id cell)
     {
       this->NumberOfFiled += 1.0;
       if (this->Cells[cell].FirstChild != Forgotten)
       {
         this->FileInCell(
-          cell, { static_cast<double>(column), static_cast<double>(row), 1.0 }, filed);
+          cell, { static_cast<double>(column), static_cast<double>(row) }, filed, sized);
       }
     });
 }
 
-void BiteGrid::FileInCell(Id cell, const CellPlace& place, const FramedBite& bite)
+void BiteGrid::FileInCell(
+  Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized)
 {
-  if (this->Cells[cell].FirstChild != NoId)
+  Cell& leaf = this->Cells[cell];
+  if (leaf.FirstChild != NoId)
   {
-    this->FileInChildren(cell, place, bite);
+    this->FileInChildren(cell, place, sized.Size, bite);
     return;
   }
-  Cell& leaf = this->Cells[cell];
-  this->Lists.Append(this->Frame.EntryOf(bite, place), leaf.List);
-  const bool isSmaller = place.Size > LeastLeaf * 0.5 * (bite.Extent.HighX - bite.Extent.LowX);
+  this->Lists.Append(BiteFrame::EntryOf(bite, sized, place), leaf.List);
+  const bool isSmaller = sized.Size > LeastLeaf * 0.5 * (bite.Extent.HighX - bite.Extent.LowX);
   std::uint16_t& count = isSmaller ? leaf.NumberOfSmaller : leaf.NumberOfLarger;
   count += count < std::numeric_limits<std::uint16_t>::max() ? 1 : 0;
   if (leaf.NumberOfSmaller > std::max(this->Crowd, Id{ leaf.NumberOfLarger }))
   {
-    this->Divide(cell, place);
+    this->Divide(cell, place, sized.Size);
   }
   else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > this->Crowd)
   {
-    this->KeepDeepest(leaf, place, bite.Bite);
+    this->KeepDeepest(leaf, place, sized.Size, bite.Bite);
   }
 }
 
-void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, Id bite)
+void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite)
 {
-  const Point2 p = this->Frame.MiddleOf(place);
+  const Point2 p = this->Frame.MiddleOf(place, size);
   if (leaf.Deepest == NoId || Depth(this->All, leaf.Deepest, p) < Depth(this->All, bite, p))
   {
     leaf.Deepest = bite;
   }
 }
 
-void BiteGrid::FileInChildren(Id cell, const CellPlace& place, const FramedBite& bite)
+void BiteGrid::FileInChildren(
+  Id cell, const CellPlace& place, double size, const FramedBite& bite)
 {
-  const double scale = Division / place.Size;
   const Id firstChild = this->Cells[cell].FirstChild;
-  const double size = place.Size / Division;
+  const SizedBite sized = this->Frame.InCells(bite, size / Division);
+  const double scale = sized.PerSize;
   const CellBox inChildren{ (bite.Extent.LowX - place.X) * scale,
     (bite.Extent.LowY - place.Y) * scale, (bite.Extent.HighX - place.X) * scale,
     (bite.Extent.HighY - place.Y) * scale };
   VisitCellsAt(inChildren, Division, Division,
-    [this, &place, &bite, firstChild, size](Id column, Id row)
+    [this, &place, &bite, &sized, firstChild](Id column, Id row)
     {
       this->FileInCell(firstChild + row * Division + column,
-        { place.X + column * size, place.Y + row * size, size }, bite);
+        { place.X + column * sized.Size, place.Y + row * sized.Size }, bite, sized);
       return false;
     });
 }
 
 // Deals the leaf's bites to its new children in the order of their filing.
-void BiteGrid::Divide(Id cell, const CellPlace& place)
+void BiteGrid::Divide(Id cell, const CellPlace& place, double size)
 {
   std::vector<Id> entries;
   this->Lists.Visit(this->Cells[cell].List,
@@ -248,16 +252,16 @@ void BiteGrid::Divide(Id cell, const CellPlace& place)
     });
   this->Lists.Empty(this->Cells[cell].List);
   const Id firstChild = static_cast<Id>(this->Cells.size());
-  const std::size_t size = this->Cells.size() + static_cast<std::size_t>(Division) * Division;
-  if (size > this->Cells.capacity())
+  const std::size_t cells = this->Cells.size() + static_cast<std::size_t>(Division) * Division;
+  if (cells > this->Cells.capacity())
   {
-    this->Cells.reserve(size + size / CellsPerMore);
+    this->Cells.reserve(cells + cells / CellsPerMore);
   }
-  this->Cells.resize(size);
+  this->Cells.resize(cells);
   this->Cells[cell].FirstChild = firstChild;
   for (auto bite = entries.rbegin(); bite != entries.rend(); ++bite)
   {
-    this->FileInChildren(cell, place, this->Frame.Framed(*bite));
+    this->FileInChildren(cell, place, size, this->Frame.Framed(*bite));
   }
 }
 

@@ -102,10 +102,11 @@ private:
   void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void FileInCells(Id bite);
   void Coarsen(Id newest);
-  void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite);
-  void FileInChildren(Id cell, const CellPlace& place, const FramedBite& bite);
-  void KeepDeepest(Cell& leaf, const CellPlace& place, Id bite);
-  void Divide(Id cell, const CellPlace& place);
+  void FileInCell(
+    Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
+  void FileInChildren(Id cell, const CellPlace& place, double size, const FramedBite& bite);
+  void KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite);
+  void Divide(Id cell, const CellPlace& place, double size);
 
   const Bites& All;
   BiteFrame Frame;            ///< of the cells at the top

@@ -29,8 +29,10 @@ constexpr double OrientBound = (3.0 + 16.0 * UnitRoundoff) * UnitRoundoff;
 
 /// InCircle. A squared length is (4): products of differences (3), one sum. A cross product is off
 /// by (4) of the sum of its two terms' magnitudes. Their product is (9), the first sum of two of
-/// the three products makes it (10); the last rounding cannot change the sign. The magnitude M is
-/// (11) as computed, and two more roundings as above: with (1 - u)^-10 - 1 = 10u + 55u^2 this makes
+/// the three products makes it (10); the last rounding cannot change the sign. The sum M of the
+/// magnitudes of all terms is at most S, that of the products of two squared lengths: the two terms
+/// of a cross product are together at most half the sum of the squared lengths. S is (11) as
+/// computed, and two more roundings as above: with (1 - u)^-10 - 1 = 10u + 55u^2 this makes
 /// 10u + 55u^2 + 10u * 13u = 10u + 185u^2, and terms in u^3.
 constexpr double InCircleBound = (10.0 + 200.0 * UnitRoundoff) * UnitRoundoff;
 
@@ -55,7 +57,7 @@ inline void CountStage(Stage) {}
 /// The stages after the first.
 int Orient2DWidened(const Point2& a, const Point2& b, const Point2& c);
 
-/// The stages after the first; `magnitude` is the sum of magnitudes that it computed.
+/// The stages after the first; `magnitude` is the bound of the terms' magnitudes that it computed.
 int InCircleWidened(
   const Point2& a, const Point2& b, const Point2& c, const Point2& d, double magnitude);
 
@@ -85,9 +87,7 @@ inline int InCircle(const Point2& a, const Point2& b, const Point2& c, const Poi
   const double bb = Dot(db, db);
   const double cc = Dot(dc, dc);
   const double determinant = aa * Cross(db, dc) + bb * Cross(dc, da) + cc * Cross(da, db);
-  const double magnitude = aa * (std::abs(db.X * dc.Y) + std::abs(db.Y * dc.X)) +
-    bb * (std::abs(dc.X * da.Y) + std::abs(dc.Y * da.X)) +
-    cc * (std::abs(da.X * db.Y) + std::abs(da.Y * db.X));
+  const double magnitude = aa * bb + bb * cc + cc * aa;
   if (std::abs(determinant) > detail::InCircleBound * magnitude + detail::InCircleUnderflow)
   {
     return determinant > 0.0 ? 1 : -1;
