@@ -3,6 +3,7 @@
 
 #include "BitingMesh.h"
 
+#include "Base/FreedMemory.h"
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
 #include "Base/StagesOnce.h"
@@ -418,6 +419,7 @@ BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const Domai
 BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& options,
   ProblemList& problems, Monitor& monitor, Crew& crew)
 {
+  KeepFreedMemory();
   StagesOnce stages(monitor);
   PartOfStage whole(stages, 0.0, 1.0);
   const SimplifiedDomain simplified = PrepareDomain(input, options, problems, whole);

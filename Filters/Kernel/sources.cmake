@@ -3,6 +3,7 @@
 
 # The one list of kernel sources, relative to this folder; the module and the tests read it.
 set(biting_kernel_sources
+  Base/FreedMemory.cxx
   Base/PointOnSegment.cxx
   Base/Problem.cxx
   Base/Tasks.cxx

@@ -222,8 +222,7 @@ void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id b
   }
 }
 
-void BiteGrid::FileInChildren(
-  Id cell, const CellPlace& place, double size, const FramedBite& bite)
+void BiteGrid::FileInChildren(Id cell, const CellPlace& place, double size, const FramedBite& bite)
 {
   const Id firstChild = this->Cells[cell].FirstChild;
   const SizedBite sized = this->Frame.InCells(bite, size / Division);

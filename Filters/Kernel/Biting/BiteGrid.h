@@ -102,8 +102,7 @@ private:
   void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void FileInCells(Id bite);
   void Coarsen(Id newest);
-  void FileInCell(
-    Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
+  void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
   void FileInChildren(Id cell, const CellPlace& place, double size, const FramedBite& bite);
   void KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite);
   void Divide(Id cell, const CellPlace& place, double size);

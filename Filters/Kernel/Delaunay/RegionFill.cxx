@@ -16,14 +16,12 @@ namespace
 {
 
 // Where steps end, as shares of the time for a million points.
-constexpr double FindingEnd = 0.15;
-constexpr double BorderEnd = 0.17;
-constexpr double FacesEnd = 0.35;
-constexpr double RegionsEnd = 0.36;
-constexpr double CountsEnd = 0.4;
-constexpr double PointsEnd = 0.5;
-constexpr double NumbersEnd = 0.75;
-constexpr double NeighborsEnd = 0.92;
+constexpr double FacesEnd = 0.25;
+constexpr double BorderEnd = 0.27;
+constexpr double RegionsEnd = 0.28;
+constexpr double CountsEnd = 0.45;
+constexpr double NumbersEnd = 0.65;
+constexpr double NeighborsEnd = 0.88;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge
@@ -60,16 +58,17 @@ BorderEdge MakeBorderEdge(const HalfEdgeMesh& mesh, const ConstraintEdges& const
   return { edge, constraint, isRight ? target : origin, isReverse, isRight };
 }
 
-std::vector<BorderEdge> FindBorder(
-  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Pulse& pulse)
+/// All half-edges with a mark, along the constraints; `marked` has the triangles that may have one.
+std::vector<BorderEdge> CollectBorder(const HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
+  const std::vector<Id>& marked, Pulse& pulse)
 {
-  const PulsePart part(pulse, 0.0, FindingEnd);
+  const PulsePart part(pulse, FacesEnd, BorderEnd);
   std::vector<BorderEdge> border;
-  pulse.ForEach(mesh.NumberOfTriangles,
-    [&mesh, &constraints, &border](std::size_t triangle)
+  pulse.ForEach(marked.size(),
+    [&mesh, &constraints, &marked, &border](std::size_t k)
     {
-      const Id first = HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle));
-      for (Id edge = first; mesh.HasMarks(static_cast<Id>(triangle)) && edge < first + 3; ++edge)
+      const Id first = HalfEdgeMesh::FirstEdge(marked[k]);
+      for (Id edge = first; edge < first + 3; ++edge)
       {
         if (mesh.Mark(edge) != NoId)
         {
@@ -77,15 +76,6 @@ std::vector<BorderEdge> FindBorder(
         }
       }
     });
-  return border;
-}
-
-/// All half-edges with a mark, along the constraints.
-std::vector<BorderEdge> CollectBorder(
-  const HalfEdgeMesh& mesh, const ConstraintEdges& constraints, Pulse& pulse)
-{
-  std::vector<BorderEdge> border = FindBorder(mesh, constraints, pulse);
-  const PulsePart part(pulse, FindingEnd, BorderEnd);
   SortInSteps(border, ComesBefore, pulse);
   return border;
 }
@@ -103,6 +93,9 @@ public:
   /// The face beyond the convex hull.
   Id OuterFace() const { return this->Outer; }
 
+  /// The triangles that have or had marks, ascending.
+  const std::vector<Id>& Marked() const { return this->WithMarks; }
+
   std::vector<Id> Take() { return std::move(this->OfTriangle); }
 
 private:
@@ -111,13 +104,14 @@ private:
   void Number(const HalfEdgeMesh& mesh, Id triangle);
 
   std::vector<Id> OfTriangle; ///< triangle -> parent, then face
+  std::vector<Id> WithMarks;
   Id Count = 0;
   Id Outer = NoId;
 };
 
 Faces::Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
 {
-  const PulsePart part(pulse, BorderEnd, FacesEnd);
+  const PulsePart part(pulse, 0.0, FacesEnd);
   this->OfTriangle.reserve(mesh.NumberOfTriangles);
   pulse.ForEach(mesh.NumberOfTriangles,
     [this, &mesh](std::size_t t) { this->UniteWithEarlier(mesh, static_cast<Id>(t)); });
@@ -128,12 +122,17 @@ Faces::Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
 void Faces::UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle)
 {
   this->OfTriangle.push_back(triangle);
+  const bool hasMarks = mesh.HasMarks(triangle);
+  if (hasMarks)
+  {
+    this->WithMarks.push_back(triangle);
+  }
   const Id first = HalfEdgeMesh::FirstEdge(triangle);
   Id root = triangle;
   for (Id edge = first; edge < first + 3; ++edge)
   {
     const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
-    if (neighbor < triangle && mesh.Mark(edge) == NoId)
+    if (neighbor < triangle && (!hasMarks || mesh.Mark(edge) == NoId))
     {
       const Id other = this->RootOf(neighbor);
       const Id least = std::min(root, other);
@@ -241,7 +240,7 @@ struct Regions
 Regions NumberRegions(
   const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, const Faces& faces, Pulse& pulse)
 {
-  const PulsePart part(pulse, FacesEnd, RegionsEnd);
+  const PulsePart part(pulse, BorderEnd, RegionsEnd);
   const std::vector<std::uint8_t> isInside =
     FindInside(MakeFaceGraph(mesh, border, faces, pulse), faces.OuterFace(), pulse);
   Regions regions;
@@ -274,11 +273,16 @@ public:
   Triangulation Write(const Regions& regions);
 
 private:
-  Id LastCorner(std::size_t triangle) const;
-  std::vector<Id> TakeRegions(const Regions& regions);
-  void TakePoints();
-  void NumberTriangles(std::vector<Id> next);
+  Id& LastCorner(std::size_t triangle)
+  {
+    return this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle)) + 3];
+  }
+
+  void CountTriangles(const Regions& regions);
+  void TakePoints(std::size_t triangle);
   std::vector<Id> SortByLastCorner();
+  std::vector<Id> SortByRegion(std::vector<Id> sorted);
+  void NumberTriangles();
   void WriteTriangles();
   template <typename Step>
   void ForEachHalf(Step&& step);
@@ -288,106 +292,98 @@ private:
   Pulse& Beats;
   std::vector<Id> Numbers; ///< triangle of the mesh -> of the result, NoId outside
   std::vector<Id> Inside;  ///< triangle of the result -> of the mesh
-  Id LastPoint = 0;        ///< at a corner
+  std::vector<Id> Sizes;   ///< of region r: entry r + 1
+  std::vector<Id> Begins;  ///< how many triangles have point p as their last corner: entry p + 1
   Triangulation Result;
 };
 
 Triangulation Writer::Write(const Regions& regions)
 {
-  std::vector<Id> sizes = this->TakeRegions(regions);
-  this->TakePoints();
-  this->NumberTriangles(std::move(sizes));
+  this->CountTriangles(regions);
+  this->NumberTriangles();
   this->WriteTriangles();
   return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
 }
 
-/// Numbers become those of the regions; returns the size of region r as entry r + 1.
-std::vector<Id> Writer::TakeRegions(const Regions& regions)
+/// Numbers become those of the regions.
+void Writer::CountTriangles(const Regions& regions)
 {
   const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
-  std::vector<Id> sizes(regions.Size + 1, 0);
+  this->Sizes.assign(regions.Size + 1, 0);
+  if (!GrowInSteps(this->Begins, this->Order.size() + 1, Id(0), this->Beats))
+  {
+    return;
+  }
   this->Beats.ForEach(this->Numbers.size(),
-    [this, &regions, &sizes](std::size_t triangle)
+    [this, &regions](std::size_t triangle)
     {
       const Id region = regions.OfFace[this->Numbers[triangle]];
       this->Numbers[triangle] = region;
       if (region != NoId)
       {
-        ++sizes[region + 1];
+        this->TakePoints(triangle);
+        ++this->Sizes[region + 1];
+        ++this->Begins[this->LastCorner(triangle) + 1];
       }
     });
-  return sizes;
 }
 
-/// Corners become points of the caller.
-void Writer::TakePoints()
+/// Corners become points of the caller; the place beside them, which is free, takes the last one.
+void Writer::TakePoints(std::size_t triangle)
 {
-  const PulsePart part(this->Beats, CountsEnd, PointsEnd);
-  this->Beats.ForEach(HalfEdgeMesh::FirstEdge(this->Mesh.NumberOfTriangles),
-    [this](std::size_t edge)
-    {
-      Id& corner = this->Mesh.Corners[edge];
-      corner = corner == NoId ? NoId : this->Order[corner];
-      this->LastPoint = std::max(this->LastPoint, corner);
-    });
+  Id* corners = &this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle))];
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = this->Order[corners[k]];
+  }
+  corners[3] = std::max({ corners[0], corners[1], corners[2] });
 }
 
 /// Region by region, within by last corners; fills Regions of the result.
-void Writer::NumberTriangles(std::vector<Id> next)
+void Writer::NumberTriangles()
 {
-  const PulsePart part(this->Beats, PointsEnd, NumbersEnd);
-  for (std::size_t region = 0; region + 1 < next.size() && !this->Beats.HasStopped(); ++region)
+  const PulsePart part(this->Beats, CountsEnd, NumbersEnd);
+  for (std::size_t region = 0; region + 1 < this->Sizes.size(); ++region)
   {
     this->Result.Regions.resize(
-      this->Result.Regions.size() + next[region + 1], static_cast<Id>(region));
-    next[region + 1] += next[region];
+      this->Result.Regions.size() + this->Sizes[region + 1], static_cast<Id>(region));
+    this->Sizes[region + 1] += this->Sizes[region];
   }
-  const std::vector<Id> sorted = this->SortByLastCorner();
-  GrowInSteps(this->Inside, sorted.size(), NoId, this->Beats);
-  this->Beats.ForEach(sorted.size(),
-    [this, &next, &sorted](std::size_t place)
-    {
-      Id& number = this->Numbers[sorted[place]];
-      number = next[number]++;
-      this->Inside[number] = sorted[place];
-    });
+  std::vector<Id> sorted = this->SortByLastCorner();
+  const bool isOne = this->Sizes.size() == 2;
+  this->Inside = isOne ? std::move(sorted) : this->SortByRegion(std::move(sorted));
+  this->Beats.ForEach(this->Inside.size(),
+    [this](std::size_t number) { this->Numbers[this->Inside[number]] = static_cast<Id>(number); });
 }
 
 /// The triangles inside, by counting.
 std::vector<Id> Writer::SortByLastCorner()
 {
-  std::vector<Id> begins;
   std::vector<Id> sorted;
-  if (!GrowInSteps(begins, static_cast<std::size_t>(this->LastPoint) + 2, Id(0), this->Beats) ||
-    !GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats))
-  {
-    return {};
-  }
+  GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats);
+  this->Beats.ForEach(this->Order.size(),
+    [this](std::size_t point) { this->Begins[point + 1] += this->Begins[point]; });
   this->Beats.ForEach(this->Numbers.size(),
-    [this, &begins](std::size_t triangle)
+    [this, &sorted](std::size_t triangle)
     {
       if (this->Numbers[triangle] != NoId)
       {
-        ++begins[this->LastCorner(triangle) + 1];
+        sorted[this->Begins[this->LastCorner(triangle)]++] = static_cast<Id>(triangle);
       }
     });
-  this->Beats.ForEach(
-    begins.size() - 1, [&begins](std::size_t point) { begins[point + 1] += begins[point]; });
-  this->Beats.ForEach(this->Numbers.size(),
-    [this, &begins, &sorted](std::size_t triangle)
-    {
-      if (this->Numbers[triangle] != NoId)
-      {
-        sorted[begins[this->LastCorner(triangle)]++] = static_cast<Id>(triangle);
-      }
-    });
+  ReleaseInSteps(this->Beats, this->Begins);
   return sorted;
 }
 
-Id Writer::LastCorner(std::size_t triangle) const
+/// Keeps the order within each.
+std::vector<Id> Writer::SortByRegion(std::vector<Id> sorted)
 {
-  const Id* corners = &this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle))];
-  return std::max({ corners[0], corners[1], corners[2] });
+  std::vector<Id> inside;
+  GrowInSteps(inside, sorted.size(), NoId, this->Beats);
+  this->Beats.ForEach(sorted.size(),
+    [this, &sorted, &inside](std::size_t place)
+    { inside[this->Sizes[this->Numbers[sorted[place]]]++] = sorted[place]; });
+  return inside;
 }
 
 /// In two passes: what the first one reads is given back before the second one needs memory.
@@ -434,13 +430,14 @@ void Writer::ForEachHalf(Step&& step)
 Triangulation TakeInside(HalfEdgeMesh& mesh, const ConstraintEdges& constraints,
   const std::vector<Id>& order, Pulse& pulse)
 {
-  const std::vector<BorderEdge> border = CollectBorder(mesh, constraints, pulse);
-  ReleaseInSteps(pulse, mesh.Points, mesh.VertexEdges);
+  ReleaseInSteps(pulse, mesh.VertexEdges);
   Faces faces(mesh, pulse);
   if (pulse.HasStopped())
   {
     return {};
   }
+  const std::vector<BorderEdge> border = CollectBorder(mesh, constraints, faces.Marked(), pulse);
+  ReleaseInSteps(pulse, mesh.Points);
   const Regions regions = NumberRegions(mesh, border, faces, pulse);
   return Writer(mesh, order, faces.Take(), pulse).Write(regions);
 }

@@ -53,7 +53,7 @@ TEST(BiteFrame, HasSquareCellsThatCoverTheBounds)
   EXPECT_EQ(frame.Size(), 156u);
   EXPECT_EQ(frame.ToGrid({ -3.0, 2.0 }), (Point2{ 0.0, 0.0 }));
   EXPECT_EQ(frame.ToGrid({ 1.0, 4.0 }), (Point2{ 10.0, 5.0 }));
-  EXPECT_EQ(frame.MiddleOf({ 9.0, 4.0, 2.0 }), (Point2{ 1.0, 4.0 }));
+  EXPECT_EQ(frame.MiddleOf({ 9.0, 4.0 }, 2.0), (Point2{ 1.0, 4.0 }));
 }
 
 // The law of the extent: where a point lies in a bite, it lies in the extent, too.
@@ -104,8 +104,8 @@ TEST(BiteFrame, RoundsTheReachOfAnEntryUp)
   for (Id bite = 0; bite < bites.Size(); ++bite)
   {
     const FramedBite framed = frame.Framed(bite);
-    const CellPlace leaf{ std::floor(framed.X), std::floor(framed.Y), 0.25 };
-    const BiteEntry entry = frame.EntryOf(framed, leaf);
+    const CellPlace leaf{ std::floor(framed.X), std::floor(framed.Y) };
+    const BiteEntry entry = BiteFrame::EntryOf(framed, frame.InCells(framed, 0.25), leaf);
     const double reach = 4.0 * framed.Reach;
     EXPECT_EQ(entry.Bite, bite);
     EXPECT_NEAR(entry.X, 4.0 * (framed.X - leaf.X), 1e-6);

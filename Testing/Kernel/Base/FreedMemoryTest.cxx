@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Base/FreedMemory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef> // for sizes
+#include <memory>  // for memory
+
+#ifdef __GLIBC__
+#include <sys/resource.h> // for page faults
+#endif
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr std::size_t Size = 4u << 20;
+constexpr std::size_t PageSize = 4096;
+
+// Takes memory, touches each page of it, and frees it.
+void TakeAndFree()
+{
+  const std::unique_ptr<char[]> memory(new char[Size]);
+  volatile char* place = memory.get();
+  for (std::size_t k = 0; k < Size; k += PageSize)
+  {
+    place[k] = 1;
+  }
+}
+
+} // namespace
+
+TEST(KeepFreedMemory, TakesNoPagesFromTheSystemForWhatWasFreed)
+{
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  const auto countFaults = []
+  {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_minflt;
+  };
+  KeepFreedMemory();
+  TakeAndFree();
+  const long before = countFaults();
+  TakeAndFree();
+  EXPECT_LT(countFaults() - before, static_cast<long>(Size / PageSize) / 10);
+#else
+  GTEST_SKIP() << "another allocator";
+#endif
+}
+
+} // namespace biting
