@@ -56,14 +56,23 @@ bool ForEachAtOnce(Pulse& pulse, std::size_t count, const Step& step)
 template <typename Sum, typename Add>
 Sum SumAtOnce(Pulse& pulse, std::size_t count, const Sum& zero, const Add& add)
 {
+  // Each task adds to a sum on its own stack: those in the list share cache lines.
   std::vector<Sum> sums((count + StepsPerTask - 1) / StepsPerTask, zero);
   if (count <= StepsPerTask || pulse.Threads().NumberOfThreads() == 1)
   {
-    pulse.ForEach(count, [&sums, &add](std::size_t i) { add(sums[i / StepsPerTask], i); });
+    for (std::size_t k = 0; k < sums.size(); ++k)
+    {
+      const std::size_t begin = k * StepsPerTask;
+      const std::size_t end = std::min(count, begin + StepsPerTask);
+      const double all = static_cast<double>(count);
+      const PulsePart part(pulse, static_cast<double>(begin) / all, static_cast<double>(end) / all);
+      Sum sum = zero;
+      pulse.ForEach(end - begin, [&sum, &add, begin](std::size_t i) { add(sum, begin + i); });
+      sums[k] = std::move(sum);
+    }
   }
   else
   {
-    // Each task adds to a sum on its own stack: those in the list share cache lines.
     DoTasks(pulse, sums.size(),
       [count, &sums, &zero, &add](std::size_t k, Monitor&)
       {

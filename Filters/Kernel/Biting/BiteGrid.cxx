@@ -126,11 +126,11 @@ void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pul
   }
   const MarkedCells areNew(isNew, this->Frame.Columns());
   const bool hasNew = areNew.HasAny();
+  const Id columns = this->Frame.Columns();
+  const Id rows = this->Frame.Rows();
   for (Id bite = 0; hasNew && bite <= this->Newest && (pulse == nullptr || pulse->Beat(1)); ++bite)
   {
-    const CellBox extent = this->Frame.ExtentOf(bite);
-    const Id columns = this->Frame.Columns();
-    const Id rows = this->Frame.Rows();
+    const CellBox extent = this->Frame.WidestExtentOf(bite);
     if (!areNew.HasAny(ClampedIndex(extent.LowX, columns), ClampedIndex(extent.LowY, rows),
           ClampedIndex(extent.HighX, columns), ClampedIndex(extent.HighY, rows)))
     {

@@ -66,6 +66,7 @@ private:
   bool HasValidIds();
   bool IsCounterclockwise();
   bool HasMutualNeighbors();
+  void FollowLink(std::size_t triangle, std::size_t slot, LinkSum& sum) const;
   bool IsLink(std::size_t slot, std::size_t across) const;
   bool IsLocallyDelaunay(std::size_t slot, std::size_t across) const;
   bool HasConstrainedBoundary();
@@ -150,24 +151,12 @@ bool MeshChecker::IsCounterclockwise()
 bool MeshChecker::HasMutualNeighbors()
 {
   const PulsePart part(this->Beats, TurnsEnd, NeighborsEnd);
-  LinkSum links = SumAtOnce(this->Beats, this->Mesh.Neighbors.size(), LinkSum(),
-    [this](LinkSum& sum, std::size_t slot)
+  LinkSum links = SumAtOnce(this->Beats, this->Mesh.Neighbors.size() / 3, LinkSum(),
+    [this](LinkSum& sum, std::size_t triangle)
     {
-      const Id neighbor = this->Mesh.Neighbors[slot];
-      if (neighbor == NoId)
+      for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
       {
-        sum.BoundarySlots.push_back(slot);
-        return;
-      }
-      const bool isLarger = static_cast<std::size_t>(neighbor) > slot / 3;
-      sum.Unanswered += isLarger ? 1 : -1;
-      if (!isLarger)
-      {
-        const std::size_t across = SlotAcross(this->Mesh.Corners, slot, neighbor);
-        const bool isLink = this->IsLink(slot, across);
-        sum.Wrong.Add(slot, !isLink);
-        sum.Bent.Add(
-          slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot, across));
+        this->FollowLink(triangle, slot, sum);
       }
     });
   this->BoundarySlots.swap(links.BoundarySlots);
@@ -181,6 +170,25 @@ bool MeshChecker::HasMutualNeighbors()
     return this->Refuse(EdgeText(this->Mesh, links.Bent.Slot) + " is not Delaunay");
   }
   return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
+}
+
+void MeshChecker::FollowLink(std::size_t triangle, std::size_t slot, LinkSum& sum) const
+{
+  const Id neighbor = this->Mesh.Neighbors[slot];
+  if (neighbor == NoId)
+  {
+    sum.BoundarySlots.push_back(slot);
+    return;
+  }
+  const bool isLarger = static_cast<std::size_t>(neighbor) > triangle;
+  sum.Unanswered += isLarger ? 1 : -1;
+  if (!isLarger)
+  {
+    const std::size_t across = SlotAcross(this->Mesh.Corners, slot, neighbor);
+    const bool isLink = this->IsLink(slot, across);
+    sum.Wrong.Add(slot, !isLink);
+    sum.Bent.Add(slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot, across));
+  }
 }
 
 bool MeshChecker::IsLink(std::size_t slot, std::size_t across) const

@@ -11,7 +11,7 @@
 
 #include <algorithm> // for min, max
 #include <array>     // for a list of arrays
-#include <cmath>     // for atan2, abs, sqrt
+#include <cmath>     // for atan, atan2, abs, sqrt
 #include <utility>   // for move
 
 namespace biting
@@ -22,8 +22,7 @@ namespace
 
 // Where steps end, as shares of the time: of all, and of what follows the neighbors.
 constexpr double NearestEnd = 0.4;
-constexpr double TrianglesEnd = 0.5;
-constexpr double EdgesEnd = 0.8;
+constexpr double TrianglesEnd = 0.8;
 
 // A triangle up to motion: its squared sides in ascending order, and twice its area.
 struct Shape
@@ -34,16 +33,26 @@ struct Shape
   double DoubledArea;
 };
 
-Shape ShapeOf(const Point2& a, const Point2& b, const Point2& c)
+// The squared lengths of the sides opposite each corner.
+std::array<double, 3> SquaredSides(const Point2& a, const Point2& b, const Point2& c)
 {
   const Point2 ab = b - a;
   const Point2 ac = c - a;
   const Point2 bc = c - b;
-  const double low = std::min(Dot(ab, ab), Dot(ac, ac));
-  const double high = std::max(Dot(ab, ab), Dot(ac, ac));
-  const double third = Dot(bc, bc);
-  return { std::min(low, third), std::max(low, std::min(high, third)), std::max(high, third),
-    std::abs(Cross(ab, ac)) };
+  return { Dot(bc, bc), Dot(ac, ac), Dot(ab, ab) };
+}
+
+Shape ShapeOf(const std::array<double, 3>& squares, double doubledArea)
+{
+  const double low = std::min(squares[1], squares[2]);
+  const double high = std::max(squares[1], squares[2]);
+  return { std::min(low, squares[0]), std::max(low, std::min(high, squares[0])),
+    std::max(high, squares[0]), std::abs(doubledArea) };
+}
+
+Shape ShapeOf(const Point2& a, const Point2& b, const Point2& c)
+{
+  return ShapeOf(SquaredSides(a, b, c), Cross(b - a, c - a));
 }
 
 // The smallest angle lies between the two longer sides u and v: tan = |u x v| / u.v. Here u.v, by
@@ -51,7 +60,7 @@ Shape ShapeOf(const Point2& a, const Point2& b, const Point2& c)
 double MinimumAngle(const Shape& shape)
 {
   const double product = 0.5 * (shape.Longest + (shape.Middle - shape.Shortest));
-  return DegreesPerRadian * std::atan2(shape.DoubledArea, product);
+  return product > 0.0 ? DegreesPerRadian * std::atan(shape.DoubledArea / product) : 0.0;
 }
 
 // R = abc / 4A; the shortest side cancels.
@@ -102,34 +111,6 @@ void MakeRoom(MeshQuality& quality, Pulse& pulse)
   {
     makeRoom(k, pulse);
   }
-}
-
-void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, TrianglesEnd);
-  const std::size_t count = mesh.Corners.size() / 3;
-  if (pulse.HasStopped() || count == 0)
-  {
-    return;
-  }
-  const QualitySums sums = SumAtOnce(pulse, count, QualitySums(),
-    [&mesh, &quality](QualitySums& sum, std::size_t t)
-    {
-      const auto place = [&mesh, t](std::size_t corner) -> const Point2&
-      { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
-      const Shape shape = ShapeOf(place(0), place(1), place(2));
-      quality.MinimumAngle[t] = MinimumAngle(shape);
-      quality.RadiusEdgeRatio[t] = RadiusEdgeRatio(shape);
-      quality.AspectRatio[t] = AspectRatio(shape);
-      if (mesh.CountsTriangle(t))
-      {
-        sum.Triangles += 1;
-        sum.SmallestAngle = std::min(sum.SmallestAngle, quality.MinimumAngle[t]);
-        sum.LargestRadiusEdgeRatio =
-          std::max(sum.LargestRadiusEdgeRatio, quality.RadiusEdgeRatio[t]);
-      }
-    });
-  quality.Sums.Join(sums);
 }
 
 // The ends of the edge opposite a slot's corner.
@@ -193,10 +174,10 @@ bool IsInBand(double relativeLength)
   return square >= 0.5 && square <= 2.0;
 }
 
-void AddEdge(const MeshView& mesh, std::size_t edge, const EdgeEnds& ends, QualitySums& sum)
+void AddEdge(
+  const MeshView& mesh, const EdgeEnds& ends, double length, double wanted, QualitySums& sum)
 {
-  const double length = LengthOf(mesh, ends);
-  const double relativeLength = length / WantedLength(mesh, edge, ends);
+  const double relativeLength = length / wanted;
   sum.RelativeLengths.Add(relativeLength);
   sum.Edges += 1;
   sum.EdgesInBand += IsInBand(relativeLength) ? 1 : 0;
@@ -208,31 +189,70 @@ QualitySums SumNumberedEdges(const MeshView& mesh, Pulse& pulse)
 {
   QualitySums sum;
   ForEachEdge(mesh, pulse,
-    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends) { AddEdge(mesh, edge, ends, sum); });
+    [&mesh, &sum](std::size_t edge, const EdgeEnds& ends)
+    { AddEdge(mesh, ends, LengthOf(mesh, ends), WantedLength(mesh, edge, ends), sum); });
   return sum;
 }
 
-QualitySums SumEdges(const MeshView& mesh, Pulse& pulse)
+// The edges that are counted at a triangle.
+void AddEdges(const MeshView& mesh, std::size_t triangle, const std::array<double, 3>& squares,
+  QualitySums& sum)
 {
-  return SumAtOnce(pulse, mesh.Corners.size(), QualitySums(),
-    [&mesh](QualitySums& sum, std::size_t slot)
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t slot = 3 * triangle + k;
+    if (IsCounted(mesh, slot))
     {
-      if (IsCounted(mesh, slot) && mesh.CountsTriangle(slot / 3))
+      const EdgeEnds ends = EndsOf(mesh, slot);
+      AddEdge(mesh, ends, std::sqrt(squares[k]), WantedLength(mesh, 0, ends), sum);
+    }
+  }
+}
+
+QualitySums SumTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
+{
+  return SumAtOnce(pulse, mesh.Corners.size() / 3, QualitySums(),
+    [&mesh, &quality](QualitySums& sum, std::size_t t)
+    {
+      const auto place = [&mesh, t](std::size_t corner) -> const Point2&
+      { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
+      const std::array<double, 3> squares = SquaredSides(place(0), place(1), place(2));
+      const Shape shape = ShapeOf(squares, Cross(place(1) - place(0), place(2) - place(0)));
+      quality.MinimumAngle[t] = MinimumAngle(shape);
+      quality.RadiusEdgeRatio[t] = RadiusEdgeRatio(shape);
+      quality.AspectRatio[t] = AspectRatio(shape);
+      if (!mesh.CountsTriangle(t))
       {
-        AddEdge(mesh, 0, EndsOf(mesh, slot), sum);
+        return;
+      }
+      sum.Triangles += 1;
+      sum.SmallestAngle = std::min(sum.SmallestAngle, quality.MinimumAngle[t]);
+      sum.LargestRadiusEdgeRatio = std::max(sum.LargestRadiusEdgeRatio, quality.RadiusEdgeRatio[t]);
+      if (!mesh.MiddleSpacing)
+      {
+        AddEdges(mesh, t, squares, sum);
       }
     });
 }
 
-void MeasureEdges(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
+// With all edges, as their ends are at hand.
+void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
-  const PulsePart part(pulse, TrianglesEnd, EdgesEnd);
-  quality.Sums.Join(mesh.MiddleSpacing ? SumNumberedEdges(mesh, pulse) : SumEdges(mesh, pulse));
+  const PulsePart part(pulse, 0.0, TrianglesEnd);
+  if (pulse.HasStopped() || mesh.Corners.empty())
+  {
+    return;
+  }
+  quality.Sums.Join(SumTriangles(mesh, quality, pulse));
+  if (mesh.MiddleSpacing)
+  {
+    quality.Sums.Join(SumNumberedEdges(mesh, pulse));
+  }
 }
 
 void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
 {
-  const PulsePart part(pulse, EdgesEnd, 1.0);
+  const PulsePart part(pulse, TrianglesEnd, 1.0);
   const std::size_t count = mesh.Points.size();
   if (count == 0 || pulse.HasStopped())
   {
@@ -297,7 +317,6 @@ MeshQuality MeasureQuality(
   quality.NumberOfTriangles = static_cast<std::int64_t>(mesh.Corners.size() / 3);
   MakeRoom(quality, pulse);
   MeasureTriangles(mesh, quality, pulse);
-  MeasureEdges(mesh, quality, pulse);
   quality.NearestNeighborDistance = std::move(nearestNeighborDistances);
   MeasureConformity(mesh, quality, pulse);
   quality.Conclude(quality.Sums);
