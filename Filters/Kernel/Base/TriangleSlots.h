@@ -25,16 +25,22 @@ constexpr std::size_t PreviousSlotOf(std::size_t slot)
   return slot % 3 == 0 ? slot + 2 : slot - 1;
 }
 
+/// Which of the three corners of a triangle the vertex is, 0 to 2; any, or 3, where it is none.
+/// Without branches: which it is cannot be predicted.
+inline std::size_t CornerOf(const Id* corners, Id vertex)
+{
+  const std::size_t isSecond = corners[1] == vertex ? 1 : 0;
+  const std::size_t isThird = corners[2] == vertex ? 2 : 0;
+  return isSecond + isThird;
+}
+
 /// The slot of the triangle `neighbor` whose edge starts where that of `slot` ends; any where there
-/// is none. Without branches: which corner it is cannot be predicted.
+/// is none.
 inline std::size_t SlotAcross(const std::vector<Id>& corners, std::size_t slot, Id neighbor)
 {
-  constexpr std::size_t SlotBefore[] = { 2, 0, 1, 1 };
+  constexpr std::size_t Before[] = { 2, 0, 1, 1 };
   const std::size_t first = 3 * static_cast<std::size_t>(neighbor);
-  const Id end = corners[PreviousSlotOf(slot)];
-  const std::size_t isSecond = corners[first + 1] == end ? 1 : 0;
-  const std::size_t isThird = corners[first + 2] == end ? 2 : 0;
-  return first + SlotBefore[isSecond + isThird];
+  return first + Before[CornerOf(&corners[first], corners[PreviousSlotOf(slot)])];
 }
 
 } // namespace biting

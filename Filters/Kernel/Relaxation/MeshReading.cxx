@@ -3,6 +3,7 @@
 
 #include "MeshExchange.h"
 
+#include "../Base/TriangleSlots.h"
 #include "DividedSegments.h"
 
 #include <cmath>   // for abs
@@ -213,16 +214,11 @@ void Reader::TakeTwins()
   ReleaseInSteps(this->Progress, neighbors);
 }
 
-// The half-edge of the neighbor that ends where `edge` starts. Without branches: which it is cannot
-// be predicted.
+// The half-edge of the neighbor that ends where `edge` starts.
 Id Reader::TwinOf(Id edge, Id neighbor) const
 {
   constexpr Id After[] = { 1, 2, 0, 0 };
-  const Id start = this->Mesh.Origin(edge);
-  const Id* corners = &this->Mesh.Corners[4 * neighbor];
-  const std::size_t isSecond = corners[1] == start ? 1 : 0;
-  const std::size_t isThird = corners[2] == start ? 2 : 0;
-  return 4 * neighbor + After[isSecond + isThird];
+  return 4 * neighbor + After[CornerOf(&this->Mesh.Corners[4 * neighbor], this->Mesh.Origin(edge))];
 }
 
 void Reader::TakeRegions()
