@@ -5,7 +5,7 @@
 
 #include "../Base/SortInSteps.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for max, max_element, min
 #include <cstdint>   // for flags
 #include <utility>   // for move
 
@@ -310,7 +310,8 @@ void Writer::CountTriangles(const Regions& regions)
 {
   const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
   this->Sizes.assign(regions.Size + 1, 0);
-  if (!GrowInSteps(this->Begins, this->Order.size() + 1, Id(0), this->Beats))
+  const std::size_t points = 1 + *std::max_element(this->Order.begin(), this->Order.end());
+  if (!GrowInSteps(this->Begins, points + 1, Id(0), this->Beats))
   {
     return;
   }
@@ -361,7 +362,7 @@ std::vector<Id> Writer::SortByLastCorner()
 {
   std::vector<Id> sorted;
   GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats);
-  this->Beats.ForEach(this->Order.size(),
+  this->Beats.ForEach(this->Begins.size() - 1,
     [this](std::size_t point) { this->Begins[point + 1] += this->Begins[point]; });
   this->Beats.ForEach(this->Numbers.size(),
     [this, &sorted](std::size_t triangle)

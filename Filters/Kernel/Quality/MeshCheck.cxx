@@ -39,6 +39,12 @@ enum Use : std::uint8_t
   Boundary
 };
 
+bool HasValidSizes(const MeshCheckInput& mesh)
+{
+  const std::size_t size = mesh.Corners.size();
+  return size % 3 == 0 && mesh.Neighbors.size() == size && mesh.Constraints.size() == size;
+}
+
 std::string EdgeText(const MeshCheckInput& mesh, std::size_t slot)
 {
   const Id startId = mesh.Corners[NextSlotOf(slot)];
@@ -62,7 +68,6 @@ public:
   std::string Check();
 
 private:
-  bool HasValidSizes();
   bool HasValidIds();
   bool IsCounterclockwise();
   bool HasMutualNeighbors();
@@ -96,18 +101,10 @@ private:
 
 std::string MeshChecker::Check()
 {
-  const bool isSound = this->HasValidSizes() && this->HasValidIds() && this->IsCounterclockwise() &&
+  const bool isSound = this->HasValidIds() && this->IsCounterclockwise() &&
     this->HasMutualNeighbors() && this->HasConstrainedBoundary() && this->HasNoUnusedVertex() &&
     this->FulfilsEuler() && this->CoversArea();
   return isSound ? std::string() : this->Violation;
-}
-
-bool MeshChecker::HasValidSizes()
-{
-  const std::size_t size = this->Mesh.Corners.size();
-  return (size % 3 == 0 && this->Mesh.Neighbors.size() == size &&
-           this->Mesh.Constraints.size() == size) ||
-    this->Refuse("the arrays of the triangles differ in size");
 }
 
 bool MeshChecker::HasValidIds()
@@ -330,7 +327,8 @@ bool MeshChecker::Refuse(const std::string& violation)
 std::string CheckMesh(const MeshCheckInput& mesh, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  return MeshChecker(mesh, pulse).Check();
+  return HasValidSizes(mesh) ? MeshChecker(mesh, pulse).Check()
+                             : "the arrays of the triangles differ in size";
 }
 
 } // namespace biting
