@@ -2,17 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Meshes of made-up drawings, made anew for made-up spacings, against the laws of remeshing.
-// BitingRemeshFuzz [--cases N] [--seed S] [--seconds T]; the first violation ends it with 1, a case
-// that takes too long with 1, too.
+//
+//   BitingRemeshFuzz [--cases N] [--seed S] [--seconds T] [--vertices V]
+//
+// Case k has the seed S + k. Meshes that would have more than V vertices (2000) are made with a
+// larger spacing, so that many cases fit into a second; V is part of what a case is. Violations
+// are told with their seeds, and the status is then 1; so it is after the first case that computes
+// for longer than a minute, which ends the run. With sanitizers, in several processes:
+//
+//   sh Testing/fuzz.sh 200000 1 2 BitingRemeshFuzz
 
 #include "../Kernel/Support/RemeshLaws.h"
 #include "RandomInput.h"
 #include "SlowCase.h"
 
 #include <chrono>   // for rates
+#include <cstdint>  // for seeds
 #include <cstdlib>  // for numbers
 #include <iostream> // for the report
 #include <string>   // for arguments
+
+#if defined(__SANITIZE_ADDRESS__)
+/// As in BitingFuzz.cxx.
+extern "C" const char* __asan_default_options()
+{
+  return "malloc_context_size=0:quarantine_size_mb=16";
+}
+#endif
 
 namespace biting
 {
@@ -21,7 +37,37 @@ namespace
 {
 
 constexpr int SecondsPerCase = 60;
-constexpr std::size_t MostVertices = 20000; // of what is remeshed, for the time
+constexpr double SecondsPerReport = 60.0;
+constexpr int MostCoarsenings = 6;   // of a drawing, until it has few vertices
+constexpr int GrowthOfVertices = 10; // at most, by remeshing
+
+struct Arguments
+{
+  std::uint64_t Cases = 100000;
+  std::uint64_t Seed = 1;
+  double Seconds = 1e9;
+  std::int64_t Vertices = 2000;
+  bool AreValid = true;
+};
+
+Arguments ReadArguments(int count, char** texts)
+{
+  Arguments arguments;
+  arguments.AreValid = count % 2 == 1;
+  for (int k = 1; k + 1 < count; k += 2)
+  {
+    const std::string name = texts[k];
+    const char* value = texts[k + 1];
+    arguments.Cases = name == "--cases" ? std::strtoull(value, nullptr, 10) : arguments.Cases;
+    arguments.Seed = name == "--seed" ? std::strtoull(value, nullptr, 10) : arguments.Seed;
+    arguments.Seconds = name == "--seconds" ? std::strtod(value, nullptr) : arguments.Seconds;
+    arguments.Vertices =
+      name == "--vertices" ? std::strtoll(value, nullptr, 10) : arguments.Vertices;
+    arguments.AreValid = arguments.AreValid &&
+      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--vertices");
+  }
+  return arguments;
+}
 
 struct Counts
 {
@@ -29,9 +75,29 @@ struct Counts
   long long Meshes = 0;
   long long Unchanged = 0;
   long long Refused = 0;
+  long long Violations = 0;
 };
 
-RemeshOptions MakeOptions(const BitingMesh& mesh, FuzzNumbers& numbers)
+/// A mesh of at most so many vertices, if a larger spacing makes one.
+BitingMesh MeshOf(FuzzCase& fuzzCase, std::int64_t vertices)
+{
+  fuzzCase.Options.MaximumNumberOfBites = -1;
+  fuzzCase.Options.MaximumNumberOfVertices = vertices;
+  BitingMesh mesh;
+  for (int k = 0; k <= MostCoarsenings; ++k)
+  {
+    ProblemList problems;
+    mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, problems, NoMonitor());
+    if (!problems.Has(ProblemCode::TooManyVertices))
+    {
+      break;
+    }
+    fuzzCase.Options.Spacing.Scale *= 4.0;
+  }
+  return mesh;
+}
+
+RemeshOptions MakeOptions(const BitingMesh& mesh, std::int64_t mostVertices, FuzzNumbers& numbers)
 {
   RemeshOptions options;
   const double scale = numbers.Power(-2, 2);
@@ -57,7 +123,7 @@ RemeshOptions MakeOptions(const BitingMesh& mesh, FuzzNumbers& numbers)
     options.FeatureAngle = 180.0 * numbers.Unit();
   }
   options.Preference = static_cast<RemeshPreference>(numbers.Below(3));
-  options.MaximumNumberOfVertices = 200000;
+  options.MaximumNumberOfVertices = mostVertices;
   return options;
 }
 
@@ -84,15 +150,13 @@ void FreezeSome(FuzzNumbers& numbers, RemeshInput& input)
 }
 
 /// Which law is broken, empty where none.
-std::string RunCase(std::uint64_t seed, Counts& counts)
+std::string RunCase(std::uint64_t seed, std::int64_t vertices, Counts& counts)
 {
   FuzzNumbers numbers(seed);
   FuzzCase fuzzCase = MakeFuzzCase(numbers);
-  fuzzCase.Options.MaximumNumberOfBites = -1;
-  ProblemList problems;
-  const BitingMesh mesh = MakeBitingMesh(fuzzCase.Input, fuzzCase.Options, problems, NoMonitor());
+  const BitingMesh mesh = MeshOf(fuzzCase, vertices);
   ++counts.Cases;
-  if (mesh.Points.empty() || mesh.Points.size() > MostVertices)
+  if (mesh.Points.empty())
   {
     return {};
   }
@@ -104,7 +168,7 @@ std::string RunCase(std::uint64_t seed, Counts& counts)
   RemeshInput input = RemeshInputOf(mesh, RoundingInUlp * 2.2e-16 * largest);
   FreezeSome(numbers, input);
   ProblemList told;
-  const RemeshOptions options = MakeOptions(mesh, numbers);
+  const RemeshOptions options = MakeOptions(mesh, GrowthOfVertices * vertices, numbers);
   const RemeshResult result = Remesh(input, options, told, NoMonitor());
   ++(told.HasErrors() ? counts.Refused : result.IsUnchanged ? counts.Unchanged : counts.Meshes);
   if (told.HasErrors())
@@ -119,40 +183,53 @@ std::string RunCase(std::uint64_t seed, Counts& counts)
   return result.IsUnchanged ? "" : RemeshLaws(input, result, allowed).Violation();
 }
 
-} // namespace
-
-int RunRemeshFuzz(int count, char** texts)
+void Print(const Counts& counts, double seconds)
 {
-  std::uint64_t seed = 1;
-  std::uint64_t cases = 100000;
-  double seconds = 1e9;
-  for (int k = 1; k + 1 < count; k += 2)
-  {
-    const std::string name = texts[k];
-    seed = name == "--seed" ? std::strtoull(texts[k + 1], nullptr, 10) : seed;
-    cases = name == "--cases" ? std::strtoull(texts[k + 1], nullptr, 10) : cases;
-    seconds = name == "--seconds" ? std::strtod(texts[k + 1], nullptr) : seconds;
-  }
+  std::cout << counts.Cases << " cases in " << seconds << " s, "
+            << static_cast<double>(counts.Cases) / seconds << " a second: " << counts.Meshes
+            << " meshes, " << counts.Unchanged << " unchanged, " << counts.Refused << " refused, "
+            << counts.Violations << " violations" << std::endl;
+}
+
+Counts RunAll(const Arguments& arguments)
+{
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [begin]()
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   Counts counts;
-  int broken = 0;
-  for (std::uint64_t k = 0; k < cases && elapsed() < seconds; ++k)
+  double nextReport = SecondsPerReport;
+  for (std::uint64_t k = 0; k < arguments.Cases && elapsed() < arguments.Seconds; ++k)
   {
-    BeginCase(seed + k, SecondsPerCase);
-    const std::string violation = RunCase(seed + k, counts);
+    const std::uint64_t seed = arguments.Seed + k;
+    BeginCase(seed, SecondsPerCase);
+    const std::string violation = RunCase(seed, arguments.Vertices, counts);
     EndCase();
     if (!violation.empty())
     {
-      ++broken;
-      std::cout << "seed " << seed + k << ": " << violation << std::endl;
+      ++counts.Violations;
+      std::cout << "seed " << seed << ": " << violation << std::endl;
+    }
+    if (elapsed() > nextReport)
+    {
+      Print(counts, elapsed());
+      nextReport += SecondsPerReport;
     }
   }
-  std::cout << counts.Cases << " cases in " << elapsed() << " s: " << counts.Meshes << " meshes, "
-            << counts.Unchanged << " unchanged, " << counts.Refused << " refused, " << broken
-            << " violations" << std::endl;
-  return broken == 0 ? 0 : 1;
+  Print(counts, elapsed());
+  return counts;
+}
+
+} // namespace
+
+int RunRemeshFuzz(int count, char** texts)
+{
+  const Arguments arguments = ReadArguments(count, texts);
+  if (!arguments.AreValid)
+  {
+    std::cerr << "BitingRemeshFuzz [--cases N] [--seed S] [--seconds T] [--vertices V]\n";
+    return 2;
+  }
+  return RunAll(arguments).Violations == 0 ? 0 : 1;
 }
 
 } // namespace biting

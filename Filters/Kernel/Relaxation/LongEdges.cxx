@@ -35,8 +35,11 @@ void LongEdges::Split(double longest, double greatestCotangent, Pulse& pulse)
         const Id twin = this->Mesh.Twins[edge];
         const double worst = this->WorstOf({ this->Mesh.Origin(edge), this->Mesh.Target(edge),
           this->Mesh.Corners[edge], this->Mesh.Corners[twin] });
-        this->Mesh.BeginTrial();
-        this->Mesh.EndTrial(this->TrySplit(edge, std::max(worst, greatestCotangent)));
+        if (worst < Infinity)
+        {
+          this->Mesh.BeginTrial();
+          this->Mesh.EndTrial(this->TrySplit(edge, std::max(worst, greatestCotangent)));
+        }
       }
     });
 }
@@ -99,6 +102,7 @@ void LongEdges::SmoothAround(Id vertex)
   }
 }
 
+// Infinity where a star is too large to be read: nothing near it could be judged.
 double LongEdges::WorstOf(const std::vector<Id>& vertices) const
 {
   double worst = 0.0;

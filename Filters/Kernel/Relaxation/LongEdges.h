@@ -30,7 +30,7 @@ public:
   /// Splits inner edges of more than `longest` spacings, the longest first, and smooths around the
   /// new vertices. A split is kept where no triangle near by then is both worse than the worst one
   /// was and beyond `greatestCotangent`, and no edge of the new vertex is shorter than 0.75
-  /// spacings.
+  /// spacings. Edges beside vertices with more triangles than a Star holds stay.
   void Split(double longest, double greatestCotangent, Pulse& pulse);
 
 private:

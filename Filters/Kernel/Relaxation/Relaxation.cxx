@@ -37,6 +37,7 @@ constexpr std::size_t VerticesPerTrial = 20000;
 constexpr int PassesOfTakingBack = 2;
 constexpr int RingsOfReleased = 2; // about them, that are smoothed with them
 constexpr double CotangentOf45Degrees = 1.0;
+constexpr double MarginOfEstimates = 1.025; // spacings at new places are known to a few per cent
 
 // Where steps end, as shares of the time.
 constexpr double ReadingEnd = 0.06;
@@ -69,7 +70,8 @@ public:
     this->SplitLong(0.8, 0.82, options.Hold);
     this->Release(0.82, 0.95, options.Hold.Rounds);
     this->TryTopologies(0.95, 0.98, options.Hold);
-    this->TakeBack(0.98, 0.99);
+    this->TakeBack(0.98, 0.985);
+    this->SmoothBetweenHeld(0.985, 0.99, options.Hold);
     const PulsePart part(this->Progress, 0.99, 1.0);
     this->Mesh.AskForEstimates(this->Progress);
   }
@@ -158,6 +160,18 @@ private:
         }
       }
       this->DescendAround(this->Surroundings.Around(returned, 1));
+    }
+  }
+
+  /// The descent cares for the worst triangles alone: the others are brought back into shape.
+  void SmoothBetweenHeld(double begin, double end, const HoldOptions& hold)
+  {
+    if (hold.Count > 0)
+    {
+      const PulsePart part(this->Progress, begin, end);
+      const SmoothingLimits limits{ CotangentOf40Degrees, MarginOfEstimates * hold.ShortestEdge,
+        hold.LongestEdge / MarginOfEstimates };
+      SmoothWithin(this->Mesh, this->Flips, limits, this->Progress);
     }
   }
 

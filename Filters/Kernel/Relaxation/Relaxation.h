@@ -77,7 +77,8 @@ struct RelaxationResult
 /// - All vertices are smoothed for the mean ratio of the triangles around them.
 /// - The worst triangles are improved one by one.
 /// - Where vertices are held, those that are in the way are then released, round by round, and what
-///   is near them is improved anew. In the end those go back for which there is a place again.
+///   is near them is improved anew. In the end those go back for which there is a place again, and
+///   what is between the held ones is smoothed once more, within the limits of the hold.
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and

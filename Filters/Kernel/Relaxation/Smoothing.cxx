@@ -126,7 +126,43 @@ bool HasFineLengths(const MutableMesh& mesh, Id vertex, const Star& star)
   return true;
 }
 
-bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCotangent)
+/// For sweeps that do not mind them.
+struct AnyLengths
+{
+  bool Allow(
+    const MutableMesh& /*mesh*/, Id /*vertex*/, const Star& /*star*/, const Point2& /*step*/) const
+  {
+    return true;
+  }
+};
+
+struct LengthsWithin
+{
+  double LeastSquare;    ///< in squared spacings
+  double GreatestSquare; ///< in squared spacings
+
+  /// Whether no edge of the star is farther beyond the limits after the step than before.
+  bool Allow(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& step) const
+  {
+    for (int k = 0; k <= star.NumberOfTriangles; ++k)
+    {
+      const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
+      const Point2 spoke = star.Spokes[k] - step;
+      const double before = Dot(star.Spokes[k], star.Spokes[k]);
+      const double after = Dot(spoke, spoke);
+      if ((after > before && after > this->GreatestSquare * mean * mean) ||
+        (after < before && after < this->LeastSquare * mean * mean))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+template <typename Lengths>
+bool SmoothStar(
+  MutableMesh& mesh, Id vertex, const Star& star, double allowedCotangent, const Lengths& lengths)
 {
   const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
   const double allowed = std::max(sum.Worst, allowedCotangent);
@@ -139,7 +175,8 @@ bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCo
   {
     const Point2 place = mesh.PlaceFor(vertex, star.Center + step);
     const double worst = star.Worst(place - star.Center);
-    if (worst <= allowed && (worst < CertainCotangent || IsValidAt(mesh, vertex, star, place)))
+    if (worst <= allowed && lengths.Allow(mesh, vertex, star, place - star.Center) &&
+      (worst < CertainCotangent || IsValidAt(mesh, vertex, star, place)))
     {
       MoveWithSpacing(mesh, vertex, star, place);
       return true;
@@ -149,13 +186,33 @@ bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star, double allowedCo
   return false;
 }
 
+bool MayMove(const MutableMesh& mesh, Id vertex, Star& star)
+{
+  return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex);
+}
+
 // As SmoothVertex, but where the star is fine.
 bool SmoothCoarse(MutableMesh& mesh, Id vertex, double allowedCotangent)
 {
   Star star;
-  return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex) &&
+  return MayMove(mesh, vertex, star) &&
     !(HasFineLengths(mesh, vertex, star) && star.Worst({}) < CotangentOf52Degrees) &&
-    SmoothStar(mesh, vertex, star, allowedCotangent);
+    SmoothStar(mesh, vertex, star, allowedCotangent, AnyLengths());
+}
+
+template <typename Smooth>
+void Sweep(MutableMesh& mesh, DelaunayFlips& flips, const Smooth& smooth, Pulse& pulse)
+{
+  pulse.ForEach(mesh.Points.size(),
+    [&mesh, &smooth](std::size_t slot)
+    {
+      const Id vertex = static_cast<Id>(slot);
+      if (mesh.IsAlive(vertex))
+      {
+        smooth(vertex);
+      }
+    });
+  flips.RestoreAll(pulse);
 }
 
 } // namespace
@@ -163,8 +220,8 @@ bool SmoothCoarse(MutableMesh& mesh, Id vertex, double allowedCotangent)
 bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
 {
   Star star;
-  return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex) &&
-    SmoothStar(mesh, vertex, star, allowedCotangent);
+  return MayMove(mesh, vertex, star) &&
+    SmoothStar(mesh, vertex, star, allowedCotangent, AnyLengths());
 }
 
 void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
@@ -174,18 +231,33 @@ void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind ki
   {
     const PulsePart part(
       pulse, static_cast<double>(sweep) / sweeps, static_cast<double>(sweep + 1) / sweeps);
-    pulse.ForEach(mesh.Points.size(),
-      [&mesh, kind, allowedCotangent](std::size_t slot)
+    Sweep(
+      mesh, flips,
+      [&mesh, kind, allowedCotangent](Id vertex)
       {
-        const Id vertex = static_cast<Id>(slot);
-        if (mesh.IsAlive(vertex))
-        {
-          kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
-                                 : SmoothCoarse(mesh, vertex, allowedCotangent);
-        }
-      });
-    flips.RestoreAll(pulse);
+        kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
+                               : SmoothCoarse(mesh, vertex, allowedCotangent);
+      },
+      pulse);
   }
+}
+
+void SmoothWithin(
+  MutableMesh& mesh, DelaunayFlips& flips, const SmoothingLimits& limits, Pulse& pulse)
+{
+  const LengthsWithin lengths{ limits.ShortestEdge * limits.ShortestEdge,
+    limits.LongestEdge * limits.LongestEdge };
+  Sweep(
+    mesh, flips,
+    [&mesh, &limits, &lengths](Id vertex)
+    {
+      Star star;
+      if (MayMove(mesh, vertex, star))
+      {
+        SmoothStar(mesh, vertex, star, limits.GreatestCotangent, lengths);
+      }
+    },
+    pulse);
 }
 
 } // namespace biting

@@ -33,6 +33,20 @@ enum class SweepKind
 void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
   double allowedCotangent, Pulse& pulse);
 
+/// What smoothing leaves alone where it is within these, and makes no worse where it is not.
+struct SmoothingLimits
+{
+  double GreatestCotangent; ///< of the smallest angle of a triangle
+  double ShortestEdge;      ///< in spacings
+  double LongestEdge;       ///< in spacings
+};
+
+/// Smooths all vertices once, as SmoothVertex does within the limit of angles, with flips after it;
+/// but no step leaves an edge farther beyond the limits of lengths than it was, as far as spacings
+/// at new places are known: they are estimates.
+void SmoothWithin(
+  MutableMesh& mesh, DelaunayFlips& flips, const SmoothingLimits& limits, Pulse& pulse);
+
 } // namespace biting
 
 #endif

@@ -38,7 +38,7 @@ struct KeepRules
 
   double Crowded = LowestUnchanged;
   double Lowest = LowestUnchanged;
-  double Highest = 1.35;
+  double Highest = 1.4;
   double Sparse = 1.6;
 
   // Kept vertices are released, they may move and go, beside an angle whose cotangent is larger, or

@@ -71,6 +71,33 @@ TEST(LongEdges, AreSplitMoreOftenWhereAnglesMayBeSmaller)
   EXPECT_LT(loose.CountLong(), strict.CountLong());
 }
 
+/// Spokes of two spacings from the middle of a wheel.
+RawMesh Wheel(int corners)
+{
+  return RawMesh(PolylineBuilder()
+                   .Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, corners))
+                   .Chain({ { 0.0, 0.0 } }, ChainKind::EmbeddedPoint)
+                   .Lines(),
+    UniformSpacing(0.5), 0.7, 0);
+}
+
+TEST(LongEdges, StayBesideVerticesOfMoreTrianglesThanCanBeJudged)
+{
+  for (const int corners : { Star::Capacity, Star::Capacity + 1 })
+  {
+    Workshop wheel(Wheel(corners));
+    ASSERT_EQ(wheel.Mesh.NumberOfEdges() / 4, corners);
+    SilentMonitor monitor;
+    Pulse pulse(monitor);
+    DelaunayFlips flips(wheel.Mesh);
+    Patch patch(wheel.Mesh);
+    const Id before = wheel.Mesh.NumberOfVertices();
+    LongEdges(wheel.Mesh, flips, patch).Split(Longest, 1e9, pulse);
+    EXPECT_EQ(wheel.Mesh.NumberOfVertices() > before, corners == Star::Capacity);
+    EXPECT_EQ(wheel.Violation(true), "");
+  }
+}
+
 } // namespace
 
 } // namespace biting
