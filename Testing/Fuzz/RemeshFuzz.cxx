@@ -5,7 +5,7 @@
 //
 //   BitingRemeshFuzz [--cases N] [--seed S] [--seconds T] [--vertices V]
 //
-// Case k has the seed S + k. Meshes that would have more than V vertices (2000) are made with a
+// Case k has the seed S + k. Meshes that would have more than V vertices (400) are made with a
 // larger spacing, so that many cases fit into a second; V is part of what a case is. Violations
 // are told with their seeds, and the status is then 1; so it is after the first case that computes
 // for longer than a minute, which ends the run. With sanitizers, in several processes:
@@ -46,7 +46,7 @@ struct Arguments
   std::uint64_t Cases = 100000;
   std::uint64_t Seed = 1;
   double Seconds = 1e9;
-  std::int64_t Vertices = 2000;
+  std::int64_t Vertices = 400;
   bool AreValid = true;
 };
 

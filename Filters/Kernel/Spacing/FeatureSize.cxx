@@ -26,7 +26,8 @@ constexpr double LeastShareInGaps = 0.25;
 /// Short segments lower f as far as floats tell lengths apart. Around one of length d the mesh is
 /// as fine as d + g r at the distance r, where g is the gradation: up to f about
 /// 2 pi / g^2 ln(f / d) vertices, 1100 for this share and a gradation of .3, half of them where the
-/// domain is on one side. More than that would be for what only doubles tell apart.
+/// domain is on one side. More than that would be for what only doubles tell apart. Of an f beyond
+/// the drawing it is the share of the drawing's size: that is where f grows to.
 constexpr double LeastShareOnShort = 0x1p-23;
 
 /// Pieces of segments along which the feature size is taken for linear, in units of f.
@@ -117,6 +118,16 @@ double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
   return DistanceOnSide(own, x, other, own.LeftInside ? 1.0 : -1.0);
 }
 
+double DiagonalOf(const std::vector<Point2>& points)
+{
+  Box2 box;
+  for (const Point2& point : points)
+  {
+    box.Add(point);
+  }
+  return box.Diagonal();
+}
+
 /// Lowers f along one segment after the other.
 class FeatureCap
 {
@@ -127,6 +138,7 @@ public:
     , Beats(monitor)
     , Size(source, this->Beats)
     , Drawn(source, gradation)
+    , Extent(DiagonalOf(source.Points))
     , Given(given)
     , Most(most)
     , Gradation(gradation)
@@ -220,16 +232,21 @@ private:
     sample.Size =
       SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
     const double bySize = std::max(sample.Size, least);
-    const double byLength = std::max(this->MostByLength, LeastShareOnShort * sample.Given);
+    const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
       std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
     return sample;
   }
 
+  double LeastOnShort(double given) const
+  {
+    return LeastShareOnShort * std::min(given, this->Extent);
+  }
+
   double LeastInGaps(double share, double given) const
   {
     const double byDrawing =
-      std::max(LengthsPerSpacing * this->Drawn(this->Segment, share), LeastShareOnShort * given);
+      std::max(LengthsPerSpacing * this->Drawn(this->Segment, share), this->LeastOnShort(given));
     return std::min(LeastShareInGaps * given, byDrawing);
   }
 
@@ -271,6 +288,7 @@ private:
   Pulse Beats;
   const FeatureSize Size;
   const DrawnLengths Drawn;
+  const double Extent; ///< of the drawing
   const std::function<double(const Point2&)>& Given;
   const double Most;
   const double Gradation;
