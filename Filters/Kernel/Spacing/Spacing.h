@@ -73,8 +73,8 @@ struct SegmentSource
 ///   than 1.4 times the length of the segment of the drawing there that was simplified, if that is
 ///   less: as many triangles were there without the simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
-///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size of
-///   the drawing if that is less, as floats do not tell lengths apart below that: f grows from
+///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
+///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
 ///   there, for about 50 / g^2 vertices on one side;
 /// and never less than Minimum asks for. Segments that meet do not count for each other, whatever
 /// their angle. From there f grows with the gradation (the default, where that is 0).
