@@ -238,16 +238,16 @@ private:
     return sample;
   }
 
-  double LeastOnShort(double given) const
-  {
-    return LeastShareOnShort * std::min(given, this->Extent);
-  }
-
   double LeastInGaps(double share, double given) const
   {
     const double byDrawing =
       std::max(LengthsPerSpacing * this->Drawn(this->Segment, share), this->LeastOnShort(given));
     return std::min(LeastShareInGaps * given, byDrawing);
+  }
+
+  double LeastOnShort(double given) const
+  {
+    return LeastShareOnShort * std::min(given, this->Extent);
   }
 
   /// The feature size changes no faster than the place, and f in the end no faster than the
