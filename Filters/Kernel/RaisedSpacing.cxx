@@ -3,43 +3,12 @@
 
 #include "RaisedSpacing.h"
 
-#include "Base/Numbers.h"
+#include "Spacing/SourceCheck.h"
 
-#include <algorithm> // for min
-#include <memory>    // for sources
-#include <sstream>   // for the detail
-#include <vector>    // for values
+#include <sstream> // for the detail
 
 namespace biting
 {
-
-namespace
-{
-
-/// Of the values that are a spacing.
-template <typename Source>
-double LeastOf(const std::shared_ptr<const Source>& source)
-{
-  double least = Infinity;
-  if (source)
-  {
-    for (const double value : source->Values)
-    {
-      least = value > 0.0 && value < least ? value : least;
-    }
-  }
-  return least;
-}
-
-double LeastGiven(const SpacingOptions& spacing)
-{
-  const double uniform = spacing.Uniform > 0.0 ? spacing.Uniform : Infinity;
-  return spacing.Scale *
-    std::min({ uniform, LeastOf(spacing.Grid), LeastOf(spacing.Triangulation),
-      LeastOf(spacing.Segments) });
-}
-
-} // namespace
 
 SpacingOptions RaiseToRounding(SpacingOptions spacing, const Domain& domain, ProblemList& problems)
 {
@@ -51,7 +20,7 @@ SpacingOptions RaiseToRounding(SpacingOptions spacing, const Domain& domain, Pro
     return spacing;
   }
   spacing.Minimum = rounding;
-  const double least = LeastGiven(spacing);
+  const double least = spacing.Scale * LeastGiven(spacing);
   if (least < rounding && !problems.Has(ProblemCode::RaisedSpacing))
   {
     std::ostringstream detail;

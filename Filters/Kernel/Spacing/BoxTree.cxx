@@ -3,7 +3,7 @@
 
 #include "BoxTree.h"
 
-#include <algorithm> // for nth_element
+#include <algorithm> // for nth_element, sort
 #include <numeric>   // for iota
 
 namespace biting
@@ -61,6 +61,10 @@ void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last
     this->Nodes.resize(this->Nodes.size() + 2);
     this->Build(items, node.First, first, middle, pulse);
     this->Build(items, node.First + 1, middle, last, pulse);
+  }
+  else
+  {
+    std::sort(this->Items.begin() + first, this->Items.begin() + last);
   }
   this->Nodes[static_cast<std::size_t>(nodeId)] = node;
 }

@@ -32,7 +32,8 @@ public:
   /// Empty if the pulse stops.
   BoxTree(const std::vector<Item>& items, Pulse& pulse);
 
-  /// The items in the order of the tree: items near each other have positions near each other.
+  /// The items in the order of the tree: items near each other have positions near each other. It
+  /// depends on the items alone.
   const std::vector<Id>& Order() const { return this->Items; }
 
   /// Calls visit(position, limit) for all items whose cost at x may be below `limit`, likely ones
@@ -87,30 +88,33 @@ void BoxTree::Search(const Point2& x, double slope, double limit, Visit visit) c
   }
   std::array<Waiting, StackSize> stack;
   std::size_t depth = 0;
-  stack[depth++] = { this->Nodes.front().Bound(x, slope), 0 };
-  while (depth > 0)
+  Waiting next{ this->Nodes.front().Bound(x, slope), 0 };
+  while (true)
   {
-    const Waiting next = stack[--depth];
-    if (!(next.Bound < limit))
+    const Node& node = this->NodeAt(next.Node);
+    if (next.Bound < limit && node.Count == 0)
     {
+      next = { this->NodeAt(node.First).Bound(x, slope), node.First };
+      Waiting farther{ this->NodeAt(node.First + 1).Bound(x, slope), node.First + 1 };
+      if (farther.Bound < next.Bound)
+      {
+        std::swap(next, farther);
+      }
+      if (farther.Bound < limit)
+      {
+        stack[depth++] = farther;
+      }
       continue;
     }
-    const Node& node = this->NodeAt(next.Node);
-    for (Id position = node.First; position < node.First + node.Count; ++position)
+    for (Id k = 0; k < node.Count && next.Bound < limit; ++k)
     {
-      limit = visit(position, limit);
+      limit = visit(node.First + k, limit);
     }
-    if (node.Count == 0)
+    if (depth == 0)
     {
-      Waiting nearer{ this->NodeAt(node.First).Bound(x, slope), node.First };
-      Waiting farther{ this->NodeAt(node.First + 1).Bound(x, slope), node.First + 1 };
-      if (farther.Bound < nearer.Bound)
-      {
-        std::swap(nearer, farther);
-      }
-      stack[depth++] = farther;
-      stack[depth++] = nearer;
+      return;
     }
+    next = stack[--depth];
   }
 }
 

@@ -38,8 +38,9 @@ constexpr std::size_t MostEntries = std::size_t(1) << 30;
 /// Cells of the lattice along a side.
 constexpr int LatticeCells = 2;
 
-/// From this many half-diagonals on a cone is nearly a plane.
-constexpr double FarAway = 1.2;
+/// From a segment that is nearer than so many half-diagonals the way to the center is taken for
+/// none, as rounding could turn it: there the plane is that of the values along the segment.
+constexpr double OnSegment = 1e-3;
 
 /// Of the largest coordinate: more than the rounding of a square, and of a place that is looked up.
 /// Such a place may be found in a square that it lies beside.
@@ -67,19 +68,7 @@ Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
   return box;
 }
 
-/// From each cone to the next one.
-double WayThrough(const std::vector<SegmentCone>& cones)
-{
-  double way = 0.0;
-  for (std::size_t cone = 1; cone < cones.size(); ++cone)
-  {
-    way += Distance(cones[cone - 1].Start, cones[cone].Start);
-  }
-  return way;
-}
-
-/// The same cones, those near each other mostly one after the other: as they are given, which is
-/// along the chains of a boundary, or in the order of a tree where that is a shorter way.
+/// The same cones, those near each other mostly one after the other.
 std::vector<SegmentCone> InOrder(const std::vector<SegmentCone>& cones, Pulse& pulse)
 {
   std::vector<BoxTree::Item> places(cones.size());
@@ -94,7 +83,7 @@ std::vector<SegmentCone> InOrder(const std::vector<SegmentCone>& cones, Pulse& p
   {
     ordered.push_back(cones[static_cast<std::size_t>(cone)]);
   }
-  return WayThrough(ordered) < WayThrough(cones) ? ordered : cones;
+  return ordered;
 }
 
 } // namespace
@@ -121,40 +110,48 @@ public:
     {
       this->Candidates.push_back(static_cast<Id>(cone));
     }
-    this->Values.resize(this->Cones.size());
+    this->Tangents.resize(this->Cones.size());
     this->NewIds.assign(this->Cones.size(), NoId);
     this->Whole.Lists.push_back(0);
-    this->Refine(this->Whole.Tree.Root(), 0);
+    this->Refine(this->Whole.Tree.Root(), 0, 0);
     this->Whole.Tree.Finish();
     return !this->Beats.HasStopped();
   }
 
 private:
-  /// The lowest candidate at the center of a square.
+  /// A cone, and its value somewhere.
   struct Lowest
   {
     Id Cone = NoId;
     double Value = Infinity;
   };
 
-  void Refine(const Quadtree::Square& square, std::size_t first)
+  /// A plane that a cone is nowhere below.
+  struct Tangent
+  {
+    Id Cone = NoId;
+    double Value; ///< at the center of the square
+    Point2 Gradient;
+  };
+
+  void Refine(const Quadtree::Square& square, std::size_t first, Id likely)
   {
     Box2 box = square.Box();
     box.Grow(this->Margin); // all places that are found in the square
-    if (!this->Beats.Beat(this->Candidates.size() - first) || !this->Whole.Bounds.Meets(box))
+    const std::size_t kept = this->Candidates.size();
+    if (!this->Beats.Beat(kept - first) || kept == first || !this->Whole.Bounds.Meets(box))
     {
       this->SetLeaf(square, 0);
       return;
     }
     const double radius = square.Radius() + this->Margin;
-    const Lowest lowest = this->FindLowest(square.At(0.5, 0.5), first);
+    const Lowest lowest = this->FindTangents(square.At(0.5, 0.5), radius, first, likely);
     if (lowest.Value - this->Slope * radius >= this->Less.Most)
     {
       this->SetLeaf(square, 0);
       return;
     }
-    const std::size_t kept = this->Candidates.size();
-    this->KeepCandidates(square.At(0.5, 0.5), radius, lowest, first);
+    this->KeepCandidates(box, radius, lowest, kept - first > ManyCones);
     this->FinishOrSplit(square, box, lowest, kept);
     this->Candidates.resize(kept);
   }
@@ -186,76 +183,82 @@ private:
       this->Whole.Tree.Split(square);
       for (int quarter = 0; quarter < 4; ++quarter)
       {
-        this->Refine(this->Whole.Tree.Quarter(square, quarter), first);
+        this->Refine(this->Whole.Tree.Quarter(square, quarter), first, lowest.Cone);
       }
     }
   }
 
-  Lowest FindLowest(const Point2& center, std::size_t first)
+  /// The lowest candidate at a point, where `likely` may be that. Tangents becomes those of the
+  /// candidates that are not above it by more than the slope allows within the radius.
+  Lowest FindTangents(const Point2& center, double radius, std::size_t first, Id likely)
   {
-    Lowest lowest;
-    const std::size_t count = this->Candidates.size();
-    for (std::size_t k = first; k < count; ++k)
+    const double rise = 2.0 * this->Slope * radius;
+    Lowest lowest{ likely, this->At(likely)(center, this->Slope) };
+    double most = (1.0 + Slack) * lowest.Value + rise;
+    std::size_t count = 0;
+    for (std::size_t k = first; k < this->Candidates.size(); ++k)
     {
-      const Id cone = this->Candidates[k];
-      const double value = this->At(cone)(center, this->Slope);
-      this->Values[k - first] = value;
-      lowest = value < lowest.Value ? Lowest{ cone, value } : lowest;
+      const Id id = this->Candidates[k];
+      const SegmentCone& cone = this->At(id);
+      const SegmentCone::View view = cone.From(center);
+      const double room = most - view.Value;
+      const double squaredWay = Dot(view.Away, view.Away);
+      if (room < 0.0 || this->Slope * this->Slope * squaredWay > room * room)
+      {
+        continue;
+      }
+      const double way = std::sqrt(squaredWay);
+      const double value = view.Value + this->Slope * way;
+      const bool isAway = way > OnSegment * radius;
+      this->Tangents[count++] = isAway ? Tangent{ id, value, (this->Slope / way) * view.Away }
+                                       : Tangent{ id, view.Value, cone.Slope * cone.Direction };
+      if (value < lowest.Value)
+      {
+        lowest = { id, value };
+        most = (1.0 + Slack) * value + rise;
+      }
     }
+    this->TangentCount = count;
     return lowest;
   }
 
-  /// Adds to the stack those of its candidates from `first` on that may be lowest in the square.
+  /// Adds to the stack those of Tangents that may be lowest in a box.
   ///
-  /// All are Lipschitz with the slope g: within the radius r a cone is above the lowest one, b, if
-  /// it is by 2 g r at the center. Far away it is nearly a plane: with its gradient G, and D from
-  /// its foot, it differs from that by at most g r^2 / (2 (D - r)). So the difference of two such
-  /// cones is at least that at the center less r |G - G_b| and both these rests.
+  /// A cone is convex, so it is nowhere below a tangent plane. What the lowest one, b, is above
+  /// such a plane is convex, too, so largest at a corner. So the cone is nowhere in the box below
+  /// (1 - Slack) b, if its plane is not at the four corners.
   /// Of cones beside each other, one also stands for those after it: so lists do not grow with the
   /// number of segments where these are close together.
-  void KeepCandidates(const Point2& center, double radius, const Lowest& lowest, std::size_t first)
+  void KeepCandidates(const Box2& box, double radius, const Lowest& lowest, bool areMany)
   {
-    const double rise = 2.0 * this->Slope * radius;
-    const double limit = (1.0 - Slack) * lowest.Value + rise;
-    const double room = Slack * (lowest.Value - 0.5 * rise); // of the lowest value in the square
-    const Point2 toLowest = center - this->At(lowest.Cone).Foot(center);
-    const double distance = Length(toLowest);
-    const bool isFar = distance > FarAway * radius && room > 0.0;
-    const Point2 direction = (1.0 / distance) * toLowest;
-    const double rest = 0.5 * radius / (distance - radius);
-    const std::size_t count = this->Candidates.size();
-    const bool areMany = count - first > ManyCones;
+    const Point2 center = box.Center();
+    const Point2 half = 0.5 * (box.High - box.Low);
+    const double share = 1.0 - Slack;
+    const SegmentCone& b = this->At(lowest.Cone);
+    const double lowLow = share * b(box.Low, this->Slope);
+    const double highLow = share * b({ box.High.X, box.Low.Y }, this->Slope);
+    const double lowHigh = share * b({ box.Low.X, box.High.Y }, this->Slope);
+    const double highHigh = share * b(box.High, this->Slope);
+    const double room = Slack * (lowest.Value - this->Slope * radius);
     Lowest last;
-    for (std::size_t k = first; k < count; ++k)
+    for (std::size_t k = 0; k < this->TangentCount; ++k)
     {
-      const double value = this->Values[k - first];
-      const double above = value - lowest.Value;
-      const Id cone = this->Candidates[k];
-      const bool mayBeLowest = cone == lowest.Cone ||
-        (!(value > limit) &&
-          (!isFar ||
-            !this->IsFarAbove(
-              cone, center, radius, (above + room) / (this->Slope * radius), direction, rest)) &&
-          !(areMany && last.Cone != NoId &&
-            this->StandsFor(last.Cone, cone, center, radius, last.Value - value, room)));
+      const Tangent& tangent = this->Tangents[k];
+      const double x = tangent.Gradient.X * half.X;
+      const double y = tangent.Gradient.Y * half.Y;
+      const double value = tangent.Value;
+      const bool isAbove = (value - x - y >= lowLow) & (value + x - y >= highLow) &
+        (value - x + y >= lowHigh) & (value + x + y >= highHigh);
+      const bool mayBeLowest = tangent.Cone == lowest.Cone ||
+        !(isAbove ||
+          (areMany && last.Cone != NoId &&
+            this->StandsFor(last.Cone, tangent.Cone, center, radius, last.Value - value, room)));
       if (mayBeLowest)
       {
-        this->Candidates.push_back(cone);
-        last = { cone, value };
+        this->Candidates.push_back(tangent.Cone);
+        last = { tangent.Cone, value };
       }
     }
-  }
-
-  /// `above` is what a cone is above the lowest one at the center, in units of the slope times the
-  /// radius.
-  bool IsFarAbove(Id cone, const Point2& center, double radius, double above,
-    const Point2& direction, double rest) const
-  {
-    const Point2 toCenter = center - this->At(cone).Foot(center);
-    const double distance = Length(toCenter);
-    return distance > FarAway * radius &&
-      above >
-      Length((1.0 / distance) * toCenter - direction) + rest + 0.5 * radius / (distance - radius);
   }
 
   /// Whether, all over the square, a cone is above another one by no more than `room`. `above` is
@@ -343,8 +346,9 @@ private:
   const double Slope;
   const double Margin;
   std::vector<Id> Candidates;
-  std::vector<double> Values; ///< at the center of the square at work
-  std::vector<Id> NewIds;     ///< of cones that are listed
+  std::vector<Tangent> Tangents; ///< those of the square at work are the first
+  std::size_t TangentCount = 0;
+  std::vector<Id> NewIds; ///< of cones that are listed
   double AreaDone = 0.0;
 };
 

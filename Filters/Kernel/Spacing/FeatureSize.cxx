@@ -3,6 +3,7 @@
 
 #include "FeatureSize.h"
 
+#include "../Base/Numbers.h"
 #include "DrawnLengths.h"
 
 namespace biting
@@ -101,7 +102,7 @@ double DistanceOnSide(const Feature& own, const Point2& x, const Feature& other,
   const double endHeight = side * Cross(direction, other.End - own.Start);
   if (startHeight <= 0.0 && endHeight <= 0.0)
   {
-    return std::numeric_limits<double>::infinity();
+    return Infinity;
   }
   const double weight = startHeight / (startHeight - endHeight);
   const Point2 cut = other.Start + weight * (other.End - other.Start);
@@ -133,13 +134,14 @@ class FeatureCap
 {
 public:
   FeatureCap(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-    double most, double gradation, ConeCollector& cones, Monitor& monitor)
+    double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
     : Source(source)
     , Beats(monitor)
     , Size(source, this->Beats)
     , Drawn(source, gradation)
     , Extent(DiagonalOf(source.Points))
     , Given(given)
+    , Least(least)
     , Most(most)
     , Gradation(gradation)
     , Cones(cones)
@@ -157,12 +159,12 @@ public:
     {
       const Feature feature(this->Source, this->Segment);
       const double length = Distance(feature.Start, feature.End);
-      this->MostByLength =
-        length > 0.0 ? LengthsPerSpacing * length : std::numeric_limits<double>::infinity();
+      this->MostByLength = length > 0.0 ? LengthsPerSpacing * length : Infinity;
       const Sample start = this->TakeSample(feature.Start, 0.0, length);
       if (length > 0.0)
       {
-        this->AddPiece(start, this->TakeSample(feature.End, 1.0, length), length, 0);
+        this->LastEnd = this->TakeSample(feature.End, 1.0, length);
+        this->AddPiece(start, this->LastEnd, length, 0);
       }
       else if (start.Capped < start.Given)
       {
@@ -176,10 +178,26 @@ private:
   bool HasTooManyPieces()
   {
     const double most = this->Source.MostPieces;
+    if (this->LengthOfSegments() <= most * PieceLength * this->Least)
+    {
+      return false;
+    }
     const double perSegment = MostParts / static_cast<double>(this->Source.Starts.size());
     const double manyParts = std::min(ManyParts, std::floor(perSegment));
     return this->CountPieces(FewParts) > most &&
       (manyParts <= FewParts || this->CountPieces(manyParts) > most);
+  }
+
+  double LengthOfSegments() const
+  {
+    double length = 0.0;
+    for (std::size_t segment = 0; segment < this->Source.Starts.size(); ++segment)
+    {
+      length +=
+        Distance(this->Source.Points[static_cast<std::size_t>(this->Source.Starts[segment])],
+          this->Source.Points[static_cast<std::size_t>(this->Source.Ends[segment])]);
+    }
+    return length;
   }
 
   /// Of f as given, sampled at the ends of parts of each segment. Ends above what is most. Most
@@ -209,10 +227,10 @@ private:
   struct Sample
   {
     Point2 Place;
-    double Share;  ///< of the segment
-    double Given;  ///< f without the cap
-    double Size;   ///< feature size in units of f, as far as it matters
-    double Capped; ///< f with the cap
+    double Share = 0.0;  ///< of the segment
+    double Given = 0.0;  ///< f without the cap
+    double Size = 0.0;   ///< feature size in units of f, as far as it matters
+    double Capped = 0.0; ///< f with the cap
   };
 
   /// `reach` is how far from here the feature size is to be known.
@@ -225,8 +243,9 @@ private:
     Sample sample;
     sample.Place = place;
     sample.Share = share;
-    sample.Given = this->Given(place);
-    const double known = sample.Given / SizesPerSpacing + reach;
+    sample.Given = this->GivenAt(place);
+    const double known = this->MostByLength < sample.Given ? this->MostByLength / SizesPerSpacing
+                                                           : sample.Given / SizesPerSpacing + reach;
     const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(share, sample.Given));
     sample.Size =
@@ -236,6 +255,12 @@ private:
     sample.Capped =
       std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
     return sample;
+  }
+
+  /// Most segments begin where the one before ends.
+  double GivenAt(const Point2& place) const
+  {
+    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
   }
 
   double LeastInGaps(double share, double given) const
@@ -290,11 +315,13 @@ private:
   const DrawnLengths Drawn;
   const double Extent; ///< of the drawing
   const std::function<double(const Point2&)>& Given;
+  const double Least; ///< of f as given
   const double Most;
   const double Gradation;
   ConeCollector& Cones;
   Id Segment = 0;
   double MostByLength = 0.0; ///< f on that segment
+  Sample LastEnd{ { Infinity, Infinity } };
   double NumberOfSamples = 0.0;
 };
 
@@ -340,9 +367,9 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
 }
 
 bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-  double most, double gradation, ConeCollector& cones, Monitor& monitor)
+  double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
 {
-  return FeatureCap(source, given, most, gradation, cones, monitor).Run();
+  return FeatureCap(source, given, least, most, gradation, cones, monitor).Run();
 }
 
 } // namespace biting

@@ -34,11 +34,11 @@ private:
 };
 
 /// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature
-/// size; see FeatureSource for the rule. `given(x)` is f without it, nowhere above `most`;
+/// size; see FeatureSource for the rule. `given(x)` is f without it, from `least` to `most`;
 /// `gradation` the Lipschitz constant that it will have in the end. False if the monitor asks to
 /// stop.
 bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-  double most, double gradation, ConeCollector& cones, Monitor& monitor);
+  double least, double most, double gradation, ConeCollector& cones, Monitor& monitor);
 
 } // namespace biting
 

@@ -48,13 +48,19 @@ struct SegmentCone
       gradation * std::sqrt(ahead * ahead + across * across);
   }
 
-  /// The point y of the segment where the minimum is taken. The gradient of the cone at x is the
-  /// unit vector from there to x, times g.
-  Point2 Foot(const Point2& x) const
+  /// The foot of x, the point y of the segment where the minimum is taken: the value there, and the
+  /// way from there to x. The cone's gradient at x is the unit vector along that way, times g.
+  struct View
+  {
+    double Value;
+    Point2 Away;
+  };
+  View From(const Point2& x) const
   {
     const Point2 offset = x - this->Start;
-    const double across = std::abs(Cross(offset, this->Direction));
-    return this->Start + this->FootAt(Dot(offset, this->Direction), across) * this->Direction;
+    const double foot =
+      this->FootAt(Dot(offset, this->Direction), std::abs(Cross(offset, this->Direction)));
+    return { this->Value + this->Slope * foot, offset - foot * this->Direction };
   }
 
   Point2 End() const { return this->Start + this->Length * this->Direction; }

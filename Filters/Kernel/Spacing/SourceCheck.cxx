@@ -3,6 +3,7 @@
 
 #include "SourceCheck.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for is_sorted, all_of
@@ -159,7 +160,29 @@ private:
   bool HasFound = false;
 };
 
+/// Of the values that are a spacing.
+template <typename Source>
+double LeastOf(const std::shared_ptr<const Source>& source)
+{
+  double least = Infinity;
+  if (source)
+  {
+    for (const double value : source->Values)
+    {
+      least = value > 0.0 && value < least ? value : least;
+    }
+  }
+  return least;
+}
+
 } // namespace
+
+double LeastGiven(const SpacingOptions& options)
+{
+  const double uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
+  return std::min(
+    { uniform, LeastOf(options.Grid), LeastOf(options.Triangulation), LeastOf(options.Segments) });
+}
 
 bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor& monitor)
 {

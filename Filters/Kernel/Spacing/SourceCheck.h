@@ -21,6 +21,9 @@ namespace biting
 bool CheckSpacing(
   const SpacingOptions& options, ProblemList& problems, Monitor& monitor = NoMonitor());
 
+/// The least of all values given, before they are scaled; infinite where there is none.
+double LeastGiven(const SpacingOptions& options);
+
 } // namespace biting
 
 #endif

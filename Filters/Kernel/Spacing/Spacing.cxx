@@ -317,7 +317,8 @@ private:
       AddFeatureSizes(
         *this->Options.Features,
         [this](const Point2& x) { return this->Data.EvaluateBeforeFeatures(x); },
-        this->Cones.Values().Most, slope, this->Cones, sampling);
+        this->Cones.Values()(LeastGiven(this->Options)), this->Cones.Values().Most, slope,
+        this->Cones, sampling);
   }
 
   bool AddLimit()

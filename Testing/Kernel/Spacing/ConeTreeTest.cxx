@@ -223,6 +223,32 @@ TEST(ConeTree, IsTheMinimumWhereTheSlopeIsLostInRounding)
   }
 }
 
+/// Centers of squares lie on the segments, where rounding turns the way from a segment.
+TEST(ConeTree, IsWithinItsToleranceWhereSegmentsGoThroughCentersOfSquares)
+{
+  for (const double turn : { 0.0, 0.1, 1.0 / 3.0, 0.5 })
+  {
+    SegmentSource source;
+    for (int line = 0; line < 12; ++line)
+    {
+      const double angle = 3.141592653589793 * (turn + line) / 12.0;
+      const Point2 arm{ 0.5 * std::cos(angle), 0.5 * std::sin(angle) };
+      source.Points.insert(
+        source.Points.end(), { Point2{ 0.5, 0.5 } - arm, Point2{ 0.5, 0.5 } + arm });
+      source.Values.insert(source.Values.end(), { 0.001 * (1 + line % 3), 0.002 * (1 + line % 5) });
+      source.Segments.insert(source.Segments.end(), { 2 * line, 2 * line + 1 });
+    }
+    const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+    const ConeTree tree = TreeOf(source, 0.3);
+    Sampler sampler(13);
+    for (int probe = 0; probe < 20000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      ASSERT_LE(tree(x), (1.0 + ConeTree::Tolerance) * exact(x));
+    }
+  }
+}
+
 TEST(ConeTree, StopsWhenAsked)
 {
   StoppingMonitor monitor(2);

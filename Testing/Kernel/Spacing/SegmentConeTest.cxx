@@ -51,8 +51,29 @@ TEST(SegmentCone, IsTheValueOfItsFootAndTheWayFromThere)
   for (int probe = 0; probe < 1000; ++probe)
   {
     const Point2 x = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
-    const Point2 foot = cone.Foot(x);
-    ASSERT_NEAR(cone(x, 0.3), cone(foot, 0.3) + 0.3 * Distance(x, foot), 1e-12);
+    const SegmentCone::View view = cone.From(x);
+    ASSERT_NEAR(cone(x, 0.3), view.Value + 0.3 * Length(view.Away), 1e-12);
+    ASSERT_NEAR(cone(x - view.Away, 0.3), view.Value, 1e-12);
+  }
+}
+
+/// The law by which ConeTree drops cones.
+TEST(SegmentCone, IsNowhereBelowItsTangentPlanes)
+{
+  Sampler sampler(3);
+  for (const double value : { 0.1, 0.15, 0.2, 0.24 })
+  {
+    const SegmentCone cone(Low, High, 0.1, value, 0.3);
+    for (int probe = 0; probe < 3000; ++probe)
+    {
+      const Point2 x = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
+      const Point2 y = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
+      const SegmentCone::View view = cone.From(x);
+      const Point2 gradient = (0.3 / Length(view.Away)) * view.Away;
+      ASSERT_GE(cone(y, 0.3), cone(x, 0.3) + Dot(gradient, y - x) - 1e-12);
+      const Point2 along = cone.Slope * cone.Direction;
+      ASSERT_GE(cone(y, 0.3), view.Value + Dot(along, y - (x - view.Away)) - 1e-12);
+    }
   }
 }
 

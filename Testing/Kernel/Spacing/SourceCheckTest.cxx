@@ -173,3 +173,21 @@ TEST(MakeSpacing, RefusesValuesThatLeaveTheRangeWhenScaled)
   options.Scale = 1e10;
   ExpectRefusedValue(options, 7, { 0.5, 0.5 }, "value 1e+300 in the grid source");
 }
+
+TEST(SourceCheck, KnowsTheLeastOfAllValuesGiven)
+{
+  SpacingOptions options;
+  EXPECT_EQ(LeastGiven(options), std::numeric_limits<double>::infinity());
+  options.Uniform = 0.5;
+  EXPECT_EQ(LeastGiven(options), 0.5);
+  GridSource grid = MakeGrid(5, 3, Level);
+  grid.Values[7] = NotANumber;
+  grid.Values[8] = 0.04;
+  options.Grid = Share(grid);
+  EXPECT_EQ(LeastGiven(options), std::min(0.04, Level({ 0.5, 0.5 })));
+  SegmentSource segments = MakeLoop(7, [](double) { return 0.03; });
+  segments.Values[5] = 1e-4;
+  options.Segments = Share(segments);
+  options.Scale = 7.0;
+  EXPECT_EQ(LeastGiven(options), 1e-4);
+}
