@@ -3,10 +3,11 @@
 
 #include "NearTouches.h"
 
+#include "../Base/DistanceToSegment.h"
 #include "../Base/SortInSteps.h"
 #include "../Domain/SegmentTree.h"
 
-#include <algorithm> // for clamp, min, max
+#include <algorithm> // for min, max
 #include <cmath>     // for atan2
 #include <cstdint>   // for flags
 #include <vector>    // for the lists
@@ -25,15 +26,6 @@ constexpr double RoundingReach = 8.0;
 constexpr double LeastWay = 0.25;
 
 constexpr std::size_t MostPairs = 1000; // and one a segment
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const Point2 side = b - a;
-  const double squaredLength = Dot(side, side);
-  const double t =
-    squaredLength > 0.0 ? std::clamp(Dot(p - a, side) / squaredLength, 0.0, 1.0) : 0.0;
-  return Distance(p, a + t * side);
-}
 
 // Segments that do not cross are nearest to each other at an end. Those after the domain's own are
 // embedded points.

@@ -3,10 +3,11 @@
 
 #include "DividedSegments.h"
 
+#include "../Base/DistanceToSegment.h"
 #include "../Domain/SegmentTree.h"
 #include "../Domain/VertexStars.h"
 
-#include <algorithm> // for min, clamp
+#include <algorithm> // for min
 #include <cmath>     // for abs
 
 namespace biting
@@ -18,13 +19,6 @@ namespace
 constexpr double NearInResolutions = 4.0; // two rounded vertices, each off by less than one
 constexpr double LeastInResolutions = 1024.0;
 constexpr double LeastPart = 0.25; // of the spacing
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const Point2 direction = b - a;
-  const double parameter = std::clamp(Dot(p - a, direction) / Dot(direction, direction), 0.0, 1.0);
-  return Distance(p, a + parameter * direction);
-}
 
 class ClearanceSearch
 {

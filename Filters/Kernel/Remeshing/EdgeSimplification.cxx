@@ -3,11 +3,12 @@
 
 #include "EdgeSimplification.h"
 
+#include "../Base/DistanceToSegment.h"
 #include "../Domain/Domain.h"
 #include "../Simplification/Simplification.h"
 #include "CavityDomain.h"
 
-#include <algorithm> // for max, clamp
+#include <algorithm> // for max
 #include <cstdint>   // for flags
 
 namespace biting
@@ -116,13 +117,6 @@ Flags FindLeft(const OldMesh& mesh, const ChangedRegion& region, const Flags& st
     }
   }
   return left;
-}
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const double square = Dot(b - a, b - a);
-  const double share = square > 0.0 ? std::clamp(Dot(p - a, b - a) / square, 0.0, 1.0) : 0.0;
-  return Distance(p, a + share * (b - a));
 }
 
 /// Finds what edges moved over.

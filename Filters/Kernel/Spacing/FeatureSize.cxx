@@ -3,6 +3,7 @@
 
 #include "FeatureSize.h"
 
+#include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
 #include "DrawnLengths.h"
 
@@ -85,14 +86,6 @@ struct Feature
       this->EndId == other.StartId || this->EndId == other.EndId;
   }
 };
-
-double DistanceToSegment(const Point2& x, const Point2& start, const Point2& end)
-{
-  const Point2 direction = end - start;
-  const double square = Dot(direction, direction);
-  const double along = square > 0.0 ? Dot(x - start, direction) / square : 0.0;
-  return Length(x - start - std::min(std::max(along, 0.0), 1.0) * direction);
-}
 
 /// From x on a feature to another one, as far as it lies on the given side (+1 left, -1 right).
 double DistanceOnSide(const Feature& own, const Point2& x, const Feature& other, double side)
@@ -257,12 +250,6 @@ private:
     return sample;
   }
 
-  /// Most segments begin where the one before ends.
-  double GivenAt(const Point2& place) const
-  {
-    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
-  }
-
   double LeastInGaps(double share, double given) const
   {
     const double byDrawing =
@@ -273,6 +260,12 @@ private:
   double LeastOnShort(double given) const
   {
     return LeastShareOnShort * std::min(given, this->Extent);
+  }
+
+  /// Most segments begin where the one before ends.
+  double GivenAt(const Point2& place) const
+  {
+    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
   }
 
   /// The feature size changes no faster than the place, and f in the end no faster than the

@@ -3,10 +3,11 @@
 
 #include "Meshing/PreservedSpacing.h"
 #include "../Support/MeshShapes.h"
+#include "Base/DistanceToSegment.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for min, max, clamp
+#include <algorithm> // for min, max
 #include <cmath>     // for nan
 #include <limits>    // for infinity
 
@@ -37,12 +38,6 @@ Spacing Follow(const Domain& domain, SpacingOptions options)
   Spacing spacing = MakeSpacing(FollowSegments(options, domain), domain.Bounds, problems, monitor);
   EXPECT_TRUE(problems.Groups().empty());
   return spacing;
-}
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const double t = std::clamp(Dot(p - a, b - a) / Dot(b - a, b - a), 0.0, 1.0);
-  return Distance(p, a + t * (b - a));
 }
 
 /// L of the header, segment by segment.

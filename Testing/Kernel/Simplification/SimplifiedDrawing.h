@@ -6,6 +6,7 @@
 
 #include "../Support/MeshShapes.h"
 #include "../Support/PolylineShapes.h"
+#include "Base/DistanceToSegment.h"
 #include "Simplification/Simplification.h"
 
 #include <algorithm>  // for max, min, sort
@@ -44,13 +45,6 @@ inline Simplified SimplifyLines(const Polylines& lines, double tolerance, double
   SimplificationOptions options;
   options.Tolerance = tolerance;
   return SimplifyLines(lines, options, [spacing](const Point2&) { return spacing; });
-}
-
-inline double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const Point2 along = b - a;
-  const double share = std::max(0.0, std::min(1.0, Dot(p - a, along) / Dot(along, along)));
-  return Distance(p, a + share * along);
 }
 
 /// The largest distance of places on the segments of one domain, so many on each, to the nearest

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingDistanceToSegment_h
+#define BitingDistanceToSegment_h
+
+#include "Point2.h"
+
+#include <algorithm> // for clamp
+
+namespace biting
+{
+
+/// From p to the nearest place of the segment ab, whose ends may be equal.
+inline double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+{
+  const Point2 side = b - a;
+  const double square = Dot(side, side);
+  const double share = square > 0.0 ? std::clamp(Dot(p - a, side) / square, 0.0, 1.0) : 0.0;
+  return Distance(p, a + share * side);
+}
+
+} // namespace biting
+
+#endif
