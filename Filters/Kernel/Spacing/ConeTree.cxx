@@ -4,7 +4,7 @@
 #include "ConeTree.h"
 
 #include "../Base/Numbers.h"
-#include "BoxTree.h"
+#include "SegmentExtension.h"
 
 #include <array>  // for lattices
 #include <cmath>  // for ldexp
@@ -68,24 +68,6 @@ Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
   return box;
 }
 
-/// The same cones, those near each other mostly one after the other.
-std::vector<SegmentCone> InOrder(const std::vector<SegmentCone>& cones, Pulse& pulse)
-{
-  std::vector<BoxTree::Item> places(cones.size());
-  for (std::size_t cone = 0; cone < cones.size(); ++cone)
-  {
-    places[cone].Box.Add(cones[cone].Start);
-  }
-  const BoxTree tree(places, pulse);
-  std::vector<SegmentCone> ordered;
-  ordered.reserve(cones.size());
-  for (const Id cone : tree.Order())
-  {
-    ordered.push_back(cones[static_cast<std::size_t>(cone)]);
-  }
-  return ordered;
-}
-
 } // namespace
 
 /// Cuts squares from the root down. The candidates of a square lie on a stack, above those of the
@@ -97,7 +79,7 @@ public:
     ConeTree& whole, const std::vector<SegmentCone>& cones, const Relief& relief, Monitor& monitor)
     : Whole(whole)
     , Beats(monitor)
-    , Cones(InOrder(cones, this->Beats))
+    , Cones(SegmentExtension(cones, whole.Slope, this->Beats).OrderedCones())
     , Less(relief)
     , Slope(whole.Slope)
     , Margin(RoundingShare * LargestCoordinate(whole.Bounds))
@@ -341,7 +323,7 @@ private:
 
   ConeTree& Whole;
   Pulse Beats;
-  const std::vector<SegmentCone> Cones;
+  const std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
   const Relief& Less;
   const double Slope;
   const double Margin;

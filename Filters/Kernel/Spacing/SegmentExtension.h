@@ -19,10 +19,11 @@ namespace biting
 class SegmentExtension
 {
 public:
-  /// Empty if the pulse stops: it must not be evaluated then.
+  /// Without cones if the pulse stops: it must not be evaluated then.
   SegmentExtension(std::vector<SegmentCone> cones, double slope, Pulse& pulse);
 
-  bool IsEmpty() const { return this->Cones.empty(); }
+  /// The same cones, in the order of a tree: those near each other mostly one after the other.
+  const std::vector<SegmentCone>& OrderedCones() const { return this->Cones; }
 
   /// Or `known`, if that is less.
   double operator()(const Point2& x, double known = std::numeric_limits<double>::infinity()) const;
