@@ -226,6 +226,12 @@ private:
     double Capped = 0.0; ///< f with the cap
   };
 
+  /// Most segments begin where the one before ends.
+  double GivenAt(const Point2& place) const
+  {
+    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
+  }
+
   /// `reach` is how far from here the feature size is to be known.
   Sample TakeSample(const Point2& place, double share, double reach)
   {
@@ -260,12 +266,6 @@ private:
   double LeastOnShort(double given) const
   {
     return LeastShareOnShort * std::min(given, this->Extent);
-  }
-
-  /// Most segments begin where the one before ends.
-  double GivenAt(const Point2& place) const
-  {
-    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
   }
 
   /// The feature size changes no faster than the place, and f in the end no faster than the
