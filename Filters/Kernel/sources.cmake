@@ -17,6 +17,7 @@ set(biting_kernel_sources
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
+  Spacing/LevelLine.cxx
   Spacing/MergedCones.cxx
   Spacing/NeededCones.cxx
   Spacing/OutsideJumps.cxx

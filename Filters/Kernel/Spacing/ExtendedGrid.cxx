@@ -12,8 +12,17 @@ namespace biting
 namespace
 {
 
-/// Within coarse cells, too, are places that f grows from.
-constexpr double FewestNodes = 4096.0;
+/// Within coarse cells, too, are places that f grows from: none is longer or wider than one of so
+/// many squares with the area of the source, or than this share of its larger extent.
+constexpr double Squares = 16384.0;
+constexpr double LeastShare = 1.0 / 1024.0;
+
+double LargestStep(const GridSource& source)
+{
+  const double width = source.XNodes.back() - source.XNodes.front();
+  const double height = source.YNodes.back() - source.YNodes.front();
+  return std::max(std::sqrt(width / Squares * height), LeastShare * std::max(width, height));
+}
 
 /// Of the steps outside, one after the other.
 constexpr double StepGrowth = 1.2;
@@ -51,25 +60,29 @@ std::vector<double> Outside(double last, double way)
   return distances;
 }
 
-ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high, std::size_t parts)
+ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high, double largestStep)
 {
   ExtendedAxis axis;
   const std::size_t cells = nodes.size() - 1;
-  const double first = cells > 0 ? nodes[1] - nodes[0] : 0.0;
+  const double first = cells > 0 ? std::min(nodes[1] - nodes[0], largestStep) : 0.0;
   for (const double distance : Outside(first, nodes.front() - low))
   {
     axis.Add(nodes.front() - distance, { 0, 0.0 });
   }
-  for (std::size_t part = 0; part < parts * cells; ++part)
+  for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    const std::size_t cell = part / parts;
-    const double weight = static_cast<double>(part % parts) / static_cast<double>(parts);
-    axis.Add(Blend(nodes[cell], nodes[cell + 1], weight), { cell, weight });
+    constexpr double roomForRounding = 1.0 - 1e-9;
+    const double steps = roomForRounding * (nodes[cell + 1] - nodes[cell]) / largestStep;
+    const double parts = steps > 1.0 ? std::ceil(steps) : 1.0;
+    for (double part = 0.0; part < parts; part += 1.0)
+    {
+      axis.Add(Blend(nodes[cell], nodes[cell + 1], part / parts), { cell, part / parts });
+    }
   }
   const GridAxis::Place end =
     cells > 0 ? GridAxis::Place{ cells - 1, 1.0 } : GridAxis::Place{ 0, 0.0 };
   axis.Add(nodes.back(), end);
-  const double last = cells > 0 ? nodes[cells] - nodes[cells - 1] : 0.0;
+  const double last = cells > 0 ? std::min(nodes[cells] - nodes[cells - 1], largestStep) : 0.0;
   const std::vector<double> beyond = Outside(last, high - nodes.back());
   for (auto distance = beyond.rbegin(); distance != beyond.rend(); ++distance)
   {
@@ -87,10 +100,9 @@ ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high,
 std::shared_ptr<const GridSource> ExtendedGrid(
   const std::shared_ptr<const GridSource>& source, const Box2& bounds)
 {
-  const double share = FewestNodes / static_cast<double>(source->Values.size());
-  const auto parts = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(share))));
-  ExtendedAxis columns = Extended(source->XNodes, bounds.Low.X, bounds.High.X, parts);
-  ExtendedAxis rows = Extended(source->YNodes, bounds.Low.Y, bounds.High.Y, parts);
+  const double step = LargestStep(*source);
+  ExtendedAxis columns = Extended(source->XNodes, bounds.Low.X, bounds.High.X, step);
+  ExtendedAxis rows = Extended(source->YNodes, bounds.Low.Y, bounds.High.Y, step);
   if (columns.Nodes.size() == source->XNodes.size() && rows.Nodes.size() == source->YNodes.size())
   {
     return source;

@@ -12,7 +12,7 @@ namespace biting
 /// A grid of the same spacing, without holes as the source is, with
 /// - at least two rows and columns;
 /// - nodes out to the border of `bounds` where these are larger, in steps that grow;
-/// - some thousands of cells: where the source has fewer, its cells are divided.
+/// - some thousands of cells: coarse ones of the source are divided.
 /// The source itself where it is that already.
 std::shared_ptr<const GridSource> ExtendedGrid(
   const std::shared_ptr<const GridSource>& source, const Box2& bounds);

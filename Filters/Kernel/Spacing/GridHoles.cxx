@@ -16,7 +16,8 @@ void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
 {
   const std::size_t columns = source.XNodes.size();
   GridSweeps sweeps(columns, source.YNodes.size());
-  std::vector<Id> nearest(values.size(), NoId); // of each node the given one whose value it takes
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> nearest(values.size(), none); // the given node whose value each takes
   for (std::size_t node = 0; node < values.size(); ++node)
   {
     if (std::isnan(values[node]))
@@ -25,30 +26,28 @@ void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
     }
     else
     {
-      nearest[node] = static_cast<Id>(node);
+      nearest[node] = node;
     }
   }
-  const auto away = [&source, columns](const Point2& place, Id given)
-  {
-    const auto other = static_cast<std::size_t>(given);
-    return Distance(place, { source.XNodes[other % columns], source.YNodes[other / columns] });
+  const auto away = [&source, columns](const Point2& place, std::size_t given) {
+    return Distance(place, { source.XNodes[given % columns], source.YNodes[given / columns] });
   };
   sweeps.Run(pulse,
     [&](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
     {
-      const Id offered = nearest[from];
-      if (nearest[to] == static_cast<Id>(to) || offered == NoId || offered == nearest[to])
+      const std::size_t offered = nearest[from];
+      if (nearest[to] == to || offered == none || offered == nearest[to])
       {
         return false;
       }
       const Point2 place{ source.XNodes[column], source.YNodes[row] };
-      const bool isNearer = nearest[to] == NoId || away(place, offered) < away(place, nearest[to]);
+      const bool isNearer = nearest[to] == none || away(place, offered) < away(place, nearest[to]);
       nearest[to] = isNearer ? offered : nearest[to];
       return isNearer;
     });
   for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
   {
-    values[node] = source.Values[static_cast<std::size_t>(nearest[node])];
+    values[node] = source.Values[nearest[node]];
   }
 }
 

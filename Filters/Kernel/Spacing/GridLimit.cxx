@@ -5,7 +5,7 @@
 
 #include "ExtendedGrid.h"
 
-#include <cmath> // for abs, sqrt
+#include <cmath> // for abs, sqrt, ilogb, ldexp
 
 namespace biting
 {
@@ -33,6 +33,23 @@ constexpr double SideReach = 6.0;
 /// So that differences do not overflow.
 constexpr double GreatestGiven = 1e300;
 
+/// The least value is about 2^-90 of its unit: there is as much room below it as floats need for
+/// what is normal, and above it for values 2^217 times as large.
+double UnitOf(const GridSource& source, const ValueRange& range)
+{
+  constexpr int Room = 90;
+  const double least = range(*std::min_element(source.Values.begin(), source.Values.end()));
+  return std::ldexp(
+    1.0, std::min(std::ilogb(least) + Room, std::numeric_limits<double>::max_exponent - 1));
+}
+
+/// Of what floats can be.
+ValueRange InUnits(const ValueRange& range, double unit)
+{
+  constexpr double greatest = std::numeric_limits<float>::max();
+  return { range.Scale / unit, range.Least / unit, std::min(range.Most / unit, greatest) };
+}
+
 /// How much f may grow across the wider one of the cells beside each node.
 std::vector<double> GrowthBeside(const std::vector<double>& nodes, double gradation)
 {
@@ -51,12 +68,13 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Gradation(gradation)
-  , Range(range)
-  , Bound(range, gradation)
-  , ColumnGrowth(GrowthBeside(this->Source->XNodes, gradation))
-  , RowGrowth(GrowthBeside(this->Source->YNodes, gradation))
-  , SquaredGradation(gradation * gradation)
+  , Unit(UnitOf(*source, range))
+  , Gradation(gradation / this->Unit)
+  , Range(InUnits(range, this->Unit))
+  , Bound(this->Range, this->Gradation)
+  , ColumnGrowth(GrowthBeside(this->Source->XNodes, this->Gradation))
+  , RowGrowth(GrowthBeside(this->Source->YNodes, this->Gradation))
+  , SquaredGradation(this->Gradation * this->Gradation)
 {
   Pulse pulse(monitor);
   GridSweeps sweeps(this->Source->XNodes.size(), this->Source->YNodes.size());
@@ -147,10 +165,42 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sw
     for (const std::size_t left : { column, column + 1 })
     {
       Node& node = this->Nodes[this->NodeAt(left, low)];
-      node.Start = node.Value;
+      node.Start = std::min(node.Start, node.Value);
       sweeps.Add(left, low);
     }
   }
+  if (this->HasLine(column, row))
+  {
+    this->AddLine(column, row);
+  }
+}
+
+/// It bounds the corners that are above.
+void GridLimit::AddLine(std::size_t column, std::size_t row)
+{
+  for (const std::size_t low : { row, row + 1 })
+  {
+    for (const std::size_t left : { column, column + 1 })
+    {
+      Node& node = this->Nodes[this->NodeAt(left, low)];
+      const auto value = static_cast<float>(this->BoundFromLine(
+        column, row, { this->Source->XNodes[left], this->Source->YNodes[low] }));
+      if (value < node.Value)
+      {
+        node = { value, static_cast<float>(this->Range.Least), { column, row, Kind::LineOfCell } };
+      }
+    }
+  }
+}
+
+/// Whether what is given reaches the least value within a cell.
+bool GridLimit::HasLine(std::size_t column, std::size_t row) const
+{
+  const double* low = &this->Source->Values[this->NodeAt(column, row)];
+  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
+  return this->Range.Scale *
+    std::min({ low[0], low[1], high[0], high[1] })<this->Range.Least&& this->Range.Scale *
+      std::max({ low[0], low[1], high[0], high[1] })> this->Range.Least;
 }
 
 void GridLimit::SetGiven()
@@ -178,12 +228,10 @@ std::array<GridLimit::Side, 4> GridLimit::SidesOf(std::size_t column, std::size_
     { column, below, 0.0, y[below] - y[row] }, { column, above, 0.0, y[above] - y[row] } } };
 }
 
-/// Along a side from its start; the least value may go on for a while.
+/// Along a side from its start.
 double GridLimit::Rise(double start, const Side& side) const
 {
-  return !(this->Range.Scale * start > this->Range.Least)
-    ? 0.0
-    : this->Range.Scale * (this->GivenAt(side.Column, side.Row) - start);
+  return this->Range.Scale * (this->GivenAt(side.Column, side.Row) - start);
 }
 
 /// One that is steeper is bounded by its lower end.
@@ -201,6 +249,20 @@ bool GridLimit::HasGentleSides(std::size_t column, std::size_t row) const
     isAny |= this->IsGentle(this->Rise(start, side), side);
   }
   return isAny;
+}
+
+/// The line along which what is given reaches the least value.
+double GridLimit::BoundFromLine(std::size_t column, std::size_t row, const Point2& x) const
+{
+  const std::vector<double>& columns = this->Source->XNodes;
+  const std::vector<double>& rows = this->Source->YNodes;
+  const double* low = &this->Source->Values[this->NodeAt(column, row)];
+  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
+  const auto above = [this](double value)
+  { return std::min(this->Range.Scale * value, GreatestGiven) - this->Range.Least; };
+  const LevelLine line({ { columns[column], rows[row] }, { columns[column + 1], rows[row + 1] } },
+    { above(low[0]), above(low[1]), above(high[1]), above(high[0]) }, this->Gradation);
+  return this->Range.Least + line.Bound(x);
 }
 
 /// Hands on what bounds one node to another one. What is as given bounds others only from steep
@@ -231,6 +293,10 @@ double GridLimit::BoundFrom(Node& source, const Point2& x, double limit) const
   const Point2 offset = x - this->PlaceOf(source.From);
   const double squared = this->SquaredGradation * Dot(offset, offset);
   const double start = source.Start;
+  if (source.From.IsLine())
+  {
+    return this->BoundFromLine(source.From.Column(), source.From.Row(), x);
+  }
   const double width =
     std::max(this->ColumnGrowth[source.From.Column()], this->RowGrowth[source.From.Row()]);
   const double most = width * width / (8.0 * SideShare);
@@ -299,7 +365,7 @@ double GridLimit::operator()(const Point2& x) const
   const std::size_t cell = this->NodeAt(place.Column, place.Row);
   if (!this->IsLimited[cell])
   {
-    return given;
+    return this->Unit * given;
   }
   const Node* low = &this->Nodes[cell];
   const Node* high = low + this->Source->XNodes.size();
@@ -308,11 +374,12 @@ double GridLimit::operator()(const Point2& x) const
     std::max(this->ColumnGrowth[place.Column + 1], this->RowGrowth[place.Row + 1]);
   if (growth > WidestGrowth * least)
   {
-    return this->ValueInWideCell(x, place, given);
+    return this->Unit * this->ValueInWideCell(x, place, given);
   }
-  return std::min(given,
-    Blend(Blend(low[0].Value, low[1].Value, place.X), Blend(high[0].Value, high[1].Value, place.X),
-      place.Y));
+  return this->Unit *
+    std::min(given,
+      Blend(Blend(low[0].Value, low[1].Value, place.X),
+        Blend(high[0].Value, high[1].Value, place.X), place.Y));
 }
 
 /// By what bounds its corners, first, and the nodes around them: what grows from beyond may pass
@@ -320,8 +387,9 @@ double GridLimit::operator()(const Point2& x) const
 double GridLimit::ValueInWideCell(
   const Point2& x, const GridInterpolator::Place& place, double given) const
 {
-  LookedAt<std::size_t> looked;
+  LookedAt<std::uint64_t> looked;
   double least = given;
+  this->BoundByLine(place.Column, place.Row, x, looked, least);
   for (const std::size_t around : { 0u, 1u })
   {
     const std::size_t left = place.Column > around ? place.Column - around : 0;
@@ -333,7 +401,11 @@ double GridLimit::ValueInWideCell(
       for (std::size_t column = left; column < right; ++column)
       {
         Node node = this->Nodes[this->NodeAt(column, row)];
-        if (node.Start < least && looked.Add(this->NodeAt(node.From.Column(), node.From.Row())))
+        if (node.Start < least && node.From.IsLine())
+        {
+          this->BoundByLines(node.From, x, looked, least);
+        }
+        else if (node.Start < least && looked.Add(node.From.Key()))
         {
           least = std::min(least, this->BoundFrom(node, x, least));
         }
@@ -341,6 +413,31 @@ double GridLimit::ValueInWideCell(
     }
   }
   return least;
+}
+
+/// The lines of neighboring cells, too, are parts of one: nodes at their common end have one of
+/// them.
+void GridLimit::BoundByLines(
+  const Origin& from, const Point2& x, LookedAt<std::uint64_t>& looked, double& least) const
+{
+  const std::size_t column = from.Column();
+  const std::size_t row = from.Row();
+  this->BoundByLine(column, row, x, looked, least);
+  this->BoundByLine(column > 0 ? column - 1 : column, row, x, looked, least);
+  this->BoundByLine(column + 1, row, x, looked, least);
+  this->BoundByLine(column, row > 0 ? row - 1 : row, x, looked, least);
+  this->BoundByLine(column, row + 1, x, looked, least);
+}
+
+/// If there is such a cell, and it has a line.
+void GridLimit::BoundByLine(std::size_t column, std::size_t row, const Point2& x,
+  LookedAt<std::uint64_t>& looked, double& least) const
+{
+  if (column + 1 < this->Source->XNodes.size() && row + 1 < this->Source->YNodes.size() &&
+    this->HasLine(column, row) && looked.Add(Origin(column, row, Kind::LineOfCell).Key()))
+  {
+    least = std::min(least, this->BoundFromLine(column, row, x));
+  }
 }
 
 } // namespace biting

@@ -7,6 +7,7 @@
 #include "EdgeBound.h"
 #include "GridInterpolator.h"
 #include "GridSweeps.h"
+#include "LevelLine.h"
 #include "LookedAt.h"
 
 #include <array>   // for sides
@@ -39,22 +40,36 @@ public:
   double operator()(const Point2& x) const;
 
 private:
-  /// A node that f grows from, and whether any of its sides is gentle: values along it rise or fall
-  /// less than f may. In one word, so that it is handed on as one.
+  /// What f grows from: a node alone; one of which a side is gentle, that is values along it rise
+  /// or fall less than f may; or the line through a cell, above its low node, along which what is
+  /// given reaches the least value.
+  enum class Kind : std::uint8_t
+  {
+    Node,
+    NodeWithSides,
+    LineOfCell
+  };
+
+  /// In one word, so that it is handed on as one.
   class Origin
   {
   public:
-    Origin(std::size_t column, std::size_t row, bool hasSides)
-      : Word(static_cast<std::uint64_t>(row << 1 | (hasSides ? 1u : 0u)) << 32 | column)
+    Origin(std::size_t column, std::size_t row, Kind kind)
+      : Word(
+          (static_cast<std::uint64_t>(row) << 2 | static_cast<std::uint64_t>(kind)) << 32 | column)
     {
     }
 
     std::size_t Column() const { return this->Word & 0xffffffffu; }
-    std::size_t Row() const { return this->Word >> 33; }
-    bool HasSides() const { return (this->Word >> 32 & 1u) != 0; }
+    std::size_t Row() const { return this->Word >> 34; }
+    bool HasSides() const { return this->Is(Kind::NodeWithSides); }
+    bool IsLine() const { return this->Is(Kind::LineOfCell); }
+    std::uint64_t Key() const { return this->Word; }
     bool operator==(const Origin& other) const { return this->Word == other.Word; }
 
   private:
+    bool Is(Kind kind) const { return (this->Word >> 32 & 3u) == static_cast<std::uint64_t>(kind); }
+
     std::uint64_t Word;
   };
 
@@ -67,7 +82,7 @@ private:
     double Height;
   };
 
-  /// Single precision is more than anybody sees.
+  /// In units of f that suit it, single precision is more than anybody sees.
   struct Node
   {
     float Value; ///< f
@@ -92,12 +107,15 @@ private:
   Node Itself(std::size_t column, std::size_t row) const
   {
     const auto value = static_cast<float>(this->Range(this->GivenAt(column, row)));
-    return { value, value, { column, row, this->HasGentleSides(column, row) } };
+    return { value, value,
+      { column, row, this->HasGentleSides(column, row) ? Kind::NodeWithSides : Kind::Node } };
   }
 
   bool FindSteepCells(GridSweeps& sweeps, Pulse& pulse);
   bool IsSteep(std::size_t column, std::size_t row) const;
+  bool HasLine(std::size_t column, std::size_t row) const;
   void AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps);
+  void AddLine(std::size_t column, std::size_t row);
   void SetGiven();
   std::array<Side, 4> SidesOf(std::size_t column, std::size_t row) const;
   double Rise(double start, const Side& side) const;
@@ -107,11 +125,17 @@ private:
   void FindLimitedCells(Pulse& pulse);
   double BoundFrom(Node& source, const Point2& x, double limit) const;
   double BoundFromSides(Node& source, const Point2& x, double own) const;
+  double BoundFromLine(std::size_t column, std::size_t row, const Point2& x) const;
+  void BoundByLines(
+    const Origin& from, const Point2& x, LookedAt<std::uint64_t>& looked, double& least) const;
+  void BoundByLine(std::size_t column, std::size_t row, const Point2& x,
+    LookedAt<std::uint64_t>& looked, double& least) const;
   double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
-  const double Gradation;
+  const double Unit;      ///< of f: a power of two
+  const double Gradation; ///< from here on f is in that unit
   const ValueRange Range;
   const EdgeBound Bound;
   std::vector<double> ColumnGrowth; ///< of f across the wider cell beside each column

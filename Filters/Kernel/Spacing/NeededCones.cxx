@@ -217,24 +217,44 @@ private:
   /// Along the sides of a triangle.
   bool IsBelowValues(const SegmentCone& cone, const Id* corners) const
   {
-    const double room = IdleTolerance * cone.Value;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Id start = corners[k];
       const Id end = corners[(k + 1) % 3];
-      for (int part = 0; part < PartsOfSide; ++part)
+      if (this->IsBelow(start, end) ? this->IsBelowSide(cone, start, end)
+                                    : this->IsBelowSide(cone, end, start))
       {
-        const double weight = static_cast<double>(part) / PartsOfSide;
-        const double given = (1.0 - weight) * this->GivenAt(start) + weight * this->GivenAt(end);
-        const Point2 place =
-          this->PlaceOf(start) + weight * (this->PlaceOf(end) - this->PlaceOf(start));
-        if (cone(place, this->Gradation) < this->Range(given) - room)
-        {
-          return true;
-        }
+        return true;
       }
     }
     return false;
+  }
+
+  /// Where its values are between the bounds, which may be on a small part of it.
+  bool IsBelowSide(const SegmentCone& cone, Id low, Id high) const
+  {
+    const double room = IdleTolerance * cone.Value;
+    const double from = this->WeightAt(this->Range.Least, low, high, 0.0);
+    const double to = this->WeightAt(this->Range.Most, low, high, 1.0);
+    for (int part = 0; part <= PartsOfSide; ++part)
+    {
+      const double weight = from + (to - from) * part / PartsOfSide;
+      const double given = (1.0 - weight) * this->GivenAt(low) + weight * this->GivenAt(high);
+      const Point2 place = this->PlaceOf(low) + weight * (this->PlaceOf(high) - this->PlaceOf(low));
+      if (cone(place, this->Gradation) < this->Range(given) - room)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Where values reach a bound; where they do not, another weight.
+  double WeightAt(double bound, Id low, Id high, double other) const
+  {
+    const double start = this->Range.Scale * this->GivenAt(low);
+    const double end = this->Range.Scale * this->GivenAt(high);
+    return start < bound && bound < end ? (bound - start) / (end - start) : other;
   }
 
   const std::vector<LowEdge>& Edges;

@@ -139,9 +139,9 @@ struct SpacingOptions
 /// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
 /// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
 /// within 2 % of it at 99 % of all points. That is tested, not proven: where values of a grid are
-/// noise, on cells much larger than f, some ten pairs of points in a million miss the Lipschitz
-/// law, by up to 3 % of f; with a Minimum that raises some of them, five in ten thousand, by up to
-/// 10 %; and between triangles that are noise with gaps some ten in a million, by 6 %.
+/// noise, on cells much larger than f, about one pair of points in a million misses the Lipschitz
+/// law, by up to a tenth of f; between triangles that are noise with gaps some ten in a million, by
+/// 6 %.
 /// Beyond the bounds, limits are those of the nearest point of the bounds. A Gradation above 1
 /// holds for places farther apart than some hundredths of f.
 /// Preparation: MakeSpacing.

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric> // for nodes
+
 namespace
 {
 
@@ -44,18 +46,18 @@ double LargestChange(const GridSource& grid)
   return largest;
 }
 
-/// In a grid of many cells; those that are not are parts of larger ones.
+/// Of a cell of unit size among many, so that it is no coarse one, which would be divided.
 bool IsSteep(const std::array<double, 4>& corners)
 {
-  GridSource grid = MakeGrid(100, 100, [](const Point2&) { return 1.0; });
-  for (double* node : { &grid.XNodes[51], &grid.YNodes[51] })
+  constexpr int Nodes = 200;
+  GridSource grid = MakeGrid(Nodes, Nodes, [](const Point2&) { return 1.0; });
+  for (std::vector<double>* nodes : { &grid.XNodes, &grid.YNodes })
   {
-    *node = node[-1] + 1.0;
-    std::for_each(node + 1, node + 49, [node](double& next) { next += *node; });
+    std::iota(nodes->begin(), nodes->end(), 0.0);
   }
   for (std::size_t node = 0; node < grid.Values.size(); ++node)
   {
-    grid.Values[node] = corners[(node % 100 > 50 ? 1 : 0) + (node / 100 > 50 ? 2 : 0)];
+    grid.Values[node] = corners[(node % Nodes > 50 ? 1 : 0) + (node / Nodes > 50 ? 2 : 0)];
   }
   return LimitOf(grid).IsNeeded();
 }
@@ -79,7 +81,7 @@ void ExpectLimited(const SpacingOptions& options, const Box2& bounds)
     ASSERT_GT(f(x), 0.0);
     if (bounds.Contains(y))
     {
-      ASSERT_LE(std::abs(f(x) - f(y)), 0.3 * reach + 0.02 * std::min(f(x), f(y)))
+      ASSERT_LE(std::abs(f(x) - f(y)), options.Gradation * reach + 0.02 * std::min(f(x), f(y)))
         << x.X << ' ' << x.Y << " and " << y.X << ' ' << y.Y;
     }
   }
@@ -161,11 +163,11 @@ TEST(GridLimit, GrowsFromASideWhoseValuesRise)
   const GridLimit limit =
     LimitOf({ { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.1, 0.9, 1.8, 0.28, 1.0, 1.8 } });
   const double across = Gradation * 0.8; // the cosine of the angle whose sine is .18 / g
-  EXPECT_NEAR(limit({ 0.1, 0.9 }), 0.1 + 0.18 * 0.9 + across * 0.1, 1e-6);
-  EXPECT_NEAR(limit({ 0.15, 0.95 }), 0.1 + 0.18 * 0.95 + across * 0.15, 1e-6);
+  EXPECT_NEAR(limit({ 0.03, 0.9 }), 0.1 + 0.18 * 0.9 + across * 0.03, 1e-6);
+  EXPECT_NEAR(limit({ 0.05, 0.95 }), 0.1 + 0.18 * 0.95 + across * 0.05, 1e-6);
 }
 
-/// From afar its nodes, of which this grid gets 28, are nearly as good: g w^2 / (8 d) at most.
+/// From afar its nodes, of which this grid gets 91, are nearly as good: g w^2 / (8 d) at most.
 TEST(GridLimit, GrowsFromTheNodesOfAFarSide)
 {
   const GridLimit limit =
@@ -176,7 +178,7 @@ TEST(GridLimit, GrowsFromTheNodesOfAFarSide)
     const double exact = 0.1 + 0.18 * 0.95 + across * x;
     const double error = limit({ x, 0.95 }) - exact;
     EXPECT_GE(error, -1e-6);
-    EXPECT_LE(error, Gradation / (28.0 * 28.0) / (8.0 * x)) << x;
+    EXPECT_LE(error, Gradation / (90.0 * 90.0) / (8.0 * x)) << x;
   }
 }
 
@@ -251,6 +253,55 @@ TEST(Spacing, OfALimitedImageIsNowhereBelowTheLeastValue)
     for (int probe = 0; probe < 20000; ++probe)
     {
       EXPECT_GE(f(sampler.NextIn(UnitBox())), minimum);
+    }
+  }
+}
+
+/// From where what is given reaches the least value, within cells.
+TEST(Spacing, IsLimitedWhereALeastValueRaisesNoiseOnCoarseCells)
+{
+  Sampler sampler(11);
+  for (int image = 0; image < 12; ++image)
+  {
+    const int columns = 2 + image;
+    SpacingOptions options = OfGrid(MakeGrid(
+      columns, 13 - image, [&sampler](const Point2&) { return std::exp(-5.0 * sampler.Next()); }));
+    options.Minimum = 0.03;
+    options.Gradation = 0.1 + 0.9 * sampler.Next();
+    ExpectLimited(options, UnitBox());
+  }
+}
+
+TEST(Spacing, IsLimitedWithinALongCellOfNoise)
+{
+  Sampler sampler(12);
+  GridSource grid =
+    MakeGrid(5, 30, [&sampler](const Point2&) { return std::exp(-6.0 * sampler.Next()); });
+  ExpectLimited(OfGrid(std::move(grid)), UnitBox());
+}
+
+/// Floats hold no values above 3e38 nor, as precisely, below 1e-38.
+TEST(Spacing, IsLimitedInDrawingsOfAnySize)
+{
+  const auto field = [](const Point2& x) { return 0.01 + std::abs(x.X - 0.5); };
+  const Spacing f = MakeGoodSpacing(OfGrid(MakeGrid(33, 33, field)));
+  for (const int power : { -300, -200, -140, 130, 200 })
+  {
+    const double size = std::ldexp(1.0, power);
+    GridSource grid = MakeGrid(33, 33, field);
+    for (std::vector<double>* numbers : { &grid.XNodes, &grid.YNodes, &grid.Values })
+    {
+      for (double& number : *numbers)
+      {
+        number *= size;
+      }
+    }
+    const Spacing scaled = MakeGoodSpacing(OfGrid(std::move(grid)), { {}, { size, size } });
+    Sampler sampler(13);
+    for (int probe = 0; probe < 200; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      EXPECT_EQ(scaled(size * x), size * f(x)) << power;
     }
   }
 }
