@@ -30,6 +30,18 @@ constexpr double WidestGrowth = 0.09;
 constexpr double SideShare = 0.009;
 constexpr double SideReach = 6.0;
 
+/// Of what f may fall by along a side. With a slope of s g, f is lower than the lower end allows by
+/// (1 - s^2)^1.5 g w^2 / (2 d) at most, which is less than half of what level sides make.
+constexpr double SteepestFall = 0.7;
+
+/// A point of a level side at w from the node makes f lower by g w^2 / (d + h) at a distance d from
+/// the node and h from the side: by less than this share of g w^2 / d where h is above d / 3. Nearer
+/// to a side its ends are other nodes.
+constexpr double ShareOfSides = 0.75;
+
+/// What a side lowers f by less than to this share of it is not looked at.
+constexpr double LeastChange = 0.999;
+
 /// So that differences do not overflow.
 constexpr double GreatestGiven = 1e300;
 
@@ -240,15 +252,24 @@ bool GridLimit::IsGentle(double rise, const Side& side) const
   return std::abs(rise) < this->Gradation * std::abs(side.Width + side.Height);
 }
 
+/// Then its lower end, which is another node, is about as good.
+bool GridLimit::IsFalling(double rise, const Side& side) const
+{
+  return rise < -SteepestFall * this->Gradation * std::abs(side.Width + side.Height);
+}
+
+/// As IsGentle says of its sides, without these: each node is asked once.
 bool GridLimit::HasGentleSides(std::size_t column, std::size_t row) const
 {
-  const double start = this->GivenAt(column, row);
-  bool isAny = false;
-  for (const Side& side : this->SidesOf(column, row))
-  {
-    isAny |= this->IsGentle(this->Rise(start, side), side);
-  }
-  return isAny;
+  const std::vector<double>& x = this->Source->XNodes;
+  const std::vector<double>& y = this->Source->YNodes;
+  const double* value = &this->Source->Values[this->NodeAt(column, row)];
+  const auto isGentle = [this, value](const double* end, double length)
+  { return this->Range.Scale * std::abs(*end - *value) < this->Gradation * length; };
+  return (column > 0 && isGentle(value - 1, x[column] - x[column - 1])) ||
+    (column + 1 < x.size() && isGentle(value + 1, x[column + 1] - x[column])) ||
+    (row > 0 && isGentle(value - x.size(), y[row] - y[row - 1])) ||
+    (row + 1 < y.size() && isGentle(value + x.size(), y[row + 1] - y[row]));
 }
 
 /// The line along which what is given reaches the least value.
@@ -290,13 +311,13 @@ bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
 /// what bounds x.
 double GridLimit::BoundFrom(Node& source, const Point2& x, double limit) const
 {
-  const Point2 offset = x - this->PlaceOf(source.From);
-  const double squared = this->SquaredGradation * Dot(offset, offset);
-  const double start = source.Start;
   if (source.From.IsLine())
   {
     return this->BoundFromLine(source.From.Column(), source.From.Row(), x);
   }
+  const Point2 offset = x - this->PlaceOf(source.From);
+  const double squared = this->SquaredGradation * Dot(offset, offset);
+  const double start = source.Start;
   const double width =
     std::max(this->ColumnGrowth[source.From.Column()], this->RowGrowth[source.From.Row()]);
   const double most = width * width / (8.0 * SideShare);
@@ -308,7 +329,8 @@ double GridLimit::BoundFrom(Node& source, const Point2& x, double limit) const
     return limit;
   }
   const double grown = std::sqrt(squared);
-  const bool mayBeLower = hasSides && (start + grown - limit) * grown < width * width;
+  const bool mayBeLower =
+    hasSides && (start + grown - LeastChange * limit) * grown < ShareOfSides * width * width;
   return mayBeLower ? this->BoundFromSides(source, x, start + grown) : start + grown;
 }
 
@@ -326,7 +348,7 @@ double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) cons
     const Point2 toEnd{ side.Width, side.Height };
     const double rise = this->Rise(start, side);
     const bool mayBeLower = rise * grown < this->SquaredGradation * Dot(offset, toEnd);
-    if (mayBeLower & this->IsGentle(rise, side))
+    if (mayBeLower & this->IsGentle(rise, side) & !this->IsFalling(rise, side))
     {
       const double length = std::abs(side.Width + side.Height);
       const double found = this->Bound(Dot(offset, toEnd) / length, Cross(offset, toEnd) / length,

@@ -120,6 +120,7 @@ private:
   std::array<Side, 4> SidesOf(std::size_t column, std::size_t row) const;
   double Rise(double start, const Side& side) const;
   bool IsGentle(double rise, const Side& side) const;
+  bool IsFalling(double rise, const Side& side) const;
   bool HasGentleSides(std::size_t column, std::size_t row) const;
   bool HandOn(const Node& other, Node& node, const Point2& place) const;
   void FindLimitedCells(Pulse& pulse);
