@@ -14,6 +14,7 @@ set(biting_kernel_sources
   Spacing/DrawnLengths.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
+  Spacing/GridBounds.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx

@@ -5,7 +5,7 @@
 
 #include "ExtendedGrid.h"
 
-#include <cmath> // for abs, sqrt, ilogb, ldexp
+#include <cmath> // for abs, ilogb, ldexp
 
 namespace biting
 {
@@ -21,29 +21,6 @@ constexpr double SteepnessMargin = 0.005;
 /// Cells across which f may grow by more than this share of itself are wide: between nodes around
 /// one that f grows from, linear values are too high by up to .15 of that.
 constexpr double WidestGrowth = 0.09;
-
-/// A side of width w lets f be lower than its ends do by g w^2 / (8 d) at most, at a distance d of
-/// a cell or more: its nearer end is at most w / 2 from the foot. That is not looked at where it is
-/// below this share of f at the side, and below a share of what f grows by, 1 / (8 * 6^2), that is
-/// less than the SteepnessMargin: else what is a little steeper in a direction between those of
-/// nodes would not be bounded.
-constexpr double SideShare = 0.009;
-constexpr double SideReach = 6.0;
-
-/// Of what f may fall by along a side. With a slope of s g, f is lower than the lower end allows by
-/// (1 - s^2)^1.5 g w^2 / (2 d) at most, which is less than half of what level sides make.
-constexpr double SteepestFall = 0.7;
-
-/// A point of a level side at w from the node makes f lower by g w^2 / (d + h) at a distance d from
-/// the node and h from the side: by less than this share of g w^2 / d where h is above d / 3. Nearer
-/// to a side its ends are other nodes.
-constexpr double ShareOfSides = 0.75;
-
-/// What a side lowers f by less than to this share of it is not looked at.
-constexpr double LeastChange = 0.999;
-
-/// So that differences do not overflow.
-constexpr double GreatestGiven = 1e300;
 
 /// The least value is about 2^-90 of its unit: there is as much room below it as floats need for
 /// what is normal, and above it for values 2^217 times as large.
@@ -62,18 +39,6 @@ ValueRange InUnits(const ValueRange& range, double unit)
   return { range.Scale / unit, range.Least / unit, std::min(range.Most / unit, greatest) };
 }
 
-/// How much f may grow across the wider one of the cells beside each node.
-std::vector<double> GrowthBeside(const std::vector<double>& nodes, double gradation)
-{
-  std::vector<double> growth(nodes.size(), 0.0);
-  for (std::size_t node = 1; node < nodes.size(); ++node)
-  {
-    growth[node] = gradation * (nodes[node] - nodes[node - 1]);
-    growth[node - 1] = std::max(growth[node - 1], growth[node]);
-  }
-  return growth;
-}
-
 } // namespace
 
 GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gradation,
@@ -83,10 +48,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   , Unit(UnitOf(*source, range))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
-  , Bound(this->Range, this->Gradation)
-  , ColumnGrowth(GrowthBeside(this->Source->XNodes, this->Gradation))
-  , RowGrowth(GrowthBeside(this->Source->YNodes, this->Gradation))
-  , SquaredGradation(this->Gradation * this->Gradation)
+  , Bounds(this->Source, this->Gradation, this->Range)
 {
   Pulse pulse(monitor);
   GridSweeps sweeps(this->Source->XNodes.size(), this->Source->YNodes.size());
@@ -138,10 +100,10 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
     return false;
   }
   // f is clamped between corners, not at them: until there it is as steep as what is given.
-  const double a = std::min(this->Range.Scale * low[0], GreatestGiven);
-  const double b = std::min(this->Range.Scale * low[1], GreatestGiven);
-  const double c = std::min(this->Range.Scale * high[0], GreatestGiven);
-  const double d = std::min(this->Range.Scale * high[1], GreatestGiven);
+  const double a = std::min(this->Range.Scale * low[0], GridBounds::GreatestValue);
+  const double b = std::min(this->Range.Scale * low[1], GridBounds::GreatestValue);
+  const double c = std::min(this->Range.Scale * high[0], GridBounds::GreatestValue);
+  const double d = std::min(this->Range.Scale * high[1], GridBounds::GreatestValue);
   const double width = this->Source->XNodes[column + 1] - this->Source->XNodes[column];
   const double height = this->Source->YNodes[row + 1] - this->Source->YNodes[row];
   const double most = (1.0 + SteepnessMargin) * this->Gradation;
@@ -181,7 +143,7 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sw
       sweeps.Add(left, low);
     }
   }
-  if (this->HasLine(column, row))
+  if (this->Bounds.HasLine(column, row))
   {
     this->AddLine(column, row);
   }
@@ -195,7 +157,7 @@ void GridLimit::AddLine(std::size_t column, std::size_t row)
     for (const std::size_t left : { column, column + 1 })
     {
       Node& node = this->Nodes[this->NodeAt(left, low)];
-      const auto value = static_cast<float>(this->BoundFromLine(
+      const auto value = static_cast<float>(this->Bounds.FromLine(
         column, row, { this->Source->XNodes[left], this->Source->YNodes[low] }));
       if (value < node.Value)
       {
@@ -205,16 +167,6 @@ void GridLimit::AddLine(std::size_t column, std::size_t row)
   }
 }
 
-/// Whether what is given reaches the least value within a cell.
-bool GridLimit::HasLine(std::size_t column, std::size_t row) const
-{
-  const double* low = &this->Source->Values[this->NodeAt(column, row)];
-  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
-  return this->Range.Scale *
-    std::min({ low[0], low[1], high[0], high[1] })<this->Range.Least&& this->Range.Scale *
-      std::max({ low[0], low[1], high[0], high[1] })> this->Range.Least;
-}
-
 void GridLimit::SetGiven()
 {
   this->Nodes.reserve(this->Source->Values.size());
@@ -222,68 +174,10 @@ void GridLimit::SetGiven()
   {
     for (std::size_t column = 0; column < this->Source->XNodes.size(); ++column)
     {
-      this->Nodes.push_back(this->Itself(column, row));
+      this->Nodes.push_back(this->Bounds.Itself(column, row));
       this->Nodes.back().Start = std::numeric_limits<float>::infinity();
     }
   }
-}
-
-std::array<GridLimit::Side, 4> GridLimit::SidesOf(std::size_t column, std::size_t row) const
-{
-  const std::vector<double>& x = this->Source->XNodes;
-  const std::vector<double>& y = this->Source->YNodes;
-  const std::size_t left = column > 0 ? column - 1 : column;
-  const std::size_t right = column + 1 < x.size() ? column + 1 : column;
-  const std::size_t below = row > 0 ? row - 1 : row;
-  const std::size_t above = row + 1 < y.size() ? row + 1 : row;
-  return { { { left, row, x[left] - x[column], 0.0 }, { right, row, x[right] - x[column], 0.0 },
-    { column, below, 0.0, y[below] - y[row] }, { column, above, 0.0, y[above] - y[row] } } };
-}
-
-/// Along a side from its start.
-double GridLimit::Rise(double start, const Side& side) const
-{
-  return this->Range.Scale * (this->GivenAt(side.Column, side.Row) - start);
-}
-
-/// One that is steeper is bounded by its lower end.
-bool GridLimit::IsGentle(double rise, const Side& side) const
-{
-  return std::abs(rise) < this->Gradation * std::abs(side.Width + side.Height);
-}
-
-/// Then its lower end, which is another node, is about as good.
-bool GridLimit::IsFalling(double rise, const Side& side) const
-{
-  return rise < -SteepestFall * this->Gradation * std::abs(side.Width + side.Height);
-}
-
-/// As IsGentle says of its sides, without these: each node is asked once.
-bool GridLimit::HasGentleSides(std::size_t column, std::size_t row) const
-{
-  const std::vector<double>& x = this->Source->XNodes;
-  const std::vector<double>& y = this->Source->YNodes;
-  const double* value = &this->Source->Values[this->NodeAt(column, row)];
-  const auto isGentle = [this, value](const double* end, double length)
-  { return this->Range.Scale * std::abs(*end - *value) < this->Gradation * length; };
-  return (column > 0 && isGentle(value - 1, x[column] - x[column - 1])) ||
-    (column + 1 < x.size() && isGentle(value + 1, x[column + 1] - x[column])) ||
-    (row > 0 && isGentle(value - x.size(), y[row] - y[row - 1])) ||
-    (row + 1 < y.size() && isGentle(value + x.size(), y[row + 1] - y[row]));
-}
-
-/// The line along which what is given reaches the least value.
-double GridLimit::BoundFromLine(std::size_t column, std::size_t row, const Point2& x) const
-{
-  const std::vector<double>& columns = this->Source->XNodes;
-  const std::vector<double>& rows = this->Source->YNodes;
-  const double* low = &this->Source->Values[this->NodeAt(column, row)];
-  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
-  const auto above = [this](double value)
-  { return std::min(this->Range.Scale * value, GreatestGiven) - this->Range.Least; };
-  const LevelLine line({ { columns[column], rows[row] }, { columns[column + 1], rows[row + 1] } },
-    { above(low[0]), above(low[1]), above(high[1]), above(high[0]) }, this->Gradation);
-  return this->Range.Least + line.Bound(x);
 }
 
 /// Hands on what bounds one node to another one. What is as given bounds others only from steep
@@ -295,7 +189,7 @@ bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
     return false;
   }
   Node source = other;
-  const auto value = static_cast<float>(this->BoundFrom(source, place, node.Value));
+  const auto value = static_cast<float>(this->Bounds.From(source, place, node.Value));
   const bool isLower = value < node.Value;
   if (isLower)
   {
@@ -304,66 +198,6 @@ bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
     node.From = source.From;
   }
   return isLower;
-}
-
-/// What the sides around the node that bounds `source` allow at x; where that is not below `limit`,
-/// it may be any value that is not. The source becomes the end of these sides that is nearest to
-/// what bounds x.
-double GridLimit::BoundFrom(Node& source, const Point2& x, double limit) const
-{
-  if (source.From.IsLine())
-  {
-    return this->BoundFromLine(source.From.Column(), source.From.Row(), x);
-  }
-  const Point2 offset = x - this->PlaceOf(source.From);
-  const double squared = this->SquaredGradation * Dot(offset, offset);
-  const double start = source.Start;
-  const double width =
-    std::max(this->ColumnGrowth[source.From.Column()], this->RowGrowth[source.From.Row()]);
-  const double most = width * width / (8.0 * SideShare);
-  const bool hasSides = source.From.HasSides() &&
-    (squared < SideReach * SideReach * width * width || start * start * squared < most * most);
-  const double room = limit - start + (hasSides ? width : 0.0);
-  if (!(squared < room * room))
-  {
-    return limit;
-  }
-  const double grown = std::sqrt(squared);
-  const bool mayBeLower =
-    hasSides && (start + grown - LeastChange * limit) * grown < ShareOfSides * width * width;
-  return mayBeLower ? this->BoundFromSides(source, x, start + grown) : start + grown;
-}
-
-/// A side bounds by more than its node only where values along it, seen from the node, rise less
-/// than the place comes nearer.
-double GridLimit::BoundFromSides(Node& source, const Point2& x, double own) const
-{
-  const double start = this->GivenAt(source.From.Column(), source.From.Row());
-  const double grown = own - static_cast<double>(source.Start);
-  const Point2 offset = x - this->PlaceOf(source.From);
-  double bound = own;
-  Side best{};
-  for (const Side& side : this->SidesOf(source.From.Column(), source.From.Row()))
-  {
-    const Point2 toEnd{ side.Width, side.Height };
-    const double rise = this->Rise(start, side);
-    const bool mayBeLower = rise * grown < this->SquaredGradation * Dot(offset, toEnd);
-    if (mayBeLower & this->IsGentle(rise, side) & !this->IsFalling(rise, side))
-    {
-      const double length = std::abs(side.Width + side.Height);
-      const double found = this->Bound(Dot(offset, toEnd) / length, Cross(offset, toEnd) / length,
-        length, start, this->GivenAt(side.Column, side.Row));
-      best = found < bound ? side : best;
-      bound = std::min(bound, found);
-    }
-  }
-  const Point2 fromEnd = offset - Point2{ best.Width, best.Height };
-  if (bound < own &&
-    this->Range(this->GivenAt(best.Column, best.Row)) + this->Gradation * Length(fromEnd) < own)
-  {
-    source = this->Itself(best.Column, best.Row);
-  }
-  return bound;
 }
 
 /// What grows from within a steep cell reaches those beside it.
@@ -392,8 +226,7 @@ double GridLimit::operator()(const Point2& x) const
   const Node* low = &this->Nodes[cell];
   const Node* high = low + this->Source->XNodes.size();
   const float least = std::min({ low[0].Value, low[1].Value, high[0].Value, high[1].Value });
-  const double growth =
-    std::max(this->ColumnGrowth[place.Column + 1], this->RowGrowth[place.Row + 1]);
+  const double growth = this->Bounds.GrowthAt(place.Column + 1, place.Row + 1);
   if (growth > WidestGrowth * least)
   {
     return this->Unit * this->ValueInWideCell(x, place, given);
@@ -429,7 +262,7 @@ double GridLimit::ValueInWideCell(
         }
         else if (node.Start < least && looked.Add(node.From.Key()))
         {
-          least = std::min(least, this->BoundFrom(node, x, least));
+          least = std::min(least, this->Bounds.From(node, x, least));
         }
       }
     }
@@ -456,9 +289,9 @@ void GridLimit::BoundByLine(std::size_t column, std::size_t row, const Point2& x
   LookedAt<std::uint64_t>& looked, double& least) const
 {
   if (column + 1 < this->Source->XNodes.size() && row + 1 < this->Source->YNodes.size() &&
-    this->HasLine(column, row) && looked.Add(Origin(column, row, Kind::LineOfCell).Key()))
+    this->Bounds.HasLine(column, row) && looked.Add(Origin(column, row, Kind::LineOfCell).Key()))
   {
-    least = std::min(least, this->BoundFromLine(column, row, x));
+    least = std::min(least, this->Bounds.FromLine(column, row, x));
   }
 }
 
