@@ -6,7 +6,6 @@
 #include "../Kernel/Base/Pulse.h"
 #include "DoubleArray.h"
 #include "MessagesFromProblems.h"
-#include "SourceBorder.h"
 #include "SourceCells.h"
 #include "SourceOrder.h"
 #include "SpacingValues.h"
@@ -207,10 +206,6 @@ std::string AddCells(const SourceData& chosen, const std::vector<double>& values
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
   triangulation->MayOverlap = chosen.MayOverlap;
-  if (chosen.MayOverlap)
-  {
-    AddBorderOf(*triangulation, options, pulse);
-  }
   options.Triangulation = triangulation;
   return HasArea(*triangulation, pulse)
     ? ""

@@ -36,7 +36,6 @@ set(biting_bridge_sources
   RegionNumbers.cxx
   RemeshInputFromDataSet.cxx
   RemeshedData.cxx
-  SourceBorder.cxx
   SourceCells.cxx
   SourceCover.cxx
   SourceData.cxx

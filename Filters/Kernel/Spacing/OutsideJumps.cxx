@@ -81,6 +81,10 @@ public:
     {
       this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(edges.size()));
       const BorderEdge& edge = edges[k];
+      if (this->Field.HasOverlaps())
+      {
+        this->AddEdge(edge);
+      }
       const double length = Distance(edge.Start, edge.End);
       for (const bool isLeft : { false, true })
       {
@@ -235,7 +239,16 @@ private:
     return last;
   }
 
-  /// An edge of triangles that lie on others, or beside others that have corners of their own.
+  /// Where triangles end that may lie on others anywhere along it.
+  void AddEdge(const BorderEdge& edge)
+  {
+    const ValueRange& range = this->Cones.Values();
+    this->Cones.AddSegment(edge.Start, edge.End,
+      std::max(range.Scale * edge.StartValue, range.Least),
+      std::max(range.Scale * edge.EndValue, range.Least));
+  }
+
+  /// An edge of triangles beside others that have corners of their own.
   void AddSheet(const BorderEdge& edge, const Point2& aside)
   {
     const ValueRange& range = this->Cones.Values();

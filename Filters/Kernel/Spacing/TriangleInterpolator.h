@@ -26,6 +26,9 @@ public:
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Records.empty(); }
 
+  /// Whether triangles may lie on each other.
+  bool HasOverlaps() const { return this->MayOverlap; }
+
   double operator()(const Point2& x) const;
 
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a

@@ -123,6 +123,22 @@ SpacingOptions OfSheets()
   return WithTriangles(source);
 }
 
+/// A sheet of low values that lies on another one, and ends beside it.
+SpacingOptions OfSheetsSideBySide()
+{
+  TriangulatedSource source = MakeTriangulation(9, [](const Point2& x) { return 0.2 + 0.1 * x.X; });
+  for (Point2& point : source.Points)
+  {
+    point.X *= 0.6;
+  }
+  const auto first = static_cast<Id>(source.Points.size());
+  source.Points.insert(source.Points.end(), { { 0.5, 0.1 }, { 0.9, 0.2 }, { 0.45, 0.9 } });
+  source.Values.insert(source.Values.end(), { 0.02, 0.04, 0.03 });
+  source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  source.MayOverlap = true;
+  return WithTriangles(source);
+}
+
 SpacingOptions Bounded(SpacingOptions options)
 {
   options.Scale = 1.5;
@@ -172,6 +188,7 @@ std::vector<Case> LawCases()
     { "triangles as steep as the gradation", OfTriangles(60, AroundTheMiddle(0.3)) },
     { "triangles a little steeper", OfTriangles(60, AroundTheMiddle(0.303)) },
     { "triangles steeper by a tenth", OfTriangles(60, AroundTheMiddle(0.33)) },
+    { "a sheet on another and beside it", OfSheetsSideBySide() },
     { "triangles with gaps", WithTriangles(Gappy(60, 100.0)) },
     { "large triangles with gaps", WithTriangles(Gappy(9, 100.0)) },
     { "noise on a part", WithTriangles(OnAPart(Gappy(20, 30.0))) } };
