@@ -259,7 +259,8 @@ public:
     RAISED_SPACING = 18,    ///< below the rounding of the coordinates, no place
     SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
     FINE_DRAWING = 20,      ///< without BoundaryTolerance: it decides the mesh; no place
-    BAD_TRIANGLES = 21      ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
+    BAD_TRIANGLES = 21,     ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
+    FLAT_TRIANGLES = 22     ///< of vtkBitingRemesher: without area, mended (cell)
   };
 
   enum BiteShapeType

@@ -343,9 +343,18 @@ bool vtkBitingRemesher::Execution::Report()
 }
 
 //------------------------------------------------------------------------------
-// Vertices of the kernel become points of the input, and lines their cells.
+// Vertices of the kernel become points of the input, lines and triangles their cells.
 void vtkBitingRemesher::Execution::NumberPoints()
 {
+  if (!this->Result.Old.Origins.empty())
+  {
+    const std::vector<vtkIdType> before = std::move(this->Mesh.CellIds);
+    this->Mesh.CellIds.clear();
+    for (const biting::Id origin : this->Result.Old.Origins)
+    {
+      this->Mesh.CellIds.push_back(before[static_cast<std::size_t>(origin)]);
+    }
+  }
   for (biting::Id& original : this->Result.Mesh.OriginalPoints)
   {
     original = original == biting::NoId

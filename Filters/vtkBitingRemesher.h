@@ -58,12 +58,14 @@
  * one at their middle, and of RegionArray that of their region.
  *
  * @par Messages:
- * As those of vtkBitingMesher. Errors, with empty outputs: triangles without area, edges of more
- * than two triangles, triangles folded or lying on top of others (BAD_TRIANGLES, with cells and
- * places in output 3 where they are known); a cell that is neither triangle nor line nor vertex;
- * coordinates that are not finite or not in one plane; no spacing, or one that is not positive;
- * more vertices than MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an
- * abort. After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
+ * As those of vtkBitingMesher. Triangles without area, as contours and clips leave them, and such
+ * that rounding turned over are mended with a warning (FLAT_TRIANGLES): the triangle across their
+ * longest side is divided. Errors, with empty outputs: edges of more than two triangles, triangles
+ * folded or lying on top of others, none that has an area (BAD_TRIANGLES, with cells and places in
+ * output 3 where they are known); a cell that is neither triangle nor line nor vertex; coordinates
+ * that are not finite or not in one plane; no spacing, or one that is not positive; more vertices
+ * than MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an abort. After an
+ * error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
  *
  * @par Guarantees and limits:
  * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the

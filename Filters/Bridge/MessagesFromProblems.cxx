@@ -49,6 +49,9 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::RaisedSpacing:
       return { "The spacing is below the rounding of the coordinates", "", "",
         "Vertices nearer to each other could not be told apart." };
+    case ProblemCode::FlatTriangles:
+      return { "Triangles without area", "cell", "",
+        "The triangles beside them were divided in their place." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:

@@ -7,6 +7,7 @@
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"
+#include "Domain/Polylines.h"
 #include "Meshing/FinalCheck.h"
 #include "Meshing/RelaxedBites.h"
 #include "Meshing/SegmentCover.h"
@@ -46,9 +47,10 @@ constexpr int ReleaseRounds = 4; // more free few more
 class Remesher
 {
 public:
-  Remesher(
-    const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
+  Remesher(const RemeshInput& input, double nearest, const RemeshOptions& options,
+    ProblemList& problems, Monitor& monitor)
     : Input(input)
+    , Nearest(nearest)
     , Options(options)
     , Rules(RulesFor(options.Preference))
     , Problems(problems)
@@ -81,6 +83,7 @@ private:
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
 
   const RemeshInput& Input;
+  double Nearest; ///< as for ReadOldMesh
   const RemeshOptions& Options;
   KeepRules Rules;
   ProblemList& Problems;
@@ -124,7 +127,7 @@ bool Remesher::IsOver()
 void Remesher::Read()
 {
   this->Begin(RemeshingStages::Reading);
-  this->Result.Old = ReadOldMesh(this->Input, this->Problems, this->Whole);
+  this->Result.Old = ReadOldMesh(this->Input, this->Nearest, this->Problems, this->Whole);
   this->Result.IsUnchanged = this->Result.Old.Corners.empty();
 }
 
@@ -395,10 +398,21 @@ void Remesher::Finish()
 
 } // namespace
 
+// Points that are meant to be one are mostly within a unit in the last place; where what is left of
+// slits then forms no mesh, all that rounding may have moved apart is made one.
 RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
-  return Remesher(input, options, problems, monitor).Run();
+  ProblemList first = problems;
+  RemeshResult result = Remesher(input, input.Rounding / NoiseInUlp, options, first, monitor).Run();
+  if (first.Has(ProblemCode::CheckFailed) || first.Has(ProblemCode::BadTriangles))
+  {
+    ProblemList second = problems;
+    result = Remesher(input, input.Rounding, options, second, monitor).Run();
+    first = second.HasErrors() ? first : second;
+  }
+  problems = std::move(first);
+  return result;
 }
 
 } // namespace biting

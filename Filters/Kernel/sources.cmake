@@ -139,10 +139,13 @@ set(biting_kernel_sources
   Remeshing/ChangedRegion.cxx
   Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
+  Remeshing/FlatTriangles.cxx
   Remeshing/GradedValues.cxx
   Remeshing/KeptVertices.cxx
   Remeshing/MisfitVertices.cxx
+  Remeshing/NearVertices.cxx
   Remeshing/OldMesh.cxx
+  Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx

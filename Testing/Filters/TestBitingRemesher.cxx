@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array> // for corners
+
 using namespace testing_filters;
 
 namespace
@@ -201,6 +203,55 @@ TEST(BitingRemesher, SaysOnceWhatIsWrong)
   expectError(large, "MaximumNumberOfVertices");
   const auto lines = RemesherOf(UnitSquare());
   expectError(lines, "no triangles");
+}
+
+TEST(BitingRemesher, MendsFlatTrianglesWithAWord)
+{
+  // The middle of the diagonal is a corner on one side of it only, but for a triangle on it.
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Place& place : { Place{ 0, 0, 0 }, Place{ 1, 0, 0 }, Place{ 1, 1, 0 },
+         Place{ 0, 1, 0 }, Place{ 0.5, 0.5, 0 } })
+  {
+    points->InsertNextPoint(place.data());
+  }
+  mesh->SetPoints(points);
+  vtkNew<vtkCellArray> triangles;
+  for (const std::array<vtkIdType, 3>& corners :
+    { std::array<vtkIdType, 3>{ 0, 1, 4 }, { 1, 2, 4 }, { 0, 4, 2 }, { 0, 2, 3 } })
+  {
+    triangles->InsertNextCell(3, corners.data());
+  }
+  mesh->SetPolys(triangles);
+  vtkNew<vtkIntArray> tags;
+  tags->SetName("Tag");
+  for (const int tag : { 1, 1, 2, 3 })
+  {
+    tags->InsertNextValue(tag);
+  }
+  mesh->GetCellData()->AddArray(tags);
+  for (const double spacing : { 0.1, 0.7 })
+  {
+    const auto remesher = RemesherOf(mesh);
+    remesher->SetUniformSpacing(spacing);
+    remesher->SetRegionArray("None");
+    const Messages messages(remesher);
+    remesher->Update();
+    EXPECT_TRUE(messages.Errors.empty());
+    ASSERT_EQ(messages.Warnings.size(), 1u);
+    EXPECT_TRUE(Has(messages.Warnings[0], "Triangles without area (1): cell 2"));
+    vtkPolyData* output = remesher->GetOutput();
+    const MeshChecker checker(output);
+    EXPECT_EQ(checker.CheckValidity(), "");
+    EXPECT_EQ(checker.CheckArea(1.0, 1e-12), "");
+    EXPECT_EQ(Figure(output, "RepairedFlatTriangles"), 1.0);
+    vtkDataArray* given = output->GetCellData()->GetArray("Tag");
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_NE(given->GetComponent(cell, 0), 2.0);
+    }
+  }
 }
 
 TEST(BitingRemesher, ShowsCellsThatFormNoMesh)

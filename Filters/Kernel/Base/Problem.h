@@ -49,7 +49,9 @@ enum class ProblemCode
   // Refused.
   BadTriangles, ///< that form no mesh of a plane (ids: cell; none where it is only known that some
                 ///< overlap)
-  Aborted       ///< the monitor asked to stop; not an error
+  // Repaired, like the first.
+  FlatTriangles, ///< without area, in a mesh that is changed (ids: cell)
+  Aborted        ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

@@ -132,6 +132,18 @@ void Describe(const OldMesh& mesh, const std::vector<double>& lengths, ChangedRe
   ListNeighbors(mesh, region);
 }
 
+void MarkRepaired(const OldMesh& mesh, Flags& isMarked)
+{
+  for (std::size_t triangle = 0; triangle < mesh.IsRepaired.size(); ++triangle)
+  {
+    for (std::size_t slot = 3 * triangle; mesh.IsRepaired[triangle] && slot < 3 * triangle + 3;
+         ++slot)
+    {
+      isMarked[mesh.Corners[slot]] = 1;
+    }
+  }
+}
+
 } // namespace
 
 std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings)
@@ -163,6 +175,7 @@ std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& 
 ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths,
   std::vector<std::uint8_t> isMarked, int rings)
 {
+  MarkRepaired(mesh, isMarked);
   ChangedRegion region;
   if (std::none_of(isMarked.begin(), isMarked.end(), [](std::uint8_t is) { return is != 0; }))
   {

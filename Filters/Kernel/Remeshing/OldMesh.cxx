@@ -7,12 +7,11 @@
 #include "../Domain/Domain.h"
 #include "../Domain/Polylines.h"
 #include "../Predicates/Predicates.h"
-#include "../Quality/TriangleLinks.h"
+#include "OldMeshRepair.h"
 
-#include <algorithm> // for sort, lower_bound
+#include <algorithm> // for lower_bound, sort
 #include <cmath>     // for abs
 #include <cstdint>   // for flags
-#include <numeric>   // for iota
 #include <string>    // for details
 #include <utility>   // for swap
 
@@ -38,24 +37,12 @@ double LengthOf(const Polylines& edges)
   return length;
 }
 
-std::vector<Id> VerticesOfFreeEdges(const OldMesh& mesh)
-{
-  std::vector<Id> vertices;
-  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
-  {
-    if (mesh.Neighbors[slot] == NoId)
-    {
-      vertices.push_back(mesh.Start(slot));
-    }
-  }
-  return vertices;
-}
-
 class Reader
 {
 public:
-  Reader(const RemeshInput& input, ProblemList& problems, Monitor& monitor)
+  Reader(const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
     : Input(input)
+    , Nearest(nearest)
     , Problems(problems)
     , Listener(monitor)
     , Progress(monitor)
@@ -65,8 +52,9 @@ public:
   OldMesh Read()
   {
     this->Copy();
+    this->Mend();
     this->Orient();
-    if (!this->IsOver() && this->Link() && this->WeldFreeEdges() && this->CheckSides())
+    if (!this->IsOver() && this->CheckSides())
     {
       this->MarkEdges();
       this->CheckOverlaps();
@@ -78,9 +66,7 @@ private:
   bool IsOver() const { return this->Problems.HasErrors() || this->Progress.HasStopped(); }
   void Copy();
   void Orient();
-  bool Link();
-  bool WeldFreeEdges();
-  void Renumber();
+  void Mend();
   Id NumberOf(Id vertex) const { return this->Numbers.empty() ? vertex : this->Numbers[vertex]; }
   bool CheckSides();
   void MarkEdges();
@@ -91,16 +77,14 @@ private:
   void AddMeetings(const ProblemList& found);
   void AddCovered(const Domain& domain);
   void AddBad(Id triangle, const char* detail);
-  std::int64_t PointId(Id vertex) const
-  {
-    return this->Input.PointIds.empty() ? vertex : this->Input.PointIds[vertex];
-  }
   std::int64_t CellId(Id triangle) const
   {
-    return this->Input.CellIds.empty() ? triangle : this->Input.CellIds[triangle];
+    const Id origin = this->Mesh.Origins.empty() ? triangle : this->Mesh.Origins[triangle];
+    return this->Input.CellIds.empty() ? origin : this->Input.CellIds[origin];
   }
 
   const RemeshInput& Input;
+  double Nearest;
   ProblemList& Problems;
   Monitor& Listener;
   Pulse Progress;
@@ -152,64 +136,21 @@ void Reader::Orient()
       if (side < 0)
       {
         std::swap(corners[1], corners[2]);
+        std::swap(mesh.Neighbors[3 * triangle + 1], mesh.Neighbors[3 * triangle + 2]);
       }
       mesh.Area += 0.5 * std::abs(Cross(b - a, c - a));
     });
 }
 
-bool Reader::Link()
+void Reader::Mend()
 {
-  TriangleLinks links = LinkTriangles(this->Mesh.Corners, this->Mesh.NumberOfVertices());
-  this->Mesh.Neighbors = std::move(links.Neighbors);
-  for (const Id triangle : links.Crowded)
+  MendedMesh mended = MendOldMesh(this->Input, this->Nearest, this->Mesh, this->Problems);
+  this->Numbers = std::move(mended.Numbers);
+  for (const Id triangle : mended.Crowded)
   {
     this->AddBad(triangle, "more than two triangles share an edge of it");
   }
   this->Progress.Ask();
-  return !this->IsOver();
-}
-
-bool Reader::WeldFreeEdges()
-{
-  const std::vector<Point2>& points = this->Mesh.Points;
-  std::vector<Id> vertices = VerticesOfFreeEdges(this->Mesh);
-  std::sort(vertices.begin(), vertices.end(),
-    [&points](Id a, Id b) { return points[a] == points[b] ? a < b : points[a] < points[b]; });
-  for (std::size_t k = 1; k < vertices.size(); ++k)
-  {
-    const Id before = vertices[k - 1];
-    const Id vertex = vertices[k];
-    if (vertex != before && points[vertex] == points[before])
-    {
-      if (this->Numbers.empty())
-      {
-        this->Numbers.resize(points.size());
-        std::iota(this->Numbers.begin(), this->Numbers.end(), 0);
-      }
-      this->Numbers[vertex] = this->Numbers[before];
-      this->Problems.Add({ ProblemCode::DuplicatePoints,
-        { this->PointId(vertex), this->PointId(this->Numbers[before]) }, points[vertex], "" });
-    }
-  }
-  if (this->Numbers.empty())
-  {
-    return true;
-  }
-  this->Renumber();
-  return this->Link();
-}
-
-// What stays stays under the number that is left.
-void Reader::Renumber()
-{
-  for (Id& corner : this->Mesh.Corners)
-  {
-    corner = this->Numbers[corner];
-  }
-  for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
-  {
-    this->Mesh.IsFixed[this->Numbers[vertex]] |= this->Mesh.IsFixed[vertex];
-  }
 }
 
 bool Reader::CheckSides()
@@ -388,9 +329,10 @@ void Reader::AddCovered(const Domain& domain)
 
 } // namespace
 
-OldMesh ReadOldMesh(const RemeshInput& input, ProblemList& problems, Monitor& monitor)
+OldMesh ReadOldMesh(
+  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
 {
-  return Reader(input, problems, monitor).Read();
+  return Reader(input, nearest, problems, monitor).Read();
 }
 
 } // namespace biting

@@ -51,6 +51,8 @@ struct OldMesh
   std::vector<Id> Regions;
   std::vector<std::uint8_t> IsFixed;
   std::vector<std::uint8_t> IsFrozen;
+  std::vector<Id> Origins;              ///< of each triangle: the one of the input; empty: the same
+  std::vector<std::uint8_t> IsRepaired; ///< one a triangle: it has other corners now; empty: none
   std::vector<Id> LineCells;
   std::vector<std::uint8_t> IsFrozenLine; ///< one a line, or none
   std::function<bool(Id, Id)> AreAlike;
@@ -93,17 +95,19 @@ struct OldMesh
   }
 };
 
-/// Reads `input`: triangles are turned counterclockwise, and vertices of free edges at the same
-/// place are made one (ProblemCode::DuplicatePoints), with their lines, and fixed where one of them
-/// was. Edges of one triangle, or between regions, or on lines are marked; lines that are no edges
-/// are dropped (ProblemCode::OutsideInterfaces).
+/// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one (ProblemCode::DuplicatePoints where they are at the same place, else
+/// NearPoints), with their lines, and fixed where one of them was; flat triangles are mended
+/// (ProblemCode::FlatTriangles, FlatTriangles.h); triangles are turned counterclockwise. Edges of
+/// one triangle, or between regions, or on lines are marked; lines that are no edges are dropped
+/// (ProblemCode::OutsideInterfaces).
 ///
-/// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: a triangle without area,
-/// an edge of more than two triangles, two triangles on the same side of an edge, and triangles
+/// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an
+/// area, an edge of more than two triangles, two triangles on the same side of an edge, and triangles
 /// that overlap: the free edges bound less than the triangles have together, by more than rounding
 /// along them and 1e-9 of it, 1e-6 where they meet by rounding. Cost O(n) in the triangles and O(m
 /// log m) in the free edges.
-OldMesh ReadOldMesh(const RemeshInput& input, ProblemList& problems, Monitor& monitor);
+OldMesh ReadOldMesh(
+  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor);
 
 } // namespace biting
 

@@ -269,7 +269,8 @@ void Stitcher::FindOriginals()
   {
     const Id* corners = this->Old.Corners.data() + 3 * static_cast<std::size_t>(triangle);
     const auto number = [this, corners](int k) { return this->OldNumbers[corners[k]]; };
-    if (number(0) != NoId && number(1) != NoId && number(2) != NoId)
+    const bool isRepaired = !this->Old.IsRepaired.empty() && this->Old.IsRepaired[triangle];
+    if (number(0) != NoId && number(1) != NoId && number(2) != NoId && !isRepaired)
     {
       old.emplace_back(Turned(number(0), number(1), number(2)), triangle);
     }

@@ -32,7 +32,7 @@ RemeshInput Hexagon()
 std::vector<Point2> MiddlesOf(const RemeshInput& input, double spacing, Id gone = NoId)
 {
   ProblemList problems;
-  const OldMesh mesh = ReadOldMesh(input, problems, NoMonitor());
+  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
   EXPECT_TRUE(problems.Groups().empty());
   const std::vector<double> spacings(mesh.Points.size(), spacing);
   const ChangedRegion region = WholeRegion(mesh, MeanLengths(mesh, spacings));

@@ -26,7 +26,7 @@ OldMesh MeshOfSquare(double spacing)
   options.Spacing.Uniform = spacing;
   const BitingMesh mesh = RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
   ProblemList problems;
-  return ReadOldMesh(RemeshInputOf(mesh, 1e-15), problems, NoMonitor());
+  return ReadOldMesh(RemeshInputOf(mesh, 1e-15), 0.0, problems, NoMonitor());
 }
 
 template <typename Function>

@@ -21,7 +21,7 @@ std::ptrdiff_t CountMisfits(
   const RemeshInput& input, double spacing, const EdgeFreedom& freedom = {})
 {
   ProblemList problems;
-  const OldMesh mesh = ReadOldMesh(input, problems, NoMonitor());
+  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
   EXPECT_TRUE(problems.Groups().empty());
   const std::vector<double> spacings(mesh.Points.size(), spacing);
   const std::vector<std::uint8_t> isMisfit =

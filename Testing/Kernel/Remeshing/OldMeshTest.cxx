@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map> // for counts
+#include <algorithm> // for count
+#include <map>       // for counts
 
 namespace biting
 {
@@ -20,7 +21,7 @@ TEST(OldMesh, LinesAndFixedVerticesStayWherePointsAreMadeOne)
   input.LineCells = { 7, 8, 9 };
   input.IsFixed = { 0, 0, 0, 0, 0, 1, 0, 0 };
   ProblemList problems;
-  const OldMesh mesh = ReadOldMesh(input, problems, NoMonitor());
+  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
   EXPECT_EQ(problems.Count(ProblemCode::DuplicatePoints), 3);
   EXPECT_EQ(problems.Count(ProblemCode::OutsideInterfaces), 0);
   std::map<Id, int> sides; // of the triangles, on each line
@@ -30,6 +31,41 @@ TEST(OldMesh, LinesAndFixedVerticesStayWherePointsAreMadeOne)
   }
   EXPECT_EQ(sides, (std::map<Id, int>{ { OldMesh::Untagged, 4 }, { 1, 2 }, { 2, 2 }, { 3, 1 } }));
   EXPECT_EQ(mesh.IsFixed[2], 1);
+}
+
+TEST(OldMesh, FlatTrianglesAreMendedWithWhatIsKnownOfTheirNeighbours)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 1, -1 }, { 1, 0 } };
+  input.Corners = { 0, 4, 2, 4, 1, 2, 0, 1, 4, 1, 0, 3 };
+  input.Regions = { 5, 5, 6, 7 };
+  input.IsFrozen = { 1, 0, 0, 1 };
+  input.CellIds = { 10, 11, 12, 13 };
+  ProblemList problems;
+  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
+  ASSERT_EQ(problems.Groups().size(), 1u);
+  EXPECT_EQ(problems.Groups()[0].Code, ProblemCode::FlatTriangles);
+  EXPECT_EQ(problems.Groups()[0].First[0].Ids, (std::vector<std::int64_t>{ 12 }));
+  EXPECT_EQ(mesh.Origins, (std::vector<Id>{ 0, 1, 3, 3 }));
+  EXPECT_EQ(mesh.Regions, (std::vector<Id>{ 5, 5, 7, 7 }));
+  EXPECT_EQ(mesh.IsRepaired, (std::vector<std::uint8_t>{ 0, 0, 1, 1 }));
+  EXPECT_EQ(mesh.IsFrozen, (std::vector<std::uint8_t>{ 1, 0, 0, 0 }));
+  EXPECT_DOUBLE_EQ(mesh.Area, 2.0);
+}
+
+TEST(OldMesh, SlitsAreClosedThatAreNoWiderThanAsked)
+{
+  for (const double width : { 1e-7, 1e-5 })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, width }, { 1 - width, 1 } };
+    input.Corners = { 0, 1, 2, 5, 4, 3 }; // of both orientations
+    ProblemList problems;
+    const OldMesh mesh = ReadOldMesh(input, 1e-6, problems, NoMonitor());
+    ASSERT_FALSE(mesh.Corners.empty());
+    EXPECT_EQ(problems.Count(ProblemCode::NearPoints), width < 1e-6 ? 2 : 0);
+    EXPECT_EQ(std::count(mesh.Neighbors.begin(), mesh.Neighbors.end(), NoId), width < 1e-6 ? 4 : 6);
+  }
 }
 
 TEST(OldMesh, WhatIsNoMeshIsRefusedWithItsCells)
@@ -52,7 +88,7 @@ TEST(OldMesh, WhatIsNoMeshIsRefusedWithItsCells)
     input.Points = points;
     input.Corners = corners;
     ProblemList problems;
-    EXPECT_TRUE(ReadOldMesh(input, problems, NoMonitor()).Points.empty());
+    EXPECT_TRUE(ReadOldMesh(input, 0.0, problems, NoMonitor()).Points.empty());
     ASSERT_GE(problems.Count(ProblemCode::BadTriangles), 1);
     const Problem& first = problems.Groups().back().First.front();
     EXPECT_EQ(first.Ids.size(), 1u);

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FlatTriangles.h"
+
+#include "../Predicates/Predicates.h"
+#include "../Quality/TriangleLinks.h"
+
+#include <algorithm> // for copy, find, max, minmax
+#include <cmath>     // for abs
+#include <numeric>   // for iota
+
+namespace biting
+{
+
+namespace
+{
+
+// Where flat triangles lie side by side, each round mends those at the rim of what is left.
+constexpr int MostRounds = 32;
+
+class FlatRepair
+{
+public:
+  FlatRepair(const std::vector<Point2>& points, double rounding, std::vector<Id>& corners)
+    : Points(points)
+    , Rounding(rounding)
+    , Corners(corners)
+  {
+  }
+
+  FlatTriangleRepair Run();
+
+private:
+  const Point2& Place(Id triangle, Id corner) const
+  {
+    return this->Points[this->Corners[3 * triangle + corner]];
+  }
+  int SideOf(Id triangle) const
+  {
+    return Orient2D(this->Place(triangle, 0), this->Place(triangle, 1), this->Place(triangle, 2));
+  }
+  Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
+  void FindSide();
+  std::vector<Id> FindFlat() const;
+  bool IsFlat(Id triangle) const;
+  Id TopOf(Id triangle) const;
+  void Begin();
+  void MendAll(const std::vector<Id>& flat);
+  bool Weld(Id triangle);
+  Id Root(Id vertex) const;
+  void Remove(Id triangle);
+  void Tell(Id triangle);
+  void Divide(Id triangle, Id top, Id neighbor);
+  void Pack();
+
+  const std::vector<Point2>& Points;
+  double Rounding;
+  std::vector<Id>& Corners;
+  int Side = 0;                        ///< on which most triangles have their third corner
+  std::vector<Id> Stays;               ///< of each vertex: itself, or a lower one at its place
+  std::vector<std::uint8_t> IsTouched; ///< of each triangle: changed in this round
+  std::vector<std::uint8_t> IsGone;    ///< of each triangle
+  FlatTriangleRepair Result;
+};
+
+FlatTriangleRepair FlatRepair::Run()
+{
+  this->FindSide();
+  std::vector<Id> flat = this->FindFlat();
+  if (static_cast<Id>(flat.size()) == this->NumberOfTriangles())
+  {
+    return {};
+  }
+  for (int round = 0; round < MostRounds && !flat.empty(); ++round)
+  {
+    this->Begin();
+    this->MendAll(flat);
+    this->Pack();
+    flat = this->FindFlat();
+  }
+  return std::move(this->Result);
+}
+
+void FlatRepair::FindSide()
+{
+  Id sum = 0;
+  for (Id triangle = 0; triangle < this->NumberOfTriangles(); ++triangle)
+  {
+    sum += this->SideOf(triangle);
+  }
+  this->Side = sum < 0 ? -1 : 1;
+}
+
+std::vector<Id> FlatRepair::FindFlat() const
+{
+  std::vector<Id> flat;
+  for (Id triangle = 0; triangle < this->NumberOfTriangles(); ++triangle)
+  {
+    if (this->SideOf(triangle) != this->Side && this->IsFlat(triangle))
+    {
+      flat.push_back(triangle);
+    }
+  }
+  return flat;
+}
+
+bool FlatRepair::IsFlat(Id triangle) const
+{
+  const Id top = this->TopOf(triangle);
+  const Point2& start = this->Place(triangle, (top + 1) % 3);
+  const Point2& end = this->Place(triangle, (top + 2) % 3);
+  return this->SideOf(triangle) == 0 ||
+    std::abs(Cross(end - start, this->Place(triangle, top) - start)) <=
+    this->Rounding * Distance(start, end);
+}
+
+/// The corner across the longest side.
+Id FlatRepair::TopOf(Id triangle) const
+{
+  Id top = 0;
+  double longest = -1.0;
+  for (Id corner = 0; corner < 3; ++corner)
+  {
+    const double length =
+      Distance(this->Place(triangle, (corner + 1) % 3), this->Place(triangle, (corner + 2) % 3));
+    top = length > longest ? corner : top;
+    longest = std::max(longest, length);
+  }
+  return top;
+}
+
+void FlatRepair::Begin()
+{
+  const auto triangles = static_cast<std::size_t>(this->NumberOfTriangles());
+  if (this->Result.Origins.empty())
+  {
+    this->Result.Origins.resize(triangles);
+    std::iota(this->Result.Origins.begin(), this->Result.Origins.end(), 0);
+    this->Result.IsNew.assign(triangles, 0);
+  }
+  this->Stays.resize(this->Points.size());
+  std::iota(this->Stays.begin(), this->Stays.end(), 0);
+  this->IsTouched.assign(triangles, 0);
+  this->IsGone.assign(triangles, 0);
+}
+
+void FlatRepair::MendAll(const std::vector<Id>& flat)
+{
+  const TriangleLinks links = LinkTriangles(this->Corners, static_cast<Id>(this->Points.size()));
+  for (const Id triangle : flat)
+  {
+    const Id top = this->TopOf(triangle);
+    const Id neighbor = links.Neighbors[3 * triangle + top];
+    if (this->IsTouched[triangle] || this->Weld(triangle))
+    {
+      continue;
+    }
+    if (neighbor == NoId)
+    {
+      this->Remove(triangle);
+    }
+    else if (!this->IsTouched[neighbor])
+    {
+      this->Divide(triangle, top, neighbor);
+    }
+  }
+}
+
+/// Makes two corners at one place one, if there are such.
+bool FlatRepair::Weld(Id triangle)
+{
+  for (Id corner = 0; corner < 3; ++corner)
+  {
+    const Id one = this->Corners[3 * triangle + corner];
+    const Id other = this->Corners[3 * triangle + (corner + 1) % 3];
+    if (this->Points[one] == this->Points[other])
+    {
+      const auto [stays, goes] = std::minmax({ this->Root(one), this->Root(other) });
+      if (stays != goes)
+      {
+        this->Stays[goes] = stays;
+        this->Result.Welded.emplace_back(goes, stays);
+      }
+      this->Remove(triangle);
+      return true;
+    }
+  }
+  return false;
+}
+
+Id FlatRepair::Root(Id vertex) const
+{
+  while (this->Stays[vertex] != vertex)
+  {
+    vertex = this->Stays[vertex];
+  }
+  return vertex;
+}
+
+void FlatRepair::Remove(Id triangle)
+{
+  this->IsTouched[triangle] = 1;
+  this->IsGone[triangle] = 1;
+  this->Tell(triangle);
+}
+
+void FlatRepair::Tell(Id triangle)
+{
+  const Point2 sum = this->Place(triangle, 0) + this->Place(triangle, 1) + this->Place(triangle, 2);
+  this->Result.Flat.push_back({ this->Result.Origins[triangle], (1.0 / 3.0) * sum });
+}
+
+void FlatRepair::Divide(Id triangle, Id top, Id neighbor)
+{
+  Id* const flat = this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  Id* const other = this->Corners.data() + 3 * static_cast<std::size_t>(neighbor);
+  const Id middle = flat[top];
+  const Id start = flat[(top + 1) % 3];
+  const Id end = flat[(top + 2) % 3];
+  Id* const atStart = std::find(other, other + 3, start);
+  Id* const atEnd = std::find(other, other + 3, end);
+  if (neighbor == triangle || atStart == other + 3 || atEnd == other + 3)
+  {
+    return; // more than two triangles at that side
+  }
+  this->Tell(triangle);
+  std::copy(other, other + 3, flat);
+  flat[atEnd - other] = middle;
+  *atStart = middle;
+  for (const Id changed : { triangle, neighbor })
+  {
+    this->IsTouched[changed] = 1;
+    this->Result.Origins[changed] = this->Result.Origins[neighbor];
+    this->Result.IsNew[changed] = 1;
+  }
+}
+
+// Triangles that are left move up.
+void FlatRepair::Pack()
+{
+  std::size_t left = 0;
+  for (Id triangle = 0; triangle < this->NumberOfTriangles(); ++triangle)
+  {
+    if (this->IsGone[triangle])
+    {
+      continue;
+    }
+    std::uint8_t isNew = this->Result.IsNew[triangle];
+    for (Id corner = 0; corner < 3; ++corner)
+    {
+      const Id before = this->Corners[3 * triangle + corner];
+      const Id now = this->Root(before);
+      this->Corners[3 * left + static_cast<std::size_t>(corner)] = now;
+      isNew |= now != before ? 1 : 0;
+    }
+    this->Result.Origins[left] = this->Result.Origins[triangle];
+    this->Result.IsNew[left++] = isNew;
+  }
+  this->Corners.resize(3 * left);
+  this->Result.Origins.resize(left);
+  this->Result.IsNew.resize(left);
+}
+
+} // namespace
+
+FlatTriangleRepair RepairFlatTriangles(
+  const std::vector<Point2>& points, double rounding, std::vector<Id>& corners)
+{
+  return FlatRepair(points, rounding, corners).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFlatTriangles_h
+#define BitingFlatTriangles_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <cstdint> // for flags
+#include <utility> // for pairs
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// One that was flat.
+struct FlatTriangle
+{
+  Id Triangle = NoId;
+  Point2 Middle;
+};
+
+/// What became of flat triangles. Triangles that were neither flat nor beside such are what they
+/// were, in their order.
+struct FlatTriangleRepair
+{
+  std::vector<FlatTriangle> Flat;  ///< in the order in which they went
+  std::vector<Id> Origins;         ///< of each triangle now: the one that was there, or beside it
+  std::vector<std::uint8_t> IsNew; ///< of each triangle now: its corners are others
+  std::vector<std::pair<Id, Id>> Welded; ///< vertices at one place: that which went, which stayed
+};
+
+/// Takes flat triangles out of a mesh, as contours, clips and triangulations of polygons leave them
+/// behind: those without area, and those that lie the other way round than most by no more than
+/// `rounding`. Of two corners at one place the lower one stays for both; else the triangle across
+/// the longest side is divided at the third corner, and the flat one is a part of it afterwards. At
+/// a free edge the flat one only goes. What cannot be mended so stays, and so does a mesh that has
+/// no other triangles. `corners` are three a triangle, of any orientation. Cost O(n), once where
+/// nothing is flat.
+FlatTriangleRepair RepairFlatTriangles(
+  const std::vector<Point2>& points, double rounding, std::vector<Id>& corners);
+
+} // namespace biting
+
+#endif

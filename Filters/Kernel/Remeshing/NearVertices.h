@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingNearVertices_h
+#define BitingNearVertices_h
+
+#include "../Base/Ids.h"
+#include "../Base/Point2.h"
+
+#include <utility> // for pairs
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The pairs of different `vertices` that are not further apart than `nearest`, which may be 0, each
+/// pair once or twice, in an order that depends on places and numbers alone. Cost O(n log n) where
+/// few are that near to one.
+std::vector<std::pair<Id, Id>> FindNearVertices(
+  const std::vector<Point2>& points, std::vector<Id> vertices, double nearest);
+
+} // namespace biting
+
+#endif

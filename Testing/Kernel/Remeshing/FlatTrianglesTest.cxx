@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remeshing/FlatTriangles.h"
+#include "Predicates/Predicates.h"
+#include "Remeshing/OldMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <random> // for places
+
+namespace biting
+{
+
+namespace
+{
+
+double AreaOf(const std::vector<Point2>& points, const std::vector<Id>& corners)
+{
+  double area = 0.0;
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+  {
+    const Point2& a = points[corners[k]];
+    area += 0.5 * std::abs(Cross(points[corners[k + 1]] - a, points[corners[k + 2]] - a));
+  }
+  return area;
+}
+
+/// Whether they form a mesh, and cover what `before` did.
+void ExpectMesh(
+  const std::vector<Point2>& points, const std::vector<Id>& corners, const std::vector<Id>& before)
+{
+  RemeshInput input;
+  input.Points = points;
+  input.Corners = corners;
+  ProblemList problems;
+  EXPECT_FALSE(ReadOldMesh(input, 0.0, problems, NoMonitor()).Corners.empty());
+  EXPECT_NEAR(AreaOf(points, corners), AreaOf(points, before), 1e-12 * AreaOf(points, before));
+}
+
+/// A square of n x n cells of two triangles. On each inner horizontal line, a vertex more in the
+/// middle of its cell, that only the triangles above have: a flat one below joins both sides.
+std::vector<Id> SquareWithSeams(Id n, std::vector<Point2>& points)
+{
+  const auto at = [n](Id column, Id row) { return row * (n + 1) + column; };
+  for (Id row = 0; row <= n; ++row)
+  {
+    for (Id column = 0; column <= n; ++column)
+    {
+      points.push_back({ static_cast<double>(column), static_cast<double>(row) });
+    }
+  }
+  std::vector<Id> corners;
+  for (Id row = 0; row < n; ++row)
+  {
+    for (Id column = 0; column < n; ++column)
+    {
+      const Id a = at(column, row);
+      const Id b = at(column + 1, row);
+      const Id c = at(column + 1, row + 1);
+      const Id d = at(column, row + 1);
+      corners.insert(corners.end(), { a, c, d });
+      if (row == 0)
+      {
+        corners.insert(corners.end(), { a, b, c });
+        continue;
+      }
+      const Id middle = static_cast<Id>(points.size());
+      points.push_back(Midpoint(points[a], points[b]));
+      corners.insert(corners.end(), { a, middle, c, middle, b, c, a, b, middle });
+    }
+  }
+  return corners;
+}
+
+} // namespace
+
+TEST(FlatTriangles, OfNoneNothingChanges)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  std::vector<Id> corners{ 0, 1, 2, 0, 2, 3 };
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_EQ(corners, (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+  EXPECT_TRUE(repair.Flat.empty() && repair.Origins.empty() && repair.Welded.empty());
+}
+
+TEST(FlatTriangles, DivideTheTriangleAcrossTheirLongestSide)
+{
+  std::vector<Point2> points;
+  const std::vector<Id> before = SquareWithSeams(6, points);
+  std::vector<Id> corners = before;
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_EQ(repair.Flat.size(), 30u); // five lines of six
+  ASSERT_EQ(corners.size(), before.size());
+  ExpectMesh(points, corners, before);
+  for (std::size_t triangle = 0; triangle < repair.Origins.size(); ++triangle)
+  {
+    const bool isSame = std::equal(before.begin() + 3 * static_cast<std::ptrdiff_t>(triangle),
+      before.begin() + 3 * static_cast<std::ptrdiff_t>(triangle) + 3,
+      corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangle));
+    EXPECT_EQ(isSame, repair.IsNew[triangle] == 0);
+    EXPECT_TRUE(!isSame || repair.Origins[triangle] == static_cast<Id>(triangle));
+  }
+}
+
+TEST(FlatTriangles, AtFreeEdgesGo)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 2, 0 }, { 1, 1 }, { 1, 0 } };
+  std::vector<Id> corners{ 0, 1, 3, 0, 3, 2, 3, 1, 2 };
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_EQ(corners, (std::vector<Id>{ 0, 3, 2, 3, 1, 2 }));
+  EXPECT_EQ(repair.Origins, (std::vector<Id>{ 1, 2 }));
+  EXPECT_EQ(repair.IsNew, (std::vector<std::uint8_t>{ 0, 0 }));
+  ASSERT_EQ(repair.Flat.size(), 1u);
+  EXPECT_EQ(repair.Flat[0].Triangle, 0);
+  EXPECT_EQ(repair.Flat[0].Middle, (Point2{ 1, 0 }));
+}
+
+TEST(FlatTriangles, BesideOthersGoInTurn)
+{
+  // A fan of flat triangles between two edges of one line, from a side to its parts.
+  std::vector<Point2> points{ { 0, 0 }, { 8, 0 }, { 4, 4 }, { 4, -4 } };
+  std::vector<Id> corners{ 0, 1, 2 };
+  Id last = 1;
+  for (Id k = 1; k < 8; ++k)
+  {
+    points.push_back({ 8.0 - static_cast<double>(k), 0.0 });
+    const Id next = static_cast<Id>(points.size()) - 1;
+    corners.insert(corners.end(), { next, last, 3, 0, last, next });
+    last = next;
+  }
+  corners.insert(corners.end(), { 0, last, 3 });
+  const std::vector<Id> before = corners;
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_GE(repair.Flat.size(), 7u);
+  ExpectMesh(points, corners, before);
+}
+
+TEST(FlatTriangles, CornersAtOnePlaceBecomeOne)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 2, 1 }, { 0, 1 }, { 1, 0 }, { 2, 0 } };
+  const std::vector<Id> before{ 0, 1, 3, 4, 2, 3, 1, 4, 3, 4, 5, 2 };
+  std::vector<Id> corners = before;
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_EQ(corners, (std::vector<Id>{ 0, 1, 3, 1, 2, 3, 1, 5, 2 }));
+  EXPECT_EQ(repair.Welded, (std::vector<std::pair<Id, Id>>{ { 4, 1 } }));
+  EXPECT_EQ(repair.IsNew, (std::vector<std::uint8_t>{ 0, 1, 1 }));
+  ExpectMesh(points, corners, before);
+}
+
+TEST(FlatTriangles, AreThoseThatRoundingTurnedOver)
+{
+  // The middle vertex of one side lies beyond it.
+  for (const double offset : { 1e-9, 1e-3 })
+  {
+    const std::vector<Point2> points{ { 0, 0 }, { 2, 0 }, { 1, 1 }, { 1, -1 }, { 1, offset } };
+    const std::vector<Id> before{ 0, 1, 2, 0, 4, 1, 0, 3, 4, 3, 1, 4 };
+    std::vector<Id> corners = before;
+    const FlatTriangleRepair repair = RepairFlatTriangles(points, 1e-6, corners);
+    EXPECT_EQ(repair.Flat.size(), offset < 1e-6 ? 1u : 0u);
+    EXPECT_EQ(corners == before, offset > 1e-6);
+  }
+}
+
+TEST(FlatTriangles, StayWhereThereIsNothingElse)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 1, 1 }, { 2, 2 } };
+  std::vector<Id> corners{ 0, 1, 2 };
+  EXPECT_TRUE(RepairFlatTriangles(points, 0.0, corners).Flat.empty());
+  EXPECT_EQ(corners.size(), 3u);
+}
+
+// Vertices of a strip are put on lines by chance, as many at one place as may be.
+TEST(FlatTriangles, OfAnyStripLeaveAMeshOrAreLeft)
+{
+  std::mt19937 random(7);
+  for (int repetition = 0; repetition < 400; ++repetition)
+  {
+    std::vector<Point2> points{ { 0, 0 }, { 20, 0 }, { 10, 9 }, { 10, -9 } };
+    std::vector<Id> above{ 0 };
+    std::vector<Id> below{ 0 };
+    for (Id place = 1; place < 20; ++place)
+    {
+      for (std::vector<Id>* line : { &above, &below })
+      {
+        if (random() % 3 == 0)
+        {
+          line->push_back(static_cast<Id>(points.size()));
+          points.push_back({ static_cast<double>(place), 0.0 });
+        }
+      }
+    }
+    above.push_back(1);
+    below.push_back(1);
+    std::vector<Id> corners;
+    for (std::size_t k = 1; k < above.size(); ++k)
+    {
+      corners.insert(corners.end(), { above[k - 1], above[k], 2 });
+    }
+    for (std::size_t k = 1; k < below.size(); ++k)
+    {
+      corners.insert(corners.end(), { below[k], below[k - 1], 3 });
+    }
+    // What is between both lines has no area.
+    std::size_t up = 0;
+    std::size_t down = 0;
+    while (up + 1 < above.size() || down + 1 < below.size())
+    {
+      const bool isUp = down + 1 == below.size() || (up + 1 < above.size() && random() % 2 == 0);
+      const Id next = isUp ? above[up + 1] : below[down + 1];
+      if (next != above[up] && next != below[down] && above[up] != below[down])
+      {
+        corners.insert(corners.end(), { above[up], below[down], next });
+      }
+      ++(isUp ? up : down);
+    }
+    const std::vector<Id> before = corners;
+    const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+    ExpectMesh(points, corners, before);
+    EXPECT_EQ(3 * repair.Origins.size(), repair.Origins.empty() ? 0 : corners.size());
+  }
+}
+
+} // namespace biting
