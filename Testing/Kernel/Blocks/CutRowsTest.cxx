@@ -46,7 +46,7 @@ TEST(CutRows, FittingPlacesAreWholePairsOfRowsOrWholeSidesFromBothSidesOfTheBox)
   }
 }
 
-/// A hexagon's level sides are half as long as it is wide, and begin between whole sides of its box.
+/// The level sides of a hexagon are half as long as it is wide; they begin within sides of its box.
 TEST(CutRows, SidesAreCountedAlongTheLongestSideOfTheBoundary)
 {
   const Spacing f = SpacingOf(UniformSpacing(0.01));
