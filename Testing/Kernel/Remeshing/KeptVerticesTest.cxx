@@ -25,7 +25,7 @@ double ShareOfChosen(double ratio)
   const BitingMesh mesh = MakeBitingMesh(
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), meshing, problems, NoMonitor());
   SilentMonitor monitor;
-  const OldMesh old = ReadOldMesh(RemeshInputOf(mesh, 1e-15), problems, monitor);
+  const OldMesh old = ReadOldMesh(RemeshInputOf(mesh, 1e-15), 0.0, problems, monitor);
   const std::vector<double> wanted(old.Points.size(), 0.05 / ratio);
   const ChangedRegion region = WholeRegion(old, MeanLengths(old, wanted));
   const KeepRules rules;
