@@ -38,8 +38,7 @@ namespace biting
 namespace
 {
 
-// Where steps end, as shares of the time of a stage: of preparing the spacing, biting, a
-// triangulation, and the last stage.
+// Where steps end, as shares of the time of their stage.
 constexpr double LocatorEnd = 0.05;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;

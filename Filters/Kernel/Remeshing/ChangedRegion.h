@@ -39,8 +39,8 @@ struct ChangedRegion
 std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings);
 
 /// The triangles at the vertices that are marked (MisfitVertices.h) or of repaired triangles, and
-/// those around them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths returned. Cost O(n), little a
-/// triangle.
+/// those around them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths
+/// returned. Cost O(n), little a triangle.
 ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths,
   std::vector<std::uint8_t> isMarked, int rings);
 

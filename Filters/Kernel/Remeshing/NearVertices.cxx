@@ -29,8 +29,8 @@ bool operator<(const StripVertex& a, const StripVertex& b)
 
 } // namespace
 
-// Strips are twice as wide as vertices may be apart: two of them share a strip, or one of those that
-// lie half a width beside.
+// Strips are twice as wide as vertices may be apart: two of them share a strip, or one of those
+// that lie half a width beside.
 std::vector<std::pair<Id, Id>> FindNearVertices(
   const std::vector<Point2>& points, std::vector<Id> vertices, double nearest)
 {

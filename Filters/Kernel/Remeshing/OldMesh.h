@@ -95,14 +95,15 @@ struct OldMesh
   }
 };
 
-/// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one (ProblemCode::DuplicatePoints where they are at the same place, else
-/// NearPoints), with their lines, and fixed where one of them was; flat triangles are mended
-/// (ProblemCode::FlatTriangles, FlatTriangles.h); triangles are turned counterclockwise. Edges of
-/// one triangle, or between regions, or on lines are marked; lines that are no edges are dropped
+/// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one
+/// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
+/// lines, and fixed where one of them was; flat triangles are mended (ProblemCode::FlatTriangles,
+/// FlatTriangles.h); triangles are turned counterclockwise. Edges of one triangle, or between
+/// regions, or on lines are marked; lines that are no edges are dropped
 /// (ProblemCode::OutsideInterfaces).
 ///
-/// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an
-/// area, an edge of more than two triangles, two triangles on the same side of an edge, and triangles
+/// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an area,
+/// an edge of more than two triangles, two triangles on the same side of an edge, and triangles
 /// that overlap: the free edges bound less than the triangles have together, by more than rounding
 /// along them and 1e-9 of it, 1e-6 where they meet by rounding. Cost O(n) in the triangles and O(m
 /// log m) in the free edges.
