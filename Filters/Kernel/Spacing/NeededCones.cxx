@@ -119,6 +119,10 @@ private:
   {
     return this->Part.Source.Points[static_cast<std::size_t>(point)];
   }
+  Point2 PlaceOn(Id start, Id end, double weight) const
+  {
+    return this->PlaceOf(start) + weight * (this->PlaceOf(end) - this->PlaceOf(start));
+  }
   double GivenAt(Id point) const
   {
     return this->Part.Source.Values[static_cast<std::size_t>(point)];
@@ -214,15 +218,37 @@ private:
     }
   }
 
-  /// Along the sides of a triangle.
+  /// Along the sides of a triangle, and along the line where its values reach the largest one: up
+  /// to there they rise away from a cone, and no side may come near.
   bool IsBelowValues(const SegmentCone& cone, const Id* corners) const
   {
+    Point2 atMost[3];
+    int count = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Id start = corners[k];
-      const Id end = corners[(k + 1) % 3];
-      if (this->IsBelow(start, end) ? this->IsBelowSide(cone, start, end)
-                                    : this->IsBelowSide(cone, end, start))
+      const bool isRising = this->IsBelow(corners[k], corners[(k + 1) % 3]);
+      const Id low = corners[isRising ? k : (k + 1) % 3];
+      const Id high = corners[isRising ? (k + 1) % 3 : k];
+      if (this->IsBelowSide(cone, low, high))
+      {
+        return true;
+      }
+      const double weight = this->WeightAt(this->Range.Most, low, high, 1.0);
+      if (weight < 1.0)
+      {
+        atMost[count++] = this->PlaceOn(low, high, weight);
+      }
+    }
+    return count == 2 && this->IsBelowMost(cone, atMost[0], atMost[1]);
+  }
+
+  bool IsBelowMost(const SegmentCone& cone, const Point2& start, const Point2& end) const
+  {
+    const double room = IdleTolerance * cone.Value;
+    for (int part = 0; part <= PartsOfSide; ++part)
+    {
+      const double weight = static_cast<double>(part) / PartsOfSide;
+      if (cone(start + weight * (end - start), this->Gradation) < this->Range.Most - room)
       {
         return true;
       }
@@ -240,8 +266,7 @@ private:
     {
       const double weight = from + (to - from) * part / PartsOfSide;
       const double given = (1.0 - weight) * this->GivenAt(low) + weight * this->GivenAt(high);
-      const Point2 place = this->PlaceOf(low) + weight * (this->PlaceOf(high) - this->PlaceOf(low));
-      if (cone(place, this->Gradation) < this->Range(given) - room)
+      if (cone(this->PlaceOn(low, high, weight), this->Gradation) < this->Range(given) - room)
       {
         return true;
       }

@@ -37,7 +37,7 @@ struct TrianglePart
 /// From the lowest point up, each hands the cone that covers it on to those above. So a field that
 /// is as steep as the gradation, or a little steeper, is left with cones of its low places, if any.
 /// What covers an edge, but not the points on a way to it, is not found; values are looked at along
-/// the sides of triangles.
+/// the sides of triangles, and where the largest value cuts them.
 /// Cost: n log n for n triangles, few of them at each point.
 constexpr double CoverTolerance = 0.005;
 constexpr double IdleTolerance = 0.01;

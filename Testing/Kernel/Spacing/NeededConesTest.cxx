@@ -136,3 +136,17 @@ TEST(NeededCones, AreJudgedByTheSpacingAndNotByTheValues)
   EXPECT_FALSE(NeededOf(source).empty());
   EXPECT_TRUE(NeededOf(source, { 1.0, 0.0, 0.01 }).empty());
 }
+
+// Of this triangle no side is steep, but its gradient is.
+TEST(NeededCones, AreThoseOfSidesWhereTheLargestValueCutsTheTriangle)
+{
+  TriangulatedSource source;
+  source.Points = { { 0.0, 0.0 }, { 0.2, 0.2 }, { 0.2, -0.2 } };
+  source.Values = { 0.02, 0.1, 0.1 };
+  source.Triangles = { 0, 1, 2 };
+  const ValueRange range{ 1.0, 0.0, 0.05 };
+  const std::vector<LowEdge> needed = NeededOf(source, range);
+  ASSERT_FALSE(needed.empty());
+  const SegmentExtension limit = LimitOf(needed);
+  EXPECT_NEAR(limit({ 0.07, 0.0 }), 0.02 + Gradation * 0.07, 1e-12); // 0.048 is given
+}
