@@ -346,7 +346,7 @@ bool vtkBitingRemesher::Execution::Report()
 // Vertices of the kernel become points of the input, lines and triangles their cells.
 void vtkBitingRemesher::Execution::NumberPoints()
 {
-  if (!this->Result.Old.Origins.empty())
+  if (!this->Result.Old.Origins.empty() && !this->Result.IsUnchanged)
   {
     const std::vector<vtkIdType> before = std::move(this->Mesh.CellIds);
     this->Mesh.CellIds.clear();

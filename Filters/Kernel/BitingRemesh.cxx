@@ -409,7 +409,7 @@ RemeshResult Remesh(
   {
     ProblemList second = problems;
     result = Remesher(input, input.Rounding, options, second, monitor).Run();
-    first = second.HasErrors() ? first : second;
+    first = second.HasErrors() && !second.Has(ProblemCode::Aborted) ? first : second;
   }
   problems = std::move(first);
   return result;

@@ -142,6 +142,10 @@ void MarkRepaired(const OldMesh& mesh, Flags& isMarked)
       isMarked[mesh.Corners[slot]] = 1;
     }
   }
+  for (const Id vertex : mesh.RepairedVertices)
+  {
+    isMarked[vertex] = 1;
+  }
 }
 
 } // namespace

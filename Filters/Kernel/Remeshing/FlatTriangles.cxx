@@ -51,6 +51,7 @@ private:
   Id Root(Id vertex) const;
   void Remove(Id triangle);
   void Tell(Id triangle);
+  void TellDivided(Id triangle, Id top);
   void Divide(Id triangle, Id top, Id neighbor);
   void Pack();
 
@@ -61,6 +62,7 @@ private:
   std::vector<Id> Stays;               ///< of each vertex: itself, or a lower one at its place
   std::vector<std::uint8_t> IsTouched; ///< of each triangle: changed in this round
   std::vector<std::uint8_t> IsGone;    ///< of each triangle
+  std::vector<std::uint8_t> IsTold;    ///< of each triangle that was there
   FlatTriangleRepair Result;
 };
 
@@ -138,6 +140,7 @@ void FlatRepair::Begin()
     this->Result.Origins.resize(triangles);
     std::iota(this->Result.Origins.begin(), this->Result.Origins.end(), 0);
     this->Result.IsNew.assign(triangles, 0);
+    this->IsTold.assign(triangles, 0);
   }
   this->Stays.resize(this->Points.size());
   std::iota(this->Stays.begin(), this->Stays.end(), 0);
@@ -158,6 +161,7 @@ void FlatRepair::MendAll(const std::vector<Id>& flat)
     }
     if (neighbor == NoId)
     {
+      this->TellDivided(triangle, top);
       this->Remove(triangle);
     }
     else if (!this->IsTouched[neighbor])
@@ -203,12 +207,27 @@ void FlatRepair::Remove(Id triangle)
   this->IsTouched[triangle] = 1;
   this->IsGone[triangle] = 1;
   this->Tell(triangle);
+  const Id* corners = this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  this->Result.RimVertices.insert(this->Result.RimVertices.end(), corners, corners + 3);
 }
 
+// Parts of a flat one that another divided are flat again.
 void FlatRepair::Tell(Id triangle)
 {
+  std::uint8_t& isTold = this->IsTold[this->Result.Origins[triangle]];
+  if (isTold)
+  {
+    return;
+  }
+  isTold = 1;
   const Point2 sum = this->Place(triangle, 0) + this->Place(triangle, 1) + this->Place(triangle, 2);
   this->Result.Flat.push_back({ this->Result.Origins[triangle], (1.0 / 3.0) * sum });
+}
+
+void FlatRepair::TellDivided(Id triangle, Id top)
+{
+  const Id* corners = this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  this->Result.Divided.push_back({ corners[(top + 1) % 3], corners[(top + 2) % 3], corners[top] });
 }
 
 void FlatRepair::Divide(Id triangle, Id top, Id neighbor)
@@ -225,6 +244,7 @@ void FlatRepair::Divide(Id triangle, Id top, Id neighbor)
     return; // more than two triangles at that side
   }
   this->Tell(triangle);
+  this->TellDivided(triangle, top);
   std::copy(other, other + 3, flat);
   flat[atEnd - other] = middle;
   *atStart = middle;

@@ -7,6 +7,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 
+#include <array>   // for sides
 #include <cstdint> // for flags
 #include <utility> // for pairs
 #include <vector>  // for the arrays
@@ -21,14 +22,19 @@ struct FlatTriangle
   Point2 Middle;
 };
 
+/// A side of a flat triangle that is no edge any more: its ends, and the corner between.
+using DividedSide = std::array<Id, 3>;
+
 /// What became of flat triangles. Triangles that were neither flat nor beside such are what they
 /// were, in their order.
 struct FlatTriangleRepair
 {
-  std::vector<FlatTriangle> Flat;  ///< in the order in which they went
+  std::vector<FlatTriangle> Flat;  ///< in the order in which they went, each once
   std::vector<Id> Origins;         ///< of each triangle now: the one that was there, or beside it
   std::vector<std::uint8_t> IsNew; ///< of each triangle now: its corners are others
   std::vector<std::pair<Id, Id>> Welded; ///< vertices at one place: that which went, which stayed
+  std::vector<DividedSide> Divided;      ///< in the order in which they went
+  std::vector<Id> RimVertices;           ///< corners of those that went with nothing in their place
 };
 
 /// Takes flat triangles out of a mesh, as contours, clips and triangulations of polygons leave them

@@ -30,7 +30,7 @@ bool operator<(const StripVertex& a, const StripVertex& b)
 } // namespace
 
 // Strips are twice as wide as vertices may be apart: two of them share a strip, or one of those
-// that lie half a width beside.
+// that lie half a width beside. Of many at one place each is paired with the next.
 std::vector<std::pair<Id, Id>> FindNearVertices(
   const std::vector<Point2>& points, std::vector<Id> vertices, double nearest)
 {
@@ -57,6 +57,10 @@ std::vector<std::pair<Id, Id>> FindNearVertices(
         if (Distance(one->Place, other->Place) <= nearest)
         {
           pairs.emplace_back(one->Vertex, other->Vertex);
+        }
+        if (other->Place == one->Place)
+        {
+          break; // what is near to the one is near to the other
         }
       }
     }

@@ -12,6 +12,7 @@
 #include <algorithm> // for lower_bound, sort
 #include <cmath>     // for abs
 #include <cstdint>   // for flags
+#include <set>       // for parts of lines
 #include <string>    // for details
 #include <utility>   // for swap
 
@@ -72,6 +73,8 @@ private:
   void MarkEdges();
   std::vector<Id> SlotsOfLines() const;
   void MarkLines();
+  bool MarkLine(Id line, const std::vector<Id>& slots);
+  bool MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots);
   void CheckOverlaps();
   Polylines FreeEdges();
   void AddMeetings(const ProblemList& found);
@@ -90,6 +93,7 @@ private:
   Pulse Progress;
   OldMesh Mesh;
   std::vector<Id> Numbers; ///< of each vertex of the input: the one that it was made; empty: itself
+  std::vector<DividedSide> Divided; ///< as MendedMesh has them
 };
 
 void Reader::Copy()
@@ -146,6 +150,7 @@ void Reader::Mend()
 {
   MendedMesh mended = MendOldMesh(this->Input, this->Nearest, this->Mesh, this->Problems);
   this->Numbers = std::move(mended.Numbers);
+  this->Divided = std::move(mended.Divided);
   for (const Id triangle : mended.Crowded)
   {
     this->AddBad(triangle, "more than two triangles share an edge of it");
@@ -191,7 +196,7 @@ void Reader::MarkEdges()
   }
 }
 
-// Those between ends of lines, by their ends.
+// Those between ends of lines, and of their parts, by their ends.
 std::vector<Id> Reader::SlotsOfLines() const
 {
   const OldMesh& mesh = this->Mesh;
@@ -202,6 +207,10 @@ std::vector<Id> Reader::SlotsOfLines() const
     {
       isEnd[this->NumberOf(end)] = 1;
     }
+  }
+  for (const DividedSide& side : this->Divided)
+  {
+    isEnd[side[2]] = 1;
   }
   std::vector<Id> slots;
   for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
@@ -222,31 +231,69 @@ std::vector<Id> Reader::SlotsOfLines() const
 
 void Reader::MarkLines()
 {
-  OldMesh& mesh = this->Mesh;
   const std::vector<Id> slots = this->SlotsOfLines();
   for (std::size_t line = 0; line < this->Input.LineStarts.size(); ++line)
   {
-    const Id start = this->NumberOf(this->Input.LineStarts[line]);
-    const Id end = this->NumberOf(this->Input.LineEnds[line]);
-    bool isEdge = false;
-    for (const auto& ends : { std::make_pair(start, end), std::make_pair(end, start) })
-    {
-      const auto slot = std::lower_bound(slots.begin(), slots.end(), ends,
-        [&mesh](Id a, const std::pair<Id, Id>& b)
-        { return std::make_pair(mesh.Start(a), mesh.End(a)) < b; });
-      if (slot != slots.end() && std::make_pair(mesh.Start(*slot), mesh.End(*slot)) == ends)
-      {
-        Id& mark = mesh.Marks[*slot];
-        mark = mark > OldMesh::Untagged ? mark : 1 + static_cast<Id>(line);
-        isEdge = true;
-      }
-    }
-    if (!isEdge)
+    if (!this->MarkLine(static_cast<Id>(line), slots))
     {
       this->Problems.Add({ ProblemCode::OutsideInterfaces, { this->Input.LineCells[line] },
-        mesh.Points[start], "it is no edge of the mesh" });
+        this->Mesh.Points[this->NumberOf(this->Input.LineStarts[line])],
+        "it is no edge of the mesh" });
     }
   }
+}
+
+// A line that is no edge, as a side of a flat triangle was divided, is both parts of it.
+bool Reader::MarkLine(Id line, const std::vector<Id>& slots)
+{
+  std::vector<std::pair<Id, Id>> parts{ std::minmax(
+    { this->NumberOf(this->Input.LineStarts[line]), this->NumberOf(this->Input.LineEnds[line]) }) };
+  std::set<std::pair<Id, Id>> seen(parts.begin(), parts.end());
+  bool isEdge = false;
+  while (!parts.empty())
+  {
+    const auto [start, end] = parts.back();
+    parts.pop_back();
+    if (this->MarkEdge(start, end, line, slots))
+    {
+      isEdge = true;
+      continue;
+    }
+    const DividedSide first{ start, end, 0 };
+    for (auto side = std::lower_bound(this->Divided.begin(), this->Divided.end(), first);
+         side != this->Divided.end() && (*side)[0] == start && (*side)[1] == end; ++side)
+    {
+      for (const Id other : { start, end })
+      {
+        const std::pair<Id, Id> part = std::minmax({ other, (*side)[2] });
+        if (seen.insert(part).second)
+        {
+          parts.push_back(part);
+        }
+      }
+    }
+  }
+  return isEdge;
+}
+
+// Both sides of the edge. Whether there is one.
+bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
+{
+  OldMesh& mesh = this->Mesh;
+  bool isEdge = false;
+  for (const auto& ends : { std::make_pair(start, end), std::make_pair(end, start) })
+  {
+    const auto slot = std::lower_bound(slots.begin(), slots.end(), ends,
+      [&mesh](Id a, const std::pair<Id, Id>& b)
+      { return std::make_pair(mesh.Start(a), mesh.End(a)) < b; });
+    if (slot != slots.end() && std::make_pair(mesh.Start(*slot), mesh.End(*slot)) == ends)
+    {
+      Id& mark = mesh.Marks[*slot];
+      mark = mark > OldMesh::Untagged ? mark : 1 + line;
+      isEdge = true;
+    }
+  }
+  return isEdge;
 }
 
 // The free edges as a drawing. They must bound as much as the triangles have.

@@ -53,6 +53,7 @@ struct OldMesh
   std::vector<std::uint8_t> IsFrozen;
   std::vector<Id> Origins;              ///< of each triangle: the one of the input; empty: the same
   std::vector<std::uint8_t> IsRepaired; ///< one a triangle: it has other corners now; empty: none
+  std::vector<Id> RepairedVertices;     ///< where flat triangles went with nothing in their place
   std::vector<Id> LineCells;
   std::vector<std::uint8_t> IsFrozenLine; ///< one a line, or none
   std::function<bool(Id, Id)> AreAlike;
@@ -99,7 +100,8 @@ struct OldMesh
 /// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
 /// lines, and fixed where one of them was; flat triangles are mended (ProblemCode::FlatTriangles,
 /// FlatTriangles.h); triangles are turned counterclockwise. Edges of one triangle, or between
-/// regions, or on lines are marked; lines that are no edges are dropped
+/// regions, or on lines are marked. Lines along sides of flat
+/// triangles stay on what is there instead; those that are no edges are dropped
 /// (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an area,

@@ -4,10 +4,9 @@
 #include "OldMeshRepair.h"
 
 #include "../Quality/TriangleLinks.h"
-#include "FlatTriangles.h"
 #include "NearVertices.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for max, min, sort
 #include <numeric>   // for iota
 #include <utility>   // for move
 
@@ -49,6 +48,7 @@ private:
   void WeldFreeEdges();
   void Weld(Id one, Id other);
   void MendFlat();
+  void KeepSides(const FlatTriangleRepair& repair);
   void TellFlat(const std::vector<FlatTriangle>& flat);
   void Renumber();
   Id NumberOf(Id vertex) const;
@@ -137,6 +137,7 @@ void Mender::MendFlat()
   {
     return;
   }
+  this->KeepSides(repair);
   std::vector<Id> regions;
   std::vector<std::uint8_t> isFrozen;
   for (std::size_t triangle = 0; triangle < repair.Origins.size(); ++triangle)
@@ -149,6 +150,20 @@ void Mender::MendFlat()
   mesh.IsFrozen = std::move(isFrozen);
   mesh.Origins = std::move(repair.Origins);
   mesh.IsRepaired = std::move(repair.IsNew);
+}
+
+void Mender::KeepSides(const FlatTriangleRepair& repair)
+{
+  for (const auto& [start, end, middle] : repair.Divided)
+  {
+    const auto [first, second] = std::minmax({ this->NumberOf(start), this->NumberOf(end) });
+    this->Result.Divided.push_back({ first, second, this->NumberOf(middle) });
+  }
+  std::sort(this->Result.Divided.begin(), this->Result.Divided.end());
+  for (const Id vertex : repair.RimVertices)
+  {
+    this->Mesh.RepairedVertices.push_back(this->NumberOf(vertex));
+  }
 }
 
 void Mender::TellFlat(const std::vector<FlatTriangle>& flat)

@@ -4,6 +4,7 @@
 #ifndef BitingOldMeshRepair_h
 #define BitingOldMeshRepair_h
 
+#include "FlatTriangles.h"
 #include "OldMesh.h"
 
 #include <vector> // for the arrays
@@ -16,6 +17,9 @@ struct MendedMesh
 {
   std::vector<Id> Numbers; ///< of each vertex of the input: the one that it was made; empty: itself
   std::vector<Id> Crowded; ///< triangles at edges of more than two
+
+  /// Sides that are no edges any more, the smaller end first, ascending.
+  std::vector<DividedSide> Divided;
 };
 
 /// Makes vertices of free edges one, and mends flat triangles, as ReadOldMesh (OldMesh.h) states,

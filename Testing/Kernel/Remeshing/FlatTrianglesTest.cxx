@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <random> // for places
+#include <algorithm> // for sort
+#include <random>    // for places
 
 namespace biting
 {
@@ -114,6 +115,8 @@ TEST(FlatTriangles, AtFreeEdgesGo)
   ASSERT_EQ(repair.Flat.size(), 1u);
   EXPECT_EQ(repair.Flat[0].Triangle, 0);
   EXPECT_EQ(repair.Flat[0].Middle, (Point2{ 1, 0 }));
+  EXPECT_EQ(repair.Divided, (std::vector<DividedSide>{ { 0, 1, 3 } }));
+  EXPECT_EQ(repair.RimVertices, (std::vector<Id>{ 0, 1, 3 }));
 }
 
 TEST(FlatTriangles, BesideOthersGoInTurn)
@@ -132,7 +135,13 @@ TEST(FlatTriangles, BesideOthersGoInTurn)
   corners.insert(corners.end(), { 0, last, 3 });
   const std::vector<Id> before = corners;
   const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
-  EXPECT_GE(repair.Flat.size(), 7u);
+  std::vector<Id> flat;
+  for (const FlatTriangle& one : repair.Flat)
+  {
+    flat.push_back(one.Triangle);
+  }
+  std::sort(flat.begin(), flat.end());
+  EXPECT_EQ(flat, (std::vector<Id>{ 2, 4, 6, 8, 10, 12, 14 })); // each once
   ExpectMesh(points, corners, before);
 }
 

@@ -53,6 +53,29 @@ TEST(OldMesh, FlatTrianglesAreMendedWithWhatIsKnownOfTheirNeighbours)
   EXPECT_DOUBLE_EQ(mesh.Area, 2.0);
 }
 
+TEST(OldMesh, LinesAlongFlatTrianglesAreTheirParts)
+{
+  // Two flat triangles in turn, the first of them at a free edge or not.
+  const std::vector<Id> corners{ 0, 4, 2, 4, 5, 2, 5, 1, 2, 0, 5, 4, 0, 1, 5, 1, 0, 3 };
+  for (const std::size_t triangles : { 5u, 6u })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { 4, 0 }, { 2, 1 }, { 2, -1 }, { 1, 0 }, { 3, 0 } };
+    input.Corners.assign(
+      corners.begin(), corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangles));
+    input.LineStarts = { 1, 0 };
+    input.LineEnds = { 0, 2 };
+    input.LineCells = { 7, 8 };
+    ProblemList problems;
+    const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
+    EXPECT_EQ(problems.Count(ProblemCode::FlatTriangles), 2);
+    EXPECT_EQ(problems.Count(ProblemCode::OutsideInterfaces), 0);
+    const std::ptrdiff_t sides = triangles == 5 ? 1 : 2;
+    EXPECT_EQ(std::count(mesh.Marks.begin(), mesh.Marks.end(), 1), 3 * sides);
+    EXPECT_EQ(std::count(mesh.Marks.begin(), mesh.Marks.end(), 2), 1);
+  }
+}
+
 TEST(OldMesh, SlitsAreClosedThatAreNoWiderThanAsked)
 {
   for (const double width : { 1e-7, 1e-5 })
