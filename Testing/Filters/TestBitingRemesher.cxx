@@ -254,6 +254,57 @@ TEST(BitingRemesher, MendsFlatTrianglesWithAWord)
   }
 }
 
+// One below the square, on its side; where all is frozen it stays.
+TEST(BitingRemesher, HasDataForAllTrianglesWhereAFlatOneIsAtTheRim)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Place& place :
+    { Place{ 0, 0, 0 }, Place{ 2, 0, 0 }, Place{ 1, 1, 0 }, Place{ 1, 0, 0 } })
+  {
+    points->InsertNextPoint(place.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const std::array<vtkIdType, 3>& corners :
+    { std::array<vtkIdType, 3>{ 0, 1, 3 }, { 0, 3, 2 }, { 3, 1, 2 } })
+  {
+    triangles->InsertNextCell(3, corners.data());
+  }
+  vtkNew<vtkIntArray> tags;
+  tags->SetName("Tag");
+  for (const int tag : { 1, 2, 3 })
+  {
+    tags->InsertNextValue(tag);
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPolys(triangles);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetCells(VTK_TRIANGLE, triangles);
+  for (vtkPointSet* mesh : { static_cast<vtkPointSet*>(surface), static_cast<vtkPointSet*>(grid) })
+  {
+    mesh->SetPoints(points);
+    mesh->GetCellData()->AddArray(tags);
+    for (const bool isFrozen : { false, true })
+    {
+      vtkNew<vtkBitingRemesher> remesher;
+      remesher->SetInputDataObject(mesh);
+      remesher->SetUniformSpacing(1.2);
+      remesher->SetFrozenArray(isFrozen ? "Tag" : "");
+      const Messages messages(remesher);
+      remesher->Update();
+      EXPECT_TRUE(messages.Errors.empty());
+      EXPECT_EQ(messages.Warnings.size(), 1u);
+      vtkPolyData* output = remesher->GetOutput();
+      const vtkIdType count = output->GetNumberOfCells();
+      EXPECT_EQ(count == 3, isFrozen);
+      EXPECT_GE(count, 2);
+      EXPECT_EQ(output->GetCellData()->GetArray("Tag")->GetNumberOfTuples(), count);
+      EXPECT_EQ(output->GetCellData()->GetArray("OriginalCellId")->GetNumberOfTuples(), count);
+      EXPECT_EQ(MeshChecker(output).CheckValidity().empty(), !isFrozen);
+    }
+  }
+}
+
 TEST(BitingRemesher, ShowsCellsThatFormNoMesh)
 {
   auto folded = EmptyInput();
