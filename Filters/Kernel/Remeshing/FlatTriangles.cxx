@@ -6,7 +6,7 @@
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"
 
-#include <algorithm> // for copy, find, max, minmax
+#include <algorithm> // for copy, find, max, minmax, remove_if
 #include <cmath>     // for abs
 #include <numeric>   // for iota
 
@@ -41,9 +41,9 @@ private:
     return Orient2D(this->Place(triangle, 0), this->Place(triangle, 1), this->Place(triangle, 2));
   }
   Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
-  void FindSide();
-  std::vector<Id> FindFlat() const;
-  bool IsFlat(Id triangle) const;
+  std::vector<Id> FindFlat();
+  bool IsThin(Id triangle) const;
+  bool IsTurned(Id triangle) const;
   Id TopOf(Id triangle) const;
   void Begin();
   void MendAll(const std::vector<Id>& flat);
@@ -58,7 +58,7 @@ private:
   const std::vector<Point2>& Points;
   double Rounding;
   std::vector<Id>& Corners;
-  int Side = 0;                        ///< on which most triangles have their third corner
+  TriangleLinks Links;
   std::vector<Id> Stays;               ///< of each vertex: itself, or a lower one at its place
   std::vector<std::uint8_t> IsTouched; ///< of each triangle: changed in this round
   std::vector<std::uint8_t> IsGone;    ///< of each triangle
@@ -68,7 +68,6 @@ private:
 
 FlatTriangleRepair FlatRepair::Run()
 {
-  this->FindSide();
   std::vector<Id> flat = this->FindFlat();
   if (static_cast<Id>(flat.size()) == this->NumberOfTriangles())
   {
@@ -84,37 +83,58 @@ FlatTriangleRepair FlatRepair::Run()
   return std::move(this->Result);
 }
 
-void FlatRepair::FindSide()
-{
-  Id sum = 0;
-  for (Id triangle = 0; triangle < this->NumberOfTriangles(); ++triangle)
-  {
-    sum += this->SideOf(triangle);
-  }
-  this->Side = sum < 0 ? -1 : 1;
-}
-
-std::vector<Id> FlatRepair::FindFlat() const
+// Links are only made where there are thin ones.
+std::vector<Id> FlatRepair::FindFlat()
 {
   std::vector<Id> flat;
   for (Id triangle = 0; triangle < this->NumberOfTriangles(); ++triangle)
   {
-    if (this->SideOf(triangle) != this->Side && this->IsFlat(triangle))
+    if (this->IsThin(triangle))
     {
       flat.push_back(triangle);
     }
   }
+  if (!flat.empty())
+  {
+    this->Links = LinkTriangles(this->Corners, static_cast<Id>(this->Points.size()));
+    const auto isFine = [this](Id triangle)
+    { return this->SideOf(triangle) != 0 && !this->IsTurned(triangle); };
+    flat.erase(std::remove_if(flat.begin(), flat.end(), isFine), flat.end());
+  }
   return flat;
 }
 
-bool FlatRepair::IsFlat(Id triangle) const
+bool FlatRepair::IsThin(Id triangle) const
 {
   const Id top = this->TopOf(triangle);
   const Point2& start = this->Place(triangle, (top + 1) % 3);
   const Point2& end = this->Place(triangle, (top + 2) % 3);
-  return this->SideOf(triangle) == 0 ||
-    std::abs(Cross(end - start, this->Place(triangle, top) - start)) <=
-    this->Rounding * Distance(start, end);
+  return std::abs(Cross(end - start, this->Place(triangle, top) - start)) <=
+    this->Rounding * Distance(start, end) ||
+    this->SideOf(triangle) == 0;
+}
+
+/// Whether another triangle lies on the same side of one of its sides.
+bool FlatRepair::IsTurned(Id triangle) const
+{
+  for (Id corner = 0; corner < 3; ++corner)
+  {
+    const Id start = this->Corners[3 * triangle + (corner + 1) % 3];
+    const Id end = this->Corners[3 * triangle + (corner + 2) % 3];
+    const Id neighbor = this->Links.Neighbors[3 * triangle + corner];
+    for (Id other = 0; neighbor != NoId && other < 3; ++other)
+    {
+      const Id apex = this->Corners[3 * neighbor + other];
+      const Point2& a = this->Points[start];
+      const Point2& b = this->Points[end];
+      if (apex != start && apex != end &&
+        Orient2D(a, b, this->Points[apex]) == Orient2D(a, b, this->Place(triangle, corner)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// The corner across the longest side.
@@ -150,11 +170,10 @@ void FlatRepair::Begin()
 
 void FlatRepair::MendAll(const std::vector<Id>& flat)
 {
-  const TriangleLinks links = LinkTriangles(this->Corners, static_cast<Id>(this->Points.size()));
   for (const Id triangle : flat)
   {
     const Id top = this->TopOf(triangle);
-    const Id neighbor = links.Neighbors[3 * triangle + top];
+    const Id neighbor = this->Links.Neighbors[3 * triangle + top];
     if (this->IsTouched[triangle] || this->Weld(triangle))
     {
       continue;

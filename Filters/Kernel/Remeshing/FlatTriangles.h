@@ -38,8 +38,8 @@ struct FlatTriangleRepair
 };
 
 /// Takes flat triangles out of a mesh, as contours, clips and triangulations of polygons leave them
-/// behind: those without area, and those that lie the other way round than most by no more than
-/// `rounding`. Of two corners at one place the lower one stays for both; else the triangle across
+/// behind: those without area, and those no higher than `rounding` that lie on others beside them, as
+/// rounding turned them over. Of two corners at one place the lower one stays for both; else the triangle across
 /// the longest side is divided at the third corner, and the flat one is a part of it afterwards. At
 /// a free edge the flat one only goes. What cannot be mended so stays, and so does a mesh that has
 /// no other triangles. `corners` are three a triangle, of any orientation. Cost O(n), once where

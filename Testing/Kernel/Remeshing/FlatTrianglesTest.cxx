@@ -171,6 +171,29 @@ TEST(FlatTriangles, AreThoseThatRoundingTurnedOver)
   }
 }
 
+TEST(FlatTriangles, AreFoundWhateverTheOrientationsAre)
+{
+  const std::vector<Point2> points{ { 0, 0 }, { 2, 0 }, { 1, 1 }, { 1, -1 }, { 1, 1e-9 } };
+  for (unsigned turned = 0; turned < 16; ++turned)
+  {
+    std::vector<Id> before{ 0, 4, 2, 4, 1, 2, 0, 4, 1, 0, 3, 1 }; // the third one is flat, and fits
+    std::vector<Id> over{ 0, 1, 2, 0, 4, 1, 0, 3, 4, 3, 1, 4 }; // the second one lies on the first
+    for (std::size_t triangle = 0; triangle < 4; ++triangle)
+    {
+      if ((turned >> triangle) % 2 == 1)
+      {
+        std::swap(before[3 * triangle], before[3 * triangle + 1]);
+        std::swap(over[3 * triangle], over[3 * triangle + 1]);
+      }
+    }
+    EXPECT_TRUE(RepairFlatTriangles(points, 1e-6, before).Flat.empty()) << turned;
+    const FlatTriangleRepair repair = RepairFlatTriangles(points, 1e-6, over);
+    ASSERT_EQ(repair.Flat.size(), 1u) << turned;
+    EXPECT_EQ(repair.Flat[0].Triangle, 1);
+    EXPECT_EQ(repair.IsNew, (std::vector<std::uint8_t>{ 1, 1, 0, 0 }));
+  }
+}
+
 TEST(FlatTriangles, StayWhereThereIsNothingElse)
 {
   const std::vector<Point2> points{ { 0, 0 }, { 1, 1 }, { 2, 2 } };
