@@ -142,6 +142,16 @@ private:
     return std::find(corners.begin(), corners.end(), vertex) != corners.end();
   }
 
+  /// Whether that triangle of the mesh that was read must stay: not one that had to be divided.
+  bool IsFrozen(std::size_t triangle) const
+  {
+    const OldMesh& old = this->Result.Old;
+    const std::size_t origin =
+      old.Origins.empty() ? triangle : static_cast<std::size_t>(old.Origins[triangle]);
+    return !this->Input.IsFrozen.empty() && this->Input.IsFrozen[origin] &&
+      (old.IsRepaired.empty() || !old.IsRepaired[triangle]);
+  }
+
   std::string OfTriangles() const
   {
     std::vector<std::uint8_t> isKept(this->Result.Old.Regions.size(), 0);
@@ -166,9 +176,9 @@ private:
         return "an unchanged triangle has other corners";
       }
     }
-    for (std::size_t triangle = 0; triangle < this->Input.IsFrozen.size(); ++triangle)
+    for (std::size_t triangle = 0; triangle < isKept.size(); ++triangle)
     {
-      if (this->Input.IsFrozen[triangle] && !isKept[triangle])
+      if (this->IsFrozen(triangle) && !isKept[triangle])
       {
         return "a frozen triangle has changed";
       }
