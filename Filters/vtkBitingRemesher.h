@@ -60,7 +60,8 @@
  * @par Messages:
  * As those of vtkBitingMesher. Triangles without area, as contours and clips leave them, and such
  * that rounding turned over are mended with a warning (FLAT_TRIANGLES): the triangle across their
- * longest side is divided. Errors, with empty outputs: edges of more than two triangles, triangles
+ * longest side is divided, also where it is frozen; at the rim they go, unless all around them is
+ * frozen. Errors, with empty outputs: edges of more than two triangles, triangles
  * folded or lying on top of others, none that has an area (BAD_TRIANGLES, with cells and places in
  * output 3 where they are known); a cell that is neither triangle nor line nor vertex; coordinates
  * that are not finite or not in one plane; no spacing, or one that is not positive; more vertices

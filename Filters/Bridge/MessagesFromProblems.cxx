@@ -51,7 +51,7 @@ Wording WordingOfRepair(ProblemCode code)
         "Vertices nearer to each other could not be told apart." };
     case ProblemCode::FlatTriangles:
       return { "Triangles without area", "cell", "",
-        "The triangles beside them were divided in their place." };
+        "The triangles beside them were divided in their place; at the rim they were left out." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:

@@ -10,10 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for sort
-#include <cmath>     // for sin
-#include <cstring>   // for memcmp
-#include <limits>    // for the most rings
+#include <cmath>   // for sin
+#include <cstring> // for memcmp
+#include <limits>  // for the most rings
 
 namespace biting
 {
@@ -369,58 +368,6 @@ TEST(Remeshing, AMonitorThatStopsGetsNothing)
     EXPECT_EQ(result.Mesh.Points.empty(), monitor.HasStopped());
     EXPECT_EQ(problems.Has(ProblemCode::Aborted), monitor.HasStopped());
   }
-}
-
-// What forms no mesh is read twice.
-TEST(Remeshing, AMonitorThatStopsWhereAMeshIsRefusedGetsNoReasons)
-{
-  RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
-  for (const Point2& point : { Point2{ 0.3, 0.3 }, Point2{ 0.7, 0.3 }, Point2{ 0.5, 0.7 } })
-  {
-    input.Corners.push_back(static_cast<Id>(input.Points.size()));
-    input.Points.push_back(point);
-  }
-  input.Regions.push_back(0);
-  input.IsFixed.resize(input.Points.size(), 0);
-  int stopped = 0;
-  bool isRefused = false;
-  for (int calls = 0; calls < 1000 && !isRefused; ++calls)
-  {
-    StoppingMonitor monitor(calls);
-    ProblemList problems;
-    Remesh(input, WantingUniform(input, 0.01), problems, monitor);
-    EXPECT_EQ(problems.Has(ProblemCode::Aborted), monitor.HasStopped());
-    stopped += monitor.HasStopped() ? 1 : 0;
-    isRefused = !monitor.HasStopped() && problems.Has(ProblemCode::BadTriangles);
-  }
-  EXPECT_TRUE(isRefused);
-  EXPECT_GT(stopped, 2);
-}
-
-TEST(Remeshing, FlatTrianglesAtFreeEdgesGoFromAMeshThatFits)
-{
-  const BitingMesh mesh = SquareMesh(0.1);
-  const RemeshInput input = RemeshInputOf(mesh, Rounding);
-  RemeshOptions options;
-  options.Values = mesh.Spacing;
-  std::vector<Id> below;
-  for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
-  {
-    if (mesh.Points[vertex].Y == 0.0)
-    {
-      below.push_back(vertex);
-    }
-  }
-  std::sort(below.begin(), below.end(),
-    [&mesh](Id a, Id b) { return mesh.Points[a].X < mesh.Points[b].X; });
-  RemeshInput flat = input;
-  flat.Corners.insert(flat.Corners.end(), { below[2], below[4], below[3] });
-  flat.Regions.push_back(0);
-  const RemeshRun run = RunRemesh(flat, options);
-  EXPECT_EQ(run.Problems.Count(ProblemCode::FlatTriangles), 1);
-  EXPECT_FALSE(run.Problems.HasErrors());
-  EXPECT_FALSE(run.Result.IsUnchanged);
-  EXPECT_EQ(RemeshLaws(input, run.Result).Violation(), "");
 }
 
 TEST(Remeshing, TheSameInputGivesTheSameBytes)

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "../Support/MeshRun.h"
+#include "../Support/MeshShapes.h"
+#include "../Support/Monitors.h"
+#include "../Support/RemeshLaws.h"
+#include "BitingRemesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for sort
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Rounding = 1e-15;
+
+BitingMesh SquareMesh(double spacing)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = spacing;
+  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
+}
+
+} // namespace
+
+// What forms no mesh is read twice.
+TEST(MendedMesh, IsReadAgainUnlessAMonitorStops)
+{
+  RemeshInput input = RemeshInputOf(SquareMesh(0.03), Rounding);
+  for (const Point2& point : { Point2{ 0.3, 0.3 }, Point2{ 0.7, 0.3 }, Point2{ 0.5, 0.7 } })
+  {
+    input.Corners.push_back(static_cast<Id>(input.Points.size()));
+    input.Points.push_back(point);
+  }
+  input.Regions.push_back(0);
+  input.IsFixed.resize(input.Points.size(), 0);
+  RemeshOptions options;
+  options.Values.assign(input.Points.size(), 0.01);
+  int stopped = 0;
+  bool isRefused = false;
+  for (int calls = 0; calls < 1000 && !isRefused; ++calls)
+  {
+    StoppingMonitor monitor(calls);
+    ProblemList problems;
+    Remesh(input, options, problems, monitor);
+    EXPECT_EQ(problems.Has(ProblemCode::Aborted), monitor.HasStopped());
+    stopped += monitor.HasStopped() ? 1 : 0;
+    isRefused = !monitor.HasStopped() && problems.Has(ProblemCode::BadTriangles);
+  }
+  EXPECT_TRUE(isRefused);
+  EXPECT_GT(stopped, 2);
+}
+
+TEST(MendedMesh, ThatFitsHasNoFlatTrianglesAtFreeEdges)
+{
+  const BitingMesh mesh = SquareMesh(0.1);
+  const RemeshInput input = RemeshInputOf(mesh, Rounding);
+  RemeshOptions options;
+  options.Values = mesh.Spacing;
+  std::vector<Id> below;
+  for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
+  {
+    if (mesh.Points[vertex].Y == 0.0)
+    {
+      below.push_back(vertex);
+    }
+  }
+  std::sort(below.begin(), below.end(),
+    [&mesh](Id a, Id b) { return mesh.Points[a].X < mesh.Points[b].X; });
+  RemeshInput flat = input;
+  flat.Corners.insert(flat.Corners.end(), { below[2], below[4], below[3] });
+  flat.Regions.push_back(0);
+  ProblemList problems;
+  const RemeshResult result = Remesh(flat, options, problems, NoMonitor());
+  EXPECT_EQ(problems.Count(ProblemCode::FlatTriangles), 1);
+  EXPECT_FALSE(problems.HasErrors());
+  EXPECT_FALSE(result.IsUnchanged);
+  EXPECT_EQ(RemeshLaws(input, result).Violation(), "");
+}
+
+} // namespace biting
