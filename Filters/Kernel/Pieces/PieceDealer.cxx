@@ -4,6 +4,7 @@
 #include "PieceDealer.h"
 
 #include <algorithm> // for min, sort, unique
+#include <limits>    // for levels
 #include <numeric>   // for partial_sum
 
 namespace biting
@@ -87,7 +88,9 @@ PieceDealer::Numbers PieceDealer::TrianglesOf(Id member)
   Numbers front = triangles;
   for (int level = 1; level <= this->Levels; ++level)
   {
-    this->AddLevel(static_cast<std::uint8_t>(level + 1), front, triangles);
+    // What is beyond the largest number has that one.
+    constexpr int Largest = std::numeric_limits<std::uint8_t>::max();
+    this->AddLevel(static_cast<std::uint8_t>(std::min(level + 1, Largest)), front, triangles);
   }
   std::sort(triangles.begin(), triangles.end());
   return triangles;

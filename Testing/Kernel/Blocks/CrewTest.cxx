@@ -9,15 +9,18 @@
 
 #include "Base/Crew.h"
 #include "BitingMesh.h"
+#include "Blocks/ByteStream.h"
 #include "ThreadCrew.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>  // for max, min
 #include <array>      // for corners
+#include <cmath>      // for abs
 #include <cstdint>    // for ids
 #include <functional> // for work
 #include <new>        // for bad_alloc
+#include <string>     // for violations
 #include <utility>    // for move
 #include <vector>     // for bytes
 
@@ -133,7 +136,7 @@ BitingMesh Unite(const std::vector<BitingMesh>& pieces)
 }
 
 Outcome MeshBy(int members, const BitingMeshOptions& options,
-  const std::function<void(int, Bytes&)>& spoil = KeepAll)
+  const std::function<void(int, Bytes&)>& spoil = KeepAll, Monitor& monitor = NoMonitor())
 {
   const auto help = [&options](Crew& crew)
   {
@@ -144,7 +147,7 @@ Outcome MeshBy(int members, const BitingMeshOptions& options,
   Outcome outcome;
   try
   {
-    outcome.Mesh = MakeBitingMesh(Drawing(), options, outcome.Problems, NoMonitor(), first);
+    outcome.Mesh = MakeBitingMesh(Drawing(), options, outcome.Problems, monitor, first);
   }
   catch (const std::bad_alloc&)
   {
@@ -164,6 +167,27 @@ Outcome MeshBy(int members, const BitingMeshOptions& options,
     outcome.Mesh = Unite(outcome.Pieces);
   }
   return outcome;
+}
+
+// Stops when it is told.
+class ToldMonitor : public Monitor
+{
+public:
+  bool Advance(double) override { return !this->IsTold; }
+  void BeginStage(const char*) override {}
+
+  bool IsTold = false;
+};
+
+// What the check of a piece says, and the area of its own triangles.
+Bytes ReportOf(const std::string& violation, double doubledArea)
+{
+  ByteWriter writer;
+  writer.Put(std::vector<char>(violation.begin(), violation.end()));
+  writer.Put(doubledArea);
+  writer.Put(std::abs(doubledArea));
+  writer.Put(std::vector<double>()); // suspects: none
+  return std::move(writer.Bytes);
 }
 
 /// But for the neighbors, which pieces do not have.
@@ -260,6 +284,42 @@ TEST(Crew, AMemberThatIsLostAfterItsCollarsIsAnError)
       }
     };
     EXPECT_THROW(MeshBy(3, Options(500), lose), std::bad_alloc) << round;
+  }
+}
+
+TEST(Crew, WhereTheFirstIsStoppedAllAreAndNobodyWaits)
+{
+  for (int round = 0; round < 3; ++round)
+  {
+    ToldMonitor monitor;
+    int number = 0;
+    const auto stop = [&monitor, &number, round](int member, Bytes&)
+    { monitor.IsTold = monitor.IsTold || (member == 1 && number++ == round); };
+    const Outcome shared = MeshBy(3, Options(500), stop, monitor);
+    EXPECT_TRUE(monitor.IsTold) << round;
+    EXPECT_TRUE(shared.Problems.Has(ProblemCode::Aborted)) << round;
+    EXPECT_TRUE(shared.Mesh.Points.empty()) << round;
+  }
+}
+
+/// A piece that fails, or areas that do not add up, are known to all; one block is made then.
+TEST(Crew, WhatOnePieceViolatesTheWholeDoes)
+{
+  const BitingMesh whole = MeshBy(1, Options(0)).Mesh;
+  for (const bool isArea : { false, true })
+  {
+    int number = 0;
+    const auto report = [&number, isArea](int member, Bytes& bytes)
+    {
+      if (member == 1 && number++ == 1)
+      {
+        bytes = isArea ? ReportOf("", 0.25) : ReportOf("it does not fit", 0.0);
+      }
+    };
+    Outcome shared = MeshBy(3, Options(500), report);
+    EXPECT_EQ(shared.Mesh.BlocksViolation.find(isArea ? "the area is" : "it does not fit"), 0u);
+    EXPECT_TRUE(shared.Pieces.empty());
+    ExpectSameWhole(shared.Mesh, whole);
   }
 }
 

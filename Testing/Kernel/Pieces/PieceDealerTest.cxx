@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for is_sorted
+#include <algorithm> // for is_sorted, max_element
 #include <set>       // for vertices
 #include <vector>    // for counts
 
@@ -107,6 +107,18 @@ TEST_P(PieceDealerLevels, GhostsAreAllTrianglesAroundThoseOfTheLevelBefore)
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, PieceDealerLevels, ::testing::Values(0, 1, 2));
+
+TEST(PieceDealer, LevelsThatHaveNoNumberAreInThePart)
+{
+  const BitingMesh mesh = GridMesh(400);
+  const std::vector<Id> owners = OwnersByThirds(mesh);
+  const std::vector<Id> constraints(mesh.Corners.size(), NoId);
+  const DealtMesh dealt{ mesh, constraints, owners, Members };
+  PieceDealer dealer(dealt, 400);
+  const MeshPiece piece = dealer.Make(0).Mesh.Piece;
+  EXPECT_EQ(piece.TriangleIds, mesh.Piece.TriangleIds);
+  EXPECT_EQ(*std::max_element(piece.Levels.begin(), piece.Levels.end()), 254);
+}
 
 TEST(PieceDealer, ASharedVertexBelongsToTheFirstMemberWithATriangleAtIt)
 {
