@@ -113,6 +113,13 @@ void MakeFieldData(vtkDataObject* output, vtkMultiProcessStream& stream)
   }
 }
 
+// Empty as well, but of a rank that has none of the mesh.
+bool IsPiece(vtkDataObject* output)
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(output);
+  return pointSet && pointSet->GetPoints();
+}
+
 void MakePoints(vtkDataObject* output)
 {
   if (auto* pointSet = vtkPointSet::SafeDownCast(output))
@@ -256,7 +263,7 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAl
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     // Of a piece that is kept, what follows is the same once more.
     vtkNew<vtkPolyData> unused;
-    vtkDataObject* made = port == 0 && isKept != 0 ? unused.Get() : output;
+    vtkDataObject* made = port == 0 && isKept != 0 && IsPiece(output) ? unused.Get() : output;
     made->Initialize();
     MakePoints(made);
     for (const int association : Associations)
