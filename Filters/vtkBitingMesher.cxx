@@ -16,6 +16,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <array> // for sums
+
 VTK_ABI_NAMESPACE_BEGIN
 
 static_assert(
@@ -24,6 +26,22 @@ static_assert(
     static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
     static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::FLAT_TRIANGLES + 1,
   "The kinds of problems that users see are those of the kernel.");
+
+namespace
+{
+
+// All ranks call it.
+biting::SummaryCounts CountOnAll(const biting::Ranks& ranks, vtkDataSet* piece)
+{
+  biting::SummaryCounts counts = biting::CountForSummary(piece);
+  std::array<double, 6> sums{ counts.Triangles, counts.SumOfAngles, counts.Thin, counts.ThinAtInput,
+    counts.Vertices, counts.InputVertices };
+  ranks.AddUp(sums.data(), static_cast<vtkIdType>(sums.size()));
+  const double largest = ranks.Largest(counts.LargestSpacing);
+  return { sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], largest };
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkBitingMesher);
 
@@ -126,8 +144,9 @@ int vtkBitingMesher::RequestData(
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, isSpread, this, outputVector);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
-  this->Summary += biting::SummaryOf(mesh, watch.Seconds()) +
-    biting::UnreachedLine(mesh, this->UniformSpacing * this->SpacingScale);
+  const biting::SummaryCounts counts = CountOnAll(ranks, mesh);
+  this->Summary += biting::SummaryOf(mesh, counts, watch.Seconds()) +
+    biting::UnreachedLine(counts, this->UniformSpacing * this->SpacingScale);
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 

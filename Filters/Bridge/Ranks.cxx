@@ -275,6 +275,25 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAl
   return static_cast<unsigned long>(code);
 }
 
+void Ranks::AddUp(double* values, vtkIdType count) const
+{
+  if (this->AreSeveral())
+  {
+    const std::vector<double> own(values, values + count);
+    this->Controller->AllReduce(own.data(), values, count, vtkCommunicator::SUM_OP);
+  }
+}
+
+double Ranks::Largest(double value) const
+{
+  double largest = value;
+  if (this->AreSeveral())
+  {
+    this->Controller->AllReduce(&value, &largest, 1, vtkCommunicator::MAX_OP);
+  }
+  return largest;
+}
+
 WholeInput::WholeInput(const Ranks& ranks, vtkInformationVector* input)
 {
   vtkDataObject* piece = vtkDataObject::GetData(input);

@@ -69,6 +69,10 @@ public:
   unsigned long ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
     vtkInformationVector* outputs) const;
 
+  /// What all ranks have, which all of them call: sums, and the largest.
+  void AddUp(double* values, vtkIdType count) const;
+  double Largest(double value) const;
+
 private:
   bool CanReceive(bool isPacked, vtkIdType length, GatheredBytes& gathered) const;
 

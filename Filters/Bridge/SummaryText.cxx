@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -54,23 +55,6 @@ double Figure(vtkDataSet* mesh, const char* name)
   return mesh->GetFieldData()->GetArray(name)->GetTuple1(0);
 }
 
-// Without those that are not known.
-double Mean(vtkDataArray* values)
-{
-  double sum = 0.0;
-  vtkIdType count = 0;
-  for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
-  {
-    const double value = values->GetTuple1(k);
-    if (!std::isnan(value))
-    {
-      sum += value;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 std::string Count(vtkDataSet* mesh, const char* name)
 {
   return Grouped(static_cast<std::int64_t>(Figure(mesh, name)));
@@ -82,11 +66,16 @@ std::string SizeLines(vtkDataSet* mesh, double seconds)
     " triangles\nMade in " + Fixed(seconds, 2) + " s\n";
 }
 
-std::string AngleLines(vtkDataSet* mesh)
+double Share(double part, double whole)
+{
+  return whole > 0.0 ? part / whole : 0.0;
+}
+
+std::string AngleLines(vtkDataSet* mesh, const SummaryCounts& counts)
 {
   return "Smallest angle " + Fixed(Figure(mesh, "SmallestAngle"), 1) +
-    " degrees\nMean of smallest angles " +
-    Fixed(Mean(mesh->GetCellData()->GetArray("MinimumAngle")), 1) + "\n";
+    " degrees\nMean of smallest angles " + Fixed(Share(counts.SumOfAngles, counts.Triangles), 1) +
+    "\n";
 }
 
 std::string ConformityLines(vtkDataSet* mesh)
@@ -95,14 +84,9 @@ std::string ConformityLines(vtkDataSet* mesh)
     Percent(Figure(mesh, "ShareOfEdgesInBand")) + "\n";
 }
 
-std::string InputVerticesLines(vtkDataArray* kinds)
+std::string InputVerticesLines(const SummaryCounts& counts)
 {
-  vtkIdType count = 0;
-  for (vtkIdType point = 0; point < kinds->GetNumberOfTuples(); ++point)
-  {
-    count += kinds->GetTuple1(point) == InputVertex ? 1 : 0;
-  }
-  return Percent(static_cast<double>(count) / static_cast<double>(kinds->GetNumberOfTuples())) +
+  return Percent(Share(counts.InputVertices, counts.Vertices)) +
     " of the vertices stand\n  because input vertices stay\n";
 }
 
@@ -141,59 +125,112 @@ bool TouchesInput(vtkIdList* corners, vtkDataArray* kinds)
   return false;
 }
 
-// How many triangles are thin, and, where `kinds` are known, at how many of them the input has a
-// say.
-std::string ThinLines(vtkDataSet* mesh, vtkDataArray* kinds)
+// How many triangles are thin, and, where kinds are known, at how many of them the input has a say.
+std::string ThinLines(const SummaryCounts& counts, bool areKindsKnown)
+{
+  const auto grouped = [](double count) { return Grouped(static_cast<std::int64_t>(count)); };
+  const std::string text = "Triangles below 30 degrees: " + grouped(counts.Thin);
+  return counts.Thin > 0.0 && areKindsKnown
+    ? text + "\n  at input vertices: " + grouped(counts.ThinAtInput)
+    : text;
+}
+
+bool IsGhost(vtkDataArray* marks, vtkIdType k)
+{
+  return marks && marks->GetTuple1(k) != 0.0;
+}
+
+void CountTriangles(
+  vtkDataSet* mesh, vtkDataArray* marks, vtkDataArray* kinds, SummaryCounts& counts)
 {
   vtkDataArray* angles = mesh->GetCellData()->GetArray("MinimumAngle");
   vtkNew<vtkIdList> corners;
-  std::int64_t thin = 0;
-  std::int64_t atInput = 0;
-  for (vtkIdType cell = 0; cell < angles->GetNumberOfTuples(); ++cell)
+  for (vtkIdType cell = 0; angles && cell < angles->GetNumberOfTuples(); ++cell)
   {
-    if (angles->GetTuple1(cell) < ThinAngle)
+    const double angle = angles->GetTuple1(cell);
+    if (std::isnan(angle) || IsGhost(marks, cell)) // not known, or another's
     {
-      ++thin;
+      continue;
+    }
+    counts.Triangles += 1.0;
+    counts.SumOfAngles += angle;
+    if (angle < ThinAngle)
+    {
+      counts.Thin += 1.0;
       mesh->GetCellPoints(cell, corners);
-      atInput += kinds && TouchesInput(corners, kinds) ? 1 : 0;
+      counts.ThinAtInput += kinds && TouchesInput(corners, kinds) ? 1.0 : 0.0;
     }
   }
-  const std::string text = "Triangles below 30 degrees: " + Grouped(thin);
-  return thin > 0 && kinds ? text + "\n  at input vertices: " + Grouped(atInput) : text;
+}
+
+void CountVertices(vtkDataArray* marks, vtkDataArray* kinds, SummaryCounts& counts)
+{
+  for (vtkIdType point = 0; kinds && point < kinds->GetNumberOfTuples(); ++point)
+  {
+    if (!IsGhost(marks, point))
+    {
+      counts.Vertices += 1.0;
+      counts.InputVertices += kinds->GetTuple1(point) == InputVertex ? 1.0 : 0.0;
+    }
+  }
+}
+
+// `areGhostsLeftOut`: where arrays of marks come from the input they say nothing of the mesh.
+SummaryCounts CountAll(vtkDataSet* mesh, bool areGhostsLeftOut)
+{
+  const auto marks = [areGhostsLeftOut](vtkDataSetAttributes* data)
+  { return areGhostsLeftOut ? data->GetArray(vtkDataSetAttributes::GhostArrayName()) : nullptr; };
+  SummaryCounts counts;
+  vtkDataArray* kinds = mesh->GetPointData()->GetArray("VertexKind");
+  CountTriangles(mesh, marks(mesh->GetCellData()), kinds, counts);
+  CountVertices(marks(mesh->GetPointData()), kinds, counts);
+  vtkDataArray* spacing = mesh->GetPointData()->GetArray("Spacing");
+  counts.LargestSpacing =
+    spacing && spacing->GetNumberOfTuples() > 0 ? spacing->GetRange(0)[1] : 0.0;
+  return counts;
 }
 
 } // namespace
 
+SummaryCounts CountForSummary(vtkDataSet* mesh)
+{
+  return CountAll(mesh, true);
+}
+
 std::string SummaryOf(vtkDataSet* mesh, double seconds)
+{
+  return SummaryOf(mesh, CountAll(mesh, false), seconds);
+}
+
+std::string SummaryOf(vtkDataSet* mesh, const SummaryCounts& counts, double seconds)
 {
   vtkFieldData* figures = mesh->GetFieldData();
   if (!figures->HasArray("NumberOfVertices") || Figure(mesh, "NumberOfTriangles") == 0.0)
   {
     return {};
   }
-  std::string text = SizeLines(mesh, seconds) + AngleLines(mesh);
+  std::string text = SizeLines(mesh, seconds) + AngleLines(mesh, counts);
   if (figures->HasArray("MeanConformity"))
   {
     text += ConformityLines(mesh);
   }
-  vtkDataArray* kinds = mesh->GetPointData()->GetArray("VertexKind");
-  if (kinds)
+  const bool areKindsKnown = mesh->GetPointData()->HasArray("VertexKind") != 0;
+  if (areKindsKnown)
   {
-    text += InputVerticesLines(kinds);
+    text += InputVerticesLines(counts);
   }
   if (figures->HasArray("ShareOfDrawing"))
   {
     text += DrawingLines(mesh);
   }
-  return text + ThinLines(mesh, kinds);
+  return text + ThinLines(counts, areKindsKnown);
 }
 
-std::string UnreachedLine(vtkDataSet* mesh, double uniformSpacing)
+std::string UnreachedLine(const SummaryCounts& counts, double uniformSpacing)
 {
   constexpr double RoomForTolerance = 0.98; // within 2 % is the contract for f
-  vtkDataArray* spacing = mesh->GetPointData()->GetArray("Spacing");
-  const bool isUnreached = spacing && spacing->GetNumberOfTuples() > 0 &&
-    spacing->GetRange(0)[1] < RoomForTolerance * uniformSpacing;
+  const bool isUnreached =
+    counts.LargestSpacing > 0.0 && counts.LargestSpacing < RoomForTolerance * uniformSpacing;
   return isUnreached
     ? "Uniform Spacing has no effect: other spacings, or the size of features, are "
       "smaller everywhere.\n"

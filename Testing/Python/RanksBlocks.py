@@ -139,6 +139,8 @@ def filters(answer):
     answer['Behind'] = result_of(mesher, gradient, conformity, remesher, warp)
     integral = servermanager.Fetch(simple.IntegrateVariables(Input=mesher))
     answer['Area'] = integral.GetCellData().GetArray('Area').GetValue(0)
+    mesher.UpdatePropertyInformation()
+    answer['Summary'] = [line for line in mesher.Summary.splitlines() if 'Made in' not in line]
     connectivity = simple.Connectivity(Input=mesher)
     connectivity.UpdatePipeline()
     answer['Regions'] = list(connectivity.PointData['RegionId'].GetRange())

@@ -55,6 +55,11 @@ class TestRanksBlocksProxy(unittest.TestCase):
             if name.startswith('Polylines.'):
                 self.assertEqual(result, self.serial['Polylines.First'], name)
 
+    def test_the_summary_counts_what_all_ranks_have(self):
+        self.assertIn('Mean of smallest angles', ' '.join(self.serial['Summary']))
+        for ranks in (2, 3):
+            self.assertEqual(self.parallel[ranks]['Summary'], self.serial['Summary'])
+
     def test_integrals_are_the_serial_ones_but_for_the_order_of_their_sums(self):
         for answer in self.parallel.values():
             if 'Area' in answer:
