@@ -17,11 +17,39 @@ namespace
 constexpr double Squares = 16384.0;
 constexpr double LeastShare = 1.0 / 1024.0;
 
+/// Of a grid with divided cells, if the source has less than half as many: very many columns of few
+/// cells each are divided less.
+constexpr double MostNodes = 1 << 23;
+
+/// Into so many a cell is divided.
+double PartsOf(double cell, double largestStep)
+{
+  constexpr double roomForRounding = 1.0 - 1e-9;
+  const double steps = roomForRounding * cell / largestStep;
+  return steps > 1.0 ? std::ceil(steps) : 1.0;
+}
+
+double CountNodes(const std::vector<double>& nodes, double largestStep)
+{
+  double count = 1.0;
+  for (std::size_t cell = 0; cell + 1 < nodes.size(); ++cell)
+  {
+    count += PartsOf(nodes[cell + 1] - nodes[cell], largestStep);
+  }
+  return count;
+}
+
 double LargestStep(const GridSource& source)
 {
   const double width = source.XNodes.back() - source.XNodes.front();
   const double height = source.YNodes.back() - source.YNodes.front();
-  return std::max(std::sqrt(width / Squares * height), LeastShare * std::max(width, height));
+  const double most = std::max(MostNodes, 2.0 * static_cast<double>(source.Values.size()));
+  double step = std::max(std::sqrt(width / Squares * height), LeastShare * std::max(width, height));
+  while (CountNodes(source.XNodes, step) * CountNodes(source.YNodes, step) > most)
+  {
+    step *= 2.0;
+  }
+  return step;
 }
 
 /// Of the steps outside, one after the other.
@@ -71,9 +99,7 @@ ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high,
   }
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    constexpr double roomForRounding = 1.0 - 1e-9;
-    const double steps = roomForRounding * (nodes[cell + 1] - nodes[cell]) / largestStep;
-    const double parts = steps > 1.0 ? std::ceil(steps) : 1.0;
+    const double parts = PartsOf(nodes[cell + 1] - nodes[cell], largestStep);
     for (double part = 0.0; part < parts; part += 1.0)
     {
       axis.Add(Blend(nodes[cell], nodes[cell + 1], part / parts), { cell, part / parts });

@@ -7,6 +7,7 @@
 
 #include <algorithm> // for min, max, lower_bound, sort
 #include <cmath>     // for atan2, ceil
+#include <limits>    // for what does not overflow
 #include <utility>   // for pairs
 
 namespace biting
@@ -83,7 +84,7 @@ public:
       const BorderEdge& edge = edges[k];
       if (this->Field.HasOverlaps())
       {
-        this->AddEdge(edge);
+        this->AddAlong(edge); // triangles that end there may lie on others anywhere along it
       }
       const double length = Distance(edge.Start, edge.End);
       for (const bool isLeft : { false, true })
@@ -239,13 +240,23 @@ private:
     return last;
   }
 
-  /// Where triangles end that may lie on others anywhere along it.
-  void AddEdge(const BorderEdge& edge)
+  /// What f is along an edge: the least value, where values are raised to that, is a part of its
+  /// own.
+  void AddAlong(const BorderEdge& edge)
   {
+    constexpr double Greatest = std::numeric_limits<double>::max();
     const ValueRange& range = this->Cones.Values();
-    this->Cones.AddSegment(edge.Start, edge.End,
-      std::max(range.Scale * edge.StartValue, range.Least),
-      std::max(range.Scale * edge.EndValue, range.Least));
+    const double start = std::min(range.Scale * edge.StartValue, Greatest);
+    const double end = std::min(range.Scale * edge.EndValue, Greatest);
+    Point2 from = edge.Start;
+    double value = std::max(start, range.Least);
+    if (std::min(start, end) < range.Least && range.Least < std::max(start, end))
+    {
+      from = edge.Start + (range.Least - start) / (end - start) * (edge.End - edge.Start);
+      this->Cones.AddSegment(edge.Start, from, value, range.Least);
+      value = range.Least;
+    }
+    this->Cones.AddSegment(from, edge.End, value, std::max(end, range.Least));
   }
 
   /// An edge of triangles beside others that have corners of their own.
@@ -258,7 +269,7 @@ private:
       const double value = range((1.0 - weight) * edge.StartValue + weight * edge.EndValue);
       if (range(this->Field(place)) > (1.0 + LeastJump) * value)
       {
-        this->Cones.AddSegment(edge.Start, edge.End, range(edge.StartValue), range(edge.EndValue));
+        this->AddAlong(edge);
         return;
       }
     }

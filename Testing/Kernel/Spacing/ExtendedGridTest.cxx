@@ -71,6 +71,20 @@ TEST(ExtendedGrid, HasThousandsOfCellsNoneOfThemLong)
   }
 }
 
+/// A hundred times as many nodes as the source would take its memory.
+TEST(ExtendedGrid, DividesLongCellsOfVeryManyColumnsLess)
+{
+  for (const double height : { 1.0, 64.0 })
+  {
+    GridSource source{ UnitNodes(100000), { 0.0, height }, {} };
+    source.Values.assign(200000, 1.0);
+    const auto extended = ExtendedGrid(Share(std::move(source)), {});
+    EXPECT_EQ(extended->XNodes.size(), 100000);
+    EXPECT_GE(extended->YNodes.size(), 32);
+    EXPECT_LE(extended->Values.size(), 1 << 23);
+  }
+}
+
 TEST(ExtendedGrid, KeepsJumpsBetweenNodesAtOnePlace)
 {
   const auto extended = ExtendedGrid(Share(GridSource{ { 0.0, 1.0, 1.0, 2.0 }, { 0.0, 1.0 },

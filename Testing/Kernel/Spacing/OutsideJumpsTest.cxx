@@ -152,3 +152,34 @@ TEST(OutsideJumps, AreFoundBetweenCornersInASmallHole)
   }
   EXPECT_LT(least, 0.005);
 }
+
+/// Along the lower edge of the triangle it is up to x = 0.65.
+TEST(OutsideJumps, OfSheetsAreAtTheLeastValueWhereverItRaisesWhatIsGiven)
+{
+  TriangulatedSource source = MakeTriangulation(2, [](const Point2&) { return 1.0; });
+  source.Points.insert(source.Points.end(), { { 0.2, 0.2 }, { 0.8, 0.2 }, { 0.5, 0.8 } });
+  source.Values.insert(source.Values.end(), { 0.01, 0.13, 0.07 });
+  source.Triangles.insert(source.Triangles.end(), { 4, 5, 6 });
+  source.MayOverlap = true;
+  SpacingOptions options = WithTriangles(source);
+  options.Minimum = 0.1;
+  const Spacing f = MakeGoodSpacing(options);
+  for (double x = 0.2; x < 0.65; x += 0.05)
+  {
+    EXPECT_NEAR(f({ x, 0.19 }), 0.1 + Gradation * 0.01, 0.002) << x;
+  }
+}
+
+/// They reach it at x = 0.444, and are cut from there on.
+TEST(OutsideJumps, BesideOtherCornersAreNotBelowValuesThatReachTheGreatestOne)
+{
+  const TriangulatedSource source{ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.5 }, { 0.0, 0.5 },
+                                     { 0.0, 0.5 }, { 1.0, 0.5 }, { 1.0, 1.0 }, { 0.0, 1.0 } },
+    { 0.02, 0.2, 0.2, 0.02, 1.0, 1.0, 1.0, 1.0 }, { 0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7 } };
+  SpacingOptions options = WithTriangles(source);
+  options.Maximum = 0.1;
+  const Spacing f = MakeGoodSpacing(options);
+  EXPECT_NEAR(f({ 0.4, 0.499 }), 0.02 + 0.18 * 0.4, 0.001);
+  EXPECT_NEAR(f({ 0.4, 0.501 }), 0.02 + 0.18 * 0.4, 0.001);
+  EXPECT_NEAR(f({ 0.6, 0.501 }), 0.1, 0.001);
+}
