@@ -68,9 +68,25 @@ bool GridBounds::HasLine(std::size_t column, std::size_t row) const
       std::max({ low[0], low[1], high[0], high[1] })> this->Range.Least;
 }
 
-/// The line along which what is given reaches the least value.
-double GridBounds::FromLine(std::size_t column, std::size_t row, const Point2& x) const
+/// How far it is to the nearest point of a cell, along x and along y.
+Point2 GridBounds::ToCell(std::size_t column, std::size_t row, const Point2& x) const
 {
+  const std::vector<double>& columns = this->Source->XNodes;
+  const std::vector<double>& rows = this->Source->YNodes;
+  return { std::max({ columns[column] - x.X, x.X - columns[column + 1], 0.0 }),
+    std::max({ rows[row] - x.Y, x.Y - rows[row + 1], 0.0 }) };
+}
+
+/// The line along which what is given reaches the least value.
+double GridBounds::FromLine(
+  std::size_t column, std::size_t row, const Point2& x, double limit) const
+{
+  const double room = limit - this->Range.Least;
+  const Point2 away = this->ToCell(column, row, x);
+  if (!(this->SquaredGradation * Dot(away, away) < room * room))
+  {
+    return limit;
+  }
   const std::vector<double>& columns = this->Source->XNodes;
   const std::vector<double>& rows = this->Source->YNodes;
   const double* low = &this->Source->Values[this->NodeAt(column, row)];
@@ -89,7 +105,7 @@ double GridBounds::From(Node& source, const Point2& x, double limit) const
 {
   if (source.From.IsLine())
   {
-    return this->FromLine(source.From.Column(), source.From.Row(), x);
+    return this->FromLine(source.From.Column(), source.From.Row(), x, limit);
   }
   const Point2 offset = x - this->PlaceOf(source.From);
   const double squared = this->SquaredGradation * Dot(offset, offset);

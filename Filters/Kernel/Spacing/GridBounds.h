@@ -87,8 +87,9 @@ public:
   /// Whether what is given reaches the least value within a cell.
   bool HasLine(std::size_t column, std::size_t row) const;
 
-  /// What the line along which it does allows at x.
-  double FromLine(std::size_t column, std::size_t row, const Point2& x) const;
+  /// What the line along which it does allows at x; where that is not below `limit`, which is no
+  /// less than the least value, it may be any value that is not.
+  double FromLine(std::size_t column, std::size_t row, const Point2& x, double limit) const;
 
   /// What the origin of `source` and its sides allow at x; where that is not below `limit`, it may
   /// be any value that is not. The source becomes the end of these sides that is nearest to what
@@ -113,6 +114,7 @@ private:
   {
     return this->Source->Values[this->NodeAt(column, row)];
   }
+  Point2 ToCell(std::size_t column, std::size_t row, const Point2& x) const;
   double FromSides(Node& source, const Point2& x, double own) const;
   std::array<Side, 4> SidesOf(std::size_t column, std::size_t row) const;
   double Rise(double start, const Side& side) const;

@@ -22,6 +22,15 @@ constexpr double SteepnessMargin = 0.005;
 /// one that f grows from, linear values are too high by up to .15 of that.
 constexpr double WidestGrowth = 0.09;
 
+/// Where f may grow by less than this share of the least value across a cell, its nodes are as good
+/// as a line through it.
+constexpr double LeastGrowth = 0.005;
+
+/// In cells: with that distance d of a node from a line, places beyond the node are nearer to the
+/// line than by way of one of the nodes there by .08 cells at most, by .3 where cells are long, so
+/// that f is too high by no more than as many parts in d.
+constexpr double LineReach = 20.0;
+
 /// The least value is about 2^-90 of its unit: there is as much room below it as floats need for
 /// what is normal, and above it for values 2^217 times as large.
 double UnitOf(const GridSource& source, const ValueRange& range)
@@ -57,10 +66,8 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
     const PulsePart part(pulse, 0.2, 0.9);
     const GridSource& grid = *this->Source;
     sweeps.Run(pulse,
-      [this, &grid](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
-      {
-        return this->HandOn(
-          this->Nodes[from], this->Nodes[to], { grid.XNodes[column], grid.YNodes[row] });
+      [this, &grid](std::size_t from, std::size_t to, std::size_t column, std::size_t row) {
+        return this->HandOn(from, this->Nodes[to], { grid.XNodes[column], grid.YNodes[row] });
       });
     this->FindLimitedCells(pulse);
   }
@@ -143,7 +150,8 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sw
       sweeps.Add(left, low);
     }
   }
-  if (this->Bounds.HasLine(column, row))
+  const double growth = this->Bounds.GrowthAt(column + 1, row + 1);
+  if (growth > LeastGrowth * this->Range.Least && this->Bounds.HasLine(column, row))
   {
     this->AddLine(column, row);
   }
@@ -158,7 +166,7 @@ void GridLimit::AddLine(std::size_t column, std::size_t row)
     {
       Node& node = this->Nodes[this->NodeAt(left, low)];
       const auto value = static_cast<float>(this->Bounds.FromLine(
-        column, row, { this->Source->XNodes[left], this->Source->YNodes[low] }));
+        column, row, { this->Source->XNodes[left], this->Source->YNodes[low] }, node.Value));
       if (value < node.Value)
       {
         node = { value, static_cast<float>(this->Range.Least), { column, row, Kind::LineOfCell } };
@@ -182,13 +190,20 @@ void GridLimit::SetGiven()
 
 /// Hands on what bounds one node to another one. What is as given bounds others only from steep
 /// cells.
-bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
+bool GridLimit::HandOn(std::size_t from, Node& node, const Point2& place) const
 {
+  const Node& other = this->Nodes[from];
   if (other.From == node.From || !(other.Start < node.Value))
   {
     return false;
   }
   Node source = other;
+  if (other.From.IsLine())
+  {
+    const std::size_t columns = this->Source->XNodes.size();
+    const Origin itself(from % columns, from / columns, Kind::Node);
+    source = this->IsFarFromLine(other, itself) ? Node{ other.Value, other.Value, itself } : other;
+  }
   const auto value = static_cast<float>(this->Bounds.From(source, place, node.Value));
   const bool isLower = value < node.Value;
   if (isLower)
@@ -198,6 +213,14 @@ bool GridLimit::HandOn(const Node& other, Node& node, const Point2& place) const
     node.From = source.From;
   }
   return isLower;
+}
+
+/// Lines take ten times as long as nodes: from afar f grows from the nodes that they bound.
+bool GridLimit::IsFarFromLine(const Node& node, const Origin& itself) const
+{
+  const double growth = std::max(this->Bounds.GrowthAt(node.From.Column() + 1, node.From.Row() + 1),
+    this->Bounds.GrowthAt(itself.Column(), itself.Row()));
+  return node.Value - this->Range.Least > LineReach * growth;
 }
 
 /// What grows from within a steep cell reaches those beside it.
@@ -291,7 +314,7 @@ void GridLimit::BoundByLine(std::size_t column, std::size_t row, const Point2& x
   if (column + 1 < this->Source->XNodes.size() && row + 1 < this->Source->YNodes.size() &&
     this->Bounds.HasLine(column, row) && looked.Add(Origin(column, row, Kind::LineOfCell).Key()))
   {
-    least = std::min(least, this->Bounds.FromLine(column, row, x));
+    least = std::min(least, this->Bounds.FromLine(column, row, x, least));
   }
 }
 

@@ -50,7 +50,8 @@ private:
   void AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps);
   void AddLine(std::size_t column, std::size_t row);
   void SetGiven();
-  bool HandOn(const Node& other, Node& node, const Point2& place) const;
+  bool HandOn(std::size_t from, Node& node, const Point2& place) const;
+  bool IsFarFromLine(const Node& node, const Origin& itself) const;
   void FindLimitedCells(Pulse& pulse);
   void BoundByLines(
     const Origin& from, const Point2& x, LookedAt<std::uint64_t>& looked, double& least) const;

@@ -55,9 +55,10 @@ TEST(GridBounds, GrowFromWhereTheLeastValueIsReachedWithinACell)
   const GridBounds bounds = BoundsOf(0.0, 0.4);
   EXPECT_TRUE(bounds.HasLine(0, 0));
   EXPECT_FALSE(bounds.HasLine(1, 0));
-  EXPECT_NEAR(bounds.FromLine(0, 0, { 0.8, 0.5 }), 0.4 + 0.5 * Gradation, 1e-9);
+  EXPECT_NEAR(bounds.FromLine(0, 0, { 0.8, 0.5 }, NoLimit), 0.4 + 0.5 * Gradation, 1e-9);
   GridBounds::Node node{ 1.0f, 0.4f, { 0, 0, GridBounds::Kind::LineOfCell } };
   EXPECT_NEAR(bounds.From(node, { 1.3, 0.5 }, NoLimit), 0.4 + Gradation, 1e-9);
+  EXPECT_GE(bounds.From(node, { 1.3, 0.5 }, 0.41), 0.41);
 }
 
 TEST(GridBounds, HaveOriginsInOneWord)

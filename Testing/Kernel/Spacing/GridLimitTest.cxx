@@ -272,6 +272,31 @@ TEST(Spacing, IsLimitedWhereALeastValueRaisesNoiseOnCoarseCells)
   }
 }
 
+/// From a circle within cells, near it and from afar, where cells are small, large and long.
+TEST(Spacing, GrowsAllAroundWhereALeastValueCutsAHollow)
+{
+  constexpr double Radius = 0.06;
+  for (const double power : { 1.0, 0.6, 2.0 })
+  {
+    SpacingOptions options = OfGrid(MakeGrid(
+      300, 200,
+      [](const Point2& x) {
+        return 1e-6 + 5.0 * std::max(Length(x - Point2{ 0.45, 0.55 }) - 0.05, 0.0);
+      },
+      power));
+    options.Minimum = 0.05;
+    const Spacing f = MakeGoodSpacing(options);
+    Sampler sampler(14);
+    for (int probe = 0; probe < 5000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      const double way = std::max(Length(x - Point2{ 0.45, 0.55 }) - Radius, 0.0);
+      const double exact = options.Minimum + options.Gradation * way;
+      ASSERT_NEAR(f(x), exact, 0.02 * exact) << x.X << ' ' << x.Y;
+    }
+  }
+}
+
 TEST(Spacing, IsLimitedWithinALongCellOfNoise)
 {
   Sampler sampler(12);
