@@ -32,11 +32,17 @@ constexpr double LeastGrowth = 0.005;
 constexpr double LineReach = 20.0;
 
 /// The least value is about 2^-90 of its unit: there is as much room below it as floats need for
-/// what is normal, and above it for values 2^217 times as large.
-double UnitOf(const GridSource& source, const ValueRange& range)
+/// what is normal, and above it for values 2^217 times as large. Beside what f grows to a smaller
+/// one is nothing: then there is room for that.
+double UnitOf(const GridSource& source, double gradation, const ValueRange& range)
 {
   constexpr int Room = 90;
-  const double least = range(*std::min_element(source.Values.begin(), source.Values.end()));
+  constexpr double Nothing = 0x1p-100;
+  const double extent =
+    source.XNodes.back() - source.XNodes.front() + source.YNodes.back() - source.YNodes.front();
+  const double least =
+    std::max(range(*std::min_element(source.Values.begin(), source.Values.end())),
+      Nothing * gradation * extent);
   return std::ldexp(
     1.0, std::min(std::ilogb(least) + Room, std::numeric_limits<double>::max_exponent - 1));
 }
@@ -54,7 +60,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Unit(UnitOf(*source, range))
+  , Unit(UnitOf(*source, gradation, range))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
   , Bounds(this->Source, this->Gradation, this->Range)

@@ -331,6 +331,18 @@ TEST(Spacing, IsLimitedInDrawingsOfAnySize)
   }
 }
 
+/// Floats do not hold it and what f grows to.
+TEST(Spacing, GrowsFromAValueThatIsNothingBesideTheDrawing)
+{
+  for (const double least : { 1e-20, 1e-100, 1e-300 })
+  {
+    const Spacing f = MakeGoodSpacing(
+      OfGrid(MakeGrid(33, 33, [least](const Point2& x) { return x.X == 0.5 ? least : 1.0; })));
+    EXPECT_NEAR(f({ 0.6, 0.5 }), 0.03, 1e-4) << least;
+    EXPECT_LE(f({ 0.5, 0.5 }), 1e-20);
+  }
+}
+
 TEST(Spacing, IsLimitedOutsideOfNoise)
 {
   Sampler sampler(9);
