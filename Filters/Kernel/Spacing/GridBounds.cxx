@@ -63,9 +63,9 @@ bool GridBounds::HasLine(std::size_t column, std::size_t row) const
 {
   const double* low = &this->Source->Values[this->NodeAt(column, row)];
   const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
-  return this->Range.Scale *
-    std::min({ low[0], low[1], high[0], high[1] })<this->Range.Least&& this->Range.Scale *
-      std::max({ low[0], low[1], high[0], high[1] })> this->Range.Least;
+  const auto [least, most] = std::minmax({ low[0], low[1], high[0], high[1] });
+  return this->Range.Scale * least < this->Range.Least &&
+    this->Range.Least < this->Range.Scale * most;
 }
 
 /// How far it is to the nearest point of a cell, along x and along y.
