@@ -368,7 +368,7 @@ void Remesher::CheckCavity()
   }
   if (violation.empty())
   {
-    violation = CheckRim(this->Result.Old, this->Region, this->Cavity);
+    violation = CheckRim(this->Result.Old, this->Region, this->Edges, this->Cavity);
   }
   if (!this->IsOver() && !violation.empty())
   {

@@ -337,16 +337,24 @@ BitingMesh EdgesOf(const OldMesh& mesh)
   return edges;
 }
 
-std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity)
+std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,
+  const CavityMesh& cavity)
 {
   const std::vector<std::pair<Id, Id>> rest = FreeEdgesOfRest(mesh, region);
   const std::vector<Id>& corners = cavity.Triangles.Corners;
   const std::vector<Id>& vertexPoints = cavity.Geometry.VertexPoints;
-  for (std::size_t slot = 0; !rest.empty() && slot < corners.size(); ++slot)
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
   {
+    const Id constraint = cavity.Triangles.Constraints[slot];
+    const Id rimSlot =
+      constraint == NoId ? NoId : edges.Edges[cavity.Bites.EdgeSegments[constraint]].RimSlot;
     const Id start = corners[slot - slot % 3 + (slot + 1) % 3];
     const Id end = corners[slot - slot % 3 + (slot + 2) % 3];
     const Id count = cavity.Geometry.NumberOfVertices();
+    if (rimSlot != NoId && (start >= count || vertexPoints[start] != mesh.End(rimSlot)))
+    {
+      return "a triangle lies on the side of the rim that is unchanged";
+    }
     if (cavity.Triangles.Neighbors[slot] == NoId && start < count && end < count &&
       std::binary_search(
         rest.begin(), rest.end(), std::minmax({ vertexPoints[start], vertexPoints[end] })))

@@ -40,9 +40,11 @@ struct StitchedMesh
 /// EdgeIsBoundary, all else is empty.
 BitingMesh EdgesOf(const OldMesh& mesh);
 
-/// Looks for edges of the cavity that lie on free edges of what is unchanged, where these were as
-/// near to the region as rounding. Returns what is wrong as text, empty where nothing is.
-std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity);
+/// Looks for triangles of the cavity beyond its rim, and for edges of it that lie on free edges of
+/// what is unchanged, where these were as near to the region as rounding. Returns what is wrong as
+/// text, empty where nothing is.
+std::string CheckRim(const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges,
+  const CavityMesh& cavity);
 
 /// Puts `cavity` in the place of the region. `spacings` is f at the old vertices, for those that
 /// the cavity does not have. Cost O(n), little for what is unchanged.
