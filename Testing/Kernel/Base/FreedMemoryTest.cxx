@@ -8,9 +8,7 @@
 #include <cstddef> // for sizes
 #include <memory>  // for memory
 
-#ifdef __GLIBC__
 #include <sys/resource.h> // for page faults
-#endif
 
 namespace biting
 {
@@ -20,6 +18,12 @@ namespace
 
 constexpr std::size_t Size = 4u << 20;
 constexpr std::size_t PageSize = 4096;
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr bool IsGlibc = true;
+#else
+constexpr bool IsGlibc = false;
+#endif
 
 // Takes memory, touches each page of it, and frees it.
 void TakeAndFree()
@@ -36,7 +40,10 @@ void TakeAndFree()
 
 TEST(KeepFreedMemory, TakesNoPagesFromTheSystemForWhatWasFreed)
 {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  if (!IsGlibc)
+  {
+    GTEST_SKIP() << "another allocator";
+  }
   const auto countFaults = []
   {
     rusage usage{};
@@ -48,9 +55,6 @@ TEST(KeepFreedMemory, TakesNoPagesFromTheSystemForWhatWasFreed)
   const long before = countFaults();
   TakeAndFree();
   EXPECT_LT(countFaults() - before, static_cast<long>(Size / PageSize) / 10);
-#else
-  GTEST_SKIP() << "another allocator";
-#endif
 }
 
 } // namespace biting
