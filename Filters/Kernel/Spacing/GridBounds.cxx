@@ -140,7 +140,7 @@ double GridBounds::FromSides(Node& source, const Point2& x, double own) const
     const Point2 toEnd{ side.Width, side.Height };
     const double rise = this->Rise(start, side);
     const bool mayBeLower = rise * grown < this->SquaredGradation * Dot(offset, toEnd);
-    if (mayBeLower & this->IsGentle(rise, side) & !this->IsFalling(rise, side))
+    if (mayBeLower && this->IsGentle(rise, side) && !this->IsFalling(rise, side))
     {
       const double length = std::abs(side.Width + side.Height);
       const double found = this->Edge(Dot(offset, toEnd) / length, Cross(offset, toEnd) / length,
