@@ -3,6 +3,8 @@
 
 #include "MeshFileBuilder.h"
 
+#include <cstdlib> // for abs
+
 namespace biting
 {
 
@@ -115,7 +117,8 @@ private:
     return isRead || this->Out.Fail("an entity");
   }
 
-  // Its number, its box (a point has one corner), and its physical groups: the first one counts.
+  // Its number, its box (a point has one corner), and its physical groups: the first one counts. A
+  // sign there is the orientation.
   bool ReadEntity(int dimension)
   {
     std::int64_t number = 0;
@@ -131,7 +134,7 @@ private:
     {
       std::int64_t physical = 0;
       isRead = this->In.More(physical);
-      this->Physical[{ dimension, number }] = physical;
+      this->Physical[{ dimension, number }] = std::abs(physical);
     }
     return isRead;
   }

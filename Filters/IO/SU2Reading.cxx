@@ -59,21 +59,26 @@ public:
     {
       isRead = this->ReadSection();
     }
-    return this->Out.Finish(
-      [this](int dimension, std::int64_t number) {
-        return dimension == 1 ? this->Markers[static_cast<std::size_t>(number) - 1] : std::string();
-      });
+    return this->Out.Finish([this](int dimension, std::int64_t number)
+      { return dimension == 1 ? this->NameOf(number) : std::string(); });
   }
 
 private:
+  // Edges among the elements have no marker.
+  std::string NameOf(std::int64_t marker) const
+  {
+    return marker > 0 ? this->Markers[static_cast<std::size_t>(marker) - 1] : std::string();
+  }
+
   bool ReadSection()
   {
     std::string key;
     std::string value;
     if (!this->In.Assignment(key, value))
     {
-      return this->Out.Fail("NDIME=, NELEM=, NPOIN=, NMARK= or MARKER_TAG=");
+      return this->IsPassing || this->Out.Fail("NDIME=, NELEM=, NPOIN=, NMARK= or MARKER_TAG=");
     }
+    this->IsPassing = false;
     if (key == "NDIME")
     {
       return value == "2" || this->Out.Fail("NDIME= 2");
@@ -90,6 +95,7 @@ private:
     {
       return this->ReadMarker(value);
     }
+    this->IsPassing = key != "NMARK";
     return true;
   }
 
@@ -130,6 +136,7 @@ private:
   MeshFileLines& In;
   MeshFileBuilder Out;
   std::vector<std::string> Markers;
+  bool IsPassing = false; // over the lines of what we have no use for, as FFD_CORNER_POINTS
 };
 
 } // namespace

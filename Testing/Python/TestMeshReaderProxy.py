@@ -195,6 +195,25 @@ class TestMeshReaderProxy(unittest.TestCase):
         self.assertEqual([depths.GetValue(k) for k in range(4)], [5.5, 6, 7, -1])
         self.assertEqual(cells_of(edges, 'TagName')[-1][1], 'land, type 0')
 
+    def test_an_edge_among_elements_of_SU2_has_no_name(self):
+        text = SU2.replace('NELEM=2 ', 'NELEM=3 ').replace('5 0 2 3', '5 0 2 3\n3 2 3')
+        _, edges = self.read(self.path_of('edge.su2', text))
+        self.assertEqual([tag for _, tag in cells_of(edges, 'TagName')],
+                         ['', 'inlet', 'wall', 'wall'])
+
+    def test_sections_of_SU2_that_are_not_of_the_mesh_are_passed_over(self):
+        for place in ('NPOIN=', 'MARKER_TAG= wall'):
+            text = SU2.replace(place, 'FFD_CORNER_POINTS= 2\n0.5 0.5\n1 2.5\n' + place)
+            mesh, edges = self.read(self.path_of('box.su2', text))
+            self.assertEqual([mesh.GetNumberOfCells(), edges.GetNumberOfCells()], [2, 3])
+
+    def test_the_sign_of_a_physical_group_is_an_orientation(self):
+        text = GMSH_4.replace('5 0 0 0 1 0 0 0 0', '5 0 0 0 1 0 0 1 -7 0')
+        text = text.replace('9 0 0 0 1 1 0 0 1 5', '9 0 0 0 1 1 0 1 -4 1 5')
+        mesh, edges = self.read(self.path_of('turned.msh', text))
+        self.assertEqual([region for _, region in cells_of(mesh, 'RegionId')], ['3', '3'])
+        self.assertEqual([tag for _, tag in cells_of(edges, 'Tag')], ['7'])
+
     def test_tags_go_on_to_the_remesher_and_back_into_a_file(self):
         self.read(self.path_of('square.su2', SU2))
         finer = BitingRemesher(Input=self.reader, TaggedLines=simple.OutputPort(self.reader, 1),
