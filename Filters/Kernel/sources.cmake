@@ -20,7 +20,6 @@ set(biting_kernel_sources
   Spacing/GridLimit.cxx
   Spacing/LevelLine.cxx
   Spacing/MergedCones.cxx
-  Spacing/NeededCones.cxx
   Spacing/OutsideJumps.cxx
   Spacing/Quadtree.cxx
   Spacing/SegmentCone.cxx
@@ -30,8 +29,8 @@ set(biting_kernel_sources
   Spacing/Spacing.cxx
   Spacing/SteepTriangles.cxx
   Spacing/TriangleBuckets.cxx
+  Spacing/TriangleEdges.cxx
   Spacing/TriangleInterpolator.cxx
-  Spacing/TriangleSides.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx
   Domain/Arrangement.cxx

@@ -232,8 +232,10 @@ private:
       return true;
     }
     PartOfStage measuring(this->Stage, 0.3, 0.32);
-    this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
-    if (this->Options.Gradation > 0.0 && !this->Options.Triangulation->IsGraded)
+    const double slope = LargestSlope(*this->Options.Triangulation, measuring);
+    this->AddSlope(slope);
+    const bool isSteep = this->Data.Range.Scale * slope > this->Options.Gradation;
+    if (this->Options.Gradation > 0.0 && isSteep && !this->Options.Triangulation->IsGraded)
     {
       PartOfStage limiting(this->Stage, 0.32, 0.36);
       Pulse pulse(limiting);

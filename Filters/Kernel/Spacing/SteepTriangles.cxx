@@ -3,231 +3,429 @@
 
 #include "SteepTriangles.h"
 
-#include "NeededCones.h"
+#include "../Base/Numbers.h"
+#include "../Base/SortInSteps.h"
+#include "SegmentCone.h"
 #include "SourceSlopes.h"
-#include "TriangleSides.h"
+#include "TriangleEdges.h"
 
-#include <algorithm> // for min, max, none_of
-#include <array>     // for sides
+#include <algorithm>     // for min, max
+#include <unordered_map> // for cuts of edges
+#include <utility>       // for pairs
 
 namespace biting
 {
 namespace
 {
 
-/// A triangle is steep where the slope along one of its edges or the mean gradient around one of
-/// its corners is above the gradation by more than this share of it, or its own gradient adds more
-/// than this share of f. The gradient of one triangle exceeds that of a function with slope g even
-/// where its edges do not.
-constexpr double TriangleMargin = 0.005;
+/// A triangle is steep where its gradient is above the gradation by more than this share of it, and
+/// that is no artifact of its shape: so is the slope of a side, or the mean gradient around one of
+/// its corners; or it adds more than this share of f.
+constexpr double SteepMargin = 0.005;
 
-/// Where there are more edges that f grows from than this share of the triangles, most of these are
-/// hardly steep, and many of the edges are not needed.
-constexpr double ShareOfSlight = 0.3;
+/// A cone is left out where another one is nowhere in the plane above it by more than this share of
+/// its least value; or where it is nowhere below what is given by more than this share of that.
+constexpr double CoverTolerance = 0.005;
+constexpr double IdleTolerance = 0.01;
 
-/// Of the triangles around each point, weighted by area.
-std::vector<Point2> AverageGradients(const TriangulatedSource& source, Pulse& pulse)
+/// Sides are looked at at their ends, and between at one place, or more where f may grow along them
+/// by more than this share of it.
+constexpr double GrowthOfSide = 0.1;
+
+/// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Their
+/// points are in the order of their values.
+struct SteepParts
 {
-  std::vector<Point2> gradients(source.Points.size());
-  std::vector<double> areas(gradients.size(), 0.0);
-  pulse.ForEach(source.Triangles.size() / 3,
-    [&source, &gradients, &areas](std::size_t triangle)
-    {
-      const std::size_t first = 3 * triangle;
-      const Point2 gradient = GradientOfTriangle(source, first);
-      const double area = AreaOfTriangle(source, first);
-      for (std::size_t corner = first; corner < first + 3 && area > 0.0; ++corner)
-      {
-        const auto point = static_cast<std::size_t>(source.Triangles[corner]);
-        areas[point] += area;
-        gradients[point] = gradients[point] + (area / areas[point]) * (gradient - gradients[point]);
-      }
-    });
-  return gradients;
-}
+  std::vector<Point2> Points;
+  std::vector<double> Values; ///< of f
+  std::vector<Id> Corners;    ///< three a triangle
+};
 
-bool IsSteep(const TriangulatedSource& source, std::size_t triangle, double gradation,
-  const ValueRange& range, const std::vector<Point2>& gradients)
-{
-  const double most = (1.0 + TriangleMargin) * gradation;
-  const double slope = range.Scale * Length(GradientOfTriangle(source, 3 * triangle));
-  std::size_t corners[3];
-  double values[3];
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    corners[corner] = static_cast<std::size_t>(source.Triangles[3 * triangle + corner]);
-    values[corner] = range(source.Values[corners[corner]]);
-  }
-  const double least = std::min({ values[0], values[1], values[2] });
-  if (!(slope > most) || !(std::max({ values[0], values[1], values[2] }) > least))
-  {
-    return false;
-  }
-  double longest = 0.0;
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    const std::size_t a = corners[corner];
-    const std::size_t b = corners[(corner + 1) % 3];
-    const double length = Distance(source.Points[a], source.Points[b]);
-    if (range.Scale * std::abs(source.Values[a] - source.Values[b]) > most * length ||
-      range.Scale * Length(gradients[a]) > most)
-    {
-      return true;
-    }
-    longest = std::max(longest, length);
-  }
-  return (slope - gradation) * 0.5 * longest > TriangleMargin * least;
-}
-
-std::vector<Id> FindSteepTriangles(
-  const TriangulatedSource& source, double gradation, const ValueRange& range, Pulse& pulse)
-{
-  const std::vector<Point2> gradients = AverageGradients(source, pulse);
-  std::vector<Id> steep;
-  pulse.ForEach(source.Triangles.size() / 3,
-    [&](std::size_t triangle)
-    {
-      if (IsSteep(source, triangle, gradation, range, gradients))
-      {
-        steep.push_back(static_cast<Id>(triangle));
-      }
-    });
-  return steep;
-}
-
-/// From a point of a steep triangle the way down its gradient leads to lower values than the
-/// gradation allows. So f grows from points only from which no steep triangle leads down: the edges
-/// that all steep triangles beside them lead down to; the low ends of edges that are steep
-/// themselves; and where triangles reach below the least spacing, the line where they do.
-class ConeFinder
+class PartCollector
 {
 public:
-  ConeFinder(const TriangulatedSource& source, double gradation, ConeCollector& cones)
+  PartCollector(const TriangulatedSource& source, double gradation, const ValueRange& range)
     : Source(source)
     , Gradation(gradation)
-    , Cones(cones)
-    , IsLowEnd(source.Points.size(), false)
-    , HasWayDown(source.Points.size(), false)
+    , MostSlope((1.0 + SteepMargin) * gradation)
+    , Range(range)
+    , PartPoints(source.Points.size(), NoId)
   {
   }
 
-  std::vector<LowEdge> Find(const std::vector<Id>& steep, const TriangleSides& sides, Pulse& pulse)
+  SteepParts Collect(Pulse& pulse)
   {
-    for (std::size_t k = 0; k < steep.size() && pulse.Beat(); ++k)
-    {
-      this->MarkPoints(&this->Source.Triangles[3 * static_cast<std::size_t>(steep[k])]);
-    }
-    sides.ForEachEdge(pulse,
-      [this, &sides](const Id* first, const Id* last)
+    this->AverageGradients(pulse);
+    pulse.ForEach(this->Source.Triangles.size() / 3,
+      [this](std::size_t triangle)
       {
-        const bool isBottom = std::none_of(first, last,
-          [this, &sides](Id side) {
-            return this->LeadsDown(sides.StartOf(side), sides.EndOf(side), sides.OppositeOf(side));
-          });
-        if (isBottom && !this->IsSteepEdge(sides.StartOf(*first), sides.EndOf(*first)))
+        if (this->IsSteep(3 * triangle))
         {
-          this->AddEdge(sides.StartOf(*first), sides.EndOf(*first));
+          this->AddTriangle(&this->Source.Triangles[3 * triangle]);
         }
       });
-    for (std::size_t point = 0; point < this->IsLowEnd.size() && pulse.Beat(1); ++point)
-    {
-      if (this->IsLowEnd[point] && !this->HasWayDown[point])
-      {
-        this->AddEdge(static_cast<Id>(point), static_cast<Id>(point));
-      }
-    }
-    return std::move(this->Found);
+    this->SortPoints(pulse);
+    return std::move(this->Parts);
   }
 
 private:
-  const Point2& PlaceOf(Id point) const
-  {
-    return this->Source.Points[static_cast<std::size_t>(point)];
-  }
+  using Polygon = std::vector<Id>;
 
-  /// As spacing, without bounds.
-  double ValueOf(Id point) const
+  /// Of the triangles around each point, weighted by area.
+  void AverageGradients(Pulse& pulse)
   {
-    return this->Cones.Values().Scale * this->Source.Values[static_cast<std::size_t>(point)];
-  }
-
-  /// Whether the gradient of a triangle leads down from the edge between two of its corners.
-  bool LeadsDown(Id start, Id end, Id opposite) const
-  {
-    const Point2 along = this->PlaceOf(end) - this->PlaceOf(start);
-    const Point2 toOpposite = this->PlaceOf(opposite) - this->PlaceOf(start);
-    const double rise = this->ValueOf(end) - this->ValueOf(start);
-    return (this->ValueOf(opposite) - this->ValueOf(start)) * Dot(along, along) <
-      rise * Dot(toOpposite, along);
-  }
-
-  bool IsSteepEdge(Id start, Id end) const
-  {
-    return !(std::abs(this->ValueOf(end) - this->ValueOf(start)) <
-      this->Gradation * Distance(this->PlaceOf(start), this->PlaceOf(end)));
-  }
-
-  void MarkPoints(const Id* corners)
-  {
-    std::array<bool, 3> leadsDown{};
-    std::vector<Point2> atLeast;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Id start = corners[k];
-      const Id end = corners[(k + 1) % 3];
-      leadsDown[k] = this->LeadsDown(start, end, corners[(k + 2) % 3]);
-      if (this->IsSteepEdge(start, end))
+    this->Gradients.resize(this->Source.Points.size());
+    std::vector<double> areas(this->Gradients.size(), 0.0);
+    pulse.ForEach(this->Source.Triangles.size() / 3,
+      [this, &areas](std::size_t triangle)
       {
-        const bool isRising = this->ValueOf(start) < this->ValueOf(end);
-        this->IsLowEnd[static_cast<std::size_t>(isRising ? start : end)] = true;
-        this->HasWayDown[static_cast<std::size_t>(isRising ? end : start)] = true;
-      }
-      if ((this->ValueOf(start) < this->Least()) != (this->ValueOf(end) < this->Least()))
+        const Point2 gradient = GradientOfTriangle(this->Source, 3 * triangle);
+        const double area = AreaOfTriangle(this->Source, 3 * triangle);
+        for (std::size_t corner = 3 * triangle; corner < 3 * triangle + 3 && area > 0.0; ++corner)
+        {
+          const auto point = static_cast<std::size_t>(this->Source.Triangles[corner]);
+          areas[point] += area;
+          Point2& mean = this->Gradients[point];
+          mean = mean + (area / areas[point]) * (gradient - mean);
+        }
+      });
+  }
+
+  bool IsSteep(std::size_t first) const
+  {
+    const double slope = this->Range.Scale * Length(GradientOfTriangle(this->Source, first));
+    if (!(slope > this->MostSlope))
+    {
+      return false;
+    }
+    double least = Infinity;
+    double longest = 0.0;
+    for (std::size_t corner = first; corner < first + 3; ++corner)
+    {
+      const auto a = static_cast<std::size_t>(this->Source.Triangles[corner]);
+      const auto b =
+        static_cast<std::size_t>(this->Source.Triangles[corner == first + 2 ? first : corner + 1]);
+      const double length = Distance(this->Source.Points[a], this->Source.Points[b]);
+      const double rise = std::abs(this->Source.Values[a] - this->Source.Values[b]);
+      if (this->Range.Scale * rise > this->MostSlope * length ||
+        this->Range.Scale * Length(this->Gradients[a]) > this->MostSlope)
       {
-        atLeast.push_back(this->PlaceAtLeast(start, end));
+        return true;
+      }
+      longest = std::max(longest, length);
+      least = std::min(least, this->Range(this->Source.Values[a]));
+    }
+    return (slope - this->Gradation) * 0.5 * longest > SteepMargin * least;
+  }
+
+  void AddTriangle(const Id* corners)
+  {
+    const auto value = [this, corners](std::size_t corner)
+    { return this->Range.Scale * this->Source.Values[static_cast<std::size_t>(corners[corner])]; };
+    const double low = std::min({ value(0), value(1), value(2) });
+    const double high = std::max({ value(0), value(1), value(2) });
+    if (!(low < this->Range.Most && high > this->Range.Least))
+    {
+      return;
+    }
+    this->Part.clear();
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      Id& point = this->PartPoints[static_cast<std::size_t>(corners[corner])];
+      point = point == NoId
+        ? this->AddPoint(
+            this->Source.Points[static_cast<std::size_t>(corners[corner])], value(corner))
+        : point;
+      this->Part.push_back(point);
+    }
+    if (low < this->Range.Least)
+    {
+      this->Cut(this->Range.Least, 1.0, this->CutsAtLeast);
+    }
+    if (high > this->Range.Most)
+    {
+      this->Cut(this->Range.Most, -1.0, this->CutsAtMost);
+    }
+    for (std::size_t k = 2; k < this->Part.size(); ++k)
+    {
+      this->Parts.Corners.insert(
+        this->Parts.Corners.end(), { this->Part[0], this->Part[k - 1], this->Part[k] });
+    }
+  }
+
+  Id AddPoint(const Point2& place, double value)
+  {
+    this->Parts.Points.push_back(place);
+    this->Parts.Values.push_back(value);
+    return static_cast<Id>(this->Parts.Points.size() - 1);
+  }
+
+  using Cuts = std::unordered_map<std::uint64_t, Id>;
+
+  /// Keeps what is on one side of a bound.
+  void Cut(double bound, double sign, Cuts& cuts)
+  {
+    this->Whole.swap(this->Part);
+    this->Part.clear();
+    for (std::size_t k = 0; k < this->Whole.size(); ++k)
+    {
+      const Id start = this->Whole[k];
+      const Id end = this->Whole[k + 1 < this->Whole.size() ? k + 1 : 0];
+      const double toStart = sign * (this->ValueOf(start) - bound);
+      const double toEnd = sign * (this->ValueOf(end) - bound);
+      if (toStart >= 0.0)
+      {
+        this->Part.push_back(start);
+      }
+      if ((toStart > 0.0 && toEnd < 0.0) || (toStart < 0.0 && toEnd > 0.0))
+      {
+        this->Part.push_back(this->CutOf(std::min(start, end), std::max(start, end), bound, cuts));
       }
     }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const auto corner = static_cast<std::size_t>(corners[k]);
-      this->HasWayDown[corner] =
-        this->HasWayDown[corner] || (leadsDown[k] && leadsDown[(k + 2) % 3]);
-    }
-    if (atLeast.size() == 2)
-    {
-      this->Cones.AddSegment(atLeast[0], atLeast[1], this->Least(), this->Least());
-    }
   }
 
-  double Least() const { return this->Cones.Values().Least; }
-
-  Point2 PlaceAtLeast(Id start, Id end) const
+  /// The same point for both triangles of an edge.
+  Id CutOf(Id start, Id end, double bound, Cuts& cuts)
   {
-    const double weight =
-      (this->Least() - this->ValueOf(start)) / (this->ValueOf(end) - this->ValueOf(start));
-    return this->PlaceOf(start) + weight * (this->PlaceOf(end) - this->PlaceOf(start));
+    constexpr int IdBits = 32;
+    const auto [cut, isNew] = cuts.emplace(
+      static_cast<std::uint64_t>(start) << IdBits | static_cast<std::uint64_t>(end), NoId);
+    if (isNew)
+    {
+      const Point2 from = this->Parts.Points[static_cast<std::size_t>(start)];
+      const Point2 to = this->Parts.Points[static_cast<std::size_t>(end)];
+      const double weight =
+        (bound - this->ValueOf(start)) / (this->ValueOf(end) - this->ValueOf(start));
+      cut->second = this->AddPoint(from + weight * (to - from), bound);
+    }
+    return cut->second;
   }
 
-  /// Or a point; as far as it has a spacing between the bounds.
-  void AddEdge(Id start, Id end)
+  double ValueOf(Id point) const { return this->Parts.Values[static_cast<std::size_t>(point)]; }
+
+  void SortPoints(Pulse& pulse)
   {
-    const Id low = this->ValueOf(start) < this->ValueOf(end) ? start : end;
-    const Id high = low == start ? end : start;
-    if (this->ValueOf(low) < this->Cones.Values().Most && this->ValueOf(high) >= this->Least())
+    std::vector<std::pair<double, Id>> order;
+    for (const double value : this->Parts.Values)
     {
-      const bool isCut = this->ValueOf(low) < this->Least();
-      this->Found.push_back(
-        { isCut ? this->PlaceAtLeast(low, high) : this->PlaceOf(low), this->PlaceOf(high),
-          std::max(this->ValueOf(low), this->Least()), this->ValueOf(high), low, high });
+      order.emplace_back(value, static_cast<Id>(order.size()));
+    }
+    SortInSteps(order, std::less<>(), pulse);
+    const SteepParts old = this->Parts;
+    std::vector<Id> places(order.size());
+    pulse.ForEach(order.size(),
+      [this, &order, &old, &places](std::size_t place)
+      {
+        const auto point = static_cast<std::size_t>(order[place].second);
+        places[point] = static_cast<Id>(place);
+        this->Parts.Points[place] = old.Points[point];
+        this->Parts.Values[place] = old.Values[point];
+      });
+    for (Id& corner : this->Parts.Corners)
+    {
+      corner = places[static_cast<std::size_t>(corner)];
     }
   }
 
   const TriangulatedSource& Source;
   const double Gradation;
-  ConeCollector& Cones;
-  std::vector<LowEdge> Found;
-  std::vector<bool> IsLowEnd;   ///< of an edge that is steep
-  std::vector<bool> HasWayDown; ///< within a steep triangle, or along such an edge
+  const double MostSlope;
+  const ValueRange& Range;
+  std::vector<Point2> Gradients; ///< of points of the source
+  SteepParts Parts;
+  std::vector<Id> PartPoints; ///< of points of the source
+  Cuts CutsAtLeast;           ///< by the ends of edges
+  Cuts CutsAtMost;
+  Polygon Part; ///< at work
+  Polygon Whole;
+};
+
+/// Finds the edges and points from which f grows. Any edge that is not steep itself may be one, and
+/// the lower end of steep ones. From the lowest point up, each hands the cone that is lowest there
+/// on to those above, and is left out where such a cone stands for it. Of the others those are
+/// needed that are lowest, and below the values, at a point or along a side.
+class ConeFinder
+{
+public:
+  ConeFinder(const SteepParts& parts, double gradation, double most, Pulse& pulse)
+    : Parts(parts)
+    , Gradation(gradation)
+    , Most(most)
+    , Beats(pulse)
+    , Edges(parts.Corners, parts.Points.size(), pulse)
+    , LowestAt(parts.Points.size())
+    , FirstConeAt(parts.Points.size() + 1, 0)
+  {
+  }
+
+  void Run(ConeCollector& cones)
+  {
+    for (std::size_t point = 0; point < this->Parts.Points.size() && this->Beats.Beat(32); ++point)
+    {
+      this->Settle(point);
+      this->FirstConeAt[point + 1] = this->Cones.size();
+    }
+    this->AreNeeded.resize(this->Cones.size(), false);
+    for (std::size_t first = 0; first < this->Parts.Corners.size() && this->Beats.Beat(16);
+         first += 3)
+    {
+      this->MarkNeeded(&this->Parts.Corners[first]);
+    }
+    for (std::size_t cone = 0; cone < this->Cones.size(); ++cone)
+    {
+      if (this->AreNeeded[cone])
+      {
+        const auto [low, high] = this->Ends[cone];
+        cones.AddSegment(this->Parts.Points[low], this->Parts.Points[high], this->Parts.Values[low],
+          this->Parts.Values[high]);
+      }
+    }
+  }
+
+private:
+  /// The cone that is lowest at a point, of those that were offered.
+  struct Lowest
+  {
+    Id Cone = NoId;
+    double Value = Infinity;
+  };
+
+  const SegmentCone& At(Id cone) const { return this->Cones[static_cast<std::size_t>(cone)]; }
+
+  void Settle(std::size_t point)
+  {
+    const std::size_t end = this->Edges.FirstAt(point + 1);
+    bool isEnd = false;
+    for (std::size_t edge = this->Edges.FirstAt(point); edge < end; ++edge)
+    {
+      const auto high = static_cast<std::size_t>(this->Edges.HighEnd(edge));
+      const double rise = this->Parts.Values[high] - this->Parts.Values[point];
+      const bool isSteep =
+        !(rise < this->Gradation * Distance(this->Parts.Points[point], this->Parts.Points[high]));
+      if (isSteep)
+      {
+        isEnd = true;
+      }
+      else
+      {
+        this->AddCone(point, high);
+      }
+    }
+    if (isEnd)
+    {
+      this->AddCone(point, point);
+    }
+    const Id offered = this->LowestAt[point].Cone;
+    for (std::size_t edge = this->Edges.FirstAt(point); edge < end; ++edge)
+    {
+      const auto high = static_cast<std::size_t>(this->Edges.HighEnd(edge));
+      if (offered != NoId)
+      {
+        this->Offer(offered, high);
+      }
+      for (std::size_t cone = this->FirstConeAt[point]; cone < this->Cones.size(); ++cone)
+      {
+        this->Offer(static_cast<Id>(cone), high);
+      }
+    }
+  }
+
+  /// Unless what is offered to its lower end, or one added there before, stands for it.
+  void AddCone(std::size_t low, std::size_t high)
+  {
+    const double value = this->Parts.Values[low];
+    const SegmentCone cone(this->Parts.Points[low], this->Parts.Points[high], value,
+      this->Parts.Values[high], this->Gradation);
+    const Id offered = this->LowestAt[low].Cone;
+    const bool hasOther = low == high && this->Cones.size() > this->FirstConeAt[low];
+    if (value < this->Most && !hasOther &&
+      !(offered != NoId && this->StandsFor(this->At(offered), cone)))
+    {
+      this->Cones.push_back(cone);
+      this->Ends.emplace_back(low, high);
+    }
+  }
+
+  /// Along a segment a cone is convex, and from there it grows no faster than another one.
+  bool StandsFor(const SegmentCone& cone, const SegmentCone& other) const
+  {
+    const double room = CoverTolerance * other.Value;
+    return cone(other.Start, this->Gradation) <= other.Value + room &&
+      cone(other.End(), this->Gradation) <= other.Value + other.Slope * other.Length + room;
+  }
+
+  void Offer(Id cone, std::size_t point)
+  {
+    Lowest& lowest = this->LowestAt[point];
+    const double value = this->At(cone)(this->Parts.Points[point], this->Gradation);
+    if (value < lowest.Value && value <= (1.0 + CoverTolerance) * this->Parts.Values[point])
+    {
+      lowest = { cone, value };
+    }
+  }
+
+  /// The cones of the corners of a triangle, and those that are lowest there.
+  void MarkNeeded(const Id* corners)
+  {
+    this->Near.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto corner = static_cast<std::size_t>(corners[k]);
+      this->LookAt(this->LowestAt[corner].Cone);
+      for (std::size_t cone = this->FirstConeAt[corner]; cone < this->FirstConeAt[corner + 1];
+           ++cone)
+      {
+        this->LookAt(static_cast<Id>(cone));
+      }
+    }
+    for (std::size_t k = 0; k < 3 && !this->Near.empty(); ++k)
+    {
+      this->MarkAlong(static_cast<std::size_t>(corners[k]),
+        static_cast<std::size_t>(corners[k == 2 ? 0 : k + 1]));
+    }
+  }
+
+  void LookAt(Id cone)
+  {
+    if (cone != NoId && !this->AreNeeded[static_cast<std::size_t>(cone)])
+    {
+      this->Near.push_back(cone);
+    }
+  }
+
+  void MarkAlong(std::size_t start, std::size_t end)
+  {
+    const Point2 along = this->Parts.Points[end] - this->Parts.Points[start];
+    const double rise = this->Parts.Values[end] - this->Parts.Values[start];
+    const bool isShort = this->Gradation * Length(along) < GrowthOfSide * this->Parts.Values[start];
+    const int places = isShort ? 2 : 4;
+    for (int place = 0; place < places; ++place)
+    {
+      const double weight = static_cast<double>(place) / places;
+      const double given = this->Parts.Values[start] + weight * rise;
+      for (const Id cone : this->Near)
+      {
+        const double value =
+          this->At(cone)(this->Parts.Points[start] + weight * along, this->Gradation);
+        if (value < given - IdleTolerance * this->At(cone).Value)
+        {
+          this->AreNeeded[static_cast<std::size_t>(cone)] = true;
+        }
+      }
+    }
+  }
+
+  const SteepParts& Parts;
+  const double Gradation;
+  const double Most;
+  Pulse& Beats;
+  const TriangleEdges Edges;
+  std::vector<Lowest> LowestAt;         ///< of each point
+  std::vector<std::size_t> FirstConeAt; ///< of each point; and the end of the last one's
+  std::vector<SegmentCone> Cones;
+  std::vector<std::pair<std::size_t, std::size_t>> Ends; ///< of their segments: points
+  std::vector<bool> AreNeeded;
+  std::vector<Id> Near; ///< at work
 };
 
 } // namespace
@@ -235,21 +433,10 @@ private:
 void AddSteepTriangles(
   const TriangulatedSource& source, double gradation, ConeCollector& cones, Pulse& pulse)
 {
-  const std::vector<Id> steep = FindSteepTriangles(source, gradation, cones.Values(), pulse);
-  if (steep.empty() || pulse.HasStopped())
+  const SteepParts parts = PartCollector(source, gradation, cones.Values()).Collect(pulse);
+  if (!pulse.HasStopped())
   {
-    return;
-  }
-  const TriangleSides sides(source, steep, pulse);
-  std::vector<LowEdge> edges = ConeFinder(source, gradation, cones).Find(steep, sides, pulse);
-  if (static_cast<double>(edges.size()) > ShareOfSlight * static_cast<double>(steep.size()))
-  {
-    edges =
-      NeededCones(std::move(edges), { source, steep, sides }, cones.Values(), gradation, pulse);
-  }
-  for (const LowEdge& edge : edges)
-  {
-    cones.AddSegment(edge.Start, edge.End, edge.StartValue, edge.EndValue);
+    ConeFinder(parts, gradation, cones.Values().Most, pulse).Run(cones);
   }
 }
 

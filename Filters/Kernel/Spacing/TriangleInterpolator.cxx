@@ -3,7 +3,7 @@
 
 #include "TriangleInterpolator.h"
 
-#include "TriangleSides.h"
+#include "TriangleEdges.h"
 
 #include <algorithm> // for min, max
 #include <limits>    // for infinity
@@ -16,11 +16,6 @@ namespace
 std::size_t PointOf(const Id* corners, std::size_t corner)
 {
   return static_cast<std::size_t>(corners[corner]);
-}
-
-const Id* CornersOf(const TriangulatedSource& source, Id triangle)
-{
-  return &source.Triangles[3 * static_cast<std::size_t>(triangle)];
 }
 
 TriangleBuckets::Corners PointsOf(const TriangulatedSource& source, const Id* corners)
@@ -43,52 +38,53 @@ bool IsUsable(const TriangulatedSource& source, const Id* corners)
   return std::isnormal(Cross(points[1] - points[0], points[2] - points[0]));
 }
 
-std::vector<Id> UsableTriangles(const TriangulatedSource& source, Pulse& pulse)
+/// The corners of triangles that are a source.
+std::vector<Id> UsableCorners(const TriangulatedSource& source, Pulse& pulse)
 {
   std::vector<Id> usable;
-  usable.reserve(source.Triangles.size() / 3);
+  usable.reserve(source.Triangles.size());
   pulse.ForEach(source.Triangles.size() / 3,
     [&source, &usable](std::size_t triangle)
     {
-      if (IsUsable(source, CornersOf(source, static_cast<Id>(triangle))))
+      const Id* corners = &source.Triangles[3 * triangle];
+      if (IsUsable(source, corners))
       {
-        usable.push_back(static_cast<Id>(triangle));
+        usable.insert(usable.end(), corners, corners + 3);
       }
     });
   return usable;
 }
 
 std::vector<TriangleBuckets::Corners> PointsOfAll(
-  const TriangulatedSource& source, const std::vector<Id>& triangles)
+  const TriangulatedSource& source, const std::vector<Id>& corners)
 {
   std::vector<TriangleBuckets::Corners> points;
-  points.reserve(triangles.size());
-  for (const Id triangle : triangles)
+  points.reserve(corners.size() / 3);
+  for (std::size_t first = 0; first < corners.size(); first += 3)
   {
-    points.push_back(PointsOf(source, CornersOf(source, triangle)));
+    points.push_back(PointsOf(source, &corners[first]));
   }
   return points;
 }
 
 /// The edges that belong to one triangle only, in the order of their ends.
 std::vector<BorderEdge> FindBorder(
-  const TriangulatedSource& source, const std::vector<Id>& triangles, Pulse& pulse)
+  const TriangulatedSource& source, const std::vector<Id>& corners, Pulse& pulse)
 {
   std::vector<BorderEdge> border;
-  const TriangleSides sides(source, triangles, pulse);
-  sides.ForEachEdge(pulse,
-    [&](const Id* first, const Id* last)
+  const TriangleEdges edges(corners, source.Points.size(), pulse);
+  for (std::size_t start = 0; start < source.Points.size(); ++start)
+  {
+    for (std::size_t edge = edges.FirstAt(start); edge < edges.FirstAt(start + 1); ++edge)
     {
-      if (last - first == 1)
+      if (edges.IsBorder(edge))
       {
-        const Id low = sides.LowEnd(*first);
-        const Id high = sides.HighEnd(*first);
-        const auto start = static_cast<std::size_t>(low);
-        const auto end = static_cast<std::size_t>(high);
+        const auto end = static_cast<std::size_t>(edges.HighEnd(edge));
         border.push_back({ source.Points[start], source.Points[end], source.Values[start],
-          source.Values[end], low, high });
+          source.Values[end], static_cast<Id>(start), static_cast<Id>(end) });
       }
-    });
+    }
+  }
   return border;
 }
 
@@ -98,15 +94,15 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
   : MayOverlap(source.MayOverlap)
 {
   Pulse pulse(monitor);
-  const std::vector<Id> usable = UsableTriangles(source, pulse);
+  const std::vector<Id> usable = UsableCorners(source, pulse);
   if (usable.empty() || pulse.HasStopped())
   {
     return;
   }
   this->Buckets = std::make_unique<TriangleBuckets>(PointsOfAll(source, usable), pulse);
   this->Border = BorderTree(FindBorder(source, usable, pulse), pulse);
-  this->Records.reserve(usable.size());
-  std::vector<Id> recordOf(usable.size(), NoId);
+  this->Records.reserve(usable.size() / 3);
+  std::vector<Id> recordOf(usable.size() / 3, NoId);
   this->Buckets->ForEachEntry(
     [this, &source, &usable, &recordOf, &pulse](Id& entry)
     {
@@ -115,7 +111,7 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
       if (recordOf[triangle] == NoId)
       {
         recordOf[triangle] = static_cast<Id>(this->Records.size());
-        this->Records.push_back(MakeRecord(source, CornersOf(source, usable[triangle])));
+        this->Records.push_back(MakeRecord(source, &usable[3 * triangle]));
       }
       entry = recordOf[triangle];
     });

@@ -100,6 +100,31 @@ TEST(SteepTriangles, OfAPlaneAreConesOnItsLowestPointsOnly)
     });
 }
 
+/// The distance from a disc in the middle, a little too steep.
+TEST(SteepTriangles, OfAFieldALittleTooSteepAreConesOnItsLowestPlacesOnly)
+{
+  const auto field = [](const Point2& x) {
+    return 0.01 + 1.05 * Gradation * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.1, 0.0);
+  };
+  const SegmentSource cones = ConesOf(MakeTriangulation(61, field));
+  EXPECT_FALSE(cones.Segments.empty());
+  for (const Point2& place : cones.Points)
+  {
+    EXPECT_LE(Length(place - Point2{ 0.5, 0.5 }), 0.2);
+  }
+  EXPECT_TRUE(ConesOf(MakeTriangulation(61, field), { 1.0, 0.0, 0.01 }).Segments.empty());
+}
+
+// Of this triangle no side is steep, but its gradient is.
+TEST(SteepTriangles, AreLimitedWhereTheLargestValueCutsThem)
+{
+  const TriangulatedSource source{ { { 0.0, 0.0 }, { 0.2, 0.2 }, { 0.2, -0.2 } },
+    { 0.02, 0.1, 0.1 }, { 0, 1, 2 } };
+  const SegmentSource cones = ConesOf(source, { 1.0, 0.0, 0.05 });
+  ASSERT_FALSE(cones.Segments.empty());
+  EXPECT_NEAR(LimitOf(cones)({ 0.07, 0.0 }), 0.02 + Gradation * 0.07, 1e-12); // 0.048 is given
+}
+
 TEST(SteepTriangles, AreLimitedToTheirLowestEdge)
 {
   const TriangulatedSource source{ { { 0.0, 0.0 }, { 0.0, 1.0 }, { 1.0, 0.5 } }, { 0.1, 0.1, 0.9 },
@@ -114,9 +139,13 @@ TEST(SteepTriangles, AreLimitedToTheirLowestEdge)
 /// Cones that are left out are above others: the limit is that of all edges.
 TEST(SteepTriangles, AllowWhatTheConesOfAllTheirEdgesAllow)
 {
-  for (std::uint64_t seed : { 1u, 2u, 3u })
+  std::vector<TriangulatedSource> sources{ Noisy(12, 1), Noisy(12, 2), Noisy(12, 3) };
+  for (const double slope : { 0.5, 0.9, 1.0, 1.01, 1.1, 2.0 })
   {
-    const TriangulatedSource source = Noisy(12, seed);
+    sources.push_back(MakeTriangulation(40, AroundTheMiddle(slope * Gradation)));
+  }
+  for (const TriangulatedSource& source : sources)
+  {
     const SegmentSource cones = ConesOf(source);
     const SegmentExtension limit = LimitOf(cones);
     SegmentSource all{ source.Points, source.Values, {} };
@@ -129,7 +158,7 @@ TEST(SteepTriangles, AllowWhatTheConesOfAllTheirEdgesAllow)
     EXPECT_LT(2 * cones.Segments.size(), all.Segments.size());
     const SegmentExtension limitOfAll = LimitOf(all);
     const TriangleInterpolator given(source);
-    Sampler sampler(seed);
+    Sampler sampler(4);
     for (int probe = 0; probe < 2000; ++probe)
     {
       const Point2 x = sampler.NextIn({ { 0.05, 0.05 }, { 0.95, 0.95 } });

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/TriangleEdges.h"
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+#include <set>     // for what is found
+#include <utility> // for pair
+
+namespace
+{
+
+using namespace biting;
+
+using Edge = std::pair<Id, Id>;
+
+struct Found
+{
+  std::set<Edge> All;
+  std::set<Edge> Border;
+};
+
+Found EdgesOf(const std::vector<Id>& corners, std::size_t points)
+{
+  Pulse pulse(NoMonitor());
+  const TriangleEdges edges(corners, points, pulse);
+  Found found;
+  for (std::size_t low = 0; low < points; ++low)
+  {
+    for (std::size_t edge = edges.FirstAt(low); edge < edges.FirstAt(low + 1); ++edge)
+    {
+      const Edge ends{ static_cast<Id>(low), edges.HighEnd(edge) };
+      EXPECT_LT(ends.first, ends.second);
+      EXPECT_TRUE(found.All.empty() || *found.All.rbegin() < ends);
+      found.All.insert(ends);
+      if (edges.IsBorder(edge))
+      {
+        found.Border.insert(ends);
+      }
+    }
+  }
+  return found;
+}
+
+TriangulatedSource SixBySix()
+{
+  return MakeTriangulation(6, [](const Point2&) { return 1.0; });
+}
+
+} // namespace
+
+TEST(TriangleEdges, AreFoundOnceInTheOrderOfTheirEnds)
+{
+  const TriangulatedSource source = SixBySix();
+  const Found found = EdgesOf(source.Triangles, source.Points.size());
+  EXPECT_EQ(found.All.size(), 85u); // 30 along each axis, 25 diagonals
+  for (std::size_t corner = 0; corner < source.Triangles.size(); ++corner)
+  {
+    const Id next = source.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+    EXPECT_EQ(found.All.count(std::minmax(source.Triangles[corner], next)), 1u);
+  }
+}
+
+TEST(TriangleEdges, OfOneTriangleOnlyAreTheBorder)
+{
+  const TriangulatedSource source = SixBySix();
+  const Found found = EdgesOf(source.Triangles, source.Points.size());
+  EXPECT_EQ(found.Border.size(), 20u);
+  for (const auto& [low, high] : found.Border)
+  {
+    const Point2 middle = Midpoint(
+      source.Points[static_cast<std::size_t>(low)], source.Points[static_cast<std::size_t>(high)]);
+    EXPECT_EQ(std::min({ middle.X, middle.Y, 1.0 - middle.X, 1.0 - middle.Y }), 0.0);
+  }
+}
+
+TEST(TriangleEdges, OfNoTrianglesAreNone)
+{
+  EXPECT_TRUE(EdgesOf({}, 5).All.empty());
+}
