@@ -74,6 +74,7 @@ set(biting_kernel_sources
   Biting/CandidateQueue.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
+  Biting/EdgeSamples.cxx
   Biting/EdgeShields.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx

@@ -13,24 +13,18 @@ namespace
 {
 
 constexpr double PanelLength = 0.4; // of a part: Simpson's rule on each of its panels
-constexpr double LeastPanel = 1e-3; // of f: where f jumps, a panel is no shorter
-constexpr double PanelRatio = 1.5;  // of f at the ends of a panel
 constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
 constexpr double SmallestStep = 1e-12;
 
-bool IsSteep(double first, double last)
-{
-  return last > PanelRatio * first || first > PanelRatio * last;
-}
-
 } // namespace
 
 EdgeDivider::EdgeDivider(const Spacing& spacing, double bitingConstant, double targetLength,
   Pulse& pulse, double leastPart)
   : F(spacing)
+  , Samples(spacing)
   , BitingConstant(bitingConstant)
   , TargetLength(targetLength)
   , LeastLength(leastPart)
@@ -133,40 +127,48 @@ void EdgeDivider::FitShells(
   }
 }
 
-// Panels follow f: a quarter of a part each, shorter where f changes fast.
 bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
 {
   const double length = Distance(a, b);
-  const double lastOfAll = length / this->AtEnds.EndSpacing;
-  const auto density = [&](double t)
-  { return t < 1.0 ? length / this->F(a + t * (b - a)) : lastOfAll; };
   this->Panels.clear();
   this->Total = 0.0;
-  double t = 0.0;
-  double first = length / this->AtEnds.StartSpacing;
-  while (t < 1.0)
+  this->Samples.Begin(a, b, this->AtEnds.StartSpacing, this->AtEnds.EndSpacing);
+  EdgeSamples::Sample last = { 0.0, this->AtEnds.StartSpacing };
+  while (last.Parameter < 1.0)
   {
-    double step = PanelLength * this->TargetLength / first;
-    double last = density(t + step);
-    while (IsSteep(first, last) && step * first > LeastPanel)
+    const EdgeSamples::Sample next = this->Samples.Next();
+    const bool isStuck = !(next.Parameter > last.Parameter);
+    if (isStuck || !this->AddPanels(length, last, next, limit))
     {
-      step *= 0.5;
-      last = density(t + step);
+      return false;
     }
-    // A remainder of up to half a panel is taken along, where f changes no faster there.
-    const bool isNearEnd = t + 1.5 * step >= 1.0;
-    const double atEnd = isNearEnd ? lastOfAll : last;
-    const bool isLast = t + step >= 1.0 || (isNearEnd && !IsSteep(first, atEnd));
-    const double end = isLast ? 1.0 : t + step;
-    last = isLast ? atEnd : last;
+    last = next;
+  }
+  return true;
+}
+
+// Between two samples.
+bool EdgeDivider::AddPanels(
+  double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit)
+{
+  const double width = to.Parameter - from.Parameter;
+  const double growth = to.Spacing - from.Spacing;
+  const double least = std::min(from.Spacing, to.Spacing);
+  const double count = std::ceil(width * length / (PanelLength * this->TargetLength * least));
+  double start = from.Parameter;
+  double first = length / from.Spacing;
+  for (double k = 1.0; k <= count; ++k)
+  {
+    const double end = k < count ? from.Parameter + k / count * width : to.Parameter;
+    const double last = length / (from.Spacing + k / count * growth);
     // As much as keeps the parabola through the three from falling below zero.
-    const double middle = std::max(density(0.5 * (t + end)), 0.25 * (first + last));
-    this->Panels.push_back({ t, end, first, middle, last, this->Total });
-    this->Total += (end - t) * (first + 4.0 * middle + last) / 6.0;
-    t = end;
+    const double middle =
+      std::max(length / (from.Spacing + (k - 0.5) / count * growth), 0.25 * (first + last));
+    this->Panels.push_back({ start, end, first, middle, last, this->Total });
+    this->Total += (end - start) * (first + 4.0 * middle + last) / 6.0;
+    start = end;
     first = last;
-    const bool isStuck = this->Panels.back().Start == end;
-    if (isStuck || this->Total > this->TargetLength * limit || !this->Beats.Beat())
+    if (this->Total > this->TargetLength * limit || !this->Beats.Beat())
     {
       return false;
     }

@@ -8,6 +8,7 @@
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/Spacing.h"
+#include "EdgeSamples.h"
 
 #include <vector> // for the arrays
 
@@ -95,6 +96,8 @@ private:
   void FitShells(
     double length, const std::vector<double>& startShells, const std::vector<double>& endShells);
   bool Integrate(const Point2& a, const Point2& b, Id limit);
+  bool AddPanels(
+    double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit);
   bool Covers(const Point2& a, const Point2& b, const DivisionPoints& points) const;
   Id NumberOfParts() const;
   double ParameterAt(double integral) const;
@@ -103,6 +106,7 @@ private:
   void Place(const Point2& a, const Point2& b, Id parts, DivisionPoints& points) const;
 
   const Spacing& F;
+  EdgeSamples Samples;
   double BitingConstant;
   double TargetLength;
   double LeastLength;

@@ -62,7 +62,7 @@ void ProtectEdges(BitingState& state)
   {
     return;
   }
-  const SharpCorners corners(state.Geometry, state.F, state.PartLength,
+  const SharpCorners corners(state.Geometry, state.Result.Spacings, state.F, state.PartLength,
     static_cast<Id>(state.Options.MaximumNumberOfVertices), state.Progress);
   EdgeDivider divider(
     state.F, state.BitingConstant, state.PartLength, state.Progress, LeastPart(state.Options));

@@ -8,8 +8,8 @@
 namespace biting
 {
 
-SharpCorners::SharpCorners(
-  const Domain& domain, const Spacing& spacing, double step, Id limit, Pulse& pulse)
+SharpCorners::SharpCorners(const Domain& domain, const std::vector<double>& spacings,
+  const Spacing& spacing, double step, Id limit, Pulse& pulse)
   : Geometry(domain)
   , F(spacing)
   , Step(step)
@@ -21,7 +21,7 @@ SharpCorners::SharpCorners(
   {
     this->FirstShells[vertex] = static_cast<Id>(this->Radii.size());
     this->FindSides(spokes.SharpSectorsAt(vertex));
-    this->AddShells(domain.Vertices[vertex], limit);
+    this->AddShells(domain.Vertices[vertex], spacings[vertex], limit);
     for (const Side& side : this->Sides)
     {
       const Id segment = side.Spoke.Segment;
@@ -57,10 +57,10 @@ void SharpCorners::AddSide(const Spoke& spoke, double halfSine)
   this->Sides.push_back({ spoke, length, halfSine });
 }
 
-void SharpCorners::AddShells(const Point2& corner, Id limit)
+void SharpCorners::AddShells(const Point2& corner, double spacing, Id limit)
 {
   double last = 0.0;
-  double lastSpacing = this->SpacingAt(corner, 0.0);
+  double lastSpacing = spacing;
   for (Id count = 0; count < limit && !this->Sides.empty(); ++count)
   {
     const double half = 0.5 * this->Step * lastSpacing;

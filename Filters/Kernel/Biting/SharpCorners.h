@@ -32,8 +32,10 @@ namespace biting
 class SharpCorners
 {
 public:
-  /// `step`: the distance of shells, in units of f. No more than `limit` shells at one vertex.
-  SharpCorners(const Domain& domain, const Spacing& spacing, double step, Id limit, Pulse& pulse);
+  /// `spacings`: f at the vertices. `step`: the distance of shells, in units of f. No more than
+  /// `limit` shells at one vertex.
+  SharpCorners(const Domain& domain, const std::vector<double>& spacings, const Spacing& spacing,
+    double step, Id limit, Pulse& pulse);
 
   /// The shells that the segment meets.
   EndShells ShellsOn(Id segment) const;
@@ -49,7 +51,7 @@ private:
 
   void FindSides(const std::vector<SharpSector>& sectors);
   void AddSide(const Spoke& spoke, double halfSine);
-  void AddShells(const Point2& corner, Id limit);
+  void AddShells(const Point2& corner, double spacing, Id limit);
   double SpacingAt(const Point2& corner, double radius) const;
   bool CountShell(double radius, double lastRadius, double lastSpacing);
   std::vector<double> ShellsAt(Id segment, int end) const;

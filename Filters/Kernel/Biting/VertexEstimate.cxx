@@ -20,19 +20,20 @@ namespace
 {
 
 constexpr int FirstDivision = 6;      // cells along the longer side
-constexpr int CoarseDepth = 2;        // halvings of a first cell that is wider than f
+constexpr int CoarseDepth = 2;        // halvings of a first cell that is coarse
+constexpr double CoarseWidth = 1.5;   // of such a cell, in units of f
 constexpr int BorderDepth = 4;        // halvings of one that is partly outside
 constexpr int GreatestDepth = 16;     // halvings at all
 constexpr double GreatestRatio = 1.5; // of f within a cell
 constexpr double LeastShare = 0.01;   // of a vertex, that a cell may hold, to be worth a division
 constexpr double LeastDoubt =
-  0.002; // of the integral, that a cell may be wrong by, to be worth one
+  0.004; // of the integral, that a cell may be wrong by, to be worth one
 constexpr double DoubtOnBorder = 0.3; // of what a cell may hold: the area is known
 constexpr double LeastCells = 2048.0;
 constexpr double GreatestCells = 100000.0;
 constexpr double GreatestCellsOfRough = 8192.0;
 constexpr double CellsPerVertex = 16.0;      // between these limits: a small mesh asks for no more
-constexpr double SegmentPanel = 2.0;         // of a segment, in spacings
+constexpr double SegmentPanel = 3.0;         // of a segment, in spacings
 constexpr double MostPanels = 64.0;          // along a segment
 constexpr double MostPanelsInAll = 300000.0; // but at least one a segment
 constexpr double MostPanelsOfRough = 32768.0;
@@ -76,7 +77,7 @@ double DoubtOf(const Cell& cell, const DomainLocator& locator, double least, dou
   {
     return 0.0;
   }
-  const bool isCoarse = cell.Depth < CoarseDepth && cell.Box.Width() > least;
+  const bool isCoarse = cell.Depth < CoarseDepth && cell.Box.Width() > CoarseWidth * least;
   const bool isSteep = cell.Depth < GreatestDepth && greatest > GreatestRatio * least;
   const bool mayBeDivided = isCoarse || isSteep || cell.Depth < BorderDepth;
   const bool isClear = mayBeDivided && locator.IsClear(cell.Box);
@@ -89,24 +90,30 @@ double DoubtOf(const Cell& cell, const DomainLocator& locator, double least, dou
                   : std::max(steepness, isClear ? 0.0 : DoubtOnBorder * most);
 }
 
+// f is not asked where the whole cell is outside.
 void TakeSample(const DomainLocator& locator, const Spacing& spacing, Cell& cell)
 {
-  double least = cell.AtCenter > 0.0 ? cell.AtCenter : spacing(cell.Box.Center());
-  double greatest = least;
   const double area = 0.25 * cell.Box.Width() * cell.Box.Height();
   const std::array<Box2, 4> quarters = Quarters(cell.Box);
+  std::array<bool, 4> areInside = {};
   for (std::size_t k = 0; k < quarters.size(); ++k)
   {
-    const Point2 p = quarters[k].Center();
-    const double f = spacing(p);
+    areInside[k] = locator.IsInside(quarters[k].Center());
+    cell.Values.Inside += areInside[k] ? area : 0.0;
+  }
+  if (cell.Values.Inside == 0.0 && locator.IsClear(cell.Box))
+  {
+    return;
+  }
+  double least = cell.AtCenter > 0.0 ? cell.AtCenter : spacing(cell.Box.Center());
+  double greatest = least;
+  for (std::size_t k = 0; k < quarters.size(); ++k)
+  {
+    const double f = spacing(quarters[k].Center());
     cell.AtQuarters[k] = f;
     least = std::min(least, f);
     greatest = std::max(greatest, f);
-    if (locator.IsInside(p))
-    {
-      cell.Values.Inside += area;
-      cell.Values.Density += area / (f * f);
-    }
+    cell.Values.Density += areInside[k] ? area / (f * f) : 0.0;
   }
   cell.Values.Doubt = DoubtOf(cell, locator, least, greatest);
 }
@@ -224,12 +231,20 @@ std::vector<Id> ChooseSegments(const Domain& domain, EstimateEffort effort)
   return segments;
 }
 
-// Of the rule along each segment. Most segments begin where the one before ends.
-std::vector<double> CountPanels(
+// How 1/f is integrated along a segment.
+struct SegmentRule
+{
+  double AtStart = 0.0; ///< f
+  double AtEnd = 0.0;
+  double Panels = 1.0;
+};
+
+// Most segments begin where the one before ends.
+std::vector<SegmentRule> MakeRules(
   const Domain& domain, const std::vector<Id>& segments, const Spacing& spacing, Pulse& pulse)
 {
-  std::vector<double> panels;
-  panels.reserve(segments.size());
+  std::vector<SegmentRule> rules;
+  rules.reserve(segments.size());
   Id last = NoId;
   double atLast = 0.0;
   for (std::size_t k = 0; k < segments.size() && pulse.Beat(); ++k)
@@ -240,22 +255,22 @@ std::vector<double> CountPanels(
     last = domain.Ends[segment];
     atLast = spacing(domain.Vertices[last]);
     const double length = Distance(domain.Vertices[start], domain.Vertices[last]);
-    panels.push_back(
-      std::max(1.0, std::min(MostPanels, length / (SegmentPanel * std::min(atStart, atLast)))));
+    const double panels = length / (SegmentPanel * std::min(atStart, atLast));
+    rules.push_back({ atStart, atLast, std::max(1.0, std::min(MostPanels, panels)) });
   }
-  return panels;
+  return rules;
 }
 
-// Of 1/f along a segment.
-double IntegrateInverse(
-  const Domain& domain, Id segment, const Spacing& spacing, int panels, Pulse& pulse)
+// Of 1/f along a segment, by the trapezoidal rule.
+double IntegrateInverse(const Domain& domain, Id segment, const SegmentRule& rule, int panels,
+  const Spacing& spacing, Pulse& pulse)
 {
   const Point2& a = domain.Vertices[domain.Starts[segment]];
   const Point2& b = domain.Vertices[domain.Ends[segment]];
-  double sum = 0.0;
-  for (int k = 0; k < panels && pulse.Beat(); ++k)
+  double sum = 0.5 / rule.AtStart + 0.5 / rule.AtEnd;
+  for (double k = 1.0; k < panels && pulse.Beat(); ++k)
   {
-    sum += 1.0 / spacing(a + (k + 0.5) / panels * (b - a));
+    sum += 1.0 / spacing(a + k / panels * (b - a));
   }
   return sum / panels * Distance(a, b);
 }
@@ -284,17 +299,19 @@ double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, doub
 {
   Pulse pulse(monitor);
   const std::vector<Id> segments = ChooseSegments(domain, effort);
-  const std::vector<double> panels = CountPanels(domain, segments, spacing, pulse);
+  const std::vector<SegmentRule> rules = MakeRules(domain, segments, spacing, pulse);
+  const double panels = std::accumulate(rules.begin(), rules.end(), 0.0,
+    [](double sum, const SegmentRule& rule) { return sum + rule.Panels; });
   const double mostPanels = effort == EstimateEffort::Full ? MostPanelsInAll : MostPanelsOfRough;
-  const double share =
-    std::min(1.0, mostPanels / std::accumulate(panels.begin(), panels.end(), 0.0));
+  const double share = std::min(1.0, mostPanels / panels);
   const bool isAll = static_cast<Id>(segments.size()) == domain.NumberOfSegments();
   std::vector<double> points(isAll ? 1 : PartsOfRough, 0.0);
-  for (std::size_t k = 0; k < panels.size() && pulse.Beat(); ++k)
+  for (std::size_t k = 0; k < rules.size() && pulse.Beat(); ++k)
   {
-    pulse.SetFraction(static_cast<double>(k) / static_cast<double>(panels.size()));
-    const int count = static_cast<int>(std::ceil(share * panels[k]));
-    const double parts = IntegrateInverse(domain, segments[k], spacing, count, pulse) / partLength;
+    pulse.SetFraction(static_cast<double>(k) / static_cast<double>(rules.size()));
+    const int count = static_cast<int>(std::ceil(share * rules[k].Panels));
+    const double parts =
+      IntegrateInverse(domain, segments[k], rules[k], count, spacing, pulse) / partLength;
     points[k % points.size()] += std::max(0.0, parts - 1.0);
   }
   const double weight = isAll ? 1.0

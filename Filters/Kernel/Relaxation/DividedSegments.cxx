@@ -23,9 +23,9 @@ constexpr double LeastPart = 0.25; // of the spacing
 class ClearanceSearch
 {
 public:
-  ClearanceSearch(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+  ClearanceSearch(const Domain& domain, const std::vector<double>& spacings, Pulse& pulse)
     : Geometry(domain)
-    , F(spacing)
+    , Spacings(spacings)
     , Progress(pulse)
     , Near(NearInResolutions * domain.Resolution)
   {
@@ -67,7 +67,7 @@ private:
   }
 
   const Domain& Geometry;
-  const Spacing& F;
+  const std::vector<double>& Spacings;
   Pulse& Progress;
   double Near;
   std::vector<SegmentEnds> Segments;
@@ -129,7 +129,7 @@ bool ClearanceSearch::AreNearAt(Id vertex, Id segment, Id other) const
   {
     return false;
   }
-  const double reach = std::min(std::min(Length(p), Length(q)), LeastPart * this->F(center));
+  const double reach = std::min(std::min(Length(p), Length(q)), LeastPart * this->Spacings[vertex]);
   return !(std::abs(Cross(p, q)) * reach > this->Near * lengths);
 }
 
@@ -141,9 +141,9 @@ double LeastSlidingLength(const Domain& domain)
 }
 
 std::vector<std::uint8_t> FindDividedSegments(
-  const Domain& domain, const Spacing& spacing, Pulse& pulse)
+  const Domain& domain, const std::vector<double>& spacings, Pulse& pulse)
 {
-  return ClearanceSearch(domain, spacing, pulse).Run();
+  return ClearanceSearch(domain, spacings, pulse).Run();
 }
 
 } // namespace biting

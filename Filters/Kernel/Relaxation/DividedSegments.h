@@ -6,7 +6,6 @@
 
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
-#include "../Spacing/Spacing.h"
 
 #include <cstdint> // for flags
 #include <vector>  // for the result
@@ -30,9 +29,10 @@ inline bool IsFarAboveRounding(double length, const Domain& domain)
 /// of two segments met. Segments nearer to another than rounding can bridge have 0, and so have
 /// two that leave a vertex so close together that they are that near at a quarter of the spacing;
 /// and those that are not far above rounding themselves.
+/// `spacings` begins with those of the vertices of the domain.
 /// Cost O(n log n). Where the monitor wants to stop the result has no meaning.
 std::vector<std::uint8_t> FindDividedSegments(
-  const Domain& domain, const Spacing& spacing, Pulse& pulse);
+  const Domain& domain, const std::vector<double>& spacings, Pulse& pulse);
 
 } // namespace biting
 

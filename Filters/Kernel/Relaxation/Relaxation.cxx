@@ -250,7 +250,7 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   std::vector<Id> origins;
   {
     const PulsePart reading(pulse, 0.0, ReadingEnd);
-    work.IsDivided = FindDividedSegments(domain, spacing, pulse);
+    work.IsDivided = FindDividedSegments(domain, mesh.Spacings, pulse);
     KeepPreserved(domain, work.IsDivided);
     work.DividesSegments = options.DividesSegments;
     work.PoorCotangents = options.PoorCotangents;

@@ -19,11 +19,10 @@ using Flags = std::vector<std::uint8_t>;
 Flags DividedSegmentsOf(const PolylineBuilder& builder)
 {
   const MadeDomain made = Make(builder);
-  ProblemList problems;
+  const std::vector<double> spacings(made.Domain.NumberOfVertices(), 0.1);
   SilentMonitor monitor;
-  const Spacing spacing = MakeSpacing(UniformSpacing(0.1), made.Domain.Bounds, problems, monitor);
   Pulse pulse(monitor);
-  return FindDividedSegments(made.Domain, spacing, pulse);
+  return FindDividedSegments(made.Domain, spacings, pulse);
 }
 
 } // namespace
