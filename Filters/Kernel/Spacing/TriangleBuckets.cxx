@@ -4,7 +4,8 @@
 #include "TriangleBuckets.h"
 
 #include <algorithm> // for min, max
-#include <numeric>   // for partial_sum
+#include <numeric>   // for iota
+#include <utility>   // for pairs
 
 namespace biting
 {
@@ -38,174 +39,170 @@ Box2 Intersection(const Box2& a, const Box2& b)
     { std::min(a.High.X, b.High.X), std::min(a.High.Y, b.High.Y) } };
 }
 
-/// Whether the line of an edge separates the triangle from a box of half sizes `half`. With room
-/// for rounding: a triangle filed too often costs nothing but time.
-bool Separates(const Point2& start, const Point2& end, const Point2& opposite, const Point2& center,
-  const Point2& half)
+/// Which boxes of half sizes `half` may meet a triangle: none of its sides has the whole box on its
+/// outside. With room for rounding: a triangle filed too often costs nothing but time.
+class Meeting
 {
-  const Point2 normal = Perpendicular(end - start);
-  const double reach = std::abs(normal.X) * half.X + std::abs(normal.Y) * half.Y;
-  const double boxSide = Dot(normal, center - start);
-  const double ownSide = Dot(normal, opposite - start);
-  constexpr double RoomForRounding = 1.000001;
-  return ownSide > 0.0 ? boxSide < -RoomForRounding * reach : boxSide > RoomForRounding * reach;
-}
+public:
+  Meeting(const TriangleBuckets::Corners& corners, const Point2& half)
+    : Origin(corners[0])
+  {
+    const double turn = Cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0 ? -1.0 : 1.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      constexpr double RoomForRounding = 1.000001;
+      const Point2 inwards = turn * Perpendicular(corners[k == 2 ? 0 : k + 1] - corners[k]);
+      const double reach = std::abs(inwards.X) * half.X + std::abs(inwards.Y) * half.Y;
+      this->Inwards[k] = inwards;
+      this->Least[k] = Dot(inwards, corners[k] - this->Origin) - RoomForRounding * reach;
+    }
+  }
 
-bool MayMeet(const TriangleBuckets::Corners& t, const Point2& center, const Point2& half)
-{
-  return !Separates(t[0], t[1], t[2], center, half) && !Separates(t[1], t[2], t[0], center, half) &&
-    !Separates(t[2], t[0], t[1], center, half);
-}
+  bool operator()(const Point2& center) const
+  {
+    const Point2 offset = center - this->Origin;
+    return Dot(this->Inwards[0], offset) >= this->Least[0] &&
+      Dot(this->Inwards[1], offset) >= this->Least[1] &&
+      Dot(this->Inwards[2], offset) >= this->Least[2];
+  }
+
+private:
+  Point2 Origin;
+  std::array<Point2, 3> Inwards;
+  std::array<double, 3> Least;
+};
 
 } // namespace
-
-/// The entries of the cells of one grid: those of cell c are Ids[Starts[c]] to Ids[Starts[c + 1]].
-struct TriangleBuckets::Filing
-{
-  std::vector<Id> Starts;
-  std::vector<Id> Ids;
-};
 
 TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles, Pulse& pulse)
   : Triangles(&triangles)
   , Beats(&pulse)
 {
   Box2 box;
-  std::vector<Id> ids(triangles.size());
-  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
+  for (const Corners& corners : triangles)
   {
-    ids[triangle] = static_cast<Id>(triangle);
-    const Box2 own = BoxOf(triangles[triangle]);
+    const Box2 own = BoxOf(corners);
     box.Add(own.Low);
     box.Add(own.High);
   }
-  this->Cells.resize(1);
-  this->Fill(0, box, ids, 0, MaximumCopies);
+  this->Entries.resize(triangles.size());
+  std::iota(this->Entries.begin(), this->Entries.end(), 0);
+  this->Cells.push_back({ 0, static_cast<Id>(triangles.size()) });
+  this->Cut(0, box, std::vector<Id>(this->Entries), 0, MaximumCopies);
   this->Triangles = nullptr;
   this->Beats = nullptr;
 }
 
-void TriangleBuckets::Fill(
+/// Where a cell has many entries, `ids`.
+void TriangleBuckets::Cut(
   Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies)
 {
-  const bool isLeaf = ids.size() <= EntriesPerLeaf || depth == MaximumDepth;
-  Grid grid = isLeaf ? Grid() : this->ChooseGrid(box, ids, copies);
-  if (grid.Columns * grid.Rows < 2)
+  Grid grid = this->ChooseGrid(box, ids, copies);
+  const Id cells = grid.Columns * grid.Rows;
+  if (ids.size() <= EntriesPerLeaf || depth == MaximumDepth || cells < 2)
   {
-    this->FillLeaf(cellId, ids);
     return;
   }
-  const Filing filing = this->File(grid, box, ids);
+  const std::size_t before = depth == 0 ? 0 : this->Entries.size();
+  this->Entries.resize(before);
   grid.FirstCell = static_cast<Id>(this->Cells.size());
   this->Cells[static_cast<std::size_t>(cellId)] = { static_cast<Id>(this->Grids.size()), -1 };
   this->Grids.push_back(grid);
-  this->Cells.resize(this->Cells.size() + static_cast<std::size_t>(grid.Columns * grid.Rows));
+  this->File(grid, box, ids);
+  const double filed = static_cast<double>(this->Entries.size() - before);
   const Point2 size{ box.Width() / grid.Columns, box.Height() / grid.Rows };
-  for (Id cell = 0; cell < grid.Columns * grid.Rows && this->Beats->Beat(); ++cell)
+  for (Id cell = 0; cell < cells && this->Beats->Beat(); ++cell)
   {
-    const Point2 low{ box.Low.X + (cell % grid.Columns) * size.X,
-      box.Low.Y + (cell / grid.Columns) * size.Y };
-    const auto first = filing.Starts.begin() + cell;
-    const std::vector<Id> own(filing.Ids.begin() + first[0], filing.Ids.begin() + first[1]);
-    const double copiesLeft = copies / this->ExpectedCopies(grid, box, own);
-    this->Fill(grid.FirstCell + cell, { low, low + size }, own, depth + 1, copiesLeft);
+    const Cell own = this->Cells[static_cast<std::size_t>(grid.FirstCell + cell)];
+    if (static_cast<std::size_t>(own.Count) > EntriesPerLeaf)
+    {
+      const Point2 low{ box.Low.X + (cell % grid.Columns) * size.X,
+        box.Low.Y + (cell / grid.Columns) * size.Y };
+      const auto first = this->Entries.begin() + own.First;
+      this->Cut(grid.FirstCell + cell, { low, low + size },
+        std::vector<Id>(first, first + own.Count), depth + 1,
+        copies * static_cast<double>(ids.size()) / filed);
+    }
   }
 }
 
-void TriangleBuckets::FillLeaf(Id cellId, const std::vector<Id>& ids)
-{
-  this->Cells[static_cast<std::size_t>(cellId)] = { static_cast<Id>(this->Entries.size()),
-    static_cast<Id>(ids.size()) };
-  this->Entries.insert(this->Entries.end(), ids.begin(), ids.end());
-}
-
 /// As many cells as asked for by the number of triangles, in the proportions of their mean box, but
-/// not so many that long triangles are filed again and again.
+/// not so many that long triangles are filed again and again: a convex shape meets about as many
+/// cells as its area and its two extents, in cells, add up to.
 TriangleBuckets::Grid TriangleBuckets::ChooseGrid(
   const Box2& box, const std::vector<Id>& ids, double copies) const
 {
   Point2 extent;
+  double area = 0.0;
   for (Id id : ids)
   {
     this->Beats->Beat();
-    const Box2 own = Intersection(box, BoxOf((*this->Triangles)[static_cast<std::size_t>(id)]));
-    extent = extent + Point2{ std::max(own.Width(), 0.0), std::max(own.Height(), 0.0) };
+    const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
+    const Box2 own = Intersection(box, BoxOf(corners));
+    const Point2 size{ std::max(own.Width(), 0.0), std::max(own.Height(), 0.0) };
+    extent = extent + size;
+    area += std::min(
+      0.5 * std::abs(Cross(corners[1] - corners[0], corners[2] - corners[0])), size.X * size.Y);
   }
   const auto count = static_cast<double>(ids.size());
   const Point2 ratio{ box.Width() * count / std::max(extent.X, box.Width()),
     box.Height() * count / std::max(extent.Y, box.Height()) };
   double shrink = std::sqrt(count / TrianglesPerCell / (ratio.X * ratio.Y));
   Grid grid;
+  double entries = 0.0;
   do
   {
     grid.Low = box.Low;
     grid.Columns = std::max(static_cast<Id>(std::min(ratio.X * shrink, count)), 1);
     grid.Rows = std::max(static_cast<Id>(std::min(ratio.Y * shrink, count)), 1);
     grid.CellsPerLength = { grid.Columns / box.Width(), grid.Rows / box.Height() };
+    const Point2 density = grid.CellsPerLength;
+    entries = count + extent.X * density.X + extent.Y * density.Y + area * density.X * density.Y;
     shrink *= 0.7;
-  } while (grid.Columns * grid.Rows > 1 && this->ExpectedCopies(grid, box, ids) > copies);
+  } while (grid.Columns * grid.Rows > 1 && entries > copies * count);
   return grid;
 }
 
-/// In how many cells of a grid each triangle is filed, in the mean. A convex shape meets about as
-/// many cells as its area and its two extents, in cells, add up to.
-double TriangleBuckets::ExpectedCopies(
-  const Grid& grid, const Box2& box, const std::vector<Id>& ids) const
+/// Adds the cells of a grid, and their entries.
+void TriangleBuckets::File(const Grid& grid, const Box2& box, const std::vector<Id>& ids)
 {
-  double entries = 0.0;
-  for (Id id : ids)
-  {
-    this->Beats->Beat();
-    const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
-    const Box2 own = Intersection(box, BoxOf(corners));
-    const double columns = std::max(own.Width(), 0.0) * grid.CellsPerLength.X;
-    const double rows = std::max(own.Height(), 0.0) * grid.CellsPerLength.Y;
-    const double area = 0.5 * std::abs(Cross(corners[1] - corners[0], corners[2] - corners[0])) *
-      grid.CellsPerLength.X * grid.CellsPerLength.Y;
-    entries += 1.0 + columns + rows + std::min(area, columns * rows);
-  }
-  return ids.empty() ? 1.0 : entries / static_cast<double>(ids.size());
-}
-
-TriangleBuckets::Filing TriangleBuckets::File(
-  const Grid& grid, const Box2& box, const std::vector<Id>& ids) const
-{
-  Filing filing;
-  filing.Starts.assign(static_cast<std::size_t>(grid.Columns * grid.Rows) + 1, 0);
-  this->ForEachMeeting(grid, box, ids,
-    [&filing](Id cell, Id) { ++filing.Starts[static_cast<std::size_t>(cell) + 1]; });
-  std::partial_sum(filing.Starts.begin(), filing.Starts.end(), filing.Starts.begin());
-  filing.Ids.resize(static_cast<std::size_t>(filing.Starts.back()));
-  std::vector<Id> next = filing.Starts;
-  this->ForEachMeeting(grid, box, ids,
-    [&filing, &next](Id cell, Id id)
-    { filing.Ids[static_cast<std::size_t>(next[static_cast<std::size_t>(cell)]++)] = id; });
-  return filing;
-}
-
-/// Calls visit(cell, id) for each triangle and each cell of the grid that it may meet.
-template <typename Visit>
-void TriangleBuckets::ForEachMeeting(
-  const Grid& grid, const Box2& box, const std::vector<Id>& ids, Visit visit) const
-{
+  const auto first = static_cast<std::size_t>(grid.FirstCell);
+  this->Cells.resize(first + static_cast<std::size_t>(grid.Columns * grid.Rows));
   const Point2 half{ 0.5 * box.Width() / grid.Columns, 0.5 * box.Height() / grid.Rows };
+  std::vector<std::pair<Id, Id>> filed; // cells and ids
+  filed.reserve(4 * ids.size());
   for (Id id : ids)
   {
     this->Beats->Beat();
     const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
     const Box2 own = BoxOf(corners);
-    for (Id row = grid.Row(own.Low.Y); row <= grid.Row(own.High.Y); ++row)
+    const Meeting mayMeet(corners, half);
+    const Id lastRow = grid.Row(own.High.Y);
+    const Id lastColumn = grid.Column(own.High.X);
+    for (Id row = grid.Row(own.Low.Y); row <= lastRow; ++row)
     {
-      for (Id column = grid.Column(own.Low.X); column <= grid.Column(own.High.X); ++column)
+      for (Id column = grid.Column(own.Low.X); column <= lastColumn; ++column)
       {
-        const Point2 center{ box.Low.X + (2 * column + 1) * half.X,
-          box.Low.Y + (2 * row + 1) * half.Y };
-        if (MayMeet(corners, center, half))
+        if (mayMeet({ box.Low.X + (2 * column + 1) * half.X, box.Low.Y + (2 * row + 1) * half.Y }))
         {
-          visit(column + grid.Columns * row, id);
+          filed.emplace_back(grid.FirstCell + column + grid.Columns * row, id);
+          ++this->Cells[static_cast<std::size_t>(filed.back().first)].Count;
         }
       }
     }
+  }
+  auto end = static_cast<Id>(this->Entries.size());
+  for (std::size_t cell = first; cell < this->Cells.size(); ++cell)
+  {
+    this->Cells[cell].First = end;
+    end += this->Cells[cell].Count;
+    this->Cells[cell].Count = 0;
+  }
+  this->Entries.resize(static_cast<std::size_t>(end));
+  for (const auto& [cellId, id] : filed)
+  {
+    Cell& cell = this->Cells[static_cast<std::size_t>(cellId)];
+    this->Entries[static_cast<std::size_t>(cell.First + cell.Count++)] = id;
   }
 }
 

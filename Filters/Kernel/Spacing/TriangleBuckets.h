@@ -87,21 +87,15 @@ private:
     }
   };
 
-  struct Filing;
-  void Fill(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies);
-  void FillLeaf(Id cellId, const std::vector<Id>& ids);
+  void Cut(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies);
   Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids, double copies) const;
-  double ExpectedCopies(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
-  Filing File(const Grid& grid, const Box2& box, const std::vector<Id>& ids) const;
-  template <typename Visit>
-  void ForEachMeeting(
-    const Grid& grid, const Box2& box, const std::vector<Id>& ids, Visit visit) const;
+  void File(const Grid& grid, const Box2& box, const std::vector<Id>& ids);
 
   const std::vector<Corners>* Triangles = nullptr; ///< only while building
   Pulse* Beats = nullptr;                          ///< only while building
   std::vector<Cell> Cells;                         ///< the first one is the root
   std::vector<Grid> Grids;
-  std::vector<Id> Entries;
+  std::vector<Id> Entries; ///< those of cells that are cut are no longer asked for
 };
 
 } // namespace biting
