@@ -110,6 +110,17 @@ struct SuspectList
   }
 };
 
+// Vertices that may be the nearest of suspects, in their order.
+struct CandidateList
+{
+  std::vector<PointTree::Item> Items;
+
+  void Join(const CandidateList& other)
+  {
+    this->Items.insert(this->Items.end(), other.Items.begin(), other.Items.end());
+  }
+};
+
 struct Largest
 {
   double Value = 0.0;
@@ -322,16 +333,15 @@ CellMask NeighborSearch::CellsOf(const std::vector<Id>& suspects) const
 
 std::vector<PointTree::Item> NeighborSearch::Candidates(const CellMask& cells) const
 {
-  std::vector<PointTree::Item> candidates;
-  this->Beats.ForEach(this->Points.size(),
-    [this, &cells, &candidates](std::size_t i)
+  return SumAtOnce(this->Beats, this->Points.size(), CandidateList(),
+    [this, &cells](CandidateList& own, std::size_t i)
     {
       if (cells.IsFull() || cells.Contains(this->Points[i]))
       {
-        candidates.push_back({ this->Points[i], static_cast<Id>(i) });
+        own.Items.push_back({ this->Points[i], static_cast<Id>(i) });
       }
-    });
-  return candidates;
+    })
+    .Items;
 }
 
 std::vector<double> NeighborSearch::Distances() const

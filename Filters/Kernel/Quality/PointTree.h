@@ -16,7 +16,8 @@ namespace biting
 {
 
 /// A balanced k-d tree over points of the plane, for the nearest one. Build O(n log n) with the
-/// points of each half in place, queries O(log n) for any distribution of the points.
+/// points of each half in place, on the threads of the pulse; queries O(log n) for any distribution
+/// of the points.
 class PointTree
 {
 public:
@@ -42,6 +43,7 @@ private:
   };
 
   void Build(std::size_t first, std::size_t last, Pulse& pulse);
+  void Divide(std::size_t first, std::size_t last);
   bool IsWide(std::size_t first, std::size_t last) const;
   void Search(std::size_t first, std::size_t last, Query& query) const;
   void Consider(const Item& item, Query& query) const;

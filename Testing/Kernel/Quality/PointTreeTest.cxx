@@ -3,6 +3,7 @@
 
 #include "Quality/PointTree.h"
 
+#include "../Support/TestThreads.h"
 #include "TestMesh.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +86,27 @@ TEST(PointTree, FindsTheNearestOfClusters)
       const double x = scale * dice.Between(0, 1);
       return { x, scale };
     }));
+}
+
+TEST(PointTree, OfManyPointsIsBuiltOnThreads)
+{
+  const std::vector<PointTree::Item> items = MakeItems(100000,
+    [](Dice& dice) -> Point2
+    {
+      const double x = dice.Between(-1, 1);
+      return { x, x * dice.Between(-1, 1) };
+    });
+  for (const int threads : { 1, 3 })
+  {
+    biting::MonitorWithThreads monitor(threads);
+    biting::Pulse pulse(monitor);
+    const PointTree tree(items, pulse);
+    for (std::size_t k = 0; k < items.size(); k += 997)
+    {
+      EXPECT_EQ(tree.NearestSquaredDistance(items[k].Place, items[k].Name, FarAway),
+        NearestOfAll(items, items[k].Place, items[k].Name));
+    }
+  }
 }
 
 TEST(PointTree, FindsNothingNearerThanTheLimit)
