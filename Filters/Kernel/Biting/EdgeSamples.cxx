@@ -19,7 +19,7 @@ constexpr double LeastReachAtJumps = 1e-3;
 constexpr double Remainder = 0.5; // of a reach, that is taken along at the end of the edge
 
 constexpr double GreatestBend = 0.02;
-constexpr double GreatestRatio = 2.0;
+constexpr double GreatestRatioOfSamples = 2.0;
 
 } // namespace
 
@@ -84,7 +84,7 @@ bool EdgeSamples::IsFine(const Sample& middle) const
   const Sample& first = this->Last;
   const Sample& last = this->Ahead.back();
   const auto [least, most] = std::minmax({ first.Spacing, middle.Spacing, last.Spacing });
-  const bool isSteep = most > GreatestRatio * least;
+  const bool isSteep = most > GreatestRatioOfSamples * least;
   const double bend = std::abs(first.Spacing + last.Spacing - 2.0 * middle.Spacing);
   const double length = (last.Parameter - first.Parameter) * this->Length;
   return (!isSteep && bend <= 2.0 * GreatestBend * least) ||
