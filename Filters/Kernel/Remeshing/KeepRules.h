@@ -23,7 +23,8 @@ enum class RemeshPreference
 /// made anew, with what is around it; there a vertex fits that is within Lowest to Highest. Below
 /// Crowded, at most Lowest, the vertices of a coarser lattice are among the old ones, and above
 /// Sparse there is room for new ones between them; but in between neither is so: old vertices there
-/// are in the way of others.
+/// are in the way of others. Nor is it so where f changes from one old vertex to the next: the old
+/// lattice has none of the right size within, and what it leaves breaks each lattice that has.
 struct KeepRules
 {
   static constexpr double LowestUnchanged = 0.75;
@@ -41,6 +42,12 @@ struct KeepRules
   double Highest = 1.4;
   double Sparse = 1.6;
 
+  // Among a vertex and those that edges join it to, the largest f in units of the least: where it
+  // is beyond these, none of a mesh that is too fine is kept, and none of one that is too coarse.
+  // Beside a part where f is half of the old, and level, it grows to 1.6 with a gradation of 0.3.
+  double GreatestChangeBelow = 1.15;
+  double GreatestChangeAbove = 1.7;
+
   // Kept vertices are released, they may move and go, beside an angle whose cotangent is larger, or
   // an edge beyond these.
   double GreatestCotangent = 1.3763819; // 36 degrees
@@ -52,9 +59,13 @@ struct KeepRules
     return length >= LowestUnchanged && length <= HighestUnchanged;
   }
   bool IsFitting(double length) const { return length >= this->Lowest && length <= this->Highest; }
-  bool IsInTheWay(double length) const
+  /// `change`: the largest f around in units of the least.
+  bool IsInTheWay(double length, double change) const
   {
-    return !this->IsFitting(length) && length > this->Crowded && length < this->Sparse;
+    const bool isBelow = length < this->Lowest;
+    return !this->IsFitting(length) &&
+      ((length > this->Crowded && length < this->Sparse) ||
+        change > (isBelow ? this->GreatestChangeBelow : this->GreatestChangeAbove));
   }
 };
 
@@ -63,9 +74,9 @@ inline KeepRules RulesFor(RemeshPreference preference)
   switch (preference)
   {
     case RemeshPreference::Keeping:
-      return { 0.82, 0.82, 1.22, 1.22, 2.7474774, 0.0, 1e6 };
+      return { 0.82, 0.82, 1.22, 1.22, 1e6, 1e6, 2.7474774, 0.0, 1e6 };
     case RemeshPreference::Shape:
-      return { 0.5, 0.82, 1.22, 1.9, 1.4281480, 0.70710678, 1.41421356 };
+      return { 0.5, 0.82, 1.22, 1.9, 1.15, 1.7, 1.4281480, 0.70710678, 1.41421356 };
     default:
       return {};
   }

@@ -3,7 +3,7 @@
 
 #include "KeptVertices.h"
 
-#include <algorithm> // for sort
+#include <algorithm> // for max, min, sort
 #include <cstddef>   // for sizes
 #include <utility>   // for pairs
 
@@ -37,8 +37,8 @@ public:
     for (Id vertex = 0; vertex < count; ++vertex)
     {
       this->IsKept[vertex] |= !this->Region.IsInside[vertex];
-      this->IsHeld[vertex] |=
-        !this->IsKept[vertex] && this->Rules.IsInTheWay(this->Region.Lengths[vertex]);
+      this->IsHeld[vertex] |= !this->IsKept[vertex] &&
+        this->Rules.IsInTheWay(this->Region.Lengths[vertex], this->ChangeAround(vertex));
     }
     for (Id vertex = 0; vertex < count; ++vertex)
     {
@@ -57,6 +57,7 @@ public:
   }
 
 private:
+  double ChangeAround(Id vertex) const;
   void Empty();
   void Bite(Id vertex);
   void LookAt(Id vertex, Id near);
@@ -73,6 +74,20 @@ private:
   std::vector<Id> Queue;
   std::size_t NextInQueue = 0;
 };
+
+// The largest f of the vertex and its neighbors in units of the least.
+double Front::ChangeAround(Id vertex) const
+{
+  double least = this->Spacings[vertex];
+  double greatest = least;
+  for (Id n = this->Region.Offsets[vertex]; n < this->Region.Offsets[vertex + 1]; ++n)
+  {
+    const double near = this->Spacings[this->Region.Neighbors[n]];
+    least = std::min(least, near);
+    greatest = std::max(greatest, near);
+  }
+  return greatest / least;
+}
 
 void Front::Empty()
 {

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm> // for clamp
+#include <cmath>     // for abs
+
 namespace biting
 {
 
@@ -16,8 +19,8 @@ namespace
 {
 
 /// Of the inner vertices of a mesh of a square, the share that is chosen where edges are to be so
-/// many times shorter.
-double ShareOfChosen(double ratio)
+/// many times shorter. With a slope f grows to the right about the middle, and is that there.
+double ShareOfChosen(double ratio, double slope = 0.0, const KeepRules& rules = {})
 {
   BitingMeshOptions meshing;
   meshing.Spacing.Uniform = 0.05;
@@ -26,9 +29,13 @@ double ShareOfChosen(double ratio)
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), meshing, problems, NoMonitor());
   SilentMonitor monitor;
   const OldMesh old = ReadOldMesh(RemeshInputOf(mesh, 1e-15), 0.0, problems, monitor);
-  const std::vector<double> wanted(old.Points.size(), 0.05 / ratio);
+  std::vector<double> wanted;
+  for (const Point2& point : old.Points)
+  {
+    const double distance = std::clamp(point.X - 0.5, -0.1, 0.1);
+    wanted.push_back(0.05 / ratio + slope * distance);
+  }
   const ChangedRegion region = WholeRegion(old, MeanLengths(old, wanted));
-  const KeepRules rules;
   const RegionEdges edges = ThinnedEdges(old, region, wanted, rules, EdgePolicy::Free);
   const std::vector<std::uint8_t> isKept = ChooseKeptVertices(old, region, edges, wanted, rules);
   double inner = 0.0;
@@ -37,11 +44,12 @@ double ShareOfChosen(double ratio)
   {
     const Id point = region.Vertices[vertex];
     const Point2& place = old.Points[point];
-    const bool isInner = place.X > 0.1 && place.X < 0.9 && place.Y > 0.1 && place.Y < 0.9;
+    const double half = slope > 0.0 ? 0.05 : 0.4;
+    const bool isInner = std::abs(place.X - 0.5) < half && std::abs(place.Y - 0.5) < 0.4;
     inner += isInner ? 1.0 : 0.0;
     chosen += isInner && isKept[vertex] != 0 ? 1.0 : 0.0;
   }
-  EXPECT_GT(inner, 100.0);
+  EXPECT_GT(inner, 30.0);
   return chosen / inner;
 }
 
@@ -65,6 +73,24 @@ TEST(KeptVertices, AreFewThatLieTooWideForFAndTooCloseForOthers)
 TEST(KeptVertices, AreACoarserLatticeWhereThereAreTooMany)
 {
   EXPECT_NEAR(ShareOfChosen(0.5), 0.25, 0.07);
+}
+
+TEST(KeptVertices, AreNoneOfALatticeOfAnotherSizeWhereFIsSteep)
+{
+  EXPECT_EQ(ShareOfChosen(2.0, 0.2), 0.0);
+  EXPECT_EQ(ShareOfChosen(0.5, 0.3), 0.0);
+}
+
+TEST(KeptVertices, AreAllWhereFIsNearlyLevelOrTheyFit)
+{
+  EXPECT_EQ(ShareOfChosen(2.0, 0.05), 1.0);
+  EXPECT_GT(ShareOfChosen(0.5, 0.05), 0.18);
+  EXPECT_GT(ShareOfChosen(1.0, 0.2), 0.95);
+}
+
+TEST(KeptVertices, AreKeptWhereFIsSteepIfThatIsPreferred)
+{
+  EXPECT_EQ(ShareOfChosen(2.0, 0.2, RulesFor(RemeshPreference::Keeping)), 1.0);
 }
 
 } // namespace
