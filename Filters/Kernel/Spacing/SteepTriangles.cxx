@@ -9,7 +9,7 @@
 #include "SourceSlopes.h"
 #include "TriangleEdges.h"
 
-#include <algorithm>     // for min, max
+#include <algorithm>     // for min, max, none_of
 #include <unordered_map> // for cuts of edges
 #include <utility>       // for pairs
 
@@ -19,8 +19,8 @@ namespace
 {
 
 /// A triangle is steep where its gradient is above the gradation by more than this share of it, and
-/// that is no artifact of its shape: so is the slope of a side, or the mean gradient around one of
-/// its corners; or it adds more than this share of f.
+/// that is no artifact of its shape: so is the mean gradient around one of its corners, or it adds
+/// more than this share of f.
 constexpr double SteepMargin = 0.005;
 
 /// A cone is left out where another one is nowhere in the plane above it by more than this share of
@@ -47,10 +47,14 @@ public:
   PartCollector(const TriangulatedSource& source, double gradation, const ValueRange& range)
     : Source(source)
     , Gradation(gradation)
-    , MostSlope((1.0 + SteepMargin) * gradation)
     , Range(range)
-    , PartPoints(source.Points.size(), NoId)
+    , Gradients(source.Points.size())
+    , Whole{ source.Points, source.Values, {} }
   {
+    for (double& value : this->Whole.Values)
+    {
+      value *= range.Scale;
+    }
   }
 
   SteepParts Collect(Pulse& pulse)
@@ -61,20 +65,18 @@ public:
       {
         if (this->IsSteep(3 * triangle))
         {
-          this->AddTriangle(&this->Source.Triangles[3 * triangle]);
+          this->AddParts(&this->Source.Triangles[3 * triangle]);
         }
       });
-    this->SortPoints(pulse);
-    return std::move(this->Parts);
+    return this->Sorted(pulse);
   }
 
 private:
-  using Polygon = std::vector<Id>;
+  using Cuts = std::unordered_map<std::uint64_t, Id>;
 
   /// Of the triangles around each point, weighted by area.
   void AverageGradients(Pulse& pulse)
   {
-    this->Gradients.resize(this->Source.Points.size());
     std::vector<double> areas(this->Gradients.size(), 0.0);
     pulse.ForEach(this->Source.Triangles.size() / 3,
       [this, &areas](std::size_t triangle)
@@ -93,91 +95,60 @@ private:
 
   bool IsSteep(std::size_t first) const
   {
+    const double most = (1.0 + SteepMargin) * this->Gradation;
     const double slope = this->Range.Scale * Length(GradientOfTriangle(this->Source, first));
-    if (!(slope > this->MostSlope))
+    if (!(slope > most))
     {
       return false;
     }
+    Box2 box;
     double least = Infinity;
-    double longest = 0.0;
     for (std::size_t corner = first; corner < first + 3; ++corner)
     {
-      const auto a = static_cast<std::size_t>(this->Source.Triangles[corner]);
-      const auto b =
-        static_cast<std::size_t>(this->Source.Triangles[corner == first + 2 ? first : corner + 1]);
-      const double length = Distance(this->Source.Points[a], this->Source.Points[b]);
-      const double rise = std::abs(this->Source.Values[a] - this->Source.Values[b]);
-      if (this->Range.Scale * rise > this->MostSlope * length ||
-        this->Range.Scale * Length(this->Gradients[a]) > this->MostSlope)
+      const auto point = static_cast<std::size_t>(this->Source.Triangles[corner]);
+      if (this->Range.Scale * Length(this->Gradients[point]) > most)
       {
         return true;
       }
-      longest = std::max(longest, length);
-      least = std::min(least, this->Range(this->Source.Values[a]));
+      box.Add(this->Source.Points[point]);
+      least = std::min(least, this->Range(this->Source.Values[point]));
     }
-    return (slope - this->Gradation) * 0.5 * longest > SteepMargin * least;
+    return (slope - this->Gradation) * 0.5 * box.Diagonal() > SteepMargin * least;
   }
 
-  void AddTriangle(const Id* corners)
+  void AddParts(const Id* corners)
   {
-    const auto value = [this, corners](std::size_t corner)
-    { return this->Range.Scale * this->Source.Values[static_cast<std::size_t>(corners[corner])]; };
-    const double low = std::min({ value(0), value(1), value(2) });
-    const double high = std::max({ value(0), value(1), value(2) });
-    if (!(low < this->Range.Most && high > this->Range.Least))
+    this->Part.assign(corners, corners + 3);
+    this->Cut(this->Range.Least, 1.0, this->CutsAtLeast);
+    this->Cut(this->Range.Most, -1.0, this->CutsAtMost);
+    for (std::size_t k = 2; k < this->Part.size(); ++k)
+    {
+      this->Whole.Corners.insert(
+        this->Whole.Corners.end(), { this->Part[0], this->Part[k - 1], this->Part[k] });
+    }
+  }
+
+  /// Keeps of the part what is on one side of a bound.
+  void Cut(double bound, double sign, Cuts& cuts)
+  {
+    const auto isBeyond = [this, bound, sign](Id point)
+    { return sign * this->ValueOf(point) < sign * bound; };
+    if (std::none_of(this->Part.begin(), this->Part.end(), isBeyond))
     {
       return;
     }
+    const std::vector<Id> before = this->Part;
     this->Part.clear();
-    for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t k = 0; k < before.size(); ++k)
     {
-      Id& point = this->PartPoints[static_cast<std::size_t>(corners[corner])];
-      point = point == NoId
-        ? this->AddPoint(
-            this->Source.Points[static_cast<std::size_t>(corners[corner])], value(corner))
-        : point;
-      this->Part.push_back(point);
-    }
-    if (low < this->Range.Least)
-    {
-      this->Cut(this->Range.Least, 1.0, this->CutsAtLeast);
-    }
-    if (high > this->Range.Most)
-    {
-      this->Cut(this->Range.Most, -1.0, this->CutsAtMost);
-    }
-    for (std::size_t k = 2; k < this->Part.size(); ++k)
-    {
-      this->Parts.Corners.insert(
-        this->Parts.Corners.end(), { this->Part[0], this->Part[k - 1], this->Part[k] });
-    }
-  }
-
-  Id AddPoint(const Point2& place, double value)
-  {
-    this->Parts.Points.push_back(place);
-    this->Parts.Values.push_back(value);
-    return static_cast<Id>(this->Parts.Points.size() - 1);
-  }
-
-  using Cuts = std::unordered_map<std::uint64_t, Id>;
-
-  /// Keeps what is on one side of a bound.
-  void Cut(double bound, double sign, Cuts& cuts)
-  {
-    this->Whole.swap(this->Part);
-    this->Part.clear();
-    for (std::size_t k = 0; k < this->Whole.size(); ++k)
-    {
-      const Id start = this->Whole[k];
-      const Id end = this->Whole[k + 1 < this->Whole.size() ? k + 1 : 0];
-      const double toStart = sign * (this->ValueOf(start) - bound);
-      const double toEnd = sign * (this->ValueOf(end) - bound);
-      if (toStart >= 0.0)
+      const Id start = before[k];
+      const Id end = before[k + 1 < before.size() ? k + 1 : 0];
+      if (!isBeyond(start))
       {
         this->Part.push_back(start);
       }
-      if ((toStart > 0.0 && toEnd < 0.0) || (toStart < 0.0 && toEnd > 0.0))
+      if (isBeyond(start) != isBeyond(end) && this->ValueOf(start) != bound &&
+        this->ValueOf(end) != bound)
       {
         this->Part.push_back(this->CutOf(std::min(start, end), std::max(start, end), bound, cuts));
       }
@@ -192,52 +163,56 @@ private:
       static_cast<std::uint64_t>(start) << IdBits | static_cast<std::uint64_t>(end), NoId);
     if (isNew)
     {
-      const Point2 from = this->Parts.Points[static_cast<std::size_t>(start)];
-      const Point2 to = this->Parts.Points[static_cast<std::size_t>(end)];
+      const Point2 from = this->Whole.Points[static_cast<std::size_t>(start)];
+      const Point2 to = this->Whole.Points[static_cast<std::size_t>(end)];
       const double weight =
         (bound - this->ValueOf(start)) / (this->ValueOf(end) - this->ValueOf(start));
-      cut->second = this->AddPoint(from + weight * (to - from), bound);
+      cut->second = static_cast<Id>(this->Whole.Points.size());
+      this->Whole.Points.push_back(from + weight * (to - from));
+      this->Whole.Values.push_back(bound);
     }
     return cut->second;
   }
 
-  double ValueOf(Id point) const { return this->Parts.Values[static_cast<std::size_t>(point)]; }
+  double ValueOf(Id point) const { return this->Whole.Values[static_cast<std::size_t>(point)]; }
 
-  void SortPoints(Pulse& pulse)
+  /// Those points that are corners, in the order of their values.
+  SteepParts Sorted(Pulse& pulse)
   {
+    std::vector<Id> newIds(this->Whole.Points.size(), NoId);
     std::vector<std::pair<double, Id>> order;
-    for (const double value : this->Parts.Values)
+    for (const Id corner : this->Whole.Corners)
     {
-      order.emplace_back(value, static_cast<Id>(order.size()));
+      Id& newId = newIds[static_cast<std::size_t>(corner)];
+      if (newId == NoId)
+      {
+        newId = 0;
+        order.emplace_back(this->ValueOf(corner), corner);
+      }
     }
     SortInSteps(order, std::less<>(), pulse);
-    const SteepParts old = this->Parts;
-    std::vector<Id> places(order.size());
-    pulse.ForEach(order.size(),
-      [this, &order, &old, &places](std::size_t place)
-      {
-        const auto point = static_cast<std::size_t>(order[place].second);
-        places[point] = static_cast<Id>(place);
-        this->Parts.Points[place] = old.Points[point];
-        this->Parts.Values[place] = old.Values[point];
-      });
-    for (Id& corner : this->Parts.Corners)
+    SteepParts parts;
+    for (const auto& [value, point] : order)
     {
-      corner = places[static_cast<std::size_t>(corner)];
+      newIds[static_cast<std::size_t>(point)] = static_cast<Id>(parts.Points.size());
+      parts.Points.push_back(this->Whole.Points[static_cast<std::size_t>(point)]);
+      parts.Values.push_back(value);
     }
+    for (const Id corner : this->Whole.Corners)
+    {
+      parts.Corners.push_back(newIds[static_cast<std::size_t>(corner)]);
+    }
+    return parts;
   }
 
   const TriangulatedSource& Source;
   const double Gradation;
-  const double MostSlope;
   const ValueRange& Range;
-  std::vector<Point2> Gradients; ///< of points of the source
-  SteepParts Parts;
-  std::vector<Id> PartPoints; ///< of points of the source
-  Cuts CutsAtLeast;           ///< by the ends of edges
+  std::vector<Point2> Gradients; ///< around points of the source
+  SteepParts Whole;              ///< with all points of the source first, in its order
+  Cuts CutsAtLeast;              ///< points by the ends of edges
   Cuts CutsAtMost;
-  Polygon Part; ///< at work
-  Polygon Whole;
+  std::vector<Id> Part; ///< at work: corners of a polygon
 };
 
 /// Finds the edges and points from which f grows. Any edge that is not steep itself may be one, and
@@ -294,29 +269,18 @@ private:
 
   void Settle(std::size_t point)
   {
+    const std::size_t first = this->Edges.FirstAt(point);
     const std::size_t end = this->Edges.FirstAt(point + 1);
-    bool isEnd = false;
-    for (std::size_t edge = this->Edges.FirstAt(point); edge < end; ++edge)
+    for (std::size_t edge = first; edge < end; ++edge)
     {
-      const auto high = static_cast<std::size_t>(this->Edges.HighEnd(edge));
-      const double rise = this->Parts.Values[high] - this->Parts.Values[point];
-      const bool isSteep =
-        !(rise < this->Gradation * Distance(this->Parts.Points[point], this->Parts.Points[high]));
-      if (isSteep)
-      {
-        isEnd = true;
-      }
-      else
-      {
-        this->AddCone(point, high);
-      }
+      this->AddCone(point, static_cast<std::size_t>(this->Edges.HighEnd(edge)));
     }
-    if (isEnd)
+    if (first < end && this->FirstConeAt[point] == this->Cones.size())
     {
       this->AddCone(point, point);
     }
     const Id offered = this->LowestAt[point].Cone;
-    for (std::size_t edge = this->Edges.FirstAt(point); edge < end; ++edge)
+    for (std::size_t edge = first; edge < end; ++edge)
     {
       const auto high = static_cast<std::size_t>(this->Edges.HighEnd(edge));
       if (offered != NoId)
@@ -330,15 +294,14 @@ private:
     }
   }
 
-  /// Unless what is offered to its lower end, or one added there before, stands for it.
+  /// Unless it is steep, or what is offered to its lower end stands for it.
   void AddCone(std::size_t low, std::size_t high)
   {
     const double value = this->Parts.Values[low];
     const SegmentCone cone(this->Parts.Points[low], this->Parts.Points[high], value,
       this->Parts.Values[high], this->Gradation);
     const Id offered = this->LowestAt[low].Cone;
-    const bool hasOther = low == high && this->Cones.size() > this->FirstConeAt[low];
-    if (value < this->Most && !hasOther &&
+    if (value < this->Most && (cone.Length > 0.0 || low == high) &&
       !(offered != NoId && this->StandsFor(this->At(offered), cone)))
     {
       this->Cones.push_back(cone);

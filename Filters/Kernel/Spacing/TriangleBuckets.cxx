@@ -109,57 +109,57 @@ void TriangleBuckets::Cut(
   this->Cells[static_cast<std::size_t>(cellId)] = { static_cast<Id>(this->Grids.size()), -1 };
   this->Grids.push_back(grid);
   this->File(grid, box, ids);
-  const double filed = static_cast<double>(this->Entries.size() - before);
   const Point2 size{ box.Width() / grid.Columns, box.Height() / grid.Rows };
   for (Id cell = 0; cell < cells && this->Beats->Beat(); ++cell)
   {
-    const Cell own = this->Cells[static_cast<std::size_t>(grid.FirstCell + cell)];
-    if (static_cast<std::size_t>(own.Count) > EntriesPerLeaf)
+    const Cell filed = this->Cells[static_cast<std::size_t>(grid.FirstCell + cell)];
+    if (static_cast<std::size_t>(filed.Count) > EntriesPerLeaf)
     {
       const Point2 low{ box.Low.X + (cell % grid.Columns) * size.X,
         box.Low.Y + (cell / grid.Columns) * size.Y };
-      const auto first = this->Entries.begin() + own.First;
-      this->Cut(grid.FirstCell + cell, { low, low + size },
-        std::vector<Id>(first, first + own.Count), depth + 1,
-        copies * static_cast<double>(ids.size()) / filed);
+      const auto first = this->Entries.begin() + filed.First;
+      const std::vector<Id> own(first, first + filed.Count);
+      const double copiesLeft = copies / this->Measure(box, own).CopiesIn(grid.CellsPerLength);
+      this->Cut(grid.FirstCell + cell, { low, low + size }, own, depth + 1, copiesLeft);
     }
   }
 }
 
-/// As many cells as asked for by the number of triangles, in the proportions of their mean box, but
-/// not so many that long triangles are filed again and again: a convex shape meets about as many
-/// cells as its area and its two extents, in cells, add up to.
-TriangleBuckets::Grid TriangleBuckets::ChooseGrid(
-  const Box2& box, const std::vector<Id>& ids, double copies) const
+/// As far as they are in a box.
+TriangleBuckets::Extents TriangleBuckets::Measure(const Box2& box, const std::vector<Id>& ids) const
 {
-  Point2 extent;
-  double area = 0.0;
+  Extents all{ {}, 0.0, static_cast<double>(ids.size()) };
   for (Id id : ids)
   {
     this->Beats->Beat();
     const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
     const Box2 own = Intersection(box, BoxOf(corners));
     const Point2 size{ std::max(own.Width(), 0.0), std::max(own.Height(), 0.0) };
-    extent = extent + size;
-    area += std::min(
-      0.5 * std::abs(Cross(corners[1] - corners[0], corners[2] - corners[0])), size.X * size.Y);
+    const double area = 0.5 * std::abs(Cross(corners[1] - corners[0], corners[2] - corners[0]));
+    all.Sum = all.Sum + size;
+    all.Area += std::min(area, size.X * size.Y);
   }
-  const auto count = static_cast<double>(ids.size());
-  const Point2 ratio{ box.Width() * count / std::max(extent.X, box.Width()),
-    box.Height() * count / std::max(extent.Y, box.Height()) };
-  double shrink = std::sqrt(count / TrianglesPerCell / (ratio.X * ratio.Y));
+  return all;
+}
+
+/// As many cells as asked for by the number of triangles, in the proportions of their mean box, but
+/// not so many that long triangles are filed again and again.
+TriangleBuckets::Grid TriangleBuckets::ChooseGrid(
+  const Box2& box, const std::vector<Id>& ids, double copies) const
+{
+  const Extents all = this->Measure(box, ids);
+  const Point2 ratio{ box.Width() * all.Count / std::max(all.Sum.X, box.Width()),
+    box.Height() * all.Count / std::max(all.Sum.Y, box.Height()) };
+  double shrink = std::sqrt(all.Count / TrianglesPerCell / (ratio.X * ratio.Y));
   Grid grid;
-  double entries = 0.0;
   do
   {
     grid.Low = box.Low;
-    grid.Columns = std::max(static_cast<Id>(std::min(ratio.X * shrink, count)), 1);
-    grid.Rows = std::max(static_cast<Id>(std::min(ratio.Y * shrink, count)), 1);
+    grid.Columns = std::max(static_cast<Id>(std::min(ratio.X * shrink, all.Count)), 1);
+    grid.Rows = std::max(static_cast<Id>(std::min(ratio.Y * shrink, all.Count)), 1);
     grid.CellsPerLength = { grid.Columns / box.Width(), grid.Rows / box.Height() };
-    const Point2 density = grid.CellsPerLength;
-    entries = count + extent.X * density.X + extent.Y * density.Y + area * density.X * density.Y;
     shrink *= 0.7;
-  } while (grid.Columns * grid.Rows > 1 && entries > copies * count);
+  } while (grid.Columns * grid.Rows > 1 && all.CopiesIn(grid.CellsPerLength) > copies);
   return grid;
 }
 

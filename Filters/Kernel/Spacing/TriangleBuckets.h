@@ -87,7 +87,23 @@ private:
     }
   };
 
+  /// Of triangles, added up.
+  struct Extents
+  {
+    Point2 Sum;
+    double Area;
+    double Count;
+
+    /// In how many cells of a grid each is filed, in the mean. A convex shape meets about as many
+    /// cells as its area and its two extents, in cells, add up to.
+    double CopiesIn(const Point2& density) const
+    {
+      return 1.0 + (Sum.X * density.X + Sum.Y * density.Y + Area * density.X * density.Y) / Count;
+    }
+  };
+
   void Cut(Id cellId, const Box2& box, const std::vector<Id>& ids, int depth, double copies);
+  Extents Measure(const Box2& box, const std::vector<Id>& ids) const;
   Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids, double copies) const;
   void File(const Grid& grid, const Box2& box, const std::vector<Id>& ids);
 

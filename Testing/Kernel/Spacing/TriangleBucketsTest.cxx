@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Spacing/TriangleBuckets.h"
+
+#include "SpacingSources.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace biting;
+
+using Corners = TriangleBuckets::Corners;
+
+std::vector<Corners> Graded(int columns, double power)
+{
+  const TriangulatedSource source = MakeTriangulation(
+    columns, [](const Point2&) { return 1.0; }, power);
+  std::vector<Corners> triangles;
+  for (std::size_t first = 0; first < source.Triangles.size(); first += 3)
+  {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      corners[k] = source.Points[static_cast<std::size_t>(source.Triangles[first + k])];
+    }
+    triangles.push_back(corners);
+  }
+  return triangles;
+}
+
+/// Long triangles of all directions, each around others.
+std::vector<Corners> Needles(int count)
+{
+  Sampler sampler(1);
+  std::vector<Corners> needles;
+  for (int needle = 0; needle < count; ++needle)
+  {
+    const Point2 start = sampler.NextIn(UnitBox());
+    const double angle = 6.283185307179586 * sampler.Next();
+    const Point2 along{ std::cos(angle), std::sin(angle) };
+    needles.push_back({ start, start + along, start + 0.5 * along + 1e-4 * Perpendicular(along) });
+  }
+  return needles;
+}
+
+bool Contains(const Corners& corners, const Point2& x)
+{
+  double sides[3];
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sides[k] = Cross(corners[(k + 1) % 3] - corners[k], x - corners[k]);
+  }
+  return (sides[0] > 0.0) == (sides[1] > 0.0) && (sides[1] > 0.0) == (sides[2] > 0.0);
+}
+
+void ExpectAllAreFound(const std::vector<Corners>& triangles, double power)
+{
+  Pulse pulse(NoMonitor());
+  const TriangleBuckets buckets(triangles, pulse);
+  Sampler sampler(2);
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 place = sampler.NextIn(UnitBox());
+    const Point2 x{ std::pow(place.X, power), std::pow(place.Y, power) };
+    const TriangleBuckets::Range near = buckets.Near(x);
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
+    {
+      if (Contains(triangles[triangle], x))
+      {
+        EXPECT_NE(std::find(near.begin(), near.end(), static_cast<Id>(triangle)), near.end());
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST(TriangleBuckets, HaveAllTrianglesThatContainAPoint)
+{
+  ExpectAllAreFound(Graded(12, 1.0), 1.0);
+  ExpectAllAreFound(Graded(25, 6.0), 6.0);
+  ExpectAllAreFound(Needles(300), 1.0);
+  ExpectAllAreFound({ Needles(1) }, 1.0);
+}
+
+TEST(TriangleBuckets, AreFewTrianglesWhereverTheyAreGraded)
+{
+  Pulse pulse(NoMonitor());
+  for (const double power : { 1.0, 2.0, 3.0 })
+  {
+    const std::vector<Corners> triangles = Graded(60, power);
+    const TriangleBuckets buckets(triangles, pulse);
+    for (const Corners& corners : triangles)
+    {
+      const Point2 center = (1.0 / 3.0) * (corners[0] + corners[1] + corners[2]);
+      const TriangleBuckets::Range near = buckets.Near(center);
+      EXPECT_LE(near.end() - near.begin(), 24);
+    }
+  }
+}
+
+/// Long ones, which no grid can tell apart, are not filed again and again.
+TEST(TriangleBuckets, FileATriangleNotManyTimes)
+{
+  Pulse pulse(NoMonitor());
+  for (const std::vector<Corners>& triangles : { Graded(60, 8.0), Needles(1000) })
+  {
+    TriangleBuckets buckets(triangles, pulse);
+    std::size_t entries = 0;
+    buckets.ForEachEntry([&entries](Id&) { ++entries; });
+    EXPECT_LE(entries, 32 * triangles.size());
+  }
+}
