@@ -58,13 +58,16 @@ void EdgeSamples::LookAhead()
     this->Ahead.push_back(this->Ask(reach));
   }
   Sample middle = this->AskBefore(this->Ahead.back());
-  while (!this->IsFine(middle))
+  while (this->IsBetween(middle) && !this->IsFine(middle))
   {
     this->Ahead.push_back(middle);
     middle = this->AskBefore(middle);
   }
-  this->Ahead.push_back(middle);
-  this->IsNextFine = true;
+  this->IsNextFine = this->IsBetween(middle);
+  if (this->IsNextFine)
+  {
+    this->Ahead.push_back(middle);
+  }
 }
 
 EdgeSamples::Sample EdgeSamples::Ask(double parameter) const
@@ -76,6 +79,12 @@ EdgeSamples::Sample EdgeSamples::Ask(double parameter) const
 EdgeSamples::Sample EdgeSamples::AskBefore(const Sample& sample) const
 {
   return this->Ask(0.5 * (this->Last.Parameter + sample.Parameter));
+}
+
+// Not where the last one and the one ahead are next to each other in rounding.
+bool EdgeSamples::IsBetween(const Sample& middle) const
+{
+  return this->Last.Parameter < middle.Parameter && middle.Parameter < this->Ahead.back().Parameter;
 }
 
 // Whether f is linear enough from the last one over this to the one ahead.

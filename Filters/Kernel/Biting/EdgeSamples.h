@@ -40,6 +40,7 @@ private:
   void LookAhead();
   Sample Ask(double parameter) const;
   Sample AskBefore(const Sample& sample) const;
+  bool IsBetween(const Sample& middle) const;
   bool IsFine(const Sample& middle) const;
 
   const Spacing& F;

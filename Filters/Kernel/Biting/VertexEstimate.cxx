@@ -7,7 +7,7 @@
 
 #include <algorithm> // for min, max, min_element
 #include <array>     // for quarters
-#include <cmath>     // for ceil
+#include <cmath>     // for ceil, log
 #include <cstdint>   // for scattering
 #include <limits>    // for infinity
 #include <numeric>   // for accumulate
@@ -34,6 +34,7 @@ constexpr double GreatestCells = 100000.0;
 constexpr double GreatestCellsOfRough = 8192.0;
 constexpr double CellsPerVertex = 16.0;      // between these limits: a small mesh asks for no more
 constexpr double SegmentPanel = 3.0;         // of a segment, in spacings
+constexpr double NearlyLevel = 1e-3;         // growth of f in a panel, as a share of it
 constexpr double MostPanels = 64.0;          // along a segment
 constexpr double MostPanelsInAll = 300000.0; // but at least one a segment
 constexpr double MostPanelsOfRough = 32768.0;
@@ -261,16 +262,30 @@ std::vector<SegmentRule> MakeRules(
   return rules;
 }
 
-// Of 1/f along a segment, by the trapezoidal rule.
+// Of 1/f, between two places where it is known and linear between: small at one of them, as at the
+// tip of a cone, it would outweigh all else if 1/f were linear.
+double MeanInverse(double first, double last)
+{
+  const double growth = last - first;
+  return std::abs(growth) > NearlyLevel * first ? std::log(last / first) / growth
+                                                : 2.0 / (first + last);
+}
+
+// Of 1/f along a segment.
 double IntegrateInverse(const Domain& domain, Id segment, const SegmentRule& rule, int panels,
   const Spacing& spacing, Pulse& pulse)
 {
   const Point2& a = domain.Vertices[domain.Starts[segment]];
   const Point2& b = domain.Vertices[domain.Ends[segment]];
-  double sum = 0.5 / rule.AtStart + 0.5 / rule.AtEnd;
-  for (double k = 1.0; k < panels && pulse.Beat(); ++k)
+  double sum = 0.0;
+  double last = rule.AtStart;
+  for (int k = 1; k <= panels && pulse.Beat(); ++k)
   {
-    sum += 1.0 / spacing(a + k / panels * (b - a));
+    const double next = k < panels
+      ? spacing(a + static_cast<double>(k) / static_cast<double>(panels) * (b - a))
+      : rule.AtEnd;
+    sum += MeanInverse(last, next);
+    last = next;
   }
   return sum / panels * Distance(a, b);
 }

@@ -121,6 +121,19 @@ double DivisionPoints(const Domain& domain, const SpacingOptions& options, Estim
   return EstimateDivisionPoints(domain, spacing, 1.0, NoMonitor(), effort);
 }
 
+TEST(EstimateDivisionPoints, AreNotManyForOneFineCorner)
+{
+  // Of 1 / (least + r) along the two sides at the corner; the others have no point within.
+  for (const double least : { 1e-3, 1e-9, 1e-14 })
+  {
+    const Domain domain = Make(Box(1.0, 1.0)).Domain;
+    const double points =
+      DivisionPoints(domain, RadialSpacing({ 0.0, 0.0 }, least, 1.0), EstimateEffort::Full);
+    const double expected = 2.0 * (std::log(1.0 / least) - 1.0);
+    EXPECT_NEAR(points, expected, 0.05 * expected) << least;
+  }
+}
+
 TEST(EstimateDivisionPoints, RoughIsNearFull)
 {
   const SpacingOptions graded = RadialSpacing({ 1.0, 0.0 }, 1e-6, 1e-4);
