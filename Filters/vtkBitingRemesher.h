@@ -261,8 +261,9 @@ public:
    * The name of a point or cell array of numbers, or of one each: vertices, triangles and tagged
    * edges where it is not 0 stay as they are; that of tagged edges is among the cell arrays of
    * their lines, whether these are cells of the mesh or connected. An edge is not frozen by its
-   * ends: it may be divided between them. Empty or "None" (default): none. A name that does not
-   * exist is an error.
+   * ends: it may be divided between them. A triangle beside one without area, which has to be
+   * divided for that, does not stay. Empty or "None" (default): none. A name that does not exist is
+   * an error.
    */
   vtkSetStdStringFromCharMacro(FrozenArray);
   vtkGetCharFromStdStringMacro(FrozenArray);

@@ -16,8 +16,10 @@ namespace biting
 namespace
 {
 
-// Where flat triangles lie side by side, each round mends those at the rim of what is left.
-constexpr int MostRounds = 32;
+// Where flat triangles lie side by side, each round mends those at the rim of what is left: so many
+// rounds, and more where they look at few triangles.
+constexpr std::size_t FewRounds = 32;
+constexpr std::size_t FewLooks = 4000000;
 
 class FlatRepair
 {
@@ -46,7 +48,7 @@ private:
   bool IsTurned(Id triangle) const;
   Id TopOf(Id triangle) const;
   void Begin();
-  void MendAll(const std::vector<Id>& flat);
+  bool MendAll(const std::vector<Id>& flat);
   bool Weld(Id triangle);
   Id Root(Id vertex) const;
   void Remove(Id triangle);
@@ -73,10 +75,12 @@ FlatTriangleRepair FlatRepair::Run()
   {
     return {};
   }
-  for (int round = 0; round < MostRounds && !flat.empty(); ++round)
+  const std::size_t rounds = std::max(FewRounds, 3 * FewLooks / this->Corners.size());
+  bool isMended = true;
+  for (std::size_t round = 0; round < rounds && isMended && !flat.empty(); ++round)
   {
     this->Begin();
-    this->MendAll(flat);
+    isMended = this->MendAll(flat);
     this->Pack();
     flat = this->FindFlat();
   }
@@ -168,7 +172,8 @@ void FlatRepair::Begin()
   this->IsGone.assign(triangles, 0);
 }
 
-void FlatRepair::MendAll(const std::vector<Id>& flat)
+/// Whether there was anything to do.
+bool FlatRepair::MendAll(const std::vector<Id>& flat)
 {
   for (const Id triangle : flat)
   {
@@ -188,6 +193,7 @@ void FlatRepair::MendAll(const std::vector<Id>& flat)
       this->Divide(triangle, top, neighbor);
     }
   }
+  return std::find(this->IsTouched.begin(), this->IsTouched.end(), 1) != this->IsTouched.end();
 }
 
 /// Makes two corners at one place one, if there are such.

@@ -42,8 +42,9 @@ struct FlatTriangleRepair
 /// as rounding turned them over. Of two corners at one place the lower one stays for both; else the
 /// triangle across the longest side is divided at the third corner, and the flat one is a part of
 /// it afterwards. At a free edge the flat one only goes. What cannot be mended so stays, as where
-/// many lie in a row, and so does a mesh that has no other triangles. `corners` are three a
-/// triangle, of any orientation. Cost O(n), once where nothing is flat.
+/// more than 32 lie one upon another in a mesh of more than 100,000 triangles, and so does a mesh
+/// that has no other triangles. `corners` are three a triangle, of any orientation. Cost O(n), once
+/// where nothing is flat.
 FlatTriangleRepair RepairFlatTriangles(
   const std::vector<Point2>& points, double rounding, std::vector<Id>& corners);
 

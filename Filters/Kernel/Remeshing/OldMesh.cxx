@@ -327,16 +327,13 @@ Polylines Reader::FreeEdges()
 {
   Polylines edges;
   edges.Points = this->Mesh.Points;
-  for (Id slot = 0; slot < static_cast<Id>(this->Mesh.Corners.size()); ++slot)
+  for (const Id slot : this->Mesh.FreeSlots())
   {
-    if (this->Mesh.Neighbors[slot] == NoId)
-    {
-      edges.Connectivity.push_back(this->Mesh.Start(slot));
-      edges.Connectivity.push_back(this->Mesh.End(slot));
-      edges.Offsets.push_back(static_cast<Id>(edges.Connectivity.size()));
-      edges.Kinds.push_back(ChainKind::Boundary);
-      edges.Cells.push_back(slot / 3);
-    }
+    edges.Connectivity.push_back(this->Mesh.Start(slot));
+    edges.Connectivity.push_back(this->Mesh.End(slot));
+    edges.Offsets.push_back(static_cast<Id>(edges.Connectivity.size()));
+    edges.Kinds.push_back(ChainKind::Boundary);
+    edges.Cells.push_back(slot / 3);
   }
   return edges;
 }

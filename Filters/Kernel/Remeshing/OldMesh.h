@@ -65,6 +65,20 @@ struct OldMesh
   Id Start(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 1) % 3]; }
   Id End(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 2) % 3]; }
 
+  /// Those of edges of one triangle.
+  std::vector<Id> FreeSlots() const
+  {
+    std::vector<Id> slots;
+    for (Id slot = 0; slot < static_cast<Id>(this->Corners.size()); ++slot)
+    {
+      if (this->Neighbors[slot] == NoId)
+      {
+        slots.push_back(slot);
+      }
+    }
+    return slots;
+  }
+
   /// Whether an edge with this mark must stay one.
   bool IsFrozenEdge(Id mark) const
   {
@@ -98,10 +112,11 @@ struct OldMesh
 
 /// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one
 /// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
-/// lines, and fixed where one of them was; flat triangles are mended (ProblemCode::FlatTriangles,
-/// FlatTriangles.h); triangles are turned counterclockwise. Edges of one triangle, or between
-/// regions, or on lines are marked. Lines along sides of flat
-/// triangles stay on what is there instead; those that are no edges are dropped
+/// lines, and fixed where one of them was: the lower number stays, but the place of one that is
+/// fixed, or a corner of a frozen triangle; flat triangles are mended (ProblemCode::FlatTriangles,
+/// FlatTriangles.h): those that they divide are frozen no more; triangles are turned
+/// counterclockwise. Edges of one triangle, or between regions, or on lines are marked. Lines along
+/// sides of flat triangles stay on what is there instead; those that are no edges are dropped
 /// (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an area,

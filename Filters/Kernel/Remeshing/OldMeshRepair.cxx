@@ -6,29 +6,16 @@
 #include "../Quality/TriangleLinks.h"
 #include "NearVertices.h"
 
-#include <algorithm> // for max, min, sort
+#include <algorithm> // for minmax, sort
+#include <cstdint>   // for flags
 #include <numeric>   // for iota
-#include <utility>   // for move
+#include <utility>   // for move, swap
 
 namespace biting
 {
 
 namespace
 {
-
-std::vector<Id> VerticesOfFreeEdges(const OldMesh& mesh)
-{
-  std::vector<Id> vertices;
-  for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
-  {
-    if (mesh.Neighbors[slot] == NoId)
-    {
-      vertices.push_back(mesh.Start(slot));
-      vertices.push_back(mesh.End(slot));
-    }
-  }
-  return vertices;
-}
 
 class Mender
 {
@@ -47,6 +34,7 @@ private:
   void Link();
   void WeldFreeEdges();
   void Weld(Id one, Id other);
+  void FindFrozen();
   void MendFlat();
   void KeepSides(const FlatTriangleRepair& repair);
   void TellFlat(const std::vector<FlatTriangle>& flat);
@@ -61,6 +49,7 @@ private:
   double Nearest;
   OldMesh& Mesh;
   ProblemList& Problems;
+  std::vector<std::uint8_t> IsFrozen; ///< one a vertex, where some are made one: its place stays
   MendedMesh Result;
 };
 
@@ -85,7 +74,12 @@ MendedMesh Mender::Mend()
 
 void Mender::WeldFreeEdges()
 {
-  const std::vector<Id> vertices = VerticesOfFreeEdges(this->Mesh);
+  std::vector<Id> vertices;
+  for (const Id slot : this->Mesh.FreeSlots())
+  {
+    vertices.push_back(this->Mesh.Start(slot));
+    vertices.push_back(this->Mesh.End(slot));
+  }
   for (const auto& [one, other] : FindNearVertices(this->Mesh.Points, vertices, this->Nearest))
   {
     this->Weld(one, other);
@@ -93,25 +87,39 @@ void Mender::WeldFreeEdges()
   this->Renumber();
 }
 
-// The lower number stays.
+// The lower number stays, unless the place of the other one is frozen.
 void Mender::Weld(Id one, Id other)
 {
   if (this->Result.Numbers.empty() && one != other)
   {
     this->Result.Numbers.resize(this->Mesh.Points.size());
     std::iota(this->Result.Numbers.begin(), this->Result.Numbers.end(), 0);
+    this->FindFrozen();
   }
-  const Id stays = std::min(this->NumberOf(one), this->NumberOf(other));
-  const Id goes = std::max(this->NumberOf(one), this->NumberOf(other));
+  auto [stays, goes] = std::minmax({ this->NumberOf(one), this->NumberOf(other) });
   if (stays == goes)
   {
     return;
   }
+  const bool isSame = this->Mesh.Points[stays] == this->Mesh.Points[goes];
+  if (!isSame && this->IsFrozen[goes] > this->IsFrozen[stays])
+  {
+    std::swap(stays, goes);
+  }
   this->Result.Numbers[goes] = stays;
+  this->IsFrozen[stays] |= this->IsFrozen[goes];
   const Point2& place = this->Mesh.Points[goes];
-  const bool isSame = place == this->Mesh.Points[stays];
   this->Problems.Add({ isSame ? ProblemCode::DuplicatePoints : ProblemCode::NearPoints,
     { this->PointId(goes), this->PointId(stays) }, place, "" });
+}
+
+void Mender::FindFrozen()
+{
+  this->IsFrozen = this->Mesh.IsFixed;
+  for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
+  {
+    this->IsFrozen[this->Mesh.Corners[slot]] |= this->Mesh.IsFrozen[slot / 3];
+  }
 }
 
 Id Mender::NumberOf(Id vertex) const
@@ -186,7 +194,7 @@ void Mender::Renumber()
   std::vector<Id>& numbers = this->Result.Numbers;
   for (std::size_t vertex = 0; vertex < numbers.size(); ++vertex)
   {
-    numbers[vertex] = numbers[numbers[vertex]]; // that one is lower, and done
+    numbers[vertex] = this->NumberOf(static_cast<Id>(vertex));
     this->Mesh.IsFixed[numbers[vertex]] |= this->Mesh.IsFixed[vertex];
   }
   for (Id& corner : this->Mesh.Corners)

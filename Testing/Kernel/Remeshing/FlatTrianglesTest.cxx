@@ -119,6 +119,31 @@ TEST(FlatTriangles, AtFreeEdgesGo)
   EXPECT_EQ(repair.RimVertices, (std::vector<Id>{ 0, 1, 3 }));
 }
 
+// Each has the longest side of the one above it.
+TEST(FlatTriangles, GoInTurnHoweverManyLieUponEachOther)
+{
+  constexpr Id Count = 300;
+  std::vector<Point2> points{ { 0, 0 }, { 1000, 0 }, { 400, 500 }, { 400, -500 } };
+  std::vector<Id> corners{ 0, 1, 2 };
+  Id start = 0;
+  Id end = 1;
+  for (Id k = 0; k < Count; ++k)
+  {
+    const bool isAtStart = k % 2 == 0;
+    const Id next = static_cast<Id>(points.size());
+    points.push_back({ isAtStart ? 1.0 + k : 1000.0 - k, 0.0 });
+    corners.insert(corners.end(), { start, end, next });
+    corners.insert(
+      corners.end(), { isAtStart ? start : next, isAtStart ? next : end, 3 }); // below it
+    (isAtStart ? start : end) = next;
+  }
+  corners.insert(corners.end(), { start, end, 3 });
+  const std::vector<Id> before = corners;
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
+  EXPECT_EQ(repair.Flat.size(), static_cast<std::size_t>(Count));
+  ExpectMesh(points, corners, before);
+}
+
 TEST(FlatTriangles, BesideOthersGoInTurn)
 {
   // A fan of flat triangles between two edges of one line, from a side to its parts.

@@ -33,6 +33,30 @@ TEST(OldMesh, LinesAndFixedVerticesStayWherePointsAreMadeOne)
   EXPECT_EQ(mesh.IsFixed[2], 1);
 }
 
+// Frozen by itself, or by a triangle at it; at the place of another one the lower number stays.
+TEST(OldMesh, FrozenPlacesStayWherePointsAreMadeOne)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1e-16, 0 }, { 1, 1 + 2.3e-16 } };
+  input.Corners = { 0, 1, 2, 4, 5, 3 };
+  input.Rounding = 1e-15;
+  const auto cornersWith = [&input](std::vector<std::uint8_t> isFixed, Id frozen)
+  {
+    input.IsFixed = std::move(isFixed);
+    input.IsFrozen = { frozen == 0, frozen == 1 };
+    ProblemList problems;
+    const OldMesh mesh = ReadOldMesh(input, 1e-15, problems, NoMonitor());
+    EXPECT_EQ(problems.Count(ProblemCode::NearPoints), 2);
+    return mesh.Corners;
+  };
+  const std::vector<std::uint8_t> none(6, 0);
+  EXPECT_EQ(cornersWith(none, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+  EXPECT_EQ(cornersWith(none, 0), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+  EXPECT_EQ(cornersWith(none, 1), (std::vector<Id>{ 4, 1, 5, 4, 5, 3 }));
+  EXPECT_EQ(cornersWith({ 0, 0, 0, 0, 0, 1 }, NoId), (std::vector<Id>{ 0, 1, 5, 0, 5, 3 }));
+  EXPECT_EQ(cornersWith({ 0, 0, 1, 0, 0, 1 }, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+}
+
 TEST(OldMesh, FlatTrianglesAreMendedWithWhatIsKnownOfTheirNeighbours)
 {
   RemeshInput input;
