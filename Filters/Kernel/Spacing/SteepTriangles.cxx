@@ -32,6 +32,9 @@ constexpr double IdleTolerance = 0.01;
 /// by more than this share of it.
 constexpr double GrowthOfSide = 0.1;
 
+/// Of more cones at one point all are kept, and only so many are compared to others.
+constexpr std::size_t ManyCones = 32;
+
 /// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Their
 /// points are in the order of their values.
 struct SteepParts
@@ -181,15 +184,17 @@ private:
   {
     std::vector<Id> newIds(this->Whole.Points.size(), NoId);
     std::vector<std::pair<double, Id>> order;
-    for (const Id corner : this->Whole.Corners)
-    {
-      Id& newId = newIds[static_cast<std::size_t>(corner)];
-      if (newId == NoId)
+    std::vector<Id>& corners = this->Whole.Corners;
+    pulse.ForEach(corners.size(),
+      [this, &corners, &newIds, &order](std::size_t k)
       {
-        newId = 0;
-        order.emplace_back(this->ValueOf(corner), corner);
-      }
-    }
+        Id& newId = newIds[static_cast<std::size_t>(corners[k])];
+        if (newId == NoId)
+        {
+          newId = 0;
+          order.emplace_back(this->ValueOf(corners[k]), corners[k]);
+        }
+      });
     SortInSteps(order, std::less<>(), pulse);
     SteepParts parts;
     for (const auto& [value, point] : order)
@@ -198,10 +203,10 @@ private:
       parts.Points.push_back(this->Whole.Points[static_cast<std::size_t>(point)]);
       parts.Values.push_back(value);
     }
-    for (const Id corner : this->Whole.Corners)
-    {
-      parts.Corners.push_back(newIds[static_cast<std::size_t>(corner)]);
-    }
+    pulse.ForEach(corners.size(),
+      [&corners, &newIds](std::size_t k)
+      { corners[k] = newIds[static_cast<std::size_t>(corners[k])]; });
+    parts.Corners = std::move(corners);
     return parts;
   }
 
@@ -217,8 +222,8 @@ private:
 
 /// Finds the edges and points from which f grows. Any edge that is not steep itself may be one, and
 /// the lower end of steep ones. From the lowest point up, each hands the cone that is lowest there
-/// on to those above, and is left out where such a cone stands for it. Of the others those are
-/// needed that are lowest, and below the values, at a point or along a side.
+/// on to those above; one is left out where such a cone stands for it. Of the others those are
+/// needed that are below the values along a side of a triangle beside them.
 class ConeFinder
 {
 public:
@@ -238,9 +243,7 @@ public:
     for (std::size_t point = 0; point < this->Parts.Points.size() && this->Beats.Beat(32); ++point)
     {
       this->Settle(point);
-      this->FirstConeAt[point + 1] = this->Cones.size();
     }
-    this->AreNeeded.resize(this->Cones.size(), false);
     for (std::size_t first = 0; first < this->Parts.Corners.size() && this->Beats.Beat(16);
          first += 3)
     {
@@ -279,6 +282,9 @@ private:
     {
       this->AddCone(point, point);
     }
+    this->FirstConeAt[point + 1] = this->Cones.size();
+    const bool areMany = this->Cones.size() > this->EndOfCompared(point);
+    this->AreNeeded.resize(this->Cones.size(), areMany);
     const Id offered = this->LowestAt[point].Cone;
     for (std::size_t edge = first; edge < end; ++edge)
     {
@@ -287,11 +293,16 @@ private:
       {
         this->Offer(offered, high);
       }
-      for (std::size_t cone = this->FirstConeAt[point]; cone < this->Cones.size(); ++cone)
+      for (std::size_t cone = this->FirstConeAt[point]; cone < this->EndOfCompared(point); ++cone)
       {
         this->Offer(static_cast<Id>(cone), high);
       }
     }
+  }
+
+  std::size_t EndOfCompared(std::size_t point) const
+  {
+    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + ManyCones);
   }
 
   /// Unless it is steep, or what is offered to its lower end stands for it.
@@ -335,8 +346,7 @@ private:
     {
       const auto corner = static_cast<std::size_t>(corners[k]);
       this->LookAt(this->LowestAt[corner].Cone);
-      for (std::size_t cone = this->FirstConeAt[corner]; cone < this->FirstConeAt[corner + 1];
-           ++cone)
+      for (std::size_t cone = this->FirstConeAt[corner]; cone < this->EndOfCompared(corner); ++cone)
       {
         this->LookAt(static_cast<Id>(cone));
       }

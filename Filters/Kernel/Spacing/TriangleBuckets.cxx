@@ -41,10 +41,10 @@ Box2 Intersection(const Box2& a, const Box2& b)
 
 /// Which boxes of half sizes `half` may meet a triangle: none of its sides has the whole box on its
 /// outside. With room for rounding: a triangle filed too often costs nothing but time.
-class CellMeeting
+class CellTest
 {
 public:
-  CellMeeting(const TriangleBuckets::Corners& corners, const Point2& half)
+  CellTest(const TriangleBuckets::Corners& corners, const Point2& half)
     : Origin(corners[0])
   {
     const double turn = Cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0 ? -1.0 : 1.0;
@@ -176,7 +176,7 @@ void TriangleBuckets::File(const Grid& grid, const Box2& box, const std::vector<
     this->Beats->Beat();
     const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
     const Box2 own = BoxOf(corners);
-    const CellMeeting mayMeet(corners, half);
+    const CellTest mayMeet(corners, half);
     const Id lastRow = grid.Row(own.High.Y);
     const Id lastColumn = grid.Column(own.High.X);
     for (Id row = grid.Row(own.Low.Y); row <= lastRow; ++row)

@@ -73,18 +73,19 @@ std::vector<BorderEdge> FindBorder(
 {
   std::vector<BorderEdge> border;
   const TriangleEdges edges(corners, source.Points.size(), pulse);
-  for (std::size_t start = 0; start < source.Points.size(); ++start)
-  {
-    for (std::size_t edge = edges.FirstAt(start); edge < edges.FirstAt(start + 1); ++edge)
+  pulse.ForEach(source.Points.size(),
+    [&source, &edges, &border](std::size_t start)
     {
-      if (edges.IsBorder(edge))
+      for (std::size_t edge = edges.FirstAt(start); edge < edges.FirstAt(start + 1); ++edge)
       {
-        const auto end = static_cast<std::size_t>(edges.HighEnd(edge));
-        border.push_back({ source.Points[start], source.Points[end], source.Values[start],
-          source.Values[end], static_cast<Id>(start), static_cast<Id>(end) });
+        if (edges.IsBorder(edge))
+        {
+          const auto end = static_cast<std::size_t>(edges.HighEnd(edge));
+          border.push_back({ source.Points[start], source.Points[end], source.Values[start],
+            source.Values[end], static_cast<Id>(start), static_cast<Id>(end) });
+        }
       }
-    }
-  }
+    });
   return border;
 }
 

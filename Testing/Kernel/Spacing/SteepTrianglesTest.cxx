@@ -193,6 +193,24 @@ TEST(SteepTriangles, AreJudgedByTheSpacingAndNotByTheValues)
   }
 }
 
+/// The sides at the middle are not steep, but the triangles are, up and down in turns: each of these
+/// sides is needed. Comparing each with all others takes minutes.
+TEST(SteepTriangles, TakeAnyNumberOfTrianglesAroundAPoint)
+{
+  constexpr int sectors = 60000;
+  TriangulatedSource fan{ { { 0.5, 0.5 } }, { 0.2 }, {} };
+  for (Id sector = 0; sector < sectors; ++sector)
+  {
+    const double angle = 6.283185307179586 * sector / sectors;
+    fan.Points.push_back(fan.Points[0] + 0.5 * Point2{ std::cos(angle), std::sin(angle) });
+    fan.Values.push_back(sector % 2 == 0 ? 0.2 : 0.2 + 0.4 * Gradation);
+    fan.Triangles.insert(fan.Triangles.end(), { 0, sector + 1, (sector + 1) % sectors + 1 });
+  }
+  const SegmentSource cones = ConesOf(fan);
+  EXPECT_GE(cones.Segments.size() / 2, static_cast<std::size_t>(sectors / 2));
+  EXPECT_LE(cones.Segments.size() / 2, static_cast<std::size_t>(2 * sectors));
+}
+
 TEST(SteepTriangles, IgnorePointsWithoutAValue)
 {
   const SegmentSource cones = ConesOf(MakeTriangulation(
