@@ -28,9 +28,10 @@ constexpr double SteepMargin = 0.005;
 constexpr double CoverTolerance = 0.005;
 constexpr double IdleTolerance = 0.01;
 
-/// Sides are looked at at their ends, and between at one place, or more where f may grow along them
-/// by more than this share of it.
-constexpr double GrowthOfSide = 0.1;
+/// Sides are looked at at their ends, in the middle, and at a quarter, an eighth ... from both ends,
+/// while f may grow as far as that by more than this share of it; but no nearer than LeastShare.
+constexpr double GrowthBetween = 0.025;
+constexpr double LeastShare = 1.0 / 256.0;
 
 /// Of more cones at one point all are kept, and only so many are compared to others.
 constexpr std::size_t ManyCones = 32;
@@ -366,24 +367,34 @@ private:
     }
   }
 
+  /// What a linear value is above a cone is concave along a side, so at half the way from an end to
+  /// where it is largest no less than half of that.
   void MarkAlong(std::size_t start, std::size_t end)
   {
-    const Point2 along = this->Parts.Points[end] - this->Parts.Points[start];
-    const double rise = this->Parts.Values[end] - this->Parts.Values[start];
-    const bool isShort = this->Gradation * Length(along) < GrowthOfSide * this->Parts.Values[start];
-    const int places = isShort ? 2 : 4;
-    for (int place = 0; place < places; ++place)
+    this->MarkAt(start, end, 0.0);
+    this->MarkAt(start, end, 0.5);
+    const double growth =
+      this->Gradation * Distance(this->Parts.Points[start], this->Parts.Points[end]);
+    const double least = GrowthBetween * this->Parts.Values[std::min(start, end)];
+    for (double share = 0.25; share * growth > least && share > LeastShare; share *= 0.5)
     {
-      const double weight = static_cast<double>(place) / places;
-      const double given = this->Parts.Values[start] + weight * rise;
-      for (const Id cone : this->Near)
+      this->MarkAt(start, end, share);
+      this->MarkAt(start, end, 1.0 - share);
+    }
+  }
+
+  void MarkAt(std::size_t start, std::size_t end, double share)
+  {
+    const Point2& from = this->Parts.Points[start];
+    const Point2 place = from + share * (this->Parts.Points[end] - from);
+    const double given =
+      (1.0 - share) * this->Parts.Values[start] + share * this->Parts.Values[end];
+    for (const Id cone : this->Near)
+    {
+      const double value = this->At(cone)(place, this->Gradation);
+      if (value < given - IdleTolerance * this->At(cone).Value)
       {
-        const double value =
-          this->At(cone)(this->Parts.Points[start] + weight * along, this->Gradation);
-        if (value < given - IdleTolerance * this->At(cone).Value)
-        {
-          this->AreNeeded[static_cast<std::size_t>(cone)] = true;
-        }
+        this->AreNeeded[static_cast<std::size_t>(cone)] = true;
       }
     }
   }

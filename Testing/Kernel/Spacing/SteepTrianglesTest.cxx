@@ -193,6 +193,14 @@ TEST(SteepTriangles, AreJudgedByTheSpacingAndNotByTheValues)
   }
 }
 
+/// Found by random sources: only near its low end the long side is above the cone of the short one.
+TEST(SteepTriangles, AreLimitedBesideShortSidesHoweverLongTheyAre)
+{
+  const TriangulatedSource source{ { { 0.4577, 0.3131 }, { 0.4058, 0.3252 }, { 0.0178, 0.314 } },
+    { 0.009, 0.009, 0.063 }, { 0, 1, 2 } };
+  EXPECT_NEAR(LimitOf(ConesOf(source))({ 0.4213, 0.3132 }), 0.0115, 0.0002); // 0.0135 is given
+}
+
 /// The sides at the middle are not steep, but the triangles are, up and down in turns: each of these
 /// sides is needed. Comparing each with all others takes minutes.
 TEST(SteepTriangles, TakeAnyNumberOfTrianglesAroundAPoint)
