@@ -440,7 +440,7 @@ BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& optio
   PartOfStage preparing(whole, LocatorEnd, 1.0);
   const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
   const Spacing spacing = PrepareSpacing(options, domain,
-    options.LimitByFeatureSize ? FeaturesOf(simplified, mostVertices) : nullptr, *locator, problems,
+    options.LimitByFeatureSize ? FeaturesOf(simplified, mostVertices) : nullptr, problems,
     preparing);
   return IsOver(whole, problems)
     ? BitingMesh()

@@ -4,8 +4,6 @@
 #include "PreparedSpacing.h"
 
 #include "Base/PartOfStage.h"
-#include "Base/Pulse.h"
-#include "Meshing/DomainFeatures.h"
 #include "Meshing/PreservedSpacing.h"
 #include "Meshing/StageProblems.h"
 #include "RaisedSpacing.h"
@@ -18,14 +16,12 @@ namespace biting
 namespace
 {
 
-// Where steps end, as shares of the time.
-constexpr double LocatorEnd = 0.05;
+// Where the step ends, as a share of the time.
 constexpr double ChoiceEnd = 0.05;
 
 // The features may be none.
 SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
-  ProblemList& problems, Monitor& monitor)
+  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor)
 {
   SpacingOptions spacing = RaiseToRounding(options.Spacing, domain, problems);
   if (options.PreserveBoundary)
@@ -33,19 +29,16 @@ SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& dom
     return FollowSegments(spacing, domain, monitor);
   }
   spacing.Features = std::move(features);
-  spacing.IsUnused = OutsideOf(locator);
   return spacing;
 }
 
 } // namespace
 
 Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
-  ProblemList& problems, Monitor& monitor)
+  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage choosing(monitor, 0.0, ChoiceEnd);
-  SpacingOptions wanted =
-    ChooseSpacing(options, domain, std::move(features), locator, problems, choosing);
+  SpacingOptions wanted = ChooseSpacing(options, domain, std::move(features), problems, choosing);
   if (AddAborted(choosing, problems))
   {
     return {};
@@ -57,21 +50,9 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
 Spacing PrepareGivenSpacing(
   const BitingMeshOptions& options, const Domain& drawing, ProblemList& problems, Monitor& monitor)
 {
-  const SpacingOptions& spacing = options.Spacing;
-  if (!spacing.Grid && !spacing.Triangulation && !spacing.Segments)
-  {
-    return MakeSpacing(
-      RaiseToRounding(spacing, drawing, problems), drawing.Bounds, problems, monitor);
-  }
   BitingMeshOptions given = options;
   given.PreserveBoundary = false;
-  PartOfStage locating(monitor, 0.0, LocatorEnd);
-  Pulse pulse(locating);
-  const DomainLocator locator(drawing, pulse);
-  PartOfStage preparing(monitor, LocatorEnd, 1.0);
-  return locating.HasStopped()
-    ? Spacing()
-    : PrepareSpacing(given, drawing, nullptr, locator, problems, preparing);
+  return PrepareSpacing(given, drawing, nullptr, problems, monitor);
 }
 
 } // namespace biting

@@ -8,7 +8,6 @@
 #include "Base/Problem.h"
 #include "BitingMesh.h"
 #include "Domain/Domain.h"
-#include "Domain/DomainLocator.h"
 #include "Spacing/Spacing.h"
 
 #include <memory> // for features
@@ -18,8 +17,7 @@ namespace biting
 
 /// f of a domain, limited by the features of its drawing, which may be none.
 Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, const DomainLocator& locator,
-  ProblemList& problems, Monitor& monitor);
+  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor);
 
 /// f before any limit by feature size. Many of the drawing's vertices will go: they are no reason
 /// to refuse.

@@ -11,7 +11,6 @@ set(biting_kernel_sources
   Spacing/BorderTree.cxx
   Spacing/BoxTree.cxx
   Spacing/ConeTree.cxx
-  Spacing/DrawnLengths.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridBounds.cxx
@@ -19,9 +18,7 @@ set(biting_kernel_sources
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
   Spacing/LevelLine.cxx
-  Spacing/MergedCones.cxx
   Spacing/OutsideJumps.cxx
-  Spacing/Quadtree.cxx
   Spacing/SegmentCone.cxx
   Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx

@@ -17,8 +17,7 @@ std::shared_ptr<const FeatureSource> FeaturesOf(
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;
   features->RightInside = domain.RightInside;
-  features->PathOffsets = simplified.PathOffsets;
-  features->PathLengths = simplified.PathLengths;
+  features->DrawnLengths = simplified.DrawnLengths;
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
     if (domain.IsEmbedded[vertex])
@@ -30,12 +29,6 @@ std::shared_ptr<const FeatureSource> FeaturesOf(
     }
   }
   return features;
-}
-
-std::function<bool(const Box2&)> OutsideOf(const DomainLocator& locator)
-{
-  return [&locator](const Box2& box)
-  { return locator.IsClear(box) && !locator.IsInside(box.Center()); };
 }
 
 } // namespace biting

@@ -4,13 +4,10 @@
 #ifndef BitingDomainFeatures_h
 #define BitingDomainFeatures_h
 
-#include "../Domain/Domain.h"
-#include "../Domain/DomainLocator.h"
 #include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
 
-#include <functional> // for what is outside
-#include <memory>     // for sources
+#include <memory> // for sources
 
 namespace biting
 {
@@ -19,10 +16,6 @@ namespace biting
 /// that is refused if it has more vertices than that.
 std::shared_ptr<const FeatureSource> FeaturesOf(
   const SimplifiedDomain& simplified, double mostVertices);
-
-/// True for boxes that lie outside of a domain: nobody asks for f there. The locator must outlive
-/// it.
-std::function<bool(const Box2&)> OutsideOf(const DomainLocator& locator);
 
 } // namespace biting
 

@@ -3,6 +3,7 @@
 
 #include "Simplification.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 #include "../Domain/AreaSum.h"
 #include "ChainCorners.h"
@@ -10,9 +11,8 @@
 #include "DomainChains.h"
 #include "SmallLoops.h"
 
-#include <algorithm> // for max, min, reverse, sort
+#include <algorithm> // for max, min, sort
 #include <cmath>     // for ceil
-#include <cstddef>   // for ptrdiff_t
 #include <cstdint>   // for flags
 #include <utility>   // for move
 #include <vector>    // for the arrays
@@ -211,26 +211,8 @@ std::vector<double> MakeTolerances(
 struct Path
 {
   Id FirstSegment; ///< the first in the order of the domain
-  Id Slot;         ///< where it begins
-  bool IsAlong;    ///< the result's segment begins there too
+  double Shortest; ///< length of its segments
 };
-
-// Of the segments of a path, from the slot to the next one that is left or the other way.
-void AddLengths(
-  const Domain& domain, const DomainChains& chains, Id slot, bool isAlong, std::vector<double>& all)
-{
-  const std::size_t first = all.size();
-  for (Id between = slot; between != chains.Nexts[slot]; between = chains.Following(between))
-  {
-    const Id segment = chains.Segments[between];
-    all.push_back(
-      Distance(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
-  }
-  if (!isAlong)
-  {
-    std::reverse(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
-  }
-}
 
 // The segments of the chains as they are left.
 void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDomain& result)
@@ -246,9 +228,12 @@ void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDoma
     const Id next = chains.Nexts[slot];
     Id first = chains.Segments[slot];
     bool isAlong = true;
+    double shortest = Infinity;
     for (Id between = slot; between != next; between = chains.Following(between))
     {
       const Id segment = chains.Segments[between];
+      shortest = std::min(shortest,
+        Distance(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
       if (segment <= first)
       {
         first = segment;
@@ -258,16 +243,14 @@ void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDoma
     const Id start = chains.Vertices[isAlong ? slot : next];
     const Id end = chains.Vertices[isAlong ? next : slot];
     rest.Add(start, end, first);
-    paths.push_back({ first, slot, isAlong });
+    paths.push_back({ first, shortest });
   }
   result.Drawing = rest.Make();
   std::sort(paths.begin(), paths.end(),
     [](const Path& a, const Path& b) { return a.FirstSegment < b.FirstSegment; });
-  result.PathOffsets.assign(1, 0);
   for (const Path& path : paths)
   {
-    AddLengths(domain, chains, path.Slot, path.IsAlong, result.PathLengths);
-    result.PathOffsets.push_back(static_cast<Id>(result.PathLengths.size()));
+    result.DrawnLengths.push_back(path.Shortest);
   }
 }
 

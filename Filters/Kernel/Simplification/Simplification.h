@@ -35,10 +35,9 @@ struct SimplifiedDomain
 {
   Domain Drawing;
 
-  /// What each segment stands for: the lengths of the segments of its path, from Starts to Ends,
-  /// are those from PathOffsets of it to PathOffsets of the next. Empty where no vertex may go.
-  std::vector<Id> PathOffsets;
-  std::vector<double> PathLengths;
+  /// Of the segments of the domain that each segment stands for, the length of the shortest. Empty
+  /// where no vertex may go.
+  std::vector<double> DrawnLengths;
 
   Id RemovedVertices = 0;   ///< of chains
   Id LeftOutLoops = 0;      ///< each is a problem of code SmallLoops

@@ -3,6 +3,8 @@
 
 #include "BoxTree.h"
 
+#include "../Base/Numbers.h"
+
 #include <algorithm> // for nth_element, sort
 #include <numeric>   // for iota
 
@@ -43,13 +45,22 @@ void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last
   {
     return;
   }
-  Node node = this->Enclose(items, first, last);
+  const auto begin = this->Items.begin() + first;
+  const auto end = this->Items.begin() + last;
+  Node node{ {}, Infinity, first, last - first };
+  std::for_each(begin, end,
+    [&items, &node](Id id)
+    {
+      const Item& item = items[static_cast<std::size_t>(id)];
+      node.Box.Add(item.Box.Low);
+      node.Box.Add(item.Box.High);
+      node.Value = std::min(node.Value, item.Value);
+    });
   if (node.Count > ItemsPerLeaf)
   {
     const Id middle = first + node.Count / 2;
     const bool alongX = node.Box.Width() > node.Box.Height();
-    std::nth_element(this->Items.begin() + first, this->Items.begin() + middle,
-      this->Items.begin() + last,
+    std::nth_element(begin, this->Items.begin() + middle, end,
       [&items, alongX](Id a, Id b)
       {
         const double keyA = SortKey(items[static_cast<std::size_t>(a)].Box, alongX);
@@ -64,26 +75,9 @@ void BoxTree::Build(const std::vector<Item>& items, Id nodeId, Id first, Id last
   }
   else
   {
-    std::sort(this->Items.begin() + first, this->Items.begin() + last);
+    std::sort(begin, end);
   }
   this->Nodes[static_cast<std::size_t>(nodeId)] = node;
-}
-
-BoxTree::Node BoxTree::Enclose(const std::vector<Item>& items, Id first, Id last) const
-{
-  Node node;
-  node.First = first;
-  node.Count = last - first;
-  node.Value = items[static_cast<std::size_t>(this->Items[static_cast<std::size_t>(first)])].Value;
-  for (Id position = first; position < last; ++position)
-  {
-    const Id id = this->Items[static_cast<std::size_t>(position)];
-    const Item& item = items[static_cast<std::size_t>(id)];
-    node.Box.Add(item.Box.Low);
-    node.Box.Add(item.Box.High);
-    node.Value = std::min(node.Value, item.Value);
-  }
-  return node;
 }
 
 } // namespace biting

@@ -8,7 +8,6 @@
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 
-#include <array>   // for the stack
 #include <utility> // for swap
 #include <vector>  // for the arrays
 
@@ -39,7 +38,14 @@ public:
   /// Calls visit(position, limit) for all items whose cost at x may be below `limit`, likely ones
   /// first. Each call returns the limit from then on.
   template <typename Visit>
-  void Search(const Point2& x, double slope, double limit, Visit visit) const;
+  void Search(const Point2& x, double slope, double limit, Visit visit) const
+  {
+    if (!this->Nodes.empty())
+    {
+      const Node& root = this->Nodes.front();
+      this->SearchBelow(root, root.Bound(x, slope), x, slope, limit, visit);
+    }
+  }
 
 private:
   /// Leaf: positions [First, First + Count). Otherwise the children are nodes First and First + 1.
@@ -62,59 +68,36 @@ private:
     }
   };
 
-  struct Waiting
-  {
-    double Bound;
-    Id Node;
-  };
-
-  /// The tree is halved at every level: ids of 32 bits need less.
-  static constexpr std::size_t StackSize = 64;
-
-  const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
+  template <typename Visit>
+  void SearchBelow(const Node& node, double bound, const Point2& x, double slope, double& limit,
+    Visit& visit) const;
   void Build(const std::vector<Item>& items, Id nodeId, Id first, Id last, Pulse& pulse);
-  Node Enclose(const std::vector<Item>& items, Id first, Id last) const;
 
   std::vector<Id> Items;
   std::vector<Node> Nodes;
 };
 
 template <typename Visit>
-void BoxTree::Search(const Point2& x, double slope, double limit, Visit visit) const
+void BoxTree::SearchBelow(
+  const Node& node, double bound, const Point2& x, double slope, double& limit, Visit& visit) const
 {
-  if (this->Nodes.empty())
+  for (Id k = 0; k < node.Count && bound < limit; ++k)
   {
-    return;
+    limit = visit(node.First + k, limit);
   }
-  std::array<Waiting, StackSize> stack;
-  std::size_t depth = 0;
-  Waiting next{ this->Nodes.front().Bound(x, slope), 0 };
-  while (true)
+  if (node.Count == 0 && bound < limit)
   {
-    const Node& node = this->NodeAt(next.Node);
-    if (next.Bound < limit && node.Count == 0)
+    const Node* near = &this->Nodes[static_cast<std::size_t>(node.First)];
+    const Node* far = near + 1;
+    double nearBound = near->Bound(x, slope);
+    double farBound = far->Bound(x, slope);
+    if (farBound < nearBound)
     {
-      next = { this->NodeAt(node.First).Bound(x, slope), node.First };
-      Waiting farther{ this->NodeAt(node.First + 1).Bound(x, slope), node.First + 1 };
-      if (farther.Bound < next.Bound)
-      {
-        std::swap(next, farther);
-      }
-      if (farther.Bound < limit)
-      {
-        stack[depth++] = farther;
-      }
-      continue;
+      std::swap(near, far);
+      std::swap(nearBound, farBound);
     }
-    for (Id k = 0; k < node.Count && next.Bound < limit; ++k)
-    {
-      limit = visit(node.First + k, limit);
-    }
-    if (depth == 0)
-    {
-      return;
-    }
-    next = stack[--depth];
+    this->SearchBelow(*near, nearBound, x, slope, limit, visit);
+    this->SearchBelow(*far, farBound, x, slope, limit, visit);
   }
 }
 

@@ -19,6 +19,9 @@ namespace
 /// cones, each of which stands for the one before, the ends are rarely much farther apart.
 constexpr double Slack = 0.005;
 
+/// Among more, those that another one beside them stands for are looked for.
+constexpr std::size_t ManyCones = 64;
+
 /// With so few cones a square is a leaf, however large: more of them take longer than a level more.
 constexpr Id FewCones = 14;
 
@@ -28,9 +31,6 @@ constexpr double GrowthOfLeaf = 0.03;
 
 /// A slope above this one counts as this one there, as nobody sees it on a part of f.
 constexpr double SteepestGrowth = 1.0;
-
-/// Among more, those that another one beside them stands for are looked for.
-constexpr std::size_t ManyCones = 64;
 
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
@@ -75,12 +75,11 @@ Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
 class ConeTree::Builder
 {
 public:
-  Builder(
-    ConeTree& whole, const std::vector<SegmentCone>& cones, const Relief& relief, Monitor& monitor)
+  Builder(ConeTree& whole, const std::vector<SegmentCone>& cones, double most, Monitor& monitor)
     : Whole(whole)
     , Beats(monitor)
     , Cones(SegmentExtension(cones, whole.Slope, this->Beats).OrderedCones())
-    , Less(relief)
+    , Most(most)
     , Slope(whole.Slope)
     , Margin(RoundingShare * LargestCoordinate(whole.Bounds))
   {
@@ -128,18 +127,17 @@ private:
     }
     const double radius = square.Radius() + this->Margin;
     const Lowest lowest = this->FindTangents(square.At(0.5, 0.5), radius, first, likely);
-    if (lowest.Value - this->Slope * radius >= this->Less.Most)
+    if (lowest.Value - this->Slope * radius >= this->Most)
     {
       this->SetLeaf(square, 0);
       return;
     }
     this->KeepCandidates(box, radius, lowest, kept - first > ManyCones);
-    this->FinishOrSplit(square, box, lowest, kept);
+    this->FinishOrSplit(square, lowest, kept);
     this->Candidates.resize(kept);
   }
 
-  void FinishOrSplit(
-    const Quadtree::Square& square, const Box2& box, const Lowest& lowest, std::size_t first)
+  void FinishOrSplit(const Quadtree::Square& square, const Lowest& lowest, std::size_t first)
   {
     const double growth = std::min(this->Slope, SteepestGrowth) * square.Size;
     const bool isLast = square.Level == Quadtree::MaximumLevel ||
@@ -152,12 +150,6 @@ private:
     else if (growth <= GrowthOfLeaf * lowest.Value || isLast)
     {
       this->KeepLowest(square, first);
-      this->AddLeaf(square, first);
-    }
-    else if (growth <= 0.5 * lowest.Value && this->Less.IsUnused && this->Less.IsUnused(box))
-    {
-      this->Candidates.resize(first);
-      this->Candidates.push_back(lowest.Cone);
       this->AddLeaf(square, first);
     }
     else
@@ -244,11 +236,8 @@ private:
   }
 
   /// Whether, all over the square, a cone is above another one by no more than `room`. `above` is
-  /// what it is above it at the center.
-  /// - It is, everywhere, if at both ends of the other one's segment: along that it is convex, and
-  ///   from there it grows no faster.
-  /// - Far away the gradients differ by no more than the angle between their feet, seen from a
-  ///   point of the square.
+  /// what it is above it at the center. Far away the gradients differ by no more than the angle
+  /// between their feet, seen from a point of the square.
   bool StandsFor(
     Id cone, Id other, const Point2& center, double radius, double above, double room) const
   {
@@ -261,8 +250,7 @@ private:
     const double apart = Distance(a.Start, b.Start) + a.Length + b.Length;
     const double away = Distance(center, a.Start) - radius - apart;
     return (away > 0.0 && (room - above) * away > this->Slope * radius * apart) ||
-      (a(b.Start, this->Slope) <= b.Value + room &&
-        a(b.End(), this->Slope) <= b.Value + b.Slope * b.Length + room);
+      a.StandsFor(b, this->Slope, room);
   }
 
   /// Leaves, of the candidates from `first` on, those that are lowest at points of a lattice.
@@ -324,7 +312,7 @@ private:
   ConeTree& Whole;
   Pulse Beats;
   const std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
-  const Relief& Less;
+  const double Most;
   const double Slope;
   const double Margin;
   std::vector<Id> Candidates;
@@ -335,12 +323,12 @@ private:
 };
 
 ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
-  const Relief& relief, Monitor& monitor)
+  double most, Monitor& monitor)
   : Slope(slope)
   , Bounds(WithExtent(bounds, cones))
   , Tree(this->Bounds)
 {
-  Builder(*this, cones, relief, monitor).Build();
+  Builder(*this, cones, most, monitor).Build();
 }
 
 } // namespace biting

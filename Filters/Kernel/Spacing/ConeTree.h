@@ -8,9 +8,8 @@
 #include "Quadtree.h"
 #include "SegmentCone.h"
 
-#include <functional> // for what is not needed
-#include <limits>     // for infinity
-#include <vector>     // for the arrays
+#include <limits> // for infinity
+#include <vector> // for the arrays
 
 namespace biting
 {
@@ -32,22 +31,16 @@ class ConeTree
 public:
   static constexpr double Tolerance = 0.01;
 
-  /// Where less will do.
-  struct Relief
-  {
-    double Most = std::numeric_limits<double>::infinity(); ///< nobody asks for values above
-    std::function<bool(const Box2&)> IsUnused; ///< may be empty: boxes where half the value will do
-  };
-
   ConeTree() = default;
 
-  /// `slope` is that of all the cones; values are positive. A box without an extent
-  /// is that of the cones. Incomplete if the monitor asks to stop: it must not be evaluated then.
+  /// `slope` is that of all the cones; values are positive, and nobody asks for those above `most`.
+  /// A box without an extent is that of the cones. Incomplete if the monitor asks to stop: it must
+  /// not be evaluated then.
   ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
-    const Relief& relief, Monitor& monitor = NoMonitor());
+    double most = std::numeric_limits<double>::infinity(), Monitor& monitor = NoMonitor());
 
-  /// Infinite where all of the leaf is above Relief::Most. Outside of the box the value of the
-  /// nearest point in it.
+  /// Infinite where all of the leaf is above `most`. Outside of the box the value of the nearest
+  /// point in it.
   double operator()(const Point2& x) const
   {
     const Point2 inside{ std::min(std::max(this->Bounds.Low.X, x.X), this->Bounds.High.X),

@@ -5,7 +5,6 @@
 
 #include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
-#include "DrawnLengths.h"
 
 namespace biting
 {
@@ -40,10 +39,9 @@ constexpr int DeepestPiece = 40;
 /// Positions in the tree, to each side.
 constexpr Id Beside = 2;
 
-/// Parts of a segment, to learn roughly how many pieces it has; more of them where these are too
-/// many, but no more than so many in all, as long as there are two for each segment.
-constexpr double FewParts = 2.0;
-constexpr double ManyParts = 64.0;
+/// Parts of a segment, to learn roughly how many pieces it has: as many as that, but no more than
+/// so many in all, as long as there are two for each segment.
+constexpr double PartsOfSegment = 64.0;
 constexpr double MostParts = 500000.0;
 
 BoxTree MakeTree(const FeatureSource& source, Pulse& pulse)
@@ -131,7 +129,6 @@ public:
     : Source(source)
     , Beats(monitor)
     , Size(source, this->Beats)
-    , Drawn(source, gradation)
     , Extent(DiagonalOf(source.Points))
     , Given(given)
     , Least(least)
@@ -153,10 +150,10 @@ public:
       const Feature feature(this->Source, this->Segment);
       const double length = Distance(feature.Start, feature.End);
       this->MostByLength = length > 0.0 ? LengthsPerSpacing * length : Infinity;
-      const Sample start = this->TakeSample(feature.Start, 0.0, length);
+      const Sample start = this->TakeSample(feature.Start, length);
       if (length > 0.0)
       {
-        this->LastEnd = this->TakeSample(feature.End, 1.0, length);
+        this->LastEnd = this->TakeSample(feature.End, length);
         this->AddPiece(start, this->LastEnd, length, 0);
       }
       else if (start.Capped < start.Given)
@@ -168,45 +165,30 @@ public:
   }
 
 private:
+  /// Of f as given, sampled at the ends of parts of each segment.
   bool HasTooManyPieces()
   {
+    const std::size_t count = this->Source.Starts.size();
+    double length = 0.0;
+    for (std::size_t segment = 0; segment < count; ++segment)
+    {
+      const Feature feature(this->Source, static_cast<Id>(segment));
+      length += Distance(feature.Start, feature.End);
+    }
     const double most = this->Source.MostPieces;
-    if (this->LengthOfSegments() <= most * PieceLength * this->Least)
+    double pieces = length / (PieceLength * this->Least);
+    if (pieces <= most)
     {
       return false;
     }
-    const double perSegment = MostParts / static_cast<double>(this->Source.Starts.size());
-    const double manyParts = std::min(ManyParts, std::floor(perSegment));
-    return this->CountPieces(FewParts) > most &&
-      (manyParts <= FewParts || this->CountPieces(manyParts) > most);
-  }
-
-  double LengthOfSegments() const
-  {
-    double length = 0.0;
-    for (std::size_t segment = 0; segment < this->Source.Starts.size(); ++segment)
-    {
-      length +=
-        Distance(this->Source.Points[static_cast<std::size_t>(this->Source.Starts[segment])],
-          this->Source.Points[static_cast<std::size_t>(this->Source.Ends[segment])]);
-    }
-    return length;
-  }
-
-  /// Of f as given, sampled at the ends of parts of each segment. Ends above what is most. Most
-  /// segments begin where the one before ends.
-  double CountPieces(double parts)
-  {
-    double pieces = 0.0;
-    Id lastEnd = NoId;
-    double last = 0.0;
-    const std::size_t count = this->Source.Starts.size();
-    for (std::size_t segment = 0; segment < count && pieces <= this->Source.MostPieces; ++segment)
+    const double parts =
+      std::max(2.0, std::min(PartsOfSegment, std::floor(MostParts / static_cast<double>(count))));
+    pieces = 0.0;
+    for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
     {
       const Feature feature(this->Source, static_cast<Id>(segment));
       const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
-      last = feature.StartId == lastEnd ? last : this->Given(feature.Start);
-      lastEnd = feature.EndId;
+      double last = this->Given(feature.Start);
       for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
       {
         const double next = this->Given(feature.Start + part * step);
@@ -214,13 +196,12 @@ private:
         last = next;
       }
     }
-    return pieces;
+    return pieces > most;
   }
 
   struct Sample
   {
     Point2 Place;
-    double Share = 0.0;  ///< of the segment
     double Given = 0.0;  ///< f without the cap
     double Size = 0.0;   ///< feature size in units of f, as far as it matters
     double Capped = 0.0; ///< f with the cap
@@ -233,7 +214,7 @@ private:
   }
 
   /// `reach` is how far from here the feature size is to be known.
-  Sample TakeSample(const Point2& place, double share, double reach)
+  Sample TakeSample(const Point2& place, double reach)
   {
     this->Beats.SetFraction(
       static_cast<double>(this->Segment) / static_cast<double>(this->Source.Starts.size()));
@@ -241,12 +222,11 @@ private:
     this->NumberOfSamples += 1.0;
     Sample sample;
     sample.Place = place;
-    sample.Share = share;
     sample.Given = this->GivenAt(place);
     const double known = this->MostByLength < sample.Given ? this->MostByLength / SizesPerSpacing
                                                            : sample.Given / SizesPerSpacing + reach;
     const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
-    const double least = std::max(floor, this->LeastInGaps(share, sample.Given));
+    const double least = std::max(floor, this->LeastInGaps(sample.Given));
     sample.Size =
       SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
     const double bySize = std::max(sample.Size, least);
@@ -256,11 +236,13 @@ private:
     return sample;
   }
 
-  double LeastInGaps(double share, double given) const
+  double LeastInGaps(double given) const
   {
-    const double byDrawing =
-      std::max(LengthsPerSpacing * this->Drawn(this->Segment, share), this->LeastOnShort(given));
-    return std::min(LeastShareInGaps * given, byDrawing);
+    const std::vector<double>& lengths = this->Source.DrawnLengths;
+    const auto segment = static_cast<std::size_t>(this->Segment);
+    const double drawn = segment < lengths.size() ? lengths[segment] : Infinity;
+    return std::min(
+      LeastShareInGaps * given, std::max(LengthsPerSpacing * drawn, this->LeastOnShort(given)));
   }
 
   double LeastOnShort(double given) const
@@ -290,8 +272,7 @@ private:
       }
       return;
     }
-    const Sample middle = this->TakeSample(
-      Midpoint(start.Place, end.Place), 0.5 * (start.Share + end.Share), 0.5 * length);
+    const Sample middle = this->TakeSample(Midpoint(start.Place, end.Place), 0.5 * length);
     this->AddPiece(start, middle, 0.5 * length, depth + 1);
     this->AddPiece(middle, end, 0.5 * length, depth + 1);
   }
@@ -305,7 +286,6 @@ private:
   const FeatureSource& Source;
   Pulse Beats;
   const FeatureSize Size;
-  const DrawnLengths Drawn;
   const double Extent; ///< of the drawing
   const std::function<double(const Point2&)>& Given;
   const double Least; ///< of f as given

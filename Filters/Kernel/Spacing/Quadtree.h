@@ -7,8 +7,9 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 
-#include <cstdint> // for integer coordinates
-#include <vector>  // for the arrays
+#include <algorithm> // for max
+#include <cstdint>   // for integer coordinates
+#include <vector>    // for the arrays
 
 namespace biting
 {
@@ -38,19 +39,52 @@ public:
   };
 
   Quadtree() = default;
-  explicit Quadtree(const Box2& box);
+  explicit Quadtree(const Box2& box)
+    : Size(std::max(box.Width(), box.Height()))
+    , UnitsPerLength(static_cast<double>(std::uint64_t(1) << UnitBits) / Size)
+  {
+    const Point2 center = box.Center();
+    this->Low = { center.X - 0.5 * this->Size, center.Y - 0.5 * this->Size };
+  }
 
   Square Root() const { return { 0, 0, this->Low, this->Size }; }
 
   /// Cuts a leaf; its quarters are in the order (0,0), (1,0), (0,1), (1,1).
-  void Split(const Square& square);
-  Square Quarter(const Square& square, int quarter) const;
+  void Split(const Square& square)
+  {
+    this->Nodes[static_cast<std::size_t>(square.Node)] = static_cast<Id>(this->Nodes.size());
+    this->Nodes.resize(this->Nodes.size() + 4, NoId);
+  }
+
+  Square Quarter(const Square& square, int quarter) const
+  {
+    const Id first = this->Nodes[static_cast<std::size_t>(square.Node)];
+    return { first + quarter, square.Level + 1,
+      square.At(0.5 * (quarter & 1), 0.5 * (quarter >> 1)), 0.5 * square.Size };
+  }
 
   /// leaf is not negative.
-  void SetLeaf(const Square& square, Id leaf);
+  void SetLeaf(const Square& square, Id leaf)
+  {
+    this->Nodes[static_cast<std::size_t>(square.Node)] = ~leaf;
+  }
 
   /// To be called once, when all leaves are set.
-  void Finish();
+  void Finish()
+  {
+    while (this->TableLevel < MaximumTableLevel &&
+      std::size_t(1) << 2 * this->TableLevel < this->Nodes.size())
+    {
+      ++this->TableLevel;
+    }
+    const std::uint64_t side = std::uint64_t(1) << this->TableLevel;
+    this->Table.reserve(static_cast<std::size_t>(side * side));
+    for (std::uint64_t cell = 0; cell < side * side; ++cell)
+    {
+      this->Table.push_back(
+        this->Descend(this->Nodes[0], cell % side, cell / side, this->TableLevel));
+    }
+  }
 
   /// The number of the leaf of x; of the nearest place along the axes, for a point outside (or
   /// NaN).
@@ -58,19 +92,16 @@ public:
   {
     const std::uint64_t column = this->Units(x.X - this->Low.X);
     const std::uint64_t row = this->Units(x.Y - this->Low.Y);
-    int shift = UnitBits - this->TableLevel;
-    Id node = this->Table[((row >> shift) << this->TableLevel) + (column >> shift)];
-    while (node >= 0)
-    {
-      --shift;
-      const auto quarter = static_cast<Id>(((column >> shift) & 1) + 2 * ((row >> shift) & 1));
-      node = this->Nodes[static_cast<std::size_t>(node + quarter)];
-    }
-    return ~node;
+    const int shift = UnitBits - this->TableLevel;
+    const Id node = this->Table[((row >> shift) << this->TableLevel) + (column >> shift)];
+    return ~this->Descend(node, column, row, shift);
   }
 
 private:
   static constexpr int UnitBits = 52;
+
+  /// A million entries: more would not stay in the cache.
+  static constexpr int MaximumTableLevel = 10;
 
   std::uint64_t Units(double offset) const
   {
@@ -80,7 +111,17 @@ private:
     return static_cast<std::uint64_t>(least < last ? least : last);
   }
 
-  void FillTable(Id node, int level, std::uint64_t column, std::uint64_t row);
+  /// From a node towards a place, by a bit of its coordinates a level.
+  Id Descend(Id node, std::uint64_t column, std::uint64_t row, int bit) const
+  {
+    while (node >= 0 && bit > 0)
+    {
+      --bit;
+      const auto quarter = static_cast<Id>(((column >> bit) & 1) + 2 * ((row >> bit) & 1));
+      node = this->Nodes[static_cast<std::size_t>(node + quarter)];
+    }
+    return node;
+  }
 
   Point2 Low;
   double Size = 0.0;

@@ -3,20 +3,18 @@
 
 #include "SegmentCone.h"
 
+#include "../Base/Numbers.h"
 #include "SourceSlopes.h"
-
-#include <limits> // for infinity
 
 namespace biting
 {
-
 namespace
 {
 
 /// The slope with which the smallest value grows to the largest one over a distance of itself.
 double SlopeWithinAnEdge(const SegmentSource& source)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double least = Infinity;
   double most = 0.0;
   for (const Id point : source.Segments)
   {
@@ -25,6 +23,61 @@ double SlopeWithinAnEdge(const SegmentSource& source)
     most = std::max(most, value);
   }
   return (most - least) / least;
+}
+
+/// A place and the value there.
+struct Node
+{
+  Point2 Place;
+  double Value = 0.0;
+};
+
+/// What segments of a chain became.
+struct Piece
+{
+  Node Start;
+  Node End;
+  double Error = 0.0; ///< how much f may have changed by that
+
+  /// Makes `next` the end. False, and nothing has changed, where f would change too much: the old
+  /// end goes to the same share of the longer piece, and what is before it goes no farther than it.
+  bool Extend(const Node& next, double slope, double tolerance)
+  {
+    const Point2 toEnd = this->End.Place - this->Start.Place;
+    const Point2 toNext = next.Place - this->Start.Place;
+    const double share = Dot(toEnd, toNext) / Dot(toNext, toNext);
+    const double rise = this->End.Value - this->Start.Value;
+    const double error = this->Error + slope * Length(toEnd - share * toNext) +
+      std::abs(rise - share * (next.Value - this->Start.Value));
+    const double least = std::min({ this->Start.Value, this->End.Value, next.Value });
+    if (!(share >= 0.0 && share <= 1.0 && error <= 0.5 * tolerance * least))
+    {
+      return false;
+    }
+    *this = { this->Start, next, error };
+    return true;
+  }
+};
+
+/// Leaves out cones above the one that was kept last; then the same in the other direction.
+void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse)
+{
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < cones.size() && pulse.Beat(1); ++k)
+    {
+      const SegmentCone cone = cones[k];
+      const bool isHigh =
+        kept > 0 && cones[kept - 1].StandsFor(cone, slope, 0.5 * tolerance * cone.Value);
+      if (!isHigh)
+      {
+        cones[kept++] = cone;
+      }
+    }
+    cones.resize(kept);
+    std::reverse(cones.begin(), cones.end());
+  }
 }
 
 } // namespace
@@ -50,41 +103,31 @@ SegmentCone::SegmentCone(
 }
 
 std::vector<SegmentCone> MakeCones(
-  const SegmentSource& source, double scale, double gradation, Pulse& pulse)
+  const SegmentSource& source, double scale, double gradation, Pulse& pulse, double tolerance)
 {
   std::vector<SegmentCone> cones;
-  cones.reserve(source.Segments.size() / 2);
-  for (std::size_t first = 0; first + 1 < source.Segments.size() && pulse.Beat(); first += 2)
+  const auto nodeOf = [&source, scale](std::size_t end)
   {
-    const auto a = static_cast<std::size_t>(source.Segments[first]);
-    const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
-    cones.emplace_back(source.Points[a], source.Points[b], scale * source.Values[a],
-      scale * source.Values[b], gradation);
+    const auto point = static_cast<std::size_t>(source.Segments[end]);
+    return Node{ source.Points[point], scale * source.Values[point] };
+  };
+  for (std::size_t first = 0; first < source.Segments.size() && pulse.Beat();)
+  {
+    Piece piece{ nodeOf(first), nodeOf(first + 1) };
+    for (first += 2; first < source.Segments.size() && pulse.Beat(); first += 2)
+    {
+      const Node start = nodeOf(first);
+      const bool isNext = start.Place == piece.End.Place && start.Value == piece.End.Value;
+      if (!isNext || !piece.Extend(nodeOf(first + 1), gradation, tolerance))
+      {
+        break;
+      }
+    }
+    cones.emplace_back(
+      piece.Start.Place, piece.End.Place, piece.Start.Value, piece.End.Value, gradation);
   }
+  DropHigh(gradation, tolerance, cones, pulse);
   return cones;
-}
-
-std::vector<SegmentCone> ConesBelow(const std::vector<SegmentCone>& cones,
-  const std::function<double(const Point2&)>& most, Pulse& pulse)
-{
-  constexpr int Parts = 4;
-  std::vector<SegmentCone> below;
-  for (std::size_t k = 0; k < cones.size() && pulse.Beat(16); ++k)
-  {
-    const SegmentCone& cone = cones[k];
-    const int parts = cone.Length > 0.0 ? Parts : 0;
-    bool isBelow = false;
-    for (int part = 0; part <= parts && !isBelow; ++part)
-    {
-      const double along = cone.Length * part / Parts;
-      isBelow = cone.Value + cone.Slope * along < most(cone.Start + along * cone.Direction);
-    }
-    if (isBelow)
-    {
-      below.push_back(cone);
-    }
-  }
-  return below;
 }
 
 double SlopeOfCones(const SegmentSource& source, double gradation)

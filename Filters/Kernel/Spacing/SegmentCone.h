@@ -7,10 +7,9 @@
 #include "../Base/Pulse.h"
 #include "Spacing.h"
 
-#include <algorithm>  // for min, max
-#include <cmath>      // for sqrt
-#include <functional> // for what cones are compared to
-#include <vector>     // for cones
+#include <algorithm> // for min, max
+#include <cmath>     // for sqrt
+#include <vector>    // for cones
 
 namespace biting
 {
@@ -63,6 +62,14 @@ struct SegmentCone
     return { this->Value + this->Slope * foot, offset - foot * this->Direction };
   }
 
+  /// Whether it is nowhere above another cone by more than `room`. It is not, if not at both ends
+  /// of the other one's segment: along that it is convex, and from there it grows no faster.
+  bool StandsFor(const SegmentCone& other, double gradation, double room) const
+  {
+    return (*this)(other.Start, gradation) <= other.Value + room &&
+      (*this)(other.End(), gradation) <= other.Value + other.Slope * other.Length + room;
+  }
+
   Point2 End() const { return this->Start + this->Length * this->Direction; }
 
 private:
@@ -75,13 +82,15 @@ private:
   }
 };
 
-/// One for each segment of a source, with the values times `scale`.
-std::vector<SegmentCone> MakeCones(
-  const SegmentSource& source, double scale, double gradation, Pulse& pulse);
-
-/// Those that are below a function on their own segment, at one of a few places along it.
-std::vector<SegmentCone> ConesBelow(const std::vector<SegmentCone>& cones,
-  const std::function<double(const Point2&)>& most, Pulse& pulse);
+/// Those of the segments of a source, with the values times `scale`; their minimum is that of all
+/// segments to within `tolerance` of itself. Fewer where segments are much shorter than f / g:
+/// - Segments that follow each other become one, as long as their ends are so near to it, and their
+///   values to the linear ones along it, that f changes by less than half the tolerance.
+/// - A cone is left out where one shortly before or after it is below its values, but for another
+///   half.
+/// Linear in the number of segments, given in the order of their chains.
+std::vector<SegmentCone> MakeCones(const SegmentSource& source, double scale, double gradation,
+  Pulse& pulse, double tolerance = 0.0);
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.

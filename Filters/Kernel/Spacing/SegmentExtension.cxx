@@ -22,7 +22,8 @@ BoxTree MakeTree(const std::vector<SegmentCone>& cones, Pulse& pulse)
 
 } // namespace
 
-SegmentExtension::SegmentExtension(std::vector<SegmentCone> cones, double slope, Pulse& pulse)
+SegmentExtension::SegmentExtension(
+  const std::vector<SegmentCone>& cones, double slope, Pulse& pulse)
   : Slope(slope)
   , Tree(MakeTree(cones, pulse))
 {
@@ -31,18 +32,6 @@ SegmentExtension::SegmentExtension(std::vector<SegmentCone> cones, double slope,
   {
     this->Cones.push_back(cones[static_cast<std::size_t>(cone)]);
   }
-}
-
-double SegmentExtension::operator()(const Point2& x, double known) const
-{
-  double lowest = known;
-  this->Tree.Search(x, this->Slope, lowest,
-    [this, &x, &lowest](Id cone, double)
-    {
-      lowest = std::min(lowest, this->Cones[static_cast<std::size_t>(cone)](x, this->Slope));
-      return lowest;
-    });
-  return lowest;
 }
 
 } // namespace biting

@@ -20,13 +20,23 @@ class SegmentExtension
 {
 public:
   /// Without cones if the pulse stops: it must not be evaluated then.
-  SegmentExtension(std::vector<SegmentCone> cones, double slope, Pulse& pulse);
+  SegmentExtension(const std::vector<SegmentCone>& cones, double slope, Pulse& pulse);
 
   /// The same cones, in the order of a tree: those near each other mostly one after the other.
   const std::vector<SegmentCone>& OrderedCones() const { return this->Cones; }
 
   /// Or `known`, if that is less.
-  double operator()(const Point2& x, double known = std::numeric_limits<double>::infinity()) const;
+  double operator()(const Point2& x, double known = std::numeric_limits<double>::infinity()) const
+  {
+    this->Tree.Search(x, this->Slope, known,
+      [this, &x, &known](Id position, double)
+      {
+        const SegmentCone& cone = this->Cones[static_cast<std::size_t>(position)];
+        known = std::min(known, cone(x, this->Slope));
+        return known;
+      });
+    return known;
+  }
 
 private:
   double Slope;

@@ -49,60 +49,30 @@ public:
       { "MaximumSpacing", options.Maximum }, { "Gradation", options.Gradation } };
     for (const auto& [name, value] : parameters)
     {
-      if (!std::isfinite(value) || value < 0.0)
-      {
-        this->Refuse(std::string(name) + " is " + NumberText(value));
-      }
+      this->Require(std::isfinite(value) && value >= 0.0, name + (" is " + NumberText(value)));
     }
-    if (options.Scale == 0.0)
-    {
-      this->Refuse("SpacingScale is 0");
-    }
-    if (options.Maximum > 0.0 && options.Minimum > options.Maximum)
-    {
-      this->Refuse("MinimumSpacing " + NumberText(options.Minimum) + " is above MaximumSpacing " +
+    this->Require(options.Scale != 0.0, "SpacingScale is 0");
+    this->Require(!(options.Maximum > 0.0 && options.Minimum > options.Maximum),
+      "MinimumSpacing " + NumberText(options.Minimum) + " is above MaximumSpacing " +
         NumberText(options.Maximum));
-    }
   }
 
   void CheckGrid(const GridSource& grid, double scale)
   {
     const std::size_t columns = grid.XNodes.size();
     assert(grid.Values.size() == columns * grid.YNodes.size());
-    this->CheckNodes("x", grid.XNodes);
-    this->CheckNodes("y", grid.YNodes);
+    for (const auto* nodes : { &grid.XNodes, &grid.YNodes })
+    {
+      this->Require(std::is_sorted(nodes->begin(), nodes->end()) &&
+          std::all_of(
+            nodes->begin(), nodes->end(), [](double node) { return std::isfinite(node); }),
+        (nodes == &grid.XNodes ? "x" : "y") +
+          std::string(" nodes do not ascend in the grid source"));
+    }
     this->CheckValues("grid source", grid.Values, scale, true,
       [&grid, columns](std::size_t id) {
         return Point2{ grid.XNodes[id % columns], grid.YNodes[id / columns] };
       });
-  }
-
-  void CheckTriangulation(const TriangulatedSource& source, double scale)
-  {
-    assert(source.Triangles.size() % 3 == 0);
-    if (source.Triangles.empty() && !source.Points.empty())
-    {
-      this->Refuse("there are points but no triangles in the triangulated source");
-      return;
-    }
-    this->CheckPoints("triangulated source", source, scale, true);
-  }
-
-  void CheckSegments(const std::string& name, const SegmentSource& source, double scale)
-  {
-    assert(source.Segments.size() % 2 == 0);
-    this->CheckPoints(name, source, scale, false);
-  }
-
-private:
-  void CheckNodes(const std::string& axis, const std::vector<double>& nodes)
-  {
-    const bool areFinite = std::all_of(
-      nodes.begin(), nodes.end(), [](double coordinate) { return std::isfinite(coordinate); });
-    if (!areFinite || !std::is_sorted(nodes.begin(), nodes.end()))
-    {
-      this->Refuse(axis + " nodes do not ascend in the grid source");
-    }
   }
 
   template <typename Source>
@@ -111,15 +81,25 @@ private:
     assert(source.Values.size() == source.Points.size());
     for (std::size_t id = 0; id < source.Points.size() && this->Beats.Beat(1); ++id)
     {
-      if (!std::isfinite(source.Points[id].X) || !std::isfinite(source.Points[id].Y))
+      const Point2& place = source.Points[id];
+      if (!std::isfinite(place.X) || !std::isfinite(place.Y))
       {
-        this->Add(id, source.Points[id], "position in the " + name);
+        this->Add("position in the " + name, { static_cast<std::int64_t>(id) }, place);
       }
     }
     this->CheckValues(name, source.Values, scale, mayBeHoles,
       [&source](std::size_t id) { return source.Points[id]; });
   }
 
+  void Require(bool isRight, const std::string& otherwise)
+  {
+    if (!isRight)
+    {
+      this->Add(otherwise, {}, {});
+    }
+  }
+
+private:
   /// `positionOf(id)` is where value id is given.
   template <typename PositionOf>
   void CheckValues(const std::string& name, const std::vector<double>& values, double scale,
@@ -133,25 +113,16 @@ private:
       areHoles = areHoles && isHole;
       if (!isHole && !(scaled > 0.0 && std::isfinite(scaled)))
       {
-        this->Add(id, positionOf(id), "value " + NumberText(values[id]) + " in the " + name);
+        this->Add("value " + NumberText(values[id]) + " in the " + name,
+          { static_cast<std::int64_t>(id) }, positionOf(id));
       }
     }
-    if (areHoles && !this->Beats.HasStopped())
-    {
-      this->Refuse("every value is nan in the " + name);
-    }
+    this->Require(!areHoles || this->Beats.HasStopped(), "every value is nan in the " + name);
   }
 
-  void Refuse(const std::string& detail)
+  void Add(const std::string& detail, const std::vector<std::int64_t>& ids, const Point2& place)
   {
-    this->Problems.Add({ ProblemCode::BadSpacing, {}, {}, detail });
-    this->HasFound = true;
-  }
-
-  void Add(std::size_t id, const Point2& place, const std::string& detail)
-  {
-    this->Problems.Add(
-      { ProblemCode::BadSpacing, { static_cast<std::int64_t>(id) }, place, detail });
+    this->Problems.Add({ ProblemCode::BadSpacing, ids, place, detail });
     this->HasFound = true;
   }
 
@@ -160,28 +131,23 @@ private:
   bool HasFound = false;
 };
 
-/// Of the values that are a spacing.
-template <typename Source>
-double LeastOf(const std::shared_ptr<const Source>& source)
-{
-  double least = Infinity;
-  if (source)
-  {
-    for (const double value : source->Values)
-    {
-      least = value > 0.0 && value < least ? value : least;
-    }
-  }
-  return least;
-}
-
 } // namespace
 
 double LeastGiven(const SpacingOptions& options)
 {
-  const double uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
-  return std::min(
-    { uniform, LeastOf(options.Grid), LeastOf(options.Triangulation), LeastOf(options.Segments) });
+  double least = options.Uniform > 0.0 ? options.Uniform : Infinity;
+  const auto lower = [&least](const auto& source)
+  {
+    for (std::size_t id = 0; source && id < source->Values.size(); ++id)
+    {
+      const double value = source->Values[id];
+      least = value > 0.0 && value < least ? value : least;
+    }
+  };
+  lower(options.Grid);
+  lower(options.Triangulation);
+  lower(options.Segments);
+  return least;
 }
 
 bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor& monitor)
@@ -194,15 +160,18 @@ bool CheckSpacing(const SpacingOptions& options, ProblemList& problems, Monitor&
   }
   if (options.Triangulation)
   {
-    checker.CheckTriangulation(*options.Triangulation, options.Scale);
+    const TriangulatedSource& source = *options.Triangulation;
+    checker.Require(!source.Triangles.empty() || source.Points.empty(),
+      "there are points but no triangles in the triangulated source");
+    checker.CheckPoints("triangulated source", source, options.Scale, true);
   }
   if (options.Segments)
   {
-    checker.CheckSegments("segment source", *options.Segments, options.Scale);
+    checker.CheckPoints("segment source", *options.Segments, options.Scale, false);
   }
   if (options.Floor)
   {
-    checker.CheckSegments("floor of the spacing", *options.Floor, 1.0);
+    checker.CheckPoints("floor of the spacing", *options.Floor, 1.0, false);
   }
   return checker.IsGood();
 }

@@ -11,7 +11,6 @@
 #include "FeatureSize.h"
 #include "GridHoles.h"
 #include "GridLimit.h"
-#include "MergedCones.h"
 #include "OutsideJumps.h"
 #include "SegmentExtension.h"
 #include "SourceCheck.h"
@@ -35,6 +34,9 @@ constexpr double DefaultShareOfDiagonal = 0.02;
 /// Far above what a drawing may be large; fourth powers of it do not overflow.
 constexpr double GreatestSpacing = 1e4 * GreatestCoordinate;
 
+/// By which f may change where cones are merged, as a share.
+constexpr double MergingTolerance = 0.006;
+
 /// The slope of what grows from features, and falls from a floor, also where f is as given.
 double GradationOf(const SpacingOptions& options)
 {
@@ -52,16 +54,11 @@ bool HasJumps(const GridSource& grid)
 /// The one value that all have, holes apart; infinite where they differ or there is none.
 double OnlyValue(const std::vector<double>& values)
 {
-  double only = Infinity;
-  for (const double value : values)
-  {
-    only = only == Infinity && !std::isnan(value) ? value : only;
-    if (value < only || value > only)
-    {
-      return Infinity;
-    }
-  }
-  return only;
+  const auto first =
+    std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  const bool areEqual = std::all_of(
+    first, values.end(), [first](double value) { return !(value < *first || value > *first); });
+  return first != values.end() && areEqual ? *first : Infinity;
 }
 
 /// The same f, without sources that are one value everywhere: these are part of Uniform, which is
@@ -186,17 +183,15 @@ public:
 
   bool Run()
   {
-    return this->AddGrid() && this->AddTriangulation() && this->AddSegments() &&
-      this->AddFeatures() && this->AddLimit() && this->AddFloor();
+    const SpacingOptions& given = this->Options;
+    return (!given.Grid || this->AddGrid()) && (!given.Triangulation || this->AddTriangulation()) &&
+      (!given.Segments || this->AddSegments()) && (!given.Features || this->AddFeatures()) &&
+      this->AddLimit() && (!given.Floor || this->AddFloor());
   }
 
 private:
   bool AddGrid()
   {
-    if (!this->Options.Grid)
-    {
-      return true;
-    }
     PartOfStage measuring(this->Stage, 0.05, 0.08);
     const double slope = LargestSlope(*this->Options.Grid, measuring);
     this->AddSlope(slope);
@@ -227,10 +222,6 @@ private:
 
   bool AddTriangulation()
   {
-    if (!this->Options.Triangulation)
-    {
-      return true;
-    }
     PartOfStage measuring(this->Stage, 0.3, 0.32);
     const double slope = LargestSlope(*this->Options.Triangulation, measuring);
     this->AddSlope(slope);
@@ -261,59 +252,54 @@ private:
 
   bool AddSegments()
   {
-    if (!this->Options.Segments)
-    {
-      return true;
-    }
     const SegmentSource& source = *this->Options.Segments;
     this->AddSlope(LargestSlope(source));
-    PartOfStage part(this->Stage, 0.5, 0.6);
-    Pulse pulse(part);
     const double scale = this->Options.Scale;
-    const double slope = SlopeOfCones(source, this->Options.Gradation);
+    PartOfStage part(this->Stage, 0.5, 0.6);
     if (this->Options.Gradation > 0.0 && scale >= 1.0)
     {
-      this->AddScaled(source, pulse);
+      this->AddScaled(source);
     }
     else
     {
-      this->Data.Segments.emplace(MergeCones(source, scale, scale * slope, pulse), scale * slope,
-        this->Bounds, this->ReliefAbove(this->Cones.Values().Most), part);
+      const double slope = scale * SlopeOfCones(source, this->Options.Gradation);
+      this->MakeTree(source, scale, slope, part, this->Data.Segments);
     }
     return !this->Stage.HasStopped();
   }
 
-  ConeTree::Relief ReliefAbove(double most) const { return { most, this->Options.IsUnused }; }
-
   /// Boundary values are scaled, then clamped. From where f exceeds its least value on, at a
   /// distance of (Least / scale - f_i) / g from the segment, it grows with g, and not scale times
   /// g.
-  void AddScaled(const SegmentSource& source, Pulse& pulse)
+  void AddScaled(const SegmentSource& source)
   {
     const double scale = this->Options.Scale;
     const double least = this->Data.Range.Least * (1.0 - 1.0 / scale);
-    const auto grown = [scale, least](double value)
-    { return std::max(scale * value, value + least); };
-    for (std::size_t first = 0; first + 1 < source.Segments.size() && pulse.Beat(); first += 2)
+    const auto grown = [&source, scale, least](std::size_t point)
+    { return std::max(scale * source.Values[point], source.Values[point] + least); };
+    for (std::size_t first = 0; first < source.Segments.size(); first += 2)
     {
       const auto a = static_cast<std::size_t>(source.Segments[first]);
       const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
-      this->Cones.AddSegment(
-        source.Points[a], source.Points[b], grown(source.Values[a]), grown(source.Values[b]));
+      this->Cones.AddSegment(source.Points[a], source.Points[b], grown(a), grown(b));
     }
+  }
+
+  void MakeTree(const SegmentSource& source, double scale, double slope, PartOfStage& part,
+    std::optional<ConeTree>& tree) const
+  {
+    Pulse pulse(part);
+    tree.emplace(MakeCones(source, scale, slope, pulse, MergingTolerance), slope, this->Bounds,
+      this->Cones.Values().Most, part);
   }
 
   bool AddFeatures()
   {
-    if (!this->Options.Features)
-    {
-      return true;
-    }
     PartOfStage filing(this->Stage, 0.6, 0.62);
     Pulse pulse(filing);
     const double slope = GradationOf(this->Options);
     this->Data.LimitBeforeFeatures.emplace(
-      MergeCones(this->Cones.Segments(), 1.0, slope, pulse), slope, pulse);
+      MakeCones(this->Cones.Segments(), 1.0, slope, pulse, MergingTolerance), slope, pulse);
     PartOfStage sampling(this->Stage, 0.62, 0.7);
     return !filing.HasStopped() &&
       AddFeatureSizes(
@@ -325,36 +311,32 @@ private:
 
   bool AddLimit()
   {
-    const SegmentSource& source = this->Cones.Segments();
-    if (!source.Segments.empty())
+    if (!this->Cones.Segments().Segments.empty())
     {
       PartOfStage refining(this->Stage, 0.7, 1.0);
-      Pulse pulse(refining);
-      const double slope = GradationOf(this->Options);
-      this->Data.Limit.emplace(MergeCones(source, 1.0, slope, pulse), slope, this->Bounds,
-        this->ReliefAbove(this->Cones.Values().Most), refining);
+      this->MakeTree(
+        this->Cones.Segments(), 1.0, GradationOf(this->Options), refining, this->Data.Limit);
     }
     return !this->Stage.HasStopped();
   }
 
+  /// Where f is not below a point of the floor, it is not anywhere, as it falls no faster from
+  /// there: unless it is as given.
   bool AddFloor()
   {
-    if (this->Options.Floor && !this->Options.Floor->Segments.empty())
+    PartOfStage sorting(this->Stage, 1.0, 1.0);
+    Pulse pulse(sorting);
+    const double slope = GradationOf(this->Options);
+    std::vector<SegmentCone> cones = MakeCones(*this->Options.Floor, -1.0, slope, pulse);
+    const auto isHigh = [this, &pulse](const SegmentCone& cone)
     {
-      PartOfStage sorting(this->Stage, 1.0, 1.0);
-      Pulse pulse(sorting);
-      const double slope = GradationOf(this->Options);
-      std::vector<SegmentCone> cones = MakeCones(*this->Options.Floor, -1.0, slope, pulse);
-      if (this->Options.Gradation > 0.0)
-      {
-        // Where f is not below a segment, it is not anywhere, as it falls no faster from there.
-        cones = ConesBelow(
-          cones, [this](const Point2& x) { return -this->Data.EvaluateBeforeFloor(x); }, pulse);
-      }
-      if (!cones.empty())
-      {
-        this->Data.Floor.emplace(std::move(cones), slope, pulse);
-      }
+      return this->Options.Gradation > 0.0 && cone.Length == 0.0 && pulse.Beat(16) &&
+        cone.Value >= -this->Data.EvaluateBeforeFloor(cone.Start);
+    };
+    cones.erase(std::remove_if(cones.begin(), cones.end(), isHigh), cones.end());
+    if (!cones.empty())
+    {
+      this->Data.Floor.emplace(cones, slope, pulse);
     }
     return !this->Stage.HasStopped();
   }

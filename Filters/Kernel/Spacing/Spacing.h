@@ -11,7 +11,7 @@
 #include "../Base/Problem.h"
 
 #include <cstdint>    // for masks
-#include <functional> // for what is not needed
+#include <functional> // for floors
 #include <memory>     // for shared sources
 #include <vector>     // for the arrays
 
@@ -70,8 +70,8 @@ struct SegmentSource
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
 ///   so that one layer of triangles fits into a channel; but the cap is no less than a quarter of
 ///   what is given there, so that slits and thin walls do not become a multitude of triangles, or
-///   than 1.4 times the length of the segment of the drawing there that was simplified, if that is
-///   less: as many triangles were there without the simplification;
+///   than 1.4 times the shortest segment of the drawing there that was simplified, if that is less:
+///   as fine triangles were there without the simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
@@ -86,11 +86,9 @@ struct FeatureSource
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
 
-  /// Where a drawing was simplified: the lengths of what each segment stands for, one after the
-  /// other from Starts to Ends; those of a segment begin at its offset and end at the next. Empty:
-  /// each stands for itself.
-  std::vector<Id> PathOffsets;
-  std::vector<double> PathLengths;
+  /// Where a drawing was simplified: the length of the shortest of its segments that each stands
+  /// for. Empty, or missing at the end: each stands for itself.
+  std::vector<double> DrawnLengths;
 
   /// About how many pieces half as long as f the segments may have. Where they have more, nothing
   /// more is capped: a mesh that fine will be refused, and this should be soon.
@@ -119,10 +117,6 @@ struct SpacingOptions
   std::shared_ptr<const SegmentSource> Segments;           ///< may be null
 
   std::shared_ptr<const FeatureSource> Features; ///< may be null: no limit by feature size
-
-  /// May be empty. True for boxes where f is asked for its rough size only, which saves
-  /// preparation.
-  std::function<bool(const Box2&)> IsUnused;
 
   /// May be null. Not a source: where it asks for more than all the sources, f is raised, last of
   /// all, to max_i(f_i - g |x - x_i|) with f_i the values along its segments. Its values are meant

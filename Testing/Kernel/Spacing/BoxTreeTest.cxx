@@ -118,6 +118,25 @@ TEST(BoxTree, HasAllItemsInAnOrderOfItsOwn)
   EXPECT_TRUE(std::is_sorted(order.begin() + 3, order.end()));
 }
 
+TEST(BoxTree, HasItsItemsInAnOrderWithShortWays)
+{
+  std::vector<BoxTree::Item> items(3000);
+  for (std::size_t k = 0; k < items.size(); ++k)
+  {
+    items[k].Box.Add({ static_cast<double>(k * 1471 % 3000) / 3000.0, 0.5 });
+  }
+  double way = 0.0;
+  Point2 last{ 0.0, 0.5 };
+  const BoxTree tree = TreeOf(items);
+  for (const Id item : tree.Order())
+  {
+    const Point2& next = items[static_cast<std::size_t>(item)].Box.Low;
+    way += Distance(last, next);
+    last = next;
+  }
+  EXPECT_LE(way, 5.0);
+}
+
 TEST(BoxTree, OfNothingFindsNothing)
 {
   const auto fail = [](Id, double limit)

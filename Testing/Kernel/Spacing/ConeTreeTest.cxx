@@ -4,6 +4,7 @@
 #include "Spacing/ConeTree.h"
 
 #include "../Support/Monitors.h"
+#include "Base/Numbers.h"
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ std::vector<SegmentCone> ConesOf(const SegmentSource& source, double slope)
 
 ConeTree TreeOf(const SegmentSource& source, double slope, const Box2& box = UnitBox())
 {
-  return ConeTree(ConesOf(source, slope), slope, box, {});
+  return ConeTree(ConesOf(source, slope), slope, box);
 }
 
 /// Of all cones, one by one.
@@ -127,32 +128,15 @@ TEST(ConeTree, IsInfiniteOnlyWhereAllIsAboveWhatMatters)
 {
   const SegmentSource source = MakeLoop(400, [](double) { return 0.004; });
   const Minimum exact{ ConesOf(source, 0.3), 0.3 };
-  ConeTree::Relief relief;
-  relief.Most = 0.03;
-  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), relief);
+  constexpr double Most = 0.03;
+  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), Most);
   Sampler sampler(22);
   for (int probe = 0; probe < 2000; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
-    ASSERT_TRUE(exact(x) >= relief.Most || tree(x) <= (1.0 + ConeTree::Tolerance) * exact(x));
+    ASSERT_TRUE(exact(x) >= Most || tree(x) <= (1.0 + ConeTree::Tolerance) * exact(x));
   }
   EXPECT_LT(tree.NumberOfLeaves(), TreeOf(source, 0.3).NumberOfLeaves());
-}
-
-TEST(ConeTree, IsAtMostTwiceTheMinimumWhereNobodyAsks)
-{
-  const SegmentSource source = MakeLoop(400, [](double) { return 0.004; });
-  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
-  ConeTree::Relief relief;
-  relief.IsUnused = [](const Box2& box) { return box.High.X < 0.5; };
-  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), relief);
-  Sampler sampler(23);
-  for (int probe = 0; probe < 2000; ++probe)
-  {
-    const Point2 x = sampler.NextIn(UnitBox());
-    ASSERT_GE(tree(x), exact(x));
-    ASSERT_LE(tree(x), (x.X < 0.5 ? 2.0 : 1.0 + ConeTree::Tolerance) * exact(x));
-  }
 }
 
 TEST(ConeTree, TakesBoxesOfAnyProportion)
@@ -252,7 +236,7 @@ TEST(ConeTree, IsWithinItsToleranceWhereSegmentsGoThroughCentersOfSquares)
 TEST(ConeTree, StopsWhenAsked)
 {
   StoppingMonitor monitor(2);
-  ConeTree(ConesOf(Koch(5), 0.3), 0.3, UnitBox(), {}, monitor);
+  ConeTree(ConesOf(Koch(5), 0.3), 0.3, UnitBox(), Infinity, monitor);
   EXPECT_TRUE(monitor.HasStopped());
   EXPECT_EQ(monitor.Calls, 3);
 }
@@ -278,7 +262,7 @@ TEST(ConeTree, HasFewLeavesWhereValuesJumpWithoutGradation)
 int WorkOf(const SegmentSource& source, double slope)
 {
   StoppingMonitor monitor(std::numeric_limits<int>::max());
-  ConeTree(ConesOf(source, slope), slope, UnitBox(), {}, monitor);
+  ConeTree(ConesOf(source, slope), slope, UnitBox(), Infinity, monitor);
   return monitor.Calls;
 }
 

@@ -115,12 +115,10 @@ TEST(FeatureSize, PathsOfOneSegmentChangeNothing)
   FeatureSource simplified = alone;
   for (std::size_t segment = 0; segment < alone.Starts.size(); ++segment)
   {
-    simplified.PathOffsets.push_back(static_cast<Id>(segment));
-    simplified.PathLengths.push_back(
+    simplified.DrawnLengths.push_back(
       Distance(alone.Points[static_cast<std::size_t>(alone.Starts[segment])],
         alone.Points[static_cast<std::size_t>(alone.Ends[segment])]));
   }
-  simplified.PathOffsets.push_back(static_cast<Id>(alone.Starts.size()));
   const Spacing without = WithFeatures(alone, 0.3);
   const Spacing with = WithFeatures(simplified, 0.3);
   Sampler sampler(7);
@@ -137,12 +135,7 @@ TEST(FeatureSize, GapsBesideASimplifiedDrawingAreFollowedAsFarAsItsSegmentsWere)
   const double gap = 0.004;
   FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 1.0, gap) });
   EXPECT_NEAR(WithFeatures(channel, 0.4)({ 0.5, gap }), 0.1, 0.002);
-  const std::vector<double> fine(20, 0.05);
-  channel.PathLengths = fine;
-  channel.PathLengths.push_back(gap);
-  channel.PathLengths.insert(channel.PathLengths.end(), fine.begin(), fine.end());
-  channel.PathLengths.push_back(gap);
-  channel.PathOffsets = { 0, 20, 21, 41, 42 };
+  channel.DrawnLengths = { 0.05, gap, 0.05, gap };
   EXPECT_NEAR(WithFeatures(channel, 0.4)({ 0.5, gap }), 1.4 * 0.05, 0.002);
 }
 

@@ -3,6 +3,8 @@
 
 #include "Spacing/SegmentExtension.h"
 
+#include "Base/Numbers.h"
+
 #include "../Support/Monitors.h"
 #include "SpacingSources.h"
 
@@ -99,8 +101,8 @@ TEST(SegmentExtension, IsEmptyWhereItIsStopped)
   StoppingMonitor monitor(0);
   Pulse pulse(monitor);
   const SegmentSource source = MakeLoop(20000, [](double) { return 0.01; });
-  EXPECT_TRUE(
-    SegmentExtension(MakeCones(source, 1.0, 0.3, pulse), 0.3, pulse).OrderedCones().empty());
+  const SegmentExtension stopped(MakeCones(source, 1.0, 0.3, pulse), 0.3, pulse);
+  EXPECT_EQ(stopped({ 0.5, 0.5 }), Infinity);
 }
 
 TEST(Spacing, IsRaisedByItsFloorLastOfAll)
@@ -117,25 +119,4 @@ TEST(Spacing, IsRaisedByItsFloorLastOfAll)
   EXPECT_NEAR(f({ 0.9, 0.0 }), 0.03, 1e-12);
   options.Gradation = 0.0;
   EXPECT_NEAR(MakeGoodSpacing(options)({ 0.6, 0.6 }), 0.17, 1e-12);
-}
-
-TEST(SegmentExtension, HasItsConesInAnOrderWithShortWays)
-{
-  SegmentSource source;
-  for (Id k = 0; k < 3000; ++k)
-  {
-    source.Points.push_back({ k * 1471 % 3000 / 3000.0, 0.5 });
-    source.Segments.insert(source.Segments.end(), { k, k });
-  }
-  source.Values.assign(3000, 0.1);
-  Pulse pulse(NoMonitor());
-  const SegmentExtension extension(MakeCones(source, 1.0, 0.3, pulse), 0.3, pulse);
-  const std::vector<SegmentCone>& cones = extension.OrderedCones();
-  ASSERT_EQ(cones.size(), 3000u);
-  double way = 0.0;
-  for (std::size_t k = 1; k < cones.size(); ++k)
-  {
-    way += Distance(cones[k - 1].Start, cones[k].Start);
-  }
-  EXPECT_LE(way, 5.0);
 }
