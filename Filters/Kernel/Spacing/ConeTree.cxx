@@ -52,22 +52,6 @@ double LargestCoordinate(const Box2& box)
     { std::abs(box.Low.X), std::abs(box.Low.Y), std::abs(box.High.X), std::abs(box.High.Y) });
 }
 
-/// A box of no extent is replaced by that of the cones, grown to have one.
-Box2 WithExtent(Box2 box, const std::vector<SegmentCone>& cones)
-{
-  if (!(box.Diagonal() > 0.0))
-  {
-    for (const SegmentCone& cone : cones)
-    {
-      box.Add(cone.Start);
-      box.Add(cone.End());
-    }
-    const double extent = box.Diagonal();
-    box.Grow(extent > 0.0 || cones.empty() ? extent : cones.front().Value);
-  }
-  return box;
-}
-
 } // namespace
 
 /// Cuts squares from the root down. The candidates of a square lie on a stack, above those of the
@@ -325,7 +309,7 @@ private:
 ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
   double most, Monitor& monitor)
   : Slope(slope)
-  , Bounds(WithExtent(bounds, cones))
+  , Bounds(bounds)
   , Tree(this->Bounds)
 {
   Builder(*this, cones, most, monitor).Build();

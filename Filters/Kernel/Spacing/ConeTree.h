@@ -34,8 +34,7 @@ public:
   ConeTree() = default;
 
   /// `slope` is that of all the cones; values are positive, and nobody asks for those above `most`.
-  /// A box without an extent is that of the cones. Incomplete if the monitor asks to stop: it must
-  /// not be evaluated then.
+  /// Incomplete if the monitor asks to stop: it must not be evaluated then.
   ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,
     double most = std::numeric_limits<double>::infinity(), Monitor& monitor = NoMonitor());
 

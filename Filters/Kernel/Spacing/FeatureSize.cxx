@@ -85,12 +85,17 @@ struct Feature
   }
 };
 
-/// From x on a feature to another one, as far as it lies on the given side (+1 left, -1 right).
-double DistanceOnSide(const Feature& own, const Point2& x, const Feature& other, double side)
+/// From x on a feature to another one, as far as that lies on the inner side.
+double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
 {
   const Point2 direction = own.End - own.Start;
+  const double side = own.LeftInside ? 1.0 : -1.0;
   const double startHeight = side * Cross(direction, other.Start - own.Start);
   const double endHeight = side * Cross(direction, other.End - own.Start);
+  if (own.IsPoint() || (own.LeftInside && own.RightInside))
+  {
+    return DistanceToSegment(x, other.Start, other.End);
+  }
   if (startHeight <= 0.0 && endHeight <= 0.0)
   {
     return Infinity;
@@ -99,15 +104,6 @@ double DistanceOnSide(const Feature& own, const Point2& x, const Feature& other,
   const Point2 cut = other.Start + weight * (other.End - other.Start);
   return DistanceToSegment(
     x, startHeight < 0.0 ? cut : other.Start, endHeight < 0.0 ? cut : other.End);
-}
-
-double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
-{
-  if (own.IsPoint() || (own.LeftInside && own.RightInside))
-  {
-    return DistanceToSegment(x, other.Start, other.End);
-  }
-  return DistanceOnSide(own, x, other, own.LeftInside ? 1.0 : -1.0);
 }
 
 double DiagonalOf(const std::vector<Point2>& points)
