@@ -29,12 +29,12 @@ constexpr double CoverTolerance = 0.005;
 constexpr double IdleTolerance = 0.01;
 
 /// Sides are looked at at their ends, in the middle, and at a quarter, an eighth ... from both ends,
-/// while f may grow as far as that by more than this share of it; but no nearer than LeastShare.
+/// while f may grow as far as that by more than this share of it; but no nearer than LeastShareOfSide.
 constexpr double GrowthBetween = 0.025;
-constexpr double LeastShare = 1.0 / 256.0;
+constexpr double LeastShareOfSide = 1.0 / 256.0;
 
 /// Of more cones at one point all are kept, and only so many are compared to others.
-constexpr std::size_t ManyCones = 32;
+constexpr std::size_t ManyConesAtPoint = 32;
 
 /// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Their
 /// points are in the order of their values.
@@ -303,7 +303,7 @@ private:
 
   std::size_t EndOfCompared(std::size_t point) const
   {
-    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + ManyCones);
+    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + ManyConesAtPoint);
   }
 
   /// Unless it is steep, or what is offered to its lower end stands for it.
@@ -376,7 +376,7 @@ private:
     const double growth =
       this->Gradation * Distance(this->Parts.Points[start], this->Parts.Points[end]);
     const double least = GrowthBetween * this->Parts.Values[std::min(start, end)];
-    for (double share = 0.25; share * growth > least && share > LeastShare; share *= 0.5)
+    for (double share = 0.25; share * growth > least && share > LeastShareOfSide; share *= 0.5)
     {
       this->MarkAt(start, end, share);
       this->MarkAt(start, end, 1.0 - share);
