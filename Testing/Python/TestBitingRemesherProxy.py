@@ -71,14 +71,22 @@ class TestBitingRemesherProxy(unittest.TestCase):
         remesher = BitingRemesher(Input=mesh(), RelaxAll=1)
         self.assertGreater(figure(remesher, 'NewVertices'), 100)
 
-    def test_more_rings_keep_no_more(self):
+    def kept_with_rings(self, spacing):
         kept = []
-        for rings in (0, 2, 6):
-            disc = simple.Calculator(Input=mesh(0.03), ResultArrayName='Spacing',
-                Function='max(0.015, min(0.03, 0.3*sqrt(coordsX*coordsX+coordsY*coordsY)))')
+        for rings in (0, 2):
+            disc = simple.Calculator(
+                Input=mesh(0.03), ResultArrayName='Spacing', Function=spacing)
             kept.append(figure(BitingRemesher(Input=disc, Rings=rings), 'KeptTriangles'))
-        self.assertGreater(kept[0], kept[1])
-        self.assertGreaterEqual(kept[1], kept[2])
+        return kept
+
+    def test_more_rings_keep_less_where_vertices_have_to_go(self):
+        few, more = self.kept_with_rings('max(0.03, 0.06-0.3*sqrt(coordsX*coordsX+coordsY*coordsY))')
+        self.assertGreater(few, more)
+
+    def test_more_rings_keep_no_more_where_all_that_fits_stays(self):
+        few, more = self.kept_with_rings(
+            'max(0.015, min(0.03, 0.3*sqrt(coordsX*coordsX+coordsY*coordsY)))')
+        self.assertGreaterEqual(few, more)
 
     def test_a_bent_boundary_gets_coarser_within_the_tolerance(self):
         spacing, tolerance = 0.25, 0.2
