@@ -80,7 +80,8 @@ class TestBitingRemesherProxy(unittest.TestCase):
         return kept
 
     def test_more_rings_keep_less_where_vertices_have_to_go(self):
-        few, more = self.kept_with_rings('max(0.03, 0.06-0.3*sqrt(coordsX*coordsX+coordsY*coordsY))')
+        few, more = self.kept_with_rings(
+            'max(0.03, 0.06-0.3*sqrt(coordsX*coordsX+coordsY*coordsY))')
         self.assertGreater(few, more)
 
     def test_more_rings_keep_no_more_where_all_that_fits_stays(self):
