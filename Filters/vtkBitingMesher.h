@@ -347,8 +347,8 @@ public:
    * nearest segment or embedded point that does not share an end with it, so that narrow channels
    * get triangles as narrow, but not lowered below a quarter of what is given: a slit far narrower
    * than the spacing gets thin triangles, not a multitude of them. With BoundaryTolerance, where
-   * long segments run along slits, it may also go down to 1.4 times the length of the input's
-   * segments there: no more triangles than without a tolerance, and as good ones. And it is at most
+   * long segments run along slits, it may also go down to 1.4 times the shortest of the input's
+   * segments there: triangles no finer than without a tolerance, and as good. And it is at most
    * 1.4 times the length of the segment, which is an edge of the mesh in any case, so that short
    * segments have good triangles too, some hundred each; but not lowered below 1.2e-7 of what is
    * given: floats do not tell lengths apart below that. Neither goes below MinimumSpacing. Segments
