@@ -28,10 +28,11 @@ constexpr double SteepMargin = 0.005;
 constexpr double CoverTolerance = 0.005;
 constexpr double IdleTolerance = 0.01;
 
-/// Sides are looked at at their ends, in the middle, and at a quarter, an eighth ... from both ends,
-/// while f may grow as far as that by more than this share of it; but no nearer than LeastShareOfSide.
+/// Sides are looked at at their ends, in the middle, and at a quarter, an eighth and so on from both
+/// ends, while f may grow as far as that by more than this share of it, but no nearer than the
+/// least part of a side.
 constexpr double GrowthBetween = 0.025;
-constexpr double LeastShareOfSide = 1.0 / 256.0;
+constexpr double LeastPartOfSide = 1.0 / 256.0;
 
 /// Of more cones at one point all are kept, and only so many are compared to others.
 constexpr std::size_t ManyConesAtPoint = 32;
@@ -376,7 +377,7 @@ private:
     const double growth =
       this->Gradation * Distance(this->Parts.Points[start], this->Parts.Points[end]);
     const double least = GrowthBetween * this->Parts.Values[std::min(start, end)];
-    for (double share = 0.25; share * growth > least && share > LeastShareOfSide; share *= 0.5)
+    for (double share = 0.25; share * growth > least && share > LeastPartOfSide; share *= 0.5)
     {
       this->MarkAt(start, end, share);
       this->MarkAt(start, end, 1.0 - share);

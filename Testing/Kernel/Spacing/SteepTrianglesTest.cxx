@@ -201,8 +201,8 @@ TEST(SteepTriangles, AreLimitedBesideShortSidesHoweverLongTheyAre)
   EXPECT_NEAR(LimitOf(ConesOf(source))({ 0.4213, 0.3132 }), 0.0115, 0.0002); // 0.0135 is given
 }
 
-/// The sides at the middle are not steep, but the triangles are, up and down in turns: each of these
-/// sides is needed. Comparing each with all others takes minutes.
+/// The sides at the middle are not steep, but the triangles are, up and down in turns: each of
+/// these sides is needed. Comparing each with all others takes minutes.
 TEST(SteepTriangles, TakeAnyNumberOfTrianglesAroundAPoint)
 {
   constexpr int sectors = 60000;
