@@ -28,14 +28,14 @@ constexpr double SteepMargin = 0.005;
 constexpr double CoverTolerance = 0.005;
 constexpr double IdleTolerance = 0.01;
 
-/// Sides are looked at at their ends, in the middle, and at a quarter, an eighth and so on from both
-/// ends, while f may grow as far as that by more than this share of it, but no nearer than the
+/// Sides are looked at at their ends, in the middle, and at a quarter, an eighth and so on from
+/// both ends, while f may grow as far as that by more than this share of it, but no nearer than the
 /// least part of a side.
 constexpr double GrowthBetween = 0.025;
 constexpr double LeastPartOfSide = 1.0 / 256.0;
 
 /// Of more cones at one point all are kept, and only so many are compared to others.
-constexpr std::size_t ManyConesAtPoint = 32;
+constexpr std::size_t MostComparedCones = 32;
 
 /// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Their
 /// points are in the order of their values.
@@ -304,7 +304,7 @@ private:
 
   std::size_t EndOfCompared(std::size_t point) const
   {
-    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + ManyConesAtPoint);
+    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + MostComparedCones);
   }
 
   /// Unless it is steep, or what is offered to its lower end stands for it.
