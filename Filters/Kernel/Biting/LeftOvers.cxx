@@ -5,7 +5,8 @@
 
 #include "BiteOutline.h" // for Gauge
 
-#include <algorithm> // for clamp, max, min, min_element
+#include <algorithm> // for clamp, max, min, max_element, min_element
+#include <iterator>  // for begin, end
 #include <limits>    // for infinity
 #include <utility>   // for exchange
 
@@ -18,7 +19,8 @@ namespace
 constexpr double RecalledReach = 4.0; // in half-widths: further than most gaps go on
 constexpr Id LeastToForget = 1 << 16; // with fewer bites the grid takes less than 10 MB
 constexpr int MostTaken = 64;         // more than there are where f follows the domain
-constexpr int MostHalvings = 20;      // of triangles: from the whole domain to far below f
+constexpr int MostHalvings = 40;      // of triangles: from the whole domain to far below f
+constexpr int MostApproaches = 20;    // to a corner: half of the way each
 constexpr int LeastCrowd = 64;
 
 ConstraintEdges ConstraintsOf(const BitingState& state)
@@ -36,6 +38,14 @@ ConstraintEdges ConstraintsOf(const BitingState& state)
 bool Contains(const Bites& bites, Id bite, const Point2& p)
 {
   return Gauge(bites, bite, p) <= bites.HalfWidths[bite];
+}
+
+std::size_t OppositeLongestSide(const std::array<Point2, 3>& places)
+{
+  const Point2 sides[3] = { places[2] - places[1], places[0] - places[2], places[1] - places[0] };
+  const auto* longest = std::max_element(std::begin(sides), std::end(sides),
+    [](const Point2& a, const Point2& b) { return Dot(a, a) < Dot(b, b); });
+  return static_cast<std::size_t>(longest - sides);
 }
 
 // Of the bite's outline, to a place outside.
@@ -299,9 +309,9 @@ bool LeftOvers::IsCovered(Id triangle)
     { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }, MostHalvings);
 }
 
-// A triangle over which there are many bites is cut into four, so that what each of them takes is
-// looked for in few pieces: cost is linear in the bites, of which there are as many as cuts, at
-// most.
+// A triangle over which there are many bites is halved across its longest side, so that what each
+// of them takes is looked for in few pieces, and few bites reach over both halves, also where it is
+// flat: cost is linear in the bites, of which there are as many as cuts, at most.
 bool LeftOvers::IsCovered(const Triangle& places, const std::array<Id, 3>& first, int halvings)
 {
   const std::size_t before = this->Found.size();
@@ -312,16 +322,16 @@ bool LeftOvers::IsCovered(const Triangle& places, const std::array<Id, 3>& first
   }
   --this->CutsLeft;
   this->Found.resize(before);
-  const Point2 middles[3] = { Midpoint(places[1], places[2]), Midpoint(places[2], places[0]),
-    Midpoint(places[0], places[1]) };
-  const Triangle parts[4] = { { places[0], middles[2], middles[1] },
-    { middles[2], places[1], middles[0] }, { middles[1], middles[0], places[2] },
-    { middles[0], middles[1], middles[2] } };
+  const std::size_t apex = OppositeLongestSide(places);
+  const Point2& from = places[(apex + 1) % 3];
+  const Point2& to = places[(apex + 2) % 3];
+  const Point2 middle = Midpoint(from, to);
   bool isCovered = true;
-  for (const Triangle& part : parts)
+  for (const Triangle& half :
+    { Triangle{ places[apex], from, middle }, Triangle{ places[apex], middle, to } })
   {
     isCovered =
-      this->State.Progress.Beat() && this->IsCovered(part, first, halvings - 1) && isCovered;
+      this->State.Progress.Beat() && this->IsCovered(half, first, halvings - 1) && isCovered;
   }
   return isCovered;
 }
@@ -391,7 +401,7 @@ void LeftOvers::PutPlaceBeside(const Point2& p, const std::array<Id, 3>& atCorne
   Point2 uncovered = p;
   Point2 covered = this->State.Placed.Centers[corner];
   bool isFound = this->FindPlaceBeside(uncovered);
-  for (int halving = 0; halving < MostHalvings && !isFound; ++halving)
+  for (int halving = 0; halving < MostApproaches && !isFound; ++halving)
   {
     const Point2 middle = Midpoint(uncovered, covered);
     const bool isCovered = this->DeepestAt(middle) != NoId;

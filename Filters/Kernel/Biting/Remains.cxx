@@ -3,7 +3,7 @@
 
 #include "Remains.h"
 
-#include <algorithm> // for minmax_element
+#include <algorithm> // for all_of, minmax_element
 #include <cmath>     // for cos, sin
 #include <utility>   // for swap
 
@@ -48,6 +48,18 @@ Point2 NormalOf(const Bites& bites, Id bite, int side)
 double ReachOf(const Bites& bites, Id bite)
 {
   return bites.HalfWidths[bite] * (bites.IsCircle(bite) ? std::cos(0.5 * TurnOfCircle) : 1.0);
+}
+
+// Whether a piece lies within all sides of a circle: then these need not be looked at one by one.
+template <typename Corners>
+bool IsInnerOfCircle(const Bites& bites, Id bite, Corners begin, Corners end)
+{
+  const Point2& center = bites.Centers[bite];
+  const double reach = ReachOf(bites, bite);
+  return bites.IsCircle(bite) &&
+    std::all_of(begin, end,
+      [&center, reach](const Point2& corner)
+      { return Dot(corner - center, corner - center) < reach * reach; });
 }
 
 } // namespace
@@ -107,6 +119,10 @@ bool Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double sl
   const auto begin =
     this->Left.Corners.begin() + static_cast<std::ptrdiff_t>(this->Left.Begin(piece));
   const auto end = this->Left.Corners.begin() + static_cast<std::ptrdiff_t>(this->Left.Ends[piece]);
+  if (IsInnerOfCircle(bites, bite, begin, end))
+  {
+    return true;
+  }
   this->Inside.assign(begin, end);
   const std::size_t numberBefore = this->Next.Ends.size();
   const double reach = ReachOf(bites, bite) + slack;
