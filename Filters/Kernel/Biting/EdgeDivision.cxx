@@ -12,8 +12,9 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 0.4; // of a part: Simpson's rule on each of its panels
-constexpr double PartMargin = 1e-9; // keeps parts shorter than two half-widths after rounding
+constexpr double PanelLength = 0.4;      // of a part: Simpson's rule on each of its panels
+constexpr double GreatestRatio = 1000.0; // of f between samples, for panels of one length
+constexpr double PartMargin = 1e-9;      // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
@@ -138,7 +139,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   {
     const EdgeSamples::Sample next = this->Samples.Next();
     const bool isStuck = !(next.Parameter > last.Parameter);
-    if (isStuck || !this->AddPanels(length, last, next, limit))
+    if (isStuck || !this->AddStretches(length, last, next, limit))
     {
       return false;
     }
@@ -147,7 +148,32 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   return true;
 }
 
-// Between two samples.
+// Between two samples. Where f jumps, panels as short as the smaller f asks for would be too many:
+// there f halves, or doubles, from one stretch of them to the next.
+bool EdgeDivider::AddStretches(
+  double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit)
+{
+  const double growth = to.Spacing - from.Spacing;
+  const double low = std::min(from.Spacing, to.Spacing);
+  const double high = std::max(from.Spacing, to.Spacing);
+  const bool isJump = high > GreatestRatio * low;
+  const double factor = growth > 0.0 ? 2.0 : 0.5;
+  EdgeSamples::Sample last = from;
+  for (double f = factor * from.Spacing; isJump && low < f && f < high; f *= factor)
+  {
+    const double share = (f - from.Spacing) / growth;
+    const EdgeSamples::Sample next = { from.Parameter + share * (to.Parameter - from.Parameter),
+      f };
+    if (next.Parameter > last.Parameter && !this->AddPanels(length, last, next, limit))
+    {
+      return false;
+    }
+    last = next;
+  }
+  return !(last.Parameter < to.Parameter) || this->AddPanels(length, last, to, limit);
+}
+
+// f is linear between.
 bool EdgeDivider::AddPanels(
   double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit)
 {

@@ -96,6 +96,8 @@ private:
   void FitShells(
     double length, const std::vector<double>& startShells, const std::vector<double>& endShells);
   bool Integrate(const Point2& a, const Point2& b, Id limit);
+  bool AddStretches(
+    double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit);
   bool AddPanels(
     double length, const EdgeSamples::Sample& from, const EdgeSamples::Sample& to, Id limit);
   bool Covers(const Point2& a, const Point2& b, const DivisionPoints& points) const;

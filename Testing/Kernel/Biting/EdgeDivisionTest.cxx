@@ -3,6 +3,7 @@
 
 #include "Biting/EdgeDivision.h"
 #include "../Support/MeshShapes.h"
+#include "../Support/Monitors.h"
 
 #include <gtest/gtest.h>
 
@@ -212,6 +213,29 @@ TEST(EdgeDivider, PointsAscendHoweverSteeplyTheSpacingEnds)
       Divide(options, 0.5, 1.0, { 0.0, 0.0 }, { 0.0, top }).Parameters;
     EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << top;
     EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end()) << top;
+  }
+}
+
+/// A value but on a line across the edge, and at its end, where it is far smaller.
+TEST(EdgeDivider, TakesFewStepsWhereTheSpacingFallsToNearlyNothing)
+{
+  for (const double least : { 1e-4, 1e-9, 1e-12, 1e-15, 1e-200 })
+  {
+    auto grid = std::make_shared<GridSource>();
+    grid->XNodes = { 0.0 };
+    grid->YNodes = { 0.5 - 1e-9, 0.5, 0.5 + 1e-9, 1.0 - 1e-9, 1.0 };
+    grid->Values = { 0.1, least, 0.1, 0.1, least };
+    SpacingOptions options;
+    options.Gradation = 0.0;
+    options.Grid = grid;
+    const Spacing spacing = Make(options);
+    StoppingMonitor monitor(100);
+    Pulse pulse(monitor);
+    EdgeDivider divider(spacing, 0.5, 1.0, pulse);
+    DivisionPoints points;
+    divider.Divide({ 0.0, 0.0 }, { 0.0, 1.0 }, 100000, points);
+    EXPECT_TRUE(std::is_sorted(points.Parameters.begin(), points.Parameters.end()));
+    EXPECT_FALSE(pulse.HasStopped()) << least;
   }
 }
 
