@@ -12,9 +12,9 @@ namespace biting
 namespace
 {
 
-constexpr double PanelLength = 0.4;      // of a part: Simpson's rule on each of its panels
-constexpr double GreatestRatio = 1000.0; // of f between samples, for panels of one length
-constexpr double PartMargin = 1e-9;      // keeps parts shorter than two half-widths after rounding
+constexpr double PanelLength = 0.4;     // of a part: Simpson's rule on each of its panels
+constexpr double GreatestJump = 1000.0; // of f between samples, for panels of one length
+constexpr double PartMargin = 1e-9;     // keeps parts shorter than two half-widths after rounding
 constexpr double MeetingMargin = 1e-9;
 constexpr int GreatestRefinement = 8; // more parts where bites do not meet
 constexpr int GreatestSteps = 60;     // of Newton's method: halvings at worst
@@ -156,7 +156,7 @@ bool EdgeDivider::AddStretches(
   const double growth = to.Spacing - from.Spacing;
   const double low = std::min(from.Spacing, to.Spacing);
   const double high = std::max(from.Spacing, to.Spacing);
-  const bool isJump = high > GreatestRatio * low;
+  const bool isJump = high > GreatestJump * low;
   const double factor = growth > 0.0 ? 2.0 : 0.5;
   EdgeSamples::Sample last = from;
   for (double f = factor * from.Spacing; isJump && low < f && f < high; f *= factor)
