@@ -17,7 +17,8 @@ namespace
 {
 
 // Where flat triangles lie side by side, each round mends those at the rim of what is left: so many
-// rounds, and more where they look at few triangles.
+// rounds, and more where they look at few triangles. After so many that leave no fewer none will:
+// flat triangles that only divide each other come back as they were.
 constexpr std::size_t FewRounds = 32;
 constexpr std::size_t FewLooks = 4000000;
 
@@ -75,14 +76,21 @@ FlatTriangleRepair FlatRepair::Run()
   {
     return {};
   }
-  const std::size_t rounds = std::max(FewRounds, 3 * FewLooks / this->Corners.size());
-  bool isMended = true;
-  for (std::size_t round = 0; round < rounds && isMended && !flat.empty(); ++round)
+  const std::size_t looks = std::max(this->Corners.size() / 3, this->Points.size());
+  std::size_t rounds = std::max(FewRounds, FewLooks / looks);
+  std::size_t fewest = flat.size();
+  std::size_t idle = 0;
+  while (rounds-- > 0 && idle++ < FewRounds && !flat.empty())
   {
     this->Begin();
-    isMended = this->MendAll(flat);
+    idle = this->MendAll(flat) ? idle : FewRounds;
     this->Pack();
     flat = this->FindFlat();
+    if (flat.size() < fewest)
+    {
+      fewest = flat.size();
+      idle = 0;
+    }
   }
   return std::move(this->Result);
 }

@@ -144,6 +144,19 @@ TEST(FlatTriangles, GoInTurnHoweverManyLieUponEachOther)
   ExpectMesh(points, corners, before);
 }
 
+// The same triangles come back after each few rounds.
+TEST(FlatTriangles, ThatDivideEachOtherForEverAreLeft)
+{
+  const std::vector<Point2> points{ { 0.10508746646614335, 1e-17 }, { 0.29170115382410439, -0.5 },
+    { 0.98202217787373547, 0 }, { 0.83575632126498189, 0 }, { 0.73832003412404668, 2e-17 },
+    { 0.27779703955381851, 0 }, { 0.67300603548551508, 0 }, { 0.62841580668094676, 0 } };
+  std::vector<Id> corners{ 6, 0, 1, 0, 6, 3, 3, 5, 2, 5, 3, 4, 3, 2, 0, 4, 2, 5, 4, 1, 2, 7, 4, 3,
+    6, 7, 3, 4, 7, 6, 1, 4, 6 };
+  const FlatTriangleRepair repair = RepairFlatTriangles(points, 1e-15, corners);
+  EXPECT_EQ(repair.Flat.size(), 8U);
+  EXPECT_LT(repair.Divided.size(), 1000U);
+}
+
 TEST(FlatTriangles, BesideOthersGoInTurn)
 {
   // A fan of flat triangles between two edges of one line, from a side to its parts.
