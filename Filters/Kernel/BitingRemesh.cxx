@@ -67,6 +67,7 @@ private:
   bool IsOver();
   void Read();
   void Compare();
+  void Keep();
   void FindRegion();
   RegionEdges FindPieces(Monitor& monitor) const;
   void Make();
@@ -104,14 +105,14 @@ RemeshResult Remesher::Run()
   for (const Step step :
     { &Remesher::Read, &Remesher::Compare, &Remesher::Make, &Remesher::Finish })
   {
-    (this->*step)();
+    const bool isUnchanged = this->Result.IsUnchanged;
+    (this->*(isUnchanged ? &Remesher::Keep : step))();
     if (this->IsOver())
     {
       return {};
     }
-    if (this->Result.IsUnchanged)
+    if (isUnchanged)
     {
-      this->Result.Mesh = EdgesOf(this->Result.Old);
       break;
     }
   }
@@ -165,6 +166,19 @@ void Remesher::Compare()
     this->Result.OldSpacings = wanted.AtVertices();
     this->FindRegion();
   }
+}
+
+// All triangles stay; where points of them were made one the mesh is another.
+void Remesher::Keep()
+{
+  if (!this->Result.Old.IsWelded)
+  {
+    this->Result.Mesh = EdgesOf(this->Result.Old);
+    return;
+  }
+  this->Result.IsUnchanged = false;
+  this->Region.IsChanged.resize(this->Result.Old.Regions.size(), 0);
+  this->Finish();
 }
 
 RegionEdges Remesher::FindPieces(Monitor& monitor) const

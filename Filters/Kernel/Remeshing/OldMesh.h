@@ -54,6 +54,7 @@ struct OldMesh
   std::vector<Id> Origins;              ///< of each triangle: the one of the input; empty: the same
   std::vector<std::uint8_t> IsRepaired; ///< one a triangle: it has other corners now; empty: none
   std::vector<Id> RepairedVertices;     ///< where flat triangles went with nothing in their place
+  bool IsWelded = false;                ///< whether vertices of free edges were made one
   std::vector<Id> LineCells;
   std::vector<std::uint8_t> IsFrozenLine; ///< one a line, or none
   std::function<bool(Id, Id)> AreAlike;

@@ -84,6 +84,7 @@ void Mender::WeldFreeEdges()
   {
     this->Weld(one, other);
   }
+  this->Mesh.IsWelded = !this->Result.Numbers.empty();
   this->Renumber();
 }
 
