@@ -95,7 +95,7 @@ private:
     {
       return this->ReadMarker(value);
     }
-    this->IsPassing = key != "NMARK";
+    this->IsPassing = key.rfind("FFD_", 0) == 0 || key.rfind("PERIODIC_", 0) == 0;
     return true;
   }
 
@@ -136,7 +136,7 @@ private:
   MeshFileLines& In;
   MeshFileBuilder Out;
   std::vector<std::string> Markers;
-  bool IsPassing = false; // over the lines of what we have no use for, as FFD_CORNER_POINTS
+  bool IsPassing = false; // over the lines of what we have no use for
 };
 
 } // namespace
