@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for sort
+#include <numeric>   // for iota
 
 namespace biting
 {
@@ -81,6 +82,37 @@ TEST(MendedMesh, ThatFitsHasNoFlatTrianglesAtFreeEdges)
   EXPECT_FALSE(problems.HasErrors());
   EXPECT_FALSE(result.IsUnchanged);
   EXPECT_EQ(RemeshLaws(input, result).Violation(), "");
+}
+
+// The triangles on the right of a slit have points of their own along it.
+TEST(MendedMesh, ThatFitsKeepsAllTrianglesWherePointsAreMadeOne)
+{
+  const BitingMesh mesh = SquareMesh(0.05);
+  RemeshInput input = RemeshInputOf(mesh, Rounding);
+  RemeshOptions options;
+  options.Values = mesh.Spacing;
+  options.Values.insert(options.Values.end(), mesh.Spacing.begin(), mesh.Spacing.end());
+  const Id count = static_cast<Id>(mesh.Points.size());
+  input.Points.insert(input.Points.end(), mesh.Points.begin(), mesh.Points.end());
+  input.IsFixed.resize(input.Points.size(), 0);
+  for (std::size_t triangle = 0; triangle < mesh.Corners.size(); triangle += 3)
+  {
+    const bool isRight = mesh.Points[mesh.Corners[triangle]].X > 0.5;
+    for (std::size_t slot = triangle; isRight && slot < triangle + 3; ++slot)
+    {
+      input.Corners[slot] += count;
+    }
+  }
+  ProblemList problems;
+  const RemeshResult result = Remesh(input, options, problems, NoMonitor());
+  EXPECT_EQ(RemeshLaws(input, result).Violation(), "");
+  EXPECT_GT(problems.Count(ProblemCode::DuplicatePoints), 10);
+  EXPECT_FALSE(result.IsUnchanged);
+  EXPECT_EQ(result.Mesh.Points.size(), mesh.Points.size());
+  EXPECT_EQ(result.Mesh.EdgeStarts.size(), mesh.EdgeStarts.size());
+  std::vector<Id> all(mesh.Corners.size() / 3);
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(result.OriginalTriangles, all);
 }
 
 } // namespace biting

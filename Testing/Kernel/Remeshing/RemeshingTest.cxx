@@ -13,7 +13,6 @@
 #include <cmath>   // for sin
 #include <cstring> // for memcmp
 #include <limits>  // for the most rings
-#include <numeric> // for iota
 
 namespace biting
 {
@@ -148,35 +147,6 @@ TEST(Remeshing, AMeshWhoseDrawingIsFinerThanTheSpacingIsUnchanged)
   RemeshOptions options;
   options.Values = mesh.Spacing;
   EXPECT_TRUE(RunLawfully(input, options).Result.IsUnchanged);
-}
-
-// The triangles on the right of a slit have points of their own along it.
-TEST(Remeshing, WherePointsOfAMeshThatFitsAreMadeOneAllTrianglesStay)
-{
-  const BitingMesh mesh = SquareMesh(0.05);
-  RemeshInput input = RemeshInputOf(mesh, Rounding);
-  RemeshOptions options;
-  options.Values = mesh.Spacing;
-  options.Values.insert(options.Values.end(), mesh.Spacing.begin(), mesh.Spacing.end());
-  const Id count = static_cast<Id>(mesh.Points.size());
-  input.Points.insert(input.Points.end(), mesh.Points.begin(), mesh.Points.end());
-  input.IsFixed.resize(input.Points.size(), 0);
-  for (std::size_t triangle = 0; triangle < mesh.Corners.size(); triangle += 3)
-  {
-    const bool isRight = mesh.Points[mesh.Corners[triangle]].X > 0.5;
-    for (std::size_t slot = triangle; isRight && slot < triangle + 3; ++slot)
-    {
-      input.Corners[slot] += count;
-    }
-  }
-  const RemeshRun run = RunLawfully(input, options);
-  EXPECT_GT(run.Problems.Count(ProblemCode::DuplicatePoints), 10);
-  EXPECT_FALSE(run.Result.IsUnchanged);
-  EXPECT_EQ(run.Result.Mesh.Points.size(), mesh.Points.size());
-  EXPECT_EQ(run.Result.Mesh.EdgeStarts.size(), mesh.EdgeStarts.size());
-  std::vector<Id> all(mesh.Corners.size() / 3);
-  std::iota(all.begin(), all.end(), 0);
-  EXPECT_EQ(run.Result.OriginalTriangles, all);
 }
 
 TEST(Remeshing, WhereTheSpacingIsHalvedNearlyAllVerticesStay)
