@@ -314,20 +314,13 @@ private:
     const SegmentCone cone(this->Parts.Points[low], this->Parts.Points[high], value,
       this->Parts.Values[high], this->Gradation);
     const Id offered = this->LowestAt[low].Cone;
-    if (value < this->Most && (cone.Length > 0.0 || low == high) &&
-      !(offered != NoId && this->StandsFor(this->At(offered), cone)))
+    const bool isCovered = offered != NoId &&
+      this->At(offered).StandsFor(cone, this->Gradation, CoverTolerance * cone.Value);
+    if (value < this->Most && (cone.Length > 0.0 || low == high) && !isCovered)
     {
       this->Cones.push_back(cone);
       this->Ends.emplace_back(low, high);
     }
-  }
-
-  /// Along a segment a cone is convex, and from there it grows no faster than another one.
-  bool StandsFor(const SegmentCone& cone, const SegmentCone& other) const
-  {
-    const double room = CoverTolerance * other.Value;
-    return cone(other.Start, this->Gradation) <= other.Value + room &&
-      cone(other.End(), this->Gradation) <= other.Value + other.Slope * other.Length + room;
   }
 
   void Offer(Id cone, std::size_t point)
