@@ -18,7 +18,7 @@ processes=${3:-1}
 program=${4:-BitingFuzz}
 
 cmake -G Ninja -S . -B build/fuzz -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Debug \
-  -DBITING_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" \
+  -DBITING_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_DEBUG="-O2 -g1" \
   -DBITING_SANITIZE=address,undefined,float-cast-overflow
 cmake --build build/fuzz --target "$program"
 
