@@ -69,6 +69,7 @@ set(biting_kernel_sources
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
+  Biting/CornerCover.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
   Biting/EdgeSamples.cxx

@@ -3,7 +3,8 @@
 
 #include "LeftOvers.h"
 
-#include "BiteOutline.h" // for Gauge
+#include "BiteOutline.h" // for Depth
+#include "CornerCover.h"
 
 #include <algorithm> // for clamp, max, min, max_element, min_element
 #include <iterator>  // for begin, end
@@ -35,9 +36,16 @@ ConstraintEdges ConstraintsOf(const BitingState& state)
   return constraints;
 }
 
-bool Contains(const Bites& bites, Id bite, const Point2& p)
+// Order -> the first bite of it. Bites are numbered as the vertices say, but for several squares of
+// a vertex, and shields.
+std::vector<Id> FirstOfOrders(const Bites& placed, Id numberOfOrders)
 {
-  return Gauge(bites, bite, p) <= bites.HalfWidths[bite];
+  std::vector<Id> first(static_cast<std::size_t>(numberOfOrders), NoId);
+  for (Id bite = placed.Size(); bite-- > 0;)
+  {
+    first[placed.Orders[bite]] = bite;
+  }
+  return first;
 }
 
 std::size_t OppositeLongestSide(const std::array<Point2, 3>& places)
@@ -64,42 +72,7 @@ Point2 NearestPlace(const Bites& bites, Id bite, const Point2& p)
   return center + along * axis + across * Perpendicular(axis);
 }
 
-// Whether two bites, the ends of an edge their centres, cover it.
-bool CoverEdge(const Bites& bites, Id first, Id second)
-{
-  const double there = Gauge(bites, first, bites.Centers[second]);
-  const double back = Gauge(bites, second, bites.Centers[first]);
-  return bites.HalfWidths[first] * back + bites.HalfWidths[second] * there >= there * back;
-}
-
 } // namespace
-
-// With sides of lengths u, v, w and A the doubled area, the circumradius is u v w / (2 A).
-bool IsWithinOfCorners(const std::array<Point2, 3>& corners, double distance)
-{
-  const Point2 u = corners[1] - corners[0];
-  const Point2 v = corners[2] - corners[0];
-  const Point2 w = corners[2] - corners[1];
-  const double doubledArea = Cross(u, v);
-  const double reach = 2.0 * distance * doubledArea;
-  return Dot(u, u) * Dot(v, v) * Dot(w, w) <= reach * reach;
-}
-
-// A place that all three share, and one on each edge that two do, cut the triangle into three
-// parts: the four places of each lie in one bite, which is convex.
-bool CoverTriangle(const Bites& bites, const std::array<Id, 3>& atCorners)
-{
-  const auto& [a, b, c] = atCorners;
-  const double weightA = bites.HalfWidths[b] * bites.HalfWidths[c];
-  const double weightB = bites.HalfWidths[c] * bites.HalfWidths[a];
-  const double weightC = bites.HalfWidths[a] * bites.HalfWidths[b];
-  const double perSum = 1.0 / (weightA + weightB + weightC);
-  const Point2& origin = bites.Centers[a];
-  const Point2 shared = origin +
-    perSum * (weightB * (bites.Centers[b] - origin) + weightC * (bites.Centers[c] - origin));
-  return Contains(bites, a, shared) && Contains(bites, b, shared) && Contains(bites, c, shared) &&
-    CoverEdge(bites, a, b) && CoverEdge(bites, b, c) && CoverEdge(bites, c, a);
-}
 
 LeftOvers::LeftOvers(BitingState& state)
   : State(state)
@@ -176,7 +149,9 @@ void LeftOvers::Begin()
   {
     return;
   }
-  this->FindBitesOfVertices();
+  const std::vector<double>& halfWidths = this->State.Placed.HalfWidths;
+  this->LeastHalfWidth = *std::min_element(halfWidths.begin(), halfWidths.end());
+  this->OfOrder = FirstOfOrders(this->State.Placed, this->State.NumberOfBites);
   const Id count = made.Inserted.Mesh.NumberOfTriangles;
   for (Id triangle = 0; triangle < count && this->State.Progress.Beat(1); ++triangle)
   {
@@ -241,21 +216,13 @@ Box2 LeftOvers::BoxOf(Id triangle) const
   return box;
 }
 
-// Bites are numbered as the vertices say, but for several squares of a vertex, and shields.
-void LeftOvers::FindBitesOfVertices()
+std::array<Id, 3> LeftOvers::BitesOf(Id triangle) const
 {
-  const biting::Bites& placed = this->State.Placed;
-  std::vector<Id> ofOrder(static_cast<std::size_t>(this->State.NumberOfBites), NoId);
-  for (Id bite = placed.Size(); bite-- > 0;)
-  {
-    ofOrder[placed.Orders[bite]] = bite;
-  }
-  const std::vector<Id>& points = this->State.Result.Triangulated.Inserted.Order;
-  this->Bites.reserve(points.size());
-  for (const Id point : points)
-  {
-    this->Bites.push_back(ofOrder[this->State.Result.BiteOrders[point]]);
-  }
+  const InsertionResult& inserted = this->State.Result.Triangulated.Inserted;
+  const Id* corners = &inserted.Mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
+  const auto biteOf = [this, &inserted](Id corner)
+  { return this->OfOrder[this->State.Result.BiteOrders[inserted.Order[corner]]]; };
+  return { biteOf(corners[0]), biteOf(corners[1]), biteOf(corners[2]) };
 }
 
 LeftOvers::Triangle LeftOvers::PlacesOf(Id triangle) const
@@ -267,19 +234,21 @@ LeftOvers::Triangle LeftOvers::PlacesOf(Id triangle) const
 
 bool LeftOvers::MayHaveGap(Id triangle) const
 {
-  const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
-  if (mesh.IsGhost(triangle))
+  if (this->State.Result.Triangulated.Inserted.Mesh.IsGhost(triangle))
   {
     return false;
   }
-  const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
-  const std::array<Id, 3> bites{ this->Bites[corners[0]], this->Bites[corners[1]],
-    this->Bites[corners[2]] };
+  const Triangle places = this->PlacesOf(triangle);
+  if (IsWithinOfCorners(places, this->LeastHalfWidth))
+  {
+    return false; // nearly all where f is uniform
+  }
+  const std::array<Id, 3> bites = this->BitesOf(triangle);
   const std::vector<double>& halfWidths = this->State.Placed.HalfWidths;
   const double least =
     std::min({ halfWidths[bites[0]], halfWidths[bites[1]], halfWidths[bites[2]] });
-  return !IsWithinOfCorners(this->PlacesOf(triangle), least) &&
-    !CoverTriangle(this->State.Placed, bites) && !this->IsOutside(triangle);
+  return !IsWithinOfCorners(places, least) && !CoverTriangle(this->State.Placed, bites) &&
+    !this->IsOutside(triangle);
 }
 
 // No constraint crosses it: its middle tells.
@@ -303,10 +272,7 @@ bool LeftOvers::IsOutside(Id triangle) const
 // The bites of the corners are taken away first, as they take most.
 bool LeftOvers::IsCovered(Id triangle)
 {
-  const HalfEdgeMesh& mesh = this->State.Result.Triangulated.Inserted.Mesh;
-  const Id* corners = &mesh.Corners[HalfEdgeMesh::FirstEdge(triangle)];
-  return this->IsCovered(this->PlacesOf(triangle),
-    { this->Bites[corners[0]], this->Bites[corners[1]], this->Bites[corners[2]] }, MostHalvings);
+  return this->IsCovered(this->PlacesOf(triangle), this->BitesOf(triangle), MostHalvings);
 }
 
 // A triangle over which there are many bites is halved across its longest side, so that what each

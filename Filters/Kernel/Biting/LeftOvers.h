@@ -41,7 +41,7 @@ public:
   std::vector<Id> FindBites();
 
   /// Gives the memory back, once all is found.
-  void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->Bites, this->Gaps, this->Doubtful); }
+  void Release(Pulse& pulse) { ReleaseInSteps(pulse, this->OfOrder, this->Gaps, this->Doubtful); }
 
 private:
   using Triangle = std::array<Point2, 3>;
@@ -55,7 +55,7 @@ private:
 
   void Begin();
   void Triangulate();
-  void FindBitesOfVertices();
+  std::array<Id, 3> BitesOf(Id triangle) const;
   void RecallAboutGaps();
   void RecallAboutFound();
   Box2 BoxOf(Id triangle) const;
@@ -72,21 +72,15 @@ private:
 
   BitingState& State;
   bool HasBegun = false;
-  Id LastSize = NoId;       ///< how many bites there were at the last call
-  std::vector<Id> Bites;    ///< the first one of each vertex of the triangulation
+  Id LastSize = NoId;      ///< how many bites there were at the last call
+  std::vector<Id> OfOrder; ///< the first bite of each order
+  double LeastHalfWidth = 0.0;
   std::vector<Id> Gaps;     ///< triangles in which there are places that no bite covers
   std::vector<Id> Doubtful; ///< those in which there may be some
   Remains Left;             ///< of the triangle at hand
   Id CutsLeft = 0;          ///< how many more triangles may be cut, in this call
   std::vector<Point2> Found;
 };
-
-/// Whether each place of the triangle is within `distance` of one of its corners.
-bool IsWithinOfCorners(const std::array<Point2, 3>& corners, double distance);
-
-/// Whether these bites, centred at the corners of the triangle, cover it. Where it says no they may
-/// do so all the same.
-bool CoverTriangle(const Bites& bites, const std::array<Id, 3>& atCorners);
 
 } // namespace biting
 

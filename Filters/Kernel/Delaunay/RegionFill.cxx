@@ -3,6 +3,7 @@
 
 #include "RegionFill.h"
 
+#include "../Base/Prefetch.h"
 #include "../Base/SortInSteps.h"
 
 #include <algorithm> // for max, max_element, min
@@ -21,7 +22,6 @@ constexpr double BorderEnd = 0.27;
 constexpr double RegionsEnd = 0.28;
 constexpr double CountsEnd = 0.45;
 constexpr double NumbersEnd = 0.65;
-constexpr double NeighborsEnd = 0.88;
 
 /// A half-edge with a mark, and what decides when one comes to it along the constraints.
 struct BorderEdge
@@ -284,8 +284,7 @@ private:
   std::vector<Id> SortByRegion(std::vector<Id> sorted);
   void NumberTriangles();
   void WriteTriangles();
-  template <typename Step>
-  void ForEachHalf(Step&& step);
+  void WriteTriangle(Id first);
 
   HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
@@ -387,43 +386,38 @@ std::vector<Id> Writer::SortByRegion(std::vector<Id> sorted)
   return inside;
 }
 
-/// In two passes: what the first one reads is given back before the second one needs memory.
+/// The order of the result is not that of the memory: what the next triangles need is fetched.
 void Writer::WriteTriangles()
 {
+  const PulsePart part(this->Beats, NumbersEnd, 1.0);
   const std::size_t size = 3 * this->Inside.size();
-  {
-    const PulsePart part(this->Beats, NumbersEnd, NeighborsEnd);
-    this->Result.Neighbors.reserve(size);
-    this->Result.Constraints.reserve(size);
-    this->ForEachHalf(
-      [this](Id edge)
-      {
-        const Id mark = this->Mesh.Mark(edge);
-        const Id beyond = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
-        this->Result.Constraints.push_back(mark == NoId ? NoId : mark / 2);
-        this->Result.Neighbors.push_back(this->Numbers[beyond]);
-      });
-  }
-  ReleaseInSteps(this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Numbers);
-  const PulsePart part(this->Beats, NeighborsEnd, 1.0);
+  this->Result.Neighbors.reserve(size);
+  this->Result.Constraints.reserve(size);
   this->Result.Corners.reserve(size);
-  this->ForEachHalf([this](Id edge) { this->Result.Corners.push_back(this->Mesh.Corners[edge]); });
-  ReleaseInSteps(this->Beats, this->Mesh.Corners);
+  constexpr std::size_t Ahead = 16;
+  const std::size_t last = this->Inside.size() - 1;
+  this->Beats.ForEach(this->Inside.size(),
+    [this, last](std::size_t number)
+    {
+      const Id ahead = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + Ahead, last)]);
+      Prefetch(&this->Mesh.Twins[ahead]);
+      Prefetch(&this->Mesh.Corners[ahead]);
+      this->WriteTriangle(HalfEdgeMesh::FirstEdge(this->Inside[number]));
+    });
+  ReleaseInSteps(
+    this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Mesh.Corners, this->Numbers);
 }
 
-/// Does step(edge) for the half-edges of all triangles of the result, in their order.
-template <typename Step>
-void Writer::ForEachHalf(Step&& step)
+void Writer::WriteTriangle(Id first)
 {
-  this->Beats.ForEach(this->Inside.size(),
-    [this, &step](std::size_t number)
-    {
-      const Id first = HalfEdgeMesh::FirstEdge(this->Inside[number]);
-      for (Id edge = first; edge < first + 3; ++edge)
-      {
-        step(edge);
-      }
-    });
+  for (Id edge = first; edge < first + 3; ++edge)
+  {
+    const Id mark = this->Mesh.Mark(edge);
+    const Id beyond = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
+    this->Result.Constraints.push_back(mark == NoId ? NoId : mark / 2);
+    this->Result.Neighbors.push_back(this->Numbers[beyond]);
+    this->Result.Corners.push_back(this->Mesh.Corners[edge]);
+  }
 }
 
 } // namespace

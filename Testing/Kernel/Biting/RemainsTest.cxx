@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Biting/Remains.h"
-#include "Biting/LeftOvers.h"
 
-#include "../Support/MeshShapes.h"
-#include "Biting/BiteOutline.h"
+#include "../Support/RandomBites.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm> // for max, min
-#include <array>     // for triangles
-#include <utility>   // for swap
 
 namespace biting
 {
@@ -19,62 +13,7 @@ namespace biting
 namespace
 {
 
-using Triangle = std::array<Point2, 3>;
-
 constexpr double SagittaOfCircle = 2e-3; // of its radius, where it has 64 sides
-constexpr double Slack = 1e-12;
-
-void AddBite(const Point2& center, bool isCircle, TestNumbers& numbers, Bites& bites)
-{
-  bites.Centers.push_back(center);
-  bites.Axes.push_back(isCircle ? Point2{} : UnitVector(DegreesPerTurn * numbers.Unit()));
-  bites.HalfWidths.push_back(0.4 + 0.5 * numbers.Unit());
-}
-
-Point2 PointNear(TestNumbers& numbers)
-{
-  return { 2.0 * numbers.Unit() - 1.0, 2.0 * numbers.Unit() - 1.0 };
-}
-
-Triangle RandomTriangle(TestNumbers& numbers)
-{
-  Triangle triangle{ PointNear(numbers), PointNear(numbers), PointNear(numbers) };
-  if (Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 0.0)
-  {
-    std::swap(triangle[1], triangle[2]);
-  }
-  return triangle;
-}
-
-Point2 PointOf(const Triangle& triangle, TestNumbers& numbers)
-{
-  double u = numbers.Unit();
-  double v = numbers.Unit();
-  u = u + v > 1.0 ? 1.0 - u : u;
-  v = u + v > 1.0 ? 1.0 - v : v;
-  return triangle[0] + u * (triangle[1] - triangle[0]) + v * (triangle[2] - triangle[0]);
-}
-
-// The largest of p's depths in bites.
-double DepthIn(const Bites& bites, const Point2& p)
-{
-  double depth = -1.0;
-  for (Id bite = 0; bite < bites.Size(); ++bite)
-  {
-    depth = std::max(depth, Depth(bites, bite, p));
-  }
-  return depth;
-}
-
-double LeastDepth(const Bites& bites, const Triangle& triangle, TestNumbers& numbers)
-{
-  double least = 1.0;
-  for (int sample = 0; sample < 300; ++sample)
-  {
-    least = std::min(least, DepthIn(bites, PointOf(triangle, numbers)));
-  }
-  return least;
-}
 
 } // namespace
 
@@ -134,48 +73,6 @@ TEST(Remains, KeepATriangleThatABiteDoesNotMeet)
   EXPECT_EQ(remains.MiddleOfLast(), (Point2{ 0.5, 0.5 }));
   remains.DropLast();
   EXPECT_TRUE(remains.IsEmpty());
-}
-
-TEST(LeftOvers, EachPlaceIsAsNearToACornerAsTheCircumradius)
-{
-  TestNumbers numbers(5);
-  int numberWithin = 0;
-  for (int run = 0; run < 2000; ++run)
-  {
-    const Triangle triangle = RandomTriangle(numbers);
-    const double distance = 2.0 * numbers.Unit();
-    const bool isWithin = IsWithinOfCorners(triangle, distance);
-    numberWithin += isWithin ? 1 : 0;
-    for (int sample = 0; isWithin && sample < 50; ++sample)
-    {
-      const Point2 p = PointOf(triangle, numbers);
-      EXPECT_LE(
-        std::min({ Distance(p, triangle[0]), Distance(p, triangle[1]), Distance(p, triangle[2]) }),
-        distance * (1.0 + 1e-12));
-    }
-  }
-  EXPECT_GT(numberWithin, 500);
-}
-
-TEST(LeftOvers, BitesThatCoverATriangleCoverEachPlaceOfIt)
-{
-  TestNumbers numbers(7);
-  int numberOfCovered = 0;
-  for (int run = 0; run < 4000; ++run)
-  {
-    const Triangle triangle = RandomTriangle(numbers);
-    Bites bites;
-    for (const Point2& corner : triangle)
-    {
-      AddBite(corner, run % 3 == 0, numbers, bites);
-    }
-    if (CoverTriangle(bites, { 0, 1, 2 }))
-    {
-      ++numberOfCovered;
-      EXPECT_GE(LeastDepth(bites, triangle, numbers), -Slack);
-    }
-  }
-  EXPECT_GT(numberOfCovered, 500);
 }
 
 } // namespace biting
