@@ -5,17 +5,17 @@
 #define BitingSortInSteps_h
 
 #include "Pulse.h"
+#include "Tasks.h"
 
 #include <algorithm> // for sort, merge, lower_bound
 #include <cstddef>   // for counts
-#include <iterator>  // for back_inserter
 #include <vector>    // for the items
 
 namespace biting
 {
 
-/// Sorts short runs of the items and merges them two by two: std::sort of millions of items takes
-/// seconds in which no monitor is asked.
+/// Sorts short runs of the items and merges them two by two, as tasks: std::sort of millions of
+/// items takes seconds in which no monitor is asked.
 template <typename Item, typename Before>
 class StepwiseSorter
 {
@@ -29,14 +29,17 @@ public:
 
   bool Sort()
   {
-    for (std::size_t begin = 0; begin < this->Items.size() && !this->Beats.HasStopped();
-         begin += Run)
+    const std::size_t size = this->Items.size();
+    if (size <= Run)
     {
-      const std::size_t end = std::min(this->Items.size(), begin + Run);
-      std::sort(this->At(begin), this->At(end), this->IsBefore);
-      this->Beats.Ask();
+      std::sort(this->Items.begin(), this->Items.end(), this->IsBefore);
+      return this->Beats.Ask();
     }
-    for (std::size_t run = Run; run < this->Items.size() && !this->Beats.HasStopped(); run *= 2)
+    const PulsePart part(this->Beats, 0.0, 0.0);
+    DoTasks(this->Beats, (size + Run - 1) / Run,
+      [this, size](std::size_t k, Monitor&)
+      { std::sort(this->At(k * Run), this->At(std::min(size, (k + 1) * Run)), this->IsBefore); });
+    for (std::size_t run = Run; run < size && !this->Beats.HasStopped(); run *= 2)
     {
       this->MergeRuns(run);
     }
@@ -51,13 +54,16 @@ private:
   // Makes sorted runs of twice the size.
   void MergeRuns(std::size_t run)
   {
-    this->Merged.clear();
-    this->Merged.reserve(this->Items.size());
-    for (std::size_t begin = 0; begin < this->Items.size(); begin += 2 * run)
-    {
-      const std::size_t middle = std::min(this->Items.size(), begin + run);
-      this->MergePair(begin, middle, std::min(this->Items.size(), middle + run));
-    }
+    const std::size_t size = this->Items.size();
+    this->Merged.resize(size, this->Items.front());
+    DoTasks(this->Beats, (size + 2 * run - 1) / (2 * run),
+      [this, size, run](std::size_t k, Monitor& monitor)
+      {
+        const std::size_t begin = 2 * run * k;
+        const std::size_t middle = std::min(size, begin + run);
+        Pulse own(monitor);
+        this->MergePair(begin, middle, std::min(size, middle + run), own);
+      });
     if (!this->Beats.HasStopped())
     {
       this->Items.swap(this->Merged);
@@ -65,18 +71,19 @@ private:
   }
 
   // Merges a part of the first run, and what comes before its end of the second, at a time.
-  void MergePair(std::size_t begin, std::size_t middle, std::size_t end)
+  void MergePair(std::size_t begin, std::size_t middle, std::size_t end, Pulse& pulse)
   {
     std::size_t second = middle;
-    for (std::size_t first = begin; first < middle && this->Beats.Ask(); first += Run)
+    auto next = this->Merged.begin() + static_cast<std::ptrdiff_t>(begin);
+    for (std::size_t first = begin; first < middle && pulse.Ask(); first += Run)
     {
       const std::size_t last = std::min(middle, first + Run);
       const bool isEnd = last == middle;
       const auto stop = isEnd
         ? this->At(end)
         : std::lower_bound(this->At(second), this->At(end), *this->At(last - 1), this->IsBefore);
-      std::merge(this->At(first), this->At(last), this->At(second), stop,
-        std::back_inserter(this->Merged), this->IsBefore);
+      next =
+        std::merge(this->At(first), this->At(last), this->At(second), stop, next, this->IsBefore);
       second = static_cast<std::size_t>(stop - this->Items.begin());
     }
   }

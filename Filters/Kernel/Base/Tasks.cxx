@@ -166,4 +166,14 @@ bool DoTasks(Pulse& pulse, std::size_t count, const Task& task)
   return isAlone ? DoOneByOne(pulse, count, task) : DoOnThreads(pulse, count, task);
 }
 
+bool DoEach(Pulse& pulse, const std::vector<std::function<void(Pulse&)>>& tasks)
+{
+  return DoTasks(pulse, tasks.size(),
+    [&tasks](std::size_t k, Monitor& monitor)
+    {
+      Pulse own(monitor);
+      tasks[k](own);
+    });
+}
+
 } // namespace biting

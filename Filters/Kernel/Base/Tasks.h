@@ -11,7 +11,7 @@
 #include <cstddef>    // for counts
 #include <functional> // for tasks
 #include <utility>    // for move
-#include <vector>     // for parts of sums
+#include <vector>     // for parts of sums, and tasks
 
 namespace biting
 {
@@ -26,6 +26,9 @@ using Task = std::function<void(std::size_t, Monitor&)>;
 /// runs any more: that of the first task in their order that was begun. False, and tasks are left
 /// undone or stopped on their way, where the monitor wants to stop.
 bool DoTasks(Pulse& pulse, std::size_t count, const Task& task);
+
+/// The same for tasks that differ; each gets a pulse of its own.
+bool DoEach(Pulse& pulse, const std::vector<std::function<void(Pulse&)>>& tasks);
 
 /// How many cheap steps are a task: their time is far above that of taking it up. It decides what
 /// sums are, and so does not depend on the number of threads.

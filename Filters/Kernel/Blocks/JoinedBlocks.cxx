@@ -42,17 +42,6 @@ struct CutSide
   Id Slot = NoId;
 };
 
-// As tasks: most of the time goes into touching memory first.
-void MakeRooms(const std::vector<std::function<void(Pulse&)>>& rooms, Pulse& pulse)
-{
-  DoTasks(pulse, rooms.size(),
-    [&rooms](std::size_t k, Monitor& own)
-    {
-      Pulse ownPulse(own);
-      rooms[k](ownPulse);
-    });
-}
-
 class Joiner
 {
 public:
@@ -240,18 +229,19 @@ void Joiner::ListEdges(std::size_t block)
   }
 }
 
-// What blocks have of them is given back before there are triangles: these are most of a mesh.
+// Room is made as tasks: most of the time goes into touching memory first. What blocks have of
+// vertices is given back before there are triangles: these are most of a mesh.
 bool Joiner::JoinVertices()
 {
   const PulsePart part(this->Beats, 0.0, VerticesEnd);
   const std::size_t vertices = static_cast<std::size_t>(this->Places.back().Vertex);
   BitingResult& bites = this->Result.Bites;
-  MakeRooms(
+  DoEach(this->Beats,
     { [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Points, vertices, Point2(), pulse); },
       [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Spacings, vertices, 0.0, pulse); },
       [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.BiteOrders, vertices, Id{ 0 }, pulse); },
-      [&bites, vertices](Pulse& pulse) { GrowInSteps(bites.Segments, vertices, Id{ 0 }, pulse); } },
-    this->Beats);
+      [&bites, vertices](Pulse& pulse)
+      { GrowInSteps(bites.Segments, vertices, Id{ 0 }, pulse); } });
   return DoTasks(this->Beats, this->Meshes.size(),
     [this](std::size_t block, Monitor& own)
     {
@@ -278,7 +268,7 @@ bool Joiner::JoinTriangles()
     rooms.emplace_back(
       [values, triangles](Pulse& pulse) { GrowInSteps(*values, triangles, Id{ 0 }, pulse); });
   }
-  MakeRooms(rooms, this->Beats);
+  DoEach(this->Beats, rooms);
   DoTasks(this->Beats, this->Meshes.size(),
     [this](std::size_t block, Monitor& own)
     {

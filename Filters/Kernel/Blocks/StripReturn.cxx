@@ -6,17 +6,47 @@
 #include "../Base/Tasks.h"
 #include "RimFlips.h"
 
-#include <algorithm>  // for copy, sort
-#include <array>      // for lists of arrays
-#include <cstdint>    // for flags
-#include <functional> // for tasks
-#include <utility>    // for move
+#include <algorithm> // for copy, count, min, sort
+#include <array>     // for lists of arrays
+#include <cstdint>   // for flags
+#include <numeric>   // for sums
+#include <utility>   // for move
 
 namespace biting
 {
 
 namespace
 {
+
+// Numbers what is not NoId, in its order, and lists the places of what is. Returns how many the
+// first are.
+Id NumberKept(std::vector<Id>& numbers, std::vector<Id>& gone, Pulse& pulse)
+{
+  const std::size_t size = numbers.size();
+  std::vector<Id> before((size + StepsPerTask - 1) / StepsPerTask + 1, 0); // kept ones, of tasks
+  const auto endOf = [size](std::size_t k) { return std::min(size, (k + 1) * StepsPerTask); };
+  DoTasks(pulse, before.size() - 1,
+    [&numbers, &before, &endOf](std::size_t k, Monitor&)
+    {
+      const Id* first = numbers.data();
+      const auto left = std::count(first + k * StepsPerTask, first + endOf(k), NoId);
+      before[k + 1] = static_cast<Id>(endOf(k) - k * StepsPerTask) - static_cast<Id>(left);
+    });
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  gone.resize(size - static_cast<std::size_t>(before.back()));
+  DoTasks(pulse, before.size() - 1,
+    [&numbers, &gone, &before, &endOf](std::size_t k, Monitor&)
+    {
+      Id kept = before[k];
+      Id* next = gone.data() + (k * StepsPerTask - static_cast<std::size_t>(kept));
+      for (std::size_t place = k * StepsPerTask; place < endOf(k); ++place)
+      {
+        Id& number = numbers[place];
+        number == NoId ? void(*next++ = static_cast<Id>(place)) : void(number = kept++);
+      }
+    });
+  return before.back();
+}
 
 // Puts relaxed strips back into the whole.
 class StripReturn
@@ -33,6 +63,7 @@ public:
   StripChange Run();
 
 private:
+  void MakeRoom();
   void NumberVertices();
   void MarkGone(const RelaxedStrip& strip);
   std::vector<Id> ListGone() const;
@@ -67,6 +98,7 @@ private:
 StripChange StripReturn::Run()
 {
   StripChange change;
+  this->MakeRoom();
   this->NumberVertices();
   this->NumberTriangles();
   if (this->Beats.HasStopped())
@@ -92,25 +124,30 @@ StripChange StripReturn::Run()
   return change;
 }
 
+// What stays as long as nobody says otherwise.
+void StripReturn::MakeRoom()
+{
+  const std::size_t vertices = this->Whole.Bites.Points.size();
+  const std::size_t triangles = this->Whole.Triangles.Regions.size();
+  DoEach(this->Beats,
+    { [this, vertices](Pulse& own) { GrowInSteps(this->NewNumbers, vertices, Id{ 0 }, own); },
+      [this, triangles](Pulse& own)
+      { GrowInSteps(this->NewTriangles, triangles, Id{ 0 }, own); } });
+}
+
 // What stays, in its order, then what is new.
 void StripReturn::NumberVertices()
 {
-  const std::size_t count = this->Whole.Bites.Points.size();
-  GrowInSteps(this->NewNumbers, count, Id{ 0 }, this->Beats);
   for (const RelaxedStrip& strip : this->Strips)
   {
     this->MarkGone(strip);
   }
-  Id next = 0;
-  this->Beats.ForEach(count,
-    [this, &next](std::size_t vertex)
-    {
-      Id& number = this->NewNumbers[vertex];
-      number = number == NoId ? NoId : next++;
-    });
+  std::vector<Id> gone;
+  Id next = NumberKept(this->NewNumbers, gone, this->Beats);
   for (std::size_t k = 0; k < this->Strips.size(); ++k)
   {
     const RelaxedStrip& strip = this->Strips[k];
+    this->NewStripNumbers[k].reserve(strip.Origins.size());
     for (std::size_t vertex = 0; vertex < strip.Origins.size() && this->Beats.Beat(); ++vertex)
     {
       const Id origin = strip.Origins[vertex];
@@ -179,17 +216,11 @@ void StripReturn::MoveVertices()
 void StripReturn::CloseUp()
 {
   BitingResult& bites = this->Whole.Bites;
-  const std::array<std::function<void(Pulse&)>, 4> tasks{ [this, &bites](Pulse& own)
-    { this->CloseUp(bites.Points, own); },
-    [this, &bites](Pulse& own) { this->CloseUp(bites.Spacings, own); },
-    [this, &bites](Pulse& own) { this->CloseUp(bites.BiteOrders, own); },
-    [this, &bites](Pulse& own) { this->CloseUp(bites.Segments, own); } };
-  DoTasks(this->Beats, tasks.size(),
-    [&tasks](std::size_t k, Monitor& monitor)
-    {
-      Pulse own(monitor);
-      tasks[k](own);
-    });
+  DoEach(this->Beats,
+    { [this, &bites](Pulse& own) { this->CloseUp(bites.Points, own); },
+      [this, &bites](Pulse& own) { this->CloseUp(bites.Spacings, own); },
+      [this, &bites](Pulse& own) { this->CloseUp(bites.BiteOrders, own); },
+      [this, &bites](Pulse& own) { this->CloseUp(bites.Segments, own); } });
 }
 
 template <typename Value>
@@ -224,7 +255,6 @@ void StripReturn::FillStrip(const RelaxedStrip& strip, const std::vector<Id>& nu
 
 void StripReturn::NumberTriangles()
 {
-  GrowInSteps(this->NewTriangles, this->Whole.Triangles.Regions.size(), Id{ 0 }, this->Beats);
   for (const RelaxedStrip& strip : this->Strips)
   {
     for (std::size_t k = 0; k < strip.Strip.Triangles.size() && this->Beats.Beat(); ++k)
@@ -232,18 +262,8 @@ void StripReturn::NumberTriangles()
       this->NewTriangles[strip.Strip.Triangles[k]] = NoId;
     }
   }
-  Id count = 0;
-  this->Beats.ForEach(this->NewTriangles.size(),
-    [this, &count](std::size_t triangle)
-    {
-      if (this->NewTriangles[triangle] == NoId)
-      {
-        this->Gone.push_back(static_cast<Id>(triangle));
-        return;
-      }
-      this->NewTriangles[triangle] = count++;
-    });
-  this->NumberOfTriangles = static_cast<std::size_t>(count);
+  this->NumberOfTriangles =
+    static_cast<std::size_t>(NumberKept(this->NewTriangles, this->Gone, this->Beats));
 }
 
 // Those that are of no strip close up.
@@ -316,22 +336,34 @@ void StripReturn::AddStrip(const TakenStrip& strip, const std::vector<Id>& numbe
   const RelaxationMesh& mesh = strip.Mesh;
   const Triangulation& own = mesh.Triangles;
   const Id first = whole.NumberOfTriangles();
+  const std::size_t begin = whole.Corners.size();
+  for (std::vector<Id>* slots : { &whole.Corners, &whole.Neighbors, &whole.Constraints })
+  {
+    slots->resize(begin + own.Corners.size(), NoId);
+  }
+  ForEachAtOnce(this->Beats, own.Corners.size(),
+    [this, begin, first, &whole, &own, &strip, &numbers](std::size_t slot)
+    {
+      const Id constraint = own.Constraints[slot];
+      whole.Corners[begin + slot] = numbers[own.Corners[slot]];
+      whole.Neighbors[begin + slot] =
+        own.Neighbors[slot] == NoId ? NoId : first + own.Neighbors[slot];
+      whole.Constraints[begin + slot] =
+        constraint == NoId ? NoId : this->ConstraintOf(strip, constraint);
+    });
   for (std::size_t slot = 0; slot < own.Corners.size(); ++slot)
   {
     const Id constraint = own.Constraints[slot];
     const Id outside =
       constraint == NoId ? NoId : strip.Sides[mesh.EdgeSegments[constraint]].Outside;
-    Id neighbor = own.Neighbors[slot] == NoId ? NoId : first + own.Neighbors[slot];
     if (outside != NoId)
     {
-      this->Rim.push_back(3 * static_cast<std::size_t>(first) + slot);
-      neighbor = this->NewTriangles[outside / 3];
+      this->Rim.push_back(begin + slot);
+      const Id neighbor = this->NewTriangles[outside / 3];
+      whole.Neighbors[begin + slot] = neighbor;
       whole.Neighbors[3 * static_cast<std::size_t>(neighbor) + outside % 3] =
         first + static_cast<Id>(slot / 3);
     }
-    whole.Corners.push_back(numbers[own.Corners[slot]]);
-    whole.Neighbors.push_back(neighbor);
-    whole.Constraints.push_back(constraint == NoId ? NoId : this->ConstraintOf(strip, constraint));
   }
   whole.Regions.insert(whole.Regions.end(), own.Regions.begin(), own.Regions.end());
 }

@@ -3,11 +3,14 @@
 
 #include "TakenStrip.h"
 
+#include "../Base/SortInSteps.h"
+#include "../Base/Tasks.h"
 #include "../Base/TriangleSlots.h"
 #include "../Relaxation/DividedSegments.h"
 
-#include <algorithm> // for sort, lower_bound, stable_partition
-#include <utility>   // for move
+#include <algorithm>  // for sort, lower_bound, stable_partition
+#include <functional> // for less
+#include <utility>    // for move
 
 namespace biting
 {
@@ -141,10 +144,9 @@ TakenStrip StripTaker::Take()
 
 void StripTaker::NumberTriangles()
 {
-  for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
-  {
-    this->TriangleNumbers[this->Strip.Triangles[k]] = static_cast<Id>(k);
-  }
+  ForEachAtOnce(this->Beats, this->Strip.Triangles.size(),
+    [this](std::size_t k)
+    { this->TriangleNumbers[this->Strip.Triangles[k]] = static_cast<Id>(k); });
 }
 
 // Of a slot of a triangle of the strip.
@@ -164,6 +166,7 @@ void StripTaker::ListVertices()
     const std::size_t first = 3 * static_cast<std::size_t>(this->Strip.Triangles[k]);
     for (std::size_t slot = first; slot < first + 3; ++slot)
     {
+      const bool isFixed = this->IsFixed(slot);
       for (const std::size_t end : { NextSlotOf(slot), PreviousSlotOf(slot) })
       {
         const Id vertex = this->Whole.Triangles.Corners[end];
@@ -173,11 +176,11 @@ void StripTaker::ListVertices()
           vertices.push_back(vertex);
           number = this->StaysByItself(vertex) ? 0 : 1;
         }
-        number = this->IsFixed(slot) && !this->MaySlideAlong(slot, vertex) ? 0 : number;
+        number = isFixed && !this->MaySlideAlong(slot, vertex) ? 0 : number;
       }
     }
   }
-  std::sort(vertices.begin(), vertices.end());
+  SortInSteps(vertices, std::less<>(), this->Beats);
 }
 
 bool StripTaker::StaysByItself(Id vertex) const
@@ -206,14 +209,17 @@ void StripTaker::NumberVertices()
   const auto free = std::stable_partition(
     vertices.begin(), vertices.end(), [this](Id vertex) { return this->Numbers[vertex] == 0; });
   this->NumberOfFixed = static_cast<std::size_t>(free - vertices.begin());
-  for (std::size_t k = 0; k < vertices.size() && this->Beats.Beat(); ++k)
-  {
-    const Id vertex = vertices[k];
-    this->Numbers[vertex] = static_cast<Id>(k);
-    this->Strip.Mesh.Points.push_back(this->Whole.Bites.Points[vertex]);
-    this->Strip.Mesh.Spacings.push_back(this->Whole.Bites.Spacings[vertex]);
-    this->Strip.Mesh.Segments.push_back(NoId);
-  }
+  RelaxationMesh& mesh = this->Strip.Mesh;
+  mesh.Points.resize(vertices.size());
+  mesh.Spacings.resize(vertices.size());
+  mesh.Segments.assign(vertices.size(), NoId);
+  ForEachAtOnce(this->Beats, vertices.size(),
+    [this, &vertices, &mesh](std::size_t k)
+    {
+      this->Numbers[vertices[k]] = static_cast<Id>(k);
+      mesh.Points[k] = this->Whole.Bites.Points[vertices[k]];
+      mesh.Spacings[k] = this->Whole.Bites.Spacings[vertices[k]];
+    });
 }
 
 void StripTaker::FindSlidingEdges()
@@ -288,10 +294,16 @@ void StripTaker::AddSegment(Id start, Id end, bool isLeftInside, bool isRightIns
 
 void StripTaker::CopyTriangles()
 {
+  Triangulation& own = this->Strip.Mesh.Triangles;
+  own.Regions.reserve(this->Strip.Triangles.size());
+  for (std::vector<Id>* slots : { &own.Corners, &own.Neighbors, &own.Constraints })
+  {
+    slots->reserve(3 * this->Strip.Triangles.size());
+  }
   for (std::size_t k = 0; k < this->Strip.Triangles.size() && this->Beats.Beat(); ++k)
   {
     const Id triangle = this->Strip.Triangles[k];
-    this->Strip.Mesh.Triangles.Regions.push_back(this->Whole.Triangles.Regions[triangle]);
+    own.Regions.push_back(this->Whole.Triangles.Regions[triangle]);
     const std::size_t first = 3 * static_cast<std::size_t>(triangle);
     for (std::size_t slot = first; slot < first + 3; ++slot)
     {
@@ -372,8 +384,13 @@ StripSource::StripSource(const Domain& domain, const std::vector<std::uint8_t>& 
   , AreTouching(areTouching)
   , Whole(mesh)
 {
-  GrowInSteps(this->TriangleNumbers, mesh.Triangles.Regions.size(), Id{ NoId }, pulse);
-  GrowInSteps(this->VertexNumbers, mesh.Bites.Points.size(), Id{ NoId }, pulse);
+  const std::size_t triangles = mesh.Triangles.Regions.size();
+  const std::size_t vertices = mesh.Bites.Points.size();
+  DoEach(pulse,
+    { [this, triangles](Pulse& own)
+      { GrowInSteps(this->TriangleNumbers, triangles, Id{ NoId }, own); },
+      [this, vertices](Pulse& own)
+      { GrowInSteps(this->VertexNumbers, vertices, Id{ NoId }, own); } });
 }
 
 TakenStrip TakeStrip(StripSource& source, std::vector<Id> triangles, Pulse& pulse)

@@ -4,6 +4,7 @@
 #include "../Support/Monitors.h"
 
 #include "Base/SortInSteps.h"
+#include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,37 @@ TEST(SortInSteps, SortsWhatIsSortedOrReversed)
   std::reverse(numbers.begin(), numbers.end());
   SortInSteps(numbers, std::less<int>(), pulse);
   EXPECT_EQ(numbers, expected);
+}
+
+TEST(SortInSteps, EqualItemsHaveTheSameOrderOnAnyNumberOfThreads)
+{
+  struct Item
+  {
+    int Key;
+    std::size_t Place;
+  };
+  const std::vector<int> keys = RandomNumbers(200000, 1000);
+  std::vector<std::size_t> expected;
+  for (const int threads : { 1, 2, 3, 8 })
+  {
+    std::vector<Item> items;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+    {
+      items.push_back({ keys[k], k });
+    }
+    MonitorWithThreads monitor(threads);
+    Pulse pulse(monitor);
+    EXPECT_TRUE(SortInSteps(
+      items, [](const Item& a, const Item& b) { return a.Key < b.Key; }, pulse));
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < items.size(); ++k)
+    {
+      EXPECT_TRUE(k == 0 || items[k - 1].Key <= items[k].Key);
+      places.push_back(items[k].Place);
+    }
+    expected = expected.empty() ? places : expected;
+    EXPECT_EQ(places, expected);
+  }
 }
 
 TEST(SortInSteps, StopsWhereverTheMonitorAsks)

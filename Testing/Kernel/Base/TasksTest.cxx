@@ -55,6 +55,23 @@ private:
 
 } // namespace
 
+TEST(Tasks, ThoseThatDifferAreDoneOnce)
+{
+  for (const int threads : ThreadCounts)
+  {
+    Watch watch(threads);
+    Pulse pulse(watch);
+    std::vector<int> numbers;
+    double value = 0.0;
+    EXPECT_TRUE(DoEach(pulse,
+      { [&numbers](Pulse& own) { GrowInSteps(numbers, 100000, 7, own); },
+        [&value](Pulse& own) { value += own.Ask() ? 1.0 : 0.0; } }));
+    EXPECT_EQ(numbers, std::vector<int>(100000, 7));
+    EXPECT_EQ(value, 1.0);
+    EXPECT_EQ(watch.Fraction, 1.0);
+  }
+}
+
 TEST(Tasks, EachIsDoneOnceAndTheMonitorHearsOfAll)
 {
   for (const int threads : ThreadCounts)
