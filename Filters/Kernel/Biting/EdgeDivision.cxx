@@ -138,8 +138,7 @@ bool EdgeDivider::Integrate(const Point2& a, const Point2& b, Id limit)
   while (last.Parameter < 1.0)
   {
     const EdgeSamples::Sample next = this->Samples.Next();
-    const bool isStuck = !(next.Parameter > last.Parameter);
-    if (isStuck || !this->AddStretches(length, last, next, limit))
+    if (!this->AddStretches(length, last, next, limit))
     {
       return false;
     }

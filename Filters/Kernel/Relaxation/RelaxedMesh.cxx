@@ -6,15 +6,17 @@
 namespace biting
 {
 
-Id RelaxedMesh::FirstAround(Id vertex) const
+Id RelaxedMesh::FirstOfFan(Id vertex) const
 {
   const Id start = this->VertexEdges[vertex];
   Id first = start;
-  for (Id edge = this->TurnBack(start); edge != NoId && edge != start; edge = this->TurnBack(edge))
+  Id before = this->TurnBack(start);
+  while (before != NoId && before != start)
   {
-    first = edge;
+    first = before;
+    before = this->TurnBack(first);
   }
-  return this->TurnBack(first) == NoId ? first : start;
+  return before == NoId ? first : start;
 }
 
 double RelaxedMesh::RelativeLength(Id edge) const

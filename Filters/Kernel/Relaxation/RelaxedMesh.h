@@ -69,8 +69,16 @@ struct RelaxedMesh
     return twin == NoId ? NoId : Previous(twin);
   }
 
-  /// The first half-edge of the vertex, counterclockwise: any where its triangles surround it.
-  Id FirstAround(Id vertex) const;
+  /// The first half-edge of the vertex, counterclockwise: any where its triangles surround it, as
+  /// they do where it is free.
+  Id FirstAround(Id vertex) const
+  {
+    return this->Freedoms[vertex] == Freedom::Free ? this->VertexEdges[vertex]
+                                                   : this->FirstOfFan(vertex);
+  }
+
+  /// The same, found by turning back.
+  Id FirstOfFan(Id vertex) const;
 
   /// Calls visit(edge) for the half-edges of all triangles of the vertex, counterclockwise.
   template <typename Visit>

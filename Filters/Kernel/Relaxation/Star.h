@@ -94,8 +94,7 @@ inline bool Star::Read(const MutableMesh& mesh, Id vertex)
     return false;
   }
   this->Center = mesh.Points[vertex];
-  const Id first =
-    mesh.Freedoms[vertex] == Freedom::Free ? mesh.VertexEdges[vertex] : mesh.FirstAround(vertex);
+  const Id first = mesh.FirstAround(vertex);
   Id edge = first;
   Id last = NoId;
   int count = 0;
