@@ -92,6 +92,19 @@ int ExactInCircle(const Point2& a, const Point2& b, const Point2& c, const Point
     .Sign();
 }
 
+bool IsSame(const DoubleDouble& a, const DoubleDouble& b)
+{
+  return a.High == b.High && a.Low == b.Low;
+}
+
+/// Whether q is the mirror image of p, and s that of r, at one line along an axis: exactly, as
+/// differences are. Then one circle goes through the four.
+bool AreMirrored(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
+{
+  return (p.Y == q.Y && r.Y == s.Y && IsSame(TwoDifference(p.X, r.X), TwoDifference(s.X, q.X))) ||
+    (p.X == q.X && r.X == s.X && IsSame(TwoDifference(p.Y, r.Y), TwoDifference(s.Y, q.Y)));
+}
+
 /// A segment whose ends are in order, so that results do not depend on how it was given.
 struct Segment
 {
@@ -179,6 +192,10 @@ int detail::InCircleWidened(
   const Point2& a, const Point2& b, const Point2& c, const Point2& d, double magnitude)
 {
   CountStage(Stage::Wide);
+  if (AreMirrored(a, b, c, d) || AreMirrored(a, c, b, d) || AreMirrored(a, d, b, c))
+  {
+    return 0; // nearly all of those that come here from rows along the sides of a square
+  }
   const double determinant = InCircleDeterminant<DoubleDouble>(a, b, c, d).High;
   if (std::abs(determinant) > InCircleWideBound * magnitude + InCircleUnderflow)
   {

@@ -106,6 +106,34 @@ inline Quadruple FullBitRectangle(Sampler& sampler)
   return { low, Point2{ high.X, low.Y }, high, Point2{ low.X, high.Y } };
 }
 
+/// Two pairs that are mirrored at one line along an axis: exactly co-circular.
+inline Quadruple MirroredPairs(Sampler& sampler)
+{
+  const auto multiple = [&sampler] { return std::ldexp(sampler.Below(1 << 26), -26); };
+  const double middle = multiple();
+  const Point2 first{ multiple(), sampler.Unit() };
+  const Point2 second{ multiple(), sampler.Unit() };
+  Quadruple q{ Point2{ middle - first.X, first.Y }, Point2{ middle + first.X, first.Y },
+    Point2{ middle - second.X, second.Y }, Point2{ middle + second.X, second.Y } };
+  if (sampler.Below(2) == 0)
+  {
+    for (Point2& p : q)
+    {
+      p = { p.Y, p.X };
+    }
+  }
+  return q;
+}
+
+/// The same, but one of the four is off by at most two units in the last place.
+inline Quadruple NearlyMirroredPairs(Sampler& sampler)
+{
+  Quadruple q = MirroredPairs(sampler);
+  Point2& p = q[static_cast<std::size_t>(sampler.Below(4))];
+  p = { sampler.Nudged(p.X), sampler.Nudged(p.Y) };
+  return q;
+}
+
 /// Exactly co-circular around the origin.
 inline Quadruple FullBitSquare(Sampler& sampler)
 {
@@ -208,6 +236,8 @@ constexpr Family Families[] = {
   { "nearly co-circular", NearlyCocircularPoints },
   { "turned square", TurnedSquare },
   { "full-bit rectangle", FullBitRectangle },
+  { "mirrored pairs", MirroredPairs },
+  { "nearly mirrored pairs", NearlyMirroredPairs },
   { "full-bit square", FullBitSquare },
   { "steep line", SteepLinePoints },
   { "far away", PointsFarAway },

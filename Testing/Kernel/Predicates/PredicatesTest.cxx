@@ -415,4 +415,18 @@ TEST(Predicates, AnswerNearlyCocircularCallsWithoutExpansions)
   EXPECT_GT(20 * (after.Widened - before.Widened), Count);
   EXPECT_LT(1000 * (after.Exact - before.Exact), Count);
 }
+
+TEST(InCircle, IsZeroForMirroredPairsWithoutExpansions)
+{
+  Sampler sampler;
+  const biting::PredicateCounts before = biting::GetPredicateCounts();
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Quadruple q = MirroredPairs(sampler);
+    EXPECT_EQ(biting::InCircle(q[0], q[1], q[2], q[3]), 0);
+    EXPECT_EQ(biting::InCircle(q[0], q[3], q[1], q[2]), 0);
+    EXPECT_EQ(biting::InCircle(q[2], q[0], q[1], q[3]), 0);
+  }
+  EXPECT_EQ(biting::GetPredicateCounts().Exact, before.Exact);
+}
 #endif
