@@ -19,6 +19,7 @@
 #include "../Kernel/Support/RemeshLaws.h"
 #include "BitingMesh.h"
 #include "BitingRemesh.h"
+#include "Domain/Polylines.h"
 #include "MeshCases.h"
 
 #include <algorithm>  // for sort
@@ -27,6 +28,7 @@
 #include <cstdlib>    // for arguments
 #include <ctime>      // for CPU time
 #include <functional> // for fields
+#include <limits>     // for epsilon
 #include <string>     // for names
 
 namespace
@@ -35,7 +37,6 @@ namespace
 using namespace biting;
 
 constexpr double Gradation = 0.3;
-constexpr double Rounding = 1e-15;
 constexpr int Steps = 20;
 constexpr double StepLength = 0.02;
 constexpr double CoastVertices = 14100.0; ///< of the coast of Data as it is
@@ -80,6 +81,17 @@ BitingMesh MeshOf(const Polylines& domain, double spacing)
   return MakeBitingMesh(domain, options, problems, NoMonitor());
 }
 
+/// As the filter takes it, of doubles.
+double RoundingOf(const std::vector<Point2>& points)
+{
+  double largest = 0.0;
+  for (const Point2& point : points)
+  {
+    largest = std::max({ largest, std::abs(point.X), std::abs(point.Y) });
+  }
+  return NoiseInUlp * std::numeric_limits<double>::epsilon() * largest;
+}
+
 struct Outcome
 {
   RemeshInput Input;
@@ -104,7 +116,7 @@ Outcome RemeshTo(
   const BitingMesh& mesh, const std::vector<double>& values, RemeshPreference preference)
 {
   Outcome outcome;
-  outcome.Input = RemeshInputOf(mesh, Rounding);
+  outcome.Input = RemeshInputOf(mesh, RoundingOf(mesh.Points));
   outcome.Before = mesh.Spacing;
   RemeshOptions options;
   options.Preference = preference;
