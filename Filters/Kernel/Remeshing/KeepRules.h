@@ -48,6 +48,21 @@ struct KeepRules
   double GreatestChangeBelow = 1.15;
   double GreatestChangeAbove = 1.7;
 
+  // Where more than this share of the neighbors of a vertex goes it does, too: the others are the
+  // rest of a lattice that ends here. Not where the mesh has the spacing that is wanted, as where f
+  // has not changed, nor where edges are to be divided in two. From 1 on: never.
+  double GreatestShareInTheWay = 0.5;
+  static constexpr double LowestAlike = 0.9;
+  static constexpr double HighestAlike = 1.15;
+  static constexpr double LowestDivided = 1.7;
+  static constexpr double HighestDivided = 2.3;
+
+  // How far from the end of an equal part of a straight edge a vertex may be that stays there, in
+  // parts, and how much farther than the one before: so edges between two of them are 0.7 to 1.3
+  // parts long. Where old edges are half as long as f none is farther away than a quarter.
+  double GreatestShift = 0.26;
+  double GreatestChangeOfShift = 0.3;
+
   // Kept vertices are released, they may move and go, beside an angle whose cotangent is larger, or
   // an edge beyond these.
   double GreatestCotangent = 1.3763819; // 36 degrees
@@ -59,6 +74,11 @@ struct KeepRules
     return length >= LowestUnchanged && length <= HighestUnchanged;
   }
   bool IsFitting(double length) const { return length >= this->Lowest && length <= this->Highest; }
+  static bool IsAlikeOrDivided(double length)
+  {
+    return (length > LowestAlike && length < HighestAlike) ||
+      (length > LowestDivided && length < HighestDivided);
+  }
   /// `change`: the largest f around in units of the least.
   bool IsInTheWay(double length, double change) const
   {
@@ -74,9 +94,9 @@ inline KeepRules RulesFor(RemeshPreference preference)
   switch (preference)
   {
     case RemeshPreference::Keeping:
-      return { 0.82, 0.82, 1.22, 1.22, 1e6, 1e6, 2.7474774, 0.0, 1e6 };
+      return { 0.82, 0.82, 1.22, 1.22, 1e6, 1e6, 2.0, 1e6, 1e6, 2.7474774, 0.0, 1e6 };
     case RemeshPreference::Shape:
-      return { 0.5, 0.82, 1.22, 1.9, 1.15, 1.7, 1.4281480, 0.70710678, 1.41421356 };
+      return { 0.5, 0.82, 1.22, 1.9, 1.15, 1.7, 0.5, 0.26, 0.3, 1.4281480, 0.70710678, 1.41421356 };
     default:
       return {};
   }

@@ -16,6 +16,9 @@ namespace
 // Acceptance radius in units of f, measured: what is left of a finer mesh has the best shapes.
 constexpr double RadiusOfCrowded = 0.9;
 
+// How far from where an old lattice ends its rest may go, in vertices: measured, more gain little.
+constexpr int RoundsAlongBorders = 2;
+
 class Front
 {
 public:
@@ -34,11 +37,10 @@ public:
   std::vector<std::uint8_t> Run()
   {
     const Id count = this->Region.NumberOfVertices();
-    for (Id vertex = 0; vertex < count; ++vertex)
+    this->DropThoseInTheWay();
+    for (int round = 0; round < RoundsAlongBorders; ++round)
     {
-      this->IsKept[vertex] |= !this->Region.IsInside[vertex];
-      this->IsHeld[vertex] |= !this->IsKept[vertex] &&
-        this->Rules.IsInTheWay(this->Region.Lengths[vertex], this->ChangeAround(vertex));
+      this->DropAlongBorders();
     }
     for (Id vertex = 0; vertex < count; ++vertex)
     {
@@ -57,7 +59,10 @@ public:
   }
 
 private:
+  void DropThoseInTheWay();
+  void DropAlongBorders();
   double ChangeAround(Id vertex) const;
+  double ShareInTheWay(Id vertex) const;
   void Empty();
   void Bite(Id vertex);
   void LookAt(Id vertex, Id near);
@@ -74,6 +79,47 @@ private:
   std::vector<Id> Queue;
   std::size_t NextInQueue = 0;
 };
+
+void Front::DropThoseInTheWay()
+{
+  for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+  {
+    this->IsKept[vertex] |= !this->Region.IsInside[vertex];
+    this->IsHeld[vertex] |= !this->IsKept[vertex] &&
+      this->Rules.IsInTheWay(this->Region.Lengths[vertex], this->ChangeAround(vertex));
+  }
+}
+
+// All at once: the order of vertices does not matter.
+void Front::DropAlongBorders()
+{
+  std::vector<Id> dropped;
+  for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+  {
+    if (!this->IsKept[vertex] && !this->IsHeld[vertex] &&
+      !KeepRules::IsAlikeOrDivided(this->Region.Lengths[vertex]) &&
+      this->ShareInTheWay(vertex) > this->Rules.GreatestShareInTheWay)
+    {
+      dropped.push_back(vertex);
+    }
+  }
+  for (const Id vertex : dropped)
+  {
+    this->IsHeld[vertex] = 1;
+  }
+}
+
+double Front::ShareInTheWay(Id vertex) const
+{
+  const Id first = this->Region.Offsets[vertex];
+  const Id end = this->Region.Offsets[vertex + 1];
+  Id count = 0;
+  for (Id n = first; n < end; ++n)
+  {
+    count += this->IsHeld[this->Region.Neighbors[n]];
+  }
+  return static_cast<double>(count) / static_cast<double>(end - first);
+}
 
 // The largest f of the vertex and its neighbors in units of the least.
 double Front::ChangeAround(Id vertex) const

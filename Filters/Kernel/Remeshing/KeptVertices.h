@@ -20,10 +20,13 @@ namespace biting
 ///
 /// A vertex is held by another that is nearer than 0.7 of the mean f of the two; than 0.9 of it,
 /// where its mean length is below the band of the rules, as there the choice is large. So a mesh
-/// that has the spacing that is wanted stays whole. Those that the rules say are in the way go. The
-/// order is that of a front: next are the vertices just beyond the bites of those that stay, the
-/// nearest to these first, so that of a lattice that is too fine a coarser one is left. Bites go
-/// along edges: they do not reach across a hole. Cost O(n).
+/// that has the spacing that is wanted stays whole. Those that the rules say are in the way go, and
+/// what of a lattice is left along their border: twice, those with more than half of their
+/// neighbors in the way, if f has changed.
+///
+/// The order is that of a front: next are the vertices just beyond the bites of those that stay,
+/// the nearest to these first, so that of a lattice that is too fine a coarser one is left. Bites
+/// go along edges: they do not reach across a hole. Cost O(n).
 std::vector<std::uint8_t> ChooseKeptVertices(const OldMesh& mesh, const ChangedRegion& region,
   const RegionEdges& edges, const std::vector<double>& spacings, const KeepRules& rules);
 

@@ -336,16 +336,16 @@ class Thinning
 {
 public:
   Thinning(const OldMesh& mesh, const ChangedRegion& region, const std::vector<double>& spacings,
-    double lowest)
+    const KeepRules& rules)
     : Mesh(mesh)
     , Region(region)
     , Spacings(spacings)
-    , Lowest(lowest)
+    , Rules(rules)
   {
   }
 
   // Vertices that are not crowded stay; between these, of each run of crowded ones, those nearest
-  // to the ends of equal parts.
+  // to the ends of equal parts, if they are near.
   void Choose(const std::vector<Id>& vertices, std::size_t first, std::size_t last,
     std::vector<std::uint8_t>& stays)
   {
@@ -358,7 +358,7 @@ public:
     for (std::size_t k = 1; k <= last - first; ++k)
     {
       const bool isCrowded =
-        k < last - first && 0.5 * (this->Sums[k + 1] - this->Sums[k - 1]) < this->Lowest;
+        k < last - first && 0.5 * (this->Sums[k + 1] - this->Sums[k - 1]) < this->Rules.Lowest;
       if (!isCrowded)
       {
         this->ChooseOfRun(begin, k, stays.data() + first);
@@ -381,6 +381,7 @@ private:
     const double whole = this->Sums[end] - this->Sums[begin];
     const double parts = std::max(1.0, std::round(whole));
     std::size_t next = begin + 1;
+    double shiftBefore = 0.0;
     for (double part = 1.0; part < parts && next < end; part += 1.0)
     {
       const double wanted = this->Sums[begin] + whole * part / parts;
@@ -388,14 +389,19 @@ private:
       {
         ++next;
       }
-      stays[next++] = 1;
+      const double shift = (this->Sums[next] - wanted) * parts / whole;
+      const bool isNear = std::abs(shift) <= this->Rules.GreatestShift &&
+        std::abs(shift - shiftBefore) <= this->Rules.GreatestChangeOfShift;
+      stays[next] |= isNear;
+      shiftBefore = isNear ? shift : 0.0;
+      ++next;
     }
   }
 
   const OldMesh& Mesh;
   const ChangedRegion& Region;
   const std::vector<double>& Spacings;
-  double Lowest;
+  const KeepRules& Rules;
   std::vector<double> Sums; ///< lengths from the beginning
 };
 
@@ -418,7 +424,7 @@ RegionEdges ThinnedEdges(const OldMesh& mesh, const ChangedRegion& region,
   const std::vector<double>& spacings, const KeepRules& rules, EdgePolicy policy,
   const std::vector<std::uint8_t>* left)
 {
-  Thinning thinning(mesh, region, spacings, rules.Lowest);
+  Thinning thinning(mesh, region, spacings, rules);
   const auto choose = [&thinning](const std::vector<Id>& vertices, std::size_t first,
                         std::size_t last, std::vector<std::uint8_t>& stays)
   { thinning.Choose(vertices, first, last, stays); };

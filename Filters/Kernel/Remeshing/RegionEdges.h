@@ -57,7 +57,7 @@ RegionEdges PiecesBetween(
   const OldMesh& mesh, const ChangedRegion& region, const std::vector<std::uint8_t>& left);
 
 /// The edges with the vertices that `spacings`, one a vertex of the region, ask for: where these
-/// lie closer than the band of `rules`, those stay that divide their run best.
+/// lie closer than the band of `rules`, those stay that divide their run well.
 ///
 /// A vertex may go where two edges with equal tags and equal sides meet in a straight line, to
 /// rounding; not on the rim, and not where it, or one of them, is fixed. Where `left` is not null

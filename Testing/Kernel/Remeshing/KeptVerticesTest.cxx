@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for clamp
-#include <cmath>     // for abs
+#include <algorithm> // for clamp, max
+#include <cmath>     // for abs, round
+#include <utility>   // for pairs
 
 namespace biting
 {
@@ -18,17 +19,22 @@ namespace biting
 namespace
 {
 
-/// Of the inner vertices of a mesh of a square, the share that is chosen where edges are to be so
-/// many times shorter. With a slope f grows to the right about the middle, and is that there.
-double ShareOfChosen(double ratio, double slope = 0.0, const KeepRules& rules = {})
+OldMesh UniformSquare(double spacing)
 {
   BitingMeshOptions meshing;
-  meshing.Spacing.Uniform = 0.05;
+  meshing.Spacing.Uniform = spacing;
   ProblemList problems;
   const BitingMesh mesh = MakeBitingMesh(
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), meshing, problems, NoMonitor());
   SilentMonitor monitor;
-  const OldMesh old = ReadOldMesh(RemeshInputOf(mesh, 1e-15), 0.0, problems, monitor);
+  return ReadOldMesh(RemeshInputOf(mesh, 1e-15), 0.0, problems, monitor);
+}
+
+/// Of the inner vertices of a mesh of a square, the share that is chosen where edges are to be so
+/// many times shorter. With a slope f grows to the right about the middle, and is that there.
+double ShareOfChosen(double ratio, double slope = 0.0, const KeepRules& rules = {})
+{
+  const OldMesh old = UniformSquare(0.05);
   std::vector<double> wanted;
   for (const Point2& point : old.Points)
   {
@@ -91,6 +97,72 @@ TEST(KeptVertices, AreAllWhereFIsNearlyLevelOrTheyFit)
 TEST(KeptVertices, AreKeptWhereFIsSteepIfThatIsPreferred)
 {
   EXPECT_EQ(ShareOfChosen(2.0, 0.2, RulesFor(RemeshPreference::Keeping)), 1.0);
+}
+
+/// How many of the old vertices within a strip are chosen, where they fit; beside it none does.
+Id NumberInStrip(double width, const KeepRules& rules)
+{
+  const OldMesh old = UniformSquare(0.02);
+  std::vector<double> wanted;
+  for (const Point2& point : old.Points)
+  {
+    wanted.push_back(0.02 / (std::abs(point.X - 0.5) < 0.5 * width ? 1.25 : 1.5));
+  }
+  const ChangedRegion region = WholeRegion(old, MeanLengths(old, wanted));
+  const RegionEdges edges = ThinnedEdges(old, region, wanted, rules, EdgePolicy::Free);
+  const std::vector<std::uint8_t> isKept = ChooseKeptVertices(old, region, edges, wanted, rules);
+  Id count = 0;
+  for (Id vertex = 0; vertex < region.NumberOfVertices(); ++vertex)
+  {
+    const Point2& place = old.Points[region.Vertices[vertex]];
+    count += std::abs(place.X - 0.5) < 0.5 * width && std::abs(place.Y - 0.5) < 0.45 &&
+      isKept[vertex] != 0;
+  }
+  return count;
+}
+
+TEST(KeptVertices, AreNoNarrowStripsBetweenOthersThatGo)
+{
+  KeepRules always;
+  always.GreatestShareInTheWay = 2.0;
+  EXPECT_GT(NumberInStrip(0.02, always), 20);
+  EXPECT_LT(NumberInStrip(0.02, {}), NumberInStrip(0.02, always) / 4);
+  EXPECT_GT(NumberInStrip(0.3, {}), 3 * NumberInStrip(0.3, always) / 4);
+}
+
+/// On the lower side of the square: how many stay, and how far they are at most from the ends of so
+/// many equal parts, in parts.
+std::pair<Id, double> CountOnSide(double parts, const KeepRules& rules)
+{
+  const OldMesh old = UniformSquare(0.05);
+  const std::vector<double> wanted(old.Points.size(), 1.0 / parts);
+  const ChangedRegion region = WholeRegion(old, MeanLengths(old, wanted));
+  const RegionEdges edges = ThinnedEdges(old, region, wanted, rules, EdgePolicy::Free);
+  std::pair<Id, double> result;
+  for (Id vertex = 0; vertex < region.NumberOfVertices(); ++vertex)
+  {
+    const Point2& place = old.Points[region.Vertices[vertex]];
+    if (place.Y == 0.0 && edges.IsKept[vertex] != 0)
+    {
+      const double end = parts * place.X;
+      result.second = std::max(result.second, std::abs(end - std::round(end)));
+      ++result.first;
+    }
+  }
+  return result;
+}
+
+TEST(KeptVertices, OnStraightEdgesAreNearTheEndsOfEqualParts)
+{
+  const auto [count, farthest] = CountOnSide(13.0, {});
+  EXPECT_GT(count, 2);
+  EXPECT_LT(count, 14);
+  EXPECT_LE(farthest, KeepRules().GreatestShift);
+}
+
+TEST(KeptVertices, OnStraightEdgesAreOneForEachPartIfKeepingIsPreferred)
+{
+  EXPECT_EQ(CountOnSide(13.0, RulesFor(RemeshPreference::Keeping)).first, 14);
 }
 
 } // namespace
