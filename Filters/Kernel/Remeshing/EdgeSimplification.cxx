@@ -209,8 +209,8 @@ RegionEdges SimplifiedPieces(const OldMesh& mesh, const ChangedRegion& region,
   return PiecesBetween(mesh, region, FindLeft(mesh, region, none, tolerance, monitor));
 }
 
-// First the vertices that the shape needs; between them those that f asks for, however near to where
-// it does, as new ones would not lie on the old edges; then all others go that may.
+// First the vertices that the shape needs; between them those nearest to where f asks for one, for
+// new ones would not lie on the old edges; then all others go that may.
 RegionEdges SimplifiedEdges(const OldMesh& mesh, const ChangedRegion& region,
   const std::vector<double>& spacings, const KeepRules& rules, const EdgeTolerance& tolerance,
   Monitor& monitor)
