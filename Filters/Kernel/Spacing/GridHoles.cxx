@@ -3,48 +3,67 @@
 
 #include "GridHoles.h"
 
-#include "GridSweeps.h"
+#include "../Base/Pulse.h"
 
 #include <algorithm> // for any_of
+#include <limits>    // for nodes that have no value yet
 
 namespace biting
 {
 namespace
 {
 
+/// Two sweeps over the rows, up and down; in each, holes are offered what their neighbors in the
+/// row before have, and those on both sides.
 void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
 {
   const std::size_t columns = source.XNodes.size();
-  GridSweeps sweeps(columns, source.YNodes.size());
+  const std::size_t rows = source.YNodes.size();
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> nearest(values.size(), none); // the given node whose value each takes
   for (std::size_t node = 0; node < values.size(); ++node)
   {
-    if (std::isnan(values[node]))
-    {
-      sweeps.Add(node % columns, node / columns);
-    }
-    else
-    {
-      nearest[node] = node;
-    }
+    nearest[node] = std::isnan(values[node]) ? none : node;
   }
-  const auto away = [&source, columns](const Point2& place, std::size_t given) {
-    return Distance(place, { source.XNodes[given % columns], source.YNodes[given / columns] });
+  const auto away = [&source, columns](std::size_t node, std::size_t given)
+  {
+    return Distance({ source.XNodes[node % columns], source.YNodes[node / columns] },
+      { source.XNodes[given % columns], source.YNodes[given / columns] });
   };
-  sweeps.Run(pulse,
-    [&](std::size_t from, std::size_t to, std::size_t column, std::size_t row)
+  const auto offer = [&nearest, &away](std::size_t from, std::size_t to)
+  {
+    const std::size_t offered = nearest[from];
+    if (nearest[to] != to && offered != none && offered != nearest[to] &&
+      (nearest[to] == none || away(to, offered) < away(to, nearest[to])))
     {
-      const std::size_t offered = nearest[from];
-      if (nearest[to] == to || offered == none || offered == nearest[to])
+      nearest[to] = offered;
+    }
+  };
+  const auto sweep = [&offer, columns](std::size_t row, std::size_t before)
+  {
+    for (std::size_t column = 0; column < columns; ++column)
+    {
+      const std::size_t left = column > 0 ? column - 1 : column;
+      const std::size_t right = std::min(column + 1, columns - 1);
+      for (const std::size_t from : { left, column, right })
       {
-        return false;
+        offer(from + columns * before, column + columns * row);
       }
-      const Point2 place{ source.XNodes[column], source.YNodes[row] };
-      const bool isNearer = nearest[to] == none || away(place, offered) < away(place, nearest[to]);
-      nearest[to] = isNearer ? offered : nearest[to];
-      return isNearer;
-    });
+      offer(left + columns * row, column + columns * row);
+    }
+    for (std::size_t column = columns - 1; column > 0; --column)
+    {
+      offer(column + columns * row, column - 1 + columns * row);
+    }
+  };
+  for (std::size_t row = 0; row < rows && pulse.Beat(columns); ++row)
+  {
+    sweep(row, row > 0 ? row - 1 : row);
+  }
+  for (std::size_t row = rows - 1; row > 0 && pulse.Beat(columns); --row)
+  {
+    sweep(row - 1, row);
+  }
   for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
   {
     values[node] = source.Values[nearest[node]];

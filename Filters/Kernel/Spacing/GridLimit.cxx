@@ -3,9 +3,12 @@
 
 #include "GridLimit.h"
 
+#include "../Base/Numbers.h"
 #include "ExtendedGrid.h"
+#include "GridPasses.h"
 
-#include <cmath> // for abs, ilogb, ldexp
+#include <array> // for distances
+#include <cmath> // for abs, ilogb, ldexp, sqrt
 
 namespace biting
 {
@@ -22,22 +25,108 @@ constexpr double SteepnessMargin = 0.005;
 /// one that f grows from, linear values are too high by up to .15 of that.
 constexpr double WidestGrowth = 0.09;
 
-/// Where f may grow by less than this share of the least value across a cell, its nodes are as good
-/// as a line through it.
-constexpr double LeastGrowth = 0.005;
+/// In wide cells whatever f grows from is looked at within so many of their larger extent around a
+/// point: what f is, in multiples of what it may grow by across a cell, times the reach is this,
+/// within limits. From beyond, f grows by way of a node there; with half a cell beside the straight
+/// way and r cells off, the detour is 1 / (8 r) cells at most. By as much f may be too high, and no
+/// more than that is taken off where values between nodes are lower: on a ridge they are so by half
+/// a cell.
+constexpr double LeastReach = 1.0;
+constexpr double LargestReach = 4.0;
+constexpr double ReachTimesMultiple = 20.0;
 
-/// In cells: with that distance d of a node from a line, places beyond the node are nearer to the
-/// line than by way of one of the nodes there by .08 cells at most, by .3 where cells are long, so
-/// that f is too high by no more than as many parts in d.
-constexpr double LineReach = 20.0;
+/// But no more columns or rows than that on either side: where there are more, cells are so long
+/// that values are interpolated, too.
+constexpr std::size_t MostNearby = 16;
 
-/// The least value is about 2^-90 of its unit: there is as much room below it as floats need for
-/// what is normal, and above it for values 2^217 times as large. Beside what f grows to a smaller
-/// one is nothing: then there is room for that.
+/// Nodes that are lowered less than to this share are as given.
+constexpr float LeastChange = 0.999f;
+
+/// Within reach of a place in a cell, and the ends of that.
+GridLimit::Nearby Around(
+  const std::vector<double>& nodes, std::size_t cell, double place, double reach)
+{
+  std::size_t first = cell;
+  while (first > 0 && cell - first < MostNearby && place - nodes[first - 1] < reach)
+  {
+    --first;
+  }
+  std::size_t last = cell + 1;
+  while (last + 1 < nodes.size() && last - cell <= MostNearby && nodes[last + 1] - place < reach)
+  {
+    ++last;
+  }
+  return { first, last, cell - first == MostNearby || last - cell > MostNearby };
+}
+
+/// What nodes around a point allow there, four at a time.
+class Cones
+{
+public:
+  /// With so many nodes in a row.
+  explicit Cones(std::size_t width)
+    : Width(width)
+  {
+    this->Squares.fill(std::numeric_limits<float>::max());
+    this->Leasts.fill(std::numeric_limits<float>::max());
+  }
+
+  void SetAcross(std::size_t k, double growth)
+  {
+    this->Squares[k] = static_cast<float>(growth * growth);
+  }
+
+  void AddRow(const float* values, double growth)
+  {
+    const auto square = static_cast<float>(growth * growth);
+    float* growths = &this->Growths[this->Rows * Most];
+    float* allowed = &this->Allowed[this->Rows * Most];
+    for (std::size_t begin = 0; begin < this->Width; begin += 4)
+    {
+      for (std::size_t k = begin; k < begin + 4; ++k)
+      {
+        growths[k] = std::sqrt(square + this->Squares[k]);
+        allowed[k] = values[k] + growths[k];
+        this->Leasts[k] = std::min(this->Leasts[k], allowed[k]);
+      }
+    }
+    ++this->Rows;
+  }
+
+  double Least() const
+  {
+    return *std::min_element(this->Leasts.begin(), this->Leasts.begin() + this->Width);
+  }
+
+  /// At a distance d from the nearer one of its ends, a side of width w allows less than these by
+  /// g w^2 / (4 d) at most.
+  bool MayHaveLowerSides(std::size_t k, std::size_t row, double growth, double limit) const
+  {
+    const std::size_t node = row * Most + k;
+    return (this->Allowed[node] - limit) * this->Growths[node] < 0.25 * growth * growth;
+  }
+
+  /// So many values beyond those of a row are read.
+  static constexpr std::size_t Beyond = 3;
+
+  const std::size_t Width;
+
+private:
+  static constexpr std::size_t Most = 2 * MostNearby + 4;
+  std::size_t Rows = 0;
+  std::array<float, Most> Squares;
+  std::array<float, Most> Leasts;
+  std::array<float, Most * Most> Growths;
+  std::array<float, Most * Most> Allowed;
+};
+
+/// The least value is about 2^-30 of its unit: there is room below it for what floats add to it,
+/// squared, and above it for the square of what f grows to. Beside that a least value that is
+/// smaller still is nothing: then there is room for that.
 double UnitOf(const GridSource& source, double gradation, const ValueRange& range)
 {
-  constexpr int Room = 90;
-  constexpr double Nothing = 0x1p-100;
+  constexpr int Room = 30;
+  constexpr double Nothing = 0x1p-80;
   const double extent =
     source.XNodes.back() - source.XNodes.front() + source.YNodes.back() - source.YNodes.front();
   const double least =
@@ -60,31 +149,29 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Unit(UnitOf(*source, gradation, range))
+  , Unit(UnitOf(*this->Source, gradation, range))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
   , Bounds(this->Source, this->Gradation, this->Range)
 {
   Pulse pulse(monitor);
-  GridSweeps sweeps(this->Source->XNodes.size(), this->Source->YNodes.size());
-  if (this->FindSteepCells(sweeps, pulse))
+  if (this->FindSteepCells(pulse))
   {
     const PulsePart part(pulse, 0.2, 0.9);
-    const GridSource& grid = *this->Source;
-    sweeps.Run(pulse,
-      [this, &grid](std::size_t from, std::size_t to, std::size_t column, std::size_t row) {
-        return this->HandOn(from, this->Nodes[to], { grid.XNodes[column], grid.YNodes[row] });
-      });
-    this->FindLimitedCells(pulse);
+    if (RunGridPasses(
+          this->Source->XNodes, this->Source->YNodes, this->Gradation, this->Values, pulse))
+    {
+      this->FindLimitedCells(pulse);
+    }
   }
   if (pulse.HasStopped())
   {
-    this->Nodes.clear();
+    this->Values.clear();
   }
 }
 
-/// Whether there are any. Their nodes hand on what is given.
-bool GridLimit::FindSteepCells(GridSweeps& sweeps, Pulse& pulse)
+/// Whether there are any.
+bool GridLimit::FindSteepCells(Pulse& pulse)
 {
   const GridSource& grid = *this->Source;
   for (std::size_t row = 0; row + 1 < grid.YNodes.size() && pulse.Beat(4 * grid.XNodes.size());
@@ -94,18 +181,18 @@ bool GridLimit::FindSteepCells(GridSweeps& sweeps, Pulse& pulse)
     {
       if (this->IsSteep(column, row))
       {
-        this->AddSteepCell(column, row, sweeps);
+        this->AddSteepCell(column, row);
       }
     }
   }
   pulse.SetFraction(0.2);
-  return !this->Nodes.empty();
+  return !this->Values.empty();
 }
 
 bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
 {
-  const double* low = &this->Source->Values[this->NodeAt(column, row)];
-  const double* high = &this->Source->Values[this->NodeAt(column, row + 1)];
+  const double* low = &this->Source->Values[this->Bounds.NodeAt(column, row)];
+  const double* high = &this->Source->Values[this->Bounds.NodeAt(column, row + 1)];
   const double least = this->Range.Scale * std::min({ low[0], low[1], high[0], high[1] });
   const double greatest = this->Range.Scale * std::max({ low[0], low[1], high[0], high[1] });
   if (!(greatest > this->Range.Least && least < this->Range.Most))
@@ -141,105 +228,57 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
     isAbove(0.0, alongY) || added > SteepnessMargin * std::max(least, this->Range.Least);
 }
 
-void GridLimit::AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps)
+/// The line within it bounds its corners that are above.
+void GridLimit::AddSteepCell(std::size_t column, std::size_t row)
 {
-  if (this->Nodes.empty())
+  const GridSource& grid = *this->Source;
+  if (this->Values.empty())
   {
-    this->SetGiven();
-  }
-  for (const std::size_t low : { row, row + 1 })
-  {
-    for (const std::size_t left : { column, column + 1 })
+    this->IsLimited.assign(grid.Values.size(), false);
+    this->Values.resize(grid.Values.size() + Cones::Beyond);
+    for (std::size_t node = 0; node < grid.Values.size(); ++node)
     {
-      Node& node = this->Nodes[this->NodeAt(left, low)];
-      node.Start = std::min(node.Start, node.Value);
-      sweeps.Add(left, low);
+      this->Values[node] = this->GivenAt(node);
     }
   }
-  const double growth = this->Bounds.GrowthAt(column + 1, row + 1);
-  if (growth > LeastGrowth * this->Range.Least && this->Bounds.HasLine(column, row))
-  {
-    this->AddLine(column, row);
-  }
-}
-
-/// It bounds the corners that are above.
-void GridLimit::AddLine(std::size_t column, std::size_t row)
-{
+  const bool hasLine = this->Bounds.HasLine(column, row);
+  this->HasLines = this->HasLines || hasLine;
   for (const std::size_t low : { row, row + 1 })
   {
     for (const std::size_t left : { column, column + 1 })
     {
-      Node& node = this->Nodes[this->NodeAt(left, low)];
-      const auto value = static_cast<float>(this->Bounds.FromLine(
-        column, row, { this->Source->XNodes[left], this->Source->YNodes[low] }, node.Value));
-      if (value < node.Value)
+      const std::size_t node = this->Bounds.NodeAt(left, low);
+      this->IsLimited[node] = true;
+      if (hasLine)
       {
-        node = { value, static_cast<float>(this->Range.Least), { column, row, Kind::LineOfCell } };
+        this->Values[node] = static_cast<float>(this->Bounds.FromLine(
+          column, row, { grid.XNodes[left], grid.YNodes[low] }, this->Values[node]));
       }
     }
   }
 }
 
-void GridLimit::SetGiven()
+float GridLimit::GivenAt(std::size_t node) const
 {
-  this->Nodes.reserve(this->Source->Values.size());
-  for (std::size_t row = 0; row < this->Source->YNodes.size(); ++row)
-  {
-    for (std::size_t column = 0; column < this->Source->XNodes.size(); ++column)
-    {
-      this->Nodes.push_back(this->Bounds.Itself(column, row));
-      this->Nodes.back().Start = std::numeric_limits<float>::infinity();
-    }
-  }
+  return static_cast<float>(this->Range(this->Source->Values[node]));
 }
 
-/// Hands on what bounds one node to another one. What is as given bounds others only from steep
-/// cells.
-bool GridLimit::HandOn(std::size_t from, Node& node, const Point2& place) const
-{
-  const Node& other = this->Nodes[from];
-  if (other.From == node.From || !(other.Start < node.Value))
-  {
-    return false;
-  }
-  Node source = other;
-  if (other.From.IsLine())
-  {
-    const std::size_t columns = this->Source->XNodes.size();
-    const Origin itself(from % columns, from / columns, Kind::Node);
-    source = this->IsFarFromLine(other, itself) ? Node{ other.Value, other.Value, itself } : other;
-  }
-  const auto value = static_cast<float>(this->Bounds.From(source, place, node.Value));
-  const bool isLower = value < node.Value;
-  if (isLower)
-  {
-    node.Value = value;
-    node.Start = source.Start;
-    node.From = source.From;
-  }
-  return isLower;
-}
-
-/// Lines take ten times as long as nodes: from afar f grows from the nodes that they bound.
-bool GridLimit::IsFarFromLine(const Node& node, const Origin& itself) const
-{
-  const double growth = std::max(this->Bounds.GrowthAt(node.From.Column() + 1, node.From.Row() + 1),
-    this->Bounds.GrowthAt(itself.Column(), itself.Row()));
-  return node.Value - this->Range.Least > LineReach * growth;
-}
-
-/// What grows from within a steep cell reaches those beside it.
+/// Those with a corner that is lowered, or that a steep cell has: what grows from within that
+/// reaches the cells beside it.
 void GridLimit::FindLimitedCells(Pulse& pulse)
 {
-  this->IsLimited.assign(this->Nodes.size(), false);
+  const auto isChanged = [this](std::size_t node)
+  { return this->IsLimited[node] || this->Values[node] < LeastChange * this->GivenAt(node); };
   const std::size_t columns = this->Source->XNodes.size();
-  for (std::size_t cell = 0; cell + columns + 1 < this->Nodes.size() && pulse.Beat(1); ++cell)
+  const std::size_t cells = this->Source->Values.size() - columns - 1;
+  for (std::size_t node = 0; node < this->Source->Values.size() && pulse.Beat(1); ++node)
   {
-    const Node* low = &this->Nodes[cell];
-    const Node* high = low + columns;
-    this->IsLimited[cell] = std::min({ low[0].Start, low[1].Start, high[0].Start, high[1].Start }) <
-      std::numeric_limits<float>::infinity();
+    this->IsLimited[node] = isChanged(node);
+  }
+  for (std::size_t cell = 0; cell < cells && pulse.Beat(1); ++cell)
+  {
+    this->IsLimited[cell] = this->IsLimited[cell] || this->IsLimited[cell + 1] ||
+      this->IsLimited[cell + columns] || this->IsLimited[cell + columns + 1];
   }
 }
 
@@ -247,81 +286,63 @@ double GridLimit::operator()(const Point2& x) const
 {
   const GridInterpolator::Place place = this->Given.Find(x);
   const double given = this->Range(this->Given.At(place));
-  const std::size_t cell = this->NodeAt(place.Column, place.Row);
+  const std::size_t cell = this->Bounds.NodeAt(place.Column, place.Row);
   if (!this->IsLimited[cell])
   {
     return this->Unit * given;
   }
-  const Node* low = &this->Nodes[cell];
-  const Node* high = low + this->Source->XNodes.size();
-  const float least = std::min({ low[0].Value, low[1].Value, high[0].Value, high[1].Value });
-  const double growth = this->Bounds.GrowthAt(place.Column + 1, place.Row + 1);
-  if (growth > WidestGrowth * least)
+  const GridSource& grid = *this->Source;
+  const double size = std::max(grid.XNodes[place.Column + 1] - grid.XNodes[place.Column],
+    grid.YNodes[place.Row + 1] - grid.YNodes[place.Row]);
+  const float* low = &this->Values[cell];
+  const float* high = low + grid.XNodes.size();
+  const double least = std::min({ low[0], low[1], high[0], high[1] });
+  const double interpolated =
+    Blend(Blend(low[0], low[1], place.X), Blend(high[0], high[1], place.X), place.Y);
+  if (this->Gradation * size <= WidestGrowth * least)
   {
-    return this->Unit * this->ValueInWideCell(x, place, given);
+    return this->Unit * std::min(given, interpolated);
   }
-  return this->Unit *
-    std::min(given,
-      Blend(Blend(low[0].Value, low[1].Value, place.X),
-        Blend(high[0].Value, high[1].Value, place.X), place.Y));
+  const double multiple = least / (this->Gradation * size);
+  const double reach = std::min(std::max(LeastReach, ReachTimesMultiple / multiple), LargestReach);
+  const Nearby columns = Around(grid.XNodes, place.Column, x.X, reach * size);
+  const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
+  const double near = this->FromNearby(columns, rows, x, this->Gradation * size, given);
+  const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
+  const bool areAll = !columns.AreCut && !rows.AreCut;
+  return this->Unit * std::min(near, areAll ? std::max(interpolated, near - detour) : interpolated);
 }
 
-/// By what bounds its corners, first, and the nodes around them: what grows from beyond may pass
-/// between the corners.
-double GridLimit::ValueInWideCell(
-  const Point2& x, const GridInterpolator::Place& place, double given) const
+/// From nodes, sides and lines. What f grows by across a cell is `growth`.
+double GridLimit::FromNearby(
+  const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const
 {
-  LookedAt<std::uint64_t> looked;
-  double least = given;
-  this->BoundByLine(place.Column, place.Row, x, looked, least);
-  for (const std::size_t around : { 0u, 1u })
+  Cones cones(columns.Last - columns.First + 1);
+  for (std::size_t k = 0; k < cones.Width; ++k)
   {
-    const std::size_t left = place.Column > around ? place.Column - around : 0;
-    const std::size_t right = std::min(place.Column + 2 + around, this->Source->XNodes.size());
-    const std::size_t below = place.Row > around ? place.Row - around : 0;
-    const std::size_t above = std::min(place.Row + 2 + around, this->Source->YNodes.size());
-    for (std::size_t row = below; row < above; ++row)
+    cones.SetAcross(k, this->Gradation * (this->Source->XNodes[columns.First + k] - x.X));
+  }
+  for (std::size_t row = rows.First; row <= rows.Last; ++row)
+  {
+    cones.AddRow(&this->Values[this->Bounds.NodeAt(columns.First, row)],
+      this->Gradation * (this->Source->YNodes[row] - x.Y));
+  }
+  limit = std::min(limit, cones.Least());
+  for (std::size_t row = rows.First; row <= rows.Last; ++row)
+  {
+    for (std::size_t column = columns.First; column <= columns.Last; ++column)
     {
-      for (std::size_t column = left; column < right; ++column)
+      if (cones.MayHaveLowerSides(column - columns.First, row - rows.First, growth, limit))
       {
-        Node node = this->Nodes[this->NodeAt(column, row)];
-        if (node.Start < least && node.From.IsLine())
-        {
-          this->BoundByLines(node.From, x, looked, least);
-        }
-        else if (node.Start < least && looked.Add(node.From.Key()))
-        {
-          least = std::min(least, this->Bounds.From(node, x, least));
-        }
+        limit = this->Bounds.FromSides(column, row, x, limit);
+      }
+      if (this->HasLines && column < columns.Last && row < rows.Last)
+      {
+        limit = this->Bounds.FromLine(column, row, x, limit);
       }
     }
   }
-  return least;
-}
-
-/// The lines of neighboring cells, too, are parts of one: nodes at their common end have one of
-/// them.
-void GridLimit::BoundByLines(
-  const Origin& from, const Point2& x, LookedAt<std::uint64_t>& looked, double& least) const
-{
-  const std::size_t column = from.Column();
-  const std::size_t row = from.Row();
-  this->BoundByLine(column, row, x, looked, least);
-  this->BoundByLine(column > 0 ? column - 1 : column, row, x, looked, least);
-  this->BoundByLine(column + 1, row, x, looked, least);
-  this->BoundByLine(column, row > 0 ? row - 1 : row, x, looked, least);
-  this->BoundByLine(column, row + 1, x, looked, least);
-}
-
-/// If there is such a cell, and it has a line.
-void GridLimit::BoundByLine(std::size_t column, std::size_t row, const Point2& x,
-  LookedAt<std::uint64_t>& looked, double& least) const
-{
-  if (column + 1 < this->Source->XNodes.size() && row + 1 < this->Source->YNodes.size() &&
-    this->Bounds.HasLine(column, row) && looked.Add(Origin(column, row, Kind::LineOfCell).Key()))
-  {
-    least = std::min(least, this->Bounds.FromLine(column, row, x, least));
-  }
+  return limit;
 }
 
 } // namespace biting

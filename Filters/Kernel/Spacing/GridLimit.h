@@ -4,10 +4,9 @@
 #ifndef BitingGridLimit_h
 #define BitingGridLimit_h
 
+#include "../Base/Pulse.h"
 #include "GridBounds.h"
 #include "GridInterpolator.h"
-#include "GridSweeps.h"
-#include "LookedAt.h"
 
 namespace biting
 {
@@ -16,11 +15,9 @@ namespace biting
 /// interpolant, within the tolerances of Spacing. Outside of the grid the nearest border value is
 /// what is given, as far as bounds reach.
 ///
-/// Method: f grows from the sides of cells, along which values are linear. Nodes hand on to their
-/// neighbors, in two sweeps, the node whose sides bound them, so that distances are those of the
-/// plane and not of paths along the grid. Where f may
-/// grow by more than a share of itself across a cell, it is what bounds the corners that bounds its
-/// points, too; elsewhere the interpolant of bounded corners is as good.
+/// Method: nodes are bounded by passes over lines of them. Where f may grow by no more than a share
+/// of itself across a cell, the interpolant of bounded nodes is as good as f; elsewhere it is what
+/// the nodes, the sides and the lines around allow at a point.
 /// Linear in the number of nodes; constant cost for an evaluation.
 class GridLimit
 {
@@ -30,34 +27,27 @@ public:
     const ValueRange& range, Monitor& monitor);
 
   /// Whether anything is steep. Where not, there is nothing to be asked for.
-  bool IsNeeded() const { return !this->Nodes.empty(); }
+  bool IsNeeded() const { return !this->Values.empty(); }
 
   /// f, scaled and clamped.
   double operator()(const Point2& x) const;
 
-private:
-  using Kind = GridBounds::Kind;
-  using Origin = GridBounds::Origin;
-  using Node = GridBounds::Node;
-
-  std::size_t NodeAt(std::size_t column, std::size_t row) const
+  /// Columns or rows.
+  struct Nearby
   {
-    return this->Bounds.NodeAt(column, row);
-  }
+    std::size_t First;
+    std::size_t Last;
+    bool AreCut; ///< whether there are more within reach
+  };
 
-  bool FindSteepCells(GridSweeps& sweeps, Pulse& pulse);
+private:
+  bool FindSteepCells(Pulse& pulse);
   bool IsSteep(std::size_t column, std::size_t row) const;
-  void AddSteepCell(std::size_t column, std::size_t row, GridSweeps& sweeps);
-  void AddLine(std::size_t column, std::size_t row);
-  void SetGiven();
-  bool HandOn(std::size_t from, Node& node, const Point2& place) const;
-  bool IsFarFromLine(const Node& node, const Origin& itself) const;
+  void AddSteepCell(std::size_t column, std::size_t row);
+  float GivenAt(std::size_t node) const;
   void FindLimitedCells(Pulse& pulse);
-  void BoundByLines(
-    const Origin& from, const Point2& x, LookedAt<std::uint64_t>& looked, double& least) const;
-  void BoundByLine(std::size_t column, std::size_t row, const Point2& x,
-    LookedAt<std::uint64_t>& looked, double& least) const;
-  double ValueInWideCell(const Point2& x, const GridInterpolator::Place& place, double given) const;
+  double FromNearby(
+    const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
@@ -65,8 +55,9 @@ private:
   const double Gradation; ///< from here on f is in that unit
   const ValueRange Range;
   const GridBounds Bounds;
-  std::vector<Node> Nodes;
+  std::vector<float> Values;   ///< f at nodes; single precision is more than anybody sees
   std::vector<bool> IsLimited; ///< whether f may be below what is given in the cell above a node
+  bool HasLines = false;       ///< whether the least value bounds anything
 };
 
 } // namespace biting

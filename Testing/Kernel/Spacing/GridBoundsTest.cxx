@@ -25,29 +25,25 @@ GridBounds BoundsOf(double rise, double least = 0.0)
 
 } // namespace
 
-TEST(GridBounds, GrowFromANode)
-{
-  const GridBounds bounds = BoundsOf(5.0);
-  GridBounds::Node node = bounds.Itself(0, 0);
-  EXPECT_FALSE(node.From.HasSides());
-  EXPECT_NEAR(bounds.From(node, { 3.0, 4.0 }, NoLimit), 0.1 + 5.0 * Gradation, 1e-6);
-}
-
-TEST(GridBounds, GrowFromTheSidesOfANodeWhereTheseAreGentle)
+TEST(GridBounds, GrowFromTheSidesOfANode)
 {
   const GridBounds bounds = BoundsOf(0.0);
-  GridBounds::Node node = bounds.Itself(0, 0);
-  EXPECT_TRUE(node.From.HasSides());
-  EXPECT_NEAR(bounds.From(node, { 0.5, 0.7 }, NoLimit), 0.1 + 0.5 * Gradation, 1e-6);
-  EXPECT_EQ(node.From.Column(), 0u);
-  EXPECT_EQ(node.From.Row(), 1u) << "which is nearer";
+  for (const std::size_t row : { 0u, 1u })
+  {
+    EXPECT_NEAR(bounds.FromSides(0, row, { 0.5, 0.7 }, NoLimit), 0.1 + 0.5 * Gradation, 1e-12);
+    EXPECT_NEAR(bounds.FromSides(1, row, { 1.5, 0.7 }, NoLimit), 1.1 + 0.5 * Gradation, 1e-12);
+  }
 }
 
-TEST(GridBounds, AreNotBelowALimitThatIsLower)
+TEST(GridBounds, DoNotGrowFromSidesThatAreAsSteepAsTheGradation)
 {
-  const GridBounds bounds = BoundsOf(5.0);
-  GridBounds::Node node = bounds.Itself(0, 0);
-  EXPECT_GE(bounds.From(node, { 3.0, 4.0 }, 0.5), 0.5);
+  EXPECT_EQ(BoundsOf(5.0).FromSides(0, 0, { 0.5, 0.7 }, NoLimit), NoLimit);
+}
+
+TEST(GridBounds, AreNotAboveALimit)
+{
+  EXPECT_EQ(BoundsOf(0.0).FromSides(0, 0, { 0.5, 0.7 }, 0.2), 0.2);
+  EXPECT_EQ(BoundsOf(0.0, 0.4).FromLine(0, 0, { 1.3, 0.5 }, 0.41), 0.41);
 }
 
 TEST(GridBounds, GrowFromWhereTheLeastValueIsReachedWithinACell)
@@ -56,16 +52,6 @@ TEST(GridBounds, GrowFromWhereTheLeastValueIsReachedWithinACell)
   EXPECT_TRUE(bounds.HasLine(0, 0));
   EXPECT_FALSE(bounds.HasLine(1, 0));
   EXPECT_NEAR(bounds.FromLine(0, 0, { 0.8, 0.5 }, NoLimit), 0.4 + 0.5 * Gradation, 1e-9);
-  GridBounds::Node node{ 1.0f, 0.4f, { 0, 0, GridBounds::Kind::LineOfCell } };
-  EXPECT_NEAR(bounds.From(node, { 1.3, 0.5 }, NoLimit), 0.4 + Gradation, 1e-9);
-  EXPECT_GE(bounds.From(node, { 1.3, 0.5 }, 0.41), 0.41);
-}
-
-TEST(GridBounds, HaveOriginsInOneWord)
-{
-  const GridBounds::Origin origin(4000000000u, 1000000000u, GridBounds::Kind::LineOfCell);
-  EXPECT_EQ(origin.Column(), 4000000000u);
-  EXPECT_EQ(origin.Row(), 1000000000u);
-  EXPECT_TRUE(origin.IsLine());
-  EXPECT_FALSE(origin.HasSides());
+  EXPECT_NEAR(bounds.FromLine(0, 0, { 1.3, 0.5 }, NoLimit), 0.4 + Gradation, 1e-9);
+  EXPECT_EQ(bounds.FromLine(1, 0, { 1.3, 0.5 }, NoLimit), NoLimit);
 }
