@@ -35,10 +35,10 @@ constexpr double GrowthBetween = 0.025;
 constexpr double LeastPartOfSide = 1.0 / 256.0;
 
 /// Of more cones at one point all are kept, and only so many are compared to others.
-constexpr std::size_t MostComparedCones = 32;
+constexpr Id MostComparedCones = 32;
 
-/// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Their
-/// points are in the order of their values.
+/// Those parts of the steep triangles where the spacing is between its bounds, as triangles. Points
+/// of the source come first, in its order; some may be corners of none.
 struct SteepParts
 {
   std::vector<Point2> Points;
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  SteepParts Collect(Pulse& pulse)
+  SteepParts Collect(Pulse& pulse) &&
   {
     this->AverageGradients(pulse);
     pulse.ForEach(this->Source.Triangles.size() / 3,
@@ -73,7 +73,7 @@ public:
           this->AddParts(&this->Source.Triangles[3 * triangle]);
         }
       });
-    return this->Sorted(pulse);
+    return std::move(this->Whole);
   }
 
 private:
@@ -181,43 +181,12 @@ private:
 
   double ValueOf(Id point) const { return this->Whole.Values[static_cast<std::size_t>(point)]; }
 
-  /// Those points that are corners, in the order of their values.
-  SteepParts Sorted(Pulse& pulse)
-  {
-    std::vector<Id> newIds(this->Whole.Points.size(), NoId);
-    std::vector<std::pair<double, Id>> order;
-    std::vector<Id>& corners = this->Whole.Corners;
-    pulse.ForEach(corners.size(),
-      [this, &corners, &newIds, &order](std::size_t k)
-      {
-        Id& newId = newIds[static_cast<std::size_t>(corners[k])];
-        if (newId == NoId)
-        {
-          newId = 0;
-          order.emplace_back(this->ValueOf(corners[k]), corners[k]);
-        }
-      });
-    SortInSteps(order, std::less<>(), pulse);
-    SteepParts parts;
-    for (const auto& [value, point] : order)
-    {
-      newIds[static_cast<std::size_t>(point)] = static_cast<Id>(parts.Points.size());
-      parts.Points.push_back(this->Whole.Points[static_cast<std::size_t>(point)]);
-      parts.Values.push_back(value);
-    }
-    pulse.ForEach(corners.size(),
-      [&corners, &newIds](std::size_t k)
-      { corners[k] = newIds[static_cast<std::size_t>(corners[k])]; });
-    parts.Corners = std::move(corners);
-    return parts;
-  }
-
   const TriangulatedSource& Source;
   const double Gradation;
   const ValueRange& Range;
   std::vector<Point2> Gradients; ///< around points of the source
-  SteepParts Whole;              ///< with all points of the source first, in its order
-  Cuts CutsAtLeast;              ///< points by the ends of edges
+  SteepParts Whole;
+  Cuts CutsAtLeast; ///< points by the ends of edges
   Cuts CutsAtMost;
   std::vector<Id> Part; ///< at work: corners of a polygon
 };
@@ -234,17 +203,23 @@ public:
     , Gradation(gradation)
     , Most(most)
     , Beats(pulse)
-    , Edges(parts.Corners, parts.Points.size(), pulse)
-    , LowestAt(parts.Points.size())
-    , FirstConeAt(parts.Points.size() + 1, 0)
+    , Edges(parts.Corners, parts.Points.size(), pulse, parts.Values)
   {
+    this->Nodes.reserve(parts.Points.size());
+    for (std::size_t point = 0; point < parts.Points.size(); ++point)
+    {
+      this->Nodes.push_back({ parts.Points[point], parts.Values[point] });
+    }
   }
 
   void Run(ConeCollector& cones)
   {
-    for (std::size_t point = 0; point < this->Parts.Points.size() && this->Beats.Beat(32); ++point)
+    for (const auto& [value, point] : this->LowEnds())
     {
-      this->Settle(point);
+      if (this->Beats.Beat(32))
+      {
+        this->Settle(point);
+      }
     }
     for (std::size_t first = 0; first < this->Parts.Corners.size() && this->Beats.Beat(16);
          first += 3)
@@ -255,81 +230,104 @@ public:
     {
       if (this->AreNeeded[cone])
       {
-        const auto [low, high] = this->Ends[cone];
-        cones.AddSegment(this->Parts.Points[low], this->Parts.Points[high], this->Parts.Values[low],
-          this->Parts.Values[high]);
+        const Node& low = this->At(this->Ends[cone].first);
+        const Node& high = this->At(this->Ends[cone].second);
+        cones.AddSegment(low.Place, high.Place, low.Value, high.Value);
       }
     }
   }
 
 private:
-  /// The cone that is lowest at a point, of those that were offered.
-  struct Lowest
+  struct Node
   {
-    Id Cone = NoId;
-    double Value = Infinity;
+    Point2 Place;
+    double Value;
+    double LowestValue = Infinity; ///< of the cone that is lowest here, of those that were offered
+    Id Lowest = NoId;
+    Id FirstCone = 0; ///< of those from here
+    Id ConeCount = 0;
+
+    Id ComparedCones() const { return std::min(this->ConeCount, MostComparedCones); }
   };
 
-  const SegmentCone& At(Id cone) const { return this->Cones[static_cast<std::size_t>(cone)]; }
+  const Node& At(Id point) const { return this->Nodes[static_cast<std::size_t>(point)]; }
+  const SegmentCone& Cone(Id id) const { return this->Cones[static_cast<std::size_t>(id)]; }
 
-  void Settle(std::size_t point)
+  /// The points that edges go up from, in the order of their values.
+  std::vector<std::pair<double, Id>> LowEnds()
   {
-    const std::size_t first = this->Edges.FirstAt(point);
-    const std::size_t end = this->Edges.FirstAt(point + 1);
+    std::vector<std::pair<double, Id>> ends;
+    this->Beats.ForEach(this->Nodes.size(),
+      [this, &ends](std::size_t point)
+      {
+        if (this->Edges.FirstAt(point) < this->Edges.FirstAt(point + 1))
+        {
+          ends.emplace_back(this->Nodes[point].Value, static_cast<Id>(point));
+        }
+      });
+    SortInSteps(ends, std::less<>(), this->Beats);
+    return ends;
+  }
+
+  void Settle(Id point)
+  {
+    Node& low = this->Nodes[static_cast<std::size_t>(point)];
+    const std::size_t first = this->Edges.FirstAt(static_cast<std::size_t>(point));
+    const std::size_t end = this->Edges.FirstAt(static_cast<std::size_t>(point) + 1);
+    low.FirstCone = static_cast<Id>(this->Cones.size());
     for (std::size_t edge = first; edge < end; ++edge)
     {
-      this->AddCone(point, static_cast<std::size_t>(this->Edges.HighEnd(edge)));
+      const Id high = this->Edges.HighEnd(edge);
+      if (!(low.Lowest != NoId &&
+            this->IsCovered(low, this->Nodes[static_cast<std::size_t>(high)])))
+      {
+        this->AddCone(point, high);
+      }
     }
-    if (first < end && this->FirstConeAt[point] == this->Cones.size())
+    if (low.Lowest == NoId && this->Cones.size() == static_cast<std::size_t>(low.FirstCone))
     {
       this->AddCone(point, point);
     }
-    this->FirstConeAt[point + 1] = this->Cones.size();
-    const bool areMany = this->Cones.size() > this->EndOfCompared(point);
-    this->AreNeeded.resize(this->Cones.size(), areMany);
-    const Id offered = this->LowestAt[point].Cone;
-    for (std::size_t edge = first; edge < end; ++edge)
+    low.ConeCount = static_cast<Id>(this->Cones.size()) - low.FirstCone;
+    this->AreNeeded.resize(this->Cones.size(), low.ConeCount > MostComparedCones);
+    for (std::size_t edge = first; edge < end && low.ConeCount > 0; ++edge)
     {
-      const auto high = static_cast<std::size_t>(this->Edges.HighEnd(edge));
-      if (offered != NoId)
+      Node& high = this->Nodes[static_cast<std::size_t>(this->Edges.HighEnd(edge))];
+      for (Id cone = low.FirstCone; cone < low.FirstCone + low.ComparedCones(); ++cone)
       {
-        this->Offer(offered, high);
-      }
-      for (std::size_t cone = this->FirstConeAt[point]; cone < this->EndOfCompared(point); ++cone)
-      {
-        this->Offer(static_cast<Id>(cone), high);
+        Offer(cone, this->Cone(cone)(high.Place, this->Gradation), high);
       }
     }
   }
 
-  std::size_t EndOfCompared(std::size_t point) const
+  /// Hands the cone that is lowest at the lower end of an edge on to the other one. Whether it stands
+  /// for the cone of that edge: as it does at the lower end, it has not to be above the other one.
+  bool IsCovered(const Node& low, Node& high) const
   {
-    return std::min(this->FirstConeAt[point + 1], this->FirstConeAt[point] + MostComparedCones);
+    const double value = this->Cone(low.Lowest)(high.Place, this->Gradation);
+    Offer(low.Lowest, value, high);
+    return value <= high.Value + CoverTolerance * low.Value;
   }
 
-  /// Unless it is steep, or what is offered to its lower end stands for it.
-  void AddCone(std::size_t low, std::size_t high)
+  static void Offer(Id cone, double value, Node& node)
   {
-    const double value = this->Parts.Values[low];
-    const SegmentCone cone(this->Parts.Points[low], this->Parts.Points[high], value,
-      this->Parts.Values[high], this->Gradation);
-    const Id offered = this->LowestAt[low].Cone;
-    const bool isCovered = offered != NoId &&
-      this->At(offered).StandsFor(cone, this->Gradation, CoverTolerance * cone.Value);
-    if (value < this->Most && (cone.Length > 0.0 || low == high) && !isCovered)
+    if (value < node.LowestValue && value <= (1.0 + CoverTolerance) * node.Value)
+    {
+      node.LowestValue = value;
+      node.Lowest = cone;
+    }
+  }
+
+  /// Unless it is steep.
+  void AddCone(Id point, Id end)
+  {
+    const Node& low = this->At(point);
+    const Node& high = this->At(end);
+    const SegmentCone cone(low.Place, high.Place, low.Value, high.Value, this->Gradation);
+    if (low.Value < this->Most && (cone.Length > 0.0 || point == end))
     {
       this->Cones.push_back(cone);
-      this->Ends.emplace_back(low, high);
-    }
-  }
-
-  void Offer(Id cone, std::size_t point)
-  {
-    Lowest& lowest = this->LowestAt[point];
-    const double value = this->At(cone)(this->Parts.Points[point], this->Gradation);
-    if (value < lowest.Value && value <= (1.0 + CoverTolerance) * this->Parts.Values[point])
-    {
-      lowest = { cone, value };
+      this->Ends.emplace_back(point, end);
     }
   }
 
@@ -339,17 +337,16 @@ private:
     this->Near.clear();
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto corner = static_cast<std::size_t>(corners[k]);
-      this->LookAt(this->LowestAt[corner].Cone);
-      for (std::size_t cone = this->FirstConeAt[corner]; cone < this->EndOfCompared(corner); ++cone)
+      const Node& corner = this->At(corners[k]);
+      this->LookAt(corner.Lowest);
+      for (Id cone = corner.FirstCone; cone < corner.FirstCone + corner.ComparedCones(); ++cone)
       {
-        this->LookAt(static_cast<Id>(cone));
+        this->LookAt(cone);
       }
     }
     for (std::size_t k = 0; k < 3 && !this->Near.empty(); ++k)
     {
-      this->MarkAlong(static_cast<std::size_t>(corners[k]),
-        static_cast<std::size_t>(corners[k == 2 ? 0 : k + 1]));
+      this->MarkAlong(this->At(corners[k]), this->At(corners[k == 2 ? 0 : k + 1]));
     }
   }
 
@@ -363,13 +360,12 @@ private:
 
   /// What a linear value is above a cone is concave along a side, so at half the way from an end to
   /// where it is largest no less than half of that.
-  void MarkAlong(std::size_t start, std::size_t end)
+  void MarkAlong(const Node& start, const Node& end)
   {
     this->MarkAt(start, end, 0.0);
     this->MarkAt(start, end, 0.5);
-    const double growth =
-      this->Gradation * Distance(this->Parts.Points[start], this->Parts.Points[end]);
-    const double least = GrowthBetween * this->Parts.Values[std::min(start, end)];
+    const double growth = this->Gradation * Distance(start.Place, end.Place);
+    const double least = GrowthBetween * std::min(start.Value, end.Value);
     for (double share = 0.25; share * growth > least && share > LeastPartOfSide; share *= 0.5)
     {
       this->MarkAt(start, end, share);
@@ -377,16 +373,14 @@ private:
     }
   }
 
-  void MarkAt(std::size_t start, std::size_t end, double share)
+  void MarkAt(const Node& start, const Node& end, double share)
   {
-    const Point2& from = this->Parts.Points[start];
-    const Point2 place = from + share * (this->Parts.Points[end] - from);
-    const double given =
-      (1.0 - share) * this->Parts.Values[start] + share * this->Parts.Values[end];
+    const Point2 place = start.Place + share * (end.Place - start.Place);
+    const double given = (1.0 - share) * start.Value + share * end.Value;
     for (const Id cone : this->Near)
     {
-      const double value = this->At(cone)(place, this->Gradation);
-      if (value < given - IdleTolerance * this->At(cone).Value)
+      const double value = this->Cone(cone)(place, this->Gradation);
+      if (value < given - IdleTolerance * this->Cone(cone).Value)
       {
         this->AreNeeded[static_cast<std::size_t>(cone)] = true;
       }
@@ -398,10 +392,9 @@ private:
   const double Most;
   Pulse& Beats;
   const TriangleEdges Edges;
-  std::vector<Lowest> LowestAt;         ///< of each point
-  std::vector<std::size_t> FirstConeAt; ///< of each point; and the end of the last one's
+  std::vector<Node> Nodes; ///< one a point
   std::vector<SegmentCone> Cones;
-  std::vector<std::pair<std::size_t, std::size_t>> Ends; ///< of their segments: points
+  std::vector<std::pair<Id, Id>> Ends; ///< of their segments: points
   std::vector<bool> AreNeeded;
   std::vector<Id> Near; ///< at work
 };

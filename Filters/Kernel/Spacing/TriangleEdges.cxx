@@ -3,28 +3,36 @@
 
 #include "TriangleEdges.h"
 
-#include <algorithm> // for sort, minmax
+#include <algorithm> // for sort
 #include <numeric>   // for partial_sum
 
 namespace biting
 {
 
 /// Sides are distributed to their lower ends; those of one point are few, and sorted.
-TriangleEdges::TriangleEdges(const std::vector<Id>& corners, std::size_t points, Pulse& pulse)
+TriangleEdges::TriangleEdges(const std::vector<Id>& corners, std::size_t points, Pulse& pulse,
+  const std::vector<double>& heights)
   : Firsts(points + 1, 0)
 {
+  const auto isLower = [&heights](Id a, Id b)
+  {
+    const double ownHeight = heights.empty() ? 0.0 : heights[static_cast<std::size_t>(a)];
+    const double otherHeight = heights.empty() ? 0.0 : heights[static_cast<std::size_t>(b)];
+    return ownHeight < otherHeight || (!(otherHeight < ownHeight) && a < b);
+  };
   std::vector<std::size_t> begins(points + 1, 0);
   std::vector<Id> highs(corners.size());
-  const auto forEachSide = [&corners, &pulse](auto visit)
+  const auto forEachSide = [&corners, &pulse, &isLower](auto visit)
   {
     pulse.ForEach(corners.size() / 3,
-      [&corners, &visit](std::size_t triangle)
+      [&corners, &isLower, &visit](std::size_t triangle)
       {
         const Id* own = &corners[3 * triangle];
         for (std::size_t k = 0; k < 3; ++k)
         {
           const Id next = own[k == 2 ? 0 : k + 1];
-          visit(static_cast<std::size_t>(std::min(own[k], next)), std::max(own[k], next));
+          const bool isUp = isLower(own[k], next);
+          visit(static_cast<std::size_t>(isUp ? own[k] : next), isUp ? next : own[k]);
         }
       });
   };

@@ -12,13 +12,16 @@
 namespace biting
 {
 
-/// The edges of triangles, each of them once, in the order of their lower and of their higher ends.
-/// Cost: linear, as long as few meet at a point.
+/// The edges of triangles, each of them once, in the order of the numbers of their lower and of
+/// their higher ends. Cost: linear, as long as few meet at a point.
 class TriangleEdges
 {
 public:
-  /// Of three corners a triangle, below `points`. Incomplete if the pulse stops.
-  TriangleEdges(const std::vector<Id>& corners, std::size_t points, Pulse& pulse);
+  /// Of three corners a triangle, below `points`. Which of two points is the lower one
+  /// `heights` tell, or where these are equal, or there are none, their numbers.
+  /// Incomplete if the pulse stops.
+  TriangleEdges(const std::vector<Id>& corners, std::size_t points, Pulse& pulse,
+    const std::vector<double>& heights = {});
 
   /// Those with that lower end are the edges [FirstAt(point), FirstAt(point + 1)).
   std::size_t FirstAt(std::size_t point) const { return this->Firsts[point]; }
