@@ -3,9 +3,11 @@
 
 #include "OutsideJumps.h"
 
-#include "../Base/Pulse.h"
+#include "../Base/Numbers.h"
+#include "../Base/SortInSteps.h"
 
-#include <algorithm> // for min, max, lower_bound, sort
+#include <algorithm> // for min, max, bounds
+#include <array>     // for corners
 #include <cmath>     // for atan2, ceil
 #include <limits>    // for what does not overflow
 #include <utility>   // for pairs
@@ -66,11 +68,13 @@ public:
     ConeCollector& cones, Monitor& monitor)
     : Field(field)
     , Bounds(bounds)
+    , Traced(bounds)
     , Gradation(gradation)
     , SeenGradation(std::min(gradation, LargestSeenGradation))
     , Cones(cones)
     , Beats(monitor)
   {
+    this->Traced.Grow(bounds.Diagonal());
   }
 
   bool Run()
@@ -105,18 +109,24 @@ private:
     return this->Field.Nearest(start + SameLength * length * direction).Distance > 0.0;
   }
 
-  /// How far it is along a unit vector to the end of the bounds; 0 where that is behind.
+  /// How far it is along a unit vector to the end of the traced box; 0 where that is behind.
   double Reach(const Point2& start, const Point2& direction) const
   {
     const auto along = [](double from, double slope, double low, double high)
     {
       const double end = slope > 0.0 ? high : low;
-      return slope == 0.0 ? std::numeric_limits<double>::infinity() : (end - from) / slope;
+      return slope == 0.0 ? Infinity : (end - from) / slope;
     };
     const double reach =
-      std::min(along(start.X, direction.X, this->Bounds.Low.X, this->Bounds.High.X),
-        along(start.Y, direction.Y, this->Bounds.Low.Y, this->Bounds.High.Y));
+      std::min(along(start.X, direction.X, this->Traced.Low.X, this->Traced.High.X),
+        along(start.Y, direction.Y, this->Traced.Low.Y, this->Traced.High.Y));
     return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
+  }
+
+  std::array<Point2, 4> CornersOfBounds() const
+  {
+    const auto& [low, high] = this->Bounds;
+    return { low, Point2{ high.X, low.Y }, high, Point2{ low.X, high.Y } };
   }
 
   /// How far along a unit vector a point of the border stays the nearest one: a ball that touches
@@ -169,17 +179,18 @@ private:
     }
   }
 
-  /// The edges at each point of the border, with the directions to their other ends.
+  /// The directions of the edges at each point of the border, counterclockwise.
   void SortEnds()
   {
     for (const BorderEdge& edge : this->Field.BorderEdges())
     {
-      this->Ends.push_back({ edge.StartId, edge.End - edge.Start });
-      this->Ends.push_back({ edge.EndId, edge.Start - edge.End });
+      this->Ends.emplace_back(edge.StartId, AngleOf(edge.End - edge.Start));
+      this->Ends.emplace_back(edge.EndId, AngleOf(edge.Start - edge.End));
     }
-    std::stable_sort(this->Ends.begin(), this->Ends.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
+    SortInSteps(this->Ends, std::less<>(), this->Beats);
   }
+
+  static double AngleOf(const Point2& direction) { return std::atan2(direction.Y, direction.X); }
 
   /// What is right of an edge, and around its end.
   void AddSide(const BorderEdge& edge, double length)
@@ -203,41 +214,83 @@ private:
   /// The jumps before an edge, and before its end up to the perpendicular of the next one.
   void AddOutside(const BorderEdge& edge, const Point2& normal, double length)
   {
-    double rays = 1.0;
-    if (this->Reach(Midpoint(edge.Start, edge.End), normal) > 0.0)
+    const BorderEdge part = this->PartBeforeBounds(edge, normal, length);
+    const double partLength = Distance(part.Start, part.End);
+    if (partLength > 0.0)
     {
-      this->AddPerpendicular(edge, normal, length);
-      const double unit = this->UnitOf(std::min(edge.StartValue, edge.EndValue));
-      rays = std::ceil(std::min(length / (StepOfFirstRays * unit), MostFirstRays));
+      this->AddPerpendicular(part, normal, partLength);
+      const double unit = this->UnitOf(std::min(part.StartValue, part.EndValue));
+      this->Sweep(this->FindEnd({ part.Start, part.StartValue, normal }, length),
+        { part.End, part.EndValue, normal }, 0.0, partLength / (StepOfFirstRays * unit), length);
     }
-    const Ray last = this->Sweep(this->FindEnd({ edge.Start, edge.StartValue, normal }, length),
-      { edge.End, edge.EndValue, normal }, 0.0, rays, length);
     const double turn = this->TurnAround(edge);
-    if (turn > 0.0)
+    if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, turn))
     {
-      const double arc = turn * last.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
-      this->Sweep(last, last, turn,
-        std::ceil(std::max(turn / LargestTurn, std::min(arc, MostFirstRays))), length);
+      const Ray first = this->FindEnd({ edge.End, edge.EndValue, normal }, length);
+      const double arc = turn * first.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
+      this->Sweep(
+        first, first, turn, std::max(turn / LargestTurn, std::min(arc, MostFirstRays)), length);
     }
   }
 
-  /// The jumps at the ends of so many rays from one on, up to a foot, and as far as they turn.
-  Ray Sweep(const Ray& first, const Ray& end, double turn, double rays, double likely)
+  /// That part of an edge from which perpendiculars reach the bounds, as far as their corners tell.
+  BorderEdge PartBeforeBounds(const BorderEdge& edge, const Point2& normal, double length) const
+  {
+    const Point2 along = (1.0 / length) * (edge.End - edge.Start);
+    double first = 1.0;
+    double last = 0.0;
+    double ahead = -Infinity;
+    for (const Point2& corner : this->CornersOfBounds())
+    {
+      const double share = Dot(corner - edge.Start, along) / length;
+      first = std::min(first, std::max(share, 0.0));
+      last = std::max(last, std::min(share, 1.0));
+      ahead = std::max(ahead, Dot(corner - edge.Start, normal));
+    }
+    if (!(first < last && ahead > SameLength * length))
+    {
+      return { edge.Start, edge.Start };
+    }
+    const auto place = [&edge](double share)
+    { return edge.Start + share * (edge.End - edge.Start); };
+    const auto value = [&edge](double share)
+    { return (1.0 - share) * edge.StartValue + share * edge.EndValue; };
+    return { place(first), place(last), value(first), value(last) };
+  }
+
+  /// Whether rays from a corner, from a direction on as far as they turn, reach the bounds; as far
+  /// as their corners tell.
+  bool IsBeforeBounds(const Point2& start, const Point2& direction, double turn) const
+  {
+    const Point2 last = Turned(direction, turn);
+    double ahead = -Infinity;
+    for (const Point2& corner : this->CornersOfBounds())
+    {
+      ahead = std::max({ ahead, Dot(corner - start, direction), Dot(corner - start, last) });
+    }
+    return ahead > 0.0;
+  }
+
+  static Point2 Turned(const Point2& direction, double angle)
+  {
+    return std::cos(angle) * direction + std::sin(angle) * Perpendicular(direction);
+  }
+
+  /// The jumps at the ends of about so many rays from one on, up to a foot, and as far as they turn.
+  void Sweep(const Ray& first, const Ray& end, double turn, double count, double likely)
   {
     Ray last = first;
+    const double rays = std::ceil(std::min(count, MostFirstRays));
     for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
     {
       const double weight = ray / rays;
-      const double angle = turn * weight;
-      const Ray next = this->FindEnd(
-        { first.Foot + weight * (end.Foot - first.Foot),
-          (1.0 - weight) * first.Value + weight * end.Value,
-          std::cos(angle) * first.Direction + std::sin(angle) * Perpendicular(first.Direction) },
+      const Ray next = this->FindEnd({ first.Foot + weight * (end.Foot - first.Foot),
+                                       (1.0 - weight) * first.Value + weight * end.Value,
+                                       Turned(first.Direction, turn * weight) },
         std::max(2.0 * last.Length, likely));
       this->Trace(last, next, 0);
       last = next;
     }
-    return last;
   }
 
   /// What f is along an edge: the least value, where values are raised to that, is a part of its
@@ -278,18 +331,15 @@ private:
   /// From the normal of an edge, at its end, counterclockwise to that of the next one.
   double TurnAround(const BorderEdge& edge) const
   {
-    const Point2 back = edge.Start - edge.End;
-    double outside = FullTurn;
-    auto end = std::lower_bound(this->Ends.begin(), this->Ends.end(), edge.EndId,
-      [](const auto& entry, Id point) { return entry.first < point; });
-    for (; end != this->Ends.end() && end->first == edge.EndId; ++end)
-    {
-      const double angle = std::atan2(Cross(back, end->second), Dot(back, end->second));
-      outside = angle > 0.0 ? std::min(outside, angle)
-        : angle < 0.0       ? std::min(outside, FullTurn + angle)
-                            : outside;
-    }
-    return outside - 0.5 * FullTurn;
+    const std::pair<Id, double> back(edge.EndId, AngleOf(edge.Start - edge.End));
+    const auto isAt = [this, &back](auto end)
+    { return end != this->Ends.end() && end->first == back.first; };
+    auto next = std::upper_bound(this->Ends.begin(), this->Ends.end(), back);
+    const double whole = isAt(next) ? 0.0 : FullTurn;
+    next = isAt(next) ? next
+                      : std::lower_bound(this->Ends.begin(), this->Ends.end(),
+                          std::pair<Id, double>(back.first, -FullTurn));
+    return whole + next->second - back.second - 0.5 * FullTurn;
   }
 
   double UnitOf(double value) const { return this->Cones.Values()(value) / this->SeenGradation; }
@@ -329,6 +379,10 @@ private:
     const double unit = this->UnitOf(std::min(a.Value, b.Value));
     const double step = Distance(a.End, b.End);
     const bool isNear = step <= std::max(LastStep * unit, SameLength * (a.Length + b.Length));
+    if (this->AreBeyondBounds(a.End, b.End))
+    {
+      return;
+    }
     if (isNear || halvings == MostHalvings || this->RaysLeft < 0.0 || !this->Beats.Beat(64))
     {
       this->AddLow(a, b);
@@ -347,6 +401,16 @@ private:
       this->Trace(a, middle, halvings + 1);
       this->Trace(middle, b, halvings + 1);
     }
+  }
+
+  /// Both on one side, and what is between them presumably, too.
+  bool AreBeyondBounds(const Point2& a, const Point2& b) const
+  {
+    Box2 box;
+    box.Add(a);
+    box.Add(b);
+    box.Grow(0.5 * box.Diagonal());
+    return !this->Bounds.Meets(box);
   }
 
   static bool HaveOneBeyond(const Ray& a, const Ray& b)
@@ -381,12 +445,13 @@ private:
 
   const TriangleInterpolator& Field;
   const Box2& Bounds;
+  Box2 Traced; ///< what is narrow at its end is wide within the bounds
   const double Gradation;
   const double SeenGradation;
   ConeCollector& Cones;
   Pulse Beats;
   double RaysLeft = 0.0;
-  std::vector<std::pair<Id, Point2>> Ends; ///< in the order of points
+  std::vector<std::pair<Id, double>> Ends; ///< points, and angles
 };
 
 } // namespace
