@@ -378,7 +378,9 @@ private:
   {
     const double unit = this->UnitOf(std::min(a.Value, b.Value));
     const double step = Distance(a.End, b.End);
-    const bool isNear = step <= std::max(LastStep * unit, SameLength * (a.Length + b.Length));
+    const double last =
+      LastStep * (HaveOneBeyond(a, b) ? unit : std::min(unit, a.Length + b.Length));
+    const bool isNear = step <= std::max(last, SameLength * (a.Length + b.Length));
     if (this->AreBeyondBounds(a.End, b.End))
     {
       return;
