@@ -68,6 +68,8 @@ public:
     ConeCollector& cones, Monitor& monitor)
     : Field(field)
     , Bounds(bounds)
+    , Corners{ bounds.Low, { bounds.High.X, bounds.Low.Y }, bounds.High,
+      { bounds.Low.X, bounds.High.Y } }
     , Traced(bounds)
     , Gradation(gradation)
     , SeenGradation(std::min(gradation, LargestSeenGradation))
@@ -123,12 +125,6 @@ private:
     return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
   }
 
-  std::array<Point2, 4> CornersOfBounds() const
-  {
-    const auto& [low, high] = this->Bounds;
-    return { low, Point2{ high.X, low.Y }, high, Point2{ low.X, high.Y } };
-  }
-
   /// How far along a unit vector a point of the border stays the nearest one: a ball that touches
   /// it there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with
   /// a `likely` length, and grows where that is too short.
@@ -160,18 +156,17 @@ private:
   }
 
   /// From the lower end of a steep edge.
-  void AddPerpendicular(const BorderEdge& edge, const Point2& normal, double length)
+  void AddPerpendicular(const BorderEdge& edge, const Point2& normal)
   {
     const ValueRange& range = this->Cones.Values();
+    const double length = Distance(edge.Start, edge.End);
     const bool isRising = edge.StartValue < edge.EndValue;
-    const Point2& lowEnd = isRising ? edge.Start : edge.End;
-    const Point2& highEnd = isRising ? edge.End : edge.Start;
     const double low = range.Scale * std::min(edge.StartValue, edge.EndValue);
     const double high = range.Scale * std::max(edge.StartValue, edge.EndValue);
     if (high - low > this->Gradation * length && low < range.Most && high > range.Least)
     {
       const double weight = std::max(0.0, (range.Least - low) / (high - low));
-      const Point2 start = lowEnd + weight * (highEnd - lowEnd);
+      const Point2 start = RayFrom(edge, isRising ? weight : 1.0 - weight, normal).Foot;
       const double reach =
         this->LengthAlong(start, normal, this->UnitOf(low / range.Scale), length);
       this->Cones.AddSegment(
@@ -214,61 +209,48 @@ private:
   /// The jumps before an edge, and before its end up to the perpendicular of the next one.
   void AddOutside(const BorderEdge& edge, const Point2& normal, double length)
   {
-    const BorderEdge part = this->PartBeforeBounds(edge, normal, length);
-    const double partLength = Distance(part.Start, part.End);
-    if (partLength > 0.0)
+    const BorderEdge part = this->PartBeforeBounds(edge);
+    if (part.Start != part.End && this->IsBeforeBounds(edge.Start, normal, normal))
     {
-      this->AddPerpendicular(part, normal, partLength);
-      const double unit = this->UnitOf(std::min(part.StartValue, part.EndValue));
-      this->Sweep(this->FindEnd({ part.Start, part.StartValue, normal }, length),
-        { part.End, part.EndValue, normal }, 0.0, partLength / (StepOfFirstRays * unit), length);
+      this->AddPerpendicular(part, normal);
+      this->Sweep(part, normal, 0.0, length);
     }
     const double turn = this->TurnAround(edge);
-    if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, turn))
+    if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, Turned(normal, turn)))
     {
-      const Ray first = this->FindEnd({ edge.End, edge.EndValue, normal }, length);
-      const double arc = turn * first.Length / (StepOfFirstRays * this->UnitOf(edge.EndValue));
-      this->Sweep(
-        first, first, turn, std::max(turn / LargestTurn, std::min(arc, MostFirstRays)), length);
+      this->Sweep({ edge.End, edge.End, edge.EndValue, edge.EndValue }, normal, turn, length);
     }
   }
 
-  /// That part of an edge from which perpendiculars reach the bounds, as far as their corners tell.
-  BorderEdge PartBeforeBounds(const BorderEdge& edge, const Point2& normal, double length) const
+  /// Whether rays from a place in two directions, or in those between, may reach the bounds.
+  bool IsBeforeBounds(const Point2& start, const Point2& a, const Point2& b) const
   {
-    const Point2 along = (1.0 / length) * (edge.End - edge.Start);
+    return std::any_of(this->Corners.begin(), this->Corners.end(),
+      [&start, &a, &b](const Point2& corner)
+      { return std::max(Dot(corner - start, a), Dot(corner - start, b)) > 0.0; });
+  }
+
+  /// That part of an edge whose perpendiculars meet the bounds: a point, where none does.
+  BorderEdge PartBeforeBounds(const BorderEdge& edge) const
+  {
+    const Point2 along = edge.End - edge.Start;
     double first = 1.0;
     double last = 0.0;
-    double ahead = -Infinity;
-    for (const Point2& corner : this->CornersOfBounds())
+    for (const Point2& corner : this->Corners)
     {
-      const double share = Dot(corner - edge.Start, along) / length;
+      const double share = Dot(corner - edge.Start, along) / Dot(along, along);
       first = std::min(first, std::max(share, 0.0));
       last = std::max(last, std::min(share, 1.0));
-      ahead = std::max(ahead, Dot(corner - edge.Start, normal));
     }
-    if (!(first < last && ahead > SameLength * length))
-    {
-      return { edge.Start, edge.Start };
-    }
-    const auto place = [&edge](double share)
-    { return edge.Start + share * (edge.End - edge.Start); };
-    const auto value = [&edge](double share)
-    { return (1.0 - share) * edge.StartValue + share * edge.EndValue; };
-    return { place(first), place(last), value(first), value(last) };
+    const Ray start = RayFrom(edge, first, {});
+    const Ray end = RayFrom(edge, last, {});
+    return { start.Foot, end.Foot, start.Value, end.Value };
   }
 
-  /// Whether rays from a corner, from a direction on as far as they turn, reach the bounds; as far
-  /// as their corners tell.
-  bool IsBeforeBounds(const Point2& start, const Point2& direction, double turn) const
+  static Ray RayFrom(const BorderEdge& edge, double share, const Point2& direction)
   {
-    const Point2 last = Turned(direction, turn);
-    double ahead = -Infinity;
-    for (const Point2& corner : this->CornersOfBounds())
-    {
-      ahead = std::max({ ahead, Dot(corner - start, direction), Dot(corner - start, last) });
-    }
-    return ahead > 0.0;
+    return { edge.Start + share * (edge.End - edge.Start),
+      (1.0 - share) * edge.StartValue + share * edge.EndValue, direction };
   }
 
   static Point2 Turned(const Point2& direction, double angle)
@@ -276,18 +258,19 @@ private:
     return std::cos(angle) * direction + std::sin(angle) * Perpendicular(direction);
   }
 
-  /// The jumps at the ends of about so many rays from one on, up to a foot, and as far as they turn.
-  void Sweep(const Ray& first, const Ray& end, double turn, double count, double likely)
+  /// The jumps at the ends of rays from an edge, which turn on the way along it.
+  void Sweep(const BorderEdge& edge, const Point2& direction, double turn, double likely)
   {
-    Ray last = first;
-    const double rays = std::ceil(std::min(count, MostFirstRays));
+    Ray last = this->FindEnd(RayFrom(edge, 0.0, direction), likely);
+    const double way = Distance(edge.Start, edge.End) + turn * last.Length;
+    const double unit = this->UnitOf(std::min(edge.StartValue, edge.EndValue));
+    const double rays = std::ceil(
+      std::max(turn / LargestTurn, std::min(way / (StepOfFirstRays * unit), MostFirstRays)));
     for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
     {
-      const double weight = ray / rays;
-      const Ray next = this->FindEnd({ first.Foot + weight * (end.Foot - first.Foot),
-                                       (1.0 - weight) * first.Value + weight * end.Value,
-                                       Turned(first.Direction, turn * weight) },
-        std::max(2.0 * last.Length, likely));
+      const double share = ray / rays;
+      const Ray next = this->FindEnd(
+        RayFrom(edge, share, Turned(direction, turn * share)), std::max(2.0 * last.Length, likely));
       this->Trace(last, next, 0);
       last = next;
     }
@@ -316,11 +299,10 @@ private:
   void AddSheet(const BorderEdge& edge, const Point2& aside)
   {
     const ValueRange& range = this->Cones.Values();
-    for (const double weight : { 0.25, 0.75 })
+    for (const double share : { 0.25, 0.75 })
     {
-      const Point2 place = edge.Start + weight * (edge.End - edge.Start) + aside;
-      const double value = range((1.0 - weight) * edge.StartValue + weight * edge.EndValue);
-      if (range(this->Field(place)) > (1.0 + LeastJump) * value)
+      const Ray from = RayFrom(edge, share, aside);
+      if (range(this->Field(from.Foot + aside)) > (1.0 + LeastJump) * range(from.Value))
       {
         this->AddAlong(edge);
         return;
@@ -332,14 +314,11 @@ private:
   double TurnAround(const BorderEdge& edge) const
   {
     const std::pair<Id, double> back(edge.EndId, AngleOf(edge.Start - edge.End));
-    const auto isAt = [this, &back](auto end)
-    { return end != this->Ends.end() && end->first == back.first; };
-    auto next = std::upper_bound(this->Ends.begin(), this->Ends.end(), back);
-    const double whole = isAt(next) ? 0.0 : FullTurn;
-    next = isAt(next) ? next
-                      : std::lower_bound(this->Ends.begin(), this->Ends.end(),
-                          std::pair<Id, double>(back.first, -FullTurn));
-    return whole + next->second - back.second - 0.5 * FullTurn;
+    const auto first = std::lower_bound(
+      this->Ends.begin(), this->Ends.end(), std::pair<Id, double>(edge.EndId, -FullTurn));
+    const auto next = std::upper_bound(first, this->Ends.end(), back);
+    const bool isLast = next == this->Ends.end() || next->first != edge.EndId;
+    return (isLast ? first->second + FullTurn : next->second) - back.second - 0.5 * FullTurn;
   }
 
   double UnitOf(double value) const { return this->Cones.Values()(value) / this->SeenGradation; }
@@ -447,7 +426,8 @@ private:
 
   const TriangleInterpolator& Field;
   const Box2& Bounds;
-  Box2 Traced; ///< what is narrow at its end is wide within the bounds
+  const std::array<Point2, 4> Corners; ///< of the bounds
+  Box2 Traced;                         ///< what is narrow at its end is wide within the bounds
   const double Gradation;
   const double SeenGradation;
   ConeCollector& Cones;

@@ -153,6 +153,45 @@ TEST(OutsideJumps, AreFoundBetweenCornersInASmallHole)
   EXPECT_LT(least, 0.005);
 }
 
+/// Only the rays from the left part of the long edge meet the bounds, and none of its ends sees the
+/// triangle above.
+TEST(OutsideJumps, AreFoundBeforeEdgesThatLeaveTheBounds)
+{
+  const TriangulatedSource source{ { { 0.2, 0.9 }, { 1.8, 1.1 }, { 1.0, 0.5 }, { 0.3, 0.98 },
+                                     { 0.5, 0.98 }, { 0.4, 1.2 } },
+    { 0.001, 0.001, 0.001, 1.0, 1.0, 1.0 }, { 0, 1, 2, 3, 4, 5 } };
+  double least = 1.0;
+  for (const Point2& place : JumpsOf(source).Points)
+  {
+    least = std::min(least, Distance(place, { 0.4, 0.9525 }));
+  }
+  EXPECT_LT(least, 0.01);
+}
+
+/// What is nearest to the middle one of three tips widens from where it is far narrower than f.
+TEST(OutsideJumps, AreFoundOnBothSidesOfWhatIsNearestToATipBetweenOthers)
+{
+  TriangulatedSource source;
+  for (const double value : { 0.42, 0.32, 0.42 })
+  {
+    const auto tip = static_cast<Id>(source.Points.size());
+    const Point2 place{ 0.48 + 0.02 / 3.0 * tip, 0.9 };
+    source.Points.insert(source.Points.end(),
+      { place, place + Point2{ -0.005, 0.02 }, place + Point2{ 0.005, 0.02 } });
+    source.Values.insert(source.Values.end(), 3, value);
+    source.Triangles.insert(source.Triangles.end(), { tip, tip + 1, tip + 2 });
+  }
+  SpacingOptions options = WithTriangles(source);
+  options.Gradation = 0.1;
+  const Spacing f = MakeGoodSpacing(options);
+  for (const double y : { 0.1, 0.3, 0.5, 0.7, 0.85 })
+  {
+    EXPECT_EQ(f({ 0.5, y }), 0.32);
+    EXPECT_NEAR(f({ 0.485, y }), 0.32 + 0.1 * 0.005, 0.004) << y;
+    EXPECT_NEAR(f({ 0.515, y }), 0.32 + 0.1 * 0.005, 0.004) << y;
+  }
+}
+
 /// Along the lower edge of the triangle it is up to x = 0.65.
 TEST(OutsideJumps, OfSheetsAreAtTheLeastValueWhereverItRaisesWhatIsGiven)
 {

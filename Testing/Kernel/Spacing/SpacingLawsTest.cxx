@@ -155,6 +155,28 @@ TEST(SpacingLaws, HoldForSourcesMadeAtRandom)
   }
 }
 
+/// Then the bounds end anywhere in what is outside of triangles.
+TEST(SpacingLaws, HoldForTrianglesThatAreTurnedAndReachBeyondTheBounds)
+{
+  for (std::uint64_t seed = 1; seed <= Cases && !HasFatalFailure(); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Sampler sampler(seed);
+    SpacingOptions options = MakeOptions(sampler);
+    if (options.Triangulation)
+    {
+      TriangulatedSource source = *options.Triangulation;
+      for (Point2& point : source.Points)
+      {
+        point = Point2{ 0.3, 0.45 } +
+          Point2{ 0.64 * point.X - 0.48 * point.Y, 0.48 * point.X + 0.64 * point.Y };
+      }
+      options.Triangulation = Share(std::move(source));
+      ExpectLaws(options, UnitBox(), sampler);
+    }
+  }
+}
+
 /// On a small part of their sides only.
 TEST(SpacingLaws, HoldWhereValuesReachTheMaximumBesideACornerOfATriangle)
 {
