@@ -61,6 +61,36 @@ struct Ray
   Id FarEnd = NoId;
 };
 
+double AngleOf(const Point2& direction)
+{
+  return std::atan2(direction.Y, direction.X);
+}
+
+Point2 Turned(const Point2& direction, double angle)
+{
+  return std::cos(angle) * direction + std::sin(angle) * Perpendicular(direction);
+}
+
+Ray RayFrom(const BorderEdge& edge, double share, const Point2& direction)
+{
+  return { edge.Start + share * (edge.End - edge.Start),
+    (1.0 - share) * edge.StartValue + share * edge.EndValue, direction };
+}
+
+bool HaveOneBeyond(const Ray& a, const Ray& b)
+{
+  return a.FarStart == b.FarStart && a.FarEnd == b.FarEnd;
+}
+
+bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
+{
+  const Point2 along = b.End - a.End;
+  const Point2 toMiddle = middle.End - a.End;
+  const double share = Dot(toMiddle, along) / Dot(along, along);
+  const double room = std::max(LargestBend * unit, 4.0 * SameLength * (a.Length + b.Length));
+  return Length(toMiddle - std::min(std::max(share, 0.0), 1.0) * along) <= room;
+}
+
 class JumpTracer
 {
 public:
@@ -105,12 +135,6 @@ public:
   }
 
 private:
-  /// Whether a direction leads from the border to the outside.
-  bool LeavesTriangles(const Point2& start, const Point2& direction, double length) const
-  {
-    return this->Field.Nearest(start + SameLength * length * direction).Distance > 0.0;
-  }
-
   /// How far it is along a unit vector to the end of the traced box; 0 where that is behind.
   double Reach(const Point2& start, const Point2& direction) const
   {
@@ -185,8 +209,6 @@ private:
     SortInSteps(this->Ends, std::less<>(), this->Beats);
   }
 
-  static double AngleOf(const Point2& direction) { return std::atan2(direction.Y, direction.X); }
-
   /// What is right of an edge, and around its end.
   void AddSide(const BorderEdge& edge, double length)
   {
@@ -196,9 +218,10 @@ private:
     {
       return;
     }
-    if (!this->LeavesTriangles(Midpoint(edge.Start, edge.End), normal, length))
+    const Point2 aside = SameLength * length * normal;
+    if (this->Field.Nearest(Midpoint(edge.Start, edge.End) + aside).Distance == 0.0)
     {
-      this->AddSheet(edge, SameLength * length * normal);
+      this->AddSheet(edge, aside);
     }
     else
     {
@@ -245,17 +268,6 @@ private:
     const Ray start = RayFrom(edge, first, {});
     const Ray end = RayFrom(edge, last, {});
     return { start.Foot, end.Foot, start.Value, end.Value };
-  }
-
-  static Ray RayFrom(const BorderEdge& edge, double share, const Point2& direction)
-  {
-    return { edge.Start + share * (edge.End - edge.Start),
-      (1.0 - share) * edge.StartValue + share * edge.EndValue, direction };
-  }
-
-  static Point2 Turned(const Point2& direction, double angle)
-  {
-    return std::cos(angle) * direction + std::sin(angle) * Perpendicular(direction);
   }
 
   /// The jumps at the ends of rays from an edge, which turn on the way along it.
@@ -370,7 +382,7 @@ private:
       return;
     }
     const Ray middle = this->Between(a, b);
-    if (a.IsLow && middle.IsLow && b.IsLow && this->IsStraight(a, middle, b, unit))
+    if (a.IsLow && middle.IsLow && b.IsLow && IsStraight(a, middle, b, unit))
     {
       this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
       return;
@@ -392,20 +404,6 @@ private:
     box.Add(b);
     box.Grow(0.5 * box.Diagonal());
     return !this->Bounds.Meets(box);
-  }
-
-  static bool HaveOneBeyond(const Ray& a, const Ray& b)
-  {
-    return a.FarStart == b.FarStart && a.FarEnd == b.FarEnd;
-  }
-
-  static bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
-  {
-    const Point2 along = b.End - a.End;
-    const Point2 toMiddle = middle.End - a.End;
-    const double share = Dot(toMiddle, along) / Dot(along, along);
-    const double room = std::max(LargestBend * unit, 4.0 * SameLength * (a.Length + b.Length));
-    return Length(toMiddle - std::min(std::max(share, 0.0), 1.0) * along) <= room;
   }
 
   void AddLow(const Ray& a, const Ray& b)

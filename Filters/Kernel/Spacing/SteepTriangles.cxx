@@ -300,8 +300,8 @@ private:
     }
   }
 
-  /// Hands the cone that is lowest at the lower end of an edge on to the other one. Whether it stands
-  /// for the cone of that edge: as it does at the lower end, it has not to be above the other one.
+  /// Hands the cone that is lowest at the lower end of an edge on to the other one. Whether it
+  /// stands for the cone of that edge: it does at the lower end.
   bool IsCovered(const Node& low, Node& high) const
   {
     const double value = this->Cone(low.Lowest)(high.Place, this->Gradation);

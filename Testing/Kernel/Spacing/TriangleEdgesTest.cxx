@@ -77,6 +77,23 @@ TEST(TriangleEdges, OfOneTriangleOnlyAreTheBorder)
   }
 }
 
+TEST(TriangleEdges, LeadUpFromTheirLowerEnd)
+{
+  Pulse pulse(NoMonitor());
+  const std::vector<double> heights{ 2.0, 1.0, 1.0, 3.0 };
+  const TriangleEdges edges({ 0, 1, 2, 0, 2, 3 }, 4, pulse, heights);
+  std::set<Edge> found;
+  for (std::size_t low = 0; low < 4; ++low)
+  {
+    for (std::size_t edge = edges.FirstAt(low); edge < edges.FirstAt(low + 1); ++edge)
+    {
+      found.emplace(static_cast<Id>(low), edges.HighEnd(edge));
+      EXPECT_EQ(edges.IsBorder(edge), low != 2 || edges.HighEnd(edge) != 0);
+    }
+  }
+  EXPECT_EQ(found, (std::set<Edge>{ { 1, 2 }, { 1, 0 }, { 2, 0 }, { 0, 3 }, { 2, 3 } }));
+}
+
 TEST(TriangleEdges, OfNoTrianglesAreNone)
 {
   EXPECT_TRUE(EdgesOf({}, 5).All.empty());
