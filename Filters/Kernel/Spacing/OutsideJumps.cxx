@@ -45,6 +45,11 @@ constexpr int LengthSteps = 32;
 constexpr double GrowthOfBall = 8.0;
 constexpr double SameLength = 1e-6;
 
+/// How far a ball may reach over the border, as a share of its radius and of coordinates: by more,
+/// far away, than border points that are near each other are nearer than others.
+constexpr double EmptyBall = 1e-10;
+constexpr double Rounding = 1e-14;
+
 constexpr double FullTurn = 6.283185307179586;
 
 /// A straight way from a point of the border to where that ceases to be the nearest one.
@@ -162,7 +167,8 @@ private:
       const NearestValue nearest =
         this->Field.Nearest(start + length * direction, { length, 0.0, start });
       const Point2 within = nearest.Foot - start;
-      const bool isEmpty = nearest.Distance >= (1.0 - SameLength) * length;
+      const double room = EmptyBall * length + Rounding * (std::abs(start.X) + std::abs(start.Y));
+      const bool isEmpty = nearest.Distance >= length - room;
       if (isEmpty && (isLarge || length == reach))
       {
         return length;
