@@ -45,8 +45,7 @@ constexpr int LengthSteps = 32;
 constexpr double GrowthOfBall = 8.0;
 constexpr double SameLength = 1e-6;
 
-/// How far a ball may reach over the border, as a share of its radius and of coordinates: by more,
-/// far away, than border points that are near each other are nearer than others.
+/// How far an empty ball may reach over the border: shares of its radius and of coordinates.
 constexpr double EmptyBall = 1e-10;
 constexpr double Rounding = 1e-14;
 
