@@ -335,7 +335,11 @@ double SpectralNorm(const Hessian2& hessian)
 {
   const double half = 0.5 * (hessian.XX - hessian.YY);
   const double mean = 0.5 * (hessian.XX + hessian.YY);
-  return std::abs(mean) + std::sqrt(half * half + hessian.XY * hessian.XY);
+  // Squares of very small or large derivatives would be 0 or infinite: those of shares are not.
+  const double largest = std::max(std::abs(half), std::abs(hessian.XY));
+  const double share =
+    largest > 0.0 ? std::min(std::abs(half), std::abs(hessian.XY)) / largest : 0.0;
+  return std::abs(mean) + largest * std::sqrt(1.0 + share * share);
 }
 
 double NumericalSpacing(double norm, double errorTolerance, double minimum, double maximum)

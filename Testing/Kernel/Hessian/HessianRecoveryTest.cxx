@@ -297,6 +297,29 @@ TEST(SpectralNorm, IsTheLargestSecondDerivativeInAnyDirection)
   }
 }
 
+/// It was 0 or the maximum there, where squares of derivatives leave what numbers can hold.
+TEST(NumericalSpacing, ScalesWithLengthsHoweverLargeOrSmall)
+{
+  const Cells cells = Lattice(9, 9);
+  const std::vector<double> values = ValuesOf(cells, Quadratic);
+  const std::vector<Hessian2> hessians = Recover(cells, values);
+  for (const double scale : { 0x1p498, 0x1p-498 })
+  {
+    Cells scaled = cells;
+    for (Point2& point : scaled.Points)
+    {
+      point = scale * point;
+    }
+    const std::vector<Hessian2> found = Recover(scaled, values);
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      const double spacing = NumericalSpacing(SpectralNorm(hessians[k]), 0.01, 0.0, 1e300);
+      const double wanted = NumericalSpacing(SpectralNorm(found[k]), 0.01, 0.0, 1e300);
+      ASSERT_NEAR(wanted / scale / spacing, 1.0, 1e-12);
+    }
+  }
+}
+
 TEST(NumericalSpacing, StaysWithinItsBounds)
 {
   EXPECT_DOUBLE_EQ(NumericalSpacing(4.0, 0.01, 0.0, 9.0), 0.05);
