@@ -9,7 +9,6 @@ set(biting_kernel_sources
   Base/Tasks.cxx
   Predicates/Predicates.cxx
   Spacing/BorderTree.cxx
-  Spacing/BoxTree.cxx
   Spacing/ConeTree.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
@@ -21,7 +20,6 @@ set(biting_kernel_sources
   Spacing/LevelLine.cxx
   Spacing/OutsideJumps.cxx
   Spacing/SegmentCone.cxx
-  Spacing/SegmentExtension.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx

@@ -18,6 +18,13 @@ struct Box2
   Point2 Low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
   Point2 High{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
 
+  /// The smallest one with both points.
+  static Box2 Around(const Point2& a, const Point2& b)
+  {
+    return { { std::min(a.X, b.X), std::min(a.Y, b.Y) },
+      { std::max(a.X, b.X), std::max(a.Y, b.Y) } };
+  }
+
   void Add(const Point2& p)
   {
     this->Low = { std::min(this->Low.X, p.X), std::min(this->Low.Y, p.Y) };

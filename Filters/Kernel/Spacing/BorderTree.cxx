@@ -7,21 +7,6 @@
 
 namespace biting
 {
-namespace
-{
-
-BoxTree MakeTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
-{
-  std::vector<BoxTree::Item> items(edges.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge)
-  {
-    items[edge].Box.Add(edges[edge].Start);
-    items[edge].Box.Add(edges[edge].End);
-  }
-  return BoxTree(items, pulse);
-}
-
-} // namespace
 
 NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
 {
@@ -35,23 +20,13 @@ NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
     edge.Start + toFoot, edge.StartId, edge.EndId };
 }
 
-BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
-  : Tree(MakeTree(edges, pulse))
-{
-  this->Edges.reserve(edges.size());
-  for (Id edge : this->Tree.Order())
-  {
-    this->Edges.push_back(edges[static_cast<std::size_t>(edge)]);
-  }
-}
-
 NearestValue BorderTree::Nearest(const Point2& x, const NearestValue& known) const
 {
   NearestValue best = known;
   this->Tree.Search(x, 1.0, known.Distance,
-    [this, &x, &best](Id position, double)
+    [&x, &best](const BorderEdge& edge, double)
     {
-      const NearestValue found = NearestOnEdge(this->Edges[static_cast<std::size_t>(position)], x);
+      const NearestValue found = NearestOnEdge(edge, x);
       best = found.Distance < best.Distance ? found : best;
       return best.Distance;
     });

@@ -18,6 +18,10 @@ struct BorderEdge
   double EndValue = 0.0;
   Id StartId = NoId; ///< of the points that it joins
   Id EndId = NoId;
+
+  // For a BoxTree.
+  Box2 Box() const { return Box2::Around(this->Start, this->End); }
+  double Least() const { return 0.0; }
 };
 
 /// A value at some distance.
@@ -38,16 +42,18 @@ class BorderTree
 {
 public:
   BorderTree() = default;
-  BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse);
+  BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
+    : Tree(edges, pulse)
+  {
+  }
 
   /// The value at the nearest point of all edges, or `known` where none is nearer than that.
   NearestValue Nearest(const Point2& x, const NearestValue& known) const;
 
-  const std::vector<BorderEdge>& AllEdges() const { return this->Edges; }
+  const std::vector<BorderEdge>& AllEdges() const { return this->Tree.Items(); }
 
 private:
-  BoxTree Tree;
-  std::vector<BorderEdge> Edges; ///< in the order of the tree
+  BoxTree<BorderEdge> Tree;
 };
 
 } // namespace biting

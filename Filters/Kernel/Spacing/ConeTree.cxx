@@ -4,7 +4,7 @@
 #include "ConeTree.h"
 
 #include "../Base/Numbers.h"
-#include "SegmentExtension.h"
+#include "BoxTree.h"
 
 #include <array>  // for lattices
 #include <cmath>  // for ldexp
@@ -15,15 +15,12 @@ namespace biting
 namespace
 {
 
-/// A cone is dropped where another one beats it but for this share of its value. Of a chain of
-/// cones, each of which stands for the one before, the ends are rarely much farther apart.
+/// A cone is dropped where another one beats it but for this share of its value. That one may be
+/// dropped for a third in a smaller square, but the three are rarely much farther apart.
 constexpr double Slack = 0.005;
 
-/// Among more, those that another one beside them stands for are looked for.
-constexpr std::size_t ManyCones = 64;
-
 /// With so few cones a square is a leaf, however large: more of them take longer than a level more.
-constexpr Id FewCones = 14;
+constexpr Id FewCones = 20;
 
 /// A square across which f grows by no more than this share of itself is a leaf, whatever its
 /// cones: what a lattice misses is rarely lower than what it finds by more than a tenth of that.
@@ -62,7 +59,7 @@ public:
   Builder(ConeTree& whole, const std::vector<SegmentCone>& cones, double most, Monitor& monitor)
     : Whole(whole)
     , Beats(monitor)
-    , Cones(SegmentExtension(cones, whole.Slope, this->Beats).OrderedCones())
+    , Cones(BoxTree<SegmentCone>(cones, this->Beats).Items())
     , Most(most)
     , Slope(whole.Slope)
     , Margin(RoundingShare * LargestCoordinate(whole.Bounds))
@@ -71,6 +68,7 @@ public:
 
   bool Build()
   {
+    DropHigh(this->Slope, Slack, this->Cones, this->Beats);
     for (std::size_t cone = 0; cone < this->Cones.size(); ++cone)
     {
       this->Candidates.push_back(static_cast<Id>(cone));
@@ -116,7 +114,7 @@ private:
       this->SetLeaf(square, 0);
       return;
     }
-    this->KeepCandidates(box, radius, lowest, kept - first > ManyCones);
+    this->KeepCandidates(box, lowest);
     this->FinishOrSplit(square, lowest, kept);
     this->Candidates.resize(kept);
   }
@@ -185,11 +183,8 @@ private:
   /// A cone is convex, so it is nowhere below a tangent plane. What the lowest one, b, is above
   /// such a plane is convex, too, so largest at a corner. So the cone is nowhere in the box below
   /// (1 - Slack) b, if its plane is not at the four corners.
-  /// Of cones beside each other, one also stands for those after it: so lists do not grow with the
-  /// number of segments where these are close together.
-  void KeepCandidates(const Box2& box, double radius, const Lowest& lowest, bool areMany)
+  void KeepCandidates(const Box2& box, const Lowest& lowest)
   {
-    const Point2 center = box.Center();
     const Point2 half = 0.5 * (box.High - box.Low);
     const double share = 1.0 - Slack;
     const SegmentCone& b = this->At(lowest.Cone);
@@ -197,8 +192,6 @@ private:
     const double highLow = share * b({ box.High.X, box.Low.Y }, this->Slope);
     const double lowHigh = share * b({ box.Low.X, box.High.Y }, this->Slope);
     const double highHigh = share * b(box.High, this->Slope);
-    const double room = Slack * (lowest.Value - this->Slope * radius);
-    Lowest last;
     for (std::size_t k = 0; k < this->TangentCount; ++k)
     {
       const Tangent& tangent = this->Tangents[k];
@@ -207,34 +200,11 @@ private:
       const double value = tangent.Value;
       const bool isAbove = (value - x - y >= lowLow) & (value + x - y >= highLow) &
         (value - x + y >= lowHigh) & (value + x + y >= highHigh);
-      const bool mayBeLowest = tangent.Cone == lowest.Cone ||
-        !(isAbove ||
-          (areMany && last.Cone != NoId &&
-            this->StandsFor(last.Cone, tangent.Cone, center, radius, last.Value - value, room)));
-      if (mayBeLowest)
+      if (!isAbove || tangent.Cone == lowest.Cone)
       {
         this->Candidates.push_back(tangent.Cone);
-        last = { tangent.Cone, value };
       }
     }
-  }
-
-  /// Whether, all over the square, a cone is above another one by no more than `room`. `above` is
-  /// what it is above it at the center. Far away the gradients differ by no more than the angle
-  /// between their feet, seen from a point of the square.
-  bool StandsFor(
-    Id cone, Id other, const Point2& center, double radius, double above, double room) const
-  {
-    if (above > room)
-    {
-      return false;
-    }
-    const SegmentCone& a = this->At(cone);
-    const SegmentCone& b = this->At(other);
-    const double apart = Distance(a.Start, b.Start) + a.Length + b.Length;
-    const double away = Distance(center, a.Start) - radius - apart;
-    return (away > 0.0 && (room - above) * away > this->Slope * radius * apart) ||
-      a.StandsFor(b, this->Slope, room);
   }
 
   /// Leaves, of the candidates from `first` on, those that are lowest at points of a lattice.
@@ -295,7 +265,7 @@ private:
 
   ConeTree& Whole;
   Pulse Beats;
-  const std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
+  std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
   const double Most;
   const double Slope;
   const double Margin;

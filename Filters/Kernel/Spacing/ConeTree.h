@@ -17,11 +17,11 @@ namespace biting
 /// The minimum of many cones of one slope, over a box, at constant cost.
 ///
 /// A quadtree whose leaves list the cones that may be lowest there. It is built from the root down
-/// with lists of candidates: a square drops every cone that another one beats all over it, but for
-/// Slack: the lowest one at its center, or one beside it. It is a leaf when few candidates are
-/// left, or when it is as small as the value itself; then its list is what is lowest at points of a
-/// lattice in it. So the result is nowhere below the minimum, and above it by no more than
-/// Tolerance: that is tested, not proven, as a thin cone may pass between the points of a lattice.
+/// with lists of candidates: a square drops every cone that the one which is lowest at its center
+/// beats all over it, but for Slack. It is a leaf when few candidates are left, or when it is as
+/// small as the value itself; then its list is what is lowest at points of a lattice in it. So the
+/// result is nowhere below the minimum, and above it by no more than Tolerance: that is tested, not
+/// proven, as a thin cone may pass between the points of a lattice.
 /// Across the borders of leaves it may jump as much. Slopes above 1 are not followed within a
 /// hundredth of the value: there the tolerance is as many times as large.
 /// Cost: n log n for n cones; a lookup and a handful of cones for an evaluation.

@@ -11,9 +11,6 @@ namespace biting
 namespace
 {
 
-/// f is at most this many feature sizes: one layer of triangles fits into a channel.
-constexpr double SizesPerSpacing = 1.0;
-
 /// f is at most so many lengths of a segment, whose ends are vertices of the mesh whatever f is:
 /// the square root of 2, less a margin. The segment is then no shorter than 1/sqrt(2) spacings, as
 /// an edge should be, and there are about three vertices more for each segment.
@@ -44,46 +41,18 @@ constexpr Id Beside = 2;
 constexpr double PartsOfSegment = 64.0;
 constexpr double MostParts = 500000.0;
 
-BoxTree MakeTree(const FeatureSource& source, Pulse& pulse)
+using Feature = FeatureSize::Feature;
+
+std::vector<Feature> AllFeatures(const FeatureSource& source)
 {
-  std::vector<BoxTree::Item> items(source.Starts.size());
-  for (std::size_t segment = 0; segment < items.size(); ++segment)
+  std::vector<Feature> features;
+  features.reserve(source.Starts.size());
+  for (std::size_t segment = 0; segment < source.Starts.size(); ++segment)
   {
-    items[segment].Box.Add(source.Points[static_cast<std::size_t>(source.Starts[segment])]);
-    items[segment].Box.Add(source.Points[static_cast<std::size_t>(source.Ends[segment])]);
+    features.emplace_back(source, segment);
   }
-  return BoxTree(items, pulse);
+  return features;
 }
-
-/// A segment of the source.
-struct Feature
-{
-  Id StartId;
-  Id EndId;
-  Point2 Start;
-  Point2 End;
-  bool LeftInside;
-  bool RightInside;
-
-  Feature(const FeatureSource& source, Id segmentId)
-  {
-    const auto segment = static_cast<std::size_t>(segmentId);
-    this->StartId = source.Starts[segment];
-    this->EndId = source.Ends[segment];
-    this->Start = source.Points[static_cast<std::size_t>(this->StartId)];
-    this->End = source.Points[static_cast<std::size_t>(this->EndId)];
-    this->LeftInside = source.LeftInside[segment] != 0;
-    this->RightInside = source.RightInside[segment] != 0;
-  }
-
-  bool IsPoint() const { return this->StartId == this->EndId; }
-
-  bool IsIncident(const Feature& other) const
-  {
-    return this->StartId == other.StartId || this->StartId == other.EndId ||
-      this->EndId == other.StartId || this->EndId == other.EndId;
-  }
-};
 
 /// From x on a feature to another one, as far as that lies on the inner side.
 double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
@@ -143,7 +112,7 @@ public:
     const auto count = static_cast<Id>(this->Source.Starts.size());
     for (this->Segment = 0; this->Segment < count && this->Beats.Beat(16); ++this->Segment)
     {
-      const Feature feature(this->Source, this->Segment);
+      const Feature feature(this->Source, static_cast<std::size_t>(this->Segment));
       const double length = Distance(feature.Start, feature.End);
       this->MostByLength = length > 0.0 ? LengthsPerSpacing * length : Infinity;
       const Sample start = this->TakeSample(feature.Start, length);
@@ -168,7 +137,7 @@ private:
     double length = 0.0;
     for (std::size_t segment = 0; segment < count; ++segment)
     {
-      const Feature feature(this->Source, static_cast<Id>(segment));
+      const Feature feature(this->Source, segment);
       length += Distance(feature.Start, feature.End);
     }
     const double most = this->Source.MostPieces;
@@ -182,7 +151,7 @@ private:
     pieces = 0.0;
     for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
     {
-      const Feature feature(this->Source, static_cast<Id>(segment));
+      const Feature feature(this->Source, segment);
       const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
       double last = this->Given(feature.Start);
       for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
@@ -199,7 +168,7 @@ private:
   {
     Point2 Place;
     double Given = 0.0;  ///< f without the cap
-    double Size = 0.0;   ///< feature size in units of f, as far as it matters
+    double Size = 0.0;   ///< feature size, as far as it matters
     double Capped = 0.0; ///< f with the cap
   };
 
@@ -219,12 +188,11 @@ private:
     Sample sample;
     sample.Place = place;
     sample.Given = this->GivenAt(place);
-    const double known = this->MostByLength < sample.Given ? this->MostByLength / SizesPerSpacing
-                                                           : sample.Given / SizesPerSpacing + reach;
+    const double known =
+      this->MostByLength < sample.Given ? this->MostByLength : sample.Given + reach;
     const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(sample.Given));
-    sample.Size =
-      SizesPerSpacing * this->Size(this->Segment, place, known, least / SizesPerSpacing);
+    sample.Size = this->Size(this->Segment, place, known, least);
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
@@ -251,7 +219,7 @@ private:
   /// between.
   void AddPiece(const Sample& start, const Sample& end, double length, int depth)
   {
-    const double least = 0.5 * (start.Size + end.Size - SizesPerSpacing * length);
+    const double least = 0.5 * (start.Size + end.Size - length);
     const double most =
       std::min(this->Most, 0.5 * (start.Given + end.Given + this->Gradation * length));
     const bool isOver = this->Beats.HasStopped() || this->NumberOfSamples > this->MostSamples();
@@ -296,37 +264,53 @@ private:
 
 } // namespace
 
+FeatureSize::Feature::Feature(const FeatureSource& source, std::size_t segment)
+  : SegmentId(static_cast<Id>(segment))
+  , StartId(source.Starts[segment])
+  , EndId(source.Ends[segment])
+  , Start(source.Points[static_cast<std::size_t>(this->StartId)])
+  , End(source.Points[static_cast<std::size_t>(this->EndId)])
+  , LeftInside(source.LeftInside[segment] != 0)
+  , RightInside(source.RightInside[segment] != 0)
+{
+}
+
+bool FeatureSize::Feature::IsIncident(const Feature& other) const
+{
+  return this->StartId == other.StartId || this->StartId == other.EndId ||
+    this->EndId == other.StartId || this->EndId == other.EndId;
+}
+
 FeatureSize::FeatureSize(const FeatureSource& source, Pulse& pulse)
-  : Source(source)
-  , Tree(MakeTree(source, pulse))
-  , Positions(Tree.Order().size(), 0)
+  : Tree(AllFeatures(source), pulse)
+  , Positions(Tree.Items().size(), 0)
 {
   for (std::size_t position = 0; position < this->Positions.size(); ++position)
   {
-    this->Positions[static_cast<std::size_t>(this->Tree.Order()[position])] =
-      static_cast<Id>(position);
+    const Feature& feature = this->Tree.Items()[position];
+    this->Positions[static_cast<std::size_t>(feature.SegmentId)] = static_cast<Id>(position);
   }
 }
 
 // In a crowd of long segments all boxes overlap, but those beside this one in the tree are near.
 double FeatureSize::operator()(Id segment, const Point2& x, double known, double enough) const
 {
-  const Feature own(this->Source, segment);
+  const std::vector<Feature>& features = this->Tree.Items();
+  const Id position = this->Positions[static_cast<std::size_t>(segment)];
+  const Feature& own = features[static_cast<std::size_t>(position)];
   double least = known;
-  const auto look = [this, &own, &x, &least, enough](Id position, double)
+  const auto look = [&own, &x, &least, enough](const Feature& other, double)
   {
-    const Feature other(this->Source, this->Tree.Order()[static_cast<std::size_t>(position)]);
     if (!own.IsIncident(other))
     {
       least = std::min(least, DistanceInside(own, x, other));
     }
     return least > enough ? least : 0.0;
   };
-  const Id position = this->Positions[static_cast<std::size_t>(segment)];
-  const Id last = std::min(position + Beside, static_cast<Id>(this->Positions.size()) - 1);
+  const Id last = std::min(position + Beside, static_cast<Id>(features.size()) - 1);
   for (Id beside = std::max(position - Beside, Id(0)); beside <= last && least > enough; ++beside)
   {
-    look(beside, least);
+    look(features[static_cast<std::size_t>(beside)], least);
   }
   if (least > enough)
   {

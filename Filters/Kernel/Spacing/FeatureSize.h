@@ -20,6 +20,26 @@ namespace biting
 class FeatureSize
 {
 public:
+  /// A segment of the source, or a point.
+  struct Feature
+  {
+    Id SegmentId;
+    Id StartId;
+    Id EndId;
+    Point2 Start;
+    Point2 End;
+    bool LeftInside;
+    bool RightInside;
+
+    Feature(const FeatureSource& source, std::size_t segment);
+    bool IsPoint() const { return this->StartId == this->EndId; }
+    bool IsIncident(const Feature& other) const;
+
+    // For a BoxTree.
+    Box2 Box() const { return Box2::Around(this->Start, this->End); }
+    double Least() const { return 0.0; }
+  };
+
   FeatureSize(const FeatureSource& source, Pulse& pulse);
 
   /// At a point of a segment; `known` where no feature is nearer than that, and any distance to one
@@ -28,8 +48,7 @@ public:
   double operator()(Id segment, const Point2& x, double known, double enough = 0.0) const;
 
 private:
-  const FeatureSource& Source;
-  BoxTree Tree;              ///< of the segments
+  BoxTree<Feature> Tree;
   std::vector<Id> Positions; ///< of each segment: where it is in the order of the tree
 };
 

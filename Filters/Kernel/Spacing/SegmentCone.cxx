@@ -59,27 +59,6 @@ struct Piece
   }
 };
 
-/// Leaves out cones above the one that was kept last; then the same in the other direction.
-void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse)
-{
-  for (int direction = 0; direction < 2; ++direction)
-  {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < cones.size() && pulse.Beat(1); ++k)
-    {
-      const SegmentCone cone = cones[k];
-      const bool isHigh =
-        kept > 0 && cones[kept - 1].StandsFor(cone, slope, 0.5 * tolerance * cone.Value);
-      if (!isHigh)
-      {
-        cones[kept++] = cone;
-      }
-    }
-    cones.resize(kept);
-    std::reverse(cones.begin(), cones.end());
-  }
-}
-
 } // namespace
 
 SegmentCone::SegmentCone(
@@ -126,8 +105,26 @@ std::vector<SegmentCone> MakeCones(
     cones.emplace_back(
       piece.Start.Place, piece.End.Place, piece.Start.Value, piece.End.Value, gradation);
   }
-  DropHigh(gradation, tolerance, cones, pulse);
+  DropHigh(gradation, 0.5 * tolerance, cones, pulse);
   return cones;
+}
+
+void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse)
+{
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < cones.size() && pulse.Beat(1); ++k)
+    {
+      const SegmentCone cone = cones[k];
+      if (kept == 0 || !cones[kept - 1].StandsFor(cone, slope, 0.5 * tolerance * cone.Value))
+      {
+        cones[kept++] = cone;
+      }
+    }
+    cones.resize(kept);
+    std::reverse(cones.begin(), cones.end());
+  }
 }
 
 double SlopeOfCones(const SegmentSource& source, double gradation)

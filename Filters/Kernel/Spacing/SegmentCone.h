@@ -72,6 +72,10 @@ struct SegmentCone
 
   Point2 End() const { return this->Start + this->Length * this->Direction; }
 
+  // For a BoxTree.
+  Box2 Box() const { return Box2::Around(this->Start, this->End()); }
+  double Least() const { return this->Value; }
+
 private:
   double FootAt(double along, double across) const
   {
@@ -86,11 +90,14 @@ private:
 /// segments to within `tolerance` of itself. Fewer where segments are much shorter than f / g:
 /// - Segments that follow each other become one, as long as their ends are so near to it, and their
 ///   values to the linear ones along it, that f changes by less than half the tolerance.
-/// - A cone is left out where one shortly before or after it is below its values, but for another
-///   half.
+/// - DropHigh takes the other half.
 /// Linear in the number of segments, given in the order of their chains.
 std::vector<SegmentCone> MakeCones(const SegmentSource& source, double scale, double gradation,
   Pulse& pulse, double tolerance = 0.0);
+
+/// Leaves out cones that are nowhere below the one that was kept last before them, but for half the
+/// tolerance; then the same from the last one to the first.
+void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse);
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.

@@ -7,8 +7,6 @@
 #include "BoxTree.h"
 #include "SegmentCone.h"
 
-#include <limits> // for infinity
-
 namespace biting
 {
 
@@ -20,18 +18,18 @@ class SegmentExtension
 {
 public:
   /// Without cones if the pulse stops: it must not be evaluated then.
-  SegmentExtension(const std::vector<SegmentCone>& cones, double slope, Pulse& pulse);
-
-  /// The same cones, in the order of a tree: those near each other mostly one after the other.
-  const std::vector<SegmentCone>& OrderedCones() const { return this->Cones; }
+  SegmentExtension(const std::vector<SegmentCone>& cones, double slope, Pulse& pulse)
+    : Slope(slope)
+    , Tree(cones, pulse)
+  {
+  }
 
   /// Or `known`, if that is less.
-  double operator()(const Point2& x, double known = std::numeric_limits<double>::infinity()) const
+  double operator()(const Point2& x, double known = Infinity) const
   {
     this->Tree.Search(x, this->Slope, known,
-      [this, &x, &known](Id position, double)
+      [this, &x, &known](const SegmentCone& cone, double)
       {
-        const SegmentCone& cone = this->Cones[static_cast<std::size_t>(position)];
         known = std::min(known, cone(x, this->Slope));
         return known;
       });
@@ -40,8 +38,7 @@ public:
 
 private:
   double Slope;
-  BoxTree Tree;
-  std::vector<SegmentCone> Cones; ///< in the order of the tree
+  BoxTree<SegmentCone> Tree;
 };
 
 } // namespace biting

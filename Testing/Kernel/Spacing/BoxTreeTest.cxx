@@ -16,29 +16,39 @@ namespace
 
 using namespace biting;
 
-std::vector<BoxTree::Item> MakeItems(int count)
+struct Item
+{
+  int Number;
+  Box2 Place;
+  double Value;
+
+  const Box2& Box() const { return this->Place; }
+  double Least() const { return this->Value; }
+};
+
+std::vector<Item> MakeItems(int count)
 {
   Sampler sampler(3);
-  std::vector<BoxTree::Item> items(static_cast<std::size_t>(count));
-  for (BoxTree::Item& item : items)
+  std::vector<Item> items;
+  for (int number = 0; number < count; ++number)
   {
     const Point2 low = sampler.NextIn(UnitBox());
-    item.Box = { low, low + 0.05 * sampler.NextIn(UnitBox()) };
-    item.Value = 0.1 * sampler.Next();
+    const Box2 place{ low, low + 0.05 * sampler.NextIn(UnitBox()) };
+    items.push_back({ number, place, 0.1 * sampler.Next() });
   }
   return items;
 }
 
-BoxTree TreeOf(const std::vector<BoxTree::Item>& items)
+BoxTree<Item> TreeOf(const std::vector<Item>& items)
 {
   Pulse pulse(NoMonitor());
-  return BoxTree(items, pulse);
+  return BoxTree<Item>(items, pulse);
 }
 
-double CostOf(const BoxTree::Item& item, const Point2& x, double slope)
+double CostOf(const Item& item, const Point2& x, double slope)
 {
-  const Point2 nearest{ std::min(std::max(x.X, item.Box.Low.X), item.Box.High.X),
-    std::min(std::max(x.Y, item.Box.Low.Y), item.Box.High.Y) };
+  const Point2 nearest{ std::min(std::max(x.X, item.Place.Low.X), item.Place.High.X),
+    std::min(std::max(x.Y, item.Place.Low.Y), item.Place.High.Y) };
   return item.Value + slope * Distance(x, nearest);
 }
 
@@ -48,23 +58,22 @@ TEST(BoxTree, FindsTheItemOfTheLeastCost)
 {
   for (const int count : { 1, 4, 5, 300 })
   {
-    const std::vector<BoxTree::Item> items = MakeItems(count);
-    const BoxTree tree = TreeOf(items);
+    const std::vector<Item> items = MakeItems(count);
+    const BoxTree<Item> tree = TreeOf(items);
     Sampler sampler(4);
     for (int probe = 0; probe < 300; ++probe)
     {
       const Point2 x = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
       double least = std::numeric_limits<double>::infinity();
-      for (const BoxTree::Item& item : items)
+      for (const Item& item : items)
       {
         least = std::min(least, CostOf(item, x, 0.3));
       }
       double found = std::numeric_limits<double>::infinity();
       tree.Search(x, 0.3, found,
-        [&](Id position, double)
+        [&](const Item& item, double)
         {
-          const Id item = tree.Order()[static_cast<std::size_t>(position)];
-          found = std::min(found, CostOf(items[static_cast<std::size_t>(item)], x, 0.3));
+          found = std::min(found, CostOf(item, x, 0.3));
           return found;
         });
       ASSERT_EQ(found, least);
@@ -74,8 +83,8 @@ TEST(BoxTree, FindsTheItemOfTheLeastCost)
 
 TEST(BoxTree, LooksAtFewItems)
 {
-  const std::vector<BoxTree::Item> items = MakeItems(20000);
-  const BoxTree tree = TreeOf(items);
+  const std::vector<Item> items = MakeItems(20000);
+  const BoxTree<Item> tree = TreeOf(items);
   int looks = 0;
   Sampler sampler(5);
   for (int probe = 0; probe < 100; ++probe)
@@ -83,11 +92,10 @@ TEST(BoxTree, LooksAtFewItems)
     const Point2 x = sampler.NextIn(UnitBox());
     double found = 0.002;
     tree.Search(x, 1.0, found,
-      [&](Id position, double)
+      [&](const Item& item, double)
       {
         ++looks;
-        const Id item = tree.Order()[static_cast<std::size_t>(position)];
-        found = std::min(found, CostOf(items[static_cast<std::size_t>(item)], x, 1.0));
+        found = std::min(found, CostOf(item, x, 1.0));
         return found;
       });
   }
@@ -96,10 +104,10 @@ TEST(BoxTree, LooksAtFewItems)
 
 TEST(BoxTree, StopsWhereTheLimitIsZero)
 {
-  const BoxTree tree = TreeOf(MakeItems(300));
+  const BoxTree<Item> tree = TreeOf(MakeItems(300));
   int looks = 0;
   tree.Search({ 0.5, 0.5 }, 1.0, std::numeric_limits<double>::infinity(),
-    [&looks](Id, double)
+    [&looks](const Item&, double)
     {
       ++looks;
       return 0.0;
@@ -110,36 +118,40 @@ TEST(BoxTree, StopsWhereTheLimitIsZero)
 /// Libraries may leave what nth_element parts in any order: within leaves it is that of ids.
 TEST(BoxTree, HasAllItemsInAnOrderOfItsOwn)
 {
-  const std::vector<BoxTree::Item> items = MakeItems(7);
-  const std::vector<Id> order = TreeOf(items).Order();
+  std::vector<int> order;
+  const BoxTree<Item> tree = TreeOf(MakeItems(7));
+  for (const Item& item : tree.Items())
+  {
+    order.push_back(item.Number);
+  }
   ASSERT_EQ(order.size(), 7u);
-  EXPECT_EQ(std::set<Id>(order.begin(), order.end()).size(), 7u);
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), 7u);
   EXPECT_TRUE(std::is_sorted(order.begin(), order.begin() + 3));
   EXPECT_TRUE(std::is_sorted(order.begin() + 3, order.end()));
 }
 
 TEST(BoxTree, HasItsItemsInAnOrderWithShortWays)
 {
-  std::vector<BoxTree::Item> items(3000);
-  for (std::size_t k = 0; k < items.size(); ++k)
+  std::vector<Item> items;
+  for (int k = 0; k < 3000; ++k)
   {
-    items[k].Box.Add({ static_cast<double>(k * 1471 % 3000) / 3000.0, 0.5 });
+    const Point2 place{ k * 1471 % 3000 / 3000.0, 0.5 };
+    items.push_back({ k, { place, place }, 0.0 });
   }
   double way = 0.0;
   Point2 last{ 0.0, 0.5 };
-  const BoxTree tree = TreeOf(items);
-  for (const Id item : tree.Order())
+  const BoxTree<Item> tree = TreeOf(items);
+  for (const Item& item : tree.Items())
   {
-    const Point2& next = items[static_cast<std::size_t>(item)].Box.Low;
-    way += Distance(last, next);
-    last = next;
+    way += Distance(last, item.Place.Low);
+    last = item.Place.Low;
   }
   EXPECT_LE(way, 5.0);
 }
 
 TEST(BoxTree, OfNothingFindsNothing)
 {
-  const auto fail = [](Id, double limit)
+  const auto fail = [](const Item&, double limit)
   {
     ADD_FAILURE();
     return limit;
@@ -147,7 +159,7 @@ TEST(BoxTree, OfNothingFindsNothing)
   TreeOf({}).Search({ 0.5, 0.5 }, 1.0, std::numeric_limits<double>::infinity(), fail);
   StoppingMonitor monitor(0);
   Pulse pulse(monitor);
-  const BoxTree stopped(MakeItems(20000), pulse);
-  EXPECT_TRUE(stopped.Order().empty());
+  const BoxTree<Item> stopped(MakeItems(20000), pulse);
+  EXPECT_TRUE(stopped.Items().empty());
   stopped.Search({ 0.5, 0.5 }, 1.0, std::numeric_limits<double>::infinity(), fail);
 }

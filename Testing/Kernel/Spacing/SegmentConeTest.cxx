@@ -216,6 +216,30 @@ TEST(MergedCones, FollowACurveOfSegmentsThatHardlyTurn)
   ExpectTheSameMinimum(source, 0.3);
 }
 
+TEST(DropHigh, LeavesTheMinimumWithinItsTolerance)
+{
+  Sampler sampler(9);
+  Pulse pulse(NoMonitor());
+  for (const double tolerance : { 0.01, 0.1 })
+  {
+    SegmentSource source = FineLoop(400);
+    for (double& value : source.Values)
+    {
+      value *= 1.0 + 0.1 * sampler.Next();
+    }
+    const std::vector<SegmentCone> all = OneForEach(source, 0.3);
+    std::vector<SegmentCone> kept = all;
+    DropHigh(0.3, tolerance, kept, pulse);
+    EXPECT_LT(kept.size(), all.size());
+    for (int probe = 0; probe < 2000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      const double most = std::pow(1.0 + 0.5 * tolerance, 2.0) * MinimumOf(all, x, 0.3);
+      ASSERT_LE(MinimumOf(kept, x, 0.3), most);
+    }
+  }
+}
+
 TEST(MergedCones, AreNoneOfNoSegments)
 {
   EXPECT_TRUE(Merged({}, 0.3).empty());
