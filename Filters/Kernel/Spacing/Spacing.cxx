@@ -61,10 +61,28 @@ double OnlyValue(const std::vector<double>& values)
   return first != values.end() && areEqual ? *first : Infinity;
 }
 
+/// The same f, with no value above `most`: slopes of fill values as large as numbers get would not
+/// be finite.
+template <typename Source>
+void CutValues(double most, std::shared_ptr<const Source>& source)
+{
+  const auto isAbove = [most](double value) { return value > most; };
+  if (source && std::any_of(source->Values.begin(), source->Values.end(), isAbove))
+  {
+    auto cut = std::make_shared<Source>(*source);
+    std::replace_if(cut->Values.begin(), cut->Values.end(), isAbove, most);
+    source = cut;
+  }
+}
+
 /// The same f, without sources that are one value everywhere: these are part of Uniform, which is
 /// infinite where there is none. From boundary values f grows, unless there is no gradation.
 SpacingOptions WithoutConstants(SpacingOptions options)
 {
+  const double most = GreatestSpacing / std::max(options.Scale, 1.0);
+  CutValues(most, options.Grid);
+  CutValues(most, options.Triangulation);
+  CutValues(most, options.Segments);
   options.Uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
   const auto fold = [&options](auto& source, bool isEmpty)
   {
@@ -138,13 +156,8 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*this->Triangulation)(x));
     }
-    double scaled = this->Range(least);
-    if (this->LimitedGrid)
-    {
-      scaled = std::max(std::min(scaled, (*this->LimitedGrid)(x)), this->Range.Least);
-    }
-    return this->Segments ? std::max(std::min(scaled, (*this->Segments)(x)), this->Range.Least)
-                          : scaled;
+    return this->Lowered(
+      this->Lowered(this->Range(least), this->LimitedGrid, x), this->Segments, x);
   }
 
   double EvaluateBeforeFeatures(const Point2& x) const
@@ -155,14 +168,21 @@ struct Spacing::Implementation
 
   double EvaluateBeforeFloor(const Point2& x) const
   {
-    const double given = this->EvaluateGiven(x);
-    return this->Limit ? std::max(std::min(given, (*this->Limit)(x)), this->Range.Least) : given;
+    return this->Lowered(this->EvaluateGiven(x), this->Limit, x);
   }
 
   double Evaluate(const Point2& x) const
   {
     const double limited = this->EvaluateBeforeFloor(x);
     return this->Floor ? -(*this->Floor)(x, -limited) : limited;
+  }
+
+private:
+  /// By what may not be there.
+  template <typename Bound>
+  double Lowered(double value, const Bound& bound, const Point2& x) const
+  {
+    return bound ? std::max(std::min(value, (*bound)(x)), this->Range.Least) : value;
   }
 };
 

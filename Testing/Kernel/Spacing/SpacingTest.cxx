@@ -215,6 +215,28 @@ TEST(Spacing, OfOneValueAndHolesIsUniform)
   EXPECT_FALSE(MakeGoodSpacing(WithGrid(MakeGrid(4, 4, step))).IsUniform());
 }
 
+/// Slopes of the largest number there is were not finite, and f not limited at all.
+TEST(Spacing, KeepsTheGradationBesideFillValuesHoweverLarge)
+{
+  for (const double fill : { 1e75, 1e200, std::numeric_limits<double>::max() })
+  {
+    const auto field = [fill](const Point2& x) { return x.X + x.Y < 0.9 ? 0.02 : fill; };
+    for (const SpacingOptions& options :
+      { WithGrid(MakeGrid(17, 17, field)), WithTriangles(MakeTriangulation(17, field)) })
+    {
+      const Spacing f = MakeGoodSpacing(options);
+      Sampler sampler(4);
+      for (int probe = 0; probe < 500; ++probe)
+      {
+        const Point2 x = sampler.NextIn(UnitBox());
+        const Point2 y = sampler.NextIn(UnitBox());
+        const double rise = std::abs(f(x) - f(y)) - options.Gradation * Distance(x, y);
+        ASSERT_LE(rise, 0.02 * std::min(f(x), f(y))) << fill;
+      }
+    }
+  }
+}
+
 TEST(Spacing, FillsHolesFromTheirBorder)
 {
   const auto holed = [](const Point2& x) { return x.X > 0.45 ? NotANumber : 1.0 + x.Y; };
