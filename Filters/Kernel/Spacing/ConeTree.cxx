@@ -6,7 +6,6 @@
 #include "../Base/Numbers.h"
 #include "BoxTree.h"
 
-#include <array>  // for lattices
 #include <cmath>  // for ldexp
 #include <limits> // for epsilon
 
@@ -23,7 +22,7 @@ constexpr double Slack = 0.005;
 constexpr Id FewCones = 20;
 
 /// A square across which f grows by no more than this share of itself is a leaf, whatever its
-/// cones: what a lattice misses is rarely lower than what it finds by more than a tenth of that.
+/// cones: they meet there.
 constexpr double GrowthOfLeaf = 0.03;
 
 /// A slope above this one counts as this one there, as nobody sees it on a part of f.
@@ -31,9 +30,6 @@ constexpr double SteepestGrowth = 1.0;
 
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
-
-/// Cells of the lattice along a side.
-constexpr int LatticeCells = 2;
 
 /// From a segment that is nearer than so many half-diagonals the way to the center is taken for
 /// none, as rounding could turn it: there the plane is that of the values along the segment.
@@ -125,13 +121,8 @@ private:
     const bool isLast = square.Level == Quadtree::MaximumLevel ||
       this->Whole.Lists.size() + this->Candidates.size() > MostEntries;
     const auto count = static_cast<Id>(this->Candidates.size() - first);
-    if (count <= FewCones)
+    if (count <= FewCones || growth <= GrowthOfLeaf * lowest.Value || isLast)
     {
-      this->AddLeaf(square, first);
-    }
-    else if (growth <= GrowthOfLeaf * lowest.Value || isLast)
-    {
-      this->KeepLowest(square, first);
       this->AddLeaf(square, first);
     }
     else
@@ -203,35 +194,6 @@ private:
       if (!isAbove || tangent.Cone == lowest.Cone)
       {
         this->Candidates.push_back(tangent.Cone);
-      }
-    }
-  }
-
-  /// Leaves, of the candidates from `first` on, those that are lowest at points of a lattice.
-  void KeepLowest(const Quadtree::Square& square, std::size_t first)
-  {
-    constexpr int Points = LatticeCells + 1;
-    std::array<Lowest, Points * Points> lowest;
-    for (std::size_t k = first; k < this->Candidates.size(); ++k)
-    {
-      const SegmentCone& cone = this->At(this->Candidates[k]);
-      for (int point = 0; point < Points * Points; ++point)
-      {
-        const Point2 x = square.At(static_cast<double>(point % Points) / LatticeCells,
-          static_cast<double>(point / Points) / LatticeCells);
-        const double value = cone(x, this->Slope);
-        Lowest& least = lowest[static_cast<std::size_t>(point)];
-        least = value < least.Value ? Lowest{ this->Candidates[k], value } : least;
-      }
-    }
-    this->Beats.Beat(8 * (this->Candidates.size() - first));
-    this->Candidates.resize(first);
-    for (const Lowest& least : lowest)
-    {
-      const auto begin = this->Candidates.begin() + static_cast<std::ptrdiff_t>(first);
-      if (std::find(begin, this->Candidates.end(), least.Cone) == this->Candidates.end())
-      {
-        this->Candidates.push_back(least.Cone);
       }
     }
   }

@@ -18,14 +18,12 @@ namespace biting
 ///
 /// A quadtree whose leaves list the cones that may be lowest there. It is built from the root down
 /// with lists of candidates: a square drops every cone that the one which is lowest at its center
-/// beats all over it, but for Slack. It is a leaf when few candidates are left, or when it is as
-/// small as the value itself; then its list is what is lowest at points of a lattice in it. So the
-/// result is nowhere below the minimum, and above it by no more than Tolerance: that is tested, not
-/// proven, as a thin cone may pass between the points of a lattice.
-/// Across the borders of leaves it may jump as much. Slopes above 1 are not followed within a
-/// hundredth of the value: there the tolerance is as many times as large.
+/// beats all over it, but for Slack. It is a leaf when few candidates are left, or when it is much
+/// smaller than the value itself. So the result is nowhere below the minimum, and above it by no
+/// more than Tolerance: that is tested, not proven, as of many cones each may be dropped for the
+/// next one. Across the borders of leaves it may jump as much.
 /// Cost: n log n for n cones; a lookup and a handful of cones for an evaluation.
-/// Nothing but the four quarters of a square, and the lattice, is tied to the plane.
+/// Nothing but the four quarters of a square, and its corners, is tied to the plane.
 class ConeTree
 {
 public:

@@ -76,7 +76,7 @@ TEST(ConeTree, IsNowhereBelowTheMinimumAndAboveByItsToleranceAtMost)
   sources.push_back(Koch(4));
   for (const SegmentSource& source : sources)
   {
-    for (double slope : { 0.02, 0.3, 1.0 })
+    for (double slope : { 0.02, 0.3, 1.0, 10.0 })
     {
       const Minimum exact{ ConesOf(source, slope), slope };
       const ConeTree tree = TreeOf(source, slope);
