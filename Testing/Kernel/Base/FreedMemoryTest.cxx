@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef> // for sizes
+#include <cstdlib> // for exit
 #include <memory>  // for memory
 
 #include <sys/resource.h> // for page faults
@@ -36,25 +37,47 @@ void TakeAndFree()
   }
 }
 
-} // namespace
-
-TEST(KeepFreedMemory, TakesNoPagesFromTheSystemForWhatWasFreed)
+// Page faults of doing that once more.
+long FaultsOfSecond()
 {
-  if (!IsGlibc)
-  {
-    GTEST_SKIP() << "another allocator";
-  }
   const auto countFaults = []
   {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_minflt;
   };
-  KeepFreedMemory();
   TakeAndFree();
   const long before = countFaults();
   TakeAndFree();
-  EXPECT_LT(countFaults() - before, static_cast<long>(Size / PageSize) / 10);
+  return countFaults() - before;
+}
+
+constexpr long Few = static_cast<long>(Size / PageSize) / 10;
+constexpr int TookFew = 0;
+constexpr int TookMany = 1;
+
+void ExitWithFaults()
+{
+  std::exit(FaultsOfSecond() < Few ? TookFew : TookMany);
+}
+
+} // namespace
+
+// In processes of their own, as what others freed before has a part in it.
+TEST(KeepFreedMemory, TakesNoPagesFromTheSystemForWhatWasFreed)
+{
+  if (!IsGlibc)
+  {
+    GTEST_SKIP() << "another allocator";
+  }
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(ExitWithFaults(), testing::ExitedWithCode(TookMany), "");
+  EXPECT_EXIT(
+    {
+      KeepFreedMemory();
+      ExitWithFaults();
+    },
+    testing::ExitedWithCode(TookFew), "");
 }
 
 } // namespace biting
