@@ -28,7 +28,6 @@
 #include "PreparedSpacing.h"
 
 #include <algorithm> // for min, max
-#include <limits>    // for the largest id
 #include <optional>  // for what is released early
 #include <utility>   // for move, in_place
 
@@ -47,7 +46,7 @@ constexpr double AssemblyEnd = 0.2;
 constexpr double CheckEnd = 0.4;
 constexpr double QualityEnd = 0.98;
 
-BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
+BitingOptions MakeBitingOptions(const BitingMeshOptions& options, const Crew& members)
 {
   BitingOptions biting;
   biting.BitingConstant = options.BitingConstant;
@@ -55,8 +54,8 @@ BitingOptions MakeBitingOptions(const BitingMeshOptions& options)
   biting.Placement = options.Placement;
   biting.Order = options.Order;
   biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
-  biting.MaximumNumberOfVertices =
-    std::min<std::int64_t>(options.MaximumNumberOfVertices, std::numeric_limits<Id>::max() / 8);
+  biting.MaximumNumberOfVertices = std::min(
+    options.MaximumNumberOfVertices, MostVerticesOf(members, options.MostVerticesOfProcess));
   biting.KeepFront = options.KeepBites;
   biting.Phi = options.Phi;
   biting.PreserveBoundary = options.PreserveBoundary;
@@ -91,14 +90,9 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
   PartOfStage estimating(monitor, 0.0, EstimateEnd);
   const Forecast forecast =
     MakeForecast(domain, locator, spacing, options, EstimateEffort::Full, estimating);
-  const double most = static_cast<double>(options.MaximumNumberOfVertices);
-  if (AddAborted(estimating, problems))
+  if (AddAborted(estimating, problems) ||
+    RefuseMoreThan(options.MaximumNumberOfVertices, forecast.Vertices, problems))
   {
-    return {};
-  }
-  if (!(forecast.Vertices <= most))
-  {
-    AddTooManyVertices(forecast.Vertices, options.MaximumNumberOfVertices, problems);
     return {};
   }
   const double trialsEnd =
@@ -121,12 +115,14 @@ BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spac
   {
     return {};
   }
+  const std::int64_t most =
+    std::min(options.MaximumNumberOfVertices, std::int64_t{ MostVerticesInIds });
+  options.MaximumNumberOfVertices = most;
   BitingResult bites = BiteDomain(domain, locator, spacing, forecast.Vertices, options, rest);
   if (bites.End == BitingEnd::TooManyVertices)
   {
     // The estimate did not see all of f: more than the limit is what is known.
-    AddTooManyVertices(
-      std::max(forecast.Vertices, most), options.MaximumNumberOfVertices, problems);
+    AddTooManyVertices(std::max(forecast.Vertices, static_cast<double>(most)), most, problems);
   }
   if (!options.KeepFront)
   {
@@ -352,10 +348,10 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
   const Domain& domain = input.Simplified.Drawing;
   const BitingMeshOptions& options = input.Options;
   whole.BeginStage(MeshingStages::Biting.Text);
-  BlockMesher blocks(
-    domain, input.F, verticesPerBlock > 0.0 ? input.Members : NoCrew(), options.GhostLevels);
-  BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options), verticesPerBlock,
-    blocks, problems, whole);
+  Crew& members = verticesPerBlock > 0.0 ? input.Members : NoCrew();
+  BlockMesher blocks(domain, input.F, members, options.GhostLevels, options.MostVerticesOfProcess);
+  BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options, members),
+    verticesPerBlock, blocks, problems, whole);
   locator.reset();
   isOfBlocks = blocks.IsInUse();
   if (IsOver(whole, problems) || (blocks.IsHelping() && !isOfBlocks))

@@ -7,6 +7,7 @@
 #include "Base/Crew.h"
 #include "Base/Ids.h"
 #include "Base/Monitor.h"
+#include "Base/MostVertices.h"
 #include "Base/Point2.h"
 #include "Base/Problem.h"
 #include "Biting/Bites.h"
@@ -63,6 +64,11 @@ struct BitingMeshOptions
   /// smallest angle; smaller blocks lose more. 0: one block. It is one, too, for the order
   /// LargestY, MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
   std::int64_t VerticesPerBlock = 64000;
+
+  /// How many vertices one process may have: numbers of half-edges, six a vertex, have 32 bits. A
+  /// mesh that is spread over the members of a crew may have as many for each, up to some 10^9:
+  /// bites are counted in 32 bits, too. Less is for tests.
+  std::int64_t MostVerticesOfProcess = MostVerticesInIds;
 
   /// How many rings of triangles around its own a member of a crew gets, where the mesh is spread.
   int GhostLevels = 0;

@@ -45,6 +45,44 @@ constexpr int RingsBeyond = 2;
 // Blocks have more fronts that meet, and by that more chances of a poor triangle than one block.
 constexpr double PoorInBlock = 0.92;
 
+// Whether a share is more than a member may have. The limit that is told is that of a whole which
+// is shared in the same way.
+bool RefuseLargeShares(const std::vector<std::vector<std::size_t>>& shares,
+  const std::vector<BlockDomain>& blocks, double expected, std::int64_t mostOfMember,
+  ProblemList& problems)
+{
+  const double most = static_cast<double>(mostOfMember);
+  double largest = 0.0;
+  for (const std::vector<std::size_t>& share : shares)
+  {
+    double vertices = 0.0;
+    for (const std::size_t block : share)
+    {
+      vertices += blocks[block].ExpectedVertices;
+    }
+    largest = std::max(largest, vertices);
+  }
+  // One that has all was looked at before, by the better estimate.
+  return shares.size() > 1 && largest > most &&
+    RefuseMoreThan(static_cast<std::int64_t>(expected / largest * most), expected, problems);
+}
+
+// Whether the mesh of collars has more vertices than a process may have, or a piece with ghosts
+// from it, or all blocks together have more bites than there are numbers.
+bool AreTooLarge(
+  const std::vector<BlockCollar>& collars, double ofShareWithGhosts, std::int64_t mostOfMember)
+{
+  std::int64_t vertices = 0;
+  std::int64_t orders = 0;
+  for (const BlockCollar& collar : collars)
+  {
+    vertices += static_cast<std::int64_t>(collar.Mesh.Bites.Points.size());
+    orders += collar.Mesh.NumberOfOrders;
+  }
+  return static_cast<double>(vertices) + ofShareWithGhosts > static_cast<double>(mostOfMember) ||
+    orders > std::numeric_limits<Id>::max();
+}
+
 } // namespace
 
 bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
@@ -55,12 +93,18 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
     return false;
   }
   this->Options = options;
+  this->MostOfWhole = options.MaximumNumberOfVertices;
+  this->Options.MaximumNumberOfVertices = std::min(this->MostOfWhole, this->MostOfMember);
   this->Expected = vertices;
   PartOfStage planning(monitor, 0.0, PlanEnd);
-  this->Plan(locator, vertices, verticesPerBlock, planning);
-  if (AddAborted(planning, problems) || !this->IsInUse())
+  this->Plan(locator, vertices, verticesPerBlock, problems, planning);
+  if (AddAborted(planning, problems) || problems.HasErrors())
   {
-    return planning.HasStopped();
+    return true;
+  }
+  if (!this->IsInUse())
+  {
+    return RefuseMoreThan(this->Options.MaximumNumberOfVertices, vertices, problems);
   }
   PartOfStage biting(monitor, PlanEnd, 1.0);
   this->BiteBlocks(biting);
@@ -71,8 +115,8 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
   return true;
 }
 
-void BlockMesher::Plan(
-  const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor)
+void BlockMesher::Plan(const DomainLocator& locator, double vertices, double verticesPerBlock,
+  ProblemList& problems, Monitor& monitor)
 {
   PartOfStage cutting(monitor, 0.0, CuttingEnd);
   Pulse pulse(cutting);
@@ -98,7 +142,9 @@ void BlockMesher::Plan(
   this->Shares =
     ShareBlocks(this->Own.Parts.Blocks, DealLeaves(this->Tree, static_cast<Id>(members)), members);
   this->LargestFirst = this->Shares[static_cast<std::size_t>(this->Members.Own())];
-  if (!this->IsHelping() && members > 1)
+  const bool isRefused = RefuseLargeShares(
+    this->Shares, this->Own.Parts.Blocks, this->Expected, this->MostOfMember, problems);
+  if (!isRefused && !this->IsHelping() && members > 1)
   {
     this->Members.Call();
   }
@@ -136,15 +182,21 @@ void BlockMesher::BiteBlocks(Monitor& monitor)
 
 void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
 {
-  const std::int64_t most = this->Options.MaximumNumberOfVertices;
+  std::int64_t most = this->MostOfWhole;
   std::int64_t vertices = 0;
+  std::int64_t atHand = 0;
   bool isTooMuch = false;
   for (const BlockMesh& mesh : this->Own.Meshes)
   {
     vertices += mesh.Bitten;
+    atHand += static_cast<std::int64_t>(mesh.Bites.Points.size());
     isTooMuch = isTooMuch || mesh.Bites.End == BitingEnd::TooManyVertices;
   }
-  if (isTooMuch || vertices > most)
+  if (atHand > this->MostOfMember)
+  {
+    most = std::min(most, this->MostOfMember);
+  }
+  if (isTooMuch || std::max(vertices, atHand) > most)
   {
     // The estimate did not see all of f: more than the limit is what is known.
     AddTooManyVertices(std::max(this->Expected, static_cast<double>(most)), most, problems);
@@ -325,6 +377,11 @@ bool BlockMesher::MendCollars(ProblemList& problems, PartOfStage& part)
     return false;
   }
   this->TakeCollars();
+  const double share = this->Expected / static_cast<double>(this->Shares.size());
+  if (AreTooLarge(own.Collars, this->GhostLevels > 0 ? share : 0.0, this->MostOfMember))
+  {
+    return false;
+  }
   std::vector<BlockMesh> meshes;
   for (BlockCollar& collar : own.Collars)
   {
@@ -352,7 +409,10 @@ void BlockMesher::MendWhole(ProblemList& problems, PartOfStage& part)
       this->LargestFirst.push_back(block);
     }
   }
-  this->MakeMissing(problems, part);
+  if (this->Members.Size() == 1 || !RefuseMoreThan(this->MostOfMember, this->Expected, problems))
+  {
+    this->MakeMissing(problems, part);
+  }
   if (!AddAborted(part, problems) && !problems.HasErrors())
   {
     this->Mend(std::move(this->Own.Meshes), problems, part);

@@ -6,6 +6,7 @@
 
 #include "../Base/Crew.h"
 #include "../Base/Monitor.h"
+#include "../Base/MostVertices.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
 #include "../Biting/BitingScheme.h"
@@ -18,11 +19,20 @@
 #include "JoinedBlocks.h"
 #include "KeptBlocks.h"
 
-#include <cstdint> // for flags
-#include <vector>  // for the blocks
+#include <algorithm> // for min
+#include <cstdint>   // for flags, limits
+#include <limits>    // for the largest number of a bite
+#include <vector>    // for the blocks
 
 namespace biting
 {
+
+/// How many vertices the members of a crew may have together, where each may have `ofProcess`.
+/// Their bites have numbers of 32 bits, and there are fewer than two a vertex.
+inline std::int64_t MostVerticesOf(const Crew& members, std::int64_t ofProcess)
+{
+  return std::min(ofProcess * members.Size(), std::int64_t{ std::numeric_limits<Id>::max() / 2 });
+}
 
 /// Meshes a domain block by block, each by itself, on the threads of the monitor: biting,
 /// triangulation, relaxation; then joins the blocks and relaxes what lies along the cuts.
@@ -40,13 +50,14 @@ class BlockMesher
 {
 public:
   /// With `ghostLevels`, what lies so many rings of vertices around a member's part is in the
-  /// collars' mesh, and two rings more.
-  BlockMesher(
-    const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew(), int ghostLevels = 0)
+  /// collars' mesh, and two rings more. One process may have `mostInProcess` vertices.
+  BlockMesher(const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew(),
+    int ghostLevels = 0, std::int64_t mostInProcess = MostVerticesInIds)
     : Geometry(domain)
     , F(spacing)
     , Members(crew)
     , GhostLevels(ghostLevels)
+    , MostOfMember(mostInProcess)
   {
   }
 
@@ -73,8 +84,8 @@ public:
     BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor);
 
 private:
-  void Plan(
-    const DomainLocator& locator, double vertices, double verticesPerBlock, Monitor& monitor);
+  void Plan(const DomainLocator& locator, double vertices, double verticesPerBlock,
+    ProblemList& problems, Monitor& monitor);
   void BiteBlocks(Monitor& monitor);
   void RefuseTooManyVertices(ProblemList& problems) const;
   void BiteBlock(std::size_t block, Monitor& monitor);
@@ -91,8 +102,10 @@ private:
   const Spacing& F;
   Crew& Members;
   int GhostLevels;
-  BitingOptions Options;
-  double Expected = 0.0; ///< vertices
+  std::int64_t MostOfMember;    ///< vertices
+  std::int64_t MostOfWhole = 0; ///< the same
+  BitingOptions Options;        ///< of a block
+  double Expected = 0.0;        ///< vertices
   KeptBlocks Own;
   CutTree Tree;
   std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks

@@ -50,6 +50,17 @@ inline void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList&
     "about " + Figure(estimate) + " vertices, the limit is " + std::to_string(limit), problems);
 }
 
+/// Whether so many are more than the limit, which is noted then.
+inline bool RefuseMoreThan(std::int64_t limit, double vertices, ProblemList& problems)
+{
+  const bool isTooMuch = !(vertices <= static_cast<double>(limit));
+  if (isTooMuch)
+  {
+    AddTooManyVertices(vertices, limit, problems);
+  }
+  return isTooMuch;
+}
+
 /// Those that `list` has kept.
 inline void AddAll(const ProblemList& list, ProblemList& problems)
 {

@@ -352,6 +352,39 @@ TEST(Crew, WithoutBlocksNobodyIsCalled)
 }
 
 // The estimate is near enough: a limit just below the vertices is met only where they are counted.
+TEST(Crew, SeveralHaveWhatIsTooMuchForOne)
+{
+  BitingMeshOptions options = Options(8000, 0.004);
+  const BitingMesh alone = MeshBy(1, options).Mesh;
+  options.MostVerticesOfProcess = 3 * static_cast<std::int64_t>(alone.Points.size()) / 5;
+  EXPECT_EQ(MeshBy(1, options).Problems.Count(ProblemCode::TooManyVertices), 1);
+  for (const int members : { 2, 3 })
+  {
+    const Outcome shared = MeshBy(members, options);
+    EXPECT_FALSE(shared.Problems.HasErrors());
+    EXPECT_EQ(shared.Pieces.size(), static_cast<std::size_t>(members));
+    ExpectSameWhole(shared.Mesh, alone);
+  }
+}
+
+/// Nobody is called where a share alone is too much; where collars are, those who wait go home.
+TEST(Crew, WhatIsTooMuchForSeveralIsRefusedOnce)
+{
+  BitingMeshOptions options = Options(8000, 0.004);
+  const std::int64_t vertices = static_cast<std::int64_t>(MeshBy(1, options).Mesh.Points.size());
+  options.MostVerticesOfProcess = vertices / 3;
+  const Outcome shares = MeshBy(2, options);
+  EXPECT_EQ(shares.Problems.Count(ProblemCode::TooManyVertices), 1);
+  EXPECT_EQ(shares.NumberOfCalls, 0);
+  EXPECT_TRUE(shares.Mesh.Points.empty());
+  options.VerticesPerBlock = 500;
+  options.MostVerticesOfProcess = 3 * vertices / 5;
+  const Outcome collars = MeshBy(3, options);
+  EXPECT_EQ(collars.Problems.Count(ProblemCode::TooManyVertices), 1);
+  EXPECT_EQ(collars.NumberOfCalls, 1);
+  EXPECT_TRUE(collars.Mesh.Points.empty());
+}
+
 TEST(Crew, TooManyVerticesAreRefusedAsByOneMember)
 {
   BitingMeshOptions options = Options(500);
