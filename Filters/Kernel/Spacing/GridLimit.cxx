@@ -120,6 +120,11 @@ private:
   std::array<float, Most * Most> Allowed;
 };
 
+double LeastValue(const GridSource& source)
+{
+  return *std::min_element(source.Values.begin(), source.Values.end());
+}
+
 /// The least value is about 2^-30 of its unit: there is room below it for what floats add to it,
 /// squared, and above it for the square of what f grows to. Beside that a least value that is
 /// smaller still is nothing: then there is room for that.
@@ -129,9 +134,7 @@ double UnitOf(const GridSource& source, double gradation, const ValueRange& rang
   constexpr double Nothing = 0x1p-80;
   const double extent =
     source.XNodes.back() - source.XNodes.front() + source.YNodes.back() - source.YNodes.front();
-  const double least =
-    std::max(range(*std::min_element(source.Values.begin(), source.Values.end())),
-      Nothing * gradation * extent);
+  const double least = std::max(range(LeastValue(source)), Nothing * gradation * extent);
   return std::ldexp(
     1.0, std::min(std::ilogb(least) + Room, std::numeric_limits<double>::max_exponent - 1));
 }
@@ -153,6 +156,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
   , Bounds(this->Source, this->Gradation, this->Range)
+  , HasLines(range.Scale * LeastValue(*source) < range.Least)
 {
   Pulse pulse(monitor);
   if (this->FindSteepCells(pulse))
@@ -241,8 +245,7 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row)
       this->Values[node] = this->GivenAt(node);
     }
   }
-  const bool hasLine = this->Bounds.HasLine(column, row);
-  this->HasLines = this->HasLines || hasLine;
+  const bool hasLine = this->HasLines && this->Bounds.HasLine(column, row);
   for (const std::size_t low : { row, row + 1 })
   {
     for (const std::size_t left : { column, column + 1 })

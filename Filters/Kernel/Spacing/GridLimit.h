@@ -55,9 +55,9 @@ private:
   const double Gradation; ///< from here on f is in that unit
   const ValueRange Range;
   const GridBounds Bounds;
+  const bool HasLines;         ///< whether the least value may be reached within cells
   std::vector<float> Values;   ///< f at nodes; single precision is more than anybody sees
   std::vector<bool> IsLimited; ///< whether f may be below what is given in the cell above a node
-  bool HasLines = false;       ///< whether the least value bounds anything
 };
 
 } // namespace biting

@@ -126,7 +126,7 @@ public:
     : Nodes(nodes)
     , Places(lines)
     , Before{ Ways(nodes), Ways(nodes), Ways(nodes) }
-    , Widths(nodes.size() + 1, 0.0f)
+    , Widths(nodes.size() + 1, 1.0f)
   {
     for (std::size_t node = 1; node < nodes.size(); ++node)
     {
@@ -194,7 +194,7 @@ private:
   const std::vector<double>& Nodes;  ///< along a line
   const std::vector<double>& Places; ///< of the lines
   std::array<Ways, 3> Before;
-  std::vector<float> Widths; ///< from each node to the one before it
+  std::vector<float> Widths; ///< from each node to the one before it; 1 at the ends
 };
 
 void Transpose(const float* from, std::size_t fromStride, std::size_t lines, std::size_t size,
