@@ -33,7 +33,7 @@ constexpr double WidestGrowth = 0.09;
 /// a cell.
 constexpr double LeastReach = 1.0;
 constexpr double LargestReach = 4.0;
-constexpr double ReachTimesMultiple = 20.0;
+constexpr double ReachTimesMultiple = 16.0;
 
 /// But no more columns or rows than that on either side: where there are more, cells are so long
 /// that values are interpolated, too.
@@ -58,67 +58,6 @@ GridLimit::Nearby Around(
   }
   return { first, last, cell - first == MostNearby || last - cell > MostNearby };
 }
-
-/// What nodes around a point allow there, four at a time.
-class Cones
-{
-public:
-  /// With so many nodes in a row.
-  explicit Cones(std::size_t width)
-    : Width(width)
-  {
-    this->Squares.fill(std::numeric_limits<float>::max());
-    this->Leasts.fill(std::numeric_limits<float>::max());
-  }
-
-  void SetAcross(std::size_t k, double growth)
-  {
-    this->Squares[k] = static_cast<float>(growth * growth);
-  }
-
-  void AddRow(const float* values, double growth)
-  {
-    const auto square = static_cast<float>(growth * growth);
-    float* growths = &this->Growths[this->Rows * Most];
-    float* allowed = &this->Allowed[this->Rows * Most];
-    for (std::size_t begin = 0; begin < this->Width; begin += 4)
-    {
-      for (std::size_t k = begin; k < begin + 4; ++k)
-      {
-        growths[k] = std::sqrt(square + this->Squares[k]);
-        allowed[k] = values[k] + growths[k];
-        this->Leasts[k] = std::min(this->Leasts[k], allowed[k]);
-      }
-    }
-    ++this->Rows;
-  }
-
-  double Least() const
-  {
-    return *std::min_element(this->Leasts.begin(), this->Leasts.begin() + this->Width);
-  }
-
-  /// At a distance d from the nearer one of its ends, a side of width w allows less than these by
-  /// g w^2 / (4 d) at most.
-  bool MayHaveLowerSides(std::size_t k, std::size_t row, double growth, double limit) const
-  {
-    const std::size_t node = row * Most + k;
-    return (this->Allowed[node] - limit) * this->Growths[node] < 0.25 * growth * growth;
-  }
-
-  /// So many values beyond those of a row are read.
-  static constexpr std::size_t Beyond = 3;
-
-  const std::size_t Width;
-
-private:
-  static constexpr std::size_t Most = 2 * MostNearby + 4;
-  std::size_t Rows = 0;
-  std::array<float, Most> Squares;
-  std::array<float, Most> Leasts;
-  std::array<float, Most * Most> Growths;
-  std::array<float, Most * Most> Allowed;
-};
 
 double LeastValue(const GridSource& source)
 {
@@ -239,7 +178,7 @@ void GridLimit::AddSteepCell(std::size_t column, std::size_t row)
   if (this->Values.empty())
   {
     this->IsLimited.assign(grid.Values.size(), false);
-    this->Values.resize(grid.Values.size() + Cones::Beyond);
+    this->Values.resize(grid.Values.size());
     for (std::size_t node = 0; node < grid.Values.size(); ++node)
     {
       this->Values[node] = this->GivenAt(node);
@@ -273,8 +212,8 @@ void GridLimit::FindLimitedCells(Pulse& pulse)
   const auto isChanged = [this](std::size_t node)
   { return this->IsLimited[node] || this->Values[node] < LeastChange * this->GivenAt(node); };
   const std::size_t columns = this->Source->XNodes.size();
-  const std::size_t cells = this->Source->Values.size() - columns - 1;
-  for (std::size_t node = 0; node < this->Source->Values.size() && pulse.Beat(1); ++node)
+  const std::size_t cells = this->Values.size() - columns - 1;
+  for (std::size_t node = 0; node < this->Values.size() && pulse.Beat(1); ++node)
   {
     this->IsLimited[node] = isChanged(node);
   }
@@ -317,25 +256,40 @@ double GridLimit::operator()(const Point2& x) const
 }
 
 /// From nodes, sides and lines. What f grows by across a cell is `growth`.
+/// At a distance d from the nearer one of its ends, a side of width w allows less than these by
+/// g w^2 / (4 d) at most.
 double GridLimit::FromNearby(
   const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const
 {
-  Cones cones(columns.Last - columns.First + 1);
-  for (std::size_t k = 0; k < cones.Width; ++k)
+  constexpr std::size_t Most = 2 * MostNearby + 2;
+  std::array<float, Most> squares; // of what f grows by on the way to columns
+  std::array<float, Most * Most> growths;
+  for (std::size_t column = columns.First; column <= columns.Last; ++column)
   {
-    cones.SetAcross(k, this->Gradation * (this->Source->XNodes[columns.First + k] - x.X));
+    const double across = this->Gradation * (this->Source->XNodes[column] - x.X);
+    squares[column - columns.First] = static_cast<float>(across * across);
   }
+  auto least = static_cast<float>(limit);
   for (std::size_t row = rows.First; row <= rows.Last; ++row)
   {
-    cones.AddRow(&this->Values[this->Bounds.NodeAt(columns.First, row)],
-      this->Gradation * (this->Source->YNodes[row] - x.Y));
+    const double up = this->Gradation * (this->Source->YNodes[row] - x.Y);
+    const auto square = static_cast<float>(up * up);
+    const float* values = &this->Values[this->Bounds.NodeAt(columns.First, row)];
+    float* growthOf = &growths[(row - rows.First) * Most];
+    for (std::size_t k = 0; k <= columns.Last - columns.First; ++k)
+    {
+      growthOf[k] = std::sqrt(square + squares[k]);
+      least = std::min(least, values[k] + growthOf[k]);
+    }
   }
-  limit = std::min(limit, cones.Least());
+  limit = std::min(limit, static_cast<double>(least));
+  const auto lower = static_cast<float>(0.25 * growth * growth);
   for (std::size_t row = rows.First; row <= rows.Last; ++row)
   {
     for (std::size_t column = columns.First; column <= columns.Last; ++column)
     {
-      if (cones.MayHaveLowerSides(column - columns.First, row - rows.First, growth, limit))
+      const float grown = growths[(row - rows.First) * Most + column - columns.First];
+      if ((this->Values[this->Bounds.NodeAt(column, row)] + grown - least) * grown < lower)
       {
         limit = this->Bounds.FromSides(column, row, x, limit);
       }
