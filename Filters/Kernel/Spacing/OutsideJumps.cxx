@@ -92,7 +92,8 @@ bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
   const Point2 toMiddle = middle.End - a.End;
   const double share = Dot(toMiddle, along) / Dot(along, along);
   const double room = std::max(LargestBend * unit, 4.0 * SameLength * (a.Length + b.Length));
-  return Length(toMiddle - std::min(std::max(share, 0.0), 1.0) * along) <= room;
+  const double least = HaveOneBeyond(a, b) ? 0.0 : 0.25; // else much may be between
+  return Length(toMiddle - std::min(std::max(share, least), 1.0 - least) * along) <= room;
 }
 
 class JumpTracer
@@ -293,8 +294,7 @@ private:
     }
   }
 
-  /// What f is along an edge: the least value, where values are raised to that, is a part of its
-  /// own.
+  /// What f is along an edge. Where values are raised to the least one, is a part of its own.
   void AddAlong(const BorderEdge& edge)
   {
     constexpr double Greatest = std::numeric_limits<double>::max();
