@@ -405,7 +405,7 @@ void AddSteepTriangles(
   const TriangulatedSource& source, double gradation, ConeCollector& cones, Pulse& pulse)
 {
   const SteepParts parts = PartCollector(source, gradation, cones.Values()).Collect(pulse);
-  if (!pulse.HasStopped())
+  if (!parts.Corners.empty() && !pulse.HasStopped())
   {
     ConeFinder(parts, gradation, cones.Values().Most, pulse).Run(cones);
   }
