@@ -168,7 +168,8 @@ private:
 /// and the result is 1 everywhere: ProblemCode::BadSpacing
 /// - with the point id of the source, its place, and a detail like "value -3 in the grid source",
 ///   for each value that is zero, negative or not finite (a NaN of a segment source; elsewhere it
-///   is a hole, unless there is nothing else), also after scaling, and each position not finite;
+///   is a hole, unless there is nothing else), also after scaling, and each position not finite
+///   (fill values up to the largest number there is are none of these, but ask for nothing);
 /// - without ids, and a detail that names the parameter, where an option is negative or not finite,
 ///   Scale is zero, or Minimum is above Maximum.
 /// ProblemCode::Aborted where the monitor asked to stop.
