@@ -22,7 +22,7 @@ constexpr std::size_t MostBeside = 32;
 constexpr std::array<std::size_t, 3> LeastBeside = { 1, 1, 2 };
 
 /// Lines are as far away as the last ones up to that share.
-constexpr double Rounding = 1e-6;
+constexpr double RoundingOfDistance = 1e-6;
 
 /// Beside lines: offered by nobody.
 constexpr float GreatestFloat = std::numeric_limits<float>::max();
@@ -62,7 +62,8 @@ public:
     {
       this->AddSquares(k + 1);
     }
-    if (std::abs(distance - this->Distance) <= Rounding * distance && this->Costs.size() == beside)
+    if (std::abs(distance - this->Distance) <= RoundingOfDistance * distance &&
+      this->Costs.size() == beside)
     {
       return;
     }
@@ -159,7 +160,7 @@ private:
     const double distance = std::abs(this->Places[to] - this->Places[from]);
     const double meanWidth =
       (this->Nodes.back() - this->Nodes.front()) / static_cast<double>(this->Nodes.size() - 1);
-    const double reach = std::ceil(ReachAlong * distance / meanWidth - Rounding);
+    const double reach = std::ceil(ReachAlong * distance / meanWidth - RoundingOfDistance);
     const std::size_t beside = away > 1 || !(reach > 1.0)
       ? LeastBeside[away - 1]
       : static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBeside)));
