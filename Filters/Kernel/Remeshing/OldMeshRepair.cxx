@@ -121,6 +121,11 @@ void Mender::FindFrozen()
   {
     this->IsFrozen[this->Mesh.Corners[slot]] |= this->Mesh.IsFrozen[slot / 3];
   }
+  for (std::size_t line = 0; line < this->Input.IsFrozenLine.size(); ++line)
+  {
+    this->IsFrozen[this->Input.LineStarts[line]] |= this->Input.IsFrozenLine[line];
+    this->IsFrozen[this->Input.LineEnds[line]] |= this->Input.IsFrozenLine[line];
+  }
 }
 
 Id Mender::NumberOf(Id vertex) const

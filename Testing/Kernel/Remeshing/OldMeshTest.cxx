@@ -33,7 +33,7 @@ TEST(OldMesh, LinesAndFixedVerticesStayWherePointsAreMadeOne)
   EXPECT_EQ(mesh.IsFixed[2], 1);
 }
 
-// Frozen by itself, or by a triangle at it; at the place of another one the lower number stays.
+// Frozen by itself, or by a triangle or line at it; of two such the lower number stays.
 TEST(OldMesh, FrozenPlacesStayWherePointsAreMadeOne)
 {
   RemeshInput input;
@@ -55,6 +55,15 @@ TEST(OldMesh, FrozenPlacesStayWherePointsAreMadeOne)
   EXPECT_EQ(cornersWith(none, 1), (std::vector<Id>{ 4, 1, 5, 4, 5, 3 }));
   EXPECT_EQ(cornersWith({ 0, 0, 0, 0, 0, 1 }, NoId), (std::vector<Id>{ 0, 1, 5, 0, 5, 3 }));
   EXPECT_EQ(cornersWith({ 0, 0, 1, 0, 0, 1 }, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+  input.LineStarts = { 4, 0 };
+  input.LineEnds = { 3, 1 };
+  input.LineCells = { 0, 1 };
+  input.IsFrozenLine = { 0, 0 };
+  EXPECT_EQ(cornersWith(none, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
+  input.IsFrozenLine = { 1, 0 };
+  EXPECT_EQ(cornersWith(none, NoId), (std::vector<Id>{ 4, 1, 2, 4, 2, 3 }));
+  input.IsFrozenLine = { 1, 1 };
+  EXPECT_EQ(cornersWith(none, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
 }
 
 TEST(OldMesh, FlatTrianglesAreMendedWithWhatIsKnownOfTheirNeighbours)
