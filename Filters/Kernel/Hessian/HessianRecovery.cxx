@@ -337,8 +337,8 @@ double SpectralNorm(const Hessian2& hessian)
   const double mean = 0.5 * (hessian.XX + hessian.YY);
   // Squares of very small or large derivatives would be 0 or infinite: those of shares are not.
   const double largest = std::max(std::abs(half), std::abs(hessian.XY));
-  const double share =
-    largest > 0.0 ? std::min(std::abs(half), std::abs(hessian.XY)) / largest : 0.0;
+  const bool hasShare = largest > 0.0 && std::isfinite(largest);
+  const double share = hasShare ? std::min(std::abs(half), std::abs(hessian.XY)) / largest : 0.0;
   return std::abs(mean) + largest * std::sqrt(1.0 + share * share);
 }
 

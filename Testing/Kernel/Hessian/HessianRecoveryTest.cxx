@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits> // for infinity
+
 namespace
 {
 
@@ -295,6 +297,13 @@ TEST(SpectralNorm, IsTheLargestSecondDerivativeInAnyDirection)
     }
     EXPECT_NEAR(SpectralNorm(hessian), largest, 1e-6);
   }
+}
+
+TEST(SpectralNorm, IsInfiniteWhereDerivativesAre)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(SpectralNorm({ Infinity, Infinity, 1.0 }), Infinity);
+  EXPECT_EQ(SpectralNorm({ 1.0, -Infinity, 1.0 }), Infinity);
 }
 
 /// It was 0 or the maximum there, where squares of derivatives leave what numbers can hold.
