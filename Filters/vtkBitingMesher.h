@@ -582,7 +582,7 @@ public:
   /**
    * Inputs whose estimated number of vertices is larger are refused before any work is done, with
    * the estimate in the error. >= 1. Default 20 000 000. Whatever it is, a process takes no more
-   * than 268 million vertices; several ranks may share a mesh of up to 1070 million.
+   * than 238 million vertices; several ranks may share a mesh of up to 1070 million.
    */
   vtkSetMacro(MaximumNumberOfVertices, vtkIdType);
   vtkGetMacro(MaximumNumberOfVertices, vtkIdType);

@@ -65,7 +65,7 @@ struct BitingMeshOptions
   /// LargestY, MaximumNumberOfBites, KeepBites and PreserveBoundary, and without relaxation.
   std::int64_t VerticesPerBlock = 64000;
 
-  /// How many vertices one process may have: numbers of half-edges, six a vertex, have 32 bits. A
+  /// How many vertices one process may have: numbers of half-edges, eight a vertex, have 32 bits. A
   /// mesh that is spread over the members of a crew may have as many for each, up to some 10^9:
   /// bites are counted in 32 bits, too. Less is for tests.
   std::int64_t MostVerticesOfProcess = MostVerticesInIds;

@@ -3,6 +3,7 @@
 
 #include "BitingRemesh.h"
 
+#include "Base/MostVertices.h"
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
 #include "Biting/BitingScheme.h"
@@ -24,7 +25,6 @@
 #include "Remeshing/WantedSpacing.h"
 
 #include <algorithm> // for min
-#include <limits>    // for the largest id
 #include <string>    // for figures
 #include <utility>   // for move
 
@@ -285,7 +285,7 @@ void Remesher::Bite()
 {
   const double expected = this->ExpectedVertices();
   const double most = std::min(static_cast<double>(this->Options.MaximumNumberOfVertices),
-    static_cast<double>(std::numeric_limits<Id>::max() / 8));
+    static_cast<double>(MostVerticesInIds));
   const double unchanged = static_cast<double>(this->Result.Old.NumberOfVertices()) -
     static_cast<double>(this->Region.Vertices.size());
   BitingOptions options;
@@ -307,7 +307,7 @@ void Remesher::Bite()
   {
     AddProblem(ProblemCode::TooManyVertices,
       "about " + std::to_string(static_cast<std::int64_t>(std::min(expected + unchanged, 1e18))) +
-        " vertices, the limit is " + std::to_string(this->Options.MaximumNumberOfVertices),
+        " vertices, the limit is " + std::to_string(static_cast<std::int64_t>(most)),
       this->Problems);
   }
 }

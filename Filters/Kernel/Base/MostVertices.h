@@ -11,9 +11,9 @@
 namespace biting
 {
 
-/// Of a mesh in one process: half-edges, six a vertex, are to have ids, and a quarter is left to
-/// spare.
-constexpr Id MostVerticesInIds = std::numeric_limits<Id>::max() / 8;
+/// Of a mesh in one process: half-edges are to have ids, four a triangle and so eight a vertex, and
+/// so are those of vertices that come late: an eighth is room enough.
+constexpr Id MostVerticesInIds = std::numeric_limits<Id>::max() / 9;
 
 } // namespace biting
 
