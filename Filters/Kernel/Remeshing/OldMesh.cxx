@@ -276,7 +276,8 @@ bool Reader::MarkLine(Id line, const std::vector<Id>& slots)
   return isEdge;
 }
 
-// Both sides of the edge. Whether there is one.
+// Both sides of the edge. Whether there is one. Of several lines on it the first counts, but it is
+// frozen where one of them is.
 bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
 {
   OldMesh& mesh = this->Mesh;
@@ -290,6 +291,10 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
     {
       Id& mark = mesh.Marks[*slot];
       mark = mark > OldMesh::Untagged ? mark : 1 + line;
+      if (mesh.IsFrozenEdge(1 + line))
+      {
+        mesh.IsFrozenLine[mark - 1] = 1;
+      }
       isEdge = true;
     }
   }

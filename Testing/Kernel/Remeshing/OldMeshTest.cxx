@@ -66,6 +66,29 @@ TEST(OldMesh, FrozenPlacesStayWherePointsAreMadeOne)
   EXPECT_EQ(cornersWith(none, NoId), (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
 }
 
+// The tags are those of the first.
+TEST(OldMesh, AnEdgeIsFrozenWhereOneOfItsLinesIs)
+{
+  RemeshInput input;
+  input.Points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  input.Corners = { 0, 1, 2, 0, 2, 3 };
+  input.LineStarts = { 0, 2, 1 };
+  input.LineEnds = { 2, 0, 2 };
+  input.LineCells = { 7, 8, 9 };
+  input.IsFrozenLine = { 0, 1, 0 };
+  ProblemList problems;
+  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
+  std::map<Id, bool> isFrozen; // of the lines on edges
+  for (const Id mark : mesh.Marks)
+  {
+    if (mark > OldMesh::Untagged)
+    {
+      isFrozen[mesh.LineCells[mark - 1]] = mesh.IsFrozenEdge(mark);
+    }
+  }
+  EXPECT_EQ(isFrozen, (std::map<Id, bool>{ { 7, true }, { 9, false } }));
+}
+
 TEST(OldMesh, FlatTrianglesAreMendedWithWhatIsKnownOfTheirNeighbours)
 {
   RemeshInput input;
