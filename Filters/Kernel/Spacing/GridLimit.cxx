@@ -36,8 +36,12 @@ constexpr double LargestReach = 4.0;
 constexpr double ReachTimesMultiple = 16.0;
 
 /// But no more columns or rows than that on either side: where there are more, cells are so long
-/// that values are interpolated, too.
+/// that values are interpolated, too, and of their long sides the best nodes are looked for.
 constexpr std::size_t MostNearby = 16;
+
+/// Of a long side, about so many nodes are looked at, and then those between the best one and the
+/// next ones.
+constexpr std::size_t LookedAtOfSide = 32;
 
 /// Nodes that are lowered less than to this share are as given.
 constexpr float LeastChange = 0.999f;
@@ -251,8 +255,69 @@ double GridLimit::operator()(const Point2& x) const
   const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
   const double near = this->FromNearby(columns, rows, x, this->Gradation * size, given);
   const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
-  const bool areAll = !columns.AreCut && !rows.AreCut;
-  return this->Unit * std::min(near, areAll ? std::max(interpolated, near - detour) : interpolated);
+  if (!columns.AreCut && !rows.AreCut)
+  {
+    return this->Unit * std::min(near, std::max(interpolated, near - detour));
+  }
+  return this->Unit * this->FromLongSides(place, x, reach * size, std::min(near, interpolated));
+}
+
+/// The nodes along the long sides of a cell, within reach, or `limit` if that is less.
+double GridLimit::FromLongSides(
+  const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const
+{
+  const std::vector<double>& columns = this->Source->XNodes;
+  const std::vector<double>& rows = this->Source->YNodes;
+  const bool areUpright =
+    columns[place.Column + 1] - columns[place.Column] > rows[place.Row + 1] - rows[place.Row];
+  for (const std::size_t side : { 0, 1 })
+  {
+    const std::size_t column = place.Column + side;
+    const std::size_t row = place.Row + side;
+    limit = std::min(limit,
+      areUpright ? this->FromNodes(
+                     rows, x.Y, columns[column] - x.X, &this->Values[column], columns.size(), reach)
+                 : this->FromNodes(columns, x.X, rows[row] - x.Y,
+                     &this->Values[this->Bounds.NodeAt(0, row)], 1, reach));
+  }
+  return limit;
+}
+
+/// The least that nodes of a line allow at `place` beside it. From node to node what they allow
+/// changes little, so it is looked for in steps that are halved.
+double GridLimit::FromNodes(const std::vector<double>& nodes, double place, double across,
+  const float* values, std::size_t stride, double reach) const
+{
+  const auto indexOf = [&nodes](double end)
+  { return std::upper_bound(nodes.begin() + 1, nodes.end() - 1, end) - nodes.begin(); };
+  const auto first = static_cast<std::size_t>(indexOf(place - reach)) - 1;
+  const auto last = static_cast<std::size_t>(indexOf(place + reach));
+  std::size_t best = first;
+  double least = Infinity;
+  const auto look = [&](std::size_t node)
+  {
+    const double offered = static_cast<double>(values[node * stride]) +
+      this->Gradation * Length({ nodes[node] - place, across });
+    best = offered < least ? node : best;
+    least = std::min(least, offered);
+  };
+  std::size_t step = 1;
+  while (step * LookedAtOfSide < last - first)
+  {
+    step *= 2;
+  }
+  for (std::size_t node = first; node <= last; node += step)
+  {
+    look(node);
+  }
+  while (step > 1)
+  {
+    step /= 2;
+    const std::size_t middle = best;
+    look(middle - std::min(step, middle - first));
+    look(std::min(middle + step, last));
+  }
+  return least;
 }
 
 /// From nodes, sides and lines. What f grows by across a cell is `growth`.

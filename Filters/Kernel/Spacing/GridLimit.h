@@ -48,6 +48,10 @@ private:
   void FindLimitedCells(Pulse& pulse);
   double FromNearby(
     const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
+  double FromLongSides(
+    const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const;
+  double FromNodes(const std::vector<double>& nodes, double place, double across,
+    const float* values, std::size_t stride, double reach) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;

@@ -3,6 +3,8 @@
 
 #include "GridPasses.h"
 
+#include "../Base/Numbers.h"
+
 #include <array>  // for lines before
 #include <cmath>  // for ceil, sqrt
 #include <limits> // for the greatest float
@@ -20,6 +22,10 @@ constexpr std::size_t MostBeside = 32;
 /// No fewer of the line before, and just as many of the two before that one: what is nearer by way
 /// of lines in between is offered there.
 constexpr std::array<std::size_t, 3> LeastBeside = { 1, 1, 2 };
+
+/// Where those reach less far than so many times what they should, all of the line before are
+/// looked at: cells are long there.
+constexpr double ShareOfReach = 2.0 / 3.0;
 
 /// Lines are as far away as the last ones up to that share.
 constexpr double RoundingOfDistance = 1e-6;
@@ -165,11 +171,63 @@ private:
       ? LeastBeside[away - 1]
       : static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBeside)));
     Ways& ways = this->Before[away - 1];
-    ways.Set(distance, beside);
+    const bool isFar = away == 1 && this->LeastReach(beside) < ShareOfReach * ReachAlong * distance;
+    ways.Set(distance, isFar ? LeastBeside[0] : beside);
     ways.Offer(lines.At(from), lines.At(to));
     if (away == 1)
     {
       this->OfferBetween(lines.At(from), static_cast<float>(distance), lines.At(to));
+    }
+    if (isFar)
+    {
+      const std::size_t last = this->Nodes.size() - 1;
+      this->OfferAll(
+        lines.At(from), static_cast<float>(distance), lines.At(to), { 0, last }, { 0, last });
+    }
+  }
+
+  /// Of so many nodes along a line, wherever they begin.
+  double LeastReach(std::size_t beside)
+  {
+    for (std::size_t k = this->LeastReaches.size(); k <= beside; ++k)
+    {
+      double least = Infinity;
+      for (std::size_t node = k; node < this->Nodes.size(); ++node)
+      {
+        least = std::min(least, this->Nodes[node] - this->Nodes[node - k]);
+      }
+      this->LeastReaches.push_back(least);
+    }
+    return this->LeastReaches[beside];
+  }
+
+  /// First and last nodes of a line.
+  using Part = std::array<std::size_t, 2>;
+
+  /// What the part `among` of a line allows along a part of another one. As what ways cost is
+  /// convex, those that are best for two nodes do not cross: so what is best for the middle one
+  /// divides both parts.
+  void OfferAll(const float* from, float distance, float* to, Part nodes, Part among) const
+  {
+    const std::size_t middle = nodes[0] + (nodes[1] - nodes[0]) / 2;
+    const float square = distance * distance;
+    float least = Infinity;
+    std::size_t best = among[0];
+    for (std::size_t k = among[0]; k <= among[1]; ++k)
+    {
+      const auto along = static_cast<float>(this->Nodes[k] - this->Nodes[middle]);
+      const float offered = from[k] + std::sqrt(square + along * along);
+      best = offered < least ? k : best;
+      least = std::min(least, offered);
+    }
+    to[middle] = std::min(to[middle], least);
+    if (middle > nodes[0])
+    {
+      this->OfferAll(from, distance, to, { nodes[0], middle - 1 }, { among[0], best });
+    }
+    if (middle < nodes[1])
+    {
+      this->OfferAll(from, distance, to, { middle + 1, nodes[1] }, { best, among[1] });
     }
   }
 
@@ -195,7 +253,8 @@ private:
   const std::vector<double>& Nodes;  ///< along a line
   const std::vector<double>& Places; ///< of the lines
   std::array<Ways, 3> Before;
-  std::vector<float> Widths; ///< from each node to the one before it; 1 at the ends
+  std::vector<float> Widths;        ///< from each node to the one before it; 1 at the ends
+  std::vector<double> LeastReaches; ///< of 0, 1, ... nodes
 };
 
 void Transpose(const float* from, std::size_t fromStride, std::size_t lines, std::size_t size,

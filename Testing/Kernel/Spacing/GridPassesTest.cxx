@@ -38,10 +38,9 @@ GridSource OnePoint(int columns, int rows)
 }
 
 /// Of values above the distance to that point, relative; none is below, but for rounding.
-double LargestDetour(const GridSource& grid)
+double LargestDetour(const GridSource& grid, std::size_t middle)
 {
   const GridSource limited = Limited(grid);
-  const std::size_t middle = grid.Values.size() / 2;
   double largest = 0.0;
   for (std::size_t node = 0; node < grid.Values.size(); ++node)
   {
@@ -52,6 +51,11 @@ double LargestDetour(const GridSource& grid)
   return largest;
 }
 
+double LargestDetour(const GridSource& grid)
+{
+  return LargestDetour(grid, grid.Values.size() / 2);
+}
+
 } // namespace
 
 TEST(GridPasses, GrowFromOneNodeInAllDirectionsAlike)
@@ -60,6 +64,21 @@ TEST(GridPasses, GrowFromOneNodeInAllDirectionsAlike)
   EXPECT_LE(LargestDetour(OnePoint(101, 201)), 0.005);
   EXPECT_LE(LargestDetour(OnePoint(41, 201)), 0.01);
   EXPECT_LE(LargestDetour(OnePoint(201, 41)), 0.01);
+  EXPECT_LE(LargestDetour(OnePoint(21, 401)), 0.005);
+  EXPECT_LE(LargestDetour(OnePoint(801, 11)), 0.005);
+}
+
+/// Rows are near each other below, as in boundary layers: cells are up to 2000 times as long.
+TEST(GridPasses, GrowAlikeWhereCellsAreLongSomewhere)
+{
+  GridSource grid = MakeGrid(101, 200, [](const Point2&) { return 1e6; });
+  grid.YNodes = UnitNodes(200, 3.0);
+  for (const std::size_t row : { 0, 40, 120 })
+  {
+    GridSource one = grid;
+    one.Values[50 + 101 * row] = 0.0;
+    EXPECT_LE(LargestDetour(one, 50 + 101 * row), 0.005);
+  }
 }
 
 TEST(GridPasses, KeepAPlaneOfThatSlopeInAnyDirection)
