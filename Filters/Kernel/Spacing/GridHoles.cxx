@@ -39,10 +39,14 @@ void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
       nearest[to] = offered;
     }
   };
-  const auto sweep = [&offer, columns](std::size_t row, std::size_t before)
+  const auto sweep = [&nearest, &offer, columns](std::size_t row, std::size_t before)
   {
     for (std::size_t column = 0; column < columns; ++column)
     {
+      if (nearest[column + columns * row] == column + columns * row)
+      {
+        continue;
+      }
       const std::size_t left = column > 0 ? column - 1 : column;
       const std::size_t right = std::min(column + 1, columns - 1);
       for (const std::size_t from : { left, column, right })
