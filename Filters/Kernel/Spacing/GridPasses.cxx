@@ -39,15 +39,17 @@ struct Lines
   Lines(std::size_t count, std::size_t size)
     : Count(count)
     , Size(size)
-    , Stride(size + 2 * MostBeside)
+    , Beyond(std::min(size, MostBeside))
+    , Stride(size + 2 * this->Beyond)
     , Values(count * this->Stride, GreatestFloat)
   {
   }
 
-  float* At(std::size_t line) { return &this->Values[line * this->Stride + MostBeside]; }
+  float* At(std::size_t line) { return &this->Values[line * this->Stride + this->Beyond]; }
 
   std::size_t Count;
-  std::size_t Size; ///< of each
+  std::size_t Size;   ///< of each
+  std::size_t Beyond; ///< so many more at each end
   std::size_t Stride;
   std::vector<float> Values;
 };
@@ -169,7 +171,8 @@ private:
     const double reach = std::ceil(ReachAlong * distance / meanWidth - RoundingOfDistance);
     const std::size_t beside = away > 1 || !(reach > 1.0)
       ? LeastBeside[away - 1]
-      : static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBeside)));
+      : std::min(this->Nodes.size(),
+          static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBeside))));
     Ways& ways = this->Before[away - 1];
     const bool isFar = away == 1 && this->LeastReach(beside) < ShareOfReach * ReachAlong * distance;
     ways.Set(distance, isFar ? LeastBeside[0] : beside);
