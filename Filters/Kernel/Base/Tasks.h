@@ -7,7 +7,7 @@
 #include "Monitor.h"
 #include "Pulse.h"
 
-#include <algorithm>  // for min
+#include <algorithm>  // for max, min
 #include <cstddef>    // for counts
 #include <functional> // for tasks
 #include <utility>    // for move
@@ -20,11 +20,12 @@ namespace biting
 /// tasks.
 using Task = std::function<void(std::size_t, Monitor&)>;
 
-/// Does all tasks, each once, in any order, on the threads of the pulse's monitor; they are all of
-/// the part at hand. What they read none of them may write, and no two may write the same. The
-/// monitor is asked by the calling thread only. What tasks throw is thrown again here, once none
-/// runs any more: that of the first task in their order that was begun. False, and tasks are left
-/// undone or stopped on their way, where the monitor wants to stop.
+/// Does all tasks, each once, on the threads of the pulse's monitor; they are all of the part at
+/// hand. They are begun in their order and end in any: one may wait for those before it, as long as
+/// its monitor goes on. What else they read none of them may write, and no two may write the same.
+/// The monitor is asked by the calling thread only. What tasks throw is thrown again here, once
+/// none runs any more: that of the first task in their order that was begun. False, and tasks are
+/// left undone or stopped on their way, where the monitor wants to stop.
 bool DoTasks(Pulse& pulse, std::size_t count, const Task& task);
 
 /// The same for tasks that differ; each gets a pulse of its own.
@@ -51,6 +52,18 @@ bool ForEachAtOnce(Pulse& pulse, std::size_t count, const Step& step)
         step(i);
       }
     });
+}
+
+/// Does rows(begin, end) for ranges of the rows 0 .. count - 1, of `size` cheap steps each, on the
+/// threads of the pulse's monitor: it writes what only these rows do. Which ranges does not depend
+/// on the number of threads.
+template <typename Rows>
+bool ForRowsAtOnce(Pulse& pulse, std::size_t count, std::size_t size, const Rows& rows)
+{
+  const std::size_t rowsPerTask = std::max<std::size_t>(StepsPerTask / (size + 1), 1);
+  return DoTasks(pulse, (count + rowsPerTask - 1) / rowsPerTask,
+    [count, rowsPerTask, &rows](std::size_t k, Monitor&)
+    { rows(k * rowsPerTask, std::min(count, (k + 1) * rowsPerTask)); });
 }
 
 /// Adds up over i = 0 .. count - 1 on the threads of the pulse's monitor: add(sum, i) for the steps

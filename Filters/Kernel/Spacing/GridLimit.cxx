@@ -4,11 +4,13 @@
 #include "GridLimit.h"
 
 #include "../Base/Numbers.h"
+#include "../Base/Tasks.h"
 #include "ExtendedGrid.h"
 #include "GridPasses.h"
 
-#include <array> // for distances
-#include <cmath> // for abs, ilogb, ldexp, sqrt
+#include <algorithm> // for find, min_element
+#include <array>     // for distances
+#include <cmath>     // for abs, ilogb, ldexp, sqrt
 
 namespace biting
 {
@@ -63,21 +65,31 @@ GridLimit::Nearby Around(
   return { first, last, cell - first == MostNearby || last - cell > MostNearby };
 }
 
-double LeastValue(const GridSource& source)
+double LeastValue(const GridSource& source, Monitor& monitor)
 {
-  return *std::min_element(source.Values.begin(), source.Values.end());
+  Pulse pulse(monitor);
+  const PulsePart part(pulse, 0.0, 0.0);
+  const std::size_t columns = source.XNodes.size();
+  std::vector<double> least(source.YNodes.size(), source.Values.front()); // of some rows each
+  ForRowsAtOnce(pulse, least.size(), columns,
+    [&](std::size_t firstRow, std::size_t lastRow)
+    {
+      const double* values = source.Values.data();
+      least[firstRow] = *std::min_element(values + firstRow * columns, values + lastRow * columns);
+    });
+  return *std::min_element(least.begin(), least.end());
 }
 
 /// The least value is about 2^-30 of its unit: there is room below it for what floats add to it,
 /// squared, and above it for the square of what f grows to. Beside that a least value that is
 /// smaller still is nothing: then there is room for that.
-double UnitOf(const GridSource& source, double gradation, const ValueRange& range)
+double UnitOf(const GridSource& source, double gradation, const ValueRange& range, Monitor& monitor)
 {
   constexpr int Room = 30;
   constexpr double Nothing = 0x1p-80;
   const double extent =
     source.XNodes.back() - source.XNodes.front() + source.YNodes.back() - source.YNodes.front();
-  const double least = std::max(range(LeastValue(source)), Nothing * gradation * extent);
+  const double least = std::max(range(LeastValue(source, monitor)), Nothing * gradation * extent);
   return std::ldexp(
     1.0, std::min(std::ilogb(least) + Room, std::numeric_limits<double>::max_exponent - 1));
 }
@@ -95,20 +107,22 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Unit(UnitOf(*this->Source, gradation, range))
+  , Unit(UnitOf(*this->Source, gradation, range, monitor))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
   , Bounds(this->Source, this->Gradation, this->Range)
-  , HasLines(range.Scale * LeastValue(*source) < range.Least)
+  , HasLines(range.Scale * LeastValue(*source, monitor) < range.Least)
 {
   Pulse pulse(monitor);
-  if (this->FindSteepCells(pulse))
+  const Marks steep = this->FindSteepCells(pulse);
+  if (!steep.empty())
   {
+    Marks changed = this->SetValues(steep, pulse);
     const PulsePart part(pulse, 0.2, 0.9);
     if (RunGridPasses(
           this->Source->XNodes, this->Source->YNodes, this->Gradation, this->Values, pulse))
     {
-      this->FindLimitedCells(pulse);
+      this->FindLimitedCells(changed, pulse);
     }
   }
   if (pulse.HasStopped())
@@ -117,23 +131,32 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   }
 }
 
-/// Whether there are any.
-bool GridLimit::FindSteepCells(Pulse& pulse)
+/// By the node above and right of each, with as many more as the corners of a cell are apart; none
+/// where no cell is steep.
+GridLimit::Marks GridLimit::FindSteepCells(Pulse& pulse) const
 {
-  const GridSource& grid = *this->Source;
-  for (std::size_t row = 0; row + 1 < grid.YNodes.size() && pulse.Beat(4 * grid.XNodes.size());
-       ++row)
-  {
-    for (std::size_t column = 0; column + 1 < grid.XNodes.size(); ++column)
+  const PulsePart part(pulse, 0.0, 0.15);
+  const std::size_t columns = this->Source->XNodes.size();
+  const std::size_t rows = this->Source->YNodes.size() - 1;
+  Marks steep(this->Source->Values.size() + columns + 1, 0);
+  Marks areIn(rows, 0);
+  ForRowsAtOnce(pulse, rows, columns,
+    [&](std::size_t firstRow, std::size_t lastRow)
     {
-      if (this->IsSteep(column, row))
+      for (std::size_t row = firstRow; row < lastRow; ++row)
       {
-        this->AddSteepCell(column, row);
+        for (std::size_t column = 0; column + 1 < columns; ++column)
+        {
+          if (this->IsSteep(column, row))
+          {
+            steep[this->Bounds.NodeAt(column + 1, row + 1)] = 1;
+            areIn[row] = 1;
+          }
+        }
       }
-    }
-  }
-  pulse.SetFraction(0.2);
-  return !this->Values.empty();
+    });
+  const bool areAny = std::find(areIn.begin(), areIn.end(), 1) != areIn.end();
+  return areAny ? steep : Marks();
 }
 
 bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
@@ -175,57 +198,65 @@ bool GridLimit::IsSteep(std::size_t column, std::size_t row) const
     isAbove(0.0, alongY) || added > SteepnessMargin * std::max(least, this->Range.Least);
 }
 
-/// The line within it bounds its corners that are above.
-void GridLimit::AddSteepCell(std::size_t column, std::size_t row)
-{
-  const GridSource& grid = *this->Source;
-  if (this->Values.empty())
-  {
-    this->IsLimited.assign(grid.Values.size(), false);
-    this->Values.resize(grid.Values.size());
-    for (std::size_t node = 0; node < grid.Values.size(); ++node)
-    {
-      this->Values[node] = this->GivenAt(node);
-    }
-  }
-  const bool hasLine = this->HasLines && this->Bounds.HasLine(column, row);
-  for (const std::size_t low : { row, row + 1 })
-  {
-    for (const std::size_t left : { column, column + 1 })
-    {
-      const std::size_t node = this->Bounds.NodeAt(left, low);
-      this->IsLimited[node] = true;
-      if (hasLine)
-      {
-        this->Values[node] = static_cast<float>(this->Bounds.FromLine(
-          column, row, { grid.XNodes[left], grid.YNodes[low] }, this->Values[node]));
-      }
-    }
-  }
-}
-
-float GridLimit::GivenAt(std::size_t node) const
+inline float GridLimit::GivenAt(std::size_t node) const
 {
   return static_cast<float>(this->Range(this->Source->Values[node]));
 }
 
+/// The nodes that steep cells have.
+GridLimit::Marks GridLimit::SetValues(const Marks& steep, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.15, 0.2);
+  const std::size_t columns = this->Source->XNodes.size();
+  this->Values.resize(this->Source->Values.size());
+  Marks areCorners(this->Values.size(), 0);
+  ForEachAtOnce(pulse, this->Values.size(),
+    [this, &steep, &areCorners, columns](std::size_t node)
+    {
+      this->Values[node] = this->GivenAt(node);
+      areCorners[node] = static_cast<char>(
+        steep[node] | steep[node + 1] | steep[node + columns] | steep[node + columns + 1]);
+      if (this->HasLines && areCorners[node] != 0)
+      {
+        this->LowerToLines(steep, node);
+      }
+    });
+  return areCorners;
+}
+
+/// The line within a steep cell bounds its corners that are above.
+void GridLimit::LowerToLines(const Marks& steep, std::size_t node)
+{
+  const GridSource& grid = *this->Source;
+  const std::size_t columns = grid.XNodes.size();
+  const Point2 place{ grid.XNodes[node % columns], grid.YNodes[node / columns] };
+  for (const std::size_t high : { node, node + 1, node + columns, node + columns + 1 })
+  {
+    if (steep[high] != 0)
+    {
+      this->Values[node] = static_cast<float>(
+        this->Bounds.FromLine(high % columns - 1, high / columns - 1, place, this->Values[node]));
+    }
+  }
+}
+
 /// Those with a corner that is lowered, or that a steep cell has: what grows from within that
 /// reaches the cells beside it.
-void GridLimit::FindLimitedCells(Pulse& pulse)
+void GridLimit::FindLimitedCells(Marks& changed, Pulse& pulse)
 {
-  const auto isChanged = [this](std::size_t node)
-  { return this->IsLimited[node] || this->Values[node] < LeastChange * this->GivenAt(node); };
+  static_assert(StepsPerTask % 64 == 0, "no two tasks may write bits of one word");
+  ForEachAtOnce(pulse, changed.size(),
+    [this, &changed](std::size_t node)
+    { changed[node] |= this->Values[node] < LeastChange * this->GivenAt(node); });
   const std::size_t columns = this->Source->XNodes.size();
-  const std::size_t cells = this->Values.size() - columns - 1;
-  for (std::size_t node = 0; node < this->Values.size() && pulse.Beat(1); ++node)
-  {
-    this->IsLimited[node] = isChanged(node);
-  }
-  for (std::size_t cell = 0; cell < cells && pulse.Beat(1); ++cell)
-  {
-    this->IsLimited[cell] = this->IsLimited[cell] || this->IsLimited[cell + 1] ||
-      this->IsLimited[cell + columns] || this->IsLimited[cell + columns + 1];
-  }
+  const std::size_t cells = changed.size() - columns - 1;
+  this->IsLimited.assign(changed.size(), false);
+  ForEachAtOnce(pulse, cells,
+    [this, &changed, columns](std::size_t cell)
+    {
+      this->IsLimited[cell] = (changed[cell] | changed[cell + 1] | changed[cell + columns] |
+                                changed[cell + columns + 1]) != 0;
+    });
 }
 
 double GridLimit::operator()(const Point2& x) const

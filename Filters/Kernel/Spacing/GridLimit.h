@@ -44,11 +44,15 @@ public:
   };
 
 private:
-  bool FindSteepCells(Pulse& pulse);
+  /// Cells and nodes, by number: not bits, as threads write them.
+  using Marks = std::vector<char>;
+
+  Marks FindSteepCells(Pulse& pulse) const;
   bool IsSteep(std::size_t column, std::size_t row) const;
-  void AddSteepCell(std::size_t column, std::size_t row);
+  Marks SetValues(const Marks& steep, Pulse& pulse);
+  void LowerToLines(const Marks& steep, std::size_t node);
   float GivenAt(std::size_t node) const;
-  void FindLimitedCells(Pulse& pulse);
+  void FindLimitedCells(Marks& changed, Pulse& pulse);
   double FromNearby(
     const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
   double FromLongSides(

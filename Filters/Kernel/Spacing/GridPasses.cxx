@@ -3,282 +3,209 @@
 
 #include "GridPasses.h"
 
-#include "../Base/Numbers.h"
+#include "../Base/Tasks.h"
+#include "GridStrip.h"
 
-#include <array>  // for lines before
-#include <cmath>  // for ceil, sqrt
-#include <limits> // for the greatest float
+#include <atomic> // for what strips wait for
+#include <thread> // for waiting
 
 namespace biting
 {
 namespace
 {
 
-/// A node is offered what others of the line before allow that are nearer along the line than so
-/// many times the distance of the lines, and no more of them than that.
-constexpr double ReachAlong = 7.0;
-constexpr std::size_t MostBeside = 32;
+/// Parts of lines that are done at once are at least that wide, and there are up to so many a
+/// thread.
+constexpr std::size_t LeastPart = 8 * MostBesideNode;
+constexpr std::size_t PartsPerThread = 4;
 
-/// No fewer of the line before, and just as many of the two before that one: what is nearer by way
-/// of lines in between is offered there.
-constexpr std::array<std::size_t, 3> LeastBeside = { 1, 1, 2 };
-
-/// Where those reach less far than so many times what they should, all of the line before are
-/// looked at: cells are long there.
-constexpr double ShareOfReach = 2.0 / 3.0;
-
-/// Lines are as far away as the last ones up to that share.
-constexpr double RoundingOfDistance = 1e-6;
-
-/// Beside lines: offered by nobody.
-constexpr float GreatestFloat = std::numeric_limits<float>::max();
-
-/// Nodes line by line, with the greatest values at both ends of each.
-struct Lines
-{
-  Lines(std::size_t count, std::size_t size)
-    : Count(count)
-    , Size(size)
-    , Beyond(std::min(size, MostBeside))
-    , Stride(size + 2 * this->Beyond)
-    , Values(count * this->Stride, GreatestFloat)
-  {
-  }
-
-  float* At(std::size_t line) { return &this->Values[line * this->Stride + this->Beyond]; }
-
-  std::size_t Count;
-  std::size_t Size;   ///< of each
-  std::size_t Beyond; ///< so many more at each end
-  std::size_t Stride;
-  std::vector<float> Values;
-};
-
-/// Between nodes of one line and those of another one.
-class Ways
-{
-public:
-  explicit Ways(const std::vector<double>& nodes)
-    : Nodes(nodes)
-  {
-  }
-
-  /// From a line so far away, to nodes up to `beside` along it.
-  void Set(double distance, std::size_t beside)
-  {
-    for (std::size_t k = this->Squares.size(); k < beside; ++k)
-    {
-      this->AddSquares(k + 1);
-    }
-    if (std::abs(distance - this->Distance) <= RoundingOfDistance * distance &&
-      this->Costs.size() == beside)
-    {
-      return;
-    }
-    this->Distance = distance;
-    this->Costs.resize(beside);
-    const auto square = static_cast<float>(distance * distance);
-    for (std::size_t k = 0; k < beside; ++k)
-    {
-      const std::vector<float>& squares = this->Squares[k];
-      this->Costs[k].resize(squares.size());
-      for (std::size_t node = 0; node < squares.size(); ++node)
-      {
-        this->Costs[k][node] = std::sqrt(square + squares[node]);
-      }
-    }
-  }
-
-  /// From each node of one line to the next one of the other.
-  const float* ToNext() const { return &this->Costs[0][MostBeside]; }
-
-  /// What the nodes of a line allow at those of another one.
-  void Offer(const float* from, float* to) const
-  {
-    for (std::size_t k = 1; k <= this->Costs.size(); ++k)
-    {
-      const float* cost = &this->Costs[k - 1][MostBeside];
-      const float* left = from - k;
-      const float* costLeft = cost - k;
-      const float* right = from + k;
-      for (std::size_t node = 0; node < this->Nodes.size(); ++node)
-      {
-        const float least = std::min(left[node] + costLeft[node], right[node] + cost[node]);
-        to[node] = std::min(to[node], least);
-      }
-    }
-  }
-
-private:
-  void AddSquares(std::size_t k)
-  {
-    std::vector<float> squares(this->Nodes.size() + MostBeside, 0.0f);
-    for (std::size_t node = 0; node + k < this->Nodes.size(); ++node)
-    {
-      const double along = this->Nodes[node + k] - this->Nodes[node];
-      squares[node + MostBeside] = static_cast<float>(along * along);
-    }
-    this->Squares.push_back(std::move(squares));
-  }
-
-  const std::vector<double>& Nodes;
-  double Distance = -1.0;
-  std::vector<std::vector<float>> Squares; ///< of lengths to the node k + 1 to the right
-  std::vector<std::vector<float>> Costs;   ///< of ways there
-};
-
-/// From line to line.
+/// From line to line, in both directions.
+///
+/// On several threads lines are cut into parts. Of some lines at a time, a band, each part is done
+/// but for what the nodes of other parts reach: it becomes narrower from line to line. Then what is
+/// left between two parts is done. So each node sees what it would on one thread.
 class Pass
 {
 public:
-  Pass(const std::vector<double>& nodes, const std::vector<double>& lines)
-    : Nodes(nodes)
-    , Places(lines)
-    , Before{ Ways(nodes), Ways(nodes), Ways(nodes) }
-    , Widths(nodes.size() + 1, 1.0f)
+  Pass(const std::vector<double>& nodes, const std::vector<double>& lines, int threads)
+    : Along(nodes, lines)
+    , Parts(PartsOf(this->Along, threads))
   {
-    for (std::size_t node = 1; node < nodes.size(); ++node)
+    for (std::size_t part = 0; part < this->Parts; ++part)
     {
-      this->Widths[node] = static_cast<float>(nodes[node] - nodes[node - 1]);
+      this->Strips.emplace_back(this->Along, NodeRange{ this->Cut(part), this->Cut(part + 1) });
+    }
+    for (std::size_t cut = 1; cut < this->Parts; ++cut)
+    {
+      this->Strips.emplace_back(this->Along,
+        NodeRange{
+          this->Cut(cut) - this->LargestMargin(), this->Cut(cut) + this->LargestMargin() });
     }
   }
 
-  bool Run(Lines& lines, Pulse& pulse)
+  bool Run(GridLines& lines, Pulse& pulse)
   {
-    for (std::size_t line = 1; line < lines.Count && pulse.Beat(4 * lines.Size); ++line)
-    {
-      for (std::size_t away = 1; away <= std::min(line, LeastBeside.size()); ++away)
-      {
-        this->Step(lines, line - away, line, away);
-      }
-    }
-    for (std::size_t line = lines.Count - 1; line > 0 && pulse.Beat(4 * lines.Size); --line)
-    {
-      for (std::size_t away = 1; away <= std::min(lines.Count - line, LeastBeside.size()); ++away)
-      {
-        this->Step(lines, line - 1 + away, line - 1, away);
-      }
-    }
-    return !pulse.HasStopped();
+    return this->Go(lines, false, pulse, 0.0) && this->Go(lines, true, pulse, 0.5);
   }
 
 private:
-  void Step(Lines& lines, std::size_t from, std::size_t to, std::size_t away)
+  /// In a band, what the parts are narrower by on each side, line by line.
+  struct Band
   {
-    const double distance = std::abs(this->Places[to] - this->Places[from]);
-    const double meanWidth =
-      (this->Nodes.back() - this->Nodes.front()) / static_cast<double>(this->Nodes.size() - 1);
-    const double reach = std::ceil(ReachAlong * distance / meanWidth - RoundingOfDistance);
-    const std::size_t beside = away > 1 || !(reach > 1.0)
-      ? LeastBeside[away - 1]
-      : std::min(this->Nodes.size(),
-          static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBeside))));
-    Ways& ways = this->Before[away - 1];
-    const bool isFar = away == 1 && this->LeastReach(beside) < ShareOfReach * ReachAlong * distance;
-    ways.Set(distance, isFar ? LeastBeside[0] : beside);
-    ways.Offer(lines.At(from), lines.At(to));
-    if (away == 1)
-    {
-      this->OfferBetween(lines.At(from), static_cast<float>(distance), lines.At(to));
-    }
-    if (isFar)
-    {
-      const std::size_t last = this->Nodes.size() - 1;
-      this->OfferAll(
-        lines.At(from), static_cast<float>(distance), lines.At(to), { 0, last }, { 0, last });
-    }
+    std::size_t FirstStep;
+    std::vector<std::size_t> Margins;
+  };
+
+  static std::size_t PartsOf(const GridAxes& along, int threads)
+  {
+    const std::size_t size = along.Nodes.size();
+    const std::size_t most = PartsPerThread * static_cast<std::size_t>(threads);
+    return threads == 1 || size * along.Places.size() <= StepsPerTask || along.HasFarLines()
+      ? 1
+      : std::max<std::size_t>(std::min(size / LeastPart, most), 1);
   }
 
-  /// Of so many nodes along a line, wherever they begin.
-  double LeastReach(std::size_t beside)
+  std::size_t Cut(std::size_t part) const { return this->Along.Nodes.size() * part / this->Parts; }
+
+  std::size_t LargestMargin() const { return this->Along.Nodes.size() / this->Parts / 4; }
+
+  bool Go(GridLines& lines, bool isBack, Pulse& pulse, double begin)
   {
-    for (std::size_t k = this->LeastReaches.size(); k <= beside; ++k)
+    const PulsePart half(pulse, begin, begin + 0.5);
+    if (this->Parts == 1)
     {
-      double least = Infinity;
-      for (std::size_t node = k; node < this->Nodes.size(); ++node)
+      for (std::size_t step = 1; step < lines.Count && pulse.Beat(4 * lines.Size); ++step)
       {
-        least = std::min(least, this->Nodes[node] - this->Nodes[node - k]);
+        this->Step(this->Strips[0], lines, step, isBack, { 0, lines.Size });
       }
-      this->LeastReaches.push_back(least);
+      return !pulse.HasStopped();
     }
-    return this->LeastReaches[beside];
+    const std::vector<Band> bands = this->MakeBands(lines.Count, isBack);
+    const std::size_t strips = this->Strips.size();
+    std::vector<std::atomic<std::size_t>> done(strips); // bands of each
+    return DoTasks(pulse, bands.size() * strips,
+      [&](std::size_t task, Monitor& monitor)
+      {
+        const std::size_t strip = task % strips;
+        if (this->Wait(done, strip, task / strips, monitor))
+        {
+          this->DoBand(lines, bands[task / strips], isBack, strip);
+          done[strip].fetch_add(1, std::memory_order_release);
+        }
+      });
   }
 
-  /// First and last nodes of a line.
-  using Part = std::array<std::size_t, 2>;
-
-  /// What the part `among` of a line allows along a part of another one. As what ways cost is
-  /// convex, those that are best for two nodes do not cross: so what is best for the middle one
-  /// divides both parts.
-  void OfferAll(const float* from, float distance, float* to, Part nodes, Part among) const
+  std::vector<Band> MakeBands(std::size_t count, bool isBack) const
   {
-    const std::size_t middle = nodes[0] + (nodes[1] - nodes[0]) / 2;
-    const float square = distance * distance;
-    float least = Infinity;
-    std::size_t best = among[0];
-    for (std::size_t k = among[0]; k <= among[1]; ++k)
+    std::vector<Band> bands;
+    for (std::size_t step = 1; step < count; ++step)
     {
-      const auto along = static_cast<float>(this->Nodes[k] - this->Nodes[middle]);
-      const float offered = from[k] + std::sqrt(square + along * along);
-      best = offered < least ? k : best;
-      least = std::min(least, offered);
+      const double distance =
+        this->Along.DistanceOf(LineOf(step, isBack), LineOf(step - 1, isBack));
+      const std::size_t margin =
+        bands.empty() ? 0 : bands.back().Margins.back() + this->Along.Beside(distance, 1);
+      if (bands.empty() || margin > this->LargestMargin())
+      {
+        bands.push_back({ step, { 0 } });
+      }
+      else
+      {
+        bands.back().Margins.push_back(margin);
+      }
     }
-    to[middle] = std::min(to[middle], least);
-    if (middle > nodes[0])
-    {
-      this->OfferAll(from, distance, to, { nodes[0], middle - 1 }, { among[0], best });
-    }
-    if (middle < nodes[1])
-    {
-      this->OfferAll(from, distance, to, { middle + 1, nodes[1] }, { best, among[1] });
-    }
+    return bands;
   }
 
-  /// Along a way at an angle a with the lines' normal, of which the sine is the slope p along the
-  /// line, what is offered rises by cos a times the distance of the lines. The ways to neighbors
-  /// are the steepest ones.
-  void OfferBetween(const float* from, float distance, float* to) const
+  /// For the strips beside it, which are a band further after a cut, and before a part.
+  bool Wait(const std::vector<std::atomic<std::size_t>>& done, std::size_t strip, std::size_t band,
+    Monitor& monitor) const
   {
-    const float* width = this->Widths.data();
-    const float* toLeft = this->Before[0].ToNext() - 1;
-    const float* left = from - 1;
-    for (std::size_t node = 0; node < this->Nodes.size(); ++node)
+    const auto isDone = [&done](std::size_t other, std::size_t bands)
+    { return done[other].load(std::memory_order_acquire) >= bands; };
+    const auto isReady = [this, &isDone, strip, band]
     {
-      const float slopes[2] = { std::min(width[node] / toLeft[node],
-                                  (from[node] - left[node]) / width[node]),
-        std::min(
-          width[node + 1] / toLeft[node + 1], (from[node] - left[node + 2]) / width[node + 1]) };
-      const float slope = std::max(std::max(0.0f, slopes[0]), slopes[1]);
-      to[node] = std::min(to[node], from[node] + distance * std::sqrt(1.0f - slope * slope));
+      if (strip >= this->Parts)
+      {
+        const std::size_t part = strip - this->Parts;
+        return isDone(part, band + 1) && isDone(part + 1, band + 1);
+      }
+      return (strip == 0 || isDone(this->Parts + strip - 1, band)) &&
+        (strip + 1 == this->Parts || isDone(this->Parts + strip, band));
+    };
+    while (!isReady())
+    {
+      if (!monitor.Advance(0.0))
+      {
+        return false;
+      }
+      std::this_thread::yield();
+    }
+    return true;
+  }
+
+  void DoBand(GridLines& lines, const Band& band, bool isBack, std::size_t strip)
+  {
+    for (std::size_t k = 0; k < band.Margins.size(); ++k)
+    {
+      this->Step(this->Strips[strip], lines, band.FirstStep + k, isBack,
+        this->RangeOf(strip, band.Margins[k]));
     }
   }
 
-  const std::vector<double>& Nodes;  ///< along a line
-  const std::vector<double>& Places; ///< of the lines
-  std::array<Ways, 3> Before;
-  std::vector<float> Widths;        ///< from each node to the one before it; 1 at the ends
-  std::vector<double> LeastReaches; ///< of 0, 1, ... nodes
+  NodeRange RangeOf(std::size_t strip, std::size_t margin) const
+  {
+    if (strip >= this->Parts)
+    {
+      const std::size_t cut = this->Cut(strip - this->Parts + 1);
+      return { cut - margin, cut + margin };
+    }
+    return { strip == 0 ? 0 : this->Cut(strip) + margin,
+      strip + 1 == this->Parts ? this->Along.Nodes.size() : this->Cut(strip + 1) - margin };
+  }
+
+  std::size_t LineOf(std::size_t step, bool isBack) const
+  {
+    return isBack ? this->Along.Places.size() - 1 - step : step;
+  }
+
+  void Step(
+    GridStrip& strip, GridLines& lines, std::size_t step, bool isBack, const NodeRange& range) const
+  {
+    for (std::size_t away = 1; away <= std::min(step, GridStrip::LinesBefore); ++away)
+    {
+      strip.Step(lines, LineOf(step - away, isBack), LineOf(step, isBack), away, range);
+    }
+  }
+
+  const GridAxes Along;
+  const std::size_t Parts;
+  std::vector<GridStrip> Strips; ///< parts, then what lies around the cuts between them
 };
 
-void Transpose(const float* from, std::size_t fromStride, std::size_t lines, std::size_t size,
-  float* to, std::size_t toStride)
+/// To all nodes of the lines.
+bool Transpose(const float* from, std::size_t fromStride, GridLines& to, Pulse& pulse)
 {
   constexpr std::size_t Tile = 16;
-  for (std::size_t line = 0; line < lines; line += Tile)
+  const auto transpose = [=, &to](std::size_t first, std::size_t last)
   {
-    for (std::size_t node = 0; node < size; node += Tile)
+    const std::size_t end = std::min(last * Tile, to.Count);
+    for (std::size_t node = 0; node < to.Size; node += Tile)
     {
-      const std::size_t lastLine = std::min(line + Tile, lines);
-      const std::size_t lastNode = std::min(node + Tile, size);
-      for (std::size_t k = node; k < lastNode; ++k)
+      const std::size_t lastNode = std::min(node + Tile, to.Size);
+      for (std::size_t line = first * Tile; line < end; ++line)
       {
-        for (std::size_t j = line; j < lastLine; ++j)
+        for (std::size_t j = node; j < lastNode; ++j)
         {
-          to[k * toStride + j] = from[j * fromStride + k];
+          to.At(line)[j] = from[j * fromStride + line];
         }
       }
     }
-  }
+    for (std::size_t line = first * Tile; line < end; ++line)
+    {
+      to.SetEnds(line);
+    }
+  };
+  return ForRowsAtOnce(pulse, (to.Count + Tile - 1) / Tile, Tile * to.Size, transpose);
 }
 
 std::vector<double> Times(std::vector<double> nodes, double factor)
@@ -297,23 +224,31 @@ bool RunGridPasses(const std::vector<double>& columns, const std::vector<double>
 {
   const std::vector<double> x = Times(columns, gradation);
   const std::vector<double> y = Times(rows, gradation);
-  Lines byColumn(x.size(), y.size());
-  Transpose(values.data(), x.size(), y.size(), x.size(), byColumn.At(0), byColumn.Stride);
-  if (!Pass(y, x).Run(byColumn, pulse))
+  const int threads = pulse.Threads().NumberOfThreads();
+  GridLines byColumn(x.size(), y.size());
+  GridLines byRow(y.size(), x.size());
+  const auto run = [&pulse, threads](const std::vector<double>& nodes,
+                     const std::vector<double>& places, GridLines& lines, double begin)
   {
-    return false;
-  }
-  Lines byRow(y.size(), x.size());
-  Transpose(byColumn.At(0), byColumn.Stride, x.size(), y.size(), byRow.At(0), byRow.Stride);
-  if (!Pass(x, y).Run(byRow, pulse))
+    const PulsePart part(pulse, begin, begin + 0.4);
+    return Pass(nodes, places, threads).Run(lines, pulse);
+  };
+  const auto transpose = [&pulse](
+                           const float* from, std::size_t stride, GridLines& to, double begin)
   {
-    return false;
-  }
-  for (std::size_t row = 0; row < y.size(); ++row)
-  {
-    std::copy_n(byRow.At(row), x.size(), &values[row * x.size()]);
-  }
-  return true;
+    const PulsePart part(pulse, begin, begin + 0.05);
+    return Transpose(from, stride, to, pulse);
+  };
+  return transpose(values.data(), x.size(), byColumn, 0.0) && run(y, x, byColumn, 0.05) &&
+    transpose(byColumn.At(0), byColumn.Stride, byRow, 0.45) && run(x, y, byRow, 0.5) &&
+    ForRowsAtOnce(pulse, y.size(), x.size(),
+      [&](std::size_t first, std::size_t last)
+      {
+        for (std::size_t row = first; row < last; ++row)
+        {
+          std::copy_n(byRow.At(row), x.size(), &values[row * x.size()]);
+        }
+      });
 }
 
 } // namespace biting

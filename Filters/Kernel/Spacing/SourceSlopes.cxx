@@ -3,7 +3,7 @@
 
 #include "SourceSlopes.h"
 
-#include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 
 #include <algorithm> // for max
 #include <limits>    // for what is finite
@@ -59,21 +59,27 @@ double LargestSlope(const GridSource& source, Monitor& monitor)
   const std::vector<double> inverseHeights = InverseSteps(source.YNodes);
   const std::size_t toRight = source.XNodes.size() > 1 ? 1 : 0;
   const std::size_t toNextRow = source.YNodes.size() > 1 ? source.XNodes.size() : 0;
-  std::vector<double> squares(inverseWidths.size(), 0.0);
-  for (std::size_t row = 0; row < inverseHeights.size() && pulse.Beat(2 * squares.size()); ++row)
+  std::vector<double> largest(inverseHeights.size(), 0.0); // of some rows each
+  const auto measure = [&](std::size_t firstRow, std::size_t lastRow)
   {
-    const double* low = &source.Values[row * source.XNodes.size()];
-    const double* high = low + toNextRow;
-    for (std::size_t k = 0; k < squares.size(); ++k)
+    std::vector<double> squares(inverseWidths.size(), 0.0);
+    for (std::size_t row = firstRow; row < lastRow; ++row)
     {
-      const double alongX = std::max(KnownSlope(low[k + toRight] - low[k], inverseWidths[k]),
-        KnownSlope(high[k + toRight] - high[k], inverseWidths[k]));
-      const double alongY = std::max(KnownSlope(high[k] - low[k], inverseHeights[row]),
-        KnownSlope(high[k + toRight] - low[k + toRight], inverseHeights[row]));
-      squares[k] = std::max(squares[k], alongX * alongX + alongY * alongY);
+      const double* low = &source.Values[row * source.XNodes.size()];
+      const double* high = low + toNextRow;
+      for (std::size_t k = 0; k < squares.size(); ++k)
+      {
+        const double alongX = std::max(KnownSlope(low[k + toRight] - low[k], inverseWidths[k]),
+          KnownSlope(high[k + toRight] - high[k], inverseWidths[k]));
+        const double alongY = std::max(KnownSlope(high[k] - low[k], inverseHeights[row]),
+          KnownSlope(high[k + toRight] - low[k + toRight], inverseHeights[row]));
+        squares[k] = std::max(squares[k], alongX * alongX + alongY * alongY);
+      }
     }
-  }
-  return std::sqrt(*std::max_element(squares.begin(), squares.end()));
+    largest[firstRow] = *std::max_element(squares.begin(), squares.end());
+  };
+  ForRowsAtOnce(pulse, largest.size(), source.XNodes.size(), measure);
+  return std::sqrt(*std::max_element(largest.begin(), largest.end()));
 }
 
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor)

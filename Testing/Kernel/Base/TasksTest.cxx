@@ -168,4 +168,46 @@ TEST(Tasks, StepsAreDoneOnceOnAnyNumberOfThreads)
   }
 }
 
+TEST(Tasks, RowsAreDoneOnceOnAnyNumberOfThreads)
+{
+  for (const int threads : ThreadCounts)
+  {
+    for (const std::size_t size : { std::size_t{ 0 }, std::size_t{ 7 }, 3 * StepsPerTask })
+    {
+      Watch watch(threads);
+      Pulse pulse(watch);
+      std::vector<int> calls(StepsPerTask / 2, 0);
+      EXPECT_TRUE(ForRowsAtOnce(pulse, calls.size(), size,
+        [&calls](std::size_t first, std::size_t last)
+        {
+          for (std::size_t row = first; row < last; ++row)
+          {
+            ++calls[row];
+          }
+        }));
+      EXPECT_EQ(calls, std::vector<int>(calls.size(), 1));
+    }
+  }
+}
+
+TEST(Tasks, OneMayWaitForThoseBeforeItOnAnyNumberOfThreads)
+{
+  for (const int threads : ThreadCounts)
+  {
+    Watch watch(threads);
+    Pulse pulse(watch);
+    std::atomic<std::size_t> next{ 0 };
+    EXPECT_TRUE(DoTasks(pulse, 100,
+      [&next](std::size_t k, Monitor& monitor)
+      {
+        while (next != k && monitor.Advance(0.0))
+        {
+          std::this_thread::yield();
+        }
+        ++next;
+      }));
+    EXPECT_EQ(next, 100u);
+  }
+}
+
 } // namespace biting

@@ -4,6 +4,7 @@
 #include "Spacing/GridLimit.h"
 
 #include "SpacingSources.h"
+#include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -411,6 +412,29 @@ TEST(Spacing, IsThatOfTheDataBesideFillValues)
         const double border = std::min({ x.X, x.Y, 1.0 - x.X, 1.0 - x.Y });
         ASSERT_TRUE(gradation == 0.0 || f(x) <= 1.02 * (0.1 + gradation * border)) << fill;
       }
+    }
+  }
+}
+
+/// With lines of the least value, and cells that are not steep.
+TEST(GridLimit, IsTheSameOnAnyNumberOfThreads)
+{
+  Sampler sampler(23);
+  const auto source = std::make_shared<GridSource>(MakeGrid(601, 402,
+    [&sampler](const Point2& x) { return x.X < 0.5 ? 0.5 : 0.01 + 0.1 * sampler.Next(); }));
+  const auto limitOn = [&source](Monitor& monitor) {
+    return GridLimit(source, 0.3, { { -0.2, 0.0 }, { 1.0, 1.1 } }, { 1.0, 0.02, 1.0 }, monitor);
+  };
+  const GridLimit expected = limitOn(NoMonitor());
+  ASSERT_TRUE(expected.IsNeeded());
+  for (const int threads : { 2, 3 })
+  {
+    MonitorWithThreads monitor(threads);
+    const GridLimit limit = limitOn(monitor);
+    for (int k = 0; k < 20000; ++k)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      ASSERT_EQ(limit(x), expected(x));
     }
   }
 }

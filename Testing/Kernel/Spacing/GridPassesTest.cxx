@@ -4,6 +4,7 @@
 #include "Spacing/GridPasses.h"
 
 #include "SpacingSources.h"
+#include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,10 @@ using namespace biting;
 constexpr double Gradation = 0.3;
 
 /// After the passes.
-GridSource Limited(GridSource grid)
+GridSource Limited(GridSource grid, Monitor& monitor = NoMonitor())
 {
   std::vector<float> values(grid.Values.begin(), grid.Values.end());
-  Pulse pulse(NoMonitor());
+  Pulse pulse(monitor);
   EXPECT_TRUE(RunGridPasses(grid.XNodes, grid.YNodes, Gradation, values, pulse));
   grid.Values.assign(values.begin(), values.end());
   return grid;
@@ -146,17 +147,57 @@ TEST(GridPasses, MayHaveCellsWithoutAnArea)
   }
 }
 
-TEST(GridPasses, EndOnceTheMonitorStops)
+/// In parts of lines, whose number is not the same: long lines and short ones, cells of one size,
+/// and such that many nodes are offered something, or few.
+TEST(GridPasses, AreTheSameOnAnyNumberOfThreads)
 {
-  class Stopping : public Monitor
+  Sampler sampler(22);
+  const auto noise = [&sampler](const Point2&) { return 1e-4 + sampler.Next(); };
+  for (const GridSource& grid : { MakeGrid(601, 520, noise), MakeGrid(2051, 70, noise, 1.3),
+         MakeGrid(3000, 31, noise), MakeGrid(40, 900, noise) })
   {
-  public:
-    bool Advance(double) override { return false; }
-    void BeginStage(const char*) override {}
-  };
-  Stopping monitor;
-  Pulse pulse(monitor);
-  const std::vector<double> nodes = UnitNodes(100);
-  std::vector<float> values(10000, 1.0f);
-  EXPECT_FALSE(RunGridPasses(nodes, nodes, Gradation, values, pulse));
+    const std::vector<double> expected = Limited(grid).Values;
+    for (const int threads : { 2, 3 })
+    {
+      MonitorWithThreads monitor(threads);
+      EXPECT_TRUE(Limited(grid, monitor).Values == expected)
+        << grid.XNodes.size() << " x " << grid.YNodes.size();
+    }
+  }
+}
+
+namespace
+{
+
+/// From the look on of that number.
+class Stopping : public MonitorWithThreads
+{
+public:
+  Stopping(int threads, int looks)
+    : MonitorWithThreads(threads, std::chrono::milliseconds(0))
+    , Looks(looks)
+  {
+  }
+
+  bool Advance(double) override { return --this->Looks > 0; }
+
+private:
+  int Looks;
+};
+
+} // namespace
+
+TEST(GridPasses, EndOnceTheMonitorStopsOnAnyNumberOfThreads)
+{
+  const std::vector<double> nodes = UnitNodes(1025);
+  for (const int threads : { 1, 3 })
+  {
+    for (const int looks : { 1, 2, 3, 5, 10, 20 })
+    {
+      Stopping monitor(threads, looks);
+      Pulse pulse(monitor);
+      std::vector<float> values(nodes.size() * nodes.size(), 1.0f);
+      EXPECT_FALSE(RunGridPasses(nodes, nodes, Gradation, values, pulse)) << looks;
+    }
+  }
 }

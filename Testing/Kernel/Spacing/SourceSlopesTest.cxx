@@ -3,6 +3,9 @@
 
 #include "Spacing/SourceSlopes.h"
 
+#include "SpacingSources.h"
+#include "Support/TestThreads.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>   // for hypot
@@ -104,6 +107,22 @@ TEST(SourceSlopes, OfSegmentsAreThoseAlongThem)
   source.Values = { 1.0, 2.0, 50.0 };
   source.Segments = { 0, 1, 2, 2 };
   EXPECT_NEAR(LargestSlope(source), 0.2, Rounding);
+}
+
+TEST(SourceSlopes, AreTheSameOnAnyNumberOfThreads)
+{
+  Sampler sampler(24);
+  GridSource grid = MakeGrid(500, 301, [&sampler](const Point2&) { return sampler.Next(); });
+  for (const std::size_t steepest : { 7u, 75000u, 150400u })
+  {
+    grid.Values[steepest] = 9.0 + sampler.Next();
+    const double expected = LargestSlope(grid);
+    for (const int threads : { 2, 3 })
+    {
+      MonitorWithThreads monitor(threads);
+      EXPECT_EQ(LargestSlope(grid, monitor), expected);
+    }
+  }
 }
 
 } // namespace biting

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GridStrip.h"
+
+#include "../Base/Numbers.h"
+
+#include <utility> // for move
+
+namespace biting
+{
+namespace
+{
+
+/// A node is offered what others of the line before allow that are nearer along the line than so
+/// many times the distance of the lines.
+constexpr double ReachAlong = 7.0;
+
+/// No fewer of the line before, and just as many of the two before that one: what is nearer by way
+/// of lines in between is offered there.
+constexpr std::array<std::size_t, GridStrip::LinesBefore> LeastBeside = { 1, 1, 2 };
+
+/// Where those reach less far than so many times what they should, all of the line before are
+/// looked at: cells are long there.
+constexpr double ShareOfReach = 2.0 / 3.0;
+
+/// Lines are as far away as the last ones up to that share.
+constexpr double RoundingOfDistance = 1e-6;
+
+} // namespace
+
+GridAxes::GridAxes(const std::vector<double>& nodes, const std::vector<double>& lines)
+  : Nodes(nodes)
+  , Places(lines)
+  , Widths(nodes.size() + 1, 1.0f)
+{
+  for (std::size_t node = 1; node < nodes.size(); ++node)
+  {
+    this->Widths[node] = static_cast<float>(nodes[node] - nodes[node - 1]);
+  }
+  for (std::size_t k = 0; k <= std::min(nodes.size(), MostBesideNode); ++k)
+  {
+    double least = Infinity;
+    for (std::size_t node = k; node < nodes.size(); ++node)
+    {
+      least = std::min(least, nodes[node] - nodes[node - k]);
+    }
+    this->LeastReaches.push_back(least);
+  }
+}
+
+std::size_t GridAxes::Beside(double distance, std::size_t away) const
+{
+  const double meanWidth =
+    (this->Nodes.back() - this->Nodes.front()) / static_cast<double>(this->Nodes.size() - 1);
+  const double reach = std::ceil(ReachAlong * distance / meanWidth - RoundingOfDistance);
+  return away > 1 || !(reach > 1.0)
+    ? LeastBeside[away - 1]
+    : std::min(this->Nodes.size(),
+        static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBesideNode))));
+}
+
+bool GridAxes::AreFar(double distance) const
+{
+  return this->LeastReaches[this->Beside(distance, 1)] < ShareOfReach * ReachAlong * distance;
+}
+
+bool GridAxes::HasFarLines() const
+{
+  bool hasFarLines = false;
+  for (std::size_t line = 1; line < this->Places.size() && !hasFarLines; ++line)
+  {
+    hasFarLines = this->AreFar(this->DistanceOf(line, line - 1));
+  }
+  return hasFarLines;
+}
+
+void GridStrip::Ways::Set(double distance, std::size_t beside)
+{
+  for (std::size_t k = this->Squares.size(); k < beside; ++k)
+  {
+    this->AddSquares(k + 1);
+  }
+  if (std::abs(distance - this->Distance) <= RoundingOfDistance * distance &&
+    this->Costs.size() == beside)
+  {
+    return;
+  }
+  this->Distance = distance;
+  this->Costs.resize(beside);
+  const auto square = static_cast<float>(distance * distance);
+  for (std::size_t k = 0; k < beside; ++k)
+  {
+    const std::vector<float>& squares = this->Squares[k];
+    this->Costs[k].resize(squares.size());
+    for (std::size_t node = 0; node < squares.size(); ++node)
+    {
+      this->Costs[k][node] = std::sqrt(square + squares[node]);
+    }
+  }
+}
+
+void GridStrip::Ways::Offer(const float* from, float* to, const NodeRange& range) const
+{
+  const std::size_t count = range.End - range.Begin;
+  to += range.Begin;
+  for (std::size_t k = 1; k <= this->Costs.size(); ++k)
+  {
+    const float* cost = this->CostsFrom(range.Begin, k);
+    const float* left = from + range.Begin - k;
+    const float* costLeft = cost - k;
+    const float* right = from + range.Begin + k;
+    for (std::size_t node = 0; node < count; ++node)
+    {
+      const float least = std::min(left[node] + costLeft[node], right[node] + cost[node]);
+      to[node] = std::min(to[node], least);
+    }
+  }
+}
+
+void GridStrip::Ways::AddSquares(std::size_t k)
+{
+  std::vector<float> squares(this->To.End - this->To.Begin + MostBesideNode, 0.0f);
+  for (std::size_t at = 0; at < squares.size(); ++at)
+  {
+    const std::size_t node = this->To.Begin + at - MostBesideNode;
+    if (this->To.Begin + at >= MostBesideNode && node + k < this->Nodes.size())
+    {
+      const double along = this->Nodes[node + k] - this->Nodes[node];
+      squares[at] = static_cast<float>(along * along);
+    }
+  }
+  this->Squares.push_back(std::move(squares));
+}
+
+void GridStrip::Step(
+  GridLines& lines, std::size_t from, std::size_t to, std::size_t away, const NodeRange& range)
+{
+  const double distance = this->Axes.DistanceOf(from, to);
+  Ways& ways = this->Before[away - 1];
+  const bool areFar = away == 1 && this->Axes.AreFar(distance);
+  ways.Set(distance, areFar ? LeastBeside[0] : this->Axes.Beside(distance, away));
+  ways.Offer(lines.At(from), lines.At(to), range);
+  if (away == 1)
+  {
+    this->OfferBetween(lines.At(from), static_cast<float>(distance), lines.At(to), range);
+  }
+  if (areFar)
+  {
+    this->OfferAll(lines.At(from), static_cast<float>(distance), lines.At(to), range, range);
+  }
+}
+
+/// What the part `among` of a line allows along a part of another one. As what ways cost is convex,
+/// those that are best for two nodes do not cross: so what is best for the middle one divides both
+/// parts.
+void GridStrip::OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
+  const NodeRange& among) const
+{
+  if (nodes.Begin == nodes.End)
+  {
+    return;
+  }
+  const std::size_t middle = nodes.Begin + (nodes.End - 1 - nodes.Begin) / 2;
+  const float square = distance * distance;
+  float least = Infinity;
+  std::size_t best = among.Begin;
+  for (std::size_t k = among.Begin; k < among.End; ++k)
+  {
+    const auto along = static_cast<float>(this->Axes.Nodes[k] - this->Axes.Nodes[middle]);
+    const float offered = from[k] + std::sqrt(square + along * along);
+    best = offered < least ? k : best;
+    least = std::min(least, offered);
+  }
+  to[middle] = std::min(to[middle], least);
+  this->OfferAll(from, distance, to, { nodes.Begin, middle }, { among.Begin, best + 1 });
+  this->OfferAll(from, distance, to, { middle + 1, nodes.End }, { best, among.End });
+}
+
+/// Along a way at an angle a with the lines' normal, of which the sine is the slope p along the
+/// line, what is offered rises by cos a times the distance of the lines. The ways to neighbors
+/// are the steepest ones.
+void GridStrip::OfferBetween(
+  const float* from, float distance, float* to, const NodeRange& range) const
+{
+  const float* width = &this->Axes.Widths[range.Begin];
+  const float* toLeft = this->Before[0].ToNext(range.Begin) - 1;
+  const std::size_t count = range.End - range.Begin;
+  from += range.Begin;
+  to += range.Begin;
+  const float* left = from - 1;
+  for (std::size_t node = 0; node < count; ++node)
+  {
+    const float slopes[2] = {
+      std::min(width[node] / toLeft[node], (from[node] - left[node]) / width[node]),
+      std::min(width[node + 1] / toLeft[node + 1], (from[node] - left[node + 2]) / width[node + 1])
+    };
+    const float slope = std::max(std::max(0.0f, slopes[0]), slopes[1]);
+    to[node] = std::min(to[node], from[node] + distance * std::sqrt(1.0f - slope * slope));
+  }
+}
+
+} // namespace biting
