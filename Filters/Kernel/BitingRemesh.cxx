@@ -18,6 +18,7 @@
 #include "Remeshing/CavityDomain.h"
 #include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
+#include "Remeshing/FaceRegions.h"
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/MisfitVertices.h"
 #include "Remeshing/ReleasedVertices.h"
@@ -383,6 +384,15 @@ void Remesher::CheckCavity()
   if (violation.empty())
   {
     violation = CheckRim(this->Result.Old, this->Region, this->Edges, this->Cavity);
+  }
+  if (violation.empty())
+  {
+    Pulse pulse(checking);
+    this->Cavity.FaceRegions =
+      FindFaceRegions(this->Result.Old, this->Region, this->Edges, this->Cavity, pulse);
+    violation = pulse.HasStopped()
+      ? ""
+      : CheckAreas(this->Result.Old, this->Region, this->Cavity, this->Tolerance);
   }
   if (!this->IsOver() && !violation.empty())
   {

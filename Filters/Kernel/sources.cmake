@@ -137,6 +137,7 @@ set(biting_kernel_sources
   Remeshing/ChangedRegion.cxx
   Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
+  Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
   Remeshing/GradedValues.cxx
   Remeshing/KeptVertices.cxx

@@ -65,7 +65,6 @@ private:
   void CopyUnchanged();
   void CopyCavity();
   void CopySlot(Id slot, Id first);
-  std::vector<Id> RegionsOfFaces() const;
   void FindOriginals();
   void SetKinds();
   VertexKind KindOnEdge(Id vertex, const std::array<Id, 2>& ends, Id count) const;
@@ -183,14 +182,13 @@ void Stitcher::CopyCavity()
 {
   const Triangulation& triangles = this->Cavity.Triangles;
   const Id first = static_cast<Id>(this->Result.OriginalTriangles.size());
-  const std::vector<Id> regions = this->RegionsOfFaces();
   for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
   {
     this->CopySlot(slot, first);
   }
   for (const Id face : triangles.Regions)
   {
-    this->Result.Mesh.Regions.push_back(regions[face]);
+    this->Result.Mesh.Regions.push_back(this->Cavity.FaceRegions[face]);
     this->Result.OriginalTriangles.push_back(NoId);
   }
 }
@@ -209,45 +207,6 @@ void Stitcher::CopySlot(Id slot, Id first)
   mesh.Corners.push_back(this->Numbers[this->Cavity.Triangles.Corners[slot]]);
   mesh.Neighbors.push_back(neighbor);
   this->Marks.push_back(edge ? edge->Mark : NoId);
-}
-
-// Each face of the cavity has an edge; the side of it tells. Where edges lie on each other within
-// rounding, a face may have only edges whose sides are outside there: then the other sides tell.
-std::vector<Id> Stitcher::RegionsOfFaces() const
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  const BitingResult& bites = this->Cavity.Bites;
-  Id count = 0;
-  for (const Id face : triangles.Regions)
-  {
-    count = std::max(count, face + 1);
-  }
-  std::vector<Id> regions(static_cast<std::size_t>(count), NoId);
-  std::vector<Id> others(static_cast<std::size_t>(count), 0);
-  for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
-  {
-    if (const RegionEdge* edge = this->EdgeOf(slot))
-    {
-      const Id triangle = slot / 3;
-      const Id constraint = triangles.Constraints[slot];
-      const Point2 along = bites.Points[triangles.Corners[3 * triangle + (slot + 2) % 3]] -
-        bites.Points[triangles.Corners[3 * triangle + (slot + 1) % 3]];
-      const Point2 direction =
-        bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
-      const bool isLeft = Dot(along, direction) > 0.0;
-      const Id region = isLeft ? edge->LeftRegion : edge->RightRegion;
-      const Id other = isLeft ? edge->RightRegion : edge->LeftRegion;
-      Id& known = regions[triangles.Regions[triangle]];
-      known = region != NoId ? region : known;
-      Id& beyond = others[triangles.Regions[triangle]];
-      beyond = other != NoId ? other : beyond;
-    }
-  }
-  for (std::size_t face = 0; face < regions.size(); ++face)
-  {
-    regions[face] = regions[face] != NoId ? regions[face] : others[face];
-  }
-  return regions;
 }
 
 using Corners = std::array<Id, 3>;

@@ -24,6 +24,7 @@ struct CavityMesh
   Domain Geometry; ///< of MakeCavityDomain: segments are the edges of the region, in their order
   BitingResult Bites;
   Triangulation Triangles;
+  std::vector<Id> FaceRegions; ///< of the old mesh, one a region of Triangles
 };
 
 /// The old mesh with a part of it made anew.

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaceRegions.h"
+
+#include "OldPlaces.h"
+
+#include <algorithm> // for max
+#include <cmath>     // for abs
+#include <cstdint>   // for flags
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double ToleranceOfSums = 1e-9; // of the old mesh; for sums
+
+double AreaOf(const std::vector<Point2>& points, const Id* corners)
+{
+  const Point2& a = points[corners[0]];
+  return 0.5 * Cross(points[corners[1]] - a, points[corners[2]] - a);
+}
+
+/// What edges say about faces.
+class FaceReader
+{
+public:
+  FaceReader(const RegionEdges& edges, const CavityMesh& cavity)
+    : Edges(edges)
+    , Cavity(cavity)
+    , Regions(NumberOfFaces(cavity), NoId)
+    , AreUnclear(this->Regions.size(), 0)
+  {
+  }
+
+  void Read();
+  std::vector<Id> UnclearFaces() const;
+  std::vector<Point2> MiddlesOf(const std::vector<Id>& faces) const;
+  void Set(Id face, Id region) { this->Regions[face] = region; }
+  std::vector<Id> Take() { return std::move(this->Regions); }
+
+private:
+  static std::size_t NumberOfFaces(const CavityMesh& cavity)
+  {
+    Id count = 0;
+    for (const Id face : cavity.Triangles.Regions)
+    {
+      count = std::max(count, face + 1);
+    }
+    return static_cast<std::size_t>(count);
+  }
+  Id RegionBeside(Id slot) const;
+
+  const RegionEdges& Edges;
+  const CavityMesh& Cavity;
+  std::vector<Id> Regions;
+  std::vector<std::uint8_t> AreUnclear;
+};
+
+// What the edge at a slot has on the side of the slot's triangle.
+Id FaceReader::RegionBeside(Id slot) const
+{
+  const BitingResult& bites = this->Cavity.Bites;
+  const std::vector<Id>& corners = this->Cavity.Triangles.Corners;
+  const Id constraint = this->Cavity.Triangles.Constraints[slot];
+  const Id first = slot - slot % 3;
+  const Point2 along =
+    bites.Points[corners[first + (slot + 2) % 3]] - bites.Points[corners[first + (slot + 1) % 3]];
+  const Point2 direction =
+    bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
+  const RegionEdge& edge = this->Edges.Edges[bites.EdgeSegments[constraint]];
+  return Dot(along, direction) > 0.0 ? edge.LeftRegion : edge.RightRegion;
+}
+
+void FaceReader::Read()
+{
+  const Triangulation& triangles = this->Cavity.Triangles;
+  for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
+  {
+    if (triangles.Constraints[slot] != NoId)
+    {
+      const Id face = triangles.Regions[slot / 3];
+      const Id region = this->RegionBeside(slot);
+      Id& known = this->Regions[face];
+      known = known == NoId ? region : known;
+      this->AreUnclear[face] |= static_cast<std::uint8_t>(region == NoId || region != known);
+    }
+  }
+}
+
+std::vector<Id> FaceReader::UnclearFaces() const
+{
+  std::vector<Id> faces;
+  for (Id face = 0; face < static_cast<Id>(this->Regions.size()); ++face)
+  {
+    if (this->AreUnclear[face])
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+// Of the largest triangle of each: it is where rounding matters least.
+std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
+{
+  const Triangulation& triangles = this->Cavity.Triangles;
+  const std::vector<Point2>& points = this->Cavity.Bites.Points;
+  std::vector<double> largest(this->Regions.size(), 0.0);
+  std::vector<Point2> middles(this->Regions.size());
+  for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
+  {
+    const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    const Id face = triangles.Regions[triangle];
+    const double area = AreaOf(points, corners);
+    if (area > largest[face])
+    {
+      largest[face] = area;
+      middles[face] = (1.0 / 3.0) * (points[corners[0]] + points[corners[1]] + points[corners[2]]);
+    }
+  }
+  std::vector<Point2> wanted;
+  wanted.reserve(faces.size());
+  for (const Id face : faces)
+  {
+    wanted.push_back(middles[face]);
+  }
+  return wanted;
+}
+
+/// A strip on both sides of the marked edges of the region, and a disc at their ends.
+double AreaOfStrips(
+  const OldMesh& mesh, const ChangedRegion& region, const EdgeTolerance& tolerance)
+{
+  double sum = 0.0;
+  for (const Id triangle : region.Triangles)
+  {
+    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+    {
+      if (mesh.Marks[slot] != NoId)
+      {
+        const Id start = mesh.Start(slot);
+        const Id end = mesh.End(slot);
+        const double width = mesh.Rounding +
+          (tolerance.IsAsked()
+              ? tolerance.Tolerance * std::max(tolerance.Spacings[start], tolerance.Spacings[end])
+              : 0.0);
+        sum += 2.0 * width * (Distance(mesh.Points[start], mesh.Points[end]) + 2.0 * width);
+      }
+    }
+  }
+  return sum;
+}
+
+} // namespace
+
+std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region,
+  const RegionEdges& edges, const CavityMesh& cavity, Pulse& pulse)
+{
+  FaceReader reader(edges, cavity);
+  reader.Read();
+  const std::vector<Id> unclear = reader.UnclearFaces();
+  const std::vector<OldPlace> places =
+    FindOldPlaces(mesh, region.Triangles, reader.MiddlesOf(unclear), pulse);
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    reader.Set(unclear[k], mesh.Regions[places[k].Triangle]);
+  }
+  return reader.Take();
+}
+
+std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,
+  const EdgeTolerance& tolerance)
+{
+  std::vector<double> differences;
+  const auto add = [&differences](Id number, double area)
+  {
+    differences.resize(std::max(differences.size(), static_cast<std::size_t>(number) + 1), 0.0);
+    differences[number] += area;
+  };
+  for (const Id triangle : region.Triangles)
+  {
+    const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    add(mesh.Regions[triangle], AreaOf(mesh.Points, corners));
+  }
+  const Triangulation& triangles = cavity.Triangles;
+  for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
+  {
+    const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+    add(cavity.FaceRegions[triangles.Regions[triangle]], -AreaOf(cavity.Bites.Points, corners));
+  }
+  const double allowed = ToleranceOfSums * mesh.Area + AreaOfStrips(mesh, region, tolerance);
+  for (std::size_t number = 0; number < differences.size(); ++number)
+  {
+    if (!(std::abs(differences[number]) <= allowed))
+    {
+      return "region " + std::to_string(number) + " has another area";
+    }
+  }
+  return {};
+}
+
+} // namespace biting

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFaceRegions_h
+#define BitingFaceRegions_h
+
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "ChangedRegion.h"
+#include "EdgeSimplification.h"
+#include "OldMesh.h"
+#include "RegionEdges.h"
+#include "Stitching.h"
+
+#include <string> // for the violation
+#include <vector> // for regions
+
+namespace biting
+{
+
+/// Of each face of the cavity's triangulation, the region of the old mesh that it is: what its
+/// edges have on this side. Where edges lie on each other within rounding they may say different
+/// things, or nothing; then it is the region of the old triangle at the middle of the largest
+/// triangle of the face. Cost O(n).
+std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region,
+  const RegionEdges& edges, const CavityMesh& cavity, Pulse& pulse);
+
+/// Compares the areas of regions in the cavity, whose FaceRegions are known, with those of the old
+/// mesh. They may differ by strips along the old edges, as wide as edges may move, by rounding and
+/// `tolerance`. Returns what is wrong as text, empty where nothing is.
+std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,
+  const EdgeTolerance& tolerance);
+
+} // namespace biting
+
+#endif
