@@ -19,6 +19,32 @@ GridBounds::GridBounds(
 {
 }
 
+double GridBounds::FromSides(
+  std::size_t column, std::size_t row, const Point2& x, double limit) const
+{
+  limit = column > 0 ? this->FromRow(column - 1, row, x, limit) : limit;
+  limit = column + 1 < this->Source->XNodes.size() ? this->FromRow(column, row, x, limit) : limit;
+  limit = row > 0 ? this->FromColumn(column, row - 1, x, limit) : limit;
+  return row + 1 < this->Source->YNodes.size() ? this->FromColumn(column, row, x, limit) : limit;
+}
+
+double GridBounds::FromRow(std::size_t column, std::size_t row, const Point2& x, double limit) const
+{
+  const double* ends = &this->Source->Values[this->NodeAt(column, row)];
+  const double start = this->Source->XNodes[column];
+  return this->FromSide(x.X - start, x.Y - this->Source->YNodes[row],
+    this->Source->XNodes[column + 1] - start, ends[0], ends[1], limit);
+}
+
+double GridBounds::FromColumn(
+  std::size_t column, std::size_t row, const Point2& x, double limit) const
+{
+  const double* ends = &this->Source->Values[this->NodeAt(column, row)];
+  const double start = this->Source->YNodes[row];
+  return this->FromSide(x.Y - start, x.X - this->Source->XNodes[column],
+    this->Source->YNodes[row + 1] - start, ends[0], ends[this->Source->XNodes.size()], limit);
+}
+
 /// One that is as steep as f may be is bounded by its lower end.
 inline double GridBounds::FromSide(
   double along, double across, double length, double start, double end, double limit) const
@@ -33,37 +59,6 @@ inline double GridBounds::FromSide(
   const bool isNear = room > 0.0 && length > 0.0 &&
     this->IsNear({ std::max({ -along, along - length, 0.0 }), across }, room);
   return isNear ? std::min(limit, this->Edge(along, across, length, start, end)) : limit;
-}
-
-double GridBounds::FromSides(
-  std::size_t column, std::size_t row, const Point2& x, double limit) const
-{
-  const std::vector<double>& columns = this->Source->XNodes;
-  const std::vector<double>& rows = this->Source->YNodes;
-  const double* value = &this->Source->Values[this->NodeAt(column, row)];
-  const Point2 offset{ x.X - columns[column], x.Y - rows[row] };
-  if (column > 0)
-  {
-    limit = this->FromSide(
-      -offset.X, offset.Y, columns[column] - columns[column - 1], *value, value[-1], limit);
-  }
-  if (column + 1 < columns.size())
-  {
-    limit = this->FromSide(
-      offset.X, offset.Y, columns[column + 1] - columns[column], *value, value[1], limit);
-  }
-  const auto toNextRow = static_cast<std::ptrdiff_t>(columns.size());
-  if (row > 0)
-  {
-    limit = this->FromSide(
-      -offset.Y, offset.X, rows[row] - rows[row - 1], *value, value[-toNextRow], limit);
-  }
-  if (row + 1 < rows.size())
-  {
-    limit = this->FromSide(
-      offset.Y, offset.X, rows[row + 1] - rows[row], *value, value[toNextRow], limit);
-  }
-  return limit;
 }
 
 bool GridBounds::IsNear(const Point2& away, double room) const

@@ -30,6 +30,10 @@ public:
   /// are as steep as f may be, its lower end bounds, which is not looked at.
   double FromSides(std::size_t column, std::size_t row, const Point2& x, double limit) const;
 
+  /// Of these, the side to the right of the node, and the one above.
+  double FromRow(std::size_t column, std::size_t row, const Point2& x, double limit) const;
+  double FromColumn(std::size_t column, std::size_t row, const Point2& x, double limit) const;
+
   /// Whether what is given reaches the least value within the cell above a node.
   bool HasLine(std::size_t column, std::size_t row) const;
 

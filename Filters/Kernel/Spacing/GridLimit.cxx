@@ -38,12 +38,8 @@ constexpr double LargestReach = 4.0;
 constexpr double ReachTimesMultiple = 16.0;
 
 /// But no more columns or rows than that on either side: where there are more, cells are so long
-/// that values are interpolated, too, and of their long sides the best nodes are looked for.
+/// that f grows from elsewhere by way of their long sides.
 constexpr std::size_t MostNearby = 16;
-
-/// Of a long side, about so many nodes are looked at, and then those between the best one and the
-/// next ones.
-constexpr std::size_t LookedAtOfSide = 32;
 
 /// Nodes that are lowered less than to this share are as given.
 constexpr float LeastChange = 0.999f;
@@ -83,13 +79,13 @@ double LeastValue(const GridSource& source, Monitor& monitor)
 /// The least value is about 2^-30 of its unit: there is room below it for what floats add to it,
 /// squared, and above it for the square of what f grows to. Beside that a least value that is
 /// smaller still is nothing: then there is room for that.
-double UnitOf(const GridSource& source, double gradation, const ValueRange& range, Monitor& monitor)
+double UnitOf(const GridSource& source, double gradation, double leastValue)
 {
   constexpr int Room = 30;
   constexpr double Nothing = 0x1p-80;
   const double extent =
     source.XNodes.back() - source.XNodes.front() + source.YNodes.back() - source.YNodes.front();
-  const double least = std::max(range(LeastValue(source, monitor)), Nothing * gradation * extent);
+  const double least = std::max(leastValue, Nothing * gradation * extent);
   return std::ldexp(
     1.0, std::min(std::ilogb(least) + Room, std::numeric_limits<double>::max_exponent - 1));
 }
@@ -107,11 +103,12 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Unit(UnitOf(*this->Source, gradation, range, monitor))
+  , Least(LeastValue(*this->Source, monitor))
+  , Unit(UnitOf(*this->Source, gradation, range(this->Least)))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))
   , Bounds(this->Source, this->Gradation, this->Range)
-  , HasLines(range.Scale * LeastValue(*source, monitor) < range.Least)
+  , HasLines(range.Scale * this->Least < range.Least)
 {
   Pulse pulse(monitor);
   const Marks steep = this->FindSteepCells(pulse);
@@ -284,16 +281,16 @@ double GridLimit::operator()(const Point2& x) const
   const double reach = std::min(std::max(LeastReach, ReachTimesMultiple / multiple), LargestReach);
   const Nearby columns = Around(grid.XNodes, place.Column, x.X, reach * size);
   const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
-  const double near = this->FromNearby(columns, rows, x, this->Gradation * size, given);
+  const double limit =
+    columns.AreCut || rows.AreCut ? this->FromLongSides(place, x, reach * size, given) : given;
+  const double near = this->FromNearby(columns, rows, x, this->Gradation * size, limit);
   const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
-  if (!columns.AreCut && !rows.AreCut)
-  {
-    return this->Unit * std::min(near, std::max(interpolated, near - detour));
-  }
-  return this->Unit * this->FromLongSides(place, x, reach * size, std::min(near, interpolated));
+  return this->Unit * std::min(near, std::max(interpolated, near - detour));
 }
 
-/// The nodes along the long sides of a cell, within reach, or `limit` if that is less.
+/// From the nodes along the long sides of a cell and the sides between these, within reach. What
+/// the nodes allow changes by no more than twice the gradation from place to place, and values
+/// between them by no more than that: so some are left out.
 double GridLimit::FromLongSides(
   const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const
 {
@@ -301,54 +298,46 @@ double GridLimit::FromLongSides(
   const std::vector<double>& rows = this->Source->YNodes;
   const bool areUpright =
     columns[place.Column + 1] - columns[place.Column] > rows[place.Row + 1] - rows[place.Row];
-  for (const std::size_t side : { 0, 1 })
+  const std::vector<double>& nodes = areUpright ? rows : columns;
+  const std::size_t cell = areUpright ? place.Row : place.Column;
+  const double middle = areUpright ? x.Y : x.X;
+  // The distance from `middle` within which no other node needs to be looked at.
+  const auto look = [&](std::size_t node, double away)
   {
-    const std::size_t column = place.Column + side;
-    const std::size_t row = place.Row + side;
-    limit = std::min(limit,
-      areUpright ? this->FromNodes(
-                     rows, x.Y, columns[column] - x.X, &this->Values[column], columns.size(), reach)
-                 : this->FromNodes(columns, x.X, rows[row] - x.Y,
-                     &this->Values[this->Bounds.NodeAt(0, row)], 1, reach));
+    const std::size_t column = areUpright ? place.Column : node;
+    const std::size_t row = areUpright ? node : place.Row;
+    const std::size_t low = this->Bounds.NodeAt(column, row);
+    const std::size_t high = areUpright ? low + 1 : low + columns.size();
+    const double toLow = areUpright ? x.X - columns[column] : x.Y - rows[row];
+    const double toHigh = areUpright ? columns[column + 1] - x.X : rows[row + 1] - x.Y;
+    const double offered = std::min(this->Values[low] + this->Gradation * Length({ toLow, away }),
+      this->Values[high] + this->Gradation * Length({ toHigh, away }));
+    const double between =
+      Blend(this->Values[low], this->Values[high], areUpright ? place.X : place.Y);
+    limit = std::min(limit, offered);
+    if (between < limit)
+    {
+      limit = areUpright ? this->Bounds.FromRow(column, row, x, limit)
+                         : this->Bounds.FromColumn(column, row, x, limit);
+    }
+    const double above = std::min(0.5 * (offered - limit), between - limit);
+    return away + std::max(above, 0.0) / this->Gradation;
+  };
+  for (const bool isAhead : { false, true })
+  {
+    double next = 0.0;
+    for (std::size_t node = isAhead ? cell + 1 : cell; node < nodes.size();
+         isAhead ? ++node : --node)
+    {
+      const double away = std::abs(nodes[node] - middle);
+      if (away >= reach || this->Gradation * away >= limit)
+      {
+        break;
+      }
+      next = away >= next ? look(node, away) : next;
+    }
   }
   return limit;
-}
-
-/// The least that nodes of a line allow at `place` beside it. From node to node what they allow
-/// changes little, so it is looked for in steps that are halved.
-double GridLimit::FromNodes(const std::vector<double>& nodes, double place, double across,
-  const float* values, std::size_t stride, double reach) const
-{
-  const auto indexOf = [&nodes](double end)
-  { return std::upper_bound(nodes.begin() + 1, nodes.end() - 1, end) - nodes.begin(); };
-  const auto first = static_cast<std::size_t>(indexOf(place - reach)) - 1;
-  const auto last = static_cast<std::size_t>(indexOf(place + reach));
-  std::size_t best = first;
-  double least = Infinity;
-  const auto look = [&](std::size_t node)
-  {
-    const double offered = static_cast<double>(values[node * stride]) +
-      this->Gradation * Length({ nodes[node] - place, across });
-    best = offered < least ? node : best;
-    least = std::min(least, offered);
-  };
-  std::size_t step = 1;
-  while (step * LookedAtOfSide < last - first)
-  {
-    step *= 2;
-  }
-  for (std::size_t node = first; node <= last; node += step)
-  {
-    look(node);
-  }
-  while (step > 1)
-  {
-    step /= 2;
-    const std::size_t middle = best;
-    look(middle - std::min(step, middle - first));
-    look(std::min(middle + step, last));
-  }
-  return least;
 }
 
 /// From nodes, sides and lines. What f grows by across a cell is `growth`.

@@ -18,10 +18,9 @@ namespace biting
 /// Method: nodes are bounded by passes over lines of them. Where f may grow by no more than a share
 /// of itself across a cell, the interpolant of bounded nodes is as good as f; elsewhere it is what
 /// the nodes, the sides and the lines around allow at a point.
-/// In cells more than four times as long as wide, and longer than f is, interpolated values count,
-/// too: where values are noise f is lower than that function there, by half and more.
-/// Linear in the number of nodes, and constant cost for an evaluation, but for a logarithm where
-/// cells are long.
+/// In long cells those are all nodes along their long sides, and the sides between them.
+/// Linear in the number of nodes, but for a logarithm where cells are long; constant cost for an
+/// evaluation, but there that of the nodes which are nearer than f / gradation, at worst.
 class GridLimit
 {
 public:
@@ -57,11 +56,10 @@ private:
     const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
   double FromLongSides(
     const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const;
-  double FromNodes(const std::vector<double>& nodes, double place, double across,
-    const float* values, std::size_t stride, double reach) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
+  const double Least;     ///< of the values of the source
   const double Unit;      ///< of f: a power of two
   const double Gradation; ///< from here on f is in that unit
   const ValueRange Range;

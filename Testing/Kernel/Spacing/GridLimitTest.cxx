@@ -184,35 +184,6 @@ TEST(GridLimit, GrowsFromTheNodesOfAFarSide)
   }
 }
 
-/// From one node where rows are near each other, as in boundary layers: cells around it are up to a
-/// hundred times as long as wide, and f is less than their length.
-TEST(GridLimit, GrowsAlikeWithinLongCells)
-{
-  constexpr int Nodes = 300;
-  for (const bool isTransposed : { false, true })
-  {
-    GridSource grid = MakeGrid(Nodes, Nodes, [](const Point2&) { return 1e3; });
-    (isTransposed ? grid.XNodes : grid.YNodes) = UnitNodes(Nodes, 5.0);
-    const std::size_t column = isTransposed ? 90 : 150;
-    const std::size_t row = isTransposed ? 150 : 90;
-    grid.Values[column + Nodes * row] = 1e-4;
-    const GridLimit limit = LimitOf(grid);
-    const Point2 node{ grid.XNodes[column], grid.YNodes[row] };
-    Sampler sampler(43);
-    for (int probe = 0; probe < 20000; ++probe)
-    {
-      const double reach = 0.5 * std::exp(-7.0 * sampler.Next());
-      const double angle = 6.283185307179586 * sampler.Next();
-      const Point2 x = node + reach * Point2{ std::cos(angle), std::sin(angle) };
-      if (UnitBox().Contains(x))
-      {
-        const double exact = 1e-4 + Gradation * reach;
-        ASSERT_NEAR(limit(x), exact, 0.015 * exact) << x.X << ' ' << x.Y;
-      }
-    }
-  }
-}
-
 TEST(GridLimit, LimitsTheNearestBorderValueAsFarAsTheBoundsReach)
 {
   const auto steep = [](const Point2& x) { return 0.1 + 2.0 * x.Y; };
