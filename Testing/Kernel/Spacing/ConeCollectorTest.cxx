@@ -7,14 +7,6 @@
 
 using namespace biting;
 
-TEST(ValueRange, ScalesFirstAndClampsThen)
-{
-  const ValueRange range{ 2.0, 0.3, 0.9 };
-  EXPECT_EQ(range(0.2), 0.4);
-  EXPECT_EQ(range(0.1), 0.3);
-  EXPECT_EQ(range(0.5), 0.9);
-}
-
 TEST(ConeCollector, HasEachSegmentWithTheValuesAtItsEndsInTheOrderOfTheCalls)
 {
   ConeCollector cones({ 2.0, 0.3, 0.9 });
