@@ -3,6 +3,7 @@
 
 #include "ChosenArray.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -36,9 +37,11 @@ ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const ArrayRole& role
   }
   if (!chosen.Array && !mayBeMissing)
   {
-    return Refused("The " + owner + " has no point array named " + text + ".");
+    return Refused("The " + owner + " has no point array named " + text + "." +
+      (data->GetCellData()->HasArray(name) ? CellDataAdvice : ""));
   }
   chosen.IsMissing = !chosen.Array && text == SpacingArrayName;
+  chosen.IsOfCells = chosen.IsMissing && data->GetCellData()->HasArray(name);
   return chosen;
 }
 
@@ -60,7 +63,7 @@ ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRol
     choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     return Refused("The " + std::string(role.Array) + " of the " + std::string(role.Owner) +
-      " must be point data.");
+      " must be point data." + CellDataAdvice);
   }
   if (choice->Has(vtkDataObject::FIELD_NAME()))
   {

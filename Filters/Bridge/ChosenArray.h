@@ -20,11 +20,15 @@ namespace biting
 /// The point array that a filter takes where no other was chosen, if it is there.
 constexpr const char* SpacingArrayName = "Spacing";
 
+/// What helps whoever has cell data.
+constexpr const char* CellDataAdvice = " Cell Data to Point Data makes it of cell data.";
+
 /// A point array of a dataset, or why there is none; neither where none is wanted.
 struct ChosenArray
 {
   vtkDataArray* Array = nullptr;
   bool IsMissing = false; ///< there is no SpacingArrayName, and no other was chosen
+  bool IsOfCells = false; ///< and there is a cell array of that name
   std::string Refusal;
 };
 

@@ -110,7 +110,8 @@ std::string FilterRun::AddSource(vtkInformation* information, vtkDataObject* sou
   if (data.Chosen.IsMissing)
   {
     this->Warn(std::string("The spacing source is not used: it has no point array named ") +
-      SpacingArrayName + ", and no other was chosen.");
+      SpacingArrayName + ", and no other was chosen." +
+      (data.Chosen.IsOfCells ? CellDataAdvice : ""));
   }
   if (!data.Chosen.Refusal.empty() || !data.Chosen.Array)
   {

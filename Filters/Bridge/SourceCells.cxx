@@ -24,6 +24,9 @@ constexpr double PointsEnd = 0.85;
 
 constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
 
+// What helps whoever has points alone.
+constexpr const char* PointsAdvice = " Delaunay 2D makes triangles of points.";
+
 // The entries of a ghost array for the cells from `first` on.
 void CopyGhosts(vtkPolyData* source, vtkIdType first, vtkPolyData* copy)
 {
@@ -81,7 +84,7 @@ std::string SourceCells::Collect()
 {
   if (!this->HasCells)
   {
-    return "The spacing source has no cells to interpolate in.";
+    return std::string("The spacing source has no cells to interpolate in.") + PointsAdvice;
   }
   this->MeasureDistances();
   this->CollectCells();
@@ -93,8 +96,10 @@ std::string SourceCells::Collect()
       this->NumberOfNodes() > Limit || this->Cut.GetTriangles().size() > Limit;
     return isTooLarge ? "The spacing source has more cells than 32-bit ids can number." : "";
   }
-  return this->HasVolumes ? "The spacing source does not meet the plane of the input."
-                          : "The spacing source has no visible cells with an area or a volume.";
+  return this->HasVolumes
+    ? "The spacing source does not meet the plane of the input."
+    : std::string("The spacing source has no visible cells with an area or a volume.") +
+      PointsAdvice;
 }
 
 void SourceCells::MeasureDistances()

@@ -87,7 +87,24 @@ TEST(BitingMesherArrays, ThatAreMissingAreRefused)
   mesher->SetInputArrayToProcess(1, 1, 0, Points, "Other");
   EXPECT_TRUE(Has(RefusalOf(mesher), "The spacing source has no point array named Other"));
   mesher->SetInputArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Spacing");
-  EXPECT_TRUE(Has(RefusalOf(mesher), "must be point data"));
+  EXPECT_TRUE(Has(RefusalOf(mesher), "must be point data. Cell Data to Point Data makes it"));
+}
+
+TEST(BitingMesherArrays, OfCellsAreToldOfWithAWayOut)
+{
+  const auto source = Image(6, 7, 1);
+  AddArray<vtkDoubleArray>(source->GetCellData(), "OfCells", std::vector<double>(30, 0.1));
+  const auto mesher = MesherWith(source);
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "OfCells");
+  EXPECT_TRUE(Has(RefusalOf(mesher), "no point array named OfCells. Cell Data to Point Data"));
+  source->GetPointData()->Initialize();
+  AddArray<vtkDoubleArray>(source->GetCellData(), "Spacing", std::vector<double>(30, 0.1));
+  mesher->SetInputArrayToProcess(1, 1, 0, Points, "Spacing");
+  Messages messages(mesher);
+  mesher->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings.front(), "is not used"));
+  EXPECT_TRUE(Has(messages.Warnings.front(), "Cell Data to Point Data"));
 }
 
 TEST(BitingMesherArrays, ThatNobodyChoseMayBeMissingButNotSilentlyOnASource)
