@@ -30,11 +30,27 @@ namespace
 
 using AxisNodes = std::array<std::vector<double>, 3>;
 
-bool HasGhosts(vtkDataSet* source)
+// Whether the ghost array of points or cells, if any, has one of `flags`.
+bool IsAnyGhost(vtkDataSet* source, int association, int flags, Pulse& pulse)
 {
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  return source->GetAttributes(vtkDataObject::POINT)->HasArray(name) ||
-    source->GetAttributes(vtkDataObject::CELL)->HasArray(name);
+  vtkDataArray* ghosts =
+    source->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType k = 0; ghosts && k < ghosts->GetNumberOfTuples() && pulse.Beat(); ++k)
+  {
+    if ((static_cast<int>(ghosts->GetComponent(k, 0)) & flags) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether cells are hidden, or are another piece's; a ghost array alone says nothing.
+bool HasGhosts(vtkDataSet* source, Pulse& pulse)
+{
+  using Ghosts = vtkDataSetAttributes;
+  return IsAnyGhost(source, vtkDataObject::POINT, Ghosts::HIDDENPOINT, pulse) ||
+    IsAnyGhost(source, vtkDataObject::CELL, Ghosts::HIDDENCELL | Ghosts::DUPLICATECELL, pulse);
 }
 
 // The coordinates of the grid lines of an image whose axes are those of space; empty for others.
@@ -135,8 +151,8 @@ std::shared_ptr<GridSource> GridFrom(
   const auto first = static_cast<std::size_t>(frame.Axis(0));
   const auto second = static_cast<std::size_t>(frame.Axis(1));
   const auto normal = static_cast<std::size_t>(frame.Axis(2));
-  if (!frame.IsAxisAligned() || HasGhosts(source) || nodes[normal].size() != 1 ||
-    !IsAscending(nodes[first]) || !IsAscending(nodes[second]))
+  if (!frame.IsAxisAligned() || nodes[normal].size() != 1 || !IsAscending(nodes[first]) ||
+    !IsAscending(nodes[second]) || HasGhosts(source, pulse))
   {
     return nullptr;
   }

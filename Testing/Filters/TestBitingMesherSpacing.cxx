@@ -98,6 +98,22 @@ TEST(BitingMesherSource, IsNotReadWhereCellsAreHidden)
   EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
 }
 
+TEST(BitingMesherSource, WithAGhostArrayThatHidesNothingGivesTheSameBytes)
+{
+  const auto plain = Image(9, 9, 1);
+  auto* values = plain->GetPointData()->GetArray("Spacing");
+  values->SetComponent(40, 0, 0.02); // steep: a grid and triangles would differ
+  const auto flagged = vtkSmartPointer<vtkImageData>::New();
+  flagged->DeepCopy(plain);
+  flagged->AllocateCellGhostArray();
+  flagged->AllocatePointGhostArray()->SetValue(3, vtkDataSetAttributes::DUPLICATEPOINT);
+  const auto expected = MesherWith(plain);
+  const auto found = MesherWith(flagged);
+  expected->Update();
+  found->Update();
+  EXPECT_TRUE(AreSame(expected->GetOutput(), found->GetOutput()));
+}
+
 TEST(BitingMesherSource, MayHaveHolesOfNaN)
 {
   const auto image = Image(9, 9, 1);

@@ -228,8 +228,17 @@ def contours(answer):
         Input=image(), ContourBy=['POINTS', 'Spacing'], Isosurfaces=[0.7, 1.2]), UniformSpacing=0.5)
 
 
+def image_with_ghosts():
+    """Another filter has asked for ghosts of it before: they stay, with an array that tells of them."""
+    wavelet = simple.Wavelet(WholeExtent=[-12, 12, -12, 12, 0, 0])
+    cells = simple.Threshold(Input=wavelet, Scalars=['POINTS', 'RTData'], LowerThreshold=150)
+    simple.ExtractSurface(Input=cells).UpdatePipeline()
+    return simple.Calculator(
+        Input=wavelet, ResultArrayName='Spacing', Function='0.6+0.2*abs(coordsX)')
+
+
 def sources(answer):
-    """A source in pieces: an image, triangles, triangles dealt out, blocks; also on one rank only."""
+    """A source in pieces: an image, one with ghosts, triangles, triangles dealt out, blocks; also on one rank only."""
     parameters = {'UniformSpacing': 0.0, 'SourceSpacingArray': ['POINTS', 'Spacing']}
     triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=image()))
     last = producer('''
@@ -249,7 +258,8 @@ if rank == ranks - 1:
     blocks.SetBlock(1, Field((5, 14, 4, 20, 0, 0), 2.0))
 self.GetOutput().ShallowCopy(blocks)
 ''', 'vtkMultiblockDataSet')
-    for name, source in (('Image.Divided', image()), ('Quads.Last', last),
+    for name, source in (('Image.Divided', image()), ('Image.Ghosts', image_with_ghosts()),
+                         ('Quads.Last', last),
                          ('Triangles.Divided', triangles),
                          ('Triangles.D3', simple.D3(Input=triangles)),
                          ('Triangles.Redistributed', simple.RedistributeDataSet(Input=triangles)),
