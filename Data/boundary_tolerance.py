@@ -24,7 +24,7 @@ SIZE = [300, 330]
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     layout = CreateLayout('Boundary tolerance')
     cells = grid(layout)
     for name, (spacing, loops, center, height) in CASES.items():

@@ -35,7 +35,7 @@ INPUTS = (
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     layout = CreateLayout('cells')
     layout.SplitVertical(0, 0.5)
     places = [split(layout, cell) for cell in (1, 2)]

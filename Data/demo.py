@@ -16,7 +16,7 @@ picture_size = [1500, 950]
 
 # The filter: the array "Spacing" of the coast says how long edges are, from 1 to 45 kilometres; it
 # grows by 0.15 metres a metre offshore.
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
 mesh = BitingMesher(Input=coast, Gradation=0.15)
 mesh.UpdatePipeline()

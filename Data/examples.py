@@ -110,7 +110,7 @@ tasks = [contour_to_mesh, coast_with_spacing_by_depth, airfoil, plate_with_regio
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     for task in tasks:
         mesh = task(folder)
         mesh.UpdatePipeline()

@@ -27,7 +27,7 @@ SETTINGS = {'UniformSpacing': 0.6, 'Gradation': 0, 'Placement': 'Corners', 'Rela
 
 def main(plugin, folder):
     paraview.simple._DisableFirstRenderCameraReset()
-    LoadPlugin(plugin, remote=False, ns=pictures.__dict__)
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=pictures.__dict__)
     drawing = AppendGeometry(registrationName='Drawing', Input=[
         PolyLineSource(registrationName='Outline', Points=OUTER, Closed=1),
         PolyLineSource(registrationName='Hole', Points=HOLE, Closed=1)])

@@ -24,7 +24,7 @@ COLORS = [-1, 0.75, 0.87, 0.95, 0, 1, 1, 1, 1, 1, 0.85, 0.7]
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     square = LegacyVTKReader(FileNames=[os.path.join(HERE, 'square_9x9.vtk')])
     mesh = BitingMesher(Input=square, UniformSpacing=0.3)
     report('first mesh', mesh)

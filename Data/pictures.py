@@ -15,7 +15,7 @@ PHASE_COLORS = [0, 0.88, 0.45, 0.25, 1, 0.95, 0.75, 0.35, 2, 0.55, 0.75, 0.9]
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     draw_bites(os.path.join(folder, 'bites.png'))
 
 

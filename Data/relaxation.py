@@ -30,7 +30,7 @@ MESHES = {
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     plate = LegacyVTKReader(FileNames=[os.path.join(HERE, 'plate.vtk')])
     meshes = {title: BitingMesher(Input=plate, UniformSpacing=SPACING, **settings)
               for title, (_, settings) in MESHES.items()}

@@ -24,7 +24,7 @@ COLORS = {'Keeping': (0.2, 0.6, 0.3), 'Balanced': (0.1, 0.4, 0.7), 'Shape': (0.5
 
 
 def main(plugin, folder):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     square = LegacyVTKReader(FileNames=[os.path.join(HERE, 'square_9x9.vtk')])
     before = mesh_of(square, 4.0)
     wanted = layer(before, 4.18)

@@ -36,7 +36,7 @@ def main(plugin, folder):
 
 
 def load(plugin):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 
 def bite(constant, order):

@@ -20,7 +20,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, here)
 import views
 
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 plate = LegacyVTKReader(FileNames=[os.path.join(here, 'plate.vtk')])
 mesher = BitingMesher(Input=plate, UniformSpacing=0.3, Relaxation=0, GenerateBites=1)
 bites = OutputPort(mesher, 2)

@@ -3,6 +3,7 @@
 
 """The examples that users copy from make meshes without complaints, and the files they say."""
 
+import glob
 import importlib.util
 import os
 import tempfile
@@ -38,6 +39,13 @@ class TestExamplesProxy(unittest.TestCase):
                 self.check(task)
         for name in FILES:
             self.assertGreater(os.path.getsize(os.path.join(self.folder.name, name)), 1000, name)
+
+    def test_scripts_load_the_plugin_by_its_whole_path_as_paraview_5_13_needs_it(self):
+        for path in glob.glob(os.path.join(DATA, '*.py')):
+            with open(path, encoding='utf-8') as file:
+                for line in file:
+                    if 'LoadPlugin(' in line:
+                        self.assertIn('os.path.abspath(', line, path)
 
     def check(self, task):
         window = vtkStringOutputWindow()
