@@ -17,7 +17,7 @@ set(biting_kernel_sources
   Spacing/GridInterpolator.cxx
   Spacing/GridLimit.cxx
   Spacing/GridPasses.cxx
-  Spacing/GridStrip.cxx
+  Spacing/GridSteps.cxx
   Spacing/LevelLine.cxx
   Spacing/OutsideJumps.cxx
   Spacing/SegmentCone.cxx

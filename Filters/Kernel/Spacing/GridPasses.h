@@ -18,10 +18,9 @@ namespace biting
 /// Method: what bounds a node does so along a straight way. So four passes from line to line of
 /// nodes, to the right, to the left, up and down, see all of it. In each a node is offered what the
 /// line before allows between its nodes, and, as that is too much near a node that bounds, what the
-/// nodes of that line and of the two before it allow; of that line all, where lines are far from
-/// each other beside their nodes. The nodes of a line do not wait for each other: on several
-/// threads parts of lines are done at once, with the same result, but not where all of a line is
-/// asked. Linear in the number of nodes, but for a logarithm where cells are long.
+/// nodes of that line and of the two before it allow; of that line all within reach, where cells
+/// are long. Linear in the number of nodes, but for a logarithm there. On one thread, but for the
+/// transposition.
 bool RunGridPasses(const std::vector<double>& columns, const std::vector<double>& rows,
   double gradation, std::vector<float>& values, Pulse& pulse);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "GridStrip.h"
+#include "GridSteps.h"
 
 #include "../Base/Numbers.h"
 
@@ -18,10 +18,10 @@ constexpr double ReachAlong = 7.0;
 
 /// No fewer of the line before, and just as many of the two before that one: what is nearer by way
 /// of lines in between is offered there.
-constexpr std::array<std::size_t, GridStrip::LinesBefore> LeastBeside = { 1, 1, 2 };
+constexpr std::array<std::size_t, GridSteps::LinesBefore> LeastBeside = { 1, 1, 2 };
 
-/// Where those reach less far than so many times what they should, all of the line before are
-/// looked at: cells are long there.
+/// Where those reach less far than so many times what they should, all that are that near are
+/// looked at.
 constexpr double ShareOfReach = 2.0 / 3.0;
 
 /// Lines are as far away as the last ones up to that share.
@@ -60,22 +60,33 @@ std::size_t GridAxes::Beside(double distance, std::size_t away) const
         static_cast<std::size_t>(std::min(reach, static_cast<double>(MostBesideNode))));
 }
 
-bool GridAxes::AreFar(double distance) const
+NodeRange GridAxes::FarFrom(double distance) const
 {
-  return this->LeastReaches[this->Beside(distance, 1)] < ShareOfReach * ReachAlong * distance;
-}
-
-bool GridAxes::HasFarLines() const
-{
-  bool hasFarLines = false;
-  for (std::size_t line = 1; line < this->Places.size() && !hasFarLines; ++line)
+  const std::size_t beside = this->Beside(distance, 1);
+  const double reach = ShareOfReach * ReachAlong * distance;
+  const std::size_t size = this->Nodes.size();
+  NodeRange far{ size, 0 };
+  for (std::size_t k = beside; k < size && this->LeastReaches[beside] < reach; ++k)
   {
-    hasFarLines = this->AreFar(this->DistanceOf(line, line - 1));
+    if (this->Nodes[k] - this->Nodes[k - beside] < reach)
+    {
+      far = { std::min(far.Begin, k - beside), k + 1 };
+    }
   }
-  return hasFarLines;
+  return far;
 }
 
-void GridStrip::Ways::Set(double distance, std::size_t beside)
+NodeRange GridAxes::Around(const NodeRange& nodes, double distance) const
+{
+  const auto begin = this->Nodes.begin();
+  const auto end = this->Nodes.end();
+  const double low = this->Nodes[nodes.Begin] - ReachAlong * distance;
+  const double high = this->Nodes[nodes.End - 1] + ReachAlong * distance;
+  return { static_cast<std::size_t>(std::lower_bound(begin, end, low) - begin),
+    static_cast<std::size_t>(std::upper_bound(begin, end, high) - begin) };
+}
+
+void GridSteps::Ways::Set(double distance, std::size_t beside)
 {
   for (std::size_t k = this->Squares.size(); k < beside; ++k)
   {
@@ -100,17 +111,15 @@ void GridStrip::Ways::Set(double distance, std::size_t beside)
   }
 }
 
-void GridStrip::Ways::Offer(const float* from, float* to, const NodeRange& range) const
+void GridSteps::Ways::Offer(const float* from, float* to) const
 {
-  const std::size_t count = range.End - range.Begin;
-  to += range.Begin;
   for (std::size_t k = 1; k <= this->Costs.size(); ++k)
   {
-    const float* cost = this->CostsFrom(range.Begin, k);
-    const float* left = from + range.Begin - k;
+    const float* cost = this->CostsTo(k);
+    const float* left = from - k;
     const float* costLeft = cost - k;
-    const float* right = from + range.Begin + k;
-    for (std::size_t node = 0; node < count; ++node)
+    const float* right = from + k;
+    for (std::size_t node = 0; node < this->Nodes.size(); ++node)
     {
       const float least = std::min(left[node] + costLeft[node], right[node] + cost[node]);
       to[node] = std::min(to[node], least);
@@ -118,43 +127,41 @@ void GridStrip::Ways::Offer(const float* from, float* to, const NodeRange& range
   }
 }
 
-void GridStrip::Ways::AddSquares(std::size_t k)
+void GridSteps::Ways::AddSquares(std::size_t k)
 {
-  std::vector<float> squares(this->To.End - this->To.Begin + MostBesideNode, 0.0f);
-  for (std::size_t at = 0; at < squares.size(); ++at)
+  std::vector<float> squares(this->Nodes.size() + MostBesideNode, 0.0f);
+  for (std::size_t node = 0; node + k < this->Nodes.size(); ++node)
   {
-    const std::size_t node = this->To.Begin + at - MostBesideNode;
-    if (this->To.Begin + at >= MostBesideNode && node + k < this->Nodes.size())
-    {
-      const double along = this->Nodes[node + k] - this->Nodes[node];
-      squares[at] = static_cast<float>(along * along);
-    }
+    const double along = this->Nodes[node + k] - this->Nodes[node];
+    squares[MostBesideNode + node] = static_cast<float>(along * along);
   }
   this->Squares.push_back(std::move(squares));
 }
 
-void GridStrip::Step(
-  GridLines& lines, std::size_t from, std::size_t to, std::size_t away, const NodeRange& range)
+void GridSteps::Step(GridLines& lines, std::size_t from, std::size_t to, std::size_t away)
 {
   const double distance = this->Axes.DistanceOf(from, to);
   Ways& ways = this->Before[away - 1];
-  const bool areFar = away == 1 && this->Axes.AreFar(distance);
-  ways.Set(distance, areFar ? LeastBeside[0] : this->Axes.Beside(distance, away));
-  ways.Offer(lines.At(from), lines.At(to), range);
+  const NodeRange all{ 0, lines.Size };
+  const NodeRange far = away == 1 ? this->Axes.FarFrom(distance) : NodeRange{ 0, 0 };
+  const bool areAllFar = far.Begin == all.Begin && far.End == all.End;
+  ways.Set(distance, areAllFar ? LeastBeside[0] : this->Axes.Beside(distance, away));
+  ways.Offer(lines.At(from), lines.At(to));
   if (away == 1)
   {
-    this->OfferBetween(lines.At(from), static_cast<float>(distance), lines.At(to), range);
+    this->OfferBetween(lines.At(from), static_cast<float>(distance), lines.At(to));
   }
-  if (areFar)
+  if (far.Begin < far.End)
   {
-    this->OfferAll(lines.At(from), static_cast<float>(distance), lines.At(to), range, range);
+    const NodeRange among = this->Axes.Around(far, distance);
+    this->OfferAll(lines.At(from), static_cast<float>(distance), lines.At(to), far, among);
   }
 }
 
 /// What the part `among` of a line allows along a part of another one. As what ways cost is convex,
 /// those that are best for two nodes do not cross: so what is best for the middle one divides both
 /// parts.
-void GridStrip::OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
+void GridSteps::OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
   const NodeRange& among) const
 {
   if (nodes.Begin == nodes.End)
@@ -180,16 +187,12 @@ void GridStrip::OfferAll(const float* from, float distance, float* to, const Nod
 /// Along a way at an angle a with the lines' normal, of which the sine is the slope p along the
 /// line, what is offered rises by cos a times the distance of the lines. The ways to neighbors
 /// are the steepest ones.
-void GridStrip::OfferBetween(
-  const float* from, float distance, float* to, const NodeRange& range) const
+void GridSteps::OfferBetween(const float* from, float distance, float* to) const
 {
-  const float* width = &this->Axes.Widths[range.Begin];
-  const float* toLeft = this->Before[0].ToNext(range.Begin) - 1;
-  const std::size_t count = range.End - range.Begin;
-  from += range.Begin;
-  to += range.Begin;
+  const float* width = this->Axes.Widths.data();
+  const float* toLeft = this->Before[0].ToNext() - 1;
   const float* left = from - 1;
-  for (std::size_t node = 0; node < count; ++node)
+  for (std::size_t node = 0; node < this->Axes.Nodes.size(); ++node)
   {
     const float slopes[2] = {
       std::min(width[node] / toLeft[node], (from[node] - left[node]) / width[node]),

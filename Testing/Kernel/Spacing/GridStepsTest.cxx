@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Spacing/GridStrip.h"
+#include "Spacing/GridSteps.h"
 
 #include "SpacingSources.h"
 
@@ -30,7 +30,7 @@ GridLines TwoLines(std::size_t low)
 } // namespace
 
 /// And no others, but where lines are far from each other: then all.
-TEST(GridStrip, OffersTheDistanceToNodesWithinReach)
+TEST(GridSteps, OffersTheDistanceToNodesWithinReach)
 {
   const std::vector<double> nodes = UnitNodes(Size);
   for (const double distance : { 0.001, 0.01, 0.03, 1.0 })
@@ -40,16 +40,16 @@ TEST(GridStrip, OffersTheDistanceToNodesWithinReach)
     const std::size_t beside = axes.Beside(distance, 1);
     EXPECT_GE(beside, 1u);
     EXPECT_LE(beside, MostBesideNode);
-    EXPECT_EQ(axes.AreFar(distance), distance == 1.0);
-    EXPECT_EQ(axes.HasFarLines(), distance == 1.0);
+    const NodeRange far = axes.FarFrom(distance);
+    EXPECT_EQ(far.Begin < far.End, distance == 1.0);
     for (const std::size_t low : { 0u, 50u, 99u })
     {
       GridLines lines = TwoLines(low);
-      GridStrip(axes, { 0, Size }).Step(lines, 0, 1, 1, { 0, Size });
+      GridSteps(axes).Step(lines, 0, 1, 1);
       for (std::size_t node = 0; node < Size; ++node)
       {
         const bool isReached =
-          axes.AreFar(distance) || std::max(node, low) - std::min(node, low) <= beside;
+          distance == 1.0 || std::max(node, low) - std::min(node, low) <= beside;
         const double expected = std::hypot(nodes[node] - nodes[low], distance);
         EXPECT_EQ(lines.At(1)[node] < 1e5f, isReached) << node;
         EXPECT_NEAR(lines.At(1)[node], isReached ? expected : lines.At(1)[node], 1e-6) << node;
@@ -58,17 +58,26 @@ TEST(GridStrip, OffersTheDistanceToNodesWithinReach)
   }
 }
 
-TEST(GridStrip, WritesTheNodesOfARangeAsThatOfAllDoes)
+/// Nodes are near each other at one end.
+TEST(GridSteps, OffersAllWithinReachWhereCellsAreLong)
 {
-  const std::vector<double> nodes = UnitNodes(Size, 1.5);
+  const std::vector<double> nodes = UnitNodes(Size, 2.0);
   const std::vector<double> places = { 0.0, 0.02 };
   const GridAxes axes(nodes, places);
-  GridLines whole = TwoLines(40);
-  GridStrip(axes, { 0, Size }).Step(whole, 0, 1, 1, { 0, Size });
-  GridLines part = TwoLines(40);
-  GridStrip(axes, { 30, 60 }).Step(part, 0, 1, 1, { 35, 50 });
-  for (std::size_t node = 0; node < Size; ++node)
+  const NodeRange far = axes.FarFrom(0.02);
+  EXPECT_EQ(far.Begin, 0u);
+  EXPECT_GT(far.End, 10u);
+  EXPECT_LT(far.End, Size);
+  for (const std::size_t low : { 0u, 20u, 99u })
   {
-    EXPECT_EQ(part.At(1)[node], node < 35 || node >= 50 ? 1e6f : whole.At(1)[node]) << node;
+    GridLines lines = TwoLines(low);
+    GridSteps(axes).Step(lines, 0, 1, 1);
+    for (std::size_t node = 0; node < far.End; ++node)
+    {
+      const double along = std::abs(nodes[node] - nodes[low]);
+      const bool isReached = along < 7.0 * 0.02;
+      EXPECT_TRUE(!isReached || std::abs(lines.At(1)[node] - std::hypot(along, 0.02)) < 1e-6)
+        << node;
+    }
   }
 }

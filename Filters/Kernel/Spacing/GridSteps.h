@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BitingGridStrip_h
-#define BitingGridStrip_h
+#ifndef BitingGridSteps_h
+#define BitingGridSteps_h
 
 #include <algorithm> // for fill_n
 #include <array>     // for lines before
@@ -15,8 +15,8 @@
 namespace biting
 {
 
-/// No node of a line is offered anything by one that is more nodes away along it, but where lines
-/// are far from each other.
+/// No node of a line is offered anything by one that is more nodes away along it, but where cells
+/// are long.
 constexpr std::size_t MostBesideNode = 32;
 
 /// Nodes line by line, with the greatest values at both ends of each. Without values at first: who
@@ -70,9 +70,12 @@ struct GridAxes
   /// after that, or yet another one away.
   std::size_t Beside(double distance, std::size_t away) const;
 
-  /// Whether so many nodes reach much less far than they should: cells are long there.
-  bool AreFar(double distance) const;
-  bool HasFarLines() const;
+  /// Those to which so many nodes reach much less far than they should, and what lies between:
+  /// cells are long there.
+  NodeRange FarFrom(double distance) const;
+
+  /// Those with all that should be offered something from there.
+  NodeRange Around(const NodeRange& nodes, double distance) const;
 
   const std::vector<double>& Nodes;
   const std::vector<double>& Places; ///< of the lines
@@ -80,61 +83,53 @@ struct GridAxes
   std::vector<double> LeastReaches;  ///< of 0, 1, ... nodes, wherever they begin
 };
 
-/// Goes through a range of the nodes of lines, one line after the other: each is offered what lines
-/// before allow.
-class GridStrip
+/// Goes from one line to the next: each is offered what lines before allow.
+class GridSteps
 {
 public:
   /// So many lines before are asked.
   static constexpr std::size_t LinesBefore = 3;
 
-  GridStrip(const GridAxes& axes, const NodeRange& range)
+  explicit GridSteps(const GridAxes& axes)
     : Axes(axes)
-    , Before{ Ways(axes.Nodes, range), Ways(axes.Nodes, range), Ways(axes.Nodes, range) }
+    , Before{ Ways(axes.Nodes), Ways(axes.Nodes), Ways(axes.Nodes) }
   {
   }
 
-  /// From a line to one that is `away` lines further, at nodes of the strip; at all nodes where
-  /// lines are far.
-  void Step(
-    GridLines& lines, std::size_t from, std::size_t to, std::size_t away, const NodeRange& range);
+  /// From a line to one that is `away` lines further.
+  void Step(GridLines& lines, std::size_t from, std::size_t to, std::size_t away);
 
 private:
   /// Between nodes of one line and those of another one.
   class Ways
   {
   public:
-    Ways(const std::vector<double>& nodes, const NodeRange& range)
+    explicit Ways(const std::vector<double>& nodes)
       : Nodes(nodes)
-      , To(range)
     {
     }
 
     /// From a line so far away, to nodes up to `beside` along it.
     void Set(double distance, std::size_t beside);
 
-    /// From a node of one line and those after it to the next ones of the other.
-    const float* ToNext(std::size_t node) const { return this->CostsFrom(node, 1); }
+    /// From the nodes of one line to the next ones of the other.
+    const float* ToNext() const { return this->CostsTo(1); }
 
     /// What the nodes of a line allow at those of another one.
-    void Offer(const float* from, float* to, const NodeRange& range) const;
+    void Offer(const float* from, float* to) const;
 
   private:
     void AddSquares(std::size_t k);
 
-    const float* CostsFrom(std::size_t node, std::size_t k) const
-    {
-      return &this->Costs[k - 1][MostBesideNode + node - this->To.Begin];
-    }
+    const float* CostsTo(std::size_t k) const { return &this->Costs[k - 1][MostBesideNode]; }
 
     const std::vector<double>& Nodes;
-    NodeRange To;
     double Distance = -1.0;
     std::vector<std::vector<float>> Squares; ///< of lengths to the node k + 1 to the right
     std::vector<std::vector<float>> Costs;   ///< of ways there
   };
 
-  void OfferBetween(const float* from, float distance, float* to, const NodeRange& range) const;
+  void OfferBetween(const float* from, float distance, float* to) const;
   void OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
     const NodeRange& among) const;
 
