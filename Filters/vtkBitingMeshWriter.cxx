@@ -4,6 +4,7 @@
 #include "vtkBitingMeshWriter.h"
 
 #include "Bridge/ProducedEdges.h"
+#include "Bridge/WrittenParts.h"
 #include "IO/MeshFile.h"
 
 #include "vtkCellData.h"
@@ -121,23 +122,24 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void ReadPoints(vtkDataSet* mesh, const std::string& depthArray, biting::MeshFile& file)
+void ReadPoints(vtkDataSet* mesh, const biting::WrittenParts& parts, const std::string& depthArray,
+  biting::MeshFile& file)
 {
-  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  vtkDataArray* depths = mesh->GetPointData()->GetArray(depthArray.c_str());
+  for (const vtkIdType point : parts.Points())
   {
     std::array<double, 3> place;
     mesh->GetPoint(point, place.data());
     file.Points.push_back(place);
-  }
-  vtkDataArray* depths = mesh->GetPointData()->GetArray(depthArray.c_str());
-  for (vtkIdType point = 0; depths && point < depths->GetNumberOfTuples(); ++point)
-  {
-    file.Depths.push_back(depths->GetComponent(point, 0));
+    if (depths)
+    {
+      file.Depths.push_back(depths->GetComponent(point, 0));
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void ReadTriangles(vtkDataSet* mesh, biting::MeshFile& file)
+void ReadTriangles(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file)
 {
   vtkSmartPointer<vtkDataArray> regions = mesh->GetCellData()->GetArray("RegionId");
   if (!regions)
@@ -149,12 +151,13 @@ void ReadTriangles(vtkDataSet* mesh, biting::MeshFile& file)
   const Groups groups(regions);
   file.Regions = groups.Named(1, "Region ");
   vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  for (const vtkIdType cell : parts.Cells())
   {
     if (mesh->GetCellType(cell) == VTK_TRIANGLE)
     {
       mesh->GetCellPoints(cell, corners);
-      file.Triangles.push_back({ corners->GetId(0), corners->GetId(1), corners->GetId(2) });
+      file.Triangles.push_back({ parts.NumberOf(corners->GetId(0)),
+        parts.NumberOf(corners->GetId(1)), parts.NumberOf(corners->GetId(2)) });
       file.RegionOfTriangle.push_back(groups.IndexOf(cell));
     }
   }
@@ -186,9 +189,10 @@ vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
 }
 
 //------------------------------------------------------------------------------
-void ReadEdges(
-  vtkPolyData* edges, vtkDataArray* ids, vtkAbstractArray* tags, biting::MeshFile& file)
+void ReadEdges(vtkPolyData* edges, const biting::WrittenParts& parts, vtkAbstractArray* tags,
+  biting::MeshFile& file)
 {
+  vtkDataArray* ids = edges->GetPointData()->GetArray("MeshPointId");
   const Groups groups(tags);
   file.Tags = groups.Named(0, "");
   vtkNew<vtkIdList> ends;
@@ -197,8 +201,8 @@ void ReadEdges(
     edges->GetCellPoints(cell, ends);
     if (ends->GetNumberOfIds() == 2 && groups.Has(cell))
     {
-      file.Edges.push_back({ static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0))),
-        static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1))) });
+      file.Edges.push_back({ parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0)))),
+        parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1)))) });
       file.TagOfEdge.push_back(groups.IndexOf(cell));
     }
   }
@@ -295,7 +299,7 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
     this->Refuse("The boundary edges have no cell array named " + Text(this->TagArray) + ".");
     return false;
   }
-  ReadEdges(edges, edges->GetPointData()->GetArray("MeshPointId"), tags, file);
+  ReadEdges(edges, biting::WrittenParts(mesh), tags, file);
   if (!biting::AreEdgesOfTriangles(file))
   {
     this->WarnOfEdges(edges);
@@ -328,8 +332,9 @@ void vtkBitingMeshWriter::WriteData()
     return;
   }
   biting::MeshFile file;
-  ReadPoints(mesh, Text(this->DepthArray), file);
-  ReadTriangles(mesh, file);
+  const biting::WrittenParts parts(mesh);
+  ReadPoints(mesh, parts, Text(this->DepthArray), file);
+  ReadTriangles(mesh, parts, file);
   if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
   {
     this->Refuse(file.Triangles.empty()

@@ -46,4 +46,5 @@ set(biting_bridge_sources
   SummaryText.cxx
   TagComparison.cxx
   ThreadsOfVtk.cxx
-  WholeFromPieces.cxx)
+  WholeFromPieces.cxx
+  WrittenParts.cxx)

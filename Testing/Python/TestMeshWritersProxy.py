@@ -9,7 +9,9 @@ import unittest
 
 from biting.vtkBitingFilters import vtkBitingMeshWriter
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonCore import (
+    vtkIdTypeArray, vtkIntArray, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray)
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 
 PLATE = os.path.join(os.environ['BITING_SOURCE_DIR'], 'Data', 'plate.vtk')
 
@@ -108,6 +110,38 @@ def read_adcirc(path):
     return points, triangles, strings
 
 
+def in_two_pieces(mesh):
+    """As two ranks save it: each has every other cell, some of the other's as ghosts, and their points."""
+    spread, points, polys = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    cell_ids, point_ids = vtkIdTypeArray(), vtkIdTypeArray()
+    ghosts, regions = vtkUnsignedCharArray(), vtkIntArray()
+    for array, name in ((cell_ids, 'GlobalCellIds'), (point_ids, 'GlobalPointIds'),
+                        (ghosts, 'vtkGhostType'), (regions, 'RegionId')):
+        array.SetName(name)
+    for piece in (1, 0):
+        numbers = {}
+        for cell in reversed(range(mesh.GetNumberOfCells())):
+            if cell % 2 == piece or cell % 7 == 0:
+                corners = mesh.GetCell(cell).GetPointIds()
+                ids = [corners.GetId(k) for k in range(3)]
+                for point in ids:
+                    if point not in numbers:
+                        numbers[point] = points.InsertNextPoint(mesh.GetPoint(point))
+                        point_ids.InsertNextValue(point)
+                polys.InsertNextCell(3, [numbers[point] for point in ids])
+                cell_ids.InsertNextValue(cell)
+                ghosts.InsertNextValue(0 if cell % 2 == piece else vtkDataSetAttributes.DUPLICATECELL)
+                regions.InsertNextValue(int(mesh.GetCellData().GetArray('RegionId').GetValue(cell)))
+    spread.SetPoints(points)
+    spread.SetPolys(polys)
+    spread.GetPointData().SetGlobalIds(point_ids)
+    spread.GetCellData().SetGlobalIds(cell_ids)
+    spread.GetCellData().AddArray(ghosts)
+    spread.GetCellData().AddArray(regions)
+    return spread
+
+
 class TestMeshWritersProxy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -200,6 +234,21 @@ class TestMeshWritersProxy(unittest.TestCase):
         path = self.save('none.msh', TagArray='Nothing')
         window.SetDisplayMode(mode)
         self.assertFalse(os.path.exists(path))
+
+    def test_what_ranks_have_saved_together_is_written_as_the_mesh_of_one(self):
+        whole, spread = vtkPolyData(), in_two_pieces(self.mesh)
+        whole.CopyStructure(self.mesh)
+        whole.GetCellData().AddArray(self.mesh.GetCellData().GetArray('RegionId'))
+        texts = []
+        for name, mesh in (('whole.msh', whole), ('spread.msh', spread)):
+            writer = vtkBitingMeshWriter()
+            writer.SetFileName(os.path.join(self.folder.name, name))
+            writer.SetInputDataObject(mesh)
+            writer.Write()
+            with open(writer.GetFileName(), encoding='ascii') as file:
+                texts.append(file.read())
+        self.assertGreater(spread.GetNumberOfCells(), whole.GetNumberOfCells())
+        self.assertEqual(texts[0], texts[1])
 
     def test_a_mesh_of_any_program_is_written_without_tags(self):
         sphere = simple.Sphere()
