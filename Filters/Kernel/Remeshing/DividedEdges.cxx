@@ -84,12 +84,9 @@ bool Dividing::HasGoodHalves(Id slot) const
   const Id start = this->Mesh.Start(slot);
   const Id end = this->Mesh.End(slot);
   const double half = 0.5 * Distance(this->Mesh.Points[start], this->Mesh.Points[end]);
-  const double square = half * half;
-  const double mean = this->MeanSpacing(slot);
+  const double part = half / this->MeanSpacing(slot);
   return this->IsKept[this->Region.Numbers[start]] != 0 &&
-    this->IsKept[this->Region.Numbers[end]] != 0 &&
-    square >= KeepRules::LeastSquare * mean * mean &&
-    square <= KeepRules::GreatestSquare * mean * mean;
+    this->IsKept[this->Region.Numbers[end]] != 0 && KeepRules::IsGoodHalf(part * part);
 }
 
 // In the triangle of the slot: above the edge, and beside the middles of its other edges.

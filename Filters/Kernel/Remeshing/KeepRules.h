@@ -24,7 +24,9 @@ enum class RemeshPreference
 /// Crowded, at most Lowest, the vertices of a coarser lattice are among the old ones, and above
 /// Sparse there is room for new ones between them; but in between neither is so: old vertices there
 /// are in the way of others. Nor is it so where f changes from one old vertex to the next: the old
-/// lattice has none of the right size within, and what it leaves breaks each lattice that has.
+/// lattice has none of the right size within, and what it leaves breaks each lattice that has. But
+/// where all edges of a vertex have good halves the new lattice is the old one, divided in two
+/// (DividedEdges.h), whatever f does: it then changes as the old lengths do.
 struct KeepRules
 {
   static constexpr double LowestUnchanged = 0.75;
@@ -49,13 +51,8 @@ struct KeepRules
   double GreatestChangeAbove = 1.7;
 
   // Where more than this share of the neighbors of a vertex goes it does, too: the others are the
-  // rest of a lattice that ends here. Not where the mesh has the spacing that is wanted, as where f
-  // has not changed, nor where edges are to be divided in two. From 1 on: never.
+  // rest of a lattice that ends here. From 1 on: never.
   double GreatestShareInTheWay = 0.5;
-  static constexpr double LowestAlike = 0.9;
-  static constexpr double HighestAlike = 1.15;
-  static constexpr double LowestDivided = 1.7;
-  static constexpr double HighestDivided = 2.3;
 
   // How far from the end of an equal part of a straight edge a vertex may be that stays there, in
   // parts, and how much farther than the one before: so edges between two of them are 0.7 to 1.3
@@ -74,18 +71,24 @@ struct KeepRules
     return length >= LowestUnchanged && length <= HighestUnchanged;
   }
   bool IsFitting(double length) const { return length >= this->Lowest && length <= this->Highest; }
-  static bool IsAlikeOrDivided(double length)
+  /// Of half an edge, squared, in squared spacings.
+  static bool IsGoodHalf(double square)
   {
-    return (length > LowestAlike && length < HighestAlike) ||
-      (length > LowestDivided && length < HighestDivided);
+    return square >= LeastSquare && square <= GreatestSquare;
   }
-  /// `change`: the largest f around in units of the least.
-  bool IsInTheWay(double length, double change) const
+  /// `change`: the largest f around in units of the least; `mayBeDivided`: all edges have good
+  /// halves.
+  bool IsInTheWay(double length, double change, bool mayBeDivided) const
   {
-    const bool isBelow = length < this->Lowest;
-    return !this->IsFitting(length) &&
-      ((length > this->Crowded && length < this->Sparse) ||
-        change > (isBelow ? this->GreatestChangeBelow : this->GreatestChangeAbove));
+    if (this->IsFitting(length))
+    {
+      return false;
+    }
+    const bool isBetween = length > this->Crowded && length < this->Sparse;
+    const bool changes = length < this->Lowest
+      ? change > this->GreatestChangeBelow
+      : change > this->GreatestChangeAbove && !mayBeDivided;
+    return isBetween || changes;
   }
 };
 

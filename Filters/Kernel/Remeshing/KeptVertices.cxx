@@ -3,7 +3,7 @@
 
 #include "KeptVertices.h"
 
-#include <algorithm> // for max, min, sort
+#include <algorithm> // for all_of, max, min, sort
 #include <cstddef>   // for sizes
 #include <utility>   // for pairs
 
@@ -62,6 +62,8 @@ private:
   void DropThoseInTheWay();
   void DropAlongBorders();
   double ChangeAround(Id vertex) const;
+  bool MayBeDivided(Id vertex) const;
+  double LengthBetween(Id one, Id other) const;
   double ShareInTheWay(Id vertex) const;
   void Empty();
   void Bite(Id vertex);
@@ -86,7 +88,8 @@ void Front::DropThoseInTheWay()
   {
     this->IsKept[vertex] |= !this->Region.IsInside[vertex];
     this->IsHeld[vertex] |= !this->IsKept[vertex] &&
-      this->Rules.IsInTheWay(this->Region.Lengths[vertex], this->ChangeAround(vertex));
+      this->Rules.IsInTheWay(
+        this->Region.Lengths[vertex], this->ChangeAround(vertex), this->MayBeDivided(vertex));
   }
 }
 
@@ -97,7 +100,6 @@ void Front::DropAlongBorders()
   for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
   {
     if (!this->IsKept[vertex] && !this->IsHeld[vertex] &&
-      !KeepRules::IsAlikeOrDivided(this->Region.Lengths[vertex]) &&
       this->ShareInTheWay(vertex) > this->Rules.GreatestShareInTheWay)
     {
       dropped.push_back(vertex);
@@ -133,6 +135,27 @@ double Front::ChangeAround(Id vertex) const
     greatest = std::max(greatest, near);
   }
   return greatest / least;
+}
+
+bool Front::MayBeDivided(Id vertex) const
+{
+  const Id first = this->Region.Offsets[vertex];
+  const Id end = this->Region.Offsets[vertex + 1];
+  return std::all_of(this->Region.Neighbors.begin() + first, this->Region.Neighbors.begin() + end,
+    [this, vertex](Id near)
+    {
+      const double half = 0.5 * this->LengthBetween(vertex, near);
+      return KeepRules::IsGoodHalf(half * half);
+    });
+}
+
+// In units of the mean f of the two.
+double Front::LengthBetween(Id one, Id other) const
+{
+  return 2.0 *
+    Distance(this->Mesh.Points[this->Region.Vertices[one]],
+      this->Mesh.Points[this->Region.Vertices[other]]) /
+    (this->Spacings[one] + this->Spacings[other]);
 }
 
 void Front::Empty()
@@ -176,10 +199,7 @@ void Front::Bite(Id vertex)
 
 void Front::LookAt(Id vertex, Id near)
 {
-  const double distance = 2.0 *
-    Distance(this->Mesh.Points[this->Region.Vertices[vertex]],
-      this->Mesh.Points[this->Region.Vertices[near]]) /
-    (this->Spacings[vertex] + this->Spacings[near]);
+  const double distance = this->LengthBetween(vertex, near);
   const bool isCrowded = this->Region.Lengths[near] < this->Rules.Lowest;
   if (distance < (isCrowded ? RadiusOfCrowded : KeepRules::RadiusOfFitting))
   {

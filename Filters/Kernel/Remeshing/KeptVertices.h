@@ -22,7 +22,7 @@ namespace biting
 /// where its mean length is below the band of the rules, as there the choice is large. So a mesh
 /// that has the spacing that is wanted stays whole. Those that the rules say are in the way go, and
 /// what of a lattice is left along their border: twice, those with more than half of their
-/// neighbors in the way, if f has changed.
+/// neighbors in the way.
 ///
 /// The order is that of a front: next are the vertices just beyond the bites of those that stay,
 /// the nearest to these first, so that of a lattice that is too fine a coarser one is left. Bites

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for clamp, max
-#include <cmath>     // for abs, round
+#include <cmath>     // for abs, exp, round, turns
 #include <utility>   // for pairs
 
 namespace biting
@@ -92,6 +92,38 @@ TEST(KeptVertices, AreAllWhereFIsNearlyLevelOrTheyFit)
   EXPECT_EQ(ShareOfChosen(2.0, 0.05), 1.0);
   EXPECT_GT(ShareOfChosen(0.5, 0.05), 0.18);
   EXPECT_GT(ShareOfChosen(1.0, 0.2), 0.95);
+}
+
+/// The inner vertices that are chosen where f is half of what the mesh was made for, which grows by
+/// a factor of exp(growth) for each unit of the square that it was (the exponential function is
+/// conformal: it keeps the shapes).
+double ShareOfChosenOfGraded(double growth)
+{
+  OldMesh old = UniformSquare(0.05);
+  std::vector<double> wanted;
+  for (Point2& point : old.Points)
+  {
+    const double scale = std::exp(growth * point.X);
+    wanted.push_back(0.5 * 0.05 * growth * scale);
+    point = { scale * std::cos(growth * point.Y), scale * std::sin(growth * point.Y) };
+  }
+  const ChangedRegion region = WholeRegion(old, MeanLengths(old, wanted));
+  const RegionEdges edges = ThinnedEdges(old, region, wanted, {}, EdgePolicy::Free);
+  const std::vector<std::uint8_t> isKept = ChooseKeptVertices(old, region, edges, wanted, {});
+  double inner = 0.0;
+  double chosen = 0.0;
+  for (Id vertex = 0; vertex < region.NumberOfVertices(); ++vertex)
+  {
+    const bool isInner = !edges.IsKept[vertex] && !edges.IsGone[vertex];
+    inner += isInner ? 1.0 : 0.0;
+    chosen += isInner && isKept[vertex] != 0 ? 1.0 : 0.0;
+  }
+  return chosen / inner;
+}
+
+TEST(KeptVertices, AreAllWhereTheirEdgesMayBeDividedHoweverSteepFIs)
+{
+  EXPECT_GT(ShareOfChosenOfGraded(6.0), 0.99);
 }
 
 TEST(KeptVertices, AreKeptWhereFIsSteepIfThatIsPreferred)
