@@ -9,6 +9,7 @@ set(biting_kernel_sources
   Base/Tasks.cxx
   Predicates/Predicates.cxx
   Spacing/BorderTree.cxx
+  Spacing/ConeBranch.cxx
   Spacing/ConeTree.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx

@@ -8,9 +8,10 @@
 #include "../Base/Ids.h"
 #include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
+#include "../Base/Tasks.h"
 
 #include <algorithm> // for nth_element, sort
-#include <utility>   // for move, swap
+#include <utility>   // for swap
 #include <vector>    // for the arrays
 
 namespace biting
@@ -18,7 +19,8 @@ namespace biting
 
 /// Branch and bound over many items: each lies in item.Box(), and its cost at x is at least
 /// item.Least() plus slope times the distance from x to the box. A balanced binary tree of boxes;
-/// the cost of a search is logarithmic in ordinary cases.
+/// the cost of a search is logarithmic in ordinary cases. Built on the threads of the pulse's
+/// monitor, level by level, then by subtrees; it does not depend on how many these are.
 template <typename Item>
 class BoxTree
 {
@@ -46,6 +48,9 @@ public:
 
 private:
   static constexpr Id ItemsPerLeaf = 4;
+
+  /// A subtree of no more than so many is one task.
+  static constexpr Id ItemsPerTask = 1 << 14;
 
   /// What there is to know of an item when the tree is built.
   struct Entry
@@ -81,10 +86,27 @@ private:
     }
   };
 
+  /// A node that is not made yet, of entries [First, Last).
+  struct Branch
+  {
+    Id Node;
+    Id First;
+    Id Last;
+
+    Id Middle() const { return this->First + (this->Last - this->First) / 2; }
+  };
+
   template <typename Visit>
   void SearchBelow(const Node& node, double bound, const Point2& x, double slope, double& limit,
     Visit& visit) const;
-  void Build(std::vector<Entry>& entries, Id nodeId, Id first, Id last, Pulse& pulse);
+  void Build(std::vector<Entry>& entries, Pulse& pulse);
+  std::vector<Branch> SplitAll(
+    const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
+  void Graft(const Branch& branch, const std::vector<Node>& nodes);
+  static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
+  static void Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries);
+  static void BuildBelow(
+    const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse);
 
   std::vector<Item> Ordered;
   std::vector<Node> Nodes;
@@ -93,70 +115,153 @@ private:
 template <typename Item>
 BoxTree<Item>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
 {
-  std::vector<Entry> entries;
-  entries.reserve(items.size());
-  for (const Item& item : items)
+  if (items.empty())
   {
-    entries.push_back({ item.Box(), item.Least(), static_cast<Id>(entries.size()) });
+    return;
   }
-  if (!items.empty())
-  {
-    this->Nodes.reserve(items.size());
-    this->Nodes.resize(1);
-    this->Build(entries, 0, 0, static_cast<Id>(items.size()), pulse);
-  }
+  const PulsePart part(pulse, 0.0, 0.0);
+  std::vector<Entry> entries(items.size());
+  ForEachAtOnce(pulse, items.size(),
+    [&items, &entries](std::size_t i) {
+      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
+    });
+  this->Build(entries, pulse);
+  this->Ordered = items;
+  ForEachAtOnce(pulse, items.size(),
+    [this, &items, &entries](std::size_t i)
+    { this->Ordered[i] = items[static_cast<std::size_t>(entries[i].Number)]; });
   if (pulse.HasStopped())
   {
     this->Nodes.clear();
-    return;
-  }
-  this->Ordered.reserve(items.size());
-  for (const Entry& entry : entries)
-  {
-    this->Ordered.push_back(items[static_cast<std::size_t>(entry.Number)]);
+    this->Ordered.clear();
   }
 }
 
 template <typename Item>
-void BoxTree<Item>::Build(std::vector<Entry>& entries, Id nodeId, Id first, Id last, Pulse& pulse)
+void BoxTree<Item>::Build(std::vector<Entry>& entries, Pulse& pulse)
 {
-  if (!pulse.Beat(4 * static_cast<std::size_t>(last - first)))
+  this->Nodes.resize(1);
+  std::vector<Branch> branches{ { 0, 0, static_cast<Id>(entries.size()) } };
+  while (branches.back().Last - branches.back().First > ItemsPerTask && !pulse.HasStopped())
   {
-    return;
+    branches = this->SplitAll(branches, entries, pulse);
   }
-  const auto begin = entries.begin() + first;
-  const auto end = entries.begin() + last;
+  std::vector<std::vector<Node>> parts(branches.size());
+  DoTasks(pulse, branches.size(),
+    [&branches, &entries, &parts](std::size_t k, Monitor& monitor)
+    {
+      Pulse own(monitor);
+      parts[k].resize(1);
+      BuildBelow({ 0, branches[k].First, branches[k].Last }, entries, parts[k], own);
+    });
+  for (std::size_t k = 0; k < branches.size(); ++k)
+  {
+    this->Graft(branches[k], parts[k]);
+  }
+}
+
+/// Makes the nodes of the branches; returns those below them. The last of each level is the
+/// largest.
+template <typename Item>
+std::vector<typename BoxTree<Item>::Branch> BoxTree<Item>::SplitAll(
+  const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse)
+{
+  const auto firstChild = static_cast<Id>(this->Nodes.size());
+  this->Nodes.resize(this->Nodes.size() + 2 * branches.size());
+  std::vector<Branch> below;
+  for (const Branch& branch : branches)
+  {
+    const Id child = firstChild + static_cast<Id>(below.size());
+    below.push_back({ child, branch.First, branch.Middle() });
+    below.push_back({ child + 1, branch.Middle(), branch.Last });
+  }
+  DoTasks(pulse, branches.size(),
+    [this, &branches, &below, &entries](std::size_t k, Monitor&)
+    {
+      Node node = Enclose(branches[k], entries);
+      Halve(branches[k], node.Box, entries);
+      node.First = below[2 * k].Node;
+      node.Count = 0;
+      this->Nodes[static_cast<std::size_t>(branches[k].Node)] = node;
+    });
+  return below;
+}
+
+/// Takes the nodes of a subtree over, the first as that of the branch.
+template <typename Item>
+void BoxTree<Item>::Graft(const Branch& branch, const std::vector<Node>& nodes)
+{
+  const auto shift = static_cast<Id>(this->Nodes.size()) - 1;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+  {
+    Node node = nodes[k];
+    node.First += node.Count == 0 ? shift : 0;
+    if (k == 0)
+    {
+      this->Nodes[static_cast<std::size_t>(branch.Node)] = node;
+    }
+    else
+    {
+      this->Nodes.push_back(node);
+    }
+  }
+}
+
+/// As a leaf.
+template <typename Item>
+typename BoxTree<Item>::Node BoxTree<Item>::Enclose(
+  const Branch& branch, const std::vector<Entry>& entries)
+{
   Node node;
-  node.First = first;
-  node.Count = last - first;
-  for (auto entry = begin; entry < end; ++entry)
+  node.First = branch.First;
+  node.Count = branch.Last - branch.First;
+  for (auto entry = entries.begin() + branch.First; entry < entries.begin() + branch.Last; ++entry)
   {
     node.Box.Add(entry->Box.Low);
     node.Box.Add(entry->Box.High);
     node.Least = std::min(node.Least, entry->Least);
   }
+  return node;
+}
+
+template <typename Item>
+void BoxTree<Item>::Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries)
+{
+  const bool alongX = box.Width() > box.Height();
+  const auto begin = entries.begin();
+  std::nth_element(begin + branch.First, begin + branch.Middle(), begin + branch.Last,
+    [alongX](const Entry& a, const Entry& b)
+    {
+      const double keyA = a.Key(alongX);
+      const double keyB = b.Key(alongX);
+      return keyA < keyB || (keyA == keyB && a.Number < b.Number);
+    });
+}
+
+template <typename Item>
+void BoxTree<Item>::BuildBelow(
+  const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse)
+{
+  if (!pulse.Beat(4 * static_cast<std::size_t>(branch.Last - branch.First)))
+  {
+    return;
+  }
+  Node node = Enclose(branch, entries);
   if (node.Count > ItemsPerLeaf)
   {
-    const Id middle = first + node.Count / 2;
-    const bool alongX = node.Box.Width() > node.Box.Height();
-    std::nth_element(begin, entries.begin() + middle, end,
-      [alongX](const Entry& a, const Entry& b)
-      {
-        const double keyA = a.Key(alongX);
-        const double keyB = b.Key(alongX);
-        return keyA < keyB || (keyA == keyB && a.Number < b.Number);
-      });
-    node.First = static_cast<Id>(this->Nodes.size());
+    Halve(branch, node.Box, entries);
+    node.First = static_cast<Id>(nodes.size());
     node.Count = 0;
-    this->Nodes.resize(this->Nodes.size() + 2);
-    this->Build(entries, node.First, first, middle, pulse);
-    this->Build(entries, node.First + 1, middle, last, pulse);
+    nodes.resize(nodes.size() + 2);
+    BuildBelow({ node.First, branch.First, branch.Middle() }, entries, nodes, pulse);
+    BuildBelow({ node.First + 1, branch.Middle(), branch.Last }, entries, nodes, pulse);
   }
   else
   {
-    std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.Number < b.Number; });
+    std::sort(entries.begin() + branch.First, entries.begin() + branch.Last,
+      [](const Entry& a, const Entry& b) { return a.Number < b.Number; });
   }
-  this->Nodes[static_cast<std::size_t>(nodeId)] = node;
+  nodes[static_cast<std::size_t>(branch.Node)] = node;
 }
 
 template <typename Item>

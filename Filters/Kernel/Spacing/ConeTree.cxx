@@ -4,36 +4,25 @@
 #include "ConeTree.h"
 
 #include "../Base/Numbers.h"
+#include "../Base/Tasks.h"
 #include "BoxTree.h"
+#include "ConeBranch.h"
 
-#include <cmath>  // for ldexp
-#include <limits> // for epsilon
+#include <cmath>   // for abs
+#include <limits>  // for epsilon
+#include <numeric> // for iota
+#include <utility> // for move
 
 namespace biting
 {
 namespace
 {
 
-/// A cone is dropped where another one beats it but for this share of its value. That one may be
-/// dropped for a third in a smaller square, but the three are rarely much farther apart.
-constexpr double Slack = 0.005;
-
-/// With so few cones a square is a leaf, however large: more of them take longer than a level more.
-constexpr Id FewCones = 20;
-
-/// A square across which f grows by no more than this share of itself is a leaf, whatever its
-/// cones: they meet there.
-constexpr double GrowthOfLeaf = 0.03;
-
-/// A slope above this one counts as this one there, as nobody sees it on a part of f.
-constexpr double SteepestGrowth = 1.0;
+/// Of the time, that of tasks which cut once.
+constexpr double ShareOfCuttingOnce = 0.1;
 
 /// Of all lists: then what is left to be cut becomes leaves.
 constexpr std::size_t MostEntries = std::size_t(1) << 30;
-
-/// From a segment that is nearer than so many half-diagonals the way to the center is taken for
-/// none, as rounding could turn it: there the plane is that of the values along the segment.
-constexpr double OnSegment = 1e-3;
 
 /// Of the largest coordinate: more than the rounding of a square, and of a place that is looked up.
 /// Such a place may be found in a square that it lies beside.
@@ -47,195 +36,135 @@ double LargestCoordinate(const Box2& box)
 
 } // namespace
 
-/// Cuts squares from the root down. The candidates of a square lie on a stack, above those of the
-/// squares it is part of.
+/// Cuts the square of all, level by level where there are many cones, then branches to their
+/// leaves. The tasks do not depend on the number of threads.
 class ConeTree::Builder
 {
 public:
   Builder(ConeTree& whole, const std::vector<SegmentCone>& cones, double most, Monitor& monitor)
     : Whole(whole)
     , Beats(monitor)
-    , Cones(BoxTree<SegmentCone>(cones, this->Beats).Items())
-    , Most(most)
-    , Slope(whole.Slope)
-    , Margin(RoundingShare * LargestCoordinate(whole.Bounds))
+    , ToCut{ BoxTree<SegmentCone>(cones, this->Beats).Items(), whole.Bounds, whole.Slope, most,
+      RoundingShare * LargestCoordinate(whole.Bounds), {} }
   {
   }
 
-  bool Build()
+  void Build()
   {
-    DropHigh(this->Slope, Slack, this->Cones, this->Beats);
-    for (std::size_t cone = 0; cone < this->Cones.size(); ++cone)
-    {
-      this->Candidates.push_back(static_cast<Id>(cone));
-    }
-    this->Tangents.resize(this->Cones.size());
-    this->NewIds.assign(this->Cones.size(), NoId);
+    DropHigh(this->ToCut.Slope, SlackOfCones, this->ToCut.Cones, this->Beats);
+    this->ToCut.AreListed = std::vector<std::atomic<std::uint8_t>>(this->ToCut.Cones.size());
+    std::vector<Id> all(this->ToCut.Cones.size());
+    std::iota(all.begin(), all.end(), 0);
     this->Whole.Lists.push_back(0);
-    this->Refine(this->Whole.Tree.Root(), 0, 0);
+    std::vector<ConeBranch> branches{ { this->Whole.Tree.Root(),
+      std::make_shared<const std::vector<Id>>(std::move(all)), 0 } };
+    for (double begin = 0.0; !branches.empty() && !this->Beats.HasStopped();)
+    {
+      const bool isLast = std::all_of(branches.begin(), branches.end(),
+        [](const ConeBranch& branch) { return branch.Candidates->size() <= ConesPerTask; });
+      const double end = isLast ? 1.0 : begin + ShareOfCuttingOnce * (1.0 - begin);
+      const PulsePart part(this->Beats, begin, end);
+      branches = this->CutAll(branches);
+      begin = end;
+    }
+    this->NumberListed();
     this->Whole.Tree.Finish();
-    return !this->Beats.HasStopped();
   }
 
 private:
-  /// A cone, and its value somewhere.
-  struct Lowest
+  /// Each may have its share of the entries that are left. Returns what is left of them to be cut.
+  std::vector<ConeBranch> CutAll(const std::vector<ConeBranch>& branches)
   {
-    Id Cone = NoId;
-    double Value = Infinity;
-  };
-
-  /// A plane that a cone is nowhere below.
-  struct Tangent
-  {
-    Id Cone = NoId;
-    double Value; ///< at the center of the square
-    Point2 Gradient;
-  };
-
-  void Refine(const Quadtree::Square& square, std::size_t first, Id likely)
-  {
-    Box2 box = square.Box();
-    box.Grow(this->Margin); // all places that are found in the square
-    const std::size_t kept = this->Candidates.size();
-    if (!this->Beats.Beat(kept - first) || kept == first || !this->Whole.Bounds.Meets(box))
+    std::size_t sum = 1;
+    for (const ConeBranch& branch : branches)
     {
-      this->SetLeaf(square, 0);
-      return;
+      sum += branch.Candidates->size();
     }
-    const double radius = square.Radius() + this->Margin;
-    const Lowest lowest = this->FindTangents(square.At(0.5, 0.5), radius, first, likely);
-    if (lowest.Value - this->Slope * radius >= this->Most)
-    {
-      this->SetLeaf(square, 0);
-      return;
-    }
-    this->KeepCandidates(box, lowest);
-    this->FinishOrSplit(square, lowest, kept);
-    this->Candidates.resize(kept);
-  }
-
-  void FinishOrSplit(const Quadtree::Square& square, const Lowest& lowest, std::size_t first)
-  {
-    const double growth = std::min(this->Slope, SteepestGrowth) * square.Size;
-    const bool isLast = square.Level == Quadtree::MaximumLevel ||
-      this->Whole.Lists.size() + this->Candidates.size() > MostEntries;
-    const auto count = static_cast<Id>(this->Candidates.size() - first);
-    if (count <= FewCones || growth <= GrowthOfLeaf * lowest.Value || isLast)
-    {
-      this->AddLeaf(square, first);
-    }
-    else
-    {
-      this->Whole.Tree.Split(square);
-      for (int quarter = 0; quarter < 4; ++quarter)
+    const double left = static_cast<double>(MostEntries) -
+      std::min(static_cast<double>(this->Whole.Lists.size()), static_cast<double>(MostEntries));
+    const double perCandidate = left / static_cast<double>(sum);
+    std::vector<CutBranch> parts(branches.size());
+    DoTasks(this->Beats, branches.size(),
+      [this, &branches, &parts, perCandidate](std::size_t k, Monitor& monitor)
       {
-        this->Refine(this->Whole.Tree.Quarter(square, quarter), first, lowest.Cone);
-      }
-    }
+        const auto most = static_cast<std::size_t>(
+          perCandidate * static_cast<double>(branches[k].Candidates->size()));
+        parts[k] = CutConeBranch(this->ToCut, branches[k], most, monitor);
+      });
+    return this->Graft(branches, parts);
   }
 
-  /// The lowest candidate at a point, where `likely` may be that. Tangents becomes those of the
-  /// candidates that are not above it by more than the slope allows within the radius.
-  Lowest FindTangents(const Point2& center, double radius, std::size_t first, Id likely)
+  std::vector<ConeBranch> Graft(
+    const std::vector<ConeBranch>& branches, std::vector<CutBranch>& parts)
   {
-    const double rise = 2.0 * this->Slope * radius;
-    Lowest lowest{ likely, this->At(likely)(center, this->Slope) };
-    double most = (1.0 + Slack) * lowest.Value + rise;
+    std::vector<ConeBranch> rest;
+    std::size_t size = this->Whole.Lists.size();
+    const std::size_t firstPart = this->PartBegins.size();
+    for (std::size_t k = 0; k < parts.size(); ++k)
+    {
+      this->PartBegins.push_back(size);
+      const Id shift =
+        this->Whole.Tree.Graft(branches[k].Square, parts[k].Tree, static_cast<Id>(size) - 1);
+      for (ConeBranch& branch : parts[k].Rest)
+      {
+        branch.Square.Node += shift;
+        rest.push_back(std::move(branch));
+      }
+      size += parts[k].Lists.size() - 1;
+      this->Whole.LeafCount += parts[k].LeafCount;
+    }
+    if (parts.size() == 1 && this->Whole.Lists.size() == 1)
+    {
+      this->Whole.Lists.swap(parts.front().Lists);
+      return rest;
+    }
+    this->Whole.Lists.resize(size);
+    DoTasks(this->Beats, parts.size(),
+      [this, &parts, firstPart](std::size_t k, Monitor&)
+      {
+        const std::vector<Id> lists = std::move(parts[k].Lists);
+        std::copy(lists.begin() + 1, lists.end(),
+          this->Whole.Lists.begin() + static_cast<std::ptrdiff_t>(this->PartBegins[firstPart + k]));
+      });
+    return rest;
+  }
+
+  /// Leaves out the cones that are in no leaf.
+  void NumberListed()
+  {
+    std::vector<SegmentCone>& cones = this->ToCut.Cones;
+    std::vector<Id> numbers(cones.size(), NoId);
     std::size_t count = 0;
-    for (std::size_t k = first; k < this->Candidates.size(); ++k)
+    for (std::size_t cone = 0; cone < cones.size(); ++cone)
     {
-      const Id id = this->Candidates[k];
-      const SegmentCone& cone = this->At(id);
-      const SegmentCone::View view = cone.From(center);
-      const double room = most - view.Value;
-      const double squaredWay = Dot(view.Away, view.Away);
-      if (room < 0.0 || this->Slope * this->Slope * squaredWay > room * room)
+      if (this->ToCut.AreListed[cone].load(std::memory_order_relaxed) != 0)
       {
-        continue;
-      }
-      const double way = std::sqrt(squaredWay);
-      const double value = view.Value + this->Slope * way;
-      const bool isAway = way > OnSegment * radius;
-      this->Tangents[count++] = isAway ? Tangent{ id, value, (this->Slope / way) * view.Away }
-                                       : Tangent{ id, view.Value, cone.Slope * cone.Direction };
-      if (value < lowest.Value)
-      {
-        lowest = { id, value };
-        most = (1.0 + Slack) * value + rise;
+        numbers[cone] = static_cast<Id>(count);
+        cones[count++] = cones[cone];
       }
     }
-    this->TangentCount = count;
-    return lowest;
-  }
-
-  /// Adds to the stack those of Tangents that may be lowest in a box.
-  ///
-  /// A cone is convex, so it is nowhere below a tangent plane. What the lowest one, b, is above
-  /// such a plane is convex, too, so largest at a corner. So the cone is nowhere in the box below
-  /// (1 - Slack) b, if its plane is not at the four corners.
-  void KeepCandidates(const Box2& box, const Lowest& lowest)
-  {
-    const Point2 half = 0.5 * (box.High - box.Low);
-    const double share = 1.0 - Slack;
-    const SegmentCone& b = this->At(lowest.Cone);
-    const double lowLow = share * b(box.Low, this->Slope);
-    const double highLow = share * b({ box.High.X, box.Low.Y }, this->Slope);
-    const double lowHigh = share * b({ box.Low.X, box.High.Y }, this->Slope);
-    const double highHigh = share * b(box.High, this->Slope);
-    for (std::size_t k = 0; k < this->TangentCount; ++k)
-    {
-      const Tangent& tangent = this->Tangents[k];
-      const double x = tangent.Gradient.X * half.X;
-      const double y = tangent.Gradient.Y * half.Y;
-      const double value = tangent.Value;
-      const bool isAbove = (value - x - y >= lowLow) & (value + x - y >= highLow) &
-        (value - x + y >= lowHigh) & (value + x + y >= highHigh);
-      if (!isAbove || tangent.Cone == lowest.Cone)
+    cones.resize(count);
+    this->Whole.Cones = std::move(cones);
+    this->PartBegins.push_back(this->Whole.Lists.size());
+    DoTasks(this->Beats, this->PartBegins.size() - 1,
+      [this, &numbers](std::size_t k, Monitor&)
       {
-        this->Candidates.push_back(tangent.Cone);
-      }
-    }
+        std::vector<Id>& lists = this->Whole.Lists;
+        for (std::size_t i = this->PartBegins[k]; i < this->PartBegins[k + 1]; ++i)
+        {
+          for (Id left = lists[i]; left > 0; --left)
+          {
+            ++i;
+            lists[i] = numbers[static_cast<std::size_t>(lists[i])];
+          }
+        }
+      });
   }
-
-  void AddLeaf(const Quadtree::Square& square, std::size_t first)
-  {
-    std::vector<Id>& lists = this->Whole.Lists;
-    this->SetLeaf(square, static_cast<Id>(lists.size()));
-    lists.push_back(static_cast<Id>(this->Candidates.size() - first));
-    for (std::size_t k = first; k < this->Candidates.size(); ++k)
-    {
-      Id& newId = this->NewIds[static_cast<std::size_t>(this->Candidates[k])];
-      if (newId == NoId)
-      {
-        newId = static_cast<Id>(this->Whole.Cones.size());
-        this->Whole.Cones.push_back(this->At(this->Candidates[k]));
-      }
-      lists.push_back(newId);
-    }
-  }
-
-  void SetLeaf(const Quadtree::Square& square, Id list)
-  {
-    this->Whole.Tree.SetLeaf(square, list);
-    ++this->Whole.LeafCount;
-    this->AreaDone += std::ldexp(1.0, -2 * square.Level);
-    this->Beats.SetFraction(std::min(this->AreaDone, 1.0));
-  }
-
-  const SegmentCone& At(Id cone) const { return this->Cones[static_cast<std::size_t>(cone)]; }
 
   ConeTree& Whole;
   Pulse Beats;
-  std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
-  const double Most;
-  const double Slope;
-  const double Margin;
-  std::vector<Id> Candidates;
-  std::vector<Tangent> Tangents; ///< those of the square at work are the first
-  std::size_t TangentCount = 0;
-  std::vector<Id> NewIds; ///< of cones that are listed
-  double AreaDone = 0.0;
+  ConesToCut ToCut;
+  std::vector<std::size_t> PartBegins; ///< of each part its first list in Lists
 };
 
 ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,

@@ -5,6 +5,9 @@
 
 #include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
+#include "../Base/Tasks.h"
+
+#include <atomic> // for what tasks count together
 
 namespace biting
 {
@@ -40,6 +43,9 @@ constexpr Id Beside = 2;
 /// so many in all, as long as there are two for each segment.
 constexpr double PartsOfSegment = 64.0;
 constexpr double MostParts = 500000.0;
+
+/// Segments, some microseconds each.
+constexpr std::size_t SegmentsPerTask = 2048;
 
 using Feature = FeatureSize::Feature;
 
@@ -85,85 +91,69 @@ double DiagonalOf(const std::vector<Point2>& points)
   return box.Diagonal();
 }
 
-/// Lowers f along one segment after the other.
-class FeatureCap
+/// What all segments have in common.
+struct CapRule
+{
+  const FeatureSource& Source;
+  const std::function<double(const Point2&)>& Given;
+  double Least; ///< of f as given
+  double Most;
+  double Gradation;
+  double LeastCapped;
+  const FeatureSize Size;
+  const double Extent; ///< of the drawing
+
+  /// Samples: two at the ends of each segment, one where a piece is halved; capped f may be a
+  /// quarter.
+  double MostSamples() const
+  {
+    return 2.0 * static_cast<double>(this->Source.Starts.size()) + 4.0 * this->Source.MostPieces;
+  }
+};
+
+/// Lowers f along one segment after the other of a range.
+class CappedRange
 {
 public:
-  FeatureCap(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-    double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
-    : Source(source)
-    , Beats(monitor)
-    , Size(source, this->Beats)
-    , Extent(DiagonalOf(source.Points))
-    , Given(given)
-    , Least(least)
-    , Most(most)
-    , Gradation(gradation)
-    , Cones(cones)
+  /// Nothing more is capped after so many samples.
+  CappedRange(const CapRule& rule, double mostSamples, Pulse& pulse)
+    : Rule(rule)
+    , MostSamples(mostSamples)
+    , Beats(pulse)
   {
   }
 
-  bool Run()
+  /// Of a piece of a segment, or a point.
+  struct Cap
   {
-    if (this->HasTooManyPieces())
+    Point2 Start;
+    Point2 End;
+    double StartValue;
+    double EndValue;
+  };
+
+  /// Segments [begin, end). `samplesOfAll`, if not null, counts those of other ranges, too: false,
+  /// and there are caps missing, where they are too many.
+  bool Run(std::size_t begin, std::size_t end, std::atomic<std::size_t>* samplesOfAll)
+  {
+    bool goesOn = true;
+    for (std::size_t k = begin; k < end && goesOn && this->Beats.Beat(16); ++k)
     {
-      return !this->Beats.HasStopped();
+      this->Beats.SetFraction(static_cast<double>(k - begin) / static_cast<double>(end - begin));
+      const std::size_t before = this->NumberOfSamples;
+      this->CapSegment(static_cast<Id>(k));
+      const std::size_t own = this->NumberOfSamples - before;
+      goesOn = samplesOfAll == nullptr ||
+        static_cast<double>(samplesOfAll->fetch_add(own, std::memory_order_relaxed) + own) <=
+          this->Rule.MostSamples();
     }
-    const auto count = static_cast<Id>(this->Source.Starts.size());
-    for (this->Segment = 0; this->Segment < count && this->Beats.Beat(16); ++this->Segment)
-    {
-      const Feature feature(this->Source, static_cast<std::size_t>(this->Segment));
-      const double length = Distance(feature.Start, feature.End);
-      this->MostByLength = length > 0.0 ? LengthsPerSpacing * length : Infinity;
-      const Sample start = this->TakeSample(feature.Start, length);
-      if (length > 0.0)
-      {
-        this->LastEnd = this->TakeSample(feature.End, length);
-        this->AddPiece(start, this->LastEnd, length, 0);
-      }
-      else if (start.Capped < start.Given)
-      {
-        this->Cones.AddSegment(start.Place, start.Place, start.Capped, start.Capped);
-      }
-    }
-    return !this->Beats.HasStopped();
+    return goesOn;
   }
+
+  std::size_t Samples() const { return this->NumberOfSamples; }
+  std::vector<Cap> TakeCaps() { return std::move(this->Caps); }
 
 private:
-  /// Of f as given, sampled at the ends of parts of each segment.
-  bool HasTooManyPieces()
-  {
-    const std::size_t count = this->Source.Starts.size();
-    double length = 0.0;
-    for (std::size_t segment = 0; segment < count; ++segment)
-    {
-      const Feature feature(this->Source, segment);
-      length += Distance(feature.Start, feature.End);
-    }
-    const double most = this->Source.MostPieces;
-    double pieces = length / (PieceLength * this->Least);
-    if (pieces <= most)
-    {
-      return false;
-    }
-    const double parts =
-      std::max(2.0, std::min(PartsOfSegment, std::floor(MostParts / static_cast<double>(count))));
-    pieces = 0.0;
-    for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
-    {
-      const Feature feature(this->Source, segment);
-      const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
-      double last = this->Given(feature.Start);
-      for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
-      {
-        const double next = this->Given(feature.Start + part * step);
-        pieces += Length(step) / (PieceLength * std::max(last, next));
-        last = next;
-      }
-    }
-    return pieces > most;
-  }
-
   struct Sample
   {
     Point2 Place;
@@ -172,37 +162,53 @@ private:
     double Capped = 0.0; ///< f with the cap
   };
 
+  void CapSegment(Id segment)
+  {
+    this->Segment = segment;
+    const Feature feature(this->Rule.Source, static_cast<std::size_t>(segment));
+    const double length = Distance(feature.Start, feature.End);
+    this->MostByLength = length > 0.0 ? LengthsPerSpacing * length : Infinity;
+    const Sample start = this->TakeSample(feature.Start, length);
+    if (length > 0.0)
+    {
+      this->LastEnd = this->TakeSample(feature.End, length);
+      this->AddPiece(start, this->LastEnd, length, 0);
+    }
+    else if (start.Capped < start.Given)
+    {
+      this->Caps.push_back({ start.Place, start.Place, start.Capped, start.Capped });
+    }
+  }
+
   /// Most segments begin where the one before ends.
   double GivenAt(const Point2& place) const
   {
-    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Given(place);
+    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Rule.Given(place);
   }
 
   /// `reach` is how far from here the feature size is to be known.
   Sample TakeSample(const Point2& place, double reach)
   {
-    this->Beats.SetFraction(
-      static_cast<double>(this->Segment) / static_cast<double>(this->Source.Starts.size()));
     this->Beats.Beat(16);
-    this->NumberOfSamples += 1.0;
+    ++this->NumberOfSamples;
     Sample sample;
     sample.Place = place;
     sample.Given = this->GivenAt(place);
     const double known =
       this->MostByLength < sample.Given ? this->MostByLength : sample.Given + reach;
-    const double floor = this->Source.Floor ? this->Source.Floor(place) : 0.0;
+    const double floor = this->Rule.Source.Floor ? this->Rule.Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(sample.Given));
-    sample.Size = this->Size(this->Segment, place, known, least);
+    sample.Size = this->Rule.Size(this->Segment, place, known, least);
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
-      std::min(sample.Given, std::max(std::min(bySize, byLength), this->Cones.Values().Least));
+      std::min(sample.Given, std::max(std::min(bySize, byLength), this->Rule.LeastCapped));
     return sample;
   }
 
   double LeastInGaps(double given) const
   {
-    const std::vector<double>& lengths = this->Source.DrawnLengths;
+    const std::vector<double>& lengths = this->Rule.Source.DrawnLengths;
     const auto segment = static_cast<std::size_t>(this->Segment);
     const double drawn = segment < lengths.size() ? lengths[segment] : Infinity;
     return std::min(
@@ -211,7 +217,7 @@ private:
 
   double LeastOnShort(double given) const
   {
-    return LeastShareOnShort * std::min(given, this->Extent);
+    return LeastShareOnShort * std::min(given, this->Rule.Extent);
   }
 
   /// The feature size changes no faster than the place, and f in the end no faster than the
@@ -221,8 +227,9 @@ private:
   {
     const double least = 0.5 * (start.Size + end.Size - length);
     const double most =
-      std::min(this->Most, 0.5 * (start.Given + end.Given + this->Gradation * length));
-    const bool isOver = this->Beats.HasStopped() || this->NumberOfSamples > this->MostSamples();
+      std::min(this->Rule.Most, 0.5 * (start.Given + end.Given + this->Rule.Gradation * length));
+    const bool isOver =
+      this->Beats.HasStopped() || static_cast<double>(this->NumberOfSamples) > this->MostSamples;
     if (isOver || std::min(least, this->MostByLength) >= most)
     {
       return;
@@ -232,7 +239,7 @@ private:
     {
       if (start.Capped < start.Given || end.Capped < end.Given)
       {
-        this->Cones.AddSegment(start.Place, end.Place, start.Capped, end.Capped);
+        this->Caps.push_back({ start.Place, end.Place, start.Capped, end.Capped });
       }
       return;
     }
@@ -241,25 +248,128 @@ private:
     this->AddPiece(middle, end, 0.5 * length, depth + 1);
   }
 
-  /// Two at the ends of each segment, one where a piece is halved; capped f may be a quarter.
-  double MostSamples() const
-  {
-    return 2.0 * static_cast<double>(this->Source.Starts.size()) + 4.0 * this->Source.MostPieces;
-  }
-
-  const FeatureSource& Source;
-  Pulse Beats;
-  const FeatureSize Size;
-  const double Extent; ///< of the drawing
-  const std::function<double(const Point2&)>& Given;
-  const double Least; ///< of f as given
-  const double Most;
-  const double Gradation;
-  ConeCollector& Cones;
+  const CapRule& Rule;
+  const double MostSamples;
+  Pulse& Beats;
+  std::vector<Cap> Caps;
   Id Segment = 0;
   double MostByLength = 0.0; ///< f on that segment
   Sample LastEnd{ { Infinity, Infinity } };
-  double NumberOfSamples = 0.0;
+  std::size_t NumberOfSamples = 0;
+};
+
+/// Lowers f along all segments.
+class FeatureCap
+{
+public:
+  FeatureCap(const CapRule& rule, ConeCollector& cones, Pulse& pulse)
+    : Rule(rule)
+    , Beats(pulse)
+    , Cones(cones)
+    , Ranges((rule.Source.Starts.size() + SegmentsPerTask - 1) / SegmentsPerTask)
+  {
+  }
+
+  bool Run()
+  {
+    if (!this->HasTooManyPieces() && !this->Beats.HasStopped())
+    {
+      this->CapRanges();
+      this->CollectCaps();
+    }
+    return !this->Beats.HasStopped();
+  }
+
+private:
+  struct Range
+  {
+    std::vector<CappedRange::Cap> Caps;
+    std::size_t Samples = 0;
+    bool IsWhole = false;
+  };
+
+  /// Of f as given, sampled at the ends of parts of each segment.
+  bool HasTooManyPieces()
+  {
+    const FeatureSource& source = this->Rule.Source;
+    const std::size_t count = source.Starts.size();
+    double length = 0.0;
+    for (std::size_t segment = 0; segment < count; ++segment)
+    {
+      const Feature feature(source, segment);
+      length += Distance(feature.Start, feature.End);
+    }
+    const double most = source.MostPieces;
+    double pieces = length / (PieceLength * this->Rule.Least);
+    if (pieces <= most)
+    {
+      return false;
+    }
+    const double parts =
+      std::max(2.0, std::min(PartsOfSegment, std::floor(MostParts / static_cast<double>(count))));
+    pieces = 0.0;
+    for (std::size_t segment = 0; segment < count && pieces <= most; ++segment)
+    {
+      const Feature feature(source, segment);
+      const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
+      double last = this->Rule.Given(feature.Start);
+      for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
+      {
+        const double next = this->Rule.Given(feature.Start + part * step);
+        pieces += Length(step) / (PieceLength * std::max(last, next));
+        last = next;
+      }
+    }
+    return pieces > most;
+  }
+
+  /// Each as if there were no others; once they have too many samples together, some not to the
+  /// end.
+  void CapRanges()
+  {
+    std::atomic<std::size_t> samplesOfAll{ 0 };
+    DoTasks(this->Beats, this->Ranges.size(),
+      [this, &samplesOfAll](std::size_t k, Monitor& monitor)
+      {
+        Pulse own(monitor);
+        this->Ranges[k] = this->CapRange(k, this->Rule.MostSamples(), &samplesOfAll, own);
+      });
+  }
+
+  Range CapRange(
+    std::size_t k, double mostSamples, std::atomic<std::size_t>* samplesOfAll, Pulse& pulse) const
+  {
+    const std::size_t count = this->Rule.Source.Starts.size();
+    CappedRange range(this->Rule, mostSamples, pulse);
+    const bool isWhole =
+      range.Run(k * SegmentsPerTask, std::min(count, (k + 1) * SegmentsPerTask), samplesOfAll);
+    return { range.TakeCaps(), range.Samples(), isWhole };
+  }
+
+  /// In their order. From where they have too many samples together it is done again, one range
+  /// after the other: what is capped is what it would be on one thread.
+  void CollectCaps()
+  {
+    double left = this->Rule.MostSamples();
+    for (std::size_t k = 0; k < this->Ranges.size() && !this->Beats.HasStopped(); ++k)
+    {
+      Range range = std::move(this->Ranges[k]);
+      if (!range.IsWhole || static_cast<double>(range.Samples) > left)
+      {
+        range = this->CapRange(k, left, nullptr, this->Beats);
+      }
+      left -= static_cast<double>(range.Samples);
+      for (const CappedRange::Cap& cap : range.Caps)
+      {
+        this->Cones.AddSegment(cap.Start, cap.End, cap.StartValue, cap.EndValue);
+      }
+    }
+  }
+
+  const CapRule& Rule;
+  Pulse& Beats;
+  ConeCollector& Cones;
+  std::vector<Range> Ranges;
 };
 
 } // namespace
@@ -322,7 +432,10 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
 bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
   double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
 {
-  return FeatureCap(source, given, least, most, gradation, cones, monitor).Run();
+  Pulse pulse(monitor);
+  const CapRule rule{ source, given, least, most, gradation, cones.Values().Least,
+    FeatureSize(source, pulse), DiagonalOf(source.Points) };
+  return !pulse.HasStopped() && FeatureCap(rule, cones, pulse).Run();
 }
 
 } // namespace biting

@@ -7,8 +7,9 @@
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, transform
 #include <cstdint>   // for integer coordinates
+#include <iterator>  // for back_inserter
 #include <vector>    // for the arrays
 
 namespace biting
@@ -67,6 +68,22 @@ public:
   void SetLeaf(const Square& square, Id leaf)
   {
     this->Nodes[static_cast<std::size_t>(square.Node)] = ~leaf;
+  }
+
+  /// Makes a leaf the root of another tree, of the same square, whose leaves get numbers larger by
+  /// `shift`, but for 0; returns by how much its other nodes have.
+  Id Graft(const Square& square, const Quadtree& other, Id shift)
+  {
+    const Id nodeShift = static_cast<Id>(this->Nodes.size()) - 1;
+    const auto shifted = [shift, nodeShift](Id node)
+    {
+      const bool isInner = node >= 0;
+      return isInner ? node + nodeShift : (~node == 0 ? node : ~(~node + shift));
+    };
+    this->Nodes[static_cast<std::size_t>(square.Node)] = shifted(other.Nodes.front());
+    std::transform(
+      other.Nodes.begin() + 1, other.Nodes.end(), std::back_inserter(this->Nodes), shifted);
+    return nodeShift;
   }
 
   /// To be called once, when all leaves are set.

@@ -4,6 +4,7 @@
 #include "Spacing/ConeTree.h"
 
 #include "../Support/Monitors.h"
+#include "../Support/TestThreads.h"
 #include "Base/Numbers.h"
 #include "SpacingSources.h"
 
@@ -318,4 +319,39 @@ TEST(ConeTree, TakesNoLongerForPointsInDisorder)
   disordered.Values = ordered.Values;
   disordered.Segments = ordered.Segments;
   EXPECT_LE(WorkOf(disordered, 0.3), 1.1 * WorkOf(ordered, 0.3));
+}
+
+/// Squares that are cut by several tasks, whatever the number of threads.
+TEST(ConeTree, IsTheSameOnAnyNumberOfThreads)
+{
+  const std::vector<SegmentCone> cones = ConesOf(MakeScatter(20000, 0.001, 27), 0.3);
+  const ConeTree expected(cones, 0.3, UnitBox());
+  for (const int threads : { 2, 3, 8 })
+  {
+    MonitorWithThreads monitor(threads);
+    const ConeTree tree(cones, 0.3, UnitBox(), std::numeric_limits<double>::infinity(), monitor);
+    EXPECT_EQ(tree.NumberOfLeaves(), expected.NumberOfLeaves());
+    EXPECT_EQ(tree.NumberOfCones(), expected.NumberOfCones());
+    Sampler sampler(28);
+    for (int probe = 0; probe < 5000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(UnitBox());
+      ASSERT_EQ(tree(x), expected(x));
+    }
+  }
+}
+
+TEST(ConeTree, IsTheMinimumOfManyConesToo)
+{
+  const SegmentSource source = MakeScatter(20000, 0.001, 29);
+  const Minimum exact{ ConesOf(source, 0.3), 0.3 };
+  const ConeTree tree = TreeOf(source, 0.3);
+  Sampler sampler(30);
+  for (int probe = 0; probe < 500; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    const double least = exact(x);
+    ASSERT_GE(tree(x), least);
+    ASSERT_LE(tree(x), (1.0 + ConeTree::Tolerance) * least);
+  }
 }

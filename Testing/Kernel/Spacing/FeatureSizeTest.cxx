@@ -3,6 +3,7 @@
 
 #include "Spacing/FeatureSize.h"
 
+#include "../Support/TestThreads.h"
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>
@@ -64,6 +65,44 @@ Spacing WithFeatures(FeatureSource source, double uniform, const Box2& bounds = 
   options.Uniform = uniform;
   options.Features = Share(std::move(source));
   return MakeGoodSpacing(options, bounds);
+}
+
+/// A wide hall of 5000 segments that is narrow, but for rounding, at its right end: with as many
+/// samples as that takes, caps end before all of it is capped.
+FeatureSource NarrowHall(double gap)
+{
+  constexpr int Steps = 2500;
+  std::vector<Point2> loop;
+  for (int step = 0; step < Steps; ++step)
+  {
+    loop.push_back({ static_cast<double>(step) / Steps, 0.0 });
+  }
+  for (int step = Steps; step > 0; --step)
+  {
+    const double x = static_cast<double>(step) / Steps;
+    loop.push_back({ x, x > 0.9 ? gap : 0.3 });
+  }
+  FeatureSource hall = Loops({ loop });
+  hall.DrawnLengths.assign(hall.Starts.size(), 1e-7);
+  return hall;
+}
+
+Spacing OnThreads(const FeatureSource& source, double uniform, int threads)
+{
+  SpacingOptions options;
+  options.Uniform = uniform;
+  options.Features = Share(source);
+  ProblemList problems;
+  MonitorWithThreads monitor(threads);
+  return MakeSpacing(options, UnitBox(), problems, monitor);
+}
+
+void ExpectSameAlong(const FeatureSource& source, const Spacing& f, const Spacing& expected)
+{
+  for (const Point2& point : source.Points)
+  {
+    ASSERT_EQ(f(point), expected(point));
+  }
 }
 
 /// By sampling the definition: points of the others on the inner side of the own segment.
@@ -299,6 +338,30 @@ TEST(FeatureLimit, IsNotSearchedForBeyondTheWantedNumberOfPieces)
   options.Features = Share(features);
   const Spacing f = MakeGoodSpacing(options);
   EXPECT_NEAR(f({ 0.5, 1.0 }), 1.5e-9, 1e-12);
+}
+
+TEST(FeatureLimit, IsTheSameOnAnyNumberOfThreads)
+{
+  const FeatureSource hall = NarrowHall(1e-4);
+  const Spacing expected = OnThreads(hall, 0.01, 1);
+  for (const int threads : { 2, 3, 8 })
+  {
+    ExpectSameAlong(hall, OnThreads(hall, 0.01, threads), expected);
+  }
+}
+
+/// The first 20,000 samples or so are those of the first segments, whoever takes them.
+TEST(FeatureLimit, EndsAtTheSamePieceOnAnyNumberOfThreads)
+{
+  FeatureSource hall = NarrowHall(1e-5);
+  hall.MostPieces = 3000.0;
+  const Spacing expected = OnThreads(hall, 0.01, 1);
+  EXPECT_LT(expected({ 0.905, 0.0 }), 2e-5);
+  EXPECT_GT(expected({ 0.99, 0.0 }), 1e-3);
+  for (const int threads : { 2, 3, 8 })
+  {
+    ExpectSameAlong(hall, OnThreads(hall, 0.01, threads), expected);
+  }
 }
 
 TEST(FeatureLimit, IsLipschitz)

@@ -91,3 +91,28 @@ TEST(Quadtree, CoversABoxOfAnyProportionByOneSquare)
   EXPECT_TRUE(root.Box().Contains(thin.Low));
   EXPECT_TRUE(root.Box().Contains(thin.High));
 }
+
+TEST(Quadtree, TakesTheTreeOfAQuarterIn)
+{
+  Quadtree whole(UnitBox());
+  whole.Split(whole.Root());
+  for (int quarter = 0; quarter < 3; ++quarter)
+  {
+    whole.SetLeaf(whole.Quarter(whole.Root(), quarter), 0);
+  }
+  const Quadtree::Square last = whole.Quarter(whole.Root(), 3);
+  Quadtree part;
+  Quadtree::Square top = last;
+  top.Node = 0;
+  part.Split(top);
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    part.SetLeaf(part.Quarter(top, quarter), quarter);
+  }
+  whole.Graft(last, part, 100);
+  whole.Finish();
+  EXPECT_EQ(whole.Locate({ 0.1, 0.9 }), 0);
+  EXPECT_EQ(whole.Locate({ 0.6, 0.6 }), 0); // stays the leaf of nothing
+  EXPECT_EQ(whole.Locate({ 0.9, 0.6 }), 101);
+  EXPECT_EQ(whole.Locate({ 0.9, 0.9 }), 103);
+}
