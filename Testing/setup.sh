@@ -136,7 +136,8 @@ build_sanitizer()
 # The programs whose tests use several threads.
 build_thread()
 {
-  build_targets='BitingKernelBaseTest BitingKernelSpacingTest BitingKernelFacadeTest
+  build_targets='BitingKernelBaseTest BitingKernelSpacingTest BitingKernelDomainTest
+    BitingKernelFacadeTest
     BitingKernelBlocksTest'
   build "$thread_build" -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Release \
     -DBITING_SANITIZE=thread "$@"

@@ -4,6 +4,7 @@
 #include "Meetings.h"
 
 #include "../Base/SortInSteps.h"
+#include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
 #include "CrossingEstimate.h"
 #include "MeetingReports.h"
@@ -11,6 +12,7 @@
 #include "VertexStars.h"
 
 #include <algorithm> // for unique, any_of, min, max
+#include <atomic>    // for what tasks share
 #include <cmath>     // for abs
 #include <cstddef>   // for size_t
 #include <cstdint>   // for masks
@@ -26,19 +28,35 @@ namespace
 constexpr double ShareOfPreparing = 0.4;
 constexpr double ShareOfTesting = 0.5;
 
+/// The edges of an arrangement, and how they are found.
+struct FiledEdges
+{
+  FiledEdges(const Arrangement& arrangement, Pulse& pulse)
+    : Ends(arrangement.EdgeEnds())
+    , Stars(arrangement.Vertices, this->Ends, pulse)
+    , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution, pulse)
+  {
+  }
+
+  const std::vector<SegmentEnds> Ends;
+  const VertexStars Stars;
+  const SegmentTree Tree;
+};
+
 class MeetingFinder
 {
 public:
-  MeetingFinder(
-    const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
+  MeetingFinder(const Arrangement& arrangement, const FiledEdges& edges,
+    const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
     : Input(arrangement)
     , Limits(limits)
     , Found(meetings)
     , Beats(pulse)
-    , Ends(arrangement.EdgeEnds())
-    , Stars(arrangement.Vertices, this->Ends, pulse)
-    , Tree(arrangement.Vertices, this->Ends, arrangement.Resolution, pulse)
+    , Ends(edges.Ends)
+    , Stars(edges.Stars)
+    , Tree(edges.Tree)
     , News(arrangement, meetings.Reports)
+    , Edges(edges)
   {
   }
 
@@ -56,6 +74,9 @@ public:
   }
 
 private:
+  bool TestPart(const SegmentTree::PairPart& part, const std::vector<std::uint8_t>& isNew,
+    const std::vector<Id>& newBefore, Meetings& found, Monitor& monitor) const;
+  bool TakeAll(const std::vector<Meetings>& parts);
   void TestApart(Id first, Id second);
   bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
   void TestStar(Id vertex);
@@ -74,10 +95,11 @@ private:
   const MeetingLimits& Limits;
   Meetings& Found;
   Pulse& Beats;
-  const std::vector<SegmentEnds> Ends;
-  const VertexStars Stars;
-  const SegmentTree Tree;
+  const std::vector<SegmentEnds>& Ends;
+  const VertexStars& Stars;
+  const SegmentTree& Tree;
   MeetingReporter News;
+  const FiledEdges& Edges;
 };
 
 /// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
@@ -103,7 +125,60 @@ void MeetingFinder::TestEdges()
   {
     isNew.push_back(edge.IsNew);
   }
-  this->Tree.VisitPairs(isNew, *this);
+  const std::vector<SegmentTree::PairPart> parts = this->Tree.PairParts();
+  const std::vector<Id> newBefore = this->Tree.WantedBefore(isNew);
+  std::vector<Meetings> found(parts.size());
+  std::atomic<bool> areFew{ true };
+  DoTasks(this->Beats, parts.size(),
+    [this, &parts, &isNew, &newBefore, &found, &areFew](std::size_t k, Monitor& monitor)
+    {
+      if (areFew.load(std::memory_order_relaxed) &&
+        !this->TestPart(parts[k], isNew, newBefore, found[k], monitor))
+      {
+        areFew.store(false, std::memory_order_relaxed);
+      }
+    });
+  if (!this->Beats.HasStopped() && (!areFew || !this->TakeAll(found)))
+  {
+    this->Tree.VisitPairs(isNew, *this);
+  }
+}
+
+/// False where even this part has too many.
+bool MeetingFinder::TestPart(const SegmentTree::PairPart& part,
+  const std::vector<std::uint8_t>& isNew, const std::vector<Id>& newBefore, Meetings& found,
+  Monitor& monitor) const
+{
+  Pulse own(monitor);
+  MeetingFinder finder(this->Input, this->Edges, this->Limits, found, own);
+  this->Tree.VisitPairsOf(part, isNew, newBefore, finder);
+  return finder.GoesOn() || own.HasStopped();
+}
+
+/// False, and nothing is taken, where they are too many together: which of them are found before
+/// the search is given up should not depend on threads.
+bool MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
+{
+  std::size_t splits = 0;
+  std::size_t crossings = 0;
+  for (const Meetings& part : parts)
+  {
+    splits += part.Splits.size();
+    crossings += part.Crossings.size();
+  }
+  if (splits > this->Limits.Splits || crossings > this->Limits.Crossings)
+  {
+    return false;
+  }
+  const auto append = [](const auto& from, auto& to)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  for (const Meetings& part : parts)
+  {
+    append(part.Splits, this->Found.Splits);
+    append(part.Crossings, this->Found.Crossings);
+    append(part.Reports, this->Found.Reports);
+  }
+  return true;
 }
 
 /// Whether there is time and room to look for more.
@@ -327,7 +402,8 @@ bool FindMeetings(
   const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
 {
   meetings = Meetings();
-  MeetingFinder finder(arrangement, limits, meetings, pulse);
+  const FiledEdges edges(arrangement, pulse);
+  MeetingFinder finder(arrangement, edges, limits, meetings, pulse);
   if (!finder.HasRoomForCrossings())
   {
     return true;

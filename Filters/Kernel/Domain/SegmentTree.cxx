@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr Id LeafSize = 6;
+constexpr Id ItemsPerPart = 8192; // of pairs, in one or two nodes: milliseconds
 constexpr double SimilarLengths =
   16.0; // the most that those in one node differ by, where it has many
 
@@ -219,7 +220,53 @@ SlantedBox SegmentTree::BoxOf(const Item& item) const
   return extent;
 }
 
-std::vector<Id> SegmentTree::CountWanted(const std::vector<std::uint8_t>& isWanted) const
+std::vector<SegmentTree::PairPart> SegmentTree::PairParts() const
+{
+  std::vector<PairPart> parts;
+  std::vector<PairPart> left;
+  if (!this->Nodes.empty())
+  {
+    left.push_back({ 0, 0 });
+  }
+  while (!left.empty())
+  {
+    const PairPart part = left.back();
+    left.pop_back();
+    const Id size = this->SizeOf(part.First) + this->SizeOf(part.Second);
+    const std::vector<PairPart> below =
+      size > ItemsPerPart ? this->Divided(part) : std::vector<PairPart>{ part };
+    const bool isWhole =
+      below.size() == 1 && below[0].First == part.First && below[0].Second == part.Second;
+    std::vector<PairPart>& list = isWhole ? parts : left;
+    list.insert(list.end(), below.begin(), below.end());
+  }
+  return parts;
+}
+
+/// As PairWalk goes on from there: nothing, where there are no pairs; the part itself, at a leaf.
+std::vector<SegmentTree::PairPart> SegmentTree::Divided(const PairPart& part) const
+{
+  const Node& a = this->NodeAt(part.First);
+  const Node& b = this->NodeAt(part.Second);
+  const bool isSelf = part.First == part.Second;
+  const bool isFirst = a.Size() >= b.Size();
+  const Id large = isFirst ? part.First : part.Second;
+  const Id small = isFirst ? part.Second : part.First;
+  if (isSelf ? HasEnd(a.Common) : IsFanOf(a.Common, b.Common) || !this->MayMeet(a, b))
+  {
+    return {};
+  }
+  if (this->IsLeaf(large))
+  {
+    return { part };
+  }
+  const Id first = large + 1;
+  const Id second = this->NodeAt(first).Next;
+  return isSelf ? std::vector<PairPart>{ { first, first }, { second, second }, { first, second } }
+                : std::vector<PairPart>{ { first, small }, { second, small } };
+}
+
+std::vector<Id> SegmentTree::WantedBefore(const std::vector<std::uint8_t>& isWanted) const
 {
   std::vector<Id> before{ 0 };
   before.reserve(this->Items.size() + 1);

@@ -81,9 +81,31 @@ public:
   {
     if (!this->Nodes.empty())
     {
-      PairWalk<Visitor>(*this, isWanted, visitor).JoinSelf(0);
+      this->VisitPairsOf({ 0, 0 }, isWanted, this->WantedBefore(isWanted), visitor);
     }
   }
+
+  /// Two nodes, or one twice: part of the pairs.
+  struct PairPart
+  {
+    Id First;
+    Id Second;
+  };
+
+  /// Parts that have all pairs together, each once, of some thousand segments each. They do not
+  /// depend on threads.
+  std::vector<PairPart> PairParts() const;
+
+  /// VisitPairs for one part. `wantedBefore` is WantedBefore(isWanted).
+  template <typename Visitor>
+  void VisitPairsOf(const PairPart& part, const std::vector<std::uint8_t>& isWanted,
+    const std::vector<Id>& wantedBefore, Visitor& visitor) const
+  {
+    PairWalk<Visitor>(*this, isWanted, wantedBefore, visitor).Join(part);
+  }
+
+  /// How many of the items of the tree before each are wanted.
+  std::vector<Id> WantedBefore(const std::vector<std::uint8_t>& isWanted) const;
 
   /// By which segments are longer than others: in the 1-norm.
   static double LengthOf(const Point2& start, const Point2& end)
@@ -118,14 +140,21 @@ private:
   class PairWalk
   {
   public:
-    PairWalk(const SegmentTree& tree, const std::vector<std::uint8_t>& isWanted, Visitor& visitor)
+    PairWalk(const SegmentTree& tree, const std::vector<std::uint8_t>& isWanted,
+      const std::vector<Id>& wantedBefore, Visitor& visitor)
       : Tree(tree)
       , IsWanted(isWanted)
-      , WantedBefore(tree.CountWanted(isWanted))
+      , WantedBefore(wantedBefore)
       , Visit(visitor)
     {
     }
 
+    void Join(const PairPart& part)
+    {
+      part.First == part.Second ? this->JoinSelf(part.First) : this->Join(part.First, part.Second);
+    }
+
+  private:
     void JoinSelf(Id node)
     {
       const Node& here = this->Tree.NodeAt(node);
@@ -144,7 +173,6 @@ private:
       this->Join(node + 1, second);
     }
 
-  private:
     void Join(Id first, Id second)
     {
       const Node& a = this->Tree.NodeAt(first);
@@ -213,7 +241,7 @@ private:
 
     const SegmentTree& Tree;
     const std::vector<std::uint8_t>& IsWanted;
-    const std::vector<Id> WantedBefore; ///< how many of the items before each
+    const std::vector<Id>& WantedBefore; ///< how many of the items before each
     Visitor& Visit;
   };
 
@@ -308,8 +336,9 @@ private:
   const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
   const Item& ItemAt(Id item) const { return this->Items[static_cast<std::size_t>(item)]; }
   bool IsLeaf(Id node) const { return this->NodeAt(node).Next == node + 1; }
+  Id SizeOf(Id node) const { return this->NodeAt(node).LastItem - this->NodeAt(node).FirstItem; }
+  std::vector<PairPart> Divided(const PairPart& part) const;
   SlantedBox BoxOf(const Item& item) const;
-  std::vector<Id> CountWanted(const std::vector<std::uint8_t>& isWanted) const;
 
   std::vector<Item> Items;
   std::vector<Node> Nodes;

@@ -177,6 +177,39 @@ TEST(SegmentTree, VisitsEachPairThatMeetsOnce)
   }
 }
 
+/// Short ones, and some long ones across them.
+Segments Scattered(int count)
+{
+  Segments made;
+  TestNumbers numbers(13);
+  for (int i = 0; i < count; ++i)
+  {
+    const double length = i % 100 == 0 ? 0.5 : 0.01;
+    const Point2 place{ numbers.Unit(), numbers.Unit() };
+    made.Points.push_back(place);
+    made.Points.push_back(place + length * Point2{ numbers.Unit() - 0.5, numbers.Unit() - 0.5 });
+    made.Ends.push_back({ 2 * i, 2 * i + 1 });
+  }
+  return made;
+}
+
+TEST(SegmentTree, PartsOfPairsHaveEachOnce)
+{
+  const Segments segments = Scattered(30000);
+  const std::vector<std::uint8_t> all(segments.Ends.size(), 1);
+  const SegmentTree tree(segments.Points, segments.Ends, 0.0);
+  const std::vector<SegmentTree::PairPart> parts = tree.PairParts();
+  EXPECT_GT(parts.size(), 10u);
+  PairNotes notes;
+  const std::vector<Id> before = tree.WantedBefore(all);
+  for (const SegmentTree::PairPart& part : parts)
+  {
+    tree.VisitPairsOf(part, all, before, notes);
+  }
+  std::sort(notes.Found.begin(), notes.Found.end());
+  EXPECT_EQ(notes.Found, FindPairs(segments, all, 0.0));
+}
+
 /// Long segments side by side, whose boxes all meet.
 Segments Slanted(int count, double slope)
 {
