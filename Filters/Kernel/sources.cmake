@@ -10,6 +10,7 @@ set(biting_kernel_sources
   Predicates/Predicates.cxx
   Spacing/BorderTree.cxx
   Spacing/ConeBranch.cxx
+  Spacing/BorderTurns.cxx
   Spacing/ConeTree.cxx
   Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx

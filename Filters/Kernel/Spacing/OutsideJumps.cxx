@@ -4,13 +4,14 @@
 #include "OutsideJumps.h"
 
 #include "../Base/Numbers.h"
-#include "../Base/SortInSteps.h"
+#include "../Base/Tasks.h"
+#include "BorderTurns.h"
 
 #include <algorithm> // for min, max, bounds
 #include <array>     // for corners
-#include <cmath>     // for atan2, ceil
+#include <cmath>     // for ceil
 #include <limits>    // for what does not overflow
-#include <utility>   // for pairs
+#include <utility>   // for move
 
 namespace biting
 {
@@ -38,7 +39,8 @@ constexpr double EndPrecision = 0.003;
 constexpr double LastStep = 0.02;
 constexpr double LastStepOfNone = 0.1;
 constexpr int MostHalvings = 20;
-constexpr double MostRaysOfEdge = 100.0;
+constexpr double MostRaysOfEdge = 100.0; ///< in the mean of those of a task
+constexpr std::size_t EdgesPerTask = 256;
 
 /// Steps to the length of a ray, and the room for rounding in comparing lengths.
 constexpr int LengthSteps = 32;
@@ -48,8 +50,6 @@ constexpr double SameLength = 1e-6;
 /// How far an empty ball may reach over the border: shares of its radius and of coordinates.
 constexpr double EmptyBall = 1e-10;
 constexpr double Rounding = 1e-14;
-
-constexpr double FullTurn = 6.283185307179586;
 
 /// A straight way from a point of the border to where that ceases to be the nearest one.
 struct Ray
@@ -64,11 +64,6 @@ struct Ray
   Id FarStart = NoId; ///< of the edge that is nearest there
   Id FarEnd = NoId;
 };
-
-double AngleOf(const Point2& direction)
-{
-  return std::atan2(direction.Y, direction.X);
-}
 
 Point2 Turned(const Point2& direction, double angle)
 {
@@ -99,9 +94,10 @@ bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
 class JumpTracer
 {
 public:
-  JumpTracer(const TriangleInterpolator& field, const Box2& bounds, double gradation,
-    ConeCollector& cones, Monitor& monitor)
+  JumpTracer(const TriangleInterpolator& field, const BorderTurns& turns, const Box2& bounds,
+    double gradation, ConeCollector& cones, Monitor& monitor)
     : Field(field)
+    , Turns(turns)
     , Bounds(bounds)
     , Corners{ bounds.Low, { bounds.High.X, bounds.Low.Y }, bounds.High,
       { bounds.Low.X, bounds.High.Y } }
@@ -114,14 +110,15 @@ public:
     this->Traced.Grow(bounds.Diagonal());
   }
 
-  bool Run()
+  /// Those before the edges [begin, end).
+  void Run(std::size_t begin, std::size_t end)
   {
     const std::vector<BorderEdge>& edges = this->Field.BorderEdges();
-    this->RaysLeft = MostRaysOfEdge * static_cast<double>(edges.size());
-    this->SortEnds();
-    for (std::size_t k = 0; k < edges.size() && this->Beats.Beat(); ++k)
+    const auto count = static_cast<double>(end - begin);
+    this->RaysLeft = MostRaysOfEdge * count;
+    for (std::size_t k = begin; k < end && this->Beats.Beat(); ++k)
     {
-      this->Beats.SetFraction(static_cast<double>(k) / static_cast<double>(edges.size()));
+      this->Beats.SetFraction(static_cast<double>(k - begin) / count);
       const BorderEdge& edge = edges[k];
       if (this->Field.HasOverlaps())
       {
@@ -136,7 +133,6 @@ public:
         this->AddSide(isLeft ? turned : edge, length);
       }
     }
-    return !this->Beats.HasStopped();
   }
 
 private:
@@ -165,7 +161,7 @@ private:
     for (int step = 0; length > 0.0 && step < LengthSteps && this->Beats.Beat(64); ++step)
     {
       const NearestValue nearest =
-        this->Field.Nearest(start + length * direction, { length, 0.0, start });
+        this->Field.NearestOfBorder(start + length * direction, { length, 0.0, start });
       const Point2 within = nearest.Foot - start;
       const double room = EmptyBall * length + Rounding * (std::abs(start.X) + std::abs(start.Y));
       const bool isEmpty = nearest.Distance >= length - room;
@@ -204,17 +200,6 @@ private:
     }
   }
 
-  /// The directions of the edges at each point of the border, counterclockwise.
-  void SortEnds()
-  {
-    for (const BorderEdge& edge : this->Field.BorderEdges())
-    {
-      this->Ends.emplace_back(edge.StartId, AngleOf(edge.End - edge.Start));
-      this->Ends.emplace_back(edge.EndId, AngleOf(edge.Start - edge.End));
-    }
-    SortInSteps(this->Ends, std::less<>(), this->Beats);
-  }
-
   /// What is right of an edge, and around its end.
   void AddSide(const BorderEdge& edge, double length)
   {
@@ -244,7 +229,7 @@ private:
       this->AddPerpendicular(part, normal);
       this->Sweep(part, normal, 0.0, length);
     }
-    const double turn = this->TurnAround(edge);
+    const double turn = this->Turns.TurnAround(edge);
     if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, Turned(normal, turn)))
     {
       this->Sweep({ edge.End, edge.End, edge.EndValue, edge.EndValue }, normal, turn, length);
@@ -327,17 +312,6 @@ private:
     }
   }
 
-  /// From the normal of an edge, at its end, counterclockwise to that of the next one.
-  double TurnAround(const BorderEdge& edge) const
-  {
-    const std::pair<Id, double> back(edge.EndId, AngleOf(edge.Start - edge.End));
-    const auto first = std::lower_bound(
-      this->Ends.begin(), this->Ends.end(), std::pair<Id, double>(edge.EndId, -FullTurn));
-    const auto next = std::upper_bound(first, this->Ends.end(), back);
-    const bool isLast = next == this->Ends.end() || next->first != edge.EndId;
-    return (isLast ? first->second + FullTurn : next->second) - back.second - 0.5 * FullTurn;
-  }
-
   double UnitOf(double value) const { return this->Cones.Values()(value) / this->SeenGradation; }
 
   Ray FindEnd(Ray ray, double likely)
@@ -352,8 +326,8 @@ private:
     {
       const double margin = std::max(1000.0 * SameLength * ray.Length, 2.0 * EndPrecision * unit);
       const double beyond = std::min(ray.Length + margin, reach);
-      const NearestValue nearest =
-        this->Field.Nearest(ray.Foot + beyond * ray.Direction, { beyond, ray.Value, ray.Foot });
+      const NearestValue nearest = this->Field.NearestOfBorder(
+        ray.Foot + beyond * ray.Direction, { beyond, ray.Value, ray.Foot });
       ray.IsLow = this->Cones.Values()(nearest.Value) > (1.0 + LeastJump) * ray.Spacing;
       ray.FarStart = nearest.StartId;
       ray.FarEnd = nearest.EndId;
@@ -428,6 +402,7 @@ private:
   }
 
   const TriangleInterpolator& Field;
+  const BorderTurns& Turns;
   const Box2& Bounds;
   const std::array<Point2, 4> Corners; ///< of the bounds
   Box2 Traced;                         ///< what is narrow at its end is wide within the bounds
@@ -436,7 +411,6 @@ private:
   ConeCollector& Cones;
   Pulse Beats;
   double RaysLeft = 0.0;
-  std::vector<std::pair<Id, double>> Ends; ///< points, and angles
 };
 
 } // namespace
@@ -444,7 +418,29 @@ private:
 bool AddOutsideJumps(const TriangleInterpolator& field, const Box2& bounds, double gradation,
   ConeCollector& cones, Monitor& monitor)
 {
-  return !(bounds.Diagonal() > 0.0) || JumpTracer(field, bounds, gradation, cones, monitor).Run();
+  if (!(bounds.Diagonal() > 0.0))
+  {
+    return true;
+  }
+  Pulse pulse(monitor);
+  const std::size_t edges = field.BorderEdges().size();
+  const BorderTurns turns(field.BorderEdges(), pulse);
+  std::vector<ConeCollector> parts(
+    (edges + EdgesPerTask - 1) / EdgesPerTask, ConeCollector(cones.Values()));
+  const auto trace = [&field, &turns, &bounds, gradation, edges, &parts](
+                       std::size_t k, Monitor& own)
+  {
+    ConeCollector part(parts[k].Values());
+    JumpTracer(field, turns, bounds, gradation, part, own)
+      .Run(k * EdgesPerTask, std::min(edges, (k + 1) * EdgesPerTask));
+    parts[k] = std::move(part);
+  };
+  const bool isDone = DoTasks(pulse, parts.size(), trace);
+  for (const ConeCollector& part : parts)
+  {
+    cones.AddAll(part);
+  }
+  return isDone;
 }
 
 } // namespace biting

@@ -50,6 +50,13 @@ double ValueOf(const TriangulatedSource& source, std::size_t corner)
   return source.Values[static_cast<std::size_t>(source.Triangles[corner])];
 }
 
+struct Largest
+{
+  double Value = 0.0;
+
+  void Join(const Largest& other) { this->Value = std::max(this->Value, other.Value); }
+};
+
 } // namespace
 
 double LargestSlope(const GridSource& source, Monitor& monitor)
@@ -85,12 +92,10 @@ double LargestSlope(const GridSource& source, Monitor& monitor)
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  double largest = 0.0;
-  for (std::size_t first = 0; first + 2 < source.Triangles.size() && pulse.Beat(); first += 3)
-  {
-    largest = std::max(largest, Length(GradientOfTriangle(source, first)));
-  }
-  return largest;
+  return SumAtOnce(pulse, source.Triangles.size() / 3, Largest{},
+    [&source](Largest& largest, std::size_t triangle)
+    { largest.Join({ Length(GradientOfTriangle(source, 3 * triangle)) }); })
+    .Value;
 }
 
 Point2 GradientOfTriangle(const TriangulatedSource& source, std::size_t first)

@@ -5,6 +5,7 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/PartOfStage.h"
+#include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h" // for GreatestCoordinate
 #include "ConeCollector.h"
 #include "ConeTree.h"
@@ -245,15 +246,7 @@ private:
     PartOfStage measuring(this->Stage, 0.3, 0.32);
     const double slope = LargestSlope(*this->Options.Triangulation, measuring);
     this->AddSlope(slope);
-    const bool isSteep = this->Data.Range.Scale * slope > this->Options.Gradation;
-    if (this->Options.Gradation > 0.0 && isSteep && !this->Options.Triangulation->IsGraded)
-    {
-      PartOfStage limiting(this->Stage, 0.32, 0.36);
-      Pulse pulse(limiting);
-      AddSteepTriangles(*this->Options.Triangulation, this->Options.Gradation, this->Cones, pulse);
-    }
-    PartOfStage sorting(this->Stage, 0.36, 0.48);
-    this->Data.Triangulation.emplace(*this->Options.Triangulation, sorting);
+    this->PrepareTriangles(this->Data.Range.Scale * slope > this->Options.Gradation);
     if (this->Stage.HasStopped())
     {
       return false;
@@ -268,6 +261,27 @@ private:
     return this->Options.Gradation == 0.0 || this->Options.Triangulation->CoversDomain ||
       AddOutsideJumps(
         *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
+  }
+
+  /// What limits them and what finds them, at once.
+  void PrepareTriangles(bool areSteep)
+  {
+    const TriangulatedSource& source = *this->Options.Triangulation;
+    std::vector<std::function<void(Pulse&)>> tasks;
+    if (areSteep && this->Options.Gradation > 0.0 && !source.IsGraded)
+    {
+      tasks.emplace_back([this, &source](Pulse& own)
+        { AddSteepTriangles(source, this->Options.Gradation, this->Cones, own); });
+    }
+    tasks.emplace_back(
+      [this, &source](Pulse& own)
+      {
+        PulseMonitor monitor(own);
+        this->Data.Triangulation.emplace(source, monitor);
+      });
+    PartOfStage preparing(this->Stage, 0.32, 0.48);
+    Pulse pulse(preparing);
+    DoEach(pulse, tasks);
   }
 
   bool AddSegments()

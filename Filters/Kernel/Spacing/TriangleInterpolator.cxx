@@ -3,6 +3,7 @@
 
 #include "TriangleInterpolator.h"
 
+#include "../Base/Tasks.h"
 #include "TriangleEdges.h"
 
 #include <algorithm> // for min, max
@@ -100,21 +101,38 @@ TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Mon
   {
     return;
   }
-  this->Buckets = std::make_unique<TriangleBuckets>(PointsOfAll(source, usable), pulse);
-  this->Border = BorderTree(FindBorder(source, usable, pulse), pulse);
-  this->Records.reserve(usable.size() / 3);
+  const auto makeBuckets = [this, &source, &usable](Pulse& own)
+  { this->Buckets = std::make_unique<TriangleBuckets>(PointsOfAll(source, usable), own); };
+  const auto makeBorder = [this, &source, &usable](Pulse& own)
+  { this->Border = BorderTree(FindBorder(source, usable, own), own); };
+  if (DoEach(pulse, { makeBuckets, makeBorder }))
+  {
+    this->MakeRecords(source, usable, pulse);
+  }
+}
+
+void TriangleInterpolator::MakeRecords(
+  const TriangulatedSource& source, const std::vector<Id>& usable, Pulse& pulse)
+{
   std::vector<Id> recordOf(usable.size() / 3, NoId);
+  Id count = 0;
   this->Buckets->ForEachEntry(
-    [this, &source, &usable, &recordOf, &pulse](Id& entry)
+    [&recordOf, &count, &pulse](Id& entry)
     {
-      pulse.Beat();
-      const auto triangle = static_cast<std::size_t>(entry);
-      if (recordOf[triangle] == NoId)
+      pulse.Beat(1);
+      Id& record = recordOf[static_cast<std::size_t>(entry)];
+      record = record == NoId ? count++ : record;
+      entry = record;
+    });
+  this->Records.resize(static_cast<std::size_t>(count));
+  ForEachAtOnce(pulse, recordOf.size(),
+    [this, &source, &usable, &recordOf](std::size_t triangle)
+    {
+      if (recordOf[triangle] != NoId)
       {
-        recordOf[triangle] = static_cast<Id>(this->Records.size());
-        this->Records.push_back(MakeRecord(source, &usable[3 * triangle]));
+        this->Records[static_cast<std::size_t>(recordOf[triangle])] =
+          MakeRecord(source, &usable[3 * triangle]);
       }
-      entry = recordOf[triangle];
     });
 }
 

@@ -35,6 +35,13 @@ public:
   /// distance of 0. It is found sooner beside one that is `known`, of another place.
   NearestValue Nearest(const Point2& x, const NearestValue& known = Unknown()) const;
 
+  /// The nearest point of the border, or `known` where none is nearer. Where triangles may overlap,
+  /// what Nearest says: there some of what bounds them may be no border.
+  NearestValue NearestOfBorder(const Point2& x, const NearestValue& known) const
+  {
+    return this->MayOverlap ? this->Nearest(x, known) : this->Border.Nearest(x, known);
+  }
+
   const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
 
 private:
@@ -49,6 +56,7 @@ private:
     double SecondValue;
   };
 
+  void MakeRecords(const TriangulatedSource& source, const std::vector<Id>& usable, Pulse& pulse);
   static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
   const Record* FindRecord(const Point2& x) const;
   static double ValueAt(const Record& record, const Point2& x);

@@ -4,6 +4,7 @@
 #include "Spacing/OutsideJumps.h"
 
 #include "SpacingSources.h"
+#include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -16,11 +17,11 @@ using namespace biting;
 
 constexpr double Gradation = 0.3;
 
-SegmentSource JumpsOf(const TriangulatedSource& source)
+SegmentSource JumpsOf(const TriangulatedSource& source, Monitor& monitor = NoMonitor())
 {
   const TriangleInterpolator field(source);
   ConeCollector cones({ 1.0, 0.0, 1e9 });
-  EXPECT_TRUE(AddOutsideJumps(field, UnitBox(), Gradation, cones, NoMonitor()));
+  EXPECT_TRUE(AddOutsideJumps(field, UnitBox(), Gradation, cones, monitor));
   return cones.Segments();
 }
 
@@ -221,4 +222,43 @@ TEST(OutsideJumps, BesideOtherCornersAreNotBelowValuesThatReachTheGreatestOne)
   EXPECT_NEAR(f({ 0.4, 0.499 }), 0.02 + 0.18 * 0.4, 0.001);
   EXPECT_NEAR(f({ 0.4, 0.501 }), 0.02 + 0.18 * 0.4, 0.001);
   EXPECT_NEAR(f({ 0.6, 0.501 }), 0.1, 0.001);
+}
+
+/// A border that is several tasks.
+TEST(OutsideJumps, AreTheSameOnAnyNumberOfThreads)
+{
+  const TriangulatedSource source = MakeTriangulation(81,
+    [](const Point2& x)
+    {
+      const double wave = std::sin(20.0 * x.X) * std::sin(20.0 * x.Y);
+      return wave > 0.2 ? NotANumber : 0.02 + 0.01 * wave + (x.X < 0.47 ? 0.1 : 0.0);
+    });
+  ASSERT_GT(TriangleInterpolator(source).BorderEdges().size(), 600u);
+  const SegmentSource expected = JumpsOf(source);
+  ASSERT_FALSE(expected.Segments.empty());
+  for (const int threads : { 2, 3 })
+  {
+    MonitorWithThreads monitor(threads);
+    const SegmentSource found = JumpsOf(source, monitor);
+    EXPECT_EQ(found.Points, expected.Points);
+    EXPECT_EQ(found.Values, expected.Values);
+    EXPECT_EQ(found.Segments, expected.Segments);
+  }
+}
+
+/// There the triangles themselves are searched, not only their border.
+TEST(OutsideJumps, AreTheSameWhereTrianglesMayOverlapButDoNot)
+{
+  TriangulatedSource source = Corners(0.02, 1.0);
+  source.MayOverlap = true;
+  const SpacingOptions sheets = WithTriangles(source);
+  source.MayOverlap = false;
+  const Spacing f = MakeGoodSpacing(WithTriangles(source));
+  const Spacing ofSheets = MakeGoodSpacing(sheets);
+  Sampler sampler(5);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    EXPECT_NEAR(ofSheets(x), f(x), 0.01 * f(x));
+  }
 }

@@ -4,6 +4,7 @@
 #include "Spacing/Spacing.h"
 
 #include "SpacingSources.h"
+#include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -349,4 +350,26 @@ TEST(MakeSpacing, LooksForNoJumpsOutsideOfTrianglesThatCoverTheDomain)
   const Point2 right{ 0.501, 0.5 };
   EXPECT_GT(covering(right) - covering(left), 0.01);
   EXPECT_LT(limited(right) - limited(left), 0.001);
+}
+
+/// More triangles than are a task; they are steep, have holes and do not fill the bounds.
+TEST(MakeSpacing, OfTrianglesIsTheSameOnAnyNumberOfThreads)
+{
+  Sampler sampler(29);
+  const SpacingOptions options = WithTriangles(MakeTriangulation(151,
+    [&sampler](const Point2& x) {
+      return Length(x - Point2{ 0.6, 0.5 }) < 0.1 ? NotANumber : 0.02 + 0.02 * sampler.Next();
+    }));
+  const Box2 bounds{ { -0.2, -0.2 }, { 1.2, 1.2 } };
+  const Spacing expected = MakeGoodSpacing(options, bounds);
+  for (const int threads : { 2, 3 })
+  {
+    MonitorWithThreads monitor(threads);
+    ProblemList problems;
+    const Spacing f = MakeSpacing(options, bounds, problems, monitor);
+    for (const Point2& x : Probes(20000))
+    {
+      ASSERT_EQ(f(x), expected(x));
+    }
+  }
 }
