@@ -209,19 +209,15 @@ RegionEdges SimplifiedPieces(const OldMesh& mesh, const ChangedRegion& region,
   return PiecesBetween(mesh, region, FindLeft(mesh, region, none, tolerance, monitor));
 }
 
-// First the vertices that the shape needs; between them those nearest to where f asks for one, for
-// new ones would not lie on the old edges; then all others go that may.
+// First the vertices that the shape needs; between them those that divide their run well, as of
+// straight edges; then all others go that may.
 RegionEdges SimplifiedEdges(const OldMesh& mesh, const ChangedRegion& region,
   const std::vector<double>& spacings, const KeepRules& rules, const EdgeTolerance& tolerance,
   Monitor& monitor)
 {
   const Flags none(region.Vertices.size(), 0);
   const Flags shape = FindLeft(mesh, region, none, tolerance, monitor);
-  KeepRules nearest = rules;
-  nearest.GreatestShift = RulesFor(RemeshPreference::Keeping).GreatestShift;
-  nearest.GreatestChangeOfShift = nearest.GreatestShift;
-  const RegionEdges wanted =
-    ThinnedEdges(mesh, region, spacings, nearest, EdgePolicy::Free, &shape);
+  const RegionEdges wanted = ThinnedEdges(mesh, region, spacings, rules, EdgePolicy::Free, &shape);
   const Flags left = FindLeft(mesh, region, wanted.IsKept, tolerance, monitor);
   RegionEdges edges = PiecesBetween(mesh, region, left);
   MovedEdges(mesh, region, spacings, edges).Clear();

@@ -157,6 +157,25 @@ TEST(EdgeSimplification, CoarseningThinsABentBoundaryWithinTheTolerance)
   EXPECT_LE(before, 50);
 }
 
+// Old edges are two thirds as long as f: between vertices of the polygon they would be 2/3 or 4/3.
+TEST(EdgeSimplification, EdgesAreDividedAnewWhereNoOldVertexIsNearTheEndOfAPart)
+{
+  const BitingMesh mesh =
+    MeshOf(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 120)).Lines(), 0.05);
+  const double spacing = 0.078;
+  const BitingMesh coarse = Make(
+    mesh, [spacing](const Point2&) { return spacing; }, WithTolerance(0.1))
+                              .Result.Mesh;
+  std::size_t good = 0;
+  for (std::size_t edge = 0; edge < coarse.EdgeStarts.size(); ++edge)
+  {
+    const double length =
+      Distance(coarse.Points[coarse.EdgeStarts[edge]], coarse.Points[coarse.EdgeEnds[edge]]);
+    good += length > 0.75 * spacing && length < 1.3 * spacing;
+  }
+  EXPECT_GT(good, coarse.EdgeStarts.size() / 2); // none but for that
+}
+
 TEST(EdgeSimplification, TheFeatureSizeIsThatOfTheThinnedBoundary)
 {
   const auto f = [](const Point2&) { return 0.2; };
