@@ -88,6 +88,12 @@ private:
   std::vector<Item> Items;
 };
 
+bool HasRoom(const CutStretch& stretch)
+{
+  const double f = std::max(stretch.From.F, stretch.To.F);
+  return Distance(stretch.From.Place, stretch.To.Place) >= LeastStretch * f;
+}
+
 bool IsAt(const CutGraph& graph, Id piece, const CutEnd& end)
 {
   const auto& ends = graph.Pieces[piece];
@@ -126,6 +132,7 @@ private:
   const Point2& Vertex(Id vertex) const { return this->Scene.Graph.Vertices[vertex]; }
 
   bool FindEnds();
+  bool MayBeGood() const;
   CutEnd MakeEnd(Id piece) const;
   void Unite();
   bool IsWanted(const CutEnd& from, const CutEnd& to) const;
@@ -134,7 +141,6 @@ private:
   bool MoveEnds(CutStretch& stretch) const;
   std::vector<CutEnd> EndsNear(const CutEnd& end) const;
   bool IsGood(const CutStretch& stretch) const;
-  bool HasRoom(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
   bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction,
@@ -153,8 +159,11 @@ private:
 CutLine LineMaker::Make()
 {
   CutLine line;
-  line.IsGood = this->FindEnds();
-  this->FindNear();
+  line.IsGood = this->FindEnds() && this->MayBeGood();
+  if (line.IsGood)
+  {
+    this->FindNear();
+  }
   for (std::size_t k = 0; k + 1 < this->Ends.size() && line.IsGood; ++k)
   {
     if (this->IsWanted(this->Ends[k], this->Ends[k + 1]))
@@ -166,12 +175,28 @@ CutLine LineMaker::Make()
   return line;
 }
 
+// By the room of its stretches alone, before all that is near is sorted: of a fringe, which has
+// short ones, this is most of the time.
+bool LineMaker::MayBeGood() const
+{
+  const bool mayLeaveOut = this->Effort == CutEffort::MoveEnds;
+  for (std::size_t k = 0; k + 1 < this->Ends.size(); ++k)
+  {
+    const bool hasRoom = HasRoom({ this->Ends[k], this->Ends[k + 1] });
+    if (hasRoom == mayLeaveOut && this->IsWanted(this->Ends[k], this->Ends[k + 1]))
+    {
+      return mayLeaveOut;
+    }
+  }
+  return !mayLeaveOut;
+}
+
 // False where it is not good.
 bool LineMaker::Add(CutStretch stretch, CutLine& line) const
 {
   if (!this->IsGood(stretch))
   {
-    const bool isLeftOut = this->Effort == CutEffort::MoveEnds && !this->HasRoom(stretch);
+    const bool isLeftOut = this->Effort == CutEffort::MoveEnds && !HasRoom(stretch);
     if (isLeftOut || this->Effort == CutEffort::AsItIs || !this->MoveEnds(stretch))
     {
       return isLeftOut;
@@ -336,7 +361,7 @@ void LineMaker::FindNear()
 
 bool LineMaker::IsGood(const CutStretch& stretch) const
 {
-  if (!this->HasRoom(stretch))
+  if (!HasRoom(stretch))
   {
     return false;
   }
@@ -348,12 +373,6 @@ bool LineMaker::IsGood(const CutStretch& stretch) const
            low, high, [this, &stretch](Id piece) { return this->IsClearOf(piece, stretch); }) &&
     this->NearVertices.AllOf(
       low, high, [this, &stretch](Id vertex) { return this->IsClearOfVertex(vertex, stretch); });
-}
-
-bool LineMaker::HasRoom(const CutStretch& stretch) const
-{
-  const double f = std::max(stretch.From.F, stretch.To.F);
-  return Distance(stretch.From.Place, stretch.To.Place) >= LeastStretch * f;
 }
 
 bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
