@@ -96,6 +96,21 @@ struct LinkSum
   }
 };
 
+/// Of triangles, and of what lies across their edges.
+struct TriangleSum
+{
+  FirstDefect Invalid; ///< triangles with ids out of range: the sums leave them out
+  TurnSum Turns;
+  LinkSum Links;
+
+  void Join(const TriangleSum& other)
+  {
+    this->Invalid.Join(other.Invalid);
+    this->Turns.Join(other.Turns);
+    this->Links.Join(other.Links);
+  }
+};
+
 } // namespace biting
 
 #endif

@@ -25,9 +25,7 @@ namespace
 {
 
 // Where the checks end, as shares of the time.
-constexpr double IdsEnd = 0.1;
-constexpr double TurnsEnd = 0.4;
-constexpr double NeighborsEnd = 0.7;
+constexpr double LinksEnd = 0.75;
 constexpr double UsesEnd = 0.8;
 constexpr double ComponentsEnd = 0.98;
 
@@ -63,20 +61,20 @@ public:
   MeshChecker(const MeshCheckInput& mesh, Pulse& pulse)
     : Mesh(mesh)
     , Beats(pulse)
+    , Uses(mesh.Points.size())
   {
   }
   std::string Check();
 
 private:
-  bool HasValidIds();
-  bool IsCounterclockwise();
-  bool HasMutualNeighbors();
-  void FollowLink(std::size_t triangle, std::size_t slot, LinkSum& sum) const;
-  bool IsLink(std::size_t slot, std::size_t across) const;
-  bool IsLocallyDelaunay(std::size_t slot, std::size_t across) const;
+  void LookAtTriangle(std::size_t triangle, TriangleSum& sum);
+  bool HasValidIds(std::size_t triangle) const;
+  void AddTurn(std::size_t triangle, TurnSum& sum) const;
+  void FollowLink(std::size_t triangle, std::size_t corner, LinkSum& sum) const;
+  bool IsLocallyDelaunay(std::size_t triangle, std::size_t slot, std::size_t across) const;
+  bool AreTrianglesSound();
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
-  Marks FindUses();
   bool FulfilsEuler();
   std::int64_t CountParts();
   std::int64_t CountLoops();
@@ -94,69 +92,118 @@ private:
   const MeshCheckInput& Mesh;
   Pulse& Beats;
   std::string Violation;
-  std::vector<std::size_t> BoundarySlots;
+  Marks Uses; ///< of each vertex
+  TriangleSum Triangles;
   std::int64_t NumberOfInnerVertices = 0;
-  TurnSum Turns;
 };
 
 std::string MeshChecker::Check()
 {
-  const bool isSound = this->HasValidIds() && this->IsCounterclockwise() &&
-    this->HasMutualNeighbors() && this->HasConstrainedBoundary() && this->HasNoUnusedVertex() &&
-    this->FulfilsEuler() && this->CoversArea();
+  // All that is asked of triangles at once, as their places are at hand then.
+  {
+    const PulsePart part(this->Beats, 0.0, LinksEnd);
+    this->Triangles = SumAtOnce(this->Beats, this->Mesh.Corners.size() / 3, TriangleSum(),
+      [this](TriangleSum& sum, std::size_t triangle) { this->LookAtTriangle(triangle, sum); });
+  }
+  const bool isSound = this->AreTrianglesSound() && this->HasConstrainedBoundary() &&
+    this->HasNoUnusedVertex() && this->FulfilsEuler() && this->CoversArea();
   return isSound ? std::string() : this->Violation;
 }
 
-bool MeshChecker::HasValidIds()
+void MeshChecker::LookAtTriangle(std::size_t triangle, TriangleSum& sum)
 {
-  const PulsePart part(this->Beats, 0.0, IdsEnd);
-  const std::size_t numberOfTriangles = this->Mesh.Corners.size() / 3;
-  const auto first = SumAtOnce(this->Beats, this->Mesh.Corners.size(), FirstDefect(),
-    [this, numberOfTriangles](FirstDefect& defect, std::size_t slot)
-    {
-      const Id neighbor = this->Mesh.Neighbors[slot];
-      // A negative id becomes a large number.
-      const bool isNeighborValid =
-        neighbor == NoId || static_cast<std::size_t>(neighbor) < numberOfTriangles;
-      defect.Add(slot, this->Corner(slot) >= this->Mesh.Points.size() || !isNeighborValid);
-    });
-  return !first.Exists() ||
-    this->Refuse("an id of triangle " + std::to_string(first.Slot / 3) + " is out of range");
+  if (!this->HasValidIds(triangle))
+  {
+    sum.Invalid.Add(3 * triangle, true);
+    return;
+  }
+  this->AddTurn(triangle, sum.Turns);
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    this->Uses.Set(this->Corner(3 * triangle + corner), Inner);
+    this->FollowLink(triangle, corner, sum.Links);
+  }
 }
 
-// Adds the areas on the way, as the places are at hand.
-bool MeshChecker::IsCounterclockwise()
+bool MeshChecker::HasValidIds(std::size_t triangle) const
 {
-  const PulsePart part(this->Beats, IdsEnd, TurnsEnd);
-  this->Turns = SumAtOnce(this->Beats, this->Mesh.Corners.size() / 3, TurnSum(),
-    [this](TurnSum& sum, std::size_t triangle)
-    {
-      const Point2& a = this->Place(3 * triangle);
-      const Point2& b = this->Place(3 * triangle + 1);
-      const Point2& c = this->Place(3 * triangle + 2);
-      sum.Wrong.Add(3 * triangle, Orient2D(a, b, c) <= 0);
-      sum.AddArea(a, b, c);
-    });
-  const FirstDefect& wrong = this->Turns.Wrong;
-  return !wrong.Exists() ||
-    this->Refuse("triangle " + std::to_string(wrong.Slot / 3) + " is not counterclockwise");
+  const std::size_t numberOfTriangles = this->Mesh.Corners.size() / 3;
+  bool areValid = true;
+  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  {
+    const Id neighbor = this->Mesh.Neighbors[slot];
+    // A negative id becomes a large number.
+    areValid = areValid && this->Corner(slot) < this->Mesh.Points.size() &&
+      (neighbor == NoId || static_cast<std::size_t>(neighbor) < numberOfTriangles);
+  }
+  return areValid;
+}
+
+void MeshChecker::AddTurn(std::size_t triangle, TurnSum& sum) const
+{
+  const Point2& a = this->Place(3 * triangle);
+  const Point2& b = this->Place(3 * triangle + 1);
+  const Point2& c = this->Place(3 * triangle + 2);
+  sum.Wrong.Add(3 * triangle, Orient2D(a, b, c) <= 0);
+  sum.AddArea(a, b, c);
 }
 
 // A link to a smaller triangle is followed there, to a slot that must name this triangle. As no
 // slot can answer two triangles, all links to larger triangles are answered too if there are as
 // many.
-bool MeshChecker::HasMutualNeighbors()
+void MeshChecker::FollowLink(std::size_t triangle, std::size_t corner, LinkSum& sum) const
 {
-  const PulsePart part(this->Beats, TurnsEnd, NeighborsEnd);
-  LinkSum links = SumAtOnce(this->Beats, this->Mesh.Neighbors.size() / 3, LinkSum(),
-    [this](LinkSum& sum, std::size_t triangle)
-    {
-      for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
-      {
-        this->FollowLink(triangle, slot, sum);
-      }
-    });
-  this->BoundarySlots.swap(links.BoundarySlots);
+  const std::size_t slot = 3 * triangle + corner;
+  const Id neighbor = this->Mesh.Neighbors[slot];
+  if (neighbor == NoId)
+  {
+    sum.BoundarySlots.push_back(slot);
+    return;
+  }
+  const bool isLarger = static_cast<std::size_t>(neighbor) > triangle;
+  sum.Unanswered += isLarger ? 1 : -1;
+  if (isLarger)
+  {
+    return;
+  }
+  constexpr std::size_t Next[] = { 1, 2, 0 };
+  const Id start = this->Mesh.Corners[3 * triangle + Next[corner]];
+  const Id end = this->Mesh.Corners[3 * triangle + Next[Next[corner]]];
+  const std::size_t first = 3 * static_cast<std::size_t>(neighbor);
+  const std::size_t atEnd = CornerOf(&this->Mesh.Corners[first], end) % 3;
+  const std::size_t across = first + Next[Next[atEnd]];
+  const bool isLink = static_cast<std::size_t>(this->Mesh.Neighbors[across]) == triangle &&
+    this->Mesh.Corners[first + atEnd] == end && this->Mesh.Corners[first + Next[atEnd]] == start &&
+    this->Mesh.Constraints[across] == this->Mesh.Constraints[slot];
+  sum.Wrong.Add(slot, !isLink);
+  sum.Bent.Add(slot,
+    isLink && this->Mesh.IsDelaunay && this->Corner(across) < this->Mesh.Points.size() &&
+      !this->IsLocallyDelaunay(triangle, slot, across));
+}
+
+// Of a link, where no constraint is.
+bool MeshChecker::IsLocallyDelaunay(
+  std::size_t triangle, std::size_t slot, std::size_t across) const
+{
+  return this->Mesh.Constraints[slot] != NoId ||
+    InCircle(this->Place(3 * triangle), this->Place(3 * triangle + 1),
+      this->Place(3 * triangle + 2), this->Place(across)) <= 0;
+}
+
+bool MeshChecker::AreTrianglesSound()
+{
+  const FirstDefect& invalid = this->Triangles.Invalid;
+  const FirstDefect& turned = this->Triangles.Turns.Wrong;
+  const LinkSum& links = this->Triangles.Links;
+  if (invalid.Exists())
+  {
+    return this->Refuse(
+      "an id of triangle " + std::to_string(invalid.Slot / 3) + " is out of range");
+  }
+  if (turned.Exists())
+  {
+    return this->Refuse("triangle " + std::to_string(turned.Slot / 3) + " is not counterclockwise");
+  }
   if (links.Wrong.Exists())
   {
     return this->Refuse(
@@ -169,46 +216,11 @@ bool MeshChecker::HasMutualNeighbors()
   return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
 
-void MeshChecker::FollowLink(std::size_t triangle, std::size_t slot, LinkSum& sum) const
-{
-  const Id neighbor = this->Mesh.Neighbors[slot];
-  if (neighbor == NoId)
-  {
-    sum.BoundarySlots.push_back(slot);
-    return;
-  }
-  const bool isLarger = static_cast<std::size_t>(neighbor) > triangle;
-  sum.Unanswered += isLarger ? 1 : -1;
-  if (!isLarger)
-  {
-    const std::size_t across = SlotAcross(this->Mesh.Corners, slot, neighbor);
-    const bool isLink = this->IsLink(slot, across);
-    sum.Wrong.Add(slot, !isLink);
-    sum.Bent.Add(slot, isLink && this->Mesh.IsDelaunay && !this->IsLocallyDelaunay(slot, across));
-  }
-}
-
-bool MeshChecker::IsLink(std::size_t slot, std::size_t across) const
-{
-  return static_cast<std::size_t>(this->Mesh.Neighbors[across]) == slot / 3 &&
-    this->Corner(NextSlotOf(across)) == this->Corner(PreviousSlotOf(slot)) &&
-    this->Corner(PreviousSlotOf(across)) == this->Corner(NextSlotOf(slot)) &&
-    this->Mesh.Constraints[across] == this->Mesh.Constraints[slot];
-}
-
-// Of a link, where no constraint is.
-bool MeshChecker::IsLocallyDelaunay(std::size_t slot, std::size_t across) const
-{
-  return this->Mesh.Constraints[slot] != NoId ||
-    InCircle(this->Place(slot), this->Place(NextSlotOf(slot)), this->Place(PreviousSlotOf(slot)),
-      this->Place(across)) <= 0;
-}
-
 bool MeshChecker::HasConstrainedBoundary()
 {
-  for (std::size_t k = 0; k < this->BoundarySlots.size() && this->IsGoingOn(k); ++k)
+  for (std::size_t k = 0; k < this->Triangles.Links.BoundarySlots.size() && this->IsGoingOn(k); ++k)
   {
-    const std::size_t slot = this->BoundarySlots[k];
+    const std::size_t slot = this->Triangles.Links.BoundarySlots[k];
     if (this->Mesh.Constraints[slot] == NoId)
     {
       return this->Refuse("no constraint covers the boundary at " + EdgeText(this->Mesh, slot));
@@ -219,29 +231,20 @@ bool MeshChecker::HasConstrainedBoundary()
 
 bool MeshChecker::HasNoUnusedVertex()
 {
-  const Marks uses = this->FindUses();
-  const UseSum sum = SumAtOnce(this->Beats, uses.Size(), UseSum(),
-    [&uses](UseSum& own, std::size_t vertex)
+  const PulsePart part(this->Beats, LinksEnd, UsesEnd);
+  for (const std::size_t slot : this->Triangles.Links.BoundarySlots)
+  {
+    this->Uses.Set(this->Corner(NextSlotOf(slot)), Boundary);
+  }
+  const UseSum sum = SumAtOnce(this->Beats, this->Uses.Size(), UseSum(),
+    [this](UseSum& own, std::size_t vertex)
     {
-      own.Inner += uses[vertex] == Inner ? 1 : 0;
-      own.Unused.Add(vertex, uses[vertex] == None);
+      own.Inner += this->Uses[vertex] == Inner ? 1 : 0;
+      own.Unused.Add(vertex, this->Uses[vertex] == None);
     });
   this->NumberOfInnerVertices = sum.Inner;
   return !sum.Unused.Exists() ||
     this->Refuse("vertex " + std::to_string(sum.Unused.Slot) + " belongs to no triangle");
-}
-
-// The Use of each vertex.
-Marks MeshChecker::FindUses()
-{
-  const PulsePart part(this->Beats, NeighborsEnd, UsesEnd);
-  Marks uses(this->Mesh.Points.size());
-  ForEachAtOnce(this->Beats, this->Mesh.Corners.size(),
-    [this, &uses](std::size_t slot) { uses.Set(this->Corner(slot), Inner); });
-  this->Beats.ForEach(this->BoundarySlots.size(),
-    [this, &uses](std::size_t k)
-    { uses.Set(this->Corner(NextSlotOf(this->BoundarySlots[k])), Boundary); });
-  return uses;
 }
 
 // Each fan of triangles at the boundary has one boundary edge that leaves its vertex: with B
@@ -250,7 +253,8 @@ Marks MeshChecker::FindUses()
 bool MeshChecker::FulfilsEuler()
 {
   const std::int64_t numberOfTriangles = static_cast<std::int64_t>(this->Mesh.Corners.size() / 3);
-  const std::int64_t numberOfBoundaryEdges = static_cast<std::int64_t>(this->BoundarySlots.size());
+  const std::int64_t numberOfBoundaryEdges =
+    static_cast<std::int64_t>(this->Triangles.Links.BoundarySlots.size());
   const std::int64_t components = this->CountParts();
   const std::int64_t loops = this->CountLoops();
   const std::int64_t found =
@@ -270,15 +274,15 @@ std::int64_t MeshChecker::CountLoops()
 {
   const PulsePart part(this->Beats, ComponentsEnd, 1.0);
   return CountBoundaryLoops(
-    this->Mesh.Corners, this->Mesh.Neighbors, this->BoundarySlots, this->Beats);
+    this->Mesh.Corners, this->Mesh.Neighbors, this->Triangles.Links.BoundarySlots, this->Beats);
 }
 
 bool MeshChecker::CoversArea()
 {
-  const double area = 0.5 * this->Turns.DoubledArea.Value();
+  const double area = 0.5 * this->Triangles.Turns.DoubledArea.Value();
   const double expected = this->Mesh.ExpectedArea;
-  const double rounding =
-    std::numeric_limits<double>::epsilon() * (this->Turns.AreaMagnitude + this->BoundaryRounding());
+  const double rounding = std::numeric_limits<double>::epsilon() *
+    (this->Triangles.Turns.AreaMagnitude + this->BoundaryRounding());
   if (std::abs(area - expected) <= rounding + this->Mesh.AreaTolerance * std::abs(expected))
   {
     return true;
@@ -295,7 +299,7 @@ double MeshChecker::BoundaryRounding() const
 {
   double length = 0.0;
   double largest = 0.0;
-  for (const std::size_t slot : this->BoundarySlots)
+  for (const std::size_t slot : this->Triangles.Links.BoundarySlots)
   {
     const Point2& start = this->Place(NextSlotOf(slot));
     length += Distance(start, this->Place(PreviousSlotOf(slot)));

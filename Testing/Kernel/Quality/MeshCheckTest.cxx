@@ -211,6 +211,21 @@ TEST(CheckMesh, RefusesIdsOutOfRange)
   }
 }
 
+TEST(CheckMesh, DoesNotLookForVerticesOutOfRangeBeyondAnEdge)
+{
+  const TestMesh sound = HoledGrid();
+  for (std::size_t slot = 0; slot < sound.Corners.size(); ++slot)
+  {
+    TestMesh mesh = sound;
+    mesh.Corners[slot] = 1000000000;
+    biting::MeshCheckInput input{ mesh.Points, mesh.Corners, mesh.Neighbors, mesh.Constraints,
+      sound.Area() };
+    input.IsDelaunay = true;
+    ExpectViolation(biting::CheckMesh(input, biting::NoMonitor()),
+      "triangle " + std::to_string(slot / 3) + " is out of range");
+  }
+}
+
 TEST(CheckMesh, RefusesClockwiseTriangles)
 {
   TestMesh mesh = HoledGrid();
