@@ -284,7 +284,7 @@ private:
   std::vector<Id> SortByRegion(std::vector<Id> sorted);
   void NumberTriangles();
   void WriteTriangles();
-  void WriteTriangle(Id first);
+  void WriteTriangle(Id first, std::size_t slot);
 
   HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
@@ -386,37 +386,43 @@ std::vector<Id> Writer::SortByRegion(std::vector<Id> sorted)
   return inside;
 }
 
-/// The order of the result is not that of the memory: what the next triangles need is fetched.
+/// The order of the result is not that of the memory: what the next triangles need is fetched, then
+/// what their neighbors do.
 void Writer::WriteTriangles()
 {
   const PulsePart part(this->Beats, NumbersEnd, 1.0);
-  const std::size_t size = 3 * this->Inside.size();
-  this->Result.Neighbors.reserve(size);
-  this->Result.Constraints.reserve(size);
-  this->Result.Corners.reserve(size);
-  constexpr std::size_t Ahead = 16;
-  const std::size_t last = this->Inside.size() - 1;
-  this->Beats.ForEach(this->Inside.size(),
-    [this, last](std::size_t number)
+  const std::size_t size = this->Inside.size();
+  GrowInSteps(this->Result.Neighbors, 3 * size, NoId, this->Beats);
+  GrowInSteps(this->Result.Constraints, 3 * size, NoId, this->Beats);
+  GrowInSteps(this->Result.Corners, 3 * size, NoId, this->Beats);
+  constexpr std::size_t FarAhead = 24;
+  constexpr std::size_t Ahead = 12;
+  this->Beats.ForEach(this->Beats.HasStopped() ? 0 : size,
+    [this, last = size - 1](std::size_t number)
     {
-      const Id ahead = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + Ahead, last)]);
-      Prefetch(&this->Mesh.Twins[ahead]);
-      Prefetch(&this->Mesh.Corners[ahead]);
-      this->WriteTriangle(HalfEdgeMesh::FirstEdge(this->Inside[number]));
+      const Id far = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + FarAhead, last)]);
+      Prefetch(&this->Mesh.Twins[far]);
+      Prefetch(&this->Mesh.Corners[far]);
+      const Id near = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + Ahead, last)]);
+      for (Id edge = near; edge < near + 3; ++edge)
+      {
+        Prefetch(&this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]);
+      }
+      this->WriteTriangle(HalfEdgeMesh::FirstEdge(this->Inside[number]), 3 * number);
     });
   ReleaseInSteps(
     this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Mesh.Corners, this->Numbers);
 }
 
-void Writer::WriteTriangle(Id first)
+void Writer::WriteTriangle(Id first, std::size_t slot)
 {
-  for (Id edge = first; edge < first + 3; ++edge)
+  const bool hasMarks = this->Mesh.HasMarks(HalfEdgeMesh::TriangleOf(first));
+  for (Id edge = first; edge < first + 3; ++edge, ++slot)
   {
-    const Id mark = this->Mesh.Mark(edge);
-    const Id beyond = HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]);
-    this->Result.Constraints.push_back(mark == NoId ? NoId : mark / 2);
-    this->Result.Neighbors.push_back(this->Numbers[beyond]);
-    this->Result.Corners.push_back(this->Mesh.Corners[edge]);
+    const Id mark = hasMarks ? this->Mesh.Mark(edge) : NoId;
+    this->Result.Constraints[slot] = mark == NoId ? NoId : mark / 2;
+    this->Result.Neighbors[slot] = this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])];
+    this->Result.Corners[slot] = this->Mesh.Corners[edge];
   }
 }
 
