@@ -157,14 +157,9 @@ bool Bisectors::IsCovered(const Point2& p) const
 
 bool Bisectors::IsDeep(const Point2& p, Id birth) const
 {
-  bool isDeep = false;
-  this->Grid.VisitLeaf(p,
-    [this, &p, birth, &isDeep](Id bite)
-    {
-      isDeep = bite > birth && Gauge(this->All, bite, p) < DeepShare * this->CoreOf(bite);
-      return isDeep || bite <= birth;
-    });
-  return isDeep;
+  return this->Grid.VisitLeaf(
+    p, [this, &p](Id bite) { return Gauge(this->All, bite, p) < DeepShare * this->CoreOf(bite); },
+    birth);
 }
 
 } // namespace biting

@@ -43,10 +43,10 @@ public:
   /// Files `bite`. All bites are filed one after the other, in the order of their ids.
   void File(Id bite);
 
-  /// Calls visit(bite) for the bites of p's leaf that may contain p, the newest first, until it
-  /// returns true.
+  /// Calls visit(bite) for the bites after `birth` of p's leaf that may contain p, newest first,
+  /// until it returns true.
   template <typename Visit>
-  bool VisitLeaf(const Point2& p, Visit&& visit) const;
+  bool VisitLeaf(const Point2& p, Visit&& visit, Id birth = NoId) const;
 
   /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the
   /// leaf lies deep in it. NoId elsewhere.
@@ -144,16 +144,20 @@ inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
 }
 
 template <typename Visit>
-bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit) const
+bool BiteGrid::VisitLeaf(const Point2& p, Visit&& visit, Id birth) const
 {
   const LeafPlace place = this->Locate(p);
-  return this->Lists.Visit(place.Leaf->List,
-    [&place, &visit, reach = this->CircleAbout](const BiteEntry& entry)
+  bool isFound = false;
+  this->Lists.Visit(place.Leaf->List,
+    [&place, birth, &visit, &isFound, reach = this->CircleAbout](const BiteEntry& entry)
     {
       const float x = entry.X - place.X;
       const float y = entry.Y - place.Y;
-      return x * x + y * y <= reach * entry.Square && visit(entry.Bite);
+      const bool isOlder = entry.Bite <= birth;
+      isFound = !isOlder && x * x + y * y <= reach * entry.Square && visit(entry.Bite);
+      return isOlder || isFound;
     });
+  return isFound;
 }
 
 template <typename Visit>

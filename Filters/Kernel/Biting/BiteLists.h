@@ -7,6 +7,7 @@
 #include "../Base/Ids.h"
 
 #include <cstddef> // for sizes
+#include <cstdint> // for numbers of blocks
 #include <memory>  // for chunks of blocks
 #include <vector>  // for the chunks
 
@@ -48,11 +49,15 @@ private:
     BiteEntry Entries[Capacity];
   };
 
-  static constexpr Id ChunkSize = 128;
+  static constexpr std::uint32_t ChunkSize = 128;
   static constexpr std::size_t ShareAtOnce = 32; ///< one of so many that there are
 
-  const Block& At(Id block) const { return this->Chunks[block / ChunkSize][block % ChunkSize]; }
-  Block& At(Id block) { return this->Chunks[block / ChunkSize][block % ChunkSize]; }
+  // Not signed: to divide by a power of two is to shift then.
+  Block& At(Id block) const
+  {
+    const auto number = static_cast<std::uint32_t>(block);
+    return this->Chunks[number / ChunkSize][number % ChunkSize];
+  }
   Id Add();
   void AddChunks();
 
@@ -67,24 +72,24 @@ private:
 
 inline void BiteLists::Append(const BiteEntry& entry, Id& list)
 {
-  if (list == NoId || this->At(list).Count == Block::Capacity)
+  Block* newest = list == NoId ? nullptr : &this->At(list);
+  if (newest == nullptr || newest->Count == Block::Capacity)
   {
     const Id added = this->Add();
-    Block& block = this->At(added);
-    block.Older = list;
-    block.Count = 0;
+    newest = &this->At(added);
+    newest->Older = list;
+    newest->Count = 0;
     list = added;
   }
-  Block& newest = this->At(list);
-  newest.Entries[newest.Count++] = entry;
+  newest->Entries[newest->Count++] = entry;
 }
 
 template <typename Visitor>
 bool BiteLists::Visit(Id list, Visitor&& visit) const
 {
-  for (Id block = list; block != NoId; block = this->At(block).Older)
+  while (list != NoId)
   {
-    const Block& entries = this->At(block);
+    const Block& entries = this->At(list);
     for (Id k = entries.Count; k-- > 0;)
     {
       if (visit(entries.Entries[k]))
@@ -92,6 +97,7 @@ bool BiteLists::Visit(Id list, Visitor&& visit) const
         return true;
       }
     }
+    list = entries.Older;
   }
   return false;
 }

@@ -202,14 +202,11 @@ bool InteriorBiting::IsUncovered(const Candidate& candidate) const
     return !this->Points.IsCovered(candidate.Place) &&
       this->State.Locator.IsInside(candidate.Place);
   }
-  bool isCovered = false;
-  this->State.Grid.VisitLeaf(candidate.Place,
-    [this, &candidate, &isCovered](Id bite)
-    {
-      isCovered = bite > candidate.Birth &&
-        Depth(this->State.Placed, bite, candidate.Place) > this->State.Slack(bite);
-      return isCovered || bite <= candidate.Birth;
-    });
+  const bool isCovered = this->State.Grid.VisitLeaf(
+    candidate.Place,
+    [this, &candidate](Id bite)
+    { return Depth(this->State.Placed, bite, candidate.Place) > this->State.Slack(bite); },
+    candidate.Birth);
   return !isCovered && !this->IsSurrounded(candidate.Place);
 }
 

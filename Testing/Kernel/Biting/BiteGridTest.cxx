@@ -211,6 +211,27 @@ TEST(BiteGrid, StopsVisitingALeafWhenTold)
   EXPECT_EQ(visited, std::vector<Id>{ 1 });
 }
 
+TEST(BiteGrid, VisitsOfALeafTheBitesAfterABirth)
+{
+  Bites bites;
+  BiteGrid grid(bites, UnitBox(), 2.0);
+  for (Id bite = 0; bite < 4; ++bite)
+  {
+    AddBite({ 0.5 + 0.01 * bite, 0.5 }, { 1.0, 0.0 }, 0.1, bites);
+    grid.File(bite);
+  }
+  std::vector<Id> visited;
+  const auto isSecond = [&visited](Id bite)
+  {
+    visited.push_back(bite);
+    return bite == 1;
+  };
+  EXPECT_FALSE(grid.VisitLeaf({ 0.52, 0.5 }, isSecond, 1));
+  EXPECT_EQ(visited, (std::vector<Id>{ 3, 2 }));
+  EXPECT_TRUE(grid.VisitLeaf({ 0.52, 0.5 }, isSecond));
+  EXPECT_EQ(visited, (std::vector<Id>{ 3, 2, 3, 2, 1 }));
+}
+
 TEST(BiteGrid, FindsEveryBiteThatMeetsASquare)
 {
   const Bites bites = RandomBites(1500, 1e-4, 1e3, { 0.6, 0.4 }, 13);
