@@ -8,7 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for min, max, all_of
 #include <limits>    // for the size check
 
 namespace biting
@@ -196,11 +196,15 @@ void SourceCells::AddCell(vtkIdType cell, int dimension)
   for (vtkIdType k = 0; k + size <= this->Corners->GetNumberOfIds(); k += size)
   {
     const vtkIdType* points = this->Corners->GetPointer(k);
-    if (dimension == 3)
+    // VTK returns anything for a cell of high order with a number of points that is of no order.
+    const bool areIds = std::all_of(points, points + size,
+      [this](vtkIdType id)
+      { return id >= 0 && static_cast<std::size_t>(id) < this->Distances.size(); });
+    if (areIds && dimension == 3)
     {
       this->Cut.AddTetrahedron(points);
     }
-    else
+    else if (areIds)
     {
       this->Cut.AddTriangle(points);
     }

@@ -114,6 +114,24 @@ TEST(BitingMesherSource, WithAGhostArrayThatHidesNothingGivesTheSameBytes)
   EXPECT_TRUE(AreSame(expected->GetOutput(), found->GetOutput()));
 }
 
+// VTK hands out ids that are none for such a cell.
+TEST(BitingMesherSource, MayHoldACellOfHighOrderWithPointsOfNoOrder)
+{
+  const auto source = Tetrahedra(-1.0, 1.0);
+  auto* cells = vtkUnstructuredGrid::SafeDownCast(source);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType point = 0; point < 50; ++point)
+  {
+    points->InsertNextId(point % cells->GetNumberOfPoints());
+  }
+  cells->InsertNextCell(VTK_LAGRANGE_HEXAHEDRON, points);
+  const auto mesher = MesherWith(source);
+  vtkObject::GlobalWarningDisplayOff(); // VTK complains
+  mesher->Update();
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+}
+
 TEST(BitingMesherSource, MayHaveHolesOfNaN)
 {
   const auto image = Image(9, 9, 1);
