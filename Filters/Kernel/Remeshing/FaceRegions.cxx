@@ -131,11 +131,24 @@ std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
   return wanted;
 }
 
-/// A strip on both sides of the marked edges of the region, and a disc at their ends.
-double AreaOfStrips(
-  const OldMesh& mesh, const ChangedRegion& region, const EdgeTolerance& tolerance)
+using Areas = std::vector<double>;
+
+void AddTo(Id region, double area, Areas& areas)
 {
-  double sum = 0.0;
+  areas.resize(std::max(areas.size(), static_cast<std::size_t>(region) + 1), 0.0);
+  areas[region] += area;
+}
+
+/// What each region may gain or lose. A path whose places are within some distance of a segment
+/// sweeps at most its length times that on its way to their nearest places there: to project onto a
+/// segment makes nothing longer. So it is with the marked edges of a region and the tolerance.
+/// Rounding may also give a sliver to a region that has no edge there: all regions may gain and
+/// lose a strip on both sides of all edges, and a disc at their ends.
+Areas AllowedDifferences(const OldMesh& mesh, const ChangedRegion& region,
+  const EdgeTolerance& tolerance, std::size_t numberOfRegions)
+{
+  Areas allowed(numberOfRegions, 0.0);
+  double shared = ToleranceOfSums * mesh.Area;
   for (const Id triangle : region.Triangles)
   {
     for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
@@ -144,15 +157,20 @@ double AreaOfStrips(
       {
         const Id start = mesh.Start(slot);
         const Id end = mesh.End(slot);
-        const double width = mesh.Rounding +
-          (tolerance.IsAsked()
-              ? tolerance.Tolerance * std::max(tolerance.Spacings[start], tolerance.Spacings[end])
-              : 0.0);
-        sum += 2.0 * width * (Distance(mesh.Points[start], mesh.Points[end]) + 2.0 * width);
+        const double length = Distance(mesh.Points[start], mesh.Points[end]);
+        const double width = tolerance.IsAsked()
+          ? tolerance.Tolerance * std::max(tolerance.Spacings[start], tolerance.Spacings[end])
+          : 0.0;
+        AddTo(mesh.Regions[triangle], length * width, allowed);
+        shared += 2.0 * mesh.Rounding * (length + 2.0 * mesh.Rounding);
       }
     }
   }
-  return sum;
+  for (double& area : allowed)
+  {
+    area += shared;
+  }
+  return allowed;
 }
 
 } // namespace
@@ -175,27 +193,23 @@ std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region
 std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,
   const EdgeTolerance& tolerance)
 {
-  std::vector<double> differences;
-  const auto add = [&differences](Id number, double area)
-  {
-    differences.resize(std::max(differences.size(), static_cast<std::size_t>(number) + 1), 0.0);
-    differences[number] += area;
-  };
+  Areas differences;
   for (const Id triangle : region.Triangles)
   {
     const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    add(mesh.Regions[triangle], AreaOf(mesh.Points, corners));
+    AddTo(mesh.Regions[triangle], AreaOf(mesh.Points, corners), differences);
   }
   const Triangulation& triangles = cavity.Triangles;
   for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
   {
     const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    add(cavity.FaceRegions[triangles.Regions[triangle]], -AreaOf(cavity.Bites.Points, corners));
+    const double area = AreaOf(cavity.Bites.Points, corners);
+    AddTo(cavity.FaceRegions[triangles.Regions[triangle]], -area, differences);
   }
-  const double allowed = ToleranceOfSums * mesh.Area + AreaOfStrips(mesh, region, tolerance);
+  const Areas allowed = AllowedDifferences(mesh, region, tolerance, differences.size());
   for (std::size_t number = 0; number < differences.size(); ++number)
   {
-    if (!(std::abs(differences[number]) <= allowed))
+    if (!(std::abs(differences[number]) <= allowed[number]))
     {
       return "region " + std::to_string(number) + " has another area";
     }

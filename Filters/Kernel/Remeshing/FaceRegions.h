@@ -26,8 +26,9 @@ std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region
   const RegionEdges& edges, const CavityMesh& cavity, Pulse& pulse);
 
 /// Compares the areas of regions in the cavity, whose FaceRegions are known, with those of the old
-/// mesh. They may differ by strips along the old edges, as wide as edges may move, by rounding and
-/// `tolerance`. Returns what is wrong as text, empty where nothing is.
+/// mesh. They may differ by strips: along the old edges of the region as wide as `tolerance` lets
+/// edges move, and along all old edges as wide as rounding. Returns what is wrong as text, empty
+/// where nothing is.
 std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,
   const EdgeTolerance& tolerance);
 

@@ -124,4 +124,14 @@ TEST(FaceRegions, MayHaveOtherAreasAsFarAsEdgesMayMove)
   EXPECT_EQ(CheckAreas(halves.Mesh, halves.Region, halves.Cavity, tolerance), "");
 }
 
+// All edges together may sweep more than the square has.
+TEST(FaceRegions, AreNotLostWhereOnlyTheEdgesOfOthersSweepAsMuch)
+{
+  Halves halves;
+  halves.Cavity.FaceRegions = { 1, 1 };
+  const EdgeTolerance tolerance{ 0.1, 30.0, std::vector<double>(4, 1.0) };
+  EXPECT_EQ(
+    CheckAreas(halves.Mesh, halves.Region, halves.Cavity, tolerance), "region 0 has another area");
+}
+
 } // namespace biting
