@@ -74,9 +74,9 @@ public:
   }
 
 private:
-  bool TestPart(const SegmentTree::PairPart& part, const std::vector<std::uint8_t>& isNew,
+  void TestPart(const SegmentTree::PairPart& part, const std::vector<std::uint8_t>& isNew,
     const std::vector<Id>& newBefore, Meetings& found, Monitor& monitor) const;
-  bool TakeAll(const std::vector<Meetings>& parts);
+  void TakeAll(const std::vector<Meetings>& parts);
   void TestApart(Id first, Id second);
   bool IsBeside(const SegmentEnds& ends, const SegmentEnds& other) const;
   void TestStar(Id vertex);
@@ -128,48 +128,45 @@ void MeetingFinder::TestEdges()
   const std::vector<SegmentTree::PairPart> parts = this->Tree.PairParts();
   const std::vector<Id> newBefore = this->Tree.WantedBefore(isNew);
   std::vector<Meetings> found(parts.size());
-  std::atomic<bool> areFew{ true };
+  // Of the parts that are done: no more parts are begun where these are too many together.
+  std::atomic<std::size_t> splits{ 0 };
+  std::atomic<std::size_t> crossings{ 0 };
+  const auto areFew = [this, &splits, &crossings]
+  { return splits <= this->Limits.Splits && crossings <= this->Limits.Crossings; };
   DoTasks(this->Beats, parts.size(),
-    [this, &parts, &isNew, &newBefore, &found, &areFew](std::size_t k, Monitor& monitor)
+    [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
+      std::size_t k, Monitor& monitor)
     {
-      if (areFew.load(std::memory_order_relaxed) &&
-        !this->TestPart(parts[k], isNew, newBefore, found[k], monitor))
+      if (areFew())
       {
-        areFew.store(false, std::memory_order_relaxed);
+        this->TestPart(parts[k], isNew, newBefore, found[k], monitor);
+        splits += found[k].Splits.size();
+        crossings += found[k].Crossings.size();
       }
     });
-  if (!this->Beats.HasStopped() && (!areFew || !this->TakeAll(found)))
+  if (areFew())
   {
+    this->TakeAll(found);
+  }
+  else if (!this->Beats.HasStopped())
+  {
+    // Which of them are found before the search is given up should not depend on threads.
+    std::vector<Meetings>().swap(found);
     this->Tree.VisitPairs(isNew, *this);
   }
 }
 
-/// False where even this part has too many.
-bool MeetingFinder::TestPart(const SegmentTree::PairPart& part,
+void MeetingFinder::TestPart(const SegmentTree::PairPart& part,
   const std::vector<std::uint8_t>& isNew, const std::vector<Id>& newBefore, Meetings& found,
   Monitor& monitor) const
 {
   Pulse own(monitor);
   MeetingFinder finder(this->Input, this->Edges, this->Limits, found, own);
   this->Tree.VisitPairsOf(part, isNew, newBefore, finder);
-  return finder.GoesOn() || own.HasStopped();
 }
 
-/// False, and nothing is taken, where they are too many together: which of them are found before
-/// the search is given up should not depend on threads.
-bool MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
+void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
 {
-  std::size_t splits = 0;
-  std::size_t crossings = 0;
-  for (const Meetings& part : parts)
-  {
-    splits += part.Splits.size();
-    crossings += part.Crossings.size();
-  }
-  if (splits > this->Limits.Splits || crossings > this->Limits.Crossings)
-  {
-    return false;
-  }
   const auto append = [](const auto& from, auto& to)
   { to.insert(to.end(), from.begin(), from.end()); };
   for (const Meetings& part : parts)
@@ -178,7 +175,6 @@ bool MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
     append(part.Crossings, this->Found.Crossings);
     append(part.Reports, this->Found.Reports);
   }
-  return true;
 }
 
 /// Whether there is time and room to look for more.
