@@ -21,11 +21,11 @@ namespace biting
 using Task = std::function<void(std::size_t, Monitor&)>;
 
 /// Does all tasks, each once, on the threads of the pulse's monitor; they are all of the part at
-/// hand. They are begun in their order and end in any: one may wait for those before it, as long as
-/// its monitor goes on. What else they read none of them may write, and no two may write the same.
-/// The monitor is asked by the calling thread only. What tasks throw is thrown again here, once
-/// none runs any more: that of the first task in their order that was begun. False, and tasks are
-/// left undone or stopped on their way, where the monitor wants to stop.
+/// hand. They are begun in their order and end in any. What they read none of them may write, and
+/// no two may write the same. The monitor is asked by the calling thread only. What tasks throw is
+/// thrown again here, once none runs any more: that of the first task in their order of those that
+/// have thrown. False, and tasks are left undone or stopped on their way, where the monitor wants
+/// to stop.
 bool DoTasks(Pulse& pulse, std::size_t count, const Task& task);
 
 /// The same for tasks that differ; each gets a pulse of its own.
