@@ -11,9 +11,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
-#include <cstdint> // for global ids
-#include <map>     // for what has an id
-#include <numeric> // for iota
+#include <algorithm> // for remove_if, transform
+#include <array>     // for places
+#include <cstdint>   // for global ids
+#include <map>       // for what has an id
+#include <numeric>   // for iota
 
 namespace biting
 {
@@ -21,11 +23,7 @@ namespace biting
 namespace
 {
 
-std::int64_t GlobalIdOf(vtkDataSetAttributes* data, vtkIdType item)
-{
-  vtkDataArray* ids = data->GetGlobalIds();
-  return ids ? static_cast<std::int64_t>(ids->GetComponent(item, 0)) : item;
-}
+constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
 
 bool HasFlag(vtkDataArray* ghosts, vtkIdType item, int flags)
 {
@@ -41,6 +39,26 @@ bool HasAnyFlag(vtkDataSetAttributes* data, vtkIdType size)
     isAny = HasFlag(ghosts, item, ~0);
   }
   return isAny;
+}
+
+std::int64_t IdIn(vtkDataArray* ids, vtkIdType item)
+{
+  return ids ? static_cast<std::int64_t>(ids->GetComponent(item, 0)) : item;
+}
+
+// Whether points of one id are at one place: not where meshes were appended that were numbered
+// each by itself.
+bool AreOfOnePlaceEach(vtkDataSet* mesh, vtkDataArray* ids)
+{
+  std::map<std::int64_t, std::array<double, 3>> places;
+  bool areSo = true;
+  for (vtkIdType point = 0; ids && point < mesh->GetNumberOfPoints() && areSo; ++point)
+  {
+    std::array<double, 3> place{};
+    mesh->GetPoint(point, place.data());
+    areSo = places.emplace(IdIn(ids, point), place).first->second == place;
+  }
+  return areSo;
 }
 
 } // namespace
@@ -62,27 +80,28 @@ WrittenParts::WrittenParts(vtkDataSet* mesh)
 
 void WrittenParts::ListCells(vtkDataSet* mesh)
 {
-  constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-  vtkCellData* data = mesh->GetCellData();
-  vtkDataArray* ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+  vtkDataArray* ghosts = mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  const auto isElsewhere = [ghosts](vtkIdType cell) { return HasFlag(ghosts, cell, NotHere); };
+  this->CellIds.erase(
+    std::remove_if(this->CellIds.begin(), this->CellIds.end(), isElsewhere), this->CellIds.end());
+  vtkDataArray* ids = mesh->GetCellData()->GetGlobalIds();
   std::map<std::int64_t, vtkIdType> cells;
   for (const vtkIdType cell : this->CellIds)
   {
-    if (!HasFlag(ghosts, cell, NotHere))
-    {
-      cells.emplace(GlobalIdOf(data, cell), cell);
-    }
+    cells.emplace(IdIn(ids, cell), cell);
   }
-  this->CellIds.clear();
-  for (const auto& entry : cells)
+  if (cells.size() == this->CellIds.size())
   {
-    this->CellIds.push_back(entry.second);
+    std::transform(cells.begin(), cells.end(), this->CellIds.begin(),
+      [](const auto& entry) { return entry.second; });
   }
 }
 
 void WrittenParts::ListPointsOfCells(vtkDataSet* mesh)
 {
-  std::map<std::int64_t, vtkIdType> points; // by global ids
+  vtkDataArray* globalIds = mesh->GetPointData()->GetGlobalIds();
+  vtkDataArray* ids = AreOfOnePlaceEach(mesh, globalIds) ? globalIds : nullptr;
+  std::map<std::int64_t, vtkIdType> points;
   vtkNew<vtkIdList> corners;
   for (const vtkIdType cell : this->CellIds)
   {
@@ -90,7 +109,7 @@ void WrittenParts::ListPointsOfCells(vtkDataSet* mesh)
     for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
     {
       const vtkIdType point = corners->GetId(k);
-      points.emplace(GlobalIdOf(mesh->GetPointData(), point), point);
+      points.emplace(IdIn(ids, point), point);
     }
   }
   this->PointIds.clear();
@@ -101,7 +120,7 @@ void WrittenParts::ListPointsOfCells(vtkDataSet* mesh)
   }
   for (vtkIdType& number : this->Numbers)
   {
-    const auto found = points.find(GlobalIdOf(mesh->GetPointData(), number));
+    const auto found = points.find(IdIn(ids, number));
     number = found == points.end() ? -1 : found->second;
   }
 }

@@ -18,8 +18,10 @@ namespace biting
 {
 
 /// What of a mesh goes into a file: all of it, or, where cells or points are hidden or another
-/// piece's, each visible cell once and each of their points once, in the order of their global ids.
-/// So what several ranks have saved together is the mesh of one.
+/// piece's, each visible cell and each of their points once, in the order of their global ids. So
+/// what several ranks have saved together is the mesh of one. Without these ids, or where two
+/// visible cells have the same one, cells stay in their order; where points at different places
+/// have the same one, all points of these cells are written.
 class WrittenParts
 {
 public:

@@ -12,6 +12,8 @@ from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkIdTypeArray, vtkIntArray, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 PLATE = os.path.join(os.environ['BITING_SOURCE_DIR'], 'Data', 'plate.vtk')
 
@@ -41,6 +43,15 @@ def edges_of(edges, tags):
 
 def points_of(mesh):
     return [mesh.GetPoint(point) for point in range(mesh.GetNumberOfPoints())]
+
+
+def area_of(points, triangles):
+    """Of triangles in the plane z = 0, all turned the same way."""
+    total = 0.0
+    for triangle in triangles:
+        a, b, c = (points[corner] for corner in triangle)
+        total += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    return total
 
 
 def read_gmsh(path):
@@ -249,6 +260,31 @@ class TestMeshWritersProxy(unittest.TestCase):
                 texts.append(file.read())
         self.assertGreater(spread.GetNumberOfCells(), whole.GetNumberOfCells())
         self.assertEqual(texts[0], texts[1])
+
+    def test_appended_meshes_with_the_same_ids_are_written_whole(self):
+        append = vtkAppendPolyData()
+        for shift in (0.0, 10.0):
+            part = in_two_pieces(self.mesh)
+            move = vtkTransform()
+            move.Translate(shift, 0, 0)
+            points = vtkPoints()
+            points.SetDataTypeToDouble()
+            move.TransformPoints(part.GetPoints(), points)
+            part.SetPoints(points)
+            append.AddInputData(part)
+        append.Update()
+        both = append.GetOutput()
+        for data, name in ((both.GetPointData(), 'GlobalPointIds'), (both.GetCellData(), 'GlobalCellIds')):
+            data.SetActiveGlobalIds(name)
+            self.assertTrue(data.GetGlobalIds())
+        writer = vtkBitingMeshWriter()
+        writer.SetFileName(os.path.join(self.folder.name, 'both.msh'))
+        writer.SetInputDataObject(both)
+        writer.Write()
+        points, triangles, _ = read_gmsh(writer.GetFileName())
+        self.assertEqual(len(triangles), 2 * self.mesh.GetNumberOfCells())
+        self.assertAlmostEqual(area_of(points, triangles),
+                               2.0 * area_of(points_of(self.mesh), triangles_of(self.mesh)))
 
     def test_a_mesh_of_any_program_is_written_without_tags(self):
         sphere = simple.Sphere()
