@@ -21,8 +21,9 @@
  * number; other values and strings are numbered on from the largest of those. Names are the values;
  * an edge whose string is empty has no tag.
  *
- * Hidden and ghost cells are left out, and points that pieces share (the same global id) are
- * written once: what several ranks have saved together (`.pvtp`) becomes the mesh of one.
+ * Hidden and ghost cells are left out, and points that pieces share (the same global id at the same
+ * place) are then written once: what several ranks have saved together (`.pvtp`) becomes the mesh
+ * of one.
  *
  * SU2 and ADCIRC have two coordinates: a mesh that is not in a plane of constant z is an error for
  * them. Numbers are written so that reading gives them back bit for bit.
