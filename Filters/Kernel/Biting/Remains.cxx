@@ -3,8 +3,9 @@
 
 #include "Remains.h"
 
-#include <algorithm> // for all_of, minmax_element
+#include <algorithm> // for all_of
 #include <cmath>     // for cos, sin
+#include <limits>    // for infinity
 #include <utility>   // for swap
 
 namespace biting
@@ -129,26 +130,41 @@ bool Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double sl
   const int numberOfSides = NumberOfSides(bites, bite);
   for (int side = 0; side < numberOfSides; ++side)
   {
-    const Point2 normal = NormalOf(bites, bite, side);
-    this->Beyond.clear();
-    for (const Point2& corner : this->Inside)
-    {
-      this->Beyond.push_back(Dot(normal, corner - bites.Centers[bite]) - reach);
-    }
-    const auto [least, most] = std::minmax_element(this->Beyond.begin(), this->Beyond.end());
-    if (*least >= -slack)
+    const auto [least, most] =
+      this->MeasureBeyond(NormalOf(bites, bite, side), bites.Centers[bite], reach);
+    if (least >= -slack)
     {
       this->Next.Shrink(numberBefore);
       this->Next.Corners.insert(this->Next.Corners.end(), begin, end);
       this->Next.Ends.push_back(this->Next.Corners.size());
       return false;
     }
-    if (*most > 0.0)
+    if (most > 0.0)
     {
       this->CutInside();
     }
   }
   return true;
+}
+
+// Sets Beyond for the side that is `reach` from the centre; its least and its largest value.
+std::pair<double, double> Remains::MeasureBeyond(
+  const Point2& normal, const Point2& center, double reach)
+{
+  const std::size_t count = this->Inside.size();
+  this->Beyond.resize(count);
+  const Point2* corners = this->Inside.data();
+  double* distances = this->Beyond.data();
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t corner = 0; corner < count; ++corner)
+  {
+    const double beyond = Dot(normal, corners[corner] - center) - reach;
+    distances[corner] = beyond;
+    least = beyond < least ? beyond : least;
+    most = beyond > most ? beyond : most;
+  }
+  return { least, most };
 }
 
 // Moves what lies beyond the side from Inside to Next.

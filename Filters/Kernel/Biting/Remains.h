@@ -10,6 +10,7 @@
 
 #include <array>   // for triangles
 #include <cstddef> // for counts
+#include <utility> // for pairs
 #include <vector>  // for the pieces
 
 namespace biting
@@ -50,6 +51,7 @@ private:
   };
 
   bool CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack);
+  std::pair<double, double> MeasureBeyond(const Point2& normal, const Point2& center, double reach);
   void CutInside();
 
   Polygons Left;
