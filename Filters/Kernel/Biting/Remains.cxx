@@ -3,8 +3,8 @@
 
 #include "Remains.h"
 
-#include <algorithm> // for all_of
-#include <cmath>     // for cos, sin
+#include <algorithm> // for max
+#include <cmath>     // for cos, sin, sqrt
 #include <limits>    // for infinity
 #include <utility>   // for swap
 
@@ -17,50 +17,29 @@ namespace
 constexpr int SidesOfCircle = 64;
 constexpr double TurnOfCircle = 6.283185307179586 / SidesOfCircle;
 
-int NumberOfSides(const Bites& bites, Id bite)
-{
-  return bites.IsCircle(bite) ? SidesOfCircle : 4;
-}
+const double CosineOfHalfTurn = std::cos(0.5 * TurnOfCircle);
+constexpr double CosineOf45Degrees = 0.7071067811865475;
 
-std::array<Point2, SidesOfCircle> MakeNormalsOfCircle()
+std::vector<Point2> MakeNormalsOfCircle()
 {
-  std::array<Point2, SidesOfCircle> normals;
+  std::vector<Point2> normals;
+  normals.reserve(SidesOfCircle);
   for (int side = 0; side < SidesOfCircle; ++side)
   {
-    normals[side] = { std::cos(side * TurnOfCircle), std::sin(side * TurnOfCircle) };
+    normals.push_back({ std::cos(side * TurnOfCircle), std::sin(side * TurnOfCircle) });
   }
   return normals;
 }
 
-// The outward normal of a side.
-Point2 NormalOf(const Bites& bites, Id bite, int side)
+// The square of the greatest distance of a corner.
+double SquareFrom(const Point2& place, const Point2* begin, const Point2* end)
 {
-  if (bites.IsCircle(bite))
+  double square = 0.0;
+  for (const Point2* corner = begin; corner != end; ++corner)
   {
-    static const std::array<Point2, SidesOfCircle> Normals = MakeNormalsOfCircle();
-    return Normals[side];
+    square = std::max(square, Dot(*corner - place, *corner - place));
   }
-  const Point2& axis = bites.Axes[bite];
-  const Point2 normal = side % 2 == 0 ? axis : Perpendicular(axis);
-  return side < 2 ? normal : -1.0 * normal;
-}
-
-// From the centre to the sides.
-double ReachOf(const Bites& bites, Id bite)
-{
-  return bites.HalfWidths[bite] * (bites.IsCircle(bite) ? std::cos(0.5 * TurnOfCircle) : 1.0);
-}
-
-// Whether a piece lies within all sides of a circle: then these need not be looked at one by one.
-template <typename Corners>
-bool IsInnerOfCircle(const Bites& bites, Id bite, Corners begin, Corners end)
-{
-  const Point2& center = bites.Centers[bite];
-  const double reach = ReachOf(bites, bite);
-  return bites.IsCircle(bite) &&
-    std::all_of(begin, end,
-      [&center, reach](const Point2& corner)
-      { return Dot(corner - center, corner - center) < reach * reach; });
+  return square;
 }
 
 } // namespace
@@ -103,40 +82,72 @@ Point2 Remains::MiddleOfLast() const
 
 bool Remains::TakeAway(const Bites& bites, Id bite, double slack)
 {
+  this->SetSides(bites, bite, slack);
   this->Next.Clear();
   bool isCut = false;
+  const Point2* corners = this->Left.Corners.data();
   for (std::size_t piece = 0; piece < this->Left.Ends.size(); ++piece)
   {
-    isCut = this->CutPiece(piece, bites, bite, slack) || isCut;
+    isCut =
+      this->CutPiece(corners + this->Left.Begin(piece), corners + this->Left.Ends[piece]) || isCut;
   }
   std::swap(this->Left, this->Next);
   return isCut;
 }
 
+void Remains::SetSides(const Bites& bites, Id bite, double slack)
+{
+  this->Bite.Center = bites.Centers[bite];
+  this->Bite.Reach = bites.HalfWidths[bite] + slack;
+  this->Bite.Slack = slack;
+  if (bites.IsCircle(bite))
+  {
+    static const std::vector<Point2> Normals = MakeNormalsOfCircle();
+    this->Bite.Reach = bites.HalfWidths[bite] * CosineOfHalfTurn + slack;
+    this->Bite.CosineOfHalfTurn = CosineOfHalfTurn;
+    this->Bite.Normals = Normals;
+    return;
+  }
+  const Point2& axis = bites.Axes[bite];
+  const Point2 across = Perpendicular(axis);
+  this->Bite.CosineOfHalfTurn = CosineOf45Degrees;
+  this->Bite.Normals.assign({ axis, across, -1.0 * axis, -1.0 * across });
+}
+
 // Side by side: what lies beyond a side is left, the rest goes on to the next side. A piece that
 // the bite does not meet, or not by more than the slack, stays whole: false.
-bool Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack)
+//
+// Few sides need a look at all corners, as a piece lies in a circle about its first one. Where that
+// is so far away that it is beyond the side whose normal leads there, but for half a turn, all
+// of it is; and it is within most sides of a bite that it meets. Both are asked for with the slack
+// to spare, as that is more than rounding.
+bool Remains::CutPiece(const Point2* begin, const Point2* end)
 {
-  const auto begin =
-    this->Left.Corners.begin() + static_cast<std::ptrdiff_t>(this->Left.Begin(piece));
-  const auto end = this->Left.Corners.begin() + static_cast<std::ptrdiff_t>(this->Left.Ends[piece]);
-  if (IsInnerOfCircle(bites, bite, begin, end))
+  const double within = this->Bite.Reach - this->Bite.Slack;
+  if (SquareFrom(this->Bite.Center, begin, end) < within * within)
   {
     return true;
   }
+  const double radius = std::sqrt(SquareFrom(*begin, begin, end));
+  const Point2 offset = *begin - this->Bite.Center;
+  if (this->Bite.CosineOfHalfTurn * Length(offset) - radius > this->Bite.Reach)
+  {
+    this->KeepWhole(begin, end);
+    return false;
+  }
   this->Inside.assign(begin, end);
   const std::size_t numberBefore = this->Next.Ends.size();
-  const double reach = ReachOf(bites, bite) + slack;
-  const int numberOfSides = NumberOfSides(bites, bite);
-  for (int side = 0; side < numberOfSides; ++side)
+  for (const Point2& normal : this->Bite.Normals)
   {
-    const auto [least, most] =
-      this->MeasureBeyond(NormalOf(bites, bite, side), bites.Centers[bite], reach);
-    if (least >= -slack)
+    if (Dot(normal, offset) + radius < within - this->Bite.Slack)
+    {
+      continue;
+    }
+    const auto [least, most] = this->MeasureBeyond(normal);
+    if (least >= -this->Bite.Slack)
     {
       this->Next.Shrink(numberBefore);
-      this->Next.Corners.insert(this->Next.Corners.end(), begin, end);
-      this->Next.Ends.push_back(this->Next.Corners.size());
+      this->KeepWhole(begin, end);
       return false;
     }
     if (most > 0.0)
@@ -147,9 +158,14 @@ bool Remains::CutPiece(std::size_t piece, const Bites& bites, Id bite, double sl
   return true;
 }
 
-// Sets Beyond for the side that is `reach` from the centre; its least and its largest value.
-std::pair<double, double> Remains::MeasureBeyond(
-  const Point2& normal, const Point2& center, double reach)
+void Remains::KeepWhole(const Point2* begin, const Point2* end)
+{
+  this->Next.Corners.insert(this->Next.Corners.end(), begin, end);
+  this->Next.Ends.push_back(this->Next.Corners.size());
+}
+
+// Sets Beyond for a side; its least and its largest value.
+std::pair<double, double> Remains::MeasureBeyond(const Point2& normal)
 {
   const std::size_t count = this->Inside.size();
   this->Beyond.resize(count);
@@ -159,7 +175,7 @@ std::pair<double, double> Remains::MeasureBeyond(
   double most = -least;
   for (std::size_t corner = 0; corner < count; ++corner)
   {
-    const double beyond = Dot(normal, corners[corner] - center) - reach;
+    const double beyond = Dot(normal, corners[corner] - this->Bite.Center) - this->Bite.Reach;
     distances[corner] = beyond;
     least = beyond < least ? beyond : least;
     most = beyond > most ? beyond : most;

@@ -50,10 +50,23 @@ private:
     void Shrink(std::size_t count);
   };
 
-  bool CutPiece(std::size_t piece, const Bites& bites, Id bite, double slack);
-  std::pair<double, double> MeasureBeyond(const Point2& normal, const Point2& center, double reach);
-  void CutInside();
+  // Of a bite: a regular polygon, of a square itself.
+  struct Sides
+  {
+    Point2 Center;
+    double Reach; ///< from the centre, with the slack
+    double Slack;
+    double CosineOfHalfTurn;     ///< from a normal to the next
+    std::vector<Point2> Normals; ///< outwards
+  };
 
+  void SetSides(const Bites& bites, Id bite, double slack);
+  bool CutPiece(const Point2* begin, const Point2* end);
+  std::pair<double, double> MeasureBeyond(const Point2& normal);
+  void CutInside();
+  void KeepWhole(const Point2* begin, const Point2* end);
+
+  Sides Bite; ///< what is taken away
   Polygons Left;
   Polygons Next;
   std::vector<Point2> Inside; ///< of a piece: what is within the sides so far
