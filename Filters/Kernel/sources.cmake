@@ -98,7 +98,7 @@ set(biting_kernel_sources
   Delaunay/Triangulation.cxx
   Delaunay/TriangulationCheck.cxx
   Relaxation/AngleDescent.cxx
-  Relaxation/DelaunayFlips.cxx
+  Relaxation/DelaunayMesh.cxx
   Relaxation/DividedSegments.cxx
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
@@ -106,7 +106,6 @@ set(biting_kernel_sources
   Relaxation/MeshReading.cxx
   Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx
-  Relaxation/Patch.cxx
   Relaxation/RelaxedMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx

@@ -16,6 +16,7 @@ namespace biting
 namespace
 {
 
+constexpr int Rounds = 2;
 constexpr double FirstStep = 0.12; // spacings
 constexpr double LastStep = 0.008;
 constexpr int MostSteps = 40;
@@ -87,20 +88,20 @@ Place Descend(const MutableMesh& mesh, Id vertex, const Star& star, const StarOb
 
 } // namespace
 
-void AngleDescent::Run(int rings, int rounds, Pulse& pulse)
+void AngleDescent::Run(Pulse& pulse)
 {
   this->IsSettled.assign(this->Mesh.Points.size(), 0);
   this->LookAtAll(pulse);
   this->ChooseLimits();
   const double good = GoodPerPoor * this->Mesh.PoorCotangents * PoorCotangents[this->PoorLevel - 1];
-  for (int round = 0; round < rounds; ++round)
+  for (int round = 0; round < Rounds; ++round)
   {
     const PulsePart part(
-      pulse, static_cast<double>(round) / rounds, static_cast<double>(round + 1) / rounds);
+      pulse, static_cast<double>(round) / Rounds, static_cast<double>(round + 1) / Rounds);
     this->KeepPoor();
     this->ListCorners();
     this->Moved.clear();
-    const std::vector<Id> vertices = this->Surroundings.Around(this->Corners, rings);
+    const std::vector<Id> vertices = this->Mesh.Around(this->Corners, 1);
     for (std::size_t k = 0; k < vertices.size() && pulse.Beat(); ++k)
     {
       if (this->ImproveVertex(vertices[k], good))
@@ -193,7 +194,7 @@ void AngleDescent::FindChanged()
   {
     triangles.push_back(triangle.Triangle);
   }
-  for (const Id vertex : this->Surroundings.Around(this->Moved, 1))
+  for (const Id vertex : this->Mesh.Around(this->Moved, 1))
   {
     this->Mesh.ForEachAround(
       vertex, [&triangles](Id edge) { triangles.push_back(MutableMesh::TriangleOf(edge)); });
@@ -278,7 +279,7 @@ bool AngleDescent::Move(Id vertex, double good)
     return false;
   }
   MoveWithSpacing(this->Mesh, vertex, star, place);
-  this->Flips.RestoreAround(vertex);
+  this->Mesh.RestoreAround(vertex);
   return true;
 }
 

@@ -6,9 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "DelaunayFlips.h"
-#include "MutableMesh.h"
-#include "Patch.h"
+#include "DelaunayMesh.h"
 
 #include <cstdint> // for flags
 #include <vector>  // for the lists
@@ -28,15 +26,13 @@ namespace biting
 class AngleDescent
 {
 public:
-  AngleDescent(MutableMesh& mesh, DelaunayFlips& flips, Patch& patch)
+  explicit AngleDescent(DelaunayMesh& mesh)
     : Mesh(mesh)
-    , Flips(flips)
-    , Surroundings(patch)
   {
   }
 
-  /// `rounds` over all such vertices and those at most `rings` edges from them.
-  void Run(int rings, int rounds, Pulse& pulse);
+  /// Two rounds over all such vertices and their neighbors.
+  void Run(Pulse& pulse);
 
   /// Says that the stars of these vertices have changed.
   void Wake(const std::vector<Id>& vertices);
@@ -65,9 +61,7 @@ private:
   bool Move(Id vertex, double good);
   void WakeAround(Id vertex);
 
-  MutableMesh& Mesh;
-  DelaunayFlips& Flips;
-  Patch& Surroundings;
+  DelaunayMesh& Mesh;
   std::size_t PoorLevel = 1;  ///< a triangle that is poor by so many limits is poor
   bool AreLengthsPoor = true; ///< and so is one with an edge out of the band
   std::vector<PoorTriangle> Poor;

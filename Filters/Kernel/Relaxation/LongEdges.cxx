@@ -11,6 +11,7 @@
 
 #include <algorithm> // for max
 #include <utility>   // for pairs
+#include <vector>    // for lists
 
 namespace biting
 {
@@ -21,39 +22,23 @@ namespace
 constexpr double ShortestOfNew = 0.75; // in spacings: shorter ones crowd their ends
 constexpr int PassesAroundNew = 2;
 
-} // namespace
-
-void LongEdges::Split(double longest, double greatestCotangent, Pulse& pulse)
+bool IsTooLong(const MutableMesh& mesh, Id edge, double longest)
 {
-  const std::vector<Id> edges = this->Find(longest, pulse);
-  pulse.ForEach(edges.size(),
-    [this, &edges, longest, greatestCotangent](std::size_t k)
-    {
-      const Id edge = edges[k];
-      if (this->Mesh.IsEdge(edge) && this->IsLong(edge, longest))
-      {
-        const Id twin = this->Mesh.Twins[edge];
-        const double worst = this->WorstOf({ this->Mesh.Origin(edge), this->Mesh.Target(edge),
-          this->Mesh.Corners[edge], this->Mesh.Corners[twin] });
-        if (worst < Infinity)
-        {
-          this->Mesh.BeginTrial();
-          this->Mesh.EndTrial(this->TrySplit(edge, std::max(worst, greatestCotangent)));
-        }
-      }
-    });
+  return mesh.Marks[edge] == NoId && mesh.Twins[edge] != NoId &&
+    mesh.SquaredRelativeLength(edge) > longest * longest;
 }
 
-std::vector<Id> LongEdges::Find(double longest, Pulse& pulse) const
+// The longest first.
+std::vector<Id> FindLong(const MutableMesh& mesh, double longest, Pulse& pulse)
 {
   std::vector<std::pair<double, Id>> found;
-  pulse.ForEach(static_cast<std::size_t>(this->Mesh.NumberOfEdges()),
-    [this, longest, &found](std::size_t k)
+  pulse.ForEach(static_cast<std::size_t>(mesh.NumberOfEdges()),
+    [&mesh, longest, &found](std::size_t k)
     {
       const Id edge = static_cast<Id>(k);
-      if (this->Mesh.IsFirstHalf(edge) && this->IsLong(edge, longest))
+      if (mesh.IsFirstHalf(edge) && IsTooLong(mesh, edge, longest))
       {
-        found.emplace_back(-this->Mesh.SquaredRelativeLength(edge), edge);
+        found.emplace_back(-mesh.SquaredRelativeLength(edge), edge);
       }
     });
   SortInSteps(
@@ -68,64 +53,70 @@ std::vector<Id> LongEdges::Find(double longest, Pulse& pulse) const
   return edges;
 }
 
-bool LongEdges::IsLong(Id edge, double longest) const
-{
-  return this->Mesh.Marks[edge] == NoId && this->Mesh.Twins[edge] != NoId &&
-    this->Mesh.SquaredRelativeLength(edge) > longest * longest;
-}
-
-// Whether it is good.
-bool LongEdges::TrySplit(Id edge, double limit)
-{
-  const Id vertex = SplitEdge(this->Mesh, edge);
-  if (vertex == NoId)
-  {
-    return false;
-  }
-  this->Flips.RestoreAround(vertex);
-  this->SmoothAround(vertex);
-  return this->WorstOf(this->Surroundings.Around(vertex, 1)) <= limit &&
-    !this->HasShortEdge(vertex);
-}
-
-void LongEdges::SmoothAround(Id vertex)
-{
-  for (int pass = 0; pass < PassesAroundNew; ++pass)
-  {
-    for (const Id near : this->Surroundings.Around(vertex, 1))
-    {
-      if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
-      {
-        this->Flips.RestoreAround(near);
-      }
-    }
-  }
-}
-
-// Infinity where a star is too large to be read: nothing near it could be judged.
-double LongEdges::WorstOf(const std::vector<Id>& vertices) const
+double WorstAroundAll(const MutableMesh& mesh, const std::vector<Id>& vertices)
 {
   double worst = 0.0;
-  Star star;
   for (const Id vertex : vertices)
   {
-    worst = std::max(worst, star.Read(this->Mesh, vertex) ? star.Worst({}) : Infinity);
+    worst = std::max(worst, WorstAround(mesh, vertex));
   }
   return worst;
 }
 
-bool LongEdges::HasShortEdge(Id vertex) const
+bool HasShortEdge(const MutableMesh& mesh, Id vertex)
 {
   bool isShort = false;
-  this->Mesh.ForEachAround(vertex,
-    [this, &isShort](Id edge)
+  mesh.ForEachAround(vertex,
+    [&mesh, &isShort](Id edge)
     {
       for (const Id side : { MutableMesh::Next(edge), MutableMesh::Previous(edge) })
       {
-        isShort |= this->Mesh.SquaredRelativeLength(side) < ShortestOfNew * ShortestOfNew;
+        isShort |= mesh.SquaredRelativeLength(side) < ShortestOfNew * ShortestOfNew;
       }
     });
   return isShort;
+}
+
+// Whether it is good.
+bool TrySplit(DelaunayMesh& mesh, Id edge, double limit)
+{
+  const Id vertex = SplitEdge(mesh, edge);
+  if (vertex == NoId)
+  {
+    return false;
+  }
+  mesh.RestoreAround(vertex);
+  for (int pass = 0; pass < PassesAroundNew; ++pass)
+  {
+    for (const Id near : mesh.Around(vertex, 1))
+    {
+      SmoothVertex(mesh, near);
+    }
+  }
+  return WorstAroundAll(mesh, mesh.Around(vertex, 1)) <= limit && !HasShortEdge(mesh, vertex);
+}
+
+} // namespace
+
+void SplitLongEdges(DelaunayMesh& mesh, double longest, double greatestCotangent, Pulse& pulse)
+{
+  const std::vector<Id> edges = FindLong(mesh, longest, pulse);
+  pulse.ForEach(edges.size(),
+    [&mesh, &edges, longest, greatestCotangent](std::size_t k)
+    {
+      const Id edge = edges[k];
+      if (mesh.IsEdge(edge) && IsTooLong(mesh, edge, longest))
+      {
+        const double worst = WorstAroundAll(mesh,
+          { mesh.Origin(edge), mesh.Target(edge), mesh.Corners[edge],
+            mesh.Corners[mesh.Twins[edge]] });
+        if (worst < Infinity)
+        {
+          mesh.BeginTrial();
+          mesh.EndTrial(TrySplit(mesh, edge, std::max(worst, greatestCotangent)));
+        }
+      }
+    });
 }
 
 } // namespace biting

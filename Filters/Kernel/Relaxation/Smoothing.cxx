@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr int MostAttempts = 3;
+constexpr double AllowedCotangent = CotangentOf30Degrees;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
 // Of a star that the second sweep does not look at, in spacings.
@@ -191,17 +192,24 @@ bool MayMove(const MutableMesh& mesh, Id vertex, Star& star)
   return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex);
 }
 
-// As SmoothVertex, but where the star is fine.
-bool SmoothCoarse(MutableMesh& mesh, Id vertex, double allowedCotangent)
+bool SmoothAny(MutableMesh& mesh, Id vertex)
+{
+  Star star;
+  return MayMove(mesh, vertex, star) &&
+    SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
+}
+
+// The same, but where the star is fine.
+bool SmoothCoarse(MutableMesh& mesh, Id vertex)
 {
   Star star;
   return MayMove(mesh, vertex, star) &&
     !(HasFineLengths(mesh, vertex, star) && star.Worst({}) < CotangentOf52Degrees) &&
-    SmoothStar(mesh, vertex, star, allowedCotangent, AnyLengths());
+    SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
 }
 
 template <typename Smooth>
-void Sweep(MutableMesh& mesh, DelaunayFlips& flips, const Smooth& smooth, Pulse& pulse)
+void Sweep(DelaunayMesh& mesh, const Smooth& smooth, Pulse& pulse)
 {
   pulse.ForEach(mesh.Points.size(),
     [&mesh, &smooth](std::size_t slot)
@@ -212,43 +220,34 @@ void Sweep(MutableMesh& mesh, DelaunayFlips& flips, const Smooth& smooth, Pulse&
         smooth(vertex);
       }
     });
-  flips.RestoreAll(pulse);
+  mesh.RestoreAll(pulse);
 }
 
 } // namespace
 
-bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent)
+void SmoothVertex(DelaunayMesh& mesh, Id vertex)
 {
-  Star star;
-  return MayMove(mesh, vertex, star) &&
-    SmoothStar(mesh, vertex, star, allowedCotangent, AnyLengths());
-}
-
-void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
-  double allowedCotangent, Pulse& pulse)
-{
-  for (int sweep = 0; sweep < sweeps; ++sweep)
+  if (SmoothAny(mesh, vertex))
   {
-    const PulsePart part(
-      pulse, static_cast<double>(sweep) / sweeps, static_cast<double>(sweep + 1) / sweeps);
-    Sweep(
-      mesh, flips,
-      [&mesh, kind, allowedCotangent](Id vertex)
-      {
-        kind == SweepKind::All ? SmoothVertex(mesh, vertex, allowedCotangent)
-                               : SmoothCoarse(mesh, vertex, allowedCotangent);
-      },
-      pulse);
+    mesh.RestoreAround(vertex);
   }
 }
 
-void SmoothWithin(
-  MutableMesh& mesh, DelaunayFlips& flips, const SmoothingLimits& limits, Pulse& pulse)
+void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse)
+{
+  Sweep(
+    mesh,
+    [&mesh, kind](Id vertex)
+    { kind == SweepKind::All ? SmoothAny(mesh, vertex) : SmoothCoarse(mesh, vertex); },
+    pulse);
+}
+
+void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& pulse)
 {
   const LengthsWithin lengths{ limits.ShortestEdge * limits.ShortestEdge,
     limits.LongestEdge * limits.LongestEdge };
   Sweep(
-    mesh, flips,
+    mesh,
     [&mesh, &limits, &lengths](Id vertex)
     {
       Star star;

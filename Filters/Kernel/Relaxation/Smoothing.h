@@ -6,8 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "DelaunayFlips.h"
-#include "MutableMesh.h"
+#include "DelaunayMesh.h"
 
 namespace biting
 {
@@ -18,9 +17,9 @@ namespace biting
 /// triangle whose side is the mean spacing of the corners.
 /// The step is 1.3 times Newton's: swept over all vertices it then spreads faster. It is halved,
 /// then given up, where it would leave a triangle that is both worse than the worst around the
-/// vertex before, and than `allowedCotangent`. A vertex on a segment slides no farther than its
-/// parts allow (ShareOfSlide). Returns whether it moved; its spacing then is an estimate.
-bool SmoothVertex(MutableMesh& mesh, Id vertex, double allowedCotangent);
+/// vertex before, and has an angle below 30 degrees. A vertex on a segment slides no farther than
+/// its parts allow (ShareOfSlide). Where it moves, its spacing is an estimate, and edges flip.
+void SmoothVertex(DelaunayMesh& mesh, Id vertex);
 
 /// Which vertices a sweep passes over.
 enum class SweepKind
@@ -29,9 +28,8 @@ enum class SweepKind
   Coarse ///< those with all angles above 52 degrees and all lengths within 10 % of the spacing
 };
 
-/// Smooths all vertices `sweeps` times, with flips after each sweep.
-void SmoothAll(MutableMesh& mesh, DelaunayFlips& flips, int sweeps, SweepKind kind,
-  double allowedCotangent, Pulse& pulse);
+/// Smooths all vertices once, as SmoothVertex does, but with flips after the sweep.
+void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse);
 
 /// What smoothing leaves alone where it is within these, and makes no worse where it is not.
 struct SmoothingLimits
@@ -41,11 +39,9 @@ struct SmoothingLimits
   double LongestEdge;       ///< in spacings
 };
 
-/// Smooths all vertices once, as SmoothVertex does within the limit of angles, with flips after it;
-/// but no step leaves an edge farther beyond the limits of lengths than it was, as far as spacings
-/// at new places are known: they are estimates.
-void SmoothWithin(
-  MutableMesh& mesh, DelaunayFlips& flips, const SmoothingLimits& limits, Pulse& pulse);
+/// The same within the limit of angles; but no step leaves an edge farther beyond the limits of
+/// lengths than it was, as far as spacings at new places are known: they are estimates.
+void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& pulse);
 
 } // namespace biting
 

@@ -3,6 +3,7 @@
 
 #include "Star.h"
 
+#include "../Base/Numbers.h"
 #include "../Predicates/Predicates.h"
 
 #include <algorithm> // for clamp, max, min
@@ -33,6 +34,12 @@ bool StaysBetween(const MutableMesh& mesh, const Star& star, const Point2& place
 }
 
 } // namespace
+
+double WorstAround(const MutableMesh& mesh, Id vertex)
+{
+  Star star;
+  return star.Read(mesh, vertex) ? star.Worst({}) : Infinity;
+}
 
 Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around)
 {

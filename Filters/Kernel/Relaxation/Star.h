@@ -116,6 +116,10 @@ inline bool Star::Read(const MutableMesh& mesh, Id vertex)
   return true;
 }
 
+/// The worst triangle around the vertex; infinite where the star is too large to be read, as
+/// nothing can be judged there.
+double WorstAround(const MutableMesh& mesh, Id vertex);
+
 /// The slope of the linear function through the spacing at the center that fits `around`, those at
 /// the outer corners, best; zero where these do not tell.
 Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around);

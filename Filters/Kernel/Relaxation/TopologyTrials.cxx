@@ -194,7 +194,7 @@ bool TopologyTrials::LookAround(const PoorTriangle& poor)
   const Id* first = this->Mesh.Corners.data() + 4 * static_cast<std::size_t>(poor.Triangle);
   const std::vector<Id> corners(first, first + 3);
   this->Worst = { WorstFreeCotangent(this->Mesh, poor.Triangle), poor.Triangle };
-  this->Judged = this->Surroundings.Around(corners, JudgedRings);
+  this->Judged = this->Mesh.Around(corners, JudgedRings);
   if (this->Judged.size() > MostJudged)
   {
     return false;
@@ -284,7 +284,7 @@ double TopologyTrials::QuickTrial(const Operation& operation, double limit)
   if (vertex != NoId)
   {
     this->SmoothNear(vertex, QuickRings);
-    const std::vector<Id>& judged = this->Surroundings.Around(vertex, QuickJudgedRings);
+    const std::vector<Id>& judged = this->Mesh.Around(vertex, QuickJudgedRings);
     for (std::size_t k = 0; k < judged.size() && worst < limit; ++k)
     {
       worst = std::max(worst, ObjectiveAround(this->Mesh, judged[k]));
@@ -362,19 +362,16 @@ Id TopologyTrials::Perform(const Operation& operation)
   {
     return NoId;
   }
-  this->Flips.RestoreAround(vertex);
+  this->Mesh.RestoreAround(vertex);
   return vertex;
 }
 
 void TopologyTrials::SmoothNear(Id vertex, int rings)
 {
-  this->Moved = this->Surroundings.Around(vertex, rings);
+  this->Moved = this->Mesh.Around(vertex, rings);
   for (const Id near : this->Moved)
   {
-    if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
-    {
-      this->Flips.RestoreAround(near);
-    }
+    SmoothVertex(this->Mesh, near);
   }
 }
 

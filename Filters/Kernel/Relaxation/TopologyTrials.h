@@ -7,9 +7,7 @@
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 #include "AngleDescent.h"
-#include "DelaunayFlips.h"
-#include "MutableMesh.h"
-#include "Patch.h"
+#include "DelaunayMesh.h"
 
 #include <cstddef> // for the limit
 #include <cstdint> // for flags
@@ -30,10 +28,8 @@ namespace biting
 class TopologyTrials
 {
 public:
-  TopologyTrials(MutableMesh& mesh, DelaunayFlips& flips, Patch& patch, AngleDescent& descent)
+  TopologyTrials(DelaunayMesh& mesh, AngleDescent& descent)
     : Mesh(mesh)
-    , Flips(flips)
-    , Surroundings(patch)
     , Descent(descent)
   {
   }
@@ -75,9 +71,7 @@ private:
   double WorstChanged(Id added, double limit) const;
   void MarkUntried();
 
-  MutableMesh& Mesh;
-  DelaunayFlips& Flips;
-  Patch& Surroundings;
+  DelaunayMesh& Mesh;
   AngleDescent& Descent;
   std::vector<Id> Candidates; ///< triangles that may be poor
   std::vector<PoorTriangle> Poor;

@@ -53,7 +53,7 @@ bool IsFine(double square, double shift)
 
 } // namespace
 
-void ValenceRound::Run(int rings, int passes, Pulse& pulse)
+void ValenceRound::Run(int rings, Pulse& pulse)
 {
   this->ChooseShift(pulse);
   this->FindCandidates(pulse);
@@ -68,7 +68,7 @@ void ValenceRound::Run(int rings, int passes, Pulse& pulse)
     if (vertex != NoId)
     {
       this->Lock(vertex);
-      this->SmoothAround(vertex, rings, passes);
+      this->SmoothAround(vertex, rings);
     }
   }
 }
@@ -187,7 +187,7 @@ Id ValenceRound::Perform(const Candidate& candidate)
     return NoId;
   }
   const double before =
-    std::max(this->WorstAround(mesh.Origin(edge)), this->WorstAround(mesh.Target(edge)));
+    std::max(WorstAround(mesh, mesh.Origin(edge)), WorstAround(mesh, mesh.Target(edge)));
   if (before == Infinity)
   {
     return NoId;
@@ -195,38 +195,26 @@ Id ValenceRound::Perform(const Candidate& candidate)
   mesh.BeginTrial();
   const Id vertex = candidate.IsCollapse ? CollapseEdge(mesh, edge) : SplitEdge(mesh, edge);
   const bool isGood =
-    vertex != NoId && this->WorstAround(vertex) <= std::max(before, CotangentOf20Degrees);
+    vertex != NoId && WorstAround(mesh, vertex) <= std::max(before, CotangentOf20Degrees);
   mesh.EndTrial(isGood);
   return isGood ? vertex : NoId;
-}
-
-double ValenceRound::WorstAround(Id vertex) const
-{
-  Star star;
-  return star.Read(this->Mesh, vertex) ? star.Worst({}) : Infinity;
 }
 
 void ValenceRound::Lock(Id vertex)
 {
   this->Locks.resize(this->Mesh.Points.size(), 1);
-  for (const Id near : this->Surroundings.Around(vertex, 1))
+  for (const Id near : this->Mesh.Around(vertex, 1))
   {
     this->Locks[near] = 1;
   }
 }
 
-void ValenceRound::SmoothAround(Id vertex, int rings, int passes)
+void ValenceRound::SmoothAround(Id vertex, int rings)
 {
-  this->Flips.RestoreAround(vertex);
-  for (int pass = 0; pass < passes; ++pass)
+  this->Mesh.RestoreAround(vertex);
+  for (const Id near : this->Mesh.Around(vertex, rings))
   {
-    for (const Id near : this->Surroundings.Around(vertex, rings))
-    {
-      if (SmoothVertex(this->Mesh, near, CotangentOf30Degrees))
-      {
-        this->Flips.RestoreAround(near);
-      }
-    }
+    SmoothVertex(this->Mesh, near);
   }
 }
 

@@ -6,9 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "DelaunayFlips.h"
-#include "MutableMesh.h"
-#include "Patch.h"
+#include "DelaunayMesh.h"
 
 #include <cstdint> // for locks
 #include <vector>  // for the candidates
@@ -30,15 +28,13 @@ namespace biting
 class ValenceRound
 {
 public:
-  ValenceRound(MutableMesh& mesh, DelaunayFlips& flips, Patch& patch)
+  explicit ValenceRound(DelaunayMesh& mesh)
     : Mesh(mesh)
-    , Flips(flips)
-    , Surroundings(patch)
   {
   }
 
-  /// One round; the `rings` around each operation are smoothed `passes` times.
-  void Run(int rings, int passes, Pulse& pulse);
+  /// One round; the `rings` around each operation are smoothed.
+  void Run(int rings, Pulse& pulse);
 
 private:
   struct Candidate
@@ -57,13 +53,10 @@ private:
   double SplitScore(Id edge, double length) const;
   bool IsLocked(Id edge) const;
   Id Perform(const Candidate& candidate);
-  double WorstAround(Id vertex) const;
   void Lock(Id vertex);
-  void SmoothAround(Id vertex, int rings, int passes);
+  void SmoothAround(Id vertex, int rings);
 
-  MutableMesh& Mesh;
-  DelaunayFlips& Flips;
-  Patch& Surroundings;
+  DelaunayMesh& Mesh;
   double Shift = 0.0; ///< of the lengths at which edges collapse and split
   std::vector<Candidate> Candidates;
   std::vector<std::uint8_t> Locks; ///< one a vertex

@@ -26,9 +26,7 @@ struct SplitMesh : Workshop
   {
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    DelaunayFlips flips(this->Mesh);
-    Patch patch(this->Mesh);
-    LongEdges(this->Mesh, flips, patch).Split(longest, greatestCotangent, pulse);
+    SplitLongEdges(this->Mesh, longest, greatestCotangent, pulse);
     EXPECT_EQ(this->Violation(true), "");
   }
 
@@ -89,10 +87,8 @@ TEST(LongEdges, StayBesideVerticesOfMoreTrianglesThanCanBeJudged)
     ASSERT_EQ(wheel.Mesh.NumberOfEdges() / 4, corners);
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    DelaunayFlips flips(wheel.Mesh);
-    Patch patch(wheel.Mesh);
     const Id before = wheel.Mesh.NumberOfVertices();
-    LongEdges(wheel.Mesh, flips, patch).Split(Longest, 1e9, pulse);
+    SplitLongEdges(wheel.Mesh, Longest, 1e9, pulse);
     EXPECT_EQ(wheel.Mesh.NumberOfVertices() > before, corners == Star::Capacity);
     EXPECT_EQ(wheel.Violation(true), "");
   }

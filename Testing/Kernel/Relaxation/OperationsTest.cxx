@@ -5,8 +5,6 @@
 
 #include "Base/Pulse.h"
 #include "Relaxation/AngleDescent.h"
-#include "Relaxation/DelaunayFlips.h"
-#include "Relaxation/Patch.h"
 #include "Relaxation/Smoothing.h"
 #include "Relaxation/StarObjective.h"
 #include "Relaxation/TopologyTrials.h"
@@ -26,18 +24,14 @@ struct Tools : Workshop
   explicit Tools(RawMesh raw)
     : Workshop(std::move(raw))
     , Progress(Listener)
-    , Flips(this->Mesh)
-    , Surroundings(this->Mesh)
-    , Valences(this->Mesh, Flips, Surroundings)
-    , Descent(this->Mesh, Flips, Surroundings)
-    , Trials(this->Mesh, Flips, Surroundings, Descent)
+    , Valences(this->Mesh)
+    , Descent(this->Mesh)
+    , Trials(this->Mesh, Descent)
   {
   }
 
   SilentMonitor Listener;
   Pulse Progress;
-  DelaunayFlips Flips;
-  Patch Surroundings;
   ValenceRound Valences;
   AngleDescent Descent;
   TopologyTrials Trials;
@@ -93,7 +87,7 @@ TEST(Smoothing, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
     for (int sweep = 0; sweep < 4; ++sweep)
     {
       const double worst = tools.WorstCotangentOfAll();
-      SmoothAll(tools.Mesh, tools.Flips, 1, SweepKind::All, CotangentOf30Degrees, tools.Progress);
+      SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
       ExpectLawful(tools, worst, CotangentOf30Degrees);
     }
   }
@@ -115,7 +109,7 @@ TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
   tools.Mesh.Freedoms[center] = Freedom::Free;
   for (int step = 0; step < 40; ++step)
   {
-    SmoothVertex(tools.Mesh, center, CotangentOf30Degrees);
+    SmoothVertex(tools.Mesh, center);
   }
   EXPECT_LT(Length(tools.Mesh.Points[center]), 1e-9);
 }
@@ -123,7 +117,8 @@ TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
 TEST(Smoothing, EstimatesSpacingsWithinTwoPercent)
 {
   Tools tools(GradedSquare());
-  SmoothAll(tools.Mesh, tools.Flips, 2, SweepKind::All, CotangentOf30Degrees, tools.Progress);
+  SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
+  SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
   for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
   {
     const double asked = tools.Raw.Spacing(tools.Mesh.Points[vertex]);
@@ -134,7 +129,8 @@ TEST(Smoothing, EstimatesSpacingsWithinTwoPercent)
 TEST(Smoothing, LeavesEstimatesThatAreAskedForOnce)
 {
   Tools tools(GradedSquare());
-  SmoothAll(tools.Mesh, tools.Flips, 2, SweepKind::All, CotangentOf30Degrees, tools.Progress);
+  SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
+  SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
   tools.Mesh.AskForEstimates(tools.Progress);
   for (Id vertex = 0; vertex < tools.Mesh.NumberOfVertices(); ++vertex)
   {
@@ -150,7 +146,7 @@ TEST(ValenceRound, LowersNoAngleBelow20DegreesAndKeepsDelaunay)
     for (int round = 0; round < 4; ++round)
     {
       const double worst = tools.WorstCotangentOfAll();
-      tools.Valences.Run(2, 1, tools.Progress);
+      tools.Valences.Run(2, tools.Progress);
       ExpectLawful(tools, worst, CotangentOf20Degrees);
     }
   }
@@ -162,7 +158,7 @@ TEST(ValenceRound, BringsTheNumbersOfTrianglesTowardsSix)
   {
     Tools tools(std::move(raw));
     const double before = SumOfSquaredExcess(tools.Mesh);
-    tools.Valences.Run(1, 1, tools.Progress);
+    tools.Valences.Run(1, tools.Progress);
     EXPECT_LT(SumOfSquaredExcess(tools.Mesh), 0.95 * before);
   }
 }
@@ -173,7 +169,7 @@ TEST(AngleDescent, LowersNoAngleBelow32DegreesAndKeepsDelaunay)
   {
     Tools tools(std::move(raw));
     const double worst = tools.WorstCotangentOfAll();
-    tools.Descent.Run(1, 3, tools.Progress);
+    tools.Descent.Run(tools.Progress);
     ExpectLawful(tools, worst, 1.6);
   }
 }
@@ -182,7 +178,7 @@ TEST(AngleDescent, BringsEdgesIntoTheBand)
 {
   Tools tools(UnitSquare());
   const Id before = NumberOfEdgesOutOfBand(tools.Mesh);
-  tools.Descent.Run(1, 3, tools.Progress);
+  tools.Descent.Run(tools.Progress);
   EXPECT_LT(2 * NumberOfEdgesOutOfBand(tools.Mesh), before);
 }
 
@@ -193,7 +189,7 @@ TEST(TopologyTrials, LeavesFewerTrianglesBelow38DegreesInAll)
   for (RawMesh& raw : AllRawMeshes())
   {
     Tools tools(std::move(raw));
-    tools.Descent.Run(1, 3, tools.Progress);
+    tools.Descent.Run(tools.Progress);
     before += NumberOfPoorTriangles(tools.Mesh);
     tools.Trials.Run(20, tools.Progress);
     after += NumberOfPoorTriangles(tools.Mesh);

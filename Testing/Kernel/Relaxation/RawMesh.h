@@ -10,8 +10,8 @@
 #include "Predicates/Predicates.h"
 #include "Quality/MeshCheck.h"
 #include "Quality/Quality.h"
+#include "Relaxation/DelaunayMesh.h"
 #include "Relaxation/MeshExchange.h"
-#include "Relaxation/MutableMesh.h"
 #include "Relaxation/Relaxation.h"
 #include "Relaxation/Star.h"
 
@@ -264,7 +264,7 @@ struct Workshop
   RelaxationMesh Written() const
   {
     RelaxationMesh written = this->Rest;
-    MutableMesh mesh = this->Mesh;
+    DelaunayMesh mesh = this->Mesh;
     SilentMonitor monitor;
     Pulse pulse(monitor);
     WriteMesh(mesh, this->Origins, written, pulse);
@@ -295,7 +295,7 @@ struct Workshop
 
   RawMesh Raw;
   RelaxationMesh Rest; ///< of the mesh of Raw, once it is read
-  MutableMesh Mesh;
+  DelaunayMesh Mesh;
   std::vector<Id> Origins;
 };
 

@@ -28,8 +28,7 @@ struct SmoothedMesh : Workshop
   {
     SilentMonitor monitor;
     Pulse pulse(monitor);
-    DelaunayFlips flips(this->Mesh);
-    SmoothWithin(this->Mesh, flips, limits, pulse);
+    SmoothWithin(this->Mesh, limits, pulse);
     EXPECT_EQ(this->Violation(true), "");
   }
 

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DelaunayMesh.h"
+
+#include "../Predicates/Predicates.h"
+#include "Star.h"
+
+namespace biting
+{
+
+void DelaunayMesh::RestoreAround(Id vertex)
+{
+  const Id first = this->FirstAround(vertex);
+  Id edge = first;
+  do
+  {
+    this->Stack.insert(this->Stack.end(), { edge, Next(edge) });
+    edge = this->Turn(edge);
+  } while (edge != NoId && edge != first);
+  this->EmptyStack();
+}
+
+void DelaunayMesh::RestoreAll(Pulse& pulse)
+{
+  for (Id edge = 0; edge < this->NumberOfEdges() && pulse.Beat(); edge += 4)
+  {
+    for (Id side = edge; side < edge + 3; ++side)
+    {
+      if (this->IsFirstHalf(side) && this->MustFlip(side))
+      {
+        this->FlipAndPush(side);
+        this->EmptyStack();
+      }
+    }
+  }
+}
+
+void DelaunayMesh::EmptyStack()
+{
+  while (!this->Stack.empty())
+  {
+    const Id edge = this->Stack.back();
+    this->Stack.pop_back();
+    if (this->MustFlip(edge))
+    {
+      this->FlipAndPush(edge);
+    }
+  }
+}
+
+bool DelaunayMesh::MustFlip(Id edge) const
+{
+  const Id twin = this->Twins[edge];
+  if (twin == NoId || this->Marks[edge] != NoId)
+  {
+    return false;
+  }
+  const std::vector<Point2>& points = this->Points;
+  return InCircle(points[this->Corners[edge]], points[this->Origin(edge)],
+           points[this->Target(edge)], points[this->Corners[twin]]) > 0;
+}
+
+void DelaunayMesh::FlipAndPush(Id edge)
+{
+  const Id twin = this->Twins[edge];
+  this->Flip(edge);
+  this->Stack.insert(this->Stack.end(), { edge, Previous(edge), twin, Previous(twin) });
+}
+
+const std::vector<Id>& DelaunayMesh::Around(Id center, int rings)
+{
+  this->BeginNear();
+  this->AddNear(center);
+  return this->Grow(rings);
+}
+
+const std::vector<Id>& DelaunayMesh::Around(const std::vector<Id>& centers, int rings)
+{
+  this->BeginNear();
+  for (const Id center : centers)
+  {
+    this->AddNear(center);
+  }
+  return this->Grow(rings);
+}
+
+void DelaunayMesh::BeginNear()
+{
+  this->Stamps.resize(this->Points.size(), 0);
+  this->Near.clear();
+  ++this->Stamp;
+}
+
+void DelaunayMesh::AddNear(Id vertex)
+{
+  if (this->Stamps[vertex] != this->Stamp)
+  {
+    this->Stamps[vertex] = this->Stamp;
+    this->Near.push_back(vertex);
+  }
+}
+
+const std::vector<Id>& DelaunayMesh::Grow(int rings)
+{
+  std::size_t first = 0;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::size_t last = this->Near.size();
+    for (; first < last; ++first)
+    {
+      this->AddNeighbors(this->Near[first]);
+    }
+  }
+  return this->Near;
+}
+
+void DelaunayMesh::AddNeighbors(Id vertex)
+{
+  if (this->Degrees[vertex] <= Star::Capacity)
+  {
+    this->ForEachAround(vertex,
+      [this](Id edge)
+      {
+        this->AddNear(this->Origin(edge));
+        this->AddNear(this->Target(edge));
+      });
+  }
+}
+
+} // namespace biting
