@@ -16,7 +16,9 @@
  * @par Input 0, the mesh:
  * vtkPolyData or vtkUnstructuredGrid of linear triangles in one plane of space, from any program,
  * of any orientation. Hidden and ghost cells are left out; points that no triangle uses go where
- * anything changes. Points of free edges at the same place are made one, with a warning.
+ * anything changes. Points of free edges at the same place are made one, with a warning; and where
+ * points lie between the ends of a free edge, as where a coarse mesh and a fine one lie side by
+ * side, its triangle is divided there, with a warning.
  *
  * @par What stays a line:
  * - Free edges are boundary; edges between triangles whose `RegionArray` differs are interfaces.

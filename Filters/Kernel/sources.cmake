@@ -141,6 +141,7 @@ set(biting_kernel_sources
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
   Remeshing/GradedValues.cxx
+  Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
   Remeshing/MisfitVertices.cxx
   Remeshing/NearVertices.cxx

@@ -25,10 +25,12 @@ constexpr std::size_t FewLooks = 4000000;
 class FlatRepair
 {
 public:
-  FlatRepair(const std::vector<Point2>& points, double rounding, std::vector<Id>& corners)
+  FlatRepair(const std::vector<Point2>& points, double rounding, std::vector<Id>& corners,
+    std::size_t filled)
     : Points(points)
     , Rounding(rounding)
     , Corners(corners)
+    , FirstFilled(static_cast<Id>(corners.size() / 3 - filled))
   {
   }
 
@@ -44,6 +46,11 @@ private:
     return Orient2D(this->Place(triangle, 0), this->Place(triangle, 1), this->Place(triangle, 2));
   }
   Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
+  Id OriginOf(Id triangle) const
+  {
+    return this->Result.Origins.empty() ? triangle : this->Result.Origins[triangle];
+  }
+  bool IsFilled(Id triangle) const { return this->OriginOf(triangle) >= this->FirstFilled; }
   std::vector<Id> FindFlat();
   bool IsThin(Id triangle) const;
   bool IsTurned(Id triangle) const;
@@ -61,6 +68,7 @@ private:
   const std::vector<Point2>& Points;
   double Rounding;
   std::vector<Id>& Corners;
+  Id FirstFilled; ///< of the triangles that were there
   TriangleLinks Links;
   std::vector<Id> Stays;               ///< of each vertex: itself, or a lower one at its place
   std::vector<std::uint8_t> IsTouched; ///< of each triangle: changed in this round
@@ -109,8 +117,9 @@ std::vector<Id> FlatRepair::FindFlat()
   if (!flat.empty())
   {
     this->Links = LinkTriangles(this->Corners, static_cast<Id>(this->Points.size()));
-    const auto isFine = [this](Id triangle)
-    { return this->SideOf(triangle) != 0 && !this->IsTurned(triangle); };
+    const auto isFine = [this](Id triangle) {
+      return this->SideOf(triangle) != 0 && !this->IsFilled(triangle) && !this->IsTurned(triangle);
+    };
     flat.erase(std::remove_if(flat.begin(), flat.end(), isFine), flat.end());
   }
   return flat;
@@ -253,6 +262,10 @@ void FlatRepair::Tell(Id triangle)
     return;
   }
   isTold = 1;
+  if (this->IsFilled(triangle))
+  {
+    return;
+  }
   const Point2 sum = this->Place(triangle, 0) + this->Place(triangle, 1) + this->Place(triangle, 2);
   this->Result.Flat.push_back({ this->Result.Origins[triangle], (1.0 / 3.0) * sum });
 }
@@ -318,9 +331,9 @@ void FlatRepair::Pack()
 } // namespace
 
 FlatTriangleRepair RepairFlatTriangles(
-  const std::vector<Point2>& points, double rounding, std::vector<Id>& corners)
+  const std::vector<Point2>& points, double rounding, std::vector<Id>& corners, std::size_t filled)
 {
-  return FlatRepair(points, rounding, corners).Run();
+  return FlatRepair(points, rounding, corners, filled).Run();
 }
 
 } // namespace biting

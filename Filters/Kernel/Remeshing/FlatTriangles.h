@@ -8,6 +8,7 @@
 #include "../Base/Point2.h"
 
 #include <array>   // for sides
+#include <cstddef> // for sizes
 #include <cstdint> // for flags
 #include <utility> // for pairs
 #include <vector>  // for the arrays
@@ -43,10 +44,11 @@ struct FlatTriangleRepair
 /// triangle across the longest side is divided at the third corner, and the flat one is a part of
 /// it afterwards. At a free edge the flat one only goes. What cannot be mended so stays, as where
 /// more than 32 lie one upon another in a mesh of more than 100,000 triangles, and so does a mesh
-/// that has no other triangles. `corners` are three a triangle, of any orientation. Cost O(n), once
-/// where nothing is flat.
-FlatTriangleRepair RepairFlatTriangles(
-  const std::vector<Point2>& points, double rounding, std::vector<Id>& corners);
+/// that has no other triangles. `corners` are three a triangle, of any orientation; the last
+/// `filled` of them were put in between others (HangingVertices.h) and are mended, however little
+/// area they have, but not listed as flat. Cost O(n), once where nothing is flat.
+FlatTriangleRepair RepairFlatTriangles(const std::vector<Point2>& points, double rounding,
+  std::vector<Id>& corners, std::size_t filled = 0);
 
 } // namespace biting
 

@@ -4,6 +4,7 @@
 #include "OldMesh.h"
 
 #include "../Base/Pulse.h"
+#include "../Domain/AreaSum.h"
 #include "../Domain/Domain.h"
 #include "../Domain/Polylines.h"
 #include "../Predicates/Predicates.h"
@@ -22,10 +23,12 @@ namespace biting
 namespace
 {
 
-// Of the area: far above the rounding of its sum; and where free edges meet by rounding, or points
-// as near as that were made one.
-constexpr double AreaTolerance = 1e-9;
-constexpr double RepairedAreaTolerance = 1e-6;
+// Of the area: far above the rounding of its sum.
+constexpr double AreaTolerance = 1e-13;
+
+// Where free edges meet by rounding, how wide the strips along them are that count twice or not at
+// all, in units of the rounding of coordinates.
+constexpr double WidthOfStrips = 8.0;
 
 double LengthOf(const Polylines& edges)
 {
@@ -36,6 +39,20 @@ double LengthOf(const Polylines& edges)
       Distance(edges.Points[edges.Connectivity[k - 1]], edges.Points[edges.Connectivity[k]]);
   }
   return length;
+}
+
+double AreaOf(const Polylines& edges)
+{
+  if (edges.Connectivity.empty())
+  {
+    return 0.0;
+  }
+  AreaSum sum(edges.Points[edges.Connectivity.front()]);
+  for (std::size_t k = 1; k < edges.Connectivity.size(); k += 2)
+  {
+    sum.Add(edges.Points[edges.Connectivity[k - 1]], edges.Points[edges.Connectivity[k]]);
+  }
+  return sum.Area();
 }
 
 class Reader
@@ -142,7 +159,6 @@ void Reader::Orient()
         std::swap(corners[1], corners[2]);
         std::swap(mesh.Neighbors[3 * triangle + 1], mesh.Neighbors[3 * triangle + 2]);
       }
-      mesh.Area += 0.5 * std::abs(Cross(b - a, c - a));
     });
 }
 
@@ -301,7 +317,7 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
   return isEdge;
 }
 
-// The free edges as a drawing. They must bound as much as the triangles have.
+// The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
 void Reader::CheckOverlaps()
 {
   ProblemList found;
@@ -312,9 +328,10 @@ void Reader::CheckOverlaps()
   {
     return;
   }
-  const double tolerance = found.Groups().empty() ? AreaTolerance : RepairedAreaTolerance;
-  if (std::abs(domain.Area - this->Mesh.Area) <=
-    tolerance * this->Mesh.Area + this->Mesh.Rounding * LengthOf(edges))
+  this->Mesh.Area = AreaOf(edges);
+  const double allowed =
+    AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * LengthOf(edges);
+  if (std::abs(domain.Area - this->Mesh.Area) <= allowed)
   {
     return;
   }

@@ -4,9 +4,11 @@
 #include "OldMeshRepair.h"
 
 #include "../Quality/TriangleLinks.h"
+#include "HangingVertices.h"
 #include "NearVertices.h"
 
 #include <algorithm> // for minmax, sort
+#include <array>     // for corners
 #include <cstdint>   // for flags
 #include <numeric>   // for iota
 #include <utility>   // for move, swap
@@ -35,11 +37,16 @@ private:
   void WeldFreeEdges();
   void Weld(Id one, Id other);
   void FindFrozen();
+  void FillBesideHanging();
   void MendFlat();
   void KeepSides(const FlatTriangleRepair& repair);
   void TellFlat(const std::vector<FlatTriangle>& flat);
   void Renumber();
   Id NumberOf(Id vertex) const;
+  std::int64_t CellId(Id triangle) const
+  {
+    return this->Input.CellIds.empty() ? triangle : this->Input.CellIds[triangle];
+  }
   std::int64_t PointId(Id vertex) const
   {
     return this->Input.PointIds.empty() ? vertex : this->Input.PointIds[vertex];
@@ -49,6 +56,7 @@ private:
   double Nearest;
   OldMesh& Mesh;
   ProblemList& Problems;
+  std::vector<Id> Owners;             ///< of each triangle that was filled in: that with the edge
   std::vector<std::uint8_t> IsFrozen; ///< one a vertex, where some are made one: its place stays
   MendedMesh Result;
 };
@@ -64,6 +72,7 @@ MendedMesh Mender::Mend()
 {
   this->Link();
   this->WeldFreeEdges();
+  this->FillBesideHanging();
   this->MendFlat();
   if (!this->Result.Numbers.empty() || !this->Mesh.Origins.empty())
   {
@@ -86,6 +95,10 @@ void Mender::WeldFreeEdges()
   }
   this->Mesh.IsWelded = !this->Result.Numbers.empty();
   this->Renumber();
+  if (this->Mesh.IsWelded)
+  {
+    this->Link();
+  }
 }
 
 // The lower number stays, unless the place of the other one is frozen.
@@ -137,20 +150,46 @@ Id Mender::NumberOf(Id vertex) const
   return vertex;
 }
 
+// What is filled in is flat: mending it divides the triangle beside.
+void Mender::FillBesideHanging()
+{
+  for (const HangingVertices& hanging : FindHangingVertices(this->Mesh, this->Input.Rounding))
+  {
+    const Id owner = hanging.Slot / 3;
+    for (const std::array<Id, 3>& corners : FillBeside(this->Mesh, hanging))
+    {
+      this->Mesh.Corners.insert(this->Mesh.Corners.end(), corners.begin(), corners.end());
+      this->Owners.push_back(owner);
+    }
+    for (const Id vertex : hanging.Vertices)
+    {
+      this->Problems.Add({ ProblemCode::Touches, { this->CellId(owner), this->PointId(vertex) },
+        this->Mesh.Points[vertex], "" });
+    }
+  }
+}
+
 void Mender::MendFlat()
 {
   OldMesh& mesh = this->Mesh;
-  FlatTriangleRepair repair = RepairFlatTriangles(mesh.Points, this->Input.Rounding, mesh.Corners);
+  FlatTriangleRepair repair =
+    RepairFlatTriangles(mesh.Points, this->Input.Rounding, mesh.Corners, this->Owners.size());
+  const auto given = static_cast<Id>(mesh.Regions.size());
+  if (repair.Origins.empty())
+  {
+    mesh.Corners.resize(3 * mesh.Regions.size());
+    return;
+  }
+  for (Id& origin : repair.Origins)
+  {
+    origin = origin < given ? origin : this->Owners[origin - given];
+  }
   this->TellFlat(repair.Flat);
   for (const auto& [goes, stays] : repair.Welded)
   {
     this->Weld(stays, goes);
   }
   this->Renumber();
-  if (repair.Origins.empty())
-  {
-    return;
-  }
   this->KeepSides(repair);
   std::vector<Id> regions;
   std::vector<std::uint8_t> isFrozen;
@@ -182,11 +221,10 @@ void Mender::KeepSides(const FlatTriangleRepair& repair)
 
 void Mender::TellFlat(const std::vector<FlatTriangle>& flat)
 {
-  const std::vector<std::int64_t>& cells = this->Input.CellIds;
   for (const FlatTriangle& one : flat)
   {
-    const std::int64_t cell = cells.empty() ? one.Triangle : cells[one.Triangle];
-    this->Problems.Add({ ProblemCode::FlatTriangles, { cell }, one.Middle, "" });
+    this->Problems.Add(
+      { ProblemCode::FlatTriangles, { this->CellId(one.Triangle) }, one.Middle, "" });
   }
 }
 

@@ -175,4 +175,20 @@ TEST(OldMesh, WhatIsNoMeshIsRefusedWithItsCells)
   }
 }
 
+// However little of the mesh they are.
+TEST(OldMesh, SmallTrianglesOnTopOfOthersAreRefused)
+{
+  for (const Point2& place : { Point2{ 600.0, 300.0 }, Point2{ -0.003, 500.0 } })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { 1000, 0 }, { 1000, 1000 }, { 0, 1000 }, place,
+      place + Point2{ 0.01, 0.0 }, place + Point2{ 0.0, 0.01 } };
+    input.Corners = { 0, 1, 2, 0, 2, 3, 4, 5, 6 };
+    input.Rounding = 1e-12;
+    ProblemList problems;
+    EXPECT_TRUE(ReadOldMesh(input, 0.0, problems, NoMonitor()).Points.empty());
+    EXPECT_GE(problems.Count(ProblemCode::BadTriangles), 1);
+  }
+}
+
 } // namespace biting
