@@ -4,21 +4,19 @@
 #include "ChainReader.h"
 
 #include "CellShapes.h"
+#include "GhostArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for any_of
-#include <limits>    // for the size check
+#include <limits> // for the size check
 
 namespace biting
 {
@@ -42,6 +40,7 @@ public:
     , Chains(chains)
     , IsUsed(isUsed)
     , Beats(pulse)
+    , Ghosts(block.Data)
   {
   }
 
@@ -49,14 +48,11 @@ public:
 
 private:
   std::string FindKinds();
-  void FindGhosts();
   std::string ReadPolyData(vtkPolyData* data);
   std::string ReadList(vtkCellArray* cells, int type);
   std::string ReadAll();
   std::string ReadCell(int type, vtkIdType size, const vtkIdType* points);
   std::string CheckPoints(vtkIdType size, const vtkIdType* points) const;
-  bool IsLeftOut(vtkIdType size, const vtkIdType* points) const;
-  bool IsHidden(vtkIdType point) const;
   std::string AddShape(CellShape shape, int type, vtkIdType size, const vtkIdType* points);
   std::string AddStrip(vtkIdType size, const vtkIdType* points, ChainKind kind);
   std::string AddChain(const std::vector<vtkIdType>& points, ChainKind kind, bool isClosed);
@@ -72,9 +68,8 @@ private:
   Polylines& Chains;
   std::vector<std::uint8_t>& IsUsed;
   Pulse& Beats;
+  const GhostArrays Ghosts;
   vtkDataArray* Kinds = nullptr;
-  vtkDataArray* CellGhosts = nullptr;
-  vtkDataArray* PointGhosts = nullptr;
   vtkIdType Cell = 0;
   std::vector<vtkIdType> Along;
 };
@@ -86,7 +81,6 @@ std::string BlockReader::Read()
   {
     return refusal;
   }
-  this->FindGhosts();
   auto* polyData = vtkPolyData::SafeDownCast(this->Block.Data);
   return polyData ? this->ReadPolyData(polyData) : this->ReadAll();
 }
@@ -108,14 +102,6 @@ std::string BlockReader::FindKinds()
       std::to_string(cells) + " cells.";
   }
   return {};
-}
-
-void BlockReader::FindGhosts()
-{
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  vtkDataSet* data = this->Block.Data;
-  this->CellGhosts = data->GetCellData()->GetArray(name);
-  this->PointGhosts = data->GetPointData()->GetArray(name);
 }
 
 // By its lists: asking poly data for a cell by its id would build something in it.
@@ -166,7 +152,8 @@ std::string BlockReader::ReadCell(int type, vtkIdType size, const vtkIdType* poi
     return refusal;
   }
   const bool isFlat = (shape == CellShape::Face || shape == CellShape::Strip) && size < 3;
-  if (size == 0 || isFlat || shape == CellShape::Nothing || this->IsLeftOut(size, points))
+  if (size == 0 || isFlat || shape == CellShape::Nothing ||
+    this->Ghosts.LeaveOut(this->Cell, size, points))
   {
     return {};
   }
@@ -185,24 +172,6 @@ std::string BlockReader::CheckPoints(vtkIdType size, const vtkIdType* points) co
     }
   }
   return {};
-}
-
-bool BlockReader::IsLeftOut(vtkIdType size, const vtkIdType* points) const
-{
-  constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
-    vtkDataSetAttributes::REFINEDCELL;
-  const bool isGhost = this->CellGhosts &&
-    (static_cast<int>(this->CellGhosts->GetComponent(this->Cell, 0)) & NotHere) != 0;
-  return isGhost ||
-    (this->PointGhosts &&
-      std::any_of(
-        points, points + size, [this](vtkIdType point) { return this->IsHidden(point); }));
-}
-
-bool BlockReader::IsHidden(vtkIdType point) const
-{
-  const int ghost = static_cast<int>(this->PointGhosts->GetComponent(point, 0));
-  return (ghost & vtkDataSetAttributes::HIDDENPOINT) != 0;
 }
 
 std::string BlockReader::AddShape(

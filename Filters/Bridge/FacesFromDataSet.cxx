@@ -7,14 +7,13 @@
 #include "../Kernel/Base/Pulse.h"
 #include "CoordinateRounding.h"
 #include "DoubleArray.h"
+#include "GhostArrays.h"
 #include "MessagesFromProblems.h"
 #include "PolylinesFromPolyData.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -49,7 +48,7 @@ private:
   FaceRule Rule;
   PlanarFaces& Faces;
   Pulse& Beats;
-  vtkDataArray* Ghosts;
+  const GhostArrays Ghosts;
   vtkIdType Cell = 0;
   vtkNew<vtkIdList> Points;
 };
@@ -59,8 +58,7 @@ FaceReader::FaceReader(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Puls
   , Rule(rule)
   , Faces(faces)
   , Beats(pulse)
-  , Ghosts(
-      data->GetAttributes(vtkDataObject::CELL)->GetArray(vtkDataSetAttributes::GhostArrayName()))
+  , Ghosts(data)
 {
 }
 
@@ -103,11 +101,8 @@ std::string FaceReader::ReadCells(vtkCellArray* cells, int type)
 // Expects the points of the cell in Points.
 std::string FaceReader::AddCell(int type)
 {
-  constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
-    vtkDataSetAttributes::REFINEDCELL;
-  const bool isGhost =
-    this->Ghosts && (static_cast<int>(this->Ghosts->GetComponent(this->Cell, 0)) & NotHere) != 0;
-  if (isGhost || this->IsIgnored(type))
+  const vtkIdType size = this->Points->GetNumberOfIds();
+  if (this->IsIgnored(type) || this->Ghosts.LeaveOut(this->Cell, size, this->Points->GetPointer(0)))
   {
     return {};
   }
@@ -115,7 +110,7 @@ std::string FaceReader::AddCell(int type)
   {
     return this->Refusal(type);
   }
-  for (vtkIdType k = 0; k < this->Points->GetNumberOfIds(); ++k)
+  for (vtkIdType k = 0; k < size; ++k)
   {
     this->Faces.Corners.push_back(static_cast<Id>(this->Points->GetId(k)));
   }

@@ -42,8 +42,9 @@ struct PlanarFaces
   double Rounding = 0.0;           ///< of the coordinates (CoordinateRounding.h)
 };
 
-/// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, and hidden
-/// and ghost cells, are left out. Reads without changing anything of `data`.
+/// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, hidden
+/// and ghost cells, and cells with a hidden point, are left out. Reads without changing anything of
+/// `data`.
 /// Returns why it cannot be read, empty where it can: a cell that is neither (the first one is
 /// named), more points or corners than 32-bit ids can number, coordinates that are not finite,
 /// points farther from the plane than PlanarTolerance. Where the monitor asks to stop `faces` have

@@ -3,6 +3,8 @@
 
 #include "MeshFromPieces.h"
 
+#include "GhostArrays.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -363,7 +365,7 @@ void CopyArrays(vtkDataSetAttributes* from, const Numbers& tuples, vtkDataSetAtt
   {
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
-    if (name == GlobalIdsName || name == vtkDataSetAttributes::GhostArrayName())
+    if (name == GlobalIdsName)
     {
       continue;
     }
@@ -432,6 +434,7 @@ vtkSmartPointer<vtkDataSet> MeshFromPieces(const DataSets& pieces)
   const auto whole =
     isPolyData ? merger.Result<vtkPolyData>() : merger.Result<vtkUnstructuredGrid>();
   whole->GetFieldData()->ShallowCopy(pieces.front()->GetFieldData());
+  ForgetDuplicates(whole);
   return whole;
 }
 

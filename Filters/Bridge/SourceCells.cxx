@@ -7,6 +7,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm> // for min, max, all_of
 #include <limits>    // for the size check
@@ -71,8 +72,7 @@ SourceCells::SourceCells(vtkDataSet* source, const PlaneFrame& frame, Pulse& pul
   : Source(ShallowCopyOf(source))
   , Frame(frame)
   , Beats(pulse)
-  , PointGhosts(this->Source->GetPointGhostArray())
-  , CellGhosts(this->Source->GetCellGhostArray())
+  , Ghosts(this->Source)
   , Distances(static_cast<std::size_t>(source->GetNumberOfPoints()))
   , Cut(this->Distances)
   , HasCells(source->GetNumberOfCells() > 0)
@@ -145,24 +145,12 @@ int SourceCells::Dimension(int cellType)
   return this->Dimensions[type];
 }
 
+// Leaves the points of the cell in Corners.
 bool SourceCells::IsSource(vtkIdType cell)
 {
-  constexpr unsigned char NotHere =
-    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-  if (this->CellGhosts && (this->CellGhosts->GetValue(cell) & NotHere) != 0)
-  {
-    return false;
-  }
   this->Source->GetCellPoints(cell, this->Corners);
-  for (vtkIdType k = 0; this->PointGhosts && k < this->Corners->GetNumberOfIds(); ++k)
-  {
-    const unsigned char ghost = this->PointGhosts->GetValue(this->Corners->GetId(k));
-    if ((ghost & vtkDataSetAttributes::HIDDENPOINT) != 0)
-    {
-      return false;
-    }
-  }
-  return true;
+  return !this->Ghosts.LeaveOut(
+    cell, this->Corners->GetNumberOfIds(), this->Corners->GetPointer(0));
 }
 
 bool SourceCells::MeetsPlane() const

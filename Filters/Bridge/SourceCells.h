@@ -6,17 +6,17 @@
 
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/Spacing/Spacing.h"
+#include "GhostArrays.h"
 #include "PlaneCut.h"
 #include "PlaneFrame.h"
 
-#include "vtkCellType.h"          // for the number of types
-#include "vtkDataSet.h"           // for the source
-#include "vtkGenericCell.h"       // for the cell at work
-#include "vtkIdList.h"            // for its points
-#include "vtkNew.h"               // for what is used again
-#include "vtkPoints.h"            // for their places
-#include "vtkSmartPointer.h"      // for the source
-#include "vtkUnsignedCharArray.h" // for ghosts
+#include "vtkCellType.h"     // for the number of types
+#include "vtkDataSet.h"      // for the source
+#include "vtkGenericCell.h"  // for the cell at work
+#include "vtkIdList.h"       // for its points
+#include "vtkNew.h"          // for what is used again
+#include "vtkPoints.h"       // for their places
+#include "vtkSmartPointer.h" // for the source
 
 #include <array>  // for dimensions
 #include <memory> // for the triangulation
@@ -62,8 +62,7 @@ private:
   vtkSmartPointer<vtkDataSet> Source; // a shallow copy: asking it for cells changes nothing shared
   const PlaneFrame& Frame;
   Pulse& Beats;
-  vtkUnsignedCharArray* PointGhosts;
-  vtkUnsignedCharArray* CellGhosts;
+  const GhostArrays Ghosts;
   std::vector<double> Distances;
   PlaneCut Cut;
   bool HasCells;

@@ -4,6 +4,7 @@
 #include "SourceData.h"
 
 #include "DataTree.h"
+#include "GhostArrays.h"
 #include "StructuredFromPieces.h"
 
 #include "vtkAppendFilter.h"
@@ -12,10 +13,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStructuredData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm> // for all_of, equal, none_of
+#include <algorithm> // for all_of, equal
 #include <array>     // for extents
 #include <cmath>     // for isnan
 #include <string>    // for names
@@ -96,6 +96,7 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
       with.push_back(bare);
     }
   }
+  GiveGhostsToAll(with);
   return with;
 }
 
@@ -138,36 +139,9 @@ vtkSmartPointer<vtkDataSet> AsGrid(const DataSets& blocks, const std::string& na
   return grid && std::all_of(blocks.begin(), blocks.end(), agrees) ? grid : nullptr;
 }
 
-// Appending keeps only arrays that all blocks have.
-void GiveGhostsToAll(const DataSets& blocks)
-{
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    const auto hasGhosts = [association, name](vtkDataSet* block)
-    { return block->GetAttributes(association)->HasArray(name) != 0; };
-    if (std::none_of(blocks.begin(), blocks.end(), hasGhosts))
-    {
-      continue;
-    }
-    for (const auto& block : blocks)
-    {
-      if (!hasGhosts(block))
-      {
-        vtkNew<vtkUnsignedCharArray> none;
-        none->SetName(name);
-        none->SetNumberOfValues(block->GetNumberOfElements(association));
-        none->Fill(0);
-        block->GetAttributes(association)->AddArray(none);
-      }
-    }
-  }
-}
-
 // All cells, with points of their own for each block.
 vtkSmartPointer<vtkDataSet> Appended(const DataSets& blocks)
 {
-  GiveGhostsToAll(blocks);
   vtkNew<vtkAppendFilter> append;
   for (const auto& block : blocks)
   {

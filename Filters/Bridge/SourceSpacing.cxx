@@ -30,27 +30,11 @@ namespace
 
 using AxisNodes = std::array<std::vector<double>, 3>;
 
-// Whether the ghost array of points or cells, if any, has one of `flags`.
-bool IsAnyGhost(vtkDataSet* source, int association, int flags, Pulse& pulse)
+// Whether cells are left out; a ghost array alone says nothing.
+bool LeavesOutCells(vtkDataSet* source)
 {
-  vtkDataArray* ghosts =
-    source->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType k = 0; ghosts && k < ghosts->GetNumberOfTuples() && pulse.Beat(); ++k)
-  {
-    if ((static_cast<int>(ghosts->GetComponent(k, 0)) & flags) != 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Whether cells are hidden, or are another piece's; a ghost array alone says nothing.
-bool HasGhosts(vtkDataSet* source, Pulse& pulse)
-{
-  using Ghosts = vtkDataSetAttributes;
-  return IsAnyGhost(source, vtkDataObject::POINT, Ghosts::HIDDENPOINT, pulse) ||
-    IsAnyGhost(source, vtkDataObject::CELL, Ghosts::HIDDENCELL | Ghosts::DUPLICATECELL, pulse);
+  return HasGhosts(source, vtkDataObject::POINT, vtkDataSetAttributes::HIDDENPOINT) ||
+    HasGhosts(source, vtkDataObject::CELL, CellsNotHere);
 }
 
 // The coordinates of the grid lines of an image whose axes are those of space; empty for others.
@@ -152,7 +136,7 @@ std::shared_ptr<GridSource> GridFrom(
   const auto second = static_cast<std::size_t>(frame.Axis(1));
   const auto normal = static_cast<std::size_t>(frame.Axis(2));
   if (!frame.IsAxisAligned() || nodes[normal].size() != 1 || !IsAscending(nodes[first]) ||
-    !IsAscending(nodes[second]) || HasGhosts(source, pulse))
+    !IsAscending(nodes[second]) || LeavesOutCells(source))
   {
     return nullptr;
   }

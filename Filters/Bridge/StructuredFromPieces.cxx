@@ -3,6 +3,8 @@
 
 #include "StructuredFromPieces.h"
 
+#include "GhostArrays.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -17,7 +19,6 @@
 
 #include <algorithm> // for equal, max, min
 #include <array>     // for extents
-#include <string>    // for names
 #include <utility>   // for move
 
 namespace biting
@@ -229,6 +230,7 @@ vtkSmartPointer<vtkDataSet> Assembly::Whole() const
   this->CopyArrays(vtkDataObject::POINT, this->Points.Size(), whole);
   this->CopyArrays(vtkDataObject::CELL, this->Cells.Size(), whole);
   whole->GetFieldData()->ShallowCopy(this->Pieces.front()->GetFieldData());
+  ForgetDuplicates(whole);
   return whole;
 }
 
@@ -295,17 +297,6 @@ void Assembly::SetStructuredGrid(vtkStructuredGrid* whole) const
   whole->SetPoints(points);
 }
 
-// The duplicates that ghost arrays tell of are gone then.
-void ForgetDuplicates(vtkAbstractArray* array)
-{
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(array);
-  constexpr unsigned char Kept = static_cast<unsigned char>(~vtkDataSetAttributes::DUPLICATECELL);
-  for (vtkIdType k = 0; ghosts && k < ghosts->GetNumberOfTuples(); ++k)
-  {
-    ghosts->SetValue(k, ghosts->GetValue(k) & Kept);
-  }
-}
-
 void Assembly::CopyArrays(int association, vtkIdType size, vtkDataSet* whole) const
 {
   vtkDataSetAttributes* first = this->Pieces.front()->GetAttributes(association);
@@ -352,10 +343,6 @@ vtkSmartPointer<vtkAbstractArray> Assembly::ArrayOfAll(
     const Part& part = isOfPoints ? this->PointParts[piece] : this->CellParts[piece];
     vtkDataSetAttributes* from = this->Pieces[piece]->GetAttributes(association);
     array->InsertTuples(part.To, part.From, from->GetAbstractArray(like->GetName()));
-  }
-  if (std::string(like->GetName()) == vtkDataSetAttributes::GhostArrayName())
-  {
-    ForgetDuplicates(array);
   }
   return array;
 }

@@ -4,6 +4,7 @@
 #include "WholeFromPieces.h"
 
 #include "DataTree.h"
+#include "GhostArrays.h"
 #include "MeshFromPieces.h"
 #include "StructuredFromPieces.h"
 
@@ -116,6 +117,7 @@ vtkSmartPointer<vtkDataObject> WholeFromPieces(const Pieces& pieces)
   {
     leaves.emplace_back(vtkDataSet::SafeDownCast(leaf));
   }
+  GiveGhostsToAll(leaves);
   const auto structured = StructuredFromPieces(leaves);
   return structured ? structured : MeshFromPieces(leaves);
 }

@@ -25,10 +25,11 @@ using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
 /// structured grids that tile their common extent become one of these; other datasets become one
 /// polydata, or one unstructured grid, of their cells. Blocks of trees are put together one by one,
 /// and what parts of a partitioned dataset several pieces have become one part.
-/// Ghost cells go. What several pieces have counts once: cells of the same global id, or, without
-/// such, of the same type with the same points; points at the same place. Cells and points are in
-/// the order of their global ids where they have some, else cells are in that of the pieces, and
-/// points in the order in which cells use them.
+/// Ghost cells go; hidden ones stay hidden, whether or not all pieces have ghost arrays. What
+/// several pieces have counts once: cells of the same global id, or, without such, of the same
+/// type with the same points; points at the same place. Cells and points are in the order of
+/// their global ids where they have some, else cells are in that of the pieces, and points in the
+/// order in which cells use them.
 vtkSmartPointer<vtkDataObject> WholeFromPieces(const Pieces& pieces);
 
 } // namespace biting

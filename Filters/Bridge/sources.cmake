@@ -16,6 +16,7 @@ set(biting_bridge_sources
   Drawing.cxx
   FacesFromDataSet.cxx
   FilterRun.cxx
+  GhostArrays.cxx
   MeasuredMesh.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx

@@ -9,6 +9,7 @@ outputs, another of what numbers the input's points and cells, and the errors sa
 
 import hashlib
 import json
+import math
 import os
 import sys
 
@@ -266,6 +267,73 @@ self.GetOutput().ShallowCopy(blocks)
                          ('Blocks.Divided', blocks)):
         answer['Source.' + name] = mesh(
             drawing('Dealt', 'Segments'), SpacingSource=source, **parameters)
+
+
+# A lattice, its columns dealt out to ranks. Hidden cells are in the last columns: only the last
+# rank has a ghost array.
+HIDING = '''
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkStructuredGrid
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+
+def Lattice():
+    first, last = 10 * rank // ranks, 10 * (rank + 1) // ranks
+    lattice, points, spacing = vtkStructuredGrid(), vtkPoints(), vtkDoubleArray()
+    lattice.SetExtent(first, last, 0, 10, 0, 0)
+    spacing.SetName('Spacing')
+    for j in range(11):
+        for i in range(first, last + 1):
+            points.InsertNextPoint(i, j, 0)
+            spacing.InsertNextValue(0.2 + 0.1 * i)
+    lattice.SetPoints(points)
+    lattice.GetPointData().AddArray(spacing)
+    return lattice
+
+def Hide(data):
+    if rank < ranks - 1:
+        return data
+    ghosts = data.AllocateCellGhostArray()
+    for k in range(data.GetNumberOfCells()):
+        bounds = data.GetCell(k).GetBounds()
+        if bounds[0] >= 8 and 2 <= bounds[2] < 5:
+            ghosts.SetValue(k, vtkDataSetAttributes.HIDDENCELL)
+    return data
+
+def Surface(data):
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(data)
+    surface.Update()
+    return surface.GetOutput()
+'''
+WHOLE_LATTICE = WHOLE_IMAGE.replace('24', '10')
+
+
+def area_of(mesh):
+    corners = [[mesh.GetCell(k).GetPoints().GetPoint(c) for c in range(3)]
+               for k in range(mesh.GetNumberOfCells())]
+    return math.fsum((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+                     for a, b, c in corners) / 2
+
+
+def hidden_cells(answer):
+    """They are no part of the domain, of an old mesh or of a source, whoever else has no hidden ones."""
+    grid = producer(HIDING + 'self.GetOutput().ShallowCopy(Hide(Lattice()))',
+                    'vtkStructuredGrid', WHOLE_LATTICE)
+    quads = producer(HIDING + 'self.GetOutput().ShallowCopy(Hide(Surface(Lattice())))')
+    triangles = producer(HIDING + '''
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+triangles = vtkTriangleFilter()
+triangles.SetInputData(Surface(Lattice()))
+triangles.Update()
+self.GetOutput().ShallowCopy(Hide(triangles.GetOutput()))
+''')
+    for name, source in (('Grid', grid), ('Quads', quads), ('Triangles', triangles)):
+        answer['Hidden.' + name] = mesh(source, BoundarySpacingArray='None')
+        spaced = mesh(drawing('First'), SpacingSource=source, UniformSpacing=0.0,
+                      SourceSpacingArray=['POINTS', 'Spacing'])
+        answer['Hidden.Source' + name] = dict(spaced, messages=0)  # one: the drawing is larger
+    remesher = BitingRemesher(Input=triangles, UniformSpacing=0.7)
+    answer['Hidden.Remesher'] = run(remesher, ())
+    answer['Hidden.Remesher']['digests'].append('%.9g of area' % area_of(servermanager.Fetch(remesher)))
 
 
 def field_of(algorithm, names):

@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SECONDS = 300  # for all scenarios on a number of ranks, which take a minute
 
 # The time goes into starting ranks, and into what they wait for each other: fewer for many ranks.
-PIECES = ['drawings', 'redistributed', 'sources']
+PIECES = ['drawings', 'redistributed', 'sources', 'hidden_cells']
 ALL = PIECES + ['redistributed_otherwise', 'contours', 'other_filters', 'separate_blocks', 'errors',
                 'aborts', 'upstream']
 SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters'], 4: PIECES}
@@ -24,7 +24,7 @@ SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters'], 4: PIECE
 SAME_DRAWING = ('Polylines', 'Segments', 'Polygons', 'Tilted', 'Composite')
 # Nothing says what the numbers of points and cells were before they were dealt out.
 RENUMBERED = ('Dealt', 'Around', 'D3', 'Redistributed')
-RENUMBERED_FORMS = ('Contour', 'Source')
+RENUMBERED_FORMS = ('Contour', 'Hidden', 'Source')
 
 
 def mpiexec():
@@ -98,6 +98,10 @@ class TestRanksProxy(unittest.TestCase):
             form = name.split('.')[0]
             if form in SAME_DRAWING:
                 self.assertEqual(result['digests'], self.serial[form + '.First']['digests'], name)
+
+    def test_hidden_cells_are_no_part_of_the_mesh_whatever_it_is_made_of(self):
+        meshes = [self.serial['Hidden.' + form]['digests'][0] for form in ('Grid', 'Quads')]
+        self.assertEqual(len(set(meshes)), 1)
 
     def test_lines_segments_and_polygons_that_draw_the_same_give_the_same_mesh(self):
         meshes = [self.serial[form + '.First']['digests'][0]

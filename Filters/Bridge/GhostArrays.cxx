@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GhostArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm> // for any_of
+
+namespace biting
+{
+
+namespace
+{
+
+bool HasFlag(vtkDataArray* ghosts, vtkIdType item, int flags)
+{
+  return ghosts && (static_cast<int>(ghosts->GetComponent(item, 0)) & flags) != 0;
+}
+
+vtkDataArray* GhostsOf(vtkDataSet* data, int association)
+{
+  return data->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
+}
+
+void AddNoGhosts(vtkDataSet* data, int association)
+{
+  vtkNew<vtkUnsignedCharArray> none;
+  none->SetName(vtkDataSetAttributes::GhostArrayName());
+  none->SetNumberOfValues(data->GetNumberOfElements(association));
+  none->Fill(0);
+  data->GetAttributes(association)->AddArray(none);
+}
+
+} // namespace
+
+GhostArrays::GhostArrays(vtkDataSet* data)
+  : OfCells(GhostsOf(data, vtkDataObject::CELL))
+  , OfPoints(GhostsOf(data, vtkDataObject::POINT))
+{
+}
+
+bool GhostArrays::LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const
+{
+  return HasFlag(this->OfCells, cell, CellsNotHere) ||
+    (this->OfPoints &&
+      std::any_of(points, points + size,
+        [this](vtkIdType point)
+        { return HasFlag(this->OfPoints, point, vtkDataSetAttributes::HIDDENPOINT); }));
+}
+
+bool HasGhosts(vtkDataSet* data, int association, int flags)
+{
+  vtkDataArray* ghosts = GhostsOf(data, association);
+  const vtkIdType size = ghosts ? ghosts->GetNumberOfTuples() : 0;
+  bool isAny = false;
+  for (vtkIdType item = 0; item < size && !isAny; ++item)
+  {
+    isAny = HasFlag(ghosts, item, flags);
+  }
+  return isAny;
+}
+
+void GiveGhostsToAll(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const auto hasArray = [association](vtkDataSet* piece)
+    { return GhostsOf(piece, association) != nullptr; };
+    const bool isWanted = std::any_of(pieces.begin(), pieces.end(), hasArray);
+    for (const auto& piece : pieces)
+    {
+      if (isWanted && !hasArray(piece))
+      {
+        AddNoGhosts(piece, association);
+      }
+    }
+  }
+}
+
+void ForgetDuplicates(vtkDataSet* whole)
+{
+  // The flag of points has the same value.
+  constexpr unsigned char Kept = static_cast<unsigned char>(~vtkDataSetAttributes::DUPLICATECELL);
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(GhostsOf(whole, association));
+    const vtkIdType size = ghosts ? ghosts->GetNumberOfTuples() : 0;
+    for (vtkIdType item = 0; item < size; ++item)
+    {
+      ghosts->SetValue(item, ghosts->GetValue(item) & Kept);
+    }
+    if (!HasGhosts(whole, association, Kept))
+    {
+      whole->GetAttributes(association)->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+    }
+  }
+}
+
+} // namespace biting

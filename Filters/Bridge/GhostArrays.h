@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingGhostArrays_h
+#define BitingGhostArrays_h
+
+#include "../vtkBitingCompat.h" // for the ABI namespace
+
+#include "vtkDataSetAttributes.h" // for flags
+#include "vtkSmartPointer.h"      // for datasets
+
+#include <vector> // for pieces
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// Cells that are hidden, that another piece has, or that finer ones stand for.
+constexpr int CellsNotHere = vtkDataSetAttributes::HIDDENCELL |
+  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL;
+
+/// What the ghost arrays of a dataset say of its cells.
+class GhostArrays
+{
+public:
+  explicit GhostArrays(vtkDataSet* data);
+
+  /// Whether a cell is not here, or has a hidden point.
+  bool LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const;
+
+private:
+  vtkDataArray* OfCells;
+  vtkDataArray* OfPoints;
+};
+
+/// Whether the ghost array of points or cells, if there is one, has one of `flags`.
+bool HasGhosts(vtkDataSet* data, int association, int flags);
+
+/// Gives all pieces a ghost array of points or cells, if one has it: what puts pieces together
+/// keeps only arrays that all have.
+void GiveGhostsToAll(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
+
+/// Of pieces that are one now duplicates are gone; ghost arrays stay where they say more than that.
+void ForgetDuplicates(vtkDataSet* whole);
+
+} // namespace biting
+
+#endif
