@@ -3,11 +3,14 @@
 
 #include "vtkBitingMeshWriter.h"
 
+#include "Bridge/CellShapes.h"
 #include "Bridge/ProducedEdges.h"
 #include "Bridge/WrittenParts.h"
 #include "IO/MeshFile.h"
 
 #include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
@@ -21,7 +24,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, max, replace
+#include <algorithm> // for all_of, any_of, find_if, max, replace
 #include <array>     // for places
 #include <cmath>     // for abs, floor
 #include <fstream>   // for files
@@ -164,6 +167,25 @@ void ReadTriangles(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::
 }
 
 //------------------------------------------------------------------------------
+// What is said of the first cell that has no place in the file; empty where there is none.
+std::string FindOther(vtkDataSet* mesh, const biting::WrittenParts& parts)
+{
+  const auto isOther = [mesh](vtkIdType cell)
+  {
+    const int type = mesh->GetCellType(cell);
+    const biting::CellShape shape = biting::ShapeOf(type);
+    return type != VTK_TRIANGLE && shape != biting::CellShape::Nothing &&
+      shape != biting::CellShape::Points && shape != biting::CellShape::Line;
+  };
+  const std::vector<vtkIdType>& cells = parts.Cells();
+  const auto other = std::find_if(cells.begin(), cells.end(), isOther);
+  return other == cells.end() ? ""
+                              : "Cell " + std::to_string(*other) + " is a " +
+      vtkCellTypes::GetClassNameFromTypeId(mesh->GetCellType(*other)) +
+      "; only triangles are written (apply Extract Surface and Triangulate).";
+}
+
+//------------------------------------------------------------------------------
 vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
 {
   if (!chosen.empty())
@@ -285,7 +307,8 @@ void vtkBitingMeshWriter::Refuse(const std::string& reason)
 
 //------------------------------------------------------------------------------
 // Returns whether the tags could be read; no edges, no tags.
-bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
+bool vtkBitingMeshWriter::ReadTags(
+  vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file)
 {
   vtkPolyData* edges = this->FindEdges();
   if (!edges || !biting::AreEdgesOf(edges, mesh))
@@ -299,7 +322,7 @@ bool vtkBitingMeshWriter::ReadTags(vtkDataSet* mesh, biting::MeshFile& file)
     this->Refuse("The boundary edges have no cell array named " + Text(this->TagArray) + ".");
     return false;
   }
-  ReadEdges(edges, biting::WrittenParts(mesh), tags, file);
+  ReadEdges(edges, parts, tags, file);
   if (!biting::AreEdgesOfTriangles(file))
   {
     this->WarnOfEdges(edges);
@@ -335,13 +358,18 @@ void vtkBitingMeshWriter::WriteData()
   const biting::WrittenParts parts(mesh);
   ReadPoints(mesh, parts, Text(this->DepthArray), file);
   ReadTriangles(mesh, parts, file);
-  if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
+  const std::string other = FindOther(mesh, parts);
+  if (!other.empty())
+  {
+    this->Refuse(other);
+  }
+  else if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
   {
     this->Refuse(file.Triangles.empty()
         ? "There are no triangles to write."
         : "This format has two coordinates, and the mesh is not in a plane of constant z.");
   }
-  else if (this->ReadTags(mesh, file))
+  else if (this->ReadTags(mesh, parts, file))
   {
     this->WriteFile(file);
   }

@@ -21,7 +21,8 @@
  * number; other values and strings are numbered on from the largest of those. Names are the values;
  * an edge whose string is empty has no tag.
  *
- * Hidden and ghost cells are left out, and points that pieces share (the same global id at the same
+ * Points and lines of the mesh are no part of the file; any other cell that is no triangle is an
+ * error. Hidden and ghost cells, and cells with a hidden point, are left out, and points that pieces share (the same global id at the same
  * place) are then written once: what several ranks have saved together (`.pvtp`) becomes the mesh
  * of one.
  *
@@ -40,8 +41,9 @@
 
 namespace biting
 {
+class WrittenParts;
 struct MeshFile;
-}
+} // namespace biting
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -107,7 +109,7 @@ private:
   void Refuse(const std::string& reason);
   vtkPolyData* FindEdges();
   void WarnOfEdges(vtkPolyData* edges);
-  bool ReadTags(vtkDataSet* mesh, biting::MeshFile& file);
+  bool ReadTags(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file);
   void WriteFile(const biting::MeshFile& file);
 
   char* FileName = nullptr;

@@ -3,6 +3,8 @@
 
 #include "WrittenParts.h"
 
+#include "GhostArrays.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -23,22 +25,9 @@ namespace biting
 namespace
 {
 
-constexpr int NotHere = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
-
-bool HasFlag(vtkDataArray* ghosts, vtkIdType item, int flags)
+bool HasAnyGhosts(vtkDataSet* mesh)
 {
-  return ghosts && (static_cast<int>(ghosts->GetComponent(item, 0)) & flags) != 0;
-}
-
-bool HasAnyFlag(vtkDataSetAttributes* data, vtkIdType size)
-{
-  vtkDataArray* ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
-  bool isAny = false;
-  for (vtkIdType item = 0; ghosts && item < size && !isAny; ++item)
-  {
-    isAny = HasFlag(ghosts, item, ~0);
-  }
-  return isAny;
+  return HasGhosts(mesh, vtkDataObject::POINT, ~0) || HasGhosts(mesh, vtkDataObject::CELL, ~0);
 }
 
 std::int64_t IdIn(vtkDataArray* ids, vtkIdType item)
@@ -70,8 +59,7 @@ WrittenParts::WrittenParts(vtkDataSet* mesh)
   std::iota(this->PointIds.begin(), this->PointIds.end(), 0);
   std::iota(this->CellIds.begin(), this->CellIds.end(), 0);
   this->Numbers = this->PointIds;
-  if (HasAnyFlag(mesh->GetPointData(), mesh->GetNumberOfPoints()) ||
-    HasAnyFlag(mesh->GetCellData(), mesh->GetNumberOfCells()))
+  if (HasAnyGhosts(mesh))
   {
     this->ListCells(mesh);
     this->ListPointsOfCells(mesh);
@@ -80,8 +68,13 @@ WrittenParts::WrittenParts(vtkDataSet* mesh)
 
 void WrittenParts::ListCells(vtkDataSet* mesh)
 {
-  vtkDataArray* ghosts = mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
-  const auto isElsewhere = [ghosts](vtkIdType cell) { return HasFlag(ghosts, cell, NotHere); };
+  const GhostArrays ghosts(mesh);
+  vtkNew<vtkIdList> corners;
+  const auto isElsewhere = [mesh, &ghosts, &corners](vtkIdType cell)
+  {
+    mesh->GetCellPoints(cell, corners);
+    return ghosts.LeaveOut(cell, corners->GetNumberOfIds(), corners->GetPointer(0));
+  };
   this->CellIds.erase(
     std::remove_if(this->CellIds.begin(), this->CellIds.end(), isElsewhere), this->CellIds.end());
   vtkDataArray* ids = mesh->GetCellData()->GetGlobalIds();

@@ -246,6 +246,34 @@ class TestMeshWritersProxy(unittest.TestCase):
         window.SetDisplayMode(mode)
         self.assertFalse(os.path.exists(path))
 
+    def test_cells_of_hidden_points_are_not_written(self):
+        mesh = vtkPolyData()
+        mesh.CopyStructure(self.mesh)
+        hidden = 5
+        mesh.AllocatePointGhostArray().SetValue(hidden, vtkDataSetAttributes.HIDDENPOINT)
+        writer = vtkBitingMeshWriter()
+        writer.SetFileName(os.path.join(self.folder.name, 'hidden.msh'))
+        writer.SetInputDataObject(mesh)
+        writer.Write()
+        points, triangles, _ = read_gmsh(writer.GetFileName())
+        around = [triangle for triangle in triangles_of(self.mesh) if hidden in triangle]
+        self.assertTrue(around)
+        self.assertEqual(len(triangles), self.mesh.GetNumberOfCells() - len(around))
+        self.assertEqual(len(points), self.mesh.GetNumberOfPoints() - 1)
+
+    def test_cells_that_are_no_triangles_are_an_error_and_no_file(self):
+        clip = simple.Clip(Input=self.mesher, ClipType='Plane')  # makes quads, too
+        writer = vtkBitingMeshWriter()
+        writer.SetFileName(os.path.join(self.folder.name, 'clip.msh'))
+        writer.SetInputDataObject(simple.FetchData(clip)[0])
+        errors = []
+        writer.AddObserver('ErrorEvent', lambda *unused: errors.append(1))
+        writer.Write()
+        self.assertEqual(len(errors), 1)
+        self.assertFalse(os.path.exists(writer.GetFileName()))
+        triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=clip))
+        self.assertTrue(read_gmsh(self.save('clip.msh', triangles))[1])
+
     def test_what_ranks_have_saved_together_is_written_as_the_mesh_of_one(self):
         whole, spread = vtkPolyData(), in_two_pieces(self.mesh)
         whole.CopyStructure(self.mesh)
