@@ -11,20 +11,15 @@
 #include "Blocks/BlockMesher.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
-#include "FineDrawing.h"
+#include "FinishedMesh.h"
 #include "Meshing/Calibration.h"
 #include "Meshing/DomainFeatures.h"
-#include "Meshing/FinalCheck.h"
 #include "Meshing/Forecast.h"
-#include "Meshing/MeshAssembly.h"
 #include "Meshing/RelaxedBites.h"
-#include "Meshing/SegmentCover.h"
-#include "Meshing/SharpCornerTriangles.h"
 #include "Meshing/SoundTriangulation.h"
 #include "Meshing/StageProblems.h"
 #include "MeshingStages.h"
 #include "NarrowAngles.h"
-#include "Pieces/SpreadMesh.h"
 #include "PreparedSpacing.h"
 
 #include <algorithm> // for min, max
@@ -41,10 +36,6 @@ namespace
 constexpr double LocatorEnd = 0.05;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
-constexpr double CountingEnd = 0.01;
-constexpr double AssemblyEnd = 0.2;
-constexpr double CheckEnd = 0.4;
-constexpr double QualityEnd = 0.98;
 
 BitingOptions MakeBitingOptions(const BitingMeshOptions& options, const Crew& members)
 {
@@ -67,12 +58,6 @@ void Release(Bites& bites, Monitor& monitor)
   Pulse pulse(monitor);
   pulse.SetFraction(1.0);
   ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
-}
-
-// Not where biting was stopped: then the front is to be seen as it is.
-bool IsRelaxed(const BitingMeshOptions& options)
-{
-  return options.Relaxation && options.MaximumNumberOfBites < 0;
 }
 
 // 0: the mesh is to be of one block.
@@ -171,52 +156,6 @@ void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOpt
   }
 }
 
-// The mesh as it is handed out, but for its quality. Where blocks are spread it is that of their
-// collars, of which more is to be checked (Pieces/PieceMeasures.h).
-BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& triangulation,
-  bool isDelaunay, bool isSpread, ProblemList& problems, Monitor& monitor)
-{
-  PartOfStage part(monitor, CountingEnd, AssemblyEnd);
-  const std::vector<Id> segments = bites.EdgeSegments;
-  BitingMesh mesh = AssembleMesh(domain, std::move(bites), triangulation, part);
-  if (!AddAborted(part, problems))
-  {
-    PartOfStage checking(monitor, AssemblyEnd, CheckEnd);
-    const std::vector<Id>& constraints = triangulation.Constraints;
-    const std::string violation = isSpread
-      ? CheckSegmentCover(
-          domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, checking)
-      : CheckFinalMesh({ domain, mesh, constraints, segments, isDelaunay }, checking);
-    if (!AddAborted(checking, problems) && !violation.empty())
-    {
-      AddProblem(ProblemCode::CheckFailed, violation, problems);
-    }
-  }
-  return mesh;
-}
-
-// Whether so much is due to the drawing that it is counted.
-bool IsFine(const Domain& drawing, const BitingMeshOptions& options, const Spacing& spacing,
-  const BitingMesh& mesh, double numberOfVertices)
-{
-  return !options.PreserveBoundary &&
-    IsFineDrawing(drawing, mesh.Spacing, numberOfVertices, spacing);
-}
-
-// Says so where it is large and no tolerance is set.
-void TellFineDrawing(
-  const ExactSum& asked, const BitingMeshOptions& options, BitingMesh& mesh, ProblemList& problems)
-{
-  const double vertices = static_cast<double>(mesh.Quality.NumberOfVertices);
-  mesh.ShareOfDrawing = ShareOfFineDrawing(asked, vertices);
-  const bool isAccepted = options.Simplification.Tolerance > 0.0;
-  if (!isAccepted && IsWorthTelling(mesh.ShareOfDrawing, vertices))
-  {
-    AddProblem(ProblemCode::FineDrawing,
-      Figure(100.0 * mesh.ShareOfDrawing) + " % of the vertices are there for it alone", problems);
-  }
-}
-
 // Before anything is made for them. All are vertices of the mesh.
 bool HasTooManyVertices(
   const Domain& domain, const BitingMeshOptions& options, ProblemList& problems)
@@ -230,13 +169,6 @@ bool HasTooManyVertices(
       problems);
   }
   return hasTooMany;
-}
-
-// Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
-bool IsOver(const PartOfStage& whole, ProblemList& problems)
-{
-  AddAborted(whole, problems);
-  return problems.HasErrors();
 }
 
 // The domain as it is meshed; without segments where there is none.
@@ -253,95 +185,8 @@ SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& 
   return SimplifyDrawing(std::move(drawing), options, problems, whole);
 }
 
-// What is meshed, and how.
-struct Preparation
-{
-  const SimplifiedDomain& Simplified;
-  const Spacing& F;
-  const BitingMeshOptions& Options;
-  Crew& Members;
-};
-
-SpreadInput Spread(const Preparation& input, BlockMesher& blocks)
-{
-  return { input.Simplified.Drawing, input.F, blocks.Kept(), input.Members,
-    input.Options.GhostLevels };
-}
-
-// The quality, and what the drawing has to do with it.
-void Judge(const Preparation& input, BitingMesh& mesh, ProblemList& problems, PartOfStage& whole)
-{
-  const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
-  PartOfStage measuring(whole, CheckEnd, QualityEnd);
-  mesh.Quality = MeasureQuality(view, measuring);
-  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
-  if (!IsOver(whole, problems) &&
-    IsFine(input.Simplified.Drawing, input.Options, input.F, mesh,
-      static_cast<double>(mesh.Points.size())))
-  {
-    PartOfStage part(whole, QualityEnd, 1.0);
-    Pulse pulse(part);
-    const ExactSum asked = CountAsked(mesh, input.F, pulse);
-    if (!AddAborted(part, problems))
-    {
-      TellFineDrawing(asked, input.Options, mesh, problems);
-    }
-  }
-}
-
-// The same for the piece of the first of several members; the others take theirs.
-void JudgePieces(const Preparation& input, BlockMesher& blocks, const std::vector<Id>& constraints,
-  BitingMesh& mesh, ProblemList& problems, PartOfStage& whole)
-{
-  const bool isFine = IsFine(input.Simplified.Drawing, input.Options, input.F, mesh,
-    static_cast<double>(blocks.Kept().Numbers.NumberOfVertices));
-  PartOfStage sharing(whole, CheckEnd, 1.0);
-  ExactSum asked;
-  mesh = ShareMesh(
-    Spread(input, blocks), std::move(mesh), constraints, isFine, asked, problems, sharing);
-  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
-  if (!AddAborted(sharing, problems) && !problems.HasErrors() && isFine)
-  {
-    TellFineDrawing(asked, input.Options, mesh, problems);
-  }
-}
-
-// The last stage; where there are errors then, the mesh is of no use.
-BitingMesh Finish(const Preparation& input, BlockMesher& blocks, BitingResult bites,
-  Triangulation& triangulation, ProblemList& problems, PartOfStage& whole)
-{
-  const Domain& domain = input.Simplified.Drawing;
-  const bool isSpread = blocks.Kept().AreSpread;
-  PartOfStage counting(whole, 0.0, CountingEnd);
-  const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
-  const bool isDelaunay = input.Options.Phi == 1.0 || IsRelaxed(input.Options);
-  BitingMesh mesh =
-    Assemble(domain, std::move(bites), triangulation, isDelaunay, isSpread, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  isSpread ? JudgePieces(input, blocks, triangulation.Constraints, mesh, problems, whole)
-           : Judge(input, mesh, problems, whole);
-  mesh.NumberOfSharpCornerTriangles = sharp;
-  mesh.GivenLipschitz = input.F.GivenLipschitz();
-  mesh.RemovedVertices = input.Simplified.RemovedVertices;
-  mesh.LeftOutLoops = input.Simplified.LeftOutLoops;
-  mesh.LeftOutArea = input.Simplified.LeftOutArea;
-  return mesh;
-}
-
-// What a member that is not the first has in the end.
-BitingMesh TakeOwnPiece(
-  const Preparation& input, BlockMesher& blocks, ProblemList& problems, PartOfStage& whole)
-{
-  whole.BeginStage(MeshingStages::Quality.Text);
-  PartOfStage taking(whole, 0.0, 1.0);
-  return TakePiece(Spread(input, blocks), problems, taking);
-}
-
 // From biting on. The locator is released on the way.
-BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
+BitingMesh MeshPrepared(const MeshingInput& input, double verticesPerBlock,
   std::optional<const DomainLocator>& locator, bool& isOfBlocks, ProblemList& problems,
   PartOfStage& whole)
 {
@@ -378,18 +223,11 @@ BitingMesh MeshPrepared(const Preparation& input, double verticesPerBlock,
     return TakeOwnPiece(input, blocks, problems, whole);
   }
   whole.BeginStage(MeshingStages::Quality.Text);
-  BitingMesh mesh = Finish(input, blocks, std::move(bites), triangulation, problems, whole);
-  if (isOfBlocks && !IsOver(whole, problems) && mesh.Quality.SmallestConformity == 0.0)
-  {
-    AddProblem(ProblemCode::CheckFailed, "two vertices are at one place", problems);
-  }
-  mesh.NumberOfBlocks = isOfBlocks ? static_cast<Id>(blocks.Kept().Parts.Blocks.size()) : 1;
-  mesh.Cuts = isOfBlocks ? blocks.Cuts() : CutTree();
-  return IsOver(whole, problems) ? BitingMesh() : std::move(mesh);
+  return FinishMesh(input, blocks, std::move(bites), triangulation, problems, whole);
 }
 
 // What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
-BitingMesh MeshBlocksOrWhole(const Preparation& input, std::optional<const DomainLocator>& locator,
+BitingMesh MeshBlocksOrWhole(const MeshingInput& input, std::optional<const DomainLocator>& locator,
   ProblemList& problems, PartOfStage& whole)
 {
   const ProblemList before = problems;

@@ -182,6 +182,7 @@ set(biting_kernel_sources
   BitingMesh.cxx
   BitingRemesh.cxx
   FineDrawing.cxx
+  FinishedMesh.cxx
   NarrowAngles.cxx
   PreparedSpacing.cxx
   RaisedSpacing.cxx)
