@@ -6,6 +6,7 @@
 #include "Base/MostVertices.h"
 #include "Base/PartOfStage.h"
 #include "Base/Pulse.h"
+#include "Base/StagesOnce.h"
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"
@@ -15,15 +16,14 @@
 #include "Meshing/SoundTriangulation.h"
 #include "Meshing/StageProblems.h"
 #include "Quality/MeshCheck.h"
+#include "RemeshRegion.h"
 #include "Remeshing/CavityDomain.h"
 #include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
 #include "Remeshing/KeptVertices.h"
-#include "Remeshing/MisfitVertices.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/Stitching.h"
-#include "Remeshing/WantedSpacing.h"
 
 #include <algorithm> // for min
 #include <string>    // for figures
@@ -36,8 +36,6 @@ namespace
 {
 
 // Where steps end, as shares of the time of their stage.
-constexpr double FirstComparisonEnd = 0.4;
-constexpr double PiecesEnd = 0.5;
 constexpr double EdgesEnd = 0.05;
 constexpr double LocatorEnd = 0.2;
 constexpr double CheckEnd = 0.3;
@@ -58,8 +56,6 @@ public:
     , Listener(monitor)
     , Whole(monitor, 0.0, 1.0)
   {
-    this->Tolerance.Tolerance = options.Edges == EdgePolicy::Free ? options.BoundaryTolerance : 0.0;
-    this->Tolerance.FeatureAngle = options.FeatureAngle;
   }
 
   RemeshResult Run();
@@ -69,8 +65,6 @@ private:
   void Read();
   void Compare();
   void Keep();
-  void FindRegion();
-  RegionEdges FindPieces(Monitor& monitor) const;
   void Make();
   void MakeWith(EdgePolicy policy);
   void ChooseVertices(EdgePolicy policy, Monitor& monitor);
@@ -136,37 +130,13 @@ void Remesher::Read()
 void Remesher::Compare()
 {
   this->Begin(RemeshingStages::Spacing);
-  PartOfStage comparing(this->Whole, 0.0, FirstComparisonEnd);
-  const OldMesh& old = this->Result.Old;
-  WantedSpacing wanted(old, this->Options.Spacing, this->Options.Values, this->Problems, comparing);
-  this->Result.OldSpacings = wanted.AtVertices();
-  if (this->IsOver())
-  {
-    return;
-  }
-  this->FindRegion();
-  if (this->Result.IsUnchanged)
-  {
-    return;
-  }
-  if (this->Tolerance.IsAsked())
-  {
-    this->Tolerance.Spacings = this->Result.OldSpacings;
-  }
-  RegionEdges pieces;
-  if (this->Options.LimitByFeatureSize)
-  {
-    PartOfStage finding(this->Whole, FirstComparisonEnd, PiecesEnd);
-    pieces = this->FindPieces(finding);
-  }
-  PartOfStage preparing(this->Whole, PiecesEnd, 1.0);
-  this->F = wanted.Prepare(this->Region, this->Options.LimitByFeatureSize ? &pieces : nullptr,
-    static_cast<double>(this->Options.MaximumNumberOfVertices), this->Problems, preparing);
-  if (!this->IsOver() && this->Options.LimitByFeatureSize)
-  {
-    this->Result.OldSpacings = wanted.AtVertices();
-    this->FindRegion();
-  }
+  RemeshRegion found =
+    FindRemeshRegion(this->Result.Old, this->Options, this->Problems, this->Whole);
+  this->Region = std::move(found.Region);
+  this->F = std::move(found.F);
+  this->Tolerance = std::move(found.Tolerance);
+  this->Result.OldSpacings = std::move(found.OldSpacings);
+  this->Result.IsUnchanged = this->Region.IsEmpty();
 }
 
 // All triangles stay; where points of them were made one the mesh is another.
@@ -182,29 +152,9 @@ void Remesher::Keep()
   this->Finish();
 }
 
-RegionEdges Remesher::FindPieces(Monitor& monitor) const
-{
-  return this->Tolerance.IsAsked()
-    ? SimplifiedPieces(this->Result.Old, this->Region, this->Tolerance, monitor)
-    : StraightPieces(this->Result.Old, this->Region, this->Options.Edges);
-}
-
-void Remesher::FindRegion()
-{
-  const OldMesh& old = this->Result.Old;
-  const std::vector<double> lengths = MeanLengths(old, this->Result.OldSpacings);
-  const EdgeFreedom freedom{ this->Options.Edges, this->Tolerance.IsAsked() };
-  this->Region = this->Options.RelaxAll
-    ? WholeRegion(old, lengths)
-    : FindChangedRegion(old, lengths, FindMisfits(old, this->Result.OldSpacings, lengths, freedom),
-        this->Options.Rings);
-  this->Result.IsUnchanged = this->Region.IsEmpty();
-}
-
 std::vector<double> Remesher::RegionSpacings() const
 {
   std::vector<double> spacings;
-  spacings.reserve(this->Region.Vertices.size());
   for (const Id vertex : this->Region.Vertices)
   {
     spacings.push_back(this->Result.OldSpacings[vertex]);
@@ -223,6 +173,7 @@ void Remesher::Make()
       continue;
     }
     const ProblemList before = this->Problems;
+    this->Tolerance = policy == EdgePolicy::Free ? this->Tolerance : EdgeTolerance();
     this->MakeWith(policy);
     if (policy == EdgePolicy::Frozen || !this->Problems.Has(ProblemCode::CheckFailed))
     {
@@ -253,8 +204,7 @@ void Remesher::ChooseVertices(EdgePolicy policy, Monitor& monitor)
 {
   const OldMesh& old = this->Result.Old;
   const std::vector<double> spacings = this->RegionSpacings();
-  const bool mayMove = this->Tolerance.IsAsked() && policy == EdgePolicy::Free;
-  this->Edges = mayMove
+  this->Edges = this->Tolerance.IsAsked()
     ? SimplifiedEdges(old, this->Region, spacings, this->Rules, this->Tolerance, monitor)
     : ThinnedEdges(old, this->Region, spacings, this->Rules, policy);
   const std::vector<std::uint8_t> isKept =
@@ -273,10 +223,8 @@ double Remesher::ExpectedVertices() const
   for (const Id triangle : this->Region.Triangles)
   {
     const Id* corners = old.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    const Point2& a = old.Points[corners[0]];
-    const double area = 0.5 * Cross(old.Points[corners[1]] - a, old.Points[corners[2]] - a);
     const double f = (spacings[corners[0]] + spacings[corners[1]] + spacings[corners[2]]) / 3.0;
-    density += area / (f * f);
+    density += AreaOfTriangle(old.Points, corners) / (f * f);
   }
   return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices() -
     this->NumberOfMiddles;
@@ -428,11 +376,12 @@ RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
   ProblemList first = problems;
-  RemeshResult result = Remesher(input, input.Rounding / NoiseInUlp, options, first, monitor).Run();
+  StagesOnce stages(monitor);
+  RemeshResult result = Remesher(input, input.Rounding / NoiseInUlp, options, first, stages).Run();
   if (first.Has(ProblemCode::CheckFailed) || first.Has(ProblemCode::BadTriangles))
   {
     ProblemList second = problems;
-    result = Remesher(input, input.Rounding, options, second, monitor).Run();
+    result = Remesher(input, input.Rounding, options, second, stages).Run();
     first = second.HasErrors() && !second.Has(ProblemCode::Aborted) ? first : second;
   }
   problems = std::move(first);

@@ -185,4 +185,5 @@ set(biting_kernel_sources
   FinishedMesh.cxx
   NarrowAngles.cxx
   PreparedSpacing.cxx
-  RaisedSpacing.cxx)
+  RaisedSpacing.cxx
+  RemeshRegion.cxx)

@@ -3,7 +3,8 @@
 
 #include "ChangedRegion.h"
 
-#include <algorithm> // for any_of, sort, unique
+#include <algorithm> // for all_of, none_of, sort
+#include <utility>   // for move
 
 namespace biting
 {
@@ -193,6 +194,27 @@ ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& 
   }
   Describe(mesh, lengths, region);
   return region;
+}
+
+bool ChangedRegion::Covers(const ChangedRegion& other) const
+{
+  return std::all_of(other.Triangles.begin(), other.Triangles.end(),
+    [this](Id triangle) { return this->IsChanged[triangle] != 0; });
+}
+
+ChangedRegion LargerRegion(
+  const OldMesh& mesh, const ChangedRegion& one, const ChangedRegion& other, int rings)
+{
+  Flags isMarked(mesh.Points.size(), 0);
+  for (const ChangedRegion* region : { &one, &other })
+  {
+    for (const Id vertex : region->Vertices)
+    {
+      isMarked[vertex] = 1;
+    }
+  }
+  return FindChangedRegion(
+    mesh, std::vector<double>(mesh.Points.size(), 1.0), std::move(isMarked), rings);
 }
 
 std::vector<std::pair<Id, Id>> FreeEdgesOfRest(const OldMesh& mesh, const ChangedRegion& region)

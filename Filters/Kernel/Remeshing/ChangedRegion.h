@@ -33,6 +33,7 @@ struct ChangedRegion
 
   bool IsEmpty() const { return this->Triangles.empty(); }
   Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }
+  bool Covers(const ChangedRegion& other) const;
 };
 
 /// Of each vertex, the mean length of its edges, each in units of the mean f of its ends.
@@ -47,6 +48,10 @@ ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& 
 /// The free edges of unchanged triangles between vertices of the region: the old ids of their ends,
 /// the smaller one first, sorted. Cost O(n), little a triangle.
 std::vector<std::pair<Id, Id>> FreeEdgesOfRest(const OldMesh& mesh, const ChangedRegion& region);
+
+/// The triangles of both regions, and `rings` of them around.
+ChangedRegion LargerRegion(
+  const OldMesh& mesh, const ChangedRegion& one, const ChangedRegion& other, int rings);
 
 /// All triangles that are not frozen.
 ChangedRegion WholeRegion(const OldMesh& mesh, const std::vector<double>& lengths);

@@ -5,7 +5,7 @@
 
 #include "OldPlaces.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, max_element
 #include <cmath>     // for abs
 #include <cstdint>   // for flags
 #include <utility>   // for move
@@ -17,12 +17,6 @@ namespace
 {
 
 constexpr double ToleranceOfSums = 1e-9; // of the old mesh; for sums
-
-double AreaOf(const std::vector<Point2>& points, const Id* corners)
-{
-  const Point2& a = points[corners[0]];
-  return 0.5 * Cross(points[corners[1]] - a, points[corners[2]] - a);
-}
 
 /// What edges say about faces.
 class FaceReader
@@ -96,7 +90,7 @@ std::vector<Id> FaceReader::UnclearFaces() const
   std::vector<Id> faces;
   for (Id face = 0; face < static_cast<Id>(this->Regions.size()); ++face)
   {
-    if (this->AreUnclear[face])
+    if (this->AreUnclear[face] || this->Regions[face] == NoId)
     {
       faces.push_back(face);
     }
@@ -115,7 +109,7 @@ std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
   {
     const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
     const Id face = triangles.Regions[triangle];
-    const double area = AreaOf(points, corners);
+    const double area = AreaOfTriangle(points, corners);
     if (area > largest[face])
     {
       largest[face] = area;
@@ -131,13 +125,7 @@ std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
   return wanted;
 }
 
-using Areas = std::vector<double>;
-
-void AddTo(Id region, double area, Areas& areas)
-{
-  areas.resize(std::max(areas.size(), static_cast<std::size_t>(region) + 1), 0.0);
-  areas[region] += area;
-}
+using Areas = std::vector<double>; // one a region of the old mesh
 
 /// What each region may gain or lose. A path whose places are within some distance of a segment
 /// sweeps at most its length times that on its way to their nearest places there: to project onto a
@@ -145,9 +133,9 @@ void AddTo(Id region, double area, Areas& areas)
 /// Rounding may also give a sliver to a region that has no edge there: all regions may gain and
 /// lose a strip on both sides of all edges, and a disc at their ends.
 Areas AllowedDifferences(const OldMesh& mesh, const ChangedRegion& region,
-  const EdgeTolerance& tolerance, std::size_t numberOfRegions)
+  const EdgeTolerance& tolerance, std::size_t count)
 {
-  Areas allowed(numberOfRegions, 0.0);
+  Areas allowed(count, 0.0);
   double shared = ToleranceOfSums * mesh.Area;
   for (const Id triangle : region.Triangles)
   {
@@ -161,7 +149,7 @@ Areas AllowedDifferences(const OldMesh& mesh, const ChangedRegion& region,
         const double width = tolerance.IsAsked()
           ? tolerance.Tolerance * std::max(tolerance.Spacings[start], tolerance.Spacings[end])
           : 0.0;
-        AddTo(mesh.Regions[triangle], length * width, allowed);
+        allowed[mesh.Regions[triangle]] += length * width;
         shared += 2.0 * mesh.Rounding * (length + 2.0 * mesh.Rounding);
       }
     }
@@ -193,18 +181,19 @@ std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region
 std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,
   const EdgeTolerance& tolerance)
 {
-  Areas differences;
+  const Id last = *std::max_element(mesh.Regions.begin(), mesh.Regions.end());
+  Areas differences(static_cast<std::size_t>(last) + 1, 0.0);
   for (const Id triangle : region.Triangles)
   {
     const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    AddTo(mesh.Regions[triangle], AreaOf(mesh.Points, corners), differences);
+    differences[mesh.Regions[triangle]] += AreaOfTriangle(mesh.Points, corners);
   }
   const Triangulation& triangles = cavity.Triangles;
   for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
   {
     const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    const double area = AreaOf(cavity.Bites.Points, corners);
-    AddTo(cavity.FaceRegions[triangles.Regions[triangle]], -area, differences);
+    differences[cavity.FaceRegions[triangles.Regions[triangle]]] -=
+      AreaOfTriangle(cavity.Bites.Points, corners);
   }
   const Areas allowed = AllowedDifferences(mesh, region, tolerance, differences.size());
   for (std::size_t number = 0; number < differences.size(); ++number)

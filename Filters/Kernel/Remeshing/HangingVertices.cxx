@@ -100,7 +100,9 @@ private:
     const Point2& place = this->Mesh.Points[vertex];
     const double along = Dot(place - start, end - start);
     const double whole = Dot(end - start, end - start);
-    if (!(along > 0.0 && along < whole))
+    const bool isAtEnd =
+      Distance(place, start) <= this->Nearest || Distance(place, end) <= this->Nearest;
+    if (isAtEnd || !(along > 0.0 && along < whole))
     {
       return;
     }

@@ -21,8 +21,8 @@ struct HangingVertices
 };
 
 /// Those of all free edges that are no further off the edge than `nearest`, which may be 0, as
-/// where a coarse mesh and a fine one lie side by side. In the order of slots. Triangles have any
-/// orientation. Cost O(m log m) in the free edges.
+/// where a coarse mesh and a fine one lie side by side, but further off its ends. In the order of
+/// slots. Triangles have any orientation. Cost O(m log m) in the free edges.
 std::vector<HangingVertices> FindHangingVertices(const OldMesh& mesh, double nearest);
 
 /// The triangles between an edge and the vertices that hang on it: as flat as these are near. With

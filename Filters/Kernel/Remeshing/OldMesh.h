@@ -38,6 +38,13 @@ struct RemeshInput
   double Rounding = 0.0;
 };
 
+/// Positive where the three corners are counterclockwise.
+inline double AreaOfTriangle(const std::vector<Point2>& points, const Id* corners)
+{
+  const Point2& a = points[corners[0]];
+  return 0.5 * Cross(points[corners[1]] - a, points[corners[2]] - a);
+}
+
 /// A valid triangle mesh with adjacency, and what of it must stay. Corners and Neighbors as in
 /// Triangulation, three slots a triangle.
 struct OldMesh

@@ -222,11 +222,13 @@ Spacing WantedSpacing::Prepare(const ChangedRegion& region, const RegionEdges* p
   options.Features = pieces ? this->FeaturesOf(region, *pieces, mostVertices, monitor) : nullptr;
   options.Gradation = this->IsLocal && !options.Features ? 0.0 : options.Gradation;
   Spacing f = MakeSpacing(options, BoundsOf(this->Mesh, region.Vertices), problems, monitor);
+  this->Limited.clear();
   if (!problems.HasErrors() && options.Features)
   {
+    this->Limited = this->Values;
     for (const Id vertex : region.Vertices)
     {
-      this->Values[vertex] = f(this->Mesh.Points[vertex]);
+      this->Limited[vertex] = f(this->Mesh.Points[vertex]);
     }
   }
   return f;

@@ -31,11 +31,15 @@ public:
   WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
     const std::vector<double>& values, ProblemList& problems, Monitor& monitor);
 
-  /// f at the vertices; where no region is limited yet, before any limit by feature size.
-  const std::vector<double>& AtVertices() const { return this->Values; }
+  /// f at the vertices, before any limit by feature size; but at those of the last region that
+  /// there were pieces for, with it.
+  const std::vector<double>& AtVertices() const
+  {
+    return this->Limited.empty() ? this->Values : this->Limited;
+  }
 
   /// f for the region, at most the local feature size of `pieces`, if there are any, but for
-  /// distances not below the lengths of the old edges; values at the vertices of the region follow.
+  /// distances not below the lengths of the old edges.
   Spacing Prepare(const ChangedRegion& region, const RegionEdges* pieces, double mostVertices,
     ProblemList& problems, Monitor& monitor);
 
@@ -52,7 +56,8 @@ private:
   const OldMesh& Mesh;
   SpacingOptions Options;
   std::vector<double> Values;
-  bool IsLocal = false; ///< the values are f
+  std::vector<double> Limited; ///< by feature size
+  bool IsLocal = false;        ///< the values are f
 };
 
 } // namespace biting

@@ -106,6 +106,9 @@ TEST(HangingVertices, AreAsFarOffAsAsked)
   AddTriangle({ 5, 6, 3 }, mesh);
   EXPECT_EQ(FindHangingVertices(mesh, 0.0).front().Vertices, (std::vector<Id>{ 3 }));
   EXPECT_EQ(FindHangingVertices(mesh, 2e-9).front().Vertices, (std::vector<Id>{ 3, 6 }));
+  mesh.Points[3] = { 1e-9, 0.0 };
+  EXPECT_EQ(FindHangingVertices(mesh, 0.0).front().Vertices, (std::vector<Id>{ 3 }));
+  EXPECT_EQ(FindHangingVertices(mesh, 2e-9).front().Vertices, (std::vector<Id>{ 6 }));
 }
 
 // Meshes side by side become one, where their vertices are not the same, nor their edges.
