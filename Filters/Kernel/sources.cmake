@@ -21,6 +21,7 @@ set(biting_kernel_sources
   Spacing/GridPasses.cxx
   Spacing/GridSteps.cxx
   Spacing/LevelLine.cxx
+  Spacing/LongCells.cxx
   Spacing/OutsideJumps.cxx
   Spacing/SegmentCone.cxx
   Spacing/SourceCheck.cxx

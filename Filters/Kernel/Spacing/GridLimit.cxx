@@ -120,6 +120,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
           this->Source->XNodes, this->Source->YNodes, this->Gradation, this->Values, pulse))
     {
       this->FindLimitedCells(changed, pulse);
+      this->Long.emplace(*this->Source, this->Range, this->Gradation, this->Bounds, this->Values);
     }
   }
   if (pulse.HasStopped())
@@ -282,62 +283,10 @@ double GridLimit::operator()(const Point2& x) const
   const Nearby columns = Around(grid.XNodes, place.Column, x.X, reach * size);
   const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
   const double limit =
-    columns.AreCut || rows.AreCut ? this->FromLongSides(place, x, reach * size, given) : given;
+    columns.AreCut || rows.AreCut ? this->Long->Bound(place, x, reach * size, given) : given;
   const double near = this->FromNearby(columns, rows, x, this->Gradation * size, limit);
   const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
   return this->Unit * std::min(near, std::max(interpolated, near - detour));
-}
-
-/// From the nodes along the long sides of a cell and the sides between these, within reach. What
-/// the nodes allow changes by no more than twice the gradation from place to place, and values
-/// between them by no more than that: so some are left out.
-double GridLimit::FromLongSides(
-  const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const
-{
-  const std::vector<double>& columns = this->Source->XNodes;
-  const std::vector<double>& rows = this->Source->YNodes;
-  const bool areUpright =
-    columns[place.Column + 1] - columns[place.Column] > rows[place.Row + 1] - rows[place.Row];
-  const std::vector<double>& nodes = areUpright ? rows : columns;
-  const std::size_t cell = areUpright ? place.Row : place.Column;
-  const double middle = areUpright ? x.Y : x.X;
-  // The distance from `middle` within which no other node needs to be looked at.
-  const auto look = [&](std::size_t node, double away)
-  {
-    const std::size_t column = areUpright ? place.Column : node;
-    const std::size_t row = areUpright ? node : place.Row;
-    const std::size_t low = this->Bounds.NodeAt(column, row);
-    const std::size_t high = areUpright ? low + 1 : low + columns.size();
-    const double toLow = areUpright ? x.X - columns[column] : x.Y - rows[row];
-    const double toHigh = areUpright ? columns[column + 1] - x.X : rows[row + 1] - x.Y;
-    const double offered = std::min(this->Values[low] + this->Gradation * Length({ toLow, away }),
-      this->Values[high] + this->Gradation * Length({ toHigh, away }));
-    const double between =
-      Blend(this->Values[low], this->Values[high], areUpright ? place.X : place.Y);
-    limit = std::min(limit, offered);
-    if (between < limit)
-    {
-      limit = areUpright ? this->Bounds.FromRow(column, row, x, limit)
-                         : this->Bounds.FromColumn(column, row, x, limit);
-    }
-    const double above = std::min(0.5 * (offered - limit), between - limit);
-    return away + std::max(above, 0.0) / this->Gradation;
-  };
-  for (const bool isAhead : { false, true })
-  {
-    double next = 0.0;
-    for (std::size_t node = isAhead ? cell + 1 : cell; node < nodes.size();
-         isAhead ? ++node : --node)
-    {
-      const double away = std::abs(nodes[node] - middle);
-      if (away >= reach || this->Gradation * away >= limit)
-      {
-        break;
-      }
-      next = away >= next ? look(node, away) : next;
-    }
-  }
-  return limit;
 }
 
 /// From nodes, sides and lines. What f grows by across a cell is `growth`.

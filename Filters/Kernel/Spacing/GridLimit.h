@@ -7,6 +7,9 @@
 #include "../Base/Pulse.h"
 #include "GridBounds.h"
 #include "GridInterpolator.h"
+#include "LongCells.h"
+
+#include <optional> // for long cells
 
 namespace biting
 {
@@ -18,9 +21,9 @@ namespace biting
 /// Method: nodes are bounded by passes over lines of them. Where f may grow by no more than a share
 /// of itself across a cell, the interpolant of bounded nodes is as good as f; elsewhere it is what
 /// the nodes, the sides and the lines around allow at a point.
-/// In long cells those are all nodes along their long sides, and the sides between them.
+/// In long cells those are all nodes along their long sides and the sides between (LongCells).
 /// Linear in the number of nodes, but for a logarithm where cells are long; constant cost for an
-/// evaluation, but there that of the nodes which are nearer than f / gradation, at worst.
+/// evaluation, but in long cells that of runs of nodes nearer than f / gradation, at worst.
 class GridLimit
 {
 public:
@@ -54,8 +57,6 @@ private:
   void FindLimitedCells(Marks& changed, Pulse& pulse);
   double FromNearby(
     const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
-  double FromLongSides(
-    const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const;
 
   const std::shared_ptr<const GridSource> Source; ///< with nodes out to the bounds
   const GridInterpolator Given;
@@ -64,8 +65,9 @@ private:
   const double Gradation; ///< from here on f is in that unit
   const ValueRange Range;
   const GridBounds Bounds;
-  const bool HasLines;         ///< whether the least value may be reached within cells
-  std::vector<float> Values;   ///< f at nodes; single precision is more than anybody sees
+  const bool HasLines;       ///< whether the least value may be reached within cells
+  std::vector<float> Values; ///< f at nodes; single precision is more than anybody sees
+  std::optional<LongCells> Long;
   std::vector<bool> IsLimited; ///< whether f may be below what is given in the cell above a node
 };
 

@@ -27,6 +27,9 @@ constexpr double ShareOfReach = 2.0 / 3.0;
 /// Lines are as far away as the last ones up to that share.
 constexpr double RoundingOfDistance = 1e-6;
 
+/// So many nodes are offered something at once.
+constexpr std::size_t FewNodes = 8;
+
 } // namespace
 
 GridAxes::GridAxes(const std::vector<double>& nodes, const std::vector<double>& lines)
@@ -161,27 +164,44 @@ void GridSteps::Step(GridLines& lines, std::size_t from, std::size_t to, std::si
 /// What the part `among` of a line allows along a part of another one. As what ways cost is convex,
 /// those that are best for two nodes do not cross: so what is best for the middle one divides both
 /// parts.
-void GridSteps::OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
-  const NodeRange& among) const
+void GridSteps::OfferAll(
+  const float* from, float distance, float* to, const NodeRange& nodes, const NodeRange& among)
 {
-  if (nodes.Begin == nodes.End)
+  const float square = distance * distance;
+  if (nodes.End - nodes.Begin <= FewNodes)
   {
+    for (std::size_t k = among.Begin; k < among.End; ++k)
+    {
+      const double place = this->Axes.Nodes[k];
+      for (std::size_t node = nodes.Begin; node < nodes.End; ++node)
+      {
+        const auto along = static_cast<float>(this->Axes.Nodes[node] - place);
+        to[node] = std::min(to[node], from[k] + std::sqrt(square + along * along));
+      }
+    }
     return;
   }
-  const std::size_t middle = nodes.Begin + (nodes.End - 1 - nodes.Begin) / 2;
-  const float square = distance * distance;
-  float least = Infinity;
-  std::size_t best = among.Begin;
-  for (std::size_t k = among.Begin; k < among.End; ++k)
-  {
-    const auto along = static_cast<float>(this->Axes.Nodes[k] - this->Axes.Nodes[middle]);
-    const float offered = from[k] + std::sqrt(square + along * along);
-    best = offered < least ? k : best;
-    least = std::min(least, offered);
-  }
-  to[middle] = std::min(to[middle], least);
+  const std::size_t middle = nodes.Begin + (nodes.End - nodes.Begin) / 2;
+  const std::size_t best = this->BestOf(from, square, middle, among);
   this->OfferAll(from, distance, to, { nodes.Begin, middle }, { among.Begin, best + 1 });
-  this->OfferAll(from, distance, to, { middle + 1, nodes.End }, { best, among.End });
+  this->OfferAll(from, distance, to, { middle, nodes.End }, { best, among.End });
+}
+
+/// Which of `among` allows least at a node of the next line.
+std::size_t GridSteps::BestOf(
+  const float* from, float square, std::size_t node, const NodeRange& among)
+{
+  const std::size_t count = among.End - among.Begin;
+  const double place = this->Axes.Nodes[node];
+  const double* places = &this->Axes.Nodes[among.Begin];
+  const float* values = from + among.Begin;
+  float* offers = this->Offers.data();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const auto along = static_cast<float>(places[k] - place);
+    offers[k] = values[k] + std::sqrt(square + along * along);
+  }
+  return among.Begin + static_cast<std::size_t>(std::min_element(offers, offers + count) - offers);
 }
 
 /// Along a way at an angle a with the lines' normal, of which the sine is the slope p along the

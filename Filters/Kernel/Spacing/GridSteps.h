@@ -92,6 +92,7 @@ public:
 
   explicit GridSteps(const GridAxes& axes)
     : Axes(axes)
+    , Offers(axes.Nodes.size())
     , Before{ Ways(axes.Nodes), Ways(axes.Nodes), Ways(axes.Nodes) }
   {
   }
@@ -130,10 +131,12 @@ private:
   };
 
   void OfferBetween(const float* from, float distance, float* to) const;
-  void OfferAll(const float* from, float distance, float* to, const NodeRange& nodes,
-    const NodeRange& among) const;
+  void OfferAll(
+    const float* from, float distance, float* to, const NodeRange& nodes, const NodeRange& among);
+  std::size_t BestOf(const float* from, float square, std::size_t node, const NodeRange& among);
 
   const GridAxes& Axes;
+  std::vector<float> Offers;            ///< of the nodes of a line to one of the next
   std::array<Ways, LinesBefore> Before; ///< to the line before, to the one before that ...
 };
 

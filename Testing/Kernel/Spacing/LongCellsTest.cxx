@@ -117,3 +117,23 @@ TEST(GridLimit, IsWhatRowsOfNoiseAllowWithinLongCells)
     }
   }
 }
+
+/// So many rows that they are left out in runs.
+TEST(GridLimit, IsWhatOneOfVeryManyRowsAllowsWithinLongCells)
+{
+  Sampler sampler(45);
+  GridSource grid{ { 0.0, 0.5, 1.0 }, UnitNodes(10000), {} };
+  while (grid.Values.size() < 3 * grid.YNodes.size())
+  {
+    grid.Values.push_back(0.01 + 2.54 * sampler.Next());
+  }
+  const GridLimit limit = LimitOf(grid);
+  const GridLimit transposed = LimitOf(Transposed(grid));
+  for (int probe = 0; probe < 40; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    const double exact = Exact(grid, x);
+    ASSERT_NEAR(limit(x), exact, 0.02 * exact) << x.X << ' ' << x.Y;
+    ASSERT_NEAR(transposed({ x.Y, x.X }), exact, 0.02 * exact) << x.X << ' ' << x.Y;
+  }
+}
