@@ -61,21 +61,6 @@ GridLimit::Nearby Around(
   return { first, last, cell - first == MostNearby || last - cell > MostNearby };
 }
 
-double LeastValue(const GridSource& source, Monitor& monitor)
-{
-  Pulse pulse(monitor);
-  const PulsePart part(pulse, 0.0, 0.0);
-  const std::size_t columns = source.XNodes.size();
-  std::vector<double> least(source.YNodes.size(), source.Values.front()); // of some rows each
-  ForRowsAtOnce(pulse, least.size(), columns,
-    [&](std::size_t firstRow, std::size_t lastRow)
-    {
-      const double* values = source.Values.data();
-      least[firstRow] = *std::min_element(values + firstRow * columns, values + lastRow * columns);
-    });
-  return *std::min_element(least.begin(), least.end());
-}
-
 /// The least value is about 2^-30 of its unit: there is room below it for what floats add to it,
 /// squared, and above it for the square of what f grows to. Beside that a least value that is
 /// smaller still is nothing: then there is room for that.
@@ -103,7 +88,7 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   const Box2& bounds, const ValueRange& range, Monitor& monitor)
   : Source(ExtendedGrid(source, bounds))
   , Given(this->Source)
-  , Least(LeastValue(*this->Source, monitor))
+  , Least(*std::min_element(this->Source->Values.begin(), this->Source->Values.end()))
   , Unit(UnitOf(*this->Source, gradation, range(this->Least)))
   , Gradation(gradation / this->Unit)
   , Range(InUnits(range, this->Unit))

@@ -13,27 +13,25 @@ namespace biting
 namespace
 {
 
-/// 0 where the slope is not known: a hole, or a step of no length.
-double SlopeOf(double from, double to, double step)
+/// 0 where there is none.
+double Inverse(double step)
 {
-  const double slope = std::abs(to - from) / step;
-  return step > 0.0 && std::isfinite(slope) ? slope : 0.0;
+  return step > 0.0 ? 1.0 / step : 0.0;
 }
 
-/// 1 / step for each cell; 0 where there is none. A single node is a cell of no width.
+/// For each cell. A single node is a cell of no width.
 std::vector<double> InverseSteps(const std::vector<double>& nodes)
 {
   std::vector<double> inverse;
   for (std::size_t node = 1; node < nodes.size(); ++node)
   {
-    const double step = nodes[node] - nodes[node - 1];
-    inverse.push_back(step > 0.0 ? 1.0 / step : 0.0);
+    inverse.push_back(Inverse(nodes[node] - nodes[node - 1]));
   }
   inverse.resize(std::max<std::size_t>(inverse.size(), 1), 0.0);
   return inverse;
 }
 
-/// 0 where the slope is not known.
+/// 0 where the slope is not known: a hole, or a step of no length.
 double KnownSlope(double rise, double inverseStep)
 {
   const double slope = std::abs(rise) * inverseStep;
@@ -124,7 +122,8 @@ double LargestSlope(const SegmentSource& source)
     const auto a = static_cast<std::size_t>(source.Segments[first]);
     const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
     largest = std::max(largest,
-      SlopeOf(source.Values[a], source.Values[b], Distance(source.Points[a], source.Points[b])));
+      KnownSlope(source.Values[b] - source.Values[a],
+        Inverse(Distance(source.Points[a], source.Points[b]))));
   }
   return largest;
 }

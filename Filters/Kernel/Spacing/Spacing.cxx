@@ -52,55 +52,44 @@ bool HasJumps(const GridSource& grid)
   return hasEqual(grid.XNodes) || hasEqual(grid.YNodes);
 }
 
-/// The one value that all have, holes apart; infinite where they differ or there is none.
-double OnlyValue(const std::vector<double>& values)
-{
-  const auto first =
-    std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  const bool areEqual = std::all_of(
-    first, values.end(), [first](double value) { return !(value < *first || value > *first); });
-  return first != values.end() && areEqual ? *first : Infinity;
-}
-
-/// The same f, with no value above `most`: slopes of fill values as large as numbers get would not
-/// be finite.
-template <typename Source>
-void CutValues(double most, std::shared_ptr<const Source>& source)
-{
-  const auto isAbove = [most](double value) { return value > most; };
-  if (source && std::any_of(source->Values.begin(), source->Values.end(), isAbove))
-  {
-    auto cut = std::make_shared<Source>(*source);
-    std::replace_if(cut->Values.begin(), cut->Values.end(), isAbove, most);
-    source = cut;
-  }
-}
-
-/// The same f, without sources that are one value everywhere: these are part of Uniform, which is
-/// infinite where there is none. From boundary values f grows, unless there is no gradation.
+/// The same f, without sources that are one value everywhere, holes apart: these are part of
+/// Uniform, which is infinite where there is none. From boundary values f grows, unless there is no
+/// gradation. No value is above GreatestSpacing: slopes of fill values as large as numbers get
+/// would not be finite.
 SpacingOptions WithoutConstants(SpacingOptions options)
 {
-  const double most = GreatestSpacing / std::max(options.Scale, 1.0);
-  CutValues(most, options.Grid);
-  CutValues(most, options.Triangulation);
-  CutValues(most, options.Segments);
   options.Uniform = options.Uniform > 0.0 ? options.Uniform : Infinity;
-  const auto fold = [&options](auto& source, bool isEmpty)
+  const double most = GreatestSpacing / std::max(options.Scale, 1.0);
+  const auto reduce = [&options, most](auto& source, auto items, bool mayGrow)
   {
-    const double only = isEmpty ? Infinity : OnlyValue(source->Values);
-    options.Uniform = std::min(options.Uniform, only);
-    if (isEmpty || only < Infinity)
+    double least = Infinity;
+    double greatest = 0.0;
+    for (std::size_t id = 0; source && id < source->Values.size(); ++id)
+    {
+      least = std::min(least, source->Values[id]);
+      greatest = std::max(greatest, source->Values[id]);
+    }
+    if (!source || ((*source).*items).empty())
     {
       source = nullptr;
     }
+    else if (!(least < greatest) && !mayGrow)
+    {
+      options.Uniform = std::min(options.Uniform, std::min(least, most));
+      source = nullptr;
+    }
+    else if (greatest > most)
+    {
+      auto cut = std::make_shared<std::decay_t<decltype(*source)>>(*source);
+      std::replace_if(
+        cut->Values.begin(), cut->Values.end(), [most](double value) { return value > most; },
+        most);
+      source = cut;
+    }
   };
-  fold(options.Grid, !options.Grid || options.Grid->Values.empty());
-  fold(options.Triangulation, !options.Triangulation || options.Triangulation->Triangles.empty());
-  const bool hasNoSegments = !options.Segments || options.Segments->Segments.empty();
-  if (hasNoSegments || !(options.Gradation > 0.0))
-  {
-    fold(options.Segments, hasNoSegments);
-  }
+  reduce(options.Grid, &GridSource::Values, false);
+  reduce(options.Triangulation, &TriangulatedSource::Triangles, false);
+  reduce(options.Segments, &SegmentSource::Segments, options.Gradation > 0.0);
   return options;
 }
 
