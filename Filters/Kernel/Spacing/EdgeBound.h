@@ -4,15 +4,15 @@
 #ifndef BitingEdgeBound_h
 #define BitingEdgeBound_h
 
+#include "SegmentCone.h"
 #include "ValueRange.h"
 
-#include <cmath>   // for sqrt
 #include <utility> // for swap
 
 namespace biting
 {
 
-/// What the values along an edge of a source allow elsewhere: as SegmentCone, but of values as
+/// What the values along an edge of a source allow elsewhere: a SegmentCone, but of values as
 /// given, linear along the edge, which become spacing by scaling and clamping.
 class EdgeBound
 {
@@ -25,7 +25,8 @@ public:
   }
 
   /// min over t in [0, length] of f(t) + gradation times the distance from t to the place that lies
-  /// `along` and `across` from the start of the edge; f(t) is the spacing at t.
+  /// `along` and `across` from the start of the edge; f(t) is the spacing at t, as far as that is
+  /// below the most. Not above the most.
   double operator()(double along, double across, double length, double start, double end) const
   {
     if (end < start)
@@ -35,37 +36,23 @@ public:
     }
     const double low = this->Range.Scale * start;
     const double rise = this->Range.Scale * (end - start);
-    double from = 0.0;
-    double value = low;
-    double bound = this->Range.Most;
-    if (low < this->Range.Least)
+    const auto shareAt = [low, rise](double value) { return std::min((value - low) / rise, 1.0); };
+    const double from = low < this->Range.Least ? shareAt(this->Range.Least) : 0.0;
+    const double to = low + rise > this->Range.Most ? shareAt(this->Range.Most) : 1.0;
+    const auto bound = [this, along, across, length](
+                         double begin, double finish, double least, double most)
     {
-      value = this->Range.Least;
-      from = value - low < rise ? length * ((value - low) / rise) : length;
-      bound = value + this->Gradation * Away(along, across, 0.0, from);
-    }
-    const double slope = rise / length;
-    const double steepness = slope / this->Gradation;
-    if (!(steepness < 1.0))
-    {
-      return std::min(bound, value + this->Gradation * Away(along, across, from, from));
-    }
-    // Values above the most are no bound; the edge ends where they begin.
-    const double to =
-      low + rise > this->Range.Most ? length * ((this->Range.Most - low) / rise) : length;
-    const double lean = steepness / std::sqrt((1.0 - steepness) * (1.0 + steepness));
-    const double foot = std::min(std::max(along - std::abs(across) * lean, from), to);
-    return std::min(
-      bound, value + slope * (foot - from) + this->Gradation * Away(along, across, foot, foot));
+      const SegmentCone cone(
+        { begin * length, 0.0 }, { finish * length, 0.0 }, least, most, this->Gradation);
+      return cone({ along, across }, this->Gradation);
+    };
+    const double least = std::max(low, this->Range.Least);
+    const double level = from > 0.0 ? bound(0.0, from, least, least) : this->Range.Most;
+    return std::min({ this->Range.Most, level,
+      bound(from, std::max(from, to), least, std::max(least, low + to * rise)) });
   }
 
 private:
-  static double Away(double along, double across, double from, double to)
-  {
-    const double ahead = std::max(std::max(from - along, along - to), 0.0);
-    return std::sqrt(ahead * ahead + across * across);
-  }
-
   const ValueRange Range;
   const double Gradation;
 };
