@@ -5,7 +5,7 @@
 // of one thread.
 //   BenchmarkSpacing preparation [size [sources [kind]]]   tables, up to size x size nodes (1025);
 //                                         of all sources, or images, grids, triangles or segments;
-//                                         of all kinds, or one like "slope g"
+//                                         of all kinds, or one like "slope g", "Koch"
 //   BenchmarkSpacing evaluation           ns a call
 //   BenchmarkSpacing lipschitz [pairs]    the law |f(x) - f(y)| <= g |x - y| + 2 % of f (1000000)
 
@@ -189,17 +189,24 @@ Case OfLine(std::vector<Point2> points, const std::function<double(const Point2&
   return made;
 }
 
-/// A wavy closed line with waves of values.
-Case OfBoundary(int count)
+/// A wavy closed line, moved to its sides by up to half the noise.
+Case OfLoop(int count, double noise, const std::function<double(const Point2&)>& value)
 {
+  Random random;
   std::vector<Point2> points;
   for (int k = 0; k < count; ++k)
   {
     const double angle = 6.283185307179586 * k / count;
-    const double radius = 0.35 + 0.08 * std::sin(5.0 * angle) + 0.04 * std::cos(11.0 * angle);
+    const double wave = 0.08 * std::sin(5.0 * angle) + 0.04 * std::cos(11.0 * angle);
+    const double radius = 0.35 + wave + noise * (random() - 0.5);
     points.push_back({ 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) });
   }
-  return OfLine(std::move(points), Wave);
+  return OfLine(std::move(points), value);
+}
+
+Case OfBoundary(int count)
+{
+  return OfLoop(count, 0.0, Wave);
 }
 
 void AddKoch(const Point2& start, const Point2& end, int depth, std::vector<Point2>& points)
@@ -257,12 +264,16 @@ double Preparation(const Case& source)
   return 1e9 * times[1] / static_cast<double>(source.Items);
 }
 
-/// A row of one kind: ns an item at each size, and the exponent of growth from the first to the
-/// last.
+/// ns an item at each size, and the exponent of growth from the first to the last.
 template <typename MakeCase>
-void PrintRow(const char* name, const std::vector<int>& sizes, MakeCase makeCase)
+void PrintRow(const std::string& name, const std::string& wanted, const std::vector<int>& sizes,
+  MakeCase makeCase)
 {
-  std::printf("| %-14s |", name);
+  if (!wanted.empty() && wanted != name)
+  {
+    return;
+  }
+  std::printf("| %-14s |", name.c_str());
   std::fflush(stdout);
   std::vector<double> items;
   std::vector<double> costs;
@@ -283,18 +294,14 @@ void PrintRow(const char* name, const std::vector<int>& sizes, MakeCase makeCase
 void PrintTable(const char* name, const std::string& wanted, const std::vector<int>& sizes,
   Case (*makeCase)(int, const Field&))
 {
-  std::printf("%s, ns an item for", name);
+  std::printf("%s, ns an item, exponent of growth; nodes a side:", name);
   for (const int size : sizes)
   {
-    std::printf(" %d", size);
+    std::printf(" %d%s", size, size == sizes.back() ? "\n" : "");
   }
-  std::printf(" a side, exponent of growth\n");
   for (const Kind& kind : Kinds())
   {
-    if (wanted.empty() || wanted == kind.Name)
-    {
-      PrintRow(kind.Name, sizes, [&](int size) { return makeCase(size, kind.Value); });
-    }
+    PrintRow(kind.Name, wanted, sizes, [&](int size) { return makeCase(size, kind.Value); });
   }
 }
 
@@ -325,8 +332,11 @@ void MeasurePreparation(int largest, const std::string& sources, const std::stri
   }
   if (isWanted("segments"))
   {
-    PrintRow("boundary values", { 1000, 10000, 100000, 1000000 }, OfBoundary);
-    PrintRow("Koch curves", { 4, 5, 6, 7, 8, 9 }, OfKoch);
+    PrintRow("boundary", kind, { 1000, 10000, 100000, 1000000 }, OfBoundary);
+    PrintRow("Koch", kind, { 4, 5, 6, 7, 8, 9 }, OfKoch);
+    PrintRow("noise", kind, { 1000, 10000, 100000, 1000000 },
+      [](int count)
+      { return OfLoop(count, 2.5 / count, [count](const Point2&) { return 0.3 / count; }); });
   }
 }
 
@@ -402,8 +412,7 @@ void MeasureLaws(int pairs)
     std::printf("| %-28s | %7.4f | %9.6f | %7.4f |\n", name.c_str(), law.LargestExcess,
       law.ShareBroken, law.LargestAbove);
   };
-  std::printf(
-    "largest excess over g |x - y| in f, share of pairs above .02, largest above given\n");
+  std::printf("largest excess over g |x - y| in f, share of pairs above .02, most above given\n");
   for (const Kind& kind : Kinds())
   {
     print(std::string("image ") + kind.Name, OfImage(129, kind.Value));
@@ -421,8 +430,8 @@ int main(int argc, char** argv)
   const int number = argc > 2 ? std::atoi(argv[2]) : 0;
   if (what == "preparation")
   {
-    MeasurePreparation(
-      number > 0 ? number : 1025, argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
+    const int size = number > 0 ? number : 1025;
+    MeasurePreparation(size, argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
   }
   else if (what == "evaluation")
   {

@@ -140,17 +140,12 @@ private:
       const Id id = this->Candidates[k];
       const SegmentCone& cone = this->At(id);
       const SegmentCone::View view = cone.From(center);
-      const double room = most - view.Value;
-      const double squaredWay = Dot(view.Away, view.Away);
-      if (room < 0.0 || this->Whole.Slope * this->Whole.Slope * squaredWay > room * room)
-      {
-        continue;
-      }
-      const double way = std::sqrt(squaredWay);
+      const double way = Length(view.Away);
       const double value = view.Value + this->Whole.Slope * way;
       const bool isAway = way > OnSegment * radius;
-      this->Tangents[count++] = isAway ? Tangent{ id, value, (this->Whole.Slope / way) * view.Away }
-                                       : Tangent{ id, view.Value, cone.Slope * cone.Direction };
+      this->Tangents[count] = isAway ? Tangent{ id, value, (this->Whole.Slope / way) * view.Away }
+                                     : Tangent{ id, view.Value, cone.Slope * cone.Direction };
+      count += value <= most ? 1 : 0; // no branch, which would be guessed wrong as often as not
       if (value < lowest.Value)
       {
         lowest = { id, value };
@@ -175,6 +170,8 @@ private:
     const double highLow = share * b({ box.High.X, box.Low.Y }, this->Whole.Slope);
     const double lowHigh = share * b({ box.Low.X, box.High.Y }, this->Whole.Slope);
     const double highHigh = share * b(box.High, this->Whole.Slope);
+    std::size_t count = this->Candidates.size();
+    this->Candidates.resize(count + this->TangentCount);
     for (std::size_t k = 0; k < this->TangentCount; ++k)
     {
       const Tangent& tangent = this->Tangents[k];
@@ -183,11 +180,10 @@ private:
       const double value = tangent.Value;
       const bool isAbove = (value - x - y >= lowLow) & (value + x - y >= highLow) &
         (value - x + y >= lowHigh) & (value + x + y >= highHigh);
-      if (!isAbove || tangent.Cone == lowest.Cone)
-      {
-        this->Candidates.push_back(tangent.Cone);
-      }
+      this->Candidates[count] = tangent.Cone;
+      count += !isAbove | (tangent.Cone == lowest.Cone) ? 1 : 0;
     }
+    this->Candidates.resize(count);
   }
 
   void AddLeaf(const Quadtree::Square& square, std::size_t first)

@@ -18,7 +18,7 @@ namespace biting
 
 /// A cone of a ConeTree is dropped where another one beats it but for this share of its value. That
 /// one may be dropped for a third in a smaller square, but the three are rarely much farther apart.
-constexpr double SlackOfCones = 0.005;
+constexpr double SlackOfCones = 0.01;
 
 /// A square with more cones is cut only once by a task; its quarters are tasks for themselves.
 constexpr std::size_t ConesPerTask = 4096;

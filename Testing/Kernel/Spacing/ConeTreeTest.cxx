@@ -267,6 +267,28 @@ int WorkOf(const SegmentSource& source, double slope)
   return monitor.Calls;
 }
 
+/// A ring whose radius is noise of half a segment: cones that nearly tie in all squares.
+SegmentSource NoisyRing(int count)
+{
+  SegmentSource ring = MakeLoop(count, [count](double) { return 0.3 / count; });
+  Sampler sampler(31);
+  for (Point2& point : ring.Points)
+  {
+    const double part = 1.0 + 6.0 / count * (sampler.Next() - 0.5);
+    point = Point2{ 0.5, 0.5 } + part * (point - Point2{ 0.5, 0.5 });
+  }
+  return ring;
+}
+
+TEST(ConeTree, TakesTimeNearlyLinearInTheSegmentsOfANoisyRing)
+{
+  const auto comparisonsOf = [](int count)
+  { return 4096.0 * WorkOf(NoisyRing(count), 0.3) / count; };
+  const double ofMany = comparisonsOf(12000);
+  EXPECT_LE(ofMany, 1.6 * comparisonsOf(3000));
+  EXPECT_LE(ofMany, 750.0);
+}
+
 /// Lines as long as the box, beside each other at distances that nobody sees.
 SegmentSource Stripes(int count, int parts, double value)
 {
