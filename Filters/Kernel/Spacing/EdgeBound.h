@@ -25,8 +25,8 @@ public:
   }
 
   /// min over t in [0, length] of f(t) + gradation times the distance from t to the place that lies
-  /// `along` and `across` from the start of the edge; f(t) is the spacing at t, as far as that is
-  /// below the most. Not above the most.
+  /// `along` and `across` from the start of the edge; f(t) is the spacing at t. Not above
+  /// the most.
   double operator()(double along, double across, double length, double start, double end) const
   {
     if (end < start)
@@ -39,17 +39,16 @@ public:
     const auto shareAt = [low, rise](double value) { return std::min((value - low) / rise, 1.0); };
     const double from = low < this->Range.Least ? shareAt(this->Range.Least) : 0.0;
     const double to = low + rise > this->Range.Most ? shareAt(this->Range.Most) : 1.0;
-    const auto bound = [this, along, across, length](
-                         double begin, double finish, double least, double most)
-    {
-      const SegmentCone cone(
-        { begin * length, 0.0 }, { finish * length, 0.0 }, least, most, this->Gradation);
-      return cone({ along, across }, this->Gradation);
-    };
-    const double least = std::max(low, this->Range.Least);
-    const double level = from > 0.0 ? bound(0.0, from, least, least) : this->Range.Most;
-    return std::min({ this->Range.Most, level,
-      bound(from, std::max(from, to), least, std::max(least, low + to * rise)) });
+    const double least = this->Range(start);
+    SegmentCone level;
+    level.SetValues(from * length, least, 0.0, this->Gradation);
+    SegmentCone rising;
+    rising.Start.X = from * length;
+    rising.SetValues(
+      std::max(to - from, 0.0) * length, least, this->Range(end) - least, this->Gradation);
+    const Point2 x{ along, across };
+    const double bound = std::min(this->Range.Most, rising(x, this->Gradation));
+    return from > 0.0 ? std::min(bound, level(x, this->Gradation)) : bound;
   }
 
 private:

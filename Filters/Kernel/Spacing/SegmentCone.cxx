@@ -67,17 +67,13 @@ SegmentCone::SegmentCone(
   const bool isRising = !(endValue < startValue);
   const Point2& low = isRising ? start : end;
   const Point2& high = isRising ? end : start;
-  const double rise = std::abs(endValue - startValue);
-  this->Start = low;
-  this->Value = std::min(startValue, endValue);
   const double length = Distance(start, end);
-  const double steepness = rise / (gradation * length);
-  if (steepness < 1.0)
+  this->Start = low;
+  this->SetValues(
+    length, std::min(startValue, endValue), std::abs(endValue - startValue), gradation);
+  if (this->Length > 0.0)
   {
     this->Direction = { (high.X - low.X) / length, (high.Y - low.Y) / length };
-    this->Length = length;
-    this->Slope = steepness * gradation;
-    this->Lean = steepness / std::sqrt((1.0 - steepness) * (1.0 + steepness));
   }
 }
 

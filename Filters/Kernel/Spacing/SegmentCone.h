@@ -36,6 +36,19 @@ struct SegmentCone
   SegmentCone(
     const Point2& start, const Point2& end, double startValue, double endValue, double gradation);
 
+  /// From `value` at its start up by `rise` over its length; a point if that is too steep.
+  void SetValues(double length, double value, double rise, double gradation)
+  {
+    this->Value = value;
+    const double steepness = rise / (gradation * length);
+    if (steepness < 1.0)
+    {
+      this->Length = length;
+      this->Slope = steepness * gradation;
+      this->Lean = steepness / std::sqrt((1.0 - steepness) * (1.0 + steepness));
+    }
+  }
+
   double operator()(const Point2& x, double gradation) const
   {
     const Point2 offset = x - this->Start;
