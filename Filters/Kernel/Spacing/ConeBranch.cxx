@@ -34,7 +34,7 @@ class BranchCutter
 {
 public:
   BranchCutter(
-    ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor)
+    const ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor)
     : Whole(whole)
     , Branch(branch)
     , MostEntries(mostEntries)
@@ -191,16 +191,8 @@ private:
     std::vector<Id>& lists = this->Result.Lists;
     this->SetLeaf(square, static_cast<Id>(lists.size()));
     lists.push_back(static_cast<Id>(this->Candidates.size() - first));
-    for (std::size_t k = first; k < this->Candidates.size(); ++k)
-    {
-      lists.push_back(this->Candidates[k]);
-      std::atomic<std::uint8_t>& isListed =
-        this->Whole.AreListed[static_cast<std::size_t>(this->Candidates[k])];
-      if (isListed.load(std::memory_order_relaxed) == 0)
-      {
-        isListed.store(1, std::memory_order_relaxed);
-      }
-    }
+    lists.insert(lists.end(), this->Candidates.begin() + static_cast<std::ptrdiff_t>(first),
+      this->Candidates.end());
   }
 
   void SetLeaf(const Quadtree::Square& square, Id list)
@@ -213,7 +205,7 @@ private:
 
   const SegmentCone& At(Id cone) const { return this->Whole.Cones[static_cast<std::size_t>(cone)]; }
 
-  ConesToCut& Whole;
+  const ConesToCut& Whole;
   const ConeBranch& Branch;
   const std::size_t MostEntries;
   Pulse Beats;
@@ -227,7 +219,7 @@ private:
 } // namespace
 
 CutBranch CutConeBranch(
-  ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor)
+  const ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor)
 {
   return BranchCutter(whole, branch, mostEntries, monitor).Cut();
 }

@@ -8,10 +8,8 @@
 #include "Quadtree.h"
 #include "SegmentCone.h"
 
-#include <atomic>  // for what tasks mark
-#include <cstdint> // for marks
-#include <memory>  // for what squares share
-#include <vector>  // for cones
+#include <memory> // for what squares share
+#include <vector> // for cones
 
 namespace biting
 {
@@ -31,7 +29,6 @@ struct ConesToCut
   double Slope;
   double Most;
   double Margin;
-  std::vector<std::atomic<std::uint8_t>> AreListed; ///< 1: in some leaf
 };
 
 /// A square that is to be cut, and the cones that may be lowest there, ascending.
@@ -52,9 +49,9 @@ struct CutBranch
 };
 
 /// Cuts a square of a ConeTree down to its leaves, which may list `mostEntries` cones in all: then
-/// what is left becomes leaves. Writes nothing that other branches read.
+/// what is left becomes leaves.
 CutBranch CutConeBranch(
-  ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor);
+  const ConesToCut& whole, const ConeBranch& branch, std::size_t mostEntries, Monitor& monitor);
 
 } // namespace biting
 

@@ -45,14 +45,13 @@ public:
     : Whole(whole)
     , Beats(monitor)
     , ToCut{ BoxTree<SegmentCone>(cones, this->Beats).Items(), whole.Bounds, whole.Slope, most,
-      RoundingShare * LargestCoordinate(whole.Bounds), {} }
+      RoundingShare * LargestCoordinate(whole.Bounds) }
   {
   }
 
   void Build()
   {
     DropHigh(this->ToCut.Slope, SlackOfCones, this->ToCut.Cones, this->Beats);
-    this->ToCut.AreListed = std::vector<std::atomic<std::uint8_t>>(this->ToCut.Cones.size());
     std::vector<Id> all(this->ToCut.Cones.size());
     std::iota(all.begin(), all.end(), 0);
     this->Whole.Lists.push_back(0);
@@ -67,7 +66,7 @@ public:
       branches = this->CutAll(branches);
       begin = end;
     }
-    this->NumberListed();
+    this->Whole.Cones = std::move(this->ToCut.Cones);
     this->Whole.Tree.Finish();
   }
 
@@ -99,10 +98,10 @@ private:
   {
     std::vector<ConeBranch> rest;
     std::size_t size = this->Whole.Lists.size();
-    const std::size_t firstPart = this->PartBegins.size();
+    std::vector<std::size_t> begins;
     for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      this->PartBegins.push_back(size);
+      begins.push_back(size);
       const Id shift =
         this->Whole.Tree.Graft(branches[k].Square, parts[k].Tree, static_cast<Id>(size) - 1);
       for (ConeBranch& branch : parts[k].Rest)
@@ -120,51 +119,18 @@ private:
     }
     this->Whole.Lists.resize(size);
     DoTasks(this->Beats, parts.size(),
-      [this, &parts, firstPart](std::size_t k, Monitor&)
+      [this, &parts, &begins](std::size_t k, Monitor&)
       {
         const std::vector<Id> lists = std::move(parts[k].Lists);
         std::copy(lists.begin() + 1, lists.end(),
-          this->Whole.Lists.begin() + static_cast<std::ptrdiff_t>(this->PartBegins[firstPart + k]));
+          this->Whole.Lists.begin() + static_cast<std::ptrdiff_t>(begins[k]));
       });
     return rest;
-  }
-
-  /// Leaves out the cones that are in no leaf.
-  void NumberListed()
-  {
-    std::vector<SegmentCone>& cones = this->ToCut.Cones;
-    std::vector<Id> numbers(cones.size(), NoId);
-    std::size_t count = 0;
-    for (std::size_t cone = 0; cone < cones.size(); ++cone)
-    {
-      if (this->ToCut.AreListed[cone].load(std::memory_order_relaxed) != 0)
-      {
-        numbers[cone] = static_cast<Id>(count);
-        cones[count++] = cones[cone];
-      }
-    }
-    cones.resize(count);
-    this->Whole.Cones = std::move(cones);
-    this->PartBegins.push_back(this->Whole.Lists.size());
-    DoTasks(this->Beats, this->PartBegins.size() - 1,
-      [this, &numbers](std::size_t k, Monitor&)
-      {
-        std::vector<Id>& lists = this->Whole.Lists;
-        for (std::size_t i = this->PartBegins[k]; i < this->PartBegins[k + 1]; ++i)
-        {
-          for (Id left = lists[i]; left > 0; --left)
-          {
-            ++i;
-            lists[i] = numbers[static_cast<std::size_t>(lists[i])];
-          }
-        }
-      });
   }
 
   ConeTree& Whole;
   Pulse Beats;
   ConesToCut ToCut;
-  std::vector<std::size_t> PartBegins; ///< of each part its first list in Lists
 };
 
 ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Box2& bounds,

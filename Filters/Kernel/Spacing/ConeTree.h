@@ -63,7 +63,7 @@ private:
   Box2 Bounds;
   Quadtree Tree;                  ///< the number of a leaf is where its list starts in Lists
   std::vector<Id> Lists;          ///< each is a count, and as many cones
-  std::vector<SegmentCone> Cones; ///< those that are listed, in the order of the leaves
+  std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
   std::size_t LeafCount = 0;
 };
 

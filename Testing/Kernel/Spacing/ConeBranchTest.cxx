@@ -18,14 +18,13 @@ using namespace biting;
 /// Points with one value, none of which another one stands for.
 ConesToCut CrowdOf(std::size_t count)
 {
-  ConesToCut whole{ {}, UnitBox(), 0.3, 1e300, 1e-15, {} };
+  ConesToCut whole{ {}, UnitBox(), 0.3, 1e300, 1e-15 };
   Sampler sampler(61);
   for (std::size_t k = 0; k < count; ++k)
   {
     const Point2 place = sampler.NextIn(UnitBox());
     whole.Cones.emplace_back(place, place, 1e-4, 1e-4, 0.3);
   }
-  whole.AreListed = std::vector<std::atomic<std::uint8_t>>(count);
   return whole;
 }
 
@@ -40,16 +39,15 @@ ConeBranch RootOf(const ConesToCut& whole)
 
 TEST(ConeBranch, OfFewConesIsOneLeaf)
 {
-  ConesToCut whole = CrowdOf(3);
+  const ConesToCut whole = CrowdOf(3);
   const CutBranch cut = CutConeBranch(whole, RootOf(whole), 1000, NoMonitor());
   EXPECT_EQ(cut.LeafCount, 1u);
   EXPECT_EQ(cut.Lists, (std::vector<Id>{ 0, 3, 0, 1, 2 }));
-  EXPECT_EQ(whole.AreListed[2], 1);
 }
 
 TEST(ConeBranch, OfManyConesIsCutOnce)
 {
-  ConesToCut whole = CrowdOf(ConesPerTask + 1000);
+  const ConesToCut whole = CrowdOf(ConesPerTask + 1000);
   const CutBranch cut = CutConeBranch(whole, RootOf(whole), 1u << 30, NoMonitor());
   EXPECT_EQ(cut.LeafCount, 0u);
   ASSERT_EQ(cut.Rest.size(), 4u);
@@ -59,7 +57,7 @@ TEST(ConeBranch, OfManyConesIsCutOnce)
 
 TEST(ConeBranch, EndsInLeavesWhereTheirListsAreLong)
 {
-  ConesToCut whole = CrowdOf(1000);
+  const ConesToCut whole = CrowdOf(1000);
   EXPECT_EQ(CutConeBranch(whole, RootOf(whole), 100, NoMonitor()).LeafCount, 1u);
   EXPECT_GT(CutConeBranch(whole, RootOf(whole), 1u << 30, NoMonitor()).LeafCount, 100u);
 }
