@@ -26,12 +26,13 @@ constexpr double LargestSeenGradation = 1.0;
 /// Jumps by less than this share of f do not matter.
 constexpr double LeastJump = 0.002;
 
-/// How far ends of rays are apart at first, but no more than so many rays to an edge or a corner.
+/// How far ends of rays are apart at first; but no more halvings are made for that.
 constexpr double StepOfFirstRays = 0.25;
-constexpr double MostFirstRays = 8.0;
-constexpr double LargestTurn = 0.4; ///< radians between two rays from a corner
+constexpr int FirstHalvings = 3;
+constexpr double LargestTurn = 1.6; ///< radians between the first two rays from a corner
 
-/// How far a jump may be from the segment that stands for it, and its end from where it was found.
+/// How far a jump may be from the segment that stands for it, which is the border itself in narrow
+/// gaps, and its end from where it was found.
 constexpr double LargestBend = 0.01;
 constexpr double EndPrecision = 0.003;
 
@@ -265,13 +266,10 @@ private:
   void Sweep(const BorderEdge& edge, const Point2& direction, double turn, double likely)
   {
     Ray last = this->FindEnd(RayFrom(edge, 0.0, direction), likely);
-    const double way = Distance(edge.Start, edge.End) + turn * last.Length;
-    const double unit = this->UnitOf(std::min(edge.StartValue, edge.EndValue));
-    const double rays = std::ceil(
-      std::max(turn / LargestTurn, std::min(way / (StepOfFirstRays * unit), MostFirstRays)));
-    for (double ray = 1.0; ray <= rays && !this->Beats.HasStopped(); ray += 1.0)
+    const double parts = std::max(std::ceil(turn / LargestTurn), 1.0);
+    for (double part = 1.0; part <= parts && !this->Beats.HasStopped(); part += 1.0)
     {
-      const double share = ray / rays;
+      const double share = part / parts;
       const Ray next = this->FindEnd(
         RayFrom(edge, share, Turned(direction, turn * share)), std::max(2.0 * last.Length, likely));
       this->Trace(last, next, 0);
@@ -351,7 +349,9 @@ private:
     const double last =
       LastStep * (HaveOneBeyond(a, b) ? unit : std::min(unit, a.Length + b.Length));
     const bool isNear = step <= std::max(last, SameLength * (a.Length + b.Length));
-    if (this->AreBeyondBounds(a.End, b.End))
+    const bool isFirst =
+      halvings < FirstHalvings && std::max(step, Distance(a.Foot, b.Foot)) > StepOfFirstRays * unit;
+    if (!isFirst && this->AreBeyondBounds(a.End, b.End))
     {
       return;
     }
@@ -361,14 +361,19 @@ private:
       return;
     }
     const Ray middle = this->Between(a, b);
-    if (a.IsLow && middle.IsLow && b.IsLow && IsStraight(a, middle, b, unit))
+    if (std::max({ a.Length, middle.Length, b.Length }) <= LargestBend * unit)
+    {
+      this->AddAlong({ a.Foot, b.Foot, a.Value, b.Value });
+      return;
+    }
+    if (!isFirst && a.IsLow && middle.IsLow && b.IsLow && IsStraight(a, middle, b, unit))
     {
       this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
       return;
     }
     const bool isLowAtNone = !a.IsLow && !middle.IsLow && !b.IsLow;
     const bool isOne = HaveOneBeyond(a, middle) && HaveOneBeyond(middle, b);
-    if (!isLowAtNone || !(isOne || step <= LastStepOfNone * unit))
+    if (isFirst || !isLowAtNone || !(isOne || step <= LastStepOfNone * unit))
     {
       this->Trace(a, middle, halvings + 1);
       this->Trace(middle, b, halvings + 1);
@@ -378,9 +383,7 @@ private:
   /// Both on one side, and what is between them presumably, too.
   bool AreBeyondBounds(const Point2& a, const Point2& b) const
   {
-    Box2 box;
-    box.Add(a);
-    box.Add(b);
+    Box2 box = Box2::Around(a, b);
     box.Grow(0.5 * box.Diagonal());
     return !this->Bounds.Meets(box);
   }

@@ -4,6 +4,7 @@
 #include "Spacing/OutsideJumps.h"
 
 #include "SpacingSources.h"
+#include "Support/Monitors.h"
 #include "Support/TestThreads.h"
 
 #include <gtest/gtest.h>
@@ -46,6 +47,25 @@ TriangulatedSource Corners(double low, double high)
       source.Points.end(), { corner, corner + inwards, corner + Point2{ inwards.X, 0.0 } });
     source.Values.insert(source.Values.end(), 3, first % 2 == 0 ? low : high);
     source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  }
+  return source;
+}
+
+/// Triangles that meet in the middle of the unit square, with gaps as wide as they are.
+TriangulatedSource Star(int spikes)
+{
+  TriangulatedSource source{ { { 0.5, 0.5 } }, { 0.01 }, {} };
+  Sampler sampler(3);
+  for (Id spike = 0; spike < spikes; ++spike)
+  {
+    const auto first = static_cast<Id>(source.Points.size());
+    for (const double turn : { 0.0, 0.5 })
+    {
+      const double angle = 6.283185307179586 * (spike + turn) / spikes;
+      source.Points.push_back({ 0.5 + 0.45 * std::cos(angle), 0.5 + 0.45 * std::sin(angle) });
+    }
+    source.Values.insert(source.Values.end(), 2, 0.02 + 0.08 * sampler.Next());
+    source.Triangles.insert(source.Triangles.end(), { 0, first, first + 1 });
   }
   return source;
 }
@@ -134,6 +154,31 @@ TEST(OutsideJumps, HaveTheValueOfTheLowerSideHoweverLongTheyAre)
 TEST(OutsideJumps, AreFoundWhereFIsFarBelowRounding)
 {
   EXPECT_LT(JumpsOf(Corners(1e-200, 1.0)).Segments.size(), 400000u);
+}
+
+/// The monitor is called once in so many steps of rays.
+TEST(OutsideJumps, TakeStepsLinearInTheSpikesThatMeetInAHub)
+{
+  constexpr int MostCalls = 1 << 30;
+  StoppingMonitor few(MostCalls);
+  StoppingMonitor many(MostCalls);
+  EXPECT_LT(JumpsOf(Star(100), few).Segments.size() / 2, 100u * 40u);
+  EXPECT_LT(JumpsOf(Star(800), many).Segments.size() / 2, 800u * 40u);
+  EXPECT_LT(many.Calls, 10 * few.Calls);
+}
+
+/// Gaps are some thousandths of f wide.
+TEST(OutsideJumps, KeepTheLawWhereSpikesMeetInAHub)
+{
+  const Spacing f = MakeGoodSpacing(WithTriangles(Star(400)));
+  Sampler sampler(9);
+  for (int pair = 0; pair < 20000; ++pair)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    const Point2 y = x + 0.1 * f(x) * (sampler.NextIn(UnitBox()) - Point2{ 0.5, 0.5 });
+    ASSERT_LE(std::abs(f(x) - f(y)), Gradation * Distance(x, y) + 0.02 * std::min(f(x), f(y)))
+      << x.X << ' ' << x.Y;
+  }
 }
 
 /// Between two corners, in a hole that is small beside the bounds.
