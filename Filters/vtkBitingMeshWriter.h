@@ -22,9 +22,9 @@
  * an edge whose string is empty has no tag.
  *
  * Points and lines of the mesh are no part of the file; any other cell that is no triangle is an
- * error. Hidden and ghost cells, and cells with a hidden point, are left out, and points that pieces share (the same global id at the same
- * place) are then written once: what several ranks have saved together (`.pvtp`) becomes the mesh
- * of one.
+ * error. Hidden and ghost cells, and cells with a hidden point, are left out, and points that
+ * pieces share (the same global id at the same place) are then written once: what several ranks
+ * have saved together (`.pvtp`) becomes the mesh of one.
  *
  * SU2 and ADCIRC have two coordinates: a mesh that is not in a plane of constant z is an error for
  * them. Numbers are written so that reading gives them back bit for bit.
