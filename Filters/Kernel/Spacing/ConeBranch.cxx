@@ -181,7 +181,8 @@ private:
       const bool isAbove = (value - x - y >= lowLow) & (value + x - y >= highLow) &
         (value - x + y >= lowHigh) & (value + x + y >= highHigh);
       this->Candidates[count] = tangent.Cone;
-      count += !isAbove | (tangent.Cone == lowest.Cone) ? 1 : 0;
+      const bool stays = !isAbove | (tangent.Cone == lowest.Cone);
+      count += stays ? 1 : 0;
     }
     this->Candidates.resize(count);
   }
