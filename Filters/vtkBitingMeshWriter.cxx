@@ -4,6 +4,7 @@
 #include "vtkBitingMeshWriter.h"
 
 #include "Bridge/CellShapes.h"
+#include "Bridge/GhostArrays.h"
 #include "Bridge/ProducedEdges.h"
 #include "Bridge/WrittenParts.h"
 #include "IO/MeshFile.h"
@@ -24,7 +25,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, find_if, max, replace
+#include <algorithm> // for all_of, any_of, max, replace
 #include <array>     // for places
 #include <cmath>     // for abs, floor
 #include <fstream>   // for files
@@ -167,22 +168,31 @@ void ReadTriangles(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::
 }
 
 //------------------------------------------------------------------------------
-// What is said of the first cell that has no place in the file; empty where there is none.
-std::string FindOther(vtkDataSet* mesh, const biting::WrittenParts& parts)
+// What is said of the first cell that has no place in a file; empty where there is none.
+std::string RefusalOfCells(vtkDataSet* mesh)
 {
-  const auto isOther = [mesh](vtkIdType cell)
+  using Shape = biting::CellShape;
+  const biting::GhostArrays ghosts(mesh);
+  vtkNew<vtkIdList> points;
+  std::string refusal;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells() && refusal.empty(); ++cell)
   {
+    mesh->GetCellPoints(cell, points);
+    const vtkIdType size = points->GetNumberOfIds();
     const int type = mesh->GetCellType(cell);
-    const biting::CellShape shape = biting::ShapeOf(type);
-    return type != VTK_TRIANGLE && shape != biting::CellShape::Nothing &&
-      shape != biting::CellShape::Points && shape != biting::CellShape::Line;
-  };
-  const std::vector<vtkIdType>& cells = parts.Cells();
-  const auto other = std::find_if(cells.begin(), cells.end(), isOther);
-  return other == cells.end() ? ""
-                              : "Cell " + std::to_string(*other) + " is a " +
-      vtkCellTypes::GetClassNameFromTypeId(mesh->GetCellType(*other)) +
-      "; only triangles are written (apply Extract Surface and Triangulate).";
+    const Shape shape = biting::ShapeOf(type);
+    refusal = biting::MissingPointText(
+      "the mesh", cell, size, points->GetPointer(0), mesh->GetNumberOfPoints());
+    if (refusal.empty() && type != VTK_TRIANGLE && shape != Shape::Nothing &&
+      shape != Shape::Points && shape != Shape::Line &&
+      !ghosts.LeaveOut(cell, size, points->GetPointer(0)))
+    {
+      refusal = "Cell " + std::to_string(cell) + " is a " +
+        vtkCellTypes::GetClassNameFromTypeId(type) +
+        "; only triangles are written (apply Extract Surface and Triangulate).";
+    }
+  }
+  return refusal;
 }
 
 //------------------------------------------------------------------------------
@@ -355,15 +365,16 @@ void vtkBitingMeshWriter::WriteData()
     return;
   }
   biting::MeshFile file;
+  const std::string refusal = RefusalOfCells(mesh);
+  if (!refusal.empty())
+  {
+    this->Refuse(refusal);
+    return;
+  }
   const biting::WrittenParts parts(mesh);
   ReadPoints(mesh, parts, Text(this->DepthArray), file);
   ReadTriangles(mesh, parts, file);
-  const std::string other = FindOther(mesh, parts);
-  if (!other.empty())
-  {
-    this->Refuse(other);
-  }
-  else if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
+  if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
   {
     this->Refuse(file.Triangles.empty()
         ? "There are no triangles to write."

@@ -3,6 +3,7 @@
 
 #include "vtkBitingMesher.h"
 
+#include "Bridge/InputTimes.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/Problem.h"
@@ -103,6 +104,14 @@ int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingMesher::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

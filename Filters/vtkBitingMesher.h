@@ -55,7 +55,8 @@
  * points outside of the domain, as fill values are. Blocks of a composite dataset are one source:
  * those that have the array; where they overlap the smallest value counts. Where the domain reaches
  * out of the source by more than the distance of its points, a warning says what share of it, and
- * where.
+ * where. The times of the output are those of all inputs, so that a source that changes with time
+ * gives a mesh anew at each.
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
@@ -636,6 +637,8 @@ protected:
   ~vtkBitingMesher() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -8,6 +8,7 @@
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DoubleArray.h"
 #include "Bridge/FilterRun.h"
+#include "Bridge/InputTimes.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
@@ -138,6 +139,14 @@ int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingRemesher::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Bridge/DomainMembership.h"
 #include "Bridge/DoubleArray.h"
 #include "Bridge/FilterRun.h" // for EmptyOutputs
+#include "Bridge/InputTimes.h"
 #include "Bridge/MeasuredMesh.h"
 #include "Bridge/MeshWarnings.h"
 #include "Bridge/MessagesFromProblems.h"
@@ -157,6 +158,14 @@ int vtkMeshConformity::RequestDataObject(vtkInformation* vtkNotUsed(request),
     outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshConformity::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "vtkCellType.h"
 
+#include <algorithm>        // for find_if
 #include <initializer_list> // for orders
 
 namespace biting
@@ -110,6 +111,16 @@ void PointsAlong(
     default:
       along.assign(points, points + size);
   }
+}
+
+std::string MissingPointText(const char* what, vtkIdType cell, vtkIdType size,
+  const vtkIdType* points, vtkIdType numberOfPoints)
+{
+  const vtkIdType* missing = std::find_if(points, points + size,
+    [numberOfPoints](vtkIdType point) { return point < 0 || point >= numberOfPoints; });
+  return missing == points + size ? ""
+                                  : "Cell " + std::to_string(cell) + " of " + what +
+      " refers to point " + std::to_string(*missing) + ", which does not exist.";
 }
 
 } // namespace biting

@@ -6,6 +6,7 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <string> // for what is said
 #include <vector> // for outlines
 
 namespace biting
@@ -29,6 +30,11 @@ CellShape ShapeOf(int cellType);
 /// left out.
 void PointsAlong(
   int cellType, vtkIdType size, const vtkIdType* points, std::vector<vtkIdType>& along);
+
+/// Says that a cell of `what` refers to a point that does not exist; empty where all of its `size`
+/// points do.
+std::string MissingPointText(const char* what, vtkIdType cell, vtkIdType size,
+  const vtkIdType* points, vtkIdType numberOfPoints);
 
 } // namespace biting
 

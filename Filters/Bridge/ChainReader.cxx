@@ -52,7 +52,6 @@ private:
   std::string ReadList(vtkCellArray* cells, int type);
   std::string ReadAll();
   std::string ReadCell(int type, vtkIdType size, const vtkIdType* points);
-  std::string CheckPoints(vtkIdType size, const vtkIdType* points) const;
   std::string AddShape(CellShape shape, int type, vtkIdType size, const vtkIdType* points);
   std::string AddStrip(vtkIdType size, const vtkIdType* points, ChainKind kind);
   std::string AddChain(const std::vector<vtkIdType>& points, ChainKind kind, bool isClosed);
@@ -146,7 +145,8 @@ std::string BlockReader::ReadCell(int type, vtkIdType size, const vtkIdType* poi
   this->Beats.SetFraction(
     static_cast<double>(this->CellId()) / static_cast<double>(this->NumberOfCells));
   const CellShape shape = ShapeOf(type);
-  const std::string refusal = this->CheckPoints(size, points);
+  const std::string refusal = MissingPointText(
+    "the input", this->CellId(), size, points, this->Block.Data->GetNumberOfPoints());
   if (!refusal.empty())
   {
     return refusal;
@@ -158,20 +158,6 @@ std::string BlockReader::ReadCell(int type, vtkIdType size, const vtkIdType* poi
     return {};
   }
   return this->AddShape(shape, type, size, points);
-}
-
-std::string BlockReader::CheckPoints(vtkIdType size, const vtkIdType* points) const
-{
-  const vtkIdType end = this->Block.Data->GetNumberOfPoints();
-  for (vtkIdType k = 0; k < size; ++k)
-  {
-    if (points[k] < 0 || points[k] >= end)
-    {
-      return this->CellText() + " refers to point " + std::to_string(points[k]) +
-        ", which does not exist.";
-    }
-  }
-  return {};
 }
 
 std::string BlockReader::AddShape(

@@ -5,6 +5,7 @@
 
 #include "../Kernel/Base/Box2.h"
 #include "../Kernel/Base/Pulse.h"
+#include "CellShapes.h"
 #include "CoordinateRounding.h"
 #include "DoubleArray.h"
 #include "GhostArrays.h"
@@ -102,6 +103,12 @@ std::string FaceReader::ReadCells(vtkCellArray* cells, int type)
 std::string FaceReader::AddCell(int type)
 {
   const vtkIdType size = this->Points->GetNumberOfIds();
+  const std::string missing = MissingPointText(
+    "the input", this->Cell, size, this->Points->GetPointer(0), this->Data->GetNumberOfPoints());
+  if (!missing.empty())
+  {
+    return missing;
+  }
   if (this->IsIgnored(type) || this->Ghosts.LeaveOut(this->Cell, size, this->Points->GetPointer(0)))
   {
     return {};

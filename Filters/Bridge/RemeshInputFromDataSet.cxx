@@ -141,7 +141,7 @@ vtkSmartPointer<vtkDataSet> CopyOf(vtkDataSet* data)
 }
 
 // Each segment of a line is one of its own, with the cell of the line.
-void ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
+std::string ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
 {
   const vtkSmartPointer<vtkDataSet> data = CopyOf(given);
   const VertexFinder finder(result);
@@ -157,6 +157,12 @@ void ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
       continue;
     }
     data->GetCellPoints(cell, points);
+    const std::string missing = MissingPointText("the tagged lines", cell, points->GetNumberOfIds(),
+      points->GetPointer(0), data->GetNumberOfPoints());
+    if (!missing.empty())
+    {
+      return missing;
+    }
     PointsAlong(data->GetCellType(cell), points->GetNumberOfIds(), points->GetPointer(0), along);
     for (std::size_t k = 1; k < along.size(); ++k)
     {
@@ -171,6 +177,7 @@ void ReadLines(vtkDataSet* given, const std::string& frozen, PlanarMesh& result)
       }
     }
   }
+  return {};
 }
 
 } // namespace
@@ -194,7 +201,7 @@ std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const Re
   if (refusal.empty() && (lines || hasOthers))
   {
     result.Lines = ReadDrawing(tags);
-    ReadLines(tags, arrays.Frozen, result);
+    refusal = ReadLines(tags, arrays.Frozen, result);
     result.Input.AreAlike = CompareTags(result.Lines, Polylines());
   }
   else

@@ -3,6 +3,8 @@
 
 #include "SourceCells.h"
 
+#include "CellShapes.h"
+
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
@@ -88,6 +90,10 @@ std::string SourceCells::Collect()
   }
   this->MeasureDistances();
   this->CollectCells();
+  if (!this->Malformed.empty())
+  {
+    return this->Malformed;
+  }
   this->Cut.MergeEdges(this->Beats);
   if (!this->Cut.GetTriangles().empty())
   {
@@ -118,7 +124,9 @@ void SourceCells::CollectCells()
 {
   const PulsePart part(this->Beats, DistancesEnd, LocatingEnd);
   const vtkIdType numberOfCells = this->Source->GetNumberOfCells();
-  for (vtkIdType cell = 0; cell < numberOfCells && this->Beats.Beat(CheapStepsPerCell); ++cell)
+  for (vtkIdType cell = 0;
+       cell < numberOfCells && this->Malformed.empty() && this->Beats.Beat(CheapStepsPerCell);
+       ++cell)
   {
     this->Beats.SetFraction(static_cast<double>(cell) / static_cast<double>(numberOfCells));
     const int dimension = this->Dimension(this->Source->GetCellType(cell));
@@ -149,8 +157,10 @@ int SourceCells::Dimension(int cellType)
 bool SourceCells::IsSource(vtkIdType cell)
 {
   this->Source->GetCellPoints(cell, this->Corners);
-  return !this->Ghosts.LeaveOut(
-    cell, this->Corners->GetNumberOfIds(), this->Corners->GetPointer(0));
+  this->Malformed = MissingPointText("the spacing source", cell, this->Corners->GetNumberOfIds(),
+    this->Corners->GetPointer(0), this->Source->GetNumberOfPoints());
+  return this->Malformed.empty() &&
+    !this->Ghosts.LeaveOut(cell, this->Corners->GetNumberOfIds(), this->Corners->GetPointer(0));
 }
 
 bool SourceCells::MeetsPlane() const

@@ -67,6 +67,7 @@ private:
   PlaneCut Cut;
   bool HasCells;
   bool HasVolumes = false;
+  std::string Malformed; ///< what is said of the cell that has a point which does not exist
   std::array<int, VTK_NUMBER_OF_CELL_TYPES> Dimensions;
   vtkNew<vtkGenericCell> Cell;
   vtkNew<vtkIdList> Corners;

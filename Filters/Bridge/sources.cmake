@@ -17,6 +17,7 @@ set(biting_bridge_sources
   FacesFromDataSet.cxx
   FilterRun.cxx
   GhostArrays.cxx
+  InputTimes.cxx
   MeasuredMesh.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx

@@ -242,7 +242,7 @@ TEST(BitingMesherMessages, RefuseCellsWhosePointsDoNotExist)
 {
   auto input = UnitSquare();
   input->GetLines()->InsertNextCell({ 0, 99 });
-  EXPECT_TRUE(Has(RefusalOf(input), "Cell 1 refers to point 99"));
+  EXPECT_TRUE(Has(RefusalOf(input), "Cell 1 of the input refers to point 99"));
 }
 
 TEST(BitingMesherMessages, RefuseParametersOutOfRangeByName)

@@ -6,9 +6,12 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet
-from biting.vtkBitingFilters import vtkBitingMesher, vtkHessianSpacing, vtkMeshConformity
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_TRIANGLE, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
+    vtkUnstructuredGrid)
+from biting.vtkBitingFilters import (
+    vtkBitingMesher, vtkBitingRemesher, vtkHessianSpacing, vtkMeshConformity)
 from TestBitingMesherWrapping import square
 
 DEFAULTS = {
@@ -44,6 +47,30 @@ def level(low, high, nodes, value):
     return image
 
 
+def two_triangles(last_corner=3):
+    """A unit square, with a level spacing."""
+    grid, points, spacing = vtkUnstructuredGrid(), vtkPoints(), vtkDoubleArray()
+    spacing.SetName('Spacing')
+    for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        points.InsertNextPoint(x, y, 0)
+        spacing.InsertNextValue(0.2)
+    grid.SetPoints(points)
+    grid.GetPointData().SetScalars(spacing)
+    grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
+    grid.InsertNextCell(VTK_TRIANGLE, 3, [0, 2, last_corner])
+    return grid
+
+
+def errors_of(algorithm):
+    said = []
+    def listen(_, __, text):
+        said.append(text)
+    listen.CallDataType = 'string0'
+    algorithm.AddObserver('ErrorEvent', listen)
+    algorithm.Update()
+    return said
+
+
 def spacing_by_place(images):
     """The spacing at the vertices of a mesh whose source has these blocks."""
     blocks = vtkMultiBlockDataSet()
@@ -60,6 +87,31 @@ def spacing_by_place(images):
 
 
 class TestSpacingFiltersWrapping(unittest.TestCase):
+    def test_cells_whose_points_do_not_exist_are_refused_by_all_filters(self):
+        for corner in (4, -1, 10**9):
+            for kind in (vtkMeshConformity, vtkBitingRemesher, vtkHessianSpacing):
+                algorithm = kind()
+                algorithm.SetInputData(two_triangles(corner))
+                said = errors_of(algorithm)
+                self.assertEqual(len(said), 1, kind)
+                self.assertIn('Cell 1 of the input refers to point %d,' % corner, said[0])
+            mesher = vtkBitingMesher()
+            mesher.SetInputData(square(1.0))
+            mesher.SetSpacingSourceData(two_triangles(corner))
+            said = errors_of(mesher)
+            self.assertEqual(len(said), 1)
+            self.assertIn('Cell 1 of the spacing source refers to point %d,' % corner, said[0])
+
+    def test_triangles_with_a_hidden_point_are_not_measured(self):
+        mesh = two_triangles()
+        mesh.AllocatePointGhostArray().SetValue(3, vtkDataSetAttributes.HIDDENPOINT)
+        conformity = vtkMeshConformity()
+        conformity.SetInputData(mesh)
+        conformity.Update()
+        angles = conformity.GetOutputDataObject(0).GetCellData().GetArray('MinimumAngle')
+        self.assertAlmostEqual(angles.GetValue(0), 45.0)
+        self.assertTrue(math.isnan(angles.GetValue(1)))
+
     def test_where_blocks_of_a_source_overlap_the_smallest_value_counts_and_f_grows_from_it(self):
         coarse, fine = level(0.0, 2.0, 5, 0.2), level(0.8, 1.2, 5, 0.05)
         spacing = spacing_by_place([coarse, fine])
