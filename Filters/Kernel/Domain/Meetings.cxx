@@ -52,11 +52,8 @@ public:
     , Limits(limits)
     , Found(meetings)
     , Beats(pulse)
-    , Ends(edges.Ends)
-    , Stars(edges.Stars)
-    , Tree(edges.Tree)
-    , News(arrangement, meetings.Reports)
     , Edges(edges)
+    , News(arrangement, meetings.Reports)
   {
   }
 
@@ -87,26 +84,26 @@ private:
   bool IsSpike(Id vertex, const SegmentEnds& ends) const;
   void ReportNear(Id edge, Id other, Id vertex)
   {
-    this->News.ReportNear(edge, other, vertex, this->Stars.Degree(vertex) > 1);
+    this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
   }
-  const SegmentEnds& EndsOf(Id edge) const { return this->Ends[static_cast<std::size_t>(edge)]; }
+  const SegmentEnds& EndsOf(Id edge) const
+  {
+    return this->Edges.Ends[static_cast<std::size_t>(edge)];
+  }
 
   const Arrangement& Input;
   const MeetingLimits& Limits;
   Meetings& Found;
   Pulse& Beats;
-  const std::vector<SegmentEnds>& Ends;
-  const VertexStars& Stars;
-  const SegmentTree& Tree;
-  MeetingReporter News;
   const FiledEdges& Edges;
+  MeetingReporter News;
 };
 
 /// Looks at some edges first, so that a drawing of far too many crossings is refused soon.
 bool MeetingFinder::HasRoomForCrossings()
 {
   const CrossingEstimate estimate =
-    EstimateCrossingsAbove(this->Limits.Crossings, this->Input, this->Tree, this->Beats);
+    EstimateCrossingsAbove(this->Limits.Crossings, this->Input, this->Edges.Tree, this->Beats);
   if (estimate.Count == 0.0)
   {
     return true;
@@ -125,8 +122,8 @@ void MeetingFinder::TestEdges()
   {
     isNew.push_back(edge.IsNew);
   }
-  const std::vector<SegmentTree::PairPart> parts = this->Tree.PairParts();
-  const std::vector<Id> newBefore = this->Tree.WantedBefore(isNew);
+  const std::vector<SegmentTree::PairPart> parts = this->Edges.Tree.PairParts();
+  const std::vector<Id> newBefore = this->Edges.Tree.WantedBefore(isNew);
   std::vector<Meetings> found(parts.size());
   // Of the parts that are done: no more parts are begun where these are too many together.
   std::atomic<std::size_t> splits{ 0 };
@@ -152,7 +149,7 @@ void MeetingFinder::TestEdges()
   {
     // Which of them are found before the search is given up should not depend on threads.
     std::vector<Meetings>().swap(found);
-    this->Tree.VisitPairs(isNew, *this);
+    this->Edges.Tree.VisitPairs(isNew, *this);
   }
 }
 
@@ -162,7 +159,7 @@ void MeetingFinder::TestPart(const SegmentTree::PairPart& part,
 {
   Pulse own(monitor);
   MeetingFinder finder(this->Input, this->Edges, this->Limits, found, own);
-  this->Tree.VisitPairsOf(part, isNew, newBefore, finder);
+  this->Edges.Tree.VisitPairsOf(part, isNew, newBefore, finder);
 }
 
 void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
@@ -247,9 +244,9 @@ bool MeetingFinder::IsBeside(const SegmentEnds& ends, const SegmentEnds& other) 
 void MeetingFinder::TestStars()
 {
   const auto isNew = [this](Id edge) { return this->Input.Edge(edge).IsNew; };
-  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices() && this->GoesOn(); ++vertex)
+  for (Id vertex = 0; vertex < this->Edges.Stars.NumberOfVertices() && this->GoesOn(); ++vertex)
   {
-    if (std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex), isNew))
+    if (std::any_of(this->Edges.Stars.Begin(vertex), this->Edges.Stars.End(vertex), isNew))
     {
       this->TestStar(vertex);
     }
@@ -260,8 +257,8 @@ void MeetingFinder::TestStars()
 /// the star and goes on from its beginning, unless all edges lie along the first.
 void MeetingFinder::TestStar(Id vertex)
 {
-  const Id degree = this->Stars.Degree(vertex);
-  const Id* star = this->Stars.Begin(vertex);
+  const Id degree = this->Edges.Stars.Degree(vertex);
+  const Id* star = this->Edges.Stars.Begin(vertex);
   Id last = 2 * degree - 1;
   for (Id i = 0; i < degree && this->GoesOn(); ++i)
   {
@@ -303,13 +300,13 @@ void MeetingFinder::TestLooseVertices()
 {
   for (const Id vertex : this->Input.EmbeddedVertices)
   {
-    if (this->Stars.Degree(vertex) > 0 || !this->GoesOn())
+    if (this->Edges.Stars.Degree(vertex) > 0 || !this->GoesOn())
     {
       continue;
     }
     Box2 place;
     place.Add(this->Input.At(vertex));
-    this->Tree.Visit(place, SegmentEnds(),
+    this->Edges.Tree.Visit(place, SegmentEnds(),
       [this, vertex](Id edge)
       {
         if (this->TestVertex(edge, vertex))
@@ -348,8 +345,8 @@ bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
 /// Thinner than Resolution it stays open, or its tip would be lost.
 bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
 {
-  return this->Input.KeepsSpikes && this->Stars.Degree(vertex) > 0 &&
-    std::any_of(this->Stars.Begin(vertex), this->Stars.End(vertex),
+  return this->Input.KeepsSpikes && this->Edges.Stars.Degree(vertex) > 0 &&
+    std::any_of(this->Edges.Stars.Begin(vertex), this->Edges.Stars.End(vertex),
       [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
 }
 

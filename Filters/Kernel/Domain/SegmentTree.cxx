@@ -232,38 +232,18 @@ std::vector<SegmentTree::PairPart> SegmentTree::PairParts() const
   {
     const PairPart part = left.back();
     left.pop_back();
-    const Id size = this->SizeOf(part.First) + this->SizeOf(part.Second);
-    const std::vector<PairPart> below =
-      size > ItemsPerPart ? this->Divided(part) : std::vector<PairPart>{ part };
-    const bool isWhole =
-      below.size() == 1 && below[0].First == part.First && below[0].Second == part.Second;
-    std::vector<PairPart>& list = isWhole ? parts : left;
-    list.insert(list.end(), below.begin(), below.end());
+    const Id size =
+      this->NodeAt(part.First).NumberOfItems() + this->NodeAt(part.Second).NumberOfItems();
+    if (size > ItemsPerPart && !this->IsLeaf(part.First) && this->MayMeet(part))
+    {
+      this->VisitBelow(part, [&left](const PairPart& below) { left.push_back(below); });
+    }
+    else
+    {
+      parts.push_back(part);
+    }
   }
   return parts;
-}
-
-/// As PairWalk goes on from there: nothing, where there are no pairs; the part itself, at a leaf.
-std::vector<SegmentTree::PairPart> SegmentTree::Divided(const PairPart& part) const
-{
-  const Node& a = this->NodeAt(part.First);
-  const Node& b = this->NodeAt(part.Second);
-  const bool isSelf = part.First == part.Second;
-  const bool isFirst = a.Size() >= b.Size();
-  const Id large = isFirst ? part.First : part.Second;
-  const Id small = isFirst ? part.Second : part.First;
-  if (isSelf ? HasEnd(a.Common) : IsFanOf(a.Common, b.Common) || !this->MayMeet(a, b))
-  {
-    return {};
-  }
-  if (this->IsLeaf(large))
-  {
-    return { part };
-  }
-  const Id first = large + 1;
-  const Id second = this->NodeAt(first).Next;
-  return isSelf ? std::vector<PairPart>{ { first, first }, { second, second }, { first, second } }
-                : std::vector<PairPart>{ { first, small }, { second, small } };
 }
 
 std::vector<Id> SegmentTree::WantedBefore(const std::vector<std::uint8_t>& isWanted) const

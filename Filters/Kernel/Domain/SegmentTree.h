@@ -85,7 +85,7 @@ public:
     }
   }
 
-  /// Two nodes, or one twice: part of the pairs.
+  /// Two nodes, the larger first, or one twice: part of the pairs.
   struct PairPart
   {
     Id First;
@@ -133,6 +133,8 @@ private:
     Id FirstItem = 0;
     Id LastItem = 0; ///< one past
     double Shortest = 0.0;
+
+    Id NumberOfItems() const { return this->LastItem - this->FirstItem; }
   };
 
   /// Joins nodes, and items with nodes.
@@ -151,50 +153,22 @@ private:
 
     void Join(const PairPart& part)
     {
-      part.First == part.Second ? this->JoinSelf(part.First) : this->Join(part.First, part.Second);
+      const Node& a = this->Tree.NodeAt(part.First);
+      const Node& b = this->Tree.NodeAt(part.Second);
+      const bool isWanted = this->HasWanted(a) || this->HasWanted(b);
+      if (!isWanted || !this->Tree.MayMeet(part) || !this->Visit.GoesOn())
+      {
+        return;
+      }
+      if (this->Tree.IsLeaf(part.First))
+      {
+        part.First == part.Second ? this->JoinItemsOf(a) : this->JoinItems(a, part.Second);
+        return;
+      }
+      this->Tree.VisitBelow(part, [this](const PairPart& below) { this->Join(below); });
     }
 
   private:
-    void JoinSelf(Id node)
-    {
-      const Node& here = this->Tree.NodeAt(node);
-      if (HasEnd(here.Common) || !this->HasWanted(here) || !this->Visit.GoesOn())
-      {
-        return;
-      }
-      if (this->Tree.IsLeaf(node))
-      {
-        this->JoinItemsOf(here);
-        return;
-      }
-      const Id second = this->Tree.NodeAt(node + 1).Next;
-      this->JoinSelf(node + 1);
-      this->JoinSelf(second);
-      this->Join(node + 1, second);
-    }
-
-    void Join(Id first, Id second)
-    {
-      const Node& a = this->Tree.NodeAt(first);
-      const Node& b = this->Tree.NodeAt(second);
-      const bool isWanted = this->HasWanted(a) || this->HasWanted(b);
-      if (!isWanted || IsFanOf(a.Common, b.Common) || !this->Tree.MayMeet(a, b) ||
-        !this->Visit.GoesOn())
-      {
-        return;
-      }
-      const bool isFirst = a.Size() >= b.Size();
-      const Id large = isFirst ? first : second;
-      const Id small = isFirst ? second : first;
-      if (this->Tree.IsLeaf(large))
-      {
-        this->JoinItems(this->Tree.NodeAt(large), small);
-        return;
-      }
-      this->Join(large + 1, small);
-      this->Join(this->Tree.NodeAt(large + 1).Next, small);
-    }
-
     void JoinItemsOf(const Node& leaf)
     {
       for (Id i = leaf.FirstItem; i < leaf.LastItem; ++i)
@@ -317,11 +291,6 @@ private:
     }
   }
 
-  static bool HasEnd(const SegmentEnds& common)
-  {
-    return common.Start != NoId || common.End != NoId;
-  }
-
   static bool IsFanOf(const SegmentEnds& common, const SegmentEnds& skipped)
   {
     return (common.Start != NoId && skipped.Has(common.Start)) ||
@@ -333,11 +302,38 @@ private:
     return a.Bounds.Meets(b.Bounds) && !a.IsBeside(b, this->Slack) && !b.IsBeside(a, this->Slack);
   }
 
+  bool MayMeet(const PairPart& part) const
+  {
+    const Node& a = this->NodeAt(part.First);
+    const Node& b = this->NodeAt(part.Second);
+    return !IsFanOf(a.Common, b.Common) && (part.First == part.Second || this->MayMeet(a, b));
+  }
+
+  /// Calls visit(part) for what a part consists of whose larger node is no leaf.
+  template <typename Visitor>
+  void VisitBelow(const PairPart& part, const Visitor& visit) const
+  {
+    const Id first = part.First + 1;
+    const Id second = this->NodeAt(first).Next;
+    if (part.First == part.Second)
+    {
+      visit(PairPart{ first, first });
+      visit(PairPart{ second, second });
+      visit(this->LargerFirst(first, second));
+      return;
+    }
+    visit(this->LargerFirst(first, part.Second));
+    visit(this->LargerFirst(second, part.Second));
+  }
+
+  PairPart LargerFirst(Id a, Id b) const
+  {
+    return this->NodeAt(a).Size() >= this->NodeAt(b).Size() ? PairPart{ a, b } : PairPart{ b, a };
+  }
+
   const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
   const Item& ItemAt(Id item) const { return this->Items[static_cast<std::size_t>(item)]; }
   bool IsLeaf(Id node) const { return this->NodeAt(node).Next == node + 1; }
-  Id SizeOf(Id node) const { return this->NodeAt(node).LastItem - this->NodeAt(node).FirstItem; }
-  std::vector<PairPart> Divided(const PairPart& part) const;
   SlantedBox BoxOf(const Item& item) const;
 
   std::vector<Item> Items;
