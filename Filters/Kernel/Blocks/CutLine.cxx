@@ -7,7 +7,7 @@
 #include "../Predicates/Predicates.h"
 #include "CutRows.h"
 
-#include <algorithm> // for sort, lower_bound, min, max, clamp
+#include <algorithm> // for sort, unique, max_element, min, max, clamp
 #include <cmath>     // for abs
 
 namespace biting
@@ -43,51 +43,6 @@ double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
   return Distance(p, a + t * side);
 }
 
-// Pieces or vertices by where they lie along the line.
-class NearList
-{
-public:
-  void Add(Id id, double low, double high) { this->Items.push_back({ id, low, high, high }); }
-
-  void Sort()
-  {
-    std::sort(this->Items.begin(), this->Items.end(),
-      [](const Item& a, const Item& b)
-      { return a.Low != b.Low ? a.Low < b.Low : a.Which < b.Which; });
-    for (std::size_t k = 1; k < this->Items.size(); ++k)
-    {
-      this->Items[k].Reach = std::max(this->Items[k].High, this->Items[k - 1].Reach);
-    }
-  }
-
-  /// Whether `isClear` holds for all that have something between `low` and `high`.
-  template <typename Question>
-  bool AllOf(double low, double high, const Question& isClear) const
-  {
-    auto item = std::lower_bound(this->Items.begin(), this->Items.end(), low,
-      [](const Item& one, double place) { return one.Reach < place; });
-    for (; item != this->Items.end() && item->Low <= high; ++item)
-    {
-      if (item->High >= low && !isClear(item->Which))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-private:
-  struct Item
-  {
-    Id Which;
-    double Low;
-    double High;
-    double Reach; ///< the greatest High up to here
-  };
-
-  std::vector<Item> Items;
-};
-
 bool HasRoom(const CutStretch& stretch)
 {
   const double f = std::max(stretch.From.F, stretch.To.F);
@@ -99,6 +54,20 @@ bool IsAt(const CutGraph& graph, Id piece, const CutEnd& end)
   const auto& ends = graph.Pieces[piece];
   return end.Piece == piece ||
     (end.Vertex != NoId && (ends.Start == end.Vertex || ends.End == end.Vertex));
+}
+
+// Between the stretch, which leaves its end in that direction, and what the piece has there.
+bool IsOpenAngle(const CutGraph& graph, const CutGraph::Piece& piece, const CutEnd& end,
+  const Point2& direction, double cosineOfLeast)
+{
+  const Point2 along = graph.Vertices[piece.End] - graph.Vertices[piece.Start];
+  const double product = Dot(along, direction);
+  const double limit = cosineOfLeast * Length(along) * Length(direction);
+  if (end.Vertex == NoId)
+  {
+    return std::abs(product) <= limit;
+  }
+  return (piece.Start == end.Vertex ? product : -product) <= limit;
 }
 
 class LineMaker
@@ -131,39 +100,36 @@ private:
   }
   const Point2& Vertex(Id vertex) const { return this->Scene.Graph.Vertices[vertex]; }
 
+  template <typename Question>
+  bool AllPieces(const Box2& place, const Question& isSo);
+  template <typename Question>
+  bool AllVertices(const Box2& place, const Question& isSo);
+
   bool FindEnds();
   bool MayBeGood() const;
   CutEnd MakeEnd(Id piece) const;
   void Unite();
   bool IsWanted(const CutEnd& from, const CutEnd& to) const;
-  void FindNear();
-  bool Add(CutStretch stretch, CutLine& line) const;
-  bool MoveEnds(CutStretch& stretch) const;
-  std::vector<CutEnd> EndsNear(const CutEnd& end) const;
-  bool IsGood(const CutStretch& stretch) const;
+  bool Add(CutStretch stretch, CutLine& line);
+  bool MoveEnds(CutStretch& stretch);
+  std::vector<CutEnd> EndsNear(const CutEnd& end, const CutEnd& other);
+  bool IsGood(const CutStretch& stretch);
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
-  bool IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end, const Point2& direction,
-    double cosineOfLeast) const;
-  bool IsOpen(const CutEnd& end, const CutEnd& other) const;
+  bool IsOpen(const CutEnd& end, const CutEnd& other);
 
   const CutScene& Scene;
   const AxisLine& Line;
   CutEffort Effort;
   std::vector<CutEnd> Ends;
   double Margin = 0.0;
-  NearList NearPieces;
-  NearList NearVertices;
+  std::size_t Looks = 0;
 };
 
 CutLine LineMaker::Make()
 {
   CutLine line;
   line.IsGood = this->FindEnds() && this->MayBeGood();
-  if (line.IsGood)
-  {
-    this->FindNear();
-  }
   for (std::size_t k = 0; k + 1 < this->Ends.size() && line.IsGood; ++k)
   {
     if (this->IsWanted(this->Ends[k], this->Ends[k + 1]))
@@ -172,11 +138,25 @@ CutLine LineMaker::Make()
     }
   }
   line.IsGood = line.IsGood && (this->Effort == CutEffort::AsItIs || !line.Stretches.empty());
+  line.Looks = this->Looks;
   return line;
 }
 
-// By the room of its stretches alone, before all that is near is sorted: of a fringe, which has
-// short ones, this is most of the time.
+template <typename Question>
+bool LineMaker::AllPieces(const Box2& place, const Question& isSo)
+{
+  return this->Scene.AllPieces(
+    place, [this, &isSo](Id piece) { return ++this->Looks > 0 && isSo(piece); });
+}
+
+template <typename Question>
+bool LineMaker::AllVertices(const Box2& place, const Question& isSo)
+{
+  return this->Scene.AllVertices(
+    place, [this, &isSo](Id vertex) { return ++this->Looks > 0 && isSo(vertex); });
+}
+
+// By the room of its stretches alone, before what is near is looked at: a fringe has short ones.
 bool LineMaker::MayBeGood() const
 {
   const bool mayLeaveOut = this->Effort == CutEffort::MoveEnds;
@@ -192,7 +172,7 @@ bool LineMaker::MayBeGood() const
 }
 
 // False where it is not good.
-bool LineMaker::Add(CutStretch stretch, CutLine& line) const
+bool LineMaker::Add(CutStretch stretch, CutLine& line)
 {
   if (!this->IsGood(stretch))
   {
@@ -209,16 +189,16 @@ bool LineMaker::Add(CutStretch stretch, CutLine& line) const
 }
 
 // False where there are no good ends.
-bool LineMaker::MoveEnds(CutStretch& stretch) const
+bool LineMaker::MoveEnds(CutStretch& stretch)
 {
   const double f = std::max(stretch.From.F, stretch.To.F);
   if (Distance(stretch.From.Place, stretch.To.Place) < LeastMoved * f)
   {
     return false;
   }
-  for (const CutEnd& from : this->EndsNear(stretch.From))
+  for (const CutEnd& from : this->EndsNear(stretch.From, stretch.To))
   {
-    for (const CutEnd& to : this->EndsNear(stretch.To))
+    for (const CutEnd& to : this->EndsNear(stretch.To, stretch.From))
     {
       const CutStretch moved{ from, to };
       if (this->IsGood(moved) && this->Scene.Locator.IsInside(Midpoint(from.Place, to.Place)))
@@ -231,12 +211,13 @@ bool LineMaker::MoveEnds(CutStretch& stretch) const
   return false;
 }
 
-// The end itself, and vertices, the nearest first.
-std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end) const
+// The end itself, and vertices, the nearest first. Of a fringe the nearest are all within it: so
+// the last is the one that stands out most towards the other end.
+std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end, const CutEnd& other)
 {
   std::vector<CutEnd> ends{ end };
   const double reach = MoveReach * end.F;
-  this->NearVertices.AllOf(end.Along - reach, end.Along + reach,
+  this->AllVertices(this->Line.Band(this->Margin, end.Along - reach, end.Along + reach),
     [this, &ends, &end, reach](Id vertex)
     {
       const Point2& place = this->Vertex(vertex);
@@ -253,32 +234,44 @@ std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end) const
       const double second = Distance(b.Place, end.Place);
       return first != second ? first < second : a.Vertex < b.Vertex;
     });
-  ends.resize(std::min(ends.size(), MostMoves));
+  const auto isSame = [](const CutEnd& a, const CutEnd& b) { return a.Vertex == b.Vertex; };
+  ends.erase(std::unique(ends.begin() + 1, ends.end(), isSame), ends.end());
+  if (ends.size() > MostMoves)
+  {
+    const Point2 way = other.Place - end.Place;
+    const CutEnd outermost = *std::max_element(ends.begin(), ends.end(),
+      [&way](const CutEnd& a, const CutEnd& b) { return Dot(a.Place, way) < Dot(b.Place, way); });
+    ends.resize(MostMoves);
+    ends.push_back(outermost);
+  }
   return ends;
 }
 
-// False where a piece lies on the line.
+// False where a piece lies on the line. The margin is four times f at the ends: what is farther
+// away does not matter, unless f grows very fast.
 bool LineMaker::FindEnds()
 {
-  for (const Id piece : this->Scene.Pieces)
-  {
-    const auto& ends = this->Scene.Graph.Pieces[piece];
-    const double start = this->Across(this->Vertex(ends.Start)) - this->Line.At;
-    const double end = this->Across(this->Vertex(ends.End)) - this->Line.At;
-    if (start == 0.0 && end == 0.0)
+  const Box2& box = this->Scene.Around;
+  const Box2 place = this->Line.Band(
+    0.0, Coordinate(box.Low, !this->Line.IsVertical), Coordinate(box.High, !this->Line.IsVertical));
+  const bool areOff = this->AllPieces(place,
+    [this](Id piece)
     {
-      return false;
-    }
-    if ((start <= 0.0) != (end <= 0.0))
-    {
-      this->Ends.push_back(this->MakeEnd(piece));
-    }
-  }
+      const auto& ends = this->Scene.Graph.Pieces[piece];
+      const double start = this->Across(this->Vertex(ends.Start)) - this->Line.At;
+      const double end = this->Across(this->Vertex(ends.End)) - this->Line.At;
+      if ((start <= 0.0) != (end <= 0.0))
+      {
+        this->Ends.push_back(this->MakeEnd(piece));
+        this->Margin = std::max(this->Margin, 2.0 * Clearance * this->Ends.back().F);
+      }
+      return start != 0.0 || end != 0.0;
+    });
   std::sort(this->Ends.begin(), this->Ends.end(),
     [](const CutEnd& a, const CutEnd& b)
     { return a.Along != b.Along ? a.Along < b.Along : a.Vertex < b.Vertex; });
   this->Unite();
-  return true;
+  return areOff;
 }
 
 CutEnd LineMaker::MakeEnd(Id piece) const
@@ -327,39 +320,7 @@ bool LineMaker::IsWanted(const CutEnd& from, const CutEnd& to) const
     this->Scene.Locator.IsInside(this->PlaceAt(along));
 }
 
-// Four times f at the ends: what is farther away does not matter, unless f grows very fast.
-void LineMaker::FindNear()
-{
-  for (const CutEnd& end : this->Ends)
-  {
-    this->Margin = std::max(this->Margin, 2.0 * Clearance * end.F);
-  }
-  for (const Id piece : this->Scene.Pieces)
-  {
-    const auto& ends = this->Scene.Graph.Pieces[piece];
-    const Point2& a = this->Vertex(ends.Start);
-    const Point2& b = this->Vertex(ends.End);
-    const double low = std::min(this->Across(a), this->Across(b));
-    const double high = std::max(this->Across(a), this->Across(b));
-    if (low - this->Line.At <= this->Margin && high - this->Line.At >= -this->Margin)
-    {
-      this->NearPieces.Add(
-        piece, std::min(this->Along(a), this->Along(b)), std::max(this->Along(a), this->Along(b)));
-    }
-  }
-  for (const Id vertex : this->Scene.Vertices)
-  {
-    const Point2& place = this->Vertex(vertex);
-    if (std::abs(this->Across(place) - this->Line.At) <= this->Margin)
-    {
-      this->NearVertices.Add(vertex, this->Along(place), this->Along(place));
-    }
-  }
-  this->NearPieces.Sort();
-  this->NearVertices.Sort();
-}
-
-bool LineMaker::IsGood(const CutStretch& stretch) const
+bool LineMaker::IsGood(const CutStretch& stretch)
 {
   if (!HasRoom(stretch))
   {
@@ -369,10 +330,11 @@ bool LineMaker::IsGood(const CutStretch& stretch) const
   const double to = this->Along(stretch.To.Place);
   const double low = std::min(from, to) - this->Margin;
   const double high = std::max(from, to) + this->Margin;
-  return this->NearPieces.AllOf(
-           low, high, [this, &stretch](Id piece) { return this->IsClearOf(piece, stretch); }) &&
-    this->NearVertices.AllOf(
-      low, high, [this, &stretch](Id vertex) { return this->IsClearOfVertex(vertex, stretch); });
+  const Box2 place = this->Line.Band(this->Margin, low, high);
+  return this->AllPieces(
+           place, [this, &stretch](Id piece) { return this->IsClearOf(piece, stretch); }) &&
+    this->AllVertices(
+      place, [this, &stretch](Id vertex) { return this->IsClearOfVertex(vertex, stretch); });
 }
 
 bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
@@ -384,37 +346,24 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
   if (isAtFrom || isAtTo)
   {
     return !(isAtFrom && isAtTo) && this->Scene.MayEndOn(ends) &&
-      (isAtFrom ? this->IsOpenAngle(ends, stretch.From, direction, CosineOfLeastAngle)
-                : this->IsOpenAngle(ends, stretch.To, -1.0 * direction, CosineOfLeastAngle));
+      (isAtFrom
+          ? IsOpenAngle(this->Scene.Graph, ends, stretch.From, direction, CosineOfLeastAngle)
+          : IsOpenAngle(this->Scene.Graph, ends, stretch.To, -1.0 * direction, CosineOfLeastAngle));
   }
   return Meet(stretch.From.Place, stretch.To.Place, this->Vertex(ends.Start),
            this->Vertex(ends.End)) == Meeting::None;
 }
 
-// Between the stretch, which leaves its end in that direction, and what the piece has there.
-bool LineMaker::IsOpenAngle(const CutGraph::Piece& piece, const CutEnd& end,
-  const Point2& direction, double cosineOfLeast) const
-{
-  const Point2 along = this->Vertex(piece.End) - this->Vertex(piece.Start);
-  const double product = Dot(along, direction);
-  const double limit = cosineOfLeast * Length(along) * Length(direction);
-  if (end.Vertex == NoId)
-  {
-    return std::abs(product) <= limit;
-  }
-  return (piece.Start == end.Vertex ? product : -product) <= limit;
-}
-
-bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other) const
+bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other)
 {
   const double along = this->Along(end.Place);
   const double reach = OpenReach * end.F;
-  return this->NearPieces.AllOf(along - reach, along + reach,
+  return this->AllPieces(this->Line.Band(this->Margin, along - reach, along + reach),
     [this, &end, &other, reach](Id piece)
     {
       const auto& ends = this->Scene.Graph.Pieces[piece];
       return IsAt(this->Scene.Graph, piece, end)
-        ? this->IsOpenAngle(ends, end, other.Place - end.Place, CosineOfOpenAngle)
+        ? IsOpenAngle(this->Scene.Graph, ends, end, other.Place - end.Place, CosineOfOpenAngle)
         : DistanceTo(end.Place, this->Vertex(ends.Start), this->Vertex(ends.End)) >= reach;
     });
 }

@@ -4,16 +4,12 @@
 #ifndef BitingCutLine_h
 #define BitingCutLine_h
 
-#include "../Base/Box2.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
-#include "../Domain/DomainLocator.h"
-#include "../Spacing/Spacing.h"
-#include "CutFrame.h"
-#include "CutGraph.h"
+#include "CutScene.h"
 
-#include <cstdint> // for flags
-#include <vector>  // for the lists
+#include <cstddef> // for size_t
+#include <vector>  // for the stretches
 
 namespace biting
 {
@@ -23,23 +19,14 @@ struct AxisLine
 {
   bool IsVertical = true;
   double At = 0.0;
-};
 
-/// What a part of the plane holds of a graph.
-struct CutScene
-{
-  const CutGraph& Graph;
-  const DomainLocator& Locator;
-  const Spacing& F;
-  const CutFrame& Frame;
-  Box2 Box;                                  ///< in the frame
-  const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
-  std::vector<Id> Pieces;                    ///< that meet the box, or nearly
-  std::vector<Id> Vertices;                  ///< their ends, and embedded points near the box
-
-  bool MayEndOn(const CutGraph::Piece& piece) const
+  /// That far to both sides of the line, and from `low` to `high` along it.
+  Box2 Band(double margin, double low, double high) const
   {
-    return piece.Segment == NoId || this->AreUncut[piece.Segment] == 0;
+    const double from = this->At - margin;
+    const double to = this->At + margin;
+    return this->IsVertical ? Box2{ { from, low }, { to, high } }
+                            : Box2{ { low, from }, { high, to } };
   }
 };
 
@@ -66,6 +53,7 @@ struct CutLine
 {
   std::vector<CutStretch> Stretches;
   bool IsGood = true;
+  std::size_t Looks = 0; ///< at pieces and vertices: what it costs
 };
 
 /// What is done about stretches that are not good.

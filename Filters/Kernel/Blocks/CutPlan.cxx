@@ -35,6 +35,7 @@ constexpr double StepOfPlaces = 0.015; // of the part's vertices
 constexpr int LeastParts = 4;
 constexpr double PartsOfLine = 100.0;
 constexpr double WayAside = 0.1;     // of the diagonal
+constexpr double Beside = 0.02;      // of the diagonal: what counts in a part
 constexpr double CostOfChange = 0.3; // of f by a factor of e, in vertices on the cut
 
 // An end that is not open (CutLine.h), in vertices on the cut: it is where angles may be small.
@@ -113,7 +114,8 @@ struct Part
   Id Node;
   Box2 Box; ///< in the frame, as the samples
   Samples Inside;
-  std::vector<Id> Pieces; ///< of the graph, that meet the box, or nearly, of the first `Seen`
+  std::vector<Id>
+    Others; ///< pieces that the domain had not, that meet the box, of the first `Seen`
   Id Seen = 0;
 };
 
@@ -145,13 +147,6 @@ public:
       this->Rows.AddCut(*this->Frame.IsMostlyVertical);
     }
     this->Plan.Graph = CutGraph(domain);
-    for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-    {
-      if (domain.IsEmbedded[vertex] != 0)
-      {
-        this->Embedded.push_back(vertex);
-      }
-    }
   }
 
   CutPlan Run();
@@ -160,13 +155,12 @@ private:
   Id AddNode(double share);
   bool Divide(Part& part);
   bool FindTouches();
+  void FileDomain();
   Cut FindBestCut(Part& part, const CutScene& scene, CutEffort effort);
   Cut FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffort effort);
   double CostOf(const CutLine& line) const;
   double CostOf(const Point2& place, const Point2& step) const;
   CutScene SceneOf(Part& part) const;
-  void UpdatePieces(Part& part) const;
-  bool IsInScene(const CutGraph::Piece& piece, const Box2& box) const;
   void Apply(const CutLine& line, bool isFolded);
   Id VertexFor(const CutEnd& end);
   void DivideNode(Part& part, const AxisLine& line);
@@ -181,7 +175,7 @@ private:
   CutRows Rows;
   CutPlan Plan;
   std::vector<Part> Pending;
-  std::vector<Id> Embedded; ///< vertices of the domain
+  BoxTree<CutScene::Filed> Tree;
   double VerticesPerDensity = 0.0;
 };
 
@@ -208,7 +202,9 @@ CutPlan Planner::Run()
       return std::move(this->Plan);
     }
     this->VerticesPerDensity = vertices / total;
-    this->Pending.push_back({ 0, { { -Far, -Far }, { Far, Far } }, std::move(samples), {}, 0 });
+    this->FileDomain();
+    this->Pending.push_back({ 0, { { -Far, -Far }, { Far, Far } }, std::move(samples), {},
+      this->Plan.Graph.NumberOfPieces() });
   }
   while (!this->Pending.empty() && this->Beats.Ask())
   {
@@ -270,6 +266,28 @@ bool Planner::FindTouches()
   return true;
 }
 
+void Planner::FileDomain()
+{
+  const std::vector<Point2>& vertices = this->Geometry.Vertices;
+  const auto boxOf = [this, &vertices](Id a, Id b)
+  { return Box2::Around(this->Frame.To(vertices[a]), this->Frame.To(vertices[b])); };
+  std::vector<CutScene::Filed> all;
+  all.reserve(this->Geometry.Starts.size());
+  for (Id piece = 0; piece < this->Plan.Graph.NumberOfPieces(); ++piece)
+  {
+    const CutGraph::Piece& ends = this->Plan.Graph.Pieces[piece];
+    all.push_back({ piece, ends.End, boxOf(ends.Start, ends.End) });
+  }
+  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices(); ++vertex)
+  {
+    if (this->Geometry.IsEmbedded[vertex] != 0)
+    {
+      all.push_back({ NoId, vertex, boxOf(vertex, vertex) });
+    }
+  }
+  this->Tree = BoxTree<CutScene::Filed>(all, this->Beats);
+}
+
 Cut Planner::FindBestCut(Part& part, const CutScene& scene, CutEffort effort)
 {
   Cut vertical = this->FindCut(part, scene, true, effort);
@@ -300,6 +318,7 @@ Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffo
   best.Along.IsGood = false;
   for (Cut& cut : cuts)
   {
+    this->Plan.Looks += cut.Along.Looks;
     if (cut.Cost < best.Cost)
     {
       best = std::move(cut);
@@ -340,45 +359,22 @@ double Planner::CostOf(const Point2& place, const Point2& step) const
   return length / f * (1.0 + CostOfChange * change);
 }
 
+// Of the parts that this one is of, and what was added since then.
 CutScene Planner::SceneOf(Part& part) const
 {
-  this->UpdatePieces(part);
   const CutGraph& graph = this->Plan.Graph;
-  CutScene scene{ graph, this->Locator, this->F, this->Frame, part.Box, this->Plan.AreTouching,
-    part.Pieces, this->Embedded };
-  for (const Id piece : scene.Pieces)
-  {
-    scene.Vertices.push_back(graph.Pieces[piece].Start);
-    scene.Vertices.push_back(graph.Pieces[piece].End);
-  }
-  std::sort(scene.Vertices.begin(), scene.Vertices.end());
-  scene.Vertices.erase(
-    std::unique(scene.Vertices.begin(), scene.Vertices.end()), scene.Vertices.end());
-  return scene;
-}
-
-// Those of the part that this one is of, and what was added since then.
-void Planner::UpdatePieces(Part& part) const
-{
-  const CutGraph& graph = this->Plan.Graph;
+  CutScene scene{ graph, this->Locator, this->F, this->Frame, this->Plan.AreTouching, this->Tree,
+    part.Box, part.Box, {} };
+  scene.Around.Grow(Beside * this->Geometry.Bounds.Diagonal());
   for (; part.Seen < graph.NumberOfPieces(); ++part.Seen)
   {
-    part.Pieces.push_back(part.Seen);
+    part.Others.push_back(part.Seen);
   }
-  part.Pieces.erase(
-    std::remove_if(part.Pieces.begin(), part.Pieces.end(),
-      [this, &graph, &part](Id piece) { return !this->IsInScene(graph.Pieces[piece], part.Box); }),
-    part.Pieces.end());
-}
-
-// A cut is off its line by as much as its ends are, so that pieces beside the box count too.
-bool Planner::IsInScene(const CutGraph::Piece& piece, const Box2& box) const
-{
-  Box2 own;
-  own.Add(this->Frame.To(this->Plan.Graph.Vertices[piece.Start]));
-  own.Add(this->Frame.To(this->Plan.Graph.Vertices[piece.End]));
-  own.Grow(0.02 * this->Geometry.Bounds.Diagonal());
-  return own.Meets(box);
+  part.Others.erase(std::remove_if(part.Others.begin(), part.Others.end(),
+                      [&scene](Id piece) { return !scene.BoundsOf(piece).Meets(scene.Around); }),
+    part.Others.end());
+  scene.Others = part.Others;
+  return scene;
 }
 
 void Planner::Apply(const CutLine& line, bool isFolded)
@@ -411,8 +407,8 @@ Id Planner::VertexFor(const CutEnd& end)
 
 void Planner::DivideNode(Part& part, const AxisLine& line)
 {
-  Part low{ NoId, part.Box, {}, part.Pieces, part.Seen };
-  Part high{ NoId, part.Box, {}, std::move(part.Pieces), part.Seen };
+  Part low{ NoId, part.Box, {}, part.Others, part.Seen };
+  Part high{ NoId, part.Box, {}, std::move(part.Others), part.Seen };
   (line.IsVertical ? low.Box.High.X : low.Box.High.Y) = line.At;
   (line.IsVertical ? high.Box.Low.X : high.Box.Low.Y) = line.At;
   for (const DensitySample& sample : part.Inside)

@@ -18,9 +18,10 @@ namespace biting
 {
 
 /// Branch and bound over many items: each lies in item.Box(), and its cost at x is at least
-/// item.Least() plus slope times the distance from x to the box. A balanced binary tree of boxes;
-/// the cost of a search is logarithmic in ordinary cases. Built on the threads of the pulse's
-/// monitor, level by level, then by subtrees; it does not depend on how many these are.
+/// item.Least() plus slope times the distance from x to the box; and which of them meet a box. A
+/// balanced binary tree of boxes; the cost of a search is logarithmic in ordinary cases. Built on
+/// the threads of the pulse's monitor, level by level, then by subtrees; it does not depend on how
+/// many these are.
 template <typename Item>
 class BoxTree
 {
@@ -44,6 +45,14 @@ public:
       const Node& root = this->Nodes.front();
       this->SearchBelow(root, root.Bound(x, slope), x, slope, limit, visit);
     }
+  }
+
+  /// Whether `isSo` holds for all items whose boxes meet `box`: asks in the order of the tree,
+  /// until one says no.
+  template <typename Question>
+  bool AllOf(const Box2& box, const Question& isSo) const
+  {
+    return this->Nodes.empty() || this->AllBelow(this->Nodes.front(), box, isSo);
   }
 
 private:
@@ -99,6 +108,8 @@ private:
   template <typename Visit>
   void SearchBelow(const Node& node, double bound, const Point2& x, double slope, double& limit,
     Visit& visit) const;
+  template <typename Question>
+  bool AllBelow(const Node& node, const Box2& box, const Question& isSo) const;
   void Build(std::vector<Entry>& entries, Pulse& pulse);
   std::vector<Branch> SplitAll(
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
@@ -287,6 +298,27 @@ void BoxTree<Item>::SearchBelow(
     this->SearchBelow(*near, nearBound, x, slope, limit, visit);
     this->SearchBelow(*far, farBound, x, slope, limit, visit);
   }
+}
+
+template <typename Item>
+template <typename Question>
+bool BoxTree<Item>::AllBelow(const Node& node, const Box2& box, const Question& isSo) const
+{
+  if (!node.Box.Meets(box))
+  {
+    return true;
+  }
+  const auto first = static_cast<std::size_t>(node.First);
+  for (std::size_t k = first; k < first + static_cast<std::size_t>(node.Count); ++k)
+  {
+    if (this->Ordered[k].Box().Meets(box) && !isSo(this->Ordered[k]))
+    {
+      return false;
+    }
+  }
+  return node.Count > 0 ||
+    (this->AllBelow(this->Nodes[first], box, isSo) &&
+      this->AllBelow(this->Nodes[first + 1], box, isSo));
 }
 
 } // namespace biting

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingCutScene_h
+#define BitingCutScene_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Domain/DomainLocator.h"
+#include "../Spacing/BoxTree.h"
+#include "../Spacing/Spacing.h"
+#include "CutFrame.h"
+#include "CutGraph.h"
+
+#include <algorithm> // for all_of
+#include <cstdint>   // for flags
+#include <vector>    // for the lists
+
+namespace biting
+{
+
+/// What a part of the plane holds of a graph. A cut is off its line by as much as its ends are, so
+/// that pieces beside the box count too.
+///
+/// What the domain has is found in a tree that all parts share: a search costs what it finds, and
+/// none goes through all that is in the part.
+struct CutScene
+{
+  /// A segment of the domain by its first piece, or an embedded point.
+  struct Filed
+  {
+    Id Piece; ///< NoId: an embedded point
+    Id End;   ///< vertex: of the segment, or that point
+    Box2 Bounds;
+
+    const Box2& Box() const { return this->Bounds; }
+    double Least() const { return 0.0; }
+  };
+
+  const CutGraph& Graph;
+  const DomainLocator& Locator;
+  const Spacing& F;
+  const CutFrame& Frame;
+  const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
+  const BoxTree<Filed>& Tree;
+  Box2 Box;               ///< in the frame
+  Box2 Around;            ///< the box, and what is beside it
+  std::vector<Id> Others; ///< pieces that the tree has not, and that meet Around
+
+  bool MayEndOn(const CutGraph::Piece& piece) const
+  {
+    return piece.Segment == NoId || this->AreUncut[piece.Segment] == 0;
+  }
+
+  Box2 BoundsOf(Id piece) const
+  {
+    const CutGraph::Piece& ends = this->Graph.Pieces[piece];
+    return Box2::Around(this->Frame.To(this->Graph.Vertices[ends.Start]),
+      this->Frame.To(this->Graph.Vertices[ends.End]));
+  }
+
+  /// Whether `isSo` holds for all pieces of the scene whose boxes meet `place`, in the frame.
+  template <typename Question>
+  bool AllPieces(const Box2& place, const Question& isSo) const
+  {
+    const auto holds = [this, &place](Id piece)
+    {
+      const Box2 bounds = this->BoundsOf(piece);
+      return bounds.Meets(place) && bounds.Meets(this->Around);
+    };
+    return this->Tree.AllOf(place,
+             [this, &isSo, &holds](const Filed& filed)
+             {
+               const Id piece = filed.Piece;
+               const bool isHere = piece != NoId && filed.Bounds.Meets(this->Around) &&
+                 (this->Graph.Pieces[piece].End == filed.End || holds(piece));
+               return !isHere || isSo(piece);
+             }) &&
+      std::all_of(this->Others.begin(), this->Others.end(),
+        [&isSo, &holds](Id piece) { return !holds(piece) || isSo(piece); });
+  }
+
+  /// The same for their ends that lie in `place`, and embedded points there; some come several
+  /// times.
+  template <typename Question>
+  bool AllVertices(const Box2& place, const Question& isSo) const
+  {
+    const auto isAway = [this, &place](Id vertex)
+    { return !place.Contains(this->Frame.To(this->Graph.Vertices[vertex])); };
+    return this->AllPieces(place,
+             [this, &isSo, &isAway](Id piece)
+             {
+               const CutGraph::Piece& ends = this->Graph.Pieces[piece];
+               return (isAway(ends.Start) || isSo(ends.Start)) &&
+                 (isAway(ends.End) || isSo(ends.End));
+             }) &&
+      this->Tree.AllOf(
+        place, [&isSo](const Filed& filed) { return filed.Piece != NoId || isSo(filed.End); });
+  }
+};
+
+} // namespace biting
+
+#endif
