@@ -107,11 +107,10 @@ int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkBitingMesher::RequestInformation(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkBitingMesher::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
-  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+  return biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -134,19 +134,15 @@ int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isSource ? "vtkDataSet" : "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
     isSource ? "vtkCompositeDataSet" : "vtkUnstructuredGrid");
-  if (port != 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkBitingRemesher::RequestInformation(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkBitingRemesher::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
-  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+  return biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
 }
 
 //------------------------------------------------------------------------------

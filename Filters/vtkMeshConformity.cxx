@@ -161,11 +161,10 @@ int vtkMeshConformity::RequestDataObject(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshConformity::RequestInformation(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkMeshConformity::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
-  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+  return biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
 }
 
 //------------------------------------------------------------------------------

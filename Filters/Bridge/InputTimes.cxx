@@ -48,7 +48,7 @@ void Times::Add(vtkInformation* input)
 
 } // namespace
 
-void PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs)
+int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs)
 {
   Times times;
   for (int port = 0; port < numberOfPorts; ++port)
@@ -68,6 +68,7 @@ void PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationV
       output->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
     }
   }
+  return 1;
 }
 
 } // namespace biting

@@ -15,7 +15,8 @@ namespace biting
 
 /// In REQUEST_INFORMATION: the times of the outputs are those of all inputs, not of the first port
 /// alone, as VTK has it. So a filter runs anew where only its spacing source changes with time.
-void PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
+/// Returns 1, as requests do.
+int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
 
 } // namespace biting
 
