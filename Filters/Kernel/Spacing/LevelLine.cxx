@@ -4,7 +4,7 @@
 #include "LevelLine.h"
 
 #include <algorithm> // for min, max
-#include <cmath>     // for sqrt
+#include <cmath>     // for abs, sqrt
 
 namespace biting
 {
@@ -12,6 +12,9 @@ namespace biting
 /// Beside the line values that are as large as fill values would leave nothing but rounding. They
 /// count as so many times what rises with the slope across the cell.
 constexpr double LargestRise = 1e6;
+
+/// Of the line between two sides of the cell: then it is nearly straight.
+constexpr int Halvings = 3;
 
 LevelLine::LevelLine(const Box2& cell, const std::array<double, 4>& values, double slope)
   : Cell(cell)
@@ -44,7 +47,8 @@ double LevelLine::Bound(const Point2& x) const
   double bound = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + (count == 2 ? 1 : 0) < count; ++k)
   {
-    bound = std::min(bound, this->BoundFromPart(crossings[k], crossings[(k + 1) % count], x, 2));
+    bound =
+      std::min(bound, this->BoundFromPart(crossings[k], crossings[(k + 1) % count], x, Halvings));
   }
   return bound;
 }
@@ -55,79 +59,49 @@ Point2 LevelLine::CornerAt(std::size_t corner) const
     corner >= 2 ? this->Cell.High.Y : this->Cell.Low.Y };
 }
 
-/// The nearest point of the line on the ways to corners on its other side. Along these, what is
-/// bilinear is quadratic.
-Point2 LevelLine::TowardsCorners(const Point2& place) const
-{
-  const double here = this->At(place).Value;
-  Point2 nearest = place;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t corner = 0; corner < 4; ++corner)
-  {
-    const double there = this->Values[corner];
-    if ((there < 0.0) != (here < 0.0))
-    {
-      const Point2 way = this->CornerAt(corner) - place;
-      const double square = 2.0 * (here + there - 2.0 * this->At(place + 0.5 * way).Value);
-      const double linear = there - here - square;
-      const double root = std::sqrt(std::max(linear * linear - 4.0 * square * here, 0.0));
-      const double divisor = here < 0.0 ? -linear - root : root - linear;
-      const double along = divisor != 0.0 ? std::min(2.0 * here / divisor, 1.0) : 0.0;
-      nearest = along * Length(way) < least ? place + along * way : nearest;
-      least = std::min(least, along * Length(way));
-    }
-  }
-  return nearest;
-}
-
 /// Between two points of the line, after so many halvings.
 double LevelLine::BoundFromPart(
   const Point2& start, const Point2& end, const Point2& x, int halvings) const
 {
   if (halvings > 0)
   {
-    const Point2 middle = this->TowardsCorners(Midpoint(start, end));
+    const Point2 middle = this->MiddleOf(start, end);
     return std::min(this->BoundFromPart(start, middle, x, halvings - 1),
       this->BoundFromPart(middle, end, x, halvings - 1));
   }
   const Point2 way = end - start;
   const double length = Dot(way, way);
   const double along = length > 0.0 ? Dot(x - start, way) / length : 0.0;
-  const Point2 foot = this->AlongGradient(start + std::min(std::max(along, 0.0), 1.0) * way);
-  const Point2 place = this->AlongGradient(foot + this->AlongLine(foot, x - foot));
-  return std::min(this->BoundFromPlace(foot, x), this->BoundFromPlace(place, x));
-}
-
-double LevelLine::BoundFromPlace(const Point2& place, const Point2& x) const
-{
+  const Point2 place = this->AlongAxis(start + std::min(std::max(along, 0.0), 1.0) * way);
   return std::max(this->At(place).Value, 0.0) + this->Slope * Distance(x, place);
 }
 
-/// The part of an offset that leads along the line.
-Point2 LevelLine::AlongLine(const Point2& place, const Point2& offset) const
+/// The middles of parallel chords of a hyperbola lie on a line, which meets it between their ends.
+/// Where its asymptotes are along x and y, that line has the direction of the chord, mirrored.
+Point2 LevelLine::MiddleOf(const Point2& start, const Point2& end) const
 {
-  const Point2 gradient = this->At(place).Gradient;
-  const double square = Dot(gradient, gradient);
-  return square > 0.0 ? offset - (Dot(offset, gradient) / square) * gradient : Point2{};
+  const Point2 middle = Midpoint(start, end);
+  const Point2 way{ end.X - start.X, start.Y - end.Y };
+  const double here = this->At(middle).Value;
+  const double ahead = this->At(middle + way).Value;
+  const double behind = this->At(middle - way).Value;
+  const double linear = 0.5 * (ahead - behind);
+  const double square = 0.5 * (ahead + behind) - here;
+  const double root = std::sqrt(std::max(linear * linear - 4.0 * square * here, 0.0));
+  const double divisor = linear < 0.0 ? linear - root : linear + root;
+  return std::abs(divisor) > 0.0 ? middle - (2.0 * here / divisor) * way : middle;
 }
 
-/// Within the cell, after two steps of Newton's method towards the line.
-Point2 LevelLine::AlongGradient(Point2 place) const
+/// To the line, by the shorter way along x or y: there what is bilinear is linear. Within the cell.
+Point2 LevelLine::AlongAxis(const Point2& place) const
 {
-  for (int step = 0; step < 2; ++step)
-  {
-    place = this->Inside(place);
-    const Local local = this->At(place);
-    const double square = Dot(local.Gradient, local.Gradient);
-    place = square > 0.0 ? place - (local.Value / square) * local.Gradient : place;
-  }
-  return this->Inside(place);
-}
-
-Point2 LevelLine::Inside(const Point2& place) const
-{
-  return { std::min(std::max(this->Cell.Low.X, place.X), this->Cell.High.X),
-    std::min(std::max(this->Cell.Low.Y, place.Y), this->Cell.High.Y) };
+  const auto& [value, gradient] = this->At(place);
+  const bool alongX = std::abs(gradient.X) > std::abs(gradient.Y);
+  const double slope = alongX ? gradient.X : gradient.Y;
+  const double step = std::abs(slope) > 0.0 ? -value / slope : 0.0;
+  const Point2 moved = place + (alongX ? Point2{ step, 0.0 } : Point2{ 0.0, step });
+  return { std::min(std::max(this->Cell.Low.X, moved.X), this->Cell.High.X),
+    std::min(std::max(this->Cell.Low.Y, moved.Y), this->Cell.High.Y) };
 }
 
 LevelLine::Local LevelLine::At(const Point2& place) const

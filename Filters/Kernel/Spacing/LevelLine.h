@@ -32,11 +32,8 @@ private:
 
   Point2 CornerAt(std::size_t corner) const;
   double BoundFromPart(const Point2& start, const Point2& end, const Point2& x, int halvings) const;
-  Point2 TowardsCorners(const Point2& place) const;
-  double BoundFromPlace(const Point2& place, const Point2& x) const;
-  Point2 AlongLine(const Point2& place, const Point2& offset) const;
-  Point2 AlongGradient(Point2 place) const;
-  Point2 Inside(const Point2& place) const;
+  Point2 MiddleOf(const Point2& start, const Point2& end) const;
+  Point2 AlongAxis(const Point2& place) const;
   Local At(const Point2& place) const;
 
   Box2 Cell;

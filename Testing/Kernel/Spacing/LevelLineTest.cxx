@@ -73,7 +73,8 @@ TEST(LevelLine, IsAHyperbolaOrTwo)
   Sampler sampler(5);
   for (const std::array<double, 4>& values :
     { std::array<double, 4>{ -1.0, 2.0, 3.0, 1.0 }, { -1.0, -0.1, -0.2, 20.0 },
-      { -1.0, 1.0, -1.0, 2.0 }, { 1.0, -0.3, 1.0, -2.0 }, { -0.1, 1.0, -2.0, -3.0 } })
+      { -1.0, 1.0, -1.0, 2.0 }, { 1.0, -0.3, 1.0, -2.0 }, { -0.1, 1.0, -2.0, -3.0 },
+      { 1.0005, -0.9996, 0.9997, -1.0003 }, { -1.0005, 0.9996, -0.9997, 1.0003 } })
   {
     const LevelLine line(Cell, values, Slope);
     for (int probe = 0; probe < 50; ++probe)
