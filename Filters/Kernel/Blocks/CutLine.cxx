@@ -145,15 +145,23 @@ CutLine LineMaker::Make()
 template <typename Question>
 bool LineMaker::AllPieces(const Box2& place, const Question& isSo)
 {
-  return this->Scene.AllPieces(
-    place, [this, &isSo](Id piece) { return ++this->Looks > 0 && isSo(piece); });
+  return this->Scene.AllPieces(place,
+    [this, &isSo](Id piece)
+    {
+      ++this->Looks;
+      return isSo(piece);
+    });
 }
 
 template <typename Question>
 bool LineMaker::AllVertices(const Box2& place, const Question& isSo)
 {
-  return this->Scene.AllVertices(
-    place, [this, &isSo](Id vertex) { return ++this->Looks > 0 && isSo(vertex); });
+  return this->Scene.AllVertices(place,
+    [this, &isSo](Id vertex)
+    {
+      ++this->Looks;
+      return isSo(vertex);
+    });
 }
 
 // By the room of its stretches alone, before what is near is looked at: a fringe has short ones.

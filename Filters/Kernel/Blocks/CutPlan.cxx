@@ -8,7 +8,7 @@
 #include "CutRows.h"
 #include "DensitySamples.h"
 
-#include <algorithm> // for sort, unique, remove_if, max
+#include <algorithm> // for sort, remove_if, max
 #include <cmath>     // for log, abs
 #include <limits>    // for the plane
 #include <utility>   // for move
@@ -114,8 +114,7 @@ struct Part
   Id Node;
   Box2 Box; ///< in the frame, as the samples
   Samples Inside;
-  std::vector<Id>
-    Others; ///< pieces that the domain had not, that meet the box, of the first `Seen`
+  std::vector<Id> Others; ///< CutScene::Others, of the first `Seen` pieces
   Id Seen = 0;
 };
 
