@@ -28,6 +28,7 @@ COLORS = [-1, 0.75, 0.87, 0.95, 0, 1, 1, 1, 1, 1, 0.85, 0.7]
 
 
 def main(plugin, folder, steps=STEPS):
+    os.makedirs(folder, exist_ok=True)
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     square = LegacyVTKReader(FileNames=[os.path.join(HERE, 'square_9x9.vtk')])
     mesh = first_mesh(square)

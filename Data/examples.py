@@ -110,6 +110,7 @@ tasks = [contour_to_mesh, coast_with_spacing_by_depth, airfoil, plate_with_regio
 
 
 def main(plugin, folder):
+    os.makedirs(folder, exist_ok=True)
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     for task in tasks:
         mesh = task(folder)

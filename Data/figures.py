@@ -26,6 +26,7 @@ SETTINGS = {'UniformSpacing': 0.6, 'Gradation': 0, 'Placement': 'Corners', 'Rela
 
 
 def main(plugin, folder):
+    os.makedirs(folder, exist_ok=True)
     paraview.simple._DisableFirstRenderCameraReset()
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=pictures.__dict__)
     drawing = AppendGeometry(registrationName='Drawing', Input=[

@@ -15,6 +15,7 @@ import sys
 from paraview.simple import *
 
 plugin, folder = sys.argv[1:3]
+os.makedirs(folder, exist_ok=True)
 frames = int(sys.argv[3]) if len(sys.argv) > 3 else 60
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, here)

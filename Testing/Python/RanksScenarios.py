@@ -3,8 +3,10 @@
 
 """The filters on pieces that lie on ranks in many ways: for TestRanksProxy.py, by mpiexec pvbatch.
 
-Arguments: names of functions below. With BITING_SERVER_PORT the filters run on that pvserver. Writes to the file of BITING_ANSWER, as JSON, what each filter gave: a digest of the bytes of all
-outputs, another of what numbers the input's points and cells, and the errors said on the first rank.
+Arguments: names of functions below. With BITING_SERVER_PORT the filters run on that pvserver.
+Writes to the file of BITING_ANSWER, as JSON, what each filter gave: a digest of the bytes of all
+outputs, another of what numbers the input's points and cells, and the errors said on the first
+rank.
 """
 
 import hashlib
@@ -24,8 +26,8 @@ ADDED = ('GlobalCellIds', 'GlobalPointIds', 'vtkOriginalCellIds', 'vtkGhostType'
 
 # What every source begins with: rings of a drawing, a spacing, and who has which of them.
 PRELUDE = '''
-global math, vtkCellArray, vtkDoubleArray, vtkImageData, vtkIntArray, vtkMultiBlockDataSet, vtkPoints
-global vtkPolyData, rank, ranks, rings, Ring, Drawing, Spread, Blocks, F, Field
+global math, vtkCellArray, vtkDoubleArray, vtkImageData, vtkIntArray, vtkMultiBlockDataSet
+global vtkPoints, vtkPolyData, rank, ranks, rings, Ring, Drawing, Spread, Blocks, F, Field
 import math
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -230,7 +232,7 @@ def contours(answer):
 
 
 def image_with_ghosts():
-    """Another filter has asked for ghosts of it before: they stay, with an array that tells of them."""
+    """Another filter has asked for ghosts of it before: they stay, with an array that tells so."""
     wavelet = simple.Wavelet(WholeExtent=[-12, 12, -12, 12, 0, 0])
     cells = simple.Threshold(Input=wavelet, Scalars=['POINTS', 'RTData'], LowerThreshold=150)
     simple.ExtractSurface(Input=cells).UpdatePipeline()
@@ -239,7 +241,8 @@ def image_with_ghosts():
 
 
 def sources(answer):
-    """A source in pieces: an image, one with ghosts, triangles, triangles dealt out, blocks; also on one rank only."""
+    """A source in pieces: an image, one with ghosts, triangles, triangles dealt out, blocks; also
+    on one rank only."""
     parameters = {'UniformSpacing': 0.0, 'SourceSpacingArray': ['POINTS', 'Spacing']}
     triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=image()))
     last = producer('''
@@ -315,7 +318,7 @@ def area_of(mesh):
 
 
 def hidden_cells(answer):
-    """They are no part of the domain, of an old mesh or of a source, whoever else has no hidden ones."""
+    """They are no part of the domain, an old mesh or a source, whoever else has no hidden ones."""
     grid = producer(HIDING + 'self.GetOutput().ShallowCopy(Hide(Lattice()))',
                     'vtkStructuredGrid', WHOLE_LATTICE)
     quads = producer(HIDING + 'self.GetOutput().ShallowCopy(Hide(Surface(Lattice())))')
@@ -333,7 +336,8 @@ self.GetOutput().ShallowCopy(Hide(triangles.GetOutput()))
         answer['Hidden.Source' + name] = dict(spaced, messages=0)  # one: the drawing is larger
     remesher = BitingRemesher(Input=triangles, UniformSpacing=0.7)
     answer['Hidden.Remesher'] = run(remesher, ())
-    answer['Hidden.Remesher']['digests'].append('%.9g of area' % area_of(servermanager.Fetch(remesher)))
+    area = '%.9g of area' % area_of(servermanager.Fetch(remesher))
+    answer['Hidden.Remesher']['digests'].append(area)
 
 
 def field_of(algorithm, names):
@@ -395,7 +399,7 @@ def errors(answer):
 
 
 def upstream(answer):
-    """A script before ours stops with an error on one of two ranks; the other one has the drawing."""
+    """A script before ours stops with an error on one of two ranks; the other has the drawing."""
     for name, bad in (('First', 0), ('Last', 1)):
         script = "if ranks > 1 and rank == %d:\n    raise ValueError('upstream')\n" % bad
         script += "self.GetOutput().ShallowCopy(Drawing(Spread('Everywhere')))\n"

@@ -8,6 +8,7 @@ import importlib.util
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
@@ -39,6 +40,12 @@ class TestExamplesProxy(unittest.TestCase):
                 self.check(task)
         for name in FILES:
             self.assertGreater(os.path.getsize(os.path.join(self.folder.name, name)), 1000, name)
+
+    def test_the_folder_of_the_output_need_not_be_there(self):
+        folder = os.path.join(self.folder.name, 'a', 'b')
+        with mock.patch.object(self.examples, 'tasks', []):
+            self.examples.main(os.environ['BITING_PLUGIN'], folder)
+        self.assertTrue(os.path.isdir(folder))
 
     def test_scripts_load_the_plugin_by_its_whole_path_as_paraview_5_13_needs_it(self):
         for path in glob.glob(os.path.join(DATA, '*.py')):

@@ -122,7 +122,8 @@ def read_adcirc(path):
 
 
 def in_two_pieces(mesh):
-    """As two ranks save it: each has every other cell, some of the other's as ghosts, and their points."""
+    """As two ranks save it: each has every other cell, some of the other's as ghosts, and their
+    points."""
     spread, points, polys = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
     cell_ids, point_ids = vtkIdTypeArray(), vtkIdTypeArray()
@@ -142,7 +143,8 @@ def in_two_pieces(mesh):
                         point_ids.InsertNextValue(point)
                 polys.InsertNextCell(3, [numbers[point] for point in ids])
                 cell_ids.InsertNextValue(cell)
-                ghosts.InsertNextValue(0 if cell % 2 == piece else vtkDataSetAttributes.DUPLICATECELL)
+                is_own = cell % 2 == piece
+                ghosts.InsertNextValue(0 if is_own else vtkDataSetAttributes.DUPLICATECELL)
                 regions.InsertNextValue(int(mesh.GetCellData().GetArray('RegionId').GetValue(cell)))
     spread.SetPoints(points)
     spread.SetPolys(polys)
@@ -261,16 +263,27 @@ class TestMeshWritersProxy(unittest.TestCase):
         self.assertEqual(len(triangles), self.mesh.GetNumberOfCells() - len(around))
         self.assertEqual(len(points), self.mesh.GetNumberOfPoints() - 1)
 
-    def test_cells_that_are_no_triangles_are_an_error_and_no_file(self):
-        clip = simple.Clip(Input=self.mesher, ClipType='Plane')  # makes quads, too
+    def refuse(self, name, mesh):
+        """An error, and no file."""
         writer = vtkBitingMeshWriter()
-        writer.SetFileName(os.path.join(self.folder.name, 'clip.msh'))
-        writer.SetInputDataObject(simple.FetchData(clip)[0])
+        writer.SetFileName(os.path.join(self.folder.name, name))
+        writer.SetInputDataObject(mesh)
         errors = []
         writer.AddObserver('ErrorEvent', lambda *unused: errors.append(1))
         writer.Write()
         self.assertEqual(len(errors), 1)
         self.assertFalse(os.path.exists(writer.GetFileName()))
+
+    def test_cells_whose_points_do_not_exist_are_an_error_and_no_file(self):
+        mesh = vtkPolyData()
+        mesh.DeepCopy(self.mesh)
+        mesh.GetPolys().ReplaceCellAtId(7, 3, (0, 1, mesh.GetNumberOfPoints()))
+        for name in ('missing.msh', 'missing.su2', 'missing.14'):
+            self.refuse(name, mesh)
+
+    def test_cells_that_are_no_triangles_are_an_error_and_no_file(self):
+        clip = simple.Clip(Input=self.mesher, ClipType='Plane')  # makes quads, too
+        self.refuse('clip.msh', simple.FetchData(clip)[0])
         triangles = simple.Triangulate(Input=simple.ExtractSurface(Input=clip))
         self.assertTrue(read_gmsh(self.save('clip.msh', triangles))[1])
 
@@ -302,7 +315,8 @@ class TestMeshWritersProxy(unittest.TestCase):
             append.AddInputData(part)
         append.Update()
         both = append.GetOutput()
-        for data, name in ((both.GetPointData(), 'GlobalPointIds'), (both.GetCellData(), 'GlobalCellIds')):
+        for data, name in ((both.GetPointData(), 'GlobalPointIds'),
+                           (both.GetCellData(), 'GlobalCellIds')):
             data.SetActiveGlobalIds(name)
             self.assertTrue(data.GetGlobalIds())
         writer = vtkBitingMeshWriter()

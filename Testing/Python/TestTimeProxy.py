@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Drawings and spacing sources that change with time. A module of its own, because programmable sources put names of numpy,
-such as max, in the place of Python's."""
+"""Drawings and spacings that change with time. A module of its own, because programmable sources put
+names of numpy, such as max, in the place of Python's."""
 
 import os
 import unittest
 
 from paraview import simple
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 # A source that has three times; its square is as wide as the time.
 TIMES = '''
@@ -30,54 +31,76 @@ for k in (0, 1, 2, 3, 0):
 self.GetPolyDataOutput().SetPoints(points)
 self.GetPolyDataOutput().SetLines(lines)
 '''
-
-# Two triangles over the unit square; their spacing is a tenth of the time.
+# A spacing of a tenth of the time, wherever the square may be.
 GROWING_SPACING = '''
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 time = self.GetOutputInformation(0).Get(self.GetExecutive().UPDATE_TIME_STEP())
-points, triangles, spacing = vtkPoints(), vtkCellArray(), vtkDoubleArray()
+spacing = vtkDoubleArray()
 spacing.SetName('Spacing')
-for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
-    points.InsertNextPoint(x, y, 0)
-    spacing.InsertNextValue(0.1 * time)
-for corners in ((0, 1, 2), (0, 2, 3)):
-    triangles.InsertNextCell(3, corners)
-self.GetPolyDataOutput().SetPoints(points)
-self.GetPolyDataOutput().SetPolys(triangles)
-self.GetPolyDataOutput().GetPointData().AddArray(spacing)
+for _ in range(4):
+    spacing.InsertNextValue(time / 10)
+self.GetImageDataOutput().SetDimensions(2, 2, 1)
+self.GetImageDataOutput().SetSpacing(4, 4, 1)
+self.GetImageDataOutput().GetPointData().SetScalars(spacing)
+'''
+EXTENT = '''
+info.Set(self.GetExecutive().WHOLE_EXTENT(), [0, 1, 0, 1, 0, 0], 6)
 '''
 
 
+def growing_square():
+    return simple.ProgrammableSource(OutputDataSetType='vtkPolyData', Script=GROWING_SQUARE,
+                                     ScriptRequestInformation=TIMES)
+
+
+def growing_spacing():
+    return simple.ProgrammableSource(OutputDataSetType='vtkImageData', Script=GROWING_SPACING,
+                                     ScriptRequestInformation=TIMES + EXTENT)
+
+
+def times_of(proxy):
+    proxy.UpdatePipelineInformation()
+    information = proxy.GetClientSideObject().GetOutputInformation(0)
+    return list(information.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()))
+
+
 class TestTimeProxy(unittest.TestCase):
-    def test_a_drawing_that_changes_is_meshed_at_each_time(self):
+    @classmethod
+    def setUpClass(cls):
         simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
-        growing = simple.ProgrammableSource(OutputDataSetType='vtkPolyData',
-            Script=GROWING_SQUARE, ScriptRequestInformation=TIMES)
-        mesher = BitingMesher(Input=growing, UniformSpacing=0.25)
-        mesher.UpdatePipelineInformation()
-        times = list(simple.GetTimeKeeper().TimestepValues)
-        self.assertEqual(times, [1.0, 2.0, 3.0])
+
+    def test_a_drawing_that_changes_is_meshed_at_each_time(self):
+        mesher = BitingMesher(Input=growing_square(), UniformSpacing=0.25)
+        self.assertEqual(times_of(mesher), [1.0, 2.0, 3.0])
         for time in (3.0, 1.0, 2.0):
             mesher.UpdatePipeline(time)
             found = mesher.GetDataInformation()
             self.assertEqual(found.GetBounds()[:4], (0.0, time, 0.0, time))
             self.assertGreater(found.GetNumberOfCells(), 20 * time * time)
 
-    def test_a_steady_drawing_is_meshed_anew_where_its_spacing_changes(self):
-        simple.LoadPlugin(os.environ['BITING_PLUGIN'], ns=globals())
-        spacing = simple.ProgrammableSource(OutputDataSetType='vtkPolyData',
-            Script=GROWING_SPACING, ScriptRequestInformation=TIMES)
-        mesher = BitingMesher(Input=simple.Plane(), SpacingSource=spacing)
-        remesher = BitingRemesher(Input=BitingMesher(Input=simple.Plane(), UniformSpacing=0.2),
-            SpacingSource=spacing)
-        for filter in (mesher, remesher):
-            counts = []
+    def test_a_spacing_that_changes_makes_all_filters_run_anew(self):
+        image = growing_spacing()
+        drawing = simple.Disk(InnerRadius=0.0, OuterRadius=1.0, CircumferentialResolution=16)
+        at = simple.Transform(Input=drawing)
+        at.Transform.Translate = [2.0, 2.0, 0.0]
+        old = BitingMesher(Input=at, UniformSpacing=0.2)
+        asked = {'SpacingSource': image, 'SourceSpacingArray': ['POINTS', 'Spacing']}
+        for over in (BitingMesher(Input=at, LimitByFeatureSize=0, **asked),
+                     BitingRemesher(Input=old, LimitByFeatureSize=0, **asked),
+                     MeshConformity(Input=old, **asked)):
+            self.assertEqual(times_of(over), [1.0, 2.0, 3.0])
             for time in (3.0, 1.0, 2.0):
-                filter.UpdatePipeline(time)
-                counts.append(filter.GetDataInformation().GetNumberOfCells())
-            self.assertGreater(counts[1], 2 * counts[2])
-            self.assertGreater(counts[2], 1.5 * counts[0])
+                over.UpdatePipeline(time)
+                found = over.GetPointDataInformation().GetArray('Spacing').GetRange()
+                self.assertAlmostEqual(found[1], time / 10)
+
+    def test_times_are_those_of_all_inputs(self):
+        early = growing_square()
+        late = simple.ProgrammableSource(
+            OutputDataSetType='vtkImageData', Script=GROWING_SPACING,
+            ScriptRequestInformation=TIMES.replace('[1.0, 2.0, 3.0]', '[2.5, 3.0]') + EXTENT)
+        mesher = BitingMesher(Input=early, SpacingSource=late)
+        self.assertEqual(times_of(mesher), [1.0, 2.0, 2.5, 3.0])
 
 
 if __name__ == '__main__':
