@@ -58,9 +58,11 @@ double AreaOf(const Polylines& edges)
 class Reader
 {
 public:
-  Reader(const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
+  Reader(const RemeshInput& input, double nearest, HangingRule rule, ProblemList& problems,
+    Monitor& monitor)
     : Input(input)
     , Nearest(nearest)
+    , Rule(rule)
     , Problems(problems)
     , Listener(monitor)
     , Progress(monitor)
@@ -105,6 +107,7 @@ private:
 
   const RemeshInput& Input;
   double Nearest;
+  HangingRule Rule;
   ProblemList& Problems;
   Monitor& Listener;
   Pulse Progress;
@@ -164,7 +167,8 @@ void Reader::Orient()
 
 void Reader::Mend()
 {
-  MendedMesh mended = MendOldMesh(this->Input, this->Nearest, this->Mesh, this->Problems);
+  MendedMesh mended =
+    MendOldMesh(this->Input, this->Nearest, this->Rule, this->Mesh, this->Problems);
   this->Numbers = std::move(mended.Numbers);
   this->Divided = std::move(mended.Divided);
   for (const Id triangle : mended.Crowded)
@@ -398,7 +402,16 @@ void Reader::AddCovered(const Domain& domain)
 OldMesh ReadOldMesh(
   const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
 {
-  return Reader(input, nearest, problems, monitor).Read();
+  ProblemList divided = problems;
+  OldMesh mesh = Reader(input, nearest, HangingRule::Divide, divided, monitor).Read();
+  if (divided.HasErrors() && divided.Has(ProblemCode::Touches))
+  {
+    ProblemList left = problems;
+    mesh = Reader(input, nearest, HangingRule::Leave, left, monitor).Read();
+    divided = left.HasErrors() ? std::move(divided) : std::move(left);
+  }
+  problems = std::move(divided);
+  return mesh;
 }
 
 } // namespace biting

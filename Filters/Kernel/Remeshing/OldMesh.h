@@ -122,10 +122,11 @@ struct OldMesh
 /// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
 /// lines, and fixed where one of them was: the lower number stays, but the place of one that is
 /// fixed, a corner of a frozen triangle, or an end of a frozen line; where vertices hang on a free
-/// edge, to rounding, its triangle is divided (ProblemCode::Touches, HangingVertices.h); flat
-/// triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those that are divided are
-/// frozen no more; triangles are turned counterclockwise. Edges of one triangle, or between
-/// regions, or on lines are marked. Lines along sides that were divided stay on what is there
+/// edge, to rounding, its triangle is divided (ProblemCode::Touches, HangingVertices.h), unless
+/// that leaves no mesh, as it may where a slit is no wider than rounding; flat triangles are mended
+/// (ProblemCode::FlatTriangles, FlatTriangles.h): those that are divided are frozen no more;
+/// triangles are turned counterclockwise. Edges of one triangle, or between regions, or on lines
+/// are marked. Lines along sides that were divided stay on what is there
 /// instead; those that are no edges are dropped (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an area,

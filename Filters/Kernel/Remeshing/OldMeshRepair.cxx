@@ -30,7 +30,7 @@ public:
   {
   }
 
-  MendedMesh Mend();
+  MendedMesh Mend(HangingRule rule);
 
 private:
   void Link();
@@ -68,11 +68,14 @@ void Mender::Link()
   this->Result.Crowded = std::move(links.Crowded);
 }
 
-MendedMesh Mender::Mend()
+MendedMesh Mender::Mend(HangingRule rule)
 {
   this->Link();
   this->WeldFreeEdges();
-  this->FillBesideHanging();
+  if (rule == HangingRule::Divide)
+  {
+    this->FillBesideHanging();
+  }
   this->MendFlat();
   if (!this->Result.Numbers.empty() || !this->Mesh.Origins.empty())
   {
@@ -250,9 +253,9 @@ void Mender::Renumber()
 } // namespace
 
 MendedMesh MendOldMesh(
-  const RemeshInput& input, double nearest, OldMesh& mesh, ProblemList& problems)
+  const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh, ProblemList& problems)
 {
-  return Mender(input, nearest, mesh, problems).Mend();
+  return Mender(input, nearest, mesh, problems).Mend(rule);
 }
 
 } // namespace biting

@@ -22,12 +22,19 @@ struct MendedMesh
   std::vector<DividedSide> Divided;
 };
 
+/// What is done where vertices hang on free edges.
+enum class HangingRule
+{
+  Divide, ///< the triangles there
+  Leave
+};
+
 /// Makes vertices of free edges one, divides triangles at vertices that hang on them, and mends
 /// flat triangles, as ReadOldMesh (OldMesh.h) states, with a word in `problems`, and links the
 /// triangles of `mesh`, a copy of `input`. They have any orientation. Cost O(n) in the triangles
 /// and O(m log m) in the free edges.
 MendedMesh MendOldMesh(
-  const RemeshInput& input, double nearest, OldMesh& mesh, ProblemList& problems);
+  const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh, ProblemList& problems);
 
 } // namespace biting
 
