@@ -29,7 +29,9 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include <limits>  // for NaN
@@ -142,11 +144,9 @@ int vtkMeshConformity::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkMeshConformity::RequestDataObject(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  if (!input)
-  {
-    return 0;
-  }
+  vtkDataSet* given = vtkDataSet::GetData(inputVector[0]);
+  vtkNew<vtkPolyData> nothing; // in place of a table among blocks
+  vtkDataSet* input = given ? given : nothing;
   vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
   if (!output || !output->IsA(input->GetClassName()))
   {

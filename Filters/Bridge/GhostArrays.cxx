@@ -18,14 +18,9 @@ namespace biting
 namespace
 {
 
-bool HasFlag(vtkDataArray* ghosts, vtkIdType item, int flags)
+bool HasFlag(vtkUnsignedCharArray* ghosts, vtkIdType item, int flags)
 {
-  return ghosts && (static_cast<int>(ghosts->GetComponent(item, 0)) & flags) != 0;
-}
-
-vtkDataArray* GhostsOf(vtkDataSet* data, int association)
-{
-  return data->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
+  return ghosts && (ghosts->GetValue(item) & flags) != 0;
 }
 
 void AddNoGhosts(vtkDataSet* data, int association)
@@ -38,6 +33,15 @@ void AddNoGhosts(vtkDataSet* data, int association)
 }
 
 } // namespace
+
+vtkUnsignedCharArray* GhostsOf(vtkDataSet* data, int association)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    data->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const bool isOfAll = ghosts && ghosts->GetNumberOfComponents() == 1 &&
+    ghosts->GetNumberOfTuples() >= data->GetNumberOfElements(association);
+  return isOfAll ? ghosts : nullptr;
+}
 
 GhostArrays::GhostArrays(vtkDataSet* data)
   : OfCells(GhostsOf(data, vtkDataObject::CELL))
@@ -56,7 +60,7 @@ bool GhostArrays::LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* poin
 
 bool HasGhosts(vtkDataSet* data, int association, int flags)
 {
-  vtkDataArray* ghosts = GhostsOf(data, association);
+  vtkUnsignedCharArray* ghosts = GhostsOf(data, association);
   const vtkIdType size = ghosts ? ghosts->GetNumberOfTuples() : 0;
   bool isAny = false;
   for (vtkIdType item = 0; item < size && !isAny; ++item)
@@ -89,7 +93,7 @@ void ForgetDuplicates(vtkDataSet* whole)
   constexpr unsigned char Kept = static_cast<unsigned char>(~vtkDataSetAttributes::DUPLICATECELL);
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(GhostsOf(whole, association));
+    vtkUnsignedCharArray* ghosts = GhostsOf(whole, association);
     const vtkIdType size = ghosts ? ghosts->GetNumberOfTuples() : 0;
     for (vtkIdType item = 0; item < size; ++item)
     {

@@ -12,8 +12,8 @@
 #include <vector> // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataArray;
 class vtkDataSet;
+class vtkUnsignedCharArray;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
@@ -22,6 +22,10 @@ namespace biting
 /// Cells that are hidden, that another piece has, or that finer ones stand for.
 constexpr int CellsNotHere = vtkDataSetAttributes::HIDDENCELL |
   vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL;
+
+/// The ghost array of points or cells; null where there is none. One of another type, or with fewer
+/// values than there are points or cells, is none.
+vtkUnsignedCharArray* GhostsOf(vtkDataSet* data, int association);
 
 /// What the ghost arrays of a dataset say of its cells.
 class GhostArrays
@@ -33,8 +37,8 @@ public:
   bool LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const;
 
 private:
-  vtkDataArray* OfCells;
-  vtkDataArray* OfPoints;
+  vtkUnsignedCharArray* OfCells;
+  vtkUnsignedCharArray* OfPoints;
 };
 
 /// Whether the ghost array of points or cells, if there is one, has one of `flags`.

@@ -33,7 +33,7 @@ constexpr const char* PointsAdvice = " Delaunay 2D makes triangles of points.";
 // The entries of a ghost array for the cells from `first` on.
 void CopyGhosts(vtkPolyData* source, vtkIdType first, vtkPolyData* copy)
 {
-  vtkUnsignedCharArray* ghosts = source->GetCellGhostArray();
+  vtkUnsignedCharArray* ghosts = GhostsOf(source, vtkDataObject::CELL);
   if (!ghosts)
   {
     return;

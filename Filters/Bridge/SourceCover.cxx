@@ -69,7 +69,7 @@ void AddTriangle(const Point2& a, const Point2& b, const Point2& c, std::int64_t
 std::string UncoveredText(double share, const Point3& place)
 {
   std::ostringstream text;
-  text.precision(2);
+  text.precision(share < 0.995 ? 2 : 3);
   text << 100.0 * share;
   return "The spacing source does not cover " + text.str() + " % of the domain, as near " +
     PlaceText(place) +

@@ -86,9 +86,7 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
       bare->GetPointData()->AddArray(array);
       for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
       {
-        vtkDataArray* ghosts =
-          block->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
-        if (ghosts)
+        if (vtkUnsignedCharArray* ghosts = GhostsOf(block, association))
         {
           bare->GetAttributes(association)->AddArray(ghosts);
         }

@@ -209,7 +209,7 @@ void Assembly::PlacePoints(std::size_t piece)
 
 void Assembly::PlaceCells(std::size_t piece, bool areGhosts)
 {
-  vtkUnsignedCharArray* ghosts = this->Pieces[piece]->GetCellGhostArray();
+  vtkUnsignedCharArray* ghosts = GhostsOf(this->Pieces[piece], vtkDataObject::CELL);
   Part& part = this->CellParts[piece];
   ForEach(CellsOf(this->Extents[piece]), this->Cells,
     [this, ghosts, areGhosts, &part](vtkIdType from, vtkIdType to)

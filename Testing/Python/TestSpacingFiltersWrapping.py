@@ -6,10 +6,11 @@
 import math
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_TRIANGLE, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
-    vtkUnstructuredGrid)
+    vtkTable, vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkCompositeDataPipeline
 from biting.vtkBitingFilters import (
     vtkBitingMesher, vtkBitingRemesher, vtkHessianSpacing, vtkMeshConformity)
 from TestBitingMesherWrapping import square
@@ -101,6 +102,40 @@ class TestSpacingFiltersWrapping(unittest.TestCase):
             said = errors_of(mesher)
             self.assertEqual(len(said), 1)
             self.assertIn('Cell 1 of the spacing source refers to point %d,' % corner, said[0])
+
+    def test_ghost_arrays_of_another_type_or_length_say_nothing(self):
+        for kind, size in ((vtkUnsignedCharArray, 1), (vtkDoubleArray, 2)):
+            marks = kind()
+            marks.SetName(vtkDataSetAttributes.GhostArrayName())
+            for _ in range(size):
+                marks.InsertNextValue(vtkDataSetAttributes.HIDDENCELL)
+            mesh = two_triangles()
+            mesh.GetCellData().AddArray(marks)
+            conformity = vtkMeshConformity()
+            conformity.SetInputData(mesh)
+            conformity.Update()
+            angles = conformity.GetOutputDataObject(0).GetCellData().GetArray('MinimumAngle')
+            for cell in range(2):
+                self.assertAlmostEqual(angles.GetValue(cell), 45.0)
+            mesher = vtkBitingMesher()
+            mesher.SetInputData(mesh)
+            mesher.Update()
+            bounds = mesher.GetOutput().GetBounds()
+            self.assertEqual(bounds[:4], (0.0, 1.0, 0.0, 1.0))
+
+    def test_blocks_that_are_tables_are_passed_over(self):
+        for kind in (vtkMeshConformity, vtkBitingRemesher):
+            blocks = vtkMultiBlockDataSet()
+            blocks.SetBlock(0, two_triangles())
+            blocks.SetBlock(1, vtkTable())
+            algorithm = kind()
+            algorithm.SetExecutive(vtkCompositeDataPipeline())
+            said = []
+            algorithm.GetExecutive().AddObserver('ErrorEvent', lambda *_: said.append(1))
+            algorithm.SetInputDataObject(blocks)
+            self.assertEqual(errors_of(algorithm), [])
+            self.assertEqual(said, [])
+            self.assertGreater(algorithm.GetOutputDataObject(0).GetNumberOfCells(), 1)
 
     def test_triangles_with_a_hidden_point_are_not_measured(self):
         mesh = two_triangles()
