@@ -27,7 +27,7 @@
 
 #include <algorithm> // for all_of, any_of, max, replace
 #include <array>     // for places
-#include <cmath>     // for abs, floor
+#include <cmath>     // for abs, floor, isnan
 #include <fstream>   // for files
 #include <map>       // for numbers of values
 #include <sstream>   // for words
@@ -49,8 +49,8 @@ std::string Text(const char* text)
 }
 
 //------------------------------------------------------------------------------
-// Groups the values of an array, in their order: numbers by size, strings by alphabet. An empty
-// string is no group.
+// Groups the values of an array, in their order: numbers by size, strings by alphabet. NaN is a
+// group of its own, an empty string none.
 class Groups
 {
 public:
@@ -98,8 +98,9 @@ private:
 
   Key KeyOf(vtkIdType item) const
   {
-    return this->Numbers ? Key(this->Numbers->GetComponent(item, 0), std::string())
-                         : Key(0.0, this->Values->GetVariantValue(item).ToString());
+    const double number = this->Numbers ? this->Numbers->GetComponent(item, 0) : std::nan("");
+    return std::isnan(number) ? Key(0.0, this->Values->GetVariantValue(item).ToString())
+                              : Key(number, std::string());
   }
 
   // Far below 0 where it is no whole number.

@@ -3,6 +3,7 @@
 
 """Files for solvers, as Save Data writes them: read back and compared with the mesh."""
 
+import math
 import os
 import tempfile
 import unittest
@@ -10,7 +11,7 @@ import unittest
 from biting.vtkBitingFilters import vtkBitingMeshWriter
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
-    vtkIdTypeArray, vtkIntArray, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray)
+    vtkDoubleArray, vtkIdTypeArray, vtkIntArray, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -262,6 +263,22 @@ class TestMeshWritersProxy(unittest.TestCase):
         self.assertTrue(around)
         self.assertEqual(len(triangles), self.mesh.GetNumberOfCells() - len(around))
         self.assertEqual(len(points), self.mesh.GetNumberOfPoints() - 1)
+
+    def test_triangles_without_a_region_number_are_a_group_of_their_own(self):
+        mesh, regions = vtkPolyData(), vtkDoubleArray()
+        mesh.CopyStructure(self.mesh)
+        regions.SetName('RegionId')
+        for cell in range(mesh.GetNumberOfCells()):
+            regions.InsertNextValue((math.nan, 3.0, 1.0)[cell % 3])
+        mesh.GetCellData().AddArray(regions)
+        writer = vtkBitingMeshWriter()
+        writer.SetFileName(os.path.join(self.folder.name, 'nan.msh'))
+        writer.SetInputDataObject(mesh)
+        writer.Write()
+        _, triangles, _ = read_gmsh(writer.GetFileName())
+        for cell in range(mesh.GetNumberOfCells()):
+            corners = turned([mesh.GetCell(cell).GetPointId(k) for k in range(3)])
+            self.assertEqual(triangles[corners], (5, 4, 2)[cell % 3])
 
     def refuse(self, name, mesh):
         """An error, and no file."""
