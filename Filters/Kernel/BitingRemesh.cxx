@@ -21,6 +21,7 @@
 #include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
+#include "Remeshing/InnerPlaces.h"
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/Stitching.h"
@@ -73,7 +74,8 @@ private:
   void Relax();
   void Finish();
   void CheckCavity();
-  std::vector<std::uint8_t> FindFitting(const std::vector<HeldVertex>& held) const;
+  std::vector<std::uint8_t> FindFitting(const std::vector<Id>& held) const;
+  HoldOptions HoldBy(const InnerPlaces& places, const std::vector<Id>& held) const;
   double ExpectedVertices() const;
   std::vector<double> RegionSpacings() const;
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
@@ -269,19 +271,38 @@ void Remesher::Triangulate()
 }
 
 // 1 for those where the spacing agrees with the old mesh: they go last.
-std::vector<std::uint8_t> Remesher::FindFitting(const std::vector<HeldVertex>& held) const
+std::vector<std::uint8_t> Remesher::FindFitting(const std::vector<Id>& held) const
 {
   std::vector<std::uint8_t> isFitting;
   isFitting.reserve(held.size());
-  for (const HeldVertex& one : held)
+  for (const Id point : held)
   {
-    const Id number = this->Region.Numbers[one.Point];
+    const Id number = this->Region.Numbers[point];
     isFitting.push_back(KeepRules::IsUnchanged(this->Region.Lengths[number]));
   }
   return isFitting;
 }
 
-// Kept vertices stay, but for those that leave poor triangles.
+HoldOptions Remesher::HoldBy(const InnerPlaces& places, const std::vector<Id>& held) const
+{
+  HoldOptions hold;
+  hold.Count = static_cast<Id>(held.size());
+  hold.GreatestCotangent = this->Rules.GreatestCotangent;
+  hold.ShortestEdge = this->Rules.ShortestEdge;
+  hold.LongestEdge = this->Rules.LongestEdge;
+  hold.Rounds = ReleaseRounds;
+  hold.AreLast = this->FindFitting(held);
+  if (this->Rules.GreatestCotangentAtPlaces > 0.0)
+  {
+    hold.FindPlace = [&places](const Point2& place, double reach)
+    { return places.FindNear(place, reach); };
+  }
+  hold.ReachOfPlaces = KeepRules::ReachOfPlaces;
+  hold.GreatestCotangentAtPlaces = this->Rules.GreatestCotangentAtPlaces;
+  return hold;
+}
+
+// Kept vertices stay, but for those that leave poor triangles; others become old ones.
 void Remesher::Relax()
 {
   this->Begin(RemeshingStages::Relaxation);
@@ -293,13 +314,18 @@ void Remesher::Relax()
   }
   const std::vector<std::uint8_t> mayGo =
     FindVerticesThatMayGo(this->Result.Old, this->Cavity.Geometry);
-  const std::vector<HeldVertex> held = ListHeld(mayGo, this->Cavity.Geometry, this->Cavity.Bites);
+  const std::vector<Id> held = ListHeld(mayGo, this->Cavity.Geometry);
   ReleaseVertices(mayGo, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
+  Pulse pulse(this->Whole);
+  const InnerPlaces places(this->Result.Old, this->Region, this->Edges, pulse);
+  if (this->IsOver())
+  {
+    return;
+  }
   RelaxationOptions options;
   if (!this->Options.RelaxAll)
   {
-    options.Hold = { static_cast<Id>(held.size()), this->Rules.GreatestCotangent,
-      this->Rules.ShortestEdge, this->Rules.LongestEdge, ReleaseRounds, this->FindFitting(held) };
+    options.Hold = this->HoldBy(places, held);
   }
   const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
     this->Cavity.Bites, this->Cavity.Triangles, this->Whole);
@@ -309,7 +335,7 @@ void Remesher::Relax()
   }
   if (!this->IsOver() && !this->Options.RelaxAll)
   {
-    ReturnVertices(held, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
+    ReturnVertices(places, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
   }
 }
 

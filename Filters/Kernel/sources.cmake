@@ -144,6 +144,7 @@ set(biting_kernel_sources
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
+  Remeshing/InnerPlaces.cxx
   Remeshing/MisfitVertices.cxx
   Remeshing/NearVertices.cxx
   Remeshing/OldMesh.cxx

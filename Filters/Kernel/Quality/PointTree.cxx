@@ -102,6 +102,13 @@ double PointTree::NearestSquaredDistance(const Point2& place, Id name, double li
   return query.Best;
 }
 
+const PointTree::Item* PointTree::Nearest(const Point2& place, double limit) const
+{
+  Query query{ place, NoId, limit };
+  this->Search(0, this->Items.size(), query);
+  return query.Nearest;
+}
+
 void PointTree::Search(std::size_t first, std::size_t last, Query& query) const
 {
   if (last - first <= LeafSize)
@@ -132,6 +139,7 @@ void PointTree::Consider(const Item& item, Query& query) const
   if (squaredDistance < query.Best && item.Name != query.Name)
   {
     query.Best = squaredDistance;
+    query.Nearest = &item;
   }
 }
 

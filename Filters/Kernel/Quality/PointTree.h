@@ -34,12 +34,16 @@ public:
   /// is nearer than that.
   double NearestSquaredDistance(const Point2& place, Id name, double limit) const;
 
+  /// One of the items nearest to `place`, or null where no squared distance is below `limit`.
+  const Item* Nearest(const Point2& place, double limit) const;
+
 private:
   struct Query
   {
     Point2 Place;
     Id Name;
     double Best;
+    const Item* Nearest = nullptr;
   };
 
   void Build(std::size_t first, std::size_t last, Pulse& pulse);

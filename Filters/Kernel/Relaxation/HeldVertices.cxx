@@ -60,23 +60,40 @@ std::vector<Id> HeldVertices::ReleaseThoseInTheWay(Pulse& pulse)
 
 bool HeldVertices::TakeBack(const Released& released)
 {
-  const Id vertex = released.Vertex;
+  return this->IsFree(released.Vertex) &&
+    this->HoldAt(released.Vertex, released.Home, this->Hold.GreatestCotangent, true);
+}
+
+bool HeldVertices::HoldAtPlaceNear(Id vertex)
+{
+  if (!this->IsFree(vertex))
+  {
+    return false;
+  }
+  const Point2* place = this->Hold.FindPlace(
+    this->Mesh.Points[vertex], this->Hold.ReachOfPlaces * this->Mesh.Spacings[vertex]);
+  return place && this->HoldAt(vertex, *place, this->Hold.GreatestCotangentAtPlaces, false);
+}
+
+bool HeldVertices::HoldAt(Id vertex, const Point2& place, double greatestCotangent, bool orIfBetter)
+{
   Star star;
-  if (!this->Mesh.IsAlive(vertex) || this->Mesh.Freedoms[vertex] != Freedom::Free ||
-    !star.Read(this->Mesh, vertex))
+  if (!star.Read(this->Mesh, vertex))
   {
     return false;
   }
   StarObjective objective(this->Mesh, vertex, star);
   objective.FitSlope();
-  const double limit = std::max(objective.Here(), this->Hold.GreatestCotangent);
-  if (!(objective.At(released.Home - star.Center, limit) < limit) ||
-    !this->AreLengthsWithinLimits(vertex, star, released.Home) ||
-    !IsValidAt(this->Mesh, vertex, star, released.Home))
+  const double limit =
+    orIfBetter ? std::max(objective.Here(), greatestCotangent) : greatestCotangent;
+  if (!(objective.At(place - star.Center, limit) < limit) ||
+    !this->AreLengthsWithinLimits(vertex, star, place) ||
+    !IsValidAt(this->Mesh, vertex, star, place))
   {
     return false;
   }
-  MoveWithSpacing(this->Mesh, vertex, star, released.Home);
+  MoveWithSpacing(this->Mesh, vertex, star, place);
+  this->IsHeld.resize(this->Mesh.Points.size(), 0);
   this->IsHeld[vertex] = 1;
   this->Mesh.Freedoms[vertex] = Freedom::Fixed;
   return true;

@@ -47,6 +47,11 @@ public:
   /// whether it did; the mesh may not be Delaunay around it then.
   bool TakeBack(const Released& released);
 
+  /// Moves a free vertex to the place near it that it can be held at and holds it there, if the
+  /// objective of its star is then within the limit of places, and its edges are within theirs.
+  /// Returns whether it did, as TakeBack does.
+  bool HoldAtPlaceNear(Id vertex);
+
 private:
   using Complaint = std::array<Id, 3>; ///< the held ones of the corners or ends, NoId the others
 
@@ -61,6 +66,11 @@ private:
   void LookAt(Id triangle);
   bool IsBeyondLimits(Id edge) const;
   bool IsWithinLimits(double squaredLength) const;
+  bool IsFree(Id vertex) const
+  {
+    return this->Mesh.IsAlive(vertex) && this->Mesh.Freedoms[vertex] == Freedom::Free;
+  }
+  bool HoldAt(Id vertex, const Point2& place, double greatestCotangent, bool orIfBetter);
   bool AreLengthsWithinLimits(Id vertex, const Star& star, const Point2& place) const;
   void Complain(Complaint vertices);
   std::vector<Id> Choose() const;

@@ -60,7 +60,7 @@ public:
 
   void Run()
   {
-    const bool holds = this->Options.Hold.Count > 0;
+    const bool holds = this->Options.Hold.Count > 0 || this->Options.Hold.FindPlace;
     this->MendValences(0.0, 0.2, 2);
     this->Smooth(0.2, 0.4, SweepKind::All);
     this->MendValences(0.4, 0.55, 1);
@@ -74,7 +74,8 @@ public:
     this->TryTopologies(0.95, 0.98);
     if (holds)
     {
-      this->TakeBack(0.98, 0.985);
+      this->TakeBack(0.98, 0.983);
+      this->HoldAtPlaces(0.983, 0.985);
       this->SmoothBetweenHeld(0.985, 0.99);
     }
     const PulsePart part(this->Progress, 0.99, 1.0);
@@ -93,6 +94,7 @@ private:
   void Release(double begin, double end);
   std::vector<Id> SmoothAround(const std::vector<Id>& released);
   void TakeBack(double begin, double end);
+  void HoldAtPlaces(double begin, double end);
   void DescendAround(const std::vector<Id>& vertices);
   void SmoothBetweenHeld(double begin, double end);
 
@@ -210,6 +212,28 @@ void Relaxer::TakeBack(double begin, double end)
     }
     this->DescendAround(this->Mesh.Around(returned, 1));
   }
+}
+
+/// One after the other, each where the ones before have gone. A second pass finds few more.
+void Relaxer::HoldAtPlaces(double begin, double end)
+{
+  const PulsePart part(this->Progress, begin, end);
+  if (!this->Options.Hold.FindPlace)
+  {
+    return;
+  }
+  std::vector<Id> held;
+  this->Progress.ForEach(this->Mesh.Points.size(),
+    [this, &held](std::size_t k)
+    {
+      const Id vertex = static_cast<Id>(k);
+      if (this->Held.HoldAtPlaceNear(vertex))
+      {
+        this->Mesh.RestoreAround(vertex);
+        held.push_back(vertex);
+      }
+    });
+  this->DescendAround(this->Mesh.Around(held, 1));
 }
 
 void Relaxer::DescendAround(const std::vector<Id>& vertices)

@@ -11,8 +11,9 @@
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
 
-#include <cstdint> // for flags
-#include <vector>  // for the arrays
+#include <cstdint>    // for flags
+#include <functional> // for the search
+#include <vector>     // for the arrays
 
 namespace biting
 {
@@ -32,6 +33,12 @@ struct HoldOptions
 
   /// One a held vertex, or none: 1 for those that go only where none of the others does.
   std::vector<std::uint8_t> AreLast = {};
+
+  /// The place nearest to `place` to hold a vertex at, or null where none is within `reach`; empty:
+  /// there are none.
+  std::function<const Point2*(const Point2& place, double reach)> FindPlace = {};
+  double ReachOfPlaces = 0.0;             ///< in units of the spacing
+  double GreatestCotangentAtPlaces = 0.0; ///< beside a vertex that goes to one
 };
 
 struct RelaxationOptions
@@ -77,8 +84,9 @@ struct RelaxationResult
 /// - All vertices are smoothed for the mean ratio of the triangles around them.
 /// - The worst triangles are improved one by one.
 /// - Where vertices are held, those that are in the way are then released, round by round, and what
-///   is near them is improved anew. In the end those go back for which there is a place again, and
-///   what is between the held ones is smoothed once more, within the limits of the hold.
+///   is near them is improved anew. In the end those go back for which there is a place again,
+///   others to places near them where their triangles are good enough, and what is between the held
+///   ones is smoothed once more, within the limits of the hold.
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and

@@ -3,10 +3,9 @@
 
 #include "ReleasedVertices.h"
 
-#include <algorithm> // for max
-#include <cstddef>   // for sizes
-#include <numeric>   // for iota
-#include <utility>   // for move
+#include <cstddef> // for sizes
+#include <numeric> // for iota
+#include <utility> // for move
 
 namespace biting
 {
@@ -111,47 +110,34 @@ void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain
   domain.IsEmbedded.resize(left);
 }
 
-std::vector<HeldVertex> ListHeld(
-  const std::vector<std::uint8_t>& isHeld, const Domain& domain, const BitingResult& bites)
+std::vector<Id> ListHeld(const std::vector<std::uint8_t>& isHeld, const Domain& domain)
 {
-  std::vector<HeldVertex> held;
+  std::vector<Id> held;
   for (std::size_t vertex = 0; vertex < isHeld.size(); ++vertex)
   {
     if (isHeld[vertex] && domain.VertexPoints[vertex] != NoId)
     {
-      held.push_back(
-        { domain.Vertices[vertex], domain.VertexPoints[vertex], bites.BiteOrders[vertex] });
+      held.push_back(domain.VertexPoints[vertex]);
     }
   }
   return held;
 }
 
 void ReturnVertices(
-  const std::vector<HeldVertex>& held, Domain& domain, BitingResult& bites, Triangulation& mesh)
+  const InnerPlaces& places, Domain& domain, BitingResult& bites, Triangulation& mesh)
 {
   const std::size_t first = domain.Vertices.size();
-  // Vertices of domains are bitten first, each once.
-  Id last = 0;
-  for (const HeldVertex& one : held)
-  {
-    last = std::max(last, one.BiteOrder);
-  }
-  std::vector<const HeldVertex*> heldOf(static_cast<std::size_t>(last) + 1, nullptr);
-  for (const HeldVertex& one : held)
-  {
-    heldOf[one.BiteOrder] = &one;
-  }
   std::vector<Id> numbers(bites.Points.size(), NoId);
   std::iota(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(first), 0);
   for (std::size_t vertex = first; vertex < numbers.size(); ++vertex)
   {
-    const auto order = static_cast<std::size_t>(bites.BiteOrders[vertex]);
-    const HeldVertex* one = order < heldOf.size() ? heldOf[order] : nullptr;
-    if (one && one->Place == bites.Points[vertex])
+    const Point2& place = bites.Points[vertex];
+    const Id point = bites.Segments[vertex] == NoId ? places.FindAt(place) : NoId;
+    if (point != NoId)
     {
       numbers[vertex] = domain.NumberOfVertices();
-      domain.Vertices.push_back(one->Place);
-      domain.VertexPoints.push_back(one->Point);
+      domain.Vertices.push_back(place);
+      domain.VertexPoints.push_back(point);
       domain.IsEmbedded.push_back(1);
     }
   }

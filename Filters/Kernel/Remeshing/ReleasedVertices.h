@@ -7,6 +7,7 @@
 #include "../Biting/BitingScheme.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/Domain.h"
+#include "InnerPlaces.h"
 #include "OldMesh.h"
 
 #include <cstdint> // for flags
@@ -25,22 +26,13 @@ std::vector<std::uint8_t> FindAddedVertices(const Domain& domain);
 void ReleaseVertices(const std::vector<std::uint8_t>& isReleased, Domain& domain,
   BitingResult& bites, Triangulation& mesh);
 
-/// A vertex that was taken out of a domain.
-struct HeldVertex
-{
-  Point2 Place;
-  Id Point;     ///< Domain::VertexPoints
-  Id BiteOrder; ///< by which it is known
-};
+/// The points of those of the flagged vertices that are of the old mesh, in their order.
+std::vector<Id> ListHeld(const std::vector<std::uint8_t>& isHeld, const Domain& domain);
 
-/// Those of the flagged vertices that are of the old mesh, in their order.
-std::vector<HeldVertex> ListHeld(
-  const std::vector<std::uint8_t>& isHeld, const Domain& domain, const BitingResult& bites);
-
-/// The inverse of ReleaseVertices, for those of `held` that are where they were: they are vertices
-/// of the domain again, after the others.
+/// The inverse of ReleaseVertices, for inner vertices that are at one of `places`: they are
+/// vertices of the domain, after the others.
 void ReturnVertices(
-  const std::vector<HeldVertex>& held, Domain& domain, BitingResult& bites, Triangulation& mesh);
+  const InnerPlaces& places, Domain& domain, BitingResult& bites, Triangulation& mesh);
 
 } // namespace biting
 

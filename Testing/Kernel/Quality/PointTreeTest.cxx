@@ -51,6 +51,12 @@ void ExpectTruth(const std::vector<PointTree::Item>& items)
   {
     EXPECT_EQ(tree.NearestSquaredDistance(item.Place, item.Name, FarAway),
       NearestOfAll(items, item.Place, item.Name));
+    const Point2 beside = item.Place + Point2{ 0.1, 0.2 };
+    const double nearest = NearestOfAll(items, beside, biting::NoId);
+    const PointTree::Item* found = tree.Nearest(beside, FarAway);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(Dot(found->Place - beside, found->Place - beside), nearest);
+    EXPECT_FALSE(tree.Nearest(beside, nearest));
   }
 }
 

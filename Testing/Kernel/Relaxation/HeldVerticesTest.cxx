@@ -157,6 +157,38 @@ TEST(HeldVertices, ThatWereReleasedComeBackWhereThatIsWithinTheLimits)
   }
 }
 
+TEST(HeldVertices, FreeOnesGoToPlacesNearThemWhereThatIsWithinTheLimits)
+{
+  RawMesh raw = UnitSquare(0.05);
+  SilentMonitor monitor;
+  Pulse pulse(monitor);
+  MutableMesh mesh(raw.Domain, raw.Spacing);
+  mesh.IsDivided.assign(4, 1);
+  const std::vector<Id> origins = ReadMesh(raw.Mesh, mesh, pulse);
+  Point2 place;
+  const Point2* found = nullptr;
+  HoldOptions hold{ 1, NoCotangent, 0.0, NoCotangent, 1 };
+  hold.FindPlace = [&found](const Point2&, double) { return found; };
+  HeldVertices held(hold, raw.Domain.NumberOfVertices(), origins, mesh);
+  int count = 0;
+  for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
+  {
+    const bool isFree = mesh.Freedoms[vertex] == Freedom::Free;
+    place = mesh.Points[vertex] + Point2{ 1e-5, 1e-5 };
+    found = nullptr;
+    EXPECT_FALSE(isFree && held.HoldAtPlaceNear(vertex));
+    found = &place;
+    hold.GreatestCotangentAtPlaces = 0.5; // of no triangle
+    EXPECT_FALSE(held.HoldAtPlaceNear(vertex));
+    hold.GreatestCotangentAtPlaces = NoCotangent;
+    EXPECT_EQ(held.HoldAtPlaceNear(vertex), isFree);
+    EXPECT_EQ(mesh.Points[vertex] == place, isFree);
+    EXPECT_NE(mesh.Freedoms[vertex], Freedom::Free);
+    count += isFree;
+  }
+  EXPECT_GT(count, 100);
+}
+
 } // namespace
 
 } // namespace biting
