@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm> // for min, max
+#include <cmath>     // for isfinite
+
 namespace
 {
 
@@ -21,8 +24,8 @@ double Bilinear(const std::array<double, 4>& values, double u, double v)
     v * ((1.0 - u) * values[3] + u * values[2]);
 }
 
-/// Times the slope; of places where the sign changes to the right or above, or of all below it.
-double DistanceToLine(const std::array<double, 4>& values, const Point2& x, bool isAnyBelow)
+/// The least of what is given and the slope times the distance, over the line or the cell.
+double LeastOf(const std::array<double, 4>& values, const Point2& x, bool isOfLine)
 {
   constexpr int Steps = 400;
   double least = std::numeric_limits<double>::infinity();
@@ -32,12 +35,18 @@ double DistanceToLine(const std::array<double, 4>& values, const Point2& x, bool
     {
       const double u = (column + 0.5) / Steps;
       const double v = (row + 0.5) / Steps;
-      const bool isBelow = Bilinear(values, u, v) < 0.0;
-      if ((isBelow && isAnyBelow) || isBelow != (Bilinear(values, u + 1.0 / Steps, v) < 0.0) ||
-        isBelow != (Bilinear(values, u, v + 1.0 / Steps) < 0.0))
+      const double given = Bilinear(values, u, v);
+      const double left = std::max(u - 1.0 / Steps, 0.0);
+      const double right = std::min(u + 1.0 / Steps, 1.0);
+      const double low = std::max(v - 1.0 / Steps, 0.0);
+      const double high = std::min(v + 1.0 / Steps, 1.0);
+      if (!isOfLine ||
+        (given < 0.0 &&
+          (Bilinear(values, left, v) >= 0.0 || Bilinear(values, right, v) >= 0.0 ||
+            Bilinear(values, u, low) >= 0.0 || Bilinear(values, u, high) >= 0.0)))
       {
         const Point2 place{ Cell.Low.X + u * Cell.Width(), Cell.Low.Y + v * Cell.Height() };
-        least = std::min(least, Slope * Distance(x, place));
+        least = std::min(least, std::max(given, 0.0) + Slope * Distance(x, place));
       }
     }
   }
@@ -73,8 +82,7 @@ TEST(LevelLine, IsAHyperbolaOrTwo)
   Sampler sampler(5);
   for (const std::array<double, 4>& values :
     { std::array<double, 4>{ -1.0, 2.0, 3.0, 1.0 }, { -1.0, -0.1, -0.2, 20.0 },
-      { -1.0, 1.0, -1.0, 2.0 }, { 1.0, -0.3, 1.0, -2.0 }, { -0.1, 1.0, -2.0, -3.0 },
-      { 1.0005, -0.9996, 0.9997, -1.0003 }, { -1.0005, 0.9996, -0.9997, 1.0003 } })
+      { -1.0, 1.0, -1.0, 2.0 }, { 1.0, -0.3, 1.0, -2.0 }, { -0.1, 1.0, -2.0, -3.0 } })
   {
     const LevelLine line(Cell, values, Slope);
     for (int probe = 0; probe < 50; ++probe)
@@ -84,10 +92,32 @@ TEST(LevelLine, IsAHyperbolaOrTwo)
       {
         continue;
       }
-      const double exact = DistanceToLine(values, x, false);
-      EXPECT_GE(line.Bound(x), DistanceToLine(values, x, true) - 0.01 * Slope);
-      EXPECT_LE(line.Bound(x), 1.02 * exact + 0.02 * Slope)
+      const double exact = LeastOf(values, x, true);
+      EXPECT_GE(line.Bound(x), LeastOf(values, x, false) - 0.01 * Slope);
+      EXPECT_LE(line.Bound(x), exact + 0.01 * Slope)
         << x.X << ' ' << x.Y << ' ' << values[1] << ' ' << values[2];
+    }
+  }
+}
+
+/// Where corners are on the line, its ends are: no step from there may leave the cell.
+TEST(LevelLine, IsFoundWhereCornersAreOnIt)
+{
+  Sampler sampler(7);
+  for (int probe = 0; probe < 300; ++probe)
+  {
+    std::array<double, 4> values;
+    for (double& value : values)
+    {
+      value = sampler.Next() < 0.4 ? 0.0 : 2.0 * sampler.Next() - 1.0;
+    }
+    const Point2 x = sampler.NextIn({ { 0.0, 1.0 }, { 4.0, 4.0 } });
+    const double bound = LevelLine(Cell, values, Slope).Bound(x);
+    if (std::isfinite(bound) && !IsBelow(values, x))
+    {
+      EXPECT_GE(bound, LeastOf(values, x, false) - 0.01 * Slope);
+      EXPECT_LE(bound, LeastOf(values, x, true) + 0.01 * Slope)
+        << values[0] << ' ' << values[1] << ' ' << values[2] << ' ' << values[3];
     }
   }
 }
