@@ -44,13 +44,20 @@ constexpr double QualityEnd = 0.9;
 
 constexpr int ReleaseRounds = 4; // more free few more
 
+// As ReadOldMesh has it.
+struct Reading
+{
+  double Nearest;
+  HangingRule Hanging;
+};
+
 class Remesher
 {
 public:
-  Remesher(const RemeshInput& input, double nearest, const RemeshOptions& options,
+  Remesher(const RemeshInput& input, const Reading& reading, const RemeshOptions& options,
     ProblemList& problems, Monitor& monitor)
     : Input(input)
-    , Nearest(nearest)
+    , How(reading)
     , Options(options)
     , Rules(RulesFor(options.Preference))
     , Problems(problems)
@@ -81,7 +88,7 @@ private:
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
 
   const RemeshInput& Input;
-  double Nearest; ///< as for ReadOldMesh
+  Reading How;
   const RemeshOptions& Options;
   KeepRules Rules;
   ProblemList& Problems;
@@ -125,7 +132,8 @@ bool Remesher::IsOver()
 void Remesher::Read()
 {
   this->Begin(RemeshingStages::Reading);
-  this->Result.Old = ReadOldMesh(this->Input, this->Nearest, this->Problems, this->Whole);
+  this->Result.Old =
+    ReadOldMesh(this->Input, this->How.Nearest, this->Problems, this->Whole, this->How.Hanging);
   this->Result.IsUnchanged = this->Result.Old.Corners.empty();
 }
 
@@ -397,20 +405,29 @@ void Remesher::Finish()
 } // namespace
 
 // Points that are meant to be one are mostly within a unit in the last place; where what is left of
-// slits then forms no mesh, all that rounding may have moved apart is made one.
+// slits then forms no mesh, all that rounding may have moved apart is made one. Vertices that hang
+// on edges across slits no wider than rounding may leave no mesh if triangles are divided there.
 RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
-  ProblemList first = problems;
+  const double nearest = input.Rounding / NoiseInUlp;
+  const ProblemList before = problems;
   StagesOnce stages(monitor);
-  RemeshResult result = Remesher(input, input.Rounding / NoiseInUlp, options, first, stages).Run();
-  if (first.Has(ProblemCode::CheckFailed) || first.Has(ProblemCode::BadTriangles))
+  RemeshResult result =
+    Remesher(input, { nearest, HangingRule::Divide }, options, problems, stages).Run();
+  const bool hasHanging = problems.Has(ProblemCode::Touches);
+  for (const Reading& other : { Reading{ input.Rounding, HangingRule::Divide },
+         Reading{ nearest, HangingRule::Leave }, Reading{ input.Rounding, HangingRule::Leave } })
   {
-    ProblemList second = problems;
-    result = Remesher(input, input.Rounding, options, second, stages).Run();
-    first = second.HasErrors() && !second.Has(ProblemCode::Aborted) ? first : second;
+    const bool isNoMesh =
+      problems.Has(ProblemCode::CheckFailed) || problems.Has(ProblemCode::BadTriangles);
+    if (isNoMesh && (hasHanging || other.Hanging == HangingRule::Divide))
+    {
+      ProblemList told = before;
+      result = Remesher(input, other, options, told, stages).Run();
+      problems = told.HasErrors() && !told.Has(ProblemCode::Aborted) ? problems : told;
+    }
   }
-  problems = std::move(first);
   return result;
 }
 

@@ -399,19 +399,10 @@ void Reader::AddCovered(const Domain& domain)
 
 } // namespace
 
-OldMesh ReadOldMesh(
-  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
+OldMesh ReadOldMesh(const RemeshInput& input, double nearest, ProblemList& problems,
+  Monitor& monitor, HangingRule rule)
 {
-  ProblemList divided = problems;
-  OldMesh mesh = Reader(input, nearest, HangingRule::Divide, divided, monitor).Read();
-  if (divided.HasErrors() && divided.Has(ProblemCode::Touches))
-  {
-    ProblemList left = problems;
-    mesh = Reader(input, nearest, HangingRule::Leave, left, monitor).Read();
-    divided = left.HasErrors() ? std::move(divided) : std::move(left);
-  }
-  problems = std::move(divided);
-  return mesh;
+  return Reader(input, nearest, rule, problems, monitor).Read();
 }
 
 } // namespace biting

@@ -118,23 +118,29 @@ struct OldMesh
   }
 };
 
+/// What is done where vertices hang on free edges.
+enum class HangingRule
+{
+  Divide, ///< the triangles there
+  Leave
+};
+
 /// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one
 /// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
 /// lines, and fixed where one of them was: the lower number stays, but the place of one that is
 /// fixed, a corner of a frozen triangle, or an end of a frozen line; where vertices hang on a free
 /// edge, to rounding, its triangle is divided (ProblemCode::Touches, HangingVertices.h), unless
-/// that leaves no mesh, as it may where a slit is no wider than rounding; flat triangles are mended
-/// (ProblemCode::FlatTriangles, FlatTriangles.h): those that are divided are frozen no more;
-/// triangles are turned counterclockwise. Edges of one triangle, or between regions, or on lines
-/// are marked. Lines along sides that were divided stay on what is there
-/// instead; those that are no edges are dropped (ProblemCode::OutsideInterfaces).
+/// `rule` leaves it; flat triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those
+/// that are divided are frozen no more; triangles are turned counterclockwise. Edges of one
+/// triangle, or between regions, or on lines are marked. Lines along sides that were divided stay
+/// on what is there instead; those that are no edges are dropped (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an area,
 /// an edge of more than two triangles, two triangles on the same side of an edge, and triangles
 /// that overlap: the free edges bound less than the triangles have together, by more than rounding
 /// along them and 1e-13 of it. Cost O(n) in the triangles and O(m log m) in the free edges.
-OldMesh ReadOldMesh(
-  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor);
+OldMesh ReadOldMesh(const RemeshInput& input, double nearest, ProblemList& problems,
+  Monitor& monitor, HangingRule rule = HangingRule::Divide);
 
 } // namespace biting
 

@@ -22,13 +22,6 @@ struct MendedMesh
   std::vector<DividedSide> Divided;
 };
 
-/// What is done where vertices hang on free edges.
-enum class HangingRule
-{
-  Divide, ///< the triangles there
-  Leave
-};
-
 /// Makes vertices of free edges one, divides triangles at vertices that hang on them, and mends
 /// flat triangles, as ReadOldMesh (OldMesh.h) states, with a word in `problems`, and links the
 /// triangles of `mesh`, a copy of `input`. They have any orientation. Cost O(n) in the triangles
