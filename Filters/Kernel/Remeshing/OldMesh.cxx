@@ -72,6 +72,11 @@ public:
   OldMesh Read()
   {
     this->Copy();
+    this->CheckRange();
+    if (this->IsOver())
+    {
+      return {};
+    }
     this->Mend();
     this->Orient();
     if (!this->IsOver() && this->CheckSides())
@@ -85,6 +90,7 @@ public:
 private:
   bool IsOver() const { return this->Problems.HasErrors() || this->Progress.HasStopped(); }
   void Copy();
+  void CheckRange();
   void Orient();
   void Mend();
   Id NumberOf(Id vertex) const { return this->Numbers.empty() ? vertex : this->Numbers[vertex]; }
@@ -131,6 +137,31 @@ void Reader::Copy()
   this->Mesh.IsFrozenLine = this->Input.IsFrozenLine;
   this->Mesh.AreAlike = this->Input.AreAlike;
   this->Mesh.Rounding = this->Input.Rounding;
+}
+
+// As MakeDomain does it.
+void Reader::CheckRange()
+{
+  const std::vector<Point2>& points = this->Mesh.Points;
+  std::vector<std::uint8_t> isSeen(points.size(), 0);
+  double greatest = 0.0;
+  for (const Id corner : this->Mesh.Corners)
+  {
+    const Point2& p = points[corner];
+    const double magnitude = std::max(std::abs(p.X), std::abs(p.Y));
+    greatest = std::max(greatest, magnitude);
+    if (magnitude > GreatestCoordinate && isSeen[corner] == 0)
+    {
+      const std::vector<std::int64_t>& ids = this->Input.PointIds;
+      this->Problems.Add(
+        { ProblemCode::OutOfRange, { ids.empty() ? corner : ids[corner] }, p, {} });
+      isSeen[corner] = 1;
+    }
+  }
+  if (greatest > 0.0 && greatest < LeastCoordinate)
+  {
+    this->Problems.Add({ ProblemCode::OutOfRange, {}, {}, "smaller than 1e-70" });
+  }
 }
 
 void Reader::AddBad(Id triangle, const char* detail)

@@ -147,6 +147,27 @@ TEST(OldMesh, SlitsAreClosedThatAreNoWiderThanAsked)
   }
 }
 
+TEST(OldMesh, CoordinatesThatPredicatesCannotHandleAreRefusedAsSuch)
+{
+  for (const double size : { 1e-300, 1e-80, 1e-60, 1.0, 1e60, 1e100, 1e150, 1e300 })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { size, 0 }, { size, size }, { 0, size } };
+    input.Corners = { 0, 1, 2, 0, 2, 3 };
+    input.PointIds = { 10, 11, 12, 13 };
+    ProblemList problems;
+    ReadOldMesh(input, 0.0, problems, NoMonitor());
+    const bool isRefused = size < 1e-70 || size > 1e70;
+    EXPECT_EQ(problems.Has(ProblemCode::OutOfRange), isRefused) << size;
+    EXPECT_EQ(problems.Groups().size(), isRefused ? 1 : 0) << size;
+    if (size > 1e70)
+    {
+      EXPECT_EQ(problems.Count(ProblemCode::OutOfRange), 3);
+      EXPECT_EQ(problems.Groups().front().First.front().Ids.front(), 11);
+    }
+  }
+}
+
 TEST(OldMesh, WhatIsNoMeshIsRefusedWithItsCells)
 {
   const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 0.5, 0.2 },
