@@ -41,9 +41,10 @@
  *
  * @par Messages:
  * Warnings, with how many: points without a finite scalar, points without a Hessian. Errors, with
- * empty output: a cell that is neither face nor line nor vertex, coordinates that are not finite,
- * points farther than 1e-6 of the size from one plane, no scalar, parameters out of range, no point
- * with a Hessian. An empty input gives an empty output and no message; so does an abort.
+ * empty output: a cell that is neither face nor line nor vertex, coordinates that are not finite or
+ * above 1e70, points farther than 1e-6 of the size from one plane, no scalar, parameters out of
+ * range, no point with a Hessian. An empty input gives an empty output and no message; so does an
+ * abort.
  * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with an empty
  * output.
  *

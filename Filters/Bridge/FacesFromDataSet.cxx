@@ -5,6 +5,7 @@
 
 #include "../Kernel/Base/Box2.h"
 #include "../Kernel/Base/Pulse.h"
+#include "../Kernel/Predicates/Predicates.h" // for LeastCoordinate, GreatestCoordinate
 #include "CellShapes.h"
 #include "CoordinateRounding.h"
 #include "DoubleArray.h"
@@ -19,7 +20,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for max, min_element, rotate, stable_sort
+#include <algorithm> // for all_of, max, min_element, rotate, stable_sort
 #include <cmath>     // for abs
 #include <limits>    // for the size check
 #include <numeric>   // for iota
@@ -217,13 +218,27 @@ std::string RefuseWhereNot(const Question& isGood, const std::vector<Id>& points
       "): " + ListText(first, count) + ". " + advice;
 }
 
+bool AreNotTooLarge(const double* place)
+{
+  return std::all_of(
+    place, place + 3, [](double value) { return std::abs(value) <= GreatestCoordinate; });
+}
+
+std::string RefuseCoordinates(const std::vector<Id>& points, const double* coordinates)
+{
+  const std::string refusal = RefuseWhereNot(AreFinite, points, coordinates,
+    "Coordinates that are not finite", "Correct or remove these points.");
+  return !refusal.empty() ? refusal
+                          : RefuseWhereNot(AreNotTooLarge, points, coordinates,
+                              "Coordinates that are too large to compute with", "Scale the input.");
+}
+
 std::string MapToPlane(
   const std::vector<Id>& points, vtkDataSet* data, PlanarFaces& faces, Pulse& pulse)
 {
   const auto doubles = CoordinatesOf(data);
   const double* coordinates = doubles->GetPointer(0);
-  std::string refusal = RefuseWhereNot(AreFinite, points, coordinates,
-    "Coordinates that are not finite", "Correct or remove these points.");
+  const std::string refusal = RefuseCoordinates(points, coordinates);
   if (!refusal.empty())
   {
     return refusal;
@@ -237,6 +252,10 @@ std::string MapToPlane(
   {
     faces.Points.push_back(faces.Frame.ToPlane(coordinates + 3 * static_cast<std::size_t>(point)));
     box.Add(faces.Points.back());
+  }
+  if (box.Diagonal() > 0.0 && box.Diagonal() < LeastCoordinate)
+  {
+    return "Coordinates that are too close together to compute with. Scale the input.";
   }
   const double farthest = std::max(PlanarTolerance * box.Diagonal(), rounding);
   const PlaneFrame& frame = faces.Frame;

@@ -47,8 +47,9 @@ struct PlanarFaces
 /// `data`.
 /// Returns why it cannot be read, empty where it can: a cell that is neither, or refers to a point
 /// that does not exist (the first one is named), more points or corners than 32-bit ids can number,
-/// coordinates that are not finite, points farther from the plane than PlanarTolerance. Where the
-/// monitor asks to stop `faces` have no meaning.
+/// coordinates that are not finite or beyond GreatestCoordinate, a mesh smaller than
+/// LeastCoordinate, points farther from the plane than PlanarTolerance. Where the monitor asks to
+/// stop `faces` have no meaning.
 std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Monitor& monitor);
 
 /// Numbers vertices by their places, and faces by their vertices, of which the one with the lowest

@@ -366,6 +366,21 @@ TEST(MeshConformity, RefusesWhatCannotBeMeasured)
   EXPECT_TRUE(Has(RefusalOf(lines), "no triangles"));
 }
 
+TEST(MeshConformity, RefusesSizesWhoseSquaresAreNoDoubles)
+{
+  for (const double scale : { 1e154, 1e-160 })
+  {
+    auto mesh = FourTriangles(0.5 * scale);
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+    {
+      Place place;
+      mesh->GetPoint(point, place.data());
+      mesh->GetPoints()->SetPoint(point, scale * place[0], scale * place[1], 0.0);
+    }
+    EXPECT_TRUE(Has(RefusalOf(mesh), "Scale the input.")) << scale;
+  }
+}
+
 TEST(MeshConformity, OfAMissingArraySaysItsName)
 {
   vtkNew<vtkMeshConformity> filter;
