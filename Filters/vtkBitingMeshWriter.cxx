@@ -6,6 +6,7 @@
 #include "Bridge/CellShapes.h"
 #include "Bridge/GhostArrays.h"
 #include "Bridge/ProducedEdges.h"
+#include "Bridge/ValueGroups.h"
 #include "Bridge/WrittenParts.h"
 #include "IO/MeshFile.h"
 
@@ -23,16 +24,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, max, replace
+#include <algorithm> // for all_of, any_of, replace
 #include <array>     // for places
-#include <cmath>     // for abs, floor, isnan
 #include <fstream>   // for files
-#include <map>       // for numbers of values
 #include <sstream>   // for words
 #include <string>    // for names
-#include <utility>   // for pair
 #include <vector>    // for lists
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -47,84 +44,6 @@ std::string Text(const char* text)
 {
   return text ? text : "";
 }
-
-//------------------------------------------------------------------------------
-// Groups the values of an array, in their order: numbers by size, strings by alphabet. NaN is a
-// group of its own, an empty string none.
-class Groups
-{
-public:
-  explicit Groups(vtkAbstractArray* values)
-    : Values(values)
-    , Numbers(vtkDataArray::SafeDownCast(values))
-  {
-    for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
-    {
-      if (this->Has(k))
-      {
-        this->Indices.emplace(this->KeyOf(k), 0);
-      }
-    }
-    std::size_t index = 0;
-    for (auto& entry : this->Indices)
-    {
-      entry.second = index++;
-    }
-  }
-
-  bool Has(vtkIdType item) const { return this->Numbers || !this->KeyOf(item).second.empty(); }
-
-  std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
-
-  // Whole numbers plus `shift` keep their values where these are above 0.
-  std::vector<biting::MeshGroup> Named(std::int64_t shift, const std::string& prefix) const
-  {
-    std::int64_t highest = 0;
-    for (const auto& entry : this->Indices)
-    {
-      highest = std::max(highest, NumberOf(entry.first) + shift);
-    }
-    std::vector<biting::MeshGroup> groups;
-    for (const auto& entry : this->Indices)
-    {
-      const std::int64_t own = NumberOf(entry.first) + shift;
-      groups.push_back({ own > 0 ? own : ++highest, prefix + NameOf(entry.first) });
-    }
-    return groups;
-  }
-
-private:
-  using Key = std::pair<double, std::string>;
-
-  Key KeyOf(vtkIdType item) const
-  {
-    const double number = this->Numbers ? this->Numbers->GetComponent(item, 0) : std::nan("");
-    return std::isnan(number) ? Key(0.0, this->Values->GetVariantValue(item).ToString())
-                              : Key(number, std::string());
-  }
-
-  // Far below 0 where it is no whole number.
-  static std::int64_t NumberOf(const Key& key)
-  {
-    const bool isWhole = key.second.empty() && std::floor(key.first) == key.first;
-    return isWhole && std::abs(key.first) < 1e9 ? static_cast<std::int64_t>(key.first)
-                                                : -2000000000;
-  }
-
-  static std::string NameOf(const Key& key)
-  {
-    std::ostringstream text;
-    text << key.first;
-    std::string name = key.second.empty() ? text.str() : key.second;
-    std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
-    return name;
-  }
-
-  vtkAbstractArray* Values;
-  vtkDataArray* Numbers;
-  std::map<Key, std::size_t> Indices;
-};
 
 //------------------------------------------------------------------------------
 void ReadPoints(vtkDataSet* mesh, const biting::WrittenParts& parts, const std::string& depthArray,
@@ -153,7 +72,7 @@ void ReadTriangles(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::
     regions->SetNumberOfTuples(mesh->GetNumberOfCells());
     regions->Fill(0.0);
   }
-  const Groups groups(regions);
+  const biting::ValueGroups groups(regions);
   file.Regions = groups.Named(1, "Region ");
   vtkNew<vtkIdList> corners;
   for (const vtkIdType cell : parts.Cells())
@@ -226,7 +145,7 @@ void ReadEdges(vtkPolyData* edges, const biting::WrittenParts& parts, vtkAbstrac
   biting::MeshFile& file)
 {
   vtkDataArray* ids = edges->GetPointData()->GetArray("MeshPointId");
-  const Groups groups(tags);
+  const biting::ValueGroups groups(tags);
   file.Tags = groups.Named(0, "");
   vtkNew<vtkIdList> ends;
   for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)

@@ -48,5 +48,6 @@ set(biting_bridge_sources
   SummaryText.cxx
   TagComparison.cxx
   ThreadsOfVtk.cxx
+  ValueGroups.cxx
   WholeFromPieces.cxx
   WrittenParts.cxx)

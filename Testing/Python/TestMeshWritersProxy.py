@@ -8,10 +8,11 @@ import os
 import tempfile
 import unittest
 
-from biting.vtkBitingFilters import vtkBitingMeshWriter
+from biting.vtkBitingFilters import vtkBitingMesher, vtkBitingMeshWriter
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
-    vtkDoubleArray, vtkIdTypeArray, vtkIntArray, vtkOutputWindow, vtkPoints, vtkUnsignedCharArray)
+    vtkDoubleArray, vtkIdTypeArray, vtkIntArray, vtkLongLongArray, vtkOutputWindow, vtkPoints,
+    vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -120,6 +121,28 @@ def read_adcirc(path):
         assert total == sum(len(string) for _, string in group)
         strings.append(group)
     return points, triangles, strings
+
+
+def write_square(path, tags, open_tags=None):
+    """The mesh of a square whose four sides have these tags, in the file."""
+    square = vtkPolyData()
+    square.SetPoints(vtkPoints())
+    for place in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)):
+        square.GetPoints().InsertNextPoint(place)
+    square.SetLines(vtkCellArray())
+    for side in range(4):
+        square.GetLines().InsertNextCell(2, [side, (side + 1) % 4])
+    tags.SetName('Tag')
+    square.GetCellData().AddArray(tags)
+    mesher = vtkBitingMesher()
+    mesher.SetInputData(square)
+    mesher.SetUniformSpacing(0.3)
+    writer = vtkBitingMeshWriter()
+    writer.SetFileName(path)
+    writer.SetOpenTags(open_tags)
+    writer.SetInputConnection(mesher.GetOutputPort(0))
+    writer.SetBoundaryEdgesConnection(mesher.GetOutputPort(1))
+    writer.Write()
 
 
 def in_two_pieces(mesh):
@@ -240,6 +263,24 @@ class TestMeshWritersProxy(unittest.TestCase):
         _, _, edges = read_gmsh(self.save('cells.msh', TagArray='OriginalCellId'))
         self.assertEqual(len(set(edges.values())),
                          len({tag for tag, _ in edges_of(self.edges, 'OriginalCellId').values()}))
+
+    def test_tags_that_differ_in_late_digits_only_stay_apart(self):
+        path = os.path.join(self.folder.name, 'digits.su2')
+        for array, values in ((vtkLongLongArray(), [1234567, 1234568, 2**60, 2**60 + 1]),
+                              (vtkDoubleArray(), [0.5, 0.1234567, 0.1234568, 1234567.0])):
+            for value in values:
+                array.InsertNextValue(value)
+            write_square(path, array)
+            self.assertEqual(set(read_su2(path)[2].values()), set(map(
+                lambda value: str(int(value) if value == int(value) else value), values)))
+
+    def test_a_tag_of_many_digits_can_be_open(self):
+        tags = vtkIntArray()
+        for tag in (1234567, 1234568, 3, 4):
+            tags.InsertNextValue(tag)
+        path = os.path.join(self.folder.name, 'open.14')
+        write_square(path, tags, open_tags='1234567')
+        self.assertEqual(len(read_adcirc(path)[2][0]), 1)
 
     def test_an_array_that_does_not_exist_is_an_error_and_no_file(self):
         window = vtkOutputWindow.GetInstance()

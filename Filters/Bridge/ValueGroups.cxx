@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ValueGroups.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkVariant.h"
+
+#include <algorithm> // for max, replace_if
+#include <cmath>     // for abs, floor, isnan
+#include <iomanip>   // for setprecision
+#include <sstream>   // for names
+
+namespace biting
+{
+
+namespace
+{
+
+// From here on there are whole numbers that are no double: 2^53.
+constexpr double LeastInexact = 9007199254740992.0;
+
+// Of numbers in names: those that a stream writes by itself, and those that tell all doubles apart.
+constexpr int FewestDigits = 6;
+constexpr int MostDigits = 17;
+
+} // namespace
+
+ValueGroups::ValueGroups(vtkAbstractArray* values)
+  : Values(values)
+  , Numbers(vtkDataArray::SafeDownCast(values))
+{
+  for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
+  {
+    if (this->Has(k))
+    {
+      this->Indices.emplace(this->KeyOf(k), 0);
+    }
+  }
+  std::size_t index = 0;
+  for (auto& entry : this->Indices)
+  {
+    entry.second = index++;
+  }
+}
+
+std::vector<MeshGroup> ValueGroups::Named(std::int64_t shift, const std::string& prefix) const
+{
+  std::int64_t highest = 0;
+  for (const auto& entry : this->Indices)
+  {
+    highest = std::max(highest, NumberOf(entry.first) + shift);
+  }
+  const int digits = this->DigitsToTellApart();
+  std::vector<MeshGroup> groups;
+  for (const auto& entry : this->Indices)
+  {
+    const std::int64_t own = NumberOf(entry.first) + shift;
+    groups.push_back({ own > 0 ? own : ++highest, prefix + NameOf(entry.first, digits) });
+  }
+  return groups;
+}
+
+ValueGroups::Key ValueGroups::KeyOf(vtkIdType item) const
+{
+  const double number = this->Numbers ? this->Numbers->GetComponent(item, 0) : std::nan("");
+  const int type = this->Values->GetDataType();
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  if (!std::isnan(number) && (isReal || std::abs(number) < LeastInexact))
+  {
+    return { number, std::string() };
+  }
+  const vtkIdType first = item * this->Values->GetNumberOfComponents();
+  return { std::isnan(number) ? 0.0 : number, this->Values->GetVariantValue(first).ToString() };
+}
+
+int ValueGroups::DigitsToTellApart() const
+{
+  int digits = FewestDigits;
+  for (auto next = this->Indices.begin(); next != this->Indices.end();)
+  {
+    const auto entry = next++;
+    while (digits < MostDigits && next != this->Indices.end() &&
+      NameOf(entry->first, digits) == NameOf(next->first, digits))
+    {
+      ++digits;
+    }
+  }
+  return digits;
+}
+
+// Far below 0 where it is no whole number.
+std::int64_t ValueGroups::NumberOf(const Key& key)
+{
+  const bool isWhole = key.second.empty() && std::floor(key.first) == key.first;
+  return isWhole && std::abs(key.first) < 1e9 ? static_cast<std::int64_t>(key.first) : -2000000000;
+}
+
+// Whole numbers have all of their digits.
+std::string ValueGroups::NameOf(const Key& key, int digits)
+{
+  const bool isWhole = std::floor(key.first) == key.first && std::abs(key.first) < LeastInexact;
+  std::ostringstream text;
+  text << std::setprecision(isWhole ? MostDigits : digits) << key.first;
+  std::string name = key.second.empty() ? text.str() : key.second;
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
+  return name;
+}
+
+} // namespace biting
