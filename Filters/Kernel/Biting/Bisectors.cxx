@@ -15,8 +15,6 @@ namespace biting
 namespace
 {
 
-constexpr std::size_t MostNeighbors = 64; // more than there are where f follows the domain
-
 double GaugeOf(const Point2& axis, const Point2& offset)
 {
   if (axis == Point2{})
@@ -75,7 +73,7 @@ Bisectors::Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerH
 
 void Bisectors::Gather(Id bite)
 {
-  this->Neighbors.clear();
+  this->NumberOfNeighbors = 0;
   this->Bite = this->MakeNeighbor(bite);
   const double reach = GreatestBond * this->LengthPerHalfWidth;
   this->Grid.VisitNear(this->Bite.Center, reach,
@@ -86,15 +84,15 @@ void Bisectors::Gather(Id bite)
       const double square = Dot(bond, bond);
       if (square > 0.0 && square < limit * limit)
       {
-        this->Neighbors.push_back(this->MakeNeighbor(other));
+        this->Neighbors[this->NumberOfNeighbors++] = this->MakeNeighbor(other);
       }
-      return this->Neighbors.size() == MostNeighbors;
+      return this->NumberOfNeighbors == MostNeighbors;
     });
 }
 
 bool Bisectors::IsCrowded() const
 {
-  return this->Neighbors.size() == MostNeighbors &&
+  return this->NumberOfNeighbors == MostNeighbors &&
     this->All.Phases[this->Bite.Bite] != BitePhase::Interior;
 }
 
@@ -139,8 +137,9 @@ double Bisectors::Misfit(const Neighbor& other, const Point2& bond, double heigh
 
 bool Bisectors::IsCoveredNearby(const Point2& p) const
 {
-  for (const Neighbor& neighbor : this->Neighbors)
+  for (std::size_t k = 0; k < this->NumberOfNeighbors; ++k)
   {
+    const Neighbor& neighbor = this->Neighbors[k];
     if (GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core)
     {
       return true;

@@ -11,7 +11,8 @@
 #include "Bites.h"
 
 #include <algorithm> // for max
-#include <vector>    // for the neighbours
+#include <array>     // for the neighbours
+#include <cstddef>   // for their number
 
 namespace biting
 {
@@ -74,7 +75,8 @@ private:
     1e-12; // of a half-width: a point this near a side lies on it
   // Of what is left of a core as small as the rounding of places: each bite takes something away.
   static constexpr double LeastCore = 0.5;
-  static constexpr double DeepShare = 0.4; // of a core
+  static constexpr double DeepShare = 0.4;         // of a core
+  static constexpr std::size_t MostNeighbors = 64; // more than there are where f follows the domain
 
   // A bite by value, so that pairs read nothing else.
   struct Neighbor
@@ -109,8 +111,9 @@ private:
   double LengthPerHalfWidth;
   double Tolerance;
   double Slack;
-  Neighbor Bite;                   ///< the bite at hand
-  std::vector<Neighbor> Neighbors; ///< of it
+  Neighbor Bite;                                 ///< the bite at hand
+  std::array<Neighbor, MostNeighbors> Neighbors; ///< of it
+  std::size_t NumberOfNeighbors = 0;
 };
 
 inline bool Bisectors::IsCoveredBy(Id bite, const Point2& p) const
@@ -134,9 +137,9 @@ void Bisectors::VisitPoints(Id bite, Visit&& visit)
   {
     return;
   }
-  for (const Neighbor& other : this->Neighbors)
+  for (std::size_t k = 0; k < this->NumberOfNeighbors; ++k)
   {
-    this->VisitPair(other, visit);
+    this->VisitPair(this->Neighbors[k], visit);
   }
 }
 
@@ -145,14 +148,17 @@ void Bisectors::VisitPair(const Neighbor& other, Visit&& visit) const
 {
   const Point2 bond = other.Center - this->Bite.Center;
   const Heights heights = this->HeightsOver(other, bond);
-  for (const double height : { heights.Left, heights.Right })
+  const Point2 middle = this->Bite.Center + 0.5 * bond;
+  const auto visitPoint = [this, &other, &bond, &middle, &visit](double height)
   {
-    const Point2 place = this->Bite.Center + 0.5 * bond + height * Perpendicular(bond);
+    const Point2 place = middle + height * Perpendicular(bond);
     if (height != 0.0 && !this->IsCoveredNearby(place))
     {
-      visit({ place, other.Bite, this->Misfit(other, bond, height) });
+      visit(BisectorPoint{ place, other.Bite, this->Misfit(other, bond, height) });
     }
-  }
+  };
+  visitPoint(heights.Left);
+  visitPoint(heights.Right);
 }
 
 } // namespace biting
