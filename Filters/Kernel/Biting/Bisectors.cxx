@@ -5,7 +5,7 @@
 
 #include "../Base/Numbers.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for any_of, min, max
 #include <cmath>     // for abs, sqrt
 #include <utility>   // for pair
 
@@ -71,29 +71,45 @@ Bisectors::Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerH
 {
 }
 
-void Bisectors::Gather(Id bite)
+void Bisectors::SetBite(Id bite)
+{
+  this->Bite = this->MakeNeighbor(bite);
+  if (bite != this->NextBite || this->Bite.Center != this->Next)
+  {
+    this->Gather(this->Bite.Center, [](const Neighbor&) { return false; });
+  }
+  this->NextBite = NoId;
+}
+
+// Those whose bond with a bite at p is short enough, until there is one to stop at, which is true.
+template <typename Stop>
+bool Bisectors::Gather(const Point2& p, Stop&& stopsAt)
 {
   this->NumberOfNeighbors = 0;
-  this->Bite = this->MakeNeighbor(bite);
   const double reach = GreatestBond * this->LengthPerHalfWidth;
-  this->Grid.VisitNear(this->Bite.Center, reach,
-    [this, reach](Id other)
+  bool hasStopped = false;
+  this->Grid.VisitNear(p, reach,
+    [this, &p, &stopsAt, &hasStopped, reach](Id other)
     {
-      const Point2 bond = this->All.Centers[other] - this->Bite.Center;
+      const Point2 bond = this->All.Centers[other] - p;
       const double limit = reach * this->All.HalfWidths[other];
       const double square = Dot(bond, bond);
-      if (square > 0.0 && square < limit * limit)
+      if (!(square < limit * limit))
       {
-        this->Neighbors[this->NumberOfNeighbors++] = this->MakeNeighbor(other);
+        return false;
       }
-      return this->NumberOfNeighbors == MostNeighbors;
+      Neighbor& neighbor = this->Neighbors[this->NumberOfNeighbors];
+      neighbor = this->MakeNeighbor(other);
+      this->NumberOfNeighbors += square > 0.0 ? 1 : 0;
+      hasStopped = stopsAt(neighbor);
+      return hasStopped || this->IsFull();
     });
+  return hasStopped;
 }
 
 bool Bisectors::IsCrowded() const
 {
-  return this->NumberOfNeighbors == MostNeighbors &&
-    this->All.Phases[this->Bite.Bite] != BitePhase::Interior;
+  return this->IsFull() && this->All.Phases[this->Bite.Bite] != BitePhase::Interior;
 }
 
 Bisectors::Neighbor Bisectors::MakeNeighbor(Id bite) const
@@ -135,23 +151,26 @@ double Bisectors::Misfit(const Neighbor& other, const Point2& bond, double heigh
   return (std::abs(base - 1.0) + 2.0 * std::abs(leg - 1.0)) / 3.0;
 }
 
-bool Bisectors::IsCoveredNearby(const Point2& p) const
+bool Bisectors::Covers(const Neighbor& neighbor, const Point2& p)
 {
-  for (std::size_t k = 0; k < this->NumberOfNeighbors; ++k)
-  {
-    const Neighbor& neighbor = this->Neighbors[k];
-    if (GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core)
-    {
-      return true;
-    }
-  }
-  return false;
+  return GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core;
 }
 
-bool Bisectors::IsCovered(const Point2& p) const
+bool Bisectors::IsCoveredNearby(const Point2& p) const
 {
-  return this->Grid.VisitLeaf(
-    p, [this, &p](Id bite) { return Gauge(this->All, bite, p) < this->CoreOf(bite); });
+  const Neighbor* first = this->Neighbors.data();
+  return std::any_of(first, first + this->NumberOfNeighbors,
+    [&p](const Neighbor& neighbor) { return Covers(neighbor, p); });
+}
+
+// A bite that covers p is nearer to it than the corner of a square, and so than a bond.
+bool Bisectors::IsCovered(const Point2& p)
+{
+  this->Next = p;
+  this->NextBite = this->All.Size();
+  return this->Gather(p, [&p](const Neighbor& neighbor) { return Covers(neighbor, p); }) ||
+    (this->IsFull() &&
+      this->Grid.VisitLeaf(p, [this, &p](Id bite) { return this->IsCoveredBy(bite, p); }));
 }
 
 bool Bisectors::IsDeep(const Point2& p, Id birth) const

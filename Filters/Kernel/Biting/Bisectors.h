@@ -61,8 +61,9 @@ public:
   template <typename Visit>
   void VisitPoints(Id bite, Visit&& visit);
 
-  /// Whether a bite covers p.
-  bool IsCovered(const Point2& p) const;
+  /// Whether a bite covers p. Where none does its neighbours are at hand for VisitPoints of the
+  /// next bite, should it be there. Not to be called within a visit.
+  bool IsCovered(const Point2& p);
 
   /// Whether a bite after `birth` does, and would if p were moved by about half of its half-width.
   bool IsDeep(const Point2& p, Id birth) const;
@@ -96,7 +97,10 @@ private:
     double Right;
   };
 
-  void Gather(Id bite);
+  template <typename Stop>
+  bool Gather(const Point2& p, Stop&& stopsAt);
+  void SetBite(Id bite);
+  bool IsFull() const { return this->NumberOfNeighbors == MostNeighbors; }
   bool IsCrowded() const;
   Neighbor MakeNeighbor(Id bite) const;
   double CoreOf(Id bite) const;
@@ -104,6 +108,7 @@ private:
   double Misfit(const Neighbor& other, const Point2& bond, double height) const;
   template <typename Visit>
   void VisitPair(const Neighbor& other, Visit&& visit) const;
+  static bool Covers(const Neighbor& neighbor, const Point2& p);
   bool IsCoveredNearby(const Point2& p) const;
 
   const Bites& All;
@@ -111,9 +116,13 @@ private:
   double LengthPerHalfWidth;
   double Tolerance;
   double Slack;
-  Neighbor Bite;                                 ///< the bite at hand
-  std::array<Neighbor, MostNeighbors> Neighbors; ///< of it
+  Neighbor Bite; ///< the bite at hand
+
+  // Of it, or of the next one, if it comes to Next.
+  std::array<Neighbor, MostNeighbors> Neighbors;
   std::size_t NumberOfNeighbors = 0;
+  Point2 Next;
+  Id NextBite = NoId; ///< NoId: there is none
 };
 
 inline bool Bisectors::IsCoveredBy(Id bite, const Point2& p) const
@@ -132,7 +141,7 @@ inline double Bisectors::CoreOf(Id bite) const
 template <typename Visit>
 void Bisectors::VisitPoints(Id bite, Visit&& visit)
 {
-  this->Gather(bite);
+  this->SetBite(bite);
   if (this->IsCrowded())
   {
     return;

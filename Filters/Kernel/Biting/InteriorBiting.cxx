@@ -195,7 +195,7 @@ bool InteriorBiting::HasOpen()
 }
 
 // Against the bites since the candidate's birth first: most candidates end there.
-bool InteriorBiting::IsUncovered(const Candidate& candidate) const
+bool InteriorBiting::IsUncovered(const Candidate& candidate)
 {
   if (candidate.Parents[0] != NoId)
   {

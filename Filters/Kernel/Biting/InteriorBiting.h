@@ -43,7 +43,7 @@ private:
   void PutFrontVertices(Id bite);
   bool PutLeftOvers();
   bool HasOpen();
-  bool IsUncovered(const Candidate& candidate) const;
+  bool IsUncovered(const Candidate& candidate);
   bool IsSurrounded(const Point2& p) const;
 
   BitingState& State;

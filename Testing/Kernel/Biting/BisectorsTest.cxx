@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath> // for sqrt
+#include <algorithm> // for remove_if
+#include <cmath>     // for sqrt
 
 namespace biting
 {
@@ -43,14 +44,10 @@ std::vector<BisectorPoint> PointsOf(
   }
   Bisectors bisectors(bites, grid, lengthPerHalfWidth, tolerance, 0.0);
   std::vector<BisectorPoint> points;
-  bisectors.VisitPoints(bite,
-    [&](const BisectorPoint& point)
-    {
-      if (!bisectors.IsCovered(point.Place))
-      {
-        points.push_back(point);
-      }
-    });
+  bisectors.VisitPoints(bite, [&](const BisectorPoint& point) { points.push_back(point); });
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [&](const BisectorPoint& point) { return bisectors.IsCovered(point.Place); }),
+    points.end());
   return points;
 }
 
@@ -155,6 +152,31 @@ TEST(Bisectors, MisfitIsThatOfTheTriangle)
   for (const BisectorPoint& point : PointsOf(bites, 1, 1.0 / 0.8, 0.9))
   {
     EXPECT_NEAR(point.Misfit, 2.0 / 3.0 * (1.0 - std::sqrt(0.25 + 0.64)), 1e-12);
+  }
+}
+
+// Asked about one place before the next bite comes there, or elsewhere.
+TEST(Bisectors, FindsTheSamePointsWhateverWasAskedForBefore)
+{
+  const double lengthPerHalfWidth = 1.0 / 0.8;
+  const Point2 place{ 0.5, Height };
+  for (const Point2& asked : { place, Point2{ -0.9, 0.0 } })
+  {
+    Bites bites = TwoSquares(0.8);
+    Box2 box;
+    box.Add({ -1.0, -1.0 });
+    box.Add({ 2.0, 2.0 });
+    BiteGrid grid(bites, box, 10.0, Bisectors::GreatestBond * lengthPerHalfWidth);
+    grid.File(0);
+    grid.File(1);
+    Bisectors bisectors(bites, grid, lengthPerHalfWidth, 0.9, 0.0);
+    EXPECT_FALSE(bisectors.IsCovered(asked));
+    AddBite(place, { 1.0, 0.0 }, 0.8, BitePhase::Interior, bites);
+    grid.File(2);
+    std::vector<Id> neighbors;
+    bisectors.VisitPoints(
+      2, [&neighbors](const BisectorPoint& point) { neighbors.push_back(point.Neighbor); });
+    EXPECT_EQ(neighbors, (std::vector<Id>{ 1, 0 }));
   }
 }
 
