@@ -15,15 +15,6 @@ namespace biting
 namespace
 {
 
-double GaugeOf(const Point2& axis, const Point2& offset)
-{
-  if (axis == Point2{})
-  {
-    return Length(offset);
-  }
-  return std::max(std::abs(Dot(offset, axis)), std::abs(Cross(axis, offset)));
-}
-
 // Narrows [enter, leave] to where |offset + t slope| <= halfWidth.
 void ClipToSlab(double offset, double slope, double halfWidth, double& enter, double& leave)
 {
@@ -149,11 +140,6 @@ double Bisectors::Misfit(const Neighbor& other, const Point2& bond, double heigh
   }
   const double leg = base * std::sqrt(0.25 + height * height);
   return (std::abs(base - 1.0) + 2.0 * std::abs(leg - 1.0)) / 3.0;
-}
-
-bool Bisectors::Covers(const Neighbor& neighbor, const Point2& p)
-{
-  return GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core;
 }
 
 bool Bisectors::IsCoveredNearby(const Point2& p) const

@@ -108,7 +108,10 @@ private:
   double Misfit(const Neighbor& other, const Point2& bond, double height) const;
   template <typename Visit>
   void VisitPair(const Neighbor& other, Visit&& visit) const;
-  static bool Covers(const Neighbor& neighbor, const Point2& p);
+  static bool Covers(const Neighbor& neighbor, const Point2& p)
+  {
+    return GaugeOf(neighbor.Axis, p - neighbor.Center) < neighbor.Core;
+  }
   bool IsCoveredNearby(const Point2& p) const;
 
   const Bites& All;

@@ -17,18 +17,23 @@
 namespace biting
 {
 
-/// The half-width with which bite `bite` would reach p.
-inline double Gauge(const Bites& bites, Id bite, const Point2& p)
+/// The half-width with which a bite would reach a point, from its axis (Bites.h) and the point's
+/// offset from its centre.
+inline double GaugeOf(const Point2& axis, const Point2& offset)
 {
-  const Point2 offset = p - bites.Centers[bite];
-  if (bites.IsCircle(bite))
+  if (axis == Point2{})
   {
     return Length(offset);
   }
-  const Point2& axis = bites.Axes[bite];
   const double along = std::abs(Dot(offset, axis));
   const double across = std::abs(Cross(axis, offset));
   return along > across ? along : across;
+}
+
+/// The same of bite `bite`.
+inline double Gauge(const Bites& bites, Id bite, const Point2& p)
+{
+  return GaugeOf(bites.Axes[bite], p - bites.Centers[bite]);
 }
 
 /// How deep p lies in bite `bite`: its distance to the nearest side, negative outside.

@@ -15,7 +15,8 @@ void DelaunayMesh::RestoreAround(Id vertex)
   Id edge = first;
   do
   {
-    this->Stack.insert(this->Stack.end(), { edge, Next(edge) });
+    this->Stack.push_back(edge);
+    this->Stack.push_back(Next(edge));
     edge = this->Turn(edge);
   } while (edge != NoId && edge != first);
   this->EmptyStack();
@@ -65,7 +66,10 @@ void DelaunayMesh::FlipAndPush(Id edge)
 {
   const Id twin = this->Twins[edge];
   this->Flip(edge);
-  this->Stack.insert(this->Stack.end(), { edge, Previous(edge), twin, Previous(twin) });
+  for (const Id changed : { edge, Previous(edge), twin, Previous(twin) })
+  {
+    this->Stack.push_back(changed);
+  }
 }
 
 const std::vector<Id>& DelaunayMesh::Around(Id center, int rings)
