@@ -3,11 +3,13 @@
 
 #include "MeshExchange.h"
 
+#include "../Base/SortInSteps.h"
 #include "../Base/TriangleSlots.h"
 #include "DividedSegments.h"
 
-#include <cmath>   // for abs
-#include <utility> // for move
+#include <cmath>      // for abs
+#include <functional> // for less
+#include <utility>    // for move
 
 namespace biting
 {
@@ -30,8 +32,9 @@ double RoughDegrees(const Point2& p, const Point2& q)
 }
 
 // Where steps end, as shares of the time.
-constexpr double VerticesReadEnd = 0.3;
-constexpr double TrianglesReadEnd = 0.7;
+constexpr double CornersReadEnd = 0.35;
+constexpr double VerticesReadEnd = 0.5;
+constexpr double TrianglesReadEnd = 0.9;
 
 /// For a few more than `size`, so that the first that is made does not copy all.
 template <typename... Values>
@@ -60,7 +63,7 @@ public:
 
   std::vector<Id> Read()
   {
-    const bool isRead = this->ReadVertices() && this->ReadTriangles();
+    const bool isRead = this->ReadCorners() && this->ReadVertices() && this->ReadEdges();
     if (isRead)
     {
       this->SetBounds();
@@ -69,17 +72,21 @@ public:
   }
 
 private:
+  bool ReadCorners()
+  {
+    const PulsePart part(this->Progress, 0.0, CornersReadEnd);
+    this->TakeCorners();
+    return !this->Progress.HasStopped();
+  }
   bool ReadVertices()
   {
-    const PulsePart part(this->Progress, 0.0, VerticesReadEnd);
-    this->NumberVertices();
+    const PulsePart part(this->Progress, CornersReadEnd, VerticesReadEnd);
     this->TakeVertices();
     return !this->Progress.HasStopped();
   }
-  bool ReadTriangles()
+  bool ReadEdges()
   {
     const PulsePart part(this->Progress, VerticesReadEnd, TrianglesReadEnd);
-    this->TakeCorners();
     this->TakeMarks();
     this->TakeTwins();
     this->TakeRegions();
@@ -92,7 +99,7 @@ private:
     this->SetIdealDegrees();
   }
 
-  void NumberVertices();
+  Id NumberOf(Id vertex);
   void TakeVertices();
   template <typename Value>
   void TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to);
@@ -106,29 +113,16 @@ private:
   void SetFreedoms();
   Freedom FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const;
   void SetIdealDegrees();
+  std::vector<Id> CornersOfFixed() const;
 
   RelaxationMesh& Input;
   MutableMesh& Mesh;
   Pulse& Progress;
   std::vector<Id> Numbers; ///< vertex of the input -> of the mesh
   std::vector<Id> Origins;
+  std::vector<Id> Marked; ///< half-edges that have a mark
+  std::vector<Id> Border; ///< those that have no twin
 };
-
-void Reader::NumberVertices()
-{
-  GrowInSteps(this->Numbers, this->Input.Points.size(), NoId, this->Progress);
-  this->Origins.reserve(this->Input.Points.size());
-  const std::vector<Id>& corners = this->Input.Triangles.Corners;
-  this->Progress.ForEach(corners.size(),
-    [this, &corners](std::size_t half)
-    {
-      if (this->Numbers[corners[half]] == NoId)
-      {
-        this->Numbers[corners[half]] = static_cast<Id>(this->Origins.size());
-        this->Origins.push_back(corners[half]);
-      }
-    });
-}
 
 void Reader::TakeVertices()
 {
@@ -137,10 +131,7 @@ void Reader::TakeVertices()
   this->TakeOfVertices(this->Input.Points, mesh.Points);
   this->TakeOfVertices(this->Input.Spacings, mesh.Spacings);
   this->TakeOfVertices(this->Input.Segments, mesh.Segments);
-  ReserveWithRoom(
-    size, mesh.VertexEdges, mesh.Degrees, mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
-  GrowInSteps(mesh.VertexEdges, size, NoId, this->Progress);
-  GrowInSteps(mesh.Degrees, size, Id(0), this->Progress);
+  ReserveWithRoom(size, mesh.Freedoms, mesh.IdealDegrees, mesh.IsEstimate);
   GrowInSteps(mesh.Freedoms, size, Freedom::Fixed, this->Progress);
   GrowInSteps(mesh.IdealDegrees, size, IdealInside, this->Progress);
   GrowInSteps(mesh.IsEstimate, size, std::uint8_t{ 0 }, this->Progress);
@@ -162,23 +153,40 @@ bool Reader::MakeHalves(std::vector<Id>& array)
   return GrowInSteps(array, size, NoId, this->Progress);
 }
 
+// Numbers the vertices as it meets them.
 void Reader::TakeCorners()
 {
   MutableMesh& mesh = this->Mesh;
   std::vector<Id>& corners = this->Input.Triangles.Corners;
-  if (this->MakeHalves(mesh.Corners))
+  const std::size_t size = this->Input.Points.size();
+  this->Origins.reserve(size);
+  ReserveWithRoom(size, mesh.VertexEdges, mesh.Degrees);
+  if (GrowInSteps(this->Numbers, size, NoId, this->Progress) && this->MakeHalves(mesh.Corners))
   {
     this->Progress.ForEach(corners.size(),
       [this, &mesh, &corners](std::size_t half)
       {
         const Id edge = EdgeOf(half);
-        const Id vertex = this->Numbers[corners[half]];
+        const Id vertex = this->NumberOf(corners[half]);
         mesh.Corners[edge] = vertex;
         mesh.VertexEdges[vertex] = edge;
         ++mesh.Degrees[vertex];
       });
   }
   ReleaseInSteps(this->Progress, corners, this->Numbers);
+}
+
+Id Reader::NumberOf(Id vertex)
+{
+  Id& number = this->Numbers[vertex];
+  if (number == NoId)
+  {
+    number = static_cast<Id>(this->Origins.size());
+    this->Origins.push_back(vertex);
+    this->Mesh.VertexEdges.push_back(NoId);
+    this->Mesh.Degrees.push_back(0);
+  }
+  return number;
 }
 
 void Reader::TakeMarks()
@@ -190,8 +198,11 @@ void Reader::TakeMarks()
       [this, &constraints](std::size_t half)
       {
         const Id constraint = constraints[half];
-        this->Mesh.Marks[EdgeOf(half)] =
-          constraint == NoId ? NoId : this->Input.EdgeSegments[constraint];
+        if (constraint != NoId)
+        {
+          this->Mesh.Marks[EdgeOf(half)] = this->Input.EdgeSegments[constraint];
+          this->Marked.push_back(EdgeOf(half));
+        }
       });
   }
   ReleaseInSteps(this->Progress, constraints, this->Input.EdgeStarts, this->Input.EdgeEnds,
@@ -207,8 +218,12 @@ void Reader::TakeTwins()
       [this, &neighbors](std::size_t half)
       {
         const Id edge = EdgeOf(half);
-        this->Mesh.Twins[edge] =
-          neighbors[half] == NoId ? NoId : this->TwinOf(edge, neighbors[half]);
+        if (neighbors[half] == NoId)
+        {
+          this->Border.push_back(edge);
+          return;
+        }
+        this->Mesh.Twins[edge] = this->TwinOf(edge, neighbors[half]);
       });
   }
   ReleaseInSteps(this->Progress, neighbors);
@@ -236,11 +251,11 @@ void Reader::SetFreedoms()
   MutableMesh& mesh = this->Mesh;
   std::vector<std::uint8_t> numbersOfMarks(mesh.Points.size(), 0);
   std::vector<std::uint8_t> isAtOther(mesh.Points.size(), 0);
-  this->Progress.ForEach(mesh.Corners.size(),
-    [&mesh, &numbersOfMarks, &isAtOther](std::size_t slot)
+  this->Progress.ForEach(this->Marked.size(),
+    [this, &mesh, &numbersOfMarks, &isAtOther](std::size_t k)
     {
-      const Id edge = static_cast<Id>(slot);
-      if (mesh.IsFirstHalf(edge) && mesh.Marks[edge] != NoId)
+      const Id edge = this->Marked[k];
+      if (mesh.IsFirstHalf(edge))
       {
         for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
         {
@@ -278,34 +293,44 @@ Freedom Reader::FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const
 void Reader::SetIdealDegrees()
 {
   MutableMesh& mesh = this->Mesh;
-  this->Progress.ForEach(mesh.Corners.size(),
-    [&mesh](std::size_t slot)
+  this->Progress.ForEach(this->Border.size(),
+    [this, &mesh](std::size_t k)
     {
-      const Id edge = static_cast<Id>(slot);
-      if (mesh.IsEdge(edge) && mesh.Twins[edge] == NoId)
+      for (const Id vertex : { mesh.Origin(this->Border[k]), mesh.Target(this->Border[k]) })
       {
-        for (const Id vertex : { mesh.Origin(edge), mesh.Target(edge) })
-        {
-          const bool isFixed = mesh.Freedoms[vertex] == Freedom::Fixed;
-          mesh.IdealDegrees[vertex] = isFixed ? 0.0f : IdealOnBorder;
-        }
+        const bool isFixed = mesh.Freedoms[vertex] == Freedom::Fixed;
+        mesh.IdealDegrees[vertex] = isFixed ? 0.0f : IdealOnBorder;
       }
     });
-  this->Progress.ForEach(mesh.Corners.size(),
-    [&mesh](std::size_t slot)
+  const std::vector<Id> edges = this->CornersOfFixed();
+  this->Progress.ForEach(edges.size(),
+    [&mesh, &edges](std::size_t k)
     {
-      const Id edge = static_cast<Id>(slot);
-      const Id vertex = mesh.Corners[edge];
-      if (vertex != NoId && mesh.Freedoms[vertex] == Freedom::Fixed &&
-        mesh.IdealDegrees[vertex] < IdealInside)
+      const Id edge = edges[k];
+      const Point2& center = mesh.Points[mesh.Corners[edge]];
+      mesh.IdealDegrees[mesh.Corners[edge]] +=
+        static_cast<float>(RoughDegrees(mesh.Points[mesh.Origin(edge)] - center,
+                             mesh.Points[mesh.Target(edge)] - center) /
+          IdealAngle);
+    });
+}
+
+// Of the border: each edge of it begins a fan of triangles.
+std::vector<Id> Reader::CornersOfFixed() const
+{
+  std::vector<Id> edges;
+  this->Progress.ForEach(this->Border.size(),
+    [this, &edges](std::size_t k)
+    {
+      Id edge = MutableMesh::Next(this->Border[k]);
+      const bool isFixed = this->Mesh.Freedoms[this->Mesh.Corners[edge]] == Freedom::Fixed;
+      for (; isFixed && edge != NoId; edge = this->Mesh.Turn(edge))
       {
-        const Point2& center = mesh.Points[vertex];
-        mesh.IdealDegrees[vertex] +=
-          static_cast<float>(RoughDegrees(mesh.Points[mesh.Origin(edge)] - center,
-                               mesh.Points[mesh.Target(edge)] - center) /
-            IdealAngle);
+        edges.push_back(edge);
       }
     });
+  SortInSteps(edges, std::less<Id>(), this->Progress); // sums do not depend on the border's order
+  return edges;
 }
 
 } // namespace
