@@ -98,6 +98,10 @@ void AngleDescent::Run(Pulse& pulse)
   {
     const PulsePart part(
       pulse, static_cast<double>(round) / Rounds, static_cast<double>(round + 1) / Rounds);
+    if (round > 0)
+    {
+      this->FindChanged();
+    }
     this->KeepPoor();
     this->ListCorners();
     this->Moved.clear();
@@ -109,7 +113,6 @@ void AngleDescent::Run(Pulse& pulse)
         this->Moved.push_back(vertices[k]);
       }
     }
-    this->FindChanged();
   }
 }
 
