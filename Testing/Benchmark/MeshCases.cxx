@@ -7,6 +7,7 @@
 
 #include <algorithm>  // for max
 #include <cmath>      // for fields
+#include <cstdint>    // for noise
 #include <cstdlib>    // for the folder
 #include <fstream>    // for drawings
 #include <functional> // for fields
@@ -108,6 +109,26 @@ Polylines Circle(int sides)
   }
   Polylines lines;
   AddLoop(points, lines);
+  return lines;
+}
+
+/// Three rings about each other, whose points are off their circles by up to a step along these.
+Polylines RaggedRings(int sides)
+{
+  Polylines lines;
+  std::uint32_t noise = 1;
+  for (const double radius : { 1.0, 0.7, 0.4 })
+  {
+    std::vector<Point2> points;
+    for (int k = 0; k < sides; ++k)
+    {
+      noise = 1664525u * noise + 1013904223u;
+      const double angle = Turn * k / sides;
+      const double place = radius * (1.0 + Turn / sides * (noise / 2147483648.0 - 1.0));
+      points.push_back({ place * std::cos(angle), place * std::sin(angle) });
+    }
+    AddLoop(points, lines);
+  }
   return lines;
 }
 
@@ -257,6 +278,16 @@ MeshCase FineCircle(int sides)
   return made;
 }
 
+MeshCase OfRaggedRings(int sides)
+{
+  MeshCase made;
+  made.Name = "ragged rings, " + std::to_string(3 * sides);
+  made.Drawing = RaggedRings(sides);
+  made.Options.Spacing.Uniform = 0.05;
+  made.Options.Spacing.Gradation = 0.3;
+  return made;
+}
+
 MeshCase Raw(MeshCase made)
 {
   made.Name += ", raw";
@@ -337,7 +368,7 @@ std::vector<MeshCase> CostCases(double mostVertices)
   std::vector<MeshCase> cases{ OfFile("coast.vtk", 0.15), OfFile("adcirc_shinnecock.vtk", 0.3),
     OfFile("plate.vtk", 0.3), OfFile("naca_airfoil.vtk", 0.3), SquareWithHoles(),
     UniformSquare(1000.0), Preserved(OfFile("shetland.vtk", 0.3)),
-    Preserved(OfFile("pixels.vtk", 0.3)), FineCircle(100000) };
+    Preserved(OfFile("pixels.vtk", 0.3)), Preserved(OfRaggedRings(1000)), FineCircle(100000) };
   for (const double vertices : { 1e4, 1e5, 1e6, 4e6 })
   {
     if (vertices > mostVertices)
