@@ -24,17 +24,16 @@ void DelaunayMesh::RestoreAround(Id vertex)
 
 void DelaunayMesh::RestoreAll(Pulse& pulse)
 {
-  for (Id edge = 0; edge < this->NumberOfEdges() && pulse.Beat(); edge += 4)
-  {
-    for (Id side = edge; side < edge + 3; ++side)
+  pulse.ForEach(this->Corners.size(),
+    [this](std::size_t slot)
     {
-      if (this->IsFirstHalf(side) && this->MustFlip(side))
+      const Id edge = static_cast<Id>(slot);
+      if (this->IsFirstHalf(edge) && this->MustFlip(edge))
       {
-        this->FlipAndPush(side);
+        this->FlipAndPush(edge);
         this->EmptyStack();
       }
-    }
-  }
+    });
 }
 
 void DelaunayMesh::EmptyStack()

@@ -12,6 +12,7 @@
 #include "ValenceChange.h"
 
 #include <algorithm> // for max, clamp
+#include <cstddef>   // for slots
 
 namespace biting
 {
@@ -94,13 +95,14 @@ void ValenceRound::ChooseShift(Pulse& pulse)
 void ValenceRound::FindCandidates(Pulse& pulse)
 {
   this->Candidates.clear();
-  for (Id edge = 0; edge < this->Mesh.NumberOfEdges() && pulse.Beat(); ++edge)
-  {
-    if (this->Mesh.IsFirstHalf(edge))
+  pulse.ForEach(this->Mesh.Corners.size(),
+    [this](std::size_t slot)
     {
-      this->AddCandidates(edge);
-    }
-  }
+      if (this->Mesh.IsFirstHalf(static_cast<Id>(slot)))
+      {
+        this->AddCandidates(static_cast<Id>(slot));
+      }
+    });
   SortInSteps(
     this->Candidates,
     [](const Candidate& a, const Candidate& b)
