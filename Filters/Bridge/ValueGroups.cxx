@@ -10,6 +10,7 @@
 #include <algorithm> // for max, replace_if
 #include <cmath>     // for abs, floor, isnan
 #include <iomanip>   // for setprecision
+#include <set>       // for names that were changed
 #include <sstream>   // for names
 
 namespace biting
@@ -24,6 +25,14 @@ constexpr double LeastInexact = 9007199254740992.0;
 // Of numbers in names: those that a stream writes by itself, and those that tell all doubles apart.
 constexpr int FewestDigits = 6;
 constexpr int MostDigits = 17;
+
+// Without what would end the name in a file.
+std::string WithoutEnds(std::string name)
+{
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
+  return name;
+}
 
 } // namespace
 
@@ -53,11 +62,18 @@ std::vector<MeshGroup> ValueGroups::Named(std::int64_t shift, const std::string&
     highest = std::max(highest, NumberOf(entry.first) + shift);
   }
   const int digits = this->DigitsToTellApart();
+  std::set<std::string> changed;
   std::vector<MeshGroup> groups;
   for (const auto& entry : this->Indices)
   {
     const std::int64_t own = NumberOf(entry.first) + shift;
-    groups.push_back({ own > 0 ? own : ++highest, prefix + NameOf(entry.first, digits) });
+    const std::string given = NameOf(entry.first, digits);
+    std::string name = WithoutEnds(given);
+    while (name != given && (this->Indices.count({ 0.0, name }) || !changed.insert(name).second))
+    {
+      name += '_';
+    }
+    groups.push_back({ own > 0 ? own : ++highest, prefix + name });
   }
   return groups;
 }
@@ -103,10 +119,7 @@ std::string ValueGroups::NameOf(const Key& key, int digits)
   const bool isWhole = std::floor(key.first) == key.first && std::abs(key.first) < LeastInexact;
   std::ostringstream text;
   text << std::setprecision(isWhole ? MostDigits : digits) << key.first;
-  std::string name = key.second.empty() ? text.str() : key.second;
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
-  return name;
+  return key.second.empty() ? text.str() : key.second;
 }
 
 } // namespace biting

@@ -35,7 +35,8 @@ public:
 
   std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
 
-  /// Whole numbers plus `shift` keep their values where these are above 0.
+  /// Whole numbers plus `shift` keep their values where these are above 0. In names quotes and ends
+  /// of lines are '_', and more of these follow where that would be the name of another group.
   std::vector<MeshGroup> Named(std::int64_t shift, const std::string& prefix) const;
 
 private:

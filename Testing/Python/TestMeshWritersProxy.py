@@ -12,7 +12,7 @@ from biting.vtkBitingFilters import vtkBitingMesher, vtkBitingMeshWriter
 from paraview import simple
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray, vtkIdTypeArray, vtkIntArray, vtkLongLongArray, vtkOutputWindow, vtkPoints,
-    vtkUnsignedCharArray)
+    vtkStringArray, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -273,6 +273,14 @@ class TestMeshWritersProxy(unittest.TestCase):
             write_square(path, array)
             self.assertEqual(set(read_su2(path)[2].values()), set(map(
                 lambda value: str(int(value) if value == int(value) else value), values)))
+
+    def test_tags_that_differ_in_quotes_and_ends_of_lines_only_stay_apart(self):
+        tags = vtkStringArray()
+        for tag in ('a"', 'a_', 'a\n', 'a'):
+            tags.InsertNextValue(tag)
+        path = os.path.join(self.folder.name, 'quotes.su2')
+        write_square(path, tags)
+        self.assertEqual(set(read_su2(path)[2].values()), {'a', 'a_', 'a__', 'a___'})
 
     def test_a_tag_of_many_digits_can_be_open(self):
         tags = vtkIntArray()
