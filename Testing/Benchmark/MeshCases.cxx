@@ -3,13 +3,12 @@
 
 #include "MeshCases.h"
 
+#include "DrawingFile.h"
 #include "PaperSpacing.h"
 
 #include <algorithm>  // for max
 #include <cmath>      // for fields
 #include <cstdint>    // for noise
-#include <cstdlib>    // for the folder
-#include <fstream>    // for drawings
 #include <functional> // for fields
 #include <memory>     // for sources
 #include <utility>    // for move
@@ -75,11 +74,16 @@ std::shared_ptr<const GridSource> PaperImage(double vertices)
   return grid;
 }
 
-double AroundHoles(const Point2& x)
+double Waves(const Point2& x)
+{
+  return 0.02 + 0.01 * std::sin(9.0 * x.X) * std::cos(7.0 * x.Y);
+}
+
+double AroundHoles(const Point2& x, double slope)
 {
   const Point2 offset{ 7.0 * x.X - std::floor(7.0 * x.X) - 0.5,
     7.0 * x.Y - std::floor(7.0 * x.Y) - 0.5 };
-  return 0.002 + 0.3 * std::max(Length(offset) / 7.0 - 0.02, 0.0);
+  return 0.002 + slope * std::max(Length(offset) / 7.0 - 0.02, 0.0);
 }
 
 Polylines HoledSquare()
@@ -132,106 +136,6 @@ Polylines RaggedRings(int sides)
   return lines;
 }
 
-/// Reads legacy VTK files, ASCII, as those of Data: points, lines, vertices, the first point array.
-class DrawingReader
-{
-public:
-  explicit DrawingReader(const std::string& path)
-    : File(path)
-  {
-    std::string line;
-    for (int k = 0; k < 3; ++k)
-    {
-      std::getline(this->File, line);
-    }
-  }
-
-  void Read();
-
-  Polylines Lines;
-  std::vector<double> Values; ///< one a point, or none
-
-private:
-  void ReadCells(ChainKind kind);
-  void ReadArrays(bool areOfPoints);
-
-  std::ifstream File;
-};
-
-void DrawingReader::Read()
-{
-  std::string word;
-  bool isAtPoints = false;
-  while (this->File >> word)
-  {
-    if (word == "POINTS")
-    {
-      std::size_t count = 0;
-      this->File >> count >> word;
-      this->Lines.Points.resize(count);
-      double z = 0.0;
-      for (Point2& p : this->Lines.Points)
-      {
-        this->File >> p.X >> p.Y >> z;
-      }
-    }
-    else if (word == "LINES" || word == "VERTICES")
-    {
-      this->ReadCells(word == "LINES" ? ChainKind::Automatic : ChainKind::EmbeddedPoint);
-    }
-    else if (word == "CELL_DATA" || word == "POINT_DATA")
-    {
-      isAtPoints = word == "POINT_DATA";
-    }
-    else if (word == "FIELD")
-    {
-      this->ReadArrays(isAtPoints);
-    }
-  }
-}
-
-void DrawingReader::ReadCells(ChainKind kind)
-{
-  Id count = 0;
-  Id size = 0;
-  this->File >> count >> size;
-  for (Id cell = 0; cell < count; ++cell)
-  {
-    this->File >> size;
-    for (Id k = 0; k < size; ++k)
-    {
-      Id point = 0;
-      this->File >> point;
-      this->Lines.Connectivity.push_back(point);
-    }
-    this->Lines.Offsets.push_back(static_cast<Id>(this->Lines.Connectivity.size()));
-    this->Lines.Cells.push_back(this->Lines.NumberOfChains());
-    this->Lines.Kinds.push_back(kind);
-  }
-}
-
-void DrawingReader::ReadArrays(bool areOfPoints)
-{
-  std::string word;
-  int count = 0;
-  this->File >> word >> count;
-  for (int array = 0; array < count; ++array)
-  {
-    std::size_t components = 0;
-    std::size_t tuples = 0;
-    this->File >> word >> components >> tuples >> word;
-    std::vector<double> values(components * tuples);
-    for (double& value : values)
-    {
-      this->File >> value;
-    }
-    if (areOfPoints && this->Values.empty() && components == 1)
-    {
-      this->Values = std::move(values);
-    }
-  }
-}
-
 std::shared_ptr<const SegmentSource> AlongSegments(
   const Polylines& lines, const std::vector<double>& values)
 {
@@ -247,14 +151,6 @@ std::shared_ptr<const SegmentSource> AlongSegments(
     }
   }
   return source;
-}
-
-std::string PathOf(const std::string& name)
-{
-  const std::string inData = std::string(BITING_SOURCE_DIR) + "/Data/" + name;
-  const char* shared = std::getenv("BITING_SHARED_INPUTS");
-  const bool isInData = std::ifstream(inData).good();
-  return isInData || shared == nullptr ? inData : std::string(shared) + "/" + name;
 }
 
 double Diagonal(const Polylines& lines)
@@ -337,29 +233,28 @@ MeshCase SquareWithHoles()
   MeshCase made;
   made.Name = "T3, image 513";
   made.Drawing = HoledSquare();
-  made.Options.Spacing.Grid = Image(513, AroundHoles);
+  made.Options.Spacing.Grid = Image(513, [](const Point2& x) { return AroundHoles(x, 0.3); });
   made.Options.Spacing.Gradation = 0.31;
   return made;
 }
 
 MeshCase OfFile(const std::string& name, double gradation, double share)
 {
-  DrawingReader reader(PathOf(name));
-  reader.Read();
+  DrawingFile file(name);
   MeshCase made;
   made.Name = name.substr(0, name.find('.')) + " g " + std::to_string(gradation).substr(0, 4) +
     " x " + std::to_string(share).substr(0, 4);
   made.Options.Spacing.Gradation = gradation;
-  if (!reader.Values.empty())
+  if (!file.Values.empty())
   {
-    made.Options.Spacing.Segments = AlongSegments(reader.Lines, reader.Values);
+    made.Options.Spacing.Segments = AlongSegments(file.Lines, file.Values);
     made.Options.Spacing.Scale = share;
   }
   else
   {
-    made.Options.Spacing.Uniform = 0.02 * share * Diagonal(reader.Lines);
+    made.Options.Spacing.Uniform = 0.02 * share * Diagonal(file.Lines);
   }
-  made.Drawing = std::move(reader.Lines);
+  made.Drawing = std::move(file.Lines);
   return made;
 }
 
@@ -393,8 +288,7 @@ std::vector<MeshCase> QualityCases()
   level.Options.Spacing.Grid = nullptr;
   level.Options.Spacing.Uniform = 0.01;
   cases.push_back(level);
-  cases.push_back(OfField("waves",
-    [](const Point2& x) { return 0.02 + 0.01 * std::sin(9.0 * x.X) * std::cos(7.0 * x.Y); }));
+  cases.push_back(OfField("waves", Waves));
   cases.push_back(OfField("jump",
     [](const Point2& x) {
       return Length(x - Point2{ 0.4, 0.45 }) < 0.3 ? 0.004 : 0.1;
@@ -410,5 +304,101 @@ std::vector<MeshCase> QualityCases()
   cases.push_back(OfFile("pixels.vtk", 0.3));
   cases.push_back(OfFile("pixels.vtk", 0.3, 0.5));
   cases.push_back(OfFile("plate.vtk", 0.3, 0.25));
+  return cases;
+}
+
+namespace
+{
+
+/// Waves, as triangles of a grid of the unit square.
+std::shared_ptr<const TriangulatedSource> TriangulatedWaves(int size)
+{
+  auto source = std::make_shared<TriangulatedSource>();
+  for (Id node = 0; node < size * size; ++node)
+  {
+    const Point2 x{ node % size / (size - 1.0), node / size / (size - 1.0) };
+    source->Points.push_back(x);
+    source->Values.push_back(Waves(x));
+    if (node % size > 0 && node >= size)
+    {
+      const Id low = node - size;
+      source->Triangles.insert(
+        source->Triangles.end(), { low - 1, low, node, low - 1, node, node - 1 });
+    }
+  }
+  return source;
+}
+
+MeshCase OfHoles(double slope)
+{
+  MeshCase made = SquareWithHoles();
+  made.Name = "holes " + std::to_string(slope).substr(0, 3);
+  made.Options.Spacing.Grid =
+    Image(513, [slope](const Point2& x) { return AroundHoles(x, slope); });
+  made.Options.Spacing.Gradation = 1.03 * slope;
+  return made;
+}
+
+/// A ring whose points ask for a tenth of what others do in turns.
+MeshCase BoundaryOnly()
+{
+  MeshCase made;
+  made.Name = "boundary only";
+  made.Drawing = Circle(60);
+  std::vector<double> values;
+  for (int k = 0; k < 60; ++k)
+  {
+    values.push_back(0.055 + 0.045 * std::cos(5.0 * Turn * k / 60));
+  }
+  made.Options.Spacing.Segments = AlongSegments(made.Drawing, values);
+  return made;
+}
+
+/// The element size of a production mesh.
+MeshCase AdcircField()
+{
+  MeshCase made = OfFile("adcirc_shinnecock.vtk", 0.3);
+  made.Name = "ADCIRC field";
+  const DrawingFile file("field_adcirc_shinnecock.vtk");
+  auto source = std::make_shared<TriangulatedSource>();
+  source->Points = file.Lines.Points;
+  source->Values = file.Values;
+  source->Triangles = file.Triangles;
+  made.Options.Spacing.Segments = nullptr;
+  made.Options.Spacing.Triangulation = source;
+  made.Drawing.Points.resize(file.Triangles.empty() ? 0 : made.Drawing.Points.size());
+  return made;
+}
+
+MeshCase Named(const std::string& name, MeshCase made)
+{
+  made.Name = name;
+  return made;
+}
+
+} // namespace
+
+std::vector<MeshCase> FieldCases()
+{
+  constexpr double Vertices = 2000.0; // of section 6 as in the paper
+  std::vector<MeshCase> cases{ Named("uniform", UniformSquare(10000.0)) };
+  for (const double share : { 1.0, 0.5, 0.35, 0.25 })
+  {
+    cases.push_back(Named(
+      "section 6 x " + std::to_string(share).substr(0, 4), SectionSix(Vertices / (share * share))));
+  }
+  for (const double slope : { 0.1, 0.3, 1.0 })
+  {
+    cases.push_back(OfHoles(slope));
+  }
+  cases.push_back(
+    Named("jump by 50", OfField("", [](const Point2& x) { return x.X < 0.5 ? 0.002 : 0.1; })));
+  cases.push_back(Named("image", OfField("", Waves)));
+  cases.push_back(Named("triangulated", OfField("", Waves)));
+  cases.back().Options.Spacing.Grid = nullptr;
+  cases.back().Options.Spacing.Triangulation = TriangulatedWaves(129);
+  cases.push_back(BoundaryOnly());
+  cases.push_back(Named("ADCIRC boundary", OfFile("adcirc_shinnecock.vtk", 0.3)));
+  cases.push_back(AdcircField());
   return cases;
 }

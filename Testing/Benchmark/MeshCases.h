@@ -36,4 +36,7 @@ std::vector<MeshCase> CostCases(double mostVertices);
 /// Those over which the quality is a mean.
 std::vector<MeshCase> QualityCases();
 
+/// One a kind of source, and of field.
+std::vector<MeshCase> FieldCases();
+
 #endif
