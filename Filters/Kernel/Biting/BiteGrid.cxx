@@ -83,7 +83,7 @@ BiteGrid::BiteGrid(
 
 void BiteGrid::Release(Pulse& pulse)
 {
-  this->Lists.Clear();
+  this->Lists = BiteLists();
   ReleaseInSteps(pulse, this->Cells);
 }
 

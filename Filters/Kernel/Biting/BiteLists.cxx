@@ -3,6 +3,8 @@
 
 #include "BiteLists.h"
 
+#include <algorithm> // for find
+
 namespace biting
 {
 
@@ -45,8 +47,13 @@ void BiteLists::AddChunks()
 
 void BiteLists::Clear()
 {
-  std::vector<std::unique_ptr<Block[]>>().swap(this->Allocated);
-  std::vector<Block*>().swap(this->Chunks);
+  if (!this->Allocated.empty())
+  {
+    const Block* last = this->Allocated.back().get();
+    this->Chunks.erase(
+      this->Chunks.begin(), std::find(this->Chunks.begin(), this->Chunks.end(), last));
+    this->Allocated.erase(this->Allocated.begin(), this->Allocated.end() - 1);
+  }
   this->Count = 0;
   this->Unused = NoId;
 }
