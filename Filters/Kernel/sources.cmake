@@ -141,6 +141,7 @@ set(biting_kernel_sources
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
+  Remeshing/FreeEdges.cxx
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx

@@ -4,10 +4,10 @@
 #include "OldMesh.h"
 
 #include "../Base/Pulse.h"
-#include "../Domain/AreaSum.h"
 #include "../Domain/Domain.h"
 #include "../Domain/Polylines.h"
 #include "../Predicates/Predicates.h"
+#include "FreeEdges.h"
 #include "OldMeshRepair.h"
 
 #include <algorithm> // for lower_bound, sort
@@ -30,29 +30,42 @@ constexpr double AreaTolerance = 1e-13;
 // all, in units of the rounding of coordinates.
 constexpr double WidthOfStrips = 8.0;
 
-double LengthOf(const Polylines& edges)
+/// A slot by the ends of its edge, both in one number.
+struct EdgeSlot
 {
-  double length = 0.0;
-  for (std::size_t k = 1; k < edges.Connectivity.size(); k += 2)
+  std::uint64_t Ends;
+  Id Slot;
+
+  static std::uint64_t EndsOf(Id start, Id end)
   {
-    length +=
-      Distance(edges.Points[edges.Connectivity[k - 1]], edges.Points[edges.Connectivity[k]]);
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(start)) << 32) |
+      static_cast<std::uint32_t>(end);
   }
-  return length;
+  bool operator<(const EdgeSlot& other) const { return this->Ends < other.Ends; }
+};
+
+// Whether an edge of a triangle leads from one vertex to another, in its turn.
+bool IsEdge(const OldMesh& mesh, Id triangle, Id start, Id end)
+{
+  const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  return (corners[0] == start && corners[1] == end) || (corners[1] == start && corners[2] == end) ||
+    (corners[2] == start && corners[0] == end);
 }
 
-double AreaOf(const Polylines& edges)
+// The free edges, with their triangles as cells.
+Polylines DrawingOf(const OldMesh& mesh)
 {
-  if (edges.Connectivity.empty())
+  Polylines edges;
+  edges.Points = mesh.Points;
+  for (const Id slot : mesh.FreeSlots())
   {
-    return 0.0;
+    edges.Connectivity.push_back(mesh.Start(slot));
+    edges.Connectivity.push_back(mesh.End(slot));
+    edges.Offsets.push_back(static_cast<Id>(edges.Connectivity.size()));
+    edges.Kinds.push_back(ChainKind::Boundary);
+    edges.Cells.push_back(slot / 3);
   }
-  AreaSum sum(edges.Points[edges.Connectivity.front()]);
-  for (std::size_t k = 1; k < edges.Connectivity.size(); k += 2)
-  {
-    sum.Add(edges.Points[edges.Connectivity[k - 1]], edges.Points[edges.Connectivity[k]]);
-  }
-  return sum.Area();
+  return edges;
 }
 
 class Reader
@@ -96,12 +109,12 @@ private:
   Id NumberOf(Id vertex) const { return this->Numbers.empty() ? vertex : this->Numbers[vertex]; }
   bool CheckSides();
   void MarkEdges();
-  std::vector<Id> SlotsOfLines() const;
+  std::vector<EdgeSlot> SlotsOfLines() const;
   void MarkLines();
-  bool MarkLine(Id line, const std::vector<Id>& slots);
-  bool MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots);
+  bool MarkLine(Id line, const std::vector<EdgeSlot>& slots);
+  bool MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& slots);
   void CheckOverlaps();
-  Polylines FreeEdges();
+  void FindOverlaps(double allowed);
   void AddMeetings(const ProblemList& found);
   void AddCovered(const Domain& domain);
   void AddBad(Id triangle, const char* detail);
@@ -120,6 +133,7 @@ private:
   OldMesh Mesh;
   std::vector<Id> Numbers; ///< of each vertex of the input: the one that it was made; empty: itself
   std::vector<DividedSide> Divided; ///< as MendedMesh has them
+  bool AreApart = false;            ///< likewise
 };
 
 void Reader::Copy()
@@ -199,9 +213,10 @@ void Reader::Orient()
 void Reader::Mend()
 {
   MendedMesh mended =
-    MendOldMesh(this->Input, this->Nearest, this->Rule, this->Mesh, this->Problems);
+    MendOldMesh(this->Input, this->Nearest, this->Rule, this->Mesh, this->Problems, this->Progress);
   this->Numbers = std::move(mended.Numbers);
   this->Divided = std::move(mended.Divided);
+  this->AreApart = mended.AreApart;
   for (const Id triangle : mended.Crowded)
   {
     this->AddBad(triangle, "more than two triangles share an edge of it");
@@ -217,12 +232,7 @@ bool Reader::CheckSides()
     {
       const Id slot = static_cast<Id>(place);
       const Id neighbor = mesh.Neighbors[slot];
-      bool isBeside = neighbor == NoId;
-      for (Id other = 3 * neighbor; !isBeside && other < 3 * neighbor + 3; ++other)
-      {
-        isBeside = mesh.Start(other) == mesh.End(slot) && mesh.End(other) == mesh.Start(slot);
-      }
-      if (!isBeside)
+      if (neighbor != NoId && !IsEdge(mesh, neighbor, mesh.End(slot), mesh.Start(slot)))
       {
         this->AddBad(slot / 3, "another triangle lies on the same side of an edge of it");
       }
@@ -248,7 +258,7 @@ void Reader::MarkEdges()
 }
 
 // Those between ends of lines, and of their parts, by their ends.
-std::vector<Id> Reader::SlotsOfLines() const
+std::vector<EdgeSlot> Reader::SlotsOfLines() const
 {
   const OldMesh& mesh = this->Mesh;
   std::vector<std::uint8_t> isEnd(mesh.Points.size(), 0);
@@ -263,26 +273,23 @@ std::vector<Id> Reader::SlotsOfLines() const
   {
     isEnd[side[2]] = 1;
   }
-  std::vector<Id> slots;
+  std::vector<EdgeSlot> slots;
   for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
   {
-    if (isEnd[mesh.Start(slot)] && isEnd[mesh.End(slot)])
+    const Id start = mesh.Start(slot);
+    const Id end = mesh.End(slot);
+    if (isEnd[start] && isEnd[end])
     {
-      slots.push_back(slot);
+      slots.push_back({ EdgeSlot::EndsOf(start, end), slot });
     }
   }
-  std::sort(slots.begin(), slots.end(),
-    [&mesh](Id a, Id b)
-    {
-      return std::make_pair(mesh.Start(a), mesh.End(a)) <
-        std::make_pair(mesh.Start(b), mesh.End(b));
-    });
+  std::sort(slots.begin(), slots.end());
   return slots;
 }
 
 void Reader::MarkLines()
 {
-  const std::vector<Id> slots = this->SlotsOfLines();
+  const std::vector<EdgeSlot> slots = this->SlotsOfLines();
   for (std::size_t line = 0; line < this->Input.LineStarts.size(); ++line)
   {
     if (!this->MarkLine(static_cast<Id>(line), slots))
@@ -295,7 +302,7 @@ void Reader::MarkLines()
 }
 
 // A line that is no edge, as a side of a flat triangle was divided, is both parts of it.
-bool Reader::MarkLine(Id line, const std::vector<Id>& slots)
+bool Reader::MarkLine(Id line, const std::vector<EdgeSlot>& slots)
 {
   std::vector<std::pair<Id, Id>> parts{ std::minmax(
     { this->NumberOf(this->Input.LineStarts[line]), this->NumberOf(this->Input.LineEnds[line]) }) };
@@ -329,18 +336,16 @@ bool Reader::MarkLine(Id line, const std::vector<Id>& slots)
 
 // Both sides of the edge. Whether there is one. Of several lines on it the first counts, but it is
 // frozen where one of them is.
-bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
+bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& slots)
 {
   OldMesh& mesh = this->Mesh;
   bool isEdge = false;
-  for (const auto& ends : { std::make_pair(start, end), std::make_pair(end, start) })
+  for (const std::uint64_t ends : { EdgeSlot::EndsOf(start, end), EdgeSlot::EndsOf(end, start) })
   {
-    const auto slot = std::lower_bound(slots.begin(), slots.end(), ends,
-      [&mesh](Id a, const std::pair<Id, Id>& b)
-      { return std::make_pair(mesh.Start(a), mesh.End(a)) < b; });
-    if (slot != slots.end() && std::make_pair(mesh.Start(*slot), mesh.End(*slot)) == ends)
+    const auto slot = std::lower_bound(slots.begin(), slots.end(), EdgeSlot{ ends, NoId });
+    if (slot != slots.end() && slot->Ends == ends)
     {
-      Id& mark = mesh.Marks[*slot];
+      Id& mark = mesh.Marks[slot->Slot];
       mark = mark > OldMesh::Untagged ? mark : 1 + line;
       if (mesh.IsFrozenEdge(1 + line))
       {
@@ -352,21 +357,25 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<Id>& slots)
   return isEdge;
 }
 
-// The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
+// Where free edges are apart it is enough that they bound what is covered once.
 void Reader::CheckOverlaps()
 {
-  ProblemList found;
-  const Polylines edges = this->FreeEdges();
-  const Domain domain = MakeDomain(edges, {}, found, this->Listener);
-  this->Progress.Ask();
-  if (this->Progress.HasStopped())
+  const FreeEdges edges(this->Mesh);
+  this->Mesh.Area = edges.Area();
+  if (!this->AreApart || !edges.BoundOnce(this->Progress))
   {
-    return;
+    this->FindOverlaps(
+      AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * edges.Length());
   }
-  this->Mesh.Area = AreaOf(edges);
-  const double allowed =
-    AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * LengthOf(edges);
-  if (std::abs(domain.Area - this->Mesh.Area) <= allowed)
+}
+
+// The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
+void Reader::FindOverlaps(double allowed)
+{
+  ProblemList found;
+  const Domain domain = MakeDomain(DrawingOf(this->Mesh), {}, found, this->Listener);
+  this->Progress.Ask();
+  if (this->Progress.HasStopped() || std::abs(domain.Area - this->Mesh.Area) <= allowed)
   {
     return;
   }
@@ -378,21 +387,6 @@ void Reader::CheckOverlaps()
       "triangles lie on top of others: together they have " +
         std::to_string(this->Mesh.Area / domain.Area) + " times the area that they cover" });
   }
-}
-
-Polylines Reader::FreeEdges()
-{
-  Polylines edges;
-  edges.Points = this->Mesh.Points;
-  for (const Id slot : this->Mesh.FreeSlots())
-  {
-    edges.Connectivity.push_back(this->Mesh.Start(slot));
-    edges.Connectivity.push_back(this->Mesh.End(slot));
-    edges.Offsets.push_back(static_cast<Id>(edges.Connectivity.size()));
-    edges.Kinds.push_back(ChainKind::Boundary);
-    edges.Cells.push_back(slot / 3);
-  }
-  return edges;
 }
 
 void Reader::AddMeetings(const ProblemList& found)

@@ -70,8 +70,8 @@ struct OldMesh
 
   Id NumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
   Id NumberOfTriangles() const { return static_cast<Id>(this->Corners.size() / 3); }
-  Id Start(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 1) % 3]; }
-  Id End(Id slot) const { return this->Corners[slot - slot % 3 + (slot + 2) % 3]; }
+  Id Start(Id slot) const { return this->Corners[slot % 3 == 2 ? slot - 2 : slot + 1]; }
+  Id End(Id slot) const { return this->Corners[slot % 3 == 0 ? slot + 2 : slot - 1]; }
 
   /// Those of edges of one triangle.
   std::vector<Id> FreeSlots() const

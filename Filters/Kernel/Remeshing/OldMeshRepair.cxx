@@ -4,10 +4,11 @@
 #include "OldMeshRepair.h"
 
 #include "../Quality/TriangleLinks.h"
+#include "FreeEdges.h"
 #include "HangingVertices.h"
 #include "NearVertices.h"
 
-#include <algorithm> // for minmax, sort
+#include <algorithm> // for max, minmax, sort
 #include <array>     // for corners
 #include <cstdint>   // for flags
 #include <numeric>   // for iota
@@ -30,7 +31,7 @@ public:
   {
   }
 
-  MendedMesh Mend(HangingRule rule);
+  MendedMesh Mend(HangingRule rule, Pulse& pulse);
 
 private:
   void Link();
@@ -68,17 +69,23 @@ void Mender::Link()
   this->Result.Crowded = std::move(links.Crowded);
 }
 
-MendedMesh Mender::Mend(HangingRule rule)
+MendedMesh Mender::Mend(HangingRule rule, Pulse& pulse)
 {
   this->Link();
-  this->WeldFreeEdges();
-  if (rule == HangingRule::Divide)
+  const double distance = std::max(this->Nearest, this->Input.Rounding);
+  this->Result.AreApart = FreeEdges(this->Mesh).AreApart(distance, pulse);
+  if (!this->Result.AreApart)
   {
-    this->FillBesideHanging();
+    this->WeldFreeEdges();
+    if (rule == HangingRule::Divide)
+    {
+      this->FillBesideHanging();
+    }
   }
   this->MendFlat();
   if (!this->Result.Numbers.empty() || !this->Mesh.Origins.empty())
   {
+    this->Result.AreApart = false;
     this->Link();
   }
   return std::move(this->Result);
@@ -252,10 +259,10 @@ void Mender::Renumber()
 
 } // namespace
 
-MendedMesh MendOldMesh(
-  const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh, ProblemList& problems)
+MendedMesh MendOldMesh(const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh,
+  ProblemList& problems, Pulse& pulse)
 {
-  return Mender(input, nearest, mesh, problems).Mend(rule);
+  return Mender(input, nearest, mesh, problems).Mend(rule, pulse);
 }
 
 } // namespace biting
