@@ -125,8 +125,19 @@ std::vector<Id> FlatRepair::FindFlat()
   return flat;
 }
 
+// Most triangles are clearly not, whatever their longest side is: it is shorter than the root of
+// the sum of the squares of all, and the error of a cross product is below 1e-15 of that sum.
 bool FlatRepair::IsThin(Id triangle) const
 {
+  const Point2 ab = this->Place(triangle, 1) - this->Place(triangle, 0);
+  const Point2 ac = this->Place(triangle, 2) - this->Place(triangle, 0);
+  const double squares = Dot(ab, ab) + Dot(ac, ac) + Dot(ac - ab, ac - ab);
+  const double area = Cross(ab, ac);
+  const double least = 8.0 * this->Rounding * this->Rounding + 1e-28 * squares;
+  if (area * area > least * squares)
+  {
+    return false;
+  }
   const Id top = this->TopOf(triangle);
   const Point2& start = this->Place(triangle, (top + 1) % 3);
   const Point2& end = this->Place(triangle, (top + 2) % 3);

@@ -5,7 +5,7 @@
 
 #include "KeepRules.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for all_of, min
 #include <cmath>     // for abs
 #include <cstddef>   // for sizes
 
@@ -81,17 +81,22 @@ private:
 
 } // namespace
 
+// Edges between two vertices that are as they are wanted say nothing: few are left to look at.
 std::vector<std::uint8_t> FindMisfits(const OldMesh& mesh, const std::vector<double>& spacings,
   const std::vector<double>& lengths, const EdgeFreedom& freedom)
 {
-  const Goers goers(mesh, freedom);
   std::vector<std::uint8_t> isMisfit(mesh.Points.size(), 0);
+  if (std::all_of(lengths.begin(), lengths.end(), KeepRules::IsUnchanged))
+  {
+    return isMisfit;
+  }
+  const Goers goers(mesh, freedom);
   for (Id slot = 0; slot < static_cast<Id>(mesh.Corners.size()); ++slot)
   {
     const Id start = mesh.Start(slot);
     const Id end = mesh.End(slot);
-    if (!IsFirstSlot(mesh, slot) ||
-      (KeepRules::IsUnchanged(lengths[start]) && KeepRules::IsUnchanged(lengths[end])))
+    if ((KeepRules::IsUnchanged(lengths[start]) && KeepRules::IsUnchanged(lengths[end])) ||
+      !IsFirstSlot(mesh, slot))
     {
       continue;
     }
