@@ -8,10 +8,11 @@
 #include "../Domain/Nesting.h"
 #include "../Predicates/Predicates.h"
 
-#include <algorithm> // for all_of
-#include <array>     // for ends
+#include <algorithm> // for min
+#include <array>     // for edges
 #include <cmath>     // for abs
-#include <cstdint>   // for flags
+#include <cstddef>   // for sizes
+#include <utility>   // for move
 
 namespace biting
 {
@@ -20,6 +21,8 @@ namespace
 {
 
 constexpr Id MostAtVertex = 4; // of two parts of a mesh that touch there
+
+constexpr std::size_t LooksPerEdge = 256; // at others
 
 // A cross product of differences is off by less than this, in units of their lengths in the 1-norm.
 constexpr double CrossRounding = 1e-15;
@@ -42,18 +45,22 @@ bool AreBeside(const Point2& a, const Point2& b, const Point2& c, const Point2& 
     std::abs(other) > slack(d - a);
 }
 
-/// Looks at pairs of edges until two are near.
+/// Looks at pairs of edges.
 class NearEdgeSearch
 {
 public:
-  NearEdgeSearch(const FreeEdges& edges, double distance, Pulse& pulse)
+  NearEdgeSearch(const FreeEdges& edges, double distance, bool isForAny, Pulse& pulse)
     : Edges(edges)
     , Least(distance)
+    , IsForAny(isForAny)
+    , LooksLeft(LooksPerEdge * edges.Ends.size())
     , Beats(pulse)
+    , IsNear(edges.Ends.size(), 0)
   {
   }
 
-  bool AreApart()
+  /// Empty where it did not come to its end.
+  std::vector<std::uint8_t> Find()
   {
     this->LookAtLengths();
     this->LookAtEnds();
@@ -65,26 +72,34 @@ public:
         tree.VisitPairs(std::vector<std::uint8_t>(this->Edges.Ends.size(), 1), *this);
       }
     }
-    return this->GoesOn();
+    return this->GoesOn() ? std::move(this->IsNear) : std::vector<std::uint8_t>();
   }
 
   // For SegmentTree::VisitPairs.
-  bool GoesOn() { return !this->HasNear && this->Beats.Beat(); }
+  bool GoesOn()
+  {
+    return !(this->IsForAny && this->HasNear) && this->LooksLeft > 0 && this->Beats.Beat();
+  }
   void SetFraction(double) {}
   void operator()(Id one, Id other);
 
 private:
-  /// The other ends of the edges at a vertex.
+  /// The edges at a vertex.
   struct Fan
   {
-    std::array<Id, MostAtVertex> Ends;
-    Id Count = 0;
+    std::array<Id, MostAtVertex> Edges;
+    Id Count = 0; ///< also of more
   };
 
   void LookAtLengths();
   void LookAtEnds();
   void LookAtFan(Id apex, const Fan& fan);
-  bool IsNear(const Point2& p, const Point2& a, const Point2& b) const
+  void Mark(Id edge)
+  {
+    this->IsNear[edge] = 1;
+    this->HasNear = true;
+  }
+  bool IsNearTo(const Point2& p, const Point2& a, const Point2& b) const
   {
     return !(DistanceToSegment(p, a, b) > this->Least);
   }
@@ -92,35 +107,43 @@ private:
 
   const FreeEdges& Edges;
   const double Least;
+  const bool IsForAny; ///< one is enough
+  std::size_t LooksLeft;
   Pulse& Beats;
+  std::vector<std::uint8_t> IsNear;
   bool HasNear = false;
 };
 
 void NearEdgeSearch::LookAtLengths()
 {
-  this->HasNear = !std::all_of(this->Edges.Ends.begin(), this->Edges.Ends.end(),
-    [this](const SegmentEnds& ends)
+  for (std::size_t edge = 0; edge < this->IsNear.size(); ++edge)
+  {
+    const Point2& start = this->Place(this->Edges.Ends[edge].Start);
+    const Point2& end = this->Place(this->Edges.Ends[edge].End);
+    if (start == end || !(Distance(start, end) > 2.0 * this->Least))
     {
-      const Point2& start = this->Place(ends.Start);
-      const Point2& end = this->Place(ends.End);
-      return start != end && Distance(start, end) > 2.0 * this->Least;
-    });
+      this->Mark(static_cast<Id>(edge));
+    }
+  }
 }
 
 void NearEdgeSearch::LookAtEnds()
 {
   std::vector<Fan> fans(this->Edges.Points.size());
-  for (const SegmentEnds& ends : this->Edges.Ends)
+  for (std::size_t edge = 0; edge < this->IsNear.size(); ++edge)
   {
-    for (const Id apex : { ends.Start, ends.End })
+    for (const Id apex : { this->Edges.Ends[edge].Start, this->Edges.Ends[edge].End })
     {
       Fan& fan = fans[apex];
-      if (fan.Count == MostAtVertex)
+      if (fan.Count < MostAtVertex)
       {
-        this->HasNear = true;
-        return;
+        fan.Edges[fan.Count] = static_cast<Id>(edge);
       }
-      fan.Ends[fan.Count++] = ends.Start == apex ? ends.End : ends.Start;
+      else
+      {
+        this->Mark(static_cast<Id>(edge));
+      }
+      ++fan.Count;
     }
   }
   for (Id apex = 0; apex < static_cast<Id>(fans.size()) && this->GoesOn(); ++apex)
@@ -132,31 +155,50 @@ void NearEdgeSearch::LookAtEnds()
 // Edges at an obtuse angle are as far from each other's ends as they are long.
 void NearEdgeSearch::LookAtFan(Id apex, const Fan& fan)
 {
+  const auto endOf = [this, apex, &fan](Id k)
+  {
+    const SegmentEnds& ends = this->Edges.Ends[fan.Edges[k]];
+    return this->Place(ends.Start == apex ? ends.End : ends.Start);
+  };
   const Point2& place = this->Place(apex);
-  for (Id one = 0; one < fan.Count; ++one)
+  for (Id one = 0; one < std::min(fan.Count, MostAtVertex); ++one)
   {
     for (Id other = 0; other < one; ++other)
     {
-      const Point2& a = this->Place(fan.Ends[one]);
-      const Point2& b = this->Place(fan.Ends[other]);
+      const Point2 a = endOf(one);
+      const Point2 b = endOf(other);
       const bool isAcute = Dot(a - place, b - place) >= 0.0;
-      this->HasNear = this->HasNear ||
+      if (fan.Count > MostAtVertex ||
         (isAcute &&
-          (this->IsNear(a, place, b) || this->IsNear(b, place, a) || Orient2D(place, a, b) == 0));
+          (this->IsNearTo(a, place, b) || this->IsNearTo(b, place, a) ||
+            Orient2D(place, a, b) == 0)))
+      {
+        this->Mark(fan.Edges[one]);
+        this->Mark(fan.Edges[other]);
+      }
     }
   }
 }
 
 void NearEdgeSearch::operator()(Id one, Id other)
 {
+  --this->LooksLeft;
   const Point2& a = this->Place(this->Edges.Ends[one].Start);
   const Point2& b = this->Place(this->Edges.Ends[one].End);
   const Point2& c = this->Place(this->Edges.Ends[other].Start);
   const Point2& d = this->Place(this->Edges.Ends[other].End);
-  if (!AreBeside(a, b, c, d, this->Least) && !AreBeside(c, d, a, b, this->Least))
+  const bool areKnown = this->IsNear[one] && this->IsNear[other];
+  if (areKnown || AreBeside(a, b, c, d, this->Least) || AreBeside(c, d, a, b, this->Least))
   {
-    this->HasNear = this->HasNear || Meet(a, b, c, d) != Meeting::None || this->IsNear(a, c, d) ||
-      this->IsNear(b, c, d) || this->IsNear(c, a, b) || this->IsNear(d, a, b);
+    return;
+  }
+  // What has no length has no meeting.
+  const bool havePoint = a == b || c == d;
+  if (this->IsNearTo(a, c, d) || this->IsNearTo(b, c, d) || this->IsNearTo(c, a, b) ||
+    this->IsNearTo(d, a, b) || (!havePoint && Meet(a, b, c, d) != Meeting::None))
+  {
+    this->Mark(one);
+    this->Mark(other);
   }
 }
 
@@ -182,9 +224,16 @@ FreeEdges::FreeEdges(const OldMesh& mesh)
   }
 }
 
+std::vector<std::uint8_t> FreeEdges::FindNear(double distance, Pulse& pulse) const
+{
+  const std::vector<std::uint8_t> areNear = NearEdgeSearch(*this, distance, false, pulse).Find();
+  return areNear.empty() ? std::vector<std::uint8_t>(this->Ends.size(), 1) : areNear;
+}
+
 bool FreeEdges::AreApart(double distance, Pulse& pulse) const
 {
-  return NearEdgeSearch(*this, distance, pulse).AreApart();
+  const std::vector<std::uint8_t> areNear = NearEdgeSearch(*this, distance, true, pulse).Find();
+  return !areNear.empty() || this->Ends.empty();
 }
 
 bool FreeEdges::BoundOnce(Pulse& pulse) const
@@ -202,12 +251,13 @@ bool FreeEdges::BoundOnce(Pulse& pulse) const
   return !pulse.HasStopped();
 }
 
-double FreeEdges::Length() const
+double FreeEdges::LengthOf(const std::vector<std::uint8_t>& isCounted) const
 {
   double length = 0.0;
-  for (const SegmentEnds& ends : this->Ends)
+  for (std::size_t edge = 0; edge < this->Ends.size(); ++edge)
   {
-    length += Distance(this->Points[ends.Start], this->Points[ends.End]);
+    const SegmentEnds& ends = this->Ends[edge];
+    length += isCounted[edge] ? Distance(this->Points[ends.Start], this->Points[ends.End]) : 0.0;
   }
   return length;
 }

@@ -9,7 +9,8 @@
 #include "../Domain/SegmentTree.h" // for SegmentEnds
 #include "OldMesh.h"
 
-#include <vector> // for the arrays
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
 
 namespace biting
 {
@@ -20,10 +21,13 @@ struct FreeEdges
 {
   explicit FreeEdges(const OldMesh& mesh);
 
-  /// Whether each is longer than twice `distance`, and comes so near to no other but where they
-  /// share an end, nor the other end of one of these to the other. What rounding does not tell
-  /// apart is near. False also where more than four end at one vertex, and where the monitor wants
-  /// to stop. Cost O(n log n).
+  /// Flags, one an edge, of those that are not longer than twice `distance`, or come so near to
+  /// another, but where they share an end: then they are near where the other end of one is near to
+  /// the other. What rounding does not tell apart is near, and so are edges of which more than four
+  /// end at one vertex; all are where most have very many others about them. Cost O(n log n).
+  std::vector<std::uint8_t> FindNear(double distance, Pulse& pulse) const;
+
+  /// Whether none is. False where the monitor wants to stop. Cost O(n log n).
   bool AreApart(double distance, Pulse& pulse) const;
 
   /// Whether the plane is covered once left of each of them, and not at all right of it: then the
@@ -31,7 +35,7 @@ struct FreeEdges
   /// common ends only. False where the monitor wants to stop. Cost O(n log n).
   bool BoundOnce(Pulse& pulse) const;
 
-  double Length() const;
+  double LengthOf(const std::vector<std::uint8_t>& isCounted) const;
   double Area() const; ///< left of them
 
   std::vector<Point2> Points; ///< their ends only

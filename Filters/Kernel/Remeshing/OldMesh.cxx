@@ -26,8 +26,8 @@ namespace
 // Of the area: far above the rounding of its sum.
 constexpr double AreaTolerance = 1e-13;
 
-// Where free edges meet by rounding, how wide the strips along them are that count twice or not at
-// all, in units of the rounding of coordinates.
+// Where free edges are near to others, how wide the strips along them are that count twice or not
+// at all, in units of the rounding of coordinates.
 constexpr double WidthOfStrips = 8.0;
 
 /// A slot by the ends of its edge, both in one number.
@@ -357,15 +357,20 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& sl
   return isEdge;
 }
 
-// Where free edges are apart it is enough that they bound what is covered once.
+// Where free edges are apart rounding is no excuse. Elsewhere it is along those that are not.
 void Reader::CheckOverlaps()
 {
   const FreeEdges edges(this->Mesh);
   this->Mesh.Area = edges.Area();
-  if (!this->AreApart || !edges.BoundOnce(this->Progress))
+  if (!this->AreApart)
   {
+    const double length = edges.LengthOf(edges.FindNear(this->Mesh.Rounding, this->Progress));
     this->FindOverlaps(
-      AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * edges.Length());
+      AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * length);
+  }
+  else if (!edges.BoundOnce(this->Progress))
+  {
+    this->FindOverlaps(0.0);
   }
 }
 
@@ -375,7 +380,8 @@ void Reader::FindOverlaps(double allowed)
   ProblemList found;
   const Domain domain = MakeDomain(DrawingOf(this->Mesh), {}, found, this->Listener);
   this->Progress.Ask();
-  if (this->Progress.HasStopped() || std::abs(domain.Area - this->Mesh.Area) <= allowed)
+  const bool isRounding = !this->AreApart && std::abs(domain.Area - this->Mesh.Area) <= allowed;
+  if (this->Progress.HasStopped() || isRounding)
   {
     return;
   }

@@ -138,9 +138,9 @@ enum class HangingRule
 /// Refused with ProblemCode::OutOfRange are coordinates that the predicates cannot handle (ids:
 /// point), and with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an
 /// area, an edge of more than two triangles, two triangles on the same side of an edge, and
-/// triangles that overlap: the free edges bound less than the triangles have together, by more than
-/// rounding along them and 1e-13 of it. Cost O(n) in the triangles and O(m log m) in the free
-/// edges.
+/// triangles that overlap: the free edges bound less than the triangles have together, where none
+/// of them is near to others, or by more than rounding along those that are and 1e-13 of it. Cost
+/// O(n) in the triangles and O(m log m) in the free edges.
 OldMesh ReadOldMesh(const RemeshInput& input, double nearest, ProblemList& problems,
   Monitor& monitor, HangingRule rule = HangingRule::Divide);
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>  // for lengths
 #include <random> // for places
 
 namespace biting
@@ -148,6 +149,20 @@ TEST(FreeEdges, AreNotApartWhereVerticesHangOnThem)
   EXPECT_FALSE(AreApart(fan, 1e-9));
 }
 
+TEST(FreeEdges, AreNearByThemselves)
+{
+  // Two triangles with sides that are near, and a third far off.
+  const OldMesh mesh = MeshOf({ { 0, 0 }, { 4, 0 }, { 2, 2 }, { 3, -1e-9 }, { 1, -1e-9 }, { 2, -1 },
+                                { 9, 0 }, { 10, 0 }, { 9, 1 } },
+    { 0, 1, 2, 3, 4, 5, 6, 7, 8 });
+  Pulse pulse(NoMonitor());
+  const FreeEdges edges(mesh);
+  const std::vector<std::uint8_t> areNear = edges.FindNear(1e-6, pulse);
+  EXPECT_EQ(areNear, (std::vector<std::uint8_t>{ 0, 0, 1, 1, 1, 1, 0, 0, 0 }));
+  EXPECT_EQ(edges.FindNear(0.0, pulse), std::vector<std::uint8_t>(9, 0));
+  EXPECT_NEAR(edges.LengthOf(areNear), 4.0 + 2.0 + 2.0 * std::sqrt(2.0), 1e-8);
+}
+
 TEST(FreeEdges, MayTouchInVerticesOfTwoParts)
 {
   std::vector<Point2> points{ { 0, 0 } };
@@ -193,6 +208,7 @@ TEST(FreeEdges, AreNeitherWhereTheMonitorWantsToStop)
   Pulse pulse(monitor);
   pulse.Ask();
   EXPECT_FALSE(FreeEdges(mesh).AreApart(0.0, pulse));
+  EXPECT_EQ(FreeEdges(mesh).FindNear(0.0, pulse), (std::vector<std::uint8_t>(3, 1)));
   EXPECT_FALSE(FreeEdges(mesh).BoundOnce(pulse));
 }
 

@@ -212,4 +212,34 @@ TEST(OldMesh, SmallTrianglesOnTopOfOthersAreRefused)
   }
 }
 
+// Rounding may have moved only what is near to other edges.
+TEST(OldMesh, NoLongBoundaryExcusesTrianglesOnOthers)
+{
+  for (const bool hasNarrowWedge : { false, true })
+  {
+    RemeshInput input;
+    input.Points = { { 0, 0 }, { 1e6, 0 }, { 1e6, 1e6 }, { 0, 1e6 } };
+    input.Corners = { 0, 1, 2, 0, 2, 3 };
+    input.Rounding = 1.0;
+    if (hasNarrowWedge)
+    {
+      input.Points.insert(input.Points.end(), { { -200, 0 }, { -100, 0 }, { -100, 0.5 } });
+      input.Points.insert(input.Points.end(), { { -150, -100 }, { -150, 100 } });
+      input.Corners.insert(input.Corners.end(), { 4, 7, 5, 4, 6, 8 });
+    }
+    ProblemList problems;
+    EXPECT_FALSE(ReadOldMesh(input, 0.0, problems, NoMonitor()).Corners.empty());
+    EXPECT_FALSE(problems.HasErrors());
+
+    const auto first = static_cast<Id>(input.Points.size());
+    input.Points.insert(
+      input.Points.end(), { { 5e5, 4e5 }, { 5e5 + 100, 4e5 }, { 5e5, 4e5 + 90 } });
+    input.Corners.insert(input.Corners.end(), { first, first + 1, first + 2 });
+    EXPECT_TRUE(ReadOldMesh(input, 0.0, problems, NoMonitor()).Corners.empty());
+    ASSERT_TRUE(problems.Has(ProblemCode::BadTriangles));
+    EXPECT_EQ(problems.Groups().back().First.front().Ids.front(),
+      static_cast<std::int64_t>(input.Corners.size() / 3) - 1);
+  }
+}
+
 } // namespace biting
