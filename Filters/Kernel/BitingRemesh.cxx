@@ -23,6 +23,7 @@
 #include "Remeshing/FaceRegions.h"
 #include "Remeshing/InnerPlaces.h"
 #include "Remeshing/KeptVertices.h"
+#include "Remeshing/OtherReadings.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/Stitching.h"
 
@@ -43,13 +44,6 @@ constexpr double CheckEnd = 0.3;
 constexpr double QualityEnd = 0.9;
 
 constexpr int ReleaseRounds = 4; // more free few more
-
-// As ReadOldMesh has it.
-struct Reading
-{
-  double Nearest;
-  HangingRule Hanging;
-};
 
 class Remesher
 {
@@ -402,11 +396,13 @@ void Remesher::Finish()
   }
 }
 
+bool IsNoMesh(const ProblemList& problems)
+{
+  return problems.Has(ProblemCode::CheckFailed) || problems.Has(ProblemCode::BadTriangles);
+}
+
 } // namespace
 
-// Points that are meant to be one are mostly within a unit in the last place; where what is left of
-// slits then forms no mesh, all that rounding may have moved apart is made one. Vertices that hang
-// on edges across slits no wider than rounding may leave no mesh if triangles are divided there.
 RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
@@ -415,13 +411,13 @@ RemeshResult Remesh(
   StagesOnce stages(monitor);
   RemeshResult result =
     Remesher(input, { nearest, HangingRule::Divide }, options, problems, stages).Run();
-  const bool hasHanging = problems.Has(ProblemCode::Touches);
-  for (const Reading& other : { Reading{ input.Rounding, HangingRule::Divide },
-         Reading{ nearest, HangingRule::Leave }, Reading{ input.Rounding, HangingRule::Leave } })
+  if (!IsNoMesh(problems))
   {
-    const bool isNoMesh =
-      problems.Has(ProblemCode::CheckFailed) || problems.Has(ProblemCode::BadTriangles);
-    if (isNoMesh && (hasHanging || other.Hanging == HangingRule::Divide))
+    return result;
+  }
+  for (const Reading& other : OtherReadings(input, nearest, problems.Has(ProblemCode::Touches)))
+  {
+    if (IsNoMesh(problems))
     {
       ProblemList told = before;
       result = Remesher(input, other, options, told, stages).Run();

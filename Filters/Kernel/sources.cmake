@@ -151,6 +151,7 @@ set(biting_kernel_sources
   Remeshing/OldMesh.cxx
   Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
+  Remeshing/OtherReadings.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
   Remeshing/Stitching.cxx

@@ -87,6 +87,18 @@ struct OldMesh
     return slots;
   }
 
+  /// Their ends, some of them twice.
+  std::vector<Id> VerticesOfFreeEdges() const
+  {
+    std::vector<Id> vertices;
+    for (const Id slot : this->FreeSlots())
+    {
+      vertices.push_back(this->Start(slot));
+      vertices.push_back(this->End(slot));
+    }
+    return vertices;
+  }
+
   /// Whether an edge with this mark must stay one.
   bool IsFrozenEdge(Id mark) const
   {

@@ -93,13 +93,8 @@ MendedMesh Mender::Mend(HangingRule rule, Pulse& pulse)
 
 void Mender::WeldFreeEdges()
 {
-  std::vector<Id> vertices;
-  for (const Id slot : this->Mesh.FreeSlots())
-  {
-    vertices.push_back(this->Mesh.Start(slot));
-    vertices.push_back(this->Mesh.End(slot));
-  }
-  for (const auto& [one, other] : FindNearVertices(this->Mesh.Points, vertices, this->Nearest))
+  for (const auto& [one, other] :
+    FindNearVertices(this->Mesh.Points, this->Mesh.VerticesOfFreeEdges(), this->Nearest))
   {
     this->Weld(one, other);
   }
