@@ -41,7 +41,6 @@ namespace
 constexpr double EdgesEnd = 0.05;
 constexpr double LocatorEnd = 0.2;
 constexpr double CheckEnd = 0.3;
-constexpr double QualityEnd = 0.9;
 
 constexpr int ReleaseRounds = 4; // more free few more
 
@@ -385,10 +384,9 @@ void Remesher::Finish()
   this->Result.OriginalTriangles = std::move(stitched.OriginalTriangles);
   this->Result.ChangedTriangles = std::move(this->Region.Triangles);
   const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };
-  PartOfStage measuring(this->Whole, CheckEnd, QualityEnd);
+  PartOfStage measuring(this->Whole, CheckEnd, 1.0);
   mesh.Quality = MeasureQuality(view, measuring);
-  PartOfStage comparing(this->Whole, QualityEnd, 1.0);
-  mesh.UsedLipschitz = LargestSlope(view, comparing);
+  mesh.UsedLipschitz = mesh.Quality.LargestSlope;
   mesh.GivenLipschitz = this->F.GivenLipschitz();
   if (this->Options.KeepBites)
   {
