@@ -77,7 +77,8 @@ double LevelLine::BoundFromPart(
 }
 
 /// The middles of parallel chords of a hyperbola lie on a line, which meets it between their ends.
-/// Where its asymptotes are along x and y, that line has the direction of the chord, mirrored.
+/// Where its asymptotes are along x and y, that line has the direction of the chord, mirrored. It
+/// does so in the box of the chord; where the chord is along an axis rounding would lead out of it.
 Point2 LevelLine::MiddleOf(const Point2& start, const Point2& end) const
 {
   const Point2 middle = Midpoint(start, end);
@@ -89,7 +90,8 @@ Point2 LevelLine::MiddleOf(const Point2& start, const Point2& end) const
   const double square = 0.5 * (ahead + behind) - here;
   const double root = std::sqrt(std::max(linear * linear - 4.0 * square * here, 0.0));
   const double divisor = linear < 0.0 ? linear - root : linear + root;
-  return std::abs(divisor) > 0.0 ? middle - (2.0 * here / divisor) * way : middle;
+  const double step = std::abs(divisor) > 0.0 ? -2.0 * here / divisor : 0.0;
+  return middle + std::min(std::max(step, -0.5), 0.5) * way;
 }
 
 /// To the line, by the shorter way along x or y: there what is bilinear is linear. Within the cell.

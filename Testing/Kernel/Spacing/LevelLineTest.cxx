@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm> // for min, max
-#include <cmath>     // for isfinite
+#include <cmath>     // for abs, isfinite
 
 namespace
 {
@@ -69,6 +69,26 @@ TEST(LevelLine, IsStraightWhereValuesAreLinear)
   EXPECT_NEAR(line.Bound({ 2.0, 2.25 }), 0.0, 1e-12);
   EXPECT_NEAR(line.Bound({ 2.3, 2.75 }), 0.5 * Slope, 1e-12);
   EXPECT_NEAR(line.Bound({ 6.0, 6.25 }), 5.0 * Slope, 1e-12);
+}
+
+/// As outside of a grid, where cells have the values of its border on both sides: rounding must not
+/// lead away along the line.
+TEST(LevelLine, IsFoundWhereItIsParallelToASideAnywhereInTheCell)
+{
+  Sampler sampler(9);
+  for (int probe = 0; probe < 20000; ++probe)
+  {
+    const Point2 low{ sampler.Next(), sampler.Next() };
+    const Box2 cell{ low, low + Point2{ 0.005, 0.006 } };
+    const double below = -sampler.Next();
+    const double above = 4.0 * sampler.Next();
+    const double share = below / (below - above);
+    const Point2 x = sampler.NextIn(cell);
+    const LevelLine upright(cell, { below, above, above, below }, Slope);
+    ASSERT_NEAR(upright.Bound(x), Slope * std::abs(x.X - low.X - share * cell.Width()), 1e-8);
+    const LevelLine level(cell, { below, below, above, above }, Slope);
+    ASSERT_NEAR(level.Bound(x), Slope * std::abs(x.Y - low.Y - share * cell.Height()), 1e-8);
+  }
 }
 
 TEST(LevelLine, IsNowhereWhereNoValueIsBelow)
