@@ -23,6 +23,7 @@ set(biting_kernel_sources
   Spacing/LevelLine.cxx
   Spacing/LongCells.cxx
   Spacing/OutsideJumps.cxx
+  Spacing/Plateaus.cxx
   Spacing/SegmentCone.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx

@@ -15,6 +15,16 @@ inline double Blend(double low, double high, double weight)
   return (1.0 - weight) * low + weight * high;
 }
 
+/// Of nodes, or lengths.
+inline std::vector<double> Times(std::vector<double> lengths, double factor)
+{
+  for (double& length : lengths)
+  {
+    length *= factor;
+  }
+  return lengths;
+}
+
 /// Finds the cell of a coordinate among ascending nodes: constant cost where the nodes are about
 /// evenly spaced, logarithmic at worst.
 class GridAxis

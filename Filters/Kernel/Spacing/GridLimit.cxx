@@ -7,6 +7,7 @@
 #include "../Base/Tasks.h"
 #include "ExtendedGrid.h"
 #include "GridPasses.h"
+#include "Plateaus.h"
 
 #include <algorithm> // for find, min_element
 #include <array>     // for distances
@@ -37,9 +38,13 @@ constexpr double LeastReach = 1.0;
 constexpr double LargestReach = 4.0;
 constexpr double ReachTimesMultiple = 16.0;
 
-/// But no more columns or rows than that on either side: where there are more, cells are so long
-/// that f grows from elsewhere by way of their long sides.
+/// But no more columns or rows than that on either side: where there are more, cells are long, here
+/// or beside, and LongCells knows what is along them.
 constexpr std::size_t MostNearby = 16;
+
+/// Across the short sides of long cells f grows by less than this share of itself, so that what is
+/// between these sides does not count.
+constexpr double NarrowestGrowth = 0.005;
 
 /// Nodes that are lowered less than to this share are as given.
 constexpr float LeastChange = 0.999f;
@@ -100,6 +105,10 @@ GridLimit::GridLimit(const std::shared_ptr<const GridSource>& source, double gra
   if (!steep.empty())
   {
     Marks changed = this->SetValues(steep, pulse);
+    if (this->HasLines)
+    {
+      LowerBesidePlateaus(*this->Source, this->Range, this->Gradation, this->Values, pulse);
+    }
     const PulsePart part(pulse, 0.2, 0.9);
     if (RunGridPasses(
           this->Source->XNodes, this->Source->YNodes, this->Gradation, this->Values, pulse))
@@ -252,8 +261,9 @@ double GridLimit::operator()(const Point2& x) const
     return this->Unit * given;
   }
   const GridSource& grid = *this->Source;
-  const double size = std::max(grid.XNodes[place.Column + 1] - grid.XNodes[place.Column],
-    grid.YNodes[place.Row + 1] - grid.YNodes[place.Row]);
+  const auto [narrow, size] =
+    std::minmax({ grid.XNodes[place.Column + 1] - grid.XNodes[place.Column],
+      grid.YNodes[place.Row + 1] - grid.YNodes[place.Row] });
   const float* low = &this->Values[cell];
   const float* high = low + grid.XNodes.size();
   const double least = std::min({ low[0], low[1], high[0], high[1] });
@@ -267,9 +277,12 @@ double GridLimit::operator()(const Point2& x) const
   const double reach = std::min(std::max(LeastReach, ReachTimesMultiple / multiple), LargestReach);
   const Nearby columns = Around(grid.XNodes, place.Column, x.X, reach * size);
   const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
-  const double limit =
-    columns.AreCut || rows.AreCut ? this->Long->Bound(place, x, reach * size, given) : given;
-  const double near = this->FromNearby(columns, rows, x, this->Gradation * size, limit);
+  double near = rows.AreCut ? this->Long->BoundAlongY(place, x, reach * size, given) : given;
+  near = columns.AreCut ? this->Long->BoundAlongX(place, x, reach * size, near) : near;
+  if (!(rows.AreCut || columns.AreCut) || this->Gradation * narrow > NarrowestGrowth * near)
+  {
+    near = this->FromNearby(columns, rows, x, this->Gradation * size, near);
+  }
   const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
   return this->Unit * std::min(near, std::max(interpolated, near - detour));
 }

@@ -4,6 +4,7 @@
 #include "GridPasses.h"
 
 #include "../Base/Tasks.h"
+#include "GridInterpolator.h"
 #include "GridSteps.h"
 
 namespace biting
@@ -52,15 +53,6 @@ bool Transpose(const float* from, std::size_t fromStride, GridLines& to, Pulse& 
     }
   };
   return ForRowsAtOnce(pulse, (to.Count + Tile - 1) / Tile, Tile * to.Size, transpose);
-}
-
-std::vector<double> Times(std::vector<double> nodes, double factor)
-{
-  for (double& node : nodes)
-  {
-    node *= factor;
-  }
-  return nodes;
 }
 
 } // namespace

@@ -3,8 +3,11 @@
 
 #include "LongCells.h"
 
+#include "../Base/Numbers.h"
+
 #include <algorithm> // for min, max
-#include <cmath>     // for abs
+#include <array>     // for runs
+#include <cmath>     // for abs, sqrt
 #include <numeric>   // for adjacent_difference
 #include <utility>   // for pair
 
@@ -18,9 +21,6 @@ constexpr std::size_t RunLength = 8;
 
 /// What lowers f by no more than this share of it is left out.
 constexpr double LeastDifference = 0.004;
-
-/// Where cells are not so many times as long as wide there are no runs.
-constexpr double LongCell = 4.0;
 
 /// The least one, and the largest one.
 std::pair<double, double> StepsOf(const std::vector<double>& nodes)
@@ -40,16 +40,55 @@ LongCells::LongCells(const GridSource& source, const ValueRange& range, double g
   , Gradation(gradation)
   , Bounds(bounds)
   , Values(values)
-  , AlongX{ source.XNodes, source.YNodes, 1, source.XNodes.size(), {} }
-  , AlongY{ source.YNodes, source.XNodes, source.XNodes.size(), 1, {} }
+  , AlongX{ Times(source.XNodes, gradation), Times(source.YNodes, gradation), 1,
+    source.XNodes.size(), {} }
+  , AlongY{ Times(source.YNodes, gradation), Times(source.XNodes, gradation), source.XNodes.size(),
+    1, {} }
 {
   this->AddRuns(this->AlongX);
   this->AddRuns(this->AlongY);
 }
 
-inline LongCells::Least LongCells::At(std::size_t node) const
+/// Values along a side that is as steep as f may be bound f at its lower end alone, or at the end
+/// of the plateau.
+LongCells::Least LongCells::At(const Lines& lines, std::size_t line, std::size_t node) const
 {
-  return { this->Values[node], static_cast<float>(this->Range(this->Source.Values[node])) };
+  const std::size_t at = line * lines.ToNextLine + node * lines.ToNext;
+  Least least;
+  least.Limited = this->Values[at];
+  if (line + 1 == lines.Places.size())
+  {
+    return least;
+  }
+  const double here = this->Range.Scale * this->Source.Values[at];
+  const double there = this->Range.Scale * this->Source.Values[at + lines.ToNextLine];
+  const double width = lines.Places[line + 1] - lines.Places[line];
+  const double slope = std::abs(there - here) / width;
+  if (slope < 1.0)
+  {
+    const auto inside = [](double value)
+    { return static_cast<float>(std::min(value, static_cast<double>(Least::None))); };
+    least.Given = { inside(here), inside(0.5 * (here + there)), inside(there) };
+    least.Cosine = static_cast<float>(std::sqrt(1.0 - slope * slope));
+  }
+  if (std::min(here, there) < this->Range.Least)
+  {
+    const double part = std::min((this->Range.Least - std::min(here, there)) / slope, width);
+    (here < there ? least.Plateau : least.PlateauBefore) = static_cast<float>(part);
+  }
+  return least;
+}
+
+void LongCells::Least::Add(const Least& other)
+{
+  this->Limited = std::min(this->Limited, other.Limited);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->Given[k] = std::min(this->Given[k], other.Given[k]);
+  }
+  this->Cosine = std::min(this->Cosine, other.Cosine);
+  this->Plateau = std::max(this->Plateau, other.Plateau);
+  this->PlateauBefore = std::max(this->PlateauBefore, other.PlateauBefore);
 }
 
 void LongCells::AddRuns(Lines& lines) const
@@ -59,8 +98,7 @@ void LongCells::AddRuns(Lines& lines) const
   {
     return;
   }
-  for (std::size_t size = lines.Nodes.size(); size > RunLength;
-       size = lines.Runs.back().size() / count)
+  for (std::size_t size = lines.Nodes.size(); size > 1; size = lines.Runs.back().size() / count)
   {
     std::vector<Least> runs((size + RunLength - 1) / RunLength * count);
     for (std::size_t k = 0; k < size; ++k)
@@ -68,103 +106,166 @@ void LongCells::AddRuns(Lines& lines) const
       Least* run = &runs[k / RunLength * count];
       for (std::size_t line = 0; line < count; ++line)
       {
-        const Least least = lines.Runs.empty()
-          ? this->At(k * lines.ToNext + line * lines.ToNextLine)
-          : lines.Runs.back()[k * count + line];
-        run[line].Limited = std::min(run[line].Limited, least.Limited);
-        run[line].Given = std::min(run[line].Given, least.Given);
+        run[line].Add(
+          lines.Runs.empty() ? this->At(lines, line, k) : lines.Runs.back()[k * count + line]);
       }
     }
     lines.Runs.push_back(std::move(runs));
   }
 }
 
-/// Where a place is between two lines, and what opposite nodes of these allow there at least. The
-/// nodes are as far ahead, or back, as f grows by `growth` on.
-struct LongCells::Between
+/// Of what bounds f at a place between two lines. Lengths are in what f grows by.
+class LongCells::Search
 {
-  std::size_t Line; ///< the lower one
-  double Weight;    ///< of the other one
-  double ToLow;     ///< in what f grows by
-  double ToHigh;
-
-  double FromNodes(const Least& low, const Least& high, double growth) const
+public:
+  /// `place` is across the lines, and along them.
+  Search(const LongCells& cells, const Lines& lines, std::size_t line, const Point2& place,
+    double reach, const Point2& x, double limit)
+    : Cells(cells)
+    , Along(lines)
+    , Line(line)
+    , ToLow(place.X - lines.Places[line])
+    , ToHigh(lines.Places[line + 1] - place.X)
+    , Place(place.Y)
+    , Reach(reach)
+    , X(x)
+    , Limit(limit)
   {
-    return std::min(low.Limited + Length({ this->ToLow, growth }),
-      high.Limited + Length({ this->ToHigh, growth }));
   }
 
-  double FromSides(const Least& low, const Least& high, double growth) const
+  double Run()
   {
-    return std::max(
-      Blend(low.Given, high.Given, this->Weight), std::min(low.Given, high.Given) + growth);
+    this->LookInto(this->Along.Runs.size() - 1, 0);
+    return this->Limit;
   }
 
-  /// The longest run that begins with a node and allows no less than `enough`; else 1.
-  std::size_t LeftOut(
-    const Lines& lines, std::size_t node, bool isAhead, double growth, double enough) const
+private:
+  /// What is in a run of the level allows no less.
+  double BoundOf(std::size_t level, std::size_t run) const
   {
-    std::size_t length = 1;
-    for (const std::vector<Least>& runs : lines.Runs)
+    const std::size_t length = std::size_t(1) << (3 * level + 3);
+    const std::vector<double>& nodes = this->Along.Nodes;
+    const double first = nodes[run * length];
+    const double last = nodes[std::min((run + 1) * length, nodes.size()) - 1];
+    const double growth = std::max({ first - this->Place, this->Place - last, 0.0 });
+    const Least* least = &this->Along.Runs[level][run * this->Along.Places.size() + this->Line];
+    return growth < this->Reach
+      ? std::min(this->FromNodes(least[0].Limited, least[1].Limited, growth),
+          this->FromSides(least[0], growth))
+      : Infinity;
+  }
+
+  double FromNodes(double low, double high, double growth) const
+  {
+    return std::min(low + Length({ this->ToLow, growth }), high + Length({ this->ToHigh, growth }));
+  }
+
+  double FromSides(const Least& least, double growth) const
+  {
+    const double weight = 2.0 * this->ToLow / (this->ToLow + this->ToHigh);
+    const double given = weight < 1.0 ? Blend(least.Given[0], least.Given[1], weight)
+                                      : Blend(least.Given[1], least.Given[2], weight - 1.0);
+    double bound = std::max(given + least.Cosine * growth,
+      static_cast<double>(std::min(least.Given[0], least.Given[2])) + growth);
+    const auto lower = [this, &bound, growth](double across) {
+      bound = std::min(bound, this->Cells.Range.Least + Length({ std::max(across, 0.0), growth }));
+    };
+    if (least.Plateau >= 0.0f)
     {
-      const std::size_t next = length * RunLength;
-      const Least* run = &runs[node / next * lines.Places.size() + this->Line];
-      if ((isAhead ? node : node + 1) % next != 0 ||
-        this->FromNodes(run[0], run[1], growth) < enough ||
-        this->FromSides(run[0], run[1], growth) < enough)
-      {
-        break;
-      }
-      length = next;
+      lower(this->ToLow - least.Plateau);
     }
-    return length;
+    if (least.PlateauBefore >= 0.0f)
+    {
+      lower(this->ToHigh - least.PlateauBefore);
+    }
+    return bound;
   }
+
+  /// What promises most first.
+  void LookInto(std::size_t level, std::size_t run)
+  {
+    const std::size_t begin = run * RunLength;
+    if (level == 0)
+    {
+      const std::size_t end = std::min(begin + RunLength, this->Along.Nodes.size());
+      for (std::size_t node = begin; node < end; ++node)
+      {
+        this->LookAt(node);
+      }
+      return;
+    }
+    const std::size_t count = this->Along.Runs[level - 1].size() / this->Along.Places.size();
+    const std::size_t size = std::min(RunLength, count - begin);
+    std::array<double, RunLength> bounds;
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      bounds[k] = this->BoundOf(level - 1, begin + k);
+    }
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      double* next = std::min_element(bounds.data(), bounds.data() + size);
+      if (*next >= (1.0 - LeastDifference) * this->Limit)
+      {
+        return;
+      }
+      *next = Infinity;
+      this->LookInto(level - 1, begin + static_cast<std::size_t>(next - bounds.data()));
+    }
+  }
+
+  void LookAt(std::size_t node)
+  {
+    const double growth = std::abs(this->Along.Nodes[node] - this->Place);
+    if (growth >= this->Reach || growth >= this->Limit)
+    {
+      return;
+    }
+    const std::size_t at = node * this->Along.ToNext + this->Line * this->Along.ToNextLine;
+    const std::size_t next = at + this->Along.ToNextLine;
+    this->Limit = std::min(
+      this->Limit, this->FromNodes(this->Cells.Values[at], this->Cells.Values[next], growth));
+    const std::vector<double>& given = this->Cells.Source.Values;
+    const ValueRange& range = this->Cells.Range;
+    const double share = this->ToLow / (this->ToLow + this->ToHigh);
+    if (range.Scale * std::min(given[at], given[next]) < range.Least ||
+      range.Scale * Blend(given[at], given[next], share) < this->Limit)
+    {
+      this->Limit = this->Along.ToNextLine == 1
+        ? this->Cells.Bounds.FromRow(this->Line, node, this->X, this->Limit)
+        : this->Cells.Bounds.FromColumn(node, this->Line, this->X, this->Limit);
+    }
+  }
+
+  const LongCells& Cells;
+  const Lines& Along;
+  const std::size_t Line;
+  const double ToLow;
+  const double ToHigh;
+  const double Place;
+  const double Reach;
+  const Point2& X;
+  double Limit;
 };
 
-double LongCells::Bound(
+double LongCells::BoundAlongX(
   const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const
 {
-  const std::vector<double>& columns = this->Source.XNodes;
-  const std::vector<double>& rows = this->Source.YNodes;
-  const bool areUpright =
-    columns[place.Column + 1] - columns[place.Column] > rows[place.Row + 1] - rows[place.Row];
-  const Lines& lines = areUpright ? this->AlongY : this->AlongX;
-  const std::size_t line = areUpright ? place.Column : place.Row;
-  const std::size_t cell = areUpright ? place.Row : place.Column;
-  const double across = areUpright ? x.X : x.Y;
-  const Between between{ line, areUpright ? place.X : place.Y,
-    this->Gradation * (across - lines.Places[line]),
-    this->Gradation * (lines.Places[line + 1] - across) };
-  for (const bool isAhead : { false, true })
-  {
-    std::size_t length = 1;
-    for (std::size_t node = isAhead ? cell + 1 : cell; node < lines.Nodes.size();
-         node = isAhead ? node + length : node - length)
-    {
-      const double away = std::abs(lines.Nodes[node] - (areUpright ? x.Y : x.X));
-      const double growth = this->Gradation * away;
-      if (away >= reach || growth >= limit)
-      {
-        break;
-      }
-      const double enough = (1.0 - LeastDifference) * limit;
-      length = between.LeftOut(lines, node, isAhead, growth, enough);
-      if (length > 1)
-      {
-        continue;
-      }
-      const std::size_t at = node * lines.ToNext + line * lines.ToNextLine;
-      const Least low = this->At(at);
-      const Least high = this->At(at + lines.ToNextLine);
-      limit = std::min(limit, between.FromNodes(low, high, growth));
-      if (between.FromSides(low, high, growth) < enough)
-      {
-        limit = areUpright ? this->Bounds.FromRow(line, node, x, limit)
-                           : this->Bounds.FromColumn(node, line, x, limit);
-      }
-    }
-  }
-  return limit;
+  return this->Bound(this->AlongX, place.Row, { x.Y, x.X }, x, reach, limit);
+}
+
+double LongCells::BoundAlongY(
+  const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const
+{
+  return this->Bound(this->AlongY, place.Column, x, x, reach, limit);
+}
+
+double LongCells::Bound(const Lines& lines, std::size_t line, const Point2& acrossAndAlong,
+  const Point2& x, double reach, double limit) const
+{
+  const Point2 place = this->Gradation * acrossAndAlong;
+  return lines.Runs.empty()
+    ? limit
+    : Search(*this, lines, line, place, this->Gradation * reach, x, limit).Run();
 }
 
 } // namespace biting

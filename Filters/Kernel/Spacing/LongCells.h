@@ -7,16 +7,21 @@
 #include "GridBounds.h"
 #include "GridInterpolator.h"
 
+#include <array>  // for values along sides
+#include <limits> // for what there is none of
+
 namespace biting
 {
+
+/// Cells that are no more than so many times as long as wide are not long.
+constexpr double LongCell = 4.0;
 
 /// What f is within cells that are many times as long as wide, where it grows by more than a share
 /// of itself from one long side to the other: what the nodes along these two sides allow, and the
 /// short sides between them.
 ///
-/// Method: nodes are looked at one by one, away from a place on both sides; runs of 8, 64 ... nodes
-/// are left out where their least values lower f by no more than .4 %. So where nodes are much
-/// denser than f it is mostly runs that are looked at, some hundreds at worst.
+/// Method: a tree of runs of 8, 64 ... nodes, of which those that promise most are looked into
+/// first, and those that lower f by no more than .4 % are not.
 class LongCells
 {
 public:
@@ -24,32 +29,46 @@ public:
   LongCells(const GridSource& source, const ValueRange& range, double gradation,
     const GridBounds& bounds, const std::vector<float>& values);
 
-  /// At x, from what is nearer along the long sides than `reach`; or `limit`, if that is less.
-  double Bound(
+  /// At x, from what is nearer than `reach` along the rows at its cell; or `limit`, if that is
+  /// less.
+  double BoundAlongX(
+    const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const;
+
+  /// The same along the columns at its cell.
+  double BoundAlongY(
     const GridInterpolator::Place& place, const Point2& x, double reach, double limit) const;
 
 private:
-  /// Of one node, or of a run.
+  /// Of a node and the side from there to the next line; of a run, the least of each.
   struct Least
   {
-    float Limited = std::numeric_limits<float>::max();
-    float Given = std::numeric_limits<float>::max();
+    static constexpr float None = std::numeric_limits<float>::max();
+
+    float Limited = None;                               ///< at the node
+    std::array<float, 3> Given{ { None, None, None } }; ///< at both ends of the side, and between
+    float Cosine = 1.0f;   ///< of the angle between ways to it along which f grows and its normal
+    float Plateau = -1.0f; ///< how far f is the least value, from this line on; largest
+    float PlateauBefore = -1.0f; ///< and from the next line
+
+    void Add(const Least& other);
   };
 
-  /// The nodes as lines along x, or along y.
+  /// The nodes as lines along x, or along y. Lengths are in what f grows by.
   struct Lines
   {
-    const std::vector<double>& Nodes;
-    const std::vector<double>& Places; ///< of the lines
-    std::size_t ToNext;                ///< from a value to that of the next node
+    std::vector<double> Nodes;
+    std::vector<double> Places; ///< of the lines
+    std::size_t ToNext;         ///< from a value to that of the next node
     std::size_t ToNextLine;
     std::vector<std::vector<Least>> Runs; ///< of 8, 64, ... nodes: of all lines, run by run
   };
 
-  struct Between;
+  class Search;
 
-  Least At(std::size_t node) const;
+  Least At(const Lines& lines, std::size_t line, std::size_t node) const;
   void AddRuns(Lines& lines) const;
+  double Bound(const Lines& lines, std::size_t line, const Point2& acrossAndAlong, const Point2& x,
+    double reach, double limit) const;
 
   const GridSource& Source;
   const ValueRange& Range;

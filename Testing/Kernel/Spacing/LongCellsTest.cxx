@@ -44,15 +44,19 @@ double Exact(const GridSource& grid, const Point2& x)
   return least;
 }
 
-GridSource Transposed(const GridSource& grid)
+/// Rows that are a fifth, or a fiftieth, of the others apart, and columns as far as these; f is
+/// smaller than their width.
+GridSource WithFineRows(double share)
 {
-  GridSource transposed{ grid.YNodes, grid.XNodes, {} };
-  for (std::size_t node = 0; node < grid.Values.size(); ++node)
+  constexpr int Coarse = 60;
+  constexpr int Fine = 300;
+  GridSource grid{ UnitNodes(161), { 0.0 }, {} };
+  for (int row = 0; row < Coarse + Fine + Coarse; ++row)
   {
-    const std::size_t rows = grid.YNodes.size();
-    transposed.Values.push_back(grid.Values[node / rows + node % rows * grid.XNodes.size()]);
+    const bool isFine = row >= Coarse && row < Coarse + Fine;
+    grid.YNodes.push_back(grid.YNodes.back() + grid.XNodes[1] * (isFine ? share : 1.0));
   }
-  return transposed;
+  return grid;
 }
 
 } // namespace
@@ -135,5 +139,72 @@ TEST(GridLimit, IsWhatOneOfVeryManyRowsAllowsWithinLongCells)
     const double exact = Exact(grid, x);
     ASSERT_NEAR(limit(x), exact, 0.02 * exact) << x.X << ' ' << x.Y;
     ASSERT_NEAR(transposed({ x.Y, x.X }), exact, 0.02 * exact) << x.X << ' ' << x.Y;
+  }
+}
+
+/// Along a row from a node that is nearly 0 on, up to where the sides beside it exceed the least
+/// value, which they do as steeply as f may not. What the next columns allow is far above.
+TEST(GridLimit, GrowsFromAPlateauWithinLongCells)
+{
+  constexpr std::size_t Column = 80;
+  constexpr std::size_t Row = 200;
+  for (const double share : { 0.2, 0.02 })
+  {
+    GridSource grid = WithFineRows(share);
+    const double width = grid.XNodes[1];
+    const double least = 0.3 * Gradation * width;
+    grid.Values.assign(grid.XNodes.size() * grid.YNodes.size(), 4.0 * least);
+    grid.Values[Column + grid.XNodes.size() * Row] = 1e-6 * least;
+    const Point2 node{ grid.XNodes[Column], grid.YNodes[Row] };
+    const ValueRange range{ 1.0, least, 1e9 };
+    const GridSource transposed = Transposed(grid);
+    const GridLimit limit(
+      Share(grid), Gradation, { {}, { 1.0, grid.YNodes.back() } }, range, NoMonitor());
+    const GridLimit other(
+      Share(transposed), Gradation, { {}, { grid.YNodes.back(), 1.0 } }, range, NoMonitor());
+    Sampler sampler(46);
+    for (int probe = 0; probe < 5000; ++probe)
+    {
+      const Point2 away = sampler.NextIn({ { -2.0 * width, -width }, { 2.0 * width, width } });
+      const double beyond = std::max(std::abs(away.X) - 0.25 * width, 0.0);
+      const double exact = std::min(least + Gradation * Length({ beyond, away.Y }), 4.0 * least);
+      const Point2 x = node + away;
+      // The plateau is as high as a row, about.
+      const double inside = Gradation * width * share;
+      ASSERT_LE(limit(x), 1.02 * exact) << away.X / width << ' ' << away.Y / width;
+      ASSERT_GE(limit(x), 0.98 * exact - inside) << away.X / width << ' ' << away.Y / width;
+      ASSERT_LE(other({ x.Y, x.X }), 1.02 * exact);
+    }
+  }
+}
+
+/// That is among the fine rows, or above or below in cells that are squares.
+TEST(Spacing, IsLimitedWithinAndBesideLongCellsWithALeastValue)
+{
+  Sampler sampler(47);
+  for (const double share : { 0.1, 0.03, 0.005 })
+  {
+    SpacingOptions options;
+    GridSource grid = WithFineRows(share);
+    options.Minimum = Gradation * grid.XNodes[1] * std::exp(-2.0 * sampler.Next());
+    for (std::size_t node = 0; node < grid.XNodes.size() * grid.YNodes.size(); ++node)
+    {
+      grid.Values.push_back((sampler.Next() < 0.002 ? 1e-4 : 3.0) * options.Minimum);
+    }
+    const Box2 fine{ { 0.0, grid.YNodes[50] }, { 1.0, grid.YNodes[370] } };
+    options.Grid = Share(std::move(grid));
+    const Spacing f = MakeGoodSpacing(options, fine);
+    for (int probe = 0; probe < 20000; ++probe)
+    {
+      const Point2 x = sampler.NextIn(fine);
+      const double reach = f(x) * std::exp(5.0 * sampler.Next() - 2.0);
+      const double angle = 6.283185307179586 * sampler.Next();
+      const Point2 y = x + reach * Point2{ std::cos(angle), std::sin(angle) };
+      if (fine.Contains(y))
+      {
+        ASSERT_LE(std::abs(f(x) - f(y)), Gradation * reach + 0.02 * std::min(f(x), f(y)))
+          << x.X << ' ' << x.Y << " and " << y.X << ' ' << y.Y;
+      }
+    }
   }
 }

@@ -181,6 +181,18 @@ inline SpacingOptions WithSegments(SegmentSource source)
   return options;
 }
 
+/// Exchanges x and y.
+inline GridSource Transposed(const GridSource& grid)
+{
+  GridSource transposed{ grid.YNodes, grid.XNodes, {} };
+  for (std::size_t node = 0; node < grid.Values.size(); ++node)
+  {
+    const std::size_t rows = grid.YNodes.size();
+    transposed.Values.push_back(grid.Values[node / rows + node % rows * grid.XNodes.size()]);
+  }
+  return transposed;
+}
+
 } // namespace biting
 
 #endif
