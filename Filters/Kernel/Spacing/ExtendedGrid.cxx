@@ -17,9 +17,11 @@ namespace
 constexpr double Squares = 16384.0;
 constexpr double LeastShare = 1.0 / 1024.0;
 
-/// Of a grid with divided cells, if the source has less than half as many: very many columns of few
-/// cells each are divided less.
-constexpr double MostNodes = 1 << 23;
+/// There are so many nodes at most, or so many times as many as without: more would cost more than
+/// what is found faster by them. Where few columns of very many rows are left as they are, cells
+/// are long (LongCells).
+constexpr double MostNodes = 1 << 17;
+constexpr double MostTimes = 1.4;
 
 /// Into so many a cell is divided.
 double PartsOf(double cell, double largestStep)
@@ -27,29 +29,6 @@ double PartsOf(double cell, double largestStep)
   constexpr double roomForRounding = 1.0 - 1e-9;
   const double steps = roomForRounding * cell / largestStep;
   return steps > 1.0 ? std::ceil(steps) : 1.0;
-}
-
-double CountNodes(const std::vector<double>& nodes, double largestStep)
-{
-  double count = 1.0;
-  for (std::size_t cell = 0; cell + 1 < nodes.size(); ++cell)
-  {
-    count += PartsOf(nodes[cell + 1] - nodes[cell], largestStep);
-  }
-  return count;
-}
-
-double LargestStep(const GridSource& source)
-{
-  const double width = source.XNodes.back() - source.XNodes.front();
-  const double height = source.YNodes.back() - source.YNodes.front();
-  const double most = std::max(MostNodes, 2.0 * static_cast<double>(source.Values.size()));
-  double step = std::max(std::sqrt(width / Squares * height), LeastShare * std::max(width, height));
-  while (CountNodes(source.XNodes, step) * CountNodes(source.YNodes, step) > most)
-  {
-    step *= 2.0;
-  }
-  return step;
 }
 
 /// Of the steps outside, one after the other.
@@ -88,7 +67,8 @@ std::vector<double> Outside(double last, double way)
   return distances;
 }
 
-ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high, double largestStep)
+ExtendedAxis ExtendedTo(
+  const std::vector<double>& nodes, double low, double high, double largestStep)
 {
   ExtendedAxis axis;
   const std::size_t cells = nodes.size() - 1;
@@ -121,14 +101,50 @@ ExtendedAxis Extended(const std::vector<double>& nodes, double low, double high,
   return axis;
 }
 
+struct ExtendedAxes
+{
+  ExtendedAxes(const GridSource& source, const Box2& bounds, double largestStep)
+    : Columns(ExtendedTo(source.XNodes, bounds.Low.X, bounds.High.X, largestStep))
+    , Rows(ExtendedTo(source.YNodes, bounds.Low.Y, bounds.High.Y, largestStep))
+  {
+  }
+
+  double CountNodes() const
+  {
+    return static_cast<double>(this->Columns.Nodes.size()) *
+      static_cast<double>(this->Rows.Nodes.size());
+  }
+
+  ExtendedAxis Columns;
+  ExtendedAxis Rows;
+};
+
+/// With coarse cells divided as far as there may be nodes.
+ExtendedAxes DividedAxes(const GridSource& source, const Box2& bounds)
+{
+  const double width = source.XNodes.back() - source.XNodes.front();
+  const double height = source.YNodes.back() - source.YNodes.front();
+  const double extent = std::max(width, height);
+  const ExtendedAxes undivided(source, bounds, extent);
+  const double most = std::max(MostNodes, MostTimes * undivided.CountNodes());
+  for (double step = std::max(std::sqrt(width / Squares * height), LeastShare * extent);
+       step < extent; step *= 2.0)
+  {
+    ExtendedAxes divided(source, bounds, step);
+    if (divided.CountNodes() <= most)
+    {
+      return divided;
+    }
+  }
+  return undivided;
+}
+
 } // namespace
 
 std::shared_ptr<const GridSource> ExtendedGrid(
   const std::shared_ptr<const GridSource>& source, const Box2& bounds)
 {
-  const double step = LargestStep(*source);
-  ExtendedAxis columns = Extended(source->XNodes, bounds.Low.X, bounds.High.X, step);
-  ExtendedAxis rows = Extended(source->YNodes, bounds.Low.Y, bounds.High.Y, step);
+  auto [columns, rows] = DividedAxes(*source, bounds);
   if (columns.Nodes.size() == source->XNodes.size() && rows.Nodes.size() == source->YNodes.size())
   {
     return source;

@@ -43,8 +43,10 @@ constexpr double ReachTimesMultiple = 16.0;
 constexpr std::size_t MostNearby = 16;
 
 /// Across the short sides of long cells f grows by less than this share of itself, so that what is
-/// between these sides does not count.
-constexpr double NarrowestGrowth = 0.005;
+/// beside these cells, or between their short sides, does not count: of the latter, lines of the
+/// least value are more than nodes tell.
+constexpr double NarrowestGrowth = 0.01;
+constexpr double NarrowestWithLines = 0.005;
 
 /// Nodes that are lowered less than to this share are as given.
 constexpr float LeastChange = 0.999f;
@@ -279,7 +281,8 @@ double GridLimit::operator()(const Point2& x) const
   const Nearby rows = Around(grid.YNodes, place.Row, x.Y, reach * size);
   double near = rows.AreCut ? this->Long->BoundAlongY(place, x, reach * size, given) : given;
   near = columns.AreCut ? this->Long->BoundAlongX(place, x, reach * size, near) : near;
-  if (!(rows.AreCut || columns.AreCut) || this->Gradation * narrow > NarrowestGrowth * near)
+  const double narrowest = this->HasLines ? NarrowestWithLines : NarrowestGrowth;
+  if (!(rows.AreCut || columns.AreCut) || this->Gradation * narrow > narrowest * near)
   {
     near = this->FromNearby(columns, rows, x, this->Gradation * size, near);
   }

@@ -71,17 +71,24 @@ TEST(ExtendedGrid, HasThousandsOfCellsNoneOfThemLong)
   }
 }
 
-/// A hundred times as many nodes as the source would take its memory.
-TEST(ExtendedGrid, DividesLongCellsOfVeryManyColumnsLess)
+/// A hundred times as many nodes as the source would take its time, and nodes outside count, too.
+TEST(ExtendedGrid, DividesLongCellsOfVeryManyColumnsLessOrNotAtAll)
 {
-  for (const double height : { 1.0, 64.0 })
+  for (const int columns : { 3000, 30000, 100000 })
   {
-    GridSource source{ UnitNodes(100000), { 0.0, height }, {} };
-    source.Values.assign(200000, 1.0);
-    const auto extended = ExtendedGrid(Share(std::move(source)), {});
-    EXPECT_EQ(extended->XNodes.size(), 100000);
-    EXPECT_GE(extended->YNodes.size(), 32);
-    EXPECT_LE(extended->Values.size(), 1 << 23);
+    for (const double height : { 1.0, 64.0 })
+    {
+      GridSource source{ UnitNodes(columns), { 0.0, height }, {} };
+      source.Values.assign(2 * source.XNodes.size(), 1.0);
+      const std::size_t given = source.Values.size();
+      const auto shared = Share(std::move(source));
+      const auto inside = ExtendedGrid(shared, {});
+      EXPECT_EQ(inside->XNodes.size(), static_cast<std::size_t>(columns));
+      EXPECT_LE(inside->Values.size(), std::max<std::size_t>(1 << 17, given));
+      EXPECT_EQ(inside == shared, columns > 50000) << columns;
+      const auto beyond = ExtendedGrid(shared, { { -3.0, -3.0 }, { 4.0, 3.0 + height } });
+      EXPECT_LE(beyond->Values.size(), std::max<std::size_t>(1 << 17, 6 * given));
+    }
   }
 }
 
