@@ -71,6 +71,8 @@ ExtendedAxis ExtendedTo(
   const std::vector<double>& nodes, double low, double high, double largestStep)
 {
   ExtendedAxis axis;
+  axis.Nodes.reserve(nodes.size());
+  axis.Places.reserve(nodes.size());
   const std::size_t cells = nodes.size() - 1;
   const double first = cells > 0 ? std::min(nodes[1] - nodes[0], largestStep) : 0.0;
   for (const double distance : Outside(first, nodes.front() - low))

@@ -144,6 +144,10 @@ void GridSteps::Ways::AddSquares(std::size_t k)
 void GridSteps::Step(GridLines& lines, std::size_t from, std::size_t to, std::size_t away)
 {
   const double distance = this->Axes.DistanceOf(from, to);
+  if (away > 1 && this->Axes.LeastReaches[1] > ReachAlong * distance)
+  {
+    return; // passes across these lines offer what is between neighbors so far away
+  }
   Ways& ways = this->Before[away - 1];
   const NodeRange all{ 0, lines.Size };
   const NodeRange far = away == 1 ? this->Axes.FarFrom(distance) : NodeRange{ 0, 0 };
@@ -156,8 +160,18 @@ void GridSteps::Step(GridLines& lines, std::size_t from, std::size_t to, std::si
   }
   if (far.Begin < far.End)
   {
-    const NodeRange among = this->Axes.Around(far, distance);
-    this->OfferAll(lines.At(from), static_cast<float>(distance), lines.At(to), far, among);
+    this->OfferFar(lines.At(from), static_cast<float>(distance), lines.At(to), far);
+  }
+}
+
+/// Nothing where the largest value is no more than what grows from the least one.
+void GridSteps::OfferFar(const float* from, float distance, float* to, const NodeRange& far)
+{
+  const NodeRange among = this->Axes.Around(far, distance);
+  const float least = *std::min_element(from + among.Begin, from + among.End);
+  if (*std::max_element(to + far.Begin, to + far.End) > least + distance)
+  {
+    this->OfferAll(from, distance, to, far, among);
   }
 }
 

@@ -131,6 +131,7 @@ private:
   };
 
   void OfferBetween(const float* from, float distance, float* to) const;
+  void OfferFar(const float* from, float distance, float* to, const NodeRange& far);
   void OfferAll(
     const float* from, float distance, float* to, const NodeRange& nodes, const NodeRange& among);
   std::size_t BestOf(const float* from, float square, std::size_t node, const NodeRange& among);
