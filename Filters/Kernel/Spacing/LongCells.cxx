@@ -51,44 +51,25 @@ LongCells::LongCells(const GridSource& source, const ValueRange& range, double g
 
 /// Values along a side that is as steep as f may be bound f at its lower end alone, or at the end
 /// of the plateau.
-LongCells::Least LongCells::At(const Lines& lines, std::size_t line, std::size_t node) const
+inline void LongCells::AddSide(double width, double here, double there, Least& run) const
 {
-  const std::size_t at = line * lines.ToNextLine + node * lines.ToNext;
-  Least least;
-  least.Limited = this->Values[at];
-  if (line + 1 == lines.Places.size())
+  const double rise = std::abs(there - here);
+  const double least = std::min(here, there);
+  if (rise < width)
   {
-    return least;
+    const auto lower = [](float& given, double value)
+    { given = static_cast<float>(std::min(value, static_cast<double>(given))); };
+    lower(run.Given[0], here);
+    lower(run.Given[1], 0.5 * (here + there));
+    lower(run.Given[2], there);
+    run.Slope = std::max(run.Slope, static_cast<float>(rise / width));
   }
-  const double here = this->Range.Scale * this->Source.Values[at];
-  const double there = this->Range.Scale * this->Source.Values[at + lines.ToNextLine];
-  const double width = lines.Places[line + 1] - lines.Places[line];
-  const double slope = std::abs(there - here) / width;
-  if (slope < 1.0)
+  if (least < this->Range.Least)
   {
-    const auto inside = [](double value)
-    { return static_cast<float>(std::min(value, static_cast<double>(Least::None))); };
-    least.Given = { inside(here), inside(0.5 * (here + there)), inside(there) };
-    least.Cosine = static_cast<float>(std::sqrt(1.0 - slope * slope));
+    const double below = this->Range.Least - least;
+    float& plateau = here < there ? run.Plateau : run.PlateauBefore;
+    plateau = std::max(plateau, static_cast<float>(below < rise ? below / rise * width : width));
   }
-  if (std::min(here, there) < this->Range.Least)
-  {
-    const double part = std::min((this->Range.Least - std::min(here, there)) / slope, width);
-    (here < there ? least.Plateau : least.PlateauBefore) = static_cast<float>(part);
-  }
-  return least;
-}
-
-void LongCells::Least::Add(const Least& other)
-{
-  this->Limited = std::min(this->Limited, other.Limited);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    this->Given[k] = std::min(this->Given[k], other.Given[k]);
-  }
-  this->Cosine = std::min(this->Cosine, other.Cosine);
-  this->Plateau = std::max(this->Plateau, other.Plateau);
-  this->PlateauBefore = std::max(this->PlateauBefore, other.PlateauBefore);
 }
 
 void LongCells::AddRuns(Lines& lines) const
@@ -98,20 +79,68 @@ void LongCells::AddRuns(Lines& lines) const
   {
     return;
   }
-  for (std::size_t size = lines.Nodes.size(); size > 1; size = lines.Runs.back().size() / count)
+  lines.Runs.push_back(this->RunsOfNodes(lines));
+  while (lines.Runs.back().size() > count)
   {
-    std::vector<Least> runs((size + RunLength - 1) / RunLength * count);
-    for (std::size_t k = 0; k < size; ++k)
+    const std::vector<Least>& parts = lines.Runs.back();
+    std::vector<Least> runs((parts.size() / count + RunLength - 1) / RunLength * count);
+    for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      Least* run = &runs[k / RunLength * count];
-      for (std::size_t line = 0; line < count; ++line)
-      {
-        run[line].Add(
-          lines.Runs.empty() ? this->At(lines, line, k) : lines.Runs.back()[k * count + line]);
-      }
+      runs[k / count / RunLength * count + k % count].Add(parts[k]);
     }
     lines.Runs.push_back(std::move(runs));
   }
+}
+
+/// In the order of the nodes.
+std::vector<LongCells::Least> LongCells::RunsOfNodes(const Lines& lines) const
+{
+  const std::size_t count = lines.Places.size();
+  const std::size_t size = (lines.Nodes.size() + RunLength - 1) / RunLength;
+  std::vector<Least> runs(size * count);
+  const bool isByLine = lines.ToNext == 1;
+  for (std::size_t k = 0; k < (isByLine ? count : size); ++k)
+  {
+    for (std::size_t m = 0; m < (isByLine ? size : count); ++m)
+    {
+      const std::size_t line = isByLine ? k : m;
+      const std::size_t run = isByLine ? m : k;
+      runs[run * count + line] = this->RunFrom(lines, line, run * RunLength);
+    }
+  }
+  return runs;
+}
+
+/// Of nodes, from the first one on.
+LongCells::Least LongCells::RunFrom(const Lines& lines, std::size_t line, std::size_t first) const
+{
+  Least run;
+  const bool hasSides = line + 1 < lines.Places.size();
+  const double width = hasSides ? lines.Places[line + 1] - lines.Places[line] : 0.0;
+  const std::size_t end = std::min(first + RunLength, lines.Nodes.size());
+  for (std::size_t node = first; node < end; ++node)
+  {
+    const std::size_t at = line * lines.ToNextLine + node * lines.ToNext;
+    run.Limited = std::min(run.Limited, this->Values[at]);
+    if (hasSides)
+    {
+      this->AddSide(width, this->Range.Scale * this->Source.Values[at],
+        this->Range.Scale * this->Source.Values[at + lines.ToNextLine], run);
+    }
+  }
+  return run;
+}
+
+void LongCells::Least::Add(const Least& other)
+{
+  this->Limited = std::min(this->Limited, other.Limited);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->Given[k] = std::min(this->Given[k], other.Given[k]);
+  }
+  this->Slope = std::max(this->Slope, other.Slope);
+  this->Plateau = std::max(this->Plateau, other.Plateau);
+  this->PlateauBefore = std::max(this->PlateauBefore, other.PlateauBefore);
 }
 
 /// Of what bounds f at a place between two lines. Lengths are in what f grows by.
@@ -165,7 +194,9 @@ private:
     const double weight = 2.0 * this->ToLow / (this->ToLow + this->ToHigh);
     const double given = weight < 1.0 ? Blend(least.Given[0], least.Given[1], weight)
                                       : Blend(least.Given[1], least.Given[2], weight - 1.0);
-    double bound = std::max(given + least.Cosine * growth,
+    // Along a way by which f grows to a side this is the sine of the angle with its normal.
+    const double cosine = std::sqrt(std::max(1.0f - least.Slope * least.Slope, 0.0f));
+    double bound = std::max(given + cosine * growth,
       static_cast<double>(std::min(least.Given[0], least.Given[2])) + growth);
     const auto lower = [this, &bound, growth](double across) {
       bound = std::min(bound, this->Cells.Range.Least + Length({ std::max(across, 0.0), growth }));

@@ -46,8 +46,8 @@ private:
 
     float Limited = None;                               ///< at the node
     std::array<float, 3> Given{ { None, None, None } }; ///< at both ends of the side, and between
-    float Cosine = 1.0f;   ///< of the angle between ways to it along which f grows and its normal
-    float Plateau = -1.0f; ///< how far f is the least value, from this line on; largest
+    float Slope = 0.0f;          ///< along the side, as a share of the gradation; largest
+    float Plateau = -1.0f;       ///< how far f is the least value, from this line on; largest
     float PlateauBefore = -1.0f; ///< and from the next line
 
     void Add(const Least& other);
@@ -65,8 +65,10 @@ private:
 
   class Search;
 
-  Least At(const Lines& lines, std::size_t line, std::size_t node) const;
   void AddRuns(Lines& lines) const;
+  std::vector<Least> RunsOfNodes(const Lines& lines) const;
+  Least RunFrom(const Lines& lines, std::size_t line, std::size_t first) const;
+  void AddSide(double width, double here, double there, Least& run) const;
   double Bound(const Lines& lines, std::size_t line, const Point2& acrossAndAlong, const Point2& x,
     double reach, double limit) const;
 
