@@ -21,9 +21,10 @@ namespace biting
 /// Method: nodes are bounded by passes over lines of them. Where f may grow by no more than a share
 /// of itself across a cell, the interpolant of bounded nodes is as good as f; elsewhere it is what
 /// the nodes, the sides and the lines around allow at a point.
-/// In long cells those are all nodes along their long sides and the sides between (LongCells).
+/// In and beside long cells those are all nodes along lines of them and the sides between
+/// (LongCells), and from where sides exceed the least value f grows to nodes first (Plateaus).
 /// Linear in the number of nodes, but for a logarithm where cells are long; constant cost for an
-/// evaluation, but in long cells that of runs of nodes nearer than f / gradation, at worst.
+/// evaluation, but in long cells about the logarithm of their number.
 class GridLimit
 {
 public:

@@ -16,9 +16,9 @@ namespace biting
 /// Cells that are no more than so many times as long as wide are not long.
 constexpr double LongCell = 4.0;
 
-/// What f is within cells that are many times as long as wide, where it grows by more than a share
-/// of itself from one long side to the other: what the nodes along these two sides allow, and the
-/// short sides between them.
+/// What f is within and beside cells that are many times as long as wide, where it grows by more
+/// than a share of itself from one long side to the other: what the nodes along two neighboring
+/// lines allow, and the sides between them.
 ///
 /// Method: a tree of runs of 8, 64 ... nodes, of which those that promise most are looked into
 /// first, and those that lower f by no more than .4 % are not.
