@@ -46,7 +46,7 @@ struct Arrangement
   std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
   double Rounding = 0.0;            ///< of a vertex: 4 ulp of the largest magnitude
   double Resolution = 0.0;          ///< what is not further apart is one; at least Rounding
-  bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share an end
+  bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share a tip
   double FaceArea = 0.0;            ///< sum over all faces
   FaceGroups Groups;                ///< of chains: faces whose common edges were dropped
   std::vector<Id> Regions;          ///< of chains; empty: all are of one region
@@ -71,9 +71,11 @@ struct Arrangement
 /// by a path with the same ends, so the parity of closed chains is kept. The last round tests every
 /// pair and finds nothing.
 ///
-/// The sides of a spike are not welded where Resolution is no more than Rounding, or its tip would
-/// be lost. But many edges within Resolution of each other, which rounded crossings have cut and
-/// bent, may make new ones without end: after some rounds these are welded too.
+/// The sides of a spike are not welded where Resolution is no more than twice Rounding, or its tip
+/// would be lost. Where something else ends at the tip it would not be: lines, or faces, that run
+/// side by side from there are one but for rounding. But many edges within Resolution of each
+/// other, which rounded crossings have cut and bent, may make new ones without end: after some
+/// rounds these are welded too.
 ///
 /// Where so many vertices lie on edges that many edges must lie along one line, these are merged
 /// all at once (see CollinearCrowds.h).

@@ -80,8 +80,9 @@ private:
   bool TestFan(Id first, Id second, Id apex, bool tells);
 
   bool TestVertex(Id edge, Id vertex);
-  bool IsOn(Id vertex, const SegmentEnds& ends) const;
-  bool IsSpike(Id vertex, const SegmentEnds& ends) const;
+  bool IsOn(Id vertex, Id edge) const;
+  bool IsSpike(Id vertex, Id edge) const;
+  bool AreOfTwoFaces(Id first, Id second) const;
   void ReportNear(Id edge, Id other, Id vertex)
   {
     this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
@@ -319,7 +320,7 @@ void MeetingFinder::TestLooseVertices()
 
 bool MeetingFinder::TestVertex(Id edge, Id vertex)
 {
-  const bool isOn = this->IsOn(vertex, this->EndsOf(edge));
+  const bool isOn = this->IsOn(vertex, edge);
   if (isOn)
   {
     this->Found.Splits.push_back({ edge, vertex });
@@ -327,8 +328,9 @@ bool MeetingFinder::TestVertex(Id edge, Id vertex)
   return isOn;
 }
 
-bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
+bool MeetingFinder::IsOn(Id vertex, Id edge) const
 {
+  const SegmentEnds& ends = this->EndsOf(edge);
   const Point2& p = this->Input.At(vertex);
   const Point2& a = this->Input.At(ends.Start);
   const Point2& b = this->Input.At(ends.End);
@@ -337,17 +339,32 @@ bool MeetingFinder::IsOn(Id vertex, const SegmentEnds& ends) const
     return false;
   }
   const double reach = this->Input.Resolution * Distance(a, b);
-  const bool isNear = std::abs(Cross(b - a, p - a)) <= reach && !this->IsSpike(vertex, ends);
+  const bool isNear = std::abs(Cross(b - a, p - a)) <= reach && !this->IsSpike(vertex, edge);
   return isNear || IsOnSegment(p, a, b);
 }
 
-/// Whether an edge joins the vertex to an end of the edge beside it: both are the sides of a spike.
-/// Thinner than Resolution it stays open, or its tip would be lost.
-bool MeetingFinder::IsSpike(Id vertex, const SegmentEnds& ends) const
+/// Whether an edge joins the vertex to an end of the edge beside it where nothing else ends: both
+/// are the sides of a spike. Thinner than Resolution it stays open, or its tip would be lost. Two
+/// faces side by side make no spike, but a slit.
+bool MeetingFinder::IsSpike(Id vertex, Id edge) const
 {
-  return this->Input.KeepsSpikes && this->Edges.Stars.Degree(vertex) > 0 &&
-    std::any_of(this->Edges.Stars.Begin(vertex), this->Edges.Stars.End(vertex),
-      [this, vertex, &ends](Id edge) { return ends.Has(OtherEnd(this->EndsOf(edge), vertex)); });
+  const VertexStars& stars = this->Edges.Stars;
+  const auto isOtherSide = [this, vertex, edge, &stars](Id side)
+  {
+    const Id tip = OtherEnd(this->EndsOf(side), vertex);
+    return this->EndsOf(edge).Has(tip) && stars.Degree(tip) == 2 &&
+      !this->AreOfTwoFaces(edge, side);
+  };
+  return this->Input.KeepsSpikes && stars.Degree(vertex) > 0 &&
+    std::any_of(stars.Begin(vertex), stars.End(vertex), isOtherSide);
+}
+
+/// Whether the area that each bounds is that of one face, which has one, and these are two.
+bool MeetingFinder::AreOfTwoFaces(Id first, Id second) const
+{
+  const FaceEdge& a = this->Input.Edge(first).Faces;
+  const FaceEdge& b = this->Input.Edge(second).Faces;
+  return a.Count == 1 && b.Count == 1 && a.Turn != 0 && b.Turn != 0 && a.First() != b.First();
 }
 
 /// Of entries with equal keys the least is kept.

@@ -65,10 +65,10 @@ struct MeetingLimits
 /// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the
 /// edge and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge,
 /// so that splitting comes to an end. With KeepsSpikes, a vertex that an edge joins to an end of
-/// the edge beside it must lie on it exactly: these are the sides of a spike, which stays open
-/// however thin. Edges that share a vertex can only overlap: each is tested against its neighbours
-/// in the order of directions around that vertex, as far as these are that near. Others are found
-/// by the tree.
+/// the edge beside it, where nothing else ends, must lie on it exactly: these are the sides of a
+/// spike, which stays open however thin; but not where each bounds a face of its own. Edges that
+/// share a vertex can only overlap: each is tested against its neighbours in the order of
+/// directions around that vertex, as far as these are that near. Others are found by the tree.
 bool FindMeetings(
   const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse);
 

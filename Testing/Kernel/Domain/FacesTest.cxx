@@ -102,6 +102,30 @@ TEST(Faces, ThatShareAPartOfAnEdgeAreNeighbors)
   ExpectQuiet(made, 6.5, 11, 0);
 }
 
+/// As in maps of countries: one border, whose vertices are not the same on both sides.
+TEST(Faces, WithVerticesOnEdgesOfNeighborsButForRoundingAreNeighbors)
+{
+  for (int count = 1; count <= 5; ++count)
+  {
+    for (int turn = 1; turn < 20; ++turn)
+    {
+      const Point2 start{ 0.3, 0.7 };
+      const Point2 side{ 1.0, 0.11 * turn };
+      const Point2 out{ -0.4, 1.0 };
+      PolylineBuilder builder;
+      builder.Loop({ start, start - out, start + side - out, start + side }, Face);
+      std::vector<Point2> above{ start + side, start + side + out, start + out, start };
+      for (int k = 1; k <= count; ++k)
+      {
+        above.push_back(start + (k / (count + 1.0)) * side);
+      }
+      const MadeDomain made = Make(builder.Loop(above, Face).Lines());
+      ExpectQuiet(made, 2.0 * Cross(side, out), 6, 0);
+      EXPECT_EQ(made.Domain.NumberOfVertices(), 6);
+    }
+  }
+}
+
 TEST(Faces, OfDifferentRegionsHaveInterfaces)
 {
   PolylineBuilder builder = Squares(2, 2);

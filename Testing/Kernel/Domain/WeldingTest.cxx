@@ -258,6 +258,25 @@ TEST(Welding, ABoundaryThatAToleranceMovesToAnEmbeddedPointIsToldOf)
   EXPECT_EQ(made.Problems.Count(ProblemCode::NearPoints), 1);
 }
 
+TEST(Welding, AnInterfaceAlongASideButForRoundingIsOnIt)
+{
+  for (int turn = 1; turn < 20; ++turn)
+  {
+    const Point2 side{ 1.0, 0.11 * turn };
+    const Point2 out{ -side.Y, side.X };
+    std::vector<Point2> along;
+    for (int k = 0; k <= 6; ++k)
+    {
+      along.push_back((k / 6.0) * side);
+    }
+    const MadeDomain made =
+      Make(PolylineBuilder().Loop({ { 0, 0 }, side, side + out, out }).Chain(along));
+    EXPECT_EQ(made.Violation, "");
+    EXPECT_EQ(made.Domain.NumberOfSegments(), 9);
+    EXPECT_NEAR(made.Domain.Area, Cross(side, out), 1e-15);
+  }
+}
+
 TEST(Welding, AFrameThinnerThanRoundingIsToldOf)
 {
   const MadeDomain made =

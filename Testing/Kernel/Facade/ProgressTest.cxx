@@ -163,8 +163,8 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereTheForecastIsAsked)
   }
 }
 
-/// Two interfaces from one point, far from the origin: rounded points of the one are beyond the
-/// other.
+/// Two interfaces from one point, far from the origin, hardly wide enough not to be one: rounded
+/// points of the one are beyond the other.
 Polylines NarrowWedge()
 {
   const double away = 1 << 27;
@@ -172,7 +172,7 @@ Polylines NarrowWedge()
   return PolylineBuilder()
     .Box(away, away, away + 1.0, away + 1.0)
     .Chain({ { away, away }, { away + 0.875, away + 0.875 } })
-    .Chain({ { away, away }, { away + 0.875, away + 0.875 + 5.0 * ulp } })
+    .Chain({ { away, away }, { away + 0.875, away + 0.875 + 6.0 * ulp } })
     .Lines();
 }
 
