@@ -176,10 +176,11 @@ SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
   {
     const std::string name = NameOf(found.Chosen.Array);
     const DataSets with = BlocksWith(name, blocks);
-    const auto grid = with.size() > 1 ? AsGrid(with, name) : nullptr;
-    found.MayOverlap = with.size() > 1 && !grid;
-    found.Data = grid ? grid : found.Data;
-    found.Data = found.MayOverlap ? Appended(with) : found.Data;
+    if (with.size() > 1)
+    {
+      const auto grid = AsGrid(with, name);
+      found.Data = grid ? grid : Appended(with);
+    }
     found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
   }
   return found;

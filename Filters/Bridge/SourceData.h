@@ -22,7 +22,6 @@ struct SourceData
 {
   vtkSmartPointer<vtkDataSet> Data; ///< null where there is none to use
   ChosenArray Chosen;
-  bool MayOverlap = false; ///< cells may lie on each other: then the smallest value counts
 };
 
 /// Finds the array that `choice` asks for in `source`, a dataset or blocks of such. Where none was

@@ -205,7 +205,7 @@ std::string AddCells(const SourceData& chosen, const std::vector<double>& values
   const auto triangulation = cells.Triangulation(values.data());
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   SortSource(*triangulation, pulse);
-  triangulation->MayOverlap = chosen.MayOverlap;
+  triangulation->MayOverlap = true;
   options.Triangulation = triangulation;
   return HasArea(*triangulation, pulse)
     ? ""

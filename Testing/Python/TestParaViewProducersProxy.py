@@ -92,6 +92,25 @@ class TestParaViewProducersProxy(unittest.TestCase):
         self.assertGreater(figure(merged, 'RepairedNearPoints'), 0)
         self.assertGreater(figure(merged, 'NumberOfTriangles'), 100)
 
+    def test_of_spacing_sources_that_overlap_the_smallest_value_counts(self):
+        def plane(left, right, value):
+            flat = simple.Plane(Origin=[left, -1, 0], Point1=[right, -1, 0], Point2=[left, 2, 0],
+                XResolution=7, YResolution=7)
+            return simple.Calculator(Input=flat, ResultArrayName='Spacing',
+                Function=f'{value} + 0 * coordsX')
+
+        coarse, fine = plane(.3, 2, .4), plane(-1, 2, .1)
+        ball = simple.Sphere(Radius=3, ThetaResolution=30, PhiResolution=30)
+        folded = simple.Calculator(Input=ball, ResultArrayName='Spacing',
+            Function='if (coordsZ > 0, 0.4, 0.1)')
+        for source in (simple.AppendDatasets(Input=[coarse, fine]),
+                       simple.AppendDatasets(Input=[fine, coarse]),
+                       simple.GroupDatasets(Input=[coarse, fine]), folded):
+            mesh = self.mesh(simple.Plane(), SpacingSource=source)
+            low, high = mesh.GetPointData().GetArray('Spacing').GetRange()
+            self.assertAlmostEqual(low, .1, places=12)
+            self.assertAlmostEqual(high, .1, places=12)
+
 
 if __name__ == '__main__':
     unittest.main()
