@@ -273,7 +273,8 @@ bool vtkHessianSpacing::Execution::Recover()
   {
     vtkWarningWithObjectMacro(this->Filter, << isolated
                                             << " points have too few others around them to "
-                                               "determine a Hessian; they get no spacing.");
+                                               "determine a Hessian; the spacing there is that of "
+                                               "the points around them.");
   }
   return this->Monitor.Advance(1.0);
 }
@@ -284,14 +285,16 @@ void vtkHessianSpacing::Execution::Write(vtkDataSet* output) const
   const double tolerance = this->Tolerance();
   const double maximum = this->LargestSpacing();
   const auto size = static_cast<std::size_t>(this->Input->GetNumberOfPoints());
+  const std::vector<double> joined = biting::WithThoseAround(
+    { this->Faces.Points, this->Faces.Offsets, this->Faces.Corners }, this->Values, this->Norms);
   std::vector<double> norms(size, std::numeric_limits<double>::quiet_NaN());
   std::vector<double> spacings = norms;
   for (std::size_t vertex = 0; vertex < this->Norms.size(); ++vertex)
   {
     const auto point = static_cast<std::size_t>(this->Faces.PointIds[vertex]);
     norms[point] = this->Norms[vertex];
-    spacings[point] = biting::NumericalSpacing(
-      this->Norms[vertex], tolerance, this->Filter->MinimumSpacing, maximum);
+    spacings[point] =
+      biting::NumericalSpacing(joined[vertex], tolerance, this->Filter->MinimumSpacing, maximum);
   }
   output->ShallowCopy(this->Input);
   biting::AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", spacings);

@@ -324,6 +324,51 @@ TEST(HessianSpacing, SaysNothingWhereNothingIsKnown)
   EXPECT_TRUE(Has(messages.Warnings[0], "not finite at 1 points"));
 }
 
+/// A square with a channel of two rows of points, as in meshes of coasts.
+TEST(HessianSpacing, GivesPointsWithoutAHessianTheSpacingOfThoseAround)
+{
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  std::vector<double> values;
+  for (int k = 0; k < 25 + 16; ++k)
+  {
+    const double x = k < 25 ? k % 5 : 5 + (k - 25) / 2;
+    const double y = k < 25 ? k / 5 : (k - 25) % 2;
+    points->InsertNextPoint(x, y, 0.0);
+    values.push_back(1.5 * x * x);
+  }
+  const auto add = [&quads](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
+    quads->InsertNextCell({ a, b, c, d });
+  };
+  for (vtkIdType k = 0; k < 16; ++k)
+  {
+    const vtkIdType low = k % 4 + 5 * (k / 4);
+    add(low, low + 1, low + 6, low + 5);
+  }
+  add(4, 25, 26, 9);
+  for (vtkIdType k = 25; k < 39; k += 2)
+  {
+    add(k, k + 2, k + 3, k + 1);
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(quads);
+  AddArray<vtkDoubleArray>(mesh->GetPointData(), "u", values);
+  mesh->GetPointData()->SetActiveScalars("u");
+  vtkNew<vtkHessianSpacing> filter;
+  Messages messages(filter);
+  filter->SetInputData(mesh);
+  filter->SetErrorTolerance(0.03);
+  filter->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(messages.Warnings[0], "points around them"));
+  EXPECT_TRUE(std::isnan(ValueAt(filter->GetOutput(), "HessianNorm", 40)));
+  for (vtkIdType point = 0; point < 41; ++point)
+  {
+    EXPECT_NEAR(ValueAt(filter->GetOutput(), "Spacing", point), 0.1, 1e-6);
+  }
+}
+
 TEST(HessianSpacing, RefusesWhatHasNoHessian)
 {
   EXPECT_TRUE(Has(RefusalOf(Image(9, 2)), "No point has enough"));

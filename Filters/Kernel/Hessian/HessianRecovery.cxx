@@ -331,6 +331,60 @@ std::vector<Hessian2> RecoverHessians(
   return pulse.HasStopped() ? std::vector<Hessian2>() : hessians;
 }
 
+std::vector<double> WithThoseAround(
+  const CellsView& cells, const std::vector<double>& values, std::vector<double> norms)
+{
+  const CellsByPoint atPoint = Distribute(cells);
+  std::vector<double> found(norms.size(), Unknown); // in this ring
+  std::vector<Id> ring;
+  for (std::size_t point = 0; point < norms.size(); ++point)
+  {
+    if (!std::isnan(norms[point]))
+    {
+      ring.push_back(static_cast<Id>(point));
+    }
+  }
+  const auto forEachCorner = [&cells, &atPoint](Id point, auto visit)
+  {
+    const auto slot = static_cast<std::size_t>(point);
+    for (Id i = atPoint.Offsets[slot]; i < atPoint.Offsets[slot + 1]; ++i)
+    {
+      const auto cell = static_cast<std::size_t>(atPoint.Cells[static_cast<std::size_t>(i)]);
+      for (Id k = cells.Offsets[cell]; k < cells.Offsets[cell + 1]; ++k)
+      {
+        visit(static_cast<std::size_t>(cells.Corners[static_cast<std::size_t>(k)]));
+      }
+    }
+  };
+  while (!ring.empty())
+  {
+    std::vector<Id> next;
+    for (const Id point : ring)
+    {
+      const double norm = norms[static_cast<std::size_t>(point)];
+      forEachCorner(point,
+        [&values, &norms, &found, &next, norm](std::size_t corner)
+        {
+          if (!std::isnan(norms[corner]) || !std::isfinite(values[corner]))
+          {
+            return;
+          }
+          if (std::isnan(found[corner]))
+          {
+            next.push_back(static_cast<Id>(corner));
+          }
+          found[corner] = std::isnan(found[corner]) ? norm : std::max(found[corner], norm);
+        });
+    }
+    for (const Id point : next)
+    {
+      norms[static_cast<std::size_t>(point)] = found[static_cast<std::size_t>(point)];
+    }
+    ring.swap(next);
+  }
+  return norms;
+}
+
 double SpectralNorm(const Hessian2& hessian)
 {
   const double half = 0.5 * (hessian.XX - hessian.YY);

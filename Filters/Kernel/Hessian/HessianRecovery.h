@@ -52,6 +52,12 @@ std::vector<Hessian2> RecoverHessians(
 /// The largest absolute eigenvalue: the largest absolute second derivative in any direction.
 double SpectralNorm(const Hessian2& hessian);
 
+/// `norms` at the points, and where one is NaN, though the value there is finite, the largest of
+/// the points around it in cells that have one; ring by ring, as far as cells are joined. Cost
+/// O(n).
+std::vector<double> WithThoseAround(
+  const CellsView& cells, const std::vector<double>& values, std::vector<double> norms);
+
 /// f = sqrt(errorTolerance / norm), at least `minimum` and at most `maximum`, which is also f where
 /// the norm is 0; NaN where it is NaN. minimum <= maximum.
 double NumericalSpacing(double norm, double errorTolerance, double minimum, double maximum);

@@ -280,6 +280,28 @@ TEST(RecoverHessians, StopsWhenAsked)
   EXPECT_TRUE(RecoverHessians(cells.View(), ValuesOf(cells, Quadratic), stop).empty());
 }
 
+TEST(WithThoseAround, TheLargestOfTheNearestRingCounts)
+{
+  const Cells cells = Lattice(6, 2); // 0 .. 5 below, 6 .. 11 above
+  const double none = biting::NotANumber;
+  std::vector<double> values(12, 1.0);
+  std::vector<double> norms(12, none);
+  norms[0] = 2.0;
+  norms[6] = 3.0;
+  norms[11] = 1.0;
+  const std::vector<double> all = WithThoseAround(cells.View(), values, norms);
+  EXPECT_EQ(all[0], 2.0);
+  EXPECT_EQ(all[1], 2.0); // no cell joins it with 6
+  EXPECT_EQ(all[7], 3.0);
+  EXPECT_EQ(all[8], 3.0);
+  EXPECT_EQ(all[10], 1.0);
+  EXPECT_EQ(all[11], 1.0);
+  values[1] = none;
+  EXPECT_TRUE(std::isnan(WithThoseAround(cells.View(), values, norms)[1]));
+  norms.assign(12, none);
+  EXPECT_TRUE(std::isnan(WithThoseAround(cells.View(), values, norms)[5]));
+}
+
 TEST(SpectralNorm, IsTheLargestSecondDerivativeInAnyDirection)
 {
   Sampler sampler(9);
