@@ -10,14 +10,16 @@
 #include "vtkAppendFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStructuredData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm> // for all_of, equal
+#include <algorithm> // for all_of, any_of, equal
 #include <array>     // for extents
 #include <cmath>     // for isnan
+#include <limits>    // for NaN
 #include <string>    // for names
 #include <vector>    // for blocks
 
@@ -31,11 +33,14 @@ using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
 
 constexpr ArrayRole Role{ "spacing array", "spacing source" };
 
+/// What probes and resamplings of VTK add: 0 where they found nothing.
+constexpr const char* MaskName = "vtkValidPointMask";
+
 bool IsOfThePipeline(vtkPointData* data, int array)
 {
   const std::string name = data->GetArrayName(array) ? data->GetArrayName(array) : "";
   const int attribute = data->IsArrayAnAttribute(array);
-  return name == vtkDataSetAttributes::GhostArrayName() || name == "vtkValidPointMask" ||
+  return name == vtkDataSetAttributes::GhostArrayName() || name == MaskName ||
     attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
@@ -72,6 +77,37 @@ std::string NameOf(vtkDataArray* array)
   return array->GetName() ? array->GetName() : "";
 }
 
+// The mask of a block, or null.
+vtkDataArray* MaskOf(vtkDataSet* block)
+{
+  vtkDataArray* mask = block->GetPointData()->GetArray(MaskName);
+  return mask && mask->GetNumberOfComponents() == 1 &&
+      mask->GetNumberOfTuples() == block->GetNumberOfPoints()
+    ? mask
+    : nullptr;
+}
+
+// The array, with NaN where the mask of the block says that nothing was found.
+vtkSmartPointer<vtkDataArray> Valid(vtkDataArray* array, vtkDataSet* block)
+{
+  vtkDataArray* mask = MaskOf(block);
+  if (!mask || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != mask->GetNumberOfTuples())
+  {
+    return array;
+  }
+  auto valid = vtkSmartPointer<vtkDoubleArray>::New();
+  valid->SetName(array->GetName());
+  valid->SetNumberOfTuples(array->GetNumberOfTuples());
+  for (vtkIdType point = 0; point < valid->GetNumberOfTuples(); ++point)
+  {
+    const bool isKnown = mask->GetComponent(point, 0) != 0.0;
+    valid->SetValue(
+      point, isKnown ? array->GetComponent(point, 0) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return valid;
+}
+
 // The blocks with an array of this name, and nothing else of them.
 DataSets BlocksWith(const std::string& name, const DataSets& blocks)
 {
@@ -83,7 +119,7 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
     {
       auto bare = vtk::TakeSmartPointer(block->NewInstance());
       bare->CopyStructure(block);
-      bare->GetPointData()->AddArray(array);
+      bare->GetPointData()->AddArray(Valid(array, block));
       for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
       {
         if (vtkUnsignedCharArray* ghosts = GhostsOf(block, association))
@@ -172,7 +208,9 @@ SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
       found.Chosen = chosen;
     }
   }
-  if (blocks.size() > 1 && found.Chosen.Array)
+  const auto hasMask = [](vtkDataSet* block) { return MaskOf(block) != nullptr; };
+  const bool isMasked = std::any_of(blocks.begin(), blocks.end(), hasMask);
+  if ((blocks.size() > 1 || isMasked) && found.Chosen.Array)
   {
     const std::string name = NameOf(found.Chosen.Array);
     const DataSets with = BlocksWith(name, blocks);
@@ -181,7 +219,14 @@ SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
       const auto grid = AsGrid(with, name);
       found.Data = grid ? grid : Appended(with);
     }
-    found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
+    else if (with.size() == 1)
+    {
+      found.Data = with.front();
+    }
+    if (!with.empty())
+    {
+      found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
+    }
   }
   return found;
 }

@@ -111,6 +111,19 @@ class TestParaViewProducersProxy(unittest.TestCase):
             self.assertAlmostEqual(low, .1, places=12)
             self.assertAlmostEqual(high, .1, places=12)
 
+    def test_points_where_a_resampling_found_nothing_are_no_spacing(self):
+        flat = simple.Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0])
+        small = simple.Calculator(Input=flat, ResultArrayName='Spacing', Function='0.3')
+        image = simple.FastUniformGrid(WholeExtent=[-5, 5, -5, 5, 0, 0])
+        source = simple.ResampleWithDataset(SourceDataArrays=small, DestinationMesh=image)
+        for blanks in (0, 1):
+            source.MarkBlankPointsAndCells = blanks
+            mesh = self.mesh(simple.Disk(OuterRadius=3), SpacingSource=source,
+                LimitByFeatureSize=0)
+            low, high = mesh.GetPointData().GetArray('Spacing').GetRange()
+            self.assertAlmostEqual(low, .3, places=12)
+            self.assertAlmostEqual(high, .3, places=12)
+
 
 if __name__ == '__main__':
     unittest.main()
