@@ -39,7 +39,8 @@ Wording WordingOfRepair(ProblemCode code)
       return { "Points that lie on segments", "cell", "point", "The segments were split there." };
     case ProblemCode::OverlappingCells:
       return { "Cells that lie on top of others", "cell", "",
-        "The domain is what an odd number of them covers." };
+        "The domain is what an odd number of them covers. Where borders of neighbors are the same "
+        "but for rounding, as in maps, a MergeTolerance makes them one." };
     case ProblemCode::NearPoints:
       return { "Points too near to others, or to segments, to be told apart", "point", "point",
         "They were merged." };
