@@ -6,6 +6,7 @@
 #include "CellShapes.h"
 
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -66,6 +67,19 @@ vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
   auto copy = vtk::TakeSmartPointer(source->NewInstance());
   copy->ShallowCopy(source);
   return copy;
+}
+
+// Triangles for a polygon that VTK cannot triangulate, as its outline touches or crosses itself:
+// they may lie on each other, and on what is a hole of it.
+void FanOut(vtkIdList* outline, vtkIdList* corners)
+{
+  corners->Reset();
+  for (vtkIdType k = 2; k < outline->GetNumberOfIds(); ++k)
+  {
+    corners->InsertNextId(outline->GetId(0));
+    corners->InsertNextId(outline->GetId(k - 1));
+    corners->InsertNextId(outline->GetId(k));
+  }
 }
 
 } // namespace
@@ -189,7 +203,11 @@ void SourceCells::AddCell(vtkIdType cell, int dimension)
     return;
   }
   this->Source->GetCell(cell, this->Cell);
-  this->Cell->Triangulate(static_cast<int>(cell % 2), this->Corners, this->Places);
+  if (!this->Cell->Triangulate(static_cast<int>(cell % 2), this->Corners, this->Places) &&
+    this->Cell->GetCellType() == VTK_POLYGON)
+  {
+    FanOut(this->Cell->GetPointIds(), this->Corners);
+  }
   const vtkIdType size = dimension + 1;
   for (vtkIdType k = 0; k + size <= this->Corners->GetNumberOfIds(); k += size)
   {

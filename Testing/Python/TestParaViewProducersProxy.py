@@ -124,6 +124,31 @@ class TestParaViewProducersProxy(unittest.TestCase):
             self.assertAlmostEqual(low, .3, places=12)
             self.assertAlmostEqual(high, .3, places=12)
 
+    def test_a_polygon_with_a_hole_through_a_slit_is_a_spacing_source(self):
+        script = """
+import vtkmodules.all as vtk
+output = self.GetOutput()
+places = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1), (-.1, -.1), (-.1, .1), (.1, .1), (.1, -.1),
+    (-.1, -.1), (1, -1), (2, -1), (2, 1)]
+points = vtk.vtkPoints()
+spacing = vtk.vtkDoubleArray()
+spacing.SetName('Spacing')
+for k, (x, y) in enumerate(places):
+    points.InsertNextPoint(x, y, 0)
+    spacing.InsertNextValue(.05 if k < 10 else .2)
+polygons = vtk.vtkCellArray()
+polygons.InsertNextCell(10, list(range(10)))
+polygons.InsertNextCell(3, [10, 11, 12])
+output.SetPoints(points)
+output.SetPolys(polygons)
+output.GetPointData().AddArray(spacing)
+"""
+        source = simple.ProgrammableSource(OutputDataSetType='vtkPolyData', Script=script)
+        mesh = self.mesh(simple.Plane(), SpacingSource=source)
+        low, high = mesh.GetPointData().GetArray('Spacing').GetRange()
+        self.assertAlmostEqual(low, .05, places=12)
+        self.assertAlmostEqual(high, .05, places=12)
+
 
 if __name__ == '__main__':
     unittest.main()
