@@ -28,12 +28,37 @@ void DelaunayMesh::RestoreAll(Pulse& pulse)
     [this](std::size_t slot)
     {
       const Id edge = static_cast<Id>(slot);
-      if (this->IsFirstHalf(edge) && this->MustFlip(edge))
+      if (this->IsFirstHalf(edge))
       {
-        this->FlipAndPush(edge);
-        this->EmptyStack();
+        this->RestoreEdge(edge);
       }
     });
+}
+
+void DelaunayMesh::RestoreBeside(const std::vector<std::uint8_t>& areChanged, Pulse& pulse)
+{
+  pulse.ForEach(areChanged.size(),
+    [this, &areChanged](std::size_t triangle)
+    {
+      for (Id edge = 4 * static_cast<Id>(triangle); (edge & 3) < 3; ++edge)
+      {
+        const Id twin = this->Twins[edge];
+        if (twin < edge && twin != NoId &&
+          (areChanged[triangle] | areChanged[TriangleOf(twin)]) != 0)
+        {
+          this->RestoreEdge(edge);
+        }
+      }
+    });
+}
+
+void DelaunayMesh::RestoreEdge(Id edge)
+{
+  if (this->IsEdge(edge) && this->MustFlip(edge))
+  {
+    this->FlipAndPush(edge);
+    this->EmptyStack();
+  }
 }
 
 void DelaunayMesh::EmptyStack()

@@ -8,7 +8,8 @@
 #include "../Base/Pulse.h"
 #include "MutableMesh.h"
 
-#include <vector> // for the lists
+#include <cstdint> // for marks
+#include <vector>  // for the lists
 
 namespace biting
 {
@@ -29,6 +30,10 @@ public:
   /// Looks at all edges.
   void RestoreAll(Pulse& pulse);
 
+  /// The same where all edges were Delaunay before corners of the marked triangles moved, with the
+  /// same flips: looks at the edges of these.
+  void RestoreBeside(const std::vector<std::uint8_t>& areChanged, Pulse& pulse);
+
   /// The vertices at most `rings` edges from `center`, nearest first, but none beyond vertices
   /// whose stars are too large to be read (Star.h); valid until the next call.
   const std::vector<Id>& Around(Id center, int rings);
@@ -39,6 +44,7 @@ public:
 private:
   bool MustFlip(Id edge) const;
   void FlipAndPush(Id edge);
+  void RestoreEdge(Id edge);
   void EmptyStack();
   void BeginNear();
   void AddNear(Id vertex);

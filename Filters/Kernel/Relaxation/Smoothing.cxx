@@ -5,9 +5,12 @@
 
 #include "SegmentParts.h"
 #include "Star.h"
+#include "TriangleLimits.h"
 
 #include <algorithm> // for max
 #include <cstddef>   // for slots
+#include <cstdint>   // for marks
+#include <vector>    // for marks
 
 namespace biting
 {
@@ -19,9 +22,9 @@ constexpr int MostAttempts = 3;
 constexpr double AllowedCotangent = CotangentOf30Degrees;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
-// Of a star that the second sweep does not look at, in spacings.
-constexpr double ShortestFine = 0.9;
-constexpr double LongestFine = 1.1;
+// Of triangles about a vertex that the second sweep does not look at.
+constexpr TriangleLimits Fine{ 0.9, 1.1, CotangentOf52Degrees };
+constexpr double LookingEnd = 0.2; // of the second sweep, as a share of its time
 constexpr double CrossOfEquilateral = 0.8660254037844386; // of two sides of length one
 
 /// Gradient and Hessian of the energy at the center, and the worst cotangent.
@@ -118,8 +121,8 @@ bool HasFineLengths(const MutableMesh& mesh, Id vertex, const Star& star)
   {
     const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
     const double square = Dot(star.Spokes[k], star.Spokes[k]);
-    if (!(square > ShortestFine * ShortestFine * mean * mean &&
-          square < LongestFine * LongestFine * mean * mean))
+    if (!(square > Fine.Shortest * Fine.Shortest * mean * mean &&
+          square < Fine.Longest * Fine.Longest * mean * mean))
     {
       return false;
     }
@@ -199,13 +202,74 @@ bool SmoothAny(MutableMesh& mesh, Id vertex)
     SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
 }
 
-// The same, but where the star is fine.
-bool SmoothCoarse(MutableMesh& mesh, Id vertex)
+/// Smooths all vertices but those whose stars are fine. Where stars change is kept in mind: in good
+/// meshes most stay as they are, and nothing about them is asked again.
+class CoarseSweep
+{
+public:
+  CoarseSweep(DelaunayMesh& mesh, Pulse& pulse)
+    : Mesh(mesh)
+    , Progress(pulse)
+    , MayBeCoarse(mesh.Points.size(), 0)
+    , AreChanged(mesh.Regions.size(), 0)
+  {
+  }
+
+  void Run();
+
+private:
+  void Smooth(Id vertex);
+
+  DelaunayMesh& Mesh;
+  Pulse& Progress;
+  std::vector<std::uint8_t> MayBeCoarse; ///< of vertices: 0 where the star is fine
+  std::vector<std::uint8_t> AreChanged;  ///< of triangles: 1 where a corner has moved
+};
+
+void CoarseSweep::Run()
+{
+  {
+    const PulsePart part(this->Progress, 0.0, LookingEnd);
+    this->Progress.ForEach(this->AreChanged.size(),
+      [this](std::size_t triangle)
+      {
+        const Id* corners = this->Mesh.Corners.data() + 4 * triangle;
+        if (corners[0] != NoId && !IsSurelyWithin(this->Mesh, static_cast<Id>(triangle), Fine))
+        {
+          this->MayBeCoarse[corners[0]] = 1;
+          this->MayBeCoarse[corners[1]] = 1;
+          this->MayBeCoarse[corners[2]] = 1;
+        }
+      });
+  }
+  const PulsePart part(this->Progress, LookingEnd, 1.0);
+  this->Progress.ForEach(this->MayBeCoarse.size(),
+    [this](std::size_t vertex)
+    {
+      if (this->MayBeCoarse[vertex] != 0 && this->Mesh.IsAlive(static_cast<Id>(vertex)))
+      {
+        this->Smooth(static_cast<Id>(vertex));
+      }
+    });
+  this->Mesh.RestoreBeside(this->AreChanged, this->Progress);
+}
+
+void CoarseSweep::Smooth(Id vertex)
 {
   Star star;
-  return MayMove(mesh, vertex, star) &&
-    !(HasFineLengths(mesh, vertex, star) && star.Worst({}) < CotangentOf52Degrees) &&
-    SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
+  const bool isMoved = MayMove(this->Mesh, vertex, star) &&
+    !(HasFineLengths(this->Mesh, vertex, star) && star.Worst({}) < Fine.Cotangent) &&
+    SmoothStar(this->Mesh, vertex, star, AllowedCotangent, AnyLengths());
+  if (!isMoved)
+  {
+    return;
+  }
+  for (int k = 0; k < star.NumberOfTriangles; ++k)
+  {
+    this->AreChanged[MutableMesh::TriangleOf(star.Edges[k])] = 1;
+    this->MayBeCoarse[star.Vertices[k]] = 1;
+  }
+  this->MayBeCoarse[star.Vertices[star.NumberOfTriangles]] = 1;
 }
 
 template <typename Smooth>
@@ -235,11 +299,13 @@ void SmoothVertex(DelaunayMesh& mesh, Id vertex)
 
 void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse)
 {
+  if (kind == SweepKind::Coarse)
+  {
+    CoarseSweep(mesh, pulse).Run();
+    return;
+  }
   Sweep(
-    mesh,
-    [&mesh, kind](Id vertex)
-    { kind == SweepKind::All ? SmoothAny(mesh, vertex) : SmoothCoarse(mesh, vertex); },
-    pulse);
+    mesh, [&mesh](Id vertex) { SmoothAny(mesh, vertex); }, pulse);
 }
 
 void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& pulse)

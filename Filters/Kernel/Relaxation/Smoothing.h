@@ -28,7 +28,8 @@ enum class SweepKind
   Coarse ///< those with all angles above 52 degrees and all lengths within 10 % of the spacing
 };
 
-/// Smooths all vertices once, as SmoothVertex does, but with flips after the sweep.
+/// Smooths all vertices once, as SmoothVertex does, but with flips after the sweep. A coarse sweep
+/// needs a mesh that is Delaunay: it looks for flips where vertices moved.
 void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse);
 
 /// What smoothing leaves alone where it is within these, and makes no worse where it is not.

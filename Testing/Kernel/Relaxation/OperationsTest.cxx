@@ -8,6 +8,7 @@
 #include "Relaxation/Smoothing.h"
 #include "Relaxation/StarObjective.h"
 #include "Relaxation/TopologyTrials.h"
+#include "Relaxation/TriangleLimits.h"
 #include "Relaxation/ValenceRound.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,47 @@ TEST(Smoothing, LowersNoAngleBelow30DegreesAndKeepsDelaunay)
       ExpectLawful(tools, worst, CotangentOf30Degrees);
     }
   }
+}
+
+TEST(Smoothing, KeepsDelaunayWhereACoarseSweepLooksForFlipsBesideWhatMovedOnly)
+{
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
+    for (int sweep = 0; sweep < 6; ++sweep)
+    {
+      const double worst = tools.WorstCotangentOfAll();
+      SmoothAll(tools.Mesh, SweepKind::Coarse, tools.Progress);
+      ExpectLawful(tools, worst, CotangentOf30Degrees);
+    }
+  }
+}
+
+TEST(TriangleLimits, AreMetByTheSameTrianglesAsAreFineFromEachCorner)
+{
+  constexpr TriangleLimits Limits{ 0.8, 1.2, CotangentOf40Degrees };
+  Id within = 0;
+  for (RawMesh& raw : AllRawMeshes())
+  {
+    Tools tools(std::move(raw));
+    SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
+    const MutableMesh& mesh = tools.Mesh;
+    for (Id triangle = 0; triangle < static_cast<Id>(mesh.Regions.size()); ++triangle)
+    {
+      bool isFine = true;
+      for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
+      {
+        const double length = mesh.RelativeLength(edge);
+        isFine = isFine && length > Limits.Shortest && length < Limits.Longest &&
+          WorstCotangent(mesh.Points[mesh.Corners[edge]], mesh.Points[mesh.Origin(edge)],
+            mesh.Points[mesh.Target(edge)]) < Limits.Cotangent;
+      }
+      ASSERT_EQ(IsSurelyWithin(mesh, triangle, Limits), isFine);
+      within += isFine ? 1 : 0;
+    }
+  }
+  EXPECT_GT(within, 100);
 }
 
 TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)
