@@ -5,6 +5,7 @@
 
 #include "Star.h"
 #include "StarObjective.h"
+#include "TriangleLimits.h"
 
 #include <algorithm> // for sort, unique, remove_if
 #include <cstddef>   // for counts
@@ -119,14 +120,18 @@ void AngleDescent::Run(Pulse& pulse)
 // Those that may be poor, whatever the limits.
 void AngleDescent::LookAtAll(Pulse& pulse)
 {
+  const TriangleLimits limits{ ShortestInBand, LongestInBand,
+    this->Mesh.PoorCotangents * PoorCotangents[0] };
   this->Poor.clear();
   pulse.ForEach(this->Mesh.Regions.size(),
-    [this](std::size_t slot)
+    [this, &limits](std::size_t slot)
     {
       const Id triangle = static_cast<Id>(slot);
-      const PoorTriangle judged = this->Mesh.IsEdge(4 * triangle)
-        ? this->Judge(triangle)
-        : PoorTriangle{ triangle, 0, false };
+      if (!this->Mesh.IsEdge(4 * triangle) || IsSurelyWithin(this->Mesh, triangle, limits))
+      {
+        return;
+      }
+      const PoorTriangle judged = this->Judge(triangle);
       if (judged.Levels > 0 || judged.IsOutOfBand)
       {
         this->Poor.push_back(judged);

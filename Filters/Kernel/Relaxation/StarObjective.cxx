@@ -12,8 +12,6 @@ namespace biting
 namespace
 {
 
-constexpr double ShortLength = 0.74;
-constexpr double LongLength = 1.36;
 constexpr double CotangentPerLength = 3.0; // what a spacing out of the band counts
 constexpr double GreatestPenalty = 1.6;    // cotangent of 32 degrees
 
@@ -123,11 +121,11 @@ double StarObjective::WorstLength(const Point2& shift) const
     const Point2 p = this->Around.Spokes[k] - shift;
     const double mean = 0.5 * (spacing + this->Spacings[k]);
     const double square = Dot(p, p);
-    if (square > LongLength * LongLength * mean * mean ||
-      square < ShortLength * ShortLength * mean * mean)
+    if (square > LongestInBand * LongestInBand * mean * mean ||
+      square < ShortestInBand * ShortestInBand * mean * mean)
     {
       const double length = std::sqrt(square) / mean;
-      excess = std::max(excess, std::max(ShortLength - length, length - LongLength));
+      excess = std::max(excess, std::max(ShortestInBand - length, length - LongestInBand));
     }
   }
   return excess > 0.0
@@ -184,7 +182,7 @@ bool IsOutOfBand(const MutableMesh& mesh, Id edge)
   const Point2 p = mesh.Points[v] - mesh.Points[u];
   const double mean = 0.5 * (mesh.Spacings[u] + mesh.Spacings[v]);
   const double square = Dot(p, p) / (mean * mean);
-  return !(square >= ShortLength * ShortLength && square <= LongLength * LongLength);
+  return !(square >= ShortestInBand * ShortestInBand && square <= LongestInBand * LongestInBand);
 }
 
 } // namespace biting

@@ -12,6 +12,10 @@
 namespace biting
 {
 
+// Beyond these, in spacings, an edge is out of the band.
+constexpr double ShortestInBand = 0.74;
+constexpr double LongestInBand = 1.36;
+
 /// What is to be made small around a vertex, wherever it is put: the cotangent of the smallest
 /// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts:
 /// as an angle below 38 but not below 32 degrees.
