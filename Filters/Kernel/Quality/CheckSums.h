@@ -50,7 +50,10 @@ struct FirstDefect
   bool Exists() const { return this->Slot != None; }
   void Add(std::size_t slot, bool isDefect)
   {
-    this->Slot = isDefect ? std::min(this->Slot, slot) : this->Slot;
+    if (isDefect)
+    {
+      this->Slot = std::min(this->Slot, slot);
+    }
   }
   void Join(const FirstDefect& other) { this->Slot = std::min(this->Slot, other.Slot); }
 };

@@ -144,7 +144,7 @@ void MeshChecker::AddTurn(std::size_t triangle, TurnSum& sum) const
   const Point2& a = this->Place(3 * triangle);
   const Point2& b = this->Place(3 * triangle + 1);
   const Point2& c = this->Place(3 * triangle + 2);
-  sum.Wrong.Add(3 * triangle, Orient2D(a, b, c) <= 0);
+  sum.Wrong.Add(3 * triangle, Orient2D(b, c, a) <= 0); // from a, as the area
   sum.AddArea(a, b, c);
 }
 
