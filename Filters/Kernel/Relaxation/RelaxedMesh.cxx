@@ -19,11 +19,4 @@ Id RelaxedMesh::FirstOfFan(Id vertex) const
   return before == NoId ? first : start;
 }
 
-double RelaxedMesh::RelativeLength(Id edge) const
-{
-  const Id u = this->Origin(edge);
-  const Id v = this->Target(edge);
-  return 2.0 * Distance(this->Points[u], this->Points[v]) / (this->Spacings[u] + this->Spacings[v]);
-}
-
 } // namespace biting

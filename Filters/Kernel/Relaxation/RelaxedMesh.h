@@ -100,7 +100,13 @@ struct RelaxedMesh
   }
 
   /// Length of the edge in units of the mean spacing of its ends.
-  double RelativeLength(Id edge) const;
+  double RelativeLength(Id edge) const
+  {
+    const Id u = this->Origin(edge);
+    const Id v = this->Target(edge);
+    return 2.0 * Distance(this->Points[u], this->Points[v]) /
+      (this->Spacings[u] + this->Spacings[v]);
+  }
 
   /// The square of that, without a root.
   double SquaredRelativeLength(Id edge) const

@@ -30,28 +30,6 @@ constexpr double ChangeOfRegular = 6.0; // of the valences, by a split or a coll
 constexpr double BoundMargin = 1e-9;    // of relative lengths: far above rounding
 constexpr Id SampledEdges = 60000;      // half-edges, for the mean length
 
-/// Whether the edge is inside, and its four vertices have their six triangles.
-bool IsRegular(const MutableMesh& mesh, Id edge)
-{
-  const Id twin = mesh.Twins[edge];
-  if (twin == NoId || mesh.Marks[edge] != NoId)
-  {
-    return false;
-  }
-  const auto isRegular = [&mesh](Id vertex)
-  { return mesh.Degrees[vertex] == 6 && mesh.IdealDegrees[vertex] == IdealInside; };
-  return isRegular(mesh.Corners[edge]) && isRegular(mesh.Origin(edge)) &&
-    isRegular(mesh.Target(edge)) && isRegular(mesh.Corners[twin]);
-}
-
-/// Whether a regular edge of this squared length has no negative score.
-bool IsFine(double square, double shift)
-{
-  const double shortest = CollapseLength + shift + BoundMargin - ChangeOfRegular / LengthWeight;
-  const double longest = SplitLength + shift - BoundMargin + ChangeOfRegular / LengthWeight;
-  return square > shortest * shortest && square < longest * longest;
-}
-
 } // namespace
 
 void ValenceRound::Run(int rings, Pulse& pulse)
@@ -80,14 +58,17 @@ void ValenceRound::ChooseShift(Pulse& pulse)
   const Id stride = 2 * (this->Mesh.NumberOfEdges() / SampledEdges) + 1;
   double sum = 0.0;
   double count = 0.0;
-  for (Id edge = 0; edge < this->Mesh.NumberOfEdges() && pulse.Beat(); edge += stride)
-  {
-    if (this->Mesh.IsFirstHalf(edge))
+  const Id samples = (this->Mesh.NumberOfEdges() + stride - 1) / stride;
+  pulse.ForEach(static_cast<std::size_t>(samples),
+    [this, stride, &sum, &count](std::size_t k)
     {
-      sum += this->Mesh.RelativeLength(edge);
-      count += 1.0;
-    }
-  }
+      const Id edge = stride * static_cast<Id>(k);
+      if (this->Mesh.IsFirstHalf(edge))
+      {
+        sum += this->Mesh.RelativeLength(edge);
+        count += 1.0;
+      }
+    });
   const double lack = count > 0.0 ? 1.0 - sum / count : 0.0;
   this->Shift = std::clamp(ShiftPerError * lack, -GreatestShift, GreatestShift);
 }
@@ -95,12 +76,16 @@ void ValenceRound::ChooseShift(Pulse& pulse)
 void ValenceRound::FindCandidates(Pulse& pulse)
 {
   this->Candidates.clear();
-  pulse.ForEach(this->Mesh.Corners.size(),
-    [this](std::size_t slot)
+  this->FindRegular(pulse);
+  pulse.ForEach(this->Mesh.Regions.size(),
+    [this](std::size_t triangle)
     {
-      if (this->Mesh.IsFirstHalf(static_cast<Id>(slot)))
+      for (Id edge = 4 * static_cast<Id>(triangle); (edge & 3) < 3; ++edge)
       {
-        this->AddCandidates(static_cast<Id>(slot));
+        if (this->Mesh.IsFirstHalf(edge) && !this->IsFine(edge))
+        {
+          this->AddCandidates(edge);
+        }
       }
     });
   SortInSteps(
@@ -114,15 +99,49 @@ void ValenceRound::FindCandidates(Pulse& pulse)
     pulse);
 }
 
+// Vertices that have their six triangles, and the lengths of edges among four of these that have no
+// negative score.
+void ValenceRound::FindRegular(Pulse& pulse)
+{
+  this->AreRegular.resize(this->Mesh.Points.size());
+  pulse.ForEach(this->AreRegular.size(),
+    [this](std::size_t vertex)
+    {
+      this->AreRegular[vertex] =
+        this->Mesh.Degrees[vertex] == 6 && this->Mesh.IdealDegrees[vertex] == IdealInside ? 1 : 0;
+    });
+  const double most = ChangeOfRegular / LengthWeight;
+  const double shortest = CollapseLength + this->Shift + BoundMargin - most;
+  const double longest = SplitLength + this->Shift - BoundMargin + most;
+  this->ShortestRegular = 0.25 * shortest * shortest;
+  this->LongestRegular = 0.25 * longest * longest;
+}
+
+// Nearly all are, in most meshes: this takes no division.
+bool ValenceRound::IsFine(Id edge) const
+{
+  const MutableMesh& mesh = this->Mesh;
+  const Id twin = mesh.Twins[edge];
+  const Id u = mesh.Origin(edge);
+  const Id v = mesh.Target(edge);
+  if (twin == NoId || mesh.Marks[edge] != NoId ||
+    (this->AreRegular[u] & this->AreRegular[v] & this->AreRegular[mesh.Corners[edge]] &
+      this->AreRegular[mesh.Corners[twin]]) == 0)
+  {
+    return false;
+  }
+  const Point2 along = mesh.Points[v] - mesh.Points[u];
+  const double square = Dot(along, along);
+  const double sum = mesh.Spacings[u] + mesh.Spacings[v];
+  return square > this->ShortestRegular * (sum * sum) &&
+    square < this->LongestRegular * (sum * sum);
+}
+
 // Most edges are neither short nor long enough for a negative score: a comparison of squares tells.
 void ValenceRound::AddCandidates(Id edge)
 {
   const MutableMesh& mesh = this->Mesh;
   const double square = mesh.SquaredRelativeLength(edge);
-  if (IsFine(square, this->Shift) && IsRegular(mesh, edge))
-  {
-    return;
-  }
   const double shortest =
     CollapseLength + this->Shift + BoundMargin - ValenceChangeOfCollapse(mesh, edge) / LengthWeight;
   const double longest =

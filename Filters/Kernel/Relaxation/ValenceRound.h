@@ -8,7 +8,7 @@
 #include "../Base/Pulse.h"
 #include "DelaunayMesh.h"
 
-#include <cstdint> // for locks
+#include <cstdint> // for flags, locks
 #include <vector>  // for the candidates
 
 namespace biting
@@ -46,6 +46,8 @@ private:
 
   void ChooseShift(Pulse& pulse);
   void FindCandidates(Pulse& pulse);
+  void FindRegular(Pulse& pulse);
+  bool IsFine(Id edge) const;
   void AddCandidates(Id edge);
   void AddCandidate(Id edge, bool isCollapse, double length);
   double Score(Id edge, bool isCollapse, double length) const;
@@ -57,7 +59,10 @@ private:
   void SmoothAround(Id vertex, int rings);
 
   DelaunayMesh& Mesh;
-  double Shift = 0.0; ///< of the lengths at which edges collapse and split
+  double Shift = 0.0;                   ///< of the lengths at which edges collapse and split
+  std::vector<std::uint8_t> AreRegular; ///< of each vertex: inside, with six triangles
+  double ShortestRegular = 0.0; ///< of edges among these, squared and in sums of two spacings
+  double LongestRegular = 0.0;
   std::vector<Candidate> Candidates;
   std::vector<std::uint8_t> Locks; ///< one a vertex
 };
