@@ -3,8 +3,6 @@
 
 #include "Flips.h"
 
-#include "../Predicates/Predicates.h"
-
 #include <algorithm> // for min
 
 namespace biting
@@ -12,16 +10,6 @@ namespace biting
 
 namespace
 {
-
-bool GhostBreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d)
-{
-  if (p < 0 || d < 0)
-  {
-    return false;
-  }
-  return a < 0 ? Orient2D(mesh.PointAt(d), mesh.PointAt(b), mesh.PointAt(p)) > 0
-               : Orient2D(mesh.PointAt(a), mesh.PointAt(d), mesh.PointAt(p)) > 0;
-}
 
 /// Whether triangle (a, b, c) must not stand beside d: its circumcentre is nearer to d than phi
 /// times the circumradius, or its radius-edge ratio is above sqrt(2) / phi. Rounded: which of two
@@ -83,14 +71,14 @@ void UpdateVertexEdges(HalfEdgeMesh& mesh, Id edge, Id twin)
 
 } // namespace
 
-bool BreaksDelaunay(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d)
+bool BreaksDelaunayAtInfinity(const HalfEdgeMesh& mesh, Id p, Id a, Id b, Id d)
 {
-  if ((p | a | b | d) < 0)
+  if (p < 0 || d < 0)
   {
-    return GhostBreaksDelaunay(mesh, p, a, b, d);
+    return false;
   }
-  const auto& points = mesh.Points;
-  return InCircle(points[p], points[a], points[b], points[d]) > 0;
+  return a < 0 ? Orient2D(mesh.PointAt(d), mesh.PointAt(b), mesh.PointAt(p)) > 0
+               : Orient2D(mesh.PointAt(a), mesh.PointAt(d), mesh.PointAt(p)) > 0;
 }
 
 void FlipEdge(HalfEdgeMesh& mesh, Id edge)
