@@ -24,13 +24,15 @@ void DelaunayMesh::RestoreAround(Id vertex)
 
 void DelaunayMesh::RestoreAll(Pulse& pulse)
 {
-  pulse.ForEach(this->Corners.size(),
-    [this](std::size_t slot)
+  pulse.ForEach(this->Regions.size(),
+    [this](std::size_t triangle)
     {
-      const Id edge = static_cast<Id>(slot);
-      if (this->IsFirstHalf(edge))
+      for (Id edge = 4 * static_cast<Id>(triangle); (edge & 3) < 3; ++edge)
       {
-        this->RestoreEdge(edge);
+        if (this->Twins[edge] < edge)
+        {
+          this->RestoreEdge(edge);
+        }
       }
     });
 }

@@ -109,7 +109,8 @@ private:
   void TakeTwins();
   void TakeRegions();
   Id TwinOf(Id edge, Id neighbor) const;
-  static Id EdgeOf(std::size_t half) { return static_cast<Id>(half / 3 * 4 + half % 3); }
+  template <typename Visit>
+  void ForEachHalf(std::size_t count, Visit&& visit);
   void SetFreedoms();
   Freedom FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const;
   void SetIdealDegrees();
@@ -153,6 +154,20 @@ bool Reader::MakeHalves(std::vector<Id>& array)
   return GrowInSteps(array, size, NoId, this->Progress);
 }
 
+// Calls visit(half, edge) for the half-edges of the input, and what they are in the mesh.
+template <typename Visit>
+void Reader::ForEachHalf(std::size_t count, Visit&& visit)
+{
+  this->Progress.ForEach(count / 3,
+    [&visit](std::size_t triangle)
+    {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+      {
+        visit(3 * triangle + corner, static_cast<Id>(4 * triangle + corner));
+      }
+    });
+}
+
 // Numbers the vertices as it meets them.
 void Reader::TakeCorners()
 {
@@ -163,10 +178,9 @@ void Reader::TakeCorners()
   ReserveWithRoom(size, mesh.VertexEdges, mesh.Degrees);
   if (GrowInSteps(this->Numbers, size, NoId, this->Progress) && this->MakeHalves(mesh.Corners))
   {
-    this->Progress.ForEach(corners.size(),
-      [this, &mesh, &corners](std::size_t half)
+    this->ForEachHalf(corners.size(),
+      [this, &mesh, &corners](std::size_t half, Id edge)
       {
-        const Id edge = EdgeOf(half);
         const Id vertex = this->NumberOf(corners[half]);
         mesh.Corners[edge] = vertex;
         mesh.VertexEdges[vertex] = edge;
@@ -194,14 +208,14 @@ void Reader::TakeMarks()
   std::vector<Id>& constraints = this->Input.Triangles.Constraints;
   if (this->MakeHalves(this->Mesh.Marks))
   {
-    this->Progress.ForEach(constraints.size(),
-      [this, &constraints](std::size_t half)
+    this->ForEachHalf(constraints.size(),
+      [this, &constraints](std::size_t half, Id edge)
       {
         const Id constraint = constraints[half];
         if (constraint != NoId)
         {
-          this->Mesh.Marks[EdgeOf(half)] = this->Input.EdgeSegments[constraint];
-          this->Marked.push_back(EdgeOf(half));
+          this->Mesh.Marks[edge] = this->Input.EdgeSegments[constraint];
+          this->Marked.push_back(edge);
         }
       });
   }
@@ -214,10 +228,9 @@ void Reader::TakeTwins()
   std::vector<Id>& neighbors = this->Input.Triangles.Neighbors;
   if (this->MakeHalves(this->Mesh.Twins))
   {
-    this->Progress.ForEach(neighbors.size(),
-      [this, &neighbors](std::size_t half)
+    this->ForEachHalf(neighbors.size(),
+      [this, &neighbors](std::size_t half, Id edge)
       {
-        const Id edge = EdgeOf(half);
         if (neighbors[half] == NoId)
         {
           this->Border.push_back(edge);

@@ -69,6 +69,8 @@ private:
   void WriteOfVertices(
     std::vector<Value>& from, const std::vector<Value>& unused, std::vector<Value>& to);
   void WriteTriangles();
+  template <typename Visit>
+  void ForEachTriangle(Visit&& visit);
   void WriteNeighbors();
   void WriteCorners();
   void WriteRegions();
@@ -225,16 +227,30 @@ void Writer::WriteTriangles()
   this->WriteRegions();
 }
 
+// Calls visit(triangle) for those of the mesh that are left.
+template <typename Visit>
+void Writer::ForEachTriangle(Visit&& visit)
+{
+  this->Progress.ForEach(this->Triangles.size(),
+    [this, &visit](std::size_t triangle)
+    {
+      if (this->Triangles[triangle] != NoId)
+      {
+        visit(triangle);
+      }
+    });
+}
+
 void Writer::WriteNeighbors()
 {
   std::vector<Id>& neighbors = this->Output.Triangles.Neighbors;
   neighbors.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
-  this->Progress.ForEach(this->Mesh.Corners.size(),
-    [this, &neighbors](std::size_t slot)
+  this->ForEachTriangle(
+    [this, &neighbors](std::size_t triangle)
     {
-      if (this->Mesh.IsEdge(static_cast<Id>(slot)))
+      for (std::size_t edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
       {
-        const Id twin = this->Mesh.Twins[slot];
+        const Id twin = this->Mesh.Twins[edge];
         neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
       }
     });
@@ -245,12 +261,12 @@ void Writer::WriteCorners()
 {
   std::vector<Id>& corners = this->Output.Triangles.Corners;
   corners.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
-  this->Progress.ForEach(this->Mesh.Corners.size(),
-    [this, &corners](std::size_t slot)
+  this->ForEachTriangle(
+    [this, &corners](std::size_t triangle)
     {
-      if (this->Mesh.IsEdge(static_cast<Id>(slot)))
+      for (std::size_t edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
       {
-        corners.push_back(this->Numbers[this->Mesh.Corners[slot]]);
+        corners.push_back(this->Numbers[this->Mesh.Corners[edge]]);
       }
     });
   ReleaseInSteps(this->Progress, this->Mesh.Corners);
@@ -260,14 +276,8 @@ void Writer::WriteRegions()
 {
   std::vector<Id>& regions = this->Output.Triangles.Regions;
   regions.reserve(static_cast<std::size_t>(this->NumberOfTriangles));
-  this->Progress.ForEach(this->Triangles.size(),
-    [this, &regions](std::size_t triangle)
-    {
-      if (this->Triangles[triangle] != NoId)
-      {
-        regions.push_back(this->Mesh.Regions[triangle]);
-      }
-    });
+  this->ForEachTriangle(
+    [this, &regions](std::size_t triangle) { regions.push_back(this->Mesh.Regions[triangle]); });
   ReleaseInSteps(this->Progress, this->Mesh.Regions, this->Numbers, this->Triangles);
 }
 
