@@ -31,12 +31,20 @@ struct SlotList
 template <typename Mesh, typename Visitor>
 void ForEachConstrainedEdge(const Mesh& mesh, Pulse& pulse, const Visitor& visit)
 {
-  const SlotList list = SumAtOnce(pulse, mesh.Corners.size(), SlotList(),
-    [&mesh](SlotList& sum, std::size_t half)
+  const SlotList list = SumAtOnce(pulse, mesh.Corners.size() / 3, SlotList(),
+    [&mesh](SlotList& sum, std::size_t triangle)
     {
-      if (mesh.Constraints[half] != NoId && mesh.Neighbors[half] < static_cast<Id>(half / 3))
+      const Id* constraints = &mesh.Constraints[3 * triangle];
+      if ((constraints[0] & constraints[1] & constraints[2]) == NoId)
       {
-        sum.Slots.push_back(half);
+        return; // nearly all: each is NoId, which has all bits
+      }
+      for (std::size_t half = 3 * triangle; half < 3 * triangle + 3; ++half)
+      {
+        if (mesh.Constraints[half] != NoId && mesh.Neighbors[half] < static_cast<Id>(triangle))
+        {
+          sum.Slots.push_back(half);
+        }
       }
     });
   for (std::size_t k = 0; k < list.Slots.size() && pulse.Beat(); ++k)
