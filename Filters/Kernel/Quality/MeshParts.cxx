@@ -23,12 +23,13 @@ Id PartOf(std::size_t triangle, const std::vector<Id>& neighbors, const std::vec
   bool hasEarlier = false;
   for (int corner = 0; corner < 3; ++corner)
   {
-    const bool isBefore = across[corner] < static_cast<Id>(triangle);
-    if (isBefore && across[corner] >= begin)
+    const Id neighbor = across[corner];
+    if (neighbor >= begin && neighbor < static_cast<Id>(triangle))
     {
-      part = sum.Components.Join(part, partOf[static_cast<std::size_t>(across[corner])]);
+      const Id other = partOf[static_cast<std::size_t>(neighbor)];
+      part = part == other ? part : sum.Components.Join(part, other);
     }
-    hasEarlier = hasEarlier || (across[corner] != NoId && across[corner] < begin);
+    hasEarlier |= neighbor != NoId && neighbor < begin;
   }
   part = part == NoId ? sum.Components.Begin() : part;
   for (int corner = 0; hasEarlier && corner < 3; ++corner)

@@ -162,13 +162,20 @@ void Writer::NumberTriangles()
 void Writer::FindParts()
 {
   const PulsePart part(this->Progress, NumbersEnd, PartsEnd);
-  this->Progress.ForEach(this->Mesh.Corners.size(),
-    [this](std::size_t slot)
+  this->Progress.ForEach(this->Triangles.size(),
+    [this](std::size_t triangle)
     {
-      const Id edge = static_cast<Id>(slot);
-      if (this->Mesh.Marks[edge] != NoId && this->Mesh.IsFirstHalf(edge))
+      const Id* marks = &this->Mesh.Marks[4 * triangle];
+      if ((marks[0] & marks[1] & marks[2]) == NoId)
       {
-        this->Parts.push_back(this->MakePart(edge));
+        return; // nearly all: each is NoId, which has all bits
+      }
+      for (Id edge = 4 * static_cast<Id>(triangle); (edge & 3) < 3; ++edge)
+      {
+        if (this->Mesh.Marks[edge] != NoId && this->Mesh.IsFirstHalf(edge))
+        {
+          this->Parts.push_back(this->MakePart(edge));
+        }
       }
     });
   ReleaseInSteps(this->Progress, this->Mesh.Marks);
