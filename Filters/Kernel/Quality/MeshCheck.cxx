@@ -127,16 +127,17 @@ void MeshChecker::LookAtTriangle(std::size_t triangle, TriangleSum& sum)
 
 bool MeshChecker::HasValidIds(std::size_t triangle) const
 {
+  const Id* corners = &this->Mesh.Corners[3 * triangle];
+  const Id* neighbors = &this->Mesh.Neighbors[3 * triangle];
+  const std::size_t numberOfPoints = this->Mesh.Points.size();
   const std::size_t numberOfTriangles = this->Mesh.Corners.size() / 3;
-  bool areValid = true;
-  for (std::size_t slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+  // A negative id becomes a large number, but NoId and one more 0.
+  const auto isValid = [=](int k)
   {
-    const Id neighbor = this->Mesh.Neighbors[slot];
-    // A negative id becomes a large number.
-    areValid = areValid && this->Corner(slot) < this->Mesh.Points.size() &&
-      (neighbor == NoId || static_cast<std::size_t>(neighbor) < numberOfTriangles);
-  }
-  return areValid;
+    return static_cast<std::size_t>(corners[k]) < numberOfPoints &&
+      static_cast<std::size_t>(neighbors[k]) + 1 <= numberOfTriangles;
+  };
+  return isValid(0) && isValid(1) && isValid(2);
 }
 
 void MeshChecker::AddTurn(std::size_t triangle, TurnSum& sum) const
@@ -170,7 +171,8 @@ void MeshChecker::FollowLink(std::size_t triangle, std::size_t corner, LinkSum& 
   const Id start = this->Mesh.Corners[3 * triangle + Next[corner]];
   const Id end = this->Mesh.Corners[3 * triangle + Next[Next[corner]]];
   const std::size_t first = 3 * static_cast<std::size_t>(neighbor);
-  const std::size_t atEnd = CornerOf(&this->Mesh.Corners[first], end) % 3;
+  const std::size_t found = CornerOf(&this->Mesh.Corners[first], end);
+  const std::size_t atEnd = found < 3 ? found : 0;
   const std::size_t across = first + Next[Next[atEnd]];
   const bool isLink = static_cast<std::size_t>(this->Mesh.Neighbors[across]) == triangle &&
     this->Mesh.Corners[first + atEnd] == end && this->Mesh.Corners[first + Next[atEnd]] == start &&
