@@ -149,12 +149,14 @@ void DelaunayMesh::AddNeighbors(Id vertex)
 {
   if (this->Degrees[vertex] <= Star::Capacity)
   {
+    Id last = NoId;
     this->ForEachAround(vertex,
-      [this](Id edge)
+      [this, &last](Id edge)
       {
         this->AddNear(this->Origin(edge));
-        this->AddNear(this->Target(edge));
+        last = edge;
       });
+    this->AddNear(this->Target(last));
   }
 }
 

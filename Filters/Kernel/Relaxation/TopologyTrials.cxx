@@ -135,6 +135,7 @@ void TopologyTrials::TryWorst(Pulse& pulse)
 void TopologyTrials::FindCandidates(Pulse& pulse)
 {
   this->Candidates.clear();
+  this->NumberOfSorted = 0;
   pulse.ForEach(this->Mesh.Regions.size(),
     [this](std::size_t slot)
     {
@@ -148,9 +149,12 @@ void TopologyTrials::FindCandidates(Pulse& pulse)
 // Of the candidates, the worst first.
 void TopologyTrials::FindPoor(Pulse& pulse)
 {
-  std::sort(this->Candidates.begin(), this->Candidates.end());
+  const auto added = this->Candidates.begin() + static_cast<std::ptrdiff_t>(this->NumberOfSorted);
+  std::sort(added, this->Candidates.end());
+  std::inplace_merge(this->Candidates.begin(), added, this->Candidates.end());
   this->Candidates.erase(
     std::unique(this->Candidates.begin(), this->Candidates.end()), this->Candidates.end());
+  this->NumberOfSorted = this->Candidates.size();
   this->Poor.clear();
   for (const Id triangle : this->Candidates)
   {

@@ -73,7 +73,8 @@ private:
 
   DelaunayMesh& Mesh;
   AngleDescent& Descent;
-  std::vector<Id> Candidates; ///< triangles that may be poor
+  std::vector<Id> Candidates;     ///< triangles that may be poor
+  std::size_t NumberOfSorted = 0; ///< of these: those after them have come since
   std::vector<PoorTriangle> Poor;
   std::vector<std::uint8_t> AreTried; ///< one a triangle: tried, and nothing near has changed
   std::size_t NumberOfTried = 0;
