@@ -8,6 +8,7 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
+  Spacing/BorderRays.cxx
   Spacing/BorderTree.cxx
   Spacing/ConeBranch.cxx
   Spacing/BorderTurns.cxx

@@ -158,9 +158,9 @@ void Search::FindOnBorder(const Point2& place, OldPlace& found)
   }
   const NearestValue nearest =
     this->Border->Nearest(place, { this->DistanceTo(found, place), 0.0 });
-  if (nearest.StartId != NoId)
+  if (nearest.Edge)
   {
-    const Id slot = nearest.StartId;
+    const Id slot = nearest.Edge->StartId;
     found.Triangle = slot / 3;
     found.Weights = { 0.0, 0.0, 0.0 };
     found.Weights[(slot % 3 + 1) % 3] = 1.0 - nearest.Value;

@@ -3,7 +3,8 @@
 
 #include "BorderTree.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for min, max, max_element
+#include <array>     // for parts
 
 namespace biting
 {
@@ -17,13 +18,138 @@ NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
   const double weight = std::min(std::max(0.0, along), 1.0);
   const Point2 toFoot = weight * direction;
   return { Length(offset - toFoot), (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
-    edge.Start + toFoot, edge.StartId, edge.EndId };
+    edge.Start + toFoot, &edge };
+}
+
+namespace
+{
+
+/// Those in one tree differ by no more, as a factor; but the shortest may.
+constexpr double SimilarLengths = 64.0;
+constexpr std::size_t MostParts = 6;
+
+/// The radius of the ball that touches at 0 and goes through the place `end` of an edge that leads
+/// on `along`.
+double RadiusThrough(const Point2& end, const Point2& along, const Point2& direction)
+{
+  const double square = Dot(end, end);
+  const double ahead = Dot(square > 0.0 ? end : along, direction);
+  return ahead > 0.0 ? 0.5 * square / ahead : Infinity;
+}
+
+} // namespace
+
+NearestValue TouchOf(const Point2& foot, const Point2& direction, const BorderEdge& edge)
+{
+  const Point2 along = edge.End - edge.Start;
+  const Point2 start = edge.Start - foot;
+  const Point2 end = edge.End - foot;
+  const double toStart = RadiusThrough(start, along, direction);
+  const double toEnd = RadiusThrough(end, -1.0 * along, direction);
+  double radius = std::min(toStart, toEnd);
+  double weight = toStart <= toEnd ? 0.0 : 1.0;
+  // As far from the line of the edge as from 0: height = radius (1 - rise).
+  const double length = Length(along);
+  const double side = Cross(start, along) / length;
+  const double rise = Cross(along, direction) / length;
+  const double between = std::abs(side) / (1.0 - (side < 0.0 ? -rise : rise));
+  const double share = Dot(between * direction - start, along) / (length * length);
+  if (share > 0.0 && share < 1.0 && between < radius)
+  {
+    radius = between;
+    weight = share;
+  }
+  return { radius, (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
+    edge.Start + weight * along, &edge };
+}
+
+/// Along the longest edge. The sides lead through the places that are farthest from it in both
+/// halves, or beside.
+BorderTree::Wedge::Wedge(const BorderEdge* begin, const BorderEdge* end)
+{
+  const auto isShorter = [](const BorderEdge& a, const BorderEdge& b)
+  { return Distance(a.Start, a.End) < Distance(b.Start, b.End); };
+  const BorderEdge& longest = *std::max_element(begin, end, isShorter);
+  const double length = Distance(longest.Start, longest.End);
+  this->Start = longest.Start;
+  this->Axis = length > 0.0 ? (1.0 / length) * (longest.End - longest.Start) : Point2{ 1.0, 0.0 };
+  Point2 low;
+  Point2 high{ length, 0.0 };
+  const auto forEachEnd = [this, begin, end](auto visit)
+  {
+    for (const BorderEdge* edge = begin; edge != end; ++edge)
+    {
+      for (const Point2& place : { edge->Start, edge->End })
+      {
+        const Point2 offset = place - this->Start;
+        visit(Point2{ Dot(this->Axis, offset), std::abs(Cross(this->Axis, offset)) });
+      }
+    }
+  };
+  forEachEnd(
+    [&low, &high, length](const Point2& place)
+    {
+      Point2& farthest = place.X < 0.5 * length ? low : high;
+      farthest = place.Y > farthest.Y ? place : farthest;
+    });
+  const double ahead = high.X - low.X;
+  const double slope = ahead > 0.25 * length ? (high.Y - low.Y) / ahead : 0.0;
+  double width = 0.0;
+  double largest = 0.0;
+  forEachEnd(
+    [&width, &largest, slope](const Point2& place)
+    {
+      width = std::max(width, place.Y - slope * place.X);
+      largest = std::max(largest, Length(place));
+    });
+  this->Cosine = 1.0 / Length({ 1.0, slope });
+  this->Width = this->Cosine * width + Rounding * largest;
+  this->Growth = this->Cosine * slope;
+}
+
+BorderTree::Part::Part(const std::vector<BorderEdge>& edges, Pulse& pulse)
+  : Tree(edges, pulse)
+  , Wedges(this->Tree.NumberOfNodes())
+{
+  const BorderEdge* items = this->Tree.Items().data();
+  this->Tree.ForEachNode(
+    [this, items, &pulse](Id node, Id first, Id last)
+    {
+      if (pulse.Beat(8 * static_cast<std::size_t>(last - first)))
+      {
+        this->Wedges[static_cast<std::size_t>(node)] = Wedge(items + first, items + last);
+      }
+    });
+}
+
+BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
+{
+  double longest = 0.0;
+  for (const BorderEdge& edge : edges)
+  {
+    longest = std::max(longest, Distance(edge.Start, edge.End));
+  }
+  std::array<std::vector<BorderEdge>, MostParts> parts;
+  for (const BorderEdge& edge : edges)
+  {
+    const double ratio = longest / Distance(edge.Start, edge.End);
+    const double part = std::floor(std::log2(ratio) / std::log2(SimilarLengths));
+    parts[part < MostParts ? static_cast<std::size_t>(part) : MostParts - 1].push_back(edge);
+  }
+  for (const std::vector<BorderEdge>& part : parts)
+  {
+    if (!part.empty())
+    {
+      const std::vector<BorderEdge>& items = this->Parts.emplace_back(part, pulse).Tree.Items();
+      this->Edges.insert(this->Edges.end(), items.begin(), items.end());
+    }
+  }
 }
 
 NearestValue BorderTree::Nearest(const Point2& x, const NearestValue& known) const
 {
   NearestValue best = known;
-  this->Tree.Search(x, 1.0, known.Distance,
+  this->Search(x, known.Distance,
     [&x, &best](const BorderEdge& edge, double)
     {
       const NearestValue found = NearestOnEdge(edge, x);

@@ -11,7 +11,7 @@
 #include "../Base/Tasks.h"
 
 #include <algorithm> // for nth_element, sort
-#include <utility>   // for swap
+#include <utility>   // for swap, pairs
 #include <vector>    // for the arrays
 
 namespace biting
@@ -40,12 +40,33 @@ public:
   template <typename Visit>
   void Search(const Point2& x, double slope, double limit, Visit visit) const
   {
+    this->Search(x, slope, limit, visit, [](Id) { return -Infinity; });
+  }
+
+  /// The same, where more is known of nodes than their boxes: the cost there is at least
+  /// leastIn(node), which is asked where the box tells nothing.
+  template <typename Visit, typename LeastIn>
+  void Search(
+    const Point2& x, double slope, double limit, Visit visit, const LeastIn& leastIn) const
+  {
     if (!this->Nodes.empty())
     {
-      const Node& root = this->Nodes.front();
-      this->SearchBelow(root, root.Bound(x, slope), x, slope, limit, visit);
+      this->SearchBelow(0, this->Nodes.front().Bound(x, slope), x, slope, limit, visit, leastIn);
     }
   }
+
+  /// Calls visit(node, first, last) for each node of the tree, which has Items [first, last).
+  template <typename Visit>
+  void ForEachNode(Visit visit) const
+  {
+    if (!this->Nodes.empty())
+    {
+      this->VisitBelow(0, visit);
+    }
+  }
+
+  /// They are numbered from 0 on.
+  std::size_t NumberOfNodes() const { return this->Nodes.size(); }
 
   /// Whether `isSo` holds for all items whose boxes meet `box`: asks in the order of the tree,
   /// until one says no.
@@ -105,9 +126,11 @@ private:
     Id Middle() const { return this->First + (this->Last - this->First) / 2; }
   };
 
+  template <typename Visit, typename LeastIn>
+  void SearchBelow(Id id, double bound, const Point2& x, double slope, double& limit, Visit& visit,
+    const LeastIn& leastIn) const;
   template <typename Visit>
-  void SearchBelow(const Node& node, double bound, const Point2& x, double slope, double& limit,
-    Visit& visit) const;
+  std::pair<Id, Id> VisitBelow(Id id, Visit& visit) const;
   template <typename Question>
   bool AllBelow(const Node& node, const Box2& box, const Question& isSo) const;
   void Build(std::vector<Entry>& entries, Pulse& pulse);
@@ -276,28 +299,48 @@ void BoxTree<Item>::BuildBelow(
 }
 
 template <typename Item>
-template <typename Visit>
-void BoxTree<Item>::SearchBelow(
-  const Node& node, double bound, const Point2& x, double slope, double& limit, Visit& visit) const
+template <typename Visit, typename LeastIn>
+void BoxTree<Item>::SearchBelow(Id id, double bound, const Point2& x, double slope, double& limit,
+  Visit& visit, const LeastIn& leastIn) const
 {
+  const Node& node = this->Nodes[static_cast<std::size_t>(id)];
   for (Id k = 0; k < node.Count && bound < limit; ++k)
   {
     limit = visit(this->Ordered[static_cast<std::size_t>(node.First + k)], limit);
   }
   if (node.Count == 0 && bound < limit)
   {
-    const Node* near = &this->Nodes[static_cast<std::size_t>(node.First)];
-    const Node* far = near + 1;
-    double nearBound = near->Bound(x, slope);
-    double farBound = far->Bound(x, slope);
+    Id near = node.First;
+    Id far = near + 1;
+    const auto boundOf = [this, &x, slope, limit, &leastIn](Id child)
+    {
+      const double least = this->Nodes[static_cast<std::size_t>(child)].Bound(x, slope);
+      return least > 0.0 ? least : std::max(least, leastIn(child));
+    };
+    double nearBound = boundOf(near);
+    double farBound = boundOf(far);
     if (farBound < nearBound)
     {
       std::swap(near, far);
       std::swap(nearBound, farBound);
     }
-    this->SearchBelow(*near, nearBound, x, slope, limit, visit);
-    this->SearchBelow(*far, farBound, x, slope, limit, visit);
+    this->SearchBelow(near, nearBound, x, slope, limit, visit, leastIn);
+    this->SearchBelow(far, farBound, x, slope, limit, visit, leastIn);
   }
+}
+
+/// Returns its items.
+template <typename Item>
+template <typename Visit>
+std::pair<Id, Id> BoxTree<Item>::VisitBelow(Id id, Visit& visit) const
+{
+  const Node& node = this->Nodes[static_cast<std::size_t>(id)];
+  const std::pair<Id, Id> items = node.Count > 0
+    ? std::make_pair(node.First, node.First + node.Count)
+    : std::make_pair(
+        this->VisitBelow(node.First, visit).first, this->VisitBelow(node.First + 1, visit).second);
+  visit(id, items.first, items.second);
+  return items;
 }
 
 template <typename Item>

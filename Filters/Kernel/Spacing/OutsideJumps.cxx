@@ -3,8 +3,8 @@
 
 #include "OutsideJumps.h"
 
-#include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
+#include "BorderRays.h"
 #include "BorderTurns.h"
 
 #include <algorithm> // for min, max, bounds
@@ -20,76 +20,35 @@ namespace
 
 // Lengths are in units of f / g.
 
-/// A gradation above this one counts as this one, as nobody sees such slopes on a part of f.
-constexpr double LargestSeenGradation = 1.0;
-
-/// Jumps by less than this share of f do not matter.
-constexpr double LeastJump = 0.002;
-
-/// How far ends of rays are apart at first; but no more halvings are made for that.
-constexpr double StepOfFirstRays = 0.25;
-constexpr int FirstHalvings = 3;
-constexpr double LargestTurn = 1.6; ///< radians between the first two rays from a corner
-
-/// How far a jump may be from the segment that stands for it, which is the border itself in narrow
-/// gaps, and its end from where it was found.
+/// How far a jump may be from the segment that stands for it, and how much f may differ there, as a
+/// share.
 constexpr double LargestBend = 0.01;
-constexpr double EndPrecision = 0.003;
+constexpr double LargestMisfit = 0.01;
 
-/// Nothing is looked for between ends that are as near as this; or as this where f is low at none.
+/// Nothing is looked for between ends that are as near as this; or as this where none is a jump.
 constexpr double LastStep = 0.02;
 constexpr double LastStepOfNone = 0.1;
-constexpr int MostHalvings = 20;
-constexpr double MostRaysOfEdge = 100.0; ///< in the mean of those of a task
+constexpr int MostDivisions = 48;
+
+/// Between places on the border that are farther apart something may be hidden from two rays.
+constexpr double LargestHidden = 0.25;
+constexpr int DivisionsForHidden = 3;
+constexpr double LargestTurn = 1.6; ///< radians between the first two rays from a corner
 constexpr std::size_t EdgesPerTask = 256;
 
-/// Steps to the length of a ray, and the room for rounding in comparing lengths.
-constexpr int LengthSteps = 32;
-constexpr double GrowthOfBall = 8.0;
-constexpr double SameLength = 1e-6;
-
-/// How far an empty ball may reach over the border: shares of its radius and of coordinates.
-constexpr double EmptyBall = 1e-10;
-constexpr double Rounding = 1e-14;
-
-/// A straight way from a point of the border to where that ceases to be the nearest one.
-struct Ray
+bool IsStraight(const BorderRay& a, const BorderRay& middle, const BorderRay& b, double unit)
 {
-  Point2 Foot;
-  double Value = 0.0; ///< given there
-  Point2 Direction;
-  Point2 End{};
-  double Length = 0.0;
-  double Spacing = 0.0;
-  bool IsLow = false; ///< f is larger beyond
-  Id FarStart = NoId; ///< of the edge that is nearest there
-  Id FarEnd = NoId;
-};
-
-Point2 Turned(const Point2& direction, double angle)
-{
-  return std::cos(angle) * direction + std::sin(angle) * Perpendicular(direction);
-}
-
-Ray RayFrom(const BorderEdge& edge, double share, const Point2& direction)
-{
-  return { edge.Start + share * (edge.End - edge.Start),
-    (1.0 - share) * edge.StartValue + share * edge.EndValue, direction };
-}
-
-bool HaveOneBeyond(const Ray& a, const Ray& b)
-{
-  return a.FarStart == b.FarStart && a.FarEnd == b.FarEnd;
-}
-
-bool IsStraight(const Ray& a, const Ray& middle, const Ray& b, double unit)
-{
-  const Point2 along = b.End - a.End;
-  const Point2 toMiddle = middle.End - a.End;
-  const double share = Dot(toMiddle, along) / Dot(along, along);
-  const double room = std::max(LargestBend * unit, 4.0 * SameLength * (a.Length + b.Length));
-  const double least = HaveOneBeyond(a, b) ? 0.0 : 0.25; // else much may be between
-  return Length(toMiddle - std::min(std::max(share, least), 1.0 - least) * along) <= room;
+  const Point2 along = b.End() - a.End();
+  const Point2 toMiddle = middle.End() - a.End();
+  const double length = Dot(along, along);
+  const double share = length > 0.0 ? Dot(toMiddle, along) / length : 0.0;
+  const double room =
+    std::max(LargestBend * unit, 4.0 * BorderRays::SameLength * (a.Length + b.Length));
+  if (std::abs(middle.Spacing - 0.5 * (a.Spacing + b.Spacing)) > LargestMisfit * middle.Spacing)
+  {
+    return false;
+  }
+  return Length(toMiddle - std::min(std::max(share, 0.0), 1.0) * along) <= room;
 }
 
 class JumpTracer
@@ -102,13 +61,11 @@ public:
     , Bounds(bounds)
     , Corners{ bounds.Low, { bounds.High.X, bounds.Low.Y }, bounds.High,
       { bounds.Low.X, bounds.High.Y } }
-    , Traced(bounds)
     , Gradation(gradation)
-    , SeenGradation(std::min(gradation, LargestSeenGradation))
     , Cones(cones)
     , Beats(monitor)
+    , Rays(field, bounds, gradation, cones.Values(), this->Beats)
   {
-    this->Traced.Grow(bounds.Diagonal());
   }
 
   /// Those before the edges [begin, end).
@@ -116,7 +73,6 @@ public:
   {
     const std::vector<BorderEdge>& edges = this->Field.BorderEdges();
     const auto count = static_cast<double>(end - begin);
-    this->RaysLeft = MostRaysOfEdge * count;
     for (std::size_t k = begin; k < end && this->Beats.Beat(); ++k)
     {
       this->Beats.SetFraction(static_cast<double>(k - begin) / count);
@@ -137,51 +93,6 @@ public:
   }
 
 private:
-  /// How far it is along a unit vector to the end of the traced box; 0 where that is behind.
-  double Reach(const Point2& start, const Point2& direction) const
-  {
-    const auto along = [](double from, double slope, double low, double high)
-    {
-      const double end = slope > 0.0 ? high : low;
-      return slope == 0.0 ? Infinity : (end - from) / slope;
-    };
-    const double reach =
-      std::min(along(start.X, direction.X, this->Traced.Low.X, this->Traced.High.X),
-        along(start.Y, direction.Y, this->Traced.Low.Y, this->Traced.High.Y));
-    return std::isfinite(reach) ? std::max(reach, 0.0) : 0.0;
-  }
-
-  /// How far along a unit vector a point of the border stays the nearest one: a ball that touches
-  /// it there shrinks until no other point is within (after Ma, Bae and Choi 2012). It begins with
-  /// a `likely` length, and grows where that is too short.
-  double LengthAlong(const Point2& start, const Point2& direction, double unit, double likely)
-  {
-    const double reach = this->Reach(start, direction);
-    double length = std::min(likely, reach);
-    bool isLarge = false;
-    for (int step = 0; length > 0.0 && step < LengthSteps && this->Beats.Beat(64); ++step)
-    {
-      const NearestValue nearest =
-        this->Field.NearestOfBorder(start + length * direction, { length, 0.0, start });
-      const Point2 within = nearest.Foot - start;
-      const double room = EmptyBall * length + Rounding * (std::abs(start.X) + std::abs(start.Y));
-      const bool isEmpty = nearest.Distance >= length - room;
-      if (isEmpty && (isLarge || length == reach))
-      {
-        return length;
-      }
-      const double next = isEmpty ? std::min(GrowthOfBall * length, reach)
-                                  : 0.5 * Dot(within, within) / Dot(within, direction);
-      if (!isEmpty && length - next <= std::max(EndPrecision * unit, SameLength * likely))
-      {
-        return next;
-      }
-      length = next;
-      isLarge = !isEmpty;
-    }
-    return length;
-  }
-
   /// From the lower end of a steep edge.
   void AddPerpendicular(const BorderEdge& edge, const Point2& normal)
   {
@@ -193,11 +104,11 @@ private:
     if (high - low > this->Gradation * length && low < range.Most && high > range.Least)
     {
       const double weight = std::max(0.0, (range.Least - low) / (high - low));
-      const Point2 start = RayFrom(edge, isRising ? weight : 1.0 - weight, normal).Foot;
-      const double reach =
-        this->LengthAlong(start, normal, this->UnitOf(low / range.Scale), length);
+      BorderRay ray = BorderFront{ edge, normal }.At(isRising ? weight : 1.0 - weight);
+      ray.Spacing = range(ray.Value);
+      this->Rays.Extend(ray, length, nullptr);
       this->Cones.AddSegment(
-        start, start + reach * normal, std::max(low, range.Least), std::max(low, range.Least));
+        ray.Foot, ray.End(), std::max(low, range.Least), std::max(low, range.Least));
     }
   }
 
@@ -210,8 +121,8 @@ private:
     {
       return;
     }
-    const Point2 aside = SameLength * length * normal;
-    if (this->Field.Nearest(Midpoint(edge.Start, edge.End) + aside).Distance == 0.0)
+    const Point2 aside = BorderRays::SameLength * length * normal;
+    if (this->Field.Covers(Midpoint(edge.Start, edge.End) + aside))
     {
       this->AddSheet(edge, aside);
     }
@@ -224,16 +135,21 @@ private:
   /// The jumps before an edge, and before its end up to the perpendicular of the next one.
   void AddOutside(const BorderEdge& edge, const Point2& normal, double length)
   {
-    const BorderEdge part = this->PartBeforeBounds(edge);
-    if (part.Start != part.End && this->IsBeforeBounds(edge.Start, normal, normal))
+    if (this->IsBeforeBounds(edge.Start, normal, normal))
     {
-      this->AddPerpendicular(part, normal);
-      this->Sweep(part, normal, 0.0, length);
+      this->AddPerpendicular(edge, normal);
+      this->Sweep({ edge, normal }, length);
     }
     const double turn = this->Turns.TurnAround(edge);
-    if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, Turned(normal, turn)))
+    if (turn > 0.0 && this->IsBeforeBounds(edge.End, normal, BorderFront::Turned(normal, turn)))
     {
-      this->Sweep({ edge.End, edge.End, edge.EndValue, edge.EndValue }, normal, turn, length);
+      const BorderEdge corner{ edge.End, edge.End, edge.EndValue, edge.EndValue };
+      const double parts = std::ceil(turn / LargestTurn);
+      for (double k = 0.0; k < parts; k += 1.0)
+      {
+        const double angle = turn / parts;
+        this->Sweep({ corner, BorderFront::Turned(normal, k * angle), angle }, length);
+      }
     }
   }
 
@@ -245,36 +161,12 @@ private:
       { return std::max(Dot(corner - start, a), Dot(corner - start, b)) > 0.0; });
   }
 
-  /// That part of an edge whose perpendiculars meet the bounds: a point, where none does.
-  BorderEdge PartBeforeBounds(const BorderEdge& edge) const
+  /// The jumps at the ends of the rays of a front.
+  void Sweep(const BorderFront& front, double likely)
   {
-    const Point2 along = edge.End - edge.Start;
-    double first = 1.0;
-    double last = 0.0;
-    for (const Point2& corner : this->Corners)
-    {
-      const double share = Dot(corner - edge.Start, along) / Dot(along, along);
-      first = std::min(first, std::max(share, 0.0));
-      last = std::max(last, std::min(share, 1.0));
-    }
-    const Ray start = RayFrom(edge, first, {});
-    const Ray end = RayFrom(edge, last, {});
-    return { start.Foot, end.Foot, start.Value, end.Value };
-  }
-
-  /// The jumps at the ends of rays from an edge, which turn on the way along it.
-  void Sweep(const BorderEdge& edge, const Point2& direction, double turn, double likely)
-  {
-    Ray last = this->FindEnd(RayFrom(edge, 0.0, direction), likely);
-    const double parts = std::max(std::ceil(turn / LargestTurn), 1.0);
-    for (double part = 1.0; part <= parts && !this->Beats.HasStopped(); part += 1.0)
-    {
-      const double share = part / parts;
-      const Ray next = this->FindEnd(
-        RayFrom(edge, share, Turned(direction, turn * share)), std::max(2.0 * last.Length, likely));
-      this->Trace(last, next, 0);
-      last = next;
-    }
+    const BorderRay first = this->Rays.FindEnd(front.At(0.0), likely, nullptr);
+    this->Trace(front, first,
+      this->Rays.FindEnd(front.At(1.0), std::max(2.0 * first.Length, likely), nullptr), 0);
   }
 
   /// What f is along an edge. Where values are raised to the least one, is a part of its own.
@@ -301,8 +193,8 @@ private:
     const ValueRange& range = this->Cones.Values();
     for (const double share : { 0.25, 0.75 })
     {
-      const Ray from = RayFrom(edge, share, aside);
-      if (range(this->Field(from.Foot + aside)) > (1.0 + LeastJump) * range(from.Value))
+      const BorderRay from = BorderFront{ edge, aside }.At(share);
+      if (range(this->Field(from.Foot + aside)) > (1.0 + BorderRays::LeastJump) * range(from.Value))
       {
         this->AddAlong(edge);
         return;
@@ -310,73 +202,85 @@ private:
     }
   }
 
-  double UnitOf(double value) const { return this->Cones.Values()(value) / this->SeenGradation; }
-
-  Ray FindEnd(Ray ray, double likely)
+  /// Whether something small may lie between two rays with one edge beyond, near that or near the
+  /// border where they begin, seen by none: two balls leave so much of these.
+  bool MayHide(const BorderRay& a, const BorderRay& b, const BorderEdge* far, double unit) const
   {
-    this->RaysLeft -= 1.0;
-    const double reach = this->Reach(ray.Foot, ray.Direction);
-    const double unit = this->UnitOf(ray.Value);
-    ray.Spacing = this->Cones.Values()(ray.Value);
-    ray.Length = this->LengthAlong(ray.Foot, ray.Direction, unit, likely);
-    ray.End = ray.Foot + ray.Length * ray.Direction;
-    if (ray.Length > 0.0 && ray.Length < reach)
-    {
-      const double margin = std::max(1000.0 * SameLength * ray.Length, 2.0 * EndPrecision * unit);
-      const double beyond = std::min(ray.Length + margin, reach);
-      const NearestValue nearest = this->Field.NearestOfBorder(
-        ray.Foot + beyond * ray.Direction, { beyond, ray.Value, ray.Foot });
-      ray.IsLow = this->Cones.Values()(nearest.Value) > (1.0 + LeastJump) * ray.Spacing;
-      ray.FarStart = nearest.StartId;
-      ray.FarEnd = nearest.EndId;
-    }
-    return ray;
+    const double beyond =
+      far ? Distance(this->Rays.EndAt(a, far).Foot, this->Rays.EndAt(b, far).Foot) : 0.0;
+    const double gap = std::max(Distance(a.Foot, b.Foot), beyond);
+    return gap > LargestHidden * unit &&
+      gap * gap > 8.0 * LargestBend * unit * std::min(a.Length, b.Length);
   }
 
-  Ray Between(const Ray& a, const Ray& b)
+  /// The jumps at the ends of the rays between two of them. Of two edges beyond, one takes the
+  /// place of the other where both are as near: a ray to there sees whether something else is
+  /// nearer yet.
+  void Trace(const BorderFront& front, const BorderRay& a, const BorderRay& b, int divisions)
   {
-    const Point2 direction = a.Direction + b.Direction;
-    return this->FindEnd({ Midpoint(a.Foot, b.Foot), 0.5 * (a.Value + b.Value),
-                           (1.0 / Length(direction)) * direction },
-      std::max(2.0 * std::max(a.Length, b.Length), Distance(a.End, b.End)));
+    const double unit = this->Rays.UnitOf(std::min(a.Spacing, b.Spacing));
+    const double step = Distance(a.End(), b.End());
+    const double lengths = a.Length + b.Length;
+    if ((a.IsCovered && b.IsCovered) || divisions == MostDivisions || !this->Beats.Beat(64) ||
+      step <= std::max(LastStep * std::min(unit, lengths), BorderRays::SameLength * lengths))
+    {
+      this->AddJump(a, b);
+      return;
+    }
+    const bool isCovered = a.IsCovered || b.IsCovered;
+    const bool isBeyondA = !isCovered && this->Rays.IsBeyond(b.Far, a);
+    const bool isOne = isBeyondA || (!isCovered && this->Rays.IsBeyond(a.Far, b));
+    if (isOne)
+    {
+      const BorderEdge* far = isBeyondA ? b.Far : a.Far;
+      if (divisions >= DivisionsForHidden || !this->MayHide(a, b, far, unit))
+      {
+        BorderRay first = a;
+        BorderRay last = b;
+        this->Rays.LookBeyond(first, far);
+        this->Rays.LookBeyond(last, far);
+        first.IsJump || last.IsJump ? this->AddArc(front, first, last, far, 0)
+                                    : this->AddJump(a, b);
+        return;
+      }
+    }
+    else if (!a.IsJump && !b.IsJump && step <= LastStepOfNone * unit)
+    {
+      return;
+    }
+    const bool isHalf = isCovered || isOne;
+    const BorderRay middle = isHalf ? this->Rays.FindEnd(front.At(0.5 * (a.Share + b.Share)),
+                                        std::max({ a.Length, b.Length, step }), nullptr)
+                                    : this->Rays.FindCrossing(front, a, b);
+    this->Trace(front, a, middle, divisions + 1);
+    this->Trace(front, middle, b, divisions + 1);
   }
 
-  /// The jumps at the ends of the rays between two of them.
-  void Trace(const Ray& a, const Ray& b, int halvings)
+  /// Where one edge is beyond all rays between two of them.
+  void AddArc(const BorderFront& front, const BorderRay& a, const BorderRay& b,
+    const BorderEdge* far, int divisions)
   {
-    const double unit = this->UnitOf(std::min(a.Value, b.Value));
-    const double step = Distance(a.End, b.End);
-    const double last =
-      LastStep * (HaveOneBeyond(a, b) ? unit : std::min(unit, a.Length + b.Length));
-    const bool isNear = step <= std::max(last, SameLength * (a.Length + b.Length));
-    const bool isFirst =
-      halvings < FirstHalvings && std::max(step, Distance(a.Foot, b.Foot)) > StepOfFirstRays * unit;
-    if (!isFirst && this->AreBeyondBounds(a.End, b.End))
+    if (!far || this->AreBeyondBounds(a.End(), b.End()))
     {
       return;
     }
-    if (isNear || halvings == MostHalvings || this->RaysLeft < 0.0 || !this->Beats.Beat(64))
+    BorderRay middle = front.At(0.5 * (a.Share + b.Share));
+    this->Rays.EndAtOnce(middle, far);
+    const double unit = this->Rays.UnitOf(std::min(a.Spacing, b.Spacing));
+    const int jumps = int(a.IsJump) + int(middle.IsJump) + int(b.IsJump);
+    if (jumps == 0)
     {
-      this->AddLow(a, b);
       return;
     }
-    const Ray middle = this->Between(a, b);
-    if (std::max({ a.Length, middle.Length, b.Length }) <= LargestBend * unit)
+    if (divisions == MostDivisions || Distance(a.End(), b.End()) <= LastStep * unit ||
+      (jumps == 3 && IsStraight(a, middle, b, unit)))
     {
-      this->AddAlong({ a.Foot, b.Foot, a.Value, b.Value });
-      return;
+      this->AddJump(a, b);
     }
-    if (!isFirst && a.IsLow && middle.IsLow && b.IsLow && IsStraight(a, middle, b, unit))
+    else
     {
-      this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
-      return;
-    }
-    const bool isLowAtNone = !a.IsLow && !middle.IsLow && !b.IsLow;
-    const bool isOne = HaveOneBeyond(a, middle) && HaveOneBeyond(middle, b);
-    if (isFirst || !isLowAtNone || !(isOne || step <= LastStepOfNone * unit))
-    {
-      this->Trace(a, middle, halvings + 1);
-      this->Trace(middle, b, halvings + 1);
+      this->AddArc(front, a, middle, far, divisions + 1);
+      this->AddArc(front, middle, b, far, divisions + 1);
     }
   }
 
@@ -388,18 +292,19 @@ private:
     return !this->Bounds.Meets(box);
   }
 
-  void AddLow(const Ray& a, const Ray& b)
+  /// Along the line between the ends of two rays, if both are at jumps.
+  void AddJump(const BorderRay& a, const BorderRay& b)
   {
-    if (a.IsLow && b.IsLow && Distance(a.End, b.End) <= LastStep * this->UnitOf(a.Value))
+    if (a.IsJump && b.IsJump)
     {
-      this->Cones.AddSegment(a.End, b.End, a.Spacing, b.Spacing);
+      this->Cones.AddSegment(a.End(), b.End(), a.Spacing, b.Spacing);
       return;
     }
-    for (const Ray* ray : { &a, &b })
+    for (const BorderRay* ray : { &a, &b })
     {
-      if (ray->IsLow)
+      if (ray->IsJump)
       {
-        this->Cones.AddSegment(ray->End, ray->End, ray->Spacing, ray->Spacing);
+        this->Cones.AddSegment(ray->End(), ray->End(), ray->Spacing, ray->Spacing);
       }
     }
   }
@@ -408,12 +313,10 @@ private:
   const BorderTurns& Turns;
   const Box2& Bounds;
   const std::array<Point2, 4> Corners; ///< of the bounds
-  Box2 Traced;                         ///< what is narrow at its end is wide within the bounds
   const double Gradation;
-  const double SeenGradation;
   ConeCollector& Cones;
   Pulse Beats;
-  double RaysLeft = 0.0;
+  BorderRays Rays;
 };
 
 } // namespace

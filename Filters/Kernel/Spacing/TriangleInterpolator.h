@@ -31,15 +31,17 @@ public:
 
   double operator()(const Point2& x) const;
 
+  /// Whether x is on a triangle.
+  bool Covers(const Point2& x) const { return this->FindRecord(x) != nullptr; }
+
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
   /// distance of 0. It is found sooner beside one that is `known`, of another place.
   NearestValue Nearest(const Point2& x, const NearestValue& known = Unknown()) const;
 
-  /// The nearest point of the border, or `known` where none is nearer. Where triangles may overlap,
-  /// what Nearest says: there some of what bounds them may be no border.
+  /// The nearest point of the border, or `known` where none is nearer.
   NearestValue NearestOfBorder(const Point2& x, const NearestValue& known) const
   {
-    return this->MayOverlap ? this->Nearest(x, known) : this->Border.Nearest(x, known);
+    return this->Border.Nearest(x, known);
   }
 
   const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }

@@ -25,12 +25,50 @@ std::vector<BorderEdge> Scattered(int count)
   return edges;
 }
 
-} // namespace
+/// Spokes of a hub with short edges at their ends.
+std::vector<BorderEdge> Hub(int spokes)
+{
+  std::vector<BorderEdge> edges;
+  const auto placeAt = [spokes](double spoke)
+  {
+    const double angle = 6.283185307179586 * spoke / spokes;
+    return Point2{ 0.5 + 0.45 * std::cos(angle), 0.5 + 0.45 * std::sin(angle) };
+  };
+  for (int spoke = 0; spoke < spokes; ++spoke)
+  {
+    edges.push_back({ { 0.5, 0.5 }, placeAt(spoke), 0.0, 1.0 * spoke, spokes, spoke });
+    if (spoke % 2 == 0)
+    {
+      edges.push_back(
+        { placeAt(spoke), placeAt(spoke + 1), 1.0 * spoke, 1.0 + spoke, spoke, spoke + 1 });
+    }
+  }
+  return edges;
+}
 
-TEST(BorderTree, FindsTheNearestOfAllEdges)
+/// Of random places.
+double MeanLooks(const BorderTree& tree)
+{
+  constexpr int Probes = 1000;
+  int looks = 0;
+  Sampler sampler(4);
+  for (int probe = 0; probe < Probes; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    tree.Search(x, Infinity,
+      [&x, &looks](const BorderEdge& edge, double limit)
+      {
+        ++looks;
+        return std::min(limit, NearestOnEdge(edge, x).Distance);
+      });
+  }
+  return static_cast<double>(looks) / Probes;
+}
+
+/// Where edges share ends, rounding may tell which of them is nearer.
+void ExpectNearest(const std::vector<BorderEdge>& edges, double rounding = 0.0)
 {
   Pulse pulse(NoMonitor());
-  const std::vector<BorderEdge> edges = Scattered(200);
   const BorderTree tree(edges, pulse);
   Sampler sampler(2);
   for (int probe = 0; probe < 1000; ++probe)
@@ -43,10 +81,42 @@ TEST(BorderTree, FindsTheNearestOfAllEdges)
       nearest = found.Distance < nearest.Distance ? found : nearest;
     }
     const NearestValue found = tree.Nearest(x, { std::numeric_limits<double>::infinity(), 0.0 });
-    EXPECT_EQ(found.Distance, nearest.Distance);
-    EXPECT_EQ(found.Value, nearest.Value);
-    EXPECT_EQ(found.StartId, nearest.StartId);
+    EXPECT_NEAR(found.Distance, nearest.Distance, rounding);
+    EXPECT_NEAR(found.Value, nearest.Value, rounding);
+    EXPECT_EQ(NearestOnEdge(*found.Edge, x).Distance, found.Distance);
   }
+}
+
+} // namespace
+
+TEST(BorderTree, FindsTheNearestOfAllEdges)
+{
+  ExpectNearest(Scattered(200));
+}
+
+TEST(BorderTree, FindsTheNearestOfEdgesOfVeryDifferentLengths)
+{
+  std::vector<BorderEdge> edges = Scattered(300);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+  {
+    const double factor = std::exp2(-static_cast<double>(k % 60));
+    edges[k].End = edges[k].Start + factor * (edges[k].End - edges[k].Start);
+  }
+  ExpectNearest(edges);
+}
+
+TEST(BorderTree, FindsTheNearestOfEdgesThatMeetInAHub)
+{
+  ExpectNearest(Hub(100), 1e-12);
+}
+
+TEST(BorderTree, LooksAtFewEdgesHoweverManyMeetInAHub)
+{
+  Pulse pulse(NoMonitor());
+  const double few = MeanLooks(BorderTree(Hub(200), pulse));
+  const double many = MeanLooks(BorderTree(Hub(6400), pulse));
+  EXPECT_LT(few, 20.0);
+  EXPECT_LT(many, 3.0 * few);
 }
 
 TEST(BorderTree, LeavesWhatIsKnownWhereNothingIsNearer)
@@ -67,4 +137,39 @@ TEST(BorderTree, HasTheValueOfThePlaceOnAnEdge)
   EXPECT_DOUBLE_EQ(NearestOnEdge(edge, { 5.0, 4.0 }).Distance, 5.0);
   EXPECT_DOUBLE_EQ(
     NearestOnEdge({ { 1.0, 1.0 }, { 1.0, 1.0 }, 2.0, 2.0 }, { 4.0, 5.0 }).Value, 2.0);
+}
+
+/// The ball touches the edge, and has nothing of it within.
+TEST(BorderTree, TouchesAnEdgeWithTheSmallestBall)
+{
+  Sampler sampler(6);
+  for (int probe = 0; probe < 2000; ++probe)
+  {
+    const Point2 foot = sampler.NextIn(UnitBox());
+    const double angle = 6.283185307179586 * sampler.Next();
+    const Point2 direction{ std::cos(angle), std::sin(angle) };
+    const BorderEdge edge{ sampler.NextIn(UnitBox()), sampler.NextIn(UnitBox()), 1.0, 2.0 };
+    const NearestValue touch = TouchOf(foot, direction, edge);
+    if (touch.Distance == Infinity)
+    {
+      EXPECT_LE(Dot(edge.Start - foot, direction), 0.0);
+      EXPECT_LE(Dot(edge.End - foot, direction), 0.0);
+      continue;
+    }
+    const Point2 center = foot + touch.Distance * direction;
+    const NearestValue nearest = NearestOnEdge(edge, center);
+    const double room = 1e-9 * (1.0 + touch.Distance);
+    EXPECT_NEAR(nearest.Distance, touch.Distance, room);
+    EXPECT_NEAR(Distance(touch.Foot, center), touch.Distance, room);
+    EXPECT_NEAR(
+      touch.Value, 1.0 + Distance(edge.Start, touch.Foot) / Distance(edge.Start, edge.End), 1e-9);
+  }
+}
+
+TEST(BorderTree, TouchesAnEdgeFromItsEndWhereItRises)
+{
+  const BorderEdge edge{ { 0.0, 0.0 }, { 1.0, 1.0 }, 3.0, 4.0 };
+  EXPECT_EQ(TouchOf({ 0.0, 0.0 }, { 0.0, 1.0 }, edge).Distance, 0.0);
+  EXPECT_EQ(TouchOf({ 0.0, 0.0 }, { 0.0, 1.0 }, edge).Value, 3.0);
+  EXPECT_EQ(TouchOf({ 0.0, 0.0 }, { 0.0, -1.0 }, edge).Distance, Infinity);
 }

@@ -55,6 +55,31 @@ double CostOf(const Item& item, const Point2& x, double slope)
 
 } // namespace
 
+TEST(BoxTree, FindsTheLeastCostWhereCostsAreNegative)
+{
+  std::vector<Item> items = MakeItems(300);
+  for (Item& item : items)
+  {
+    item.Value -= 1.0;
+  }
+  const BoxTree<Item> tree = TreeOf(items);
+  Sampler sampler(8);
+  for (int probe = 0; probe < 100; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    double least = Infinity;
+    for (const Item& item : items)
+    {
+      least = std::min(least, CostOf(item, x, 0.3));
+    }
+    double found = -0.5;
+    tree.Search(x, 0.3, found,
+      [&x, &found](const Item& item, double)
+      { return found = std::min(found, CostOf(item, x, 0.3)); });
+    EXPECT_EQ(found, least);
+  }
+}
+
 TEST(BoxTree, FindsTheItemOfTheLeastCost)
 {
   for (const int count : { 1, 4, 5, 300 })

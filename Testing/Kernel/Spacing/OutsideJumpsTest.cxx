@@ -70,6 +70,72 @@ TriangulatedSource Star(int spikes)
   return source;
 }
 
+/// Whether no corner of the other triangle is on the inner side of some side of one.
+bool HasOutside(const Point2* corners, const Point2* others)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2 along = corners[(k + 1) % 3] - corners[k];
+    const double inner = Cross(along, corners[(k + 2) % 3] - corners[k]);
+    if (std::all_of(others, others + 3,
+          [&along, inner, corners, k](const Point2& other)
+          { return Cross(along, other - corners[k]) * inner < 0.0; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// No two of them meet; some are thirty times as long as others, or as they are wide. Values
+/// differ by up to `range`, as a factor.
+TriangulatedSource LooseTriangles(std::size_t count, double range)
+{
+  TriangulatedSource source;
+  Sampler sampler(4);
+  const double size = 1.0 / std::sqrt(static_cast<double>(count));
+  while (source.Points.size() < 3 * count)
+  {
+    const Point2 center = sampler.NextIn(UnitBox());
+    const double length = size * std::pow(30.0, sampler.Next() - 0.8);
+    const double width = length * std::pow(30.0, -sampler.Next());
+    const double turn = 6.283185307179586 * sampler.Next();
+    const Point2 axis{ std::cos(turn), std::sin(turn) };
+    const Point2 corners[3] = { center - length * axis, center + length * axis,
+      center + width * Perpendicular(axis) };
+    bool isLoose = true;
+    for (std::size_t first = 0; first < source.Points.size() && isLoose; first += 3)
+    {
+      const Point2* other = &source.Points[first];
+      isLoose = HasOutside(corners, other) || HasOutside(other, corners);
+    }
+    for (int k = 0; k < 3 && isLoose; ++k)
+    {
+      source.Triangles.push_back(static_cast<Id>(source.Points.size()));
+      source.Points.push_back(corners[k]);
+      source.Values.push_back(size * std::pow(range, sampler.Next() - 0.9));
+    }
+  }
+  return source;
+}
+
+/// Of places near each other, most of them within some f.
+void ExpectLaw(const TriangulatedSource& source, double gradation, int pairs)
+{
+  SpacingOptions options = WithTriangles(source);
+  options.Gradation = gradation;
+  const Spacing f = MakeGoodSpacing(options);
+  Sampler sampler(9);
+  for (int pair = 0; pair < pairs; ++pair)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    const double reach = f(x) * std::exp(4.0 * sampler.Next() - 3.0);
+    const Point2 y = x + reach * (sampler.NextIn(UnitBox()) - Point2{ 0.5, 0.5 });
+    ASSERT_LE(std::abs(f(x) - f(y)), gradation * Distance(x, y) + 0.02 * std::min(f(x), f(y)))
+      << x.X << ' ' << x.Y;
+  }
+}
+
 double LargestDistanceToLine(const SegmentSource& cones, double y)
 {
   double largest = 0.0;
@@ -170,14 +236,32 @@ TEST(OutsideJumps, TakeStepsLinearInTheSpikesThatMeetInAHub)
 /// Gaps are some thousandths of f wide.
 TEST(OutsideJumps, KeepTheLawWhereSpikesMeetInAHub)
 {
-  const Spacing f = MakeGoodSpacing(WithTriangles(Star(400)));
-  Sampler sampler(9);
-  for (int pair = 0; pair < 20000; ++pair)
+  ExpectLaw(Star(400), Gradation, 20000);
+}
+
+/// Its long edge is some 200 f long, and all of its first rays pass the small one.
+TEST(OutsideJumps, AreFoundBeforeALongEdgeWhereSomethingSmallIsNear)
+{
+  TriangulatedSource source{ { { 0.05, 0.1 }, { 0.95, 0.1 }, { 0.5, 0.05 } }, {}, { 0, 1, 2 } };
+  for (const double x : { 0.21, 0.3301, 0.447, 0.556, 0.673, 0.781 })
   {
-    const Point2 x = sampler.NextIn(UnitBox());
-    const Point2 y = x + 0.1 * f(x) * (sampler.NextIn(UnitBox()) - Point2{ 0.5, 0.5 });
-    ASSERT_LE(std::abs(f(x) - f(y)), Gradation * Distance(x, y) + 0.02 * std::min(f(x), f(y)))
-      << x.X << ' ' << x.Y;
+    const auto first = static_cast<Id>(source.Points.size());
+    source.Points.insert(
+      source.Points.end(), { { x, 0.104 }, { x + 0.002, 0.104 }, { x + 0.001, 0.107 } });
+    source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  }
+  source.Values.assign(source.Points.size(), 0.05);
+  std::fill(source.Values.begin(), source.Values.begin() + 3, 0.001);
+  ExpectLaw(source, 1.0, 40000);
+}
+
+/// Of all sizes and shapes.
+TEST(OutsideJumps, KeepTheLawBetweenLooseTriangles)
+{
+  for (const double gradation : { 0.3, 1.0, 3.0 })
+  {
+    ExpectLaw(LooseTriangles(120, 50.0), gradation, 40000);
+    ExpectLaw(LooseTriangles(30, 1e5), gradation, 10000);
   }
 }
 
