@@ -125,9 +125,9 @@ struct SpacingOptions
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite
-/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source and
-/// near a floor, where it is logarithmic. Evaluation changes nothing, so any number of threads may
-/// evaluate at once.
+/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source, in
+/// long cells of a grid, and near a floor, where it is about logarithmic. Evaluation changes
+/// nothing, so any number of threads may evaluate at once.
 ///
 /// Tolerances, within the bounds it was prepared for: f is above what is given by no more than 2 %,
 /// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
