@@ -26,7 +26,7 @@ namespace
 
 /// Those in one tree differ by no more, as a factor; but the shortest may.
 constexpr double SimilarLengths = 64.0;
-constexpr std::size_t MostParts = 6;
+constexpr std::size_t MostTrees = 6;
 
 /// The radius of the ball that touches at 0 and goes through the place `end` of an edge that leads
 /// on `along`.
@@ -129,12 +129,12 @@ BorderTree::BorderTree(const std::vector<BorderEdge>& edges, Pulse& pulse)
   {
     longest = std::max(longest, Distance(edge.Start, edge.End));
   }
-  std::array<std::vector<BorderEdge>, MostParts> parts;
+  std::array<std::vector<BorderEdge>, MostTrees> parts;
   for (const BorderEdge& edge : edges)
   {
     const double ratio = longest / Distance(edge.Start, edge.End);
     const double part = std::floor(std::log2(ratio) / std::log2(SimilarLengths));
-    parts[part < MostParts ? static_cast<std::size_t>(part) : MostParts - 1].push_back(edge);
+    parts[part < MostTrees ? static_cast<std::size_t>(part) : MostTrees - 1].push_back(edge);
   }
   for (const std::vector<BorderEdge>& part : parts)
   {
