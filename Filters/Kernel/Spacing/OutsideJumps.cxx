@@ -36,6 +36,9 @@ constexpr int DivisionsForHidden = 3;
 constexpr double LargestTurn = 1.6; ///< radians between the first two rays from a corner
 constexpr std::size_t EdgesPerTask = 256;
 
+/// Where it is looked whether other triangles lie at an edge, as shares of it.
+constexpr std::array<double, 7> PlacesOnEdge{ 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99 };
+
 bool IsStraight(const BorderRay& a, const BorderRay& middle, const BorderRay& b, double unit)
 {
   const Point2 along = b.End() - a.End();
@@ -77,11 +80,11 @@ public:
     {
       this->Beats.SetFraction(static_cast<double>(k - begin) / count);
       const BorderEdge& edge = edges[k];
-      if (this->Field.HasOverlaps())
-      {
-        this->AddAlong(edge); // triangles that end there may lie on others anywhere along it
-      }
       const double length = Distance(edge.Start, edge.End);
+      if (this->Field.HasOverlaps() && this->IsOnOthers(edge, length))
+      {
+        this->AddAlong(edge); // triangles that end there lie on others, maybe along a part of it
+      }
       for (const bool isLeft : { false, true })
       {
         // The border goes on from the start of an edge whose outside is on its left.
@@ -93,6 +96,19 @@ public:
   }
 
 private:
+  /// Whether there are triangles on both sides of a border edge, which has one of its own.
+  bool IsOnOthers(const BorderEdge& edge, double length) const
+  {
+    const Point2 aside = BorderRays::SameLength * Perpendicular(edge.End - edge.Start);
+    return length > 0.0 &&
+      std::any_of(PlacesOnEdge.begin(), PlacesOnEdge.end(),
+        [this, &edge, &aside](double share)
+        {
+          const Point2 place = edge.Start + share * (edge.End - edge.Start);
+          return this->Field.Covers(place + aside) && this->Field.Covers(place - aside);
+        });
+  }
+
   /// From the lower end of a steep edge.
   void AddPerpendicular(const BorderEdge& edge, const Point2& normal)
   {
