@@ -52,15 +52,22 @@ NearestValue TouchOf(const Point2& foot, const Point2& direction, const BorderEd
   const double length = Length(along);
   const double side = Cross(start, along) / length;
   const double rise = Cross(along, direction) / length;
-  const double between = std::abs(side) / (1.0 - (side < 0.0 ? -rise : rise));
+  const double nearing = 1.0 - (side < 0.0 ? -rise : rise);
+  const double between = side == 0.0 ? 0.0 : std::abs(side) / nearing;
   const double share = Dot(between * direction - start, along) / (length * length);
   if (share > 0.0 && share < 1.0 && between < radius)
   {
     radius = between;
     weight = share;
   }
-  return { radius, (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
-    edge.Start + weight * along, &edge };
+  if (radius < Infinity)
+  {
+    return { radius, (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
+      edge.Start + weight * along, &edge };
+  }
+  NearestValue behind = NearestOnEdge(edge, foot);
+  behind.Distance = Infinity;
+  return behind;
 }
 
 /// Along the longest edge. The sides lead through the places that are farthest from it in both

@@ -312,7 +312,7 @@ void BoxTree<Item>::SearchBelow(Id id, double bound, const Point2& x, double slo
   {
     Id near = node.First;
     Id far = near + 1;
-    const auto boundOf = [this, &x, slope, limit, &leastIn](Id child)
+    const auto boundOf = [this, &x, slope, &leastIn](Id child)
     {
       const double least = this->Nodes[static_cast<std::size_t>(child)].Bound(x, slope);
       return least > 0.0 ? least : std::max(least, leastIn(child));

@@ -4,10 +4,23 @@
 #include "TriangleEdges.h"
 
 #include <algorithm> // for sort
+#include <cstdint>   // for sides
 #include <numeric>   // for partial_sum
 
 namespace biting
 {
+namespace
+{
+
+/// The higher end of a side, and whether its triangle goes up there, as one number.
+using Side = std::uint32_t;
+
+Side SideTo(Id high, bool isUp)
+{
+  return 2 * static_cast<Side>(high) + (isUp ? 1 : 0);
+}
+
+} // namespace
 
 /// Sides are distributed to their lower ends; those of one point are few, and sorted.
 TriangleEdges::TriangleEdges(const std::vector<Id>& corners, std::size_t points, Pulse& pulse,
@@ -21,7 +34,7 @@ TriangleEdges::TriangleEdges(const std::vector<Id>& corners, std::size_t points,
     return ownHeight < otherHeight || (!(otherHeight < ownHeight) && a < b);
   };
   std::vector<std::size_t> begins(points + 1, 0);
-  std::vector<Id> highs(corners.size());
+  std::vector<Side> sides(corners.size());
   const auto forEachSide = [&corners, &pulse, &isLower](auto visit)
   {
     pulse.ForEach(corners.size() / 3,
@@ -32,29 +45,29 @@ TriangleEdges::TriangleEdges(const std::vector<Id>& corners, std::size_t points,
         {
           const Id next = own[k == 2 ? 0 : k + 1];
           const bool isUp = isLower(own[k], next);
-          visit(static_cast<std::size_t>(isUp ? own[k] : next), isUp ? next : own[k]);
+          visit(static_cast<std::size_t>(isUp ? own[k] : next), SideTo(isUp ? next : own[k], isUp));
         }
       });
   };
-  forEachSide([&begins](std::size_t low, Id) { ++begins[low]; });
+  forEachSide([&begins](std::size_t low, Side) { ++begins[low]; });
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  forEachSide([&begins, &highs](std::size_t low, Id high) { highs[--begins[low]] = high; });
+  forEachSide([&begins, &sides](std::size_t low, Side side) { sides[--begins[low]] = side; });
   this->HighEnds.reserve(corners.size() / 2);
   this->AreBorder.reserve(corners.size() / 2);
   pulse.ForEach(points,
-    [this, &begins, &highs](std::size_t point)
+    [this, &begins, &sides](std::size_t point)
     {
-      Id* first = highs.data() + begins[point];
-      Id* last = highs.data() + begins[point + 1];
+      Side* first = sides.data() + begins[point];
+      Side* last = sides.data() + begins[point + 1];
       std::sort(first, last);
       while (first < last)
       {
-        const Id* own = first++;
-        for (; first < last && *first == *own; ++first)
+        const Side own = *first;
+        for (; first < last && *first / 2 == own / 2; ++first)
         {
         }
-        this->HighEnds.push_back(*own);
-        this->AreBorder.push_back(first - own == 1);
+        this->HighEnds.push_back(static_cast<Id>(own / 2));
+        this->AreBorder.push_back(first[-1] == own);
       }
       this->Firsts[point + 1] = this->HighEnds.size();
     });

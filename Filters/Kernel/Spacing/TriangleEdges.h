@@ -27,7 +27,8 @@ public:
   std::size_t FirstAt(std::size_t point) const { return this->Firsts[point]; }
   Id HighEnd(std::size_t edge) const { return this->HighEnds[edge]; }
 
-  /// Whether it is a side of one triangle only.
+  /// Whether all triangles of which it is a side lie on one side of it, where all corners are
+  /// counterclockwise: it is of one only, or these lie on each other.
   bool IsBorder(std::size_t edge) const { return this->AreBorder[edge]; }
 
 private:

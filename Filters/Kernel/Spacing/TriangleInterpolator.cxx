@@ -8,6 +8,7 @@
 
 #include <algorithm> // for min, max
 #include <limits>    // for infinity
+#include <utility>   // for swap
 
 namespace biting
 {
@@ -68,12 +69,25 @@ std::vector<TriangleBuckets::Corners> PointsOfAll(
   return points;
 }
 
-/// The edges that belong to one triangle only, in the order of their ends.
+std::vector<Id> Counterclockwise(const TriangulatedSource& source, std::vector<Id> corners)
+{
+  for (std::size_t first = 0; first < corners.size(); first += 3)
+  {
+    const TriangleBuckets::Corners places = PointsOf(source, &corners[first]);
+    if (Cross(places[1] - places[0], places[2] - places[0]) < 0.0)
+    {
+      std::swap(corners[first + 1], corners[first + 2]);
+    }
+  }
+  return corners;
+}
+
+/// The edges with triangles on one side only, in the order of their ends.
 std::vector<BorderEdge> FindBorder(
   const TriangulatedSource& source, const std::vector<Id>& corners, Pulse& pulse)
 {
   std::vector<BorderEdge> border;
-  const TriangleEdges edges(corners, source.Points.size(), pulse);
+  const TriangleEdges edges(Counterclockwise(source, corners), source.Points.size(), pulse);
   pulse.ForEach(source.Points.size(),
     [&source, &edges, &border](std::size_t start)
     {

@@ -166,6 +166,23 @@ TEST(BorderTree, TouchesAnEdgeWithTheSmallestBall)
   }
 }
 
+/// As edges of sources that lie on each other do, but for rounding.
+TEST(BorderTree, TellsTheValueAtTheFootWhereAnEdgeLeadsThroughItOrJustBehind)
+{
+  for (const double away : { 0.0, 1e-17, -1e-17 })
+  {
+    const BorderEdge edge{ { 0.0, away }, { 1.0, away }, 3.0, 4.0 };
+    const BorderEdge turned{ edge.End, edge.Start, edge.EndValue, edge.StartValue };
+    for (const double y : { 1.0, -1.0 })
+    {
+      EXPECT_NEAR(TouchOf({ 0.5, 0.0 }, { 0.0, y }, edge).Value, 3.5, 1e-12) << away;
+      EXPECT_NEAR(TouchOf({ 0.5, 0.0 }, { 0.0, y }, turned).Value, 3.5, 1e-12) << away;
+    }
+  }
+  const BorderEdge through{ { 0.0, 0.0 }, { 1.0, 0.0 }, 3.0, 4.0 };
+  EXPECT_EQ(TouchOf({ 0.5, 0.0 }, { 0.0, 1.0 }, through).Distance, 0.0);
+}
+
 TEST(BorderTree, TouchesAnEdgeFromItsEndWhereItRises)
 {
   const BorderEdge edge{ { 0.0, 0.0 }, { 1.0, 1.0 }, 3.0, 4.0 };

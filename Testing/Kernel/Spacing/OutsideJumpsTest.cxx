@@ -375,6 +375,31 @@ TEST(OutsideJumps, AreTheSameOnAnyNumberOfThreads)
   }
 }
 
+/// As where a part of a dataset was appended to it.
+TEST(OutsideJumps, AreNoneWhereTrianglesOfTheSameValuesLieOnEachOther)
+{
+  TriangulatedSource source =
+    MakeTriangulation(6, [](const Point2& x) { return 0.05 + 0.1 * x.X + 0.05 * x.Y; });
+  const std::vector<Id> whole = source.Triangles;
+  for (std::size_t first = 0; first < whole.size(); first += 3)
+  {
+    const Point2& corner = source.Points[static_cast<std::size_t>(whole[first])];
+    if (corner.X > 0.1 && corner.X < 0.3)
+    {
+      source.Triangles.insert(
+        source.Triangles.end(), whole.begin() + first, whole.begin() + first + 3);
+    }
+  }
+  source.MayOverlap = true;
+  const Spacing f = MakeGoodSpacing(WithTriangles(source));
+  Sampler sampler(5);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Point2 x{ sampler.Next(), k % 2 == 0 ? 0.0 : sampler.Next() };
+    EXPECT_NEAR(f(x), 0.05 + 0.1 * x.X + 0.05 * x.Y, 1e-12);
+  }
+}
+
 /// There the triangles themselves are searched, not only their border.
 TEST(OutsideJumps, AreTheSameWhereTrianglesMayOverlapButDoNot)
 {

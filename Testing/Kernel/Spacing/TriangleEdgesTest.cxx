@@ -45,9 +45,21 @@ Found EdgesOf(const std::vector<Id>& corners, std::size_t points)
   return found;
 }
 
+/// All triangles counterclockwise.
 TriangulatedSource SixBySix()
 {
-  return MakeTriangulation(6, [](const Point2&) { return 1.0; });
+  TriangulatedSource source = MakeTriangulation(6, [](const Point2&) { return 1.0; });
+  for (auto corner = source.Triangles.begin(); corner != source.Triangles.end(); corner += 3)
+  {
+    const auto placeOf = [&source](Id point)
+    { return source.Points[static_cast<std::size_t>(point)]; };
+    const Point2 origin = placeOf(corner[0]);
+    if (Cross(placeOf(corner[1]) - origin, placeOf(corner[2]) - origin) < 0.0)
+    {
+      std::swap(corner[1], corner[2]);
+    }
+  }
+  return source;
 }
 
 } // namespace
@@ -75,6 +87,17 @@ TEST(TriangleEdges, OfOneTriangleOnlyAreTheBorder)
       source.Points[static_cast<std::size_t>(low)], source.Points[static_cast<std::size_t>(high)]);
     EXPECT_EQ(std::min({ middle.X, middle.Y, 1.0 - middle.X, 1.0 - middle.Y }), 0.0);
   }
+}
+
+/// As where datasets that overlap were appended, and their equal points made one.
+TEST(TriangleEdges, OfTrianglesOnOneSideAreTheBorderThoughTheseLieOnEachOther)
+{
+  const TriangulatedSource source = SixBySix();
+  std::vector<Id> twice = source.Triangles;
+  twice.insert(twice.end(), source.Triangles.begin(), source.Triangles.end());
+  const Found found = EdgesOf(twice, source.Points.size());
+  EXPECT_EQ(found.All.size(), 85u);
+  EXPECT_EQ(found.Border, EdgesOf(source.Triangles, source.Points.size()).Border);
 }
 
 TEST(TriangleEdges, LeadUpFromTheirLowerEnd)
