@@ -53,7 +53,8 @@ NearestValue TouchOf(const Point2& foot, const Point2& direction, const BorderEd
   const double side = Cross(start, along) / length;
   const double rise = Cross(along, direction) / length;
   const double nearing = 1.0 - (side < 0.0 ? -rise : rise);
-  const double between = side == 0.0 ? 0.0 : std::abs(side) / nearing;
+  const double away = nearing > 0.0 ? std::abs(side) / nearing : Infinity;
+  const double between = side == 0.0 ? 0.0 : away;
   const double share = Dot(between * direction - start, along) / (length * length);
   if (share > 0.0 && share < 1.0 && between < radius)
   {

@@ -30,6 +30,9 @@ constexpr double LastStep = 0.02;
 constexpr double LastStepOfNone = 0.1;
 constexpr int MostDivisions = 48;
 
+/// From one front; some tens are usual. Where rounding makes more the rest is left as it is.
+constexpr int MostRays = 10000;
+
 /// Between places on the border that are farther apart something may be hidden from two rays.
 constexpr double LargestHidden = 0.25;
 constexpr int DivisionsForHidden = 3;
@@ -180,6 +183,7 @@ private:
   /// The jumps at the ends of the rays of a front.
   void Sweep(const BorderFront& front, double likely)
   {
+    this->RaysLeft = MostRays;
     const BorderRay first = this->Rays.FindEnd(front.At(0.0), likely, nullptr);
     this->Trace(front, first,
       this->Rays.FindEnd(front.At(1.0), std::max(2.0 * first.Length, likely), nullptr), 0);
@@ -237,7 +241,8 @@ private:
     const double unit = this->Rays.UnitOf(std::min(a.Spacing, b.Spacing));
     const double step = Distance(a.End(), b.End());
     const double lengths = a.Length + b.Length;
-    if ((a.IsCovered && b.IsCovered) || divisions == MostDivisions || !this->Beats.Beat(64) ||
+    const bool isLast = divisions == MostDivisions || this->RaysLeft-- <= 0;
+    if ((a.IsCovered && b.IsCovered) || isLast || !this->Beats.Beat(64) ||
       step <= std::max(LastStep * std::min(unit, lengths), BorderRays::SameLength * lengths))
     {
       this->AddJump(a, b);
@@ -268,6 +273,11 @@ private:
     const BorderRay middle = isHalf ? this->Rays.FindEnd(front.At(0.5 * (a.Share + b.Share)),
                                         std::max({ a.Length, b.Length, step }), nullptr)
                                     : this->Rays.FindCrossing(front, a, b);
+    if (!(a.Share < middle.Share && middle.Share < b.Share))
+    {
+      this->AddJump(a, b);
+      return;
+    }
     this->Trace(front, a, middle, divisions + 1);
     this->Trace(front, middle, b, divisions + 1);
   }
@@ -333,6 +343,7 @@ private:
   ConeCollector& Cones;
   Pulse Beats;
   BorderRays Rays;
+  int RaysLeft = 0; ///< from the front at work
 };
 
 } // namespace

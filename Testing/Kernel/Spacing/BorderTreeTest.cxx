@@ -166,6 +166,25 @@ TEST(BorderTree, TouchesAnEdgeWithTheSmallestBall)
   }
 }
 
+/// The sine of their angle is rounded to more than 1.
+TEST(BorderTree, TouchesNoEdgeThatIsBehindButForRounding)
+{
+  Sampler sampler(7);
+  for (int probe = 0; probe < 20000; ++probe)
+  {
+    const double angle = 6.283185307179586 * sampler.Next();
+    const Point2 along{ std::cos(angle), std::sin(angle) };
+    const double length = 1.0 + sampler.Next();
+    const BorderEdge edge{ {}, length * along, 1.0, 2.0 };
+    for (const double side : { 1.0, -1.0 })
+    {
+      const Point2 direction = side * Perpendicular(along);
+      const Point2 foot = 0.5 * length * along + (1e-8 * sampler.Next()) * direction;
+      EXPECT_GE(TouchOf(foot, direction, edge).Distance, 0.0);
+    }
+  }
+}
+
 /// As edges of sources that lie on each other do, but for rounding.
 TEST(BorderTree, TellsTheValueAtTheFootWhereAnEdgeLeadsThroughItOrJustBehind)
 {
