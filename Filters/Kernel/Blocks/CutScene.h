@@ -35,6 +35,7 @@ struct CutScene
 
     const Box2& Box() const { return this->Bounds; }
     double Least() const { return 0.0; }
+    Point2 Along() const { return Point2{}; }
   };
 
   const CutGraph& Graph;

@@ -24,6 +24,7 @@ struct BorderEdge
   // For a BoxTree.
   Box2 Box() const { return Box2::Around(this->Start, this->End); }
   double Least() const { return 0.0; }
+  Point2 Along() const { return this->End - this->Start; }
 };
 
 /// A value at some distance.

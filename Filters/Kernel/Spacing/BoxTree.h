@@ -19,7 +19,9 @@ namespace biting
 
 /// Branch and bound over many items: each lies in item.Box(), and its cost at x is at least
 /// item.Least() plus slope times the distance from x to the box; and which of them meet a box. A
-/// balanced binary tree of boxes; the cost of a search is logarithmic in ordinary cases. Built on
+/// balanced binary tree of boxes; the cost of a search is logarithmic in ordinary cases. Items that
+/// lead along item.Along(), if that is not 0, are split by their directions, too, where they are
+/// about as long as the box of a node: for those whose searches know more than boxes. Built on
 /// the threads of the pulse's monitor, level by level, then by subtrees; it does not depend on how
 /// many these are.
 template <typename Item>
@@ -44,7 +46,7 @@ public:
   }
 
   /// The same, where more is known of nodes than their boxes: the cost there is at least
-  /// leastIn(node), which is asked where the box tells nothing.
+  /// leastIn(node), which is asked where the box does not tell enough.
   template <typename Visit, typename LeastIn>
   void Search(
     const Point2& x, double slope, double limit, Visit visit, const LeastIn& leastIn) const
@@ -88,11 +90,26 @@ private:
     Box2 Box;
     double Least;
     Id Number;
+    Point2 Along;
+  };
 
-    /// Twice the middle of the box along x or y.
-    double Key(bool alongX) const
+  /// By what a node is split.
+  struct Order
+  {
+    Point2 Axis; ///< of length 1
+    bool IsOfSlopes = false;
+
+    /// Twice the middle of an entry's box, along the axis; or twice the sine of the angle from the
+    /// axis to the entry.
+    double Key(const Entry& entry) const
     {
-      return alongX ? this->Box.Low.X + this->Box.High.X : this->Box.Low.Y + this->Box.High.Y;
+      if (!this->IsOfSlopes)
+      {
+        return Dot(this->Axis, entry.Box.Low + entry.Box.High);
+      }
+      const double length = Length(entry.Along);
+      const double ahead = Dot(this->Axis, entry.Along) < 0.0 ? -length : length;
+      return length > 0.0 ? 2.0 * Cross(this->Axis, entry.Along) / ahead : 0.0;
     }
   };
 
@@ -138,6 +155,8 @@ private:
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
   void Graft(const Branch& branch, const std::vector<Node>& nodes);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
+  static Order ChooseOrder(
+    const Branch& branch, const Box2& box, const std::vector<Entry>& entries);
   static void Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries);
   static void BuildBelow(
     const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse);
@@ -157,7 +176,7 @@ BoxTree<Item>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
   std::vector<Entry> entries(items.size());
   ForEachAtOnce(pulse, items.size(),
     [&items, &entries](std::size_t i) {
-      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
+      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i), items[i].Along() };
     });
   this->Build(entries, pulse);
   this->Ordered = items;
@@ -258,16 +277,60 @@ typename BoxTree<Item>::Node BoxTree<Item>::Enclose(
   return node;
 }
 
+/// Across the longer side of the box. Where items are about as long as that their boxes overlap
+/// however they are split: there the two halves shall be narrow, seen along the longest item.
+template <typename Item>
+typename BoxTree<Item>::Order BoxTree<Item>::ChooseOrder(
+  const Branch& branch, const Box2& box, const std::vector<Entry>& entries)
+{
+  constexpr double LengthOfLong = 0.6;
+  const auto begin = entries.begin() + branch.First;
+  const auto end = entries.begin() + branch.Last;
+  Point2 longest;
+  double sum = 0.0;
+  for (auto entry = begin; entry < end; ++entry)
+  {
+    sum += Length(entry->Along);
+    longest = Dot(longest, longest) < Dot(entry->Along, entry->Along) ? entry->Along : longest;
+  }
+  if (sum <= LengthOfLong * (branch.Last - branch.First) * std::max(box.Width(), box.Height()))
+  {
+    return { box.Width() > box.Height() ? Point2{ 1.0, 0.0 } : Point2{ 0.0, 1.0 } };
+  }
+  const auto rangeOf = [begin, end](const Order& order)
+  {
+    double low = Infinity;
+    double high = -Infinity;
+    for (auto entry = begin; entry < end; ++entry)
+    {
+      low = std::min(low, order.Key(*entry));
+      high = std::max(high, order.Key(*entry));
+    }
+    return high - low;
+  };
+  const double length = Length(longest);
+  const Order along{ (1.0 / length) * longest };
+  const Order across{ Perpendicular(along.Axis) };
+  const Order slope{ along.Axis, true };
+  const double width = rangeOf(across);
+  const double turn = 0.5 * length * rangeOf(slope);
+  if (rangeOf(along) - length > std::max(width, turn))
+  {
+    return along;
+  }
+  return width > turn ? across : slope;
+}
+
 template <typename Item>
 void BoxTree<Item>::Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries)
 {
-  const bool alongX = box.Width() > box.Height();
+  const Order order = ChooseOrder(branch, box, entries);
   const auto begin = entries.begin();
   std::nth_element(begin + branch.First, begin + branch.Middle(), begin + branch.Last,
-    [alongX](const Entry& a, const Entry& b)
+    [order](const Entry& a, const Entry& b)
     {
-      const double keyA = a.Key(alongX);
-      const double keyB = b.Key(alongX);
+      const double keyA = order.Key(a);
+      const double keyB = order.Key(b);
       return keyA < keyB || (keyA == keyB && a.Number < b.Number);
     });
 }
@@ -312,10 +375,10 @@ void BoxTree<Item>::SearchBelow(Id id, double bound, const Point2& x, double slo
   {
     Id near = node.First;
     Id far = near + 1;
-    const auto boundOf = [this, &x, slope, &leastIn](Id child)
+    const auto boundOf = [this, &x, slope, limit, &leastIn](Id child)
     {
       const double least = this->Nodes[static_cast<std::size_t>(child)].Bound(x, slope);
-      return least > 0.0 ? least : std::max(least, leastIn(child));
+      return least < limit ? std::max(least, leastIn(child)) : least;
     };
     double nearBound = boundOf(near);
     double farBound = boundOf(far);

@@ -38,6 +38,7 @@ public:
     // For a BoxTree.
     Box2 Box() const { return Box2::Around(this->Start, this->End); }
     double Least() const { return 0.0; }
+    Point2 Along() const { return Point2{}; }
   };
 
   FeatureSize(const FeatureSource& source, Pulse& pulse);

@@ -175,11 +175,13 @@ NearestValue TriangleInterpolator::Unknown()
 
 NearestValue TriangleInterpolator::Nearest(const Point2& x, const NearestValue& known) const
 {
-  const Record* record = this->FindRecord(x);
+  const Record* record = this->FindRecord(x, this->MayOverlap);
   return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x, known);
 }
 
-const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point2& x) const
+/// The one with the least value, or any one.
+const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(
+  const Point2& x, bool isLeast) const
 {
   const Record* least = nullptr;
   for (Id id : this->Buckets->Near(x))
@@ -189,7 +191,7 @@ const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(const Point
     const double first = Dot(record.FirstWeight, offset);
     const double second = Dot(record.SecondWeight, offset);
     const bool isHere = first >= 0.0 && second >= 0.0 && first + second <= 1.0;
-    if (isHere && !this->MayOverlap)
+    if (isHere && !isLeast)
     {
       return &record;
     }

@@ -32,7 +32,7 @@ public:
   double operator()(const Point2& x) const;
 
   /// Whether x is on a triangle.
-  bool Covers(const Point2& x) const { return this->FindRecord(x) != nullptr; }
+  bool Covers(const Point2& x) const { return this->FindRecord(x, false) != nullptr; }
 
   /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
   /// distance of 0. It is found sooner beside one that is `known`, of another place.
@@ -60,7 +60,7 @@ private:
 
   void MakeRecords(const TriangulatedSource& source, const std::vector<Id>& usable, Pulse& pulse);
   static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
-  const Record* FindRecord(const Point2& x) const;
+  const Record* FindRecord(const Point2& x, bool isLeast) const;
   static double ValueAt(const Record& record, const Point2& x);
   static NearestValue Unknown();
   NearestValue NearestOutside(const Point2& x, const NearestValue& known) const;

@@ -46,6 +46,32 @@ std::vector<BorderEdge> Hub(int spokes)
   return edges;
 }
 
+/// Some of the spokes are short.
+std::vector<BorderEdge> RaggedHub(int spokes)
+{
+  std::vector<BorderEdge> edges = Hub(spokes);
+  Sampler sampler(6);
+  for (BorderEdge& edge : edges)
+  {
+    edge.End = edge.Start + (0.3 + 0.7 * sampler.Next()) * (edge.End - edge.Start);
+  }
+  return edges;
+}
+
+/// One beside the other, slanted, and not all of one length.
+std::vector<BorderEdge> Stripes(int count)
+{
+  std::vector<BorderEdge> edges;
+  Sampler sampler(7);
+  for (int k = 0; k < count; ++k)
+  {
+    const Point2 start{ 0.1 + 0.2 * sampler.Next(), 0.5 * k / count };
+    edges.push_back({ start, start + (0.3 + 0.3 * sampler.Next()) * Point2{ 1.0, 0.8 }, 0.0, 1.0,
+      2 * k, 2 * k + 1 });
+  }
+  return edges;
+}
+
 /// Of random places.
 double MeanLooks(const BorderTree& tree)
 {
@@ -117,6 +143,27 @@ TEST(BorderTree, LooksAtFewEdgesHoweverManyMeetInAHub)
   const double many = MeanLooks(BorderTree(Hub(6400), pulse));
   EXPECT_LT(few, 20.0);
   EXPECT_LT(many, 3.0 * few);
+}
+
+TEST(BorderTree, LooksAtFewEdgesOfARaggedHub)
+{
+  Pulse pulse(NoMonitor());
+  ExpectNearest(RaggedHub(100), 1e-12);
+  const double few = MeanLooks(BorderTree(RaggedHub(200), pulse));
+  const double many = MeanLooks(BorderTree(RaggedHub(6400), pulse));
+  EXPECT_LT(few, 20.0);
+  EXPECT_LT(many, 3.0 * few);
+}
+
+/// Their boxes all overlap.
+TEST(BorderTree, LooksAtFewEdgesOfLongOnesBesideEachOther)
+{
+  Pulse pulse(NoMonitor());
+  ExpectNearest(Stripes(100));
+  const double few = MeanLooks(BorderTree(Stripes(200), pulse));
+  const double many = MeanLooks(BorderTree(Stripes(6400), pulse));
+  EXPECT_LT(few, 10.0);
+  EXPECT_LT(many, 5.0 * few);
 }
 
 TEST(BorderTree, LeavesWhatIsKnownWhereNothingIsNearer)

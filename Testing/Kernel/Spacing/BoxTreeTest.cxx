@@ -25,6 +25,7 @@ struct Item
 
   const Box2& Box() const { return this->Place; }
   double Least() const { return this->Value; }
+  Point2 Along() const { return {}; }
 };
 
 std::vector<Item> MakeItems(int count)
