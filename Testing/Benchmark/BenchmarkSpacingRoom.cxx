@@ -104,7 +104,7 @@ BENCHMARK_CAPTURE(SpacingPreparation, Triangles200k, TrianglesOfSource)
   ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(SpacingPreparation, Segments10k, SegmentsOfCoast)->Unit(benchmark::kMillisecond);
 
-// Images and boundary values by kind and size: items per second are pixels, or segments.
+// Sources by kind and size: items per second are pixels, triangles or segments.
 
 enum FieldKind
 {
@@ -181,7 +181,65 @@ void SpacingOfImage(benchmark::State& state)
 }
 BENCHMARK(SpacingOfImage)
   ->ArgNames({ "kind", "size" })
-  ->ArgsProduct({ benchmark::CreateDenseRange(0, NumberOfFieldKinds - 1, 1), { 257, 1025 } })
+  ->ArgsProduct({ benchmark::CreateDenseRange(0, NumberOfFieldKinds - 1, 1), { 257, 1025, 4097 } })
+  ->Unit(benchmark::kMillisecond);
+
+enum LongTriangles
+{
+  Slivers,
+  Star,
+  NumberOfLongKinds
+};
+
+// Triangles far longer than wide, with corners of their own, one beside the other; or spikes that
+// meet in a hub. Items per second are triangles.
+void SpacingOfLongTriangles(benchmark::State& state)
+{
+  const auto count = static_cast<Id>(state.range(1));
+  const std::vector<Point2> random = RandomPoints(count);
+  auto source = std::make_shared<TriangulatedSource>();
+  source->MayOverlap = true;
+  const auto add = [&source](double x, double y, double value)
+  {
+    source->Points.push_back({ x, y });
+    source->Values.push_back(value);
+    return static_cast<Id>(source->Points.size()) - 1;
+  };
+  const Id hub = add(0.5, 0.5, 0.02);
+  for (Id k = 0; k < count; ++k)
+  {
+    const Point2& chance = random[static_cast<std::size_t>(k)];
+    const double value = 0.005 + 0.025 * chance.X;
+    if (state.range(0) == Star)
+    {
+      const double step = 6.283185307179586 / count;
+      const double length = 0.1 + 0.4 * chance.Y;
+      const auto addTip = [&add, length, value](double angle)
+      { return add(0.5 + length * std::cos(angle), 0.5 + length * std::sin(angle), value); };
+      source->Triangles.insert(
+        source->Triangles.end(), { hub, addTip(k * step), addTip((k + 0.5) * step) });
+    }
+    else
+    {
+      const double y = 0.1 + 0.4 * k / count;
+      const Id left = add(0.05 + 0.1 * chance.Y, y, value);
+      const Id right = add(0.9 - 0.1 * chance.X, y + 0.3, value);
+      source->Triangles.insert(
+        source->Triangles.end(), { left, right, add(0.5, y + 0.15 + 0.1 / count, value) });
+    }
+  }
+  SpacingOptions options;
+  options.Triangulation = source;
+  for (auto step : state)
+  {
+    static_cast<void>(step);
+    benchmark::DoNotOptimize(SpacingOf(options)({ 0.5, 0.5 }));
+  }
+  Report(state, count);
+}
+BENCHMARK(SpacingOfLongTriangles)
+  ->ArgNames({ "kind", "triangles" })
+  ->ArgsProduct({ benchmark::CreateDenseRange(0, NumberOfLongKinds - 1, 1), { 500, 4000 } })
   ->Unit(benchmark::kMillisecond);
 
 void SpacingOfBoundary(benchmark::State& state)
