@@ -235,14 +235,14 @@ public:
 
   ///@{
   /**
-   * What counts where keeping vertices and good shapes exclude each other: KEEPING: all vertices
-   * stay that can; BALANCED (default): where they would leave an angle below 36 degrees, or an edge
-   * beyond [0.71, 1.41] f, one is released, and comes back if there is a place for it in the end;
-   * all are where the mesh is too coarse for f by 1.4 to 1.6, or does not fit where f changes
-   * from one of its vertices to the next, and what is left in narrow strips along these; in the
-   * end a new vertex takes the place of an old one near it, and is that vertex, where all angles
-   * beside it stay above 42.5 degrees (KEEPING: 35); SHAPE: more are released, and no place is
-   * taken.
+   * What counts where keeping vertices and good shapes exclude each other. KEEPING: all vertices
+   * stay that can; where they would leave an angle below 28 degrees one is released, and comes
+   * back if there is a place for it in the end. BALANCED (default): so they are below 36 degrees,
+   * and beside an edge beyond [0.71, 1.41] f; all are where the mesh is too coarse for f by 1.4
+   * to 1.6, or does not fit where f changes from one of its vertices to the next, and what is left
+   * in narrow strips along these. In the end a new vertex takes the place of an old one near it,
+   * and is that vertex, where all angles beside it stay above 42.5 degrees (KEEPING: 35). SHAPE:
+   * more are released, and no place is taken.
    */
   vtkSetClampMacro(Preference, int, KEEPING, SHAPE);
   vtkGetMacro(Preference, int);

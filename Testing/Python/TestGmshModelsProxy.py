@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Twenty models of Gmsh with holes, inclusions and physical groups: Gmsh meshes them, ParaView's Extract
-Surface hands on triangles and lines, and the mesher makes of it the same area, regions and tags.
+Surface hands on triangles and lines, and the mesher makes of it the same area, regions and tags, as the
+remesher does where it refines the mesh of Gmsh to half its spacing, or coarsens it to twice.
 
 What they must be is added up here from the file of Gmsh, cell by cell.
 """
@@ -22,6 +23,7 @@ NUMBER_OF_MODELS = 20
 FIRST_SURFACE = 1000  # no number of a group of curves is as high
 IDS = 'CellEntityIds'  # of physical groups, where there are any
 TRIANGLE, LINE = 5, 3
+EQUILATERAL = math.sqrt(0.1875)  # area, of sides 1
 
 
 def model(seed):
@@ -106,12 +108,22 @@ class TestGmshModelsProxy(unittest.TestCase):
         """Returns the number of regions."""
         given = simple.LegacyVTKReader(FileNames=[path])
         surface = simple.ExtractSurface(Input=given)
-        mesher = BitingMesher(Input=surface, RegionArray=IDS, BoundarySpacingArray=['POINTS', 'None'])
-        mesher.UpdatePipeline()
         model_made = simple.FetchData(given)[0]
         areas, lengths = sizes(model_made, TRIANGLE), sizes(model_made, LINE)
-        mesh = simple.FetchData(simple.OutputPort(mesher, 0))[0]
-        edges = simple.FetchData(simple.OutputPort(mesher, 1))[0]
+        self.compare(BitingMesher(Input=surface, RegionArray=IDS,
+                                  BoundarySpacingArray=['POINTS', 'None']), areas, lengths)
+        triangles = sum(model_made.GetCellType(cell) == TRIANGLE
+                        for cell in range(model_made.GetNumberOfCells()))
+        spacing = math.sqrt(sum(areas.values()) / triangles / EQUILATERAL)
+        for scale in (0.5, 2.0):
+            self.compare(BitingRemesher(Input=surface, RegionArray=IDS,
+                                        UniformSpacing=scale * spacing), areas, lengths)
+        return len(areas)
+
+    def compare(self, meshed, areas, lengths):
+        meshed.UpdatePipeline()
+        mesh = simple.FetchData(simple.OutputPort(meshed, 0))[0]
+        edges = simple.FetchData(simple.OutputPort(meshed, 1))[0]
         regions = mesh.GetCellData().GetArray('RegionId')
         found = {}
         for cell in range(mesh.GetNumberOfCells()):
@@ -124,9 +136,8 @@ class TestGmshModelsProxy(unittest.TestCase):
         for ours, theirs in zip(sorted(map(math.fsum, found.values())), sorted(areas.values())):
             self.assertAlmostEqual(ours / theirs, 1.0, delta=1e-6)
         tagged = {entity: length for entity, length in sizes(edges, LINE).items()
-                  if entity < FIRST_SURFACE}
+                  if 0 <= entity < FIRST_SURFACE}  # below: on no line
         self.expect_same(tagged, lengths, 1e-6)
-        return len(areas)
 
 
 if __name__ == '__main__':

@@ -102,7 +102,7 @@ inline KeepRules RulesFor(RemeshPreference preference)
   switch (preference)
   {
     case RemeshPreference::Keeping:
-      return { 0.82, 0.82, 1.22, 1.22, 1e6, 1e6, 2.0, 1e6, 1e6, 2.7474774, 0.0, 1e6, 1.4281480 };
+      return { 0.82, 0.82, 1.22, 1.22, 1e6, 1e6, 2.0, 1e6, 1e6, 1.8807265, 0.0, 1e6, 1.4281480 };
     case RemeshPreference::Shape:
       return { 0.5, 0.82, 1.22, 1.9, 1.15, 1.7, 0.5, 0.26, 0.3, 1.4281480, 0.70710678, 1.41421356,
         0.0 };

@@ -357,21 +357,20 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& sl
   return isEdge;
 }
 
-// Where free edges are apart rounding is no excuse. Elsewhere it is along those that are not.
+// What free edges bound that meet in common ends only is told exactly. Elsewhere rounding is an
+// excuse along those that are near to others.
 void Reader::CheckOverlaps()
 {
   const FreeEdges edges(this->Mesh);
   this->Mesh.Area = edges.Area();
-  if (!this->AreApart)
+  const bool meetInEnds = this->AreApart || edges.AreApart(0.0, this->Progress);
+  if (meetInEnds && edges.BoundOnce(this->Progress))
   {
-    const double length = edges.LengthOf(edges.FindNear(this->Mesh.Rounding, this->Progress));
-    this->FindOverlaps(
-      AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * length);
+    return;
   }
-  else if (!edges.BoundOnce(this->Progress))
-  {
-    this->FindOverlaps(0.0);
-  }
+  const double near =
+    this->AreApart ? 0.0 : edges.LengthOf(edges.FindNear(this->Mesh.Rounding, this->Progress));
+  this->FindOverlaps(AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * near);
 }
 
 // The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
