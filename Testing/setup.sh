@@ -52,7 +52,7 @@ paraview_packages="
   libjpeg-dev libpng-dev libeigen3-dev libexpat1-dev
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core"
 
-test_packages="libgtest-dev imagemagick xdotool python3-meshio clang-tidy clang-format"
+test_packages="libgtest-dev imagemagick xdotool python3-meshio clang-tidy clang-format ccache"
 
 # Installs those of the given packages that are missing.
 install_packages()
@@ -102,11 +102,22 @@ fetch_packages()
   apt-get update -q && apt-get -q -o APT::Sandbox::User=root download "$@"
 }
 
+# What builds have in common, as those for ParaView and VTK the kernel, ccache compiles once.
+use_ccache()
+{
+  if [ -n "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] || ! command -v ccache > /dev/null; then
+    return
+  fi
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache
+  export CCACHE_DIR="$build_root/ccache" CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true
+}
+
 # Configures and builds: folder, then arguments for CMake. Only `build_targets`, where they are set.
 build()
 {
   folder="$1"
   shift
+  use_ccache
   cmake -G Ninja -S "$root" -B "$folder" \
     -DBITING_BUILD_TESTING=ON -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
     -DBITING_UNITY_BUILD=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
