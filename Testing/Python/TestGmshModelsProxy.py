@@ -108,6 +108,7 @@ class TestGmshModelsProxy(unittest.TestCase):
         """Returns the number of regions."""
         given = simple.LegacyVTKReader(FileNames=[path])
         surface = simple.ExtractSurface(Input=given)
+        surface.UpdatePipeline()
         model_made = simple.FetchData(given)[0]
         areas, lengths = sizes(model_made, TRIANGLE), sizes(model_made, LINE)
         self.compare(BitingMesher(Input=surface, RegionArray=IDS,
