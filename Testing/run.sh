@@ -5,8 +5,8 @@
 # All tests in one command, from a bare Debian 12 or 13: sh Testing/run.sh (as root, if
 # packages are missing).
 #
-# Installs what is missing, builds for ParaView and for the stand-alone VTK, and the kernel with
-# sanitizers; runs every test of each; checks format and clang-tidy. Ends with the sum of all of them;
+# Installs what is missing, builds for ParaView and for the stand-alone VTK, and the kernel once more
+# with sanitizers; runs every test of each; checks format and clang-tidy. Ends with the sum of all of them;
 # the status is 0 if and only if nothing failed. What the stages said is in build/log.
 #
 #   BITING_WARNINGS_AS_ERRORS=ON   warnings of compiler and clang-tidy are failures
@@ -30,13 +30,11 @@ main()
   stage packages install_packages $paraview_packages $vtk_packages $test_packages
   install_packages gmsh > "$log_folder/gmsh.log" 2>&1 ||
     echo "Gmsh cannot be installed here: what asks it is skipped."
-  stage build-paraview build_paraview
+  stage build-paraview build_paraview -DBITING_SANITIZED_TESTS=address,undefined
   stage build-vtk build_vtk
-  stage build-sanitizer build_sanitizer
   stage build-thread build_thread
   suite paraview "$paraview_build"
   suite vtk "$vtk_build" LD_LIBRARY_PATH="${vtk_library_path:-}" PYTHONPATH="${vtk_python_path:-}"
-  suite sanitizer "$sanitizer_build"
   only="$tests_with_threads"
   suite thread "$thread_build"
   only=

@@ -17,7 +17,6 @@ build_root="$root/build"
 paraview_build="$build_root/paraview"
 vtk_build="$build_root/vtk"
 vtk_prefix="$build_root/vtk-prefix"
-sanitizer_build="$build_root/sanitizer"
 thread_build="$build_root/thread"
 plugin="$paraview_build/lib/BitingMesh/BitingMesh.so"
 warnings_as_errors="${BITING_WARNINGS_AS_ERRORS:-OFF}"
@@ -112,7 +111,7 @@ use_ccache()
   export CCACHE_DIR="$build_root/ccache" CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true
 }
 
-# Configures and builds: folder, then arguments for CMake. Only `build_targets`, where they are set.
+# Configures and builds: folder, then arguments for CMake.
 build()
 {
   folder="$1"
@@ -121,7 +120,7 @@ build()
   cmake -G Ninja -S "$root" -B "$folder" \
     -DBITING_BUILD_TESTING=ON -DBITING_WARNINGS_AS_ERRORS="$warnings_as_errors" \
     -DBITING_UNITY_BUILD=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" || return
-  cmake --build "$folder" --parallel "$(nproc)" ${build_targets:+--target $build_targets}
+  cmake --build "$folder" --parallel "$(nproc)"
 }
 
 # Arguments go to CMake, as in build_paraview -DBITING_BUILD_TESTING=OFF.
@@ -130,7 +129,7 @@ build_paraview()
   build "$paraview_build" -DBITING_SDK=ParaView -DCMAKE_BUILD_TYPE=Release "$@"
 }
 
-# The kernel's tests do not depend on the SDK: they are built with ParaView and with sanitizers.
+# The kernel's tests do not depend on the SDK: they are built with ParaView.
 build_vtk()
 {
   unpack_vtk || return
@@ -138,23 +137,11 @@ build_vtk()
     -DCMAKE_BUILD_TYPE=Release -DBITING_BUILD_KERNEL_TESTING=OFF "$@"
 }
 
-build_sanitizer()
-{
-  build "$sanitizer_build" -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DBITING_SANITIZE=address,undefined "$@"
-}
-
-# The programs whose tests use several threads.
+# Tests that use several threads only, of the kernel.
 build_thread()
 {
-  build_targets='BitingKernelBaseTest BitingKernelSpacingTest BitingKernelDomainTest
-    BitingKernelFacadeTest
-    BitingKernelBlocksTest'
   build "$thread_build" -DBITING_SDK=Kernel -DCMAKE_BUILD_TYPE=Release \
     -DBITING_SANITIZE=thread "$@"
-  status=$?
-  build_targets=
-  return $status
 }
 
 paraview_python()

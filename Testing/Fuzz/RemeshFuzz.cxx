@@ -24,13 +24,11 @@
 #include <iostream>  // for the report
 #include <string>    // for arguments
 
-#if defined(__SANITIZE_ADDRESS__)
 /// As in BitingFuzz.cxx.
 extern "C" const char* __asan_default_options()
 {
   return "malloc_context_size=0:quarantine_size_mb=16";
 }
-#endif
 
 namespace biting
 {
