@@ -6,8 +6,8 @@
 # packages are missing).
 #
 # Installs what is missing, builds for ParaView and for the stand-alone VTK, and the kernel once more
-# with sanitizers; runs every test of each; checks format and clang-tidy. Ends with the sum of all of them;
-# the status is 0 if and only if nothing failed. What the stages said is in build/log.
+# with sanitizers; runs every test of each; checks format and clang-tidy. Ends with the sum of all
+# of them; the status is 0 if and only if nothing failed. What the stages said is in build/log.
 #
 #   BITING_WARNINGS_AS_ERRORS=ON   warnings of compiler and clang-tidy are failures
 #   BITING_SHARED_INPUTS=folder    more inputs for the tests; default ../shared/inputs, may be absent
