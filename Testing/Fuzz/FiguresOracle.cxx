@@ -3,12 +3,12 @@
 
 #include "FiguresOracle.h"
 
+#include "Base/Numbers.h"
 #include "ExactSigns.h"
 
 #include <algorithm> // for all_of, min
 #include <array>     // for corners
 #include <cmath>     // for abs
-#include <limits>    // for infinity
 
 namespace biting
 {
@@ -18,7 +18,6 @@ namespace
 
 constexpr std::size_t MostForBruteForce = 150;
 constexpr double QualityRounding = 1e-9;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 

@@ -3,6 +3,8 @@
 
 #include "Mover.h"
 
+#include "Base/Numbers.h"
+
 #include <algorithm> // for max, transform
 #include <cmath>     // for abs, nextafter
 #include <limits>    // for poison
@@ -53,7 +55,6 @@ void Mover::Shake(Places& places)
 /// By a few ulp, or a part of the coordinate that is small.
 double Mover::Shaken(double coordinate, int kind)
 {
-  constexpr double Infinity = std::numeric_limits<double>::infinity();
   if (kind == 3)
   {
     return coordinate * (1.0 + this->Numbers.Power(-50, -20));
@@ -90,7 +91,6 @@ void Mover::Scale(Places& places, double factorX, double factorY)
 
 void Mover::Poison(Places& places)
 {
-  constexpr double Infinity = std::numeric_limits<double>::infinity();
   const double poisons[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity, 1e80,
     1e-80, -1e-310, 1e308, 1e69 };
   if (places.empty())

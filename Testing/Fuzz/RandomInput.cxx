@@ -4,6 +4,7 @@
 #include "RandomInput.h"
 
 #include "Base/Box2.h"
+#include "Base/Numbers.h"
 #include "RandomDrawing.h"
 
 #include <algorithm> // for min, max
@@ -20,7 +21,6 @@ namespace
 {
 
 constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The box of the finite points.
 Box2 BoundsOf(const Polylines& input)

@@ -24,7 +24,7 @@ using SpacingFunction = std::function<double(const Point2&)>;
 constexpr Id MostSegments = 400; // all are compared with all
 constexpr double RoomForRounding = 1.0 + 1e-6;
 
-double DistanceTo(const Point2& p, const Point2& a, const Point2& b)
+double DistanceToChord(const Point2& p, const Point2& a, const Point2& b)
 {
   const Point2 along = b - a;
   const double share = std::max(0.0, std::min(1.0, Dot(p - a, along) / Dot(along, along)));
@@ -249,7 +249,7 @@ std::string SimplificationJudge::WalkPath(Id vertex, Id segment, std::map<Chord,
   {
     const Point2& p = this->Before.Vertices[between];
     const double distance =
-      DistanceTo(p, this->Before.Vertices[vertex], this->Before.Vertices[end]);
+      DistanceToChord(p, this->Before.Vertices[vertex], this->Before.Vertices[end]);
     if (!(distance <= RoomForRounding * this->Options.Tolerance * this->Spacing(p)))
     {
       return "a vertex is farther away than the tolerance";

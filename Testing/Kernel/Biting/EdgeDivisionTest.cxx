@@ -19,20 +19,10 @@ namespace
 
 constexpr Id NoLimit = 1000000;
 
-Spacing Make(const SpacingOptions& options)
-{
-  Box2 box;
-  box.Add({ -1.0, -1.0 });
-  box.Add({ 2.0, 2.0 });
-  ProblemList problems;
-  SilentMonitor monitor;
-  return MakeSpacing(options, box, problems, monitor);
-}
-
 DivisionPoints Divide(const SpacingOptions& options, double bitingConstant, double targetLength,
   const Point2& a, const Point2& b, double leastPart = EdgeDivider::LeastPart)
 {
-  const Spacing spacing = Make(options);
+  const Spacing spacing = SpacingAroundUnitSquare(options);
   Pulse pulse(NoMonitor());
   EdgeDivider divider(spacing, bitingConstant, targetLength, pulse, leastPart);
   DivisionPoints points;
@@ -97,7 +87,7 @@ TEST(EdgeDivider, DividesTheSameWhereTheEndsAreTold)
   const SpacingOptions options = LinearSpacing(0.02, 0.3, 1.0);
   const Point2 low{ 0.3, 0.0 };
   const Point2 high{ 0.3, 1.0 };
-  const Spacing spacing = Make(options);
+  const Spacing spacing = SpacingAroundUnitSquare(options);
   Pulse pulse(NoMonitor());
   for (const bool isReversed : { false, true })
   {
@@ -228,7 +218,7 @@ TEST(EdgeDivider, TakesFewStepsWhereTheSpacingFallsToNearlyNothing)
     SpacingOptions options;
     options.Gradation = 0.0;
     options.Grid = grid;
-    const Spacing spacing = Make(options);
+    const Spacing spacing = SpacingAroundUnitSquare(options);
     StoppingMonitor monitor(100);
     Pulse pulse(monitor);
     EdgeDivider divider(spacing, 0.5, 1.0, pulse);
@@ -241,7 +231,7 @@ TEST(EdgeDivider, TakesFewStepsWhereTheSpacingFallsToNearlyNothing)
 
 TEST(EdgeDivider, RefusesMorePointsThanTheLimit)
 {
-  const Spacing spacing = Make(UniformSpacing(0.01));
+  const Spacing spacing = SpacingAroundUnitSquare(UniformSpacing(0.01));
   Pulse pulse(NoMonitor());
   EdgeDivider divider(spacing, 0.8, 1.0, pulse);
   DivisionPoints points;
@@ -260,7 +250,7 @@ TEST(EdgeDivider, EdgeShorterThanABiteStaysWhole)
 DivisionPoints DivideWithShells(
   const SpacingOptions& options, const Point2& a, const Point2& b, const EndShells& shells)
 {
-  const Spacing spacing = Make(options);
+  const Spacing spacing = SpacingAroundUnitSquare(options);
   Pulse pulse(NoMonitor());
   EdgeDivider divider(spacing, 0.77, 1.0, pulse);
   DivisionPoints points;

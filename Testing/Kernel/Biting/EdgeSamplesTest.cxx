@@ -20,15 +20,6 @@ using Sample = EdgeSamples::Sample;
 const Point2 Start{ 0.3, 0.0 };
 const Point2 End{ 0.3, 1.0 };
 
-Spacing Make(const SpacingOptions& options)
-{
-  Box2 box;
-  box.Add({ -1.0, -1.0 });
-  box.Add({ 2.0, 2.0 });
-  ProblemList problems;
-  return MakeSpacing(options, box, problems, NoMonitor());
-}
-
 /// Linear between values at places along the edge.
 SpacingOptions Along(std::vector<double> places, std::vector<double> values)
 {
@@ -78,7 +69,8 @@ double WorstOf(const Spacing& f, const std::vector<Sample>& samples)
 
 TEST(EdgeSamples, AscendToTheEndWithTheSpacingThere)
 {
-  const Spacing f = Make(Along({ 0.0, 0.3, 0.34, 1.0 }, { 0.05, 0.02, 0.06, 0.01 }));
+  const Spacing f =
+    SpacingAroundUnitSquare(Along({ 0.0, 0.3, 0.34, 1.0 }, { 0.05, 0.02, 0.06, 0.01 }));
   const std::vector<Sample> samples = SamplesOf(f);
   for (std::size_t k = 1; k < samples.size(); ++k)
   {
@@ -90,12 +82,12 @@ TEST(EdgeSamples, AscendToTheEndWithTheSpacingThere)
 
 TEST(EdgeSamples, OfAConstantAreTheEnds)
 {
-  EXPECT_EQ(SamplesOf(Make(UniformSpacing(0.01))).size(), 2u);
+  EXPECT_EQ(SamplesOf(SpacingAroundUnitSquare(UniformSpacing(0.01))).size(), 2u);
 }
 
 TEST(EdgeSamples, AreAFewOnALine)
 {
-  const Spacing f = Make(LinearSpacing(0.02, 0.1, 1.0));
+  const Spacing f = SpacingAroundUnitSquare(LinearSpacing(0.02, 0.1, 1.0));
   const std::vector<Sample> samples = SamplesOf(f);
   const double integral = std::log(6.0) / 0.1;
   EXPECT_LE(static_cast<double>(samples.size()), 1.2 * integral);
@@ -106,7 +98,7 @@ TEST(EdgeSamples, FollowWhatIsRound)
 {
   for (const double slope : { 0.1, 0.3 })
   {
-    const Spacing f = Make(RadialSpacing({ 0.32, 0.41 }, 0.01, slope));
+    const Spacing f = SpacingAroundUnitSquare(RadialSpacing({ 0.32, 0.41 }, 0.01, slope));
     EXPECT_LT(WorstOf(f, SamplesOf(f)), 0.03) << slope;
   }
 }
@@ -116,8 +108,8 @@ TEST(EdgeSamples, FollowEdgesOfTheSpacing)
   for (double top = 0.2; top < 0.8; top += 0.0123)
   {
     const double low = 0.02;
-    const Spacing f =
-      Make(Along({ 0.0, top, 1.0 }, { low + 0.15 * top, low, low + 0.15 * (1.0 - top) }));
+    const Spacing f = SpacingAroundUnitSquare(
+      Along({ 0.0, top, 1.0 }, { low + 0.15 * top, low, low + 0.15 * (1.0 - top) }));
     EXPECT_LT(WorstOf(f, SamplesOf(f)), 0.06) << top;
   }
 }
@@ -128,7 +120,8 @@ TEST(EdgeSamples, AreNearEachOtherWhereTheSpacingJumps)
   for (const double ratio : { 3.0, 30.0, 1.0 / 30.0 })
   {
     const double low = 0.03;
-    const Spacing f = Make(Along({ place, std::nextafter(place, 1.0) }, { low, ratio * low }));
+    const Spacing f =
+      SpacingAroundUnitSquare(Along({ place, std::nextafter(place, 1.0) }, { low, ratio * low }));
     const std::vector<Sample> samples = SamplesOf(f);
     for (std::size_t k = 1; k < samples.size(); ++k)
     {

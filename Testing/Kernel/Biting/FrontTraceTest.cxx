@@ -18,7 +18,7 @@ namespace biting
 namespace
 {
 
-Polylines Plate()
+Polylines DividedPlate()
 {
   return PolylineBuilder()
     .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.25 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 0.25 } })
@@ -177,7 +177,7 @@ void CheckFront(const Polylines& input, const BitingMesh& mesh, Placement placem
 
 TEST(FrontTrace, PiecesCloseAndSeparateBittenFromLeft)
 {
-  for (const Polylines& input : { Plate(), TurnedSquare() })
+  for (const Polylines& input : { DividedPlate(), TurnedSquare() })
   {
     for (const BitingSetting& setting : BitingSettings())
     {
@@ -200,7 +200,7 @@ TEST(FrontTrace, PiecesCloseAndSeparateBittenFromLeft)
 
 TEST(FrontTrace, NothingIsLeftAfterTheLastBite)
 {
-  for (const Polylines& input : { Plate(), TurnedSquare() })
+  for (const Polylines& input : { DividedPlate(), TurnedSquare() })
   {
     for (const BitingSetting& setting : BitingSettings())
     {
@@ -220,7 +220,7 @@ TEST(FrontTrace, PiecesOfCirclesLieOnTheirOutlines)
   {
     BitingMeshOptions options = Fields(setting)[2];
     options.MaximumNumberOfBites = 100;
-    const BitingMesh mesh = RunMesh(Plate(), options).Mesh;
+    const BitingMesh mesh = RunMesh(DividedPlate(), options).Mesh;
     const BiteBuckets buckets(mesh.Bites);
     ASSERT_FALSE(mesh.Front.empty());
     for (std::size_t k = 0; HasCircles(mesh) && k < mesh.Front.size(); ++k)

@@ -86,7 +86,7 @@ TEST(IntegrateDensity, RadialHasItsClosedForm)
 }
 
 // With `coarse` left of x = 0.7, `fine` right of it, and nothing between.
-SpacingOptions Jump(double coarse, double fine)
+SpacingOptions JumpFrom(double coarse, double fine)
 {
   auto grid = std::make_shared<GridSource>();
   grid->XNodes = { 0.0, 0.7, std::nextafter(0.7, 1.0), 1.0 };
@@ -104,7 +104,7 @@ TEST(IntegrateDensity, SeesBothSidesOfAJump)
          { 0.3, 0.2 }, { 1.0, 0.1 }, { 0.1, 1e-3 }, { 1e-3, 0.1 } })
   {
     const double expected = 0.7 / (coarse * coarse) + 0.3 / (fine * fine);
-    const double integral = Integral(Box(1.0, 1.0), Jump(coarse, fine));
+    const double integral = Integral(Box(1.0, 1.0), JumpFrom(coarse, fine));
     EXPECT_NEAR(integral, expected, Tolerance * expected) << coarse << " " << fine;
   }
 }

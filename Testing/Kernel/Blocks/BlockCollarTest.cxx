@@ -16,7 +16,7 @@ namespace biting
 namespace
 {
 
-constexpr Id Side = 12;
+constexpr Id SideOfBlock = 12;
 
 // Across edges from a triangle at the cut, found by going over all of them again and again.
 std::vector<int> StepsFromCut(const GridBlock& block)
@@ -52,7 +52,7 @@ class BlockCollarSteps : public ::testing::TestWithParam<int>
 
 TEST_P(BlockCollarSteps, HasWhatIsNearCutsOrAtSegmentsAndNothingElse)
 {
-  const GridBlock block(Side);
+  const GridBlock block(SideOfBlock);
   const BlockCollar collar = TakeCollar(block.Block, block.IsOnCut, block.Mesh, GetParam());
   const std::vector<int> steps = StepsFromCut(block);
   std::vector<Id> wanted;
@@ -69,7 +69,7 @@ TEST_P(BlockCollarSteps, HasWhatIsNearCutsOrAtSegmentsAndNothingElse)
 
 TEST_P(BlockCollarSteps, IsAsInTheBlock)
 {
-  const GridBlock block(Side);
+  const GridBlock block(SideOfBlock);
   const BlockCollar collar = TakeCollar(block.Block, block.IsOnCut, block.Mesh, GetParam());
   const std::size_t shared = block.NumberOfShared();
   EXPECT_EQ(collar.NumberOfTriangles, static_cast<Id>(block.Grid.Regions.size()));

@@ -65,11 +65,11 @@ std::set<Id> CrossingConstraints(const Scene& scene)
 Scene TangledScene(int count, int size, int tries, std::uint64_t seed)
 {
   Scene scene = RandomScene(count, size, seed);
-  Shaker shaker(seed + 1000);
+  Dice dice(seed + 1000);
   for (int i = 0; i < tries; ++i)
   {
-    const Id start = shaker.Below(count + 4);
-    const Id end = shaker.Below(count + 4);
+    const Id start = dice.Below(count + 4);
+    const Id end = dice.Below(count + 4);
     if (start != end && CrossesNone(scene, start, end))
     {
       scene.AddEdge(start, end, false);

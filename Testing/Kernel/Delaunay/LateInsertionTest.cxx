@@ -33,11 +33,11 @@ Scene HalvedSquare(int count, int bound, std::uint64_t seed)
 {
   Scene scene;
   scene.AddSquare(0.0, bound);
-  Shaker shaker(seed);
+  Dice dice(seed);
   scene.AddEdge(scene.AddPoint(1.0, bound / 2), scene.AddPoint(bound - 1.0, bound / 2), false);
   for (int i = 0; i < count; ++i)
   {
-    scene.AddPoint(shaker.Below(bound - 1) + 1, shaker.Below(bound - 1) + 1);
+    scene.AddPoint(dice.Below(bound - 1) + 1, dice.Below(bound - 1) + 1);
   }
   return scene;
 }

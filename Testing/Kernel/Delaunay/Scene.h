@@ -4,13 +4,14 @@
 #ifndef BitingDelaunayScene_h
 #define BitingDelaunayScene_h
 
+#include "../Support/Dice.h"
 #include "Delaunay/Triangulation.h"
 #include "Predicates/Predicates.h"
 
 #include <algorithm> // for sort, rotate
 #include <array>     // for triangles
 #include <cmath>     // for floor
-#include <cstdint>   // for the generator
+#include <cstdint>   // for seeds
 #include <map>       // for edges
 #include <utility>   // for pair
 #include <vector>    // for the arrays
@@ -63,36 +64,16 @@ struct Scene
   }
 };
 
-/// Numbers that look random and are the same everywhere.
-class Shaker
-{
-public:
-  explicit Shaker(std::uint64_t seed)
-    : State(seed)
-  {
-  }
-
-  /// In 0 .. bound - 1.
-  int Below(int bound)
-  {
-    this->State = this->State * 6364136223846793005ull + 1442695040888963407ull;
-    return static_cast<int>((this->State >> 33) % static_cast<std::uint64_t>(bound));
-  }
-
-private:
-  std::uint64_t State;
-};
-
 /// `count` distinct points with whole coordinates in 1 .. size - 1.
 inline std::vector<Point2> RandomPoints(int count, int size, std::uint64_t seed)
 {
-  Shaker shaker(seed);
+  Dice dice(seed);
   std::map<std::pair<int, int>, int> taken;
   std::vector<Point2> points;
   while (static_cast<int>(points.size()) < count)
   {
-    const int x = 1 + shaker.Below(size - 1);
-    const int y = 1 + shaker.Below(size - 1);
+    const int x = 1 + dice.Below(size - 1);
+    const int y = 1 + dice.Below(size - 1);
     if (taken.emplace(std::make_pair(x, y), 0).second)
     {
       points.push_back({ static_cast<double>(x), static_cast<double>(y) });

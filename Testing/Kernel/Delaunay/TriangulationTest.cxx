@@ -315,8 +315,8 @@ Scene BittenScene(int size)
 {
   Scene scene;
   scene.AddSquare(0.0, size);
-  Shaker shaker(5);
-  const auto shift = [&shaker]() { return 0.1 * (shaker.Below(1000) / 1000.0 - 0.5); };
+  Dice dice(5);
+  const auto shift = [&dice]() { return 0.1 * (dice.Below(1000) / 1000.0 - 0.5); };
   for (int row = 1; row < size; ++row)
   {
     scene.AddPoint(row, 0);

@@ -178,7 +178,7 @@ TEST(SegmentTree, VisitsEachPairThatMeetsOnce)
 }
 
 /// Short ones, and some long ones across them.
-Segments Scattered(int count)
+Segments ScatteredSegments(int count)
 {
   Segments made;
   TestNumbers numbers(13);
@@ -195,7 +195,7 @@ Segments Scattered(int count)
 
 TEST(SegmentTree, PartsOfPairsHaveEachOnce)
 {
-  const Segments segments = Scattered(30000);
+  const Segments segments = ScatteredSegments(30000);
   const std::vector<std::uint8_t> all(segments.Ends.size(), 1);
   const SegmentTree tree(segments.Points, segments.Ends, 0.0);
   const std::vector<SegmentTree::PairPart> parts = tree.PairParts();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "../Support/BitingSettings.h"
 #include "../Support/SameMesh.h"
 #include "PlateMeshes.h"
 
@@ -14,8 +15,6 @@ namespace biting
 namespace
 {
 
-constexpr FrontOrder Orders[] = { FrontOrder::Layers, FrontOrder::LargestY };
-
 /// Valid, of the area `area`, and with about as many vertices as `other`.
 void ExpectEquivalent(const MeshRun& run, const MeshRun& other, double area)
 {
@@ -26,7 +25,7 @@ void ExpectEquivalent(const MeshRun& run, const MeshRun& other, double area)
 
 TEST(BitingMesh, SameInputGivesSameBytes)
 {
-  for (FrontOrder order : Orders)
+  for (FrontOrder order : PaperOrders)
   {
     BitingMeshOptions options = RadialOptions();
     options.Order = order;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "../Support/BitingSettings.h"
 #include "../Support/SameMesh.h"
 #include "PlateMeshes.h"
 
@@ -17,8 +18,6 @@ namespace biting
 
 namespace
 {
-
-constexpr FrontOrder Orders[] = { FrontOrder::Layers, FrontOrder::LargestY };
 
 MeshRun SectionSix(BitingMeshOptions options, double bitingConstant, FrontOrder order)
 {
@@ -118,7 +117,7 @@ TEST(BitingMesh, SectionSixHasThePapersFigures)
   };
   for (const Figures& paper : { Figures{ 0.5, 6728, 13.0 }, Figures{ 0.7, 3435, 7.0 } })
   {
-    for (FrontOrder order : Orders)
+    for (FrontOrder order : PaperOrders)
     {
       const MeshRun run = SectionSix(Raw({}), paper.BitingConstant, order);
       ASSERT_EQ(run.Error(), "");
@@ -135,7 +134,7 @@ TEST(BitingMesh, AutomaticConstantGivesMeanLengthOfF)
 {
   for (const BitingMeshOptions& finish : { BitingMeshOptions{}, Raw({}) })
   {
-    for (FrontOrder order : Orders)
+    for (FrontOrder order : PaperOrders)
     {
       const MeshRun sectionSix = SectionSix(finish, 0.0, order);
       EXPECT_NEAR(sectionSix.Mesh.Quality.MeanRelativeLength, 1.0, 0.03) << "section 6";
@@ -154,7 +153,7 @@ TEST(BitingMesh, AutomaticConstantGivesMeanLengthOfF)
 // No length divides the side: there squares tie, and rounding decides how they pack.
 TEST(BitingMesh, HalfTheSpacingGivesFourTimesTheTriangles)
 {
-  for (FrontOrder order : Orders)
+  for (FrontOrder order : PaperOrders)
   {
     for (double length : { 0.0173, 0.0227 })
     {
@@ -304,7 +303,7 @@ TEST(BitingMesh, NestedRegionsAreNumberedByTheirFirstSegment)
 
 TEST(BitingMesh, SpacingLargerThanTheDomainKeepsIt)
 {
-  for (FrontOrder order : Orders)
+  for (FrontOrder order : PaperOrders)
   {
     for (double length : { 0.9, 10.0, 1e6 })
     {
@@ -329,7 +328,7 @@ TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
                             .Box(0.5005, 0.3, 0.8, 0.7)
                             .Lines();
   const Polylines disc = PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 200)).Lines();
-  for (FrontOrder order : Orders)
+  for (FrontOrder order : PaperOrders)
   {
     BitingMeshOptions options = UniformOptions(0.1);
     options.Order = order;

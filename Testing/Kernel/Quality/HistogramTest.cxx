@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Quality/Histogram.h"
+#include "Base/Numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,9 @@ namespace
 {
 
 using biting::Histogram;
+using biting::Infinity;
 using biting::MakeHistogram;
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Histogram, CountsEachValueOnceInTheBinThatHoldsIt)

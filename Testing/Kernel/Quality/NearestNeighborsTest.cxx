@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Quality/NearestNeighbors.h"
+#include "Base/Numbers.h"
 
 #include "../Support/TestThreads.h"
 #include "TestMesh.h"
@@ -10,15 +11,13 @@
 
 #include <algorithm> // for min
 #include <cmath>     // for sqrt, ldexp, cos
-#include <limits>    // for infinity
 
 namespace
 {
 
+using biting::Infinity;
 using biting::Point2;
 using biting::TestMesh;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> DistancesOfAllPairs(const std::vector<Point2>& points)
 {

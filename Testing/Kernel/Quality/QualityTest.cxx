@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Quality/Quality.h"
+#include "Base/Numbers.h"
 
 #include "TestMesh.h"
 
@@ -9,20 +10,18 @@
 
 #include <algorithm> // for min, max
 #include <cmath>     // for the formulas
-#include <limits>    // for infinity
 
 namespace
 {
 
 using biting::AspectRatio;
 using biting::Dice;
+using biting::Infinity;
 using biting::MeshQuality;
 using biting::MinimumAngle;
 using biting::Point2;
 using biting::RadiusEdgeRatio;
 using biting::TestMesh;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 const double SquareRootOf2 = std::sqrt(2.0);
 const double SquareRootOf3 = std::sqrt(3.0);

@@ -4,11 +4,12 @@
 #ifndef BitingTestMesh_h
 #define BitingTestMesh_h
 
+#include "../Support/Dice.h"
 #include "Base/Ids.h"
 #include "Base/Point2.h"
 #include "Predicates/Predicates.h"
 
-#include <cstdint>    // for random numbers
+#include <cstdint>    // for seeds
 #include <functional> // for what to keep
 #include <map>        // for edges
 #include <utility>    // for pairs
@@ -16,27 +17,6 @@
 
 namespace biting
 {
-
-/// Numbers that look random and are the same everywhere.
-class Dice
-{
-public:
-  explicit Dice(std::uint64_t seed)
-    : State(seed)
-  {
-  }
-
-  std::uint32_t Roll()
-  {
-    this->State = this->State * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<std::uint32_t>(this->State >> 33);
-  }
-
-  double Between(double low, double high) { return low + (high - low) * this->Roll() * 0x1p-31; }
-
-private:
-  std::uint64_t State;
-};
 
 /// A small triangulation that tests build and change, at any cost. Arrays as in Triangulation.
 struct TestMesh

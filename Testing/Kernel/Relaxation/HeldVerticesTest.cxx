@@ -15,8 +15,6 @@ namespace biting
 namespace
 {
 
-constexpr double NoCotangent = 1e9; // of no angle
-
 /// How many of the vertices that are held are no more where they were.
 Id CountMoved(const HoldOptions& hold)
 {

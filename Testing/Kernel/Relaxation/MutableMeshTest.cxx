@@ -170,7 +170,7 @@ TEST(MutableMesh, KeepsSlidingVerticesOnTheirSegments)
     const Point2 direction = (1.0 / Distance(start, end)) * (end - start);
     for (int k = 0; k < 20; ++k)
     {
-      const Point2 place = shop.Mesh.PlaceOnSegment(segment, { dice.Roll(), dice.Roll() });
+      const Point2 place = shop.Mesh.PlaceOnSegment(segment, { dice.Unit(), dice.Unit() });
       EXPECT_LE(std::abs(Cross(direction, place - start)), 0.5 * domain.Resolution);
     }
   }

@@ -4,6 +4,7 @@
 #ifndef BitingRawMesh_h
 #define BitingRawMesh_h
 
+#include "../Support/Dice.h"
 #include "../Support/MeshShapes.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
@@ -16,7 +17,6 @@
 #include "Relaxation/Star.h"
 
 #include <algorithm> // for max
-#include <cstdint>   // for the generator
 #include <cstring>   // for memcmp
 #include <string>    // for verdicts
 #include <utility>   // for move
@@ -25,26 +25,7 @@
 namespace biting
 {
 
-/// Numbers in [0, 1) that look random and are the same everywhere.
-class Dice
-{
-public:
-  explicit Dice(std::uint64_t seed)
-    : State(seed)
-  {
-  }
-
-  double Roll()
-  {
-    this->State = this->State * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(this->State >> 33) * 0x1p-31;
-  }
-
-  Id Below(Id bound) { return static_cast<Id>(this->Roll() * bound); }
-
-private:
-  std::uint64_t State;
-};
+constexpr double NoCotangent = 1e9; // of no angle
 
 template <typename Value>
 bool AreSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
@@ -162,8 +143,8 @@ private:
     Dice dice(1);
     for (int dart = 0; dart < darts; ++dart)
     {
-      const double x = box.Low.X + dice.Roll() * box.Width();
-      const Point2 place{ x, box.Low.Y + dice.Roll() * box.Height() };
+      const double x = box.Low.X + dice.Unit() * box.Width();
+      const Point2 place{ x, box.Low.Y + dice.Unit() * box.Height() };
       if (locator.IsInside(place) && this->IsFree(place, distance * this->Spacing(place)))
       {
         this->AddVertex(place, NoId);

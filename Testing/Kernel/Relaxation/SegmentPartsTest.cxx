@@ -111,7 +111,7 @@ TEST(SegmentParts, SlidesLeavePartsWithinTheirLimitsOrNoWorse)
       const Id segment = mesh.Segments[vertex];
       const Point2 whole = mesh.Geometry.Vertices[mesh.Geometry.Ends[segment]] -
         mesh.Geometry.Vertices[mesh.Geometry.Starts[segment]];
-      const double along = (4.0 * dice.Roll() - 2.0) * mesh.Spacings[vertex] / Length(whole);
+      const double along = (4.0 * dice.Unit() - 2.0) * mesh.Spacings[vertex] / Length(whole);
       const double share = ShareOfSlide(mesh, vertex, star, along * whole);
       ASSERT_GE(share, 0.0);
       ASSERT_LE(share, 1.0);

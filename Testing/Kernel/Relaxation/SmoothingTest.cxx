@@ -14,8 +14,6 @@ namespace biting
 namespace
 {
 
-constexpr double NoCotangent = 1e9; // of no angle
-
 /// A mesh that was smoothed once within limits.
 struct SmoothedMesh : Workshop
 {

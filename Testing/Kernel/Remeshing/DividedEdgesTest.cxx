@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Remeshing/DividedEdges.h"
-#include "../Support/MeshShapes.h"
-#include "../Support/PolylineShapes.h"
+#include "OldMeshShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,19 +13,6 @@ namespace biting
 
 namespace
 {
-
-/// Six triangles about a point, all edges of length 1.
-RemeshInput Hexagon()
-{
-  RemeshInput input;
-  input.Points = RegularPolygon({ 0.0, 0.0 }, 1.0, 6);
-  input.Points.push_back({ 0.0, 0.0 });
-  for (Id k = 0; k < 6; ++k)
-  {
-    input.Corners.insert(input.Corners.end(), { 6, k, (k + 1) % 6 });
-  }
-  return input;
-}
 
 /// Those of a mesh with one spacing, all of it in the region, and all kept but `gone`.
 std::vector<Point2> MiddlesOf(const RemeshInput& input, double spacing, Id gone = NoId)

@@ -18,8 +18,6 @@ namespace biting
 namespace
 {
 
-constexpr double Rounding = 1e-15;
-
 using SpacingFunction = std::function<double(const Point2&)>;
 
 BitingMesh MeshOf(const Polylines& lines, double spacing)

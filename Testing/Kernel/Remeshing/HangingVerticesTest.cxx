@@ -17,7 +17,7 @@ namespace biting
 namespace
 {
 
-constexpr double Rounding = 1e-14;
+constexpr double RoundingOfSlits = 1e-14;
 
 /// Squares in two triangles each, `count` by `count` of them, turned; with every other triangle
 /// turned over.
@@ -48,7 +48,7 @@ void AddGrid(const Point2& corner, double size, int count, double degrees, Remes
 RemeshInput TwoGrids(int one, int other, double shift, double degrees)
 {
   RemeshInput input;
-  input.Rounding = Rounding;
+  input.Rounding = RoundingOfSlits;
   AddGrid({ 0.0, 0.0 }, 1.0, one, degrees, input);
   AddGrid({ 1.0, shift }, 1.0, other, degrees, input);
   return input;

@@ -15,8 +15,6 @@ namespace biting
 namespace
 {
 
-constexpr double Rounding = 1e-15;
-
 Polylines Plate()
 {
   return PolylineBuilder()

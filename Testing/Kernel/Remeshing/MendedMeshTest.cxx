@@ -15,20 +15,6 @@
 namespace biting
 {
 
-namespace
-{
-
-constexpr double Rounding = 1e-15;
-
-BitingMesh SquareMesh(double spacing)
-{
-  BitingMeshOptions options;
-  options.Spacing.Uniform = spacing;
-  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
-}
-
-} // namespace
-
 // What forms no mesh is read twice.
 TEST(MendedMesh, IsReadAgainUnlessAMonitorStops)
 {

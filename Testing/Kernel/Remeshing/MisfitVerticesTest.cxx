@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Remeshing/MisfitVertices.h"
-#include "../Support/MeshShapes.h"
-#include "../Support/PolylineShapes.h"
+#include "OldMeshShapes.h"
 #include "Remeshing/ChangedRegion.h"
 
 #include <gtest/gtest.h>
@@ -29,22 +28,8 @@ std::ptrdiff_t CountMisfits(
   return std::count(isMisfit.begin(), isMisfit.end(), 1);
 }
 
-/// Six triangles about a point, all edges of length 1.
-RemeshInput Hexagon()
-{
-  RemeshInput input;
-  input.Points = RegularPolygon({ 0.0, 0.0 }, 1.0, 6);
-  input.Points.push_back({ 0.0, 0.0 });
-  for (Id k = 0; k < 6; ++k)
-  {
-    input.Corners.insert(input.Corners.end(), { 6, k, (k + 1) % 6 });
-  }
-  input.Rounding = 1e-15;
-  return input;
-}
-
 /// Two triangles, on a side of three vertices.
-RemeshInput Halves()
+RemeshInput SideOfTwoEdges()
 {
   RemeshInput input;
   input.Points = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 0.0 }, { 1.0, 1.0 } };
@@ -79,8 +64,8 @@ TEST(MisfitVertices, AreNoneWhereNothingMayGo)
 
 TEST(MisfitVertices, OfStraightEdgesMayGoWhereThePolicyLetsThem)
 {
-  EXPECT_EQ(CountMisfits(Halves(), 4.0), 4);
-  EXPECT_EQ(CountMisfits(Halves(), 4.0, { EdgePolicy::SplitOnly, false }), 0);
+  EXPECT_EQ(CountMisfits(SideOfTwoEdges(), 4.0), 4);
+  EXPECT_EQ(CountMisfits(SideOfTwoEdges(), 4.0, { EdgePolicy::SplitOnly, false }), 0);
 }
 
 TEST(MisfitVertices, AreNoneWhereNoEdgeMayBeDivided)

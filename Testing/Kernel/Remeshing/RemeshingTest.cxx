@@ -20,8 +20,6 @@ namespace biting
 namespace
 {
 
-constexpr double Rounding = 1e-15;
-
 struct RemeshRun
 {
   RemeshInput Input;
@@ -57,13 +55,6 @@ RemeshRun RunLawfully(const RemeshInput& input, const RemeshOptions& options)
     EXPECT_EQ(RemeshLaws(run.Input, run.Result).Violation(), "");
   }
   return run;
-}
-
-BitingMesh SquareMesh(double spacing)
-{
-  BitingMeshOptions options;
-  options.Spacing.Uniform = spacing;
-  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
 }
 
 /// A square with a hole, two regions, an interface that ends within, and an embedded point.

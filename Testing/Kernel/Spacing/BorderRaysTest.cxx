@@ -14,7 +14,7 @@ namespace
 using namespace biting;
 
 /// Small triangles, no two of which are near each other.
-TriangulatedSource Scattered(int side)
+TriangulatedSource ScatteredTriangles(int side)
 {
   TriangulatedSource source;
   Sampler sampler(7);
@@ -37,7 +37,7 @@ class Rays
 {
 public:
   Rays()
-    : Field(Scattered(5))
+    : Field(ScatteredTriangles(5))
     , Beats(NoMonitor())
     , Traced(this->Field, UnitBox(), 0.3, { 1.0, 0.0, 1e9 }, this->Beats)
   {

@@ -12,7 +12,7 @@ namespace
 
 using namespace biting;
 
-std::vector<BorderEdge> Scattered(int count)
+std::vector<BorderEdge> ScatteredEdges(int count)
 {
   Sampler sampler(1);
   std::vector<BorderEdge> edges;
@@ -117,12 +117,12 @@ void ExpectNearest(const std::vector<BorderEdge>& edges, double rounding = 0.0)
 
 TEST(BorderTree, FindsTheNearestOfAllEdges)
 {
-  ExpectNearest(Scattered(200));
+  ExpectNearest(ScatteredEdges(200));
 }
 
 TEST(BorderTree, FindsTheNearestOfEdgesOfVeryDifferentLengths)
 {
-  std::vector<BorderEdge> edges = Scattered(300);
+  std::vector<BorderEdge> edges = ScatteredEdges(300);
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const double factor = std::exp2(-static_cast<double>(k % 60));
@@ -169,7 +169,7 @@ TEST(BorderTree, LooksAtFewEdgesOfLongOnesBesideEachOther)
 TEST(BorderTree, LeavesWhatIsKnownWhereNothingIsNearer)
 {
   Pulse pulse(NoMonitor());
-  const BorderTree tree(Scattered(20), pulse);
+  const BorderTree tree(ScatteredEdges(20), pulse);
   const NearestValue known{ 1.0, 7.0, { 9.0, 9.0 } };
   EXPECT_EQ(tree.Nearest({ 10.0, 9.0 }, known).Value, 7.0);
   EXPECT_EQ(BorderTree().Nearest({ 10.0, 9.0 }, known).Value, 7.0);

@@ -12,7 +12,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
 constexpr double EdgeLength = 2.0;
 
 /// By the definition, at many points of the edge.

@@ -30,14 +30,6 @@ double Steep(const Point2& x)
   return 0.02 + 0.3 * x.X * x.X + 0.15 * x.Y * (1.0 - x.X);
 }
 
-/// The distance from the middle, from a low value on.
-Field AroundTheMiddle(double slope)
-{
-  return [slope](const Point2& x) {
-    return 0.003 + slope * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.05, 0.0);
-  };
-}
-
 SpacingOptions OfGrid(int nodes, const Field& field, double power = 1.0)
 {
   SpacingOptions options;

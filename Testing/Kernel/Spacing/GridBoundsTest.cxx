@@ -12,7 +12,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
 constexpr double NoLimit = 1e9;
 
 /// Three columns; values rise by 1 to the right, and by `rise` upwards.

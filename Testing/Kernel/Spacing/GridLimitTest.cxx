@@ -15,8 +15,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
-
 /// Distances to seven by seven holes, as a field that is limited to `slope` already.
 Field AroundHoles(double slope)
 {

@@ -13,8 +13,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
-
 /// After the passes.
 GridSource Limited(GridSource grid, Monitor& monitor = NoMonitor())
 {

@@ -15,19 +15,18 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
-constexpr ValueRange Range{ 1.0, 0.0, 1e9 };
+constexpr ValueRange FromOne{ 1.0, 0.0, 1e9 };
 
-GridLimit LimitOf(const GridSource& grid)
+GridLimit LimitAbove(const GridSource& grid)
 {
   const Box2 bounds{ { 0.0, 0.0 }, { grid.XNodes.back(), grid.YNodes.back() } };
-  return GridLimit(Share(grid), Gradation, bounds, Range, NoMonitor());
+  return GridLimit(Share(grid), Gradation, bounds, FromOne, NoMonitor());
 }
 
 /// From all sides along x.
 double Exact(const GridSource& grid, const Point2& x)
 {
-  const EdgeBound bound(Range, Gradation);
+  const EdgeBound bound(FromOne, Gradation);
   const std::size_t columns = grid.XNodes.size();
   double least = GridInterpolator(Share(grid))(x);
   for (std::size_t row = 0; row < grid.YNodes.size(); ++row)
@@ -73,7 +72,7 @@ TEST(GridLimit, GrowsAlikeWithinLongCells)
     const std::size_t column = isTransposed ? 90 : 150;
     const std::size_t row = isTransposed ? 150 : 90;
     grid.Values[column + Nodes * row] = 1e-4;
-    const GridLimit limit = LimitOf(grid);
+    const GridLimit limit = LimitAbove(grid);
     const Point2 node{ grid.XNodes[column], grid.YNodes[row] };
     Sampler sampler(43);
     for (int probe = 0; probe < 20000; ++probe)
@@ -110,8 +109,8 @@ TEST(GridLimit, IsWhatRowsOfNoiseAllowWithinLongCells)
     {
       grid.Values.push_back(0.1 + 25.4 * sampler.Next());
     }
-    const GridLimit limit = LimitOf(grid);
-    const GridLimit transposed = LimitOf(Transposed(grid));
+    const GridLimit limit = LimitAbove(grid);
+    const GridLimit transposed = LimitAbove(Transposed(grid));
     for (int probe = 0; probe < 200; ++probe)
     {
       const Point2 x = sampler.NextIn({ { 0.0, 0.0 }, { 11.0 * length, 1499.0 } });
@@ -131,8 +130,8 @@ TEST(GridLimit, IsWhatOneOfVeryManyRowsAllowsWithinLongCells)
   {
     grid.Values.push_back(0.01 + 2.54 * sampler.Next());
   }
-  const GridLimit limit = LimitOf(grid);
-  const GridLimit transposed = LimitOf(Transposed(grid));
+  const GridLimit limit = LimitAbove(grid);
+  const GridLimit transposed = LimitAbove(Transposed(grid));
   for (int probe = 0; probe < 40; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());

@@ -16,8 +16,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
-
 SegmentSource JumpsOf(const TriangulatedSource& source, Monitor& monitor = NoMonitor())
 {
   const TriangleInterpolator field(source);

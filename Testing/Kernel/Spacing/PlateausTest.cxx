@@ -13,11 +13,10 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
 constexpr ValueRange Range{ 1.0, 0.1, 1e9 };
 
 /// Half of the values, at random, are below the least one.
-GridSource Noise(int columns, int rows)
+GridSource LowNoise(int columns, int rows)
 {
   Sampler sampler(71);
   return MakeGrid(
@@ -65,7 +64,7 @@ double Exact(const GridSource& grid, std::size_t column, std::size_t row)
 
 TEST(Plateaus, BoundNodesOnBothSidesOfLongSidesAlike)
 {
-  const GridSource grid = Noise(7, 400);
+  const GridSource grid = LowNoise(7, 400);
   const std::vector<float> values = Lowered(grid);
   const std::vector<float> transposed = Lowered(Transposed(grid));
   for (std::size_t node = 0; node < values.size(); ++node)

@@ -34,17 +34,17 @@ private:
   double Fraction = 0.0;
 };
 
-double Jump(const Point2& x)
+double JumpAroundMiddle(const Point2& x)
 {
   return Length(x - Point2{ 0.5, 0.5 }) < 0.3 ? 0.01 : 0.1;
 }
 
 double JumpWithHoles(const Point2& x)
 {
-  return std::sin(40.0 * x.X) > 0.9 ? NotANumber : Jump(x);
+  return std::sin(40.0 * x.X) > 0.9 ? NotANumber : JumpAroundMiddle(x);
 }
 
-SpacingOptions WithEverything()
+SpacingOptions WithAllJumping()
 {
   SpacingOptions options;
   options.Grid = Share(MakeGrid(70, 70, JumpWithHoles));
@@ -72,7 +72,7 @@ TEST(MakeSpacing, ReportsProgressThatDoesNotFall)
 {
   for (double scale : { 0.5, 1.0, 2.0 })
   {
-    SpacingOptions options = WithEverything();
+    SpacingOptions options = WithAllJumping();
     options.Scale = scale;
     StopAt monitor(1 << 30);
     ProblemList problems;
@@ -85,7 +85,7 @@ TEST(MakeSpacing, ReportsProgressThatDoesNotFall)
 
 TEST(MakeSpacing, StopsAtWhicheverCallTheMonitorWants)
 {
-  const SpacingOptions options = WithEverything();
+  const SpacingOptions options = WithAllJumping();
   StopAt counter(1 << 30);
   ProblemList none;
   MakeSpacing(options, UnitBox(), none, counter);

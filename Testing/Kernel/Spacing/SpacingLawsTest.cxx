@@ -14,7 +14,7 @@ namespace
 
 using namespace biting;
 
-constexpr int Cases = 120;
+constexpr int NumberOfCases = 120;
 constexpr int Pairs = 1500;
 
 template <typename Number, std::size_t Size>
@@ -145,7 +145,7 @@ void ExpectLaws(const SpacingOptions& options, const Box2& bounds, Sampler& samp
 
 TEST(SpacingLaws, HoldForSourcesMadeAtRandom)
 {
-  for (std::uint64_t seed = 1; seed <= Cases && !HasFatalFailure(); ++seed)
+  for (std::uint64_t seed = 1; seed <= NumberOfCases && !HasFatalFailure(); ++seed)
   {
     SCOPED_TRACE(seed);
     Sampler sampler(seed);
@@ -158,7 +158,7 @@ TEST(SpacingLaws, HoldForSourcesMadeAtRandom)
 /// Then the bounds end anywhere in what is outside of triangles.
 TEST(SpacingLaws, HoldForTrianglesThatAreTurnedAndReachBeyondTheBounds)
 {
-  for (std::uint64_t seed = 1; seed <= Cases && !HasFatalFailure(); ++seed)
+  for (std::uint64_t seed = 1; seed <= NumberOfCases && !HasFatalFailure(); ++seed)
   {
     SCOPED_TRACE(seed);
     Sampler sampler(seed);

@@ -42,10 +42,19 @@ private:
 using Field = std::function<double(const Point2&)>;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double Gradation = 0.3; // where any will do
 
 inline Box2 UnitBox()
 {
   return { { 0.0, 0.0 }, { 1.0, 1.0 } };
+}
+
+/// The distance from the middle, from a low value on.
+inline Field AroundTheMiddle(double slope)
+{
+  return [slope](const Point2& x) {
+    return 0.003 + slope * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.05, 0.0);
+  };
 }
 
 /// Nodes of the unit interval, closer together near 0 where `power` exceeds 1.

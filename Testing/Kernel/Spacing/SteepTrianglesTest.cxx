@@ -15,8 +15,6 @@ namespace
 
 using namespace biting;
 
-constexpr double Gradation = 0.3;
-
 SegmentSource ConesOf(const TriangulatedSource& source, const ValueRange& range = { 1.0, 0.0, 1e9 })
 {
   Pulse pulse(NoMonitor());
@@ -29,14 +27,6 @@ SegmentExtension LimitOf(const SegmentSource& cones)
 {
   Pulse pulse(NoMonitor());
   return SegmentExtension(MakeCones(cones, 1.0, Gradation, pulse), Gradation, pulse);
-}
-
-/// The distance from the middle, as a field that is limited to `slope` already.
-Field AroundTheMiddle(double slope)
-{
-  return [slope](const Point2& x) {
-    return 0.003 + slope * std::max(Length(x - Point2{ 0.5, 0.5 }) - 0.05, 0.0);
-  };
 }
 
 /// Value and slope at the middle; planes in many directions.

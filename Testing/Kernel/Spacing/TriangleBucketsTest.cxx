@@ -12,16 +12,16 @@ namespace
 
 using namespace biting;
 
-using Corners = TriangleBuckets::Corners;
+using TriangleCorners = TriangleBuckets::Corners;
 
-std::vector<Corners> Graded(int columns, double power)
+std::vector<TriangleCorners> Graded(int columns, double power)
 {
   const TriangulatedSource source = MakeTriangulation(
     columns, [](const Point2&) { return 1.0; }, power);
-  std::vector<Corners> triangles;
+  std::vector<TriangleCorners> triangles;
   for (std::size_t first = 0; first < source.Triangles.size(); first += 3)
   {
-    Corners corners;
+    TriangleCorners corners;
     for (std::size_t k = 0; k < 3; ++k)
     {
       corners[k] = source.Points[static_cast<std::size_t>(source.Triangles[first + k])];
@@ -32,10 +32,10 @@ std::vector<Corners> Graded(int columns, double power)
 }
 
 /// Long triangles of all directions, each around others.
-std::vector<Corners> Needles(int count)
+std::vector<TriangleCorners> Needles(int count)
 {
   Sampler sampler(1);
-  std::vector<Corners> needles;
+  std::vector<TriangleCorners> needles;
   for (int needle = 0; needle < count; ++needle)
   {
     const Point2 start = sampler.NextIn(UnitBox());
@@ -46,7 +46,7 @@ std::vector<Corners> Needles(int count)
   return needles;
 }
 
-bool Contains(const Corners& corners, const Point2& x)
+bool Contains(const TriangleCorners& corners, const Point2& x)
 {
   double sides[3];
   for (std::size_t k = 0; k < 3; ++k)
@@ -56,7 +56,7 @@ bool Contains(const Corners& corners, const Point2& x)
   return (sides[0] > 0.0) == (sides[1] > 0.0) && (sides[1] > 0.0) == (sides[2] > 0.0);
 }
 
-void ExpectAllAreFound(const std::vector<Corners>& triangles, double power)
+void ExpectAllAreFound(const std::vector<TriangleCorners>& triangles, double power)
 {
   Pulse pulse(NoMonitor());
   const TriangleBuckets buckets(triangles, pulse);
@@ -91,9 +91,9 @@ TEST(TriangleBuckets, AreFewTrianglesWhereverTheyAreGraded)
   Pulse pulse(NoMonitor());
   for (const double power : { 1.0, 2.0, 3.0 })
   {
-    const std::vector<Corners> triangles = Graded(60, power);
+    const std::vector<TriangleCorners> triangles = Graded(60, power);
     const TriangleBuckets buckets(triangles, pulse);
-    for (const Corners& corners : triangles)
+    for (const TriangleCorners& corners : triangles)
     {
       const Point2 center = (1.0 / 3.0) * (corners[0] + corners[1] + corners[2]);
       const TriangleBuckets::Range near = buckets.Near(center);
@@ -106,7 +106,7 @@ TEST(TriangleBuckets, AreFewTrianglesWhereverTheyAreGraded)
 TEST(TriangleBuckets, FileATriangleNotManyTimes)
 {
   Pulse pulse(NoMonitor());
-  for (const std::vector<Corners>& triangles : { Graded(60, 8.0), Needles(1000) })
+  for (const std::vector<TriangleCorners>& triangles : { Graded(60, 8.0), Needles(1000) })
   {
     TriangleBuckets buckets(triangles, pulse);
     std::size_t entries = 0;

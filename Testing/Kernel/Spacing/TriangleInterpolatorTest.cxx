@@ -15,12 +15,12 @@ namespace
 
 using namespace biting;
 
-double Plane(const Point2& x)
+double TiltedPlane(const Point2& x)
 {
   return 2.0 + 0.5 * x.X - 0.75 * x.Y;
 }
 
-double Wave(const Point2& x)
+double LongWave(const Point2& x)
 {
   return 1.0 + 0.3 * std::sin(7.0 * x.X) * std::cos(5.0 * x.Y);
 }
@@ -71,20 +71,20 @@ TEST(TriangleInterpolator, IsExactOnALinearFieldAlsoWhereGraded)
 {
   for (double power : { 1.0, 2.0, 6.0 })
   {
-    const TriangleInterpolator interpolate(MakeTriangulation(33, Plane, power));
+    const TriangleInterpolator interpolate(MakeTriangulation(33, TiltedPlane, power));
     Sampler sampler(3);
     for (int probe = 0; probe < 20000; ++probe)
     {
       Point2 x = sampler.NextIn(UnitBox());
       x = probe % 2 == 0 ? x : Point2{ std::pow(x.X, power), std::pow(x.Y, power) };
-      ASSERT_NEAR(interpolate(x), Plane(x), 1e-13);
+      ASSERT_NEAR(interpolate(x), TiltedPlane(x), 1e-13);
     }
   }
 }
 
 TEST(TriangleInterpolator, IsExactFarFromTheOrigin)
 {
-  TriangulatedSource source = MakeTriangulation(20, Plane);
+  TriangulatedSource source = MakeTriangulation(20, TiltedPlane);
   const Point2 shift{ 1e6, -3e6 };
   for (Point2& point : source.Points)
   {
@@ -95,13 +95,13 @@ TEST(TriangleInterpolator, IsExactFarFromTheOrigin)
   for (int probe = 0; probe < 5000; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
-    ASSERT_NEAR(interpolate(x + shift), Plane(x), 1e-7);
+    ASSERT_NEAR(interpolate(x + shift), TiltedPlane(x), 1e-7);
   }
 }
 
 TEST(TriangleInterpolator, IsTheGivenValueAtEveryPoint)
 {
-  const TriangulatedSource source = Turned(MakeTriangulation(25, Wave, 3.0), 29.0);
+  const TriangulatedSource source = Turned(MakeTriangulation(25, LongWave, 3.0), 29.0);
   const TriangleInterpolator interpolate(source);
   for (std::size_t point = 0; point < source.Points.size(); ++point)
   {
@@ -111,7 +111,7 @@ TEST(TriangleInterpolator, IsTheGivenValueAtEveryPoint)
 
 TEST(TriangleInterpolator, IsContinuousAcrossEdges)
 {
-  const TriangulatedSource source = Turned(MakeTriangulation(16, Wave), 11.0);
+  const TriangulatedSource source = Turned(MakeTriangulation(16, LongWave), 11.0);
   const TriangleInterpolator interpolate(source);
   Sampler sampler(5);
   for (std::size_t corner = 0; corner + 1 < source.Triangles.size(); ++corner)
@@ -127,7 +127,7 @@ TEST(TriangleInterpolator, IsContinuousAcrossEdges)
 
 TEST(TriangleInterpolator, DoesNotNeedSharedPoints)
 {
-  const TriangulatedSource source = Turned(MakeTriangulation(12, Wave), 31.0);
+  const TriangulatedSource source = Turned(MakeTriangulation(12, LongWave), 31.0);
   const TriangleInterpolator merged(source);
   const TriangleInterpolator unmerged(Unmerged(source));
   Sampler sampler(6);
@@ -140,7 +140,7 @@ TEST(TriangleInterpolator, DoesNotNeedSharedPoints)
 
 TEST(TriangleInterpolator, IsTheNearestBorderValueOutsideAndInHoles)
 {
-  TriangulatedSource source = MakeTriangulation(9, Wave);
+  TriangulatedSource source = MakeTriangulation(9, LongWave);
   source.Values[40] = NotANumber;
   TriangulatedSource usable = source;
   usable.Triangles.clear();
@@ -173,14 +173,14 @@ TEST(TriangleInterpolator, IsTheNearestBorderValueOutsideAndInHoles)
 
 TEST(TriangleInterpolator, IgnoresTrianglesWithoutArea)
 {
-  TriangulatedSource source = MakeTriangulation(5, Plane);
+  TriangulatedSource source = MakeTriangulation(5, TiltedPlane);
   source.Triangles.insert(source.Triangles.begin(), { 0, 1, 2, 3, 3, 3, 7, 8, 7 });
   const TriangleInterpolator interpolate(source);
   Sampler sampler(8);
   for (int probe = 0; probe < 1000; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
-    ASSERT_NEAR(interpolate(x), Plane(x), 1e-13);
+    ASSERT_NEAR(interpolate(x), TiltedPlane(x), 1e-13);
   }
   source.Triangles.resize(9);
   EXPECT_TRUE(TriangleInterpolator(source).IsEmpty());
@@ -191,12 +191,12 @@ TEST(TriangleInterpolator, TakesManyTrianglesAroundOnePoint)
   constexpr int sectors = 3000;
   TriangulatedSource fan;
   fan.Points.push_back({});
-  fan.Values.push_back(Plane({}));
+  fan.Values.push_back(TiltedPlane({}));
   for (Id sector = 0; sector < sectors; ++sector)
   {
     const double angle = 6.283185307179586 * sector / sectors;
     fan.Points.push_back({ std::cos(angle), std::sin(angle) });
-    fan.Values.push_back(Plane(fan.Points.back()));
+    fan.Values.push_back(TiltedPlane(fan.Points.back()));
     fan.Triangles.insert(fan.Triangles.end(), { 0, sector + 1, (sector + 1) % sectors + 1 });
   }
   const TriangleInterpolator interpolate(fan);
@@ -204,7 +204,7 @@ TEST(TriangleInterpolator, TakesManyTrianglesAroundOnePoint)
   for (int probe = 0; probe < 5000; ++probe)
   {
     const Point2 x = sampler.NextIn({ { -0.7, -0.7 }, { 0.7, 0.7 } });
-    ASSERT_NEAR(interpolate(x), Plane(x), 1e-9);
+    ASSERT_NEAR(interpolate(x), TiltedPlane(x), 1e-9);
   }
 }
 
@@ -212,7 +212,7 @@ TEST(TriangleInterpolator, TakesNeedlesInAnyDirection)
 {
   for (double degrees : { 0.0, 90.0, 33.0 })
   {
-    TriangulatedSource source = MakeTriangulation(30, Wave);
+    TriangulatedSource source = MakeTriangulation(30, LongWave);
     for (Point2& point : source.Points)
     {
       point.Y *= 1e-5;

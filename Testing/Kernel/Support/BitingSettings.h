@@ -13,6 +13,9 @@
 namespace biting
 {
 
+/// The orders of the paper.
+constexpr FrontOrder PaperOrders[] = { FrontOrder::Layers, FrontOrder::LargestY };
+
 /// What the bites of a mesh look like, and where and when they come.
 struct BitingSetting
 {

@@ -6,6 +6,7 @@
 
 #include "BitingMesh.h"
 #include "Domain/Polylines.h"
+#include "PolylineShapes.h"
 
 #include <algorithm> // for max
 #include <string>    // for texts
@@ -44,6 +45,14 @@ inline MeshRun RunMesh(const Polylines& input, const BitingMeshOptions& options)
   SilentMonitor monitor;
   run.Mesh = MakeBitingMesh(input, options, run.Problems, monitor);
   return run;
+}
+
+/// Of the unit square.
+inline BitingMesh SquareMesh(double spacing)
+{
+  BitingMeshOptions options;
+  options.Spacing.Uniform = spacing;
+  return RunMesh(PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), options).Mesh;
 }
 
 inline double Area(const BitingMesh& mesh)

@@ -84,6 +84,13 @@ inline SpacingOptions UniformSpacing(double length)
   return options;
 }
 
+/// Prepared for the unit square and a side of it around.
+inline Spacing SpacingAroundUnitSquare(const SpacingOptions& options)
+{
+  ProblemList problems;
+  return MakeSpacing(options, { { -1.0, -1.0 }, { 2.0, 2.0 } }, problems, NoMonitor());
+}
+
 /// low + slope y for y in [0, height].
 inline SpacingOptions LinearSpacing(double low, double slope, double height)
 {

@@ -22,6 +22,8 @@
 namespace biting
 {
 
+constexpr double Rounding = 1e-15; // of coordinates of about 1
+
 /// A mesh as input of the remesher: with its edges as lines, of equal tags where they cover the
 /// same input cell.
 inline RemeshInput RemeshInputOf(const BitingMesh& mesh, double rounding)
