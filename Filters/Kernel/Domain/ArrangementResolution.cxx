@@ -23,7 +23,10 @@ namespace biting
 namespace
 {
 
+/// Long edges that lean against a curve of short ones, nearly as near as rounding, close up with it
+/// vertex by vertex, one a round: small drawings, whose rounds cost little, have more of them.
 constexpr int MostRounds = 40;
+constexpr std::size_t MostEdgesOfAllRounds = 500000;
 constexpr std::size_t LeastSplits = 100000;
 constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
 constexpr double MostForSpikes = NoiseInUlp / RoundingInUlp; // of the resolution, in roundings
@@ -73,8 +76,10 @@ bool Resolver::Run(const DomainOptions& options)
   this->MergeEqualEdges();
   bool isFullRound = true;
   double rest = 1.0;
-  for (int round = 0; round < MostRounds; ++round)
+  std::size_t edges = 0;
+  for (int round = 0; round < MostRounds || edges < MostEdgesOfAllRounds; ++round)
   {
+    edges += this->Data.Edges.size();
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes =
