@@ -23,10 +23,11 @@ namespace biting
 namespace
 {
 
-/// Long edges that lean against a curve of short ones, nearly as near as rounding, close up with it
-/// vertex by vertex, one a round: small drawings, whose rounds cost little, have more of them.
-constexpr int MostRounds = 40;
-constexpr std::size_t MostEdgesOfAllRounds = 500000;
+/// How many edges are looked at in all rounds, and how many splits are found: nearly always less
+/// than ten for an edge of the drawing. But long edges that lean against a curve of short ones,
+/// nearly as near as rounding, close up with it vertex by vertex, one a round.
+constexpr std::size_t LeastWork = 2000000;
+constexpr std::size_t WorkOfEdge = 100;
 constexpr std::size_t LeastSplits = 100000;
 constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
 constexpr double MostForSpikes = NoiseInUlp / RoundingInUlp; // of the resolution, in roundings
@@ -76,10 +77,10 @@ bool Resolver::Run(const DomainOptions& options)
   this->MergeEqualEdges();
   bool isFullRound = true;
   double rest = 1.0;
-  std::size_t edges = 0;
-  for (int round = 0; round < MostRounds || edges < MostEdgesOfAllRounds; ++round)
+  const std::size_t mostWork = LeastWork + WorkOfEdge * this->Data.Edges.size();
+  std::size_t work = 0;
+  for (int round = 0; work <= mostWork; ++round)
   {
-    edges += this->Data.Edges.size();
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes =
@@ -107,6 +108,7 @@ bool Resolver::Run(const DomainOptions& options)
     {
       return true;
     }
+    work += this->Data.Edges.size() + this->Found.Splits.size();
     this->SplitEdges();
     this->MergeEqualEdges();
     isFullRound = this->MarkAllNew(isClean);
