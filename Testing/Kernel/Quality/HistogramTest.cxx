@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>  // for infinity
+#include <limits>  // for what is no number
 #include <numeric> // for sums
 
 namespace
