@@ -24,8 +24,7 @@ public:
     : Mesh(mesh)
     , Triangles(triangles)
     , Progress(pulse)
-    , Places(PlacesOf(mesh, triangles))
-    , Buckets(this->Places, pulse)
+    , Buckets(mesh.Points, CornersOf(mesh, triangles), pulse)
     , All(triangles.size())
   {
     std::iota(this->All.begin(), this->All.end(), 0);
@@ -46,8 +45,7 @@ public:
   }
 
 private:
-  static std::vector<TriangleBuckets::Corners> PlacesOf(
-    const OldMesh& mesh, const std::vector<Id>& triangles);
+  static std::vector<Id> CornersOf(const OldMesh& mesh, const std::vector<Id>& triangles);
   template <typename Candidates>
   bool FindAmong(const Candidates& candidates, const Point2& place, OldPlace& found) const;
   void FindOnBorder(const Point2& place, OldPlace& found);
@@ -58,27 +56,27 @@ private:
   const OldMesh& Mesh;
   const std::vector<Id>& Triangles;
   Pulse& Progress;
-  std::vector<TriangleBuckets::Corners> Places;
   TriangleBuckets Buckets;
   std::vector<Id> All;
   std::optional<BorderTree> Border; ///< the free edges, with their slots as both ids
 };
 
-std::vector<TriangleBuckets::Corners> Search::PlacesOf(
-  const OldMesh& mesh, const std::vector<Id>& triangles)
+std::vector<Id> Search::CornersOf(const OldMesh& mesh, const std::vector<Id>& triangles)
 {
-  std::vector<TriangleBuckets::Corners> places;
+  std::vector<Id> corners;
   for (const Id triangle : triangles)
   {
-    const Id* corners = mesh.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    places.push_back({ mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]] });
+    const auto first = mesh.Corners.begin() + 3 * triangle;
+    corners.insert(corners.end(), first, first + 3);
   }
-  return places;
+  return corners;
 }
 
 std::array<double, 3> Search::WeightsIn(Id candidate, const Point2& place) const
 {
-  const TriangleBuckets::Corners& corners = this->Places[candidate];
+  const Id* ids = this->Mesh.Corners.data() + 3 * this->Triangles[candidate];
+  const Point2 corners[3] = { this->Mesh.Points[ids[0]], this->Mesh.Points[ids[1]],
+    this->Mesh.Points[ids[2]] };
   const double whole = Cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double second = Cross(place - corners[0], corners[2] - corners[0]) / whole;
   const double third = Cross(corners[1] - corners[0], place - corners[0]) / whole;

@@ -12,6 +12,7 @@
 #include <cmath>     // for isfinite, isnormal
 #include <limits>    // for infinity
 #include <string>    // for details
+#include <utility>   // for move
 
 namespace biting
 {
@@ -198,7 +199,8 @@ std::function<double(const Point2&)> WantedSpacing::LengthsOn(
       lengths.Triangles.push_back(region.Numbers[this->Mesh.Corners[slot]]);
     }
   }
-  const auto interpolator = std::make_shared<const TriangleInterpolator>(lengths, monitor);
+  const auto interpolator = std::make_shared<const TriangleInterpolator>(
+    std::make_shared<const TriangulatedSource>(std::move(lengths)), monitor);
   if (interpolator->IsEmpty())
   {
     return {};

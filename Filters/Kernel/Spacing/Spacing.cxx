@@ -3,6 +3,7 @@
 
 #include "Spacing.h"
 
+#include "../Base/FreedMemory.h"
 #include "../Base/Numbers.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
@@ -266,7 +267,7 @@ private:
       [this, &source](Pulse& own)
       {
         PulseMonitor monitor(own);
-        this->Data.Triangulation.emplace(source, monitor);
+        this->Data.Triangulation.emplace(this->Options.Triangulation, monitor);
       });
     PartOfStage preparing(this->Stage, 0.32, 0.48);
     Pulse pulse(preparing);
@@ -412,6 +413,7 @@ bool Spacing::IsUniform() const
 Spacing MakeSpacing(
   const SpacingOptions& options, const Box2& bounds, ProblemList& problems, Monitor& monitor)
 {
+  KeepFreedMemory();
   Spacing spacing;
   PartOfStage stage(monitor, 0.0, 1.0);
   PartOfStage checking(stage, 0.0, 0.05);

@@ -377,14 +377,16 @@ private:
   {
     const Point2 place = start.Place + share * (end.Place - start.Place);
     const double given = (1.0 - share) * start.Value + share * end.Value;
-    for (const Id cone : this->Near)
+    const auto isNeeded = [this, &place, given](Id cone)
     {
       const double value = this->Cone(cone)(place, this->Gradation);
-      if (value < given - IdleTolerance * this->Cone(cone).Value)
-      {
-        this->AreNeeded[static_cast<std::size_t>(cone)] = true;
-      }
-    }
+      const bool isBelow = value < given - IdleTolerance * this->Cone(cone).Value;
+      this->AreNeeded[static_cast<std::size_t>(cone)] =
+        this->AreNeeded[static_cast<std::size_t>(cone)] || isBelow;
+      return isBelow;
+    };
+    this->Near.erase(
+      std::remove_if(this->Near.begin(), this->Near.end(), isNeeded), this->Near.end());
   }
 
   const SteepParts& Parts;

@@ -4,6 +4,7 @@
 #include "TriangleBuckets.h"
 
 #include <algorithm> // for min, max
+#include <array>     // for corners
 #include <numeric>   // for iota
 #include <utility>   // for pairs
 
@@ -23,7 +24,9 @@ constexpr double MaximumCopies = 16.0;
 /// Many triangles around one vertex cannot be told apart by any number of levels.
 constexpr int MaximumDepth = 10;
 
-Box2 BoxOf(const TriangleBuckets::Corners& corners)
+using Corners = std::array<Point2, 3>;
+
+Box2 BoxOf(const Corners& corners)
 {
   Box2 box;
   for (const Point2& corner : corners)
@@ -44,7 +47,7 @@ Box2 Intersection(const Box2& a, const Box2& b)
 class CellTest
 {
 public:
-  CellTest(const TriangleBuckets::Corners& corners, const Point2& half)
+  CellTest(const Corners& corners, const Point2& half)
     : Origin(corners[0])
   {
     const double turn = Cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0 ? -1.0 : 1.0;
@@ -74,20 +77,37 @@ private:
 
 } // namespace
 
-TriangleBuckets::TriangleBuckets(const std::vector<Corners>& triangles, Pulse& pulse)
-  : Triangles(&triangles)
-  , Beats(&pulse)
+struct TriangleBuckets::Source
 {
-  Box2 box;
-  for (const Corners& corners : triangles)
+  const std::vector<Point2>& Points;
+  const std::vector<Id>& Ids;
+
+  Point2 PlaceOf(std::size_t corner) const
   {
-    const Box2 own = BoxOf(corners);
-    box.Add(own.Low);
-    box.Add(own.High);
+    return this->Points[static_cast<std::size_t>(this->Ids[corner])];
   }
-  this->Entries.resize(triangles.size());
+
+  Corners operator[](Id triangle) const
+  {
+    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
+    return { this->PlaceOf(first), this->PlaceOf(first + 1), this->PlaceOf(first + 2) };
+  }
+};
+
+TriangleBuckets::TriangleBuckets(
+  const std::vector<Point2>& points, const std::vector<Id>& corners, Pulse& pulse)
+  : Beats(&pulse)
+{
+  const Source source{ points, corners };
+  this->Triangles = &source;
+  Box2 box;
+  for (const Id point : corners)
+  {
+    box.Add(points[static_cast<std::size_t>(point)]);
+  }
+  this->Entries.resize(corners.size() / 3);
   std::iota(this->Entries.begin(), this->Entries.end(), 0);
-  this->Cells.push_back({ 0, static_cast<Id>(triangles.size()) });
+  this->Cells.push_back({ 0, static_cast<Id>(this->Entries.size()) });
   this->Cut(0, box, std::vector<Id>(this->Entries), 0, MaximumCopies);
   this->Triangles = nullptr;
   this->Beats = nullptr;
@@ -132,7 +152,7 @@ TriangleBuckets::Extents TriangleBuckets::Measure(const Box2& box, const std::ve
   for (Id id : ids)
   {
     this->Beats->Beat();
-    const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
+    const Corners corners = (*this->Triangles)[id];
     const Box2 own = Intersection(box, BoxOf(corners));
     const Point2 size{ std::max(own.Width(), 0.0), std::max(own.Height(), 0.0) };
     const double area = 0.5 * std::abs(Cross(corners[1] - corners[0], corners[2] - corners[0]));
@@ -174,7 +194,7 @@ void TriangleBuckets::File(const Grid& grid, const Box2& box, const std::vector<
   for (Id id : ids)
   {
     this->Beats->Beat();
-    const Corners& corners = (*this->Triangles)[static_cast<std::size_t>(id)];
+    const Corners corners = (*this->Triangles)[id];
     const Box2 own = BoxOf(corners);
     const CellTest mayMeet(corners, half);
     const Id lastRow = grid.Row(own.High.Y);

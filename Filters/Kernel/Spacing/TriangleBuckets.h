@@ -8,7 +8,6 @@
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 
-#include <array>  // for corners
 #include <vector> // for the arrays
 
 namespace biting
@@ -23,8 +22,6 @@ namespace biting
 class TriangleBuckets
 {
 public:
-  using Corners = std::array<Point2, 3>;
-
   struct Range
   {
     const Id* First;
@@ -33,9 +30,9 @@ public:
     const Id* end() const { return this->Last; }
   };
 
-  /// At least one triangle; each has an area.
+  /// Of three corners a triangle: at least one, and each has an area.
   /// Incomplete if the pulse stops: it must not be asked then.
-  TriangleBuckets(const std::vector<Corners>& triangles, Pulse& pulse);
+  TriangleBuckets(const std::vector<Point2>& points, const std::vector<Id>& corners, Pulse& pulse);
 
   /// All triangles that meet the leaf of x; outside, those of the nearest leaf along the axes.
   Range Near(const Point2& x) const
@@ -51,15 +48,8 @@ public:
     return { first, first + cell->Count };
   }
 
-  /// Calls change(id) once an entry, leaf after leaf; the id may be replaced.
-  template <typename Change>
-  void ForEachEntry(Change change)
-  {
-    for (Id& entry : this->Entries)
-    {
-      change(entry);
-    }
-  }
+  /// How often triangles are in leaves, and in cells that are cut.
+  std::size_t NumberOfEntries() const { return this->Entries.size(); }
 
 private:
   struct Cell
@@ -107,9 +97,11 @@ private:
   Grid ChooseGrid(const Box2& box, const std::vector<Id>& ids, double copies) const;
   void File(const Grid& grid, const Box2& box, const std::vector<Id>& ids);
 
-  const std::vector<Corners>* Triangles = nullptr; ///< only while building
-  Pulse* Beats = nullptr;                          ///< only while building
-  std::vector<Cell> Cells;                         ///< the first one is the root
+  struct Source;
+
+  const Source* Triangles = nullptr; ///< only while building
+  Pulse* Beats = nullptr;            ///< only while building
+  std::vector<Cell> Cells;           ///< the first one is the root
   std::vector<Grid> Grids;
   std::vector<Id> Entries; ///< those of cells that are cut are no longer asked for
 };

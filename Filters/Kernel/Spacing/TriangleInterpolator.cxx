@@ -3,12 +3,12 @@
 
 #include "TriangleInterpolator.h"
 
+#include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
 #include "TriangleEdges.h"
 
-#include <algorithm> // for min, max
-#include <limits>    // for infinity
-#include <utility>   // for swap
+#include <algorithm> // for min, max, none_of
+#include <utility>   // for move
 
 namespace biting
 {
@@ -20,27 +20,23 @@ std::size_t PointOf(const Id* corners, std::size_t corner)
   return static_cast<std::size_t>(corners[corner]);
 }
 
-TriangleBuckets::Corners PointsOf(const TriangulatedSource& source, const Id* corners)
+/// Twice the area, negative where it is clockwise.
+double TurnOf(const TriangulatedSource& source, const Id* corners)
 {
-  return { source.Points[PointOf(corners, 0)], source.Points[PointOf(corners, 1)],
-    source.Points[PointOf(corners, 2)] };
+  const Point2& origin = source.Points[PointOf(corners, 0)];
+  return Cross(
+    source.Points[PointOf(corners, 1)] - origin, source.Points[PointOf(corners, 2)] - origin);
 }
 
 /// A triangle too thin for its area to be seen is no source; its neighbors stand for it.
 bool IsUsable(const TriangulatedSource& source, const Id* corners)
 {
-  for (std::size_t corner = 0; corner < 3; ++corner)
-  {
-    if (std::isnan(source.Values[PointOf(corners, corner)]))
-    {
-      return false;
-    }
-  }
-  const TriangleBuckets::Corners points = PointsOf(source, corners);
-  return std::isnormal(Cross(points[1] - points[0], points[2] - points[0]));
+  const auto isHole = [&source](Id point)
+  { return std::isnan(source.Values[static_cast<std::size_t>(point)]); };
+  return std::none_of(corners, corners + 3, isHole) && std::isnormal(TurnOf(source, corners));
 }
 
-/// The corners of triangles that are a source.
+/// The corners of triangles that are a source, counterclockwise.
 std::vector<Id> UsableCorners(const TriangulatedSource& source, Pulse& pulse)
 {
   std::vector<Id> usable;
@@ -51,35 +47,12 @@ std::vector<Id> UsableCorners(const TriangulatedSource& source, Pulse& pulse)
       const Id* corners = &source.Triangles[3 * triangle];
       if (IsUsable(source, corners))
       {
-        usable.insert(usable.end(), corners, corners + 3);
+        const bool isClockwise = TurnOf(source, corners) < 0.0;
+        usable.insert(
+          usable.end(), { corners[0], corners[isClockwise ? 2 : 1], corners[isClockwise ? 1 : 2] });
       }
     });
   return usable;
-}
-
-std::vector<TriangleBuckets::Corners> PointsOfAll(
-  const TriangulatedSource& source, const std::vector<Id>& corners)
-{
-  std::vector<TriangleBuckets::Corners> points;
-  points.reserve(corners.size() / 3);
-  for (std::size_t first = 0; first < corners.size(); first += 3)
-  {
-    points.push_back(PointsOf(source, &corners[first]));
-  }
-  return points;
-}
-
-std::vector<Id> Counterclockwise(const TriangulatedSource& source, std::vector<Id> corners)
-{
-  for (std::size_t first = 0; first < corners.size(); first += 3)
-  {
-    const TriangleBuckets::Corners places = PointsOf(source, &corners[first]);
-    if (Cross(places[1] - places[0], places[2] - places[0]) < 0.0)
-    {
-      std::swap(corners[first + 1], corners[first + 2]);
-    }
-  }
-  return corners;
 }
 
 /// The edges with triangles on one side only, in the order of their ends.
@@ -87,7 +60,7 @@ std::vector<BorderEdge> FindBorder(
   const TriangulatedSource& source, const std::vector<Id>& corners, Pulse& pulse)
 {
   std::vector<BorderEdge> border;
-  const TriangleEdges edges(Counterclockwise(source, corners), source.Points.size(), pulse);
+  const TriangleEdges edges(corners, source.Points.size(), pulse);
   pulse.ForEach(source.Points.size(),
     [&source, &edges, &border](std::size_t start)
     {
@@ -106,154 +79,77 @@ std::vector<BorderEdge> FindBorder(
 
 } // namespace
 
-TriangleInterpolator::TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor)
-  : MayOverlap(source.MayOverlap)
+TriangleInterpolator::TriangleInterpolator(
+  std::shared_ptr<const TriangulatedSource> source, Monitor& monitor)
+  : Source(std::move(source))
 {
   Pulse pulse(monitor);
-  const std::vector<Id> usable = UsableCorners(source, pulse);
-  if (usable.empty() || pulse.HasStopped())
+  this->Corners = UsableCorners(*this->Source, pulse);
+  if (this->Corners.empty() || pulse.HasStopped())
   {
     return;
   }
-  const auto makeBuckets = [this, &source, &usable](Pulse& own)
-  { this->Buckets = std::make_unique<TriangleBuckets>(PointsOfAll(source, usable), own); };
-  const auto makeBorder = [this, &source, &usable](Pulse& own)
-  { this->Border = BorderTree(FindBorder(source, usable, own), own); };
-  if (DoEach(pulse, { makeBuckets, makeBorder }))
-  {
-    this->MakeRecords(source, usable, pulse);
-  }
-}
-
-void TriangleInterpolator::MakeRecords(
-  const TriangulatedSource& source, const std::vector<Id>& usable, Pulse& pulse)
-{
-  std::vector<Id> recordOf(usable.size() / 3, NoId);
-  Id count = 0;
-  this->Buckets->ForEachEntry(
-    [&recordOf, &count, &pulse](Id& entry)
-    {
-      pulse.Beat(1);
-      Id& record = recordOf[static_cast<std::size_t>(entry)];
-      record = record == NoId ? count++ : record;
-      entry = record;
-    });
-  this->Records.resize(static_cast<std::size_t>(count));
-  ForEachAtOnce(pulse, recordOf.size(),
-    [this, &source, &usable, &recordOf](std::size_t triangle)
-    {
-      if (recordOf[triangle] != NoId)
-      {
-        this->Records[static_cast<std::size_t>(recordOf[triangle])] =
-          MakeRecord(source, &usable[3 * triangle]);
-      }
-    });
-}
-
-TriangleInterpolator::Record TriangleInterpolator::MakeRecord(
-  const TriangulatedSource& source, const Id* corners)
-{
-  const std::vector<Point2>& places = source.Points;
-  const std::vector<double>& values = source.Values;
-  const Point2& origin = places[PointOf(corners, 0)];
-  const Point2 first = places[PointOf(corners, 1)] - origin;
-  const Point2 second = places[PointOf(corners, 2)] - origin;
-  const double area = Cross(first, second);
-  return { origin, { second.Y / area, -second.X / area }, { -first.Y / area, first.X / area },
-    values[PointOf(corners, 0)], values[PointOf(corners, 1)], values[PointOf(corners, 2)] };
+  const auto makeBuckets = [this](Pulse& own)
+  { this->Buckets = std::make_unique<TriangleBuckets>(this->Source->Points, this->Corners, own); };
+  const auto makeBorder = [this](Pulse& own)
+  { this->Border = BorderTree(FindBorder(*this->Source, this->Corners, own), own); };
+  DoEach(pulse, { makeBuckets, makeBorder });
 }
 
 double TriangleInterpolator::operator()(const Point2& x) const
 {
-  return this->Nearest(x).Value;
+  const std::optional<double> value = this->FindValue(x, this->HasOverlaps());
+  return value ? *value : this->ValueOutside(x);
 }
 
-NearestValue TriangleInterpolator::Unknown()
+/// The least one of the triangles there, or that of any one.
+std::optional<double> TriangleInterpolator::FindValue(const Point2& x, bool isLeast) const
 {
-  return { std::numeric_limits<double>::infinity(), 0.0 };
-}
-
-NearestValue TriangleInterpolator::Nearest(const Point2& x, const NearestValue& known) const
-{
-  const Record* record = this->FindRecord(x, this->MayOverlap);
-  return record ? NearestValue{ 0.0, ValueAt(*record, x), x } : this->NearestOutside(x, known);
-}
-
-/// The one with the least value, or any one.
-const TriangleInterpolator::Record* TriangleInterpolator::FindRecord(
-  const Point2& x, bool isLeast) const
-{
-  const Record* least = nullptr;
-  for (Id id : this->Buckets->Near(x))
+  std::optional<double> least;
+  for (Id triangle : this->Buckets->Near(x))
   {
-    const Record& record = this->Records[static_cast<std::size_t>(id)];
-    const Point2 offset = x - record.Origin;
-    const double first = Dot(record.FirstWeight, offset);
-    const double second = Dot(record.SecondWeight, offset);
-    const bool isHere = first >= 0.0 && second >= 0.0 && first + second <= 1.0;
-    if (isHere && !isLeast)
+    const Point2 origin = this->PlaceOf(triangle, 0);
+    const Point2 toFirst = this->PlaceOf(triangle, 1) - origin;
+    const Point2 toSecond = this->PlaceOf(triangle, 2) - origin;
+    const double whole = Cross(toFirst, toSecond);
+    const double first = Cross(x - origin, toSecond);
+    const double second = Cross(toFirst, x - origin);
+    const double rest = whole - first - second;
+    if (first >= 0.0 && second >= 0.0 && rest >= 0.0)
     {
-      return &record;
+      // By weights: differences of values would cancel what is beside a fill value.
+      const double value = (rest / whole) * this->ValueOf(triangle, 0) +
+        (first / whole) * this->ValueOf(triangle, 1) +
+        (second / whole) * this->ValueOf(triangle, 2);
+      least = least ? std::min(*least, value) : value;
+      if (!isLeast)
+      {
+        break;
+      }
     }
-    least = isHere && (!least || ValueAt(record, x) < ValueAt(*least, x)) ? &record : least;
   }
   return least;
 }
 
-/// By weights: differences of values would cancel what is beside a fill value.
-double TriangleInterpolator::ValueAt(const Record& record, const Point2& x)
-{
-  const Point2 offset = x - record.Origin;
-  const double first = Dot(record.FirstWeight, offset);
-  const double second = Dot(record.SecondWeight, offset);
-  const double origin = std::max(1.0 - first - second, 0.0);
-  return origin * record.Value + first * record.FirstValue + second * record.SecondValue;
-}
-
-/// The nearest point of the border is the answer outside; a triangle that is nearer yet closes a
-/// gap between triangles, which is there by rounding. Those of the bucket come first: then the
-/// border is searched nearby only.
-NearestValue TriangleInterpolator::NearestOutside(const Point2& x, const NearestValue& known) const
+/// That of the nearest point of the border; but a triangle that is nearer yet closes a gap between
+/// triangles, which is there by rounding. Those of the bucket come first: then the border is
+/// searched nearby only.
+double TriangleInterpolator::ValueOutside(const Point2& x) const
 {
   constexpr double NearerThanRounding = 1.0 - 1e-9;
-  NearestValue best{ Unknown().Distance, this->Records.front().Value,
-    this->Records.front().Origin };
-  if (known.Distance > 0.0 && std::isfinite(known.Distance))
+  NearestValue nearest{ Infinity, this->ValueOf(0, 0) };
+  for (Id triangle : this->Buckets->Near(x))
   {
-    best = known;
-    best.Distance = Distance(x, known.Foot);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t next = k == 2 ? 0 : k + 1;
+      const BorderEdge side{ this->PlaceOf(triangle, k), this->PlaceOf(triangle, next),
+        this->ValueOf(triangle, k), this->ValueOf(triangle, next) };
+      const NearestValue found = NearestOnEdge(side, x);
+      nearest = found.Distance < nearest.Distance ? found : nearest;
+    }
   }
-  NearestValue triangle = Unknown();
-  for (Id id : this->Buckets->Near(x))
-  {
-    const NearestValue found = NearestOnTriangle(this->Records[static_cast<std::size_t>(id)], x);
-    triangle = found.Distance < triangle.Distance ? found : triangle;
-  }
-  NearestValue border = best;
-  border.Distance = std::min(best.Distance, triangle.Distance / NearerThanRounding);
-  const double limit = border.Distance;
-  border = this->Border.Nearest(x, border);
-  best = border.Distance < limit ? border : best;
-  return triangle.Distance < NearerThanRounding * best.Distance ? triangle : best;
-}
-
-/// For x outside the triangle. The rows of weights, inverted, give back its edges.
-NearestValue TriangleInterpolator::NearestOnTriangle(const Record& record, const Point2& x)
-{
-  const double area = 1.0 / Cross(record.FirstWeight, record.SecondWeight);
-  const Point2 origin = record.Origin;
-  const Point2 first = origin - area * Perpendicular(record.SecondWeight);
-  const Point2 second = origin + area * Perpendicular(record.FirstWeight);
-  const BorderEdge edges[3] = { { origin, first, record.Value, record.FirstValue },
-    { first, second, record.FirstValue, record.SecondValue },
-    { second, origin, record.SecondValue, record.Value } };
-  NearestValue best = NearestOnEdge(edges[0], x);
-  for (const BorderEdge& edge : { edges[1], edges[2] })
-  {
-    const NearestValue found = NearestOnEdge(edge, x);
-    best = found.Distance < best.Distance ? found : best;
-  }
-  return best;
+  return this->Border.Nearest(x, { nearest.Distance / NearerThanRounding, nearest.Value }).Value;
 }
 
 } // namespace biting

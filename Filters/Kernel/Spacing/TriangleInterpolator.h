@@ -8,35 +8,34 @@
 #include "Spacing.h"
 #include "TriangleBuckets.h"
 
-#include <memory> // for buckets
+#include <memory>   // for buckets, shared sources
+#include <optional> // for values
 
 namespace biting
 {
 
-/// The piecewise linear interpolant of a triangulated source; in its holes and outside the value of
-/// the nearest point of it. Where triangles leave a gap by rounding, that is the value beside the
-/// gap. Where triangles overlap the smallest value counts, if the source says that they may.
+/// The piecewise linear interpolant of a triangulated source, which it shares; in its holes and
+/// outside the value of the nearest point of it. Where triangles leave a gap by rounding, that is
+/// the value beside the gap. Where triangles overlap the smallest value counts, if the source says
+/// that they may.
 class TriangleInterpolator
 {
 public:
   /// Leaves out triangles that have no area or have a corner that is NaN.
   /// Incomplete if the monitor asks to stop: it must not be evaluated then.
-  explicit TriangleInterpolator(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
+  explicit TriangleInterpolator(
+    std::shared_ptr<const TriangulatedSource> source, Monitor& monitor = NoMonitor());
 
   /// No triangle is left: it must not be evaluated.
-  bool IsEmpty() const { return this->Records.empty(); }
+  bool IsEmpty() const { return this->Corners.empty(); }
 
   /// Whether triangles may lie on each other.
-  bool HasOverlaps() const { return this->MayOverlap; }
+  bool HasOverlaps() const { return this->Source->MayOverlap; }
 
   double operator()(const Point2& x) const;
 
   /// Whether x is on a triangle.
-  bool Covers(const Point2& x) const { return this->FindRecord(x, false) != nullptr; }
-
-  /// For x outside of all triangles: the nearest point of their border. Elsewhere x itself, at a
-  /// distance of 0. It is found sooner beside one that is `known`, of another place.
-  NearestValue Nearest(const Point2& x, const NearestValue& known = Unknown()) const;
+  bool Covers(const Point2& x) const { return this->FindValue(x, false).has_value(); }
 
   /// The nearest point of the border, or `known` where none is nearer.
   NearestValue NearestOfBorder(const Point2& x, const NearestValue& known) const
@@ -47,29 +46,26 @@ public:
   const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
 
 private:
-  /// One triangle: the weights of corners 1 and 2 are linear in x - Origin (corner 0).
-  struct Record
+  std::optional<double> FindValue(const Point2& x, bool isLeast) const;
+  double ValueOutside(const Point2& x) const;
+
+  std::size_t PointOf(Id triangle, std::size_t corner) const
   {
-    Point2 Origin;
-    Point2 FirstWeight;
-    Point2 SecondWeight;
-    double Value;
-    double FirstValue;
-    double SecondValue;
-  };
+    return static_cast<std::size_t>(this->Corners[3 * static_cast<std::size_t>(triangle) + corner]);
+  }
+  const Point2& PlaceOf(Id triangle, std::size_t corner) const
+  {
+    return this->Source->Points[this->PointOf(triangle, corner)];
+  }
+  double ValueOf(Id triangle, std::size_t corner) const
+  {
+    return this->Source->Values[this->PointOf(triangle, corner)];
+  }
 
-  void MakeRecords(const TriangulatedSource& source, const std::vector<Id>& usable, Pulse& pulse);
-  static Record MakeRecord(const TriangulatedSource& source, const Id* corners);
-  const Record* FindRecord(const Point2& x, bool isLeast) const;
-  static double ValueAt(const Record& record, const Point2& x);
-  static NearestValue Unknown();
-  NearestValue NearestOutside(const Point2& x, const NearestValue& known) const;
-  static NearestValue NearestOnTriangle(const Record& record, const Point2& x);
-
-  std::unique_ptr<TriangleBuckets> Buckets; ///< of Records
-  std::vector<Record> Records;              ///< in the order of the buckets
+  std::shared_ptr<const TriangulatedSource> Source;
+  std::vector<Id> Corners; ///< three a triangle that is a source, counterclockwise
+  std::unique_ptr<TriangleBuckets> Buckets;
   BorderTree Border;
-  bool MayOverlap = false;
 };
 
 } // namespace biting

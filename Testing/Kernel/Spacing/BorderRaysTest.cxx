@@ -37,7 +37,7 @@ class Rays
 {
 public:
   Rays()
-    : Field(ScatteredTriangles(5))
+    : Field(Share(ScatteredTriangles(5)))
     , Beats(NoMonitor())
     , Traced(this->Field, UnitBox(), 0.3, { 1.0, 0.0, 1e9 }, this->Beats)
   {

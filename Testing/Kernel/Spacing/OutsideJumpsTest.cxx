@@ -18,7 +18,7 @@ using namespace biting;
 
 SegmentSource JumpsOf(const TriangulatedSource& source, Monitor& monitor = NoMonitor())
 {
-  const TriangleInterpolator field(source);
+  const TriangleInterpolator field(Share(source));
   ConeCollector cones({ 1.0, 0.0, 1e9 });
   EXPECT_TRUE(AddOutsideJumps(field, UnitBox(), Gradation, cones, monitor));
   return cones.Segments();
@@ -360,7 +360,7 @@ TEST(OutsideJumps, AreTheSameOnAnyNumberOfThreads)
       const double wave = std::sin(20.0 * x.X) * std::sin(20.0 * x.Y);
       return wave > 0.2 ? NotANumber : 0.02 + 0.01 * wave + (x.X < 0.47 ? 0.1 : 0.0);
     });
-  ASSERT_GT(TriangleInterpolator(source).BorderEdges().size(), 600u);
+  ASSERT_GT(TriangleInterpolator(Share(source)).BorderEdges().size(), 600u);
   const SegmentSource expected = JumpsOf(source);
   ASSERT_FALSE(expected.Segments.empty());
   for (const int threads : { 2, 3 })

@@ -147,7 +147,7 @@ TEST(SteepTriangles, AllowWhatTheConesOfAllTheirEdgesAllow)
     }
     EXPECT_LT(2 * cones.Segments.size(), all.Segments.size());
     const SegmentExtension limitOfAll = LimitOf(all);
-    const TriangleInterpolator given(source);
+    const TriangleInterpolator given(Share(source));
     Sampler sampler(4);
     for (int probe = 0; probe < 2000; ++probe)
     {

@@ -71,7 +71,7 @@ TEST(TriangleInterpolator, IsExactOnALinearFieldAlsoWhereGraded)
 {
   for (double power : { 1.0, 2.0, 6.0 })
   {
-    const TriangleInterpolator interpolate(MakeTriangulation(33, TiltedPlane, power));
+    const TriangleInterpolator interpolate(Share(MakeTriangulation(33, TiltedPlane, power)));
     Sampler sampler(3);
     for (int probe = 0; probe < 20000; ++probe)
     {
@@ -90,7 +90,7 @@ TEST(TriangleInterpolator, IsExactFarFromTheOrigin)
   {
     point = point + shift;
   }
-  const TriangleInterpolator interpolate(source);
+  const TriangleInterpolator interpolate(Share(source));
   Sampler sampler(4);
   for (int probe = 0; probe < 5000; ++probe)
   {
@@ -102,7 +102,7 @@ TEST(TriangleInterpolator, IsExactFarFromTheOrigin)
 TEST(TriangleInterpolator, IsTheGivenValueAtEveryPoint)
 {
   const TriangulatedSource source = Turned(MakeTriangulation(25, LongWave, 3.0), 29.0);
-  const TriangleInterpolator interpolate(source);
+  const TriangleInterpolator interpolate(Share(source));
   for (std::size_t point = 0; point < source.Points.size(); ++point)
   {
     ASSERT_NEAR(interpolate(source.Points[point]), source.Values[point], 1e-12);
@@ -112,7 +112,7 @@ TEST(TriangleInterpolator, IsTheGivenValueAtEveryPoint)
 TEST(TriangleInterpolator, IsContinuousAcrossEdges)
 {
   const TriangulatedSource source = Turned(MakeTriangulation(16, LongWave), 11.0);
-  const TriangleInterpolator interpolate(source);
+  const TriangleInterpolator interpolate(Share(source));
   Sampler sampler(5);
   for (std::size_t corner = 0; corner + 1 < source.Triangles.size(); ++corner)
   {
@@ -128,8 +128,8 @@ TEST(TriangleInterpolator, IsContinuousAcrossEdges)
 TEST(TriangleInterpolator, DoesNotNeedSharedPoints)
 {
   const TriangulatedSource source = Turned(MakeTriangulation(12, LongWave), 31.0);
-  const TriangleInterpolator merged(source);
-  const TriangleInterpolator unmerged(Unmerged(source));
+  const TriangleInterpolator merged(Share(source));
+  const TriangleInterpolator unmerged(Share(Unmerged(source)));
   Sampler sampler(6);
   for (int probe = 0; probe < 5000; ++probe)
   {
@@ -152,7 +152,7 @@ TEST(TriangleInterpolator, IsTheNearestBorderValueOutsideAndInHoles)
       usable.Triangles.insert(usable.Triangles.end(), corners, corners + 3);
     }
   }
-  const TriangleInterpolator interpolate(source);
+  const TriangleInterpolator interpolate(Share(source));
   Sampler sampler(7);
   int outside = 0;
   for (int probe = 0; probe < 4000; ++probe)
@@ -175,7 +175,7 @@ TEST(TriangleInterpolator, IgnoresTrianglesWithoutArea)
 {
   TriangulatedSource source = MakeTriangulation(5, TiltedPlane);
   source.Triangles.insert(source.Triangles.begin(), { 0, 1, 2, 3, 3, 3, 7, 8, 7 });
-  const TriangleInterpolator interpolate(source);
+  const TriangleInterpolator interpolate(Share(source));
   Sampler sampler(8);
   for (int probe = 0; probe < 1000; ++probe)
   {
@@ -183,7 +183,7 @@ TEST(TriangleInterpolator, IgnoresTrianglesWithoutArea)
     ASSERT_NEAR(interpolate(x), TiltedPlane(x), 1e-13);
   }
   source.Triangles.resize(9);
-  EXPECT_TRUE(TriangleInterpolator(source).IsEmpty());
+  EXPECT_TRUE(TriangleInterpolator(Share(source)).IsEmpty());
 }
 
 TEST(TriangleInterpolator, TakesManyTrianglesAroundOnePoint)
@@ -199,7 +199,7 @@ TEST(TriangleInterpolator, TakesManyTrianglesAroundOnePoint)
     fan.Values.push_back(TiltedPlane(fan.Points.back()));
     fan.Triangles.insert(fan.Triangles.end(), { 0, sector + 1, (sector + 1) % sectors + 1 });
   }
-  const TriangleInterpolator interpolate(fan);
+  const TriangleInterpolator interpolate(Share(fan));
   Sampler sampler(9);
   for (int probe = 0; probe < 5000; ++probe)
   {
@@ -218,7 +218,7 @@ TEST(TriangleInterpolator, TakesNeedlesInAnyDirection)
       point.Y *= 1e-5;
     }
     const TriangulatedSource turned = Turned(source, degrees);
-    const TriangleInterpolator interpolate(turned);
+    const TriangleInterpolator interpolate(Share(turned));
     for (std::size_t point = 0; point < turned.Points.size(); ++point)
     {
       ASSERT_NEAR(interpolate(turned.Points[point]), turned.Values[point], 1e-6);
@@ -242,7 +242,7 @@ TEST(TriangleInterpolator, IsBetweenTheValuesOfSliversInAndBesideThem)
     source.Points.push_back(source.Points[0] + unit(random) * along);
     source.Triangles = { 0, 1, 2 };
     source.Values = { 1.0, 2.0, 3.0 };
-    const TriangleInterpolator interpolator(source);
+    const TriangleInterpolator interpolator(Share(source));
     for (int place = 0; place < 20 && !interpolator.IsEmpty(); ++place)
     {
       const Point2 beside = 1e-15 * Point2{ 14.0 * unit(random), 14.0 * unit(random) };
