@@ -3,12 +3,22 @@
 
 #include "GridBounds.h"
 
+#include "GridInterpolator.h"
 #include "LevelLine.h"
 
-#include <cmath> // for abs
+#include <cmath> // for abs, sqrt
 
 namespace biting
 {
+namespace
+{
+
+/// A cell is about linear where its twist adds no more than this share of f to that.
+constexpr double LeastTwist = 0.005;
+
+constexpr int StepsWithin = 3;
+
+} // namespace
 
 GridBounds::GridBounds(
   std::shared_ptr<const GridSource> source, double gradation, const ValueRange& range)
@@ -59,6 +69,53 @@ inline double GridBounds::FromSide(
   const bool isNear = room > 0.0 && length > 0.0 &&
     this->IsNear({ std::max({ -along, along - length, 0.0 }), across }, room);
   return isNear ? std::min(limit, this->Edge(along, across, length, start, end)) : limit;
+}
+
+/// Goes to the place that bounds most along one line of the cell, then along the line across it
+/// there, and so on: what is bilinear is linear along both.
+double GridBounds::FromWithin(
+  std::size_t column, std::size_t row, const Point2& x, double limit) const
+{
+  const double* low = &this->Source->Values[this->NodeAt(column, row)];
+  const double* high = low + this->Source->XNodes.size();
+  const double twist = this->Range.Scale * std::abs((low[0] - low[1]) + (high[1] - high[0]));
+  const double room = limit - this->Range(std::min({ low[0], low[1], high[0], high[1] }));
+  const Point2 start{ this->Source->XNodes[column], this->Source->YNodes[row] };
+  const Point2 size =
+    Point2{ this->Source->XNodes[column + 1], this->Source->YNodes[row + 1] } - start;
+  const Point2 offset = x - start;
+  const Point2 away{ std::max({ -offset.X, offset.X - size.X, 0.0 }),
+    std::max({ -offset.Y, offset.Y - size.Y, 0.0 }) };
+  if (!(0.25 * twist > LeastTwist * limit && room > 0.0 && size.X * size.Y > 0.0) ||
+    !this->IsNear(away, room))
+  {
+    return limit;
+  }
+  Point2 foot = 0.5 * size;
+  for (int step = 0; step < StepsWithin; ++step)
+  {
+    const double up = foot.Y / size.Y;
+    foot.X = this->FootOn(
+      offset.X, offset.Y - foot.Y, size.X, Blend(low[0], high[0], up), Blend(low[1], high[1], up));
+    const double right = foot.X / size.X;
+    foot.Y = this->FootOn(offset.Y, offset.X - foot.X, size.Y, Blend(low[0], low[1], right),
+      Blend(high[0], high[1], right));
+  }
+  const double right = foot.X / size.X;
+  const double given =
+    Blend(Blend(low[0], low[1], right), Blend(high[0], high[1], right), foot.Y / size.Y);
+  return std::min(limit, this->Range(given) + this->Gradation * Distance(offset, foot));
+}
+
+/// Where on a line values that are linear along it bound most; see SegmentCone.
+double GridBounds::FootOn(
+  double along, double across, double length, double start, double end) const
+{
+  const double steepness = this->Range.Scale * (end - start) / (this->Gradation * length);
+  const double rest = 1.0 - steepness * steepness;
+  const double lowest = steepness < 0.0 ? length : 0.0;
+  const double foot = rest > 0.0 ? along - std::abs(across) * steepness / std::sqrt(rest) : lowest;
+  return std::min(std::max(foot, 0.0), length);
 }
 
 bool GridBounds::IsNear(const Point2& away, double room) const

@@ -10,8 +10,8 @@
 namespace biting
 {
 
-/// What the sides of the cells of a grid without holes and the least value within cells allow
-/// elsewhere: f grows from there with the gradation.
+/// What the sides and the insides of the cells of a grid without holes, and the least value within
+/// cells, allow elsewhere: f grows from there with the gradation.
 class GridBounds
 {
 public:
@@ -40,9 +40,14 @@ public:
   /// What the line allows at x along which it does, or `limit` if that is less or there is none.
   double FromLine(std::size_t column, std::size_t row, const Point2& x, double limit) const;
 
+  /// What is given within the cell above a node allows at x, or `limit` if that is less. Of a cell
+  /// where it is about linear only the sides bound, and none is looked at.
+  double FromWithin(std::size_t column, std::size_t row, const Point2& x, double limit) const;
+
 private:
   double FromSide(
     double along, double across, double length, double start, double end, double limit) const;
+  double FootOn(double along, double across, double length, double start, double end) const;
   bool IsNear(const Point2& away, double room) const;
 
   const std::shared_ptr<const GridSource> Source;

@@ -285,9 +285,28 @@ double GridLimit::operator()(const Point2& x) const
   if (!(rows.AreCut || columns.AreCut) || this->Gradation * narrow > narrowest * near)
   {
     near = this->FromNearby(columns, rows, x, this->Gradation * size, near);
+    near = this->FromCellsAround(place, x, near);
   }
   const double detour = multiple > reach ? this->Gradation * size / (8.0 * reach) : 0.0;
   return this->Unit * std::min(near, std::max(interpolated, near - detour));
+}
+
+/// From within the cell of a place, the nearest one beside it along x, along y, and that between.
+double GridLimit::FromCellsAround(
+  const GridInterpolator::Place& place, const Point2& x, double limit) const
+{
+  const std::size_t columns = this->Source->XNodes.size() - 1;
+  const std::size_t rows = this->Source->YNodes.size() - 1;
+  const std::size_t firstColumn = place.Column - (place.X < 0.5 && place.Column > 0 ? 1 : 0);
+  const std::size_t firstRow = place.Row - (place.Y < 0.5 && place.Row > 0 ? 1 : 0);
+  for (std::size_t row = firstRow; row < std::min(firstRow + 2, rows); ++row)
+  {
+    for (std::size_t column = firstColumn; column < std::min(firstColumn + 2, columns); ++column)
+    {
+      limit = this->Bounds.FromWithin(column, row, x, limit);
+    }
+  }
+  return limit;
 }
 
 /// From nodes, sides and lines. What f grows by across a cell is `growth`.

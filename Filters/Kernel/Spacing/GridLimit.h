@@ -56,6 +56,7 @@ private:
   void LowerToLines(const Marks& steep, std::size_t node);
   float GivenAt(std::size_t node) const;
   void FindLimitedCells(Marks& changed, Pulse& pulse);
+  double FromCellsAround(const GridInterpolator::Place& place, const Point2& x, double limit) const;
   double FromNearby(
     const Nearby& columns, const Nearby& rows, const Point2& x, double growth, double limit) const;
 
