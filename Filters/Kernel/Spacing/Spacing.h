@@ -132,9 +132,9 @@ struct SpacingOptions
 /// Tolerances, within the bounds it was prepared for: f is above what is given by no more than 2 %,
 /// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
 /// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
-/// within 2 % of it at 99 % of all points. That is tested, not proven: where values of a grid are
-/// noise, on cells much larger than f, about two pairs of points in a million miss the Lipschitz
-/// law, by up to a tenth of f; so it is outside of coarse triangles that are steep.
+/// within 2 % of it at 99 % of all points. That is tested, not proven: on cells of a grid that are
+/// much larger than f and steep, up to ten pairs of points in a million miss the Lipschitz law, by
+/// up to a tenth of f; so it is outside of coarse triangles that are steep.
 /// Beyond the bounds, limits are those of the nearest point of the bounds. A Gradation above 1
 /// holds for places farther apart than some hundredths of f.
 /// Preparation: MakeSpacing.
