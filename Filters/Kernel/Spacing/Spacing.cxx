@@ -264,7 +264,7 @@ private:
         { AddSteepTriangles(source, this->Options.Gradation, this->Cones, own); });
     }
     tasks.emplace_back(
-      [this, &source](Pulse& own)
+      [this](Pulse& own)
       {
         PulseMonitor monitor(own);
         this->Data.Triangulation.emplace(this->Options.Triangulation, monitor);
