@@ -6,7 +6,7 @@
 #include "GridInterpolator.h"
 #include "LevelLine.h"
 
-#include <cmath> // for abs, sqrt
+#include <cmath> // for abs
 
 namespace biting
 {
@@ -16,6 +16,7 @@ namespace
 /// A cell is about linear where its twist adds no more than this share of f to that.
 constexpr double LeastTwist = 0.005;
 
+/// To the place in a cell that bounds most.
 constexpr int StepsWithin = 3;
 
 } // namespace
@@ -83,14 +84,12 @@ double GridBounds::FromWithin(
   const Point2 start{ this->Source->XNodes[column], this->Source->YNodes[row] };
   const Point2 size =
     Point2{ this->Source->XNodes[column + 1], this->Source->YNodes[row + 1] } - start;
-  const Point2 offset = x - start;
-  const Point2 away{ std::max({ -offset.X, offset.X - size.X, 0.0 }),
-    std::max({ -offset.Y, offset.Y - size.Y, 0.0 }) };
   if (!(0.25 * twist > LeastTwist * limit && room > 0.0 && size.X * size.Y > 0.0) ||
-    !this->IsNear(away, room))
+    !this->IsNear(this->AwayFrom(column, row, x), room))
   {
     return limit;
   }
+  const Point2 offset = x - start;
   Point2 foot = 0.5 * size;
   for (int step = 0; step < StepsWithin; ++step)
   {
@@ -107,15 +106,22 @@ double GridBounds::FromWithin(
   return std::min(limit, this->Range(given) + this->Gradation * Distance(offset, foot));
 }
 
-/// Where on a line values that are linear along it bound most; see SegmentCone.
+/// Where on a line values that are linear along it bound most.
 double GridBounds::FootOn(
   double along, double across, double length, double start, double end) const
 {
-  const double steepness = this->Range.Scale * (end - start) / (this->Gradation * length);
-  const double rest = 1.0 - steepness * steepness;
-  const double lowest = steepness < 0.0 ? length : 0.0;
-  const double foot = rest > 0.0 ? along - std::abs(across) * steepness / std::sqrt(rest) : lowest;
-  return std::min(std::max(foot, 0.0), length);
+  const SegmentCone cone({ 0.0, 0.0 }, { length, 0.0 }, this->Range.Scale * start,
+    this->Range.Scale * end, this->Gradation);
+  return std::min(std::max(along - cone.From({ along, across }).Away.X, 0.0), length);
+}
+
+/// The way from the cell above a node to x, along both axes.
+Point2 GridBounds::AwayFrom(std::size_t column, std::size_t row, const Point2& x) const
+{
+  const std::vector<double>& columns = this->Source->XNodes;
+  const std::vector<double>& rows = this->Source->YNodes;
+  return { std::max({ columns[column] - x.X, x.X - columns[column + 1], 0.0 }),
+    std::max({ rows[row] - x.Y, x.Y - rows[row + 1], 0.0 }) };
 }
 
 bool GridBounds::IsNear(const Point2& away, double room) const
@@ -135,16 +141,14 @@ bool GridBounds::HasLine(std::size_t column, std::size_t row) const
 double GridBounds::FromLine(
   std::size_t column, std::size_t row, const Point2& x, double limit) const
 {
-  const std::vector<double>& columns = this->Source->XNodes;
-  const std::vector<double>& rows = this->Source->YNodes;
-  const Point2 away{ std::max({ columns[column] - x.X, x.X - columns[column + 1], 0.0 }),
-    std::max({ rows[row] - x.Y, x.Y - rows[row + 1], 0.0 }) };
   if (!this->HasLine(column, row) || !(limit > this->Range.Least) ||
-    !this->IsNear(away, limit - this->Range.Least))
+    !this->IsNear(this->AwayFrom(column, row, x), limit - this->Range.Least))
   {
     return limit;
   }
   const double* low = &this->Source->Values[this->NodeAt(column, row)];
+  const std::vector<double>& columns = this->Source->XNodes;
+  const std::vector<double>& rows = this->Source->YNodes;
   const double* high = low + columns.size();
   const auto above = [this](double value)
   { return std::min(this->Range.Scale * value, GreatestValue) - this->Range.Least; };

@@ -48,6 +48,7 @@ private:
   double FromSide(
     double along, double across, double length, double start, double end, double limit) const;
   double FootOn(double along, double across, double length, double start, double end) const;
+  Point2 AwayFrom(std::size_t column, std::size_t row, const Point2& x) const;
   bool IsNear(const Point2& away, double room) const;
 
   const std::shared_ptr<const GridSource> Source;

@@ -9,7 +9,7 @@
 #include "SourceSlopes.h"
 #include "TriangleEdges.h"
 
-#include <algorithm>     // for min, max, none_of
+#include <algorithm>     // for min, max, none_of, remove_if
 #include <unordered_map> // for cuts of edges
 #include <utility>       // for pairs
 
@@ -381,8 +381,10 @@ private:
     {
       const double value = this->Cone(cone)(place, this->Gradation);
       const bool isBelow = value < given - IdleTolerance * this->Cone(cone).Value;
-      this->AreNeeded[static_cast<std::size_t>(cone)] =
-        this->AreNeeded[static_cast<std::size_t>(cone)] || isBelow;
+      if (isBelow)
+      {
+        this->AreNeeded[static_cast<std::size_t>(cone)] = true;
+      }
       return isBelow;
     };
     this->Near.erase(

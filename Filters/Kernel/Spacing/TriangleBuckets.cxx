@@ -77,6 +77,7 @@ private:
 
 } // namespace
 
+/// The triangles, by the ids of their corners.
 struct TriangleBuckets::Source
 {
   const std::vector<Point2>& Points;

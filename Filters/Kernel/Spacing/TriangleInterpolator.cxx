@@ -28,28 +28,23 @@ double TurnOf(const TriangulatedSource& source, const Id* corners)
     source.Points[PointOf(corners, 1)] - origin, source.Points[PointOf(corners, 2)] - origin);
 }
 
-/// A triangle too thin for its area to be seen is no source; its neighbors stand for it.
-bool IsUsable(const TriangulatedSource& source, const Id* corners)
-{
-  const auto isHole = [&source](Id point)
-  { return std::isnan(source.Values[static_cast<std::size_t>(point)]); };
-  return std::none_of(corners, corners + 3, isHole) && std::isnormal(TurnOf(source, corners));
-}
-
-/// The corners of triangles that are a source, counterclockwise.
+/// The corners of triangles that are a source, counterclockwise. One too thin for its area to be
+/// seen is none; its neighbors stand for it.
 std::vector<Id> UsableCorners(const TriangulatedSource& source, Pulse& pulse)
 {
   std::vector<Id> usable;
   usable.reserve(source.Triangles.size());
+  const auto isHole = [&source](Id point)
+  { return std::isnan(source.Values[static_cast<std::size_t>(point)]); };
   pulse.ForEach(source.Triangles.size() / 3,
-    [&source, &usable](std::size_t triangle)
+    [&source, &usable, &isHole](std::size_t triangle)
     {
       const Id* corners = &source.Triangles[3 * triangle];
-      if (IsUsable(source, corners))
+      const double turn = TurnOf(source, corners);
+      if (std::isnormal(turn) && std::none_of(corners, corners + 3, isHole))
       {
-        const bool isClockwise = TurnOf(source, corners) < 0.0;
         usable.insert(
-          usable.end(), { corners[0], corners[isClockwise ? 2 : 1], corners[isClockwise ? 1 : 2] });
+          usable.end(), { corners[0], corners[turn < 0.0 ? 2 : 1], corners[turn < 0.0 ? 1 : 2] });
       }
     });
   return usable;
