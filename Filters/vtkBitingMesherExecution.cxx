@@ -21,8 +21,8 @@
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
-#include "Kernel/MeshingStages.h"
 #include "Kernel/Pieces/CrewRounds.h"
+#include "Kernel/Stages/MeshingStages.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -20,7 +20,6 @@
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/Box2.h"
 #include "Kernel/Base/Pulse.h"
-#include "Kernel/Quality/NearestNeighbors.h"
 #include "Kernel/Quality/Quality.h"
 #include "Kernel/Spacing/Spacing.h"
 
@@ -416,17 +415,10 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
 //------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::Measure()
 {
-  this->Monitor.BeginStage("Searching the nearest neighbors");
-  std::vector<double> distances =
-    biting::NearestNeighborDistances(this->Mesh.Faces.Points, this->Monitor);
-  if (distances.empty())
-  {
-    return false;
-  }
-  this->Warn(biting::WarningOfRepeatedPoints(this->Mesh.Faces, distances));
+  this->Warn(biting::WarningOfRepeatedPoints(this->Mesh.Faces));
   this->Monitor.BeginStage("Measuring");
   const biting::MeshView mesh = this->Mesh.View();
-  this->Mesh.Quality = biting::MeasureQuality(mesh, std::move(distances), this->Monitor);
+  this->Mesh.Quality = biting::MeasureQuality(mesh, this->Monitor);
   this->Mesh.Angles = biting::AnglesOf(mesh, this->Monitor);
   this->Mesh.RelativeLengths = biting::RelativeLengths(mesh, this->Monitor);
   this->Mesh.UsedLipschitz = biting::LargestSlope(mesh, this->Monitor);

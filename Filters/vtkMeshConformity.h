@@ -6,9 +6,9 @@
  * @brief   judges a triangle mesh: its shapes, and how well it follows a spacing
  *
  * vtkMeshConformity measures a mesh of any origin against the spacing f that was wanted of it: how
- * far each vertex is from its nearest neighbour, how long each edge is in units of f, how well
- * shaped the triangles are. It measures as vtkBitingMesher measures its own meshes, under the same
- * names.
+ * far each vertex is from the nearest one along its edges, how long each edge is in units of f, how
+ * well shaped the triangles are. It measures as vtkBitingMesher measures its own meshes, under the
+ * same names.
  *
  * @par Input 0, the mesh:
  * vtkPolyData, or vtkUnstructuredGrid with cells of two dimensions, of linear triangles in one
@@ -25,8 +25,8 @@
  *
  * @par Output 0, the mesh:
  * The input with all of its arrays, of the same type, and with these. Point data, in units of the
- * coordinates: `Spacing` (f), `NearestNeighborDistance` (N, to the nearest other vertex, joined by
- * an edge or not); `Conformity` (min(N/f, f/N), the paper's section 2.1, 1 is best). Cell data:
+ * coordinates: `Spacing` (f), `NearestNeighborDistance` (N, the length of the shortest edge at
+ * the vertex); `Conformity` (min(N/f, f/N), the paper's section 2.1, 1 is best). Cell data:
  * `MinimumAngle` (degrees), `RadiusEdgeRatio` (circumradius / shortest edge, 0.577 is best),
  * `AspectRatio` (radii of the smallest containing and the inscribed circle, 2 is best). All are
  * doubles, and NaN at points and cells that are not measured. Field data, one value each:
@@ -46,7 +46,7 @@
  * @par Messages:
  * Warnings, each with how many, which and where: triangles without area (they have the angle 0 and
  * infinite ratios), triangles that are oriented against the majority (folds), edges of more than
- * two triangles, vertices at one place (conformity 0), unused points. Errors, with empty outputs: a
+ * two triangles, points at the place of others, unused points. Errors, with empty outputs: a
  * cell that is neither triangle nor line nor vertex, coordinates that are not finite or above 1e70,
  * points farther than 1e-6 of the size from one plane, a spacing that is not positive and finite
  * at a vertex. An empty input gives empty outputs and no message; so does an abort.

@@ -9,8 +9,8 @@
 #include "../Kernel/Base/Point2.h"
 #include "../Kernel/Base/Problem.h"
 #include "../Kernel/Base/Pulse.h"
-#include "../Kernel/MeshingStages.h"
 #include "../Kernel/Spacing/Spacing.h"
+#include "../Kernel/Stages/MeshingStages.h"
 #include "../vtkBitingCompat.h" // for the ABI namespace
 #include "MessagesFromProblems.h"
 #include "MonitorOfFilter.h"

@@ -6,8 +6,10 @@
 #include "../Kernel/Predicates/Predicates.h"
 #include "MessagesFromProblems.h"
 
-#include <algorithm> // for count, find, min
+#include <algorithm> // for min, sort
 #include <cstdint>   // for counts
+#include <numeric>   // for iota
+#include <tuple>     // for keys
 
 namespace biting
 {
@@ -68,19 +70,31 @@ std::string WarningOfUnusedPoints(const PlanarFaces& faces, vtkIdType numberOfPo
     : "";
 }
 
-std::string WarningOfRepeatedPoints(const PlanarFaces& faces, const std::vector<double>& distances)
+std::string WarningOfRepeatedPoints(const PlanarFaces& faces)
 {
-  const auto first = std::find(distances.begin(), distances.end(), 0.0);
-  if (first == distances.end())
+  const std::vector<Point2>& points = faces.Points;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  const auto key = [&points](std::size_t k)
+  { return std::make_tuple(points[k].X, points[k].Y, k); };
+  std::sort(
+    order.begin(), order.end(), [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::size_t count = 0;
+  std::size_t first = points.size();
+  for (std::size_t k = 1; k < order.size(); ++k)
   {
-    return {};
+    if (points[order[k]] == points[order[k - 1]])
+    {
+      ++count;
+      first = std::min(first, order[k]);
+    }
   }
-  const auto vertex = static_cast<std::size_t>(first - distances.begin());
-  return "Points at one place (" +
-    std::to_string(std::count(distances.begin(), distances.end(), 0.0)) + "): point " +
-    std::to_string(faces.PointIds[vertex]) + " at " +
-    PlaceText(faces.Frame.ToSpace(faces.Points[vertex])) +
-    ", and others. Their conformity is 0; merge them (Clean) if they are meant to be one.";
+  return count == 0 ? std::string()
+                    : "Points at the place of others (" + std::to_string(count) + "): point " +
+      std::to_string(faces.PointIds[first]) + " at " +
+      PlaceText(faces.Frame.ToSpace(points[first])) +
+      ". Triangles that only touch there share no edges; merge the points (Clean) if they are "
+      "meant to be one.";
 }
 
 } // namespace biting

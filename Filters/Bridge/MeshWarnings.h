@@ -20,8 +20,8 @@ std::vector<std::string> WarningsOfTriangles(const PlanarFaces& faces, const Tri
 /// The same of points that no triangle uses, of that many; empty where there are none.
 std::string WarningOfUnusedPoints(const PlanarFaces& faces, vtkIdType numberOfPoints);
 
-/// The same of points at one place; `distances` are those to the nearest neighbors.
-std::string WarningOfRepeatedPoints(const PlanarFaces& faces, const std::vector<double>& distances);
+/// The same of points at one place.
+std::string WarningOfRepeatedPoints(const PlanarFaces& faces);
 
 } // namespace biting
 

@@ -10,13 +10,7 @@
 #include "Biting/BitingScheme.h"
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"
-#include "Meshing/FinalCheck.h"
-#include "Meshing/RelaxedBites.h"
-#include "Meshing/SegmentCover.h"
-#include "Meshing/SoundTriangulation.h"
-#include "Meshing/StageProblems.h"
 #include "Quality/MeshCheck.h"
-#include "RemeshRegion.h"
 #include "Remeshing/CavityDomain.h"
 #include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
@@ -25,7 +19,13 @@
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/OtherReadings.h"
 #include "Remeshing/ReleasedVertices.h"
+#include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
+#include "Stages/FinalCheck.h"
+#include "Stages/RelaxedBites.h"
+#include "Stages/SegmentCover.h"
+#include "Stages/SoundTriangulation.h"
+#include "Stages/StageProblems.h"
 
 #include <algorithm> // for min
 #include <string>    // for figures

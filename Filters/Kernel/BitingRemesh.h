@@ -7,49 +7,16 @@
 #include "Base/Ids.h"
 #include "Base/Monitor.h"
 #include "Base/Problem.h"
-#include "BitingMesh.h"
-#include "MeshingStages.h"
-#include "Remeshing/ChangedRegion.h"
-#include "Remeshing/KeepRules.h"
+#include "Mesh/BitingMesh.h"
 #include "Remeshing/OldMesh.h"
-#include "Remeshing/RegionEdges.h"
-#include "Spacing/Spacing.h"
+#include "Remeshing/RemeshOptions.h"
+#include "Stages/MeshingStages.h"
 
-#include <array>   // for the stages
-#include <cstdint> // for limits
-#include <vector>  // for the arrays
+#include <array>  // for the stages
+#include <vector> // for the arrays
 
 namespace biting
 {
-
-struct RemeshOptions
-{
-  SpacingOptions Spacing;
-
-  /// The spacing wanted at each vertex of the mesh, linear on its triangles: counts where the
-  /// options have neither a grid nor a triangulation. Empty: none.
-  std::vector<double> Values;
-
-  bool LimitByFeatureSize = true; ///< as BitingMeshOptions::LimitByFeatureSize
-  EdgePolicy Edges = EdgePolicy::Free;
-
-  /// How far edges that bend may move so that vertices can go from them, where the policy is Free,
-  /// in units of f before the limit by feature size. 0: they stay where they are.
-  double BoundaryTolerance = 0.0;
-  double FeatureAngle = 30.0; ///< with it: degrees of turning, from which a corner stays
-
-  RemeshPreference Preference = RemeshPreference::Balanced;
-  int Rings = 2; ///< of triangles around what must change, that change with it
-
-  bool Relaxation = true;
-
-  /// True: all triangles that may change are made anew, and all vertices that may move are relaxed;
-  /// they stay where that is best, but count as new.
-  bool RelaxAll = false;
-
-  std::int64_t MaximumNumberOfVertices = 20000000;
-  bool KeepBites = false; ///< fill Bites of the mesh
-};
 
 struct RemeshResult
 {

@@ -117,26 +117,25 @@ set(biting_kernel_sources
   Relaxation/StarObjective.cxx
   Relaxation/TopologyTrials.cxx
   Relaxation/ValenceRound.cxx
-  Quality/CellMask.cxx
-  Quality/Components.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
   Quality/MeshParts.cxx
-  Quality/NearestNeighbors.cxx
-  Quality/NearestQueries.cxx
-  Quality/PointTree.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
-  Meshing/Calibration.cxx
-  Meshing/DomainFeatures.cxx
-  Meshing/FinalCheck.cxx
-  Meshing/Forecast.cxx
-  Meshing/MeshAssembly.cxx
-  Meshing/PreservedSpacing.cxx
-  Meshing/RelaxedBites.cxx
-  Meshing/SegmentCover.cxx
-  Meshing/SharpCornerTriangles.cxx
-  Meshing/SoundTriangulation.cxx
+  Stages/Calibration.cxx
+  Stages/DomainFeatures.cxx
+  Stages/FinalCheck.cxx
+  Stages/FineDrawing.cxx
+  Stages/Forecast.cxx
+  Stages/MeshAssembly.cxx
+  Stages/NarrowAngles.cxx
+  Stages/PreparedSpacing.cxx
+  Stages/PreservedSpacing.cxx
+  Stages/RaisedSpacing.cxx
+  Stages/RelaxedBites.cxx
+  Stages/SegmentCover.cxx
+  Stages/SharpCornerTriangles.cxx
+  Stages/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
   Remeshing/DividedEdges.cxx
@@ -156,6 +155,7 @@ set(biting_kernel_sources
   Remeshing/OtherReadings.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
+  Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
   Blocks/BlockBytes.cxx
@@ -180,16 +180,11 @@ set(biting_kernel_sources
   Blocks/TakenStrip.cxx
   Blocks/WholeNumbers.cxx
   Pieces/CollarPart.cxx
+  Pieces/FinishedMesh.cxx
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
   Pieces/TrimmedPiece.cxx
   BitingMesh.cxx
-  BitingRemesh.cxx
-  FineDrawing.cxx
-  FinishedMesh.cxx
-  NarrowAngles.cxx
-  PreparedSpacing.cxx
-  RaisedSpacing.cxx
-  RemeshRegion.cxx)
+  BitingRemesh.cxx)

@@ -7,22 +7,15 @@
 // size on one thread, and on 2 to `threads` (2). Seconds by the clock and of CPU, room by room, the
 // second also of the calling thread alone, which is what is serial where there are others; quality.
 // By the clock threads can be compared where the machine has nothing else to do.
-// Of blocks also how far cuts show: mean smallest angle, and share above 55 degrees in per cent, of
-// triangles within 2, 5, 10, 20 f of a cut, less those of triangles farther away among which f
-// changes as much; all of them 20 triangles or more away from segments.
 
 #include "../Kernel/Support/TestThreads.h"
 #include "MeshCases.h"
 
-#include <algorithm> // for sort, minmax
-#include <array>     // for sums
+#include <algorithm> // for sort
 #include <chrono>    // for the clock
-#include <cmath>     // for sizes
 #include <cstdio>    // for tables
 #include <cstdlib>   // for arguments
 #include <ctime>     // for CPU time
-#include <iterator>  // for sizes
-#include <limits>    // for distances
 #include <map>       // for stages
 
 namespace
@@ -118,115 +111,6 @@ void PrintQuality(const BitingMesh& mesh)
     100.0 * mesh.Quality.ShareOfEdgesInBand);
 }
 
-// Steps across edges from the nearest triangle at a segment.
-std::vector<int> StepsFromSegments(const BitingMesh& mesh)
-{
-  std::vector<int> steps(mesh.Corners.size() / 3, -1);
-  std::vector<std::size_t> reached;
-  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-  {
-    if (mesh.Kinds[mesh.Corners[slot]] != VertexKind::Interior && steps[slot / 3] < 0)
-    {
-      steps[slot / 3] = 0;
-      reached.push_back(slot / 3);
-    }
-  }
-  for (std::size_t k = 0; k < reached.size(); ++k)
-  {
-    for (std::size_t slot = 3 * reached[k]; slot < 3 * reached[k] + 3; ++slot)
-    {
-      const Id next = mesh.Neighbors[slot];
-      if (next != NoId && steps[next] < 0)
-      {
-        steps[next] = steps[reached[k]] + 1;
-        reached.push_back(static_cast<std::size_t>(next));
-      }
-    }
-  }
-  return steps;
-}
-
-// From the lines that enclose the leaf of the place.
-double DistanceToCuts(const CutTree& tree, const Point2& p)
-{
-  const Point2 place = tree.Frame.To(p);
-  double distance = std::numeric_limits<double>::max();
-  for (Id node = 0; tree.Nodes[node].Children != NoId;)
-  {
-    const double beyond = (tree.Nodes[node].IsVertical ? place.X : place.Y) - tree.Nodes[node].At;
-    distance = std::min(distance, std::abs(beyond));
-    node = tree.Nodes[node].Children + (beyond < 0.0 ? 0 : 1);
-  }
-  return distance;
-}
-
-// Sums over triangles among which f changes as much.
-struct AngleSums
-{
-  double Count = 0.0;
-  double Angles = 0.0;
-  double Good = 0.0; ///< above 55 degrees
-};
-
-constexpr int Slopes = 8; // classes of ratios of f in a triangle, each 2 % wide
-constexpr double Distances[] = { 2.0, 5.0, 10.0, 20.0 };
-
-// By distances, and those farther away; by slopes.
-using SeamSums = std::array<std::array<AngleSums, Slopes>, std::size(Distances) + 1>;
-
-SeamSums SumsNearCuts(const BitingMesh& mesh)
-{
-  constexpr int fromSegments = 20;
-  const std::vector<int> steps = StepsFromSegments(mesh);
-  SeamSums sums{};
-  for (std::size_t triangle = 0; triangle < steps.size(); ++triangle)
-  {
-    const Id* corners = mesh.Corners.data() + 3 * triangle;
-    const auto [least, most] =
-      std::minmax({ mesh.Spacing[corners[0]], mesh.Spacing[corners[1]], mesh.Spacing[corners[2]] });
-    const Point2 middle =
-      1.0 / 3.0 * (mesh.Points[corners[0]] + mesh.Points[corners[1]] + mesh.Points[corners[2]]);
-    if (steps[triangle] < fromSegments)
-    {
-      continue;
-    }
-    const double distance = DistanceToCuts(mesh.Cuts, middle) / most;
-    const auto* const ring = std::lower_bound(std::begin(Distances), std::end(Distances), distance);
-    const int slope = std::min(Slopes - 1, static_cast<int>(50.0 * (most / least - 1.0)));
-    AngleSums& own = sums[static_cast<std::size_t>(ring - Distances)][slope];
-    const double angle = mesh.Quality.MinimumAngle[triangle];
-    own.Count += 1.0;
-    own.Angles += angle;
-    own.Good += angle > 55.0 ? 1.0 : 0.0;
-  }
-  return sums;
-}
-
-void PrintSeams(const BitingMesh& mesh)
-{
-  const SeamSums sums = SumsNearCuts(mesh);
-  std::printf("  near cuts:");
-  for (std::size_t ring = 0; ring < std::size(Distances); ++ring)
-  {
-    AngleSums difference;
-    for (int slope = 0; slope < Slopes; ++slope)
-    {
-      const AngleSums& near = sums[ring][slope];
-      const AngleSums& far = sums.back()[slope];
-      if (near.Count > 0.0 && far.Count > 0.0)
-      {
-        difference.Count += near.Count;
-        difference.Angles += near.Angles - near.Count * far.Angles / far.Count;
-        difference.Good += near.Good - near.Count * far.Good / far.Count;
-      }
-    }
-    const double count = std::max(difference.Count, 1.0);
-    std::printf(" %.0f f: %+.2f %+.1f %% of %.0f;", Distances[ring], difference.Angles / count,
-      100.0 * difference.Good / count, difference.Count);
-  }
-  std::printf("\n");
-}
-
 void RunOnce(const MeshCase& one, std::int64_t verticesPerBlock, int numberOfThreads)
 {
   BitingMeshOptions options = one.Options;
@@ -245,10 +129,6 @@ void RunOnce(const MeshCase& one, std::int64_t verticesPerBlock, int numberOfThr
     static_cast<int>(mesh.NumberOfBlocks), numberOfThreads);
   PrintTimes(clock);
   PrintQuality(mesh);
-  if (!mesh.Cuts.Nodes.empty())
-  {
-    PrintSeams(mesh);
-  }
   std::fflush(stdout);
 }
 

@@ -3,7 +3,7 @@
 
 #include "FilterTesting.h"
 
-#include "Kernel/MeshingStages.h"
+#include "Kernel/Stages/MeshingStages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"

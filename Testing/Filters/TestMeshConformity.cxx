@@ -337,7 +337,7 @@ TEST(MeshConformity, WarnsOfWhatIsNoGoodMeshAndMeasuresIt)
   torn->GetPoints()->InsertNextPoint(0.5, 0.5, 0.0);
   torn->GetPolys()->ReplaceCellAtId(2, 3, std::vector<vtkIdType>{ 2, 3, 5 }.data());
   AddArray<vtkDoubleArray>(torn->GetPointData(), "Spacing", std::vector<double>(6, 0.5));
-  EXPECT_TRUE(Has(WarningOf(torn), "one place (2): point 4 at (0.5, 0.5, 0)"));
+  EXPECT_TRUE(Has(WarningOf(torn), "place of others (1): point 5 at (0.5, 0.5, 0)"));
 }
 
 TEST(MeshConformity, RefusesOtherCellsAndNamesTheFirst)

@@ -16,7 +16,6 @@ namespace biting
 namespace
 {
 
-constexpr std::size_t MostForBruteForce = 150;
 constexpr double QualityRounding = 1e-9;
 
 } // namespace
@@ -93,19 +92,23 @@ bool FiguresOracle::HasQualityOfTriangles()
 
 bool FiguresOracle::HasDistances()
 {
-  const std::size_t count = this->Judged.Mesh.Points.size();
-  for (std::size_t k = 0; k < count && count <= MostForBruteForce; ++k)
+  const BitingMesh& mesh = this->Judged.Mesh;
+  std::vector<double> shortest(mesh.Points.size(), Infinity);
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
   {
-    double nearest = Infinity;
-    for (std::size_t other = 0; other < count; ++other)
+    const auto start = static_cast<std::size_t>(mesh.Corners[slot]);
+    const auto end = static_cast<std::size_t>(mesh.Corners[slot % 3 == 2 ? slot - 2 : slot + 1]);
+    const Point2 gap = mesh.Points[end] - mesh.Points[start];
+    const double length = std::hypot(gap.X, gap.Y);
+    shortest[start] = std::min(shortest[start], length);
+    shortest[end] = std::min(shortest[end], length);
+  }
+  for (std::size_t k = 0; k < shortest.size(); ++k)
+  {
+    const double told = mesh.Quality.NearestNeighborDistance[k];
+    if (!(std::abs(told - shortest[k]) <= 1e-12 * shortest[k]))
     {
-      const Point2 gap = this->Judged.Mesh.Points[other] - this->Judged.Mesh.Points[k];
-      nearest = other == k ? nearest : std::min(nearest, std::hypot(gap.X, gap.Y));
-    }
-    const double told = this->Judged.Mesh.Quality.NearestNeighborDistance[k];
-    if (!(std::abs(told - nearest) <= 1e-12 * nearest))
-    {
-      return this->Judged.Refuse("the nearest neighbor of " + std::to_string(k) + " is nearest");
+      return this->Judged.Refuse("N of " + std::to_string(k) + " is its shortest edge");
     }
   }
   return true;

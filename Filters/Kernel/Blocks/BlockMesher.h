@@ -66,9 +66,6 @@ public:
   /// Another process is the first.
   bool IsHelping() const { return this->Members.Own() != 0; }
 
-  /// By which the blocks were cut, where it is in use.
-  const CutTree& Cuts() const { return this->Tree; }
-
   /// The blocks, and after the last step what is kept of them, where there are several members.
   KeptBlocks& Kept() { return this->Own; }
 

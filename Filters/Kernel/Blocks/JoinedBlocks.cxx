@@ -3,9 +3,9 @@
 
 #include "JoinedBlocks.h"
 
+#include "../Base/DisjointSets.h"
 #include "../Base/SortInSteps.h"
 #include "../Base/Tasks.h"
-#include "DisjointSets.h"
 #include "StripParts.h"
 
 #include <algorithm>  // for max, max_element, stable_sort

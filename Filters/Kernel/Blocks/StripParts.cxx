@@ -3,7 +3,7 @@
 
 #include "StripParts.h"
 
-#include "DisjointSets.h"
+#include "../Base/DisjointSets.h"
 
 #include <algorithm> // for sort, min
 #include <cstdint>   // for flags

@@ -5,6 +5,7 @@
 #define BitingAreaSum_h
 
 #include "../Base/Point2.h"
+#include "../Predicates/CompensatedSum.h"
 
 namespace biting
 {
@@ -26,15 +27,13 @@ public:
   /// Adds the area of another sum, whatever its sign.
   void AddMagnitude(const AreaSum& other);
 
-  double Area() const { return 0.5 * (this->Sum + this->Error); }
+  double Area() const { return 0.5 * this->Sum.Value(); }
 
 private:
   void AddProduct(double a, double b);
-  void AddTerm(double term);
 
   Point2 Reference;
-  double Sum = 0.0;
-  double Error = 0.0;
+  CompensatedSum Sum;
 };
 
 } // namespace biting

@@ -4,13 +4,13 @@
 #ifndef BitingArrangement_h
 #define BitingArrangement_h
 
+#include "../Base/DisjointSets.h"
 #include "../Base/Ids.h"
 #include "../Base/Point2.h"
 #include "../Base/Problem.h"
 #include "../Base/Pulse.h"
 #include "Domain.h" // for DomainOptions
 #include "FaceEdge.h"
-#include "FaceGroups.h"
 #include "SegmentTree.h" // for SegmentEnds
 
 #include <cstddef> // for size_t
@@ -48,7 +48,7 @@ struct Arrangement
   double Resolution = 0.0;          ///< what is not further apart is one; at least Rounding
   bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share a tip
   double FaceArea = 0.0;            ///< sum over all faces
-  FaceGroups Groups;                ///< of chains: faces whose common edges were dropped
+  DisjointSets Groups;              ///< of chains: faces whose common edges were dropped
   std::vector<Id> Regions;          ///< of chains; empty: all are of one region
 
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }

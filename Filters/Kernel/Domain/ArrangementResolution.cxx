@@ -264,7 +264,7 @@ bool Resolver::Drop(const ArrangementEdge& edge)
     this->Data.IsNothing(edge) && (areNeighbors || (faces.Count == 0 && faces.Turn == 0));
   if (isDropped && areNeighbors)
   {
-    this->Data.Groups.Join(faces.First(), faces.Second());
+    this->Data.Groups.Unite(faces.First(), faces.Second());
   }
   return isDropped;
 }

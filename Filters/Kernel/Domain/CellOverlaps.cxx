@@ -56,7 +56,7 @@ private:
   void MeetOutline(Id segment, Surface& surface) const;
   Id OwnerBelow(Id segment) const;
   void ReportSurfaces();
-  bool LiesOnOthers(const Surface& surface) const;
+  bool LiesOnOthers(const Surface& surface);
   void Report(Id segment);
 
   const FaceEdge& FacesAt(Id segment) const { return this->Drawing.Edge(segment).Faces; }
@@ -66,7 +66,7 @@ private:
   const std::vector<Id>& Cells;
   ProblemList& Problems;
   Pulse& Beats;
-  FaceGroups Groups;
+  DisjointSets Groups;
   SegmentDepths Depths;
   std::vector<Surface> Surfaces; ///< by the face that stands for the group
   std::vector<Id> OwnersAbove;   ///< of each segment: the innermost surface just above it
@@ -102,7 +102,7 @@ void OverlapFinder::JoinNeighbors()
   {
     if (edge.Faces.Count == 2 && edge.Faces.Turn == 0 && edge.Faces.Second() != NoId)
     {
-      this->Groups.Join(edge.Faces.First(), edge.Faces.Second());
+      this->Groups.Unite(edge.Faces.First(), edge.Faces.Second());
     }
   }
 }
@@ -116,7 +116,7 @@ void OverlapFinder::Visit(Id segment)
   const bool isThin = faces.Count == 1 && faces.Turn == 0;
   if (faces.First() != NoId && !isThin)
   {
-    const Id group = this->Groups.Find(faces.First());
+    const Id group = this->Groups.SetOf(faces.First());
     Surface& surface = this->Surfaces[static_cast<std::size_t>(group)];
     surface.Parent = surface.LeastCover == NoId ? below : surface.Parent;
     this->MeetOutline(segment, surface);
@@ -161,7 +161,7 @@ void OverlapFinder::ReportSurfaces()
 }
 
 /// Where its outline lies within a single face all along, it is a hole.
-bool OverlapFinder::LiesOnOthers(const Surface& surface) const
+bool OverlapFinder::LiesOnOthers(const Surface& surface)
 {
   const bool isOfSeveral = surface.Parent != NoId && this->Groups.SizeOf(surface.Parent) > 1;
   return surface.MostCover > 0 && (surface.LeastCover != surface.MostCover || isOfSeveral);

@@ -67,7 +67,8 @@ Arrangement Welder::Run()
 {
   this->MakeVertices();
   this->Result.Edges.reserve(this->Input.Connectivity.size());
-  this->Result.Groups = FaceGroups(this->HasFaces ? this->Input.NumberOfChains() : 0);
+  this->Result.Groups =
+    DisjointSets(static_cast<std::size_t>(this->HasFaces ? this->Input.NumberOfChains() : 0));
   this->Result.Regions = this->Input.Regions;
   for (Id chain = 0; chain < this->Input.NumberOfChains() && this->Beats.Beat(); ++chain)
   {

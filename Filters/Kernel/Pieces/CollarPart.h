@@ -5,8 +5,8 @@
 #define BitingCollarPart_h
 
 #include "../Base/Ids.h"
-#include "../BitingMesh.h"
 #include "../Blocks/WholeNumbers.h"
+#include "../Mesh/BitingMesh.h"
 
 #include <vector> // for bytes
 

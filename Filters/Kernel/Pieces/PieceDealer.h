@@ -5,7 +5,7 @@
 #define BitingPieceDealer_h
 
 #include "../Base/Ids.h"
-#include "../BitingMesh.h"
+#include "../Mesh/BitingMesh.h"
 #include "CollarPart.h"
 
 #include <vector> // for the arrays

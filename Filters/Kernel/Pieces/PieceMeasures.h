@@ -7,8 +7,8 @@
 #include "../Base/Ids.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
-#include "../BitingMesh.h"
 #include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
 #include "../Quality/ExactSum.h"
 #include "../Spacing/Spacing.h"
 #include "CrewRounds.h"
@@ -28,9 +28,8 @@ struct MeasuredPiece
   bool CountsAsked = false; ///< vertices that the spacing asks for (FineDrawing.h)
 };
 
-/// Checks the pieces of a mesh, each by itself, with the area of all of them together; finds
-/// nearest neighbors also among those of other pieces, and measures each. All members of a crew
-/// that have one call it.
+/// Checks the pieces of a mesh, each by itself, with the area of all of them together, and measures
+/// each. All members of a crew that have one call it.
 ///
 /// The pieces pass where they would as one mesh: each is sound (CheckMesh), as far as its ghosts
 /// reach, so that all that is across edges is looked at; and the areas of their own triangles add

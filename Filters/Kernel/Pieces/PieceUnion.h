@@ -6,8 +6,8 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "../BitingMesh.h"
 #include "../Blocks/KeptBlocks.h"
+#include "../Mesh/BitingMesh.h"
 #include "CollarPart.h"
 
 #include <cstddef> // for numbers of blocks

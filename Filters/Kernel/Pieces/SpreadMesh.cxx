@@ -4,7 +4,7 @@
 #include "SpreadMesh.h"
 
 #include "../Base/Pulse.h"
-#include "../Meshing/StageProblems.h"
+#include "../Stages/StageProblems.h"
 #include "CollarPart.h"
 #include "CrewRounds.h"
 #include "PieceDealer.h"

@@ -8,9 +8,9 @@
 #include "../Base/Ids.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
-#include "../BitingMesh.h"
 #include "../Blocks/KeptBlocks.h"
 #include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
 #include "../Quality/ExactSum.h"
 #include "../Spacing/Spacing.h"
 

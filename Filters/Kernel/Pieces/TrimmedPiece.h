@@ -4,7 +4,7 @@
 #ifndef BitingTrimmedPiece_h
 #define BitingTrimmedPiece_h
 
-#include "../BitingMesh.h"
+#include "../Mesh/BitingMesh.h"
 
 namespace biting
 {

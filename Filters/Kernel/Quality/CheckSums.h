@@ -5,6 +5,7 @@
 #define BitingCheckSums_h
 
 #include "../Base/Point2.h"
+#include "../Predicates/CompensatedSum.h"
 
 #include <algorithm> // for min
 #include <cmath>     // for abs
@@ -17,29 +18,6 @@
 
 namespace biting
 {
-
-/// A sum that does not lose what its terms are too small to move (A. Neumaier, 1974).
-class CompensatedSum
-{
-public:
-  void Add(double term)
-  {
-    const double next = this->Total + term;
-    this->Lost += std::abs(this->Total) >= std::abs(term) ? (this->Total - next) + term
-                                                          : (term - next) + this->Total;
-    this->Total = next;
-  }
-  void Join(const CompensatedSum& other)
-  {
-    this->Add(other.Total);
-    this->Lost += other.Lost;
-  }
-  double Value() const { return this->Total + this->Lost; }
-
-private:
-  double Total = 0.0;
-  double Lost = 0.0;
-};
 
 /// The first slot that is not as it must be.
 struct FirstDefect
@@ -78,6 +56,19 @@ struct TurnSum
     this->Wrong.Join(other.Wrong);
     this->DoubledArea.Join(other.DoubledArea);
     this->AreaMagnitude += other.AreaMagnitude;
+  }
+};
+
+/// Of vertices.
+struct UseSum
+{
+  std::int64_t Inner = 0;
+  FirstDefect Unused;
+
+  void Join(const UseSum& other)
+  {
+    this->Inner += other.Inner;
+    this->Unused.Join(other.Unused);
   }
 };
 

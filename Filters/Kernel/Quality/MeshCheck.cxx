@@ -9,7 +9,6 @@
 #include "../Base/TriangleSlots.h"
 #include "../Predicates/Predicates.h"
 #include "CheckSums.h"
-#include "Components.h" // for UseSum
 #include "MeshParts.h"
 
 #include <algorithm> // for min, max

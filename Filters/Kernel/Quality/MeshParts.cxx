@@ -3,15 +3,40 @@
 
 #include "MeshParts.h"
 
+#include "../Base/DisjointSets.h"
 #include "../Base/Tasks.h"
 #include "../Base/TriangleSlots.h"
-#include "Components.h"
 
 namespace biting
 {
 
 namespace
 {
+
+// The parts that tasks find, and what connects those of different tasks, for SumAtOnce.
+struct ComponentSum
+{
+  struct Link
+  {
+    Id Part;
+    Id Across; ///< a triangle of an earlier task
+  };
+
+  void Join(const ComponentSum& other)
+  {
+    const Id begin = static_cast<Id>(this->Components.Size());
+    this->Begins.push_back(begin);
+    this->Components.Append(other.Components);
+    for (const Link& link : other.Links)
+    {
+      this->Links.push_back({ begin + link.Part, link.Across });
+    }
+  }
+
+  DisjointSets Components;
+  std::vector<Link> Links;
+  std::vector<Id> Begins; ///< of the parts of each task that was joined
+};
 
 // Among the parts of its task. What lies across in an earlier one is kept for later.
 Id PartOf(std::size_t triangle, const std::vector<Id>& neighbors, const std::vector<Id>& partOf,
@@ -27,11 +52,13 @@ Id PartOf(std::size_t triangle, const std::vector<Id>& neighbors, const std::vec
     if (neighbor >= begin && neighbor < static_cast<Id>(triangle))
     {
       const Id other = partOf[static_cast<std::size_t>(neighbor)];
-      part = part == other ? part : sum.Components.Join(part, other);
+      part = part == NoId ? sum.Components.SetOf(other)
+        : part == other   ? part
+                          : sum.Components.Unite(part, other);
     }
     hasEarlier |= neighbor != NoId && neighbor < begin;
   }
-  part = part == NoId ? sum.Components.Begin() : part;
+  part = part == NoId ? sum.Components.Add() : part;
   for (int corner = 0; hasEarlier && corner < 3; ++corner)
   {
     if (across[corner] != NoId && across[corner] < begin)
@@ -73,9 +100,9 @@ std::int64_t CountComponents(const std::vector<Id>& neighbors, Pulse& pulse)
   for (const ComponentSum::Link& link : sum.Links)
   {
     const std::size_t across = static_cast<std::size_t>(link.Across);
-    sum.Components.Join(link.Part, sum.Begins[across / StepsPerTask] + partOf[across]);
+    sum.Components.Unite(link.Part, sum.Begins[across / StepsPerTask] + partOf[across]);
   }
-  return sum.Components.Count();
+  return static_cast<std::int64_t>(sum.Components.NumberOfSets());
 }
 
 std::int64_t CountBoundaryLoops(const std::vector<Id>& corners, const std::vector<Id>& neighbors,

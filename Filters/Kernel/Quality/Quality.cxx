@@ -7,12 +7,11 @@
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
-#include "NearestNeighbors.h"
 
 #include <algorithm> // for min, max
 #include <array>     // for a list of arrays
+#include <atomic>    // for what threads share
 #include <cmath>     // for atan, atan2, abs, sqrt
-#include <utility>   // for move
 
 namespace biting
 {
@@ -20,9 +19,41 @@ namespace biting
 namespace
 {
 
-// Where steps end, as shares of the time: of all, and of what follows the neighbors.
-constexpr double NearestEnd = 0.4;
+// Where the triangles end, as a share of the time.
 constexpr double TrianglesEnd = 0.8;
+
+// The least of the values told for each of `count` vertices, infinite at first; from several
+// threads.
+class LeastValues
+{
+public:
+  LeastValues(std::size_t count, Pulse& pulse)
+    : IsAlone(pulse.Threads().NumberOfThreads() == 1)
+    , Values(count)
+  {
+    ForEachAtOnce(pulse, count, [this](std::size_t k) { this->Values[k] = Infinity; });
+  }
+
+  double operator[](std::size_t k) const { return this->Values[k].load(std::memory_order_relaxed); }
+
+  void Lower(Id vertex, double value)
+  {
+    std::atomic<double>& least = this->Values[static_cast<std::size_t>(vertex)];
+    double known = least.load(std::memory_order_relaxed);
+    if (this->IsAlone)
+    {
+      least.store(std::min(known, value), std::memory_order_relaxed);
+      return;
+    }
+    while (value < known && !least.compare_exchange_weak(known, value, std::memory_order_relaxed))
+    {
+    }
+  }
+
+private:
+  bool IsAlone;
+  std::vector<std::atomic<double>> Values;
+};
 
 // A triangle up to motion: its squared sides in ascending order, and twice its area.
 struct Shape
@@ -91,8 +122,8 @@ double AspectRatio(const Shape& shape)
 void MakeRoom(MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, 0.0);
-  const std::array<std::vector<double>*, 4> arrays{ &quality.MinimumAngle, &quality.RadiusEdgeRatio,
-    &quality.AspectRatio, &quality.Conformity };
+  const std::array<std::vector<double>*, 5> arrays{ &quality.MinimumAngle, &quality.RadiusEdgeRatio,
+    &quality.AspectRatio, &quality.Conformity, &quality.NearestNeighborDistance };
   const std::size_t triangles = static_cast<std::size_t>(quality.NumberOfTriangles);
   const std::size_t vertices = static_cast<std::size_t>(quality.NumberOfVertices);
   const auto makeRoom = [&arrays, triangles, vertices](std::size_t k, Pulse& beats)
@@ -209,15 +240,22 @@ void AddEdges(const MeshView& mesh, std::size_t triangle, const std::array<doubl
   }
 }
 
-QualitySums SumTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
+// Tells the squared length of each side to its ends.
+QualitySums SumTriangles(
+  const MeshView& mesh, MeshQuality& quality, LeastValues& shortest, Pulse& pulse)
 {
   return SumAtOnce(pulse, mesh.Corners.size() / 3, QualitySums(),
-    [&mesh, &quality](QualitySums& sum, std::size_t t)
+    [&mesh, &quality, &shortest](QualitySums& sum, std::size_t t)
     {
       const auto place = [&mesh, t](std::size_t corner) -> const Point2&
       { return mesh.Points[static_cast<std::size_t>(mesh.Corners[3 * t + corner])]; };
       const std::array<double, 3> squares = SquaredSides(place(0), place(1), place(2));
       const Shape shape = ShapeOf(squares, Cross(place(1) - place(0), place(2) - place(0)));
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        shortest.Lower(
+          mesh.Corners[3 * t + k], std::min(squares[(k + 1) % 3], squares[(k + 2) % 3]));
+      }
       quality.MinimumAngle[t] = MinimumAngle(shape);
       quality.RadiusEdgeRatio[t] = RadiusEdgeRatio(shape);
       quality.AspectRatio[t] = AspectRatio(shape);
@@ -236,21 +274,23 @@ QualitySums SumTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& puls
 }
 
 // With all edges, as their ends are at hand.
-void MeasureTriangles(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
+void MeasureTriangles(
+  const MeshView& mesh, MeshQuality& quality, LeastValues& shortest, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, TrianglesEnd);
   if (pulse.HasStopped() || mesh.Corners.empty())
   {
     return;
   }
-  quality.Sums.Join(SumTriangles(mesh, quality, pulse));
+  quality.Sums.Join(SumTriangles(mesh, quality, shortest, pulse));
   if (mesh.MiddleSpacing)
   {
     quality.Sums.Join(SumNumberedEdges(mesh, pulse));
   }
 }
 
-void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
+void MeasureConformity(
+  const MeshView& mesh, MeshQuality& quality, const LeastValues& shortest, Pulse& pulse)
 {
   const PulsePart part(pulse, TrianglesEnd, 1.0);
   const std::size_t count = mesh.Points.size();
@@ -259,9 +299,10 @@ void MeasureConformity(const MeshView& mesh, MeshQuality& quality, Pulse& pulse)
     return;
   }
   quality.Sums.Join(SumAtOnce(pulse, count, QualitySums(),
-    [&mesh, &quality](QualitySums& sum, std::size_t i)
+    [&mesh, &quality, &shortest](QualitySums& sum, std::size_t i)
     {
-      const double distance = quality.NearestNeighborDistance[i];
+      const double distance = std::sqrt(shortest[i]);
+      quality.NearestNeighborDistance[i] = distance;
       const double spacing = mesh.Spacing[i];
       quality.Conformity[i] = std::min(distance, spacing) / std::max(distance, spacing);
       if (mesh.CountsVertex(i))
@@ -301,24 +342,14 @@ void MeshQuality::Conclude(const QualitySums& sums)
 
 MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor)
 {
-  PartOfStage searching(monitor, 0.0, NearestEnd);
-  std::vector<double> distances =
-    NearestNeighborDistances(mesh.Points, mesh.Corners, mesh.Neighbors, searching);
-  PartOfStage rest(monitor, NearestEnd, 1.0);
-  return searching.HasStopped() ? MeshQuality() : MeasureQuality(mesh, std::move(distances), rest);
-}
-
-MeshQuality MeasureQuality(
-  const MeshView& mesh, std::vector<double> nearestNeighborDistances, Monitor& monitor)
-{
   Pulse pulse(monitor);
   MeshQuality quality;
   quality.NumberOfVertices = static_cast<std::int64_t>(mesh.Points.size());
   quality.NumberOfTriangles = static_cast<std::int64_t>(mesh.Corners.size() / 3);
   MakeRoom(quality, pulse);
-  MeasureTriangles(mesh, quality, pulse);
-  quality.NearestNeighborDistance = std::move(nearestNeighborDistances);
-  MeasureConformity(mesh, quality, pulse);
+  LeastValues shortest(mesh.Points.size(), pulse);
+  MeasureTriangles(mesh, quality, shortest, pulse);
+  MeasureConformity(mesh, quality, shortest, pulse);
   quality.Conclude(quality.Sums);
   return quality;
 }

@@ -19,7 +19,7 @@ namespace biting
 struct MeshQuality
 {
   // One a vertex.
-  std::vector<double> NearestNeighborDistance; ///< N: distance to the nearest other vertex
+  std::vector<double> NearestNeighborDistance; ///< N: the length of the shortest edge at it
   std::vector<double> Conformity;              ///< min(N / f, f / N) (paper, definition 2.3)
 
   // One a triangle.
@@ -71,16 +71,13 @@ struct MeshView
   }
 };
 
-/// Measures `mesh`. Cost O(n) for a Delaunay mesh.
-/// N is exact also where the nearest vertex is not joined by an edge (across a hole or a slit).
+/// Measures `mesh`. Cost O(n).
+/// In a Delaunay mesh of a domain N is the distance to the nearest vertex in sight: the nearest of
+/// all, but across a hole or a slit. Infinite for a vertex without triangles.
+/// Triangles may overlap and need not be counterclockwise: `Neighbors` only tells which edges are
+/// the same. An edge is counted at each slot where they have no or a smaller id than the triangle.
 /// Where the monitor asks to stop the result has no meaning; so it is with all that is below.
 MeshQuality MeasureQuality(const MeshView& mesh, Monitor& monitor = NoMonitor());
-
-/// The same of any triangles, also where they overlap or are not counterclockwise, with N from
-/// elsewhere (see NearestNeighborDistances). `Neighbors` then only tells which edges are the same:
-/// an edge is counted at each slot where they have no or a smaller id than the triangle.
-MeshQuality MeasureQuality(const MeshView& mesh, std::vector<double> nearestNeighborDistances,
-  Monitor& monitor = NoMonitor());
 
 /// The middle of each edge, each edge once, in the order of the slots where it is counted.
 std::vector<Point2> EdgeMiddles(const MeshView& mesh, Monitor& monitor = NoMonitor());

@@ -3,6 +3,7 @@
 
 #include "FlatTriangles.h"
 
+#include "../Base/DisjointSets.h"
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"
 
@@ -58,7 +59,6 @@ private:
   void Begin();
   bool MendAll(const std::vector<Id>& flat);
   bool Weld(Id triangle);
-  Id Root(Id vertex) const;
   void Remove(Id triangle);
   void Tell(Id triangle);
   void TellDivided(Id triangle, Id top);
@@ -70,7 +70,7 @@ private:
   std::vector<Id>& Corners;
   Id FirstFilled; ///< of the triangles that were there
   TriangleLinks Links;
-  std::vector<Id> Stays;               ///< of each vertex: itself, or a lower one at its place
+  DisjointSets Places;                 ///< vertices at one place
   std::vector<std::uint8_t> IsTouched; ///< of each triangle: changed in this round
   std::vector<std::uint8_t> IsGone;    ///< of each triangle
   std::vector<std::uint8_t> IsTold;    ///< of each triangle that was there
@@ -194,8 +194,7 @@ void FlatRepair::Begin()
     this->Result.IsNew.assign(triangles, 0);
     this->IsTold.assign(triangles, 0);
   }
-  this->Stays.resize(this->Points.size());
-  std::iota(this->Stays.begin(), this->Stays.end(), 0);
+  this->Places = DisjointSets(this->Points.size());
   this->IsTouched.assign(triangles, 0);
   this->IsGone.assign(triangles, 0);
 }
@@ -233,10 +232,11 @@ bool FlatRepair::Weld(Id triangle)
     const Id other = this->Corners[3 * triangle + (corner + 1) % 3];
     if (this->Points[one] == this->Points[other])
     {
-      const auto [stays, goes] = std::minmax({ this->Root(one), this->Root(other) });
+      const auto [stays, goes] =
+        std::minmax({ this->Places.SetOf(one), this->Places.SetOf(other) });
       if (stays != goes)
       {
-        this->Stays[goes] = stays;
+        this->Places.Unite(stays, goes);
         this->Result.Welded.emplace_back(goes, stays);
       }
       this->Remove(triangle);
@@ -244,15 +244,6 @@ bool FlatRepair::Weld(Id triangle)
     }
   }
   return false;
-}
-
-Id FlatRepair::Root(Id vertex) const
-{
-  while (this->Stays[vertex] != vertex)
-  {
-    vertex = this->Stays[vertex];
-  }
-  return vertex;
 }
 
 void FlatRepair::Remove(Id triangle)
@@ -327,7 +318,7 @@ void FlatRepair::Pack()
     for (Id corner = 0; corner < 3; ++corner)
     {
       const Id before = this->Corners[3 * triangle + corner];
-      const Id now = this->Root(before);
+      const Id now = this->Places.SetOf(before);
       this->Corners[3 * left + static_cast<std::size_t>(corner)] = now;
       isNew |= now != before ? 1 : 0;
     }

@@ -3,48 +3,56 @@
 
 #include "InnerPlaces.h"
 
-#include <limits> // for the least square
+#include <algorithm> // for min
+#include <limits>    // for the least reach
 
 namespace biting
 {
 
-namespace
+InnerPlaces::InnerPlaces(
+  const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges, Pulse& pulse)
+  : Tree(List(mesh, region, edges), pulse)
 {
+}
 
-std::vector<PointTree::Item> ListInner(
+std::vector<InnerPlaces::OldPlace> InnerPlaces::List(
   const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges)
 {
-  std::vector<PointTree::Item> items;
+  std::vector<OldPlace> places;
   for (Id vertex = 0; vertex < region.NumberOfVertices(); ++vertex)
   {
     if (region.IsInside[vertex] && !edges.IsKept[vertex] && !edges.IsGone[vertex])
     {
       const Id point = region.Vertices[vertex];
-      items.push_back({ mesh.Points[point], point });
+      places.push_back({ mesh.Points[point], point });
     }
   }
-  return items;
+  return places;
 }
 
-} // namespace
-
-InnerPlaces::InnerPlaces(
-  const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges, Pulse& pulse)
-  : Tree(ListInner(mesh, region, edges), pulse)
+const InnerPlaces::OldPlace* InnerPlaces::FindNearest(const Point2& place, double reach) const
 {
+  const OldPlace* nearest = nullptr;
+  this->Tree.Search(place, 1.0, reach,
+    [&place, &nearest](const OldPlace& item, double limit)
+    {
+      const double distance = Distance(item.Place, place);
+      nearest = distance < limit ? &item : nearest;
+      return std::min(distance, limit);
+    });
+  return nearest;
 }
 
 const Point2* InnerPlaces::FindNear(const Point2& place, double reach) const
 {
-  const PointTree::Item* nearest = this->Tree.Nearest(place, reach * reach);
+  const OldPlace* nearest = this->FindNearest(place, reach);
   return nearest ? &nearest->Place : nullptr;
 }
 
 Id InnerPlaces::FindAt(const Point2& place) const
 {
-  const PointTree::Item* nearest =
-    this->Tree.Nearest(place, std::numeric_limits<double>::denorm_min());
-  return nearest && nearest->Place == place ? nearest->Name : NoId;
+  const OldPlace* nearest = this->FindNearest(place, std::numeric_limits<double>::denorm_min());
+  return nearest ? nearest->Point : NoId;
 }
 
 } // namespace biting

@@ -4,10 +4,12 @@
 #ifndef BitingInnerPlaces_h
 #define BitingInnerPlaces_h
 
-#include "../Quality/PointTree.h"
+#include "../Spacing/BoxTree.h"
 #include "ChangedRegion.h"
 #include "OldMesh.h"
 #include "RegionEdges.h"
+
+#include <vector> // for the list
 
 namespace biting
 {
@@ -29,7 +31,22 @@ public:
   Id FindAt(const Point2& place) const;
 
 private:
-  PointTree Tree;
+  /// As an item of the tree: a box without extent.
+  struct OldPlace
+  {
+    Point2 Place;
+    Id Point;
+
+    Box2 Box() const { return { this->Place, this->Place }; }
+    double Least() const { return 0.0; }
+    Point2 Along() const { return {}; }
+  };
+
+  static std::vector<OldPlace> List(
+    const OldMesh& mesh, const ChangedRegion& region, const RegionEdges& edges);
+  const OldPlace* FindNearest(const Point2& place, double reach) const;
+
+  BoxTree<OldPlace> Tree;
 };
 
 } // namespace biting

@@ -5,9 +5,9 @@
 #define BitingStitching_h
 
 #include "../Biting/BitingScheme.h"
-#include "../BitingMesh.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
 #include "ChangedRegion.h"
 #include "OldMesh.h"
 #include "RegionEdges.h"

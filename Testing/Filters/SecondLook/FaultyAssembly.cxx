@@ -3,7 +3,7 @@
 
 // The assembly of the mesh, which then breaks one thing.
 #define AssembleMesh AssembleFaultlessMesh
-#include "Kernel/Meshing/MeshAssembly.cxx" // NOLINT: under another name
+#include "Kernel/Stages/MeshAssembly.cxx" // NOLINT: under another name
 #undef AssembleMesh
 
 #include "Fault.h"

@@ -3,7 +3,7 @@
 
 #include "StripMeshes.h"
 
-#include "Blocks/DisjointSets.h"
+#include "Base/DisjointSets.h"
 #include "Blocks/StripParts.h"
 
 #include <gtest/gtest.h>

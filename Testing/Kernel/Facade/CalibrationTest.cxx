@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshing/Calibration.h"
+#include "Stages/Calibration.h"
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/VertexEstimate.h"

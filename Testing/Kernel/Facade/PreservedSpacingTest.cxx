@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshing/PreservedSpacing.h"
+#include "Stages/PreservedSpacing.h"
 #include "../Support/MeshShapes.h"
 #include "Base/DistanceToSegment.h"
 

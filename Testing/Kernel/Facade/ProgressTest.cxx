@@ -5,7 +5,7 @@
 #include "../Support/MeshShapes.h"
 #include "../Support/Monitors.h"
 
-#include "MeshingStages.h"
+#include "Stages/MeshingStages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshing/SegmentCover.h"
+#include "Stages/SegmentCover.h"
 #include "../Support/PolylineShapes.h"
 
 #include <gtest/gtest.h>

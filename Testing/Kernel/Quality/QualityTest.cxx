@@ -4,6 +4,7 @@
 #include "Quality/Quality.h"
 #include "Base/Numbers.h"
 
+#include "../Support/TestThreads.h"
 #include "TestMesh.h"
 
 #include <gtest/gtest.h>
@@ -260,6 +261,69 @@ TEST(MeasureQuality, ComparesTheNearestDistanceWithTheSpacing)
   EXPECT_EQ(quality.Conformity[7], 0.5);
   EXPECT_EQ(quality.SmallestConformity, 0.25);
   EXPECT_DOUBLE_EQ(quality.MeanConformity, 18.75 / 20.0);
+}
+
+void ExpectShortestEdges(const TestMesh& mesh, const MeshQuality& quality)
+{
+  std::vector<double> shortest(mesh.Points.size(), Infinity);
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+  {
+    const double length = Distance(mesh.Place(slot), mesh.Place(biting::NextSlot(slot)));
+    for (const biting::Id end : { mesh.Corners[slot], mesh.Corners[biting::NextSlot(slot)] })
+    {
+      double& known = shortest[static_cast<std::size_t>(end)];
+      known = std::min(known, length);
+    }
+  }
+  for (std::size_t k = 0; k < shortest.size(); ++k)
+  {
+    EXPECT_DOUBLE_EQ(quality.NearestNeighborDistance[k], shortest[k]);
+  }
+}
+
+TEST(NearestNeighborDistance, IsThatAlongTheShortestEdge)
+{
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+  {
+    TestMesh mesh = TestMesh::Random(60, seed);
+    mesh.Shuffle(40, seed);
+    ExpectShortestEdges(mesh, Measure(mesh, UniformSpacing(mesh, 1.0)));
+  }
+}
+
+/// By a property of Delaunay triangulations: each point is joined with the nearest one.
+TEST(NearestNeighborDistance, IsTheLeastOfAllInAConvexDelaunayMesh)
+{
+  TestMesh mesh = TestMesh::Random(80, 3);
+  mesh.MakeDelaunay();
+  const MeshQuality quality = Measure(mesh, UniformSpacing(mesh, 1.0));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    double nearest = Infinity;
+    for (std::size_t k = 0; k < mesh.Points.size(); ++k)
+    {
+      nearest = k == i ? nearest : std::min(nearest, Distance(mesh.Points[i], mesh.Points[k]));
+    }
+    EXPECT_DOUBLE_EQ(quality.NearestNeighborDistance[i], nearest);
+  }
+}
+
+/// So many triangles that there are several tasks.
+TEST(NearestNeighborDistance, IsTheSameForAnyNumberOfThreads)
+{
+  TestMesh mesh = TestMesh::Grid(
+    biting::UnitLines(300), biting::UnitLines(200), [](std::size_t, std::size_t) { return true; });
+  mesh.Jitter(0.2, 5);
+  const std::vector<double> spacing = UniformSpacing(mesh, 1.0);
+  const biting::MeshView view{ mesh.Points, spacing, mesh.Corners, mesh.Neighbors };
+  const MeshQuality alone = biting::MeasureQuality(view);
+  for (const int numberOfThreads : { 2, 3, 8 })
+  {
+    biting::MonitorWithThreads monitor(numberOfThreads);
+    const MeshQuality shared = biting::MeasureQuality(view, monitor);
+    EXPECT_EQ(shared.NearestNeighborDistance, alone.NearestNeighborDistance);
+    EXPECT_EQ(shared.Conformity, alone.Conformity);
+  }
 }
 
 // Of 4 x 3 squares: 16 + 15 sides of length 1 and 12 diagonals.

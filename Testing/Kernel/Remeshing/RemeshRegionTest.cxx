@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "RemeshRegion.h"
+#include "Remeshing/RemeshRegion.h"
 #include "../Support/MeshRun.h"
 #include "../Support/Monitors.h"
 #include "../Support/PolylineShapes.h"

@@ -3,10 +3,10 @@
 
 #include "RemeshRegion.h"
 
-#include "Base/PartOfStage.h"
-#include "Remeshing/MisfitVertices.h"
-#include "Remeshing/RegionEdges.h"
-#include "Remeshing/WantedSpacing.h"
+#include "../Base/PartOfStage.h"
+#include "MisfitVertices.h"
+#include "RegionEdges.h"
+#include "WantedSpacing.h"
 
 #include <utility> // for move
 

@@ -4,11 +4,11 @@
 #ifndef BitingFineDrawing_h
 #define BitingFineDrawing_h
 
-#include "Base/Pulse.h"
-#include "BitingMesh.h"
-#include "Domain/Domain.h"
-#include "Quality/ExactSum.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
+#include "../Quality/ExactSum.h"
+#include "../Spacing/Spacing.h"
 
 #include <vector> // for spacings
 

@@ -4,11 +4,11 @@
 #ifndef BitingPreparedSpacing_h
 #define BitingPreparedSpacing_h
 
-#include "Base/Monitor.h"
-#include "Base/Problem.h"
-#include "BitingMesh.h"
-#include "Domain/Domain.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Monitor.h"
+#include "../Base/Problem.h"
+#include "../Domain/Domain.h"
+#include "../Mesh/BitingMeshOptions.h"
+#include "../Spacing/Spacing.h"
 
 #include <memory> // for features
 

@@ -4,13 +4,13 @@
 #ifndef BitingRemeshRegion_h
 #define BitingRemeshRegion_h
 
-#include "Base/Monitor.h"
-#include "Base/Problem.h"
-#include "BitingRemesh.h"
-#include "Remeshing/ChangedRegion.h"
-#include "Remeshing/EdgeSimplification.h"
-#include "Remeshing/OldMesh.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Monitor.h"
+#include "../Base/Problem.h"
+#include "../Spacing/Spacing.h"
+#include "ChangedRegion.h"
+#include "EdgeSimplification.h"
+#include "OldMesh.h"
+#include "RemeshOptions.h"
 
 #include <vector> // for spacings
 

@@ -5,9 +5,9 @@
 #define BitingMeshAssembly_h
 
 #include "../Biting/BitingScheme.h"
-#include "../BitingMesh.h"
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
 
 namespace biting
 {

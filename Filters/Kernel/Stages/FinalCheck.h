@@ -6,8 +6,8 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../BitingMesh.h"
 #include "../Domain/Domain.h"
+#include "../Mesh/BitingMesh.h"
 
 #include <string> // for the violation
 #include <vector> // for the arrays

@@ -4,15 +4,16 @@
 #ifndef BitingFinishedMesh_h
 #define BitingFinishedMesh_h
 
-#include "Base/Crew.h"
-#include "Base/PartOfStage.h"
-#include "Base/Problem.h"
-#include "Biting/BitingScheme.h"
-#include "BitingMesh.h"
-#include "Blocks/BlockMesher.h"
-#include "Delaunay/Triangulation.h"
-#include "Simplification/Simplification.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Crew.h"
+#include "../Base/PartOfStage.h"
+#include "../Base/Problem.h"
+#include "../Biting/BitingScheme.h"
+#include "../Blocks/BlockMesher.h"
+#include "../Delaunay/Triangulation.h"
+#include "../Mesh/BitingMesh.h"
+#include "../Mesh/BitingMeshOptions.h"
+#include "../Simplification/Simplification.h"
+#include "../Spacing/Spacing.h"
 
 namespace biting
 {

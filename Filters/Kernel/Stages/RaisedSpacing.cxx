@@ -3,7 +3,7 @@
 
 #include "RaisedSpacing.h"
 
-#include "Spacing/SourceCheck.h"
+#include "../Spacing/SourceCheck.h"
 
 #include <sstream> // for the detail
 

@@ -4,9 +4,9 @@
 #ifndef BitingNarrowAngles_h
 #define BitingNarrowAngles_h
 
-#include "Base/Problem.h"
-#include "Base/Pulse.h"
-#include "Domain/Domain.h"
+#include "../Base/Problem.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
 
 namespace biting
 {

@@ -4,9 +4,9 @@
 #ifndef BitingRaisedSpacing_h
 #define BitingRaisedSpacing_h
 
-#include "Base/Problem.h"
-#include "Domain/Domain.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Problem.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
 
 namespace biting
 {

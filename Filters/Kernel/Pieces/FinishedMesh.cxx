@@ -3,17 +3,20 @@
 
 #include "FinishedMesh.h"
 
-#include "Base/Pulse.h"
-#include "FineDrawing.h"
-#include "Meshing/FinalCheck.h"
-#include "Meshing/MeshAssembly.h"
-#include "Meshing/SegmentCover.h"
-#include "Meshing/SharpCornerTriangles.h"
-#include "Meshing/StageProblems.h"
-#include "MeshingStages.h"
-#include "Pieces/SpreadMesh.h"
+#include "../Base/Pulse.h"
+#include "../Stages/FinalCheck.h"
+#include "../Stages/FineDrawing.h"
+#include "../Stages/MeshAssembly.h"
+#include "../Stages/MeshingStages.h"
+#include "../Stages/SegmentCover.h"
+#include "../Stages/SharpCornerTriangles.h"
+#include "../Stages/StageProblems.h"
+#include "SpreadMesh.h"
 
-#include <utility> // for move
+#include <algorithm> // for sort, adjacent_find
+#include <tuple>     // for keys
+#include <utility>   // for move
+#include <vector>    // for vertices
 
 namespace biting
 {
@@ -117,12 +120,24 @@ void JudgePieces(const MeshingInput& input, BlockMesher& blocks, const std::vect
   }
 }
 
+// Whether two vertices of boundary or interfaces are at one place, as where a cut ends beside one.
+bool HasRepeatedPlaces(const BitingMesh& mesh)
+{
+  std::vector<Id> vertices = mesh.EdgeStarts;
+  vertices.insert(vertices.end(), mesh.EdgeEnds.begin(), mesh.EdgeEnds.end());
+  const auto key = [&mesh](Id vertex)
+  { return std::make_tuple(mesh.Points[vertex].X, mesh.Points[vertex].Y, vertex); };
+  std::sort(vertices.begin(), vertices.end(), [&key](Id a, Id b) { return key(a) < key(b); });
+  return std::adjacent_find(vertices.begin(), vertices.end(),
+           [&mesh](Id a, Id b)
+           { return a != b && mesh.Points[a] == mesh.Points[b]; }) != vertices.end();
+}
+
 // Of a mesh that was made in blocks.
 void TellBlocks(BlockMesher& blocks, BitingMesh& mesh, ProblemList& problems)
 {
   mesh.NumberOfBlocks = static_cast<Id>(blocks.Kept().Parts.Blocks.size());
-  mesh.Cuts = blocks.Cuts();
-  if (mesh.Quality.SmallestConformity == 0.0)
+  if (HasRepeatedPlaces(mesh.Border ? *mesh.Border : mesh))
   {
     AddProblem(ProblemCode::CheckFailed, "two vertices are at one place", problems);
   }

@@ -3,8 +3,8 @@
 
 #include "NarrowAngles.h"
 
-#include "Base/Numbers.h"
-#include "Biting/Spokes.h"
+#include "../Base/Numbers.h"
+#include "../Biting/Spokes.h"
 
 #include <cmath>   // for atan2
 #include <sstream> // for angles

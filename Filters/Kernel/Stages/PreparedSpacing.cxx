@@ -3,10 +3,10 @@
 
 #include "PreparedSpacing.h"
 
-#include "Base/PartOfStage.h"
-#include "Meshing/PreservedSpacing.h"
-#include "Meshing/StageProblems.h"
+#include "../Base/PartOfStage.h"
+#include "PreservedSpacing.h"
 #include "RaisedSpacing.h"
+#include "StageProblems.h"
 
 #include <utility> // for move
 
