@@ -17,7 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
-#include <algorithm> // for fill
+#include <algorithm> // for fill, max
 
 namespace biting
 {
@@ -112,11 +112,19 @@ void UniteArrays(const Drawing& drawing, int association, vtkFieldData* united)
     whole->CopyComponentNames(like);
     whole->SetNumberOfTuples(size);
     vtkIdType first = 0;
-    for (const PieceArrays& piece : pieces)
+    vtkIdType lacking = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
     {
-      whole->InsertTuples(first, piece.Size, 0, piece.Arrays->GetAbstractArray(name.c_str()));
-      first += piece.Size;
+      vtkAbstractArray* own =
+        drawing.Blocks[k].Data->GetAttributes(association)->GetAbstractArray(name.c_str());
+      const vtkIdType given = own ? own->GetNumberOfTuples() : pieces[k].Size;
+      lacking += std::max(pieces[k].Size - given, vtkIdType{ 0 });
+      whole->InsertTuples(
+        first, pieces[k].Size, 0, pieces[k].Arrays->GetAbstractArray(name.c_str()));
+      first += pieces[k].Size;
     }
+    // One that has too few values is refused, or left out, as it would be of one dataset.
+    whole->SetNumberOfTuples(size - lacking);
     united->AddArray(whole);
   }
 }

@@ -107,7 +107,8 @@ vtkSmartPointer<vtkAbstractArray> Valid(vtkAbstractArray* given, vtkDataSet* blo
   return valid;
 }
 
-// The blocks with an array of this name, and nothing else of them; the arrays are alike.
+// The blocks with an array of this name, and nothing else of them; the arrays are alike. Only the
+// block whose array has too few values, if there is one: it is refused for that.
 DataSets BlocksWith(const std::string& name, const DataSets& blocks)
 {
   DataSets with;
@@ -124,6 +125,10 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
         {
           bare->GetAttributes(association)->AddArray(ghosts);
         }
+      }
+      if (array->GetNumberOfTuples() < block->GetNumberOfPoints())
+      {
+        return { bare };
       }
       with.push_back(bare);
     }

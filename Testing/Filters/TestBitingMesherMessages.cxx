@@ -295,6 +295,7 @@ TEST(BitingMesherMessages, AreOneSentenceForPointsWithoutCells)
   EXPECT_TRUE(AreAllEmpty(mesher));
   // Nor with cells that have too few of them, in an input with points or without.
   onlyPoints->GetPolys()->InsertNextCell({ 0, 0 });
+  onlyPoints->Modified();
   vtkNew<vtkPolyData> nothing;
   const vtkIdType none = 0;
   nothing->AllocateExact(1, 1);

@@ -464,6 +464,22 @@ class TestCompositeTypes(unittest.TestCase):
         self.assertEqual(
             vertices_with(spacing(VTK_DOUBLE, 0.5, 'f'), spacing(VTK_FLOAT, 0.5, 'f'))[1], [])
 
+    def test_arrays_with_too_few_values_are_refused(self):
+        said = vertices_with(spacing(VTK_INT, 1), {'Spacing': Column(VTK_FLOAT, [(1.0,)] * 2)})[1]
+        self.assertEqual(said, ['The spacing array Spacing has 2 values for 4 points.\n\n'])
+        blocks = vtkMultiBlockDataSet()
+        for k, count in enumerate((4, 3)):
+            block = Block(square_ring((2.0 * k, 0.0), (2.0 * k + 1.0, 1.0)),
+                          [(VTK_LINE, [i, (i + 1) % 4]) for i in range(4)])
+            block.of_cells['Tag'] = Column(VTK_STRING if k else VTK_INT, [('1' if k else 1,)] * count)
+            blocks.SetBlock(k, block.dataset())
+        mesher = vtkBitingMesher()
+        mesher.SetInputDataObject(blocks)
+        mesher.SetRegionArray('Tag')
+        said, _ = outcome(mesher)
+        self.assertEqual([text for _, text in said],
+                         ['The cell array Tag has 7 values for 8 cells.\n\n'])
+
     def test_a_spacing_behind_a_block_of_whole_numbers_keeps_its_value(self):
         sizes = []
         for kind in (VTK_DOUBLE, VTK_INT):
