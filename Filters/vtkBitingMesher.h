@@ -53,10 +53,11 @@
  * projected into the plane, cells with a volume are cut by it. Hidden and ghost cells, and places
  * where the array is NaN, or `vtkValidPointMask` of a resampling 0, are no source; nor are values
  * that are zero, negative or infinite at points outside of the domain, as fill values are. Blocks
- * of a composite dataset are one source: those that have the array; where they, or cells, overlap
- * the smallest value counts. Where the domain reaches out of the source by more than the distance
- * of its points, a warning says what share of it, and where. The times of the output are those of
- * all inputs, so that a source that changes with time gives a mesh anew at each.
+ * of a composite dataset are one source: those that have the array, of whatever numeric type; where
+ * they, or cells, overlap the smallest value counts. Where the domain reaches out of the source by
+ * more than the distance of its points, a warning says what share of it, and where. The times of
+ * the output are those of all inputs, so that a source that changes with time gives a mesh anew at
+ * each.
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
@@ -102,8 +103,11 @@
  * domain on their left, with every cell array of the input at its cell, of any type: on the outline
  * of a surface that of the cell there, where a line runs along it that of the line. Blocks of a
  * composite input are told by `BlockName` (string); where a block lacks an array its values are 0,
- * NaN or empty. Point data: `MeshPointId` (vtkIdType, point of output 0). Cell data:
- * `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1 interface).
+ * NaN or empty. Arrays of one name in several blocks become one of a type that holds all values:
+ * double of real and whole numbers, texts of numbers beside texts and where no numeric type holds
+ * all; and as many components as the largest has. Point data: `MeshPointId` (vtkIdType, point of
+ * output 0). Cell data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1
+ * interface).
  *
  * @par Output 2, the bites (only with GenerateBites):
  * One polygon a bite, in order, and before them the front that is left, as lines. Cell data:
@@ -312,8 +316,9 @@ public:
 
   ///@{
   /**
-   * The spacing is raised to at least this, in units of the coordinates, >= 0. 0 (default): no
-   * bound. Negative, not finite, or above MaximumSpacing: an error.
+   * The spacing is raised to at least this, in units of the coordinates, >= 0. Values of arrays
+   * that are zero or negative count as this. 0 (default): no bound, and such values are errors.
+   * Negative, not finite, or above MaximumSpacing: an error.
    */
   vtkSetMacro(MinimumSpacing, double);
   vtkGetMacro(MinimumSpacing, double);

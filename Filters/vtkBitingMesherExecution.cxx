@@ -180,15 +180,19 @@ bool vtkBitingMesher::Execution::ReadChains()
   biting::PartOfStage part(this->Progress, 0.0, ChainsEnd);
   const bool isRead = this->Accept(biting::PolylinesFromDrawing(
     this->Drawing, this->Filter->RegionArray, this->Planar, this->Problems, part));
-  if (isRead && this->Planar.Chains.NumberOfChains() == 0 && this->Drawing.NumberOfPoints > 0 &&
-    !this->WasAborted())
+  const bool isEmpty = this->Planar.Chains.NumberOfChains() == 0;
+  if (isRead && isEmpty && this->Drawing.NumberOfCells > 0 && !this->WasAborted())
+  {
+    return this->Accept("No cell of the input describes a domain; lines, two-dimensional cells and "
+                        "vertex cells do, unless they are hidden, or have too few points.");
+  }
+  if (isRead && isEmpty && this->Drawing.NumberOfPoints > 0 && !this->WasAborted())
   {
     return this->Accept(
       "The input has points, but no cells; lines, two-dimensional cells and vertex "
       "cells describe a domain.");
   }
-  return isRead && !this->ReportErrors() && !this->WasAborted() &&
-    this->Planar.Chains.NumberOfChains() > 0;
+  return isRead && !this->ReportErrors() && !this->WasAborted() && !isEmpty;
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "Bridge/BitesToPolyData.h"
 #include "Bridge/BoundaryEdgesToPolyData.h"
 #include "Bridge/ChosenArray.h"
-#include "Bridge/DoubleArray.h"
 #include "Bridge/FilterRun.h"
 #include "Bridge/InputTimes.h"
 #include "Bridge/MeshToPolyData.h"
@@ -269,9 +268,9 @@ bool vtkBitingRemesher::Execution::ReadMesh()
     return false;
   }
   const bool isEmpty = this->Mesh.CellIds.empty();
-  if (isEmpty && this->Input->GetNumberOfPoints() > 0)
+  if (isEmpty && this->Input->GetNumberOfPoints() + this->Input->GetNumberOfCells() > 0)
   {
-    return this->Accept("The input has points, but no triangles; it is a mesh that is changed.");
+    return this->Accept("The input has no triangles; it is a mesh that is changed.");
   }
   return !isEmpty;
 }
@@ -307,15 +306,12 @@ std::string vtkBitingRemesher::Execution::AddValues()
            "that has one, or set UniformSpacing.";
   }
   biting::Pulse pulse(this->Progress);
-  const std::string refusal = biting::CheckSpacingValues(this->Input, chosen.Array,
-    this->Mesh.PointIds, biting::SpacingOwner::Input, this->Places, pulse);
-  if (refusal.empty())
+  std::vector<double> values;
+  const std::string refusal = biting::ReadOwnValues(this->Input, chosen.Array, this->Mesh.PointIds,
+    biting::LeastValue(this->Options.Spacing), values, this->Places, pulse);
+  for (std::size_t k = 0; refusal.empty() && k < this->Mesh.PointIds.size(); ++k)
   {
-    const auto doubles = biting::AsDoubles(chosen.Array);
-    for (const vtkIdType point : this->Mesh.PointIds)
-    {
-      this->Options.Values.push_back(doubles->GetValue(point));
-    }
+    this->Options.Values.push_back(values[static_cast<std::size_t>(this->Mesh.PointIds[k])]);
   }
   return refusal;
 }

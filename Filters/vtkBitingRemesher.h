@@ -45,7 +45,9 @@
  * @par Outputs:
  * 0, Mesh: with the arrays of vtkBitingMesher::MESH. `OriginalPointId` is the point of the input at
  * a vertex that is kept, else -1; the cell array `OriginalCellId` the cell of a triangle that is
- * unchanged, else -1. With TransferData the other arrays of the input besides. Field data also:
+ * unchanged, else -1. `RegionId` numbers the faces (triangles connected without an interface) from
+ * 0; where it is the RegionArray and TransferData is on, it has the values of the input. With
+ * TransferData the other arrays of the input besides. Field data also:
  * `KeptVertices`, `RemovedVertices`, `NewVertices`, `KeptTriangles`. Old vertices come first, in
  * their order, then new ones; so do triangles. Where nothing changes it is the input, points, cells
  * and arrays, with `OriginalPointId`, `OriginalCellId` and these counts added or replaced.
@@ -163,7 +165,8 @@ public:
 
   ///@{
   /**
-   * Bounds of the spacing, in units of the coordinates, >= 0. 0 (default): no bound. Negative, not
+   * Bounds of the spacing, in units of the coordinates, >= 0. 0 (default): no bound. Zero and
+   * negative values of an array count as the minimum; without one they are errors. Negative, not
    * finite, or a minimum above the maximum: an error.
    */
   vtkSetMacro(MinimumSpacing, double);

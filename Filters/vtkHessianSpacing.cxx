@@ -58,6 +58,18 @@ double RangeOf(const std::vector<double>& values)
   return std::max(high - low, 0.0);
 }
 
+//------------------------------------------------------------------------------
+// Of the finite values, as a power of two: what is divided by it neither overflows nor vanishes.
+int LargestExponent(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+  }
+  return largest > 0.0 ? std::ilogb(largest) : 0;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -92,6 +104,7 @@ private:
   biting::PlanarFaces Faces;
   std::vector<double> Values;
   std::vector<double> Norms;
+  int Exponent = 0; ///< values, and norms with them, are divided by two to the power of it
   bool IsRefused = false;
 };
 
@@ -171,7 +184,7 @@ bool vtkHessianSpacing::Execution::ReadFaces()
     return false;
   }
   const bool isEmpty = this->Faces.CellIds.empty();
-  if (isEmpty && this->Input->GetNumberOfCells() > 0)
+  if (isEmpty && this->Input->GetNumberOfPoints() + this->Input->GetNumberOfCells() > 0)
   {
     return this->Accept("The input has no faces to recover a Hessian on.");
   }
@@ -239,6 +252,11 @@ bool vtkHessianSpacing::Execution::ReadScalar()
   {
     this->Values.push_back(doubles->GetValue(point));
   }
+  this->Exponent = LargestExponent(this->Values);
+  for (double& value : this->Values)
+  {
+    value = std::ldexp(value, -this->Exponent);
+  }
   const std::int64_t count = CountNotFinite(this->Values);
   if (count > 0)
   {
@@ -292,7 +310,7 @@ void vtkHessianSpacing::Execution::Write(vtkDataSet* output) const
   for (std::size_t vertex = 0; vertex < this->Norms.size(); ++vertex)
   {
     const auto point = static_cast<std::size_t>(this->Faces.PointIds[vertex]);
-    norms[point] = this->Norms[vertex];
+    norms[point] = std::ldexp(this->Norms[vertex], this->Exponent);
     spacings[point] =
       biting::NumericalSpacing(joined[vertex], tolerance, this->Filter->MinimumSpacing, maximum);
   }
@@ -300,14 +318,17 @@ void vtkHessianSpacing::Execution::Write(vtkDataSet* output) const
   biting::AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", spacings);
   biting::AddArray<vtkDoubleArray>(output->GetPointData(), "HessianNorm", norms);
   output->GetPointData()->SetActiveScalars("Spacing");
-  biting::AddFigure(output->GetFieldData(), "ErrorTolerance", tolerance);
+  biting::AddFigure(
+    output->GetFieldData(), "ErrorTolerance", std::ldexp(tolerance, this->Exponent));
 }
 
 //------------------------------------------------------------------------------
 double vtkHessianSpacing::Execution::Tolerance() const
 {
-  return this->Filter->ErrorTolerance > 0.0 ? this->Filter->ErrorTolerance
-                                            : DefaultShareOfRange * RangeOf(this->Values);
+  return this->Filter->ErrorTolerance > 0.0
+    ? std::max(std::ldexp(this->Filter->ErrorTolerance, -this->Exponent),
+        std::numeric_limits<double>::min())
+    : DefaultShareOfRange * RangeOf(this->Values);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DomainMembership.h"
-#include "Bridge/DoubleArray.h"
 #include "Bridge/FilterRun.h" // for EmptyOutputs
 #include "Bridge/InputTimes.h"
 #include "Bridge/MeasuredMesh.h"
@@ -239,7 +238,7 @@ bool vtkMeshConformity::Execution::ReadMesh()
     return false;
   }
   const bool isEmpty = this->Mesh.Faces.CellIds.empty();
-  if (isEmpty && this->Input->GetNumberOfCells() > 0)
+  if (isEmpty && this->Input->GetNumberOfPoints() + this->Input->GetNumberOfCells() > 0)
   {
     return this->Accept("The input has no triangles to measure.");
   }
@@ -397,15 +396,15 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
 {
   biting::ProblemPlaces places;
   biting::Pulse pulse(this->Monitor);
-  if (!this->Accept(biting::CheckSpacingValues(this->Input, values, this->Mesh.Faces.PointIds,
-        biting::SpacingOwner::Input, places, pulse)))
+  std::vector<double> read;
+  if (!this->Accept(biting::ReadOwnValues(
+        this->Input, values, this->Mesh.Faces.PointIds, 0.0, read, places, pulse)))
   {
     return false;
   }
-  const auto doubles = biting::AsDoubles(values);
   for (const vtkIdType point : this->Mesh.Faces.PointIds)
   {
-    this->Mesh.Spacing.push_back(doubles->GetValue(point));
+    this->Mesh.Spacing.push_back(read[static_cast<std::size_t>(point)]);
   }
   this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Monitor);
   this->Mesh.HasSpacing = true;

@@ -4,7 +4,6 @@
 #include "BoundarySpacing.h"
 
 #include "../Kernel/Base/Pulse.h"
-#include "DoubleArray.h"
 #include "SourceOrder.h"
 #include "SpacingValues.h"
 
@@ -59,13 +58,13 @@ std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
 {
   Pulse pulse(monitor);
   const std::vector<vtkIdType> used = PointsWith(values, drawing, input);
+  std::vector<double> read;
   const std::string refusal =
-    CheckSpacingValues(drawing.Points, values, used, SpacingOwner::Input, places, pulse);
+    ReadOwnValues(drawing.Points, values, used, LeastValue(options), read, places, pulse);
   if (!refusal.empty())
   {
     return refusal;
   }
-  const auto doubles = AsDoubles(values);
   auto source = std::make_shared<SegmentSource>();
   std::vector<Id> newIds(input.IsUsed.size(), NoId);
   for (std::size_t k = 0; k < used.size() && pulse.Beat(); ++k)
@@ -73,7 +72,7 @@ std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
     const auto point = static_cast<std::size_t>(used[k]);
     newIds[point] = static_cast<Id>(k);
     source->Points.push_back(input.Chains.Points[point]);
-    source->Values.push_back(doubles->GetValue(used[k]));
+    source->Values.push_back(read[point]);
   }
   for (Id chain = 0; chain < input.Chains.NumberOfChains() && pulse.Beat(); ++chain)
   {

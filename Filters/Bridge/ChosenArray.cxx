@@ -23,6 +23,17 @@ ChosenArray Refused(const std::string& refusal)
   return chosen;
 }
 
+ChosenArray ActiveArray(int attribute, vtkDataSet* data, const ArrayRole& role)
+{
+  ChosenArray chosen;
+  chosen.Array = data->GetPointData()->GetAttribute(attribute);
+  return chosen.Array
+    ? chosen
+    : Refused("The " + std::string(role.Owner) + " has no active point array of the chosen kind.");
+}
+
+} // namespace
+
 ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const ArrayRole& role)
 {
   ChosenArray chosen;
@@ -44,17 +55,6 @@ ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const ArrayRole& role
   chosen.IsOfCells = chosen.IsMissing && data->GetCellData()->HasArray(name);
   return chosen;
 }
-
-ChosenArray ActiveArray(int attribute, vtkDataSet* data, const ArrayRole& role)
-{
-  ChosenArray chosen;
-  chosen.Array = data->GetPointData()->GetAttribute(attribute);
-  return chosen.Array
-    ? chosen
-    : Refused("The " + std::string(role.Owner) + " has no active point array of the chosen kind.");
-}
-
-} // namespace
 
 ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRole& role)
 {

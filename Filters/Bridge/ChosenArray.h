@@ -44,6 +44,9 @@ struct ArrayRole
 /// missing; any other may not.
 ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRole& role);
 
+/// The same of a name.
+ChosenArray ArrayNamed(const char* name, vtkDataSet* data, const ArrayRole& role);
+
 } // namespace biting
 
 #endif

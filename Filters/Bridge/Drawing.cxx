@@ -3,13 +3,13 @@
 
 #include "Drawing.h"
 
+#include "AlikeArrays.h"
 #include "DataTree.h"
 #include "DoubleArray.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,8 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
-#include <algorithm> // for fill
-#include <limits>    // for NaN
+#include <algorithm> // for fill, max
 
 namespace biting
 {
@@ -91,93 +90,43 @@ void BlockCollector::Add(vtkDataSet* data, const std::string& name)
   this->Result.NumberOfCells += data->GetNumberOfCells();
 }
 
-// Arrays of one kind in all blocks.
-class ArrayUnion
+// Puts the arrays of all blocks, those of points or those of cells, together by name.
+void UniteArrays(const Drawing& drawing, int association, vtkFieldData* united)
 {
-public:
-  ArrayUnion(const Drawing& drawing, int association, vtkFieldData* united)
-    : Blocks(drawing.Blocks)
-    , Association(association)
-    , Size(association == vtkDataObject::POINT ? drawing.NumberOfPoints : drawing.NumberOfCells)
-    , United(united)
+  std::vector<PieceArrays> pieces;
+  vtkIdType size = 0;
+  for (const DrawingBlock& block : drawing.Blocks)
   {
+    pieces.push_back(
+      { vtkSmartPointer<vtkFieldData>::New(), block.Data->GetNumberOfElements(association) });
+    pieces.back().Arrays->ShallowCopy(block.Data->GetAttributes(association));
+    pieces.back().Arrays->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+    size += pieces.back().Size;
   }
-
-  void Run();
-
-private:
-  vtkFieldData* ArraysOf(const DrawingBlock& block) const
+  for (const std::string& name : MakeArraysAlike(pieces))
   {
-    return block.Data->GetAttributes(this->Association);
-  }
-  vtkIdType SizeOf(const DrawingBlock& block) const
-  {
-    return block.Data->GetNumberOfElements(this->Association);
-  }
-  vtkIdType FirstOf(const DrawingBlock& block) const
-  {
-    return this->Association == vtkDataObject::POINT ? block.FirstPoint : block.FirstCell;
-  }
-  void Add(vtkAbstractArray* model);
-  bool Fits(vtkAbstractArray* array, vtkAbstractArray* model, const DrawingBlock& block) const;
-
-  const std::vector<DrawingBlock>& Blocks;
-  int Association;
-  vtkIdType Size;
-  vtkFieldData* United;
-};
-
-void ArrayUnion::Run()
-{
-  for (const DrawingBlock& block : this->Blocks)
-  {
-    vtkFieldData* arrays = this->ArraysOf(block);
-    for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+    vtkAbstractArray* like = pieces.front().Arrays->GetAbstractArray(name.c_str());
+    auto whole = vtk::TakeSmartPointer(like->NewInstance());
+    whole->SetName(like->GetName());
+    whole->SetNumberOfComponents(like->GetNumberOfComponents());
+    whole->CopyComponentNames(like);
+    whole->SetNumberOfTuples(size);
+    vtkIdType first = 0;
+    vtkIdType lacking = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
     {
-      const char* name = arrays->GetAbstractArray(k)->GetName();
-      const bool isGhosts = name && std::string(name) == vtkDataSetAttributes::GhostArrayName();
-      if (name && !isGhosts && !this->United->HasArray(name))
-      {
-        this->Add(arrays->GetAbstractArray(k));
-      }
+      vtkAbstractArray* own =
+        drawing.Blocks[k].Data->GetAttributes(association)->GetAbstractArray(name.c_str());
+      const vtkIdType given = own ? own->GetNumberOfTuples() : pieces[k].Size;
+      lacking += std::max(pieces[k].Size - given, vtkIdType{ 0 });
+      whole->InsertTuples(
+        first, pieces[k].Size, 0, pieces[k].Arrays->GetAbstractArray(name.c_str()));
+      first += pieces[k].Size;
     }
+    // One that has too few values is refused, or left out, as it would be of one dataset.
+    whole->SetNumberOfTuples(size - lacking);
+    united->AddArray(whole);
   }
-}
-
-void FillWithNaNOrZero(vtkAbstractArray* array)
-{
-  if (auto* values = vtkDataArray::SafeDownCast(array))
-  {
-    const bool isReal = values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE;
-    values->Fill(isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
-  }
-}
-
-void ArrayUnion::Add(vtkAbstractArray* model)
-{
-  auto united = vtk::TakeSmartPointer(model->NewInstance());
-  united->SetName(model->GetName());
-  united->SetNumberOfComponents(model->GetNumberOfComponents());
-  united->CopyComponentNames(model);
-  united->SetNumberOfTuples(this->Size);
-  FillWithNaNOrZero(united);
-  for (const DrawingBlock& block : this->Blocks)
-  {
-    vtkAbstractArray* array = this->ArraysOf(block)->GetAbstractArray(model->GetName());
-    if (array && this->Fits(array, model, block))
-    {
-      united->InsertTuples(this->FirstOf(block), this->SizeOf(block), 0, array);
-    }
-  }
-  this->United->AddArray(united);
-}
-
-bool ArrayUnion::Fits(
-  vtkAbstractArray* array, vtkAbstractArray* model, const DrawingBlock& block) const
-{
-  return array->IsNumeric() == model->IsNumeric() &&
-    array->GetNumberOfComponents() == model->GetNumberOfComponents() &&
-    array->GetNumberOfTuples() >= this->SizeOf(block);
 }
 
 vtkSmartPointer<vtkDataSet> UnitedPoints(const Drawing& drawing)
@@ -194,14 +143,14 @@ vtkSmartPointer<vtkDataSet> UnitedPoints(const Drawing& drawing)
   points->SetData(coordinates);
   auto united = vtkSmartPointer<vtkPolyData>::New();
   united->SetPoints(points);
-  ArrayUnion(drawing, vtkDataObject::POINT, united->GetPointData()).Run();
+  UniteArrays(drawing, vtkDataObject::POINT, united->GetPointData());
   return united;
 }
 
 vtkSmartPointer<vtkFieldData> UnitedCellArrays(const Drawing& drawing)
 {
   auto united = vtkSmartPointer<vtkFieldData>::New();
-  ArrayUnion(drawing, vtkDataObject::CELL, united).Run();
+  UniteArrays(drawing, vtkDataObject::CELL, united);
   vtkNew<vtkStringArray> names;
   names->SetName("BlockName");
   names->SetNumberOfValues(drawing.NumberOfCells);

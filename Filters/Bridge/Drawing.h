@@ -27,9 +27,8 @@ struct DrawingBlock
 /// Port 0 as one drawing: a dataset, or all datasets of a composite one after the other, in the
 /// order of its tree.
 ///
-/// The arrays of several blocks are put together by name; a block without the array has 0 there,
-/// NaN where values are real, or an empty text. Arrays that differ in kind or in the number of
-/// components are those of the first block that has one. Nothing of the blocks is changed.
+/// The arrays of several blocks are put together by name, made alike as by MakeArraysAlike. Nothing
+/// of the blocks is changed.
 struct Drawing
 {
   std::vector<DrawingBlock> Blocks;

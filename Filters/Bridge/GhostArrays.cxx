@@ -6,7 +6,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -21,15 +20,6 @@ namespace
 bool HasFlag(vtkUnsignedCharArray* ghosts, vtkIdType item, int flags)
 {
   return ghosts && (ghosts->GetValue(item) & flags) != 0;
-}
-
-void AddNoGhosts(vtkDataSet* data, int association)
-{
-  vtkNew<vtkUnsignedCharArray> none;
-  none->SetName(vtkDataSetAttributes::GhostArrayName());
-  none->SetNumberOfValues(data->GetNumberOfElements(association));
-  none->Fill(0);
-  data->GetAttributes(association)->AddArray(none);
 }
 
 } // namespace
@@ -68,23 +58,6 @@ bool HasGhosts(vtkDataSet* data, int association, int flags)
     isAny = HasFlag(ghosts, item, flags);
   }
   return isAny;
-}
-
-void GiveGhostsToAll(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
-{
-  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    const auto hasArray = [association](vtkDataSet* piece)
-    { return GhostsOf(piece, association) != nullptr; };
-    const bool isWanted = std::any_of(pieces.begin(), pieces.end(), hasArray);
-    for (const auto& piece : pieces)
-    {
-      if (isWanted && !hasArray(piece))
-      {
-        AddNoGhosts(piece, association);
-      }
-    }
-  }
 }
 
 void ForgetDuplicates(vtkDataSet* whole)

@@ -7,9 +7,6 @@
 #include "../vtkBitingCompat.h" // for the ABI namespace
 
 #include "vtkDataSetAttributes.h" // for flags
-#include "vtkSmartPointer.h"      // for datasets
-
-#include <vector> // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -43,10 +40,6 @@ private:
 
 /// Whether the ghost array of points or cells, if there is one, has one of `flags`.
 bool HasGhosts(vtkDataSet* data, int association, int flags);
-
-/// Gives all pieces a ghost array of points or cells, if one has it: what puts pieces together
-/// keeps only arrays that all have.
-void GiveGhostsToAll(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
 
 /// Of pieces that are one now duplicates are gone; ghost arrays stay where they say more than that.
 void ForgetDuplicates(vtkDataSet* whole);

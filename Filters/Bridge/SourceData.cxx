@@ -3,6 +3,7 @@
 
 #include "SourceData.h"
 
+#include "AlikeArrays.h"
 #include "DataTree.h"
 #include "GhostArrays.h"
 #include "StructuredFromPieces.h"
@@ -44,37 +45,34 @@ bool IsOfThePipeline(vtkPointData* data, int array)
     attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
-// Null where there is none, or more than one.
-vtkDataArray* OnlyScalar(vtkPointData* data)
-{
-  vtkDataArray* only = nullptr;
-  int count = 0;
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkDataArray* array = data->GetArray(k);
-    if (array && array->GetNumberOfComponents() == 1 && !IsOfThePipeline(data, k))
-    {
-      only = array;
-      ++count;
-    }
-  }
-  return count == 1 ? only : nullptr;
-}
-
-ChosenArray ChooseIn(vtkInformation* choice, vtkDataSet* block)
-{
-  ChosenArray chosen = ChooseArray(choice, block, Role);
-  if (chosen.IsMissing)
-  {
-    chosen.Array = OnlyScalar(block->GetPointData());
-    chosen.IsMissing = !chosen.Array;
-  }
-  return chosen;
-}
-
-std::string NameOf(vtkDataArray* array)
+std::string NameOf(vtkAbstractArray* array)
 {
   return array->GetName() ? array->GetName() : "";
+}
+
+// The array of one component where there are none of other names, nor two in a block; else no data.
+SourceData OnlyScalar(const DataSets& blocks)
+{
+  SourceData only;
+  for (const auto& block : blocks)
+  {
+    for (int k = 0; k < block->GetPointData()->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = block->GetPointData()->GetArray(k);
+      if (!array || array->GetNumberOfComponents() != 1 ||
+        IsOfThePipeline(block->GetPointData(), k))
+      {
+        continue;
+      }
+      if (only.Data && (only.Data == block || NameOf(array) != NameOf(only.Chosen.Array)))
+      {
+        return {};
+      }
+      only.Data = only.Data ? only.Data : block;
+      only.Chosen.Array = only.Chosen.Array ? only.Chosen.Array : array;
+    }
+  }
+  return only;
 }
 
 // The mask of a block, or null.
@@ -88,13 +86,14 @@ vtkDataArray* MaskOf(vtkDataSet* block)
 }
 
 // The array, with NaN where the mask of the block says that nothing was found.
-vtkSmartPointer<vtkDataArray> Valid(vtkDataArray* array, vtkDataSet* block)
+vtkSmartPointer<vtkAbstractArray> Valid(vtkAbstractArray* given, vtkDataSet* block)
 {
   vtkDataArray* mask = MaskOf(block);
-  if (!mask || array->GetNumberOfComponents() != 1 ||
+  auto* array = vtkDataArray::SafeDownCast(given);
+  if (!mask || !array || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != mask->GetNumberOfTuples())
   {
-    return array;
+    return given;
   }
   auto valid = vtkSmartPointer<vtkDoubleArray>::New();
   valid->SetName(array->GetName());
@@ -108,14 +107,14 @@ vtkSmartPointer<vtkDataArray> Valid(vtkDataArray* array, vtkDataSet* block)
   return valid;
 }
 
-// The blocks with an array of this name, and nothing else of them.
+// The blocks with an array of this name, and nothing else of them; the arrays are alike. Only the
+// block whose array has too few values, if there is one: it is refused for that.
 DataSets BlocksWith(const std::string& name, const DataSets& blocks)
 {
   DataSets with;
   for (const auto& block : blocks)
   {
-    vtkDataArray* array = block->GetPointData()->GetArray(name.c_str());
-    if (array)
+    if (vtkAbstractArray* array = block->GetPointData()->GetAbstractArray(name.c_str()))
     {
       auto bare = vtk::TakeSmartPointer(block->NewInstance());
       bare->CopyStructure(block);
@@ -127,10 +126,14 @@ DataSets BlocksWith(const std::string& name, const DataSets& blocks)
           bare->GetAttributes(association)->AddArray(ghosts);
         }
       }
+      if (array->GetNumberOfTuples() < block->GetNumberOfPoints())
+      {
+        return { bare };
+      }
       with.push_back(bare);
     }
   }
-  GiveGhostsToAll(with);
+  MakeArraysAlike(with);
   return with;
 }
 
@@ -185,48 +188,69 @@ vtkSmartPointer<vtkDataSet> Appended(const DataSets& blocks)
   return append->GetOutput();
 }
 
-} // namespace
+// What was found in a block, or why nothing was, before what is only missing.
+int RankOf(const ChosenArray& chosen)
+{
+  return chosen.Array ? 2 : (chosen.Refusal.empty() ? 0 : 1);
+}
 
-SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
+SourceData ChooseBlock(vtkInformation* choice, const DataSets& blocks)
 {
   SourceData found;
-  const DataSets blocks = LeavesOf(source);
-  if (blocks.empty())
-  {
-    // A dataset without points is refused, or not used, for what it lacks.
-    found.Data = vtkDataSet::SafeDownCast(source);
-    found.Chosen.IsMissing = true;
-    found.Chosen = found.Data ? ChooseIn(choice, found.Data) : found.Chosen;
-    return found;
-  }
   for (const auto& block : blocks)
   {
-    const ChosenArray chosen = ChooseIn(choice, block);
-    if (!found.Data || (chosen.Array && !found.Chosen.Array))
+    const ChosenArray chosen = ChooseArray(choice, block, Role);
+    if (!found.Data || RankOf(chosen) > RankOf(found.Chosen))
     {
       found.Data = block;
       found.Chosen = chosen;
     }
   }
+  const SourceData only = found.Chosen.IsMissing ? OnlyScalar(blocks) : SourceData();
+  return only.Data ? only : found;
+}
+
+// Makes one source of all blocks that have the array found in one of them.
+void JoinBlocks(const DataSets& blocks, SourceData& found)
+{
+  const std::string name = NameOf(found.Chosen.Array);
+  const DataSets with = BlocksWith(name, blocks);
+  if (with.empty())
+  {
+    return;
+  }
+  found.Data = with.front();
+  found.Chosen = ArrayNamed(name.c_str(), found.Data, Role);
+  if (with.size() > 1 && found.Chosen.Array)
+  {
+    const auto grid = AsGrid(with, name);
+    found.Data = grid ? grid : Appended(with);
+    found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
+  }
+}
+
+} // namespace
+
+SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)
+{
+  DataSets blocks = LeavesOf(source);
+  if (blocks.empty() && vtkDataSet::SafeDownCast(source))
+  {
+    // A dataset without points is refused, or not used, for what it lacks.
+    blocks.emplace_back(vtkDataSet::SafeDownCast(source));
+  }
+  if (blocks.empty())
+  {
+    SourceData nothing;
+    nothing.Chosen.IsMissing = true;
+    return nothing;
+  }
+  SourceData found = ChooseBlock(choice, blocks);
   const auto hasMask = [](vtkDataSet* block) { return MaskOf(block) != nullptr; };
   const bool isMasked = std::any_of(blocks.begin(), blocks.end(), hasMask);
   if ((blocks.size() > 1 || isMasked) && found.Chosen.Array)
   {
-    const std::string name = NameOf(found.Chosen.Array);
-    const DataSets with = BlocksWith(name, blocks);
-    if (with.size() > 1)
-    {
-      const auto grid = AsGrid(with, name);
-      found.Data = grid ? grid : Appended(with);
-    }
-    else if (with.size() == 1)
-    {
-      found.Data = with.front();
-    }
-    if (!with.empty())
-    {
-      found.Chosen.Array = found.Data->GetPointData()->GetArray(name.c_str());
-    }
+    JoinBlocks(blocks, found);
   }
   return found;
 }

@@ -217,14 +217,15 @@ bool IsFillValue(double value)
   return !std::isnan(value) && !(value > 0.0 && std::isfinite(value));
 }
 
-// The values, NaN for those that are no spacing where none is wanted.
+// The values, NaN for those that are no spacing where none is wanted; elsewhere zero and negative
+// ones are `least` where that is above 0.
 std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const PlaneFrame& frame,
-  const std::function<bool(const Point2&)>& isWanted, Pulse& pulse)
+  const std::function<bool(const Point2&)>& isWanted, double least, Pulse& pulse)
 {
   std::vector<double> values = ReadDoubles(given, source->GetNumberOfPoints());
   bool isAnyKnown = false;
   pulse.ForEach(values.size(),
-    [source, &frame, &isWanted, &values, &isAnyKnown](std::size_t point)
+    [source, &frame, &isWanted, least, &values, &isAnyKnown](std::size_t point)
     {
       double& value = values[point];
       if (!IsFillValue(value))
@@ -237,6 +238,11 @@ std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const P
       if (!isWanted(frame.ToPlane(place)))
       {
         value = std::numeric_limits<double>::quiet_NaN();
+      }
+      else if (least > 0.0 && value <= 0.0)
+      {
+        value = least;
+        isAnyKnown = true;
       }
     });
   if (!isAnyKnown) // what is given is refused by its values
@@ -255,17 +261,15 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   Pulse pulse(monitor);
   vtkDataSet* source = chosen.Data;
   vtkDataArray* given = chosen.Chosen.Array;
-  if (given->GetNumberOfComponents() != 1 ||
-    given->GetNumberOfTuples() < source->GetNumberOfPoints())
+  for (const std::string& refusal : { CheckShape(source, given), CheckImage(source) })
   {
-    return CheckSpacingValues(source, given, {}, SpacingOwner::Source, places, pulse);
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
   }
-  const std::string misplaced = CheckImage(source);
-  if (!misplaced.empty())
-  {
-    return misplaced;
-  }
-  std::vector<double> values = KnownValues(source, given, frame, isWanted, pulse);
+  std::vector<double> values =
+    KnownValues(source, given, frame, isWanted, LeastValue(options), pulse);
   const std::shared_ptr<const GridSource> grid = GridFrom(source, values, frame, pulse);
   const std::string refusal = grid ? AddGrid(chosen, values, grid, options, places, pulse)
                                    : AddCells(chosen, values, frame, options, places, pulse);

@@ -8,7 +8,7 @@
 
 #include "vtkDataSet.h"
 
-#include <algorithm> // for all_of, min
+#include <algorithm> // for all_of, min, replace_if
 #include <cmath>     // for isfinite
 #include <sstream>   // for the text
 
@@ -54,22 +54,42 @@ void AddPlace(
 
 } // namespace
 
-std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse)
+double LeastValue(const SpacingOptions& options)
 {
-  const std::string array = SubjectOf(values);
-  if (values->GetNumberOfComponents() != 1)
+  return options.Minimum / options.Scale;
+}
+
+std::string CheckShape(vtkDataSet* data, vtkDataArray* array)
+{
+  if (array->GetNumberOfComponents() != 1)
   {
-    return array + " has " + std::to_string(values->GetNumberOfComponents()) +
+    return SubjectOf(array) + " has " + std::to_string(array->GetNumberOfComponents()) +
       " components; it takes one.";
   }
-  if (values->GetNumberOfTuples() < data->GetNumberOfPoints())
+  if (array->GetNumberOfTuples() < data->GetNumberOfPoints())
   {
-    return array + " has " + std::to_string(values->GetNumberOfTuples()) + " values for " +
-      std::to_string(data->GetNumberOfPoints()) + " points.";
+    return SubjectOf(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
   }
-  return CheckReadValues(
-    data, values, ReadDoubles(values, data->GetNumberOfPoints()), &points, owner, places, pulse);
+  return {};
+}
+
+std::string ReadOwnValues(vtkDataSet* data, vtkDataArray* array,
+  const std::vector<vtkIdType>& points, double least, std::vector<double>& values,
+  ProblemPlaces& places, Pulse& pulse)
+{
+  const std::string refusal = CheckShape(data, array);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  values = ReadDoubles(array, data->GetNumberOfPoints());
+  if (least > 0.0)
+  {
+    std::replace_if(
+      values.begin(), values.end(), [](double value) { return value <= 0.0; }, least);
+  }
+  return CheckReadValues(data, array, values, &points, SpacingOwner::Input, places, pulse);
 }
 
 std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,

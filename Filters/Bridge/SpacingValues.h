@@ -4,8 +4,9 @@
 #ifndef BitingSpacingValues_h
 #define BitingSpacingValues_h
 
-#include "../Kernel/Base/Pulse.h" // for progress
-#include "../vtkBitingCompat.h"   // for the ABI namespace
+#include "../Kernel/Base/Pulse.h"      // for progress
+#include "../Kernel/Spacing/Spacing.h" // for options
+#include "../vtkBitingCompat.h"        // for the ABI namespace
 #include "ProblemPlaces.h"
 
 #include "vtkType.h" // for vtkIdType
@@ -28,14 +29,22 @@ enum class SpacingOwner
   Source
 };
 
-/// Checks the spacing in `values` at `points` of `data`: one component, positive, finite.
-/// Returns what is wrong, with the points and their places, empty where nothing is; all places are
-/// added to `places`. Where the monitor asks to stop nothing is wrong.
-std::string CheckSpacingValues(vtkDataSet* data, vtkDataArray* values,
-  const std::vector<vtkIdType>& points, SpacingOwner owner, ProblemPlaces& places, Pulse& pulse);
+/// What zero and negative values count as, in the units of the values: MinimumSpacing; 0 where it
+/// is not given.
+double LeastValue(const SpacingOptions& options);
 
-/// The same of values that were read from `array`, which has one for each point of `data`; of all
-/// where `points` is null.
+/// Whether `array` has no value for each point of `data`: in words, empty where it has.
+std::string CheckShape(vtkDataSet* data, vtkDataArray* array);
+
+/// Reads `values` of the input, one for each point, zero and negative ones as `least` where that is
+/// above 0. Returns what is wrong with them at `points`, as CheckReadValues.
+std::string ReadOwnValues(vtkDataSet* data, vtkDataArray* array,
+  const std::vector<vtkIdType>& points, double least, std::vector<double>& values,
+  ProblemPlaces& places, Pulse& pulse);
+
+/// Checks values that were read from `array` at `points` of `data`, at all where that is null: they
+/// are positive and finite. Returns what is wrong, with the points and their places, empty where
+/// nothing is; all places are added to `places`. Where the monitor asks to stop nothing is wrong.
 std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
   const std::vector<double>& values, const std::vector<vtkIdType>* points, SpacingOwner owner,
   ProblemPlaces& places, Pulse& pulse);

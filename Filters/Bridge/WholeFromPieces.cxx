@@ -3,8 +3,8 @@
 
 #include "WholeFromPieces.h"
 
+#include "AlikeArrays.h"
 #include "DataTree.h"
-#include "GhostArrays.h"
 #include "MeshFromPieces.h"
 #include "StructuredFromPieces.h"
 
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkDataObject> WholeFromPieces(const Pieces& pieces)
   {
     leaves.emplace_back(vtkDataSet::SafeDownCast(leaf));
   }
-  GiveGhostsToAll(leaves);
+  MakeArraysAlike(leaves);
   const auto structured = StructuredFromPieces(leaves);
   return structured ? structured : MeshFromPieces(leaves);
 }

@@ -3,6 +3,7 @@
 
 # The one list of bridge sources, relative to this folder; the module reads it.
 set(biting_bridge_sources
+  AlikeArrays.cxx
   BitesToPolyData.cxx
   BoundaryEdgesToPolyData.cxx
   BoundarySpacing.cxx

@@ -293,6 +293,20 @@ TEST(BitingMesherMessages, AreOneSentenceForPointsWithoutCells)
   ASSERT_EQ(messages.Errors.size(), 1u);
   EXPECT_TRUE(Has(messages.Errors.front(), "points, but no cells"));
   EXPECT_TRUE(AreAllEmpty(mesher));
+  // Nor with cells that have too few of them, in an input with points or without.
+  onlyPoints->GetPolys()->InsertNextCell({ 0, 0 });
+  onlyPoints->Modified();
+  vtkNew<vtkPolyData> nothing;
+  const vtkIdType none = 0;
+  nothing->AllocateExact(1, 1);
+  nothing->InsertNextCell(VTK_POLY_LINE, 0, &none);
+  for (vtkPolyData* input : { onlyPoints.Get(), nothing.Get() })
+  {
+    mesher->SetInputData(input);
+    mesher->Update();
+    EXPECT_TRUE(Has(messages.Errors.back(), "No cell of the input describes a domain"));
+  }
+  EXPECT_EQ(messages.Errors.size(), 3u);
 }
 
 TEST(BitingMesherMessages, LeaveNoErrorCodeWhereTheNextRunIsGood)

@@ -217,6 +217,46 @@ TEST(BitingMesherSource, WithBadValuesIsRefusedWithTheirPoints)
   EXPECT_TRUE(Has(RefusalOf(MesherWith(source)), "has 3 components"));
 }
 
+TEST(BitingMesherSource, WithZeroAndNegativeValuesHasTheMinimumSpacingThere)
+{
+  const auto wanted = Image(6, 7, 1);
+  const auto given = Image(6, 7, 1);
+  for (const vtkIdType point : { 8, 9, 20 })
+  {
+    wanted->GetPointData()->GetArray("Spacing")->SetComponent(point, 0, 0.125);
+    given->GetPointData()->GetArray("Spacing")->SetComponent(point, 0, point == 8 ? 0.0 : -3.0);
+  }
+  const auto mesher = MesherWith(wanted);
+  mesher->SetSpacingScale(0.5);
+  mesher->SetMinimumSpacing(0.0625);
+  mesher->Update();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(mesher->GetOutput());
+  mesher->SetSpacingSourceData(given);
+  mesher->Update();
+  EXPECT_GT(expected->GetNumberOfCells(), 50);
+  EXPECT_TRUE(AreSame(mesher->GetOutput(), expected));
+}
+
+TEST(BitingMesherSpacing, OfTheInputThatIsZeroIsTheMinimumSpacing)
+{
+  vtkNew<vtkPolyData> square;
+  square->ShallowCopy(UnitSquare());
+  AddArray<vtkDoubleArray>(square->GetPointData(), "Spacing", { 0.1, 0.0, -1.0, 0.1 });
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(square);
+  EXPECT_TRUE(Has(RefusalOf(mesher), "zero, negative or not finite (2)"));
+  mesher->SetMinimumSpacing(0.05);
+  mesher->Update();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(mesher->GetOutput());
+  EXPECT_GT(expected->GetNumberOfCells(), 50);
+  AddArray<vtkDoubleArray>(square->GetPointData(), "Spacing", { 0.1, 0.05, 0.05, 0.1 });
+  square->Modified();
+  mesher->Update();
+  EXPECT_TRUE(AreSame(mesher->GetOutput(), expected));
+}
+
 TEST(BitingMesherSource, MayHaveFillValuesOutsideOfTheDomain)
 {
   vtkNew<vtkImageData> image;

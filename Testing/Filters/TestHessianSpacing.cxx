@@ -283,6 +283,23 @@ TEST(HessianSpacing, StaysWithinItsBounds)
   EXPECT_EQ(spacingWith(3.0, 0.0, linear), 3.0);
 }
 
+TEST(HessianSpacing, IsNeverZeroHoweverLargeOrSmallValuesAre)
+{
+  vtkNew<vtkHessianSpacing> filter;
+  for (const double scale : { 0.0, 1e-300, 1.0, 5e306 })
+  {
+    const auto image = Image(5, 9);
+    AddField(image, [scale](const Place& place) { return scale * Quadratic(place); });
+    filter->SetInputData(image);
+    filter->Update();
+    for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+    {
+      const double expected = scale > 0.0 ? 0.1 : std::sqrt(2.0);
+      ASSERT_NEAR(ValueAt(filter->GetOutput(), "Spacing", point), expected, 1e-8) << scale;
+    }
+  }
+}
+
 TEST(HessianSpacing, PassesEverythingOn)
 {
   const auto image = Image(4, 4);

@@ -364,6 +364,8 @@ TEST(MeshConformity, RefusesWhatCannotBeMeasured)
   EXPECT_TRUE(Has(RefusalOf(FourTriangles(), ConstantImage(0.0)), "zero, negative"));
   auto lines = UnitSquare();
   EXPECT_TRUE(Has(RefusalOf(lines), "no triangles"));
+  lines->SetLines(vtkNew<vtkCellArray>());
+  EXPECT_TRUE(Has(RefusalOf(lines), "no triangles"));
 }
 
 TEST(MeshConformity, RefusesSizesWhoseSquaresAreNoDoubles)

@@ -402,8 +402,10 @@ double NumericalSpacing(double norm, double errorTolerance, double minimum, doub
   {
     return Unknown;
   }
-  const double spacing = norm > 0.0 ? std::sqrt(errorTolerance / norm) : maximum;
-  return std::max(minimum, std::min(spacing, maximum));
+  constexpr double Least = std::numeric_limits<double>::min();
+  const bool isBounded = norm > 0.0 && errorTolerance > 0.0;
+  const double spacing = isBounded ? std::sqrt(errorTolerance / norm) : maximum;
+  return std::max({ Least, minimum, std::min(spacing, maximum) });
 }
 
 } // namespace biting

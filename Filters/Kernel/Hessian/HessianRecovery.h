@@ -59,7 +59,8 @@ std::vector<double> WithThoseAround(
   const CellsView& cells, const std::vector<double>& values, std::vector<double> norms);
 
 /// f = sqrt(errorTolerance / norm), at least `minimum` and at most `maximum`, which is also f where
-/// the norm is 0; NaN where it is NaN. minimum <= maximum.
+/// the norm or errorTolerance is 0; NaN where the norm is NaN. minimum <= maximum. Law: f is never
+/// 0; where it is none of the normal numbers it is the smallest of these.
 double NumericalSpacing(double norm, double errorTolerance, double minimum, double maximum);
 
 } // namespace biting

@@ -358,6 +358,8 @@ TEST(NumericalSpacing, StaysWithinItsBounds)
   EXPECT_EQ(NumericalSpacing(4.0, 0.01, 0.0, 0.01), 0.01);
   EXPECT_EQ(NumericalSpacing(0.0, 0.01, 0.0, 9.0), 9.0);
   EXPECT_EQ(NumericalSpacing(0.0, 0.0, 0.0, 9.0), 9.0);
+  EXPECT_EQ(NumericalSpacing(1e-20, 0.0, 0.0, 9.0), 9.0);
+  EXPECT_GT(NumericalSpacing(std::numeric_limits<double>::infinity(), 0.01, 0.0, 9.0), 0.0);
   EXPECT_TRUE(std::isnan(NumericalSpacing(biting::NotANumber, 0.01, 0.0, 9.0)));
 }
 
