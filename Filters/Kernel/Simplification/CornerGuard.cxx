@@ -18,6 +18,10 @@ namespace
 // Degrees: about the smallest angle of meshes without sharp corners.
 constexpr double SharpAngle = 36.0;
 
+// Degrees: no such angle is made outside of the domain either. Rounding keeps vertices on its sides
+// from being told apart.
+constexpr double NeedleAngle = 0.01;
+
 // Where more segments than this end, some angles are sharp in any case: 360 / SharpAngle.
 constexpr std::ptrdiff_t MostEnds = 10;
 
@@ -89,7 +93,7 @@ bool CornerGuard::IsSharpened(Id near, Id slot, Id far, Id other) const
   const Point2 after = this->At(far) - this->At(near);
   const double angle = AngleBetween(after, side);
   return angle < SharpAngle - AngleStep && angle < AngleBetween(before, side) - AngleStep &&
-    this->IsInside(near, slot, Cross(after, side) > 0.0);
+    (angle < NeedleAngle || this->IsInside(near, slot, Cross(after, side) > 0.0));
 }
 
 // Whether the domain is on that side of the chain, walking from `near` to its neighbour `slot`.

@@ -207,18 +207,10 @@ std::vector<double> MakeTolerances(
   return least;
 }
 
-// That a segment of the result stands for.
-struct Path
-{
-  Id FirstSegment; ///< the first in the order of the domain
-  double Shortest; ///< length of its segments
-};
-
 // The segments of the chains as they are left.
 void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDomain& result)
 {
   DomainSubset rest(domain);
-  std::vector<Path> paths;
   for (Id slot = 0; slot < chains.NumberOfSlots(); ++slot)
   {
     if (chains.Goes[slot] || chains.Nexts[slot] == NoId)
@@ -228,30 +220,18 @@ void TakeChains(const Domain& domain, const DomainChains& chains, SimplifiedDoma
     const Id next = chains.Nexts[slot];
     Id first = chains.Segments[slot];
     bool isAlong = true;
-    double shortest = Infinity;
     for (Id between = slot; between != next; between = chains.Following(between))
     {
       const Id segment = chains.Segments[between];
-      shortest = std::min(shortest,
-        Distance(domain.Vertices[domain.Starts[segment]], domain.Vertices[domain.Ends[segment]]));
       if (segment <= first)
       {
         first = segment;
         isAlong = domain.Starts[segment] == chains.Vertices[between];
       }
     }
-    const Id start = chains.Vertices[isAlong ? slot : next];
-    const Id end = chains.Vertices[isAlong ? next : slot];
-    rest.Add(start, end, first);
-    paths.push_back({ first, shortest });
+    rest.Add(chains.Vertices[isAlong ? slot : next], chains.Vertices[isAlong ? next : slot], first);
   }
   result.Drawing = rest.Make();
-  std::sort(paths.begin(), paths.end(),
-    [](const Path& a, const Path& b) { return a.FirstSegment < b.FirstSegment; });
-  for (const Path& path : paths)
-  {
-    result.DrawnLengths.push_back(path.Shortest);
-  }
 }
 
 void ReduceChains(const Domain& domain, const SimplificationOptions& options,
@@ -277,6 +257,11 @@ void ReduceChains(const Domain& domain, const SimplificationOptions& options,
   reduction.ReduceTo(1.0, pulse);
   result.RemovedVertices = reduction.NumberOfRemoved();
   TakeChains(domain, chains, result);
+  for (Id segment = 0; result.RemovedVertices > 0 && segment < domain.NumberOfSegments(); ++segment)
+  {
+    result.DrawnEnds.push_back(domain.Vertices[domain.Starts[segment]]);
+    result.DrawnEnds.push_back(domain.Vertices[domain.Ends[segment]]);
+  }
 }
 
 } // namespace

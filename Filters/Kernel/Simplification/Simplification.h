@@ -35,9 +35,8 @@ struct SimplifiedDomain
 {
   Domain Drawing;
 
-  /// Of the segments of the domain that each segment stands for, the length of the shortest. Empty
-  /// where no vertex may go.
-  std::vector<double> DrawnLengths;
+  /// The ends of all segments of the domain, in pairs. Empty where no vertex of a chain went.
+  std::vector<Point2> DrawnEnds;
 
   Id RemovedVertices = 0;   ///< of chains
   Id LeftOutLoops = 0;      ///< each is a problem of code SmallLoops

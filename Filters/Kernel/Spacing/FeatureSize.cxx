@@ -6,6 +6,7 @@
 #include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
+#include "SegmentExtension.h"
 
 #include <atomic> // for what tasks count together
 
@@ -101,7 +102,8 @@ struct CapRule
   double Gradation;
   double LeastCapped;
   const FeatureSize Size;
-  const double Extent; ///< of the drawing
+  const SegmentExtension Drawn; ///< f by the lengths of what was simplified
+  const double Extent;          ///< of the drawing
 
   /// Samples: two at the ends of each segment, one where a piece is halved; capped f may be a
   /// quarter.
@@ -197,7 +199,7 @@ private:
     const double known =
       this->MostByLength < sample.Given ? this->MostByLength : sample.Given + reach;
     const double floor = this->Rule.Source.Floor ? this->Rule.Source.Floor(place) : 0.0;
-    const double least = std::max(floor, this->LeastInGaps(sample.Given));
+    const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
     sample.Size = this->Rule.Size(this->Segment, place, known, least);
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
@@ -206,13 +208,9 @@ private:
     return sample;
   }
 
-  double LeastInGaps(double given) const
+  double LeastInGaps(const Point2& place, double given) const
   {
-    const std::vector<double>& lengths = this->Rule.Source.DrawnLengths;
-    const auto segment = static_cast<std::size_t>(this->Segment);
-    const double drawn = segment < lengths.size() ? lengths[segment] : Infinity;
-    return std::min(
-      LeastShareInGaps * given, std::max(LengthsPerSpacing * drawn, this->LeastOnShort(given)));
+    return std::max(this->Rule.Drawn(place, LeastShareInGaps * given), this->LeastOnShort(given));
   }
 
   double LeastOnShort(double given) const
@@ -433,8 +431,12 @@ bool AddFeatureSizes(const FeatureSource& source, const std::function<double(con
   double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
 {
   Pulse pulse(monitor);
+  const std::vector<SegmentCone> drawn = source.Drawn
+    ? MakeCones(*source.Drawn, LengthsPerSpacing, gradation, pulse)
+    : std::vector<SegmentCone>();
   const CapRule rule{ source, given, least, most, gradation, cones.Values().Least,
-    FeatureSize(source, pulse), DiagonalOf(source.Points) };
+    FeatureSize(source, pulse), SegmentExtension(drawn, gradation, pulse),
+    DiagonalOf(source.Points) };
   return !pulse.HasStopped() && FeatureCap(rule, cones, pulse).Run();
 }
 

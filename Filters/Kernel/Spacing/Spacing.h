@@ -70,8 +70,8 @@ struct SegmentSource
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
 ///   so that one layer of triangles fits into a channel; but the cap is no less than a quarter of
 ///   what is given there, so that slits and thin walls do not become a multitude of triangles, or
-///   than 1.4 times the shortest segment of the drawing there that was simplified, if that is less:
-///   as fine triangles were there without the simplification;
+///   than the lengths in Drawn make f, if that is less: as fine triangles were there without the
+///   simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
@@ -86,9 +86,9 @@ struct FeatureSource
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
 
-  /// Where a drawing was simplified: the length of the shortest of its segments that each stands
-  /// for. Empty, or missing at the end: each stands for itself.
-  std::vector<double> DrawnLengths;
+  /// Where a drawing was simplified: its segments as they were, each with its length at both ends.
+  /// May be null.
+  std::shared_ptr<const SegmentSource> Drawn;
 
   /// About how many pieces half as long as f the segments may have. Where they have more, nothing
   /// more is capped: a mesh that fine will be refused, and this should be soon.

@@ -6,6 +6,24 @@
 namespace biting
 {
 
+namespace
+{
+
+// With their lengths; none without ends.
+std::shared_ptr<const SegmentSource> DrawnSegments(const std::vector<Point2>& ends)
+{
+  auto segments = std::make_shared<SegmentSource>();
+  segments->Points = ends;
+  for (std::size_t end = 0; end < ends.size(); ++end)
+  {
+    segments->Segments.push_back(static_cast<Id>(end));
+    segments->Values.push_back(Distance(ends[end], ends[end ^ 1]));
+  }
+  return ends.empty() ? nullptr : segments;
+}
+
+} // namespace
+
 std::shared_ptr<const FeatureSource> FeaturesOf(
   const SimplifiedDomain& simplified, double mostVertices)
 {
@@ -17,7 +35,7 @@ std::shared_ptr<const FeatureSource> FeaturesOf(
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;
   features->RightInside = domain.RightInside;
-  features->DrawnLengths = simplified.DrawnLengths;
+  features->Drawn = DrawnSegments(simplified.DrawnEnds);
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
     if (domain.IsEmbedded[vertex])

@@ -14,6 +14,7 @@ TEST(ChainReduction, AVertexOppositeAsNearAsTheErrorIsInTheWayInWhateverDirectio
   // that segment on the other side. Other vertices stay as they are between two tags.
   SimplificationOptions options;
   options.Tolerance = 0.2;
+  options.CornerAngle = 181.0;
   options.AreAlike = [](Id first, Id second) { return first == second; };
   const Polylines lines = PolylineBuilder()
                             .Chain({ { 2, 0 }, { 1, 1 } })

@@ -135,6 +135,19 @@ TEST(CornerGuard, SmallLoopsGetNoSharpCornersWhateverTheTolerance)
   }
 }
 
+/// The sides of a slit do not come to meet at its tip: but for rounding they would be one.
+TEST(CornerGuard, NoNeedleIsMadeOutsideOfTheDomain)
+{
+  const double width = 1e-9;
+  const Simplified made =
+    SimplifyLines(PolylineBuilder()
+                    .Loop({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.5 + width, 1.0 },
+                      { 0.5 + width, 0.3 }, { 0.5, 0.3 }, { 0.5, 1.0 }, { 0.0, 1.0 } })
+                    .Lines(),
+      0.2, 1.0);
+  EXPECT_EQ(made.After.RemovedVertices, 0);
+}
+
 TEST(CornerGuard, AnglesBetweenChainsStay)
 {
   // The interface leaves the boundary at 60 degrees, and would at 27.
