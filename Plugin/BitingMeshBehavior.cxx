@@ -18,6 +18,7 @@
 #include "pqView.h"
 #include "vtkBitingMesher.h"
 #include "vtkBitingRemesher.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -28,6 +29,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <QGuiApplication>
 #include <QTimer>
@@ -301,9 +303,32 @@ void ChooseForeign(vtkSMProperty* choice)
   }
 }
 
-void ChooseArrays(pqPipelineSource* source)
+// The array Spacing of a source that is chosen now, or its only one.
+void ChooseOfSource(vtkSMProperty* choice)
+{
+  auto* arrays = choice->FindDomain<vtkSMArrayListDomain>();
+  unsigned int index = 0;
+  if (arrays->GetNumberOfStrings() == 0 || arrays->IsInDomain(ChosenName(choice).c_str(), index))
+  {
+    return;
+  }
+  const bool isNamed = arrays->IsInDomain("Spacing", index);
+  if (isNamed || arrays->GetNumberOfStrings() == 1)
+  {
+    SCOPED_UNDO_EXCLUDE();
+    vtkSMPropertyHelper(choice).Set(NameElement, isNamed ? "Spacing" : arrays->GetString(0));
+  }
+}
+
+void ChooseArrays(pqPipelineSource* source, BitingMeshBehavior* behavior)
 {
   vtkSMProxy* proxy = source->getProxy();
+  if (HasProblems(source) || IsA(source, "MeshConformity"))
+  {
+    proxy->GetProperty("SourceSpacingArray")
+      ->FindDomain<vtkSMArrayListDomain>()
+      ->AddObserver(vtkCommand::DomainModifiedEvent, behavior, &BitingMeshBehavior::FollowSource);
+  }
   if (IsA(source, "BitingMesher") || IsA(source, "MeshConformity"))
   {
     ChooseExisting(proxy->GetProperty("BoundarySpacingArray"));
@@ -378,10 +403,18 @@ void BitingMeshBehavior::startup()
   connect(model, &pqServerManagerModel::dataUpdated, this,
     [](pqPipelineSource* source)
     { QTimer::singleShot(0, source, [source] { FollowAll(source); }); });
-  connect(model, &pqServerManagerModel::sourceAdded, this, &ChooseArrays);
+  connect(model, &pqServerManagerModel::sourceAdded, this,
+    [this](pqPipelineSource* source) { ChooseArrays(source, this); });
   connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::progress, this,
     &FollowProgress);
   connect(model, &pqServerManagerModel::modifiedStateChanged, this, &ExecuteWhereStopped);
+}
+
+void BitingMeshBehavior::FollowSource(vtkObject* arrays, unsigned long, void*)
+{
+  // The list of the panel comes first.
+  vtkSmartPointer<vtkSMProperty> choice = vtkSMDomain::SafeDownCast(arrays)->GetProperty();
+  QTimer::singleShot(0, this, [choice] { ChooseOfSource(choice); });
 }
 
 void BitingMeshBehavior::shutdown()

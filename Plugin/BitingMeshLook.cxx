@@ -42,7 +42,7 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       0.7, 0.55, 0.7, 0.8, 0.1, 0.3, 0.45, 0.75, 0.6 ] } } } })";
 
 constexpr const char* Representations = R"({ "representations" : {
-  "BitingMeshRepresentation" : { "EdgeColor" : [ 0.62, 0.66, 0.7 ] },
+  "BitingMeshRepresentation" : { "EdgeColor" : [ 0.85, 0.88, 0.9 ] },
   "BitingEdgesRepresentation" : { "LineWidth" : 2.5,
     "AmbientColor" : [ 0, 0, 0 ], "DiffuseColor" : [ 0, 0, 0 ] },
   "BitingBitesRepresentation" : { "Opacity" : 0.35, "EdgeColor" : [ 0.45, 0.2, 0.1 ] },

@@ -59,7 +59,7 @@ void FilterRun::EndWhereStopped()
   if (*this->Running.IsStopping)
   {
     vtkBitingCompat::EndAbort(this->Running.Filter);
-    this->Refuse("Stopped, as was asked for. Change a parameter to mesh again.");
+    this->Refuse("Stopped, as was asked for. Apply again to mesh.");
   }
 }
 

@@ -128,7 +128,11 @@ def take_picture(path):
     """Within ParaView: the active view; and the whole screen beside it, for those who look."""
     from paraview import simple
     simple.SaveScreenshot(path, simple.GetActiveView(), ImageResolution=[600, 400])
-    subprocess.run(['import', '-window', 'root', path.replace('.png', '_screen.png')], check=True)
+    take_screen(path.replace('.png', '_screen.png'))
+
+
+def take_screen(path):
+    subprocess.run(['import', '-window', 'root', path], check=True)
 
 
 def widgets(name, what):
