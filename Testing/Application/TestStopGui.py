@@ -40,7 +40,7 @@ def hold_keys(output):
     for run in range(RUNS):
         wait_until(lambda: os.path.exists(begin_of(output, run)))
         time.sleep(4.0)
-        window.take_screen(os.path.join(output, 'progress.png'))
+        window.take_screen(os.path.join(output, f'progress{run}.png'))
         press('keydown')
         wait_until(lambda: number_of_stops(output) > run)
         press('keyup')
