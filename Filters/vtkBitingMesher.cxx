@@ -35,11 +35,11 @@ namespace
 biting::SummaryCounts CountOnAll(const biting::Ranks& ranks, vtkDataSet* piece)
 {
   biting::SummaryCounts counts = biting::CountForSummary(piece);
-  std::array<double, 6> sums{ counts.Triangles, counts.SumOfAngles, counts.Thin, counts.ThinAtInput,
-    counts.Vertices, counts.InputVertices };
+  std::array<double, 4> sums{ counts.Triangles, counts.SumOfAngles, counts.Thin,
+    counts.ThinAtInput };
   ranks.AddUp(sums.data(), static_cast<vtkIdType>(sums.size()));
   const double largest = ranks.Largest(counts.LargestSpacing);
-  return { sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], largest };
+  return { sums[0], sums[1], sums[2], sums[3], largest };
 }
 
 } // namespace
@@ -117,6 +117,9 @@ int vtkBitingMesher::RequestInformation(vtkInformation* vtkNotUsed(request),
 int vtkBitingMesher::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // Before the execution begins: what asks to stop from then on is obeyed.
+  vtkBitingCompat::ForgetAbort(this);
+  this->IsStopping = false;
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   this->IsPassingBlocks =
@@ -128,10 +131,8 @@ int vtkBitingMesher::RequestUpdateExtent(
 int vtkBitingMesher::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
-  this->IsStopping = false;
   const biting::Stopwatch watch;
   // Ranks may have different numbers of blocks: each meshes its own.
   const biting::Ranks ranks =
@@ -153,8 +154,8 @@ int vtkBitingMesher::RequestData(
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, isSpread, this, outputVector);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   const biting::SummaryCounts counts = CountOnAll(ranks, mesh);
-  this->Summary += biting::SummaryOf(mesh, counts, watch.Seconds()) +
-    biting::UnreachedLine(counts, this->UniformSpacing * this->SpacingScale);
+  this->Summary = biting::SummaryOf(mesh, counts, watch.Seconds()) +
+    biting::UnreachedLine(counts, this->UniformSpacing * this->SpacingScale) + this->Summary;
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 

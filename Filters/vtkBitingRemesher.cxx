@@ -148,6 +148,9 @@ int vtkBitingRemesher::RequestInformation(vtkInformation* vtkNotUsed(request),
 int vtkBitingRemesher::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // Before the execution begins: what asks to stop from then on is obeyed.
+  vtkBitingCompat::ForgetAbort(this);
+  this->IsStopping = false;
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   return 1;
@@ -157,10 +160,8 @@ int vtkBitingRemesher::RequestUpdateExtent(
 int vtkBitingRemesher::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
-  this->IsStopping = false;
   const biting::Stopwatch watch;
   const biting::Ranks ranks(request, outputVector);
   const biting::WholeInput mesh(ranks, inputVector[0]);
@@ -174,8 +175,9 @@ int vtkBitingRemesher::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, MESH);
   const std::string counts = biting::CountsOf(output);
   const bool isNew = output->GetFieldData()->HasArray("UsedLipschitz");
-  this->Summary += counts +
-    (!counts.empty() && isNew ? biting::SummaryOf(output, watch.Seconds()) : std::string());
+  this->Summary = counts +
+    (!counts.empty() && isNew ? biting::SummaryOf(output, watch.Seconds()) : std::string()) +
+    this->Summary;
   return 1; // also where there was an error: views keep the mesh before it where this is 0
 }
 

@@ -121,6 +121,7 @@ vtkHessianSpacing::vtkHessianSpacing()
 int vtkHessianSpacing::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkBitingCompat::ForgetAbort(this);
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   return 1;
@@ -130,7 +131,6 @@ int vtkHessianSpacing::RequestUpdateExtent(
 int vtkHessianSpacing::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   const biting::Ranks ranks(request, outputVector);
   const biting::WholeInput input(ranks, inputVector[0]);

@@ -169,6 +169,7 @@ int vtkMeshConformity::RequestInformation(vtkInformation* vtkNotUsed(request),
 int vtkMeshConformity::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkBitingCompat::ForgetAbort(this);
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   return 1;
@@ -178,7 +179,6 @@ int vtkMeshConformity::RequestUpdateExtent(
 int vtkMeshConformity::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkBitingCompat::ForgetAbort(this);
   this->ErrorCode = vtkErrorCode::NoError;
   this->Summary.clear();
   const biting::Stopwatch watch;
@@ -190,7 +190,8 @@ int vtkMeshConformity::RequestData(
     Execution(this).Run(mesh, source, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
-  this->Summary += biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds());
+  this->Summary =
+    biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds()) + this->Summary;
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
@@ -271,7 +272,7 @@ void vtkMeshConformity::Execution::Refuse(const std::string& reason)
 {
   this->IsRefused = true;
   this->Filter->ErrorCode = vtkErrorCode::UserError;
-  this->Filter->Summary += biting::RefusalLines(reason);
+  this->Filter->Summary += "Error: " + reason + "\n";
   vtkErrorWithObjectMacro(this->Filter, << reason);
 }
 
@@ -281,6 +282,7 @@ void vtkMeshConformity::Execution::Warn(const std::string& text) const
 {
   if (!text.empty())
   {
+    this->Filter->Summary += "Warning: " + text + "\n";
     vtkWarningWithObjectMacro(this->Filter, << text);
   }
 }

@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "BitingMeshBehavior.h"
+#include "BitingMeshDisplay.h"
 
 #include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqProgressManager.h"
+#include "pqProgressWidget.h"
+#include "pqScalarBarRepresentation.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkBitingMesher.h"
 #include "vtkBitingRemesher.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -24,6 +29,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <QGuiApplication>
 #include <QTimer>
@@ -61,6 +67,10 @@ constexpr const char* IsHiddenByUs = "BitingIsHidden";
 
 // The property of a representation of a drawing that tells that we, and no user, have shown it.
 constexpr const char* IsShownByUs = "BitingIsShown";
+
+// The properties of a filter that the stop keys were held down for it, and that it was stopped.
+constexpr const char* IsStopAsked = "BitingIsStopAsked";
+constexpr const char* IsStopped = "BitingIsStopped";
 
 bool IsA(pqPipelineSource* source, const char* name)
 {
@@ -140,6 +150,36 @@ void Follow(pqDataRepresentation* representation)
     representation->setProperty(IsHiddenByUs, false);
     Show(representation, *output);
   }
+  if (!isEmpty && output->Port == ProblemsPort)
+  {
+    ListKinds(representation);
+  }
+}
+
+// What is shown for the first time.
+void SetUp(pqRepresentation* added)
+{
+  auto* representation = qobject_cast<pqDataRepresentation*>(added);
+  pqOutputPort* port = representation ? representation->getOutputPortFromInput() : nullptr;
+  if (qobject_cast<pqScalarBarRepresentation*>(added))
+  {
+    SetUpLegend(added);
+  }
+  if (!port || !added->getView())
+  {
+    return;
+  }
+  const char* look = added->getProxy()->GetXMLName();
+  SCOPED_UNDO_EXCLUDE();
+  if (std::strcmp(look, "BitingMeshRepresentation") == 0)
+  {
+    HideManyEdges(representation);
+  }
+  else if (std::strcmp(look, "BitingHistogramsRepresentation") == 0)
+  {
+    NameAxes(representation);
+  }
+  Follow(representation);
 }
 
 // Shows the drawing again where there is no mesh in its place, under the spheres of its problems.
@@ -169,12 +209,41 @@ void FollowDrawing(pqPipelineFilter* mesher, pqView* view)
   }
 }
 
+// A filter that was stopped is executed again where the same is applied again.
+void FollowStop(pqPipelineSource* source)
+{
+  if (source->property(IsStopAsked).toBool() && IsEmpty(source, MeshPort))
+  {
+    source->setProperty(IsStopped, true);
+    source->setModifiedState(pqProxy::MODIFIED);
+  }
+  source->setProperty(IsStopAsked, false);
+}
+
+void ExecuteWhereStopped(pqServerManagerModelItem* item)
+{
+  auto* source = qobject_cast<pqPipelineSource*>(item);
+  if (source && source->modifiedState() == pqProxy::UNMODIFIED &&
+    source->property(IsStopped).toBool())
+  {
+    source->setProperty(IsStopped, false);
+    vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject())->Modified();
+    source->getProxy()->MarkModified(source->getProxy());
+  }
+}
+
 void FollowAll(pqPipelineSource* source)
 {
+  if (HasProblems(source) || IsA(source, "MeshConformity"))
+  {
+    // The summary is information that no one else asks for when there is new data.
+    source->getSourceProxy()->UpdatePipelineInformation();
+  }
   if (!HasProblems(source))
   {
     return;
   }
+  FollowStop(source);
   for (pqView* view : source->getViews())
   {
     FollowDrawing(qobject_cast<pqPipelineFilter*>(source), view);
@@ -234,9 +303,32 @@ void ChooseForeign(vtkSMProperty* choice)
   }
 }
 
-void ChooseArrays(pqPipelineSource* source)
+// The array Spacing of a source that is chosen now, or its only one.
+void ChooseOfSource(vtkSMProperty* choice)
+{
+  auto* arrays = choice->FindDomain<vtkSMArrayListDomain>();
+  unsigned int index = 0;
+  if (arrays->GetNumberOfStrings() == 0 || arrays->IsInDomain(ChosenName(choice).c_str(), index))
+  {
+    return;
+  }
+  const bool isNamed = arrays->IsInDomain("Spacing", index);
+  if (isNamed || arrays->GetNumberOfStrings() == 1)
+  {
+    SCOPED_UNDO_EXCLUDE();
+    vtkSMPropertyHelper(choice).Set(NameElement, isNamed ? "Spacing" : arrays->GetString(0));
+  }
+}
+
+void ChooseArrays(pqPipelineSource* source, BitingMeshBehavior* behavior)
 {
   vtkSMProxy* proxy = source->getProxy();
+  if (HasProblems(source) || IsA(source, "MeshConformity"))
+  {
+    proxy->GetProperty("SourceSpacingArray")
+      ->FindDomain<vtkSMArrayListDomain>()
+      ->AddObserver(vtkCommand::DomainModifiedEvent, behavior, &BitingMeshBehavior::FollowSource);
+  }
   if (IsA(source, "BitingMesher") || IsA(source, "MeshConformity"))
   {
     ChooseExisting(proxy->GetProperty("BoundarySpacingArray"));
@@ -256,24 +348,46 @@ bool AreStopKeysHeld()
   return (QGuiApplication::queryKeyboardModifiers() & all) == all;
 }
 
-// A filter that does not run forgets this when it begins to.
-void StopWhereAsked()
+template <typename Filter>
+Filter* FilterOf(pqPipelineSource* source)
 {
-  if (!AreStopKeysHeld())
+  return Filter::SafeDownCast(vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject()));
+}
+
+// A filter that does not run forgets this when it begins to.
+void Stop(pqPipelineSource* source)
+{
+  source->setProperty(IsStopAsked, true);
+  if (auto* mesher = FilterOf<vtkBitingMesher>(source))
   {
-    return;
+    mesher->Stop();
   }
+  else if (auto* remesher = FilterOf<vtkBitingRemesher>(source))
+  {
+    remesher->Stop();
+  }
+}
+
+// Tells of the keys, where a filter that they stop makes progress, and obeys them.
+void FollowProgress(const QString& text, int percent)
+{
+  const bool areKeysHeld = AreStopKeysHeld();
+  bool isOurs = false;
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    auto* filter = vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject());
-    if (auto* mesher = vtkBitingMesher::SafeDownCast(filter))
+    auto* filter = HasProblems(source) ? FilterOf<vtkAlgorithm>(source) : nullptr;
+    isOurs = isOurs || (filter && filter->GetProgressText() && text == filter->GetProgressText());
+    if (filter && areKeysHeld)
     {
-      mesher->Stop();
+      Stop(source);
     }
-    else if (auto* remesher = vtkBitingRemesher::SafeDownCast(filter))
+  }
+  for (auto* bar : pqCoreUtilities::mainWidget()->findChildren<pqProgressWidget*>())
+  {
+    if (isOurs)
     {
-      remesher->Stop();
+      bar->setProgress(text + " (Ctrl+Shift+Alt stops)", percent);
     }
   }
 }
@@ -285,19 +399,22 @@ void BitingMeshBehavior::startup()
   // Later, because signals come before all is complete, or within an update.
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   connect(model, &pqServerManagerModel::representationAdded, this,
-    [](pqRepresentation* added)
-    {
-      if (auto* representation = qobject_cast<pqDataRepresentation*>(added))
-      {
-        QTimer::singleShot(0, representation, [representation] { Follow(representation); });
-      }
-    });
+    [](pqRepresentation* added) { QTimer::singleShot(0, added, [added] { SetUp(added); }); });
   connect(model, &pqServerManagerModel::dataUpdated, this,
     [](pqPipelineSource* source)
     { QTimer::singleShot(0, source, [source] { FollowAll(source); }); });
-  connect(model, &pqServerManagerModel::sourceAdded, this, &ChooseArrays);
+  connect(model, &pqServerManagerModel::sourceAdded, this,
+    [this](pqPipelineSource* source) { ChooseArrays(source, this); });
   connect(pqApplicationCore::instance()->getProgressManager(), &pqProgressManager::progress, this,
-    &StopWhereAsked);
+    &FollowProgress);
+  connect(model, &pqServerManagerModel::modifiedStateChanged, this, &ExecuteWhereStopped);
+}
+
+void BitingMeshBehavior::FollowSource(vtkObject* arrays, unsigned long, void*)
+{
+  // The list of the panel comes first.
+  vtkSmartPointer<vtkSMProperty> choice = vtkSMDomain::SafeDownCast(arrays)->GetProperty();
+  QTimer::singleShot(0, this, [choice] { ChooseOfSource(choice); });
 }
 
 void BitingMeshBehavior::shutdown()

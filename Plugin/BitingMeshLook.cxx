@@ -26,7 +26,7 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
     "Annotations" : [ "0", "Vertices", "1", "Edges",
       "2", "Interior", "3", "Front" ], "IndexedColors" : [ 0.83, 0.42, 0.25, 0.95, 0.77, 0.4,
       0.55, 0.75, 0.9, 0.9, 0, 0 ] } },
-  "ProblemKind" : { "PVLookupTable" : { "IndexedLookup" : 1,
+  "ProblemKind" : { "PVLookupTable" : { "IndexedLookup" : 1, "AutomaticRescaleRangeMode" : 3,
     "ShowIndexedColorActiveValues" : 1, "Annotations" : [
       "0", "Duplicate points", "1", "Zero length", "2", "Overlapping segments", "3", "Crossing",
       "4", "Touch", "5", "Point outside", "6", "Interface outside", "7", "Open end",
@@ -42,6 +42,7 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       0.7, 0.55, 0.7, 0.8, 0.1, 0.3, 0.45, 0.75, 0.6 ] } } } })";
 
 constexpr const char* Representations = R"({ "representations" : {
+  "BitingMeshRepresentation" : { "EdgeColor" : [ 0.85, 0.88, 0.9 ] },
   "BitingEdgesRepresentation" : { "LineWidth" : 2.5,
     "AmbientColor" : [ 0, 0, 0 ], "DiffuseColor" : [ 0, 0, 0 ] },
   "BitingBitesRepresentation" : { "Opacity" : 0.35, "EdgeColor" : [ 0.45, 0.2, 0.1 ] },

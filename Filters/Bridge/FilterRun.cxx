@@ -33,6 +33,7 @@ FilterRun::FilterRun(const RunningFilter& filter, std::vector<double> shares)
   : Progress(filter.Filter, std::move(shares), filter.NumberOfThreads)
   , Running(filter)
 {
+  this->Progress.StopWhere([isStopping = filter.IsStopping]() { return *isStopping; });
 }
 
 void FilterRun::Guard(vtkInformationVector* outputs, const std::function<void()>& run)
@@ -58,7 +59,7 @@ void FilterRun::EndWhereStopped()
   if (*this->Running.IsStopping)
   {
     vtkBitingCompat::EndAbort(this->Running.Filter);
-    this->Refuse("Stopped, as was asked for. Change a parameter to mesh again.");
+    this->Refuse("Stopped, as was asked for. Apply again to mesh.");
   }
 }
 
@@ -79,14 +80,20 @@ void FilterRun::Refuse(const std::string& reason)
     return;
   }
   *this->Running.ErrorCode = vtkErrorCode::UserError;
-  *this->Running.Summary += RefusalLines(reason);
+  *this->Running.Summary += "Error: " + reason + "\n";
   vtkErrorWithObjectMacro(this->Running.Filter, << reason);
 }
 
 void FilterRun::Warn(const std::string& text) const
 {
+  this->Warn(text, text);
+}
+
+void FilterRun::Warn(const std::string& text, const std::string& inShort) const
+{
   if (!text.empty() && !this->Running.IsSilent)
   {
+    *this->Running.Summary += "Warning: " + inShort + "\n";
     vtkWarningWithObjectMacro(this->Running.Filter, << text);
   }
 }
@@ -97,7 +104,7 @@ void FilterRun::WarnOfRepairs(const PlanarInput& planar) const
   {
     if (!IsError(group.Code) && !IsNote(group.Code))
     {
-      this->Warn(MessageFrom(group, planar));
+      this->Warn(MessageFrom(group, planar), HeadingOf(group) + ", see Problems");
     }
   }
 }

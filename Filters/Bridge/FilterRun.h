@@ -76,7 +76,7 @@ protected:
   /// Says once what is wrong, in the summary too; it is an error.
   void Refuse(const std::string& reason);
 
-  /// Nothing where the text is empty.
+  /// Nothing where the text is empty. The summary has it too.
   void Warn(const std::string& text) const;
 
   /// A warning for each kind of repair.
@@ -98,6 +98,7 @@ protected:
   bool IsRefused = false;
 
 private:
+  void Warn(const std::string& text, const std::string& inShort) const;
   void EndWhereStopped();
 
   RunningFilter Running;

@@ -180,6 +180,11 @@ std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
   return FactsOf(group, input) + " " + WordingOf(group.Code).Advice;
 }
 
+std::string HeadingOf(const ProblemGroup& group)
+{
+  return WordingOf(group.Code).What + (" (" + std::to_string(group.Count) + ")");
+}
+
 std::string RefusalFrom(
   const ProblemGroup& group, const ProblemList& problems, const PlanarInput& input)
 {

@@ -21,6 +21,9 @@ constexpr std::size_t ShownIds = 5;
 /// or can be done.
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 
+/// What and how many.
+std::string HeadingOf(const ProblemGroup& group);
+
 /// That of the error `group` among `problems`: where no loop is closed, and points were merged that
 /// are too near to each other, it says that, too.
 std::string RefusalFrom(

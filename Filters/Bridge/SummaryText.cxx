@@ -60,10 +60,12 @@ std::string Count(vtkDataSet* mesh, const char* name)
   return Grouped(static_cast<std::int64_t>(Figure(mesh, name)));
 }
 
+// Short times are not told apart: they say nothing of the mesh.
 std::string SizeLines(vtkDataSet* mesh, double seconds)
 {
   return Count(mesh, "NumberOfVertices") + " vertices, " + Count(mesh, "NumberOfTriangles") +
-    " triangles\nMade in " + Fixed(seconds, 2) + " s\n";
+    " triangles\nMade in " +
+    (seconds < 1.0 ? "less than a second" : Fixed(seconds, 0) + " s, without its display") + "\n";
 }
 
 double Share(double part, double whole)
@@ -75,19 +77,14 @@ std::string AngleLines(vtkDataSet* mesh, const SummaryCounts& counts)
 {
   return "Smallest angle " + Fixed(Figure(mesh, "SmallestAngle"), 1) +
     " degrees\nMean of smallest angles " + Fixed(Share(counts.SumOfAngles, counts.Triangles), 1) +
-    "\n";
+    " degrees\n";
 }
 
 std::string ConformityLines(vtkDataSet* mesh)
 {
-  return "Mean conformity " + Fixed(Figure(mesh, "MeanConformity"), 3) + "\nEdges in band " +
-    Percent(Figure(mesh, "ShareOfEdgesInBand")) + "\n";
-}
-
-std::string InputVerticesLines(const SummaryCounts& counts)
-{
-  return Percent(Share(counts.InputVertices, counts.Vertices)) +
-    " of the vertices stand\n  because input vertices stay\n";
+  return "Mean conformity " + Fixed(Figure(mesh, "MeanConformity"), 3) +
+    " (best: 1)\nEdges of 0.71 to 1.41 spacings: " + Percent(Figure(mesh, "ShareOfEdgesInBand")) +
+    "\n";
 }
 
 // What Boundary Tolerance and Minimum Loop Size did, or could do.
@@ -98,8 +95,9 @@ std::string DrawingLines(vtkDataSet* mesh)
   std::string text;
   if (share > LargeShare)
   {
-    text += "The drawing is much finer than the spacing:\n  " + Percent(share) +
-      " of the vertices are there for it alone\n  (see Boundary Tolerance)\n";
+    text += "The drawing is much finer than the spacing: " + Percent(share) +
+      " of the vertices are there for it alone. With a Boundary Tolerance, such as 0.2, the mesh "
+      "follows the spacing.\n";
   }
   const bool isRemeshed = mesh->GetFieldData()->HasArray("KeptVertices"); // those of the old mesh
   if (!isRemeshed && Figure(mesh, "RemovedVertices") > 0.0)
@@ -129,10 +127,11 @@ bool TouchesInput(vtkIdList* corners, vtkDataArray* kinds)
 std::string ThinLines(const SummaryCounts& counts, bool areKindsKnown)
 {
   const auto grouped = [](double count) { return Grouped(static_cast<std::int64_t>(count)); };
-  const std::string text = "Triangles below 30 degrees: " + grouped(counts.Thin);
-  return counts.Thin > 0.0 && areKindsKnown
-    ? text + "\n  at input vertices: " + grouped(counts.ThinAtInput)
-    : text;
+  return "Triangles below 30 degrees: " + grouped(counts.Thin) +
+    (counts.Thin > 0.0 && areKindsKnown
+        ? ", of these at input vertices: " + grouped(counts.ThinAtInput)
+        : "") +
+    "\n";
 }
 
 bool IsGhost(vtkDataArray* marks, vtkIdType k)
@@ -163,18 +162,6 @@ void CountTriangles(
   }
 }
 
-void CountVertices(vtkDataArray* marks, vtkDataArray* kinds, SummaryCounts& counts)
-{
-  for (vtkIdType point = 0; kinds && point < kinds->GetNumberOfTuples(); ++point)
-  {
-    if (!IsGhost(marks, point))
-    {
-      counts.Vertices += 1.0;
-      counts.InputVertices += kinds->GetTuple1(point) == InputVertex ? 1.0 : 0.0;
-    }
-  }
-}
-
 // `areGhostsLeftOut`: where arrays of marks come from the input they say nothing of the mesh.
 SummaryCounts CountAll(vtkDataSet* mesh, bool areGhostsLeftOut)
 {
@@ -183,7 +170,6 @@ SummaryCounts CountAll(vtkDataSet* mesh, bool areGhostsLeftOut)
   SummaryCounts counts;
   vtkDataArray* kinds = mesh->GetPointData()->GetArray("VertexKind");
   CountTriangles(mesh, marks(mesh->GetCellData()), kinds, counts);
-  CountVertices(marks(mesh->GetPointData()), kinds, counts);
   vtkDataArray* spacing = mesh->GetPointData()->GetArray("Spacing");
   counts.LargestSpacing =
     spacing && spacing->GetNumberOfTuples() > 0 ? spacing->GetRange(0)[1] : 0.0;
@@ -214,16 +200,11 @@ std::string SummaryOf(vtkDataSet* mesh, const SummaryCounts& counts, double seco
   {
     text += ConformityLines(mesh);
   }
-  const bool areKindsKnown = mesh->GetPointData()->HasArray("VertexKind") != 0;
-  if (areKindsKnown)
-  {
-    text += InputVerticesLines(counts);
-  }
   if (figures->HasArray("ShareOfDrawing"))
   {
     text += DrawingLines(mesh);
   }
-  return text + ThinLines(counts, areKindsKnown);
+  return text + ThinLines(counts, mesh->GetPointData()->HasArray("VertexKind") != 0);
 }
 
 std::string UnreachedLine(const SummaryCounts& counts, double uniformSpacing)
@@ -248,22 +229,6 @@ std::string CountsOf(vtkDataSet* mesh)
   { return std::to_string(static_cast<vtkIdType>(data->GetArray(name)->GetComponent(0, 0))); };
   return count("KeptVertices") + " vertices kept, " + count("RemovedVertices") + " removed, " +
     count("NewVertices") + " new\n" + count("KeptTriangles") + " triangles unchanged\n";
-}
-
-std::string RefusalLines(const std::string& reason)
-{
-  constexpr std::size_t Width = 34; // of the panel, as ParaView opens it
-  const std::string indent = "\n  ";
-  std::istringstream words(reason);
-  std::string text = "Error:";
-  std::size_t column = text.size();
-  for (std::string word; words >> word;)
-  {
-    const bool fits = column + 1 + word.size() <= Width;
-    text += (fits ? " " : indent) + word;
-    column = (fits ? column : indent.size() - 2) + 1 + word.size();
-  }
-  return text + "\n";
 }
 
 } // namespace biting

@@ -42,8 +42,6 @@ struct SummaryCounts
   double SumOfAngles = 0.0; ///< the smallest ones
   double Thin = 0.0;        ///< triangles
   double ThinAtInput = 0.0;
-  double Vertices = 0.0;
-  double InputVertices = 0.0;
   double LargestSpacing = 0.0;
 };
 
@@ -59,9 +57,6 @@ std::string CountsOf(vtkDataSet* mesh);
 /// The line that says that a uniform spacing is above what the mesh has everywhere, and so without
 /// effect; empty where it is not.
 std::string UnreachedLine(const SummaryCounts& counts, double uniformSpacing);
-
-/// Why there is no result, in lines as short as those of a summary.
-std::string RefusalLines(const std::string& reason);
 
 } // namespace biting
 

@@ -77,9 +77,8 @@ def the_refusal_is_shown(output, message, spheres):
     from paraview import simple
     mesher = simple.GetActiveSource()
     window.take_picture(os.path.join(output, message.replace(' ', '_') + '.png'))
-    mesher.UpdatePipelineInformation()
-    summary = ' '.join(mesher.Summary.split())
-    assert summary.startswith('Error: ' + message), summary
+    summary = window.widgets('SummaryText', 'text')
+    assert summary[0].startswith('Error: ' + message), summary
     mesh, _, bites, problems = outputs(mesher)
     assert problems.GetDataInformation().GetNumberOfPoints() == spheres
     assert is_visible(mesher.Input), 'the drawing is hidden'
@@ -99,6 +98,8 @@ def the_mesh_is_shown(output):
     mesher = simple.GetActiveSource()
     mesh, edges, bites, problems = outputs(mesher)
     assert mesh.GetDataInformation().GetNumberOfCells() > 1000
+    summary = window.widgets('SummaryText', 'text')
+    assert ' vertices, ' in summary[0] and not any('Error' in line for line in summary), summary
     assert is_visible(mesh) and is_visible(edges)
     assert not is_visible(bites) and not is_visible(problems)
     assert not is_visible(mesher.Input), 'the drawing hides the mesh'

@@ -8,6 +8,7 @@ module: ParaView's own Python imports the module and calls it at its turn, betwe
 it sees the session as it is then. Without a graphics card all this takes seconds.
 """
 
+import ctypes
 import importlib
 import os
 import shutil
@@ -127,7 +128,18 @@ def take_picture(path):
     """Within ParaView: the active view; and the whole screen beside it, for those who look."""
     from paraview import simple
     simple.SaveScreenshot(path, simple.GetActiveView(), ImageResolution=[600, 400])
-    subprocess.run(['import', '-window', 'root', path.replace('.png', '_screen.png')], check=True)
+    take_screen(path.replace('.png', '_screen.png'))
+
+
+def take_screen(path):
+    subprocess.run(['import', '-window', 'root', path], check=True)
+
+
+def widgets(name, what):
+    """Within ParaView: a property of each visible widget of this name, or the items of a list."""
+    reader = ctypes.CDLL(os.environ['BITING_WIDGET_READER']).ReadWidgets
+    reader.restype = ctypes.c_char_p
+    return reader(name.encode(), what.encode()).decode().split('\n')
 
 
 def largest_difference(path, other):
