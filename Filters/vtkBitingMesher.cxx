@@ -25,7 +25,7 @@ static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
     static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::FLAT_TRIANGLES + 1,
+    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::OPEN_OUTLINES + 1,
   "The kinds of problems that users see are those of the kernel.");
 
 namespace
@@ -174,6 +174,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
      << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"
      << indent << "MergeTolerance: " << this->MergeTolerance << "\n"
+     << indent << "EndTolerance: " << this->EndTolerance << "\n"
      << indent << "PreserveBoundary: " << (this->PreserveBoundary ? "on" : "off") << "\n"
      << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
      << indent << "CornerAngle: " << this->CornerAngle << "\n"

@@ -92,8 +92,8 @@
  * `NumberOfSharpCornerTriangles` (with an angle below 30 degrees and all vertices on the sides of
  * one corner of the input below 60 degrees: with this f they cannot be much better), and the number
  * of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`, `RepairedDuplicateSegments`,
- * `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`, `DroppedOutsidePoints`,
- * `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
+ * `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`, `RepairedOpenEnds`,
+ * `DroppedOutsidePoints`, `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
  * BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize), `ShareOfDrawing`
  * (share of the vertices that only the drawing asks for, 0 where it is not much finer than the
  * spacing). Field data of the input is passed on.
@@ -265,7 +265,9 @@ public:
     SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
     FINE_DRAWING = 20,      ///< without BoundaryTolerance: it decides the mesh; no place
     BAD_TRIANGLES = 21,     ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
-    FLAT_TRIANGLES = 22     ///< of vtkBitingRemesher: without area, mended (cell)
+    FLAT_TRIANGLES = 22,    ///< of vtkBitingRemesher: without area, mended (cell)
+    JOINED_ENDS = 23,       ///< open ends that nearly touched something (point; cell)
+    OPEN_OUTLINES = 24      ///< would bound the domain, but for gaps (point; point)
   };
 
   enum BiteShapeType
@@ -391,6 +393,19 @@ public:
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * An end of an open chain within this distance of another open end, a vertex or a segment is
+   * joined with it: a warning says how many, how far and where, and output 3 shows them. The end
+   * moves; what it meets stays. In units of the spacing that is given there, before gradation and
+   * the limit by feature size, but of no more than the diagonal of the input. At least 0; 0: ends
+   * are joined within the rounding of coordinates, or MergeTolerance, only. Default 0.01. An outline
+   * with a wider gap is an error that tells the value which closes it.
+   */
+  vtkSetMacro(EndTolerance, double);
+  vtkGetMacro(EndTolerance, double);
   ///@}
 
   ///@{
@@ -663,6 +678,7 @@ private:
   bool LimitByFeatureSize = true;
   bool RepairInput = true;
   double MergeTolerance = 0.0;
+  double EndTolerance = 0.01;
   std::string RegionArray;
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;

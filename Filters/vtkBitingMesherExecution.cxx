@@ -152,6 +152,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Domain.Repair = filter.RepairInput;
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.Domain.MergeTolerance = filter.MergeTolerance;
+  this->Options.Domain.EndTolerance = filter.EndTolerance;
   this->Options.PreserveBoundary = filter.PreserveBoundary;
   this->Options.Simplification.Tolerance = filter.BoundaryTolerance;
   this->Options.Simplification.CornerAngle = filter.CornerAngle;

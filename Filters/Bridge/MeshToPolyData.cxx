@@ -57,6 +57,7 @@ void AddRepairs(const ProblemList& problems, vtkFieldData* data)
   add("RepairedTouches", ProblemCode::Touches);
   add("OverlappingCells", ProblemCode::OverlappingCells);
   add("RepairedNearPoints", ProblemCode::NearPoints);
+  add("RepairedOpenEnds", ProblemCode::JoinedEnds);
   add("RepairedFlatTriangles", ProblemCode::FlatTriangles);
   add("DroppedOutsidePoints", ProblemCode::OutsidePoints);
   add("DroppedOutsideInterfaces", ProblemCode::OutsideInterfaces);

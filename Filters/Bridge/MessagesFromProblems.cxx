@@ -44,6 +44,9 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::NearPoints:
       return { "Points too near to others, or to segments, to be told apart", "point", "point",
         "They were merged." };
+    case ProblemCode::JoinedEnds:
+      return { "Open ends that nearly touch others, or a segment", "point", "cell",
+        "They were joined with these; with an EndTolerance of 0 they stay." };
     case ProblemCode::NarrowAngles:
       return { "Angles below 0.01 degrees between segments", "cell", "cell",
         "Triangles there are as thin." };
@@ -70,6 +73,9 @@ Wording WordingOf(ProblemCode code)
       return { "There is no closed loop, and so no domain", "open end at point", "",
         "Close the polylines, or mark as Kind 0 what is boundary; where a Contour ends at the rim "
         "of its input, Clip or IsoVolume give the whole area." };
+    case ProblemCode::OpenOutlines:
+      return { "Outlines that do not close, and are not among the boundaries", "open end at point",
+        "point", "Close them, or raise EndTolerance; mark as Kind 1 what bounds nothing." };
     case ProblemCode::NotFinite:
       return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
     case ProblemCode::OutOfRange:
@@ -130,6 +136,8 @@ std::size_t PointIdOf(ProblemCode code)
     case ProblemCode::NearPoints:
     case ProblemCode::OutsidePoints:
     case ProblemCode::NoClosedLoop:
+    case ProblemCode::OpenOutlines:
+    case ProblemCode::JoinedEnds:
     case ProblemCode::NotFinite:
     case ProblemCode::OutOfRange:
     case ProblemCode::NotPlanar:

@@ -12,6 +12,7 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   const SimplificationOptions& simplification = options.Simplification;
   for (const std::string& refusal :
     { CheckSpacingParameters(options.Spacing), CheckAtLeastZero("MergeTolerance", mergeTolerance),
+      CheckAtLeastZero("EndTolerance", options.Domain.EndTolerance),
       CheckAtLeastZero("BoundaryTolerance", simplification.Tolerance),
       CheckAtLeastZero("CornerAngle", simplification.CornerAngle),
       CheckAtLeastZero("MinimumLoopSize", simplification.MinimumLoopSize) })

@@ -139,8 +139,10 @@ Point3 AnyNormalTo(const Point3& direction)
   return Unit(Cross3(direction, axis));
 }
 
-// The plane through a triangle of three points that is large among all such.
-Plane ThroughLargeTriangle(const ScaledPoints& points)
+// The plane through a triangle of three points that is large among all such. Where none of them is
+// further than `rounding` from the line through two of them, one through that line: their normal
+// would be of rounding alone.
+Plane ThroughLargeTriangle(const ScaledPoints& points, double rounding)
 {
   const Point3 a = points[Largest(points, [](const Point3& p) { return Dot3(p, p); })];
   const Point3 b = points[Largest(points, [&a](const Point3& p) { return Dot3(p - a, p - a); })];
@@ -150,7 +152,8 @@ Plane ThroughLargeTriangle(const ScaledPoints& points)
     return Dot3(cross, cross);
   };
   const Point3 c = points[Largest(points, area)];
-  const Point3 normal = area(c) > 0.0 ? Unit(Cross3(b - a, c - a)) : AnyNormalTo(b - a);
+  const bool isLine = area(c) <= rounding * rounding * Dot3(b - a, b - a);
+  const Point3 normal = isLine ? AnyNormalTo(b - a) : Unit(Cross3(b - a, c - a));
   return { a, normal };
 }
 
@@ -224,7 +227,7 @@ PlaneFrame PlaneFrame::FitTo(
     return Aligned(static_cast<int>(thinnest), low == high ? low : scaled.Center[thinnest]);
   }
   AddPlaces(coordinates, points, scaled, pulse);
-  const Plane rough = ThroughLargeTriangle(scaled);
+  const Plane rough = ThroughLargeTriangle(scaled, rounding / scaled.Scale);
   const Plane refined = Refined(scaled, rough);
   const bool isBetter = LargestDistance(scaled, refined) <= LargestDistance(scaled, rough);
   const Plane& best = isBetter ? refined : rough;

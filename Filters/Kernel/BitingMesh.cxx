@@ -22,9 +22,11 @@
 #include "Stages/SoundTriangulation.h"
 #include "Stages/StageProblems.h"
 
-#include <algorithm> // for min, max
-#include <optional>  // for what is released early
-#include <utility>   // for move, in_place
+#include <algorithm>  // for min, max
+#include <functional> // for the spacing
+#include <memory>     // for what is made once
+#include <optional>   // for what is released early
+#include <utility>    // for move, in_place
 
 namespace biting
 {
@@ -171,12 +173,39 @@ bool HasTooManyVertices(
   return hasTooMany;
 }
 
+// The spacing before gradation and any limit by feature size, made where it is first asked for.
+// What is wrong with it is said later.
+std::function<double(const Point2&)> SpacingAsGiven(
+  const Polylines& input, const BitingMeshOptions& options, Monitor& monitor)
+{
+  auto made = std::make_shared<std::optional<Spacing>>();
+  return [&input, &options, &monitor, made](const Point2& x)
+  {
+    if (!*made)
+    {
+      Box2 bounds;
+      for (const Id point : input.Connectivity)
+      {
+        bounds.Add(input.Points[static_cast<std::size_t>(point)]);
+      }
+      SpacingOptions given = options.Spacing;
+      given.Gradation = 0.0;
+      ProblemList unheard;
+      PartOfStage standing(monitor, 0.0, 0.0);
+      made->emplace(MakeSpacing(given, bounds, unheard, standing));
+    }
+    return (**made)(x);
+  };
+}
+
 // The domain as it is meshed; without segments where there is none.
 SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& options,
   ProblemList& problems, PartOfStage& whole)
 {
   whole.BeginStage(MeshingStages::Domain.Text);
-  Domain drawing = MakeDomain(input, options.Domain, problems, whole);
+  DomainOptions wanted = options.Domain;
+  wanted.GivenSpacing = SpacingAsGiven(input, options, whole);
+  Domain drawing = MakeDomain(input, wanted, problems, whole);
   if (IsOver(whole, problems) || drawing.NumberOfSegments() == 0)
   {
     return {};

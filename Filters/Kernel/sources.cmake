@@ -44,9 +44,12 @@ set(biting_kernel_sources
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
+  Domain/EndSurroundings.cxx
   Domain/MeetingReports.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
+  Domain/OpenEnds.cxx
+  Domain/OpenOutlines.cxx
   Domain/PointWelding.cxx
   Domain/ResolutionReport.cxx
   Domain/SegmentSides.cxx

@@ -45,9 +45,12 @@ bool IsPointId(const Problem& problem, std::size_t k)
     case ProblemCode::NearPoints:
     case ProblemCode::OutsidePoints:
     case ProblemCode::NoClosedLoop:
+    case ProblemCode::OpenOutlines:
     case ProblemCode::NotFinite:
     case ProblemCode::OutOfRange:
       return true;
+    case ProblemCode::JoinedEnds:
+      return k == 0;
     case ProblemCode::ZeroLengthSegments:
     case ProblemCode::Touches:
       return k == 1;
@@ -73,6 +76,8 @@ std::size_t ExpectedIds(const Problem& problem)
     case ProblemCode::Crossings:
     case ProblemCode::Touches:
     case ProblemCode::NotResolved:
+    case ProblemCode::JoinedEnds:
+    case ProblemCode::OpenOutlines:
       return 2;
     default:
       return problem.Ids.size();

@@ -21,6 +21,7 @@ DEFAULTS = {
     'LimitByFeatureSize': 1,
     'RepairInput': 1,
     'MergeTolerance': 0.0,
+    'EndTolerance': 0.01,
     'RegionArray': 'None',
     'KeepCellEdges': 0,
     'MeshBlocksSeparately': 0,

@@ -46,6 +46,7 @@ bool ProblemList::HasErrors() const
 bool IsError(ProblemCode code)
 {
   return code == ProblemCode::Aborted || code == ProblemCode::BadTriangles ||
+    code == ProblemCode::OpenOutlines ||
     (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
 }
 

@@ -51,7 +51,11 @@ enum class ProblemCode
                 ///< overlap)
   // Repaired, like the first.
   FlatTriangles, ///< without area, in a mesh that is changed (ids: cell)
-  Aborted        ///< the monitor asked to stop; not an error
+  JoinedEnds,    ///< an open end that was moved onto what it nearly touched (ids: point, cell)
+  // Refused.
+  OpenOutlines, ///< chains that would bound the domain, but for gaps (ids: point, point: the open
+                ///< ends at the largest gap)
+  Aborted       ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

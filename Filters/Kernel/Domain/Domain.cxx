@@ -10,13 +10,13 @@
 #include "CellOverlaps.h"
 #include "ChainKinds.h"
 #include "Nesting.h"
+#include "OpenOutlines.h"
 #include "SegmentWalk.h"
 #include "Welding.h"
 
 #include <algorithm> // for none_of, sort
 #include <cmath>     // for isfinite, abs
 #include <cstddef>   // for size_t
-#include <string>    // for to_string
 #include <utility>   // for pair
 
 namespace biting
@@ -40,6 +40,7 @@ bool Resolve(
 Flags Bound(const Arrangement& arrangement, Pulse& pulse);
 InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse);
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
+Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside);
 void ReportOutside(
   const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
 double EnclosedArea(const Domain& domain);
@@ -51,8 +52,6 @@ Domain Refuse(ProblemCode code, ProblemList& problems)
   problems.Add({ code, {}, {}, {} });
   return {};
 }
-
-Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems);
 
 } // namespace
 
@@ -74,12 +73,17 @@ Domain MakeDomain(
     std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; });
   if (isOpen && !pulse.HasStopped())
   {
-    return RefuseOpen(arrangement, problems);
+    RefuseOpenDrawing(arrangement, options, problems, pulse);
+    return {};
   }
   const InsideFlags inside = Nest(arrangement, bounds, pulse);
   if (!pulse.Ask())
   {
     return Refuse(ProblemCode::Aborted, problems);
+  }
+  if (RefuseOpenOutlines(arrangement, KeptEdges(arrangement, inside), options, problems, pulse))
+  {
+    return {};
   }
   ReportOutside(arrangement, inside, problems);
   Domain domain = KeepInside(arrangement, bounds, inside);
@@ -190,93 +194,20 @@ InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pul
   return inside;
 }
 
-/// How many edges end at each vertex, those that are drawn several times as often.
-std::vector<Id> Degrees(const Arrangement& arrangement)
-{
-  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
-  for (const ArrangementEdge& edge : arrangement.Edges)
-  {
-    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
-    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
-    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
-  }
-  return degrees;
-}
-
-/// What there is instead of a boundary, and where it begins.
-void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
-{
-  if (!arrangement.Edges.empty())
-  {
-    problem.Place = arrangement.At(arrangement.Edges.front().Ends.Start);
-    problem.Detail = "there are interfaces only, the first of cell " +
-      std::to_string(arrangement.Edges.front().Cell);
-  }
-  else if (!arrangement.EmbeddedVertices.empty())
-  {
-    const Id vertex = arrangement.EmbeddedVertices.front();
-    problem.Place = arrangement.At(vertex);
-    problem.Detail = "there are embedded points only, the first of them point " +
-      std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
-  }
-  else if (!arrangement.Vertices.empty())
-  {
-    problem.Place = arrangement.At(0);
-    problem.Detail = "all segments have length 0, the first of them";
-  }
-}
-
-/// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
-/// is.
-Problem NothingBounds(const Arrangement& arrangement)
-{
-  Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
-  Id cancelled = 0;
-  for (const ArrangementEdge& edge : arrangement.Edges)
-  {
-    const Id count = edge.BoundaryCount + edge.OpenCount + edge.Faces.Count;
-    if (count > 0 && count % 2 == 0)
-    {
-      problem.Place = cancelled == 0 ? arrangement.At(edge.Ends.Start) : problem.Place;
-      ++cancelled;
-    }
-  }
-  if (cancelled > 0)
-  {
-    problem.Detail = std::to_string(cancelled) +
-      " boundary segments are drawn an even number of times, which cancels them; the first of them";
-  }
-  else
-  {
-    TellWhatThereIs(arrangement, problem);
-  }
-  return problem;
-}
-
-/// Says where chains could be closed: one problem for each end at which nothing goes on; a single
-/// one where there is no such end.
-Domain RefuseOpen(const Arrangement& arrangement, ProblemList& problems)
-{
-  const std::vector<Id> degrees = Degrees(arrangement);
-  for (std::size_t v = 0; v < degrees.size(); ++v)
-  {
-    if (degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
-    {
-      problems.Add({ ProblemCode::NoClosedLoop, { arrangement.VertexPoints[v] },
-        arrangement.Vertices[v], {} });
-    }
-  }
-  if (!problems.Has(ProblemCode::NoClosedLoop))
-  {
-    problems.Add(NothingBounds(arrangement));
-  }
-  return {};
-}
-
 bool IsKept(const Arrangement& arrangement, const InsideFlags& inside, std::size_t edge)
 {
   return (inside.Left[edge] || inside.Right[edge]) &&
     !arrangement.IsNothing(arrangement.Edges[edge]);
+}
+
+Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
+{
+  Flags isKept;
+  for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
+  {
+    isKept.push_back(IsKept(arrangement, inside, e));
+  }
+  return isKept;
 }
 
 /// 1 for the ends of kept edges.

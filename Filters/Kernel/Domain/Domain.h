@@ -11,8 +11,9 @@
 #include "../Base/Problem.h"
 #include "Polylines.h"
 
-#include <cstdint> // for flags
-#include <vector>  // for the arrays
+#include <cstdint>    // for flags
+#include <functional> // for the spacing
+#include <vector>     // for the arrays
 
 namespace biting
 {
@@ -80,6 +81,13 @@ struct DomainOptions
   /// Points that are not further apart than this, relative to the diagonal of the drawing's box,
   /// are one. Where it is less than the rounding of the coordinates, that counts.
   double MergeTolerance = 0.0;
+
+  /// Open ends within that of another end, a vertex or a segment are joined with it (OpenEnds.h), in
+  /// units of GivenSpacing there. Where it is less than what MergeTolerance says, that counts.
+  double EndTolerance = 0.01;
+
+  /// The spacing that was asked for at a place. Called only where ends are open. Empty: zero.
+  std::function<double(const Point2&)> GivenSpacing;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
   /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.

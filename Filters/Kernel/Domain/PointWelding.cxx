@@ -28,6 +28,7 @@ enum class PointUse : std::uint8_t
 {
   Boundary,
   Interface,
+  End, ///< open, of either
   Embedded,
   None
 };
@@ -41,6 +42,7 @@ public:
     , Beats(pulse)
     , MergeTolerance(mergeTolerance)
     , Uses(input.Points.size(), PointUse::None)
+    , Degrees(input.Points.size(), 0)
   {
     this->Result.VertexOf.assign(input.Points.size(), NoId);
   }
@@ -58,6 +60,8 @@ private:
   void MakeVertices();
   std::vector<Id> FirstEquals(const std::vector<Id>& points);
   void ShareUse(Id point, Id first);
+  void AddDegree(Id point, int added);
+  PointUse UseWhereMerged(Id first) const;
   std::vector<Id> Leaders(const std::vector<Id>& firstEquals);
   std::vector<Id> Candidates(const std::vector<Id>& leaders) const;
   void ReportNear(std::vector<Id> merged, const std::vector<Id>& leaders);
@@ -72,8 +76,9 @@ private:
   Pulse& Beats;
   const double MergeTolerance;
   WeldedPoints Result;
-  std::vector<PointUse> Uses; ///< one a point; of equal ones the first has the least
-  std::vector<Id> InOrder;    ///< the first of equal points, by their places
+  std::vector<PointUse> Uses;        ///< one a point; of equal ones the first has the least
+  std::vector<std::uint8_t> Degrees; ///< segments that end there, two or more as two; as Uses
+  std::vector<Id> InOrder;           ///< the first of equal points, by their places
 };
 
 PointUse UseBy(ChainKind kind)
@@ -98,6 +103,8 @@ void PointWelder::FindUses()
     {
       PointUse& known = this->UseOf(this->PointAt(place));
       known = std::min(known, use);
+      const bool isAtEnd = place == this->Offset(chain) || place + 1 == this->Offset(chain + 1);
+      this->AddDegree(this->PointAt(place), use == PointUse::Embedded ? 0 : isAtEnd ? 1 : 2);
     }
   }
 }
@@ -190,6 +197,23 @@ std::vector<Id> PointWelder::FirstEquals(const std::vector<Id>& points)
 void PointWelder::ShareUse(Id point, Id first)
 {
   this->UseOf(first) = std::min(this->UseOf(first), this->UseOf(point));
+  if (point != first)
+  {
+    this->AddDegree(first, this->Degrees[static_cast<std::size_t>(point)]);
+  }
+}
+
+void PointWelder::AddDegree(Id point, int added)
+{
+  std::uint8_t& degree = this->Degrees[static_cast<std::size_t>(point)];
+  degree = static_cast<std::uint8_t>(std::min(degree + added, 2));
+}
+
+/// What it meets stays, and an open end goes there.
+PointUse PointWelder::UseWhereMerged(Id first) const
+{
+  const PointUse use = this->UseOf(first);
+  return this->Degrees[static_cast<std::size_t>(first)] == 1 ? std::max(use, PointUse::End) : use;
 }
 
 /// By point: for the first of equal ones the point that is its vertex; NoId for the others.
@@ -236,7 +260,7 @@ std::vector<Id> PointWelder::Candidates(const std::vector<Id>& leaders) const
   {
     if (point != NoId)
     {
-      candidates.emplace_back(this->UseOf(point), PlaceOf(this->Input, point), point);
+      candidates.emplace_back(this->UseWhereMerged(point), PlaceOf(this->Input, point), point);
     }
   }
   SortInSteps(candidates, std::less<>(), this->Beats);

@@ -30,7 +30,7 @@ Point2 PlaceOf(const Polylines& input, Id point);
 
 /// Makes one vertex of points that are equal, or nearer to each other than the resolution or the
 /// noise of seams, which `problems` then tells. Vertices are numbered by their places. Those of
-/// boundaries keep theirs, then those of interfaces. No two vertices are within that of each other,
+/// boundaries keep theirs, then those of interfaces, then open ends. No two vertices are within that of each other,
 /// and each point is within it of its vertex. Without meaning where the monitor wants to stop.
 /// Cost O(n log n).
 WeldedPoints WeldPoints(

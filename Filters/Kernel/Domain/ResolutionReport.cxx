@@ -13,6 +13,21 @@
 namespace biting
 {
 
+ResolutionReport::ResolutionReport(const Arrangement& arrangement, ProblemList& problems)
+  : Data(arrangement)
+  , Problems(problems)
+{
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == ProblemCode::JoinedEnds)
+    {
+      const Problem& first = group.First.front();
+      const auto cell = static_cast<Id>(first.Ids.back());
+      this->RememberFirst(cell, cell, first.Place);
+    }
+  }
+}
+
 void ResolutionReport::AddRound(const Meetings& found, Pulse& pulse)
 {
   for (const MeetingReport& report : found.Reports)

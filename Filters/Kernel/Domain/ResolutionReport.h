@@ -19,11 +19,8 @@ namespace biting
 class ResolutionReport
 {
 public:
-  ResolutionReport(const Arrangement& arrangement, ProblemList& problems)
-    : Data(arrangement)
-    , Problems(problems)
-  {
-  }
+  /// Ends that were joined before are among what must not be.
+  ResolutionReport(const Arrangement& arrangement, ProblemList& problems);
 
   /// Later rounds mend what the first one has bent: no news for the user.
   void AddRound(const Meetings& found, Pulse& pulse);

@@ -5,9 +5,10 @@
 
 #include "../Base/SortInSteps.h"
 #include "AreaSum.h"
+#include "OpenEnds.h"
 #include "PointWelding.h"
 
-#include <algorithm>  // for find, max, min
+#include <algorithm>  // for find, lower_bound, max, min
 #include <cmath>      // for abs
 #include <functional> // for less
 #include <utility>    // for pair, move
@@ -25,10 +26,9 @@ public:
     : Input(input)
     , Problems(problems)
     , Beats(pulse)
-    , KeepsCellEdges(options.KeepCellEdges)
+    , Options(options)
     , HasFaces(
         std::find(input.Kinds.begin(), input.Kinds.end(), ChainKind::Face) != input.Kinds.end())
-    , MergeTolerance(options.MergeTolerance)
   {
   }
 
@@ -40,6 +40,7 @@ private:
   ArrangementEdge EdgeOf(Id chain) const;
   void AppendFace(Id chain);
   void AppendEdges(Id chain, const ArrangementEdge& prototype);
+  void AppendEdge(Id first, Id second, const FaceEdge& faces, ArrangementEdge& edge);
   void AppendEmbeddedPoints(Id chain);
   void MergeEmbeddedPoints();
   void ReportEqualPoints(Id cell, Id first, Id second);
@@ -54,12 +55,12 @@ private:
   const Polylines& Input;
   ProblemList& Problems;
   Pulse& Beats;
-  const bool KeepsCellEdges;
+  const DomainOptions& Options;
   const bool HasFaces;
-  const double MergeTolerance;
   Arrangement Result;
-  AreaSum FaceArea{ {} };                        ///< of all faces
-  std::vector<Id> PointVertices;                 ///< NoId: no chain uses the point
+  AreaSum FaceArea{ {} };        ///< of all faces
+  std::vector<Id> PointVertices; ///< NoId: no chain uses the point
+  std::vector<SegmentFoot> Feet;
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
 };
 
@@ -81,7 +82,9 @@ Arrangement Welder::Run()
 
 void Welder::MakeVertices()
 {
-  WeldedPoints points = WeldPoints(this->Input, this->MergeTolerance, this->Problems, this->Beats);
+  WeldedPoints points =
+    WeldPoints(this->Input, this->Options.MergeTolerance, this->Problems, this->Beats);
+  this->Feet = JoinOpenEnds(this->Input, this->Options, points, this->Problems, this->Beats);
   this->Result.Vertices = std::move(points.Vertices);
   this->Result.VertexPoints = std::move(points.VertexPoints);
   this->Result.Rounding = points.Rounding;
@@ -143,7 +146,7 @@ void Welder::AppendFace(Id chain)
   edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
   edge.Faces.Turn = isThin ? 0 : isReversed ? -1 : 1;
   edge.Faces.AddRun(isReversed ? FaceEdge::OtherSide(chain) : chain);
-  edge.Faces.Stays = this->KeepsCellEdges;
+  edge.Faces.Stays = this->Options.KeepCellEdges;
   this->FaceArea.AddMagnitude(sum);
   this->AppendEdges(chain, edge);
 }
@@ -173,15 +176,29 @@ void Welder::AppendEdges(Id chain, const ArrangementEdge& prototype)
   {
     const Id first = this->PointAt(place - 1);
     const Id second = this->PointAt(place);
-    SetEnds(this->VertexOf(first), this->VertexOf(second), prototype.Faces, edge);
-    if (edge.Ends.Start != edge.Ends.End)
+    Id start = this->VertexOf(first);
+    const bool isPoint = start == this->VertexOf(second);
+    for (auto foot = std::lower_bound(this->Feet.begin(), this->Feet.end(), place - 1,
+           [](const SegmentFoot&f, Id wanted) { return f.Place < wanted; });
+         foot != this->Feet.end() && foot->Place == place - 1; ++foot)
     {
-      this->Result.Edges.push_back(edge);
+      this->AppendEdge(start, foot->Vertex, prototype.Faces, edge);
+      start = foot->Vertex;
     }
-    else if (edge.Faces.Count == 0 && this->AreEqual(first, second))
+    this->AppendEdge(start, this->VertexOf(second), prototype.Faces, edge);
+    if (isPoint && edge.Faces.Count == 0 && this->AreEqual(first, second))
     {
       this->ReportEqualPoints(edge.Cell, first, second);
     }
+  }
+}
+
+void Welder::AppendEdge(Id first, Id second, const FaceEdge& faces, ArrangementEdge& edge)
+{
+  SetEnds(first, second, faces, edge);
+  if (first != second)
+  {
+    this->Result.Edges.push_back(edge);
   }
 }
 

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "EndSurroundings.h"
+
+#include <algorithm> // for max, min
+
+namespace biting
+{
+
+namespace
+{
+
+/// Calls visit(segment) for each segment that joins two vertices.
+template <typename Visitor>
+void ForEachSegment(const Polylines& input, const WeldedPoints& points, Visitor&& visit)
+{
+  const auto vertexAt = [&input, &points](Id place)
+  {
+    const Id point = input.Connectivity[static_cast<std::size_t>(place)];
+    return points.VertexOf[static_cast<std::size_t>(point)];
+  };
+  for (std::size_t chain = 0; chain < input.Kinds.size(); ++chain)
+  {
+    const bool isLine = input.Kinds[chain] != ChainKind::EmbeddedPoint;
+    const Id end = isLine ? input.Offsets[chain + 1] : 0;
+    for (Id place = input.Offsets[chain]; place + 1 < end; ++place)
+    {
+      const Id first = vertexAt(place);
+      const Id second = vertexAt(place + 1);
+      if (first != second)
+      {
+        const SegmentEnds ends{ std::min(first, second), std::max(first, second) };
+        visit(ChainSegment{ ends, place, input.Cells[chain] });
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points, Pulse& pulse)
+{
+  std::vector<std::uint8_t> degrees(points.Vertices.size(), 0);
+  ForEachSegment(input, points,
+    [&degrees, &pulse](const ChainSegment& segment)
+    {
+      for (const Id vertex : { segment.Ends.Start, segment.Ends.End })
+      {
+        std::uint8_t& degree = degrees[static_cast<std::size_t>(vertex)];
+        degree = degree == 0 ? 1 : 2;
+      }
+      pulse.Beat(1);
+    });
+  std::vector<Id> ends;
+  for (std::size_t vertex = 0; vertex < degrees.size(); ++vertex)
+  {
+    if (degrees[vertex] == 1)
+    {
+      ends.push_back(static_cast<Id>(vertex));
+    }
+  }
+  return ends;
+}
+
+EndSurroundings::EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse)
+  : Vertices(points.Vertices)
+  , Beats(pulse)
+  , Segments(SegmentsOf(input, points, pulse))
+  , Stars(points.Vertices, this->Ends(), pulse)
+  , Tree(points.Vertices, this->Ends(), 0.0, pulse)
+  , IsMarked(points.Vertices.size(), 0)
+{
+}
+
+std::vector<ChainSegment> EndSurroundings::SegmentsOf(
+  const Polylines& input, const WeldedPoints& points, Pulse& pulse)
+{
+  std::vector<ChainSegment> segments;
+  ForEachSegment(input, points,
+    [&segments, &pulse](const ChainSegment& segment)
+    {
+      segments.push_back(segment);
+      pulse.Beat(1);
+    });
+  return segments;
+}
+
+std::vector<SegmentEnds> EndSurroundings::Ends() const
+{
+  std::vector<SegmentEnds> ends;
+  ends.reserve(this->Segments.size());
+  for (const ChainSegment& segment : this->Segments)
+  {
+    ends.push_back(segment.Ends);
+  }
+  return ends;
+}
+
+/// From the nearer end of the segment, so that places at it are exactly that.
+Foot EndSurroundings::FootOn(Id segment, Id end) const
+{
+  const Point2& place = this->At(end);
+  const Point2& a = this->At(this->Segment(segment).Ends.Start);
+  const Point2& b = this->At(this->Segment(segment).Ends.End);
+  const double share = Dot(place - a, b - a) / Dot(b - a, b - a);
+  const double along = std::min(std::max(share, 0.0), 1.0);
+  const Point2 foot = along < 0.5 ? a + along * (b - a) : b - (1.0 - along) * (b - a);
+  return { segment, Distance(place, foot), foot, along, end };
+}
+
+void EndSurroundings::AddOwn(Id end, double reach)
+{
+  std::size_t next = this->Marked.size();
+  this->Marked.push_back(end);
+  for (; next < this->Marked.size() && this->Beats.Beat(); ++next)
+  {
+    const Id vertex = this->Marked[next];
+    this->IsMarked[static_cast<std::size_t>(vertex)] = 1;
+    for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
+    {
+      const Id other = OtherEnd(this->Segment(*s).Ends, vertex);
+      if (!this->IsOwn(other) && Distance(this->At(other), this->At(end)) <= reach)
+      {
+        this->Marked.push_back(other);
+      }
+    }
+  }
+}
+
+void EndSurroundings::ForgetOwn()
+{
+  for (const Id vertex : this->Marked)
+  {
+    this->IsMarked[static_cast<std::size_t>(vertex)] = 0;
+  }
+  this->Marked.clear();
+}
+
+} // namespace biting

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingEndSurroundings_h
+#define BitingEndSurroundings_h
+
+#include "../Base/Box2.h"
+#include "../Base/Ids.h"
+#include "../Base/Pulse.h"
+#include "PointWelding.h"
+#include "Polylines.h"
+#include "SegmentTree.h"
+#include "VertexStars.h"
+
+#include <cstdint> // for masks
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The vertices at which one segment of the chains ends, by their numbers.
+std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+
+/// The point of a segment that is nearest to an end.
+struct Foot
+{
+  Id Segment = NoId;
+  double Distance = 0.0;
+  Point2 Place;
+  double Along = 0.0; ///< share of the segment before it
+  Id End = NoId;
+};
+
+/// A segment of a chain, by the vertices at its ends, the lesser first.
+struct ChainSegment
+{
+  SegmentEnds Ends;
+  Id Place = NoId; ///< in the connectivity, where it begins
+  Id Cell = NoId;
+};
+
+/// The segments of all chains, as open ends see them.
+class EndSurroundings
+{
+public:
+  /// Refers to the vertices of `points`.
+  EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+
+  const ChainSegment& Segment(Id segment) const
+  {
+    return this->Segments[static_cast<std::size_t>(segment)];
+  }
+
+  /// One that ends at the vertex.
+  const ChainSegment& SegmentAt(Id vertex) const
+  {
+    return this->Segment(*this->Stars.Begin(vertex));
+  }
+
+  /// Calls visit(segment) for those whose boxes come within reach of the place.
+  template <typename Visitor>
+  void VisitNear(const Point2& place, double reach, Visitor&& visit) const
+  {
+    Box2 box;
+    box.Add(place);
+    box.Grow(reach);
+    this->Tree.Visit(box, SegmentEnds(), visit);
+  }
+
+  Foot FootOn(Id segment, Id end) const;
+
+  /// Adds the end, and all vertices that segments within `reach` of it join with it, to its own.
+  void AddOwn(Id end, double reach);
+  void ForgetOwn();
+  bool IsOwn(Id vertex) const { return this->IsMarked[static_cast<std::size_t>(vertex)] != 0; }
+
+private:
+  static std::vector<ChainSegment> SegmentsOf(
+    const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+  std::vector<SegmentEnds> Ends() const;
+  const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
+
+  const std::vector<Point2>& Vertices;
+  Pulse& Beats;
+  const std::vector<ChainSegment> Segments;
+  const VertexStars Stars;
+  const SegmentTree Tree;
+  std::vector<std::uint8_t> IsMarked;
+  std::vector<Id> Marked;
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OpenOutlines.h"
+
+#include "../Base/Box2.h"
+#include "BoundaryComponents.h"
+#include "OpenEnds.h" // for the spacing at an end
+
+#include <algorithm> // for any_of, max, min, sort
+#include <cmath>     // for ceil, floor, log10, pow
+#include <limits>    // for infinity
+#include <sstream>   // for figures
+#include <string>    // for details
+
+namespace biting
+{
+
+namespace
+{
+
+using Flags = std::vector<std::uint8_t>;
+
+constexpr std::size_t MostEnds = 10000;
+
+// Of the length of a loop: its gaps together.
+constexpr double LargestShareAround = 0.5;
+constexpr double LargestShare = 0.01;
+constexpr double LargestShareOfOne = 0.1;
+
+/// A vertex at which nothing goes on, and the one of the others with which it makes a gap.
+struct OpenEnd
+{
+  Id Vertex = NoId;
+  Id Partner = NoId;
+  double Gap = 0.0;
+};
+
+/// How many edges end at each vertex, those that are drawn several times as often.
+std::vector<Id> Degrees(const Arrangement& arrangement)
+{
+  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
+    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
+    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
+  }
+  return degrees;
+}
+
+/// Of edges that are not kept, by their vertices.
+std::vector<OpenEnd> FindEnds(const Arrangement& arrangement, const Flags& isKept)
+{
+  const std::vector<Id> degrees = Degrees(arrangement);
+  std::vector<OpenEnd> ends;
+  for (std::size_t e = 0; e < isKept.size(); ++e)
+  {
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    for (const Id vertex : { edge.Ends.Start, edge.Ends.End })
+    {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (!isKept[e] && degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
+      {
+        ends.push_back({ vertex });
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end(),
+    [](const OpenEnd& a, const OpenEnd& b) { return a.Vertex < b.Vertex; });
+  return ends;
+}
+
+/// By number, for each of `ends`, which are sorted along the first axis, the nearest other one.
+std::vector<std::size_t> NearestOthers(
+  const Arrangement& arrangement, const std::vector<OpenEnd>& ends, Pulse& pulse)
+{
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < ends.size() && pulse.Beat(); ++i)
+  {
+    const Point2& place = arrangement.At(ends[i].Vertex);
+    double least = std::numeric_limits<double>::infinity();
+    nearest.push_back(i);
+    const auto look = [&arrangement, &ends, &place, &least, &nearest](std::size_t other)
+    {
+      const Point2& there = arrangement.At(ends[other].Vertex);
+      const double distance = Distance(place, there);
+      if (distance < least)
+      {
+        least = distance;
+        nearest.back() = other;
+      }
+      return std::abs(there.X - place.X) <= least;
+    };
+    for (std::size_t below = i; below > 0 && look(below - 1); --below)
+    {
+    }
+    for (std::size_t above = i + 1; above < ends.size() && look(above); ++above)
+    {
+    }
+  }
+  return nearest;
+}
+
+/// Those that are the nearest of each other become partners, then those of the rest, and so on.
+void FindPartners(const Arrangement& arrangement, std::vector<OpenEnd>& ends, Pulse& pulse)
+{
+  std::vector<OpenEnd> left = ends;
+  std::sort(left.begin(), left.end(),
+    [&arrangement](const OpenEnd& a, const OpenEnd& b)
+    { return arrangement.At(a.Vertex) < arrangement.At(b.Vertex); });
+  std::vector<OpenEnd> done;
+  while (left.size() > 1 && left.size() <= MostEnds && !pulse.HasStopped())
+  {
+    const std::vector<std::size_t> nearest = NearestOthers(arrangement, left, pulse);
+    std::vector<OpenEnd> rest;
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const bool isPair = nearest[nearest[i]] == i;
+      OpenEnd& end = left[i];
+      end.Partner = isPair ? left[nearest[i]].Vertex : NoId;
+      end.Gap = isPair ? Distance(arrangement.At(end.Vertex), arrangement.At(end.Partner)) : 0.0;
+      (isPair ? done : rest).push_back(end);
+    }
+    if (rest.size() == left.size())
+    {
+      break;
+    }
+    left.swap(rest);
+  }
+  done.insert(done.end(), left.begin(), left.end());
+  std::sort(done.begin(), done.end(),
+    [](const OpenEnd& a, const OpenEnd& b)
+    { return a.Gap != b.Gap ? a.Gap > b.Gap : a.Vertex < b.Vertex; });
+  ends.swap(done);
+}
+
+/// Two digits, and no less than the value.
+double RoundedUp(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit) * unit;
+}
+
+/// How wide the gap is, and what closes it: "a gap of .1; an EndTolerance of .5 closes it".
+std::string DetailOf(double gap, double tolerance)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "a gap of " << gap;
+  if (tolerance > 0.0)
+  {
+    text.precision(2);
+    text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
+  }
+  return text.str();
+}
+
+/// Of which the end is as long as its gap; 0 where no spacing is known.
+double ToleranceOf(const OpenEnd& end, const Arrangement& arrangement, const SpacingAtEnds& spacing)
+{
+  const double wanted =
+    std::max(spacing(arrangement.At(end.Vertex)), spacing(arrangement.At(end.Partner)));
+  return wanted > 0.0 ? end.Gap / wanted : 0.0;
+}
+
+/// What there is instead of a boundary, and where it begins.
+void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
+{
+  if (!arrangement.Edges.empty())
+  {
+    problem.Place = arrangement.At(arrangement.Edges.front().Ends.Start);
+    problem.Detail = "there are interfaces only, the first of cell " +
+      std::to_string(arrangement.Edges.front().Cell);
+  }
+  else if (!arrangement.EmbeddedVertices.empty())
+  {
+    const Id vertex = arrangement.EmbeddedVertices.front();
+    problem.Place = arrangement.At(vertex);
+    problem.Detail = "there are embedded points only, the first of them point " +
+      std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
+  }
+  else if (!arrangement.Vertices.empty())
+  {
+    problem.Place = arrangement.At(0);
+    problem.Detail = "all segments have length 0, the first of them";
+  }
+}
+
+/// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
+/// is.
+Problem NothingBounds(const Arrangement& arrangement)
+{
+  Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
+  Id cancelled = 0;
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    const Id count = edge.BoundaryCount + edge.OpenCount + edge.Faces.Count;
+    if (count > 0 && count % 2 == 0)
+    {
+      problem.Place = cancelled == 0 ? arrangement.At(edge.Ends.Start) : problem.Place;
+      ++cancelled;
+    }
+  }
+  if (cancelled > 0)
+  {
+    problem.Detail = std::to_string(cancelled) +
+      " boundary segments are drawn an even number of times, which cancels them; the first of them";
+  }
+  else
+  {
+    TellWhatThereIs(arrangement, problem);
+  }
+  return problem;
+}
+
+/// Chains that are left out, with their gaps as edges.
+class ClosedGaps
+{
+public:
+  ClosedGaps(const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends);
+
+  bool AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
+
+private:
+  bool IsOutline(const BoundaryComponent& loop) const;
+  bool HasKeptInside(const BoundaryComponent& loop) const;
+  bool IsInside(const Point2& place, const BoundaryComponent& loop) const;
+  bool IsGap(Id edge) const { return static_cast<std::size_t>(edge) >= this->IsKept.size(); }
+  const OpenEnd& EndOf(Id gap) const
+  {
+    return this->Gaps[static_cast<std::size_t>(gap) - this->IsKept.size()];
+  }
+  double LengthOf(Id edge) const
+  {
+    const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
+    return Distance(this->Drawing.At(ends.Start), this->Drawing.At(ends.End));
+  }
+
+  Arrangement Drawing;
+  const Flags& IsKept;
+  std::vector<Id> Counts; ///< of what is left out, and of gaps
+  std::vector<OpenEnd> Gaps;
+};
+
+ClosedGaps::ClosedGaps(
+  const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends)
+  : Drawing(arrangement)
+  , IsKept(isKept)
+{
+  for (std::size_t e = 0; e < isKept.size(); ++e)
+  {
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    this->Counts.push_back(isKept[e] ? 0 : edge.BoundaryCount + edge.OpenCount);
+  }
+  for (const OpenEnd& end : ends)
+  {
+    if (end.Vertex < end.Partner)
+    {
+      ArrangementEdge gap;
+      gap.Ends = { end.Vertex, end.Partner };
+      this->Drawing.Edges.push_back(gap);
+      this->Counts.push_back(1);
+      this->Gaps.push_back(end);
+    }
+  }
+}
+
+bool ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  const SpacingAtEnds spacing(options, this->Drawing.Vertices);
+  for (const BoundaryComponent& loop : FindBoundaryComponents(this->Drawing, this->Counts, pulse))
+  {
+    OpenEnd widest;
+    double tolerance = 0.0;
+    for (const Id edge : loop.Edges)
+    {
+      if (this->IsGap(edge))
+      {
+        const OpenEnd& end = this->EndOf(edge);
+        widest = end.Gap > widest.Gap ? end : widest;
+        tolerance = std::max(tolerance, ToleranceOf(end, this->Drawing, spacing));
+      }
+    }
+    if (widest.Vertex != NoId && this->IsOutline(loop))
+    {
+      const auto pointOf = [this](Id vertex)
+      { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
+      problems.Add({ ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
+        this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
+    }
+  }
+  return problems.Has(ProblemCode::OpenOutlines);
+}
+
+bool ClosedGaps::IsOutline(const BoundaryComponent& loop) const
+{
+  double length = 0.0;
+  double gaps = 0.0;
+  std::size_t count = 0;
+  for (const Id edge : loop.Edges)
+  {
+    length += this->LengthOf(edge);
+    gaps += this->IsGap(edge) ? this->LengthOf(edge) : 0.0;
+    count += this->IsGap(edge) ? 1 : 0;
+  }
+  return gaps <= (count == 1 ? LargestShareOfOne : LargestShare) * length ||
+    (gaps <= LargestShareAround * length && this->HasKeptInside(loop));
+}
+
+/// The outermost of the vertices that are kept are looked at: one that is the first, or the last,
+/// along an axis.
+bool ClosedGaps::HasKeptInside(const BoundaryComponent& loop) const
+{
+  std::vector<Point2> outermost;
+  const auto isLower = [](const Point2& a, const Point2& b)
+  { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; };
+  for (std::size_t e = 0; e < this->IsKept.size(); ++e)
+  {
+    const Point2& place = this->Drawing.At(this->Drawing.Edges[e].Ends.Start);
+    if (this->IsKept[e])
+    {
+      outermost.resize(4, place);
+      outermost = { std::min(outermost[0], place), std::max(outermost[1], place),
+        std::min(outermost[2], place, isLower), std::max(outermost[3], place, isLower) };
+    }
+  }
+  return std::any_of(outermost.begin(), outermost.end(),
+    [this, &loop](const Point2& place) { return this->IsInside(place, loop); });
+}
+
+bool ClosedGaps::IsInside(const Point2& place, const BoundaryComponent& loop) const
+{
+  bool isInside = false;
+  for (const Id edge : loop.Edges)
+  {
+    const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
+    const Point2& a = this->Drawing.At(ends.Start);
+    const Point2& b = this->Drawing.At(ends.End);
+    const bool isPassed = (a.Y > place.Y) != (b.Y > place.Y);
+    isInside ^= isPassed && (Cross(b - a, place - a) > 0.0) == (b.Y > a.Y);
+  }
+  return isInside;
+}
+
+} // namespace
+
+void RefuseOpenDrawing(
+  const Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  std::vector<OpenEnd> ends = FindEnds(arrangement, Flags(arrangement.Edges.size(), 0));
+  FindPartners(arrangement, ends, pulse);
+  const SpacingAtEnds spacing(options, arrangement.Vertices);
+  for (const OpenEnd& end : ends)
+  {
+    problems.Add({ ProblemCode::NoClosedLoop,
+      { arrangement.VertexPoints[static_cast<std::size_t>(end.Vertex)] },
+      arrangement.At(end.Vertex),
+      end.Partner == NoId ? "" : DetailOf(end.Gap, ToleranceOf(end, arrangement, spacing)) });
+  }
+  if (ends.empty())
+  {
+    problems.Add(NothingBounds(arrangement));
+  }
+}
+
+bool RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
+  const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  Flags isNoLine;
+  for (std::size_t e = 0; e < isKept.size(); ++e)
+  {
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    isNoLine.push_back(isKept[e] || edge.BoundaryCount + edge.OpenCount == 0);
+  }
+  std::vector<OpenEnd> ends = FindEnds(arrangement, isNoLine);
+  if (ends.size() < 2)
+  {
+    return false;
+  }
+  FindPartners(arrangement, ends, pulse);
+  return ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
+}
+
+} // namespace biting

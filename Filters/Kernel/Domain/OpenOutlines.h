@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingOpenOutlines_h
+#define BitingOpenOutlines_h
+
+#include "../Base/Problem.h"
+#include "../Base/Pulse.h"
+#include "Arrangement.h"
+
+#include <cstdint> // for flags
+#include <vector>  // for flags
+
+namespace biting
+{
+
+/// Refuses a drawing in which nothing bounds a domain. Says where chains could be closed: one
+/// problem for each open end, with its gap, those of the widest gaps first; a single problem where
+/// no end is open.
+///
+/// Gaps are between two open ends: the two that are nearest to each other make one, then the two of
+/// the rest, and so on. Where more than 10000 ends are open no gaps are looked for.
+void RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
+  ProblemList& problems, Pulse& pulse);
+
+/// Refuses a drawing of which chains are left out that would bound a domain, but for gaps: closed
+/// over their gaps, they make a loop
+/// - with what is kept in it, and gaps of half of its length together at most; or
+/// - with gaps of a hundredth of its length together at most, of a tenth where there is one gap.
+/// Returns whether there is such a loop. Each is a problem of kind OpenOutlines.
+bool RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
+  const DomainOptions& options, ProblemList& problems, Pulse& pulse);
+
+} // namespace biting
+
+#endif
