@@ -19,6 +19,7 @@ set(biting_bridge_sources
   GhostArrays.cxx
   InputTimes.cxx
   MeasuredMesh.cxx
+  MeshFileFromDataSet.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx
   MeshWarnings.cxx

@@ -125,6 +125,7 @@ set(biting_kernel_sources
   Quality/NearestNeighbors.cxx
   Quality/NearestQueries.cxx
   Quality/PointTree.cxx
+  Quality/QuadDiagonal.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Meshing/Calibration.cxx
