@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * For ADCIRC: the tags of open boundaries, with blanks or commas between; tags may have some, too.
-   * A word that is no tag of the boundary is an error. Empty (default): none, all is land.
+   * For ADCIRC: the tags of open boundaries, with blanks or commas between; tags may have some,
+   * too. A word that is no tag of the boundary is an error. Empty (default): none, all is land.
    */
   vtkSetStringMacro(OpenTags);
   vtkGetStringMacro(OpenTags);
