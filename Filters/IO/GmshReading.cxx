@@ -200,7 +200,12 @@ private:
       isRead = this->In.More(physical);
       entity.Physical.push_back(std::abs(std::int64_t{ physical }));
     }
-    return isRead;
+    isRead = isRead && (dimension == 0 || this->In.More(count)); // of entities around it
+    for (std::size_t k = 0; isRead && dimension > 0 && k < count; ++k)
+    {
+      isRead = this->In.More(number);
+    }
+    return isRead && this->In.IsRead();
   }
 
   bool ReadNodes()
