@@ -11,6 +11,7 @@ set(biting_bridge_sources
   ChosenArray.cxx
   CoordinateRounding.cxx
   DataTree.cxx
+  DividedQuads.cxx
   DomainMembership.cxx
   DoubleArray.cxx
   Drawing.cxx
