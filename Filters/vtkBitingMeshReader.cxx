@@ -41,7 +41,7 @@ ReadingResult ReadFile(const std::string& name, MeshFile& file)
   std::ifstream stream(name);
   if (!stream)
   {
-    return { "The file could not be opened.", 0 };
+    return { "The file could not be opened.", {} };
   }
   if (biting::EndsWith(name, ".msh"))
   {
@@ -55,7 +55,7 @@ ReadingResult ReadFile(const std::string& name, MeshFile& file)
   {
     return biting::ReadADCIRC(stream, file);
   }
-  return { "The name of the file must end with .msh, .su2 or .14.", 0 };
+  return { "The name of the file must end with .msh, .su2 or .14.", {} };
 }
 
 //------------------------------------------------------------------------------
@@ -182,10 +182,9 @@ int vtkBitingMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro("No mesh in " << name << ". " << result.Reason);
     return 1;
   }
-  if (result.PassedOverCells > 0)
+  for (const std::string& remark : result.Remarks)
   {
-    vtkWarningMacro(<< result.PassedOverCells << " cells of " << name
-                    << " are neither triangles nor edges, and are left out.");
+    vtkWarningMacro(<< name << ": " << remark);
   }
   MakeMesh(file, vtkPolyData::GetData(outputVector, MESH));
   MakeEdges(file, vtkPolyData::GetData(outputVector, BOUNDARY_EDGES));

@@ -3,181 +3,37 @@
 
 #include "vtkBitingMeshWriter.h"
 
-#include "Bridge/CellShapes.h"
-#include "Bridge/GhostArrays.h"
+#include "Bridge/MeshFileFromDataSet.h"
 #include "Bridge/ProducedEdges.h"
+#include "Bridge/Ranks.h"
 #include "Bridge/ValueGroups.h"
 #include "Bridge/WrittenParts.h"
 #include "IO/MeshFile.h"
 
-#include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkCellTypes.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
-#include "vtkIntArray.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm> // for all_of, any_of, replace
-#include <array>     // for places
-#include <fstream>   // for files
-#include <sstream>   // for words
-#include <string>    // for names
-#include <vector>    // for lists
+#include <filesystem>   // for files in place of others
+#include <fstream>      // for files
+#include <string>       // for names
+#include <system_error> // for files that could not be moved
+#include <vector>       // for lists
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
 
-// What the mesher itself adds to its boundary edges.
-constexpr const char* OwnArrays[] = { "OriginalCellId", "Kind" };
-
 std::string Text(const char* text)
 {
   return text ? text : "";
-}
-
-//------------------------------------------------------------------------------
-void ReadPoints(vtkDataSet* mesh, const biting::WrittenParts& parts, const std::string& depthArray,
-  biting::MeshFile& file)
-{
-  vtkDataArray* depths = mesh->GetPointData()->GetArray(depthArray.c_str());
-  for (const vtkIdType point : parts.Points())
-  {
-    std::array<double, 3> place;
-    mesh->GetPoint(point, place.data());
-    file.Points.push_back(place);
-    if (depths)
-    {
-      file.Depths.push_back(depths->GetComponent(point, 0));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void ReadTriangles(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file)
-{
-  vtkSmartPointer<vtkDataArray> regions = mesh->GetCellData()->GetArray("RegionId");
-  if (!regions)
-  {
-    regions = vtkSmartPointer<vtkIntArray>::New();
-    regions->SetNumberOfTuples(mesh->GetNumberOfCells());
-    regions->Fill(0.0);
-  }
-  const biting::ValueGroups groups(regions);
-  file.Regions = groups.Named(1, "Region ");
-  vtkNew<vtkIdList> corners;
-  for (const vtkIdType cell : parts.Cells())
-  {
-    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
-    {
-      mesh->GetCellPoints(cell, corners);
-      file.Triangles.push_back({ parts.NumberOf(corners->GetId(0)),
-        parts.NumberOf(corners->GetId(1)), parts.NumberOf(corners->GetId(2)) });
-      file.RegionOfTriangle.push_back(groups.IndexOf(cell));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// What is said of the first cell that has no place in a file; empty where there is none.
-std::string RefusalOfCells(vtkDataSet* mesh)
-{
-  using Shape = biting::CellShape;
-  const biting::GhostArrays ghosts(mesh);
-  vtkNew<vtkIdList> points;
-  std::string refusal;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells() && refusal.empty(); ++cell)
-  {
-    mesh->GetCellPoints(cell, points);
-    const vtkIdType size = points->GetNumberOfIds();
-    const int type = mesh->GetCellType(cell);
-    const Shape shape = biting::ShapeOf(type);
-    refusal = biting::MissingPointText(
-      "the mesh", cell, size, points->GetPointer(0), mesh->GetNumberOfPoints());
-    if (refusal.empty() && type != VTK_TRIANGLE && shape != Shape::Nothing &&
-      shape != Shape::Points && shape != Shape::Line &&
-      !ghosts.LeaveOut(cell, size, points->GetPointer(0)))
-    {
-      refusal = "Cell " + std::to_string(cell) + " is a " +
-        vtkCellTypes::GetClassNameFromTypeId(type) +
-        "; only triangles are written (apply Extract Surface and Triangulate).";
-    }
-  }
-  return refusal;
-}
-
-//------------------------------------------------------------------------------
-vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
-{
-  if (!chosen.empty())
-  {
-    return data->GetAbstractArray(chosen.c_str());
-  }
-  if (vtkAbstractArray* tags = data->GetAbstractArray("Tag"))
-  {
-    return tags;
-  }
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(k);
-    const std::string name = Text(array->GetName());
-    const bool isOwn = std::any_of(
-      std::begin(OwnArrays), std::end(OwnArrays), [&name](const char* own) { return name == own; });
-    if (!isOwn && array->GetNumberOfComponents() == 1)
-    {
-      return array;
-    }
-  }
-  return data->GetAbstractArray("Kind");
-}
-
-//------------------------------------------------------------------------------
-void ReadEdges(vtkPolyData* edges, const biting::WrittenParts& parts, vtkAbstractArray* tags,
-  biting::MeshFile& file)
-{
-  vtkDataArray* ids = edges->GetPointData()->GetArray("MeshPointId");
-  const biting::ValueGroups groups(tags);
-  file.Tags = groups.Named(0, "");
-  vtkNew<vtkIdList> ends;
-  for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)
-  {
-    edges->GetCellPoints(cell, ends);
-    if (ends->GetNumberOfIds() == 2 && groups.Has(cell))
-    {
-      file.Edges.push_back({ parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0)))),
-        parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1)))) });
-      file.TagOfEdge.push_back(groups.IndexOf(cell));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool IsFlat(const biting::MeshFile& file)
-{
-  return std::all_of(file.Points.begin(), file.Points.end(),
-    [&file](const std::array<double, 3>& point) { return point[2] == file.Points.front()[2]; });
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> Words(std::string text)
-{
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-  {
-    words.push_back(word);
-  }
-  return words;
 }
 
 } // namespace
@@ -188,7 +44,7 @@ vtkStandardNewMacro(vtkBitingMeshWriter);
 vtkBitingMeshWriter::vtkBitingMeshWriter()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetDepthArray("Depth");
+  this->SetDepthArray(biting::DefaultDepths);
 }
 
 //------------------------------------------------------------------------------
@@ -218,6 +74,29 @@ int vtkBitingMeshWriter::FillInputPortInformation(int port, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
+biting::Ranks vtkBitingMeshWriter::WritingRanks() const
+{
+  return this->GatherPieces ? biting::Ranks::All() : biting::Ranks();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkBitingMeshWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const biting::Ranks ranks = this->WritingRanks();
+  const bool areAsked =
+    request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) && ranks.AreSeveral();
+  for (int port = 0; areAsked && port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; k < inputVector[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      ranks.AskForOwn(inputVector[port]->GetInformationObject(k));
+    }
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 // Those of port 1, else those of the filter from which the mesh comes; null where there is none.
 vtkPolyData* vtkBitingMeshWriter::FindEdges()
 {
@@ -236,31 +115,52 @@ void vtkBitingMeshWriter::Refuse(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-// Returns whether the tags could be read; no edges, no tags.
-bool vtkBitingMeshWriter::ReadTags(
-  vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file)
+// Returns why the tags could not be read, empty where they could; no edges, no tags.
+std::string vtkBitingMeshWriter::ReadTags(
+  vtkDataSet* mesh, vtkPolyData* edges, const biting::WrittenParts& parts, biting::MeshFile& file)
 {
-  vtkPolyData* edges = this->FindEdges();
   if (!edges || !biting::AreEdgesOf(edges, mesh))
   {
     this->WarnOfEdges(edges);
-    return true;
+    return {};
   }
-  vtkAbstractArray* tags = FindTags(edges->GetCellData(), Text(this->TagArray));
+  vtkAbstractArray* tags = biting::FindTags(edges->GetCellData(), Text(this->TagArray));
   if (!tags)
   {
-    this->Refuse("The boundary edges have no cell array named " + Text(this->TagArray) + ".");
-    return false;
+    return "The boundary edges have no cell array named " + Text(this->TagArray) + ".";
   }
-  ReadEdges(edges, parts, tags, file);
-  if (!biting::AreEdgesOfTriangles(file))
+  const biting::ValueGroups groups(tags);
+  file.Tags = groups.Named(0, "", biting::EndsOfNames);
+  biting::ReadEdges(edges, parts, groups, file);
+  if (biting::CountEdgesOfNoTriangle(file) > 0)
   {
     this->WarnOfEdges(edges);
     file.Edges.clear();
     file.TagOfEdge.clear();
     file.Tags.clear();
   }
-  return true;
+  else if (biting::EndsWith(Text(this->FileName), ".su2"))
+  {
+    this->TakeNames(groups.Named(0, "", biting::EndsOfNamesInSU2), file);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Tags with blanks and the like are markers of other names, which is said.
+void vtkBitingMeshWriter::TakeNames(
+  const std::vector<biting::MeshGroup>& names, biting::MeshFile& file)
+{
+  for (std::size_t tag = 0; tag < names.size(); ++tag)
+  {
+    if (names[tag].Name != file.Tags[tag].Name)
+    {
+      vtkWarningMacro("The tag \"" << file.Tags[tag].Name << "\" is the marker " << names[tag].Name
+                                   << ": names in SU2 have no blanks, signs "
+                                   << "of percent or equality, commas or parentheses.");
+    }
+  }
+  file.Tags = names;
 }
 
 //------------------------------------------------------------------------------
@@ -275,42 +175,75 @@ void vtkBitingMeshWriter::WarnOfEdges(vtkPolyData* edges)
 //------------------------------------------------------------------------------
 void vtkBitingMeshWriter::WriteData()
 {
-  vtkDataSet* mesh = vtkDataSet::SafeDownCast(this->GetInput());
-  const std::string name = Text(this->FileName);
-  const bool isGmsh = biting::EndsWith(name, ".msh");
+  const biting::Ranks ranks = this->WritingRanks();
+  vtkPolyData* own = this->FindEdges();
+  const vtkNew<vtkPolyData> none;
+  const biting::WholeInput mesh(ranks, this->GetInput());
+  const biting::WholeInput edges(ranks, own ? own : none.Get());
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (!isGmsh && !biting::EndsWith(name, ".su2") && !biting::EndsWith(name, ".14"))
+  if (ranks.IsFirst() && !(mesh.IsComplete() && edges.IsComplete()))
   {
-    this->Refuse("The name of the file must end with .msh, .su2 or .14: " + name);
-    return;
+    this->Refuse(biting::NotGathered);
   }
-  biting::MeshFile file;
-  const std::string refusal = RefusalOfCells(mesh);
-  if (!refusal.empty())
+  else if (ranks.IsFirst())
   {
-    this->Refuse(refusal);
-    return;
+    const auto whole = mesh.Make();
+    const auto wholeEdges = edges.Make();
+    const std::string refusal = this->WriteMesh(
+      vtkDataSet::SafeDownCast(whole), own ? vtkPolyData::SafeDownCast(wholeEdges) : nullptr);
+    if (!refusal.empty())
+    {
+      this->Refuse(refusal);
+    }
   }
-  const biting::WrittenParts parts(mesh);
-  ReadPoints(mesh, parts, Text(this->DepthArray), file);
-  ReadTriangles(mesh, parts, file);
-  if (file.Triangles.empty() || (!isGmsh && !IsFlat(file)))
-  {
-    this->Refuse(file.Triangles.empty()
-        ? "There are no triangles to write."
-        : "This format has two coordinates, and the mesh is not in a plane of constant z.");
-  }
-  else if (this->ReadTags(mesh, parts, file))
-  {
-    this->WriteFile(file);
-  }
+  this->SetErrorCode(ranks.ShareCode(this->GetErrorCode()));
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
+// Returns why there is no file, empty where there is one.
+std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
 {
   const std::string name = Text(this->FileName);
-  std::ofstream stream(name);
+  const bool isADCIRC = biting::EndsWith(name, ".14");
+  const bool isPlanar = isADCIRC || biting::EndsWith(name, ".su2");
+  if (!isPlanar && !biting::EndsWith(name, ".msh"))
+  {
+    return "The name of the file must end with .msh, .su2 or .14: " + name;
+  }
+  if (!mesh)
+  {
+    return "There is no mesh to write.";
+  }
+  std::string refusal = biting::RefusalOfCells(mesh);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  biting::MeshFile file;
+  const biting::WrittenParts parts(mesh);
+  refusal = biting::ReadTriangles(mesh, parts, file);
+  refusal = refusal.empty() && isPlanar ? biting::MakePlanar(file) : refusal;
+  refusal = refusal.empty() && isADCIRC
+    ? biting::ReadDepths(mesh, parts, Text(this->DepthArray), file)
+    : refusal;
+  refusal = refusal.empty() ? this->ReadTags(mesh, edges, parts, file) : refusal;
+  return refusal.empty() ? this->WriteFile(file) : refusal;
+}
+
+//------------------------------------------------------------------------------
+// First beside the file that may be there, which stays where this fails.
+std::string vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
+{
+  const std::string name = Text(this->FileName);
+  std::vector<bool> areOpen;
+  const std::string unknown =
+    biting::EndsWith(name, ".14") ? biting::FindOpenTags(file, Text(this->OpenTags), areOpen) : "";
+  if (!unknown.empty())
+  {
+    return "No edge of the boundary has the tag " + unknown + ", which OpenTags lists.";
+  }
+  const std::string part = name + ".part";
+  std::ofstream stream(part);
   if (biting::EndsWith(name, ".msh"))
   {
     biting::WriteGmsh(file, stream);
@@ -321,13 +254,20 @@ void vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
   }
   else
   {
-    biting::WriteADCIRC(file, Words(Text(this->OpenTags)), stream);
+    biting::WriteADCIRC(file, areOpen, stream);
   }
   stream.close();
-  if (!stream)
+  std::error_code failure;
+  if (stream)
   {
-    this->Refuse("The file could not be written: " + name);
+    std::filesystem::rename(part, name, failure);
   }
+  if (stream && !failure)
+  {
+    return {};
+  }
+  std::filesystem::remove(part, failure);
+  return "The file could not be written: " + name;
 }
 
 //------------------------------------------------------------------------------
@@ -337,7 +277,8 @@ void vtkBitingMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << Text(this->FileName) << "\n"
      << indent << "TagArray: " << Text(this->TagArray) << "\n"
      << indent << "OpenTags: " << Text(this->OpenTags) << "\n"
-     << indent << "DepthArray: " << Text(this->DepthArray) << "\n";
+     << indent << "DepthArray: " << Text(this->DepthArray) << "\n"
+     << indent << "GatherPieces: " << this->GatherPieces << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -24,10 +24,16 @@
  * Points and lines of the mesh are no part of the file; any other cell that is no triangle is an
  * error. Hidden and ghost cells, and cells with a hidden point, are left out, and points that
  * pieces share (the same global id at the same place) are then written once: what several ranks
- * have saved together (`.pvtp`) becomes the mesh of one.
+ * have saved together (`.pvtp`) becomes the mesh of one. With GatherPieces several ranks write one
+ * file.
  *
  * SU2 and ADCIRC have two coordinates: a mesh that is not in a plane of constant z is an error for
- * them. Numbers are written so that reading gives them back bit for bit.
+ * them, and so are triangles that overlap; clockwise triangles are turned. In SU2 names of markers
+ * have '_' in place of blanks and other signs that end names there, with a warning. In ADCIRC an
+ * island that is open in part is open boundary and mainland; a loop that is all open is two open
+ * boundaries. Numbers are written so that reading gives them back bit for bit.
+ *
+ * Where there is an error no file is written, and one that was there stays as it was.
  */
 
 #ifndef vtkBitingMeshWriter_h
@@ -38,11 +44,14 @@
 #include "vtkWriter.h"
 
 #include <string> // for reasons
+#include <vector> // for names
 
 namespace biting
 {
+class Ranks;
 class WrittenParts;
 struct MeshFile;
+struct MeshGroup;
 } // namespace biting
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -74,8 +83,8 @@ public:
 
   ///@{
   /**
-   * For ADCIRC: the tags of open boundaries, with blanks or commas between. Empty (default): none,
-   * all is land.
+   * For ADCIRC: the tags of open boundaries, with blanks or commas between; tags may have some,
+   * too. A word that is no tag of the boundary is an error. Empty (default): none, all is land.
    */
   vtkSetStringMacro(OpenTags);
   vtkGetStringMacro(OpenTags);
@@ -83,17 +92,31 @@ public:
 
   ///@{
   /**
-   * For ADCIRC: the point array of depths, positive downwards. Default `Depth`; 0 where it does not
-   * exist.
+   * For ADCIRC: the point array of depths, positive downwards. Default `Depth`: depths are 0 where
+   * it does not exist. Any other array that does not exist, and depths that are not finite, are
+   * errors.
    */
   vtkSetStringMacro(DepthArray);
   vtkGetStringMacro(DepthArray);
+  ///@}
+
+  ///@{
+  /**
+   * Whether all processes of the global controller call Write together: then each gives its piece,
+   * and the first one writes the file. Off (default): each process writes what it has.
+   */
+  vtkSetMacro(GatherPieces, bool);
+  vtkGetMacro(GatherPieces, bool);
+  vtkBooleanMacro(GatherPieces, bool);
   ///@}
 
   /**
    * Port 1: the boundary edges.
    */
   void SetBoundaryEdgesConnection(vtkAlgorithmOutput* edges);
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 protected:
   vtkBitingMeshWriter();
@@ -106,16 +129,21 @@ private:
   vtkBitingMeshWriter(const vtkBitingMeshWriter&) = delete;
   void operator=(const vtkBitingMeshWriter&) = delete;
 
+  biting::Ranks WritingRanks() const;
   void Refuse(const std::string& reason);
   vtkPolyData* FindEdges();
   void WarnOfEdges(vtkPolyData* edges);
-  bool ReadTags(vtkDataSet* mesh, const biting::WrittenParts& parts, biting::MeshFile& file);
-  void WriteFile(const biting::MeshFile& file);
+  std::string WriteMesh(vtkDataSet* mesh, vtkPolyData* edges);
+  std::string ReadTags(vtkDataSet* mesh, vtkPolyData* edges, const biting::WrittenParts& parts,
+    biting::MeshFile& file);
+  void TakeNames(const std::vector<biting::MeshGroup>& names, biting::MeshFile& file);
+  std::string WriteFile(const biting::MeshFile& file);
 
   char* FileName = nullptr;
   char* TagArray = nullptr;
   char* OpenTags = nullptr;
   char* DepthArray = nullptr;
+  bool GatherPieces = false;
 };
 VTK_ABI_NAMESPACE_END
 

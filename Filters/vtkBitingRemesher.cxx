@@ -6,6 +6,7 @@
 #include "Bridge/BitesToPolyData.h"
 #include "Bridge/BoundaryEdgesToPolyData.h"
 #include "Bridge/ChosenArray.h"
+#include "Bridge/DividedQuads.h"
 #include "Bridge/FilterRun.h"
 #include "Bridge/InputTimes.h"
 #include "Bridge/MeshToPolyData.h"
@@ -73,9 +74,11 @@ private:
   std::string AddValues();
   bool Report();
   void NumberPoints();
+  void RestoreIds(vtkInformationVector* outputs) const;
 
   vtkBitingRemesher* Filter;
   vtkSmartPointer<vtkDataSet> Input;
+  biting::DividedQuads Divided;
   vtkSmartPointer<vtkDataObject> Source;
   vtkSmartPointer<vtkDataSet> Lines;
   biting::PlanarMesh Mesh;
@@ -191,6 +194,7 @@ void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
       this->ReadSpacing() && this->Remesh())
     {
       this->Write(outputs);
+      this->RestoreIds(outputs);
     }
     this->WriteProblems(
       this->Mesh.Planar, biting::RepairPolicy::Repaired, vtkPolyData::GetData(outputs, PROBLEMS));
@@ -261,6 +265,9 @@ std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 bool vtkBitingRemesher::Execution::ReadMesh()
 {
   this->Progress.BeginStage(ReadingStage.Text);
+  this->Divided = biting::DividedQuads(this->Input);
+  this->Input = this->Divided.Data();
+  this->Warn(this->Divided.Remark());
   biting::PartOfStage part(this->Progress, 0.0, 0.5);
   const biting::RemeshArrays arrays{ this->Filter->RegionArray, this->Filter->FrozenArray };
   if (!this->Accept(
@@ -395,6 +402,17 @@ void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
   {
     biting::BitesToPolyData(
       this->Result.Mesh, this->Mesh.Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Numbers of cells are those that the input has with its quads.
+void vtkBitingRemesher::Execution::RestoreIds(vtkInformationVector* outputs) const
+{
+  this->Divided.RestoreIds(vtkPolyData::GetData(outputs, MESH), "OriginalCellId");
+  if (!this->Lines)
+  {
+    this->Divided.RestoreIds(vtkPolyData::GetData(outputs, BOUNDARY_EDGES), "OriginalCellId");
   }
 }
 

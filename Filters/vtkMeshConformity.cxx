@@ -4,6 +4,7 @@
 #include "vtkMeshConformity.h"
 
 #include "Bridge/ChosenArray.h"
+#include "Bridge/DividedQuads.h"
 #include "Bridge/DomainMembership.h"
 #include "Bridge/FilterRun.h" // for EmptyOutputs
 #include "Bridge/InputTimes.h"
@@ -232,6 +233,9 @@ bool vtkMeshConformity::Execution::Gather(
 bool vtkMeshConformity::Execution::ReadMesh()
 {
   this->Monitor.BeginStage("Reading the triangles");
+  const biting::DividedQuads divided(this->Input);
+  this->Input = divided.Data();
+  this->Warn(divided.Remark());
   if (!this->Accept(biting::FacesFromDataSet(
         this->Input, biting::FaceRule::Triangles, this->Mesh.Faces, this->Monitor)) ||
     !this->Monitor.Advance(1.0))

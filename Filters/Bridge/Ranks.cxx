@@ -150,6 +150,18 @@ Ranks::Ranks(vtkInformation* request, vtkInformationVector* outputs)
   }
 }
 
+Ranks Ranks::All()
+{
+  Ranks all;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    all.Controller = controller;
+    all.Piece = controller->GetLocalProcessId();
+  }
+  return all;
+}
+
 int Ranks::Count() const
 {
   return this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
@@ -170,6 +182,13 @@ void Ranks::AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const
       }
     }
   }
+}
+
+void Ranks::AskForOwn(vtkInformation* input) const
+{
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), this->Piece);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), this->Count());
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
 GatheredBytes Ranks::Gather(vtkDataObject* piece) const
@@ -275,6 +294,16 @@ unsigned long Ranks::ShareOutcome(unsigned long errorCode, bool areSpread, vtkAl
   return static_cast<unsigned long>(code);
 }
 
+unsigned long Ranks::ShareCode(unsigned long errorCode) const
+{
+  unsigned long code = errorCode;
+  if (this->AreSeveral())
+  {
+    this->Controller->Broadcast(&code, 1, 0);
+  }
+  return code;
+}
+
 void Ranks::AddUp(double* values, vtkIdType count) const
 {
   if (this->AreSeveral())
@@ -295,8 +324,12 @@ double Ranks::Largest(double value) const
 }
 
 WholeInput::WholeInput(const Ranks& ranks, vtkInformationVector* input)
+  : WholeInput(ranks, vtkDataObject::GetData(input))
 {
-  vtkDataObject* piece = vtkDataObject::GetData(input);
+}
+
+WholeInput::WholeInput(const Ranks& ranks, vtkDataObject* piece)
+{
   if (ranks.AreSeveral())
   {
     this->Gathered = ranks.Gather(piece);

@@ -49,6 +49,9 @@ public:
   Ranks() = default; ///< this process alone
   Ranks(vtkInformation* request, vtkInformationVector* outputs);
 
+  /// All processes, whatever is asked for, as for a writer, which has no output.
+  static Ranks All();
+
   bool AreSeveral() const { return this->Controller != nullptr; }
   bool IsFirst() const { return this->Piece == 0; }
   int Count() const; ///< of the ranks; 1 where the process is alone
@@ -59,6 +62,9 @@ public:
   /// In REQUEST_UPDATE_EXTENT: asks for the pieces that Gather takes, without ghosts.
   void AskForPieces(vtkInformationVector** inputs, int numberOfPorts) const;
 
+  /// Asks an input for the piece of this rank, without ghosts.
+  void AskForOwn(vtkInformation* input) const;
+
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
@@ -68,6 +74,9 @@ public:
   /// pipeline executes it again, which it must do on all ranks.
   unsigned long ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
     vtkInformationVector* outputs) const;
+
+  /// The error code of the first rank, which all of them call.
+  unsigned long ShareCode(unsigned long errorCode) const;
 
   /// What all ranks have, which all of them call: sums, and the largest.
   void AddUp(double* values, vtkIdType count) const;
@@ -95,6 +104,7 @@ class WholeInput
 public:
   /// Gathers the pieces where ranks are several; all of them call this.
   WholeInput(const Ranks& ranks, vtkInformationVector* input);
+  WholeInput(const Ranks& ranks, vtkDataObject* piece);
 
   /// False where the pieces did not come together: memory did not suffice, or there is no way to
   /// send data of this kind.

@@ -26,11 +26,11 @@ constexpr double LeastInexact = 9007199254740992.0;
 constexpr int FewestDigits = 6;
 constexpr int MostDigits = 17;
 
-// Without what would end the name in a file.
-std::string WithoutEnds(std::string name)
+std::string WithoutForbidden(std::string name, const std::string& forbidden)
 {
   std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');
+    name.begin(), name.end(),
+    [&forbidden](char c) { return forbidden.find(c) != std::string::npos; }, '_');
   return name;
 }
 
@@ -54,7 +54,8 @@ ValueGroups::ValueGroups(vtkAbstractArray* values)
   }
 }
 
-std::vector<MeshGroup> ValueGroups::Named(std::int64_t shift, const std::string& prefix) const
+std::vector<MeshGroup> ValueGroups::Named(
+  std::int64_t shift, const std::string& prefix, const std::string& forbidden) const
 {
   std::int64_t highest = 0;
   for (const auto& entry : this->Indices)
@@ -68,7 +69,7 @@ std::vector<MeshGroup> ValueGroups::Named(std::int64_t shift, const std::string&
   {
     const std::int64_t own = NumberOf(entry.first) + shift;
     const std::string given = NameOf(entry.first, digits);
-    std::string name = WithoutEnds(given);
+    std::string name = WithoutForbidden(given, forbidden);
     while (name != given && (this->Indices.count({ 0.0, name }) || !changed.insert(name).second))
     {
       name += '_';

@@ -35,9 +35,11 @@ public:
 
   std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
 
-  /// Whole numbers plus `shift` keep their values where these are above 0. In names quotes and ends
-  /// of lines are '_', and more of these follow where that would be the name of another group.
-  std::vector<MeshGroup> Named(std::int64_t shift, const std::string& prefix) const;
+  /// Whole numbers plus `shift` keep their values where these are above 0. In names each of the
+  /// `forbidden` characters is '_', and more of these follow where that would be the name of
+  /// another group.
+  std::vector<MeshGroup> Named(
+    std::int64_t shift, const std::string& prefix, const std::string& forbidden) const;
 
 private:
   /// The text is empty where the number alone says all.

@@ -12,6 +12,7 @@ set(biting_bridge_sources
   ChosenArray.cxx
   CoordinateRounding.cxx
   DataTree.cxx
+  DividedQuads.cxx
   DomainMembership.cxx
   DoubleArray.cxx
   Drawing.cxx
@@ -20,6 +21,7 @@ set(biting_bridge_sources
   GhostArrays.cxx
   InputTimes.cxx
   MeasuredMesh.cxx
+  MeshFileFromDataSet.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx
   MeshWarnings.cxx

@@ -14,13 +14,27 @@ namespace
 //------------------------------------------------------------------------------
 MeshFileCell CellInGmsh(int type)
 {
-  constexpr int edge = 1;
-  constexpr int triangle = 2;
-  constexpr int point = 15;
-  return type == triangle ? MeshFileCell::Triangle
-    : type == edge        ? MeshFileCell::Edge
-    : type == point       ? MeshFileCell::Point
-                          : MeshFileCell::Other;
+  switch (type)
+  {
+    case 15:
+      return { 1, 1 };
+    case 1:
+      return { 2, 2 };
+    case 2:
+      return { 3, 3 };
+    case 3:
+      return { 4, 4 };
+    case 8:
+      return { 2, 3 };
+    case 9:
+      return { 3, 6 };
+    case 10:
+      return { 4, 9 };
+    case 16:
+      return { 4, 8 };
+    default:
+      return {};
+  }
 }
 
 class GmshReading
@@ -55,30 +69,52 @@ public:
 private:
   using Entity = std::pair<int, std::int64_t>; // dimension and number
 
+  // From the line of its name on to that of its end.
   bool ReadSection(const std::string& section)
   {
     const bool isNew = this->Version == "4.1";
-    if (section == "$MeshFormat")
+    const std::string end = "$End" + section.substr(1);
+    bool isRead = section[0] == '$' || this->Out.Fail("the name of a section, as in $Nodes");
+    if (isRead && section != "$MeshFormat" && this->Version.empty())
     {
-      return this->ReadFormat();
+      isRead = this->Out.Fail("$MeshFormat, the first section of a mesh of Gmsh");
     }
-    if (section == "$PhysicalNames")
+    else if (section == "$MeshFormat")
     {
-      return this->ReadNames();
+      isRead = isRead && this->ReadFormat();
     }
-    if (section == "$Entities")
+    else if (section == "$PhysicalNames")
     {
-      return this->ReadEntities();
+      isRead = this->ReadNames();
     }
-    if (section == "$Nodes")
+    else if (section == "$Entities" || section == "$PartitionedEntities")
     {
-      return isNew ? this->ReadBlocksOfNodes() : this->ReadNodes();
+      isRead = this->ReadEntities(section == "$PartitionedEntities");
     }
-    if (section == "$Elements")
+    else if (section == "$Nodes" || section == "$ParametricNodes")
     {
-      return isNew ? this->ReadBlocksOfElements() : this->ReadElements();
+      isRead = isNew ? this->ReadBlocksOfNodes() : this->ReadNodes();
     }
-    return true; // what we have no use for, line by line
+    else if (section == "$Elements")
+    {
+      isRead = isNew ? this->ReadBlocksOfElements() : this->ReadElements();
+    }
+    else
+    {
+      return isRead && this->PassSection(end); // we have no use for it
+    }
+    std::string word;
+    return isRead && ((this->In.Read(word) && word == end) || this->Out.Fail(end));
+  }
+
+  bool PassSection(const std::string& end)
+  {
+    std::string word;
+    while (word != end && this->In.Next())
+    {
+      this->In.More(word);
+    }
+    return word == end || this->Out.Fail(end);
   }
 
   bool ReadFormat()
@@ -95,48 +131,81 @@ private:
     bool isRead = this->In.Read(count);
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
-      Entity group;
+      int dimension = 0;
+      int number = 0;
       std::string name;
-      isRead = this->In.Read(group.first, group.second) && this->In.Quoted(name);
-      this->Names[group] = name;
+      isRead = this->In.Read(dimension, number) && this->In.Quoted(name) &&
+        this->Names.emplace(Entity(dimension, number), name).second;
     }
     return isRead || this->Out.Fail("the name of a physical group");
   }
 
-  bool ReadEntities()
+  bool ReadEntities(bool arePartitioned)
   {
+    this->HasEntities = true;
     std::array<std::size_t, 4> counts{};
-    bool isRead = this->In.Read(counts[0], counts[1], counts[2], counts[3]);
-    for (int dimension = 0; isRead && dimension < 3; ++dimension)
+    bool isRead = !arePartitioned || this->PassPartitions();
+    isRead = isRead && this->In.Read(counts[0], counts[1], counts[2], counts[3]);
+    for (int dimension = 0; isRead && dimension < 4; ++dimension)
     {
       for (std::size_t k = 0; isRead && k < counts[static_cast<std::size_t>(dimension)]; ++k)
       {
-        isRead = this->ReadEntity(dimension);
+        isRead = this->ReadEntity(dimension, arePartitioned);
       }
     }
     return isRead || this->Out.Fail("an entity");
   }
 
-  // Its number, its box (a point has one corner), and its physical groups: the first one counts. A
-  // sign there is the orientation.
-  bool ReadEntity(int dimension)
+  // How many partitions there are, and ghost entities, each in a line.
+  bool PassPartitions()
   {
-    std::int64_t number = 0;
+    std::size_t count = 0;
+    bool isRead = this->In.Read(count) && this->In.Read(count);
+    for (std::size_t k = 0; isRead && k < count; ++k)
+    {
+      isRead = this->In.Next();
+    }
+    return isRead;
+  }
+
+  // Its number, its box (a point has one corner), and its physical groups; a sign there is the
+  // orientation. A part of an entity is of its parent where both have one dimension.
+  bool ReadEntity(int dimension, bool isPart)
+  {
+    int number = 0;
     bool isRead = this->In.Read(number);
+    EntityGroups& entity = this->Entities[{ dimension, number }];
+    entity.Number = number;
+    if (isPart)
+    {
+      int parentDimension = 0;
+      int parent = 0;
+      std::size_t parts = 0;
+      isRead = isRead && this->In.More(parentDimension, parent, parts);
+      entity.Number = parentDimension == dimension ? parent : number;
+      for (std::size_t k = 0; isRead && k < parts; ++k)
+      {
+        isRead = this->In.More(number);
+      }
+    }
     for (int k = 0; isRead && k < (dimension == 0 ? 3 : 6); ++k)
     {
-      double coordinate = 0.0;
-      isRead = this->In.More(coordinate);
+      isRead = this->In.PassNumber();
     }
     std::size_t count = 0;
     isRead = isRead && this->In.More(count);
-    if (isRead && count > 0)
+    for (std::size_t k = 0; isRead && k < count; ++k)
     {
-      std::int64_t physical = 0;
+      int physical = 0;
       isRead = this->In.More(physical);
-      this->Physical[{ dimension, number }] = std::abs(physical);
+      entity.Physical.push_back(std::abs(std::int64_t{ physical }));
     }
-    return isRead;
+    isRead = isRead && (dimension == 0 || this->In.More(count)); // of entities around it
+    for (std::size_t k = 0; isRead && dimension > 0 && k < count; ++k)
+    {
+      isRead = this->In.More(number);
+    }
+    return isRead && this->In.IsRead();
   }
 
   bool ReadNodes()
@@ -156,37 +225,44 @@ private:
   bool ReadBlocksOfNodes()
   {
     std::size_t blocks = 0;
-    bool isRead = this->In.Read(blocks) || this->Out.Fail("the number of blocks of nodes");
+    std::size_t nodes = 0;
+    std::size_t count = 0;
+    bool isRead =
+      this->In.Read(blocks, nodes) || this->Out.Fail("the numbers of blocks and of nodes");
     for (std::size_t block = 0; isRead && block < blocks; ++block)
     {
-      isRead = this->ReadBlockOfNodes();
+      isRead = this->ReadBlockOfNodes(count);
     }
-    return isRead;
+    return isRead &&
+      (count == nodes || this->Out.Fail("the last of " + std::to_string(nodes) + " nodes"));
   }
 
-  // All numbers, then all places.
-  bool ReadBlockOfNodes()
+  // All numbers, then all places, which parameters may follow.
+  bool ReadBlockOfNodes(std::size_t& total)
   {
-    Entity entity;
+    int dimension = 0;
+    int entity = 0;
     int isParametric = 0;
     std::size_t count = 0;
-    bool isRead = this->In.Read(entity.first, entity.second, isParametric, count);
+    bool isRead = this->In.Read(dimension, entity, isParametric, count);
     std::vector<std::int64_t> numbers;
     std::int64_t number = 0;
     while (isRead && numbers.size() < count)
     {
-      isRead = this->In.Read(number);
+      isRead = this->In.Read(number) && this->In.IsRead();
       numbers.push_back(number);
     }
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
       std::array<double, 3> place{};
-      isRead = this->In.Read(place[0], place[1], place[2]);
+      isRead =
+        this->In.Read(place[0], place[1], place[2]) && (isParametric != 0 || this->In.IsRead());
       if (isRead && !this->Out.AddVertex(numbers[k], place))
       {
         return false;
       }
     }
+    total += count;
     return isRead || this->Out.Fail("a block of nodes");
   }
 
@@ -208,60 +284,88 @@ private:
     int type = 0;
     std::size_t numberOfTags = 0;
     bool isRead = this->In.Read(number, type, numberOfTags);
-    std::array<std::int64_t, 2> tags{};
+    std::array<int, 2> tags{};
     for (std::size_t k = 0; isRead && k < numberOfTags; ++k)
     {
-      isRead = this->In.More(k < 2 ? tags[k] : number);
+      isRead = k < 2 ? this->In.More(tags[k]) : this->In.More(number);
     }
     return (isRead || this->Out.Fail("an element")) &&
-      this->Out.ReadCell(CellInGmsh(type), { tags[0], tags[1] });
+      this->ReadCorners(CellInGmsh(type), { tags[0], tags[1] });
+  }
+
+  bool ReadCorners(const MeshFileCell& cell, const MeshFileBuilder::Group& group)
+  {
+    return this->Out.ReadCell(cell, group) &&
+      (cell.Corners == 0 || this->In.IsRead() || this->Out.Fail("no more nodes than belong there"));
   }
 
   bool ReadBlocksOfElements()
   {
     std::size_t blocks = 0;
-    bool isRead = this->In.Read(blocks) || this->Out.Fail("the number of blocks of elements");
+    std::size_t elements = 0;
+    std::size_t count = 0;
+    bool isRead =
+      this->In.Read(blocks, elements) || this->Out.Fail("the numbers of blocks and of elements");
     for (std::size_t block = 0; isRead && block < blocks; ++block)
     {
-      isRead = this->ReadBlockOfElements();
+      isRead = this->ReadBlockOfElements(count);
     }
-    return isRead;
+    return isRead &&
+      (count == elements ||
+        this->Out.Fail("the last of " + std::to_string(elements) + " elements"));
   }
 
-  bool ReadBlockOfElements()
+  bool ReadBlockOfElements(std::size_t& total)
   {
-    Entity entity;
+    int dimension = 0;
+    int entity = 0;
     int type = 0;
     std::size_t count = 0;
-    bool isRead = this->In.Read(entity.first, entity.second, type, count) ||
-      this->Out.Fail("a block of elements");
+    bool isRead =
+      this->In.Read(dimension, entity, type, count) || this->Out.Fail("a block of elements");
+    const MeshFileCell cell = CellInGmsh(type);
+    isRead = isRead &&
+      (cell.Corners == 0 || dimension == (cell.Corners < 3 ? int(cell.Corners) - 1 : 2) ||
+        this->Out.Fail("elements of the dimension of their entity"));
+    const auto found = this->Entities.find({ dimension, entity });
+    const bool isKnown = found != this->Entities.end();
+    isRead = isRead && (isKnown || !this->HasEntities || this->Out.Fail("an entity of the file"));
+    const EntityGroups groups = isKnown ? found->second : EntityGroups{ entity, {} };
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
       std::int64_t number = 0;
       isRead = (this->In.Read(number) || this->Out.Fail("an element")) &&
-        this->Out.ReadCell(CellInGmsh(type), this->GroupOf(entity));
+        this->ReadCorners(cell, { groups.First(), groups.Number });
     }
+    for (std::size_t k = 1; cell.Corners > 1 && k < groups.Physical.size(); ++k)
+    {
+      this->Out.LeaveOut(dimension, groups.Physical[k], count);
+    }
+    total += count;
     return isRead;
   }
 
-  MeshFileBuilder::Group GroupOf(const Entity& entity) const
+  struct EntityGroups
   {
-    const auto found = this->Physical.find(entity);
-    return { found != this->Physical.end() ? found->second : 0, entity.second };
-  }
+    std::int64_t Number = 0;
+    std::vector<std::int64_t> Physical;
+
+    std::int64_t First() const { return this->Physical.empty() ? 0 : this->Physical.front(); }
+  };
 
   MeshFileLines& In;
   MeshFileBuilder Out;
   std::string Version;
   std::map<Entity, std::string> Names; // of physical groups
-  std::map<Entity, std::int64_t> Physical;
+  std::map<Entity, EntityGroups> Entities;
+  bool HasEntities = false;
 };
 
 } // namespace
 
 ReadingResult ReadGmsh(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file);
+  MeshFileLines lines(file, MeshFileDialect::Gmsh);
   return GmshReading(lines, mesh).Read();
 }
 

@@ -3,10 +3,10 @@
 
 #include "MeshFile.h"
 
-#include <algorithm> // for all_of, binary_search, find, min, max, rotate, sort
+#include <algorithm> // for adjacent_find, any_of, binary_search, count_if, min, max, rotate, sort
 #include <map>       // for edges and their tags
 #include <numeric>   // for iota
-#include <utility>   // for pair
+#include <utility>   // for pair, swap
 
 namespace biting
 {
@@ -82,7 +82,8 @@ std::vector<Vertex> TakeLoop(std::multimap<Vertex, Vertex>& edges)
 }
 
 // Twice the area that the loop surrounds, in x and y.
-double Area(const MeshFile& mesh, const std::vector<Vertex>& loop)
+template <typename Loop>
+double Area(const MeshFile& mesh, const Loop& loop)
 {
   const auto& origin = mesh.Points[static_cast<std::size_t>(loop.front())];
   double area = 0.0;
@@ -133,11 +134,17 @@ void WriteMarkers(const MeshFile& mesh, std::ostream& file)
       markers[path.Label].push_back({ path.Vertices[k - 1], path.Vertices[k] });
     }
   }
+  std::string untagged = "boundary";
+  while (std::any_of(mesh.Tags.begin(), mesh.Tags.end(),
+    [&untagged](const MeshGroup& tag) { return tag.Name == untagged; }))
+  {
+    untagged += '_';
+  }
   file << "NMARK= " << markers.size() << "\n";
   for (const auto& marker : markers)
   {
     const bool isTagged = marker.first < mesh.Tags.size();
-    file << "MARKER_TAG= " << (isTagged ? mesh.Tags[marker.first].Name : "boundary")
+    file << "MARKER_TAG= " << (isTagged ? mesh.Tags[marker.first].Name : untagged)
          << "\nMARKER_ELEMS= " << marker.second.size() << "\n";
     for (const Edge& edge : marker.second)
     {
@@ -151,23 +158,33 @@ void WriteMarkers(const MeshFile& mesh, std::ostream& file)
 
 constexpr std::size_t Open = 1;
 
-// The label of each tag, and of no tag: open, or not.
-std::vector<std::size_t> OpenLabels(const MeshFile& mesh, const std::vector<std::string>& open)
+bool IsLoop(const BoundaryPath& path)
 {
-  std::vector<std::size_t> labels(mesh.Tags.size() + 1, 0);
-  for (std::size_t tag = 0; tag < mesh.Tags.size(); ++tag)
-  {
-    const bool isOpen = std::find(open.begin(), open.end(), mesh.Tags[tag].Name) != open.end();
-    labels[tag] = isOpen ? Open : 0;
-  }
-  return labels;
+  return path.Vertices.front() == path.Vertices.back();
 }
 
 // An island is closed by its type, so that its first vertex is not repeated.
+bool IsWholeIsland(const BoundaryPath& path)
+{
+  return path.IsIsland && path.Label != Open && IsLoop(path);
+}
+
 std::size_t SizeOf(const BoundaryPath& path)
 {
-  const bool isLoop = path.Vertices.front() == path.Vertices.back();
-  return path.Vertices.size() - (path.IsIsland && isLoop ? 1 : 0);
+  return path.Vertices.size() - (IsWholeIsland(path) ? 1 : 0);
+}
+
+// Adds an open path; a loop as two.
+void AddOpen(const BoundaryPath& path, std::vector<BoundaryPath>& opens)
+{
+  const auto& vertices = path.Vertices;
+  const auto middle =
+    vertices.begin() + static_cast<std::ptrdiff_t>(IsLoop(path) ? vertices.size() / 2 : 0);
+  if (middle != vertices.begin())
+  {
+    opens.push_back({ { vertices.begin(), middle + 1 }, Open, path.IsIsland });
+  }
+  opens.push_back({ { middle, vertices.end() }, Open, path.IsIsland });
 }
 
 void WritePath(const BoundaryPath& path, std::ostream& file)
@@ -205,7 +222,7 @@ void WriteLand(const std::vector<BoundaryPath>& paths, std::ostream& file)
        << TotalSize(paths) << " = number of their nodes\n";
   for (const BoundaryPath& path : paths)
   {
-    file << SizeOf(path) << " " << (path.IsIsland ? Island : Mainland) << "\n";
+    file << SizeOf(path) << " " << (IsWholeIsland(path) ? Island : Mainland) << "\n";
     WritePath(path, file);
   }
 }
@@ -217,7 +234,7 @@ bool EndsWith(const std::string& name, const std::string& end)
   return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
 }
 
-bool AreEdgesOfTriangles(const MeshFile& mesh)
+std::size_t CountEdgesOfNoTriangle(const MeshFile& mesh)
 {
   std::vector<Edge> sides;
   sides.reserve(3 * mesh.Triangles.size());
@@ -229,9 +246,73 @@ bool AreEdgesOfTriangles(const MeshFile& mesh)
     }
   }
   std::sort(sides.begin(), sides.end());
-  return std::all_of(mesh.Edges.begin(), mesh.Edges.end(),
+  return static_cast<std::size_t>(std::count_if(mesh.Edges.begin(), mesh.Edges.end(),
     [&sides](const Edge& edge)
-    { return std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); });
+    { return !std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); }));
+}
+
+void OrientUpwards(MeshFile& mesh)
+{
+  for (auto& triangle : mesh.Triangles)
+  {
+    if (Area(mesh, triangle) < 0.0)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+}
+
+bool IsBoundaryOfLoops(const MeshFile& mesh)
+{
+  std::vector<Edge> sides;
+  sides.reserve(3 * mesh.Triangles.size());
+  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sides.push_back({ triangle[k], triangle[(k + 1) % 3] });
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+}
+
+std::string FindOpenTags(const MeshFile& mesh, const std::string& names, std::vector<bool>& areOpen)
+{
+  constexpr const char* separators = " \t\n\r,";
+  areOpen.assign(mesh.Tags.size(), false);
+  std::vector<bool> areOfBoundary(mesh.Tags.size() + 1, false);
+  std::vector<std::size_t> labels(mesh.Tags.size() + 1);
+  std::iota(labels.begin(), labels.end(), 0);
+  for (const BoundaryPath& path : BoundaryPaths(mesh, labels))
+  {
+    areOfBoundary[path.Label] = true;
+  }
+  std::size_t begin = names.find_first_not_of(separators);
+  while (begin < names.size())
+  {
+    std::size_t longest = 0;
+    std::size_t found = mesh.Tags.size();
+    for (std::size_t tag = 0; tag < mesh.Tags.size(); ++tag)
+    {
+      const std::string& name = mesh.Tags[tag].Name;
+      const std::size_t end = begin + name.size();
+      const bool isHere = areOfBoundary[tag] && names.compare(begin, name.size(), name) == 0 &&
+        (end >= names.size() || std::string(separators).find(names[end]) != std::string::npos);
+      if (isHere && name.size() > longest)
+      {
+        longest = name.size();
+        found = tag;
+      }
+    }
+    if (found == mesh.Tags.size())
+    {
+      return names.substr(begin, names.find_first_of(separators, begin) - begin);
+    }
+    areOpen[found] = true;
+    begin = names.find_first_not_of(separators, begin + longest);
+  }
+  return {};
 }
 
 std::vector<BoundaryPath> BoundaryPaths(
@@ -272,7 +353,7 @@ void WriteSU2(const MeshFile& mesh, std::ostream& file)
   WriteMarkers(mesh, file);
 }
 
-void WriteADCIRC(const MeshFile& mesh, const std::vector<std::string>& open, std::ostream& file)
+void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file)
 {
   file.precision(DigitsOfDouble);
   file << "grid\n" << mesh.Triangles.size() << " " << mesh.Points.size() << "\n";
@@ -289,9 +370,18 @@ void WriteADCIRC(const MeshFile& mesh, const std::vector<std::string>& open, std
   }
   std::vector<BoundaryPath> opens;
   std::vector<BoundaryPath> lands;
-  for (const BoundaryPath& path : BoundaryPaths(mesh, OpenLabels(mesh, open)))
+  std::vector<std::size_t> labels(areOpen.begin(), areOpen.end());
+  labels.push_back(0);
+  for (const BoundaryPath& path : BoundaryPaths(mesh, labels))
   {
-    (path.Label == Open ? opens : lands).push_back(path);
+    if (path.Label == Open)
+    {
+      AddOpen(path, opens);
+    }
+    else
+    {
+      lands.push_back(path);
+    }
   }
   WriteOpen(opens, file);
   WriteLand(lands, file);

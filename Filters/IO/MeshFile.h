@@ -46,8 +46,15 @@ struct MeshFile
   std::vector<MeshGroup> Tags;
 };
 
-/// Whether each edge is one of the triangles, and not of another mesh with the same vertices.
-bool AreEdgesOfTriangles(const MeshFile& mesh);
+/// The number of edges that are no side of a triangle, as those of another mesh with the same
+/// vertices.
+std::size_t CountEdgesOfNoTriangle(const MeshFile& mesh);
+
+/// Turns triangles that are clockwise in x and y, as the formats of the plane want them.
+void OrientUpwards(MeshFile& mesh);
+
+/// Whether each side has at most one triangle on its left: then the boundary is loops.
+bool IsBoundaryOfLoops(const MeshFile& mesh);
 
 /// A path along the boundary with one label, the domain on its left; closed where its ends agree.
 struct BoundaryPath
@@ -62,16 +69,23 @@ struct BoundaryPath
 std::vector<BoundaryPath> BoundaryPaths(
   const MeshFile& mesh, const std::vector<std::size_t>& labels);
 
+/// Which of the tags an edge of the boundary has and `names` lists, with blanks or commas between:
+/// where several tags begin alike, the longest that is there. A flag a tag.
+/// Returns the first word that is no such tag; empty where all are.
+std::string FindOpenTags(
+  const MeshFile& mesh, const std::string& names, std::vector<bool>& areOpen);
+
 /// Gmsh 4.1, ASCII: regions and tags as physical groups of triangles and edges.
 void WriteGmsh(const MeshFile& mesh, std::ostream& file);
 
 /// SU2: x and y; the tags of the boundary as markers. Interfaces and regions are left out: the
-/// format has no place for them.
+/// format has no place for them. Expects IsBoundaryOfLoops.
 void WriteSU2(const MeshFile& mesh, std::ostream& file);
 
-/// ADCIRC grid (fort.14): x, y and depth; boundary with one of the tags `open` as open, the rest as
-/// mainland (type 0) and islands (type 1).
-void WriteADCIRC(const MeshFile& mesh, const std::vector<std::string>& open, std::ostream& file);
+/// ADCIRC grid (fort.14): x, y and depth; boundary with one of the tags that are open as open, the
+/// rest as land: islands (type 1) around holes of land only, else mainland (type 0). A loop that is
+/// all open is two open boundaries, since none may be a loop. Expects IsBoundaryOfLoops.
+void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file);
 
 } // namespace biting
 

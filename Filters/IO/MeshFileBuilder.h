@@ -4,74 +4,27 @@
 #ifndef BitingMeshFileBuilder_h
 #define BitingMeshFileBuilder_h
 
+#include "MeshFileLines.h"
 #include "MeshFileReading.h"
 
 #include <array>      // for corners
 #include <cstddef>    // for counts
 #include <cstdint>    // for numbers
 #include <functional> // for names of groups
-#include <istream>    // for files
 #include <map>        // for numbers of vertices and groups
-#include <sstream>    // for words
-#include <string>     // for lines
+#include <string>     // for sentences
 #include <utility>    // for pair
 #include <vector>     // for lists
 
-/** What the readers of mesh files have in common: lines of words, and a mesh by numbers. */
 namespace biting
 {
 
-/// The lines of a file that are not empty, each as words, up to the sign of a comment.
-class MeshFileLines
+/// A kind of cell of a file: 2 corners of an edge, 3 of a triangle, 4 of a quad, first among the
+/// vertices that are listed. One corner: a point; none: a cell that is passed over.
+struct MeshFileCell
 {
-public:
-  explicit MeshFileLines(std::istream& file, char comment = '\n');
-
-  /// Goes to the next line; false at the end of the file.
-  bool Next();
-
-  /// Passes over a line, empty or not; false at the end of the file.
-  bool PassTitle();
-
-  /// Goes to the next line and reads values from its beginning.
-  template <typename... Values>
-  bool Read(Values&... values)
-  {
-    return this->Next() && this->More(values...);
-  }
-
-  /// Reads further values of this line.
-  template <typename... Values>
-  bool More(Values&... values)
-  {
-    return static_cast<bool>((this->Words >> ... >> values));
-  }
-
-  /// What stands between the first and the last quotation mark of this line.
-  bool Quoted(std::string& text) const;
-
-  /// The words before and after the first equals sign; false where there is none.
-  bool Assignment(std::string& key, std::string& value) const;
-
-  /// That something else than this line was expected.
-  std::string Expected(const std::string& what) const;
-
-private:
-  std::istream& File;
-  char Comment;
-  std::string Text;
-  std::istringstream Words;
-  std::size_t Number = 0;
-  bool IsAtEnd = false;
-};
-
-/// What a cell of a file is for us.
-enum class MeshFileCell
-{
-  Triangle,
-  Edge,
-  Point,
-  Other
+  std::size_t Corners = 0;
+  std::size_t Vertices = 0;
 };
 
 /// Makes a mesh of vertices that have numbers, and of cells that name these, in any order.
@@ -87,34 +40,64 @@ public:
 
   MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh);
 
-  ReadingResult Result;
-
   /// Says that this line is not what it should be; returns false.
   bool Fail(const std::string& what);
 
+  /// Says something of the file that the mesh does not have.
+  void Remark(const std::string& sentence);
+
   bool AddVertex(std::int64_t number, const std::array<double, 3>& place);
-  void AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group);
+  bool AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group);
 
-  /// Reads the corners that follow in this line; a cell that is no triangle or edge is passed over.
-  bool ReadCell(MeshFileCell cell, const Group& group);
+  /// Reads the vertices that follow in this line.
+  bool ReadCell(const MeshFileCell& kind, const Group& group);
 
-  /// Puts vertices in the place of numbers, and joins groups of one number. Where no cell has a
-  /// number, curves and surfaces are the groups.
+  /// Notes that cells of a dimension are also in a group that is left out.
+  void LeaveOut(int dimension, std::int64_t group, std::size_t cells);
+
+  /// Puts vertices in the place of numbers, reads repeated cells once, divides quads, and joins
+  /// groups of one number. Where no cell of a dimension has a number, curves or surfaces are the
+  /// groups.
   ReadingResult Finish(const NameOf& nameOf);
 
 private:
+  struct Cell
+  {
+    std::array<std::int64_t, 4> Corners{ -1, -1, -1, -1 };
+    std::size_t Size = 0;
+    std::size_t Group = 0; // index into those of the dimension
+    std::int64_t GroupNumber = 0;
+    std::size_t Line = 0;
+
+    int Dimension() const { return this->Size == 2 ? 1 : 2; }
+  };
   using Groups = std::map<Group, std::size_t>;
 
-  template <std::size_t Size>
-  bool ReadCorners(std::vector<std::array<std::int64_t, Size>>& cells);
-  template <std::size_t Size>
-  bool FindVertices(std::vector<std::array<std::int64_t, Size>>& cells);
+  Groups& GroupsOf(int dimension) { return this->AllGroups[dimension == 1 ? 0 : 1]; }
+  bool Add(Cell& cell, const Group& group);
+  bool FindVertices();
+  bool FindVertex(std::size_t line, std::int64_t& number);
+  void PassRepeatedCells();
+  void Choose(const std::vector<std::size_t>& repeated, std::vector<bool>& isPassed);
+  bool AddCells();
+  bool AddQuad(const Cell& cell);
+  void RemoveMiddles();
+  void MakeGroups(int dimension, const NameOf& nameOf, std::vector<std::size_t>& ofCells,
+    std::vector<MeshGroup>& groups);
+  void AddRemarks(const NameOf& nameOf);
 
   MeshFileLines& In;
   MeshFile& Mesh;
+  ReadingResult Result;
   std::map<std::int64_t, MeshFile::Vertex> Vertices;
-  Groups Regions;
-  Groups Tags;
+  std::vector<Cell> Cells;
+  std::vector<std::pair<std::int64_t, std::size_t>> Middles; // of cells of order 2, with lines
+  std::array<Groups, 2> AllGroups;                           // of edges, of triangles
+  std::map<std::pair<int, std::int64_t>, std::size_t> OtherGroups; // how many cells, by number
+  std::size_t PassedOver = 0;
+  std::size_t Repeated = 0;
+  std::size_t Quads = 0;
+  std::size_t OfOrderTwo = 0;
 };
 
 } // namespace biting

@@ -3,8 +3,8 @@
 
 #include "MeshFileBuilder.h"
 
-#include <algorithm> // for all_of, max
-#include <cstdlib>   // for atoll
+#include <algorithm> // for all_of, find
+#include <set>       // for keys
 
 namespace biting
 {
@@ -15,31 +15,48 @@ namespace
 // The types of VTK.
 MeshFileCell CellInSU2(int type)
 {
-  constexpr int edge = 3;
-  constexpr int triangle = 5;
-  return type == triangle ? MeshFileCell::Triangle
-    : type == edge        ? MeshFileCell::Edge
-                          : MeshFileCell::Other;
+  switch (type)
+  {
+    case 1:
+      return { 1, 1 };
+    case 3:
+      return { 2, 2 };
+    case 5:
+      return { 3, 3 };
+    case 9:
+      return { 4, 4 };
+    case 21:
+      return { 2, 3 };
+    case 22:
+      return { 3, 6 };
+    case 23:
+      return { 4, 8 };
+    default:
+      return {};
+  }
 }
 
-// NPOIN may have a second number, which does not count.
-std::size_t Count(const std::string& text)
+// The first word counts: NPOIN may have a second number.
+bool ReadCount(const std::string& text, std::size_t& count)
 {
-  return static_cast<std::size_t>(std::max(0LL, std::atoll(text.c_str())));
+  return ReadWhole(text.substr(0, text.find_first_of(" \t")), count);
 }
 
 // Markers that are called by numbers keep these.
 void NumberByNames(std::vector<MeshGroup>& tags)
 {
-  const bool areNumbers = std::all_of(tags.begin(), tags.end(),
-    [](const MeshGroup& tag)
-    {
-      return std::atoll(tag.Name.c_str()) > 0 &&
-        tag.Name.find_first_not_of("0123456789") == std::string::npos;
-    });
-  for (MeshGroup& tag : tags)
+  const auto numberOf = [](const MeshGroup& tag)
   {
-    tag.Number = areNumbers ? std::atoll(tag.Name.c_str()) : tag.Number;
+    int number = 0;
+    return ReadWhole(tag.Name, number) && std::to_string(number) == tag.Name ? number : 0;
+  };
+  if (std::all_of(
+        tags.begin(), tags.end(), [&numberOf](const MeshGroup& tag) { return numberOf(tag) > 0; }))
+  {
+    for (MeshGroup& tag : tags)
+    {
+      tag.Number = numberOf(tag);
+    }
   }
 }
 
@@ -58,6 +75,16 @@ public:
     while (isRead && this->In.Next())
     {
       isRead = this->ReadSection();
+    }
+    for (const char* key : { "NDIME", "NELEM", "NPOIN", "NMARK" })
+    {
+      isRead = isRead &&
+        (this->Keys.count(key) > 0 || this->Out.Fail("the line " + std::string(key) + "="));
+    }
+    if (isRead && this->ReadMarkers != this->NumberOfMarkers)
+    {
+      this->Out.Fail(std::to_string(this->NumberOfMarkers) + " markers in place of " +
+        std::to_string(this->ReadMarkers));
     }
     return this->Out.Finish([this](int dimension, std::int64_t number)
       { return dimension == 1 ? this->NameOf(number) : std::string(); });
@@ -79,24 +106,44 @@ private:
       return this->IsPassing || this->Out.Fail("NDIME=, NELEM=, NPOIN=, NMARK= or MARKER_TAG=");
     }
     this->IsPassing = false;
-    if (key == "NDIME")
-    {
-      return value == "2" || this->Out.Fail("NDIME= 2");
-    }
-    if (key == "NELEM")
-    {
-      return this->ReadCells(Count(value), 0);
-    }
-    if (key == "NPOIN")
-    {
-      return this->ReadPoints(Count(value));
-    }
     if (key == "MARKER_TAG")
     {
       return this->ReadMarker(value);
     }
+    if (key == "NDIME" || key == "NELEM" || key == "NPOIN" || key == "NMARK" || key == "NZONE")
+    {
+      return (this->Keys.insert(key).second || this->Out.Fail("no second " + key + "=")) &&
+        this->ReadCounted(key, value);
+    }
     this->IsPassing = key.rfind("FFD_", 0) == 0 || key.rfind("PERIODIC_", 0) == 0;
     return true;
+  }
+
+  bool ReadCounted(const std::string& key, const std::string& value)
+  {
+    std::size_t count = 0;
+    if (!ReadCount(value, count))
+    {
+      return this->Out.Fail("a number after " + key + "=");
+    }
+    if (key == "NDIME" || key == "NZONE")
+    {
+      const std::size_t wanted = key == "NDIME" ? 2 : 1;
+      return count == wanted || this->Out.Fail(key + "= " + std::to_string(wanted));
+    }
+    if (key == "NMARK")
+    {
+      this->NumberOfMarkers = count;
+      return true;
+    }
+    return key == "NELEM" ? this->ReadCells(count, 0) : this->ReadPoints(count);
+  }
+
+  // The number of the element, or of the point, may end a line.
+  bool EndLine()
+  {
+    return this->In.IsRead() || (this->In.PassNumber() && this->In.IsRead()) ||
+      this->Out.Fail("no more numbers than belong there");
   }
 
   bool ReadCells(std::size_t count, std::int64_t group)
@@ -105,8 +152,14 @@ private:
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
       int type = 0;
-      isRead = (this->In.Read(type) || this->Out.Fail("an element")) &&
-        this->Out.ReadCell(CellInSU2(type), { group, 0 });
+      isRead = this->In.Read(type) || this->Out.Fail("an element");
+      const MeshFileCell cell = CellInSU2(type);
+      isRead = isRead &&
+        (group == 0 || cell.Corners == 1 || cell.Corners == 2 ||
+          this->Out.Fail("an edge of a marker"));
+      // Of other cells, and points with what turns them, nothing is known of the rest.
+      isRead =
+        isRead && this->Out.ReadCell(cell, { group, 0 }) && (cell.Corners < 2 || this->EndLine());
     }
     return isRead;
   }
@@ -118,24 +171,35 @@ private:
     {
       std::array<double, 3> place{};
       isRead = (this->In.Read(place[0], place[1]) || this->Out.Fail("a point")) &&
-        this->Out.AddVertex(static_cast<std::int64_t>(k), place);
+        this->EndLine() && this->Out.AddVertex(static_cast<std::int64_t>(k), place);
     }
     return isRead;
   }
 
+  // A name that is there again is the same marker.
   bool ReadMarker(const std::string& name)
   {
     std::string key;
-    std::string count;
-    this->Markers.push_back(name);
-    return ((this->In.Next() && this->In.Assignment(key, count) && key == "MARKER_ELEMS") ||
-             this->Out.Fail("MARKER_ELEMS=")) &&
-      this->ReadCells(Count(count), static_cast<std::int64_t>(this->Markers.size()));
+    std::string text;
+    std::size_t count = 0;
+    ++this->ReadMarkers;
+    auto marker = std::find(this->Markers.begin(), this->Markers.end(), name);
+    if (marker == this->Markers.end())
+    {
+      marker = this->Markers.insert(marker, name);
+    }
+    return ((!name.empty() && this->In.Next() && this->In.Assignment(key, text) &&
+              key == "MARKER_ELEMS" && ReadCount(text, count)) ||
+             this->Out.Fail("the name of a marker, and MARKER_ELEMS=")) &&
+      this->ReadCells(count, marker - this->Markers.begin() + 1);
   }
 
   MeshFileLines& In;
   MeshFileBuilder Out;
+  std::set<std::string> Keys;
   std::vector<std::string> Markers;
+  std::size_t NumberOfMarkers = 0;
+  std::size_t ReadMarkers = 0;
   bool IsPassing = false; // over the lines of what we have no use for
 };
 
@@ -143,7 +207,7 @@ private:
 
 ReadingResult ReadSU2(std::istream& file, MeshFile& mesh)
 {
-  MeshFileLines lines(file, '%');
+  MeshFileLines lines(file, MeshFileDialect::SU2);
   const ReadingResult result = SU2Reading(lines, mesh).Read();
   NumberByNames(mesh.Tags);
   return result;

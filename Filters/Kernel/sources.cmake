@@ -123,6 +123,7 @@ set(biting_kernel_sources
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
   Quality/MeshParts.cxx
+  Quality/QuadDiagonal.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx

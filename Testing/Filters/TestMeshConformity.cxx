@@ -343,12 +343,15 @@ TEST(MeshConformity, WarnsOfWhatIsNoGoodMeshAndMeasuresIt)
 TEST(MeshConformity, RefusesOtherCellsAndNamesTheFirst)
 {
   auto input = FourTriangles();
-  input->GetPolys()->InsertNextCell(
-    { vtkIdType{ 0 }, vtkIdType{ 1 }, vtkIdType{ 2 }, vtkIdType{ 3 } });
-  EXPECT_TRUE(Has(RefusalOf(input), "Cell 4 is a vtkPolygon with 4 points"));
+  const std::vector<vtkIdType> corners{ 0, 1, 2, 3, 4 };
+  input->GetPolys()->InsertNextCell(5, corners.data());
+  EXPECT_TRUE(Has(RefusalOf(input), "Cell 4 is a vtkPolygon with 5 points"));
   const auto grid = AsGrid(FourTriangles());
-  grid->InsertNextCell(VTK_QUAD, 4, std::vector<vtkIdType>{ 0, 1, 2, 3 }.data());
-  EXPECT_TRUE(Has(RefusalOf(grid), "Cell 4 is a vtkQuad with 4 points"));
+  grid->InsertNextCell(VTK_POLYGON, 5, corners.data());
+  EXPECT_TRUE(Has(RefusalOf(grid), "Cell 4 is a vtkPolygon with 5 points"));
+  const auto crossing = AsGrid(FourTriangles());
+  crossing->InsertNextCell(VTK_QUAD, 4, std::vector<vtkIdType>{ 0, 2, 1, 3 }.data());
+  EXPECT_TRUE(Has(RefusalOf(crossing), "Cell 4 is a vtkQuad with 4 points"));
 }
 
 TEST(MeshConformity, RefusesWhatCannotBeMeasured)

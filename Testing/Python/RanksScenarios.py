@@ -14,6 +14,7 @@ import json
 import math
 import os
 import sys
+import tempfile
 
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -365,6 +366,23 @@ def other_filters(answer):
     mesher = BitingMesher(Input=drawing('Divided'), UniformSpacing=1.0)
     answer['Remesher.Mesh'] = run(BitingRemesher(
         Input=mesher, TaggedLines=simple.OutputPort(mesher, 1), SpacingScale=0.5), (0, 1, 3))
+
+
+def writers(answer):
+    """Files for solvers: the first rank gathers, and writes the bytes of the serial run."""
+    mesher = BitingMesher(Input=drawing('Divided'), UniformSpacing=0.4, VerticesPerBlock=400)
+    remesher = BitingRemesher(
+        Input=mesher, TaggedLines=simple.OutputPort(mesher, 1), SpacingScale=1.5)
+    for name, source in (('Mesher', mesher), ('Remesher', remesher)):
+        digests = []
+        with tempfile.TemporaryDirectory() as folder:
+            for end, settings in (('msh', {}), ('su2', {}), ('14', {'OpenTags': '0 2'})):
+                path = os.path.join(folder, 'mesh.' + end)
+                simple.SaveData(path, proxy=source, **settings)
+                with open(path, 'rb') as file:
+                    text = file.read()
+                digests.append('%d bytes, %s' % (len(text), hashlib.sha256(text).hexdigest()[:16]))
+        answer['Written.' + name] = {'digests': digests, 'ids': [], 'messages': 0}
 
 
 def separate_blocks(answer):

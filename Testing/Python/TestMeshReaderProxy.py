@@ -195,6 +195,26 @@ class TestMeshReaderProxy(unittest.TestCase):
         self.assertEqual([depths.GetValue(k) for k in range(4)], [5.5, 6, 7, -1])
         self.assertEqual(cells_of(edges, 'TagName')[-1][1], 'land, type 0')
 
+    def test_what_the_mesh_has_not_of_a_file_is_said_in_warnings(self):
+        quad = SU2.replace('NELEM=2 ', 'NELEM=1 ').replace('5 0 1 2\n5 0 2 3', '9 0 1 2 3')
+        weir = ADCIRC.replace('3 0 = a land boundary\n1\n2\n3', '3 23\n1 2 1\n2 2 1\n3 2 1')
+        twice = GMSH_2.replace('Elements\n5', 'Elements\n6').replace(
+            '$EndElements', '6 2 2 4 1 10 20 30\n$EndElements')
+        for name, text, words in (('quad.su2', quad, 'quad is divided'), ('weir.14', weir, 'heights'),
+                                  ('twice.msh', twice, 'triangles in 4 (1)')):
+            warnings = []
+
+            @calldata_type(VTK_STRING)
+            def note(_reader, _event, text, warnings=warnings):
+                warnings.append(text)
+
+            reader = simple.OpenDataFile(self.path_of(name, text))
+            reader.GetClientSideObject().AddObserver('WarningEvent', note)
+            reader.UpdatePipeline()
+            self.assertEqual(len(warnings), 1, name)
+            self.assertIn(words, warnings[0])
+            self.assertEqual(simple.FetchData(reader)[0].GetNumberOfCells(), 2)
+
     def test_an_edge_among_elements_of_SU2_has_no_name(self):
         text = SU2.replace('NELEM=2 ', 'NELEM=3 ').replace('5 0 2 3', '5 0 2 3\n3 2 3')
         _, edges = self.read(self.path_of('edge.su2', text))

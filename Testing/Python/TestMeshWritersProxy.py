@@ -329,16 +329,69 @@ class TestMeshWritersProxy(unittest.TestCase):
             corners = turned([mesh.GetCell(cell).GetPointId(k) for k in range(3)])
             self.assertEqual(triangles[corners], (5, 4, 2)[cell % 3])
 
-    def refuse(self, name, mesh):
-        """An error, and no file."""
+    def refuse(self, name, mesh, **settings):
+        """An error, and no file, or the one that was there."""
         writer = vtkBitingMeshWriter()
         writer.SetFileName(os.path.join(self.folder.name, name))
         writer.SetInputDataObject(mesh)
+        for setting, value in settings.items():
+            getattr(writer, 'Set' + setting)(value)
         errors = []
         writer.AddObserver('ErrorEvent', lambda *unused: errors.append(1))
         writer.Write()
         self.assertEqual(len(errors), 1)
         self.assertFalse(os.path.exists(writer.GetFileName()))
+        with open(writer.GetFileName(), 'w', encoding='ascii') as file:
+            file.write('before')
+        writer.Write()
+        with open(writer.GetFileName(), encoding='ascii') as file:
+            self.assertEqual(file.read(), 'before')
+        os.remove(writer.GetFileName())
+        self.assertFalse([name for name in os.listdir(self.folder.name) if name.endswith('.part')])
+
+    def test_depths_that_are_not_there_are_an_error_and_no_file(self):
+        mesh = vtkPolyData()
+        mesh.DeepCopy(self.mesh)
+        for name, size, value in (('Depth', 1, math.nan), ('Far', 1, math.inf), ('Vectors', 3, 0)):
+            depths = vtkDoubleArray()
+            depths.SetName(name)
+            depths.SetNumberOfComponents(size)
+            depths.SetNumberOfTuples(mesh.GetNumberOfPoints())
+            depths.Fill(0.0)
+            depths.SetComponent(7, 0, value)
+            mesh.GetPointData().AddArray(depths)
+            self.refuse('depths.14', mesh, DepthArray=name)
+        self.refuse('depths.14', mesh, DepthArray='Bathymetry')
+
+    def test_tags_that_no_edge_has_cannot_be_open(self):
+        self.refuse('unknown.14', self.mesh, OpenTags='99')
+
+    def test_triangles_that_overlap_are_an_error_and_no_file(self):
+        mesh = vtkPolyData()
+        mesh.DeepCopy(self.mesh)
+        mesh.GetCellData().Initialize()
+        mesh.GetPolys().InsertNextCell(self.mesh.GetCell(5).GetPointIds())
+        mesh.BuildCells()
+        for name in ('twice.su2', 'twice.14'):
+            self.refuse(name, mesh)
+
+    def test_coordinates_that_are_not_finite_are_an_error_and_no_file(self):
+        mesh = vtkPolyData()
+        mesh.DeepCopy(self.mesh)
+        mesh.GetPoints().SetPoint(3, math.nan, 0, 0)
+        for name in ('nan.msh', 'nan.su2', 'nan.14'):
+            self.refuse(name, mesh)
+
+    def test_blanks_in_tags_are_no_blanks_in_names_of_markers_and_can_be_open(self):
+        tags = vtkStringArray()
+        for tag in ('open sea', 'open_sea', 'a,b', '50%'):
+            tags.InsertNextValue(tag)
+        path = os.path.join(self.folder.name, 'blanks.su2')
+        write_square(path, tags)
+        self.assertEqual(set(read_su2(path)[2].values()), {'open_sea', 'open_sea_', 'a_b', '50_'})
+        path = os.path.join(self.folder.name, 'blanks.14')
+        write_square(path, tags, open_tags='open sea 50% a,b')
+        self.assertEqual(len(read_adcirc(path)[2][1]), 1)
 
     def test_cells_whose_points_do_not_exist_are_an_error_and_no_file(self):
         mesh = vtkPolyData()
