@@ -261,7 +261,8 @@ public:
     SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
     FINE_DRAWING = 20,      ///< without BoundaryTolerance: it decides the mesh; no place
     BAD_TRIANGLES = 21,     ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
-    FLAT_TRIANGLES = 22     ///< of vtkBitingRemesher: without area, mended (cell)
+    FLAT_TRIANGLES = 22,    ///< of vtkBitingRemesher: without area, mended (cell)
+    NEAR_MISSES = 23        ///< nearer than 0.01 f, and do not meet (cell, cell)
   };
 
   enum BiteShapeType

@@ -190,6 +190,7 @@ set(biting_kernel_sources
   FineDrawing.cxx
   FinishedMesh.cxx
   NarrowAngles.cxx
+  NearMisses.cxx
   PreparedSpacing.cxx
   RaisedSpacing.cxx
   RemeshRegion.cxx)

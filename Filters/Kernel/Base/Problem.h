@@ -51,6 +51,9 @@ enum class ProblemCode
                 ///< overlap)
   // Repaired, like the first.
   FlatTriangles, ///< without area, in a mesh that is changed (ids: cell)
+  // Meshed, and told.
+  NearMisses, ///< a vertex that nearly meets a segment or an embedded point (ids: cell, cell; NoId
+              ///< for an embedded point)
   Aborted        ///< the monitor asked to stop; not an error
 };
 
