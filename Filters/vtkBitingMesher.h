@@ -267,7 +267,8 @@ public:
     BAD_TRIANGLES = 21,     ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
     FLAT_TRIANGLES = 22,    ///< of vtkBitingRemesher: without area, mended (cell)
     JOINED_ENDS = 23,       ///< open ends that nearly touched something (point; cell)
-    OPEN_OUTLINES = 24      ///< would bound the domain, but for gaps (point; point)
+    OPEN_OUTLINES = 24,     ///< would bound the domain, but for gaps (point; point)
+    NEAR_MISSES = 25        ///< nearer than 0.01 f, and do not meet (cell, cell)
   };
 
   enum BiteShapeType

@@ -50,6 +50,10 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::NarrowAngles:
       return { "Angles below 0.01 degrees between segments", "cell", "cell",
         "Triangles there are as thin." };
+    case ProblemCode::NearMisses:
+      return { "Segments that nearly touch", "cell", "cell",
+        "They were left apart: triangles between them are as thin. Where they are meant to meet, "
+        "join them." };
     case ProblemCode::RaisedSpacing:
       return { "The spacing is below the rounding of the coordinates", "", "",
         "Vertices nearer to each other could not be told apart." };

@@ -17,6 +17,7 @@
 #include "Stages/Forecast.h"
 #include "Stages/MeshingStages.h"
 #include "Stages/NarrowAngles.h"
+#include "Stages/NearMisses.h"
 #include "Stages/PreparedSpacing.h"
 #include "Stages/RelaxedBites.h"
 #include "Stages/SoundTriangulation.h"
@@ -36,6 +37,7 @@ namespace
 
 // Where steps end, as shares of the time of their stage.
 constexpr double LocatorEnd = 0.05;
+constexpr double SpacingEnd = 0.95;
 constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
 
@@ -300,11 +302,17 @@ BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& optio
   {
     return {};
   }
-  PartOfStage preparing(whole, LocatorEnd, 1.0);
+  PartOfStage preparing(whole, LocatorEnd, SpacingEnd);
   const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
   const Spacing spacing = PrepareSpacing(options, domain,
     options.LimitByFeatureSize ? FeaturesOf(simplified, mostVertices) : nullptr, problems,
     preparing);
+  if (!IsOver(whole, problems))
+  {
+    PartOfStage looking(whole, SpacingEnd, 1.0);
+    Pulse looks(looking);
+    ReportNearMisses(domain, spacing, input, problems, looks);
+  }
   return IsOver(whole, problems)
     ? BitingMesh()
     : MeshBlocksOrWhole({ simplified, spacing, options, crew }, locator, problems, whole);

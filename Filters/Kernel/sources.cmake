@@ -133,6 +133,7 @@ set(biting_kernel_sources
   Stages/Forecast.cxx
   Stages/MeshAssembly.cxx
   Stages/NarrowAngles.cxx
+  Stages/NearMisses.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx
   Stages/RaisedSpacing.cxx

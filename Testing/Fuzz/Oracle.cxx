@@ -71,6 +71,7 @@ std::size_t ExpectedIds(const Problem& problem)
     case ProblemCode::DuplicatePoints:
     case ProblemCode::NearPoints:
     case ProblemCode::NarrowAngles:
+    case ProblemCode::NearMisses:
     case ProblemCode::ZeroLengthSegments:
     case ProblemCode::DuplicateSegments:
     case ProblemCode::Crossings:

@@ -55,7 +55,10 @@ enum class ProblemCode
   // Refused.
   OpenOutlines, ///< chains that would bound the domain, but for gaps (ids: point, point: the open
                 ///< ends at the largest gap)
-  Aborted       ///< the monitor asked to stop; not an error
+  // Meshed, and told.
+  NearMisses, ///< a vertex that nearly meets a segment or an embedded point (ids: cell, cell; NoId
+              ///< for an embedded point)
+  Aborted     ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

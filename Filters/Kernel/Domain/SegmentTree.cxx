@@ -65,9 +65,9 @@ SegmentTree::SegmentTree(
 }
 
 SegmentTree::SegmentTree(const std::vector<Point2>& points,
-  const std::vector<SegmentEnds>& segments, double margin, Pulse& pulse)
+  const std::vector<SegmentEnds>& segments, const Margins& margins, Pulse& pulse)
 {
-  this->Margin = margin;
+  this->Grown = margins;
   Builder builder(*this, pulse);
   builder.FileItems(points, segments);
   if (!this->Items.empty() && pulse.Ask())
@@ -94,7 +94,7 @@ void SegmentTree::Builder::FileItems(
     item.Shortest = LengthOf(start, end);
     item.Bounds.Add(start);
     item.Bounds.Add(end);
-    item.Bounds.Grow(this->Tree.Margin);
+    item.Bounds.Grow(this->Tree.Grown.Of(item.Shortest));
     item.Ends = ends;
     item.Segment = static_cast<Id>(this->Tree.Items.size());
     item.Rises = (end.X >= start.X) == (end.Y >= start.Y);
@@ -204,7 +204,7 @@ void SegmentTree::Builder::EncloseItems(Node& leaf) const
   }
 }
 
-/// A segment is a diagonal of its box, and stays within 2 Margin of that of the grown box, which
+/// A segment is a diagonal of its box, and stays within two margins of that of the grown box, which
 /// its grown box leaves by no more than that.
 SlantedBox SegmentTree::BoxOf(const Item& item) const
 {
@@ -215,8 +215,9 @@ SlantedBox SegmentTree::BoxOf(const Item& item) const
   const Point2 diagonal{ item.Bounds.Width(), item.Rises ? height : -height };
   const double length = Length(diagonal);
   extent.Axis = length > 0.0 ? (1.0 / length) * diagonal : extent.Axis;
-  extent.Along = 0.5 * length + 4.0 * this->Margin;
-  extent.Across = 4.0 * this->Margin;
+  const double margin = this->Grown.Of(item.Shortest);
+  extent.Along = 0.5 * length + 4.0 * margin;
+  extent.Across = 4.0 * margin;
   return extent;
 }
 

@@ -6,14 +6,16 @@
 
 #include "../Base/Box2.h"
 #include "../Base/Ids.h"
+#include "../Base/Numbers.h" // for Infinity
 #include "../Base/Point2.h"
 #include "../Base/Pulse.h"
 #include "SlantedBox.h"
 
-#include <cmath>   // for abs
-#include <cstddef> // for size_t
-#include <cstdint> // for masks
-#include <vector>  // for nodes and items
+#include <algorithm> // for min
+#include <cmath>     // for abs
+#include <cstddef>   // for size_t
+#include <cstdint>   // for masks
+#include <vector>    // for nodes and items
 
 namespace biting
 {
@@ -39,10 +41,28 @@ struct SegmentEnds
 class SegmentTree
 {
 public:
-  /// `margin` is added to every box, on all sides. Where the monitor wants to stop, the tree is
-  /// left unfinished: not to be asked.
+  /// What is added to a box, on all sides: `Most`, but no more than `PerLength` times the length
+  /// (1-norm) of a segment that has one.
+  struct Margins
+  {
+    double Most;
+    double PerLength;
+
+    Margins(double most = 0.0, double perLength = Infinity)
+      : Most(most)
+      , PerLength(perLength)
+    {
+    }
+
+    double Of(double length) const
+    {
+      return length > 0.0 ? std::min(this->Most, this->PerLength * length) : this->Most;
+    }
+  };
+
+  /// Where the monitor wants to stop, the tree is left unfinished: not to be asked.
   SegmentTree(const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments,
-    double margin, Pulse& pulse);
+    const Margins& margins, Pulse& pulse);
   SegmentTree(
     const std::vector<Point2>& points, const std::vector<SegmentEnds>& segments, double margin);
 
@@ -338,7 +358,7 @@ private:
 
   std::vector<Item> Items;
   std::vector<Node> Nodes;
-  double Margin = 0.0;
+  Margins Grown;
   double Rounding = 0.0; ///< of a cross product with a direction, over the latter's 1-norm
   double Slack = 0.0;    ///< rounding of the sides of slanted boxes
 };

@@ -324,8 +324,8 @@ TEST(BitingMesh, FeaturesBelowTheSpacingAreCovered)
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Box(0.3, 0.5, 0.7, 0.5001).Lines();
   const Polylines holes = PolylineBuilder()
                             .Box(0.0, 0.0, 1.0, 1.0)
-                            .Box(0.2, 0.3, 0.4995, 0.7)
-                            .Box(0.5005, 0.3, 0.8, 0.7)
+                            .Box(0.2, 0.3, 0.4994, 0.7)
+                            .Box(0.5006, 0.3, 0.8, 0.7)
                             .Lines();
   const Polylines disc = PolylineBuilder().Loop(RegularPolygon({ 0.5, 0.5 }, 0.5, 200)).Lines();
   for (FrontOrder order : PaperOrders)

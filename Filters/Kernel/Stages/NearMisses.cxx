@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NearMisses.h"
+
+#include "Base/Numbers.h"
+#include "Biting/Spokes.h"
+#include "Domain/PointWelding.h" // for places of points
+#include "Domain/SegmentTree.h"
+
+#include <algorithm> // for clamp, max, min
+#include <cmath>     // for ceil, floor, log10, pow
+#include <map>       // for what is found
+#include <sstream>   // for figures
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double ShareOfSpacing = 0.01;
+constexpr double ShareOfLength = 0.0175; // the tangent of 1 degree
+
+/// A way along a chain that is not longer than so many distances is the drawing's own: the corner
+/// is no sharper than 5 degrees.
+constexpr double MostWay = 12.0;
+
+Point2 NearestOn(const Point2& a, const Point2& b, const Point2& p)
+{
+  const Point2 side = b - a;
+  const double square = Dot(side, side);
+  return square > 0.0 ? a + std::clamp(Dot(p - a, side) / square, 0.0, 1.0) * side : a;
+}
+
+/// What a vertex nearly meets.
+struct NearMiss
+{
+  double Distance;
+  Id Own;   ///< a segment at the vertex, or the vertex as an embedded point
+  Id Other; ///< the same of what it nearly meets
+};
+
+/// Segments after the domain's own are embedded points, whose length is no measure.
+class NearMissSearch
+{
+public:
+  NearMissSearch(const Domain& domain, const Spacing& spacing, Pulse& pulse)
+    : Geometry(domain)
+    , F(spacing)
+    , Beats(pulse)
+    , Segments(SegmentsOf(domain))
+    , Spokes(domain)
+  {
+  }
+
+  void Run();
+
+  /// By vertex, the nearest.
+  const std::map<Id, NearMiss>& Found() const { return this->Nearest; }
+  double Largest() const { return this->LargestDistance; }
+  const std::vector<SegmentEnds>& AllSegments() const { return this->Segments; }
+
+  // For a SegmentTree.
+  bool GoesOn() { return this->Beats.Beat(); }
+  void SetFraction(double) {}
+  void operator()(Id first, Id second)
+  {
+    const double reach = std::min(this->ReachOf(first), this->ReachOf(second));
+    this->TestVertex(this->Segments[first].Start, first, second, reach);
+    this->TestVertex(this->Segments[first].End, first, second, reach);
+    this->TestVertex(this->Segments[second].Start, second, first, reach);
+    this->TestVertex(this->Segments[second].End, second, first, reach);
+  }
+
+private:
+  static std::vector<SegmentEnds> SegmentsOf(const Domain& domain);
+  double MostReach();
+  double ReachOf(Id segment) const;
+  void TestVertex(Id vertex, Id own, Id other, double reach);
+  void TestTriangles();
+  void TestTriangle(Id apex, const SharpSector& sector);
+  bool AreJoined(Id vertex, Id other, double most) const;
+  bool AreAlong(Id vertex, Id own, Id other, double most) const;
+  void Add(Id vertex, const NearMiss& miss);
+  Id OtherEnd(Id segment, Id vertex) const
+  {
+    const SegmentEnds& ends = this->Segments[segment];
+    return ends.Start == vertex ? ends.End : ends.Start;
+  }
+  Point2 NearestOf(Id segment, const Point2& p) const
+  {
+    return NearestOn(
+      this->At(this->Segments[segment].Start), this->At(this->Segments[segment].End), p);
+  }
+  const Point2& At(Id vertex) const { return this->Geometry.Vertices[vertex]; }
+
+  const Domain& Geometry;
+  const Spacing& F;
+  Pulse& Beats;
+  const std::vector<SegmentEnds> Segments;
+  const SpokesOfVertices Spokes;
+  std::map<Id, NearMiss> Nearest;
+  double LargestDistance = 0.0;
+};
+
+void NearMissSearch::Run()
+{
+  const SegmentTree tree(
+    this->Geometry.Vertices, this->Segments, { this->MostReach(), ShareOfLength }, this->Beats);
+  if (!this->Beats.HasStopped())
+  {
+    tree.VisitPairs(std::vector<std::uint8_t>(this->Segments.size(), 1), *this);
+    this->TestTriangles();
+  }
+}
+
+std::vector<SegmentEnds> NearMissSearch::SegmentsOf(const Domain& domain)
+{
+  std::vector<SegmentEnds> segments;
+  segments.reserve(domain.Starts.size());
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
+  }
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (domain.IsEmbedded[vertex] != 0)
+    {
+      segments.push_back({ vertex, vertex });
+    }
+  }
+  return segments;
+}
+
+double NearMissSearch::MostReach()
+{
+  double most = 0.0;
+  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
+  {
+    most = std::max(most, ShareOfSpacing * this->F.BeforeFeatures(this->At(vertex)));
+  }
+  return most;
+}
+
+double NearMissSearch::ReachOf(Id segment) const
+{
+  const SegmentEnds& ends = this->Segments[segment];
+  return ends.Start == ends.End
+    ? Infinity
+    : ShareOfLength * Distance(this->At(ends.Start), this->At(ends.End));
+}
+
+void NearMissSearch::TestVertex(Id vertex, Id own, Id other, double reach)
+{
+  const Point2& place = this->At(vertex);
+  const double distance = Distance(place, this->NearestOf(other, place));
+  if (distance < reach && distance < ShareOfSpacing * this->F.BeforeFeatures(place) &&
+    (!this->AreJoined(vertex, other, MostWay * distance) ||
+      this->AreAlong(vertex, own, other, 0.5 * reach)))
+  {
+    this->Add(vertex, { distance, own, other });
+  }
+}
+
+void NearMissSearch::Add(Id vertex, const NearMiss& miss)
+{
+  NearMiss& nearest = this->Nearest.emplace(vertex, miss).first->second;
+  nearest = miss.Distance < nearest.Distance ? miss : nearest;
+  this->LargestDistance = std::max(this->LargestDistance, miss.Distance);
+}
+
+/// Whether a chain leads from the vertex to an end of the other segment, on a way no longer than
+/// `most`.
+bool NearMissSearch::AreJoined(Id vertex, Id other, double most) const
+{
+  for (const Spoke& first : this->Spokes.Around(vertex))
+  {
+    Id segment = first.Segment;
+    Id place = vertex;
+    double way = 0.0;
+    for (bool goesOn = true; goesOn;)
+    {
+      const Id next = this->OtherEnd(segment, place);
+      way += Distance(this->At(place), this->At(next));
+      if (way <= most && this->Segments[other].Has(next))
+      {
+        return true;
+      }
+      const std::vector<Spoke> spokes = this->Spokes.Around(next);
+      goesOn = way <= most && spokes.size() == 2;
+      segment = goesOn && spokes[0].Segment == segment ? spokes[1].Segment : spokes[0].Segment;
+      place = next;
+    }
+  }
+  return false;
+}
+
+/// Whether the middle of the shorter one is that near, through the domain: sides of a thin part.
+bool NearMissSearch::AreAlong(Id vertex, Id own, Id other, double most) const
+{
+  if (std::max(own, other) >= this->Geometry.NumberOfSegments())
+  {
+    return false;
+  }
+  const double way = 0.5 * std::min(this->ReachOf(own), this->ReachOf(other));
+  const Point2& start = this->At(vertex);
+  const Point2 middle =
+    start + way / this->ReachOf(own) * (this->At(this->OtherEnd(own, vertex)) - start);
+  const Point2 gap = this->NearestOf(other, middle) - middle;
+  const SegmentEnds& ends = this->Segments[own];
+  const bool isLeft = Cross(this->At(ends.End) - this->At(ends.Start), gap) > 0.0;
+  return Length(gap) < most &&
+    (isLeft ? this->Geometry.LeftInside : this->Geometry.RightInside)[own] != 0;
+}
+
+void NearMissSearch::TestTriangles()
+{
+  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
+  {
+    for (const SharpSector& sector : this->Spokes.SharpSectorsAt(vertex))
+    {
+      this->TestTriangle(vertex, sector);
+    }
+  }
+}
+
+/// Where the end of the shorter side is joined with that of the longer one.
+void NearMissSearch::TestTriangle(Id apex, const SharpSector& sector)
+{
+  if (Cross(sector.First.Direction, sector.Last.Direction) >= ShareOfLength)
+  {
+    return;
+  }
+  const bool isFirst =
+    Distance(this->At(apex), sector.First.End) < Distance(this->At(apex), sector.Last.End);
+  const Spoke& side = isFirst ? sector.First : sector.Last;
+  const Spoke& base = isFirst ? sector.Last : sector.First;
+  const Id tip = this->OtherEnd(side.Segment, apex);
+  const double distance = Distance(side.End, this->NearestOf(base.Segment, side.End));
+  const double most =
+    std::min(this->ReachOf(side.Segment), ShareOfSpacing * this->F.BeforeFeatures(side.End));
+  for (const Spoke& third : this->Spokes.Around(tip))
+  {
+    if (third.End == base.End && distance < std::min(most, this->ReachOf(third.Segment)))
+    {
+      this->Add(tip, { distance, side.Segment, base.Segment });
+    }
+  }
+}
+
+std::string Figure(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/// The diagonal of the box that MergeTolerance is relative to.
+double DiagonalOf(const Polylines& input)
+{
+  Box2 box;
+  for (const Id point : input.Connectivity)
+  {
+    box.Add(PlaceOf(input, point));
+  }
+  return box.Diagonal();
+}
+
+/// A cell that uses each point.
+std::vector<Id> CellsOfPoints(const Polylines& input)
+{
+  std::vector<Id> cells(input.Points.size(), NoId);
+  for (Id chain = 0; chain < input.NumberOfChains(); ++chain)
+  {
+    for (Id k = input.Offsets[chain]; k < input.Offsets[chain + 1]; ++k)
+    {
+      cells[input.Connectivity[k]] = input.Cells[chain];
+    }
+  }
+  return cells;
+}
+
+/// Of two digits, a little more than `value`.
+double RoundedUp(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return unit * (std::floor(value / unit) + 1.0);
+}
+
+} // namespace
+
+void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polylines& input,
+  ProblemList& problems, Pulse& pulse)
+{
+  NearMissSearch search(domain, spacing, pulse);
+  search.Run();
+  const std::map<Id, NearMiss>& found = search.Found();
+  if (found.empty() || pulse.HasStopped())
+  {
+    return;
+  }
+  double smallest = Infinity;
+  for (const auto& [vertex, miss] : found)
+  {
+    smallest = std::min(smallest, miss.Distance);
+  }
+  const std::vector<Id> cellsOfPoints = CellsOfPoints(input);
+  const auto cellOf = [&domain, &search, &cellsOfPoints](Id segment)
+  {
+    return segment < domain.NumberOfSegments()
+      ? domain.Cells[segment]
+      : cellsOfPoints[domain.VertexPoints[search.AllSegments()[segment].Start]];
+  };
+  const std::string summary = Figure(smallest) + " to " + Figure(search.Largest()) +
+    " apart; MergeTolerance " + Figure(RoundedUp(search.Largest() / DiagonalOf(input))) +
+    " joins them";
+  for (const auto& [vertex, miss] : found)
+  {
+    problems.Add(
+      { ProblemCode::NearMisses, { cellOf(miss.Own), cellOf(miss.Other) }, domain.Vertices[vertex],
+        problems.Has(ProblemCode::NearMisses) ? Figure(miss.Distance) + " apart" : summary });
+  }
+}
+
+} // namespace biting
