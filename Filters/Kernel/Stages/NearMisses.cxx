@@ -3,10 +3,10 @@
 
 #include "NearMisses.h"
 
-#include "Base/Numbers.h"
-#include "Biting/Spokes.h"
-#include "Domain/PointWelding.h" // for places of points
-#include "Domain/SegmentTree.h"
+#include "../Base/Numbers.h"
+#include "../Biting/Spokes.h"
+#include "../Domain/PointWelding.h" // for places of points
+#include "../Domain/SegmentTree.h"
 
 #include <algorithm> // for clamp, max, min
 #include <cmath>     // for ceil, floor, log10, pow

@@ -4,10 +4,10 @@
 #ifndef BitingNearMisses_h
 #define BitingNearMisses_h
 
-#include "Base/Problem.h"
-#include "Base/Pulse.h"
-#include "Domain/Domain.h"
-#include "Spacing/Spacing.h"
+#include "../Base/Problem.h"
+#include "../Base/Pulse.h"
+#include "../Domain/Domain.h"
+#include "../Spacing/Spacing.h"
 
 namespace biting
 {
