@@ -3,7 +3,6 @@
 
 #include "vtkBitingMesher.h"
 
-#include "Bridge/InputTimes.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SummaryText.h"
 #include "Kernel/Base/Problem.h"
@@ -50,29 +49,6 @@ vtkStandardNewMacro(vtkBitingMesher);
 vtkBitingMesher::vtkBitingMesher()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(4);
-  // Made here, so that asking for the choice of arrays while executing changes nothing.
-  this->GetInputArrayInformation(0);
-  this->GetInputArrayInformation(1);
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::SetSpacingSourceData(vtkDataObject* source)
-{
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::SetSpacingSourceConnection(vtkAlgorithmOutput* source)
-{
-  this->SetInputConnection(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingMesher::Stop()
-{
-  this->IsStopping = true;
-  this->SetAbortExecute(1);
 }
 
 //------------------------------------------------------------------------------
@@ -107,24 +83,12 @@ int vtkBitingMesher::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkBitingMesher::RequestInformation(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkBitingMesher::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Before the execution begins: what asks to stop from then on is obeyed.
-  vtkBitingCompat::ForgetAbort(this);
-  this->IsStopping = false;
-  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   this->IsPassingBlocks =
     this->MeshBlocksSeparately && vtkCompositeDataSet::GetData(inputVector[0]) != nullptr;
-  return 1;
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -163,13 +127,7 @@ int vtkBitingMesher::RequestData(
 void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "UniformSpacing: " << this->UniformSpacing << "\n"
-     << indent << "SpacingScale: " << this->SpacingScale << "\n"
-     << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
-     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n"
-     << indent << "Gradation: " << this->Gradation << "\n"
-     << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
-     << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
+  os << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
      << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"
@@ -185,11 +143,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FrontOrder: " << this->FrontOrder << "\n"
      << indent << "MaximumNumberOfBites: " << this->MaximumNumberOfBites << "\n"
      << indent << "VerticesPerBlock: " << this->VerticesPerBlock << "\n"
-     << indent << "Phi: " << this->Phi << "\n"
-     << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
-     << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
-     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
-     << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
+     << indent << "Phi: " << this->Phi << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -8,7 +8,6 @@
 #include "Bridge/ChosenArray.h"
 #include "Bridge/DividedQuads.h"
 #include "Bridge/FilterRun.h"
-#include "Bridge/InputTimes.h"
 #include "Bridge/MeshToPolyData.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/ParameterCheck.h"
@@ -92,22 +91,6 @@ vtkStandardNewMacro(vtkBitingRemesher);
 vtkBitingRemesher::vtkBitingRemesher()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(4);
-  // Made here, so that asking for the choice of arrays while executing changes nothing.
-  this->GetInputArrayInformation(0);
-  this->GetInputArrayInformation(1);
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingRemesher::SetSpacingSourceData(vtkDataObject* source)
-{
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingRemesher::SetSpacingSourceConnection(vtkAlgorithmOutput* source)
-{
-  this->SetInputConnection(1, source);
 }
 
 //------------------------------------------------------------------------------
@@ -123,13 +106,6 @@ void vtkBitingRemesher::SetTaggedLinesConnection(vtkAlgorithmOutput* lines)
 }
 
 //------------------------------------------------------------------------------
-void vtkBitingRemesher::Stop()
-{
-  this->IsStopping = true;
-  this->SetAbortExecute(1);
-}
-
-//------------------------------------------------------------------------------
 int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   const bool isSource = port == 1;
@@ -137,25 +113,6 @@ int vtkBitingRemesher::FillInputPortInformation(int port, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
     isSource ? "vtkCompositeDataSet" : "vtkUnstructuredGrid");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkBitingRemesher::RequestInformation(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return biting::PassTimes(inputVector, this->GetNumberOfInputPorts(), outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkBitingRemesher::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  // Before the execution begins: what asks to stop from then on is obeyed.
-  vtkBitingCompat::ForgetAbort(this);
-  this->IsStopping = false;
-  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -441,25 +398,15 @@ void vtkBitingRemesher::Execution::WriteUnchanged(
 void vtkBitingRemesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "UniformSpacing: " << this->UniformSpacing << "\n"
-     << indent << "SpacingScale: " << this->SpacingScale << "\n"
-     << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
-     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n"
-     << indent << "Gradation: " << this->Gradation << "\n"
-     << indent << "LimitByFeatureSize: " << (this->LimitByFeatureSize ? "on" : "off") << "\n"
-     << indent << "EdgePolicy: " << this->EdgePolicy << "\n"
+  os << indent << "EdgePolicy: " << this->EdgePolicy << "\n"
      << indent << "BoundaryTolerance: " << this->BoundaryTolerance << "\n"
      << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
      << indent << "Preference: " << this->Preference << "\n"
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "FrozenArray: " << this->FrozenArray << "\n"
      << indent << "TransferData: " << (this->TransferData ? "on" : "off") << "\n"
-     << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
      << indent << "Rings: " << this->Rings << "\n"
-     << indent << "RelaxAll: " << (this->RelaxAll ? "on" : "off") << "\n"
-     << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
-     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
-     << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
+     << indent << "RelaxAll: " << (this->RelaxAll ? "on" : "off") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -90,29 +90,21 @@
 #ifndef vtkBitingRemesher_h
 #define vtkBitingRemesher_h
 
+#include "vtkBitingAlgorithm.h"
 #include "vtkBitingCompat.h"        // for the ABI namespace
 #include "vtkBitingFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for names
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
-class VTKBITINGFILTERS_EXPORT vtkBitingRemesher : public vtkPolyDataAlgorithm
+class VTKBITINGFILTERS_EXPORT vtkBitingRemesher : public vtkBitingAlgorithm
 {
 public:
   static vtkBitingRemesher* New();
-  vtkTypeMacro(vtkBitingRemesher, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBitingRemesher, vtkBitingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum OutputPortType
-  {
-    MESH = 0,
-    BOUNDARY_EDGES = 1,
-    BITES = 2,
-    PROBLEMS = 3
-  };
 
   enum EdgePolicyType
   {
@@ -130,71 +122,12 @@ public:
 
   ///@{
   /**
-   * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
-   */
-  void SetSpacingSourceData(vtkDataObject* source);
-  void SetSpacingSourceConnection(vtkAlgorithmOutput* source);
-  ///@}
-
-  ///@{
-  /**
    * Dataset with lines on edges of the mesh, and their tags as cell arrays (port 2). Optional: the
    * lines of the mesh count else, or, where it has none, the boundary edges of the vtkBitingMesher,
    * vtkBitingRemesher or vtkBitingMeshReader from which it comes, as long as its points are theirs.
    */
   void SetTaggedLinesData(vtkDataObject* lines);
   void SetTaggedLinesConnection(vtkAlgorithmOutput* lines);
-  ///@}
-
-  ///@{
-  /**
-   * As of vtkBitingMesher, but that 0 (default) is none in any case: where no source is connected
-   * either, the array of the mesh counts.
-   */
-  vtkSetMacro(UniformSpacing, double);
-  vtkGetMacro(UniformSpacing, double);
-  ///@}
-
-  ///@{
-  /**
-   * Factor on the whole spacing, without unit, > 0. Default 1. Other values: an error.
-   */
-  vtkSetMacro(SpacingScale, double);
-  vtkGetMacro(SpacingScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Bounds of the spacing, in units of the coordinates, >= 0. 0 (default): no bound. Zero and
-   * negative values of an array count as the minimum; without one they are errors. Negative, not
-   * finite, or a minimum above the maximum: an error.
-   */
-  vtkSetMacro(MinimumSpacing, double);
-  vtkGetMacro(MinimumSpacing, double);
-  vtkSetMacro(MaximumSpacing, double);
-  vtkGetMacro(MaximumSpacing, double);
-  ///@}
-
-  ///@{
-  /**
-   * The largest slope that f may have, without unit and >= 0, as of vtkBitingMesher. Default 0.3.
-   * Negative or not finite: an error.
-   */
-  vtkSetMacro(Gradation, double);
-  vtkGetMacro(Gradation, double);
-  ///@}
-
-  ///@{
-  /**
-   * On (default): where the mesh is made anew, f is capped by the local feature size of its
-   * boundary, interfaces and tagged edges, straight parts in one, as in vtkBitingMesher; but for
-   * the distance of features not below the length of the edges that are there, so that what was
-   * capped before is not capped again. Off: it is not capped; near edges that are much shorter than
-   * f triangles are then as thin.
-   */
-  vtkSetMacro(LimitByFeatureSize, bool);
-  vtkGetMacro(LimitByFeatureSize, bool);
-  vtkBooleanMacro(LimitByFeatureSize, bool);
   ///@}
 
   ///@{
@@ -288,16 +221,6 @@ public:
 
   ///@{
   /**
-   * On (default): what is made anew is relaxed, as by vtkBitingMesher, around the vertices that are
-   * kept. Off: it is the triangulation of old and new vertices.
-   */
-  vtkSetMacro(Relaxation, bool);
-  vtkGetMacro(Relaxation, bool);
-  vtkBooleanMacro(Relaxation, bool);
-  ///@}
-
-  ///@{
-  /**
    * How many rings of triangles around what must change are made anew with it, >= 0. Default 2.
    * More: shapes get better along the rim, and fewer vertices are kept.
    */
@@ -316,55 +239,11 @@ public:
   vtkBooleanMacro(RelaxAll, bool);
   ///@}
 
-  ///@{
-  /**
-   * A mesh that would have more vertices, by an estimate, is refused before work begins. At least
-   * 1. Default 20 000 000.
-   */
-  vtkSetMacro(MaximumNumberOfVertices, vtkIdType);
-  vtkGetMacro(MaximumNumberOfVertices, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * How many threads check and measure the mesh, >= 0; it does not depend on it. 0 (default): as
-   * many as there are cores for this process. 1: none is started. Threads come from vtkSMPTools, by
-   * its backend, or by STDThread where that is Sequential.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * On: output 2 is filled. Default off.
-   */
-  vtkSetMacro(GenerateBites, bool);
-  vtkGetMacro(GenerateBites, bool);
-  vtkBooleanMacro(GenerateBites, bool);
-  ///@}
-
-  /**
-   * The mesh in a few lines: what was kept, went and came, and what the mesh is like. Where there
-   * is none, why; empty where there is no input.
-   */
-  const char* GetSummary() const { return this->Summary.c_str(); }
-
-  /**
-   * Ends a running execution, for observers of its progress: an error, with empty outputs, as in
-   * vtkBitingMesher.
-   */
-  void Stop();
-
 protected:
   vtkBitingRemesher();
   ~vtkBitingRemesher() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -374,12 +253,6 @@ private:
 
   class Execution;
 
-  double UniformSpacing = 0.0;
-  double SpacingScale = 1.0;
-  double MinimumSpacing = 0.0;
-  double MaximumSpacing = 0.0;
-  double Gradation = 0.3;
-  bool LimitByFeatureSize = true;
   int EdgePolicy = FREE;
   double BoundaryTolerance = 0.0;
   double FeatureAngle = 30.0;
@@ -387,14 +260,8 @@ private:
   std::string RegionArray = "RegionId";
   std::string FrozenArray;
   bool TransferData = true;
-  bool Relaxation = true;
   int Rings = 2;
   bool RelaxAll = false;
-  vtkIdType MaximumNumberOfVertices = 20000000;
-  int NumberOfThreads = 0;
-  bool GenerateBites = false;
-  std::string Summary;
-  bool IsStopping = false; // Stop was called in this execution
 };
 VTK_ABI_NAMESPACE_END
 
