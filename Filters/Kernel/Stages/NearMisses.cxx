@@ -7,11 +7,11 @@
 #include "../Biting/Spokes.h"
 #include "../Domain/PointWelding.h" // for places of points
 #include "../Domain/SegmentTree.h"
+#include "StageProblems.h"
 
 #include <algorithm> // for clamp, max, min
 #include <cmath>     // for ceil, floor, log10, pow
 #include <map>       // for what is found
-#include <sstream>   // for figures
 
 namespace biting
 {
@@ -247,14 +247,6 @@ void NearMissSearch::TestTriangle(Id apex, const SharpSector& sector)
       this->Add(tip, { distance, side.Segment, base.Segment });
     }
   }
-}
-
-std::string Figure(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
 }
 
 /// The diagonal of the box that MergeTolerance is relative to.
