@@ -212,6 +212,32 @@ def drawings(answer):
         answer['Composite.' + where] = mesh(blocks)
 
 
+# Every other rank has other types, and only the one with the last ring has the array Last.
+MIXED = '''
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLongLongArray
+def As(kind, array, change=lambda value: value):
+    new = kind()
+    new.SetName(array.GetName())
+    for k in range(array.GetNumberOfTuples()):
+        new.InsertNextValue(change(array.GetValue(k)))
+    return new
+drawing = Drawing(Spread('Dealt'))
+spacing, tags = drawing.GetPointData().GetArray(0), drawing.GetCellData().GetArray(0)
+drawing.GetPointData().AddArray(As(
+    vtkFloatArray if rank % 2 else vtkDoubleArray, spacing, lambda value: round(64 * value) / 64))
+drawing.GetCellData().AddArray(As(vtkIntArray if rank % 2 else vtkLongLongArray, tags))
+if 3 in Spread('Dealt'):
+    last = As(vtkDoubleArray, tags, lambda tag: 1.0 if tag == 3 else math.nan)
+    last.SetName('Last')
+    drawing.GetCellData().AddArray(last)
+self.GetOutput().ShallowCopy(drawing)
+'''
+
+
+def mixed(answer):
+    answer['Mixed.Dealt'] = mesh(producer(MIXED), BoundarySpacingArray='Spacing')
+
+
 def redistributed(answer):
     """Cells that other filters have dealt out."""
     for form, name, dealer in (('Segments', 'Redistributed', simple.RedistributeDataSet),
