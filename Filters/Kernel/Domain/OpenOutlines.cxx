@@ -22,6 +22,7 @@ namespace
 using Flags = std::vector<std::uint8_t>;
 
 constexpr std::size_t MostEnds = 10000;
+constexpr double LargestTolerance = 10.0; ///< that is worth a try
 
 /// Of the length of a loop, all of its gaps together.
 struct LargestShare
@@ -152,7 +153,7 @@ std::string DetailOf(double gap, double tolerance)
   std::ostringstream text;
   text.precision(3);
   text << "a gap of " << gap;
-  if (tolerance > 0.0)
+  if (tolerance > 0.0 && tolerance <= LargestTolerance)
   {
     text.precision(2);
     text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
