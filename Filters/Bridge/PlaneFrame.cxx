@@ -35,7 +35,11 @@ struct Plane
 {
   Point3 Origin;
   Point3 Normal;
+  bool IsOfNeedle = false; ///< least squares are of no use
 };
+
+// Of the length; narrower triangles are needles.
+constexpr double NeedleWidth = 1e-6;
 
 Point3 operator-(const Point3& a, const Point3& b)
 {
@@ -139,9 +143,10 @@ Point3 AnyNormalTo(const Point3& direction)
   return Unit(Cross3(direction, axis));
 }
 
-// The plane through a triangle of three points that is large among all such. Where none of them is
-// further than `rounding` from the line through two of them, one through that line: their normal
-// would be of rounding alone.
+// The plane through a triangle of three points that is large among all such. Where none is further
+// than `rounding` from the line through two of them, one through that line: the normal would be of
+// rounding alone. Where they are a needle the normal is made perpendicular to it: rounding turns it
+// by its unit over the width, which matters along the needle only.
 Plane ThroughLargeTriangle(const ScaledPoints& points, double rounding)
 {
   const Point3 a = points[Largest(points, [](const Point3& p) { return Dot3(p, p); })];
@@ -152,9 +157,15 @@ Plane ThroughLargeTriangle(const ScaledPoints& points, double rounding)
     return Dot3(cross, cross);
   };
   const Point3 c = points[Largest(points, area)];
-  const bool isLine = area(c) <= rounding * rounding * Dot3(b - a, b - a);
-  const Point3 normal = isLine ? AnyNormalTo(b - a) : Unit(Cross3(b - a, c - a));
-  return { a, normal };
+  const double squaredLength = Dot3(b - a, b - a);
+  if (area(c) <= rounding * rounding * squaredLength)
+  {
+    return { a, AnyNormalTo(b - a), true };
+  }
+  const Point3 normal = Unit(Cross3(b - a, c - a));
+  const bool isNeedle = area(c) <= NeedleWidth * NeedleWidth * squaredLength * squaredLength;
+  const Point3 excess = (Dot3(normal, b - a) / squaredLength) * (b - a);
+  return { a, isNeedle ? Unit(normal - excess) : normal, isNeedle };
 }
 
 // Least squares of the distances from `plane` over axes in it: the plane that is left after
@@ -190,7 +201,7 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
   const Point3 normal = plane.Normal - (slopeU * first + slopeV * second);
   // Collinear points have no such plane.
   const bool isDefined = determinant > 0.0 && std::isfinite(Dot3(normal, normal));
-  return isDefined ? Plane{ mean, Unit(normal) } : plane;
+  return isDefined ? Plane{ mean, Unit(normal), false } : plane;
 }
 
 // The axis along which the points extend least: the last of equal ones, then the first.
@@ -228,7 +239,7 @@ PlaneFrame PlaneFrame::FitTo(
   }
   AddPlaces(coordinates, points, scaled, pulse);
   const Plane rough = ThroughLargeTriangle(scaled, rounding / scaled.Scale);
-  const Plane refined = Refined(scaled, rough);
+  const Plane refined = rough.IsOfNeedle ? rough : Refined(scaled, rough);
   const bool isBetter = LargestDistance(scaled, refined) <= LargestDistance(scaled, rough);
   const Plane& best = isBetter ? refined : rough;
   // The box's centre, moved into the plane.

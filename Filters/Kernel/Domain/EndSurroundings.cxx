@@ -31,7 +31,7 @@ void ForEachSegment(const Polylines& input, const WeldedPoints& points, Visitor&
       if (first != second)
       {
         const SegmentEnds ends{ std::min(first, second), std::max(first, second) };
-        visit(ChainSegment{ ends, place, input.Cells[chain] });
+        visit(ChainSegment{ ends, place, input.Cells[chain], first > second });
       }
     }
   }

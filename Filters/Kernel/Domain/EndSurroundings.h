@@ -27,7 +27,7 @@ struct Foot
   Id Segment = NoId;
   double Distance = 0.0;
   Point2 Place;
-  double Along = 0.0; ///< share of the segment before it
+  double Along = 0.0; ///< share of the segment before it, from the lesser vertex
   Id End = NoId;
 };
 
@@ -37,6 +37,7 @@ struct ChainSegment
   SegmentEnds Ends;
   Id Place = NoId; ///< in the connectivity, where it begins
   Id Cell = NoId;
+  bool IsReversed = false; ///< it begins at the greater one
 };
 
 /// The segments of all chains, as open ends see them.

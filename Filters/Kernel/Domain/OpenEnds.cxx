@@ -276,7 +276,8 @@ void EndJoiner::JoinWithSegment(const Foot& foot, const Cluster& cluster)
   this->JoinWith(vertex, segment.Cell, cluster);
   this->Points.VertexPoints[Index(vertex)] = NoId;
   this->Feet[foot.Segment].push_back(vertex);
-  this->Result.push_back({ segment.Place, foot.Along, vertex });
+  const double along = segment.IsReversed ? 1.0 - foot.Along : foot.Along;
+  this->Result.push_back({ segment.Place, along, vertex });
 }
 
 void EndJoiner::JoinWith(Id vertex, Id cell, const Cluster& cluster)

@@ -32,7 +32,7 @@ private:
 struct SegmentFoot
 {
   Id Place = NoId;
-  double Along = 0.0; ///< share of the segment before it
+  double Along = 0.0; ///< share of the segment before it, as the chain goes
   Id Vertex = NoId;
 };
 

@@ -22,11 +22,16 @@ namespace
 using Flags = std::vector<std::uint8_t>;
 
 constexpr std::size_t MostEnds = 10000;
+constexpr double LargestTolerance = 10.0; ///< that is worth a try
 
-// Of the length of a loop: its gaps together.
-constexpr double LargestShareAround = 0.5;
-constexpr double LargestShare = 0.01;
-constexpr double LargestShareOfOne = 0.1;
+/// Of the length of a loop, all of its gaps together.
+struct LargestShare
+{
+  double OfOneGap;
+  double OfSeveral;
+};
+constexpr LargestShare AroundWhatIsKept{ 0.5, 0.25 };
+constexpr LargestShare Elsewhere{ 0.1, 0.01 };
 
 /// A vertex at which nothing goes on, and the one of the others with which it makes a gap.
 struct OpenEnd
@@ -148,7 +153,7 @@ std::string DetailOf(double gap, double tolerance)
   std::ostringstream text;
   text.precision(3);
   text << "a gap of " << gap;
-  if (tolerance > 0.0)
+  if (tolerance > 0.0 && tolerance <= LargestTolerance)
   {
     text.precision(2);
     text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
@@ -304,8 +309,9 @@ bool ClosedGaps::IsOutline(const BoundaryComponent& loop) const
     gaps += this->IsGap(edge) ? this->LengthOf(edge) : 0.0;
     count += this->IsGap(edge) ? 1 : 0;
   }
-  return gaps <= (count == 1 ? LargestShareOfOne : LargestShare) * length ||
-    (gaps <= LargestShareAround * length && this->HasKeptInside(loop));
+  const auto areSmall = [length, gaps, count](const LargestShare& share)
+  { return gaps <= (count == 1 ? share.OfOneGap : share.OfSeveral) * length; };
+  return areSmall(Elsewhere) || (areSmall(AroundWhatIsKept) && this->HasKeptInside(loop));
 }
 
 /// The outermost of the vertices that are kept are looked at: one that is the first, or the last,

@@ -25,8 +25,8 @@ void RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& opti
 
 /// Refuses a drawing of which chains are left out that would bound a domain, but for gaps: closed
 /// over their gaps, they make a loop
-/// - with what is kept in it, and gaps of half of its length together at most; or
-/// - with gaps of a hundredth of its length together at most, of a tenth where there is one gap.
+/// - around what is kept, its gaps no more than a quarter of its length, or half where it is one; or
+/// - elsewhere, its gaps no more than a hundredth of its length, or a tenth where it is one.
 /// Returns whether there is such a loop. Each is a problem of kind OpenOutlines.
 bool RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse);
