@@ -75,7 +75,6 @@ private:
   std::string AddValues();
   bool Report();
   void NumberPoints();
-  void RestoreIds(vtkInformationVector* outputs) const;
 
   vtkBitingRemesher* Filter;
   vtkSmartPointer<vtkDataSet> Input;
@@ -193,7 +192,9 @@ void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
       this->ReadSpacing() && this->Remesh())
     {
       this->Write(outputs);
-      this->RestoreIds(outputs);
+      this->Divided.RestoreIds(vtkPolyData::GetData(outputs, MESH));
+      this->Divided.RestoreIds(
+        this->Lines ? nullptr : vtkPolyData::GetData(outputs, BOUNDARY_EDGES));
     }
     this->WriteProblems(
       this->Mesh.Planar, biting::RepairPolicy::Repaired, vtkPolyData::GetData(outputs, PROBLEMS));
@@ -275,12 +276,9 @@ bool vtkBitingRemesher::Execution::ReadMesh()
   {
     return false;
   }
-  const bool isEmpty = this->Mesh.CellIds.empty();
-  if (isEmpty && this->Input->GetNumberOfPoints() > 0)
-  {
-    return this->Accept("The input has points, but no triangles; it is a mesh that is changed.");
-  }
-  return !isEmpty;
+  return !this->Mesh.CellIds.empty() ||
+    (this->Input->GetNumberOfPoints() > 0 &&
+      this->Accept("The input has points, but no triangles; it is a mesh that is changed."));
 }
 
 //------------------------------------------------------------------------------
@@ -404,17 +402,6 @@ void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
   {
     biting::BitesToPolyData(
       this->Result.Mesh, this->Mesh.Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Numbers of cells are those that the input has with its quads.
-void vtkBitingRemesher::Execution::RestoreIds(vtkInformationVector* outputs) const
-{
-  this->Divided.RestoreIds(vtkPolyData::GetData(outputs, MESH), "OriginalCellId");
-  if (!this->Lines)
-  {
-    this->Divided.RestoreIds(vtkPolyData::GetData(outputs, BOUNDARY_EDGES), "OriginalCellId");
   }
 }
 
