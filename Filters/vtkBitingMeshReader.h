@@ -6,21 +6,29 @@
  * @brief   reads a triangle mesh with its tags and regions from the file of a solver
  *
  * The end of the file name chooses the format:
- * - `.msh`, Gmsh 2.2 or 4.1, ASCII: physical groups; where there are none, curves and surfaces;
+ * - `.msh`, Gmsh 2.2 or 4.1, ASCII: physical groups; where there are none, curves and surfaces,
+ *   without names;
  * - `.su2`, SU2 of two dimensions: markers;
  * - `.14`, ADCIRC (fort.14): depths, open and land boundaries.
  *
  * Output 0 is the mesh: triangles with the cell array `RegionId`, the number of their group less
  * 1, as vtkBitingMeshWriter adds 1, and 0 where the file has no groups; points in the order of the
  * file, with `Depth` from ADCIRC.
- * Cells that are neither triangles nor edges are passed over, with a warning. Output 1 are the
- * edges that the file names: lines with the cell array `Tag`, the number of their group, and the
- * point array `MeshPointId`, the number of the point in output 0. So they can be the tagged lines
- * of vtkBitingRemesher. Where the file has names they are in the cell arrays `RegionName` and
- * `TagName`. Markers of SU2 that are not called by numbers are numbered from 1 on. In ADCIRC files
- * the tag of open boundaries is 1, that of land 2 plus its type: 2 mainland, 3 islands.
+ * Output 1 are the edges that the file names: lines with the cell array `Tag`, the number of their
+ * group, and the point array `MeshPointId`, the number of the point in output 0. So they can be the
+ * tagged lines of vtkBitingRemesher. Where the file has names they are in the cell arrays
+ * `RegionName` and `TagName`. Markers of SU2 that are not all called by numbers are numbered from 1
+ * on. In ADCIRC files the tag of open boundaries is 1, that of land 2 plus its type: 2 mainland, 3
+ * islands; of weirs both sides have it.
  *
- * A file that cannot be read is one error, with the line; outputs are empty then.
+ * What the mesh does not have of the file is said in warnings. Quads become two triangles each, by
+ * the diagonal with the larger smallest angle. Of triangles, quads and edges of order 2 the corners
+ * are read. A cell that is in several groups is read once, in the first of them. Other cells, pairs
+ * of nodes and heights of weirs are left out. Edges that are no side of a triangle are counted.
+ *
+ * A file that cannot be read is one error, with the line; outputs are empty then. That is one that
+ * is cut, has a word where there should be a number, numbers of things that are not those that are
+ * there, vertices that do not exist, or quads whose sides cross.
  */
 
 #ifndef vtkBitingMeshReader_h

@@ -73,7 +73,6 @@ private:
   std::string AddValues();
   bool Report();
   void NumberPoints();
-  void RestoreIds(vtkInformationVector* outputs) const;
 
   vtkBitingRemesher* Filter;
   vtkSmartPointer<vtkDataSet> Input;
@@ -151,7 +150,9 @@ void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
       this->ReadSpacing() && this->Remesh())
     {
       this->Write(outputs);
-      this->RestoreIds(outputs);
+      this->Divided.RestoreIds(vtkPolyData::GetData(outputs, MESH));
+      this->Divided.RestoreIds(
+        this->Lines ? nullptr : vtkPolyData::GetData(outputs, BOUNDARY_EDGES));
     }
     this->WriteProblems(
       this->Mesh.Planar, biting::RepairPolicy::Repaired, vtkPolyData::GetData(outputs, PROBLEMS));
@@ -359,17 +360,6 @@ void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
   {
     biting::BitesToPolyData(
       this->Result.Mesh, this->Mesh.Planar.Frame, vtkPolyData::GetData(outputs, BITES), pulse);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Numbers of cells are those that the input has with its quads.
-void vtkBitingRemesher::Execution::RestoreIds(vtkInformationVector* outputs) const
-{
-  this->Divided.RestoreIds(vtkPolyData::GetData(outputs, MESH), "OriginalCellId");
-  if (!this->Lines)
-  {
-    this->Divided.RestoreIds(vtkPolyData::GetData(outputs, BOUNDARY_EDGES), "OriginalCellId");
   }
 }
 

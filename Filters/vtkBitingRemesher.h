@@ -15,10 +15,11 @@
  *
  * @par Input 0, the mesh:
  * vtkPolyData or vtkUnstructuredGrid of linear triangles in one plane of space, from any program,
- * of any orientation. Hidden and ghost cells are left out; points that no triangle uses go where
- * anything changes. Points of free edges at the same place are made one, with a warning; and where
- * points lie between the ends of a free edge, as where a coarse mesh and a fine one lie side by
- * side, its triangle is divided there, with a warning.
+ * of any orientation. Linear quads become two triangles each, by the diagonal with the larger
+ * smallest angle, with a warning. Hidden and ghost cells are left out; points that no triangle uses
+ * go where anything changes. Points of free edges at the same place are made one, with a warning;
+ * and where points lie between the ends of a free edge, as where a coarse mesh and a fine one lie
+ * side by side, its triangle is divided there, with a warning.
  *
  * @par What stays a line:
  * - Free edges are boundary; edges between triangles whose `RegionArray` differs are interfaces.
@@ -67,10 +68,10 @@
  * longest side is divided, also where it is frozen; at the rim they go, unless all around them is
  * frozen. Errors, with empty outputs: edges of more than two triangles, triangles
  * folded or lying on top of others, none that has an area (BAD_TRIANGLES, with cells and places in
- * output 3 where they are known); a cell that is neither triangle nor line nor vertex; coordinates
- * that are not finite or not in one plane; no spacing, or one that is not positive; more vertices
- * than MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an abort. After an
- * error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
+ * output 3 where they are known); a cell that is neither triangle, quad, line nor vertex;
+ * coordinates that are not finite or not in one plane; no spacing, or one that is not positive;
+ * more vertices than MaximumNumberOfVertices. Empty input: empty outputs, no message; so does an
+ * abort. After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on.
  *
  * @par Guarantees and limits:
  * Each old vertex that is kept has its coordinates bit for bit; the area is covered as before; the

@@ -242,14 +242,10 @@ bool vtkMeshConformity::Execution::ReadMesh()
   {
     return false;
   }
-  const bool isEmpty = this->Mesh.Faces.CellIds.empty();
-  if (isEmpty && this->Input->GetNumberOfPoints() + this->Input->GetNumberOfCells() > 0)
+  if (this->Mesh.Faces.CellIds.empty())
   {
-    return this->Accept("The input has no triangles to measure.");
-  }
-  if (isEmpty)
-  {
-    return false;
+    return this->Input->GetNumberOfPoints() + this->Input->GetNumberOfCells() > 0 &&
+      this->Accept("The input has no triangles to measure.");
   }
   this->Mesh.Links = biting::LinkTriangles(
     this->Mesh.Faces.Corners, static_cast<biting::Id>(this->Mesh.Faces.Points.size()));

@@ -12,8 +12,9 @@
  *
  * @par Input 0, the mesh:
  * vtkPolyData, or vtkUnstructuredGrid with cells of two dimensions, of linear triangles in one
- * plane of space, whatever their orientation. Lines and vertices are passed over, so are hidden and
- * ghost cells. Points that no triangle uses are not measured.
+ * plane of space, whatever their orientation. Linear quads become two triangles each, by the
+ * diagonal with the larger smallest angle, with a warning; the output has these. Lines and vertices
+ * are passed over, so are hidden and ghost cells. Points that no triangle uses are not measured.
  *
  * @par The spacing:
  * Where a dataset is connected to input 1, the point array of it that SetInputArrayToProcess(1, 1,
@@ -47,9 +48,9 @@
  * Warnings, each with how many, which and where: triangles without area (they have the angle 0 and
  * infinite ratios), triangles that are oriented against the majority (folds), edges of more than
  * two triangles, points at the place of others, unused points. Errors, with empty outputs: a
- * cell that is neither triangle nor line nor vertex, coordinates that are not finite or above 1e70,
- * points farther than 1e-6 of the size from one plane, a spacing that is not positive and finite
- * at a vertex. An empty input gives empty outputs and no message; so does an abort.
+ * cell that is neither triangle, quad, line nor vertex, coordinates that are not finite or above
+ * 1e70, points farther than 1e-6 of the size from one plane, a spacing that is not positive and
+ * finite at a vertex. An empty input gives empty outputs and no message; so does an abort.
  * After an error GetErrorCode() is vtkErrorCode::UserError; the pipeline goes on, with empty
  * outputs.
  *

@@ -153,9 +153,9 @@ std::string DividedQuads::Remark() const
     : "The input has quads (" + std::to_string(this->Count) + "): each is two triangles.";
 }
 
-void DividedQuads::RestoreIds(vtkDataSet* output, const char* array) const
+void DividedQuads::RestoreIds(vtkDataSet* output) const
 {
-  vtkDataArray* ids = output->GetCellData()->GetArray(array);
+  vtkDataArray* ids = output ? output->GetCellData()->GetArray("OriginalCellId") : nullptr;
   for (vtkIdType k = 0; ids && this->Count > 0 && k < ids->GetNumberOfTuples(); ++k)
   {
     const auto cell = static_cast<vtkIdType>(ids->GetComponent(k, 0));

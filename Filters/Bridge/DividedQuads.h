@@ -34,9 +34,9 @@ public:
   /// What is to be said; empty where no quad is divided.
   std::string Remark() const;
 
-  /// Makes the numbers of cells in a cell array, where they are not below 0, those of the dataset
-  /// that was given.
-  void RestoreIds(vtkDataSet* output, const char* array) const;
+  /// Makes the cells that `OriginalCellId` names, where there are any, those of the dataset that
+  /// was given. The output may be null.
+  void RestoreIds(vtkDataSet* output) const;
 
 private:
   void Divide(vtkDataSet* data);

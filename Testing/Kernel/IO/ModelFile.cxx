@@ -195,22 +195,17 @@ ModelFile ModelFiles::Gmsh4()
   auto& lines = file.Lines;
   const std::size_t size = this->Model.Points.size();
   const std::size_t cells = this->Model.Triangles.size();
-  const std::size_t ends[] = { 0, (cells - 1 + 1) / 2, cells };
+  const std::size_t ends[] = { 0, cells / 2, cells };
   lines = { AllFixed("$MeshFormat"), { { "4.1", nullptr }, Fixed(0), AllFree("8")[0] },
     AllFixed("$EndMeshFormat"), AllFixed("$Entities"), { Fixed(0), Fixed(2), Fixed(2), Fixed(0) } };
   for (const std::size_t dimension : { 1, 2 })
   {
     for (std::size_t part = 0; part < 2; ++part)
     {
-      Words words{ Fixed(part + 5) };
-      for (int k = 0; k < 6; ++k)
-      {
-        words.push_back(Any(0));
-      }
-      words.push_back(Fixed(1));
-      words.push_back(this->Group(
-        dimension == 1 ? &MeshModel::Tags : &MeshModel::Regions, ends[part], ends[part + 1]));
-      words.push_back(Fixed(0));
+      const Words words{ Fixed(part + 5), Any(0), Any(0), Any(0), Any(1), Any(1), Any(0), Fixed(1),
+        this->Group(
+          dimension == 1 ? &MeshModel::Tags : &MeshModel::Regions, ends[part], ends[part + 1]),
+        Fixed(0) };
       lines.push_back(words);
     }
   }
@@ -279,7 +274,7 @@ ModelFile ModelFiles::SU2()
     lines.push_back(addNumber({ this->Place(k, 0), this->Place(k, 1) }, k));
   }
   lines.push_back({ { "NMARK=", nullptr }, Fixed(2) });
-  const std::size_t ends[] = { 0, (cells - 1 + 1) / 2, cells };
+  const std::size_t ends[] = { 0, cells / 2, cells };
   for (std::size_t part = 0; part < 2; ++part)
   {
     lines.push_back({ { "MARKER_TAG=", nullptr }, AllFree(part == 0 ? "inlet" : "wall")[0] });
@@ -321,7 +316,7 @@ ModelFile ModelFiles::ADCIRC()
       { Any(k + 1), Fixed(3), this->Corner(k, 0), this->Corner(k, 1), this->Corner(k, 2) });
   }
   file.FirstOptional = lines.size();
-  const std::size_t ends[] = { 0, (cells - 1 + 1) / 2, cells };
+  const std::size_t ends[] = { 0, cells / 2, cells };
   for (std::size_t part = 0; part < 2; ++part)
   {
     const std::size_t nodes = ends[part + 1] - ends[part] + 1;

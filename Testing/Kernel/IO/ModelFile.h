@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-/** Files of which each word is known: what the mesh is, and what it becomes where a word changes. */
+/** Files of which each word is known: what the mesh is, and what another word makes of it. */
 namespace biting
 {
 
