@@ -73,6 +73,7 @@ def show_bites(_output, are_shown):
     from paraview import simple
     mesher = simple.FindSource('BitingMesher1')
     mesher.GenerateBites = are_shown
+    mesher.UniformSpacing = 0.45 if are_shown else 0  # so that squares are seen
     mesher.UpdatePipeline()
 
 

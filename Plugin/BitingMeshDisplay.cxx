@@ -103,4 +103,5 @@ void ListKinds(pqDataRepresentation* problems)
 {
   vtkSMProxy* colors = vtkSMPropertyHelper(problems->getProxy(), "LookupTable").GetAsProxy();
   vtkSMTransferFunctionProxy::ComputeAvailableAnnotations(colors);
+  problems->renderViewEventually();
 }

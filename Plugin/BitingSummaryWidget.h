@@ -7,7 +7,7 @@
 #include "pqPropertyWidget.h"
 
 /**
- * Shows a text property in the panel: read only, with lines as long as the panel is wide, and as high
+ * Shows a text property in the panel: read only, with lines that fit into the panel, and as high
  * as the text is. ParaView's own widgets for texts cut off what is longer or higher than they are.
  */
 class BitingSummaryWidget : public pqPropertyWidget

@@ -83,7 +83,7 @@ std::string AngleLines(vtkDataSet* mesh, const SummaryCounts& counts)
 std::string ConformityLines(vtkDataSet* mesh)
 {
   return "Mean conformity " + Fixed(Figure(mesh, "MeanConformity"), 3) +
-    " (best: 1)\nEdges of 0.71 to 1.41 spacings: " + Percent(Figure(mesh, "ShareOfEdgesInBand")) +
+    " (best: 1)\nEdges of 0.7 to 1.4 spacings: " + Percent(Figure(mesh, "ShareOfEdgesInBand")) +
     "\n";
 }
 

@@ -20,11 +20,12 @@ FIELDS = (window.PANEL + '/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetCon
 LINE = '/DoubleLineEdit0'  # a field without a slider
 HEADER = '# vtk DataFile Version 3.0\ndrawing\nASCII\nDATASET POLYDATA\n'
 SQUARE = HEADER + 'POINTS 4 double\n0 0 0  {0} 0 0  {0} {0} 0  0 {0} 0\nLINES 1 6\n5 0 1 2 3 0\n'
-CROSSED = HEADER + '''POINTS 8 double
-0 0 0  10 0 0  10 10 0  0 10 0  3 -1 0  8 10 0  12 4 0  14 6 0
-LINES {1} {0}
+CROSSED = HEADER + '''POINTS 10 double
+0 0 0  10 0 0  10 10 0  0 10 0  2 2 0  8 8 0  2 8 0  8 2 0  12 4 0  14 6 0
+LINES {0} {1}
 5 0 1 2 3 0
 2 4 5
+2 6 7
 '''
 
 
@@ -169,7 +170,7 @@ def draw_steps(output):
     """Of two repairs of two kinds, of one, and of none."""
     from paraview import simple
     paths = [os.path.join(output, f'step{k}.vtk') for k in range(3)]
-    texts = (CROSSED.format(12, 3) + '2 6 7\n', CROSSED.format(9, 2), SQUARE.format(5))
+    texts = (CROSSED.format(4, 15) + '2 8 9\n', CROSSED.format(3, 12), SQUARE.format(5))
     for path, text in zip(paths, texts):
         with open(path, 'w', encoding='ascii') as file:
             file.write(text)
