@@ -32,8 +32,8 @@
  * default: the active scalars.
  *
  * @par Output:
- * The input with all of its arrays, and with these. Point data: `Spacing` (double, f, in units of
- * the coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared). Both
+ * The input with all of its arrays, and with these. Point data: `Spacing` (double, f > 0, in units
+ * of the coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared). Both
  * are NaN, which a spacing source understands as "nothing known here", at points that no face uses
  * and where the scalar is not finite. HessianNorm is NaN also where the points around do not
  * determine a quadratic (a channel with only two rows of points); f is there what the largest

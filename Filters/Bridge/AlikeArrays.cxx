@@ -229,17 +229,17 @@ bool AreIds(vtkFieldData* arrays, const std::string& name)
 void MakeAlike(const std::string& name, std::vector<PieceArrays>& pieces)
 {
   Arrays given;
+  Arrays empty;
   bool areIds = false;
   for (const PieceArrays& piece : pieces)
   {
-    vtkAbstractArray* array = ArrayOf(piece, name);
-    if (array && piece.Size > 0)
+    if (vtkAbstractArray* array = ArrayOf(piece, name))
     {
-      given.push_back(array);
+      (piece.Size > 0 ? given : empty).push_back(array);
       areIds = areIds || AreIds(piece.Arrays, name);
     }
   }
-  const ArrayKind kind(given);
+  const ArrayKind kind(given.empty() ? empty : given);
   for (const PieceArrays& piece : pieces)
   {
     vtkAbstractArray* array = ArrayOf(piece, name);
@@ -255,7 +255,7 @@ std::vector<std::string> NamesIn(const std::vector<PieceArrays>& pieces)
   std::vector<std::string> names;
   for (const PieceArrays& piece : pieces)
   {
-    for (int k = 0; k < piece.Arrays->GetNumberOfArrays() && piece.Size > 0; ++k)
+    for (int k = 0; k < piece.Arrays->GetNumberOfArrays(); ++k)
     {
       const char* name = piece.Arrays->GetAbstractArray(k)->GetName();
       if (name && ArrayOf(piece, name) &&

@@ -258,7 +258,8 @@ def random_drawing(choice, kinds):
         blocks.append(block)
     for name in ('Tag', 'Other', 'Third')[:choice.randint(1, 3)]:
         for block in blocks:
-            if choice.random() < 0.85:
+            # One block has tags, so that types of empty blocks do not count.
+            if choice.random() < 0.85 or block is blocks[0] and name == 'Tag':
                 kind = kinds[blocks.index(block)] if name == 'Tag' else None
                 block.of_cells[name] = random_column(choice, len(block.cells), kind)
     return blocks
