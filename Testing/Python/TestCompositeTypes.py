@@ -497,7 +497,8 @@ class TestCompositeTypes(unittest.TestCase):
         for k, count in enumerate((4, 3)):
             block = Block(square_ring((2.0 * k, 0.0), (2.0 * k + 1.0, 1.0)),
                           [(VTK_LINE, [i, (i + 1) % 4]) for i in range(4)])
-            block.of_cells['Tag'] = Column(VTK_STRING if k else VTK_INT, [('1' if k else 1,)] * count)
+            kind, tag = ((VTK_INT, 1), (VTK_STRING, '1'))[k]
+            block.of_cells['Tag'] = Column(kind, [(tag,)] * count)
             blocks.SetBlock(k, block.dataset())
         mesher = vtkBitingMesher()
         mesher.SetInputDataObject(blocks)
