@@ -32,10 +32,10 @@
  * default: the active scalars.
  *
  * @par Output:
- * The input with all of its arrays, and with these. Point data: `Spacing` (double, f, in units of
- * the coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared). Both
- * are NaN, which a spacing source understands as "nothing known here", at points that no face uses
- * and where the scalar is not finite. HessianNorm is NaN also where the points around do not
+ * The input with all of its arrays, and with these. Point data: `Spacing` (double, f > 0, in units
+ * of the coordinates), `HessianNorm` (double, lambda, in units of the scalar by length squared).
+ * Both are NaN, which a spacing source understands as "nothing known here", at points that no face
+ * uses and where the scalar is not finite. HessianNorm is NaN also where the points around do not
  * determine a quadratic (a channel with only two rows of points); f is there what the largest
  * lambda of the points around, ring by ring, makes it, and NaN where faces lead to none (cells that
  * share no points). Field data: `ErrorTolerance` (the one that was used).

@@ -31,26 +31,30 @@ bool IsReal(int type)
   return type == VTK_FLOAT || type == VTK_DOUBLE;
 }
 
-// Of arrays of whole numbers.
-template <typename Predicate>
-bool AreAll(const Arrays& arrays, Predicate predicate)
+// What whole numbers are among the values of arrays.
+struct WholeNumbers
 {
-  return std::all_of(arrays.begin(), arrays.end(),
-    [predicate](vtkAbstractArray* array)
-    {
-      bool areAll = true;
-      for (vtkIdType k = 0; k < array->GetNumberOfValues() && areAll; ++k)
-      {
-        const vtkVariant value = array->GetVariantValue(k);
-        areAll = IsReal(array->GetDataType()) || predicate(value.ToTypeInt64(), array);
-      }
-      return areAll;
-    });
-}
+  bool AreNegative = false;     ///< some
+  bool AreBeyondSigned = false; ///< some, of 64 bits
+  bool AreInexact = false;      ///< some, as a double
+};
 
-bool IsBeyondSigned(std::int64_t value, vtkAbstractArray* array)
+WholeNumbers FindWholeNumbers(const Arrays& arrays)
 {
-  return value < 0 && vtkDataArray::GetDataTypeMin(array->GetDataType()) == 0.0;
+  WholeNumbers found;
+  for (vtkAbstractArray* array : arrays)
+  {
+    const bool isUnsigned = vtkDataArray::GetDataTypeMin(array->GetDataType()) == 0.0;
+    const vtkIdType size = IsReal(array->GetDataType()) ? 0 : array->GetNumberOfValues();
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      const std::int64_t value = array->GetVariantValue(k).ToTypeInt64();
+      found.AreNegative |= value < 0 && !isUnsigned;
+      found.AreBeyondSigned |= value < 0 && isUnsigned;
+      found.AreInexact |= value < -MostExact || value > MostExact || (value < 0 && isUnsigned);
+    }
+  }
+  return found;
 }
 
 int TypeOfWholeNumbers(const Arrays& arrays)
@@ -75,15 +79,9 @@ int TypeOfWholeNumbers(const Arrays& arrays)
   {
     return *holding;
   }
-  if (AreAll(arrays,
-        [](std::int64_t value, vtkAbstractArray* array) { return !IsBeyondSigned(value, array); }))
-  {
-    return VTK_LONG_LONG;
-  }
-  const bool isNegative = !AreAll(arrays,
-    [](std::int64_t value, vtkAbstractArray* array)
-    { return value >= 0 || IsBeyondSigned(value, array); });
-  return isNegative ? VTK_STRING : VTK_UNSIGNED_LONG_LONG;
+  const WholeNumbers found = FindWholeNumbers(arrays);
+  const int unsignedType = found.AreNegative ? VTK_STRING : VTK_UNSIGNED_LONG_LONG;
+  return found.AreBeyondSigned ? unsignedType : VTK_LONG_LONG;
 }
 
 int TypeForAll(const Arrays& arrays)
@@ -104,10 +102,7 @@ int TypeForAll(const Arrays& arrays)
   {
     return TypeOfWholeNumbers(arrays);
   }
-  const bool areExact = AreAll(arrays,
-    [](std::int64_t value, vtkAbstractArray* array)
-    { return value >= -MostExact && value <= MostExact && !IsBeyondSigned(value, array); });
-  return areExact ? VTK_DOUBLE : VTK_STRING;
+  return FindWholeNumbers(arrays).AreInexact ? VTK_STRING : VTK_DOUBLE;
 }
 
 std::string TextOfReal(double value, bool isFloat)
@@ -229,17 +224,17 @@ bool AreIds(vtkFieldData* arrays, const std::string& name)
 void MakeAlike(const std::string& name, std::vector<PieceArrays>& pieces)
 {
   Arrays given;
+  Arrays empty;
   bool areIds = false;
   for (const PieceArrays& piece : pieces)
   {
-    vtkAbstractArray* array = ArrayOf(piece, name);
-    if (array && piece.Size > 0)
+    if (vtkAbstractArray* array = ArrayOf(piece, name))
     {
-      given.push_back(array);
+      (piece.Size > 0 ? given : empty).push_back(array);
       areIds = areIds || AreIds(piece.Arrays, name);
     }
   }
-  const ArrayKind kind(given);
+  const ArrayKind kind(given.empty() ? empty : given);
   for (const PieceArrays& piece : pieces)
   {
     vtkAbstractArray* array = ArrayOf(piece, name);
@@ -255,7 +250,7 @@ std::vector<std::string> NamesIn(const std::vector<PieceArrays>& pieces)
   std::vector<std::string> names;
   for (const PieceArrays& piece : pieces)
   {
-    for (int k = 0; k < piece.Arrays->GetNumberOfArrays() && piece.Size > 0; ++k)
+    for (int k = 0; k < piece.Arrays->GetNumberOfArrays(); ++k)
     {
       const char* name = piece.Arrays->GetAbstractArray(k)->GetName();
       if (name && ArrayOf(piece, name) &&

@@ -28,7 +28,7 @@ struct PieceArrays
 
 /// Gives all pieces of a dataset all named arrays, those of one name with one type and one number
 /// of components, so that they can be put one after the other without a loss. Returns their names
-/// in the order of the pieces. Arrays of pieces without elements count for nothing.
+/// in the order of the pieces. Arrays of pieces without elements count only where others have none.
 ///
 /// - Whole numbers get the first of the given types that holds the ranges of all, else the smallest
 ///   type that does; signed ones beside unsigned ones of 64 bits the one that holds all values.

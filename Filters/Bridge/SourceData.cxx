@@ -188,10 +188,11 @@ vtkSmartPointer<vtkDataSet> Appended(const DataSets& blocks)
   return append->GetOutput();
 }
 
-// What was found in a block, or why nothing was, before what is only missing.
+// What was found in a block goes before why nothing was, before what is only missing.
 int RankOf(const ChosenArray& chosen)
 {
-  return chosen.Array ? 2 : (chosen.Refusal.empty() ? 0 : 1);
+  const int ofNothing = chosen.Refusal.empty() ? static_cast<int>(chosen.IsOfCells) : 2;
+  return chosen.Array ? 3 : ofNothing;
 }
 
 SourceData ChooseBlock(vtkInformation* choice, const DataSets& blocks)

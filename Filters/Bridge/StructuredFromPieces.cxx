@@ -3,6 +3,7 @@
 
 #include "StructuredFromPieces.h"
 
+#include "DoubleArray.h"
 #include "GhostArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -96,6 +97,10 @@ void CopyCoordinates(
   {
     to = vtk::TakeSmartPointer(from->NewInstance());
     to->SetNumberOfTuples(size);
+  }
+  else if (to->GetDataType() != from->GetDataType())
+  {
+    to = AsDoubles(to);
   }
   to->InsertTuples(first - wholeFirst, from->GetNumberOfTuples(), 0, from);
 }
@@ -283,9 +288,11 @@ void Assembly::SetRectilinearGrid(vtkRectilinearGrid* whole) const
 
 void Assembly::SetStructuredGrid(vtkStructuredGrid* whole) const
 {
+  const int type = TypeOfCoordinates(this->Pieces.front());
+  const bool isType = std::all_of(this->Pieces.begin(), this->Pieces.end(),
+    [type](vtkDataSet* piece) { return TypeOfCoordinates(piece) == type; });
   vtkNew<vtkPoints> points;
-  points->SetDataType(
-    vtkStructuredGrid::SafeDownCast(this->Pieces.front())->GetPoints()->GetDataType());
+  points->SetDataType(isType ? type : VTK_DOUBLE);
   points->SetNumberOfPoints(this->Points.Size());
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
