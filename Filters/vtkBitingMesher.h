@@ -261,7 +261,8 @@ public:
     SMALL_LOOPS = 19,       ///< left out by MinimumLoopSize, at the middle of each (cell)
     FINE_DRAWING = 20,      ///< without BoundaryTolerance: it decides the mesh; no place
     BAD_TRIANGLES = 21,     ///< of vtkBitingRemesher: triangles that form no mesh (first id: cell)
-    FLAT_TRIANGLES = 22     ///< of vtkBitingRemesher: without area, mended (cell)
+    FLAT_TRIANGLES = 22,    ///< of vtkBitingRemesher: without area, mended (cell)
+    CHANGED_AREA = 23       ///< by more than 5 %, by BoundaryTolerance; no place
   };
 
   enum BiteShapeType
@@ -455,8 +456,9 @@ public:
    * vertices where a line of the input has other cell data than the next, three vertices of each
    * loop, and corners (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees,
    * where the drawing is blunt, however narrow the end of an inlet is. In output 1 an edge has the
-   * cell data of the first segment that it stands for. Cost O(n log n). Without effect where
-   * PreserveBoundary is on. Negative or not finite: an error.
+   * cell data of the first segment that it stands for. A tolerance as wide as what is drawn changes
+   * its area: more than 5 % is a warning. Cost O(n log n). Without effect where PreserveBoundary is
+   * on. Negative or not finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);

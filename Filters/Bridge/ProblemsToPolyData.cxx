@@ -27,7 +27,7 @@ constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "Duplicate
   "ZeroLengthSegments", "DuplicateSegments", "Crossings", "Touches", "OutsidePoints",
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
   "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "NarrowAngles",
-  "RaisedSpacing", "SmallLoops", "FineDrawing", "BadTriangles", "FlatTriangles" };
+  "RaisedSpacing", "SmallLoops", "FineDrawing", "BadTriangles", "FlatTriangles", "ChangedArea" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
 {

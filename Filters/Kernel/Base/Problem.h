@@ -51,7 +51,9 @@ enum class ProblemCode
                 ///< overlap)
   // Repaired, like the first.
   FlatTriangles, ///< without area, in a mesh that is changed (ids: cell)
-  Aborted        ///< the monitor asked to stop; not an error
+  // Meshed, and told.
+  ChangedArea, ///< a tolerance changed the area of the domain by more than 5 % (no ids)
+  Aborted      ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.
