@@ -260,7 +260,8 @@ public:
     FLAT_TRIANGLES = 22,    ///< of vtkBitingRemesher: without area, mended (cell)
     JOINED_ENDS = 23,       ///< open ends that nearly touched something (point; cell)
     OPEN_OUTLINES = 24,     ///< would bound the domain, but for gaps (point; point)
-    NEAR_MISSES = 25        ///< nearer than 0.01 f, and do not meet (cell, cell)
+    NEAR_MISSES = 25,       ///< nearer than 0.01 f, and do not meet (cell, cell)
+    CHANGED_AREA = 26       ///< by more than 5 %, by BoundaryTolerance; no place
   };
 
   enum BiteShapeType
@@ -388,8 +389,9 @@ public:
    * vertices where a line of the input has other cell data than the next, three vertices of each
    * loop, and corners (CornerAngle). No angle of the domain gets sharp by it, below 36 degrees,
    * where the drawing is blunt, however narrow the end of an inlet is. In output 1 an edge has the
-   * cell data of the first segment that it stands for. Cost O(n log n). Without effect where
-   * PreserveBoundary is on. Negative or not finite: an error.
+   * cell data of the first segment that it stands for. A tolerance as wide as what is drawn changes
+   * its area: more than 5 % is a warning. Cost O(n log n). Without effect where PreserveBoundary is
+   * on. Negative or not finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);
@@ -399,8 +401,8 @@ public:
   /**
    * With BoundaryTolerance: corners of the drawing where it turns by this or more stay where they
    * are; in degrees, 0 straight on, 90 a right angle, 180 back. The turning is seen from four
-   * tolerances away (4 BoundaryTolerance f), so that a zigzag of pixels is no row of corners; of
-   * several corners nearer than that to each other the one that turns most stays. >= 0; default 45;
+   * tolerances away (4 BoundaryTolerance f), along the boundary also beyond junctions and ends of
+   * tags, so that a zigzag of pixels is no row of corners; of several corners nearer than that to each other the one that turns most stays. >= 0; default 45;
    * from 180 on none stays for its angle. Smaller values keep more vertices. Negative or not
    * finite: an error.
    */

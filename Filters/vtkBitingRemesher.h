@@ -153,8 +153,8 @@ public:
    * another; topology, what stays, sharp angles and cost are as of vtkBitingMesher's
    * BoundaryTolerance; ends of tags, vertices that are frozen and the rim of what is unchanged
    * stay. The distance is from the mesh at hand: in a loop that coarsens again and again it adds
-   * up. New vertices outside of the old mesh have the data of the nearest place in it. Negative or
-   * not finite: an error.
+   * up. A change of the area by more than 5 % is a warning. New vertices outside of the old mesh
+   * have the data of the nearest place in it. Negative or not finite: an error.
    */
   vtkSetMacro(BoundaryTolerance, double);
   vtkGetMacro(BoundaryTolerance, double);

@@ -60,6 +60,9 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::FlatTriangles:
       return { "Triangles without area", "cell", "",
         "The triangles beside them were divided in their place; at the rim they were left out." };
+    case ProblemCode::ChangedArea:
+      return { "BoundaryTolerance changed the area of the domain", "", "",
+        "It is as wide as what is drawn: a smaller BoundaryTolerance changes the area less." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:

@@ -44,6 +44,16 @@ constexpr double CheckEnd = 0.3;
 
 constexpr int ReleaseRounds = 4; // more free few more
 
+double AreaOf(const std::vector<Point2>& points, const std::vector<Id>& corners)
+{
+  double area = 0.0;
+  for (std::size_t first = 0; first < corners.size(); first += 3)
+  {
+    area += AreaOfTriangle(points, corners.data() + first);
+  }
+  return area;
+}
+
 class Remesher
 {
 public:
@@ -381,6 +391,12 @@ void Remesher::Finish()
     Stitch(this->Result.Old, this->Region, this->Edges, this->Result.OldSpacings, this->Cavity);
   BitingMesh& mesh = this->Result.Mesh;
   mesh = std::move(stitched.Mesh);
+  if (this->Tolerance.IsAsked())
+  {
+    const OldMesh& old = this->Result.Old;
+    ReportChangedArea(
+      AreaOf(old.Points, old.Corners), AreaOf(mesh.Points, mesh.Corners), this->Problems);
+  }
   this->Result.OriginalTriangles = std::move(stitched.OriginalTriangles);
   this->Result.ChangedTriangles = std::move(this->Region.Triangles);
   const MeshView view{ mesh.Points, mesh.Spacing, mesh.Corners, mesh.Neighbors };

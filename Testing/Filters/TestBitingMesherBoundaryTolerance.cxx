@@ -3,6 +3,7 @@
 
 #include "FilterTesting.h"
 
+#include "vtkMath.h"
 #include "vtkOutputWindow.h"
 #include "vtkStringArray.h"
 
@@ -102,6 +103,33 @@ TEST(BoundaryTolerance, MakesAFineDrawingAnOrdinaryOne)
   EXPECT_GT(Figure(mesh, "SmallestAngle"), 30.0);
   EXPECT_GT(Figure(mesh, "RemovedVertices"), 300.0);
   EXPECT_NEAR(AreaOf(mesh), 10000.0, 400.0 * 0.2 * Spacing);
+}
+
+TEST(BoundaryTolerance, WarnsWhereItChangesTheAreaByMoreThanFivePercent)
+{
+  std::vector<Place> circle;
+  for (int k = 0; k < 64; ++k)
+  {
+    const double angle = vtkMath::RadiansFromDegrees(360.0 / 64 * k);
+    circle.push_back({ 10.0 * std::cos(angle), 10.0 * std::sin(angle), 0.0 });
+  }
+  auto input = EmptyInput();
+  AddChain(input, circle, true);
+  for (const double tolerance : { 0.05, 0.5 })
+  {
+    const auto mesher = MesherOf(input, tolerance);
+    const Messages messages(mesher);
+    mesher->Update();
+    const double change = 100.0 * (AreaOf(mesher->GetOutput()) / 313.65 - 1.0);
+    ASSERT_EQ(std::abs(change) > 5.0, tolerance == 0.5);
+    ASSERT_EQ(messages.Warnings.size(), tolerance == 0.5 ? 1 : 0);
+    if (tolerance == 0.5)
+    {
+      EXPECT_TRUE(Has(messages.Warnings[0], "BoundaryTolerance changed the area"));
+      EXPECT_TRUE(Has(messages.Warnings[0], std::to_string(static_cast<int>(change))));
+      EXPECT_TRUE(Has(messages.Warnings[0], "smaller BoundaryTolerance"));
+    }
+  }
 }
 
 TEST(BoundaryTolerance, IsNamedWhereTheDrawingIsMuchFinerThanTheSpacing)

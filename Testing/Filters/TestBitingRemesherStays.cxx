@@ -366,3 +366,33 @@ TEST(BitingRemesher, PassesAnUnstructuredGridWithLinesThrough)
   EXPECT_TRUE(output->GetCellData()->HasArray("Name"));
   EXPECT_EQ(remesher->GetOutput(1)->GetNumberOfLines(), plate.Edges->GetNumberOfLines());
 }
+
+/// An outline of segments a sixteenth as long as the spacing, whose notches are as narrow.
+TEST(BitingRemesher, CoarseningGivesNoMoreVerticesThanThereWere)
+{
+  std::vector<Place> outline{ { 0.0, 0.0, 0.0 }, { 0.5, 0.0, 0.0 }, { 0.25, -0.4330127, 0.0 } };
+  for (int level = 0; level < 4; ++level)
+  {
+    std::vector<Place> finer;
+    for (std::size_t k = 0; k < outline.size(); ++k)
+    {
+      const Place& a = outline[k];
+      const Place& b = outline[(k + 1) % outline.size()];
+      const double x = (b[0] - a[0]) / 3.0;
+      const double y = (b[1] - a[1]) / 3.0;
+      finer.insert(finer.end(),
+        { a, { a[0] + x, a[1] + y, 0.0 },
+          { a[0] + 1.5 * x - 0.8660254 * y, a[1] + 1.5 * y + 0.8660254 * x, 0.0 },
+          { a[0] + 2.0 * x, a[1] + 2.0 * y, 0.0 } });
+    }
+    outline = finer;
+  }
+  auto drawing = EmptyInput();
+  AddChain(drawing, outline, true);
+  const auto mesh = Meshed(drawing);
+  const auto remesher = RemesherOf(mesh);
+  remesher->SetSpacingScale(2.0);
+  remesher->Update();
+  EXPECT_GT(remesher->GetOutput()->GetNumberOfPoints(), 768);
+  EXPECT_LE(remesher->GetOutput()->GetNumberOfPoints(), mesh->GetNumberOfPoints());
+}

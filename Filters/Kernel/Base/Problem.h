@@ -56,9 +56,10 @@ enum class ProblemCode
   OpenOutlines, ///< chains that would bound the domain, but for gaps (ids: point, point: the open
                 ///< ends at the largest gap)
   // Meshed, and told.
-  NearMisses, ///< a vertex that nearly meets a segment or an embedded point (ids: cell, cell; NoId
-              ///< for an embedded point)
-  Aborted     ///< the monitor asked to stop; not an error
+  NearMisses,  ///< a vertex that nearly meets a segment or an embedded point (ids: cell, cell; NoId
+               ///< for an embedded point)
+  ChangedArea, ///< a tolerance changed the area of the domain by more than 5 % (no ids)
+  Aborted      ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

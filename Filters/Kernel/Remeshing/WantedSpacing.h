@@ -39,7 +39,7 @@ public:
   }
 
   /// f for the region, at most the local feature size of `pieces`, if there are any, but for
-  /// distances not below the lengths of the old edges.
+  /// distances not below 1.4 times the lengths of the old edges.
   Spacing Prepare(const ChangedRegion& region, const RegionEdges* pieces, double mostVertices,
     ProblemList& problems, Monitor& monitor);
 

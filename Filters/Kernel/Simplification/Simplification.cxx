@@ -12,8 +12,9 @@
 #include "SmallLoops.h"
 
 #include <algorithm> // for max, min, sort
-#include <cmath>     // for ceil
+#include <cmath>     // for abs, ceil
 #include <cstdint>   // for flags
+#include <sstream>   // for the detail
 #include <utility>   // for move
 #include <vector>    // for the arrays
 
@@ -36,6 +37,8 @@ constexpr double ShareBeforeCorners = 0.125;
 
 // Errors equal to the tolerance but for rounding are above it, in whatever direction they lie.
 constexpr double BelowTies = 1.0 - 1.0 / (1 << 26);
+
+constexpr double MostChangeOfArea = 0.05; // without a word
 
 constexpr double MostSamples = 1024.0; // of f along a segment, half of f apart
 
@@ -284,8 +287,22 @@ SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& opt
     const Domain whole = std::move(result.Drawing);
     const std::vector<double> tolerances = MakeTolerances(whole, options.Tolerance, spacing, pulse);
     ReduceChains(whole, options, tolerances, result, pulse);
+    ReportChangedArea(whole.Area, result.Drawing.Area, problems);
   }
   return pulse.HasStopped() ? SimplifiedDomain() : std::move(result);
+}
+
+void ReportChangedArea(double before, double after, ProblemList& problems)
+{
+  const double change = after / before - 1.0;
+  if (std::abs(change) > MostChangeOfArea)
+  {
+    std::ostringstream detail;
+    detail.precision(3);
+    detail << "from " << before << " to " << after << ", by " << std::showpos << 100.0 * change
+           << " %";
+    problems.Add({ ProblemCode::ChangedArea, {}, {}, detail.str() });
+  }
 }
 
 SimplifiedDomain SimplifyChains(const Domain& domain, const SimplificationOptions& options,

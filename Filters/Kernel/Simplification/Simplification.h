@@ -48,6 +48,7 @@ struct SimplifiedDomain
 /// segments too, each with the cell of the first one that it stands for, and in its place. The
 /// bounds are those of `domain`.
 ///
+/// - Area: a change of more than 5 % is told.
 /// - Distance: each segment and the path that it stands for are within Tolerance times f of one
 ///   another, both ways, f being the least along the path nearby.
 /// - Topology, exactly: the result obeys the invariant of Domain. Chains are moved over no vertex,
@@ -69,6 +70,10 @@ struct SimplifiedDomain
 /// 2009.
 SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& options,
   const std::function<double(const Point2&)>& spacing, ProblemList& problems, Monitor& monitor);
+
+/// Adds a problem where the area of the domain changed by more than 5 % (ProblemCode::ChangedArea):
+/// the tolerance is as wide as what is drawn.
+void ReportChangedArea(double before, double after, ProblemList& problems);
 
 /// As Simplify for the chains, where only f at the vertices is known: no loop is left out.
 /// Precondition: Tolerance is above zero.

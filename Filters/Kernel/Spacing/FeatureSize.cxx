@@ -198,7 +198,8 @@ private:
     sample.Given = this->GivenAt(place);
     const double known =
       this->MostByLength < sample.Given ? this->MostByLength : sample.Given + reach;
-    const double floor = this->Rule.Source.Floor ? this->Rule.Source.Floor(place) : 0.0;
+    const double floor =
+      this->Rule.Source.Floor ? LengthsPerSpacing * this->Rule.Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
     sample.Size = this->Rule.Size(this->Segment, place, known, least);
     const double bySize = std::max(sample.Size, least);

@@ -94,8 +94,9 @@ struct FeatureSource
   /// more is capped: a mesh that fine will be refused, and this should be soon.
   double MostPieces = std::numeric_limits<double>::infinity();
 
-  /// May be empty. The cap for the distance is no less than that: where f has been capped before,
-  /// what is given is the capped one, and a quarter of that would be less each time.
+  /// The lengths of edges that are there. May be empty. The cap for the distance is no less than
+  /// 1.4 times that: where f has been capped before, what is given is the capped one, and a quarter
+  /// of that would be less each time.
   std::function<double(const Point2&)> Floor;
 };
 
