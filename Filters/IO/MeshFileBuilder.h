@@ -68,6 +68,7 @@ private:
     std::size_t Group = 0; // index into those of the dimension
     std::int64_t GroupNumber = 0;
     std::size_t Line = 0;
+    bool IsOfOrderTwo = false;
 
     int Dimension() const { return this->Size == 2 ? 1 : 2; }
   };
