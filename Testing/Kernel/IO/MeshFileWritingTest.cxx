@@ -18,8 +18,8 @@ namespace
 
 constexpr std::size_t Width = 7;
 
-/// A square of cells of two triangles, those that `areThere` has by column and row. The tags of edges are chosen by `tagOf`, a function of their loop and of their
-/// number on it.
+/// A square of cells of two triangles, those that `areThere` has by column and row. The tags of
+/// edges are chosen by `tagOf`, a function of their loop and of their number on it.
 template <typename AreThere, typename TagOf>
 MeshFile LatticeOf(
   const AreThere& areThere, const std::vector<std::string>& tags, const TagOf& tagOf)
