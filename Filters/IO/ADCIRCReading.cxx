@@ -98,10 +98,9 @@ private:
       this->ReadStrings(false);
     if (this->Weirs > 0)
     {
-      this->Out.Remark(
-        "Pairs of nodes, heights and coefficients of boundaries of type 3, 4, 5, 13, "
-        "23, 24, 25 and 64 are left out: " +
-        std::to_string(this->Weirs) + " have some.");
+      this->Out.Remark("Boundaries of weirs and barriers (types 3, 4, 5, 13, 23, 24, 25, 64): " +
+        std::to_string(this->Weirs) +
+        ". Their edges are read; pairs of nodes, heights and coefficients are left out.");
     }
     return isRead;
   }

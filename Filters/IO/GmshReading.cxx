@@ -142,7 +142,6 @@ private:
 
   bool ReadEntities(bool arePartitioned)
   {
-    this->HasEntities = true;
     std::array<std::size_t, 4> counts{};
     bool isRead = !arePartitioned || this->PassPartitions();
     isRead = isRead && this->In.Read(counts[0], counts[1], counts[2], counts[3]);
@@ -329,7 +328,8 @@ private:
         this->Out.Fail("elements of the dimension of their entity"));
     const auto found = this->Entities.find({ dimension, entity });
     const bool isKnown = found != this->Entities.end();
-    isRead = isRead && (isKnown || !this->HasEntities || this->Out.Fail("an entity of the file"));
+    isRead =
+      isRead && (isKnown || this->Entities.empty() || this->Out.Fail("an entity of the file"));
     const EntityGroups groups = isKnown ? found->second : EntityGroups{ entity, {} };
     for (std::size_t k = 0; isRead && k < count; ++k)
     {
@@ -358,7 +358,6 @@ private:
   std::string Version;
   std::map<Entity, std::string> Names; // of physical groups
   std::map<Entity, EntityGroups> Entities;
-  bool HasEntities = false;
 };
 
 } // namespace

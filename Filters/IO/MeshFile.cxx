@@ -174,17 +174,17 @@ std::size_t SizeOf(const BoundaryPath& path)
   return path.Vertices.size() - (IsWholeIsland(path) ? 1 : 0);
 }
 
-// Adds an open path; a loop as two.
+// Adds an open path; a loop as two, and as more where a vertex is on it several times.
 void AddOpen(const BoundaryPath& path, std::vector<BoundaryPath>& opens)
 {
-  const auto& vertices = path.Vertices;
-  const auto middle =
-    vertices.begin() + static_cast<std::ptrdiff_t>(IsLoop(path) ? vertices.size() / 2 : 0);
-  if (middle != vertices.begin())
+  if (!IsLoop(path))
   {
-    opens.push_back({ { vertices.begin(), middle + 1 }, Open, path.IsIsland });
+    opens.push_back(path);
+    return;
   }
-  opens.push_back({ { middle, vertices.end() }, Open, path.IsIsland });
+  const auto middle = path.Vertices.begin() + static_cast<std::ptrdiff_t>(path.Vertices.size() / 2);
+  AddOpen({ { path.Vertices.begin(), middle + 1 }, Open, path.IsIsland }, opens);
+  AddOpen({ { middle, path.Vertices.end() }, Open, path.IsIsland }, opens);
 }
 
 void WritePath(const BoundaryPath& path, std::ostream& file)

@@ -73,9 +73,9 @@ bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Gro
 bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
 {
   this->PassedOver += kind.Corners == 0 ? 1 : 0;
-  this->OfOrderTwo += kind.Vertices > kind.Corners ? 1 : 0;
   Cell cell;
   cell.Size = kind.Corners;
+  cell.IsOfOrderTwo = kind.Vertices > kind.Corners;
   for (std::size_t k = 0; k < kind.Vertices; ++k)
   {
     std::int64_t vertex = 0;
@@ -246,6 +246,7 @@ bool MeshFileBuilder::AddCells()
   for (const Cell& cell : this->Cells)
   {
     const auto& corners = cell.Corners;
+    this->OfOrderTwo += cell.IsOfOrderTwo ? 1 : 0;
     if (cell.Size == 2)
     {
       this->Mesh.Edges.push_back({ corners[0], corners[1] });

@@ -7,14 +7,15 @@
 #include "MeshFileLines.h"
 #include "MeshFileReading.h"
 
-#include <array>      // for corners
-#include <cstddef>    // for counts
-#include <cstdint>    // for numbers
-#include <functional> // for names of groups
-#include <map>        // for numbers of vertices and groups
-#include <string>     // for sentences
-#include <utility>    // for pair
-#include <vector>     // for lists
+#include <array>         // for corners
+#include <cstddef>       // for counts
+#include <cstdint>       // for numbers
+#include <functional>    // for names of groups
+#include <map>           // for numbers of groups
+#include <string>        // for sentences
+#include <unordered_map> // for numbers of vertices
+#include <utility>       // for pair
+#include <vector>        // for lists
 
 namespace biting
 {
@@ -68,6 +69,7 @@ private:
     std::size_t Group = 0; // index into those of the dimension
     std::int64_t GroupNumber = 0;
     std::size_t Line = 0;
+    bool IsOfOrderTwo = false;
 
     int Dimension() const { return this->Size == 2 ? 1 : 2; }
   };
@@ -89,7 +91,7 @@ private:
   MeshFileLines& In;
   MeshFile& Mesh;
   ReadingResult Result;
-  std::map<std::int64_t, MeshFile::Vertex> Vertices;
+  std::unordered_map<std::int64_t, MeshFile::Vertex> Vertices; // by number, never in its order
   std::vector<Cell> Cells;
   std::vector<std::pair<std::int64_t, std::size_t>> Middles; // of cells of order 2, with lines
   std::array<Groups, 2> AllGroups;                           // of edges, of triangles

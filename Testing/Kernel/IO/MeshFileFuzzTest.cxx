@@ -117,8 +117,21 @@ void ForFiles(const Test& test)
 
 TEST(MeshFileFuzz, WholeFilesAreRead)
 {
-  ForFiles([](const ModelFile& file, unsigned)
-    { Expect(file, file.Text(), FileVerdict::Mesh, file.Model); });
+  ForFiles(
+    [](const ModelFile& file, unsigned)
+    {
+      const std::string text = file.Text();
+      Expect(file, text, FileVerdict::Mesh, file.Model);
+      for (const char* ends : { "\r\n", " \t\n", "\n\n" })
+      {
+        std::string other;
+        for (const char c : text)
+        {
+          other += c == '\n' ? ends : std::string(1, c == ' ' ? '\t' : c);
+        }
+        Expect(file, other, FileVerdict::Mesh, file.Model);
+      }
+    });
 }
 
 TEST(MeshFileFuzz, FilesThatAreCutAnywhereAreErrors)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
 #include <sstream>
 
 namespace biting
@@ -17,11 +18,11 @@ namespace
 
 constexpr std::size_t Width = 7;
 
-/// A square of cells of two triangles, without the one in the middle of each nine: an island. The
-/// tags of edges are chosen by `tagOf`, a function of their number on the loop; loops are numbered
-/// from the outline on.
-template <typename TagOf>
-MeshFile Lattice(const std::vector<std::string>& tags, const TagOf& tagOf)
+/// A square of cells of two triangles, those that `areThere` has by column and row. The tags of
+/// edges are chosen by `tagOf`, a function of their loop and of their number on it.
+template <typename AreThere, typename TagOf>
+MeshFile LatticeOf(
+  const AreThere& areThere, const std::vector<std::string>& tags, const TagOf& tagOf)
 {
   MeshFile mesh;
   for (std::size_t k = 0; k < Width * Width; ++k)
@@ -34,7 +35,7 @@ MeshFile Lattice(const std::vector<std::string>& tags, const TagOf& tagOf)
     {
       const std::int64_t a = j * std::int64_t(Width) + i;
       const std::int64_t c = a + std::int64_t(Width) + 1;
-      if (i % 3 != 1 || j % 3 != 1)
+      if (areThere(i, j))
       {
         mesh.Triangles.push_back({ a, a + 1, c });
         mesh.Triangles.push_back({ a, c, c - 1 });
@@ -59,6 +60,14 @@ MeshFile Lattice(const std::vector<std::string>& tags, const TagOf& tagOf)
     ++loop;
   }
   return mesh;
+}
+
+/// With an island in the middle of each nine cells.
+template <typename TagOf>
+MeshFile Lattice(const std::vector<std::string>& tags, const TagOf& tagOf)
+{
+  return LatticeOf(
+    [](std::int64_t i, std::int64_t j) { return i % 3 != 1 || j % 3 != 1; }, tags, tagOf);
 }
 
 std::array<std::int64_t, 2> Sorted(std::array<std::int64_t, 2> edge)
@@ -149,6 +158,17 @@ TEST(MeshFileWriting, ADCIRCHasNoOpenBoundaryThatIsALoop)
       }
       EXPECT_NE(nodes.front(), nodes.back());
     }
+  }
+}
+
+TEST(MeshFileWriting, ADCIRCHasEachEdgeOnceWhereLoopsTouch)
+{
+  for (unsigned seed = 1; seed <= 300; ++seed)
+  {
+    std::mt19937 random(seed);
+    ExpectEdgesBack(LatticeOf([&random](std::int64_t i, std::int64_t j)
+      { return (i == 0 && j == 0) || random() % 2 == 0; },
+      Tags, [&random](std::size_t, std::size_t) { return random() % 4 == 0 ? 1 : 0; }));
   }
 }
 

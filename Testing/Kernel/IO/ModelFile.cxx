@@ -202,7 +202,8 @@ ModelFile ModelFiles::Gmsh4()
   {
     for (std::size_t part = 0; part < 2; ++part)
     {
-      const Words words{ Fixed(part + 5), Any(0), Any(0), Any(0), Any(1), Any(1), Any(0), Fixed(1),
+      const Words words{ Fixed(part + 5), Any(0), Any(0), Any(0), Any(1), Any(1), Any(0),
+        Any(1, FileVerdict::Unknown),
         this->Group(
           dimension == 1 ? &MeshModel::Tags : &MeshModel::Regions, ends[part], ends[part + 1]),
         Fixed(0) };
