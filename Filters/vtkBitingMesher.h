@@ -234,8 +234,8 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and
-   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, and BAD_TRIANGLES, leave no
-   * mesh; the others are repaired, or only told.
+   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, BAD_TRIANGLES and OPEN_OUTLINES
+   * leave no mesh; the others are repaired, or only told.
    */
   enum ProblemKindType
   {

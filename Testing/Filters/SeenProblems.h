@@ -20,7 +20,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingMesher::FLAT_TRIANGLES + 1;
+constexpr int NumberOfKinds = vtkBitingMesher::OPEN_OUTLINES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

@@ -7,8 +7,8 @@
 #include "BoundaryComponents.h"
 #include "OpenEnds.h" // for the spacing at an end
 
-#include <algorithm> // for any_of, max, min, sort
-#include <cmath>     // for ceil, floor, log10, pow
+#include <algorithm> // for all_of, any_of, max, min, minmax_element, sort
+#include <cmath>     // for abs, ceil, floor, log10, pow
 #include <limits>    // for infinity
 #include <sstream>   // for figures
 #include <string>    // for details
@@ -192,6 +192,18 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
   }
 }
 
+/// Whether all vertices lie on one line, but for what counts as one point.
+bool AreOnOneLine(const Arrangement& arrangement)
+{
+  const std::vector<Point2>& places = arrangement.Vertices;
+  const auto [first, last] = std::minmax_element(places.begin(), places.end());
+  const Point2 direction = *last - *first;
+  const double reach = arrangement.Resolution * Length(direction);
+  return std::all_of(places.begin(), places.end(),
+    [first = *first, direction, reach](const Point2& place)
+    { return std::abs(Cross(direction, place - first)) <= reach; });
+}
+
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
 /// is.
 Problem NothingBounds(const Arrangement& arrangement)
@@ -207,7 +219,12 @@ Problem NothingBounds(const Arrangement& arrangement)
       ++cancelled;
     }
   }
-  if (cancelled > 0)
+  if (cancelled > 0 && AreOnOneLine(arrangement))
+  {
+    problem.Detail = "all segments lie on one straight line, from";
+    problem.Place = arrangement.At(arrangement.Edges.front().Ends.Start);
+  }
+  else if (cancelled > 0)
   {
     problem.Detail = std::to_string(cancelled) +
       " boundary segments are drawn an even number of times, which cancels them; the first of them";
