@@ -153,7 +153,7 @@ std::string DetailOf(double gap, double tolerance)
   std::ostringstream text;
   text.precision(3);
   text << "a gap of " << gap;
-  if (tolerance > 0.0 && tolerance <= LargestTolerance)
+  if (tolerance <= LargestTolerance)
   {
     text.precision(2);
     text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
@@ -161,12 +161,12 @@ std::string DetailOf(double gap, double tolerance)
   return text.str();
 }
 
-/// Of which the end is as long as its gap; 0 where no spacing is known.
+/// With which the end reaches over its gap; infinity where no spacing is known.
 double ToleranceOf(const OpenEnd& end, const Arrangement& arrangement, const SpacingAtEnds& spacing)
 {
   const double wanted =
     std::max(spacing(arrangement.At(end.Vertex)), spacing(arrangement.At(end.Partner)));
-  return wanted > 0.0 ? end.Gap / wanted : 0.0;
+  return wanted > 0.0 ? end.Gap / wanted : std::numeric_limits<double>::infinity();
 }
 
 /// What there is instead of a boundary, and where it begins.
@@ -219,15 +219,12 @@ Problem NothingBounds(const Arrangement& arrangement)
       ++cancelled;
     }
   }
-  if (cancelled > 0 && AreOnOneLine(arrangement))
-  {
-    problem.Detail = "all segments lie on one straight line, from";
-    problem.Place = arrangement.At(arrangement.Edges.front().Ends.Start);
-  }
-  else if (cancelled > 0)
+  if (cancelled > 0)
   {
     problem.Detail = std::to_string(cancelled) +
-      " boundary segments are drawn an even number of times, which cancels them; the first of them";
+      " boundary segments are drawn an even number of times, which cancels them" +
+      (AreOnOneLine(arrangement) ? ", and all lie on one straight line" : "") +
+      "; the first of them";
   }
   else
   {
@@ -242,7 +239,7 @@ class ClosedGaps
 public:
   ClosedGaps(const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends);
 
-  bool AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
+  double AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 private:
   bool IsOutline(const BoundaryComponent& loop) const;
@@ -288,9 +285,10 @@ ClosedGaps::ClosedGaps(
   }
 }
 
-bool ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
   const SpacingAtEnds spacing(options, this->Drawing.Vertices);
+  double largest = 0.0;
   for (const BoundaryComponent& loop : FindBoundaryComponents(this->Drawing, this->Counts, pulse))
   {
     OpenEnd widest;
@@ -306,13 +304,14 @@ bool ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems
     }
     if (widest.Vertex != NoId && this->IsOutline(loop))
     {
+      largest = std::max(largest, tolerance);
       const auto pointOf = [this](Id vertex)
       { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
       problems.Add({ ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
         this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
     }
   }
-  return problems.Has(ProblemCode::OpenOutlines);
+  return largest;
 }
 
 bool ClosedGaps::IsOutline(const BoundaryComponent& loop) const
@@ -368,26 +367,30 @@ bool ClosedGaps::IsInside(const Point2& place, const BoundaryComponent& loop) co
 
 } // namespace
 
-void RefuseOpenDrawing(
+double RefuseOpenDrawing(
   const Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
   std::vector<OpenEnd> ends = FindEnds(arrangement, Flags(arrangement.Edges.size(), 0));
   FindPartners(arrangement, ends, pulse);
   const SpacingAtEnds spacing(options, arrangement.Vertices);
+  double largest = ends.empty() ? std::numeric_limits<double>::infinity() : 0.0;
   for (const OpenEnd& end : ends)
   {
+    const double tolerance = end.Partner == NoId ? std::numeric_limits<double>::infinity()
+                                                 : ToleranceOf(end, arrangement, spacing);
+    largest = std::max(largest, tolerance);
     problems.Add({ ProblemCode::NoClosedLoop,
       { arrangement.VertexPoints[static_cast<std::size_t>(end.Vertex)] },
-      arrangement.At(end.Vertex),
-      end.Partner == NoId ? "" : DetailOf(end.Gap, ToleranceOf(end, arrangement, spacing)) });
+      arrangement.At(end.Vertex), end.Partner == NoId ? "" : DetailOf(end.Gap, tolerance) });
   }
   if (ends.empty())
   {
     problems.Add(NothingBounds(arrangement));
   }
+  return largest;
 }
 
-bool RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
+double RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
   Flags isNoLine;
@@ -399,7 +402,7 @@ bool RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
   std::vector<OpenEnd> ends = FindEnds(arrangement, isNoLine);
   if (ends.size() < 2)
   {
-    return false;
+    return 0.0;
   }
   FindPartners(arrangement, ends, pulse);
   return ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);

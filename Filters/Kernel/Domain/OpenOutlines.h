@@ -20,15 +20,17 @@ namespace biting
 ///
 /// Gaps are between two open ends: the two that are nearest to each other make one, then the two of
 /// the rest, and so on. Where more than 10000 ends are open no gaps are looked for.
-void RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
+/// Returns the EndTolerance that closes all gaps; infinity where it is not known.
+double RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
   ProblemList& problems, Pulse& pulse);
 
 /// Refuses a drawing of which chains are left out that would bound a domain, but for gaps: closed
 /// over their gaps, they make a loop
 /// - around what is kept, its gaps no more than a quarter of its length, or half where it is one; or
 /// - elsewhere, its gaps no more than a hundredth of its length, or a tenth where it is one.
-/// Returns whether there is such a loop. Each is a problem of kind OpenOutlines.
-bool RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
+/// Each is a problem of kind OpenOutlines. Returns the EndTolerance that closes them all; 0 where
+/// there is none, infinity where it is not known.
+double RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting

@@ -260,6 +260,17 @@ TEST(OpenOutlines, WithinTheToleranceClose)
   }
 }
 
+TEST(OpenOutlines, CloseOverGapsOfTenTimesTheTolerance)
+{
+  const MadeDomain made = MakeJoined(NearlyClosed(9.9e-3).Lines());
+  EXPECT_NEAR(made.Domain.Area, 0.96, 1e-15);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::JoinedEnds), 1);
+  EXPECT_TRUE(MakeJoined(NearlyClosed(1.01e-2).Lines()).Problems.Has(ProblemCode::OpenOutlines));
+  const PolylineBuilder alone =
+    PolylineBuilder().Chain({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 5e-3 } });
+  EXPECT_EQ(MakeJoined(alone.Lines()).Domain.Area, 0.5);
+}
+
 TEST(OpenOutlines, BeyondTheToleranceAreRefusedWithWhatClosesThem)
 {
   const MadeDomain made = MakeJoined(NearlyClosed(0.3).Lines());
