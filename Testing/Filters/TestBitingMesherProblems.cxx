@@ -262,7 +262,8 @@ TEST(BitingMesherProblems, AreNoPlanesForALineInSpace)
   mesher->SetInputData(input);
   const Outcome run = RunOf(mesher);
   ASSERT_EQ(run.Errors.size(), 1u);
-  EXPECT_TRUE(Has(run.Errors[0], "all lie on one straight line; the first of them")) << run.Errors[0];
+  EXPECT_TRUE(Has(run.Errors[0], "all lie on one straight line; the first of them"))
+    << run.Errors[0];
 }
 
 TEST(BitingMesherProblems, ShowTheOpenEndsWhereNoLoopIsClosed)

@@ -5,13 +5,16 @@
 
 #include "../Base/Box2.h"
 #include "BoundaryComponents.h"
+#include "FaceGroups.h"
 #include "OpenEnds.h" // for the spacing at an end
 
 #include <algorithm> // for all_of, any_of, max, min, minmax_element, sort
 #include <cmath>     // for abs, ceil, floor, log10, pow
 #include <limits>    // for infinity
+#include <map>       // for runs
 #include <sstream>   // for figures
 #include <string>    // for details
+#include <utility>   // for move
 
 namespace biting
 {
@@ -242,9 +245,12 @@ public:
   double AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 private:
-  bool IsOutline(const BoundaryComponent& loop) const;
-  bool HasKeptInside(const BoundaryComponent& loop) const;
-  bool IsInside(const Point2& place, const BoundaryComponent& loop) const;
+  std::vector<std::vector<Id>> RunsOf(const BoundaryComponent& loop) const;
+  bool IsOutline(const std::vector<Id>& run, bool isLoop) const;
+  bool HasKeptInside(const std::vector<Id>& loop) const;
+  bool IsInside(const Point2& place, const std::vector<Id>& loop) const;
+  bool IsAtKept(Id vertex) const { return this->AtKept[static_cast<std::size_t>(vertex)] != 0; }
+  Id CellOf(Id edge) const { return this->Drawing.Edge(edge).Cell; }
   bool IsGap(Id edge) const { return static_cast<std::size_t>(edge) >= this->IsKept.size(); }
   const OpenEnd& EndOf(Id gap) const
   {
@@ -258,7 +264,9 @@ private:
 
   Arrangement Drawing;
   const Flags& IsKept;
-  std::vector<Id> Counts; ///< of what is left out, and of gaps
+  Flags AtKept;      ///< vertices
+  FaceGroups Groups; ///< of vertices that what is not kept joins, away from what is
+  std::vector<Id> Counts;
   std::vector<OpenEnd> Gaps;
 };
 
@@ -266,11 +274,15 @@ ClosedGaps::ClosedGaps(
   const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends)
   : Drawing(arrangement)
   , IsKept(isKept)
+  , AtKept(arrangement.Vertices.size(), 0)
+  , Groups(static_cast<Id>(arrangement.Vertices.size()))
 {
   for (std::size_t e = 0; e < isKept.size(); ++e)
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
-    this->Counts.push_back(isKept[e] ? 0 : edge.BoundaryCount + edge.OpenCount);
+    this->Counts.push_back(edge.BoundaryCount + edge.OpenCount);
+    this->AtKept[static_cast<std::size_t>(edge.Ends.Start)] |= isKept[e];
+    this->AtKept[static_cast<std::size_t>(edge.Ends.End)] |= isKept[e];
   }
   for (const OpenEnd& end : ends)
   {
@@ -283,6 +295,13 @@ ClosedGaps::ClosedGaps(
       this->Gaps.push_back(end);
     }
   }
+  for (const ArrangementEdge& edge : this->Drawing.Edges)
+  {
+    if (!this->IsAtKept(edge.Ends.Start) && !this->IsAtKept(edge.Ends.End))
+    {
+      this->Groups.Join(edge.Ends.Start, edge.Ends.End);
+    }
+  }
 }
 
 double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
@@ -291,48 +310,74 @@ double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& proble
   double largest = 0.0;
   for (const BoundaryComponent& loop : FindBoundaryComponents(this->Drawing, this->Counts, pulse))
   {
-    OpenEnd widest;
-    double tolerance = 0.0;
-    for (const Id edge : loop.Edges)
+    for (const std::vector<Id>& run : this->RunsOf(loop))
     {
-      if (this->IsGap(edge))
+      OpenEnd widest;
+      double tolerance = 0.0;
+      for (const Id edge : run)
       {
-        const OpenEnd& end = this->EndOf(edge);
+        const OpenEnd end = this->IsGap(edge) ? this->EndOf(edge) : OpenEnd();
         widest = end.Gap > widest.Gap ? end : widest;
-        tolerance = std::max(tolerance, ToleranceOf(end, this->Drawing, spacing));
+        tolerance =
+          std::max(tolerance, end.Vertex == NoId ? 0.0 : ToleranceOf(end, this->Drawing, spacing));
       }
-    }
-    if (widest.Vertex != NoId && this->IsOutline(loop))
-    {
-      largest = std::max(largest, tolerance);
-      const auto pointOf = [this](Id vertex)
-      { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
-      problems.Add({ ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
-        this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
+      if (widest.Vertex != NoId && this->IsOutline(run, run.size() == loop.Edges.size()))
+      {
+        largest = std::max(largest, tolerance);
+        const auto pointOf = [this](Id vertex)
+        { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
+        problems.Add(
+          { ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
+            this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
+      }
     }
   }
   return largest;
 }
 
-bool ClosedGaps::IsOutline(const BoundaryComponent& loop) const
+/// What is left out of the loop, and gaps, as far as it hangs together without what is kept.
+std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop) const
+{
+  std::map<Id, std::vector<Id>> runs;
+  for (const Id edge : loop.Edges)
+  {
+    const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
+    if (this->IsGap(edge) || !this->IsKept[static_cast<std::size_t>(edge)])
+    {
+      runs[this->Groups.Find(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
+    }
+  }
+  std::vector<std::vector<Id>> lists;
+  for (auto& [group, edges] : runs)
+  {
+    lists.push_back(std::move(edges));
+  }
+  return lists;
+}
+
+bool ClosedGaps::IsOutline(const std::vector<Id>& run, bool isLoop) const
 {
   double length = 0.0;
   double gaps = 0.0;
   std::size_t count = 0;
-  for (const Id edge : loop.Edges)
+  bool areOfOneCell = true;
+  for (const Id edge : run)
   {
     length += this->LengthOf(edge);
     gaps += this->IsGap(edge) ? this->LengthOf(edge) : 0.0;
     count += this->IsGap(edge) ? 1 : 0;
+    areOfOneCell =
+      areOfOneCell && (this->IsGap(edge) || this->CellOf(edge) == this->CellOf(run[0]));
   }
-  const auto areSmall = [length, gaps, count](const LargestShare& share)
-  { return gaps <= (count == 1 ? share.OfOneGap : share.OfSeveral) * length; };
-  return areSmall(Elsewhere) || (areSmall(AroundWhatIsKept) && this->HasKeptInside(loop));
+  const bool isOneGap = count == 1 && (isLoop || areOfOneCell);
+  const auto areSmall = [length, gaps, isOneGap](const LargestShare& share)
+  { return gaps <= (isOneGap ? share.OfOneGap : share.OfSeveral) * length; };
+  return areSmall(Elsewhere) || (isLoop && areSmall(AroundWhatIsKept) && this->HasKeptInside(run));
 }
 
 /// The outermost of the vertices that are kept are looked at: one that is the first, or the last,
 /// along an axis.
-bool ClosedGaps::HasKeptInside(const BoundaryComponent& loop) const
+bool ClosedGaps::HasKeptInside(const std::vector<Id>& loop) const
 {
   std::vector<Point2> outermost;
   const auto isLower = [](const Point2& a, const Point2& b)
@@ -351,10 +396,10 @@ bool ClosedGaps::HasKeptInside(const BoundaryComponent& loop) const
     [this, &loop](const Point2& place) { return this->IsInside(place, loop); });
 }
 
-bool ClosedGaps::IsInside(const Point2& place, const BoundaryComponent& loop) const
+bool ClosedGaps::IsInside(const Point2& place, const std::vector<Id>& loop) const
 {
   bool isInside = false;
-  for (const Id edge : loop.Edges)
+  for (const Id edge : loop)
   {
     const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
     const Point2& a = this->Drawing.At(ends.Start);

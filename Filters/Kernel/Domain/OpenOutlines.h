@@ -25,9 +25,10 @@ double RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& op
   ProblemList& problems, Pulse& pulse);
 
 /// Refuses a drawing of which chains are left out that would bound a domain, but for gaps: closed
-/// over their gaps, they make a loop
-/// - around what is kept, its gaps no more than a quarter of its length, or half where it is one; or
-/// - elsewhere, its gaps no more than a hundredth of its length, or a tenth where it is one.
+/// over their gaps, they make a loop, or they go from what is kept to what is kept, and
+/// - the gaps are no more than a hundredth of the length of what is left out there,
+/// - or a tenth, where it is one gap, of a loop or between the ends of one cell,
+/// - or a quarter, or half where it is one, of a loop in which something is kept.
 /// Each is a problem of kind OpenOutlines. Returns the EndTolerance that closes them all; 0 where
 /// there is none, infinity where it is not known.
 double RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,

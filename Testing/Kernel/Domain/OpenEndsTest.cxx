@@ -290,6 +290,31 @@ TEST(OpenOutlines, BesideADomainAreRefused)
   EXPECT_TRUE(MakeJoined(builder.Lines()).Problems.Has(ProblemCode::OpenOutlines));
 }
 
+TEST(OpenOutlines, OfWhichADividerClosesAPartAreRefused)
+{
+  Places outline = Square;
+  outline.push_back({ 0, 0.03 });
+  const PolylineBuilder builder =
+    PolylineBuilder().Chain(outline).Chain({ { 0, 0.5 }, { 1, 0.6 } });
+  for (const Polylines& input : { builder.Lines(), Reverse(builder.Lines()) })
+  {
+    const MadeDomain made = MakeJoined(input);
+    EXPECT_TRUE(made.Problems.Has(ProblemCode::OpenOutlines));
+    EXPECT_NEAR(MakeJoined(input, 0.3001).Domain.Area, 1.0, 1e-12);
+  }
+}
+
+TEST(OpenOutlines, AreNoLinesThatLeaveTheDomain)
+{
+  PolylineBuilder builder;
+  builder.Loop(Square);
+  for (int k = 1; k < 9; ++k)
+  {
+    builder.Chain({ { 0.1 * k, -0.5 }, { 0.1 * k, 1.5 } });
+  }
+  EXPECT_EQ(MakeJoined(builder.Lines()).Domain.Area, 1.0);
+}
+
 TEST(OpenOutlines, AreNoLinesThatEndApart)
 {
   const PolylineBuilder line =
