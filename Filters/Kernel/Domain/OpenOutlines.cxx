@@ -5,6 +5,7 @@
 
 #include "../Base/Box2.h"
 #include "BoundaryComponents.h"
+#include "EndPairs.h"
 #include "FaceGroups.h"
 #include "OpenEnds.h" // for the spacing at an end
 
@@ -24,7 +25,6 @@ namespace
 
 using Flags = std::vector<std::uint8_t>;
 
-constexpr std::size_t MostEnds = 10000;
 constexpr double LargestTolerance = 10.0; ///< that is worth a try
 
 /// Of the length of a loop, all of its gaps together.
@@ -35,113 +35,6 @@ struct LargestShare
 };
 constexpr LargestShare AroundWhatIsKept{ 0.5, 0.25 };
 constexpr LargestShare Elsewhere{ 0.1, 0.01 };
-
-/// A vertex at which nothing goes on, and the one of the others with which it makes a gap.
-struct OpenEnd
-{
-  Id Vertex = NoId;
-  Id Partner = NoId;
-  double Gap = 0.0;
-};
-
-/// How many edges end at each vertex, those that are drawn several times as often.
-std::vector<Id> Degrees(const Arrangement& arrangement)
-{
-  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
-  for (const ArrangementEdge& edge : arrangement.Edges)
-  {
-    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
-    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
-    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
-  }
-  return degrees;
-}
-
-/// Of edges that are not kept, by their vertices.
-std::vector<OpenEnd> FindEnds(const Arrangement& arrangement, const Flags& isKept)
-{
-  const std::vector<Id> degrees = Degrees(arrangement);
-  std::vector<OpenEnd> ends;
-  for (std::size_t e = 0; e < isKept.size(); ++e)
-  {
-    const ArrangementEdge& edge = arrangement.Edges[e];
-    for (const Id vertex : { edge.Ends.Start, edge.Ends.End })
-    {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (!isKept[e] && degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
-      {
-        ends.push_back({ vertex });
-      }
-    }
-  }
-  std::sort(ends.begin(), ends.end(),
-    [](const OpenEnd& a, const OpenEnd& b) { return a.Vertex < b.Vertex; });
-  return ends;
-}
-
-/// By number, for each of `ends`, which are sorted along the first axis, the nearest other one.
-std::vector<std::size_t> NearestOthers(
-  const Arrangement& arrangement, const std::vector<OpenEnd>& ends, Pulse& pulse)
-{
-  std::vector<std::size_t> nearest;
-  for (std::size_t i = 0; i < ends.size() && pulse.Beat(); ++i)
-  {
-    const Point2& place = arrangement.At(ends[i].Vertex);
-    double least = std::numeric_limits<double>::infinity();
-    nearest.push_back(i);
-    const auto look = [&arrangement, &ends, &place, &least, &nearest](std::size_t other)
-    {
-      const Point2& there = arrangement.At(ends[other].Vertex);
-      const double distance = Distance(place, there);
-      if (distance < least)
-      {
-        least = distance;
-        nearest.back() = other;
-      }
-      return std::abs(there.X - place.X) <= least;
-    };
-    for (std::size_t below = i; below > 0 && look(below - 1); --below)
-    {
-    }
-    for (std::size_t above = i + 1; above < ends.size() && look(above); ++above)
-    {
-    }
-  }
-  return nearest;
-}
-
-/// Those that are the nearest of each other become partners, then those of the rest, and so on.
-void FindPartners(const Arrangement& arrangement, std::vector<OpenEnd>& ends, Pulse& pulse)
-{
-  std::vector<OpenEnd> left = ends;
-  std::sort(left.begin(), left.end(),
-    [&arrangement](const OpenEnd& a, const OpenEnd& b)
-    { return arrangement.At(a.Vertex) < arrangement.At(b.Vertex); });
-  std::vector<OpenEnd> done;
-  while (left.size() > 1 && left.size() <= MostEnds && !pulse.HasStopped())
-  {
-    const std::vector<std::size_t> nearest = NearestOthers(arrangement, left, pulse);
-    std::vector<OpenEnd> rest;
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-    {
-      const bool isPair = nearest[nearest[i]] == i;
-      OpenEnd& end = left[i];
-      end.Partner = isPair ? left[nearest[i]].Vertex : NoId;
-      end.Gap = isPair ? Distance(arrangement.At(end.Vertex), arrangement.At(end.Partner)) : 0.0;
-      (isPair ? done : rest).push_back(end);
-    }
-    if (rest.size() == left.size())
-    {
-      break;
-    }
-    left.swap(rest);
-  }
-  done.insert(done.end(), left.begin(), left.end());
-  std::sort(done.begin(), done.end(),
-    [](const OpenEnd& a, const OpenEnd& b)
-    { return a.Gap != b.Gap ? a.Gap > b.Gap : a.Vertex < b.Vertex; });
-  ends.swap(done);
-}
 
 /// Two digits, and no less than the value.
 double RoundedUp(double value)
@@ -286,10 +179,12 @@ ClosedGaps::ClosedGaps(
   }
   for (const OpenEnd& end : ends)
   {
-    if (end.Vertex < end.Partner)
+    const auto isSame = [&end](const OpenEnd& gap)
+    { return gap.Vertex == end.Partner && gap.Partner == end.Vertex; };
+    if (end.Partner != NoId && std::none_of(this->Gaps.begin(), this->Gaps.end(), isSame))
     {
       ArrangementEdge gap;
-      gap.Ends = { end.Vertex, end.Partner };
+      gap.Ends = { std::min(end.Vertex, end.Partner), std::max(end.Vertex, end.Partner) };
       this->Drawing.Edges.push_back(gap);
       this->Counts.push_back(1);
       this->Gaps.push_back(end);
@@ -415,8 +310,8 @@ bool ClosedGaps::IsInside(const Point2& place, const std::vector<Id>& loop) cons
 double RefuseOpenDrawing(
   const Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  std::vector<OpenEnd> ends = FindEnds(arrangement, Flags(arrangement.Edges.size(), 0));
-  FindPartners(arrangement, ends, pulse);
+  const std::vector<OpenEnd> ends =
+    PairOpenEnds(arrangement, Flags(arrangement.Edges.size(), 0), pulse);
   const SpacingAtEnds spacing(options, arrangement.Vertices);
   double largest = ends.empty() ? std::numeric_limits<double>::infinity() : 0.0;
   for (const OpenEnd& end : ends)
@@ -444,12 +339,11 @@ double RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
     const ArrangementEdge& edge = arrangement.Edges[e];
     isNoLine.push_back(isKept[e] || edge.BoundaryCount + edge.OpenCount == 0);
   }
-  std::vector<OpenEnd> ends = FindEnds(arrangement, isNoLine);
-  if (ends.size() < 2)
+  const std::vector<OpenEnd> ends = PairOpenEnds(arrangement, isNoLine, pulse);
+  if (ends.empty())
   {
     return 0.0;
   }
-  FindPartners(arrangement, ends, pulse);
   return ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
 }
 

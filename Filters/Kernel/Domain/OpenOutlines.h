@@ -15,11 +15,8 @@ namespace biting
 {
 
 /// Refuses a drawing in which nothing bounds a domain. Says where chains could be closed: one
-/// problem for each open end, with its gap, those of the widest gaps first; a single problem where
-/// no end is open.
-///
-/// Gaps are between two open ends: the two that are nearest to each other make one, then the two of
-/// the rest, and so on. Where more than 10000 ends are open no gaps are looked for.
+/// problem for each open end, with its gap, those of the widest gaps first (EndPairs.h); a single
+/// problem where no end is open.
 /// Returns the EndTolerance that closes all gaps; infinity where it is not known.
 double RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
   ProblemList& problems, Pulse& pulse);
