@@ -93,10 +93,10 @@
  * one corner of the input below 60 degrees: with this f they cannot be much better), and the number
  * of repairs: `RepairedDuplicatePoints`, `RepairedZeroLengthSegments`, `RepairedDuplicateSegments`,
  * `RepairedCrossings`, `RepairedTouches`, `RepairedNearPoints`, `RepairedOpenEnds`,
- * `DroppedOutsidePoints`, `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the input, by
- * BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize), `ShareOfDrawing`
- * (share of the vertices that only the drawing asks for, 0 where it is not much finer than the
- * spacing). Field data of the input is passed on.
+ * `DroppedOutsidePoints`, `DroppedOutsideInterfaces`, `OverlappingCells`; `RemovedVertices` (of the
+ * input, by BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize),
+ * `ShareOfDrawing` (share of the vertices that only the drawing asks for, 0 where it is not much
+ * finer than the spacing). Field data of the input is passed on.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, those of the boundary with the
@@ -230,8 +230,8 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and
-   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, and BAD_TRIANGLES, leave no
-   * mesh; the others are repaired, or only told.
+   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, BAD_TRIANGLES and OPEN_OUTLINES
+   * leave no mesh; the others are repaired, or only told.
    */
   enum ProblemKindType
   {
@@ -315,8 +315,9 @@ public:
    * joined with it: a warning says how many, how far and where, and output 3 shows them. The end
    * moves; what it meets stays. In units of the spacing that is given there, before gradation and
    * the limit by feature size, but of no more than the diagonal of the input. At least 0; 0: ends
-   * are joined within the rounding of coordinates, or MergeTolerance, only. Default 0.01. An outline
-   * with a wider gap is an error that tells the value which closes it.
+   * are joined within the rounding of coordinates, or MergeTolerance, only. Default 0.01. Where an
+   * outline would be open else, up to ten times as much closes it. With a wider gap it is an error
+   * that tells the value which closes it.
    */
   vtkSetMacro(EndTolerance, double);
   vtkGetMacro(EndTolerance, double);

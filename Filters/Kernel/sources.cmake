@@ -44,6 +44,7 @@ set(biting_kernel_sources
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
+  Domain/EndPairs.cxx
   Domain/EndSurroundings.cxx
   Domain/MeetingReports.cxx
   Domain/Meetings.cxx

@@ -204,6 +204,68 @@ TEST(BitingMesherProblems, AreTheSamePlacesAsErrorsWhereRepairIsOff)
   }
 }
 
+TEST(BitingMesherProblems, ShowOpenEndsThatWereJoinedWhereTheyWere)
+{
+  auto input = EmptyInput();
+  AddChain(input, { Leaning(0, 0), Leaning(1, 0), Leaning(1, 1), Leaning(0, 1) }, true);
+  AddChain(input, { Leaning(2e-4, 0.3), Leaning(0.5, 0.4), Leaning(1 - 1e-6, 0.6) }, false);
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  mesher->SetUniformSpacing(0.1);
+  const Outcome repaired = RunOf(mesher);
+  const auto ends = repaired.Of(vtkBitingMesher::JOINED_ENDS);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].FirstId, 4);
+  EXPECT_EQ(ends[0].SecondId, 0);
+  EXPECT_EQ(ends[0].Where, PointOf(input, 4));
+  EXPECT_EQ(ends[1].FirstId, 6);
+  ASSERT_EQ(repaired.Warnings.size(), 1u);
+  EXPECT_TRUE(Has(repaired.Warnings[0], "(2): point 4 with cell 0 near (3.00016, -0.7, 7.00012)"));
+  EXPECT_TRUE(Has(repaired.Warnings[0], "(moved by 0.0002, which is the most)"));
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 1.0, 1e-12);
+  EXPECT_EQ(Figure(mesher->GetOutput(), "RepairedOpenEnds"), 2.0);
+  mesher->RepairInputOff();
+  const Outcome refused = RunOf(mesher);
+  EXPECT_EQ(refused.Of(vtkBitingMesher::JOINED_ENDS).size(), 2u);
+  ASSERT_EQ(refused.Errors.size(), 1u);
+  EXPECT_TRUE(Has(refused.Errors[0], "RepairInput is off, and the input is not clean. Open ends"));
+}
+
+TEST(BitingMesherProblems, ShowTheGapOfAnOutline)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0.4, 0.4, 0 }, { 0.6, 0.4, 0 }, { 0.5, 0.6, 0 } }, true);
+  AddChain(input, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0.3, 0 } }, false);
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  mesher->SetUniformSpacing(0.1);
+  const Outcome run = RunOf(mesher);
+  EXPECT_TRUE(AreAllEmpty(mesher));
+  ASSERT_EQ(run.Errors.size(), 1u);
+  EXPECT_TRUE(Has(run.Errors[0], "Outlines that do not close"));
+  EXPECT_TRUE(Has(run.Errors[0], "(a gap of 0.3; an EndTolerance of 3 closes it)"));
+  const auto gaps = run.Of(vtkBitingMesher::OPEN_OUTLINES);
+  ASSERT_EQ(gaps.size(), 1u);
+  EXPECT_EQ(gaps[0].IsError, 1);
+  EXPECT_EQ(gaps[0].FirstId, 3);
+  EXPECT_EQ(gaps[0].SecondId, 7);
+  mesher->SetEndTolerance(3.0);
+  EXPECT_TRUE(RunOf(mesher).Errors.empty());
+  EXPECT_NEAR(AreaOf(mesher->GetOutput()), 0.98, 1e-12);
+}
+
+TEST(BitingMesherProblems, AreNoPlanesForALineInSpace)
+{
+  auto input = EmptyInput();
+  AddChain(input, { { 0, 0, 0 }, { 0.3, 0.7, 0.9 }, { 1.5, 3.5, 4.5 } }, true);
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetInputData(input);
+  const Outcome run = RunOf(mesher);
+  ASSERT_EQ(run.Errors.size(), 1u);
+  EXPECT_TRUE(Has(run.Errors[0], "all lie on one straight line; the first of them"))
+    << run.Errors[0];
+}
+
 TEST(BitingMesherProblems, ShowTheOpenEndsWhereNoLoopIsClosed)
 {
   auto input = EmptyInput();

@@ -106,8 +106,9 @@ bool HasValidIds(const Problem& problem, const FuzzCase& fuzzCase)
     const std::size_t end = isSpacing ? values
       : IsPointId(problem, k)         ? points
                                       : fuzzCase.Input.Cells.size();
-    const bool isOptional =
-      k == 1 && (problem.Code == ProblemCode::Touches || problem.Code == ProblemCode::NearPoints);
+    const bool isOptional = k == 1 &&
+      (problem.Code == ProblemCode::Touches || problem.Code == ProblemCode::NearPoints ||
+        problem.Code == ProblemCode::OpenOutlines);
     if (problem.Ids[k] < (isOptional ? NoId : 0) ||
       problem.Ids[k] >= static_cast<std::int64_t>(end))
     {

@@ -53,10 +53,37 @@ Domain Refuse(ProblemCode code, ProblemList& problems)
   return {};
 }
 
+/// Of EndTolerance: outlines with gaps that wide are closed where they would be refused else.
+constexpr double OutlineFactor = 10.0;
+constexpr double SlackOfClosing = 1e-9; ///< above the rounding of distances
+
+/// Where the drawing, or an outline of it, is open, `closing` is the EndTolerance that closes it.
+Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& closing,
+  ProblemList& problems, Monitor& monitor);
+
 } // namespace
 
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor)
+{
+  const ProblemList before = problems;
+  double closing = 0.0;
+  Domain domain = MakeOnce(input, options, closing, problems, monitor);
+  if (closing > options.EndTolerance && closing <= OutlineFactor * options.EndTolerance)
+  {
+    DomainOptions wider = options;
+    wider.EndTolerance = (1.0 + SlackOfClosing) * closing;
+    problems = before;
+    domain = MakeOnce(input, wider, closing, problems, monitor);
+  }
+  return domain;
+}
+
+namespace
+{
+
+Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& closing,
+  ProblemList& problems, Monitor& monitor)
 {
   if (input.NumberOfChains() == 0 || !IsUsable(input, problems))
   {
@@ -73,7 +100,7 @@ Domain MakeDomain(
     std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; });
   if (isOpen && !pulse.HasStopped())
   {
-    RefuseOpenDrawing(arrangement, options, problems, pulse);
+    closing = RefuseOpenDrawing(arrangement, options, problems, pulse);
     return {};
   }
   const InsideFlags inside = Nest(arrangement, bounds, pulse);
@@ -81,7 +108,9 @@ Domain MakeDomain(
   {
     return Refuse(ProblemCode::Aborted, problems);
   }
-  if (RefuseOpenOutlines(arrangement, KeptEdges(arrangement, inside), options, problems, pulse))
+  closing =
+    RefuseOpenOutlines(arrangement, KeptEdges(arrangement, inside), options, problems, pulse);
+  if (closing > 0.0)
   {
     return {};
   }
@@ -99,9 +128,6 @@ Domain MakeDomain(
   }
   return domain;
 }
-
-namespace
-{
 
 Flags UsedPoints(const Polylines& input)
 {

@@ -82,8 +82,8 @@ struct DomainOptions
   /// are one. Where it is less than the rounding of the coordinates, that counts.
   double MergeTolerance = 0.0;
 
-  /// Open ends within that of another end, a vertex or a segment are joined with it (OpenEnds.h), in
-  /// units of GivenSpacing there. Where it is less than what MergeTolerance says, that counts.
+  /// Open ends within that of another end, a vertex or a segment are joined with it (OpenEnds.h),
+  /// in units of GivenSpacing there. Where MergeTolerance says more, that counts.
   double EndTolerance = 0.01;
 
   /// The spacing that was asked for at a place. Called only where ends are open. Empty: zero.

@@ -5,13 +5,17 @@
 
 #include "../Base/Box2.h"
 #include "BoundaryComponents.h"
+#include "EndPairs.h"
+#include "FaceGroups.h"
 #include "OpenEnds.h" // for the spacing at an end
 
-#include <algorithm> // for any_of, max, min, sort
-#include <cmath>     // for ceil, floor, log10, pow
+#include <algorithm> // for all_of, any_of, max, min, minmax_element, sort
+#include <cmath>     // for abs, ceil, floor, log10, pow
 #include <limits>    // for infinity
+#include <map>       // for runs
 #include <sstream>   // for figures
 #include <string>    // for details
+#include <utility>   // for move
 
 namespace biting
 {
@@ -21,7 +25,6 @@ namespace
 
 using Flags = std::vector<std::uint8_t>;
 
-constexpr std::size_t MostEnds = 10000;
 constexpr double LargestTolerance = 10.0; ///< that is worth a try
 
 /// Of the length of a loop, all of its gaps together.
@@ -32,113 +35,6 @@ struct LargestShare
 };
 constexpr LargestShare AroundWhatIsKept{ 0.5, 0.25 };
 constexpr LargestShare Elsewhere{ 0.1, 0.01 };
-
-/// A vertex at which nothing goes on, and the one of the others with which it makes a gap.
-struct OpenEnd
-{
-  Id Vertex = NoId;
-  Id Partner = NoId;
-  double Gap = 0.0;
-};
-
-/// How many edges end at each vertex, those that are drawn several times as often.
-std::vector<Id> Degrees(const Arrangement& arrangement)
-{
-  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
-  for (const ArrangementEdge& edge : arrangement.Edges)
-  {
-    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
-    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
-    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
-  }
-  return degrees;
-}
-
-/// Of edges that are not kept, by their vertices.
-std::vector<OpenEnd> FindEnds(const Arrangement& arrangement, const Flags& isKept)
-{
-  const std::vector<Id> degrees = Degrees(arrangement);
-  std::vector<OpenEnd> ends;
-  for (std::size_t e = 0; e < isKept.size(); ++e)
-  {
-    const ArrangementEdge& edge = arrangement.Edges[e];
-    for (const Id vertex : { edge.Ends.Start, edge.Ends.End })
-    {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (!isKept[e] && degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
-      {
-        ends.push_back({ vertex });
-      }
-    }
-  }
-  std::sort(ends.begin(), ends.end(),
-    [](const OpenEnd& a, const OpenEnd& b) { return a.Vertex < b.Vertex; });
-  return ends;
-}
-
-/// By number, for each of `ends`, which are sorted along the first axis, the nearest other one.
-std::vector<std::size_t> NearestOthers(
-  const Arrangement& arrangement, const std::vector<OpenEnd>& ends, Pulse& pulse)
-{
-  std::vector<std::size_t> nearest;
-  for (std::size_t i = 0; i < ends.size() && pulse.Beat(); ++i)
-  {
-    const Point2& place = arrangement.At(ends[i].Vertex);
-    double least = std::numeric_limits<double>::infinity();
-    nearest.push_back(i);
-    const auto look = [&arrangement, &ends, &place, &least, &nearest](std::size_t other)
-    {
-      const Point2& there = arrangement.At(ends[other].Vertex);
-      const double distance = Distance(place, there);
-      if (distance < least)
-      {
-        least = distance;
-        nearest.back() = other;
-      }
-      return std::abs(there.X - place.X) <= least;
-    };
-    for (std::size_t below = i; below > 0 && look(below - 1); --below)
-    {
-    }
-    for (std::size_t above = i + 1; above < ends.size() && look(above); ++above)
-    {
-    }
-  }
-  return nearest;
-}
-
-/// Those that are the nearest of each other become partners, then those of the rest, and so on.
-void FindPartners(const Arrangement& arrangement, std::vector<OpenEnd>& ends, Pulse& pulse)
-{
-  std::vector<OpenEnd> left = ends;
-  std::sort(left.begin(), left.end(),
-    [&arrangement](const OpenEnd& a, const OpenEnd& b)
-    { return arrangement.At(a.Vertex) < arrangement.At(b.Vertex); });
-  std::vector<OpenEnd> done;
-  while (left.size() > 1 && left.size() <= MostEnds && !pulse.HasStopped())
-  {
-    const std::vector<std::size_t> nearest = NearestOthers(arrangement, left, pulse);
-    std::vector<OpenEnd> rest;
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-    {
-      const bool isPair = nearest[nearest[i]] == i;
-      OpenEnd& end = left[i];
-      end.Partner = isPair ? left[nearest[i]].Vertex : NoId;
-      end.Gap = isPair ? Distance(arrangement.At(end.Vertex), arrangement.At(end.Partner)) : 0.0;
-      (isPair ? done : rest).push_back(end);
-    }
-    if (rest.size() == left.size())
-    {
-      break;
-    }
-    left.swap(rest);
-  }
-  done.insert(done.end(), left.begin(), left.end());
-  std::sort(done.begin(), done.end(),
-    [](const OpenEnd& a, const OpenEnd& b)
-    { return a.Gap != b.Gap ? a.Gap > b.Gap : a.Vertex < b.Vertex; });
-  ends.swap(done);
-}
 
 /// Two digits, and no less than the value.
 double RoundedUp(double value)
@@ -153,7 +49,7 @@ std::string DetailOf(double gap, double tolerance)
   std::ostringstream text;
   text.precision(3);
   text << "a gap of " << gap;
-  if (tolerance > 0.0 && tolerance <= LargestTolerance)
+  if (tolerance <= LargestTolerance)
   {
     text.precision(2);
     text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
@@ -161,12 +57,12 @@ std::string DetailOf(double gap, double tolerance)
   return text.str();
 }
 
-/// Of which the end is as long as its gap; 0 where no spacing is known.
+/// With which the end reaches over its gap; infinity where no spacing is known.
 double ToleranceOf(const OpenEnd& end, const Arrangement& arrangement, const SpacingAtEnds& spacing)
 {
   const double wanted =
     std::max(spacing(arrangement.At(end.Vertex)), spacing(arrangement.At(end.Partner)));
-  return wanted > 0.0 ? end.Gap / wanted : 0.0;
+  return wanted > 0.0 ? end.Gap / wanted : std::numeric_limits<double>::infinity();
 }
 
 /// What there is instead of a boundary, and where it begins.
@@ -192,6 +88,18 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
   }
 }
 
+/// Whether all vertices lie on one line, but for what counts as one point.
+bool AreOnOneLine(const Arrangement& arrangement)
+{
+  const std::vector<Point2>& places = arrangement.Vertices;
+  const auto [first, last] = std::minmax_element(places.begin(), places.end());
+  const Point2 direction = *last - *first;
+  const double reach = arrangement.Resolution * Length(direction);
+  return std::all_of(places.begin(), places.end(),
+    [first = *first, direction, reach](const Point2& place)
+    { return std::abs(Cross(direction, place - first)) <= reach; });
+}
+
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
 /// is.
 Problem NothingBounds(const Arrangement& arrangement)
@@ -210,7 +118,9 @@ Problem NothingBounds(const Arrangement& arrangement)
   if (cancelled > 0)
   {
     problem.Detail = std::to_string(cancelled) +
-      " boundary segments are drawn an even number of times, which cancels them; the first of them";
+      " boundary segments are drawn an even number of times, which cancels them" +
+      (AreOnOneLine(arrangement) ? ", and all lie on one straight line" : "") +
+      "; the first of them";
   }
   else
   {
@@ -225,12 +135,15 @@ class ClosedGaps
 public:
   ClosedGaps(const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends);
 
-  bool AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
+  double AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 private:
-  bool IsOutline(const BoundaryComponent& loop) const;
-  bool HasKeptInside(const BoundaryComponent& loop) const;
-  bool IsInside(const Point2& place, const BoundaryComponent& loop) const;
+  std::vector<std::vector<Id>> RunsOf(const BoundaryComponent& loop) const;
+  bool IsOutline(const std::vector<Id>& run, bool isLoop) const;
+  bool HasKeptInside(const std::vector<Id>& loop) const;
+  bool IsInside(const Point2& place, const std::vector<Id>& loop) const;
+  bool IsAtKept(Id vertex) const { return this->AtKept[static_cast<std::size_t>(vertex)] != 0; }
+  Id CellOf(Id edge) const { return this->Drawing.Edge(edge).Cell; }
   bool IsGap(Id edge) const { return static_cast<std::size_t>(edge) >= this->IsKept.size(); }
   const OpenEnd& EndOf(Id gap) const
   {
@@ -244,7 +157,9 @@ private:
 
   Arrangement Drawing;
   const Flags& IsKept;
-  std::vector<Id> Counts; ///< of what is left out, and of gaps
+  Flags AtKept;      ///< vertices
+  FaceGroups Groups; ///< of vertices that what is not kept joins, away from what is
+  std::vector<Id> Counts;
   std::vector<OpenEnd> Gaps;
 };
 
@@ -252,71 +167,112 @@ ClosedGaps::ClosedGaps(
   const Arrangement& arrangement, const Flags& isKept, const std::vector<OpenEnd>& ends)
   : Drawing(arrangement)
   , IsKept(isKept)
+  , AtKept(arrangement.Vertices.size(), 0)
+  , Groups(static_cast<Id>(arrangement.Vertices.size()))
 {
   for (std::size_t e = 0; e < isKept.size(); ++e)
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
-    this->Counts.push_back(isKept[e] ? 0 : edge.BoundaryCount + edge.OpenCount);
+    this->Counts.push_back(edge.BoundaryCount + edge.OpenCount);
+    this->AtKept[static_cast<std::size_t>(edge.Ends.Start)] |= isKept[e];
+    this->AtKept[static_cast<std::size_t>(edge.Ends.End)] |= isKept[e];
   }
   for (const OpenEnd& end : ends)
   {
-    if (end.Vertex < end.Partner)
+    const auto isSame = [&end](const OpenEnd& gap)
+    { return gap.Vertex == end.Partner && gap.Partner == end.Vertex; };
+    if (end.Partner != NoId && std::none_of(this->Gaps.begin(), this->Gaps.end(), isSame))
     {
       ArrangementEdge gap;
-      gap.Ends = { end.Vertex, end.Partner };
+      gap.Ends = { std::min(end.Vertex, end.Partner), std::max(end.Vertex, end.Partner) };
       this->Drawing.Edges.push_back(gap);
       this->Counts.push_back(1);
       this->Gaps.push_back(end);
     }
   }
-}
-
-bool ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
-{
-  const SpacingAtEnds spacing(options, this->Drawing.Vertices);
-  for (const BoundaryComponent& loop : FindBoundaryComponents(this->Drawing, this->Counts, pulse))
+  for (const ArrangementEdge& edge : this->Drawing.Edges)
   {
-    OpenEnd widest;
-    double tolerance = 0.0;
-    for (const Id edge : loop.Edges)
+    if (!this->IsAtKept(edge.Ends.Start) && !this->IsAtKept(edge.Ends.End))
     {
-      if (this->IsGap(edge))
-      {
-        const OpenEnd& end = this->EndOf(edge);
-        widest = end.Gap > widest.Gap ? end : widest;
-        tolerance = std::max(tolerance, ToleranceOf(end, this->Drawing, spacing));
-      }
-    }
-    if (widest.Vertex != NoId && this->IsOutline(loop))
-    {
-      const auto pointOf = [this](Id vertex)
-      { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
-      problems.Add({ ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
-        this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
+      this->Groups.Join(edge.Ends.Start, edge.Ends.End);
     }
   }
-  return problems.Has(ProblemCode::OpenOutlines);
 }
 
-bool ClosedGaps::IsOutline(const BoundaryComponent& loop) const
+double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse)
+{
+  const SpacingAtEnds spacing(options, this->Drawing.Vertices);
+  double largest = 0.0;
+  for (const BoundaryComponent& loop : FindBoundaryComponents(this->Drawing, this->Counts, pulse))
+  {
+    for (const std::vector<Id>& run : this->RunsOf(loop))
+    {
+      OpenEnd widest;
+      double tolerance = 0.0;
+      for (const Id edge : run)
+      {
+        const OpenEnd end = this->IsGap(edge) ? this->EndOf(edge) : OpenEnd();
+        widest = end.Gap > widest.Gap ? end : widest;
+        tolerance =
+          std::max(tolerance, end.Vertex == NoId ? 0.0 : ToleranceOf(end, this->Drawing, spacing));
+      }
+      if (widest.Vertex != NoId && this->IsOutline(run, run.size() == loop.Edges.size()))
+      {
+        largest = std::max(largest, tolerance);
+        const auto pointOf = [this](Id vertex)
+        { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
+        problems.Add(
+          { ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
+            this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
+      }
+    }
+  }
+  return largest;
+}
+
+/// What is left out of the loop, and gaps, as far as it hangs together without what is kept.
+std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop) const
+{
+  std::map<Id, std::vector<Id>> runs;
+  for (const Id edge : loop.Edges)
+  {
+    const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
+    if (this->IsGap(edge) || !this->IsKept[static_cast<std::size_t>(edge)])
+    {
+      runs[this->Groups.Find(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
+    }
+  }
+  std::vector<std::vector<Id>> lists;
+  for (auto& [group, edges] : runs)
+  {
+    lists.push_back(std::move(edges));
+  }
+  return lists;
+}
+
+bool ClosedGaps::IsOutline(const std::vector<Id>& run, bool isLoop) const
 {
   double length = 0.0;
   double gaps = 0.0;
   std::size_t count = 0;
-  for (const Id edge : loop.Edges)
+  bool areOfOneCell = true;
+  for (const Id edge : run)
   {
     length += this->LengthOf(edge);
     gaps += this->IsGap(edge) ? this->LengthOf(edge) : 0.0;
     count += this->IsGap(edge) ? 1 : 0;
+    areOfOneCell =
+      areOfOneCell && (this->IsGap(edge) || this->CellOf(edge) == this->CellOf(run[0]));
   }
-  const auto areSmall = [length, gaps, count](const LargestShare& share)
-  { return gaps <= (count == 1 ? share.OfOneGap : share.OfSeveral) * length; };
-  return areSmall(Elsewhere) || (areSmall(AroundWhatIsKept) && this->HasKeptInside(loop));
+  const bool isOneGap = count == 1 && (isLoop || areOfOneCell);
+  const auto areSmall = [length, gaps, isOneGap](const LargestShare& share)
+  { return gaps <= (isOneGap ? share.OfOneGap : share.OfSeveral) * length; };
+  return areSmall(Elsewhere) || (isLoop && areSmall(AroundWhatIsKept) && this->HasKeptInside(run));
 }
 
 /// The outermost of the vertices that are kept are looked at: one that is the first, or the last,
 /// along an axis.
-bool ClosedGaps::HasKeptInside(const BoundaryComponent& loop) const
+bool ClosedGaps::HasKeptInside(const std::vector<Id>& loop) const
 {
   std::vector<Point2> outermost;
   const auto isLower = [](const Point2& a, const Point2& b)
@@ -335,10 +291,10 @@ bool ClosedGaps::HasKeptInside(const BoundaryComponent& loop) const
     [this, &loop](const Point2& place) { return this->IsInside(place, loop); });
 }
 
-bool ClosedGaps::IsInside(const Point2& place, const BoundaryComponent& loop) const
+bool ClosedGaps::IsInside(const Point2& place, const std::vector<Id>& loop) const
 {
   bool isInside = false;
-  for (const Id edge : loop.Edges)
+  for (const Id edge : loop)
   {
     const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
     const Point2& a = this->Drawing.At(ends.Start);
@@ -351,26 +307,30 @@ bool ClosedGaps::IsInside(const Point2& place, const BoundaryComponent& loop) co
 
 } // namespace
 
-void RefuseOpenDrawing(
+double RefuseOpenDrawing(
   const Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  std::vector<OpenEnd> ends = FindEnds(arrangement, Flags(arrangement.Edges.size(), 0));
-  FindPartners(arrangement, ends, pulse);
+  const std::vector<OpenEnd> ends =
+    PairOpenEnds(arrangement, Flags(arrangement.Edges.size(), 0), pulse);
   const SpacingAtEnds spacing(options, arrangement.Vertices);
+  double largest = ends.empty() ? std::numeric_limits<double>::infinity() : 0.0;
   for (const OpenEnd& end : ends)
   {
+    const double tolerance = end.Partner == NoId ? std::numeric_limits<double>::infinity()
+                                                 : ToleranceOf(end, arrangement, spacing);
+    largest = std::max(largest, tolerance);
     problems.Add({ ProblemCode::NoClosedLoop,
       { arrangement.VertexPoints[static_cast<std::size_t>(end.Vertex)] },
-      arrangement.At(end.Vertex),
-      end.Partner == NoId ? "" : DetailOf(end.Gap, ToleranceOf(end, arrangement, spacing)) });
+      arrangement.At(end.Vertex), end.Partner == NoId ? "" : DetailOf(end.Gap, tolerance) });
   }
   if (ends.empty())
   {
     problems.Add(NothingBounds(arrangement));
   }
+  return largest;
 }
 
-bool RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
+double RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
   Flags isNoLine;
@@ -379,12 +339,11 @@ bool RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
     const ArrangementEdge& edge = arrangement.Edges[e];
     isNoLine.push_back(isKept[e] || edge.BoundaryCount + edge.OpenCount == 0);
   }
-  std::vector<OpenEnd> ends = FindEnds(arrangement, isNoLine);
-  if (ends.size() < 2)
+  const std::vector<OpenEnd> ends = PairOpenEnds(arrangement, isNoLine, pulse);
+  if (ends.empty())
   {
-    return false;
+    return 0.0;
   }
-  FindPartners(arrangement, ends, pulse);
   return ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
 }
 

@@ -15,20 +15,20 @@ namespace biting
 {
 
 /// Refuses a drawing in which nothing bounds a domain. Says where chains could be closed: one
-/// problem for each open end, with its gap, those of the widest gaps first; a single problem where
-/// no end is open.
-///
-/// Gaps are between two open ends: the two that are nearest to each other make one, then the two of
-/// the rest, and so on. Where more than 10000 ends are open no gaps are looked for.
-void RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
+/// problem for each open end, with its gap, those of the widest gaps first (EndPairs.h); a single
+/// problem where no end is open.
+/// Returns the EndTolerance that closes all gaps; infinity where it is not known.
+double RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,
   ProblemList& problems, Pulse& pulse);
 
 /// Refuses a drawing of which chains are left out that would bound a domain, but for gaps: closed
-/// over their gaps, they make a loop
-/// - around what is kept, its gaps no more than a quarter of its length, or half where it is one; or
-/// - elsewhere, its gaps no more than a hundredth of its length, or a tenth where it is one.
-/// Returns whether there is such a loop. Each is a problem of kind OpenOutlines.
-bool RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
+/// over their gaps, they make a loop, or they go from what is kept to what is kept, and
+/// - the gaps are no more than a hundredth of the length of what is left out there,
+/// - or a tenth, where it is one gap, of a loop or between the ends of one cell,
+/// - or a quarter, or half where it is one, of a loop in which something is kept.
+/// Each is a problem of kind OpenOutlines. Returns the EndTolerance that closes them all; 0 where
+/// there is none, infinity where it is not known.
+double RefuseOpenOutlines(const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 } // namespace biting

@@ -30,9 +30,9 @@ Point2 PlaceOf(const Polylines& input, Id point);
 
 /// Makes one vertex of points that are equal, or nearer to each other than the resolution or the
 /// noise of seams, which `problems` then tells. Vertices are numbered by their places. Those of
-/// boundaries keep theirs, then those of interfaces, then open ends. No two vertices are within that of each other,
-/// and each point is within it of its vertex. Without meaning where the monitor wants to stop.
-/// Cost O(n log n).
+/// boundaries keep theirs, then those of interfaces, then open ends. No two vertices are within
+/// that of each other, and each point is within it of its vertex. Without meaning where the monitor
+/// wants to stop. Cost O(n log n).
 WeldedPoints WeldPoints(
   const Polylines& input, double mergeTolerance, ProblemList& problems, Pulse& pulse);
 

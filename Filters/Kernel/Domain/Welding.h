@@ -22,9 +22,10 @@ namespace biting
 /// Points that are not further apart than the rounding of their coordinates, or than MergeTolerance
 /// times the diagonal of their box, are one, too, and reported (NearPoints). Vertices stay where
 /// input points are. Points are taken in the order of their places, those that boundaries use
-/// before those of interfaces, then open ends, then embedded ones; a point becomes a vertex where none
-/// is that near, otherwise it goes to the nearest vertex in the end. Laws: no two vertices are that
-/// near; no point moves further than that; neither the order of points nor that of chains matters.
+/// before those of interfaces, then open ends, then embedded ones; a point becomes a vertex where
+/// none is that near, otherwise it goes to the nearest vertex in the end. Laws: no two vertices are
+/// that near; no point moves further than that; neither the order of points nor that of chains
+/// matters.
 /// Then open ends are joined with what they nearly touch (OpenEnds.h).
 /// Precondition: the coordinates that chains use are finite. Cost O(n log n).
 Arrangement WeldPolylines(

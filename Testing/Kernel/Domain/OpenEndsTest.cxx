@@ -260,6 +260,17 @@ TEST(OpenOutlines, WithinTheToleranceClose)
   }
 }
 
+TEST(OpenOutlines, CloseOverGapsOfTenTimesTheTolerance)
+{
+  const MadeDomain made = MakeJoined(NearlyClosed(9.9e-3).Lines());
+  EXPECT_NEAR(made.Domain.Area, 0.96, 1e-15);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::JoinedEnds), 1);
+  EXPECT_TRUE(MakeJoined(NearlyClosed(1.01e-2).Lines()).Problems.Has(ProblemCode::OpenOutlines));
+  const PolylineBuilder alone =
+    PolylineBuilder().Chain({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 5e-3 } });
+  EXPECT_EQ(MakeJoined(alone.Lines()).Domain.Area, 0.5);
+}
+
 TEST(OpenOutlines, BeyondTheToleranceAreRefusedWithWhatClosesThem)
 {
   const MadeDomain made = MakeJoined(NearlyClosed(0.3).Lines());
@@ -277,6 +288,31 @@ TEST(OpenOutlines, BesideADomainAreRefused)
   outline.push_back({ 0, 0.03 });
   const PolylineBuilder builder = PolylineBuilder().Box(5, 5, 6, 6).Chain(outline);
   EXPECT_TRUE(MakeJoined(builder.Lines()).Problems.Has(ProblemCode::OpenOutlines));
+}
+
+TEST(OpenOutlines, OfWhichADividerClosesAPartAreRefused)
+{
+  Places outline = Square;
+  outline.push_back({ 0, 0.03 });
+  const PolylineBuilder builder =
+    PolylineBuilder().Chain(outline).Chain({ { 0, 0.5 }, { 1, 0.6 } });
+  for (const Polylines& input : { builder.Lines(), Reverse(builder.Lines()) })
+  {
+    const MadeDomain made = MakeJoined(input);
+    EXPECT_TRUE(made.Problems.Has(ProblemCode::OpenOutlines));
+    EXPECT_NEAR(MakeJoined(input, 0.3001).Domain.Area, 1.0, 1e-12);
+  }
+}
+
+TEST(OpenOutlines, AreNoLinesThatLeaveTheDomain)
+{
+  PolylineBuilder builder;
+  builder.Loop(Square);
+  for (int k = 1; k < 9; ++k)
+  {
+    builder.Chain({ { 0.1 * k, -0.5 }, { 0.1 * k, 1.5 } });
+  }
+  EXPECT_EQ(MakeJoined(builder.Lines()).Domain.Area, 1.0);
 }
 
 TEST(OpenOutlines, AreNoLinesThatEndApart)
