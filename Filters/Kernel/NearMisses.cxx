@@ -96,6 +96,7 @@ private:
   bool AreJoined(Id vertex, Id other, double most) const;
   bool AreAlong(Id vertex, Id own, Id other, double most) const;
   void Add(Id vertex, const NearMiss& miss);
+
   /// f as it is given, and no more than the domain is large.
   double GivenAt(const Point2& place) const
   {
@@ -323,7 +324,7 @@ void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polyli
 {
   NearMissSearch search(domain, spacing, pulse);
   search.Run();
-  const double largest = search.Found().Largest;
+  const double largest = std::max(search.Found().Largest, domain.Resolution);
   const std::map<Id, NearMiss>& found = search.Found().Nearest;
   if (found.empty() || pulse.HasStopped())
   {
