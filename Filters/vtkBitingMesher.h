@@ -299,7 +299,9 @@ public:
    * are one, and a point that near to a segment lies on it: a warning says how many and where. In
    * [0, 1). 0 (default): only what the rounding of coordinates does not tell apart, eight units in
    * the last place of the largest one, of the type that they have: 9.5e-7 of it for floats, 1.8e-15
-   * for doubles. Doubles that have been floats count as floats. Points are one also within
+   * for doubles. Where a drawing of floats is smaller than its distance from the origin, 1.2e-7 of
+   * the largest coordinate along each axis, and 8.3e-7 of the extent. Doubles that have been floats
+   * count as floats, floats that are all whole numbers as doubles. Points are one also within
    * 7.1e-15 of the diagonal (but not points and segments): at seams of surfaces the same point is
    * computed along two ways. No vertex moves further than that; of points that are one, those of
    * boundaries stay rather than those of interfaces, and these rather than embedded ones. Other

@@ -8,9 +8,8 @@
 #include "vtkType.h" // for data types
 
 #include <algorithm> // for all_of, find_if, max, min
-#include <cmath>     // for abs, fmod, frexp, ilogb, ldexp
+#include <cmath>     // for abs, floor, fmod, frexp, ilogb, ldexp
 #include <limits>    // for epsilon
-#include <numeric>   // for accumulate
 
 namespace biting
 {
@@ -58,30 +57,80 @@ bool HoldFloats(const double* coordinates, const std::vector<Id>& points, Pulse&
   return leastOrder < greatestOrder && PointsPerFullFloat * full >= points.size();
 }
 
-double LargestMagnitude(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
+bool AreWhole(const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
 {
-  double largest = 0.0;
+  const auto isWhole = [](double value) { return std::floor(value) == value; };
+  return std::all_of(points.begin(), points.end(),
+    [coordinates, &isWhole, &pulse](Id point)
+    {
+      const double* place = coordinates + 3 * static_cast<std::size_t>(point);
+      return pulse.Beat(1) && std::all_of(place, place + 3, isWhole);
+    });
+}
+
+bool CountAsFloats(
+  int dataType, const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
+{
+  return dataType == VTK_FLOAT ? !AreWhole(coordinates, points, pulse)
+                               : dataType == VTK_DOUBLE && HoldFloats(coordinates, points, pulse);
+}
+
+/// What the coordinates along one axis are.
+struct AxisRange
+{
+  double Least = std::numeric_limits<double>::infinity();
+  double Most = -std::numeric_limits<double>::infinity();
+
+  double Magnitude() const { return std::max(std::abs(this->Least), std::abs(this->Most)); }
+  double Extent() const { return this->Most - this->Least; }
+};
+
+std::array<AxisRange, 3> RangesOf(
+  const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
+{
+  std::array<AxisRange, 3> ranges;
   pulse.ForEach(points.size(),
-    [coordinates, &points, &largest](std::size_t k)
+    [coordinates, &points, &ranges](std::size_t k)
     {
       const double* place = coordinates + 3 * static_cast<std::size_t>(points[k]);
-      largest = std::accumulate(place, place + 3, largest,
-        [](double known, double value) { return std::max(known, std::abs(value)); });
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        ranges[axis].Least = std::min(ranges[axis].Least, place[axis]);
+        ranges[axis].Most = std::max(ranges[axis].Most, place[axis]);
+      }
     });
-  return largest;
+  return ranges;
 }
 
 } // namespace
 
-double RoundingOfCoordinates(
+CoordinateRounding RoundingOfCoordinates(
   int dataType, const double* coordinates, const std::vector<Id>& points, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, 0.0);
-  const bool areFloats =
-    dataType == VTK_FLOAT || (dataType == VTK_DOUBLE && HoldFloats(coordinates, points, pulse));
+  CoordinateRounding rounding;
+  if (points.empty())
+  {
+    return rounding;
+  }
+  const bool areFloats = CountAsFloats(dataType, coordinates, points, pulse);
   const double unit = areFloats ? static_cast<double>(std::numeric_limits<float>::epsilon())
                                 : std::numeric_limits<double>::epsilon();
-  return NoiseInUlp * unit * LargestMagnitude(coordinates, points, pulse);
+  const std::array<AxisRange, 3> ranges = RangesOf(coordinates, points, pulse);
+  double largest = 0.0;
+  double extent = 0.0;
+  for (const AxisRange& range : ranges)
+  {
+    largest = std::max(largest, range.Magnitude());
+    extent = std::max(extent, range.Extent());
+  }
+  rounding.Most = NoiseInUlp * unit * largest;
+  for (std::size_t axis = 0; axis < 3 && !pulse.HasStopped(); ++axis)
+  {
+    const double own = std::max(ranges[axis].Magnitude(), extent) + (NoiseInUlp - 1.0) * extent;
+    rounding.Axes[axis] = areFloats ? std::min(rounding.Most, unit * own) : rounding.Most;
+  }
+  return rounding;
 }
 
 } // namespace biting

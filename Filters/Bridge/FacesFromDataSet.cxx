@@ -244,7 +244,7 @@ std::string MapToPlane(
     return refusal;
   }
   const double rounding =
-    RoundingOfCoordinates(TypeOfCoordinates(data), coordinates, points, pulse);
+    RoundingOfCoordinates(TypeOfCoordinates(data), coordinates, points, pulse).Most;
   faces.Rounding = rounding;
   faces.Frame = PlaneFrame::FitTo(coordinates, points, rounding, pulse);
   Box2 box;

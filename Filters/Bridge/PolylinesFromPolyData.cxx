@@ -13,7 +13,7 @@
 
 #include "vtkVariant.h"
 
-#include <algorithm> // for max
+#include <algorithm> // for max, max_element
 #include <cmath>     // for abs
 #include <limits>    // for epsilon
 #include <utility>   // for pair
@@ -80,6 +80,15 @@ void MapToPlane(PlanarInput& input, Pulse& pulse)
     });
 }
 
+// Along the axes of the plane; in a slanted plane they mix those of space.
+Point2 InPlane(const CoordinateRounding& rounding, const PlaneFrame& frame)
+{
+  const auto along = [&rounding, &frame](int axis)
+  { return rounding.Axes[static_cast<std::size_t>(frame.Axis(axis))]; };
+  const double most = *std::max_element(rounding.Axes.begin(), rounding.Axes.end());
+  return frame.IsAxisAligned() ? Point2{ along(0), along(1) } : Point2{ most, most };
+}
+
 double Diagonal(const PlanarInput& input, Pulse& pulse)
 {
   const PulsePart part(pulse, MapEnd, MapEnd);
@@ -93,9 +102,8 @@ double Diagonal(const PlanarInput& input, Pulse& pulse)
 // A point and its distance from the plane, worst first.
 using Distances = std::vector<std::pair<double, Id>>;
 
-Distances FindNotPlanar(const PlanarInput& input, double diagonal, Pulse& pulse)
+Distances FindNotPlanar(const PlanarInput& input, double farthest, Pulse& pulse)
 {
-  const double farthest = std::max(PlanarTolerance * diagonal, input.Chains.Rounding);
   Distances off;
   pulse.ForEach(input.UsedPoints.size(),
     [&input, farthest, &off](std::size_t k)
@@ -115,10 +123,10 @@ Distances FindNotPlanar(const PlanarInput& input, double diagonal, Pulse& pulse)
   return off;
 }
 
-void RefuseNotPlanar(const PlanarInput& input, double diagonal, ProblemList& problems, Pulse& pulse)
+void RefuseNotPlanar(const PlanarInput& input, double farthest, ProblemList& problems, Pulse& pulse)
 {
   const PulsePart part(pulse, MapEnd, 1.0);
-  for (const auto& [distance, point] : FindNotPlanar(input, diagonal, pulse))
+  for (const auto& [distance, point] : FindNotPlanar(input, farthest, pulse))
   {
     if (!pulse.Beat())
     {
@@ -150,13 +158,14 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
     return {};
   }
   const double* places = result.Coordinates->GetPointer(0);
-  result.Chains.Rounding =
+  const CoordinateRounding rounding =
     RoundingOfCoordinates(drawing.CoordinateType(), places, result.UsedPoints, pulse);
-  result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, result.Chains.Rounding, pulse);
+  result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, rounding.Most, pulse);
+  result.Chains.Rounding = InPlane(rounding, result.Frame);
   MapToPlane(result, pulse);
   const double diagonal = Diagonal(result, pulse);
   result.Chains.SeamNoise = SeamInUlp * std::numeric_limits<double>::epsilon() * diagonal;
-  RefuseNotPlanar(result, diagonal, problems, pulse);
+  RefuseNotPlanar(result, std::max(PlanarTolerance * diagonal, rounding.Most), problems, pulse);
   return {};
 }
 

@@ -86,6 +86,36 @@ TEST(BitingMesherRounding, DoublesOfFewDigitsCountAsDoubles)
     0);
 }
 
+/// The mesh's area of walls in a plan of floats at the easting and northing of a map.
+double AreaOfFarWall(double x, double y, double width, double height)
+{
+  const double east = 412345.678;
+  const double north = 6350123.4;
+  auto plan = EmptyInput(VTK_FLOAT);
+  AddChain(plan, Rectangle(east, north, east + 300.25, north + 200.5), true);
+  AddChain(plan, Rectangle(east + x, north + y, east + x + width, north + y + height), true);
+  vtkNew<vtkBitingMesher> mesher;
+  mesher->SetUniformSpacing(20.0);
+  TextsOf(plan, mesher);
+  EXPECT_EQ(Figure(mesher->GetOutput(), "RepairedNearPoints"), 0.0);
+  return 300.25 * 200.5 - AreaOf(mesher->GetOutput());
+}
+
+TEST(BitingMesherRounding, WallsOfAPlanInFloatsFarFromTheOriginStay)
+{
+  EXPECT_NEAR(AreaOfFarWall(50.0, 50.0, 100.0, 4.0), 400.0, 120.0);
+  EXPECT_NEAR(AreaOfFarWall(50.0, 50.0, 100.0, 1.0), 100.0, 101.0);
+  EXPECT_NEAR(AreaOfFarWall(50.0, 50.0, 4.0, 100.0), 400.0, 20.0);
+  EXPECT_NEAR(AreaOfFarWall(50.0, 50.0, 0.25, 100.0), 25.0, 8.0);
+}
+
+TEST(BitingMesherRounding, FloatsThatAreWholeNumbersAreAsDrawn)
+{
+  EXPECT_EQ(NumberOfNearPoints(Loop(VTK_FLOAT,
+              { { 0, 0, 0 }, { 16000000, 0, 0 }, { 16000000, 1, 0 }, { 16000000, 8000000, 0 } })),
+    0);
+}
+
 TEST(BitingMesherRounding, MergeToleranceIsRelativeToTheDiagonal)
 {
   const auto input = Loop(VTK_DOUBLE, WithShortSegment(1e-3));

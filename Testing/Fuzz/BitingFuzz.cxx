@@ -3,7 +3,10 @@
 
 // The long run: as many made-up inputs as there is time for, each judged by the oracle.
 //
-//   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]
+//   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near]
+//
+// With `--drawings near` they are drawings that nearly meet themselves, and the laws are those of
+// NearDrawings.h; each violation is told, and the run goes on.
 //
 // Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it
 // was found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and
@@ -14,6 +17,7 @@
 //
 // GuidedFuzz.cxx is the same under the guidance of a fuzzer that watches the branches taken.
 
+#include "NearDrawings.h"
 #include "Oracle.h"
 #include "SlowCase.h"
 
@@ -49,6 +53,7 @@ struct Arguments
   std::uint64_t Seed = 1;
   double Seconds = 1e9;
   std::string File;
+  bool AreNear = false;
   bool AreValid = true;
 };
 
@@ -63,8 +68,10 @@ Arguments ReadArguments(int count, char** texts)
     arguments.Seed = name == "--seed" ? std::strtoull(value, nullptr, 10) : arguments.Seed;
     arguments.Seconds = name == "--seconds" ? std::strtod(value, nullptr) : arguments.Seconds;
     arguments.File = name == "--write" ? value : arguments.File;
+    arguments.AreNear = arguments.AreNear || (name == "--drawings" && value == std::string("near"));
     arguments.AreValid = arguments.AreValid &&
-      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--write");
+      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--write" ||
+        name == "--drawings");
   }
   arguments.AreValid = arguments.AreValid && count % 2 == 1;
   return arguments;
@@ -103,10 +110,12 @@ private:
   std::array<std::uint64_t, 5> Verdicts{};
 };
 
-bool RunCase(std::uint64_t seed, const std::string& file, Counts& counts)
+bool RunCase(std::uint64_t seed, const Arguments& arguments, Counts& counts)
 {
   FuzzNumbers numbers(seed);
-  const FuzzCase fuzzCase = MakeFuzzCase(numbers);
+  const std::string& file = arguments.File;
+  const NearCase nearCase = arguments.AreNear ? MakeNearCase(numbers) : NearCase();
+  const FuzzCase fuzzCase = arguments.AreNear ? nearCase.Case : MakeFuzzCase(numbers);
   if (!file.empty())
   {
     std::ofstream stream(file);
@@ -114,7 +123,7 @@ bool RunCase(std::uint64_t seed, const std::string& file, Counts& counts)
     std::cout << Describe(fuzzCase) << std::endl;
   }
   BeginCase(seed, SecondsPerCase);
-  const FuzzOutcome outcome = RunFuzzCase(fuzzCase);
+  const FuzzOutcome outcome = arguments.AreNear ? RunNearCase(nearCase) : RunFuzzCase(fuzzCase);
   EndCase();
   counts.Add(outcome);
   if (outcome.Kind == Verdict::Violation)
@@ -130,9 +139,10 @@ int RunAll(const Arguments& arguments)
   Counts counts;
   double nextReport = SecondsPerReport;
   bool isQuiet = true;
-  for (std::uint64_t k = 0; isQuiet && k < arguments.Cases; ++k)
+  for (std::uint64_t k = 0; (isQuiet || arguments.AreNear) && k < arguments.Cases; ++k)
   {
-    isQuiet = RunCase(arguments.Seed + k, arguments.File, counts);
+    const bool isKept = RunCase(arguments.Seed + k, arguments, counts);
+    isQuiet = isKept && isQuiet;
     if (counts.Seconds() > arguments.Seconds)
     {
       break;
@@ -154,7 +164,8 @@ int RunFuzz(int count, char** texts)
   const Arguments arguments = ReadArguments(count, texts);
   if (!arguments.AreValid)
   {
-    std::cerr << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE]\n";
+    std::cerr
+      << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near]\n";
     return 2;
   }
   return RunAll(arguments);

@@ -4,6 +4,7 @@
 #include "EvenOddArea.h"
 #include "FuzzCases.h"
 #include "MeshOracle.h"
+#include "NearDrawings.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>     // for nextafter
 #include <limits>    // for infinity
 #include <memory>    // for sources
+#include <numeric>   // for seeds
 
 namespace biting
 {
@@ -45,6 +47,24 @@ TEST(Fuzz, AllVerdictsOccur)
   EXPECT_GT(counts[static_cast<int>(Verdict::RepairedMesh)], 20);
   EXPECT_GT(counts[static_cast<int>(Verdict::Refusal)], 10);
   EXPECT_GT(counts[static_cast<int>(Verdict::Aborted)], 0);
+}
+
+/// The last seeds: a segment that welding made, far shorter than the spacing; ends that moved when
+/// they were merged.
+TEST(Fuzz, WhatNearlyTouchesIsMeantOrToldOf)
+{
+  std::vector<std::uint64_t> seeds(200);
+  std::iota(seeds.begin(), seeds.end(), FirstSeed);
+  seeds.insert(seeds.end(), { 1121, 2266, 581, 1859 });
+  for (const std::uint64_t seed : seeds)
+  {
+    FuzzNumbers numbers(seed);
+    const NearCase nearCase = MakeNearCase(numbers);
+    if (!nearCase.MayBeRefused)
+    {
+      EXPECT_EQ(RunNearCase(nearCase).Violation, "") << "seed " << seed;
+    }
+  }
 }
 
 TEST(Fuzz, BytesMakeCasesToo)

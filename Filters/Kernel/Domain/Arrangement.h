@@ -46,6 +46,7 @@ struct Arrangement
   std::vector<Id> EmbeddedVertices; ///< vertices of embedded points, ascending, each once
   double Rounding = 0.0;            ///< of a vertex: 4 ulp of the largest magnitude
   double Resolution = 0.0;          ///< what is not further apart is one; at least Rounding
+  Point2 Stretch{ 1.0, 1.0 };       ///< by which differences along x and y count, for Resolution
   bool KeepsSpikes = true;          ///< thinner than Resolution, between edges that share a tip
   double FaceArea = 0.0;            ///< sum over all faces
   DisjointSets Groups;              ///< of chains: faces whose common edges were dropped
@@ -54,6 +55,13 @@ struct Arrangement
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
   const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
   std::vector<SegmentEnds> EdgeEnds() const;
+
+  /// A place at `offset` from the line along `span` is on it where Cross(span, offset) is no more.
+  double ReachAcross(const Point2& span) const
+  {
+    return this->Resolution * Length({ this->Stretch.X * span.X, this->Stretch.Y * span.Y }) /
+      (this->Stretch.X * this->Stretch.Y);
+  }
 
   /// Whether faces of two regions meet at the edge.
   bool DividesRegions(const ArrangementEdge& edge) const;

@@ -40,7 +40,7 @@ public:
     : Data(arrangement)
     , Problems(problems)
     , Beats(pulse)
-    , Grid(arrangement.Vertices, arrangement.Resolution)
+    , Grid(arrangement.Vertices, arrangement.Resolution, arrangement.Stretch)
     , Report(arrangement, problems)
   {
   }

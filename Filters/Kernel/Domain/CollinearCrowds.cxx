@@ -177,8 +177,7 @@ bool CrowdMerger::LiesAlong(Id edge, Id line) const
 {
   const Point2& origin = this->Data.At(this->EndsOf(line).Start);
   const Point2 direction = this->Direction(line);
-  const double reach =
-    0.5 * this->Data.Resolution * Distance(origin, this->Data.At(this->EndsOf(line).End));
+  const double reach = 0.5 * this->Data.ReachAcross(this->Data.At(this->EndsOf(line).End) - origin);
   const auto isNear = [this, &origin, &direction, reach](Id vertex)
   { return std::abs(Cross(direction, this->Data.At(vertex) - origin)) <= reach; };
   return isNear(this->EndsOf(edge).Start) && isNear(this->EndsOf(edge).End);

@@ -338,7 +338,7 @@ bool MeetingFinder::IsOn(Id vertex, Id edge) const
   {
     return false;
   }
-  const double reach = this->Input.Resolution * Distance(a, b);
+  const double reach = this->Input.ReachAcross(b - a);
   const bool isNear = std::abs(Cross(b - a, p - a)) <= reach && !this->IsSpike(vertex, edge);
   return isNear || IsOnSegment(p, a, b);
 }

@@ -57,6 +57,7 @@ private:
   void FindUses();
   std::vector<Id> UsedPoints() const;
   void FindResolution(const std::vector<Id>& points);
+  Point2 StretchTo(double most, double least) const;
   void MakeVertices();
   std::vector<Id> FirstEquals(const std::vector<Id>& points);
   void ShareUse(Id point, Id first);
@@ -76,6 +77,7 @@ private:
   Pulse& Beats;
   const double MergeTolerance;
   WeldedPoints Result;
+  double LeastReach = 0.0;           ///< along x and along y
   std::vector<PointUse> Uses;        ///< one a point; of equal ones the first has the least
   std::vector<std::uint8_t> Degrees; ///< segments that end there, two or more as two; as Uses
   std::vector<Id> InOrder;           ///< the first of equal points, by their places
@@ -136,7 +138,19 @@ void PointWelder::FindResolution(const std::vector<Id>& points)
   WeldedPoints& result = this->Result;
   result.Rounding = RoundingInUlp * std::numeric_limits<double>::epsilon() * largest;
   const double merged = points.empty() ? 0.0 : this->MergeTolerance * box.Diagonal();
-  result.Resolution = std::max({ result.Rounding, this->Input.Rounding, merged });
+  this->LeastReach = std::max(result.Rounding, merged);
+  result.Resolution =
+    std::max({ this->LeastReach, this->Input.Rounding.X, this->Input.Rounding.Y });
+  result.Stretch = this->StretchTo(result.Resolution, this->LeastReach);
+}
+
+/// The half-axes of the ellipse are those of the rounding, or `least`.
+Point2 PointWelder::StretchTo(double most, double least) const
+{
+  const Point2& rounding = this->Input.Rounding;
+  return most > 0.0
+    ? Point2{ most / std::max(rounding.X, least), most / std::max(rounding.Y, least) }
+    : Point2{ 1.0, 1.0 };
 }
 
 /// Numbers the points that are vertices by their places, and gives the others their vertex.
@@ -229,7 +243,8 @@ std::vector<Id> PointWelder::Leaders(const std::vector<Id>& firstEquals)
   std::vector<Point2> places;
   std::vector<Id> chosen;
   std::vector<Id> merged;
-  VertexGrid grid(places, reach);
+  VertexGrid grid(
+    places, reach, this->StretchTo(reach, std::max(this->LeastReach, this->Input.SeamNoise)));
   for (std::size_t i = 0; i < candidates.size() && reach > 0.0 && this->Beats.Beat(1); ++i)
   {
     grid.Update();

@@ -23,6 +23,7 @@ struct WeldedPoints
   std::vector<Id> VertexOf;     ///< of a point; NoId: no chain uses it
   double Rounding = 0.0;        ///< of a vertex
   double Resolution = 0.0;      ///< what is not further apart is one; at least Rounding
+  Point2 Stretch{ 1.0, 1.0 };   ///< by which differences along x and y count, for Resolution
 };
 
 /// The place of an input point; coordinates too small for exact predicates are zero.

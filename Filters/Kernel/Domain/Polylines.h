@@ -61,10 +61,10 @@ struct Polylines
   std::vector<Id> Cells;        ///< the input cell of each chain, for messages and tags
   std::vector<Id> Regions; ///< of each chain, what faces tell apart; empty: all are of one region
 
-  /// Points that are not further apart are one: NoiseInUlp units in the last place of the largest
-  /// coordinate, in the type that the points had. Where it is less, RoundingInUlp counts, in
-  /// doubles.
-  double Rounding = 0.0;
+  /// Along x and along y: points that are not further apart are one, by the ellipse with these
+  /// half-axes. The rounding of computed points in the type that they had (CoordinateRounding.h).
+  /// Where it is less, RoundingInUlp counts, in doubles.
+  Point2 Rounding;
 
   /// Where it is more, points that are not further apart than this are one, too: SeamInUlp. But a
   /// point that near to a segment is beside it.

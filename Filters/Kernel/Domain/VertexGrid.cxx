@@ -16,9 +16,10 @@ constexpr std::size_t LeastEntries = 1024;
 
 } // namespace
 
-VertexGrid::VertexGrid(const std::vector<Point2>& points, double reach)
+VertexGrid::VertexGrid(const std::vector<Point2>& points, double reach, const Point2& stretch)
   : Points(points)
   , Reach(reach)
+  , Stretch(stretch)
   , CellSize(CellSizeInReach * reach)
 {
 }
@@ -70,7 +71,8 @@ Id VertexGrid::Find(const Point2& place) const
       for (Id vertex = this->Heads[this->EntryOf(column, row)]; vertex != NoId;
            vertex = this->Nexts[static_cast<std::size_t>(vertex)])
       {
-        const double distance = Distance(place, this->Points[static_cast<std::size_t>(vertex)]);
+        const Point2 gap = this->Points[static_cast<std::size_t>(vertex)] - place;
+        const double distance = Length({ this->Stretch.X * gap.X, this->Stretch.Y * gap.Y });
         const bool isTie = distance == least && (nearest == NoId || vertex < nearest);
         nearest = distance < least || isTie ? vertex : nearest;
         least = distance < least ? distance : least;

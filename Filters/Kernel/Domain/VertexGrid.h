@@ -21,8 +21,9 @@ namespace biting
 class VertexGrid
 {
 public:
-  /// The grid refers to `points`, which may grow.
-  VertexGrid(const std::vector<Point2>& points, double reach);
+  /// The grid refers to `points`, which may grow. Differences along x and y count `stretch` times,
+  /// which is at least 1.
+  VertexGrid(const std::vector<Point2>& points, double reach, const Point2& stretch = { 1.0, 1.0 });
 
   /// Files the points that have been added since the last call.
   void Update();
@@ -37,6 +38,7 @@ private:
 
   const std::vector<Point2>& Points;
   double Reach;
+  Point2 Stretch;
   double CellSize;
   std::vector<Id> Heads; ///< of the chain at each entry of the table; as many as a power of two
   std::vector<Id> Nexts; ///< of each vertex in its chain

@@ -89,6 +89,7 @@ void Welder::MakeVertices()
   this->Result.VertexPoints = std::move(points.VertexPoints);
   this->Result.Rounding = points.Rounding;
   this->Result.Resolution = points.Resolution;
+  this->Result.Stretch = points.Stretch;
   this->PointVertices = std::move(points.VertexOf);
 }
 
@@ -132,16 +133,16 @@ void Welder::AppendFace(Id chain)
     return;
   }
   AreaSum sum(this->Place(this->PointAt(first)));
-  double length = 0.0;
+  double thin = 0.0;
   for (Id place = first + 1; place < end; ++place)
   {
     const Point2 start = this->Place(this->PointAt(place - 1));
     const Point2 stop = this->Place(this->PointAt(place));
     sum.Add(start, stop);
-    length += Distance(start, stop);
+    thin += this->Result.ReachAcross(stop - start);
   }
   const bool isReversed = sum.Area() < 0.0;
-  const bool isThin = std::abs(sum.Area()) <= this->Result.Resolution * length;
+  const bool isThin = std::abs(sum.Area()) <= thin;
   ArrangementEdge edge;
   edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
   edge.Faces.Turn = isThin ? 0 : isReversed ? -1 : 1;

@@ -7,6 +7,7 @@
 #include "../Biting/Spokes.h"
 #include "../Domain/PointWelding.h" // for places of points
 #include "../Domain/SegmentTree.h"
+#include "../Domain/VertexStars.h" // for the other end
 #include "StageProblems.h"
 
 #include <algorithm> // for clamp, max, min
@@ -21,6 +22,13 @@ namespace
 
 constexpr double ShareOfSpacing = 0.01;
 constexpr double ShareOfLength = 0.0175; // the tangent of 1 degree
+
+/// Below that share of f the mesh is not refined around short segments (FeatureSize.cxx): a segment
+/// that short is a near miss of its ends.
+constexpr double ShareOfShort = 0x1p-23;
+
+/// Points move when they are merged: by less than they are apart.
+constexpr double RoomToMerge = 2.0;
 
 /// A way along a chain that is not longer than so many distances is the drawing's own: the corner
 /// is no sharper than 5 degrees.
@@ -41,6 +49,12 @@ struct NearMiss
   Id Other; ///< the same of what it nearly meets
 };
 
+struct NearMisses
+{
+  std::map<Id, NearMiss> Nearest; ///< by vertex
+  double Largest = 0.0;           ///< distance, also of those that are not the nearest
+};
+
 /// Segments after the domain's own are embedded points, whose length is no measure.
 class NearMissSearch
 {
@@ -56,9 +70,7 @@ public:
 
   void Run();
 
-  /// By vertex, the nearest.
-  const std::map<Id, NearMiss>& Found() const { return this->Nearest; }
-  double Largest() const { return this->LargestDistance; }
+  const NearMisses& Found() const { return this->Misses; }
   const std::vector<SegmentEnds>& AllSegments() const { return this->Segments; }
 
   // For a SegmentTree.
@@ -75,18 +87,20 @@ public:
 
 private:
   static std::vector<SegmentEnds> SegmentsOf(const Domain& domain);
-  double MostReach();
+  void FindReach();
   double ReachOf(Id segment) const;
   void TestVertex(Id vertex, Id own, Id other, double reach);
+  void AddShort();
   void TestTriangles();
   void TestTriangle(Id apex, const SharpSector& sector);
   bool AreJoined(Id vertex, Id other, double most) const;
   bool AreAlong(Id vertex, Id own, Id other, double most) const;
   void Add(Id vertex, const NearMiss& miss);
-  Id OtherEnd(Id segment, Id vertex) const
+
+  /// f as it is given, and no more than the domain is large.
+  double GivenAt(const Point2& place) const
   {
-    const SegmentEnds& ends = this->Segments[segment];
-    return ends.Start == vertex ? ends.End : ends.Start;
+    return std::min(this->F.BeforeFeatures(place), this->Geometry.Bounds.Diagonal());
   }
   Point2 NearestOf(Id segment, const Point2& p) const
   {
@@ -100,17 +114,19 @@ private:
   Pulse& Beats;
   const std::vector<SegmentEnds> Segments;
   const SpokesOfVertices Spokes;
-  std::map<Id, NearMiss> Nearest;
-  double LargestDistance = 0.0;
+  NearMisses Misses;
+  double Reach = 0.0; ///< the largest
 };
 
 void NearMissSearch::Run()
 {
+  this->FindReach();
   const SegmentTree tree(
-    this->Geometry.Vertices, this->Segments, { this->MostReach(), ShareOfLength }, this->Beats);
+    this->Geometry.Vertices, this->Segments, { this->Reach, ShareOfLength }, this->Beats);
   if (!this->Beats.HasStopped())
   {
     tree.VisitPairs(std::vector<std::uint8_t>(this->Segments.size(), 1), *this);
+    this->AddShort();
     this->TestTriangles();
   }
 }
@@ -133,14 +149,12 @@ std::vector<SegmentEnds> NearMissSearch::SegmentsOf(const Domain& domain)
   return segments;
 }
 
-double NearMissSearch::MostReach()
+void NearMissSearch::FindReach()
 {
-  double most = 0.0;
   for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
   {
-    most = std::max(most, ShareOfSpacing * this->F.BeforeFeatures(this->At(vertex)));
+    this->Reach = std::max(this->Reach, ShareOfSpacing * this->GivenAt(this->At(vertex)));
   }
-  return most;
 }
 
 double NearMissSearch::ReachOf(Id segment) const
@@ -155,7 +169,7 @@ void NearMissSearch::TestVertex(Id vertex, Id own, Id other, double reach)
 {
   const Point2& place = this->At(vertex);
   const double distance = Distance(place, this->NearestOf(other, place));
-  if (distance < reach && distance < ShareOfSpacing * this->F.BeforeFeatures(place) &&
+  if (distance < reach && distance < ShareOfSpacing * this->GivenAt(place) &&
     (!this->AreJoined(vertex, other, MostWay * distance) ||
       this->AreAlong(vertex, own, other, 0.5 * reach)))
   {
@@ -165,9 +179,9 @@ void NearMissSearch::TestVertex(Id vertex, Id own, Id other, double reach)
 
 void NearMissSearch::Add(Id vertex, const NearMiss& miss)
 {
-  NearMiss& nearest = this->Nearest.emplace(vertex, miss).first->second;
+  NearMiss& nearest = this->Misses.Nearest.emplace(vertex, miss).first->second;
   nearest = miss.Distance < nearest.Distance ? miss : nearest;
-  this->LargestDistance = std::max(this->LargestDistance, miss.Distance);
+  this->Misses.Largest = std::max(this->Misses.Largest, miss.Distance);
 }
 
 /// Whether a chain leads from the vertex to an end of the other segment, on a way no longer than
@@ -181,7 +195,7 @@ bool NearMissSearch::AreJoined(Id vertex, Id other, double most) const
     double way = 0.0;
     for (bool goesOn = true; goesOn;)
     {
-      const Id next = this->OtherEnd(segment, place);
+      const Id next = OtherEnd(this->Segments[segment], place);
       way += Distance(this->At(place), this->At(next));
       if (way <= most && this->Segments[other].Has(next))
       {
@@ -206,12 +220,26 @@ bool NearMissSearch::AreAlong(Id vertex, Id own, Id other, double most) const
   const double way = 0.5 * std::min(this->ReachOf(own), this->ReachOf(other));
   const Point2& start = this->At(vertex);
   const Point2 middle =
-    start + way / this->ReachOf(own) * (this->At(this->OtherEnd(own, vertex)) - start);
+    start + way / this->ReachOf(own) * (this->At(OtherEnd(this->Segments[own], vertex)) - start);
   const Point2 gap = this->NearestOf(other, middle) - middle;
   const SegmentEnds& ends = this->Segments[own];
   const bool isLeft = Cross(this->At(ends.End) - this->At(ends.Start), gap) > 0.0;
   return Length(gap) < most &&
     (isLeft ? this->Geometry.LeftInside : this->Geometry.RightInside)[own] != 0;
+}
+
+void NearMissSearch::AddShort()
+{
+  for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && this->Beats.Beat(); ++segment)
+  {
+    const Id start = this->Geometry.Starts[segment];
+    const double length = Distance(this->At(start), this->At(this->Geometry.Ends[segment]));
+    if (ShareOfSpacing * length < ShareOfShort * this->Reach &&
+      length < ShareOfShort * this->GivenAt(this->At(start)))
+    {
+      this->Add(start, { length, segment, segment });
+    }
+  }
 }
 
 void NearMissSearch::TestTriangles()
@@ -236,10 +264,10 @@ void NearMissSearch::TestTriangle(Id apex, const SharpSector& sector)
     Distance(this->At(apex), sector.First.End) < Distance(this->At(apex), sector.Last.End);
   const Spoke& side = isFirst ? sector.First : sector.Last;
   const Spoke& base = isFirst ? sector.Last : sector.First;
-  const Id tip = this->OtherEnd(side.Segment, apex);
+  const Id tip = OtherEnd(this->Segments[side.Segment], apex);
   const double distance = Distance(side.End, this->NearestOf(base.Segment, side.End));
   const double most =
-    std::min(this->ReachOf(side.Segment), ShareOfSpacing * this->F.BeforeFeatures(side.End));
+    std::min(this->ReachOf(side.Segment), ShareOfSpacing * this->GivenAt(side.End));
   for (const Spoke& third : this->Spokes.Around(tip))
   {
     if (third.End == base.End && distance < std::min(most, this->ReachOf(third.Segment)))
@@ -288,7 +316,8 @@ void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polyli
 {
   NearMissSearch search(domain, spacing, pulse);
   search.Run();
-  const std::map<Id, NearMiss>& found = search.Found();
+  const double largest = std::max(search.Found().Largest, domain.Resolution);
+  const std::map<Id, NearMiss>& found = search.Found().Nearest;
   if (found.empty() || pulse.HasStopped())
   {
     return;
@@ -305,8 +334,8 @@ void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polyli
       ? domain.Cells[segment]
       : cellsOfPoints[domain.VertexPoints[search.AllSegments()[segment].Start]];
   };
-  const std::string summary = Figure(smallest) + " to " + Figure(search.Largest()) +
-    " apart; MergeTolerance " + Figure(RoundedUp(search.Largest() / DiagonalOf(input))) +
+  const std::string summary = Figure(smallest) + " to " + Figure(largest) +
+    " apart; MergeTolerance " + Figure(RoundedUp(RoomToMerge * largest / DiagonalOf(input))) +
     " joins them";
   for (const auto& [vertex, miss] : found)
   {

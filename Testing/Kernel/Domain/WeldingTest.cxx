@@ -32,7 +32,8 @@ MadeDomain MakeWelded(const Polylines& input, double mergeTolerance)
 Polylines InFloats(const PolylineBuilder& builder, double largest)
 {
   Polylines lines = builder.Lines();
-  lines.Rounding = NoiseInUlp * FloatUlp * largest;
+  const double rounding = NoiseInUlp * FloatUlp * largest;
+  lines.Rounding = { rounding, rounding };
   return lines;
 }
 
