@@ -149,7 +149,6 @@ int vtkBitingRemesher::RequestInformation(vtkInformation* vtkNotUsed(request),
 int vtkBitingRemesher::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Before the execution begins: what asks to stop from then on is obeyed.
   vtkBitingCompat::ForgetAbort(this);
   this->IsStopping = false;
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
@@ -247,15 +246,15 @@ bool vtkBitingRemesher::Execution::ReadParameters()
 std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 {
   for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
-         biting::CheckAtLeastZero("BoundaryTolerance", this->Options.BoundaryTolerance),
-         biting::CheckAtLeastZero("FeatureAngle", this->Options.FeatureAngle) })
+         biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
+         biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle) })
   {
     if (!refusal.empty())
     {
       return refusal;
     }
   }
-  return this->Options.MaximumNumberOfVertices < 1 ? "MaximumNumberOfVertices is below 1." : "";
+  return this->Options.MaximumNumberOfVertices < 1 ? "Maximum Number Of Vertices is below 1." : "";
 }
 
 //------------------------------------------------------------------------------
@@ -306,7 +305,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
   if (!chosen.Array)
   {
     return "There is no spacing to remesh to. Choose a point array of the mesh, connect a dataset "
-           "that has one, or set UniformSpacing.";
+           "that has one, or set Uniform Spacing.";
   }
   biting::Pulse pulse(this->Progress);
   const std::string refusal = biting::CheckSpacingValues(this->Input, chosen.Array,

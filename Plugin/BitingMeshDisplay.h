@@ -7,7 +7,7 @@
 class pqDataRepresentation;
 class pqRepresentation;
 
-/// Gives the legend of one of our arrays a title with its unit, plain numbers, and a place below the
+/// Gives the legend of an array of ours a title with its unit, plain numbers, and a place below the
 /// mesh. A title that a user has set stays, and so does its legend.
 void SetUpLegend(pqRepresentation* legend);
 
