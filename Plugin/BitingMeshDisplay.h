@@ -8,7 +8,8 @@ class pqDataRepresentation;
 class pqRepresentation;
 
 /// Gives the legend of an array of ours a title with its unit, plain numbers, and a place below the
-/// mesh. A title that a user has set stays, and so does its legend.
+/// mesh, or at the right of one that is higher than wide. A title that a user has set stays, and so
+/// does its legend.
 void SetUpLegend(pqRepresentation* legend);
 
 /// Names the axes of the chart of our histograms, whichever of them it shows.
