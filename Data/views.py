@@ -25,7 +25,7 @@ def show_mesh(mesh, view):
     """Triangles in one pale colour."""
     fill = [0.9, 0.95, 1]
     Show(mesh, view, Representation='Surface With Edges', ColorArrayName=[None, ''], Ambient=1,
-        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.2, 0.25, 0.35])
+        Diffuse=0, AmbientColor=fill, DiffuseColor=fill, EdgeColor=[0.5, 0.56, 0.65])
 
 
 def show_colored(surface, view, array, colors, edge_color):

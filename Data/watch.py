@@ -6,7 +6,8 @@ Where there is no display, as for all scripts that draw: xvfb-run -a pvpython wa
 ParaView draws on an X server only: with --force-offscreen-rendering it ends at its first picture.)
 
 Animates MaximumNumberOfBites on the plate from the first bite to the last, writes the pictures of a
-film, and a state file that ParaView's window opens and plays.
+film, and a state file that ParaView's window opens and plays. The picture of the help, of 21 frames:
+montage watch_003.png watch_006.png watch_009.png watch_020.png -tile 2x2 -geometry 500x280 watch.png
 """
 
 import os

@@ -208,15 +208,15 @@ bool vtkBitingRemesher::Execution::ReadParameters()
 std::string vtkBitingRemesher::Execution::ParameterRefusal() const
 {
   for (const std::string& refusal : { biting::CheckSpacingParameters(this->Options.Spacing),
-         biting::CheckAtLeastZero("BoundaryTolerance", this->Options.BoundaryTolerance),
-         biting::CheckAtLeastZero("FeatureAngle", this->Options.FeatureAngle) })
+         biting::CheckAtLeastZero("Boundary Tolerance", this->Options.BoundaryTolerance),
+         biting::CheckAtLeastZero("Feature Angle", this->Options.FeatureAngle) })
   {
     if (!refusal.empty())
     {
       return refusal;
     }
   }
-  return this->Options.MaximumNumberOfVertices < 1 ? "MaximumNumberOfVertices is below 1." : "";
+  return this->Options.MaximumNumberOfVertices < 1 ? "Maximum Number Of Vertices is below 1." : "";
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +270,7 @@ std::string vtkBitingRemesher::Execution::AddValues()
   if (!chosen.Array)
   {
     return "There is no spacing to remesh to. Choose a point array of the mesh, connect a dataset "
-           "that has one, or set UniformSpacing.";
+           "that has one, or set Uniform Spacing.";
   }
   biting::Pulse pulse(this->Progress);
   std::vector<double> values;

@@ -197,9 +197,9 @@ std::string vtkHessianSpacing::Execution::ParameterRefusal() const
 {
   const vtkHessianSpacing& filter = *this->Filter;
   for (const std::string& refusal :
-    { biting::CheckAtLeastZero("ErrorTolerance", filter.ErrorTolerance),
-      biting::CheckAtLeastZero("MinimumSpacing", filter.MinimumSpacing),
-      biting::CheckAtLeastZero("MaximumSpacing", filter.MaximumSpacing) })
+    { biting::CheckAtLeastZero("Error Tolerance", filter.ErrorTolerance),
+      biting::CheckAtLeastZero("Minimum Spacing", filter.MinimumSpacing),
+      biting::CheckAtLeastZero("Maximum Spacing", filter.MaximumSpacing) })
   {
     if (!refusal.empty())
     {
@@ -208,7 +208,7 @@ std::string vtkHessianSpacing::Execution::ParameterRefusal() const
   }
   const bool isReversed =
     filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing;
-  return isReversed ? "MinimumSpacing is above MaximumSpacing." : "";
+  return isReversed ? "Minimum Spacing is above Maximum Spacing." : "";
 }
 
 //------------------------------------------------------------------------------

@@ -191,8 +191,7 @@ int vtkMeshConformity::RequestData(
     Execution(this).Run(mesh, source, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
-  this->Summary =
-    biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds()) + this->Summary;
+  this->Summary.insert(0, biting::SummaryOf(vtkDataSet::GetData(outputVector, 0), watch.Seconds()));
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
@@ -277,7 +276,6 @@ void vtkMeshConformity::Execution::Refuse(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
-// Nothing where the text is empty.
 void vtkMeshConformity::Execution::Warn(const std::string& text) const
 {
   if (!text.empty())

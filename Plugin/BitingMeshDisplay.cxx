@@ -6,6 +6,7 @@
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqView.h"
+#include "vtkBoundingBox.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -35,6 +36,21 @@ constexpr Title AxisTitles[] = { { "Angle", "Angle of triangles (degrees)" },
 std::string Text(vtkSMProxy* proxy, const char* property)
 {
   return vtkSMPropertyHelper(proxy, property).GetAsString();
+}
+
+// Whether what is seen is higher than wide.
+bool IsHigh(pqView* view)
+{
+  vtkBoundingBox box;
+  for (pqRepresentation* shown : view->getRepresentations())
+  {
+    auto* data = qobject_cast<pqDataRepresentation*>(shown);
+    if (data && data->isVisible())
+    {
+      box.AddBounds(data->getOutputPortFromInput()->getDataInformation()->GetBounds());
+    }
+  }
+  return box.IsValid() && box.GetLength(1) > box.GetLength(0);
 }
 
 // Titles that are not ours are the user's.
@@ -69,8 +85,11 @@ void SetUpLegend(pqRepresentation* legend)
     {
       vtkSMPropertyHelper(proxy, "Title").Set(title.Text);
       vtkSMPropertyHelper(proxy, "RangeLabelFormat").Set("%g");
-      vtkSMPropertyHelper(proxy, "Orientation").Set("Horizontal");
-      vtkSMPropertyHelper(proxy, "WindowLocation").Set("Lower Center");
+      if (!IsHigh(legend->getView()))
+      {
+        vtkSMPropertyHelper(proxy, "Orientation").Set("Horizontal");
+        vtkSMPropertyHelper(proxy, "WindowLocation").Set("Lower Center");
+      }
       proxy->UpdateVTKObjects();
       legend->renderViewEventually();
     }

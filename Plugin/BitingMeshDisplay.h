@@ -7,8 +7,9 @@
 class pqDataRepresentation;
 class pqRepresentation;
 
-/// Gives the legend of one of our arrays a title with its unit, plain numbers, and a place below the
-/// mesh. A title that a user has set stays, and so does its legend.
+/// Gives the legend of an array of ours a title with its unit, plain numbers, and a place below the
+/// mesh, or at the right of one that is higher than wide. A title that a user has set stays, and so
+/// does its legend.
 void SetUpLegend(pqRepresentation* legend);
 
 /// Names the axes of the chart of our histograms, whichever of them it shows.

@@ -40,7 +40,7 @@ Wording WordingOfRepair(ProblemCode code)
     case ProblemCode::OverlappingCells:
       return { "Cells that lie on top of others", "cell", "",
         "The domain is what an odd number of them covers. Where borders of neighbors are the same "
-        "but for rounding, as in maps, a MergeTolerance makes them one." };
+        "but for rounding, as in maps, a Merge Tolerance makes them one." };
     case ProblemCode::NearPoints:
       return { "Points too near to others, or to segments, to be told apart", "point", "point",
         "They were merged." };
@@ -95,7 +95,7 @@ Wording WordingOf(ProblemCode code)
       return { "The spacing cannot be used", "", "", "Spacing is an edge length: positive." };
     case ProblemCode::TooManyVertices:
       return { "The mesh would be too large", "", "",
-        "Choose a larger spacing, or raise MaximumNumberOfVertices." };
+        "Choose a larger spacing, or raise Maximum Number Of Vertices." };
     case ProblemCode::NotResolved:
       return { "Segments that cross, touch or overlap, and could not be resolved", "cell", "cell",
         "Correct the input there." };
@@ -103,13 +103,13 @@ Wording WordingOf(ProblemCode code)
       return { "The mesh failed its own check and is withheld", "", "",
         "This is a defect of the mesher: please report it, with the input." };
     case ProblemCode::SmallLoops:
-      return { "Closed loops smaller than MinimumLoopSize", "cell", "", "They were left out." };
+      return { "Closed loops smaller than Minimum Loop Size", "cell", "", "They were left out." };
     case ProblemCode::FineDrawing:
       return { "The drawing is much finer than the spacing", "", "",
-        "With a BoundaryTolerance, such as 0.2, the mesh follows the spacing." };
+        "With a Boundary Tolerance, such as 0.2, the mesh follows the spacing." };
     case ProblemCode::BadTriangles:
       return { "Triangles that form no mesh", "cell", "",
-        "Correct or remove them; MeshConformity shows which are poor." };
+        "Correct or remove them; Mesh Conformity shows which are poor." };
     case ProblemCode::Aborted:
       return { "Aborted", "", "", "" };
     default:
@@ -216,7 +216,7 @@ std::string RefusalFrom(
 
 std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInput& input)
 {
-  std::string text = "RepairInput is off, and the input is not clean.";
+  std::string text = "Repair Input is off, and the input is not clean.";
   for (const ProblemGroup& group : problems.Groups())
   {
     if (!IsError(group.Code) || !group.First.front().Detail.empty())
@@ -224,7 +224,7 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
       text += " " + FactsOf(group, input);
     }
   }
-  return text + " Correct the input, or turn RepairInput on.";
+  return text + " Correct the input, or turn Repair Input on.";
 }
 
 std::string MessageOfPlace(const Problem& problem, const PlanarInput& input)

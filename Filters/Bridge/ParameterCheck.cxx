@@ -11,11 +11,11 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   const double mergeTolerance = options.Domain.MergeTolerance;
   const SimplificationOptions& simplification = options.Simplification;
   for (const std::string& refusal :
-    { CheckSpacingParameters(options.Spacing), CheckAtLeastZero("MergeTolerance", mergeTolerance),
-      CheckAtLeastZero("EndTolerance", options.Domain.EndTolerance),
-      CheckAtLeastZero("BoundaryTolerance", simplification.Tolerance),
-      CheckAtLeastZero("CornerAngle", simplification.CornerAngle),
-      CheckAtLeastZero("MinimumLoopSize", simplification.MinimumLoopSize) })
+    { CheckSpacingParameters(options.Spacing), CheckAtLeastZero("Merge Tolerance", mergeTolerance),
+      CheckAtLeastZero("End Tolerance", options.Domain.EndTolerance),
+      CheckAtLeastZero("Boundary Tolerance", simplification.Tolerance),
+      CheckAtLeastZero("Corner Angle", simplification.CornerAngle),
+      CheckAtLeastZero("Minimum Loop Size", simplification.MinimumLoopSize) })
   {
     if (!refusal.empty())
     {
@@ -25,7 +25,7 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   const double constant = options.BitingConstant;
   if (constant != 0.0 && !(constant >= 0.1 && constant <= 1.0))
   {
-    return "BitingConstant is " + ValueText(constant) +
+    return "Biting Constant is " + ValueText(constant) +
       "; it must be 0 (automatic) or within [0.1, 1].";
   }
   if (!(options.Phi > 0.0 && options.Phi <= 1.0))
@@ -34,14 +34,14 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   }
   if (mergeTolerance >= 1.0)
   {
-    return "MergeTolerance is " + ValueText(mergeTolerance) +
+    return "Merge Tolerance is " + ValueText(mergeTolerance) +
       "; it is relative to the diagonal of the input, and must be below 1.";
   }
   if (options.MaximumNumberOfBites < -1 || options.MaximumNumberOfVertices < 1)
   {
     return options.MaximumNumberOfBites < -1
-      ? "MaximumNumberOfBites is below -1; -1 means until the front is empty."
-      : "MaximumNumberOfVertices is below 1.";
+      ? "Maximum Number Of Bites is below -1; -1 means until the front is empty."
+      : "Maximum Number Of Vertices is below 1.";
   }
   return {};
 }

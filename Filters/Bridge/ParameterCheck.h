@@ -35,10 +35,10 @@ inline std::string CheckAtLeastZero(const char* name, double value)
 /// Of the parameters that mesher and remesher have in common.
 inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
 {
-  for (const std::string& refusal : { CheckAtLeastZero("UniformSpacing", spacing.Uniform),
-         CheckAtLeastZero("SpacingScale", spacing.Scale),
-         CheckAtLeastZero("MinimumSpacing", spacing.Minimum),
-         CheckAtLeastZero("MaximumSpacing", spacing.Maximum),
+  for (const std::string& refusal : { CheckAtLeastZero("Uniform Spacing", spacing.Uniform),
+         CheckAtLeastZero("Spacing Scale", spacing.Scale),
+         CheckAtLeastZero("Minimum Spacing", spacing.Minimum),
+         CheckAtLeastZero("Maximum Spacing", spacing.Maximum),
          CheckAtLeastZero("Gradation", spacing.Gradation) })
   {
     if (!refusal.empty())
@@ -48,10 +48,10 @@ inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
   }
   if (spacing.Scale == 0.0)
   {
-    return "SpacingScale is 0; it must be above 0.";
+    return "Spacing Scale is 0; it must be above 0.";
   }
   const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
-  return isCrossed ? "MinimumSpacing is above MaximumSpacing." : "";
+  return isCrossed ? "Minimum Spacing is above Maximum Spacing." : "";
 }
 
 /// Of all that the mesher has.

@@ -79,7 +79,7 @@ std::string FindRegionNumbers(
   vtkAbstractArray* array = drawing.CellArrays->GetAbstractArray(name.c_str());
   if (!array)
   {
-    return "The input has no cell array named " + name + ", which RegionArray asks for.";
+    return "The input has no cell array named " + name + ", which Region Array asks for.";
   }
   if (array->GetNumberOfTuples() < drawing.NumberOfCells)
   {

@@ -86,7 +86,7 @@ std::string MarkFrozen(
   const bool isOfLines = lines && lines->GetCellData()->GetArray(name.c_str());
   return ofPoints || ofCells || isOfLines ? ""
                                           : "The input has no numeric point or cell array named " +
-      name + ", which FrozenArray asks for.";
+      name + ", which Frozen Array asks for.";
 }
 
 // The array RegionId need not be there.

@@ -8,7 +8,7 @@
 #include <QVariant>
 #include <QWidget>
 
-/// A property of each widget that is seen and has this name, a line for each; of a combo box that is
+/// A property of each widget that is seen and has this name, a line each; of a combo box that is
 /// asked for `items`, these. The text is that of the last call.
 extern "C" Q_DECL_EXPORT const char* ReadWidgets(const char* name, const char* property)
 {

@@ -138,7 +138,7 @@ TEST(BoundaryTolerance, IsNamedWhereTheDrawingIsMuchFinerThanTheSpacing)
   AddChain(input, WavySquare(), true);
   const auto mesher = MesherOf(input, 0.0);
   const Messages messages(mesher);
-  EXPECT_TRUE(Has(LinesOf(mesher), "BoundaryTolerance"));
+  EXPECT_TRUE(Has(LinesOf(mesher), "Boundary Tolerance"));
   EXPECT_TRUE(messages.Warnings.empty() && messages.Errors.empty());
   EXPECT_GT(Figure(mesher->GetOutput(), "ShareOfDrawing"), 0.5);
 }
@@ -190,7 +190,7 @@ TEST(MinimumLoopSize, LeavesSmallLoopsOutAndShowsWhere)
   const auto mesher = MesherOf(input, 0.0);
   mesher->SetMinimumLoopSize(1.0);
   const Messages messages(mesher);
-  EXPECT_TRUE(Has(LinesOf(mesher), "MinimumLoopSize (1): cell 1 near (52, 23, 0)"));
+  EXPECT_TRUE(Has(LinesOf(mesher), "Minimum Loop Size (1): cell 1 near (52, 23, 0)"));
   EXPECT_TRUE(messages.Warnings.empty() && messages.Errors.empty());
   EXPECT_NEAR(AreaOf(mesher->GetOutput()), 9600.0, 1e-6);
   EXPECT_EQ(Figure(mesher->GetOutput(), "LeftOutLoops"), 1.0);
@@ -210,6 +210,6 @@ TEST(BoundaryTolerance, RefusesWhatIsNoNumberOfSpacings)
     const Messages messages(mesher);
     mesher->Update();
     ASSERT_EQ(messages.Errors.size(), 1u);
-    EXPECT_TRUE(Has(messages.Errors[0], "BoundaryTolerance"));
+    EXPECT_TRUE(Has(messages.Errors[0], "Boundary Tolerance"));
   }
 }

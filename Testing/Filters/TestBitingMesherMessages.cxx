@@ -95,7 +95,7 @@ TEST(BitingMesherMessages, SayTheSameAsAnErrorWhereRepairIsOff)
   mesher->RepairInputOff();
   const std::string refusal = RefusalOf(CrossingSquares(), mesher);
   EXPECT_TRUE(Has(refusal, "Crossing segments (2): cell 0 with cell 1 near (")) << refusal;
-  EXPECT_TRUE(Has(refusal, "RepairInput")) << refusal;
+  EXPECT_TRUE(Has(refusal, "Repair Input")) << refusal;
 }
 
 TEST(BitingMesherMessages, CountWhatTheyDoNotList)
@@ -221,7 +221,7 @@ TEST(BitingMesherMessages, RefuseMoreVerticesThanAllowedWithTheEstimate)
   vtkNew<vtkBitingMesher> mesher;
   mesher->SetUniformSpacing(1e-9);
   const std::string refusal = RefusalOf(UnitSquare(), mesher);
-  EXPECT_TRUE(Has(refusal, "MaximumNumberOfVertices")) << refusal;
+  EXPECT_TRUE(Has(refusal, "Maximum Number Of Vertices")) << refusal;
   EXPECT_TRUE(Has(refusal, "e+18")) << refusal;
 }
 
@@ -254,17 +254,17 @@ TEST(BitingMesherMessages, RefuseParametersOutOfRangeByName)
     return RefusalOf(UnitSquare(), mesher);
   };
   using Mesher = vtkBitingMesher*;
-  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetUniformSpacing(-1.0); }), "UniformSpacing"));
-  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetSpacingScale(0.0); }), "SpacingScale"));
-  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMinimumSpacing(-1.0); }), "MinimumSpacing"));
-  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMaximumSpacing(HUGE_VAL); }), "MaximumSpacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetUniformSpacing(-1.0); }), "Uniform Spacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetSpacingScale(0.0); }), "Spacing Scale"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMinimumSpacing(-1.0); }), "Minimum Spacing"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetMaximumSpacing(HUGE_VAL); }), "Maximum Spacing"));
   EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetGradation(std::nan("")); }), "Gradation"));
-  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetBitingConstant(0.05); }), "BitingConstant"));
+  EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetBitingConstant(0.05); }), "Biting Constant"));
   EXPECT_TRUE(Has(refusal([](Mesher m) { m->SetPhi(0.0); }), "Phi"));
   EXPECT_TRUE(
-    Has(refusal([](Mesher m) { m->SetMaximumNumberOfBites(-2); }), "MaximumNumberOfBites"));
+    Has(refusal([](Mesher m) { m->SetMaximumNumberOfBites(-2); }), "Maximum Number Of Bites"));
   EXPECT_TRUE(
-    Has(refusal([](Mesher m) { m->SetMaximumNumberOfVertices(0); }), "MaximumNumberOfVertices"));
+    Has(refusal([](Mesher m) { m->SetMaximumNumberOfVertices(0); }), "Maximum Number Of Vertices"));
 }
 
 TEST(BitingMesherMessages, AreAbsentForEmptyInput)

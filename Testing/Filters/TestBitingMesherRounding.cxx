@@ -199,7 +199,7 @@ TEST(BitingMesherRounding, ALargeNumberIsNamedInFewDigits)
   EXPECT_TRUE(Has(texts[0], "Phi is 1e+300;"));
   mesher->SetPhi(1.0);
   mesher->SetMergeTolerance(1.0);
-  EXPECT_TRUE(Has(TextsOf(UnitSquare(), mesher).front(), "MergeTolerance is 1;"));
+  EXPECT_TRUE(Has(TextsOf(UnitSquare(), mesher).front(), "Merge Tolerance is 1;"));
 }
 
 TEST(BitingMesherRounding, PointsWithoutCellsAreToldOf)

@@ -158,12 +158,12 @@ TEST(BitingRemesher, FollowsASpacingSource)
 
 TEST(BitingRemesher, RefusesTolerancesThatAreNone)
 {
-  for (const char* name : { "BoundaryTolerance", "FeatureAngle" })
+  for (const char* name : { "Boundary Tolerance", "Feature Angle" })
   {
     const auto remesher = RemesherOf(SquareMesh());
     const Messages messages(remesher);
-    remesher->SetBoundaryTolerance(std::string(name) == "BoundaryTolerance" ? -0.1 : 0.1);
-    remesher->SetFeatureAngle(std::string(name) == "FeatureAngle" ? -1.0 : 30.0);
+    remesher->SetBoundaryTolerance(std::string(name) == "Boundary Tolerance" ? -0.1 : 0.1);
+    remesher->SetFeatureAngle(std::string(name) == "Feature Angle" ? -1.0 : 30.0);
     remesher->Update();
     ASSERT_EQ(messages.Errors.size(), 1u);
     EXPECT_TRUE(Has(messages.Errors[0], name));
@@ -193,14 +193,14 @@ TEST(BitingRemesher, SaysOnceWhatIsWrong)
   expectError(negative, "spacing");
   const auto scaled = RemesherOf(mesh);
   scaled->SetSpacingScale(0.0);
-  expectError(scaled, "SpacingScale is 0");
+  expectError(scaled, "Spacing Scale is 0");
   const auto frozen = RemesherOf(mesh);
   frozen->SetFrozenArray("Absent");
   expectError(frozen, "Absent");
   const auto large = RemesherOf(mesh);
   large->SetUniformSpacing(0.0001);
   large->SetMaximumNumberOfVertices(1000);
-  expectError(large, "MaximumNumberOfVertices");
+  expectError(large, "Maximum Number Of Vertices");
   const auto lines = RemesherOf(UnitSquare());
   expectError(lines, "no triangles");
 }

@@ -405,11 +405,11 @@ TEST(HessianSpacing, RefusesParametersOutOfRange)
   vtkNew<vtkHessianSpacing> filter;
   filter->SetInputData(Image(4, 4));
   filter->SetErrorTolerance(-1.0);
-  EXPECT_TRUE(Has(RefusalOf(filter), "ErrorTolerance is -1"));
+  EXPECT_TRUE(Has(RefusalOf(filter), "Error Tolerance is -1"));
   filter->SetErrorTolerance(0.0);
   filter->SetMinimumSpacing(2.0);
   filter->SetMaximumSpacing(1.0);
-  EXPECT_TRUE(Has(RefusalOf(filter), "MinimumSpacing is above MaximumSpacing"));
+  EXPECT_TRUE(Has(RefusalOf(filter), "Minimum Spacing is above Maximum Spacing"));
 }
 
 TEST(HessianSpacing, OfNothingIsNothing)

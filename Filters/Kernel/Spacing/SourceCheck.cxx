@@ -44,16 +44,16 @@ public:
 
   void CheckParameters(const SpacingOptions& options)
   {
-    const std::pair<const char*, double> parameters[] = { { "UniformSpacing", options.Uniform },
-      { "SpacingScale", options.Scale }, { "MinimumSpacing", options.Minimum },
-      { "MaximumSpacing", options.Maximum }, { "Gradation", options.Gradation } };
+    const std::pair<const char*, double> parameters[] = { { "Uniform Spacing", options.Uniform },
+      { "Spacing Scale", options.Scale }, { "Minimum Spacing", options.Minimum },
+      { "Maximum Spacing", options.Maximum }, { "Gradation", options.Gradation } };
     for (const auto& [name, value] : parameters)
     {
       this->Require(std::isfinite(value) && value >= 0.0, name + (" is " + NumberText(value)));
     }
-    this->Require(options.Scale != 0.0, "SpacingScale is 0");
+    this->Require(options.Scale != 0.0, "Spacing Scale is 0");
     this->Require(!(options.Maximum > 0.0 && options.Minimum > options.Maximum),
-      "MinimumSpacing " + NumberText(options.Minimum) + " is above MaximumSpacing " +
+      "Minimum Spacing " + NumberText(options.Minimum) + " is above Maximum Spacing " +
         NumberText(options.Maximum));
   }
 

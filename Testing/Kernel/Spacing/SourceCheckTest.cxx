@@ -143,26 +143,26 @@ TEST(MakeSpacing, RefusesParametersThatAreNoSpacing)
 {
   SpacingOptions options;
   options.Uniform = -1.0;
-  ExpectRefused(options, "UniformSpacing is -1");
+  ExpectRefused(options, "Uniform Spacing is -1");
   options = {};
   options.Scale = 0.0;
-  ExpectRefused(options, "SpacingScale is 0");
+  ExpectRefused(options, "Spacing Scale is 0");
   options = {};
   options.Scale = NotANumber;
-  ExpectRefused(options, "SpacingScale is nan");
+  ExpectRefused(options, "Spacing Scale is nan");
   options = {};
   options.Minimum = std::numeric_limits<double>::infinity();
-  ExpectRefused(options, "MinimumSpacing is inf");
+  ExpectRefused(options, "Minimum Spacing is inf");
   options = {};
   options.Maximum = -2.0;
-  ExpectRefused(options, "MaximumSpacing is -2");
+  ExpectRefused(options, "Maximum Spacing is -2");
   options = {};
   options.Gradation = NotANumber;
   ExpectRefused(options, "Gradation is nan");
   options = {};
   options.Minimum = 2.0;
   options.Maximum = 1.0;
-  ExpectRefused(options, "MinimumSpacing 2 is above MaximumSpacing 1");
+  ExpectRefused(options, "Minimum Spacing 2 is above Maximum Spacing 1");
 }
 
 TEST(MakeSpacing, RefusesValuesThatLeaveTheRangeWhenScaled)
