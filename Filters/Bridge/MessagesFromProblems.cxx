@@ -46,7 +46,7 @@ Wording WordingOfRepair(ProblemCode code)
         "They were merged." };
     case ProblemCode::JoinedEnds:
       return { "Open ends that nearly touch others, or a segment", "point", "cell",
-        "They were joined with these; with an EndTolerance of 0 they stay." };
+        "They were joined with these; with an End Tolerance of 0 they stay." };
     case ProblemCode::NarrowAngles:
       return { "Angles below 0.01 degrees between segments", "cell", "cell",
         "Triangles there are as thin." };
@@ -61,8 +61,8 @@ Wording WordingOfRepair(ProblemCode code)
       return { "Triangles without area", "cell", "",
         "The triangles beside them were divided in their place; at the rim they were left out." };
     case ProblemCode::ChangedArea:
-      return { "BoundaryTolerance changed the area of the domain", "", "",
-        "It is as wide as what is drawn: a smaller BoundaryTolerance changes the area less." };
+      return { "Boundary Tolerance changed the area of the domain", "", "",
+        "It is as wide as what is drawn: a smaller Boundary Tolerance changes the area less." };
     case ProblemCode::OutsidePoints:
       return { "Embedded points outside of the domain", "point", "", "They were dropped." };
     default:
@@ -82,7 +82,7 @@ Wording WordingOf(ProblemCode code)
         "of its input, Clip or IsoVolume give the whole area." };
     case ProblemCode::OpenOutlines:
       return { "Outlines that do not close, and are not among the boundaries", "open end at point",
-        "point", "Close them, or raise EndTolerance; mark as Kind 1 what bounds nothing." };
+        "point", "Close them, or raise End Tolerance; mark as Kind 1 what bounds nothing." };
     case ProblemCode::NotFinite:
       return { "Coordinates that are not finite", "point", "", "Correct or remove these points." };
     case ProblemCode::OutOfRange:

@@ -127,7 +127,7 @@ TEST(BoundaryTolerance, WarnsWhereItChangesTheAreaByMoreThanFivePercent)
     {
       EXPECT_TRUE(Has(messages.Warnings[0], "BoundaryTolerance changed the area"));
       EXPECT_TRUE(Has(messages.Warnings[0], std::to_string(static_cast<int>(change))));
-      EXPECT_TRUE(Has(messages.Warnings[0], "smaller BoundaryTolerance"));
+      EXPECT_TRUE(Has(messages.Warnings[0], "smaller Boundary Tolerance"));
     }
   }
 }

@@ -243,7 +243,7 @@ TEST(BitingMesherProblems, ShowTheGapOfAnOutline)
   EXPECT_TRUE(AreAllEmpty(mesher));
   ASSERT_EQ(run.Errors.size(), 1u);
   EXPECT_TRUE(Has(run.Errors[0], "Outlines that do not close"));
-  EXPECT_TRUE(Has(run.Errors[0], "(a gap of 0.3; an EndTolerance of 3 closes it)"));
+  EXPECT_TRUE(Has(run.Errors[0], "(a gap of 0.3; an End Tolerance of 3 closes it)"));
   const auto gaps = run.Of(vtkBitingMesher::OPEN_OUTLINES);
   ASSERT_EQ(gaps.size(), 1u);
   EXPECT_EQ(gaps[0].IsError, 1);

@@ -43,7 +43,7 @@ double RoundedUp(double value)
   return std::ceil(value / unit) * unit;
 }
 
-/// How wide the gap is, and what closes it: "a gap of .1; an EndTolerance of .5 closes it".
+/// How wide the gap is, and what closes it: "a gap of .1; an End Tolerance of .5 closes it".
 std::string DetailOf(double gap, double tolerance)
 {
   std::ostringstream text;
@@ -52,7 +52,7 @@ std::string DetailOf(double gap, double tolerance)
   if (tolerance <= LargestTolerance)
   {
     text.precision(2);
-    text << "; an EndTolerance of " << RoundedUp(tolerance) << " closes it";
+    text << "; an End Tolerance of " << RoundedUp(tolerance) << " closes it";
   }
   return text.str();
 }

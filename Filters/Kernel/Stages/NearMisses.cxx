@@ -335,7 +335,7 @@ void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polyli
       : cellsOfPoints[domain.VertexPoints[search.AllSegments()[segment].Start]];
   };
   const std::string summary = Figure(smallest) + " to " + Figure(largest) +
-    " apart; MergeTolerance " + Figure(RoundedUp(RoomToMerge * largest / DiagonalOf(input))) +
+    " apart; Merge Tolerance " + Figure(RoundedUp(RoomToMerge * largest / DiagonalOf(input))) +
     " joins them";
   for (const auto& [vertex, miss] : found)
   {

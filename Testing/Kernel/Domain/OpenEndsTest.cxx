@@ -277,7 +277,7 @@ TEST(OpenOutlines, BeyondTheToleranceAreRefusedWithWhatClosesThem)
   EXPECT_EQ(made.Domain.NumberOfVertices(), 0);
   const Problem& problem = FirstOf(ProblemCode::OpenOutlines, made);
   EXPECT_EQ(problem.Ids, (std::vector<std::int64_t>{ 4, 8 }));
-  EXPECT_EQ(problem.Detail, "a gap of 0.3; an EndTolerance of 3 closes it");
+  EXPECT_EQ(problem.Detail, "a gap of 0.3; an End Tolerance of 3 closes it");
   EXPECT_NEAR(MakeJoined(NearlyClosed(0.3).Lines(), 3.0).Domain.Area, 0.96, 1e-12);
   EXPECT_TRUE(MakeJoined(Rounded(0.2).Lines()).Problems.Has(ProblemCode::OpenOutlines));
 }
@@ -332,7 +332,7 @@ TEST(OpenOutlines, AloneNameTheirGap)
   const MadeDomain made =
     MakeJoined(PolylineBuilder().Chain({ { 0, 0 }, { 1, 0 }, { 0, 0.02 } }).Lines());
   const Problem& problem = FirstOf(ProblemCode::NoClosedLoop, made);
-  EXPECT_EQ(problem.Detail, "a gap of 0.02; an EndTolerance of 0.2 closes it");
+  EXPECT_EQ(problem.Detail, "a gap of 0.02; an End Tolerance of 0.2 closes it");
 }
 
 } // namespace
