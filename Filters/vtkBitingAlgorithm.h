@@ -47,8 +47,8 @@ public:
   /**
    * Constant spacing, in units of the coordinates, >= 0. Where other sources give a spacing too,
    * the minimum counts: above all of them it has no effect, and the summary says so. 0 (default):
-   * none, or, of vtkBitingMesher, 2 % of the diagonal of the domain's bounding box where nothing else
-   * is given. Negative or not finite: an error.
+   * none, or, of vtkBitingMesher, 2 % of the diagonal of the domain's bounding box where nothing
+   * else is given. Negative or not finite: an error.
    */
   vtkSetMacro(UniformSpacing, double);
   vtkGetMacro(UniformSpacing, double);
