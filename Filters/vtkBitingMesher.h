@@ -469,9 +469,9 @@ public:
    * With BoundaryTolerance: corners of the drawing where it turns by this or more stay where they
    * are; in degrees, 0 straight on, 90 a right angle, 180 back. The turning is seen from four
    * tolerances away (4 BoundaryTolerance f), along the boundary also beyond junctions and ends of
-   * tags, so that a zigzag of pixels is no row of corners; of several corners nearer than that to each other the one that turns most stays. >= 0; default 45;
-   * from 180 on none stays for its angle. Smaller values keep more vertices. Negative or not
-   * finite: an error.
+   * tags, so that a zigzag of pixels is no row of corners; of several corners nearer than that to
+   * each other the one that turns most stays. >= 0; default 45; from 180 on none stays for its
+   * angle. Smaller values keep more vertices. Negative or not finite: an error.
    */
   vtkSetMacro(CornerAngle, double);
   vtkGetMacro(CornerAngle, double);
