@@ -66,9 +66,10 @@
  * (SetInputArrayToProcess(1, 1, 0, POINTS, name): interpolated, and outside of the source the
  * nearest value of its border). Then it is multiplied by SpacingScale and clamped to
  * [MinimumSpacing, MaximumSpacing], lowered to the local feature size (LimitByFeatureSize), and
- * last to the largest function below all that with no slope above Gradation. All of that is meant
- * within 2 %, but f is never above MaximumSpacing nor below MinimumSpacing: a source whose slope is
- * Gradation, or above it by interpolation only, is taken as it is. Slopes are limited across the
+ * last to the largest function below all that with no slope above Gradation: within 5 % at 99 % of
+ * places and 10 % anywhere, where what a source does within less than f/2 is seen by its lowest
+ * value. f is never above MaximumSpacing nor below MinimumSpacing, and a source that is nowhere
+ * steeper than 1.02 times Gradation is taken as it is. Slopes are limited across the
  * border of a source, too, and outside of it. Where nothing is given f is 2 % of the diagonal of
  * the domain's bounding box. An array named `Spacing` is taken where no other name was set; where
  * there is none, the only scalar point array of the source is, if it has just one; else there is no

@@ -8,30 +8,20 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
-  Spacing/BorderRays.cxx
   Spacing/BorderTree.cxx
+  Spacing/CellGradation.cxx
   Spacing/ConeBranch.cxx
-  Spacing/BorderTurns.cxx
   Spacing/ConeTree.cxx
-  Spacing/ExtendedGrid.cxx
   Spacing/FeatureSize.cxx
-  Spacing/GridBounds.cxx
   Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
-  Spacing/GridLimit.cxx
-  Spacing/GridPasses.cxx
-  Spacing/GridSteps.cxx
-  Spacing/LevelLine.cxx
-  Spacing/LongCells.cxx
-  Spacing/OutsideJumps.cxx
-  Spacing/Plateaus.cxx
   Spacing/SegmentCone.cxx
+  Spacing/SizeCells.cxx
+  Spacing/SizeTree.cxx
   Spacing/SourceCheck.cxx
   Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
-  Spacing/SteepTriangles.cxx
   Spacing/TriangleBuckets.cxx
-  Spacing/TriangleEdges.cxx
   Spacing/TriangleInterpolator.cxx
   Hessian/HessianRecovery.cxx
   Domain/AreaSum.cxx

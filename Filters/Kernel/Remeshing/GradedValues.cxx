@@ -5,14 +5,14 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
-#include "../Spacing/EdgeBound.h"
+#include "../Spacing/SegmentCone.h"
 
 #include <cmath>      // for isnormal
 #include <cstdint>    // for flags
 #include <functional> // for greater
 #include <numeric>    // for partial_sum
 #include <queue>      // for the order of values
-#include <utility>    // for pair
+#include <utility>    // for pair, swap
 
 namespace biting
 {
@@ -32,7 +32,6 @@ public:
     , Gradation(gradation)
     , Values(values)
     , Progress(pulse)
-    , Bound({ 1.0, 0.0, Infinity }, gradation)
   {
   }
 
@@ -67,7 +66,6 @@ private:
   const double Gradation;
   std::vector<double>& Values;
   Pulse& Progress;
-  const EdgeBound Bound;
   std::vector<Id> Offsets; ///< of the slots at a vertex
   std::vector<Id> Slots;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Waiting;
@@ -133,8 +131,17 @@ void Lowering::Lower(Id vertex, Id start, Id end)
   const Point2 edge = this->Mesh.Points[end] - this->Mesh.Points[start];
   const Point2 way = this->Mesh.Points[vertex] - this->Mesh.Points[start];
   const double length = Length(edge);
-  const double value = this->Bound(Dot(way, edge) / length, Cross(edge, way) / length, length,
-    this->Values[start], this->Values[end]);
+  double along = Dot(way, edge) / length;
+  const double across = Cross(edge, way) / length;
+  if (this->Values[end] < this->Values[start])
+  {
+    std::swap(start, end);
+    along = length - along;
+  }
+  SegmentCone cone; // of an edge along the x axis
+  cone.SetValues(
+    length, this->Values[start], this->Values[end] - this->Values[start], this->Gradation);
+  const double value = cone({ along, across }, this->Gradation);
   if (value < (1.0 - SlightShare) * this->Values[vertex])
   {
     this->Values[vertex] = value;

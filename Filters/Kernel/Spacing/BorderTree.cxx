@@ -28,48 +28,7 @@ namespace
 constexpr double SimilarLengths = 64.0;
 constexpr std::size_t MostTrees = 6;
 
-/// The radius of the ball that touches at 0 and goes through the place `end` of an edge that leads
-/// on `along`.
-double RadiusThrough(const Point2& end, const Point2& along, const Point2& direction)
-{
-  const double square = Dot(end, end);
-  const double ahead = Dot(square > 0.0 ? end : along, direction);
-  return ahead > 0.0 ? 0.5 * square / ahead : Infinity;
-}
-
 } // namespace
-
-NearestValue TouchOf(const Point2& foot, const Point2& direction, const BorderEdge& edge)
-{
-  const Point2 along = edge.End - edge.Start;
-  const Point2 start = edge.Start - foot;
-  const Point2 end = edge.End - foot;
-  const double toStart = RadiusThrough(start, along, direction);
-  const double toEnd = RadiusThrough(end, -1.0 * along, direction);
-  double radius = std::min(toStart, toEnd);
-  double weight = toStart <= toEnd ? 0.0 : 1.0;
-  // As far from the line of the edge as from 0: height = radius (1 - rise).
-  const double length = Length(along);
-  const double side = Cross(start, along) / length;
-  const double rise = Cross(along, direction) / length;
-  const double nearing = 1.0 - (side < 0.0 ? -rise : rise);
-  const double away = nearing > 0.0 ? std::abs(side) / nearing : Infinity;
-  const double between = side == 0.0 ? 0.0 : away;
-  const double share = Dot(between * direction - start, along) / (length * length);
-  if (share > 0.0 && share < 1.0 && between < radius)
-  {
-    radius = between;
-    weight = share;
-  }
-  if (radius < Infinity)
-  {
-    return { radius, (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
-      edge.Start + weight * along, &edge };
-  }
-  NearestValue behind = NearestOnEdge(edge, foot);
-  behind.Distance = Infinity;
-  return behind;
-}
 
 /// Along the longest edge. The sides lead through the places that are farthest from it in both
 /// halves, or beside.

@@ -39,11 +39,6 @@ struct NearestValue
 /// The nearest point of an edge, and its value.
 NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x);
 
-/// Where an edge meets the smallest ball that touches a line at `foot`, from that side of it into
-/// which a unit vector points, and the edge: at which radius, and the value there. Infinity where
-/// the edge is behind that line, with the value nearest to the foot; 0 where it leads through that.
-NearestValue TouchOf(const Point2& foot, const Point2& direction, const BorderEdge& edge);
-
 /// Finds the nearest of many edges. Boxes of long edges that meet in a hub all overlap: so each
 /// node of a tree of boxes has a wedge, too, and edges of very different lengths are in different
 /// trees.

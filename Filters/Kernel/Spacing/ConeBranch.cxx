@@ -28,6 +28,18 @@ constexpr double SteepestGrowth = 1.0;
 /// none, as rounding could turn it: there the plane is that of the values along the segment.
 constexpr double OnSegment = 1e-3;
 
+/// On its diagonal.
+Point2 PointIn(const Quadtree::Cube& square, double share)
+{
+  const Place<2> place = square.At({ share, share });
+  return { place[0], place[1] };
+}
+
+Box2 BoxOf(const Quadtree::Cube& square)
+{
+  return { PointIn(square, 0.0), PointIn(square, 1.0) };
+}
+
 /// Cuts squares from that of a branch down. The candidates of a square lie on a stack, above those
 /// of the squares it is part of.
 class BranchCutter
@@ -46,7 +58,7 @@ public:
 
   CutBranch Cut()
   {
-    Quadtree::Square root = this->Branch.Square;
+    Quadtree::Cube root = this->Branch.Square;
     root.Node = 0;
     this->Refine(root, 0, this->Branch.Likely);
     return std::move(this->Result);
@@ -68,9 +80,9 @@ private:
     Point2 Gradient;
   };
 
-  void Refine(const Quadtree::Square& square, std::size_t first, Id likely)
+  void Refine(const Quadtree::Cube& square, std::size_t first, Id likely)
   {
-    Box2 box = square.Box();
+    Box2 box = BoxOf(square);
     box.Grow(this->Whole.Margin); // all places that are found in the square
     const std::size_t kept = this->Candidates.size();
     if (!this->Beats.Beat(kept - first) || kept == first || !this->Whole.Bounds.Meets(box))
@@ -78,8 +90,8 @@ private:
       this->SetLeaf(square, 0);
       return;
     }
-    const double radius = square.Radius() + this->Whole.Margin;
-    const Lowest lowest = this->FindTangents(square.At(0.5, 0.5), radius, first, likely);
+    const double radius = Length({ 0.5 * square.Size, 0.5 * square.Size }) + this->Whole.Margin;
+    const Lowest lowest = this->FindTangents(PointIn(square, 0.5), radius, first, likely);
     if (lowest.Value - this->Whole.Slope * radius >= this->Whole.Most)
     {
       this->SetLeaf(square, 0);
@@ -90,7 +102,7 @@ private:
     this->Candidates.resize(kept);
   }
 
-  void FinishOrSplit(const Quadtree::Square& square, const Lowest& lowest, std::size_t first)
+  void FinishOrSplit(const Quadtree::Cube& square, const Lowest& lowest, std::size_t first)
   {
     const double growth = std::min(this->Whole.Slope, SteepestGrowth) * square.Size;
     const bool isLast = square.Level == Quadtree::MaximumLevel ||
@@ -109,13 +121,13 @@ private:
       this->Result.Tree.Split(square);
       for (int quarter = 0; quarter < 4; ++quarter)
       {
-        this->Refine(this->Result.Tree.Quarter(square, quarter), first, lowest.Cone);
+        this->Refine(this->Result.Tree.Child(square, quarter), first, lowest.Cone);
       }
     }
   }
 
   /// To other tasks.
-  void LeaveQuarters(const Quadtree::Square& square, const Lowest& lowest, std::size_t first)
+  void LeaveQuarters(const Quadtree::Cube& square, const Lowest& lowest, std::size_t first)
   {
     const auto candidates = std::make_shared<const std::vector<Id>>(
       this->Candidates.begin() + static_cast<std::ptrdiff_t>(first), this->Candidates.end());
@@ -123,7 +135,7 @@ private:
     for (int quarter = 0; quarter < 4; ++quarter)
     {
       this->Result.Rest.push_back(
-        { this->Result.Tree.Quarter(square, quarter), candidates, lowest.Cone });
+        { this->Result.Tree.Child(square, quarter), candidates, lowest.Cone });
     }
   }
 
@@ -187,7 +199,7 @@ private:
     this->Candidates.resize(count);
   }
 
-  void AddLeaf(const Quadtree::Square& square, std::size_t first)
+  void AddLeaf(const Quadtree::Cube& square, std::size_t first)
   {
     std::vector<Id>& lists = this->Result.Lists;
     this->SetLeaf(square, static_cast<Id>(lists.size()));
@@ -196,7 +208,7 @@ private:
       this->Candidates.end());
   }
 
-  void SetLeaf(const Quadtree::Square& square, Id list)
+  void SetLeaf(const Quadtree::Cube& square, Id list)
   {
     this->Result.Tree.SetLeaf(square, list);
     ++this->Result.LeafCount;

@@ -5,7 +5,7 @@
 #define BitingConeBranch_h
 
 #include "../Base/Monitor.h"
-#include "Quadtree.h"
+#include "Orthtree.h"
 #include "SegmentCone.h"
 
 #include <memory> // for what squares share
@@ -21,6 +21,8 @@ constexpr double SlackOfCones = 0.01;
 /// A square with more cones is cut only once by a task; its quarters are tasks for themselves.
 constexpr std::size_t ConesPerTask = 4096;
 
+using Quadtree = Orthtree<2>;
+
 /// What all squares have in common.
 struct ConesToCut
 {
@@ -34,7 +36,7 @@ struct ConesToCut
 /// A square that is to be cut, and the cones that may be lowest there, ascending.
 struct ConeBranch
 {
-  Quadtree::Square Square;
+  Quadtree::Cube Square;
   std::shared_ptr<const std::vector<Id>> Candidates;
   Id Likely = 0; ///< to be the lowest
 };

@@ -30,16 +30,6 @@ public:
     this->Source.Segments.insert(this->Source.Segments.end(), { point, point + 1 });
   }
 
-  /// What another one has collected, in its order.
-  void AddAll(const ConeCollector& other)
-  {
-    for (std::size_t start = 0; start < other.Source.Points.size(); start += 2)
-    {
-      this->AddSegment(other.Source.Points[start], other.Source.Points[start + 1],
-        other.Source.Values[start], other.Source.Values[start + 1]);
-    }
-  }
-
   const SegmentSource& Segments() const { return this->Source; }
 
 private:

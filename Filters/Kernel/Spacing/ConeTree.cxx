@@ -137,7 +137,7 @@ ConeTree::ConeTree(const std::vector<SegmentCone>& cones, double slope, const Bo
   double most, Monitor& monitor)
   : Slope(slope)
   , Bounds(bounds)
-  , Tree(this->Bounds)
+  , Tree(Quadtree::Around({ bounds.Low.X, bounds.Low.Y }, { bounds.High.X, bounds.High.Y }))
 {
   Builder(*this, cones, most, monitor).Build();
 }

@@ -5,7 +5,7 @@
 #define BitingConeTree_h
 
 #include "../Base/Monitor.h"
-#include "Quadtree.h"
+#include "Orthtree.h"
 #include "SegmentCone.h"
 
 #include <limits> // for infinity
@@ -42,7 +42,8 @@ public:
   {
     const Point2 inside{ std::min(std::max(this->Bounds.Low.X, x.X), this->Bounds.High.X),
       std::min(std::max(this->Bounds.Low.Y, x.Y), this->Bounds.High.Y) };
-    const Id* list = &this->Lists[static_cast<std::size_t>(this->Tree.Locate(inside))];
+    const Id leaf = this->Tree.Locate({ inside.X, inside.Y });
+    const Id* list = &this->Lists[static_cast<std::size_t>(leaf)];
     const Id* end = list + 1 + *list;
     double least = std::numeric_limits<double>::infinity();
     for (const Id* cone = list + 1; cone < end; ++cone)
@@ -61,7 +62,7 @@ private:
 
   double Slope = 0.0;
   Box2 Bounds;
-  Quadtree Tree;                  ///< the number of a leaf is where its list starts in Lists
+  Orthtree<2> Tree;               ///< the number of a leaf is where its list starts in Lists
   std::vector<Id> Lists;          ///< each is a count, and as many cones
   std::vector<SegmentCone> Cones; ///< those near each other mostly one after the other
   std::size_t LeafCount = 0;

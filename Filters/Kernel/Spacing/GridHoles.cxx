@@ -7,11 +7,22 @@
 
 #include <algorithm> // for any_of
 #include <limits>    // for nodes that have no value yet
+#include <numeric>   // for iota
 
 namespace biting
 {
 namespace
 {
+
+/// The numbers of the nodes, the first and last one once more where they do not reach low and high.
+std::vector<std::size_t> ReachingNodes(const std::vector<double>& nodes, double low, double high)
+{
+  std::vector<std::size_t> numbers(nodes.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  numbers.insert(numbers.begin(), low < nodes.front() ? 1 : 0, 0);
+  numbers.insert(numbers.end(), high > nodes.back() ? 1 : 0, nodes.size() - 1);
+  return numbers;
+}
 
 /// Two sweeps over the rows, up and down; in each, holes are offered what their neighbors in the
 /// row before have, and those on both sides.
@@ -89,6 +100,37 @@ std::shared_ptr<const GridSource> FillHoles(
   Pulse pulse(monitor);
   Fill(*source, filled->Values, pulse);
   return pulse.HasStopped() ? nullptr : filled;
+}
+
+std::shared_ptr<const GridSource> ReachingOver(
+  const std::shared_ptr<const GridSource>& source, const Box2& bounds)
+{
+  const std::vector<double>& xs = source->XNodes;
+  const std::vector<double>& ys = source->YNodes;
+  const std::vector<std::size_t> columns = ReachingNodes(xs, bounds.Low.X, bounds.High.X);
+  const std::vector<std::size_t> rows = ReachingNodes(ys, bounds.Low.Y, bounds.High.Y);
+  if (columns.size() == xs.size() && rows.size() == ys.size())
+  {
+    return source;
+  }
+  auto reaching = std::make_shared<GridSource>();
+  for (const std::size_t column : columns)
+  {
+    reaching->XNodes.push_back(xs[column]);
+  }
+  for (const std::size_t row : rows)
+  {
+    reaching->YNodes.push_back(ys[row]);
+    for (const std::size_t column : columns)
+    {
+      reaching->Values.push_back(source->Values[column + row * xs.size()]);
+    }
+  }
+  reaching->XNodes.front() = std::min(xs.front(), bounds.Low.X);
+  reaching->XNodes.back() = std::max(xs.back(), bounds.High.X);
+  reaching->YNodes.front() = std::min(ys.front(), bounds.Low.Y);
+  reaching->YNodes.back() = std::max(ys.back(), bounds.High.Y);
+  return reaching;
 }
 
 } // namespace biting

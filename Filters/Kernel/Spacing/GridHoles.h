@@ -17,6 +17,11 @@ namespace biting
 std::shared_ptr<const GridSource> FillHoles(
   std::shared_ptr<const GridSource> source, Monitor& monitor = NoMonitor());
 
+/// The same spacing on a grid that reaches to the border of `bounds`, with a row or column of nodes
+/// there; the grid itself where it reaches so far.
+std::shared_ptr<const GridSource> ReachingOver(
+  const std::shared_ptr<const GridSource>& source, const Box2& bounds);
+
 } // namespace biting
 
 #endif

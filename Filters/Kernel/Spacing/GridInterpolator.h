@@ -4,6 +4,7 @@
 #ifndef BitingGridInterpolator_h
 #define BitingGridInterpolator_h
 
+#include "Source.h"
 #include "Spacing.h"
 
 namespace biting
@@ -13,16 +14,6 @@ namespace biting
 inline double Blend(double low, double high, double weight)
 {
   return (1.0 - weight) * low + weight * high;
-}
-
-/// Of nodes, or lengths.
-inline std::vector<double> Times(std::vector<double> lengths, double factor)
-{
-  for (double& length : lengths)
-  {
-    length *= factor;
-  }
-  return lengths;
 }
 
 /// Finds the cell of a coordinate among ascending nodes: constant cost where the nodes are about
@@ -52,7 +43,7 @@ private:
 
 /// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest
 /// value of the border. A single row or column counts twice, so that there are cells.
-class GridInterpolator
+class GridInterpolator : public Source<2>
 {
 public:
   /// Where a point is in its cell, whose low node is (Column, Row).
@@ -68,16 +59,20 @@ public:
 
   double operator()(const Point2& x) const { return this->At(this->Find(x)); }
 
+  Sample At(const biting::Place<2>& x) const override;
+  std::vector<LowPlace<2>> LowPlaces(
+    double slope, const ValueRange& range, Pulse& pulse) const override;
+
   Place Find(const Point2& x) const;
   double At(const Place& place) const;
 
 private:
   std::size_t NodeAt(std::size_t column, std::size_t row) const
   {
-    return column + row * this->Source->XNodes.size();
+    return column + row * this->Grid->XNodes.size();
   }
 
-  std::shared_ptr<const GridSource> Source;
+  std::shared_ptr<const GridSource> Grid;
   GridAxis XAxis;
   GridAxis YAxis;
   std::size_t ToRight; ///< from a value to that of the next column

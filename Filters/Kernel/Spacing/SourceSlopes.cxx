@@ -38,16 +38,6 @@ double KnownSlope(double rise, double inverseStep)
   return slope <= std::numeric_limits<double>::max() ? slope : 0.0;
 }
 
-const Point2& PointOf(const TriangulatedSource& source, std::size_t corner)
-{
-  return source.Points[static_cast<std::size_t>(source.Triangles[corner])];
-}
-
-double ValueOf(const TriangulatedSource& source, std::size_t corner)
-{
-  return source.Values[static_cast<std::size_t>(source.Triangles[corner])];
-}
-
 struct Largest
 {
   double Value = 0.0;
@@ -92,26 +82,20 @@ double LargestSlope(const TriangulatedSource& source, Monitor& monitor)
   Pulse pulse(monitor);
   return SumAtOnce(pulse, source.Triangles.size() / 3, Largest{},
     [&source](Largest& largest, std::size_t triangle)
-    { largest.Join({ Length(GradientOfTriangle(source, 3 * triangle)) }); })
+    { largest.Join({ Length(GradientOfTriangle(source, &source.Triangles[3 * triangle])) }); })
     .Value;
 }
 
-Point2 GradientOfTriangle(const TriangulatedSource& source, std::size_t first)
+Point2 GradientOfTriangle(const TriangulatedSource& source, const Id* corners)
 {
-  const Point2 firstSide = PointOf(source, first + 1) - PointOf(source, first);
-  const Point2 secondSide = PointOf(source, first + 2) - PointOf(source, first);
-  const double firstRise = ValueOf(source, first + 1) - ValueOf(source, first);
-  const double secondRise = ValueOf(source, first + 2) - ValueOf(source, first);
+  const auto id = [corners](std::size_t k) { return static_cast<std::size_t>(corners[k]); };
+  const Point2 firstSide = source.Points[id(1)] - source.Points[id(0)];
+  const Point2 secondSide = source.Points[id(2)] - source.Points[id(0)];
+  const double firstRise = source.Values[id(1)] - source.Values[id(0)];
+  const double secondRise = source.Values[id(2)] - source.Values[id(0)];
   const Point2 gradient = (-1.0 / Cross(firstSide, secondSide)) *
     Perpendicular(firstRise * secondSide - secondRise * firstSide);
   return std::isfinite(gradient.X) && std::isfinite(gradient.Y) ? gradient : Point2{};
-}
-
-double AreaOfTriangle(const TriangulatedSource& source, std::size_t first)
-{
-  const Point2& corner = PointOf(source, first);
-  return 0.5 *
-    std::abs(Cross(PointOf(source, first + 1) - corner, PointOf(source, first + 2) - corner));
 }
 
 double LargestSlope(const SegmentSource& source)

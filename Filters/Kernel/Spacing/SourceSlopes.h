@@ -18,9 +18,8 @@ double LargestSlope(const GridSource& source, Monitor& monitor = NoMonitor());
 double LargestSlope(const TriangulatedSource& source, Monitor& monitor = NoMonitor());
 double LargestSlope(const SegmentSource& source);
 
-/// The gradient in the triangle whose corners start at `first`; 0 where it is not known.
-Point2 GradientOfTriangle(const TriangulatedSource& source, std::size_t first);
-double AreaOfTriangle(const TriangulatedSource& source, std::size_t first);
+/// The gradient in the triangle with three corners; 0 where it is not known.
+Point2 GradientOfTriangle(const TriangulatedSource& source, const Id* corners);
 
 } // namespace biting
 

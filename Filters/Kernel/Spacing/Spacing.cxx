@@ -12,12 +12,11 @@
 #include "ConeTree.h"
 #include "FeatureSize.h"
 #include "GridHoles.h"
-#include "GridLimit.h"
-#include "OutsideJumps.h"
+#include "GridInterpolator.h"
 #include "SegmentExtension.h"
+#include "SizeTree.h"
 #include "SourceCheck.h"
 #include "SourceSlopes.h"
-#include "SteepTriangles.h"
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
@@ -39,18 +38,13 @@ constexpr double GreatestSpacing = 1e4 * GreatestCoordinate;
 /// By which f may change where cones are merged, as a share.
 constexpr double MergingTolerance = 0.006;
 
+/// Where sources are as steep as this times the gradation f is below them.
+constexpr double SteepTolerance = 1.02;
+
 /// The slope of what grows from features, and falls from a floor, also where f is as given.
 double GradationOf(const SpacingOptions& options)
 {
   return options.Gradation > 0.0 ? options.Gradation : SpacingOptions().Gradation;
-}
-
-/// Between nodes at one place.
-bool HasJumps(const GridSource& grid)
-{
-  const auto hasEqual = [](const std::vector<double>& nodes)
-  { return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end(); };
-  return hasEqual(grid.XNodes) || hasEqual(grid.YNodes);
 }
 
 /// The same f, without sources that are one value everywhere, holes apart: these are part of
@@ -101,9 +95,8 @@ SpacingOptions WithoutConstants(SpacingOptions options)
 /// as they grow inwards with the gradation itself.
 struct Spacing::Implementation
 {
-  std::optional<GridInterpolator> Grid; ///< where it is as given
-  std::unique_ptr<const GridLimit> LimitedGrid;
-  std::optional<TriangleInterpolator> Triangulation;
+  std::vector<std::shared_ptr<const Source<2>>> Sources;
+  SizeTree<2> Graded;               ///< empty: sources are as given
   std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
   std::optional<ConeTree> Limit;
   std::optional<SegmentExtension>
@@ -132,23 +125,27 @@ struct Spacing::Implementation
 
   bool IsUniform() const
   {
-    return !this->Grid && !this->LimitedGrid && !this->Triangulation && !this->Segments &&
-      !this->Limit && !this->Floor;
+    return this->Sources.empty() && !this->Segments && !this->Limit && !this->Floor;
+  }
+
+  /// By sources, and Uniform.
+  Source<2>::Sample Sampled(const Place<2>& x) const
+  {
+    Source<2>::Sample least{ this->Uniform, true };
+    for (const auto& source : this->Sources)
+    {
+      const Source<2>::Sample own = source->At(x);
+      least = { std::min(least.Value, own.Value), least.IsInside && own.IsInside };
+    }
+    return { this->Range(least.Value), least.IsInside };
   }
 
   double EvaluateGiven(const Point2& x) const
   {
-    double least = this->Uniform;
-    if (this->Grid)
-    {
-      least = std::min(least, (*this->Grid)(x));
-    }
-    if (this->Triangulation)
-    {
-      least = std::min(least, (*this->Triangulation)(x));
-    }
+    const Place<2> place{ x.X, x.Y };
+    const double given = this->Sampled(place).Value;
     return this->Lowered(
-      this->Lowered(this->Range(least), this->LimitedGrid, x), this->Segments, x);
+      this->Graded.IsEmpty() ? given : this->Graded(place, given), this->Segments, x);
   }
 
   double EvaluateBeforeFeatures(const Point2& x) const
@@ -196,82 +193,71 @@ public:
   {
     const SpacingOptions& given = this->Options;
     return (!given.Grid || this->AddGrid()) && (!given.Triangulation || this->AddTriangulation()) &&
-      (!given.Segments || this->AddSegments()) && (!given.Features || this->AddFeatures()) &&
-      this->AddLimit() && (!given.Floor || this->AddFloor());
+      this->GradeSources() && (!given.Segments || this->AddSegments()) &&
+      (!given.Features || this->AddFeatures()) && this->AddLimit() &&
+      (!given.Floor || this->AddFloor());
   }
 
 private:
   bool AddGrid()
   {
     PartOfStage measuring(this->Stage, 0.05, 0.08);
-    const double slope = LargestSlope(*this->Options.Grid, measuring);
-    this->AddSlope(slope);
+    this->AddSlope(LargestSlope(*this->Options.Grid, measuring));
     PartOfStage filling(this->Stage, 0.08, 0.15);
     std::shared_ptr<const GridSource> grid = FillHoles(this->Options.Grid, filling);
-    if (grid && !this->Stage.HasStopped())
+    if (grid)
     {
-      this->LimitGrid(grid, grid == this->Options.Grid ? slope : Infinity);
+      const bool mayGrow = this->Options.Gradation > 0.0;
+      this->Data.Sources.push_back(
+        std::make_shared<GridInterpolator>(mayGrow ? ReachingOver(grid, this->Bounds) : grid));
     }
     return !this->Stage.HasStopped();
   }
 
-  void LimitGrid(const std::shared_ptr<const GridSource>& grid, double slope)
-  {
-    PartOfStage limiting(this->Stage, 0.15, 0.3);
-    const double gradation = this->Options.Gradation;
-    if (gradation > 0.0 && (this->Data.Range.Scale * slope > gradation || HasJumps(*grid)))
-    {
-      auto limit =
-        std::make_unique<GridLimit>(grid, gradation, this->Bounds, this->Data.Range, limiting);
-      this->Data.LimitedGrid = limit->IsNeeded() ? std::move(limit) : nullptr;
-    }
-    if (!this->Data.LimitedGrid)
-    {
-      this->Data.Grid.emplace(grid);
-    }
-  }
-
   bool AddTriangulation()
   {
-    PartOfStage measuring(this->Stage, 0.3, 0.32);
-    const double slope = LargestSlope(*this->Options.Triangulation, measuring);
-    this->AddSlope(slope);
-    this->PrepareTriangles(this->Data.Range.Scale * slope > this->Options.Gradation);
+    PartOfStage measuring(this->Stage, 0.15, 0.17);
+    this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
+    PartOfStage preparing(this->Stage, 0.17, 0.3);
+    const auto source =
+      std::make_shared<TriangleInterpolator>(this->Options.Triangulation, preparing);
     if (this->Stage.HasStopped())
     {
       return false;
     }
-    if (this->Data.Triangulation->IsEmpty())
+    if (source->IsEmpty())
     {
       this->Problems.Add({ ProblemCode::BadSpacing, {}, {},
         "no triangle has an area and three values in the triangulated source" });
       return false;
     }
-    PartOfStage outside(this->Stage, 0.48, 0.5);
-    return this->Options.Gradation == 0.0 || this->Options.Triangulation->CoversDomain ||
-      AddOutsideJumps(
-        *this->Data.Triangulation, this->Bounds, this->Options.Gradation, this->Cones, outside);
+    this->Data.Sources.push_back(source);
+    return true;
   }
 
-  /// What limits them and what finds them, at once.
-  void PrepareTriangles(bool areSteep)
+  bool GradeSources()
   {
-    const TriangulatedSource& source = *this->Options.Triangulation;
-    std::vector<std::function<void(Pulse&)>> tasks;
-    if (areSteep && this->Options.Gradation > 0.0 && !source.IsGraded)
+    PartOfStage part(this->Stage, 0.3, 0.5);
+    Pulse pulse(part);
+    std::vector<LowPlace<2>> places;
+    bool mayJump = false;
+    const ValueRange& range = this->Cones.Values();
+    for (std::size_t k = 0; k < this->Data.Sources.size() && this->Options.Gradation > 0.0; ++k)
     {
-      tasks.emplace_back([this, &source](Pulse& own)
-        { AddSteepTriangles(source, this->Options.Gradation, this->Cones, own); });
+      const Source<2>& source = *this->Data.Sources[k];
+      const std::vector<LowPlace<2>> own =
+        source.LowPlaces(SteepTolerance * this->Options.Gradation, range, pulse);
+      places.insert(places.end(), own.begin(), own.end());
+      mayJump = mayJump || source.MayJumpOutside();
     }
-    tasks.emplace_back(
-      [this](Pulse& own)
-      {
-        PulseMonitor monitor(own);
-        this->Data.Triangulation.emplace(this->Options.Triangulation, monitor);
-      });
-    PartOfStage preparing(this->Stage, 0.32, 0.48);
-    Pulse pulse(preparing);
-    DoEach(pulse, tasks);
+    if (!places.empty() || mayJump)
+    {
+      const PlaceBox<2> bounds{ { this->Bounds.Low.X, this->Bounds.Low.Y },
+        { this->Bounds.High.X, this->Bounds.High.Y } };
+      this->Data.Graded = SizeTree<2>([this](const Place<2>& x) { return this->Data.Sampled(x); },
+        mayJump, std::move(places), bounds, this->Options.Gradation, pulse);
+    }
+    return !this->Stage.HasStopped();
   }
 
   bool AddSegments()

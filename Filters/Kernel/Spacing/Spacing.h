@@ -126,18 +126,16 @@ struct SpacingOptions
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite
-/// everywhere. Constant cost per evaluation, but for points outside of a triangulated source, in
-/// long cells of a grid, and near a floor, where it is about logarithmic. Evaluation changes
-/// nothing, so any number of threads may evaluate at once.
+/// everywhere. Constant cost per evaluation, except for points outside of a triangulated source and
+/// near a floor, where it is about logarithmic. Evaluation changes nothing, so any number of
+/// threads may evaluate at once.
 ///
-/// Tolerances, within the bounds it was prepared for: f is above what is given by no more than 2 %,
-/// never above Maximum, never below Minimum. It is g-Lipschitz to 2 %, also where sources jump and
-/// outside of them: |f(x) - f(y)| <= g |x - y| + 2 % of f. Where what is given is g-Lipschitz, f is
-/// within 2 % of it at 99 % of all points. That is tested, not proven: on cells of a grid that are
-/// much larger than f and steep, up to ten pairs of points in a million miss the Lipschitz law, by
-/// up to a tenth of f; so it is outside of coarse triangles that are steep.
-/// Beyond the bounds, limits are those of the nearest point of the bounds. A Gradation above 1
-/// holds for places farther apart than some hundredths of f.
+/// Exact: f is never above what is given, never above Maximum, never below Minimum. Where what is
+/// given is nowhere steeper than g, f is as given.
+/// Tolerance: f is within 5 % of the largest g-Lipschitz function below what is given at 99 % of
+/// all places, and within 10 % anywhere in the bounds it was prepared for. What is given changes
+/// within less than f/2 is seen by its lowest value. Outside of triangles whose border values are
+/// steep, and with a Gradation above 1, f may be further above.
 /// Preparation: MakeSpacing.
 class Spacing
 {

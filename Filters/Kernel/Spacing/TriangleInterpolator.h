@@ -5,6 +5,7 @@
 #define BitingTriangleInterpolator_h
 
 #include "BorderTree.h"
+#include "Source.h"
 #include "Spacing.h"
 #include "TriangleBuckets.h"
 
@@ -18,7 +19,7 @@ namespace biting
 /// outside the value of the nearest point of it. Where triangles leave a gap by rounding, that is
 /// the value beside the gap. Where triangles overlap the smallest value counts, if the source says
 /// that they may.
-class TriangleInterpolator
+class TriangleInterpolator : public Source<2>
 {
 public:
   /// Leaves out triangles that have no area or have a corner that is NaN.
@@ -30,18 +31,14 @@ public:
   bool IsEmpty() const { return this->Corners.empty(); }
 
   /// Whether triangles may lie on each other.
-  bool HasOverlaps() const { return this->Source->MayOverlap; }
+  bool HasOverlaps() const { return this->Triangles->MayOverlap; }
 
   double operator()(const Point2& x) const;
 
-  /// Whether x is on a triangle.
-  bool Covers(const Point2& x) const { return this->FindValue(x, false).has_value(); }
-
-  /// The nearest point of the border, or `known` where none is nearer.
-  NearestValue NearestOfBorder(const Point2& x, const NearestValue& known) const
-  {
-    return this->Border.Nearest(x, known);
-  }
+  Sample At(const Place<2>& x) const override;
+  std::vector<LowPlace<2>> LowPlaces(
+    double slope, const ValueRange& range, Pulse& pulse) const override;
+  bool MayJumpOutside() const override { return !this->Triangles->CoversDomain; }
 
   const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
 
@@ -55,14 +52,14 @@ private:
   }
   const Point2& PlaceOf(Id triangle, std::size_t corner) const
   {
-    return this->Source->Points[this->PointOf(triangle, corner)];
+    return this->Triangles->Points[this->PointOf(triangle, corner)];
   }
   double ValueOf(Id triangle, std::size_t corner) const
   {
-    return this->Source->Values[this->PointOf(triangle, corner)];
+    return this->Triangles->Values[this->PointOf(triangle, corner)];
   }
 
-  std::shared_ptr<const TriangulatedSource> Source;
+  std::shared_ptr<const TriangulatedSource> Triangles;
   std::vector<Id> Corners; ///< three a triangle that is a source, counterclockwise
   std::unique_ptr<TriangleBuckets> Buckets;
   BorderTree Border;

@@ -32,7 +32,10 @@ ConeBranch RootOf(const ConesToCut& whole)
 {
   std::vector<Id> all(whole.Cones.size());
   std::iota(all.begin(), all.end(), 0);
-  return { Quadtree(whole.Bounds).Root(), std::make_shared<const std::vector<Id>>(all), 0 };
+  return { Quadtree::Around({ whole.Bounds.Low.X, whole.Bounds.Low.Y },
+             { whole.Bounds.High.X, whole.Bounds.High.Y })
+             .Root(),
+    std::make_shared<const std::vector<Id>>(all), 0 };
 }
 
 } // namespace

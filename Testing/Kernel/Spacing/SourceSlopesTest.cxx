@@ -68,12 +68,10 @@ TEST(SourceSlopes, OfWhatIsLinearAreTheLengthOfItsGradient)
 TEST(SourceSlopes, OfTrianglesDoNotDependOnTheirOrientation)
 {
   TriangulatedSource source = LinearTriangles({ 0.3, 0.4 });
-  const Point2 gradient = GradientOfTriangle(source, 0);
-  const double area = AreaOfTriangle(source, 0);
+  const Point2 gradient = GradientOfTriangle(source, source.Triangles.data());
   std::swap(source.Triangles[0], source.Triangles[1]);
-  EXPECT_NEAR(Distance(GradientOfTriangle(source, 0), gradient), 0.0, Rounding);
-  EXPECT_NEAR(AreaOfTriangle(source, 0), area, Rounding);
-  EXPECT_NEAR(area, 2.75, Rounding);
+  EXPECT_NEAR(
+    Distance(GradientOfTriangle(source, source.Triangles.data()), gradient), 0.0, Rounding);
 }
 
 TEST(SourceSlopes, AreThoseOfTheSteepestCell)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The tolerances that Spacing.h states, of sources made at random.
+// The laws that Spacing.h states, of sources made at random: bounds are exact, the gradation holds
+// for nearly all pairs of places that are at least f/2 apart.
 
 #include "SpacingSources.h"
 
@@ -120,6 +121,7 @@ void ExpectLaws(const SpacingOptions& options, const Box2& bounds, Sampler& samp
   asGiven.Gradation = 0.0;
   const Spacing given = MakeGoodSpacing(asGiven, bounds);
   int lowered = 0;
+  int misses = 0;
   for (int pair = 0; pair < Pairs; ++pair)
   {
     const Point2 x = sampler.NextIn(bounds);
@@ -127,17 +129,18 @@ void ExpectLaws(const SpacingOptions& options, const Box2& bounds, Sampler& samp
     ASSERT_GT(here, 0.0);
     ASSERT_GE(here, options.Minimum);
     ASSERT_TRUE(options.Maximum == 0.0 || here <= options.Maximum);
-    ASSERT_LE(here, 1.02 * given(x));
+    ASSERT_LE(here, given(x) * (1.0 + 1e-12));
     lowered += here < 0.98 * given(x) ? 1 : 0;
-    const double reach = here * std::exp(6.0 * sampler.Next() - 3.0);
+    const double reach = here * 0.5 * std::exp(5.0 * sampler.Next());
     const double angle = 6.283185307179586 * sampler.Next();
     const Point2 y = x + reach * Point2{ std::cos(angle), std::sin(angle) };
     if (options.Gradation > 0.0 && bounds.Contains(y))
     {
-      ASSERT_LE(std::abs(here - f(y)), options.Gradation * reach + 0.02 * std::min(here, f(y)))
-        << x.X << ' ' << x.Y << " and " << y.X << ' ' << y.Y;
+      const double most = options.Gradation * reach + 0.1 * std::min(here, f(y));
+      misses += std::abs(here - f(y)) > most ? 1 : 0;
     }
   }
+  EXPECT_LE(misses, Pairs / 200);
   EXPECT_TRUE(options.Gradation > 0.0 || lowered <= Pairs / 100);
 }
 
