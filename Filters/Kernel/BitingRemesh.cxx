@@ -21,6 +21,7 @@
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
+#include "Simplification/Simplification.h" // for areas that changed
 #include "Stages/FinalCheck.h"
 #include "Stages/RelaxedBites.h"
 #include "Stages/SegmentCover.h"

@@ -4,9 +4,9 @@
 #include "OpenOutlines.h"
 
 #include "../Base/Box2.h"
+#include "../Base/DisjointSets.h"
 #include "BoundaryComponents.h"
 #include "EndPairs.h"
-#include "FaceGroups.h"
 #include "OpenEnds.h" // for the spacing at an end
 
 #include <algorithm> // for all_of, any_of, max, min, minmax_element, sort
@@ -158,7 +158,7 @@ private:
   Arrangement Drawing;
   const Flags& IsKept;
   Flags AtKept;      ///< vertices
-  FaceGroups Groups; ///< of vertices that what is not kept joins, away from what is
+  DisjointSets Groups; ///< of vertices that what is not kept joins, away from what is
   std::vector<Id> Counts;
   std::vector<OpenEnd> Gaps;
 };
@@ -168,7 +168,7 @@ ClosedGaps::ClosedGaps(
   : Drawing(arrangement)
   , IsKept(isKept)
   , AtKept(arrangement.Vertices.size(), 0)
-  , Groups(static_cast<Id>(arrangement.Vertices.size()))
+  , Groups(arrangement.Vertices.size())
 {
   for (std::size_t e = 0; e < isKept.size(); ++e)
   {
@@ -194,7 +194,7 @@ ClosedGaps::ClosedGaps(
   {
     if (!this->IsAtKept(edge.Ends.Start) && !this->IsAtKept(edge.Ends.End))
     {
-      this->Groups.Join(edge.Ends.Start, edge.Ends.End);
+      this->Groups.Unite(edge.Ends.Start, edge.Ends.End);
     }
   }
 }
@@ -239,7 +239,7 @@ std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop) c
     const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
     if (this->IsGap(edge) || !this->IsKept[static_cast<std::size_t>(edge)])
     {
-      runs[this->Groups.Find(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
+      runs[this->Groups.SetOf(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
     }
   }
   std::vector<std::vector<Id>> lists;
