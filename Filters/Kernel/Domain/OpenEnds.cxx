@@ -62,7 +62,7 @@ private:
   };
 
   void FindReaches();
-  bool IsSettled(Id end) const;
+  bool IsSettled(Id end);
   std::vector<Cluster> MakeClusters();
   bool AreWithinReach(Id end, Id leader);
   void JoinCluster(const Cluster& cluster);
@@ -70,6 +70,8 @@ private:
   bool JoinWithVertexAt(const Foot& foot, const Cluster& cluster);
   void JoinWithSegment(const Foot& foot, const Cluster& cluster);
   void JoinWith(Id vertex, Id cell, const Cluster& cluster);
+  void Divide(const Foot& foot, Id vertex);
+  void HoldSettled();
   void Report(ProblemList& problems);
   void Renumber();
 
@@ -87,6 +89,7 @@ private:
   std::vector<Id> Targets;            ///< of vertices: the vertex that each becomes
   std::vector<Point2> Places;         ///< of vertices, in the end
   std::map<Id, std::vector<Id>> Feet; ///< of segments: vertices that divide them
+  std::vector<Foot> Settled;          ///< of ends that lie on segments already
   std::vector<SegmentFoot> Result;
   std::vector<Move> Moves;
 };
@@ -103,6 +106,7 @@ std::vector<SegmentFoot> EndJoiner::Run(ProblemList& problems)
   }
   if (!this->Moves.empty() && !this->Beats.HasStopped())
   {
+    this->HoldSettled();
     this->Report(problems);
     this->Renumber();
   }
@@ -127,16 +131,19 @@ void EndJoiner::FindReaches()
   }
 }
 
-bool EndJoiner::IsSettled(Id end) const
+bool EndJoiner::IsSettled(Id end)
 {
   bool isSettled = false;
   const double rounding = this->Points.Rounding;
   this->Around.VisitNear(this->At(end), rounding,
     [this, end, rounding, &isSettled](Id segment)
     {
-      isSettled = isSettled ||
-        (!this->Around.Segment(segment).Ends.Has(end) &&
-          this->Around.FootOn(segment, end).Distance <= rounding);
+      const Foot foot = this->Around.FootOn(segment, end);
+      if (!this->Around.Segment(segment).Ends.Has(end) && foot.Distance <= rounding)
+      {
+        isSettled = true;
+        this->Settled.push_back(foot);
+      }
     });
   return isSettled;
 }
@@ -276,8 +283,27 @@ void EndJoiner::JoinWithSegment(const Foot& foot, const Cluster& cluster)
   this->JoinWith(vertex, segment.Cell, cluster);
   this->Points.VertexPoints[Index(vertex)] = NoId;
   this->Feet[foot.Segment].push_back(vertex);
+  this->Divide(foot, vertex);
+}
+
+void EndJoiner::Divide(const Foot& foot, Id vertex)
+{
+  const ChainSegment& segment = this->Around.Segment(foot.Segment);
   const double along = segment.IsReversed ? 1.0 - foot.Along : foot.Along;
   this->Result.push_back({ segment.Place, along, vertex });
+}
+
+/// Ends that lie on a segment stay on it where an end of that has moved.
+void EndJoiner::HoldSettled()
+{
+  for (const Foot& foot : this->Settled)
+  {
+    const SegmentEnds& ends = this->Around.Segment(foot.Segment).Ends;
+    if (this->ReachOf(ends.Start) > 0.0 || this->ReachOf(ends.End) > 0.0)
+    {
+      this->Divide(foot, foot.End);
+    }
+  }
 }
 
 void EndJoiner::JoinWith(Id vertex, Id cell, const Cluster& cluster)
