@@ -62,7 +62,7 @@ private:
   };
 
   void FindReaches();
-  bool IsSettled(Id end);
+  bool IsSettled(Id end) const;
   std::vector<Cluster> MakeClusters();
   bool AreWithinReach(Id end, Id leader);
   void JoinCluster(const Cluster& cluster);
@@ -71,7 +71,7 @@ private:
   void JoinWithSegment(const Foot& foot, const Cluster& cluster);
   void JoinWith(Id vertex, Id cell, const Cluster& cluster);
   void Divide(const Foot& foot, Id vertex);
-  void HoldSettled();
+  void HoldWhatTouches();
   void Report(ProblemList& problems);
   void Renumber();
 
@@ -106,7 +106,7 @@ std::vector<SegmentFoot> EndJoiner::Run(ProblemList& problems)
   }
   if (!this->Moves.empty() && !this->Beats.HasStopped())
   {
-    this->HoldSettled();
+    this->HoldWhatTouches();
     this->Report(problems);
     this->Renumber();
   }
@@ -131,19 +131,16 @@ void EndJoiner::FindReaches()
   }
 }
 
-bool EndJoiner::IsSettled(Id end)
+bool EndJoiner::IsSettled(Id end) const
 {
   bool isSettled = false;
   const double rounding = this->Points.Rounding;
   this->Around.VisitNear(this->At(end), rounding,
     [this, end, rounding, &isSettled](Id segment)
     {
-      const Foot foot = this->Around.FootOn(segment, end);
-      if (!this->Around.Segment(segment).Ends.Has(end) && foot.Distance <= rounding)
-      {
-        isSettled = true;
-        this->Settled.push_back(foot);
-      }
+      isSettled = isSettled ||
+        (!this->Around.Segment(segment).Ends.Has(end) &&
+          this->Around.FootOn(segment, end).Distance <= rounding);
     });
   return isSettled;
 }
@@ -293,15 +290,19 @@ void EndJoiner::Divide(const Foot& foot, Id vertex)
   this->Result.push_back({ segment.Place, along, vertex });
 }
 
-/// Ends that lie on a segment stay on it where an end of that has moved.
-void EndJoiner::HoldSettled()
+/// Vertices that lie on the segment of an end stay on it where the end moves.
+void EndJoiner::HoldWhatTouches()
 {
-  for (const Foot& foot : this->Settled)
+  for (const Id end : this->Ends)
   {
-    const SegmentEnds& ends = this->Around.Segment(foot.Segment).Ends;
-    if (this->ReachOf(ends.Start) > 0.0 || this->ReachOf(ends.End) > 0.0)
+    const bool isMoved =
+      this->Targets[Index(end)] != end || this->Places[Index(end)] != this->At(end);
+    for (const Foot& foot : isMoved ? this->Around.VerticesOnSegmentAt(end) : std::vector<Foot>())
     {
-      this->Divide(foot, foot.End);
+      if (this->ReachOf(foot.End) == 0.0)
+      {
+        this->Divide(foot, foot.End);
+      }
     }
   }
 }
