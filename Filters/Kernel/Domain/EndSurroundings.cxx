@@ -4,6 +4,7 @@
 #include "EndSurroundings.h"
 
 #include <algorithm> // for max, min
+#include <limits>    // for no limit
 
 namespace biting
 {
@@ -65,10 +66,11 @@ std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points,
 
 EndSurroundings::EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse)
   : Vertices(points.Vertices)
+  , Rounding(points.Rounding)
   , Beats(pulse)
   , Segments(SegmentsOf(input, points, pulse))
   , Stars(points.Vertices, this->Ends(), pulse)
-  , Tree(points.Vertices, this->Ends(), 0.0, pulse)
+  , Tree(points.Vertices, this->Ends(), points.Rounding, pulse)
   , IsMarked(points.Vertices.size(), 0)
 {
 }
@@ -107,6 +109,28 @@ Foot EndSurroundings::FootOn(Id segment, Id end) const
   const double along = std::min(std::max(share, 0.0), 1.0);
   const Point2 foot = along < 0.5 ? a + along * (b - a) : b - (1.0 - along) * (b - a);
   return { segment, Distance(place, foot), foot, along, end };
+}
+
+std::vector<Foot> EndSurroundings::VerticesOnSegmentAt(Id vertex) const
+{
+  const Id segment = *this->Stars.Begin(vertex);
+  const SegmentEnds& own = this->Segment(segment).Ends;
+  std::vector<Foot> feet;
+  this->Tree.VisitAlong(this->At(own.Start), this->At(own.End),
+    std::numeric_limits<double>::infinity(), SegmentEnds(),
+    [this, segment, &own, &feet](Id other)
+    {
+      const SegmentEnds& ends = this->Segment(other).Ends;
+      for (const Id candidate : { ends.Start, ends.End })
+      {
+        const Foot foot = this->FootOn(segment, candidate);
+        if (!own.Has(candidate) && foot.Distance <= this->Rounding)
+        {
+          feet.push_back(foot);
+        }
+      }
+    });
+  return feet;
 }
 
 void EndSurroundings::AddOwn(Id end, double reach)

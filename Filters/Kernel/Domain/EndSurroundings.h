@@ -70,6 +70,9 @@ public:
 
   Foot FootOn(Id segment, Id end) const;
 
+  /// The other vertices within rounding of the segment that ends at the vertex.
+  std::vector<Foot> VerticesOnSegmentAt(Id vertex) const;
+
   /// Adds the end, and all vertices that segments within `reach` of it join with it, to its own.
   void AddOwn(Id end, double reach);
   void ForgetOwn();
@@ -82,6 +85,7 @@ private:
   const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
 
   const std::vector<Point2>& Vertices;
+  const double Rounding;
   Pulse& Beats;
   const std::vector<ChainSegment> Segments;
   const VertexStars Stars;

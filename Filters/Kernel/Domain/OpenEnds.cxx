@@ -70,6 +70,8 @@ private:
   bool JoinWithVertexAt(const Foot& foot, const Cluster& cluster);
   void JoinWithSegment(const Foot& foot, const Cluster& cluster);
   void JoinWith(Id vertex, Id cell, const Cluster& cluster);
+  void Divide(const Foot& foot, Id vertex);
+  void HoldWhatTouches();
   void Report(ProblemList& problems);
   void Renumber();
 
@@ -87,6 +89,7 @@ private:
   std::vector<Id> Targets;            ///< of vertices: the vertex that each becomes
   std::vector<Point2> Places;         ///< of vertices, in the end
   std::map<Id, std::vector<Id>> Feet; ///< of segments: vertices that divide them
+  std::vector<Foot> Settled;          ///< of ends that lie on segments already
   std::vector<SegmentFoot> Result;
   std::vector<Move> Moves;
 };
@@ -103,6 +106,7 @@ std::vector<SegmentFoot> EndJoiner::Run(ProblemList& problems)
   }
   if (!this->Moves.empty() && !this->Beats.HasStopped())
   {
+    this->HoldWhatTouches();
     this->Report(problems);
     this->Renumber();
   }
@@ -276,8 +280,31 @@ void EndJoiner::JoinWithSegment(const Foot& foot, const Cluster& cluster)
   this->JoinWith(vertex, segment.Cell, cluster);
   this->Points.VertexPoints[Index(vertex)] = NoId;
   this->Feet[foot.Segment].push_back(vertex);
+  this->Divide(foot, vertex);
+}
+
+void EndJoiner::Divide(const Foot& foot, Id vertex)
+{
+  const ChainSegment& segment = this->Around.Segment(foot.Segment);
   const double along = segment.IsReversed ? 1.0 - foot.Along : foot.Along;
   this->Result.push_back({ segment.Place, along, vertex });
+}
+
+/// Vertices that lie on the segment of an end stay on it where the end moves.
+void EndJoiner::HoldWhatTouches()
+{
+  for (const Id end : this->Ends)
+  {
+    const bool isMoved =
+      this->Targets[Index(end)] != end || this->Places[Index(end)] != this->At(end);
+    for (const Foot& foot : isMoved ? this->Around.VerticesOnSegmentAt(end) : std::vector<Foot>())
+    {
+      if (this->ReachOf(foot.End) == 0.0)
+      {
+        this->Divide(foot, foot.End);
+      }
+    }
+  }
 }
 
 void EndJoiner::JoinWith(Id vertex, Id cell, const Cluster& cluster)

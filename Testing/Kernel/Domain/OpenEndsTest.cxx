@@ -220,6 +220,18 @@ TEST(OpenEnds, WeldedToAnotherInterfaceAreSaid)
   }
 }
 
+TEST(OpenEnds, StayOnASideOfWhichTheEndMoves)
+{
+  Places outline = Square;
+  outline.push_back({ 0, 9e-4 });
+  outline.front() = { 1e-5, 0 };
+  const MadeDomain made =
+    MakeJoined(PolylineBuilder().Chain(outline).Chain({ { 0, 0.5 }, { 1, 0.6 } }).Lines());
+  EXPECT_EQ(made.Violation, "");
+  EXPECT_EQ(made.Problems.Groups().size(), 1u);
+  EXPECT_EQ(made.Domain.NumberOfVertices(), 6);
+}
+
 TEST(OpenEnds, SayTheLargestDistanceFirst)
 {
   const MadeDomain made = MakeJoined(PolylineBuilder()

@@ -173,6 +173,7 @@ BitingMeshOptions OptionsOf(const PreserveCase& preserveCase, FrontOrder order)
 {
   BitingMeshOptions options;
   options.PreserveBoundary = true;
+  options.Domain.EndTolerance = 0.0; // as the domain that it is compared with
   options.Spacing.Uniform = preserveCase.Uniform;
   options.Spacing.Gradation = preserveCase.Gradation;
   options.BitingConstant = preserveCase.BitingConstant;

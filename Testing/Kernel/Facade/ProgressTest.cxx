@@ -180,6 +180,7 @@ TEST(Progress, AbortAtAnyCallLeavesNoMeshWhereDivisionsAreUndone)
 {
   BitingMeshOptions options;
   options.Spacing = UniformSpacing(0.06);
+  options.Domain.EndTolerance = 0.0; // the wedge stays open
   options.LimitByFeatureSize = false;
   options.Relaxation = false;
   const RecordingMonitor monitor = Watch(NarrowWedge(), options);
