@@ -5,13 +5,11 @@
 #include "BitingMeshDisplay.h"
 
 #include "pqApplicationCore.h"
-#include "pqCoreUtilities.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqProgressManager.h"
-#include "pqProgressWidget.h"
 #include "pqScalarBarRepresentation.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
@@ -368,26 +366,22 @@ void Stop(pqPipelineSource* source)
   }
 }
 
-// Tells of the keys, where a filter that they stop makes progress, and obeys them.
-void FollowProgress(const QString& text, int percent)
+// Obeys the keys, and tells of them in the text of the progress that follows.
+void FollowProgress(const QString& text)
 {
+  const QString hint = " - Ctrl+Shift+Alt stops";
   const bool areKeysHeld = AreStopKeysHeld();
-  bool isOurs = false;
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
     auto* filter = HasProblems(source) ? FilterOf<vtkAlgorithm>(source) : nullptr;
-    isOurs = isOurs || (filter && filter->GetProgressText() && text == filter->GetProgressText());
+    if (filter && text == filter->GetProgressText() && !text.endsWith(hint))
+    {
+      filter->SetProgressText((text + hint).toUtf8().constData());
+    }
     if (filter && areKeysHeld)
     {
       Stop(source);
-    }
-  }
-  for (auto* bar : pqCoreUtilities::mainWidget()->findChildren<pqProgressWidget*>())
-  {
-    if (isOurs)
-    {
-      bar->setProgress(text + " (Ctrl+Shift+Alt stops)", percent);
     }
   }
 }

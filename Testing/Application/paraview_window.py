@@ -19,7 +19,7 @@ from xml.sax.saxutils import quoteattr
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.abspath(os.path.join(HERE, '..', '..', 'Data'))
-PATIENCE = 150.0  # seconds, for a machine without a graphics card
+PATIENCE = 190.0  # seconds, for a machine without a graphics card
 MAIN = 'pqClientMainWindow'
 PANEL = MAIN + '/propertiesDock/propertiesPanel'
 SHELL = MAIN + '/pythonShellDock/pythonShell/consoleWidget'
