@@ -138,7 +138,7 @@ public:
   double AddProblems(const DomainOptions& options, ProblemList& problems, Pulse& pulse);
 
 private:
-  std::vector<std::vector<Id>> RunsOf(const BoundaryComponent& loop) const;
+  std::vector<std::vector<Id>> RunsOf(const BoundaryComponent& loop);
   bool IsOutline(const std::vector<Id>& run, bool isLoop) const;
   bool HasKeptInside(const std::vector<Id>& loop) const;
   bool IsInside(const Point2& place, const std::vector<Id>& loop) const;
@@ -157,7 +157,7 @@ private:
 
   Arrangement Drawing;
   const Flags& IsKept;
-  Flags AtKept;      ///< vertices
+  Flags AtKept;        ///< vertices
   DisjointSets Groups; ///< of vertices that what is not kept joins, away from what is
   std::vector<Id> Counts;
   std::vector<OpenEnd> Gaps;
@@ -231,7 +231,7 @@ double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& proble
 }
 
 /// What is left out of the loop, and gaps, as far as it hangs together without what is kept.
-std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop) const
+std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop)
 {
   std::map<Id, std::vector<Id>> runs;
   for (const Id edge : loop.Edges)
