@@ -226,6 +226,7 @@ void MakeSimplification(FuzzNumbers& numbers, SimplificationOptions& options)
 
 void MakeMeshOptions(FuzzNumbers& numbers, BitingMeshOptions& options)
 {
+  options.Domain.EndTolerance = 0.0; // the oracle looks for ends where they are drawn
   options.Domain.Repair = !numbers.OneIn(8);
   options.Domain.KeepCellEdges = numbers.OneIn(8);
   options.BitingConstant = numbers.OneIn(4) ? 0.1 + 0.9 * numbers.Unit() : 0.0;
