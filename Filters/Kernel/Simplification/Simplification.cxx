@@ -287,7 +287,10 @@ SimplifiedDomain Simplify(const Domain& domain, const SimplificationOptions& opt
     const Domain whole = std::move(result.Drawing);
     const std::vector<double> tolerances = MakeTolerances(whole, options.Tolerance, spacing, pulse);
     ReduceChains(whole, options, tolerances, result, pulse);
-    ReportChangedArea(whole.Area, result.Drawing.Area, problems);
+    if (!pulse.HasStopped())
+    {
+      ReportChangedArea(whole.Area, result.Drawing.Area, problems);
+    }
   }
   return pulse.HasStopped() ? SimplifiedDomain() : std::move(result);
 }
