@@ -39,6 +39,14 @@ constexpr double SlightGain = 1e-3;
 /// this share of f, at the most.
 constexpr double SlightMiss = 0.02;
 
+/// With so many cells none is cut any more: then f is less accurate.
+std::size_t MostCells(std::size_t places)
+{
+  constexpr std::size_t Least = 1 << 21;
+  constexpr std::size_t Most = 1 << 24;
+  return std::min(std::max(Least, 8 * places), Most);
+}
+
 /// Cuts cells in rounds, and lets origins spread after each.
 template <std::size_t D>
 class Grading
@@ -94,12 +102,11 @@ private:
     return least;
   }
 
-  // Rounds.
-
   void CutRound()
   {
     std::vector<Id> waiting;
     waiting.swap(this->Waiting);
+    const std::size_t most = MostCells(this->Work.Places.size());
     this->FirstNewCell = this->Work.Cells.size();
     for (const Id cell : waiting)
     {
@@ -108,7 +115,7 @@ private:
       {
         continue;
       }
-      if (this->NeedsCut(cell))
+      if (this->Work.Cells.size() < most && this->NeedsCut(cell))
       {
         const Id first = this->Work.Cut(cell);
         for (int child = 0; child < Children; ++child)
@@ -133,8 +140,6 @@ private:
       this->Waiting.push_back(cell);
     }
   }
-
-  // The question.
 
   bool NeedsCut(Id id) const
   {
@@ -243,8 +248,6 @@ private:
     }
     return false;
   }
-
-  // Values.
 
   void ValueNewCorners()
   {
@@ -381,8 +384,6 @@ private:
     }
     return false;
   }
-
-  // The result.
 
   bool IsAsGiven(const Cell& cell) const
   {

@@ -116,6 +116,7 @@ public:
     , Rows(grid.YNodes.size())
     , Slope(slope)
     , Range(range)
+    , MostOnEdge(MostPlacesOnEdge(2 * grid.Values.size()))
     , AreSteep((this->Columns + 1) * (this->Rows + 1), 0)
   {
   }
@@ -215,7 +216,7 @@ private:
       isLow = isLow && own.Value <= other.Value + this->Slope * Distance<2>(own.At, other.At);
       if (isSteep)
       {
-        AddPlacesOnEdge<2>(own, other, this->Slope, places);
+        AddPlacesOnEdge<2>(own, other, this->Slope, this->MostOnEdge, places);
       }
     };
     lookAt(this->At(column > 0 ? column - 1 : 0, row), false);
@@ -233,6 +234,7 @@ private:
   const std::size_t Rows;
   const double Slope;
   const ValueRange& Range;
+  const double MostOnEdge;
   std::vector<std::uint8_t> AreSteep; ///< cells
 };
 

@@ -22,7 +22,8 @@ namespace biting
 ///
 /// Tolerance: 5 % of f at 99 % of places, 10 % anywhere; what is given changes within less than f/2
 /// is seen by its low places. Cost: 2 to 6 leaves for each vertex of a mesh where f is below what
-/// is given, none elsewhere. The result does not depend on the number of threads.
+/// is given, none elsewhere; at most 2 million cells, or 8 for each low place. The result does not
+/// depend on the number of threads.
 template <std::size_t D>
 class SizeTree
 {

@@ -7,6 +7,7 @@
 #include "../Base/Pulse.h"
 #include "ValueRange.h"
 
+#include <algorithm>  // for max
 #include <array>      // for places
 #include <cmath>      // for sqrt
 #include <cstddef>    // for dimensions
@@ -96,16 +97,26 @@ protected:
 template <std::size_t D>
 using GivenAt = std::function<typename Source<D>::Sample(const Place<D>&)>;
 
-/// Lists places on the edge from a to b of a steep cell, the ends apart, for Source::LowPlaces.
+/// How many places are listed on each of so many edges: a mesh that needs more on all of them would
+/// be refused.
+inline double MostPlacesOnEdge(std::size_t edges)
+{
+  constexpr double MostInAll = 1 << 18;
+  constexpr double Least = 16.0;
+  return std::max(Least, MostInAll / static_cast<double>(edges + 1));
+}
+
+/// Lists at most so many places on the edge from a to b of a steep cell, the ends apart, for
+/// Source::LowPlaces.
 template <std::size_t D>
-void AddPlacesOnEdge(
-  const LowPlace<D>& a, const LowPlace<D>& b, double slope, std::vector<LowPlace<D>>& places)
+void AddPlacesOnEdge(const LowPlace<D>& a, const LowPlace<D>& b, double slope, double most,
+  std::vector<LowPlace<D>>& places)
 {
   const double length = Distance<D>(a.At, b.At);
   const double rise = b.Value - a.Value;
   if (rise < 0.0 || (rise == 0.0 && b.At < a.At))
   {
-    AddPlacesOnEdge(b, a, slope, places);
+    AddPlacesOnEdge(b, a, slope, most, places);
     return;
   }
   if (rise > slope * length)
@@ -113,7 +124,8 @@ void AddPlacesOnEdge(
     return;
   }
   constexpr double Step = 0.4; // of the value
-  for (double along = Step * a.Value; along < length - 0.5 * Step * b.Value;)
+  const double leastStep = length / most;
+  for (double along = std::max(Step * a.Value, leastStep); along < length - 0.5 * Step * b.Value;)
   {
     const double weight = along / length;
     LowPlace<D> place;
@@ -123,7 +135,7 @@ void AddPlacesOnEdge(
     }
     place.Value = a.Value + weight * rise;
     places.push_back(place);
-    along += Step * place.Value;
+    along += std::max(Step * place.Value, leastStep);
   }
 }
 

@@ -189,6 +189,7 @@ public:
     : Given(source)
     , Slope(slope)
     , Range(range)
+    , MostOnEdge(MostPlacesOnEdge(source.Triangles.size()))
     , States(source.Points.size(), 0)
   {
   }
@@ -215,7 +216,7 @@ public:
     const double most = this->Slope * Distance<2>(a.At, b.At);
     this->StateOf(start) |= a.Value > b.Value + most ? IsUpper : IsListed;
     this->StateOf(end) |= b.Value > a.Value + most ? IsUpper : IsListed;
-    AddPlacesOnEdge<2>(a, b, this->Slope, this->Places);
+    AddPlacesOnEdge<2>(a, b, this->Slope, this->MostOnEdge, this->Places);
   }
 
   std::vector<LowPlace<2>> List()
@@ -245,6 +246,7 @@ private:
   const TriangulatedSource& Given;
   const double Slope;
   const ValueRange& Range;
+  const double MostOnEdge;
   std::vector<std::uint8_t> States; ///< of points
   std::vector<LowPlace<2>> Places;
 };
