@@ -240,7 +240,7 @@ std::string vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
     biting::EndsWith(name, ".14") ? biting::FindOpenTags(file, Text(this->OpenTags), areOpen) : "";
   if (!unknown.empty())
   {
-    return "No edge of the boundary has the tag " + unknown + ", which OpenTags lists.";
+    return "No edge of the boundary has the tag " + unknown + ", which Open Tags lists.";
   }
   const std::string part = name + ".part";
   std::ofstream stream(part);
