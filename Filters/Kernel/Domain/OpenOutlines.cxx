@@ -9,7 +9,7 @@
 #include "EndPairs.h"
 #include "OpenEnds.h" // for the spacing at an end
 
-#include <algorithm> // for all_of, any_of, max, min, minmax_element, sort
+#include <algorithm> // for all_of, any_of, find_if, max, min, minmax_element, sort
 #include <cmath>     // for abs, ceil, floor, log10, pow
 #include <limits>    // for infinity
 #include <map>       // for runs
@@ -35,6 +35,9 @@ struct LargestShare
 };
 constexpr LargestShare AroundWhatIsKept{ 0.5, 0.25 };
 constexpr LargestShare Elsewhere{ 0.1, 0.01 };
+
+/// So often the widest gap is left out, then the wider half of them.
+constexpr int RoundsOfOneGap = 20;
 
 /// Two digits, and no less than the value.
 double RoundedUp(double value)
@@ -339,12 +342,19 @@ double RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
     const ArrangementEdge& edge = arrangement.Edges[e];
     isNoLine.push_back(isKept[e] || edge.BoundaryCount + edge.OpenCount == 0);
   }
-  const std::vector<OpenEnd> ends = PairOpenEnds(arrangement, isNoLine, pulse);
-  if (ends.empty())
+  std::vector<OpenEnd> ends = PairOpenEnds(arrangement, isNoLine, pulse);
+  double closing = 0.0;
+  for (int round = 0; !ends.empty() && closing == 0.0 && !pulse.HasStopped(); ++round)
   {
-    return 0.0;
+    closing = ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
+    // An outline with narrow gaps may hang together with others over a wide one.
+    const std::size_t kept = round < RoundsOfOneGap ? ends.size() - 1 : ends.size() / 2;
+    const double widest = ends.front().Gap;
+    ends.erase(ends.begin(), ends.end() - static_cast<std::ptrdiff_t>(kept));
+    const auto isNarrower = [widest](const OpenEnd& end) { return end.Gap < widest; };
+    ends.erase(ends.begin(), std::find_if(ends.begin(), ends.end(), isNarrower));
   }
-  return ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
+  return closing;
 }
 
 } // namespace biting
