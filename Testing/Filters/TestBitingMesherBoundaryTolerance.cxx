@@ -125,7 +125,7 @@ TEST(BoundaryTolerance, WarnsWhereItChangesTheAreaByMoreThanFivePercent)
     ASSERT_EQ(messages.Warnings.size(), tolerance == 0.5 ? 1 : 0);
     if (tolerance == 0.5)
     {
-      EXPECT_TRUE(Has(messages.Warnings[0], "BoundaryTolerance changed the area"));
+      EXPECT_TRUE(Has(messages.Warnings[0], "Boundary Tolerance changed the area"));
       EXPECT_TRUE(Has(messages.Warnings[0], std::to_string(static_cast<int>(change))));
       EXPECT_TRUE(Has(messages.Warnings[0], "smaller Boundary Tolerance"));
     }

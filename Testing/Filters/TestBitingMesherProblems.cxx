@@ -228,7 +228,7 @@ TEST(BitingMesherProblems, ShowOpenEndsThatWereJoinedWhereTheyWere)
   const Outcome refused = RunOf(mesher);
   EXPECT_EQ(refused.Of(vtkBitingMesher::JOINED_ENDS).size(), 2u);
   ASSERT_EQ(refused.Errors.size(), 1u);
-  EXPECT_TRUE(Has(refused.Errors[0], "RepairInput is off, and the input is not clean. Open ends"));
+  EXPECT_TRUE(Has(refused.Errors[0], "Repair Input is off, and the input is not clean. Open ends"));
 }
 
 TEST(BitingMesherProblems, ShowTheGapOfAnOutline)

@@ -50,20 +50,16 @@ TEST(Fuzz, AllVerdictsOccur)
 }
 
 /// The last seeds: a segment that welding made, far shorter than the spacing; ends that moved when
-/// they were merged.
+/// they were merged; outlines of which one end is joined with a side, and another is just too far.
 TEST(Fuzz, WhatNearlyTouchesIsMeantOrToldOf)
 {
   std::vector<std::uint64_t> seeds(200);
   std::iota(seeds.begin(), seeds.end(), FirstSeed);
-  seeds.insert(seeds.end(), { 1121, 2266, 581, 1859 });
+  seeds.insert(seeds.end(), { 1121, 2266, 581, 1859, 1898, 100141 });
   for (const std::uint64_t seed : seeds)
   {
     FuzzNumbers numbers(seed);
-    const NearCase nearCase = MakeNearCase(numbers);
-    if (!nearCase.MayBeRefused)
-    {
-      EXPECT_EQ(RunNearCase(nearCase).Violation, "") << "seed " << seed;
-    }
+    EXPECT_EQ(RunNearCase(MakeNearCase(numbers)).Violation, "") << "seed " << seed;
   }
 }
 

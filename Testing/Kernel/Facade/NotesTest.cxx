@@ -125,7 +125,7 @@ TEST(Notes, TheMergeToleranceThatANearMissNamesJoinsIt)
   const MeshRun run = RunPlain(input);
   ASSERT_TRUE(run.Problems.Has(ProblemCode::NearMisses));
   const std::string detail = run.Problems.Groups().front().First.front().Detail;
-  const std::string name = "MergeTolerance ";
+  const std::string name = "Merge Tolerance ";
   ASSERT_NE(detail.find(name), std::string::npos) << detail;
   BitingMeshOptions options;
   options.Spacing.Uniform = 0.2;
@@ -138,9 +138,15 @@ TEST(Notes, TheMergeToleranceThatANearMissNamesJoinsIt)
 
 TEST(Notes, AnInterfaceThatEndsShortOfASideIsANearMissUnlessItIsJoined)
 {
-  const MeshRun run = RunPlain(
-    PolylineBuilder().Box(0, 0, 1, 1).Chain({ { 0.5, 0.5 }, { 0.5, 0.9975 } }).Lines(), 0.3);
-  EXPECT_EQ(run.Problems.Count(ProblemCode::NearMisses), 1);
+  const Polylines input =
+    PolylineBuilder().Box(0, 0, 1, 1).Chain({ { 0.5, 0.5 }, { 0.5, 0.9975 } }).Lines();
+  BitingMeshOptions options;
+  options.Spacing.Uniform = 0.3;
+  const MeshRun joined = RunMesh(input, options);
+  EXPECT_EQ(joined.Problems.Count(ProblemCode::JoinedEnds), 1);
+  EXPECT_EQ(joined.Problems.Count(ProblemCode::NearMisses), 0);
+  options.Domain.EndTolerance = 0.0;
+  EXPECT_EQ(RunMesh(input, options).Problems.Count(ProblemCode::NearMisses), 1);
 }
 
 TEST(Notes, AnEmbeddedPointBesideASegmentIsANearMiss)
