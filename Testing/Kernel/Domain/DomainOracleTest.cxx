@@ -188,8 +188,8 @@ TEST(DomainOracle, RandomOpenChainsGiveAValidDomain)
       builder.Chain({ { x, y }, { x + numbers.Below(5) - 2, y + numbers.Below(5) - 2 } });
     }
     const MadeDomain made = Make(builder);
-    const bool isRefused = made.Problems.Has(ProblemCode::NoClosedLoop) ||
-      made.Problems.Has(ProblemCode::OpenOutlines);
+    const bool isRefused =
+      made.Problems.Has(ProblemCode::NoClosedLoop) || made.Problems.Has(ProblemCode::OpenOutlines);
     EXPECT_EQ(made.Violation, "");
     EXPECT_EQ(made.Domain.Area > 0.0, !isRefused);
     EXPECT_EQ(made.Problems.HasErrors(), isRefused);
