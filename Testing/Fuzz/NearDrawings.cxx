@@ -6,7 +6,7 @@
 #include "FuzzRun.h"
 #include "Mover.h"
 
-#include <algorithm> // for max, min, rotate
+#include <algorithm> // for find_if, max, min, rotate
 #include <cmath>     // for abs, pow
 #include <limits>    // for epsilon
 #include <string>    // for figures
@@ -271,7 +271,7 @@ double NamedTolerance(const ProblemList& problems)
 {
   for (const ProblemGroup& group : problems.Groups())
   {
-    const std::string name = "MergeTolerance ";
+    const std::string name = "Merge Tolerance ";
     const std::string& detail = group.First.front().Detail;
     if (group.Code == ProblemCode::NearMisses && detail.find(name) != std::string::npos)
     {
@@ -288,7 +288,12 @@ std::string JudgeNear(const NearCase& nearCase, const FuzzRun& run)
   {
     const bool isMeant = problems.Has(ProblemCode::TooManyVertices) ||
       (nearCase.MayBeRefused && !problems.Has(ProblemCode::CheckFailed));
-    return isMeant ? "" : "refused";
+    const auto groups = problems.Groups();
+    const auto error = std::find_if(
+      groups.begin(), groups.end(), [](const ProblemGroup& group) { return IsError(group.Code); });
+    return isMeant ? ""
+                   : "refused, code " + std::to_string(static_cast<int>(error->Code)) + ": " +
+        error->First.front().Detail;
   }
   const double area = AreaOfMesh(run.Mesh);
   if (!(std::abs(area - nearCase.Area) <= nearCase.Slack))
