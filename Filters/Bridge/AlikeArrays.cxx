@@ -280,6 +280,7 @@ void MakeArraysAlike(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     std::vector<PieceArrays> arrays;
+    arrays.reserve(pieces.size());
     for (const auto& piece : pieces)
     {
       arrays.push_back(

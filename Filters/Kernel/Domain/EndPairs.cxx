@@ -119,6 +119,7 @@ std::vector<std::pair<Id, Id>> EndsOfCells(
   const Arrangement& arrangement, const std::vector<OpenEnd>& ends)
 {
   std::vector<Id> wanted;
+  wanted.reserve(ends.size());
   for (const OpenEnd& end : ends)
   {
     wanted.push_back(end.Cell);

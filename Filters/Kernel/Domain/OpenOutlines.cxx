@@ -246,6 +246,7 @@ std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop)
     }
   }
   std::vector<std::vector<Id>> lists;
+  lists.reserve(runs.size());
   for (auto& [group, edges] : runs)
   {
     lists.push_back(std::move(edges));

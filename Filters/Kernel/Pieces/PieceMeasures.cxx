@@ -145,6 +145,7 @@ bool PieceMeasurer::CompareReports()
       return false;
     }
     std::vector<Report> reports;
+    reports.reserve(all.size());
     for (const Bytes& bytes : all)
     {
       reports.push_back(bytes.empty() ? Report() : UnpackReport(bytes));

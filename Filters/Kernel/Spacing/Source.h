@@ -88,9 +88,9 @@ public:
 protected:
   Source() = default;
   Source(const Source&) = default;
-  Source(Source&&) = default;
+  Source(Source&&) noexcept = default;
   Source& operator=(const Source&) = default;
-  Source& operator=(Source&&) = default;
+  Source& operator=(Source&&) noexcept = default;
 };
 
 /// What is given at a place by all sources, scaled and clamped.
