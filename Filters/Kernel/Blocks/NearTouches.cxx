@@ -77,28 +77,9 @@ private:
   Pulse& Beats;
 };
 
-// Those of the domain, and its embedded points.
-std::vector<SegmentEnds> SegmentsOf(const Domain& domain)
-{
-  std::vector<SegmentEnds> segments;
-  segments.reserve(domain.Starts.size());
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
-  }
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-  {
-    if (domain.IsEmbedded[vertex] != 0)
-    {
-      segments.push_back({ vertex, vertex });
-    }
-  }
-  return segments;
-}
-
 void AddNearSegments(const Domain& domain, double reach, NearTouches& touches, Pulse& pulse)
 {
-  const std::vector<SegmentEnds> segments = SegmentsOf(domain);
+  const std::vector<SegmentEnds> segments = SegmentsAndPoints(domain);
   const SegmentTree tree(domain.Vertices, segments, reach, pulse);
   TouchSearch search(domain, segments, reach, touches, pulse);
   if (!pulse.HasStopped())

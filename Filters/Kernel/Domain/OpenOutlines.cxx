@@ -13,9 +13,10 @@
 #include <cmath>     // for abs, ceil, floor, log10, pow
 #include <limits>    // for infinity
 #include <map>       // for runs
+#include <set>       // for pairs
 #include <sstream>   // for figures
 #include <string>    // for details
-#include <utility>   // for move
+#include <utility>   // for move, pair
 
 namespace biting
 {
@@ -36,8 +37,8 @@ struct LargestShare
 constexpr LargestShare AroundWhatIsKept{ 0.5, 0.25 };
 constexpr LargestShare Elsewhere{ 0.1, 0.01 };
 
-/// So often the widest gap is left out, then the wider half of them.
-constexpr int RoundsOfOneGap = 20;
+/// Of ends: with more the widest gaps are not left out one by one.
+constexpr std::size_t MostTried = 40;
 
 /// Two digits, and no less than the value.
 double RoundedUp(double value)
@@ -180,11 +181,11 @@ ClosedGaps::ClosedGaps(
     this->AtKept[static_cast<std::size_t>(edge.Ends.Start)] |= isKept[e];
     this->AtKept[static_cast<std::size_t>(edge.Ends.End)] |= isKept[e];
   }
+  std::set<std::pair<Id, Id>> pairs;
   for (const OpenEnd& end : ends)
   {
-    const auto isSame = [&end](const OpenEnd& gap)
-    { return gap.Vertex == end.Partner && gap.Partner == end.Vertex; };
-    if (end.Partner != NoId && std::none_of(this->Gaps.begin(), this->Gaps.end(), isSame))
+    const auto pair = std::minmax(end.Vertex, end.Partner);
+    if (end.Partner != NoId && pairs.insert({ pair.first, pair.second }).second)
     {
       ArrangementEdge gap;
       gap.Ends = { std::min(end.Vertex, end.Partner), std::max(end.Vertex, end.Partner) };
@@ -345,15 +346,14 @@ double RefuseOpenOutlines(const Arrangement& arrangement, const Flags& isKept,
   }
   std::vector<OpenEnd> ends = PairOpenEnds(arrangement, isNoLine, pulse);
   double closing = 0.0;
-  for (int round = 0; !ends.empty() && closing == 0.0 && !pulse.HasStopped(); ++round)
+  while (!ends.empty() && closing == 0.0 && !pulse.HasStopped())
   {
     closing = ClosedGaps(arrangement, isKept, ends).AddProblems(options, problems, pulse);
     // An outline with narrow gaps may hang together with others over a wide one.
-    const std::size_t kept = round < RoundsOfOneGap ? ends.size() - 1 : ends.size() / 2;
     const double widest = ends.front().Gap;
-    ends.erase(ends.begin(), ends.end() - static_cast<std::ptrdiff_t>(kept));
     const auto isNarrower = [widest](const OpenEnd& end) { return end.Gap < widest; };
     ends.erase(ends.begin(), std::find_if(ends.begin(), ends.end(), isNarrower));
+    ends.resize(ends.size() > MostTried ? 0 : ends.size());
   }
   return closing;
 }

@@ -3,6 +3,8 @@
 
 #include "SegmentTree.h"
 
+#include "Domain.h"
+
 #include <algorithm> // for nth_element, partition, min, max
 #include <cmath>     // for sqrt
 #include <limits>    // for epsilon
@@ -256,6 +258,24 @@ std::vector<Id> SegmentTree::WantedBefore(const std::vector<std::uint8_t>& isWan
     before.push_back(before.back() + (isWanted[static_cast<std::size_t>(item.Segment)] ? 1 : 0));
   }
   return before;
+}
+
+std::vector<SegmentEnds> SegmentsAndPoints(const Domain& domain)
+{
+  std::vector<SegmentEnds> segments;
+  segments.reserve(domain.Starts.size());
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
+  }
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (domain.IsEmbedded[vertex] != 0)
+    {
+      segments.push_back({ vertex, vertex });
+    }
+  }
+  return segments;
 }
 
 } // namespace biting

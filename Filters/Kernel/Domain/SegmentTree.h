@@ -29,6 +29,12 @@ struct SegmentEnds
   bool Has(Id vertex) const { return this->Start == vertex || this->End == vertex; }
 };
 
+struct Domain;
+
+/// The segments of the domain by their numbers, then its embedded points as segments from a vertex
+/// to itself.
+std::vector<SegmentEnds> SegmentsAndPoints(const Domain& domain);
+
 /// A tree of boxes over segments: which segments may come near a place. Built in O(n log n).
 ///
 /// Segments that share an end are not asked about one another (see VertexStars): a node whose

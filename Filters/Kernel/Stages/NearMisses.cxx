@@ -63,7 +63,7 @@ public:
     : Geometry(domain)
     , F(spacing)
     , Beats(pulse)
-    , Segments(SegmentsOf(domain))
+    , Segments(SegmentsAndPoints(domain))
     , Spokes(domain)
   {
   }
@@ -86,7 +86,6 @@ public:
   }
 
 private:
-  static std::vector<SegmentEnds> SegmentsOf(const Domain& domain);
   void FindReach();
   double ReachOf(Id segment) const;
   void TestVertex(Id vertex, Id own, Id other, double reach);
@@ -129,24 +128,6 @@ void NearMissSearch::Run()
     this->AddShort();
     this->TestTriangles();
   }
-}
-
-std::vector<SegmentEnds> NearMissSearch::SegmentsOf(const Domain& domain)
-{
-  std::vector<SegmentEnds> segments;
-  segments.reserve(domain.Starts.size());
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    segments.push_back({ domain.Starts[segment], domain.Ends[segment] });
-  }
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-  {
-    if (domain.IsEmbedded[vertex] != 0)
-    {
-      segments.push_back({ vertex, vertex });
-    }
-  }
-  return segments;
 }
 
 void NearMissSearch::FindReach()
