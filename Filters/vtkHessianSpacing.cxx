@@ -10,7 +10,7 @@
 #include "Bridge/MonitorOfFilter.h"
 #include "Bridge/ParameterCheck.h"
 #include "Bridge/Ranks.h"
-#include "Kernel/Base/Box2.h"
+#include "Kernel/Base/Box.h"
 #include "Kernel/Hessian/HessianRecovery.h"
 
 #include "vtkDataSet.h"

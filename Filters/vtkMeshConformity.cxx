@@ -18,7 +18,7 @@
 #include "Bridge/SourceSpacing.h"
 #include "Bridge/SpacingValues.h"
 #include "Bridge/SummaryText.h"
-#include "Kernel/Base/Box2.h"
+#include "Kernel/Base/Box.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Quality/Quality.h"
 #include "Kernel/Spacing/Spacing.h"

@@ -3,7 +3,7 @@
 
 #include "FacesFromDataSet.h"
 
-#include "../Kernel/Base/Box2.h"
+#include "../Kernel/Base/Box.h"
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/Predicates/Predicates.h" // for LeastCoordinate, GreatestCoordinate
 #include "CellShapes.h"

@@ -6,7 +6,7 @@
 
 #include "../Kernel/Base/Ids.h"
 #include "../Kernel/Base/Monitor.h"
-#include "../Kernel/Base/Point2.h"
+#include "../Kernel/Base/Point.h"
 #include "../Kernel/Base/Problem.h"
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/Spacing/Spacing.h"

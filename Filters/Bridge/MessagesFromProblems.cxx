@@ -254,7 +254,7 @@ Point3 PlaceInSpace(const Problem& problem, const PlanarInput& input)
     const double* place = input.Place(static_cast<Id>(point));
     return { place[0], place[1], place[2] };
   }
-  return input.Frame.ToSpace(problem.Place);
+  return input.Frame.ToSpace(InPlane(problem.Place));
 }
 
 std::string PlaceText(const Point3& place)

@@ -41,34 +41,9 @@ struct Plane
 // Of the length; narrower triangles are needles.
 constexpr double NeedleWidth = 1e-6;
 
-Point3 operator-(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Point3 operator+(const Point3& a, const Point3& b)
-{
-  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
-}
-
-Point3 operator*(double factor, const Point3& a)
-{
-  return { factor * a[0], factor * a[1], factor * a[2] };
-}
-
-double Dot3(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point3 Cross3(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 Point3 Unit(const Point3& a)
 {
-  return (1.0 / std::sqrt(Dot3(a, a))) * a;
+  return (1.0 / std::sqrt(Dot(a, a))) * a;
 }
 
 Point3 ScaledPoints::operator[](std::size_t k) const
@@ -140,7 +115,7 @@ Point3 AnyNormalTo(const Point3& direction)
     [](double a, double b) { return std::abs(a) < std::abs(b); });
   Point3 axis{ 0.0, 0.0, 0.0 };
   axis[static_cast<std::size_t>(least - direction.begin())] = 1.0;
-  return Unit(Cross3(direction, axis));
+  return Unit(Cross(direction, axis));
 }
 
 // The plane through a triangle of three points that is large among all such. Where none is further
@@ -149,22 +124,22 @@ Point3 AnyNormalTo(const Point3& direction)
 // by its unit over the width, which matters along the needle only.
 Plane ThroughLargeTriangle(const ScaledPoints& points, double rounding)
 {
-  const Point3 a = points[Largest(points, [](const Point3& p) { return Dot3(p, p); })];
-  const Point3 b = points[Largest(points, [&a](const Point3& p) { return Dot3(p - a, p - a); })];
+  const Point3 a = points[Largest(points, [](const Point3& p) { return Dot(p, p); })];
+  const Point3 b = points[Largest(points, [&a](const Point3& p) { return Dot(p - a, p - a); })];
   const auto area = [&a, &b](const Point3& p)
   {
-    const Point3 cross = Cross3(b - a, p - a);
-    return Dot3(cross, cross);
+    const Point3 cross = Cross(b - a, p - a);
+    return Dot(cross, cross);
   };
   const Point3 c = points[Largest(points, area)];
-  const double squaredLength = Dot3(b - a, b - a);
+  const double squaredLength = Dot(b - a, b - a);
   if (area(c) <= rounding * rounding * squaredLength)
   {
     return { a, AnyNormalTo(b - a), true };
   }
-  const Point3 normal = Unit(Cross3(b - a, c - a));
+  const Point3 normal = Unit(Cross(b - a, c - a));
   const bool isNeedle = area(c) <= NeedleWidth * NeedleWidth * squaredLength * squaredLength;
-  const Point3 excess = (Dot3(normal, b - a) / squaredLength) * (b - a);
+  const Point3 excess = (Dot(normal, b - a) / squaredLength) * (b - a);
   return { a, isNeedle ? Unit(normal - excess) : normal, isNeedle };
 }
 
@@ -173,7 +148,7 @@ Plane ThroughLargeTriangle(const ScaledPoints& points, double rounding)
 Plane Refined(const ScaledPoints& points, const Plane& plane)
 {
   const Point3 first = AnyNormalTo(plane.Normal);
-  const Point3 second = Cross3(plane.Normal, first);
+  const Point3 second = Cross(plane.Normal, first);
   const double weight = 1.0 / static_cast<double>(points.Places.size());
   Point3 mean{ 0.0, 0.0, 0.0 };
   points.Beats.ForEach(points.Places.size(),
@@ -186,9 +161,9 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
   for (std::size_t k = 0; k < points.Places.size() && points.Beats.Beat(); ++k)
   {
     const Point3 offset = points[k] - mean;
-    const double u = Dot3(offset, first);
-    const double v = Dot3(offset, second);
-    const double w = Dot3(offset, plane.Normal);
+    const double u = Dot(offset, first);
+    const double v = Dot(offset, second);
+    const double w = Dot(offset, plane.Normal);
     uu += weight * u * u;
     uv += weight * u * v;
     vv += weight * v * v;
@@ -200,7 +175,7 @@ Plane Refined(const ScaledPoints& points, const Plane& plane)
   const double slopeV = (vw * uu - uw * uv) / determinant;
   const Point3 normal = plane.Normal - (slopeU * first + slopeV * second);
   // Collinear points have no such plane.
-  const bool isDefined = determinant > 0.0 && std::isfinite(Dot3(normal, normal));
+  const bool isDefined = determinant > 0.0 && std::isfinite(Dot(normal, normal));
   return isDefined ? Plane{ mean, Unit(normal), false } : plane;
 }
 
@@ -215,7 +190,7 @@ std::size_t ThinnestAxis(const ScaledPoints& points)
 double LargestDistance(const ScaledPoints& points, const Plane& plane)
 {
   const auto distance = [&plane](const Point3& p)
-  { return std::abs(Dot3(p - plane.Origin, plane.Normal)); };
+  { return std::abs(Dot(p - plane.Origin, plane.Normal)); };
   return distance(points[Largest(points, distance)]);
 }
 
@@ -243,7 +218,7 @@ PlaneFrame PlaneFrame::FitTo(
   const bool isBetter = LargestDistance(scaled, refined) <= LargestDistance(scaled, rough);
   const Plane& best = isBetter ? refined : rough;
   // The box's centre, moved into the plane.
-  const double offset = Dot3(best.Origin, best.Normal);
+  const double offset = Dot(best.Origin, best.Normal);
   return WithNormal(scaled.Center + (scaled.Scale * offset) * best.Normal, best.Normal);
 }
 
@@ -266,8 +241,8 @@ PlaneFrame PlaneFrame::WithNormal(const Point3& origin, const Point3& normal)
   frame.Normal = *largest > 0.0 ? normal : -1.0 * normal;
   Point3 axis{ 0.0, 0.0, 0.0 };
   axis[(normalAxis + 1) % 3] = 1.0;
-  frame.First = Unit(axis - Dot3(axis, frame.Normal) * frame.Normal);
-  frame.Second = Cross3(frame.Normal, frame.First);
+  frame.First = Unit(axis - Dot(axis, frame.Normal) * frame.Normal);
+  frame.Second = Cross(frame.Normal, frame.First);
   return frame;
 }
 
@@ -278,7 +253,7 @@ Point2 PlaneFrame::ToPlane(const double* place) const
     return { place[this->Axes[0]], place[this->Axes[1]] };
   }
   const Point3 offset = Point3{ place[0], place[1], place[2] } - this->Origin;
-  return { Dot3(offset, this->First), Dot3(offset, this->Second) };
+  return { Dot(offset, this->First), Dot(offset, this->Second) };
 }
 
 Point3 PlaneFrame::ToSpace(const Point2& p) const
@@ -300,7 +275,7 @@ double PlaneFrame::Distance(const double* place) const
   {
     return place[this->Axes[2]] - this->Level;
   }
-  return Dot3(Point3{ place[0], place[1], place[2] } - this->Origin, this->Normal);
+  return Dot(Point3{ place[0], place[1], place[2] } - this->Origin, this->Normal);
 }
 
 } // namespace biting

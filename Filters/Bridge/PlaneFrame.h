@@ -5,16 +5,14 @@
 #define BitingPlaneFrame_h
 
 #include "../Kernel/Base/Ids.h"
-#include "../Kernel/Base/Point2.h"
+#include "../Kernel/Base/Point.h"
 #include "../Kernel/Base/Pulse.h"
 
-#include <array>  // for places in space
+#include <array>  // for axes
 #include <vector> // for point lists
 
 namespace biting
 {
-
-using Point3 = std::array<double, 3>;
 
 /// A plane in space with coordinates of its own: what the kernel meshes in.
 ///

@@ -3,7 +3,7 @@
 
 #include "PolylinesFromPolyData.h"
 
-#include "../Kernel/Base/Box2.h"
+#include "../Kernel/Base/Box.h"
 #include "../Kernel/Base/Pulse.h"
 #include "../Kernel/Base/SortInSteps.h"
 #include "ChainReader.h"

@@ -4,7 +4,7 @@
 #ifndef BitingSourceCover_h
 #define BitingSourceCover_h
 
-#include "../Kernel/Base/Box2.h"
+#include "../Kernel/Base/Box.h"
 #include "../Kernel/BitingMesh.h"
 #include "../Kernel/Spacing/Spacing.h"
 #include "PlaneFrame.h"

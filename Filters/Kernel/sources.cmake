@@ -8,7 +8,7 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
-  Spacing/BorderTree.cxx
+  Spacing/BorderEdge.cxx
   Spacing/CellGradation.cxx
   Spacing/ConeBranch.cxx
   Spacing/ConeTree.cxx

@@ -3,7 +3,7 @@
 
 #include "CorpusIndex.h"
 #include "FilterTesting.h"
-#include "Kernel/Base/Box2.h"
+#include "Kernel/Base/Box.h"
 #include "MeshChecker.h"
 
 #include "vtkDataSetReader.h"

@@ -3,7 +3,7 @@
 
 #include "EvenOddArea.h"
 
-#include "Base/Box2.h"
+#include "Base/Box.h"
 #include "ExactSigns.h"
 #include "WholeNumbers.h"
 

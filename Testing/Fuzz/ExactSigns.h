@@ -4,7 +4,7 @@
 #ifndef BitingExactSigns_h
 #define BitingExactSigns_h
 
-#include "Base/Point2.h"
+#include "Base/Point.h"
 
 namespace biting
 {

@@ -4,7 +4,7 @@
 #ifndef BitingMover_h
 #define BitingMover_h
 
-#include "Base/Point2.h"
+#include "Base/Point.h"
 #include "FuzzNumbers.h"
 
 #include <vector> // for places

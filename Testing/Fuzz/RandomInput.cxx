@@ -3,7 +3,7 @@
 
 #include "RandomInput.h"
 
-#include "Base/Box2.h"
+#include "Base/Box.h"
 #include "Base/Numbers.h"
 #include "RandomDrawing.h"
 

@@ -4,7 +4,7 @@
 #ifndef BitingWholeNumbers_h
 #define BitingWholeNumbers_h
 
-#include "Base/Point2.h"
+#include "Base/Point.h"
 
 #include <boost/multiprecision/cpp_int.hpp> // for whole numbers of any length
 

@@ -4,7 +4,7 @@
 #ifndef BitingDistanceToSegment_h
 #define BitingDistanceToSegment_h
 
-#include "Point2.h"
+#include "Point.h"
 
 #include <algorithm> // for clamp
 

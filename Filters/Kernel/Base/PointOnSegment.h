@@ -4,7 +4,7 @@
 #ifndef BitingPointOnSegment_h
 #define BitingPointOnSegment_h
 
-#include "Point2.h"
+#include "Point.h"
 
 namespace biting
 {

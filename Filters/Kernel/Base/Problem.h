@@ -5,7 +5,7 @@
 #define BitingProblem_h
 
 #include "Ids.h"
-#include "Point2.h"
+#include "Point.h"
 
 #include <string> // for the detail
 #include <vector> // for lists of problems
@@ -67,7 +67,7 @@ struct Problem
 {
   ProblemCode Code = ProblemCode::CheckFailed;
   std::vector<std::int64_t> Ids; ///< input ids, in the order that the code states
-  Point2 Place;                  ///< in input coordinates of the plane
+  Point3 Place;                  ///< in input coordinates, of the plane (z = 0) or of space
   std::string Detail;            ///< figures that ids and place do not say; may be empty
 };
 

@@ -4,7 +4,7 @@
 #ifndef BitingBalancedTop_h
 #define BitingBalancedTop_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "ReachFactor.h" // for the triangle
 
 namespace biting

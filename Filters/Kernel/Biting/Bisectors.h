@@ -5,7 +5,7 @@
 #define BitingBisectors_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "BiteGrid.h"
 #include "BiteOutline.h" // for Gauge
 #include "Bites.h"

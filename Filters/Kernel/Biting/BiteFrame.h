@@ -4,10 +4,10 @@
 #ifndef BitingBiteFrame_h
 #define BitingBiteFrame_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/CellIndex.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "BiteLists.h" // for entries
 #include "Bites.h"
 

@@ -4,10 +4,10 @@
 #ifndef BitingBiteGrid_h
 #define BitingBiteGrid_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/CellIndex.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "BiteFrame.h"
 #include "BiteLists.h"

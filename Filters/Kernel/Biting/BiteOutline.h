@@ -4,9 +4,9 @@
 #ifndef BitingBiteOutline_h
 #define BitingBiteOutline_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "Bites.h"
 
 #include <array>   // for the sides

@@ -5,7 +5,7 @@
 #define BitingBites_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <cstdint> // for phases
 #include <vector>  // for the arrays

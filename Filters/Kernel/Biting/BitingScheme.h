@@ -6,7 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Delaunay/ConstrainedMesh.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"

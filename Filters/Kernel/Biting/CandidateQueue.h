@@ -5,7 +5,7 @@
 #define BitingCandidateQueue_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <array> // for the lines
 #include <deque> // for each line

@@ -5,7 +5,7 @@
 #define BitingCornerCover_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "Bites.h"
 
 #include <array> // for triangles

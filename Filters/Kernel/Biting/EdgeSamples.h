@@ -4,7 +4,7 @@
 #ifndef BitingEdgeSamples_h
 #define BitingEdgeSamples_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Spacing/Spacing.h"
 
 #include <vector> // for the samples

@@ -4,7 +4,7 @@
 #ifndef BitingFrontTrace_h
 #define BitingFrontTrace_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"

@@ -4,7 +4,7 @@
 #ifndef BitingInteriorBiting_h
 #define BitingInteriorBiting_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "Bisectors.h"
 #include "BitingState.h"

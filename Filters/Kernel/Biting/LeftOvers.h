@@ -4,9 +4,9 @@
 #ifndef BitingLeftOvers_h
 #define BitingLeftOvers_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "BitingState.h"
 #include "Remains.h"

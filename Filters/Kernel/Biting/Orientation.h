@@ -5,7 +5,7 @@
 #define BitingOrientation_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 

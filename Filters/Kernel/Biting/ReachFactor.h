@@ -4,7 +4,7 @@
 #ifndef BitingReachFactor_h
 #define BitingReachFactor_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "Bites.h"
 #include "CandidateQueue.h" // for FrontOrder
 

@@ -4,8 +4,8 @@
 #ifndef BitingCutFrame_h
 #define BitingCutFrame_h
 
-#include "../Base/Box2.h"
-#include "../Base/Point2.h"
+#include "../Base/Box.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 

@@ -5,7 +5,7 @@
 #define BitingCutLine_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "CutScene.h"
 
 #include <cstddef> // for size_t

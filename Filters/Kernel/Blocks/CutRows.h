@@ -4,7 +4,7 @@
 #ifndef BitingCutRows_h
 #define BitingCutRows_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Spacing/Spacing.h"
 #include "CutFrame.h"
 

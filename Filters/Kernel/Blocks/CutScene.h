@@ -4,10 +4,10 @@
 #ifndef BitingCutScene_h
 #define BitingCutScene_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
+#include "../Base/BoxTree.h"
 #include "../Base/Ids.h"
 #include "../Domain/DomainLocator.h"
-#include "../Spacing/BoxTree.h"
 #include "../Spacing/Spacing.h"
 #include "CutFrame.h"
 #include "CutGraph.h"
@@ -35,7 +35,6 @@ struct CutScene
 
     const Box2& Box() const { return this->Bounds; }
     double Least() const { return 0.0; }
-    Point2 Along() const { return Point2{}; }
   };
 
   const CutGraph& Graph;

@@ -5,7 +5,7 @@
 #define BitingCutTree_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "CutFrame.h"
 
 #include <vector> // for the nodes

@@ -4,7 +4,7 @@
 #ifndef BitingDensitySamples_h
 #define BitingDensitySamples_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"
 #include "../Domain/DomainLocator.h"

@@ -4,7 +4,7 @@
 #ifndef BitingRimFlips_h
 #define BitingRimFlips_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Delaunay/Triangulation.h"
 

@@ -4,7 +4,7 @@
 #ifndef BitingConstrainedMesh_h
 #define BitingConstrainedMesh_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "ConstraintRecovery.h"
 #include "Insertion.h"

@@ -5,7 +5,7 @@
 #define BitingHalfEdgeMesh_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <vector> // for the arrays
 

@@ -3,7 +3,7 @@
 
 #include "SpatialOrder.h"
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 
 #include <algorithm> // for sort, min
 #include <array>     // for tables

@@ -5,7 +5,7 @@
 #define BitingSpatialOrder_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 
 #include <vector> // for the order

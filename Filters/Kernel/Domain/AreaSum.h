@@ -4,7 +4,7 @@
 #ifndef BitingAreaSum_h
 #define BitingAreaSum_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Predicates/CompensatedSum.h"
 
 namespace biting

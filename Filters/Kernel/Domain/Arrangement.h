@@ -6,7 +6,7 @@
 
 #include "../Base/DisjointSets.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Problem.h"
 #include "../Base/Pulse.h"
 #include "Domain.h" // for DomainOptions
@@ -59,7 +59,7 @@ struct Arrangement
   /// A place at `offset` from the line along `span` is on it where Cross(span, offset) is no more.
   double ReachAcross(const Point2& span) const
   {
-    return this->Resolution * Length({ this->Stretch.X * span.X, this->Stretch.Y * span.Y }) /
+    return this->Resolution * Length(Point2{ this->Stretch.X * span.X, this->Stretch.Y * span.Y }) /
       (this->Stretch.X * this->Stretch.Y);
   }
 

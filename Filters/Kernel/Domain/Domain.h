@@ -4,10 +4,10 @@
 #ifndef BitingDomain_h
 #define BitingDomain_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Problem.h"
 #include "Polylines.h"
 

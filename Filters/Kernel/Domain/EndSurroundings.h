@@ -4,7 +4,7 @@
 #ifndef BitingEndSurroundings_h
 #define BitingEndSurroundings_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 #include "PointWelding.h"

@@ -5,7 +5,7 @@
 #define BitingNesting_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "SegmentTree.h" // for SegmentEnds
 

@@ -3,7 +3,7 @@
 
 #include "OpenEnds.h"
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "EndSurroundings.h"
 #include "VertexGrid.h"
 

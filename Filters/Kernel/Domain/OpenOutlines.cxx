@@ -3,7 +3,7 @@
 
 #include "OpenOutlines.h"
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/DisjointSets.h"
 #include "BoundaryComponents.h"
 #include "EndPairs.h"

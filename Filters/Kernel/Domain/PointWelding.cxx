@@ -3,7 +3,7 @@
 
 #include "PointWelding.h"
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h" // for LeastCoordinate
 #include "VertexGrid.h"

@@ -23,7 +23,7 @@ ResolutionReport::ResolutionReport(const Arrangement& arrangement, ProblemList& 
     {
       const Problem& first = group.First.front();
       const auto cell = static_cast<Id>(first.Ids.back());
-      this->RememberFirst(cell, cell, first.Place);
+      this->RememberFirst(cell, cell, InPlane(first.Place));
     }
   }
 }

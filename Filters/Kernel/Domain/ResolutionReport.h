@@ -5,7 +5,7 @@
 #define BitingResolutionReport_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Problem.h"
 #include "../Base/Pulse.h"
 #include "Arrangement.h"

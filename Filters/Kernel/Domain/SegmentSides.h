@@ -4,9 +4,9 @@
 #ifndef BitingSegmentSides_h
 #define BitingSegmentSides_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "Domain.h"
 
 namespace biting

@@ -4,10 +4,10 @@
 #ifndef BitingSegmentTree_h
 #define BitingSegmentTree_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
 #include "../Base/Numbers.h" // for Infinity
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "SlantedBox.h"
 

@@ -4,8 +4,8 @@
 #ifndef BitingSlantedBox_h
 #define BitingSlantedBox_h
 
-#include "../Base/Box2.h"
-#include "../Base/Point2.h"
+#include "../Base/Box.h"
+#include "../Base/Point.h"
 
 #include <cmath> // for abs
 

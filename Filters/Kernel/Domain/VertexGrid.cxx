@@ -72,7 +72,7 @@ Id VertexGrid::Find(const Point2& place) const
            vertex = this->Nexts[static_cast<std::size_t>(vertex)])
       {
         const Point2 gap = this->Points[static_cast<std::size_t>(vertex)] - place;
-        const double distance = Length({ this->Stretch.X * gap.X, this->Stretch.Y * gap.Y });
+        const double distance = Length(Point2{ this->Stretch.X * gap.X, this->Stretch.Y * gap.Y });
         const bool isTie = distance == least && (nearest == NoId || vertex < nearest);
         nearest = distance < least || isTie ? vertex : nearest;
         least = distance < least ? distance : least;

@@ -5,7 +5,7 @@
 #define BitingVertexGrid_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <cstddef> // for size_t
 #include <cstdint> // for keys

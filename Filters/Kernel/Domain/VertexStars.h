@@ -5,7 +5,7 @@
 #define BitingVertexStars_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "SegmentTree.h" // for SegmentEnds
 
 #include <vector> // for the arrays

@@ -15,7 +15,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <vector> // for the arrays
 

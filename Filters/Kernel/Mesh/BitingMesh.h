@@ -5,7 +5,7 @@
 #define BitingMeshOfBites_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Biting/Bites.h"
 #include "../Quality/Quality.h"
 

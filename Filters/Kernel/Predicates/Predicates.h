@@ -4,7 +4,7 @@
 #ifndef BitingPredicates_h
 #define BitingPredicates_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 namespace biting
 {

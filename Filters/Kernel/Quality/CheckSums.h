@@ -4,7 +4,7 @@
 #ifndef BitingCheckSums_h
 #define BitingCheckSums_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Predicates/CompensatedSum.h"
 
 #include <algorithm> // for min

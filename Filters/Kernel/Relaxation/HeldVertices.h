@@ -5,7 +5,7 @@
 #define BitingHeldVertices_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "MutableMesh.h"
 #include "Relaxation.h"

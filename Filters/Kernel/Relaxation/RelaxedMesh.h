@@ -5,7 +5,7 @@
 #define BitingRelaxedMesh_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Domain/Domain.h"
 #include "../Spacing/Spacing.h"
 

@@ -5,7 +5,7 @@
 #define BitingTriangleLimits_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "MutableMesh.h"
 #include "Star.h" // for the measure of angles
 

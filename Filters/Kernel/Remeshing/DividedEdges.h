@@ -4,7 +4,7 @@
 #ifndef BitingDividedEdges_h
 #define BitingDividedEdges_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "ChangedRegion.h"
 #include "OldMesh.h"
 

@@ -5,7 +5,7 @@
 #define BitingFlatTriangles_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <array>   // for sides
 #include <cstddef> // for sizes

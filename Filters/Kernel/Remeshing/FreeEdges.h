@@ -4,7 +4,7 @@
 #ifndef BitingFreeEdges_h
 #define BitingFreeEdges_h
 
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 #include "../Domain/SegmentTree.h" // for SegmentEnds
 #include "OldMesh.h"

@@ -4,7 +4,7 @@
 #ifndef BitingInnerPlaces_h
 #define BitingInnerPlaces_h
 
-#include "../Spacing/BoxTree.h"
+#include "../Base/BoxTree.h"
 #include "ChangedRegion.h"
 #include "OldMesh.h"
 #include "RegionEdges.h"
@@ -39,7 +39,6 @@ private:
 
     Box2 Box() const { return { this->Place, this->Place }; }
     double Least() const { return 0.0; }
-    Point2 Along() const { return {}; }
   };
 
   static std::vector<OldPlace> List(

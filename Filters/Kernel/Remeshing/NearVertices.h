@@ -5,7 +5,7 @@
 #define BitingNearVertices_h
 
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 
 #include <utility> // for pairs
 #include <vector>  // for the arrays

@@ -3,7 +3,7 @@
 
 #include "OldPlaces.h"
 
-#include "../Spacing/BorderTree.h"
+#include "../Spacing/BorderEdge.h"
 #include "../Spacing/TriangleBuckets.h"
 
 #include <algorithm> // for min, max
@@ -50,7 +50,7 @@ private:
   bool FindAmong(const Candidates& candidates, const Point2& place, OldPlace& found) const;
   void FindOnBorder(const Point2& place, OldPlace& found);
   double DistanceTo(const OldPlace& found, const Point2& place) const;
-  BorderTree MakeBorder();
+  BoxTree<BorderEdge> MakeBorder();
   std::array<double, 3> WeightsIn(Id candidate, const Point2& place) const;
 
   const OldMesh& Mesh;
@@ -58,7 +58,7 @@ private:
   Pulse& Progress;
   TriangleBuckets Buckets;
   std::vector<Id> All;
-  std::optional<BorderTree> Border; ///< the free edges, with their slots as both ids
+  std::optional<BoxTree<BorderEdge>> Border; ///< the free edges, with their slots as both ids
 };
 
 std::vector<Id> Search::CornersOf(const OldMesh& mesh, const std::vector<Id>& triangles)
@@ -112,7 +112,7 @@ bool Search::FindAmong(const Candidates& candidates, const Point2& place, OldPla
   return largest >= 0.0;
 }
 
-BorderTree Search::MakeBorder()
+BoxTree<BorderEdge> Search::MakeBorder()
 {
   std::vector<BorderEdge> edges;
   for (const Id triangle : this->Triangles)
@@ -155,7 +155,7 @@ void Search::FindOnBorder(const Point2& place, OldPlace& found)
     return;
   }
   const NearestValue nearest =
-    this->Border->Nearest(place, { this->DistanceTo(found, place), 0.0 });
+    Nearest(*this->Border, place, { this->DistanceTo(found, place), 0.0 });
   if (nearest.Edge)
   {
     const Id slot = nearest.Edge->StartId;

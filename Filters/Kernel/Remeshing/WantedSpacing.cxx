@@ -3,7 +3,7 @@
 
 #include "WantedSpacing.h"
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Spacing/SourceCheck.h"
 #include "../Spacing/TriangleInterpolator.h"
 #include "GradedValues.h"

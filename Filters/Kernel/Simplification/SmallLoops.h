@@ -4,7 +4,7 @@
 #ifndef BitingSmallLoops_h
 #define BitingSmallLoops_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 #include "../Domain/Domain.h"

@@ -4,9 +4,9 @@
 #ifndef BitingVertexTree_h
 #define BitingVertexTree_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Base/Pulse.h"
 
 #include <array>   // for corners

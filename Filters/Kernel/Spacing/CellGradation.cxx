@@ -52,7 +52,7 @@ template <std::size_t D>
 class Grading
 {
 public:
-  Grading(SizeCells<D>& cells, const GivenAt<D>& givenAt, bool hasGaps, const PlaceBox<D>& bounds,
+  Grading(SizeCells<D>& cells, const GivenAt<D>& givenAt, bool hasGaps, const Box<D>& bounds,
     double gradation, Pulse& pulse)
     : Work(cells)
     , GivenValue(givenAt)
@@ -82,17 +82,17 @@ private:
   using Units = typename SizeCells<D>::Units;
   static constexpr int Children = SizeCells<D>::Children;
 
-  double Cone(const LowPlace<D>& low, const Place<D>& x) const
+  double Cone(const LowPlace<D>& low, const Point<D>& x) const
   {
     return low.Value + this->Gradation * Distance<D>(low.At, x);
   }
-  double Cone(Id origin, const Place<D>& x) const
+  double Cone(Id origin, const Point<D>& x) const
   {
     return this->Cone(this->Work.OriginAt(origin), x);
   }
 
   /// What the origins of a cell allow.
-  double ConesOf(const Cell& cell, const Place<D>& x) const
+  double ConesOf(const Cell& cell, const Point<D>& x) const
   {
     double least = cell.Lowest != NoId ? this->Cone(cell.Lowest, x) : Infinity;
     for (const Id corner : cell.Corners)
@@ -150,7 +150,7 @@ private:
     {
       least = std::min(least, this->Work.CornerAt(corner).Size);
     }
-    const Place<D> center = this->Work.CenterOf(cell);
+    const Point<D> center = this->Work.CenterOf(cell);
     const double size = this->Work.SizeOf(cell);
     const double away = std::max(
       this->Bounds.DistanceTo(center) - 0.5 * std::sqrt(static_cast<double>(D)) * size, 0.0);
@@ -197,7 +197,7 @@ private:
   }
 
   /// Whether what is extended from a border is not linear in a cell.
-  bool HasJump(const Cell& cell, const Place<D>& center) const
+  bool HasJump(const Cell& cell, const Point<D>& center) const
   {
     bool isOutside = false;
     for (const Id corner : cell.Corners)
@@ -370,7 +370,7 @@ private:
     }
     for (const double step : { 0.5 * this->LeafSize * corner.Size, 0.25 * size })
     {
-      Place<D> beside = this->Work.PlaceOf(corner.At);
+      Point<D> beside = this->Work.PlaceOf(corner.At);
       for (std::size_t d = 0; d < D; ++d)
       {
         beside[d] += ((orthant >> d) & 1) ? step : -step;
@@ -399,7 +399,7 @@ private:
         return false;
       }
     }
-    const Place<D> center = this->Work.CenterOf(cell);
+    const Point<D> center = this->Work.CenterOf(cell);
     return this->ConesOf(cell, center) >= Share * this->GivenValue(center).Value;
   }
 
@@ -419,7 +419,7 @@ private:
   SizeCells<D>& Work;
   const GivenAt<D>& GivenValue;
   const bool HasGaps;
-  const PlaceBox<D>& Bounds;
+  const Box<D>& Bounds;
   const double Gradation;
   const double LeafSize; ///< as a share of f
   Pulse& Beats;
@@ -434,14 +434,14 @@ private:
 
 template <std::size_t D>
 std::vector<std::uint8_t> GradeCells(SizeCells<D>& cells, const GivenAt<D>& givenAt, bool hasGaps,
-  const PlaceBox<D>& bounds, double gradation, Pulse& pulse)
+  const Box<D>& bounds, double gradation, Pulse& pulse)
 {
   return Grading<D>(cells, givenAt, hasGaps, bounds, gradation, pulse).Run();
 }
 
 template std::vector<std::uint8_t> GradeCells(
-  SizeCells<2>&, const GivenAt<2>&, bool, const PlaceBox<2>&, double, Pulse&);
+  SizeCells<2>&, const GivenAt<2>&, bool, const Box<2>&, double, Pulse&);
 template std::vector<std::uint8_t> GradeCells(
-  SizeCells<3>&, const GivenAt<3>&, bool, const PlaceBox<3>&, double, Pulse&);
+  SizeCells<3>&, const GivenAt<3>&, bool, const Box<3>&, double, Pulse&);
 
 } // namespace biting

@@ -24,7 +24,7 @@ namespace biting
 /// - a corner of a smaller neighbor, on its side, has an origin that is lower than all of its own.
 template <std::size_t D>
 std::vector<std::uint8_t> GradeCells(SizeCells<D>& cells, const GivenAt<D>& givenAt, bool hasGaps,
-  const PlaceBox<D>& bounds, double gradation, Pulse& pulse);
+  const Box<D>& bounds, double gradation, Pulse& pulse);
 
 } // namespace biting
 

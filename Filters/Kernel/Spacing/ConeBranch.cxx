@@ -31,7 +31,7 @@ constexpr double OnSegment = 1e-3;
 /// On its diagonal.
 Point2 PointIn(const Quadtree::Cube& square, double share)
 {
-  const Place<2> place = square.At({ share, share });
+  const Point<2> place = square.At({ share, share });
   return { place[0], place[1] };
 }
 
@@ -90,7 +90,8 @@ private:
       this->SetLeaf(square, 0);
       return;
     }
-    const double radius = Length({ 0.5 * square.Size, 0.5 * square.Size }) + this->Whole.Margin;
+    const double radius =
+      Length(Point2{ 0.5 * square.Size, 0.5 * square.Size }) + this->Whole.Margin;
     const Lowest lowest = this->FindTangents(PointIn(square, 0.5), radius, first, likely);
     if (lowest.Value - this->Whole.Slope * radius >= this->Whole.Most)
     {

@@ -3,9 +3,9 @@
 
 #include "ConeTree.h"
 
+#include "../Base/BoxTree.h"
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "BoxTree.h"
 #include "ConeBranch.h"
 
 #include <cmath>   // for abs

@@ -4,7 +4,7 @@
 #ifndef BitingFeatureSize_h
 #define BitingFeatureSize_h
 
-#include "BoxTree.h"
+#include "../Base/BoxTree.h"
 #include "ConeCollector.h"
 
 #include <functional> // for the spacing as given
@@ -38,7 +38,6 @@ public:
     // For a BoxTree.
     Box2 Box() const { return Box2::Around(this->Start, this->End); }
     double Least() const { return 0.0; }
-    Point2 Along() const { return Point2{}; }
   };
 
   FeatureSize(const FeatureSource& source, Pulse& pulse);

@@ -38,8 +38,8 @@ void Fill(const GridSource& source, std::vector<double>& values, Pulse& pulse)
   }
   const auto away = [&source, columns](std::size_t node, std::size_t given)
   {
-    return Distance({ source.XNodes[node % columns], source.YNodes[node / columns] },
-      { source.XNodes[given % columns], source.YNodes[given / columns] });
+    return Distance(Point2{ source.XNodes[node % columns], source.YNodes[node / columns] },
+      Point2{ source.XNodes[given % columns], source.YNodes[given / columns] });
   };
   const auto offer = [&nearest, &away](std::size_t from, std::size_t to)
   {

@@ -94,7 +94,7 @@ double GridInterpolator::At(const Place& place) const
     Blend(high[0], high[this->ToRight], place.X), place.Y);
 }
 
-Source<2>::Sample GridInterpolator::At(const biting::Place<2>& x) const
+Source<2>::Sample GridInterpolator::At(const Point<2>& x) const
 {
   const std::vector<double>& xs = this->Grid->XNodes;
   const std::vector<double>& ys = this->Grid->YNodes;

@@ -59,7 +59,7 @@ public:
 
   double operator()(const Point2& x) const { return this->At(this->Find(x)); }
 
-  Sample At(const biting::Place<2>& x) const override;
+  Sample At(const Point<2>& x) const override;
   std::vector<LowPlace<2>> LowPlaces(
     double slope, const ValueRange& range, Pulse& pulse) const override;
 

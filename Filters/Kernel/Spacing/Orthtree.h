@@ -29,11 +29,11 @@ public:
   {
     Id Node = 0;
     int Level = 0;
-    Place<D> Low{};
+    Point<D> Low{};
     double Size = 0.0;
 
     /// At shares of the size from the low corner.
-    Place<D> At(Place<D> shares) const
+    Point<D> At(Point<D> shares) const
     {
       for (std::size_t d = 0; d < D; ++d)
       {
@@ -44,7 +44,7 @@ public:
   };
 
   Orthtree() = default;
-  Orthtree(const Place<D>& low, double size)
+  Orthtree(const Point<D>& low, double size)
     : Low(low)
     , Size(size)
     , UnitsPerLength(static_cast<double>(std::uint64_t(1) << UnitBits) / size)
@@ -52,14 +52,14 @@ public:
   }
 
   /// The smallest cube about the middle of a box.
-  static Orthtree Around(const Place<D>& low, const Place<D>& high)
+  static Orthtree Around(const Point<D>& low, const Point<D>& high)
   {
     double size = 0.0;
     for (std::size_t d = 0; d < D; ++d)
     {
       size = std::max(size, high[d] - low[d]);
     }
-    Place<D> corner;
+    Point<D> corner;
     for (std::size_t d = 0; d < D; ++d)
     {
       corner[d] = low[d] + 0.5 * (high[d] - low[d]) - 0.5 * size;
@@ -79,7 +79,7 @@ public:
   Cube Child(const Cube& cube, int child) const
   {
     const Id first = this->Nodes[static_cast<std::size_t>(cube.Node)];
-    Place<D> half;
+    Point<D> half;
     for (std::size_t d = 0; d < D; ++d)
     {
       half[d] = 0.5 * ((child >> d) & 1);
@@ -137,7 +137,7 @@ public:
 
   /// The number of the leaf of x; of the nearest place along the axes, for a point outside (or
   /// NaN).
-  Id Locate(const Place<D>& x) const
+  Id Locate(const Point<D>& x) const
   {
     const int shift = UnitBits - this->TableLevel;
     Units units;
@@ -182,7 +182,7 @@ private:
     return node;
   }
 
-  Place<D> Low{};
+  Point<D> Low{};
   double Size = 0.0;
   double UnitsPerLength = 0.0;
   int TableLevel = 0;

@@ -88,7 +88,6 @@ struct SegmentCone
   // For a BoxTree.
   Box2 Box() const { return Box2::Around(this->Start, this->End()); }
   double Least() const { return this->Value; }
-  Point2 Along() const { return Point2{}; }
 
 private:
   double FootAt(double along, double across) const

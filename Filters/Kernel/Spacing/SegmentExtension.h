@@ -4,7 +4,7 @@
 #ifndef BitingSegmentExtension_h
 #define BitingSegmentExtension_h
 
-#include "BoxTree.h"
+#include "../Base/BoxTree.h"
 #include "SegmentCone.h"
 
 namespace biting

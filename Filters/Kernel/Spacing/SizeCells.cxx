@@ -12,7 +12,7 @@ namespace biting
 {
 
 template <std::size_t D>
-SizeCells<D>::SizeCells(Place<D> low, Place<D> high, std::vector<LowPlace<D>> places, Pulse& pulse)
+SizeCells<D>::SizeCells(Point<D> low, Point<D> high, std::vector<LowPlace<D>> places, Pulse& pulse)
   : Places(std::move(places))
 {
   for (const LowPlace<D>& place : this->Places)
@@ -107,7 +107,7 @@ void SizeCells<D>::SortPlaces(Pulse& pulse)
 }
 
 template <std::size_t D>
-std::uint64_t SizeCells<D>::MortonKey(const Place<D>& place) const
+std::uint64_t SizeCells<D>::MortonKey(const Point<D>& place) const
 {
   constexpr auto last = static_cast<double>((1u << MaximumLevel) - 1);
   Units units;

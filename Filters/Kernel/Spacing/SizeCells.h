@@ -51,7 +51,7 @@ public:
   };
 
   /// One cell, the cube around a box and the places. Incomplete if the pulse stops.
-  SizeCells(Place<D> low, Place<D> high, std::vector<LowPlace<D>> places, Pulse& pulse);
+  SizeCells(Point<D> low, Point<D> high, std::vector<LowPlace<D>> places, Pulse& pulse);
 
   const Corner& CornerAt(Id id) const { return this->Corners[static_cast<std::size_t>(id)]; }
   Corner& CornerAt(Id id) { return this->Corners[static_cast<std::size_t>(id)]; }
@@ -61,16 +61,16 @@ public:
   std::uint32_t SideOf(const Cell& cell) const { return 1u << (MaximumLevel - cell.Level); }
   double SizeOf(const Cell& cell) const { return this->UnitLength * this->SideOf(cell); }
 
-  Place<D> PlaceOf(const Units& units) const
+  Point<D> PlaceOf(const Units& units) const
   {
-    Place<D> place;
+    Point<D> place;
     for (std::size_t d = 0; d < D; ++d)
     {
       place[d] = this->Low[d] + this->UnitLength * units[d];
     }
     return place;
   }
-  Place<D> CenterOf(const Cell& cell) const
+  Point<D> CenterOf(const Cell& cell) const
   {
     Units center = cell.Low;
     for (std::uint32_t& unit : center)
@@ -95,7 +95,7 @@ public:
   /// The leaf in an orthant of a corner; none beyond the cube.
   Id LeafAt(Id id, int orthant);
 
-  Place<D> Low{};
+  Point<D> Low{};
   double Size = 0.0;
   std::vector<Cell> Cells; ///< the first one is the cube
   std::vector<Corner> Corners;
@@ -104,7 +104,7 @@ public:
 
 private:
   void SortPlaces(Pulse& pulse);
-  std::uint64_t MortonKey(const Place<D>& place) const;
+  std::uint64_t MortonKey(const Point<D>& place) const;
   void DealPlaces(const Cell& parent, Id first);
   void FindLowest(Cell& cell) const;
   Id FindCorner(const Units& at, Id cell);

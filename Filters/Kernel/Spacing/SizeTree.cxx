@@ -94,7 +94,7 @@ private:
 
 template <std::size_t D>
 SizeTree<D>::SizeTree(const GivenAt<D>& givenAt, bool hasGaps, std::vector<LowPlace<D>> places,
-  const PlaceBox<D>& bounds, double gradation, Pulse& pulse)
+  const Box<D>& bounds, double gradation, Pulse& pulse)
   : Gradation(gradation)
 {
   SizeCells<D> cells(bounds.Low, bounds.High, std::move(places), pulse);

@@ -34,13 +34,13 @@ public:
   /// of the sources; `hasGaps`: a place between others that are inside may be outside. Incomplete
   /// if the pulse stops.
   SizeTree(const GivenAt<D>& givenAt, bool hasGaps, std::vector<LowPlace<D>> places,
-    const PlaceBox<D>& bounds, double gradation, Pulse& pulse);
+    const Box<D>& bounds, double gradation, Pulse& pulse);
 
   /// Whether f is as given everywhere.
   bool IsEmpty() const { return this->Origins.empty(); }
 
   /// f(x), where `given` is what is given at x.
-  double operator()(const Place<D>& x, double given) const
+  double operator()(const Point<D>& x, double given) const
   {
     const Id* list = &this->Lists[static_cast<std::size_t>(this->Tree.Locate(x))];
     double least = given;

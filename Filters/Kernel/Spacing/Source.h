@@ -4,6 +4,7 @@
 #ifndef BitingSource_h
 #define BitingSource_h
 
+#include "../Base/Box.h"
 #include "../Base/Pulse.h"
 #include "ValueRange.h"
 
@@ -17,44 +18,11 @@
 namespace biting
 {
 
-/// A point of the plane (D = 2) or of space (D = 3).
-template <std::size_t D>
-using Place = std::array<double, D>;
-
-template <std::size_t D>
-double Distance(const Place<D>& a, const Place<D>& b)
-{
-  double square = 0.0;
-  for (std::size_t d = 0; d < D; ++d)
-  {
-    square += (b[d] - a[d]) * (b[d] - a[d]);
-  }
-  return std::sqrt(square);
-}
-
-/// A box along the axes.
-template <std::size_t D>
-struct PlaceBox
-{
-  Place<D> Low{};
-  Place<D> High{};
-
-  double DistanceTo(const Place<D>& x) const
-  {
-    Place<D> nearest;
-    for (std::size_t d = 0; d < D; ++d)
-    {
-      nearest[d] = std::min(std::max(this->Low[d], x[d]), this->High[d]);
-    }
-    return Distance<D>(x, nearest);
-  }
-};
-
 /// A place, and the spacing given there: scaled and clamped.
 template <std::size_t D>
 struct LowPlace
 {
-  Place<D> At{};
+  Point<D> At{};
   double Value = 0.0;
 };
 
@@ -73,7 +41,7 @@ public:
   virtual ~Source() = default;
 
   /// What is given at x. Called from any number of threads at once.
-  virtual Sample At(const Place<D>& x) const = 0;
+  virtual Sample At(const Point<D>& x) const = 0;
 
   /// The places from which the spacing grows by more than `slope`: of each cell that is steeper,
   /// the corners, and places on its edges (in space: on its faces) whose distance is at most half
@@ -95,7 +63,7 @@ protected:
 
 /// What is given at a place by all sources, scaled and clamped.
 template <std::size_t D>
-using GivenAt = std::function<typename Source<D>::Sample(const Place<D>&)>;
+using GivenAt = std::function<typename Source<D>::Sample(const Point<D>&)>;
 
 /// How many places are listed on each of so many edges: a mesh that needs more on all of them would
 /// be refused.

@@ -129,7 +129,7 @@ struct Spacing::Implementation
   }
 
   /// By sources, and Uniform.
-  Source<2>::Sample Sampled(const Place<2>& x) const
+  Source<2>::Sample Sampled(const Point<2>& x) const
   {
     Source<2>::Sample least{ this->Uniform, true };
     for (const auto& source : this->Sources)
@@ -142,7 +142,7 @@ struct Spacing::Implementation
 
   double EvaluateGiven(const Point2& x) const
   {
-    const Place<2> place{ x.X, x.Y };
+    const Point<2> place{ x.X, x.Y };
     const double given = this->Sampled(place).Value;
     return this->Lowered(
       this->Graded.IsEmpty() ? given : this->Graded(place, given), this->Segments, x);
@@ -252,9 +252,9 @@ private:
     }
     if (!places.empty() || mayJump)
     {
-      const PlaceBox<2> bounds{ { this->Bounds.Low.X, this->Bounds.Low.Y },
+      const Box<2> bounds{ { this->Bounds.Low.X, this->Bounds.Low.Y },
         { this->Bounds.High.X, this->Bounds.High.Y } };
-      this->Data.Graded = SizeTree<2>([this](const Place<2>& x) { return this->Data.Sampled(x); },
+      this->Data.Graded = SizeTree<2>([this](const Point<2>& x) { return this->Data.Sampled(x); },
         mayJump, std::move(places), bounds, this->Options.Gradation, pulse);
     }
     return !this->Stage.HasStopped();

@@ -4,7 +4,7 @@
 #ifndef BitingTriangleBuckets_h
 #define BitingTriangleBuckets_h
 
-#include "../Base/Box2.h"
+#include "../Base/Box.h"
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
 

@@ -111,7 +111,7 @@ TriangleInterpolator::TriangleInterpolator(
     this->Buckets = std::make_unique<TriangleBuckets>(this->Triangles->Points, this->Corners, own);
   };
   const auto makeBorder = [this](Pulse& own)
-  { this->Border = BorderTree(FindBorder(*this->Triangles, this->Corners, own), own); };
+  { this->Border = BoxTree<BorderEdge>(FindBorder(*this->Triangles, this->Corners, own), own); };
   DoEach(pulse, { makeBuckets, makeBorder });
 }
 
@@ -168,10 +168,10 @@ double TriangleInterpolator::ValueOutside(const Point2& x) const
       nearest = found.Distance < nearest.Distance ? found : nearest;
     }
   }
-  return this->Border.Nearest(x, { nearest.Distance / NearerThanRounding, nearest.Value }).Value;
+  return Nearest(this->Border, x, { nearest.Distance / NearerThanRounding, nearest.Value }).Value;
 }
 
-Source<2>::Sample TriangleInterpolator::At(const Place<2>& x) const
+Source<2>::Sample TriangleInterpolator::At(const Point<2>& x) const
 {
   const Point2 place{ x[0], x[1] };
   const std::optional<double> value = this->FindValue(place, this->HasOverlaps());

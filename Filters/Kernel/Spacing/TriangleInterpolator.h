@@ -4,7 +4,7 @@
 #ifndef BitingTriangleInterpolator_h
 #define BitingTriangleInterpolator_h
 
-#include "BorderTree.h"
+#include "BorderEdge.h"
 #include "Source.h"
 #include "Spacing.h"
 #include "TriangleBuckets.h"
@@ -35,12 +35,12 @@ public:
 
   double operator()(const Point2& x) const;
 
-  Sample At(const Place<2>& x) const override;
+  Sample At(const Point<2>& x) const override;
   std::vector<LowPlace<2>> LowPlaces(
     double slope, const ValueRange& range, Pulse& pulse) const override;
   bool MayJumpOutside() const override { return !this->Triangles->CoversDomain; }
 
-  const std::vector<BorderEdge>& BorderEdges() const { return this->Border.AllEdges(); }
+  const std::vector<BorderEdge>& BorderEdges() const { return this->Border.Items(); }
 
 private:
   std::optional<double> FindValue(const Point2& x, bool isLeast) const;
@@ -62,7 +62,7 @@ private:
   std::shared_ptr<const TriangulatedSource> Triangles;
   std::vector<Id> Corners; ///< three a triangle that is a source, counterclockwise
   std::unique_ptr<TriangleBuckets> Buckets;
-  BorderTree Border;
+  BoxTree<BorderEdge> Border;
 };
 
 } // namespace biting

@@ -6,7 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Monitor.h"
-#include "../Base/Point2.h"
+#include "../Base/Point.h"
 #include "../Domain/Domain.h"
 
 #include <string> // for the violation

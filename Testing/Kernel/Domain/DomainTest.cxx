@@ -112,7 +112,7 @@ TEST(Domain, SaysThatLoopsDrawnTwiceBoundNothing)
   const Problem& refusal = twice.Problems.Groups().back().First.front();
   ASSERT_EQ(refusal.Code, ProblemCode::NoClosedLoop);
   EXPECT_TRUE(refusal.Ids.empty());
-  EXPECT_EQ(refusal.Place, (Point2{ 2, 3 }));
+  EXPECT_EQ(refusal.Place, (Point3{ 2, 3, 0 }));
   EXPECT_EQ(refusal.Detail.substr(0, 20), "4 boundary segments ");
 }
 
@@ -130,7 +130,7 @@ TEST(Domain, SaysThatAllSegmentsHaveLengthZero)
   const MadeDomain point = Make(PolylineBuilder().Loop({ { 5, 6 }, { 5, 6 }, { 5, 6 } }));
   const Problem& refusal = point.Problems.Groups().back().First.front();
   ASSERT_EQ(refusal.Code, ProblemCode::NoClosedLoop);
-  EXPECT_EQ(refusal.Place, (Point2{ 5, 6 }));
+  EXPECT_EQ(refusal.Place, (Point3{ 5, 6, 0 }));
   EXPECT_EQ(refusal.Detail, "all segments have length 0, the first of them");
 }
 
@@ -141,13 +141,13 @@ TEST(Domain, NamesTheFirstInterfaceOrPointByPlaceWhereThereIsNothingElse)
   const Problem interfaces = refusalOf(
     PolylineBuilder().Box(2, 3, 4, 5, ChainKind::Interface).Box(6, 7, 8, 9, ChainKind::Interface));
   ASSERT_EQ(interfaces.Code, ProblemCode::NoClosedLoop);
-  EXPECT_EQ(interfaces.Place, (Point2{ 2, 3 }));
+  EXPECT_EQ(interfaces.Place, (Point3{ 2, 3, 0 }));
   EXPECT_EQ(interfaces.Detail, "there are interfaces only, the first of cell 0");
   const Problem points = refusalOf(PolylineBuilder()
                                      .Chain({ { 4, 5 } }, ChainKind::EmbeddedPoint)
                                      .Chain({ { 2, 3 } }, ChainKind::EmbeddedPoint));
   ASSERT_EQ(points.Code, ProblemCode::NoClosedLoop);
-  EXPECT_EQ(points.Place, (Point2{ 2, 3 }));
+  EXPECT_EQ(points.Place, (Point3{ 2, 3, 0 }));
   EXPECT_EQ(points.Detail, "there are embedded points only, the first of them point 1");
 }
 

@@ -99,7 +99,7 @@ TEST(ResolutionReport, HasTheFirstRoundOnly)
   EXPECT_EQ(problems.Count(ProblemCode::Crossings), 1);
   const Problem& first = problems.Groups().front().First.front();
   EXPECT_EQ(first.Ids, (std::vector<std::int64_t>{ 5, 7 })) << "cells, ascending";
-  EXPECT_EQ(first.Place, (Point2{ 1.0, 1.0 }));
+  EXPECT_EQ(first.Place, (Point3{ 1.0, 1.0, 0 }));
 }
 
 TEST(ResolutionReport, RefusesWithThePlaceOfTheFirstDefect)
@@ -116,7 +116,7 @@ TEST(ResolutionReport, RefusesWithThePlaceOfTheFirstDefect)
   found.Splits = { { 0, 4 } };
   report.AddRound(found, pulse);
   EXPECT_FALSE(report.Refuse(ProblemCode::NotResolved));
-  EXPECT_EQ(problems.Groups().back().First.front().Place, (Point2{ 1.0, 1.0 }));
+  EXPECT_EQ(problems.Groups().back().First.front().Place, (Point3{ 1.0, 1.0, 0 }));
 }
 
 TEST(ResolutionReport, RefusesWithThePlaceOfTheLastRoundWhereTheFirstHadNothingToSay)
@@ -131,7 +131,7 @@ TEST(ResolutionReport, RefusesWithThePlaceOfTheLastRoundWhereTheFirstHadNothingT
   report.AddRound(found, pulse);
   EXPECT_FALSE(report.HasDefect());
   EXPECT_FALSE(report.Refuse(ProblemCode::NotResolved));
-  EXPECT_EQ(problems.Groups().back().First.front().Place, cross.Vertices[4]);
+  EXPECT_EQ(problems.Groups().back().First.front().Place, Point3(cross.Vertices[4]));
 }
 
 } // namespace biting

@@ -37,7 +37,7 @@ TEST(Notes, AnAngleBelowAHundredthOfADegreeIsMeshedAndToldOf)
   EXPECT_EQ(run.Error(), "");
   EXPECT_NEAR(Area(run.Mesh), 0.5e-4, 1e-12);
   ASSERT_EQ(run.Problems.Count(ProblemCode::NarrowAngles), 1);
-  EXPECT_EQ(run.Problems.Groups().front().First.front().Place, (Point2{ 0, 0 }));
+  EXPECT_EQ(run.Problems.Groups().front().First.front().Place, (Point3{ 0, 0, 0 }));
 }
 
 TEST(Notes, AWiderAngleIsNotToldOf)

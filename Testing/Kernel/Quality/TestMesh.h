@@ -6,7 +6,7 @@
 
 #include "../Support/Dice.h"
 #include "Base/Ids.h"
-#include "Base/Point2.h"
+#include "Base/Point.h"
 #include "Predicates/Predicates.h"
 
 #include <cstdint>    // for seeds

@@ -27,7 +27,7 @@ Workshop SingleTriangle(double length)
 }
 
 /// A square of which each side is `length` spacings long, with parts of at most two of them.
-RawMesh Box(double length)
+RawMesh BoxMesh(double length)
 {
   return RawMesh(
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), UniformSpacing(1.0 / length), 0.7, 200);
@@ -136,7 +136,7 @@ TEST(SegmentParts, OfRelaxedSquaresAreMostlyInTheBand)
   Id outside = 0;
   for (double length = 0.8; length < 12.0; length *= 1.07)
   {
-    RawMesh raw = Box(length);
+    RawMesh raw = BoxMesh(length);
     raw.Relax();
     for (const double part : LengthsOfParts(Workshop(std::move(raw)).Mesh))
     {

@@ -98,8 +98,8 @@ TEST(FillHoles, GivesEachHoleTheValueOfANearestNode)
   const auto filled = FillHoles(Share(grid));
   const auto distance = [&grid](std::size_t a, std::size_t b)
   {
-    return Distance(
-      { grid.XNodes[a % 23], grid.YNodes[a / 23] }, { grid.XNodes[b % 23], grid.YNodes[b / 23] });
+    return Distance(Point2{ grid.XNodes[a % 23], grid.YNodes[a / 23] },
+      Point2{ grid.XNodes[b % 23], grid.YNodes[b / 23] });
   };
   for (std::size_t node = 0; node < grid.Values.size(); ++node)
   {

@@ -24,7 +24,7 @@ Orthtree<2> TreeOf(const Box2& box)
 
 Box2 BoxOf(const Cube& square)
 {
-  const Place<2> high = square.At({ 1.0, 1.0 });
+  const Point<2> high = square.At({ 1.0, 1.0 });
   return { { square.Low[0], square.Low[1] }, { high[0], high[1] } };
 }
 

@@ -19,7 +19,7 @@ namespace
 
 using namespace biting;
 
-using Field3 = std::function<double(const Place<3>&)>;
+using Field3 = std::function<double(const Point<3>&)>;
 
 constexpr ValueRange AnyValue{ 1.0, 0.0, 1e9 };
 
@@ -37,10 +37,10 @@ public:
     }
   }
 
-  Sample At(const Place<3>& x) const override
+  Sample At(const Point<3>& x) const override
   {
     Axes low{};
-    Place<3> shares{};
+    Point<3> shares{};
     for (std::size_t d = 0; d < 3; ++d)
     {
       const double unit = std::min(std::max(x[d], 0.0), 1.0) * this->Cells;
@@ -75,7 +75,7 @@ private:
     const int nodes = this->Cells + 1;
     return { node % nodes, node / nodes % nodes, node / nodes / nodes };
   }
-  Place<3> PlaceOf(const Axes& axes) const
+  Point<3> PlaceOf(const Axes& axes) const
   {
     const double step = 1.0 / this->Cells;
     return { step * axes[0], step * axes[1], step * axes[2] };
@@ -98,7 +98,7 @@ private:
     const int parts = std::max(1, static_cast<int>(std::ceil(1.0 / (0.4 * least * this->Cells))));
     for (int k = 0; k < (parts + 1) * (parts + 1) * (parts + 1); ++k)
     {
-      Place<3> place = this->PlaceOf(low);
+      Point<3> place = this->PlaceOf(low);
       int rest = k;
       for (double& coordinate : place)
       {
@@ -108,7 +108,7 @@ private:
       places.push_back({ place, range(this->At(place).Value) });
     }
   }
-  double Trilinear(const Axes& low, const Place<3>& shares) const
+  double Trilinear(const Axes& low, const Point<3>& shares) const
   {
     double value = 0.0;
     for (int corner = 0; corner < 8; ++corner)
@@ -124,7 +124,7 @@ private:
     return value;
   }
   /// The tetrahedron goes from corner 0 to 7 along the axes, the largest share first.
-  double OnTetrahedra(const Axes& low, const Place<3>& shares) const
+  double OnTetrahedra(const Axes& low, const Point<3>& shares) const
   {
     std::array<std::size_t, 3> order{ 0, 1, 2 };
     std::sort(order.begin(), order.end(),
@@ -170,15 +170,15 @@ struct Case3
 std::vector<Case3> Cases3(int nodes)
 {
   Sampler sampler(3);
-  const auto noise = [&sampler](const Place<3>&) { return 0.1 * std::exp(2.0 * sampler.Next()); };
+  const auto noise = [&sampler](const Point<3>&) { return 0.1 * std::exp(2.0 * sampler.Next()); };
   const auto around = [](double slope)
   {
-    return [slope](const Place<3>& x) {
+    return [slope](const Point<3>& x) {
       return 0.03 + slope * std::max(Distance<3>(x, { 0.5, 0.5, 0.5 }) - 0.05, 0.0);
     };
   };
-  const auto jump = [](const Place<3>& x) { return x[0] + 0.3 * x[1] < 0.5 ? 0.04 : 0.4; };
-  const auto low = [](const Place<3>& x) {
+  const auto jump = [](const Point<3>& x) { return x[0] + 0.3 * x[1] < 0.5 ? 0.04 : 0.4; };
+  const auto low = [](const Point<3>& x) {
     return Distance<3>(x, { 0.5, 0.5, 0.5 }) < 0.1 ? 0.02 : 1.0;
   };
   return { { "gentle", Volume(nodes, false, around(0.9 * Gradation)), 1 },
@@ -193,12 +193,12 @@ SizeTree<3> TreeOf3(const Volume& given, std::vector<LowPlace<3>>& places)
   SilentMonitor monitor;
   Pulse pulse(monitor);
   places = given.LowPlaces(1.02 * Gradation, AnyValue, pulse);
-  return { [&given](const Place<3>& x) { return given.At(x); }, false, places,
+  return { [&given](const Point<3>& x) { return given.At(x); }, false, places,
     { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } }, Gradation, pulse };
 }
 
 /// min over many places y of given(y) + g |x - y|.
-double Limit3(const Case3& test, int nodes, const Place<3>& x)
+double Limit3(const Case3& test, int nodes, const Point<3>& x)
 {
   const int steps = (nodes - 1) * test.Parts;
   double least = test.Given.At(x).Value;
@@ -208,7 +208,7 @@ double Limit3(const Case3& test, int nodes, const Place<3>& x)
     {
       for (int i = 0; i <= steps; ++i)
       {
-        const Place<3> y{ i / static_cast<double>(steps), j / static_cast<double>(steps),
+        const Point<3> y{ i / static_cast<double>(steps), j / static_cast<double>(steps),
           k / static_cast<double>(steps) };
         const double growth = Gradation * Distance<3>(x, y);
         least = growth < least ? std::min(least, test.Given.At(y).Value + growth) : least;
@@ -232,7 +232,7 @@ TEST(SizeTree, IsTheLargestFunctionBelowVolumesAndTetrahedra)
     std::vector<double> errors;
     for (int probe = 0; probe < 50; ++probe)
     {
-      const Place<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
+      const Point<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
       const double f = tree(x, test.Given.At(x).Value);
       errors.push_back(std::abs(f / Limit3(test, nodes, x) - 1.0));
     }
@@ -244,14 +244,14 @@ TEST(SizeTree, IsTheLargestFunctionBelowVolumesAndTetrahedra)
 
 TEST(SizeTree, ChangesNothingInAVolumeThatIsNowhereSteep)
 {
-  const Volume given(17, false, [](const Place<3>& x) { return 0.1 + 0.1 * x[0] + 0.2 * x[2]; });
+  const Volume given(17, false, [](const Point<3>& x) { return 0.1 + 0.1 * x[0] + 0.2 * x[2]; });
   std::vector<LowPlace<3>> places;
   const SizeTree<3> tree = TreeOf3(given, places);
   EXPECT_TRUE(places.empty());
   Sampler sampler(6);
   for (int probe = 0; probe < 1000; ++probe)
   {
-    const Place<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
+    const Point<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
     EXPECT_EQ(tree(x, given.At(x).Value), given.At(x).Value);
   }
 }

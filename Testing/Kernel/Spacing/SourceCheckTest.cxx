@@ -45,7 +45,7 @@ void ExpectRefusedValue(
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems.front().Detail, detail);
   EXPECT_EQ(problems.front().Ids, std::vector<std::int64_t>{ id });
-  EXPECT_EQ(problems.front().Place, place);
+  EXPECT_EQ(problems.front().Place, Point3(place));
 }
 
 } // namespace

@@ -4,27 +4,25 @@
 #ifndef BitingBoxTree_h
 #define BitingBoxTree_h
 
-#include "../Base/Box2.h"
-#include "../Base/Ids.h"
-#include "../Base/Numbers.h"
-#include "../Base/Pulse.h"
-#include "../Base/Tasks.h"
+#include "Box.h"
+#include "Ids.h"
+#include "Numbers.h"
+#include "Pulse.h"
+#include "Tasks.h"
 
 #include <algorithm> // for nth_element, sort
-#include <utility>   // for swap, pairs
+#include <utility>   // for swap
 #include <vector>    // for the arrays
 
 namespace biting
 {
 
-/// Branch and bound over many items: each lies in item.Box(), and its cost at x is at least
-/// item.Least() plus slope times the distance from x to the box; and which of them meet a box. A
-/// balanced binary tree of boxes; the cost of a search is logarithmic in ordinary cases. Items that
-/// lead along item.Along(), if that is not 0, are split by their directions, too, where they are
-/// about as long as the box of a node: for those whose searches know more than boxes. Built on
-/// the threads of the pulse's monitor, level by level, then by subtrees; it does not depend on how
-/// many these are.
-template <typename Item>
+/// Branch and bound over many items of the plane or of space: each lies in item.Box(), and its cost
+/// at x is at least item.Least() plus slope times the distance from x to the box; and which of them
+/// meet a box. A balanced binary tree of boxes; the cost of a search is logarithmic in ordinary
+/// cases. Built on the threads of the pulse's monitor, level by level, then by subtrees; it does
+/// not depend on how many these are.
+template <typename Item, std::size_t D = 2>
 class BoxTree
 {
 public:
@@ -40,40 +38,18 @@ public:
   /// Calls visit(item, limit) for all items whose cost at x may be below `limit`, likely ones
   /// first. Each call returns the limit from then on.
   template <typename Visit>
-  void Search(const Point2& x, double slope, double limit, Visit visit) const
-  {
-    this->Search(x, slope, limit, visit, [](Id) { return -Infinity; });
-  }
-
-  /// The same, where more is known of nodes than their boxes: the cost there is at least
-  /// leastIn(node), which is asked where the box does not tell enough.
-  template <typename Visit, typename LeastIn>
-  void Search(
-    const Point2& x, double slope, double limit, Visit visit, const LeastIn& leastIn) const
+  void Search(const Point<D>& x, double slope, double limit, Visit visit) const
   {
     if (!this->Nodes.empty())
     {
-      this->SearchBelow(0, this->Nodes.front().Bound(x, slope), x, slope, limit, visit, leastIn);
+      this->SearchBelow(0, this->Nodes.front().Bound(x, slope), x, slope, limit, visit);
     }
   }
-
-  /// Calls visit(node, first, last) for each node of the tree, which has Items [first, last).
-  template <typename Visit>
-  void ForEachNode(Visit visit) const
-  {
-    if (!this->Nodes.empty())
-    {
-      this->VisitBelow(0, visit);
-    }
-  }
-
-  /// They are numbered from 0 on.
-  std::size_t NumberOfNodes() const { return this->Nodes.size(); }
 
   /// Whether `isSo` holds for all items whose boxes meet `box`: asks in the order of the tree,
   /// until one says no.
   template <typename Question>
-  bool AllOf(const Box2& box, const Question& isSo) const
+  bool AllOf(const biting::Box<D>& box, const Question& isSo) const
   {
     return this->Nodes.empty() || this->AllBelow(this->Nodes.front(), box, isSo);
   }
@@ -87,49 +63,22 @@ private:
   /// What there is to know of an item when the tree is built.
   struct Entry
   {
-    Box2 Box;
+    biting::Box<D> Box;
     double Least;
     Id Number;
-    Point2 Along;
-  };
-
-  /// By what a node is split.
-  struct Order
-  {
-    Point2 Axis; ///< of length 1
-    bool IsOfSlopes = false;
-
-    /// Twice the middle of an entry's box, along the axis; or twice the sine of the angle from the
-    /// axis to the entry.
-    double Key(const Entry& entry) const
-    {
-      if (!this->IsOfSlopes)
-      {
-        return Dot(this->Axis, entry.Box.Low + entry.Box.High);
-      }
-      const double length = Length(entry.Along);
-      const double ahead = Dot(this->Axis, entry.Along) < 0.0 ? -length : length;
-      return length > 0.0 ? 2.0 * Cross(this->Axis, entry.Along) / ahead : 0.0;
-    }
   };
 
   /// Leaf: items [First, First + Count). Otherwise the children are nodes First and First + 1.
   struct Node
   {
-    Box2 Box;
+    biting::Box<D> Box;
     double Least = Infinity;
     Id First = 0;
     Id Count = 0;
 
-    double Bound(const Point2& x, double slope) const
+    double Bound(const Point<D>& x, double slope) const
     {
-      const double left = this->Box.Low.X - x.X;
-      const double right = x.X - this->Box.High.X;
-      const double below = this->Box.Low.Y - x.Y;
-      const double above = x.Y - this->Box.High.Y;
-      const double across = std::max(std::max(left, right), 0.0);
-      const double along = std::max(std::max(below, above), 0.0);
-      return this->Least + slope * Length({ across, along });
+      return this->Least + slope * this->Box.DistanceTo(x);
     }
   };
 
@@ -143,21 +92,17 @@ private:
     Id Middle() const { return this->First + (this->Last - this->First) / 2; }
   };
 
-  template <typename Visit, typename LeastIn>
-  void SearchBelow(Id id, double bound, const Point2& x, double slope, double& limit, Visit& visit,
-    const LeastIn& leastIn) const;
   template <typename Visit>
-  std::pair<Id, Id> VisitBelow(Id id, Visit& visit) const;
+  void SearchBelow(
+    Id id, double bound, const Point<D>& x, double slope, double& limit, Visit& visit) const;
   template <typename Question>
-  bool AllBelow(const Node& node, const Box2& box, const Question& isSo) const;
+  bool AllBelow(const Node& node, const biting::Box<D>& box, const Question& isSo) const;
   void Build(std::vector<Entry>& entries, Pulse& pulse);
   std::vector<Branch> SplitAll(
     const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse);
   void Graft(const Branch& branch, const std::vector<Node>& nodes);
   static Node Enclose(const Branch& branch, const std::vector<Entry>& entries);
-  static Order ChooseOrder(
-    const Branch& branch, const Box2& box, const std::vector<Entry>& entries);
-  static void Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries);
+  static void Halve(const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries);
   static void BuildBelow(
     const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse);
 
@@ -165,8 +110,8 @@ private:
   std::vector<Node> Nodes;
 };
 
-template <typename Item>
-BoxTree<Item>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
+template <typename Item, std::size_t D>
+BoxTree<Item, D>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
 {
   if (items.empty())
   {
@@ -176,7 +121,7 @@ BoxTree<Item>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
   std::vector<Entry> entries(items.size());
   ForEachAtOnce(pulse, items.size(),
     [&items, &entries](std::size_t i) {
-      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i), items[i].Along() };
+      entries[i] = { items[i].Box(), items[i].Least(), static_cast<Id>(i) };
     });
   this->Build(entries, pulse);
   this->Ordered = items;
@@ -190,8 +135,8 @@ BoxTree<Item>::BoxTree(const std::vector<Item>& items, Pulse& pulse)
   }
 }
 
-template <typename Item>
-void BoxTree<Item>::Build(std::vector<Entry>& entries, Pulse& pulse)
+template <typename Item, std::size_t D>
+void BoxTree<Item, D>::Build(std::vector<Entry>& entries, Pulse& pulse)
 {
   this->Nodes.resize(1);
   std::vector<Branch> branches{ { 0, 0, static_cast<Id>(entries.size()) } };
@@ -215,8 +160,8 @@ void BoxTree<Item>::Build(std::vector<Entry>& entries, Pulse& pulse)
 
 /// Makes the nodes of the branches; returns those below them. The last of each level is the
 /// largest.
-template <typename Item>
-std::vector<typename BoxTree<Item>::Branch> BoxTree<Item>::SplitAll(
+template <typename Item, std::size_t D>
+std::vector<typename BoxTree<Item, D>::Branch> BoxTree<Item, D>::SplitAll(
   const std::vector<Branch>& branches, std::vector<Entry>& entries, Pulse& pulse)
 {
   const auto firstChild = static_cast<Id>(this->Nodes.size());
@@ -241,8 +186,8 @@ std::vector<typename BoxTree<Item>::Branch> BoxTree<Item>::SplitAll(
 }
 
 /// Takes the nodes of a subtree over, the first as that of the branch.
-template <typename Item>
-void BoxTree<Item>::Graft(const Branch& branch, const std::vector<Node>& nodes)
+template <typename Item, std::size_t D>
+void BoxTree<Item, D>::Graft(const Branch& branch, const std::vector<Node>& nodes)
 {
   const auto shift = static_cast<Id>(this->Nodes.size()) - 1;
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -261,8 +206,8 @@ void BoxTree<Item>::Graft(const Branch& branch, const std::vector<Node>& nodes)
 }
 
 /// As a leaf.
-template <typename Item>
-typename BoxTree<Item>::Node BoxTree<Item>::Enclose(
+template <typename Item, std::size_t D>
+typename BoxTree<Item, D>::Node BoxTree<Item, D>::Enclose(
   const Branch& branch, const std::vector<Entry>& entries)
 {
   Node node;
@@ -277,66 +222,28 @@ typename BoxTree<Item>::Node BoxTree<Item>::Enclose(
   return node;
 }
 
-/// Across the longer side of the box. Where items are about as long as that their boxes overlap
-/// however they are split: there the two halves shall be narrow, seen along the longest item.
-template <typename Item>
-typename BoxTree<Item>::Order BoxTree<Item>::ChooseOrder(
-  const Branch& branch, const Box2& box, const std::vector<Entry>& entries)
+/// Across the longest side of the box.
+template <typename Item, std::size_t D>
+void BoxTree<Item, D>::Halve(
+  const Branch& branch, const biting::Box<D>& box, std::vector<Entry>& entries)
 {
-  constexpr double LengthOfLong = 0.6;
-  const auto begin = entries.begin() + branch.First;
-  const auto end = entries.begin() + branch.Last;
-  Point2 longest;
-  double sum = 0.0;
-  for (auto entry = begin; entry < end; ++entry)
+  std::size_t axis = D - 1;
+  for (std::size_t d = D - 1; d-- > 0;)
   {
-    sum += Length(entry->Along);
-    longest = Dot(longest, longest) < Dot(entry->Along, entry->Along) ? entry->Along : longest;
+    axis = box.Size(d) > box.Size(axis) ? d : axis;
   }
-  if (sum <= LengthOfLong * (branch.Last - branch.First) * std::max(box.Width(), box.Height()))
-  {
-    return { box.Width() > box.Height() ? Point2{ 1.0, 0.0 } : Point2{ 0.0, 1.0 } };
-  }
-  const auto rangeOf = [begin, end](const Order& order)
-  {
-    double low = Infinity;
-    double high = -Infinity;
-    for (auto entry = begin; entry < end; ++entry)
-    {
-      low = std::min(low, order.Key(*entry));
-      high = std::max(high, order.Key(*entry));
-    }
-    return high - low;
-  };
-  const double length = Length(longest);
-  const Order along{ (1.0 / length) * longest };
-  const Order across{ Perpendicular(along.Axis) };
-  const Order slope{ along.Axis, true };
-  const double width = rangeOf(across);
-  const double turn = 0.5 * length * rangeOf(slope);
-  if (rangeOf(along) - length > std::max(width, turn))
-  {
-    return along;
-  }
-  return width > turn ? across : slope;
-}
-
-template <typename Item>
-void BoxTree<Item>::Halve(const Branch& branch, const Box2& box, std::vector<Entry>& entries)
-{
-  const Order order = ChooseOrder(branch, box, entries);
   const auto begin = entries.begin();
   std::nth_element(begin + branch.First, begin + branch.Middle(), begin + branch.Last,
-    [order](const Entry& a, const Entry& b)
+    [axis](const Entry& a, const Entry& b)
     {
-      const double keyA = order.Key(a);
-      const double keyB = order.Key(b);
+      const double keyA = a.Box.Low[axis] + a.Box.High[axis];
+      const double keyB = b.Box.Low[axis] + b.Box.High[axis];
       return keyA < keyB || (keyA == keyB && a.Number < b.Number);
     });
 }
 
-template <typename Item>
-void BoxTree<Item>::BuildBelow(
+template <typename Item, std::size_t D>
+void BoxTree<Item, D>::BuildBelow(
   const Branch& branch, std::vector<Entry>& entries, std::vector<Node>& nodes, Pulse& pulse)
 {
   if (!pulse.Beat(4 * static_cast<std::size_t>(branch.Last - branch.First)))
@@ -361,10 +268,10 @@ void BoxTree<Item>::BuildBelow(
   nodes[static_cast<std::size_t>(branch.Node)] = node;
 }
 
-template <typename Item>
-template <typename Visit, typename LeastIn>
-void BoxTree<Item>::SearchBelow(Id id, double bound, const Point2& x, double slope, double& limit,
-  Visit& visit, const LeastIn& leastIn) const
+template <typename Item, std::size_t D>
+template <typename Visit>
+void BoxTree<Item, D>::SearchBelow(
+  Id id, double bound, const Point<D>& x, double slope, double& limit, Visit& visit) const
 {
   const Node& node = this->Nodes[static_cast<std::size_t>(id)];
   for (Id k = 0; k < node.Count && bound < limit; ++k)
@@ -375,40 +282,22 @@ void BoxTree<Item>::SearchBelow(Id id, double bound, const Point2& x, double slo
   {
     Id near = node.First;
     Id far = near + 1;
-    const auto boundOf = [this, &x, slope, limit, &leastIn](Id child)
-    {
-      const double least = this->Nodes[static_cast<std::size_t>(child)].Bound(x, slope);
-      return least < limit ? std::max(least, leastIn(child)) : least;
-    };
-    double nearBound = boundOf(near);
-    double farBound = boundOf(far);
+    double nearBound = this->Nodes[static_cast<std::size_t>(near)].Bound(x, slope);
+    double farBound = this->Nodes[static_cast<std::size_t>(far)].Bound(x, slope);
     if (farBound < nearBound)
     {
       std::swap(near, far);
       std::swap(nearBound, farBound);
     }
-    this->SearchBelow(near, nearBound, x, slope, limit, visit, leastIn);
-    this->SearchBelow(far, farBound, x, slope, limit, visit, leastIn);
+    this->SearchBelow(near, nearBound, x, slope, limit, visit);
+    this->SearchBelow(far, farBound, x, slope, limit, visit);
   }
 }
 
-/// Returns its items.
-template <typename Item>
-template <typename Visit>
-std::pair<Id, Id> BoxTree<Item>::VisitBelow(Id id, Visit& visit) const
-{
-  const Node& node = this->Nodes[static_cast<std::size_t>(id)];
-  const std::pair<Id, Id> items = node.Count > 0
-    ? std::make_pair(node.First, node.First + node.Count)
-    : std::make_pair(
-        this->VisitBelow(node.First, visit).first, this->VisitBelow(node.First + 1, visit).second);
-  visit(id, items.first, items.second);
-  return items;
-}
-
-template <typename Item>
+template <typename Item, std::size_t D>
 template <typename Question>
-bool BoxTree<Item>::AllBelow(const Node& node, const Box2& box, const Question& isSo) const
+bool BoxTree<Item, D>::AllBelow(
+  const Node& node, const biting::Box<D>& box, const Question& isSo) const
 {
   if (!node.Box.Meets(box))
   {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Spacing/BoxTree.h"
+#include "Base/BoxTree.h"
 
+#include "../Spacing/SpacingSources.h"
 #include "../Support/Monitors.h"
 #include "../Support/TestThreads.h"
-#include "SpacingSources.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,6 @@ struct Item
 
   const Box2& Box() const { return this->Place; }
   double Least() const { return this->Value; }
-  Point2 Along() const { return {}; }
 };
 
 std::vector<Item> MakeItems(int count)
