@@ -3,7 +3,7 @@
 
 #include "Base/BoxTree.h"
 
-#include "../Spacing/SpacingSources.h"
+#include "../Support/Dice.h"
 #include "../Support/Monitors.h"
 #include "../Support/TestThreads.h"
 
@@ -17,6 +17,14 @@ namespace
 
 using namespace biting;
 
+const Box2 UnitBox{ { 0.0, 0.0 }, { 1.0, 1.0 } };
+
+Point2 PlaceIn(const Box2& box, Dice& dice)
+{
+  const double u = dice.Unit();
+  return { box.Low.X + u * box.Width(), box.Low.Y + dice.Unit() * box.Height() };
+}
+
 struct Item
 {
   int Number;
@@ -29,13 +37,13 @@ struct Item
 
 std::vector<Item> MakeItems(int count)
 {
-  Sampler sampler(3);
+  Dice dice(3);
   std::vector<Item> items;
   for (int number = 0; number < count; ++number)
   {
-    const Point2 low = sampler.NextIn(UnitBox());
-    const Box2 place{ low, low + 0.05 * sampler.NextIn(UnitBox()) };
-    items.push_back({ number, place, 0.1 * sampler.Next() });
+    const Point2 low = PlaceIn(UnitBox, dice);
+    const Box2 place{ low, low + 0.05 * PlaceIn(UnitBox, dice) };
+    items.push_back({ number, place, 0.1 * dice.Unit() });
   }
   return items;
 }
@@ -63,10 +71,10 @@ TEST(BoxTree, FindsTheLeastCostWhereCostsAreNegative)
     item.Value -= 1.0;
   }
   const BoxTree<Item> tree = TreeOf(items);
-  Sampler sampler(8);
+  Dice dice(8);
   for (int probe = 0; probe < 100; ++probe)
   {
-    const Point2 x = sampler.NextIn(UnitBox());
+    const Point2 x = PlaceIn(UnitBox, dice);
     double least = Infinity;
     for (const Item& item : items)
     {
@@ -86,10 +94,10 @@ TEST(BoxTree, FindsTheItemOfTheLeastCost)
   {
     const std::vector<Item> items = MakeItems(count);
     const BoxTree<Item> tree = TreeOf(items);
-    Sampler sampler(4);
+    Dice dice(4);
     for (int probe = 0; probe < 300; ++probe)
     {
-      const Point2 x = sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } });
+      const Point2 x = PlaceIn({ { -1.0, -1.0 }, { 2.0, 2.0 } }, dice);
       double least = std::numeric_limits<double>::infinity();
       for (const Item& item : items)
       {
@@ -112,10 +120,10 @@ TEST(BoxTree, LooksAtFewItems)
   const std::vector<Item> items = MakeItems(20000);
   const BoxTree<Item> tree = TreeOf(items);
   int looks = 0;
-  Sampler sampler(5);
+  Dice dice(5);
   for (int probe = 0; probe < 100; ++probe)
   {
-    const Point2 x = sampler.NextIn(UnitBox());
+    const Point2 x = PlaceIn(UnitBox, dice);
     double found = 0.002;
     tree.Search(x, 1.0, found,
       [&](const Item& item, double)

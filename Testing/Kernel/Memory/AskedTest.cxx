@@ -21,15 +21,15 @@ constexpr double MostAVertex = 4.0;
 extern "C"
 {
   // NOLINTNEXTLINE(bugprone-reserved-identifier)
-  double __real__ZNK6biting7SpacingclERKNS_6Point2E(
+  double __real__ZNK6biting7SpacingclERKNS_5PointILm2EEE(
     const biting::Spacing* spacing, const biting::Point2& x);
 
   // NOLINTNEXTLINE(bugprone-reserved-identifier)
-  double __wrap__ZNK6biting7SpacingclERKNS_6Point2E(
+  double __wrap__ZNK6biting7SpacingclERKNS_5PointILm2EEE(
     const biting::Spacing* spacing, const biting::Point2& x)
   {
     ++numberOfQuestions;
-    return __real__ZNK6biting7SpacingclERKNS_6Point2E(spacing, x);
+    return __real__ZNK6biting7SpacingclERKNS_5PointILm2EEE(spacing, x);
   }
 }
 
