@@ -8,18 +8,12 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
-  Spacing/BorderEdge.cxx
-  Spacing/CellGradation.cxx
-  Spacing/ConeBranch.cxx
   Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
-  Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
+  Spacing/JumpsOutside.cxx
   Spacing/SegmentCone.cxx
-  Spacing/SizeCells.cxx
-  Spacing/SizeTree.cxx
   Spacing/SourceCheck.cxx
-  Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx

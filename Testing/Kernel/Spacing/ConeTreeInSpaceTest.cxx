@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In space, against the definition. In the plane: GradationTest.
+// The gradation in space by a tree of cones, against its definition. In the plane: GradationTest.
 
-#include "Spacing/SizeTree.h"
+#include "Spacing/ConeTree.h"
 
 #include "SpacingSources.h"
 
@@ -21,10 +21,8 @@ using namespace biting;
 
 using Field3 = std::function<double(const Point<3>&)>;
 
-constexpr ValueRange AnyValue{ 1.0, 0.0, 1e9 };
-
 /// Values on n x n x n nodes of the unit cube: trilinear, or linear on six tetrahedra a cell.
-class Volume : public Source<3>
+class Volume
 {
 public:
   Volume(int nodes, bool areTetrahedra, const Field3& field)
@@ -37,7 +35,7 @@ public:
     }
   }
 
-  Sample At(const Point<3>& x) const override
+  double operator()(const Point<3>& x) const
   {
     Axes low{};
     Point<3> shares{};
@@ -47,21 +45,20 @@ public:
       low[d] = std::min(static_cast<int>(unit), this->Cells - 1);
       shares[d] = unit - low[d];
     }
-    return { this->AreTetrahedra ? this->OnTetrahedra(low, shares) : this->Trilinear(low, shares),
-      true };
+    return this->AreTetrahedra ? this->OnTetrahedra(low, shares) : this->Trilinear(low, shares);
   }
 
-  std::vector<LowPlace<3>> LowPlaces(
-    double slope, const ValueRange& range, Pulse& /*pulse*/) const override
+  /// Points of steep cells.
+  std::vector<Cone<3>> LowPlaces(double slope) const
   {
-    std::vector<LowPlace<3>> places;
+    std::vector<Cone<3>> places;
     const int nodes = this->Cells + 1;
     for (int node = 0; node < nodes * nodes * nodes; ++node)
     {
       const Axes low = this->AxesOf(node);
       if (*std::max_element(low.begin(), low.end()) < this->Cells && this->IsSteep(low, slope))
       {
-        this->AddPlacesIn(low, range, places);
+        this->AddPlacesIn(low, places);
       }
     }
     return places;
@@ -87,8 +84,8 @@ private:
       nodes * (low[1] + ((corner >> 1) & 1) + nodes * (low[2] + (corner >> 2)));
     return this->Values[static_cast<std::size_t>(node)];
   }
-  /// A lattice as fine as .4 of the least value.
-  void AddPlacesIn(const Axes& low, const ValueRange& range, std::vector<LowPlace<3>>& places) const
+  /// A lattice as fine as .4 of the least value; within tetrahedra, too, as these have faces there.
+  void AddPlacesIn(const Axes& low, std::vector<Cone<3>>& places) const
   {
     double least = this->ValueAt(low, 0);
     for (int corner = 1; corner < 8; ++corner)
@@ -105,7 +102,8 @@ private:
         coordinate += rest % (parts + 1) / static_cast<double>(parts) / this->Cells;
         rest /= parts + 1;
       }
-      places.push_back({ place, range(this->At(place).Value) });
+      const double value = (*this)(place);
+      places.emplace_back(place, place, value, value, Gradation);
     }
   }
   double Trilinear(const Axes& low, const Point<3>& shares) const
@@ -188,20 +186,16 @@ std::vector<Case3> Cases3(int nodes)
     { "tetrahedra", Volume(nodes / 2, true, noise), 8 } };
 }
 
-SizeTree<3> TreeOf3(const Volume& given, std::vector<LowPlace<3>>& places)
+ConeTree<3> TreeOf3(const Volume& given)
 {
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  places = given.LowPlaces(1.02 * Gradation, AnyValue, pulse);
-  return { [&given](const Point<3>& x) { return given.At(x); }, false, places,
-    { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } }, Gradation, pulse };
+  return { given.LowPlaces(1.02 * Gradation), Gradation, { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } } };
 }
 
 /// min over many places y of given(y) + g |x - y|.
 double Limit3(const Case3& test, int nodes, const Point<3>& x)
 {
   const int steps = (nodes - 1) * test.Parts;
-  double least = test.Given.At(x).Value;
+  double least = test.Given(x);
   for (int k = 0; k <= steps; ++k)
   {
     for (int j = 0; j <= steps; ++j)
@@ -211,7 +205,7 @@ double Limit3(const Case3& test, int nodes, const Point<3>& x)
         const Point<3> y{ i / static_cast<double>(steps), j / static_cast<double>(steps),
           k / static_cast<double>(steps) };
         const double growth = Gradation * Distance<3>(x, y);
-        least = growth < least ? std::min(least, test.Given.At(y).Value + growth) : least;
+        least = growth < least ? std::min(least, test.Given(y) + growth) : least;
       }
     }
   }
@@ -220,20 +214,19 @@ double Limit3(const Case3& test, int nodes, const Point<3>& x)
 
 } // namespace
 
-TEST(SizeTree, IsTheLargestFunctionBelowVolumesAndTetrahedra)
+TEST(ConeTree, IsTheLargestFunctionBelowVolumesAndTetrahedra)
 {
   constexpr int Nodes = 9;
   for (const Case3& test : Cases3(Nodes))
   {
-    std::vector<LowPlace<3>> places;
-    const SizeTree<3> tree = TreeOf3(test.Given, places);
+    const ConeTree<3> tree = TreeOf3(test.Given);
     const int nodes = test.Name == "wide cells" ? 3 : test.Name == "tetrahedra" ? Nodes / 2 : Nodes;
     Sampler sampler(5);
     std::vector<double> errors;
     for (int probe = 0; probe < 50; ++probe)
     {
       const Point<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
-      const double f = tree(x, test.Given.At(x).Value);
+      const double f = std::min(test.Given(x), tree(x));
       errors.push_back(std::abs(f / Limit3(test, nodes, x) - 1.0));
     }
     std::sort(errors.begin(), errors.end());
@@ -242,16 +235,9 @@ TEST(SizeTree, IsTheLargestFunctionBelowVolumesAndTetrahedra)
   }
 }
 
-TEST(SizeTree, ChangesNothingInAVolumeThatIsNowhereSteep)
+TEST(ConeTree, IsInfiniteWhereThereAreNoCones)
 {
-  const Volume given(17, false, [](const Point<3>& x) { return 0.1 + 0.1 * x[0] + 0.2 * x[2]; });
-  std::vector<LowPlace<3>> places;
-  const SizeTree<3> tree = TreeOf3(given, places);
-  EXPECT_TRUE(places.empty());
-  Sampler sampler(6);
-  for (int probe = 0; probe < 1000; ++probe)
-  {
-    const Point<3> x{ sampler.Next(), sampler.Next(), sampler.Next() };
-    EXPECT_EQ(tree(x, given.At(x).Value), given.At(x).Value);
-  }
+  const Volume gentle(17, false, [](const Point<3>& x) { return 0.1 + 0.1 * x[0] + 0.2 * x[2]; });
+  EXPECT_TRUE(gentle.LowPlaces(1.02 * Gradation).empty());
+  EXPECT_EQ(TreeOf3(gentle)({ 0.3, 0.5, 0.2 }), std::numeric_limits<double>::infinity());
 }
