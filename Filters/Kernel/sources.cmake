@@ -30,7 +30,6 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
-  Domain/CollinearCrowds.cxx
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
@@ -43,6 +42,7 @@ set(biting_kernel_sources
   Domain/OpenOutlines.cxx
   Domain/PointWelding.cxx
   Domain/ResolutionReport.cxx
+  Domain/RuleBoundary.cxx
   Domain/SegmentSides.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx

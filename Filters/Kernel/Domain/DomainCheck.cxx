@@ -36,10 +36,7 @@ private:
   std::string Fan(Id vertex, const VertexStars& stars) const;
   std::string Turn(Id vertex, Id here, Id next) const;
   bool MeetsAnother(Id segment, const SegmentTree& tree) const;
-  const Point2& At(Id vertex) const
-  {
-    return this->Input.Vertices[static_cast<std::size_t>(vertex)];
-  }
+  const Point2& At(Id vertex) const { return this->Input.Vertices[vertex]; }
   bool IsLeftSeenFrom(Id vertex, Id segment, bool isLeft) const;
 
   const Domain& Input;
@@ -123,14 +120,14 @@ std::string Checker::Meetings() const
 
 bool Checker::MeetsAnother(Id segment, const SegmentTree& tree) const
 {
-  const SegmentEnds& a = this->Ends[static_cast<std::size_t>(segment)];
+  const SegmentEnds& a = this->Ends[segment];
   Box2 box;
   box.Add(this->At(a.Start));
   box.Add(this->At(a.End));
   bool isMet = false;
   const auto test = [this, &a, &isMet](Id other)
   {
-    const SegmentEnds& b = this->Ends[static_cast<std::size_t>(other)];
+    const SegmentEnds& b = this->Ends[other];
     isMet = isMet ||
       Meet(this->At(a.Start), this->At(a.End), this->At(b.Start), this->At(b.End)) != Meeting::None;
   };
@@ -144,14 +141,13 @@ std::string Checker::LoneVertices() const
   std::vector<std::uint8_t> isEnd(this->Input.Vertices.size(), 0);
   for (const SegmentEnds& ends : this->Ends)
   {
-    isEnd[static_cast<std::size_t>(ends.Start)] = 1;
-    isEnd[static_cast<std::size_t>(ends.End)] = 1;
+    isEnd[ends.Start] = 1;
+    isEnd[ends.End] = 1;
   }
   for (Id vertex = 0; vertex < this->Input.NumberOfVertices(); ++vertex)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    if ((this->Input.IsEmbedded[v] != 0) == (isEnd[v] != 0) ||
-      this->Input.IsEmbedded[v] > this->Input.HasPoint[v])
+    if ((this->Input.IsEmbedded[vertex] != 0) == (isEnd[vertex] != 0) ||
+      this->Input.IsEmbedded[vertex] > this->Input.HasPoint[vertex])
     {
       return Violation("embedded mark of vertex", vertex);
     }
@@ -160,7 +156,7 @@ std::string Checker::LoneVertices() const
     bool isMet = false;
     const auto test = [this, vertex, &isMet](Id segment)
     {
-      const SegmentEnds& ends = this->Ends[static_cast<std::size_t>(segment)];
+      const SegmentEnds& ends = this->Ends[segment];
       isMet = isMet || IsOnSegment(this->At(vertex), this->At(ends.Start), this->At(ends.End));
     };
     tree.Visit(place, { vertex, NoId }, test);
@@ -199,8 +195,8 @@ std::string Checker::Fan(Id vertex, const VertexStars& stars) const
 std::string Checker::Turn(Id vertex, Id here, Id next) const
 {
   const Point2& apex = this->At(vertex);
-  const Point2& a = this->At(OtherEnd(this->Ends[static_cast<std::size_t>(here)], vertex));
-  const Point2& b = this->At(OtherEnd(this->Ends[static_cast<std::size_t>(next)], vertex));
+  const Point2& a = this->At(OtherEnd(this->Ends[here], vertex));
+  const Point2& b = this->At(OtherEnd(this->Ends[next], vertex));
   if (here != next && Orient2D(apex, a, b) == 0 && (apex < a) == (apex < b))
   {
     return Violation("two segments overlap at vertex", vertex);

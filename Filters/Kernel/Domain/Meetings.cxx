@@ -46,10 +46,10 @@ struct FiledEdges
 class MeetingFinder
 {
 public:
-  MeetingFinder(const Arrangement& arrangement, const FiledEdges& edges,
-    const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
+  MeetingFinder(const Arrangement& arrangement, const FiledEdges& edges, std::size_t most,
+    Meetings& meetings, Pulse& pulse)
     : Input(arrangement)
-    , Limits(limits)
+    , Most(most)
     , Found(meetings)
     , Beats(pulse)
     , Edges(edges)
@@ -87,13 +87,10 @@ private:
   {
     this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
   }
-  const SegmentEnds& EndsOf(Id edge) const
-  {
-    return this->Edges.Ends[static_cast<std::size_t>(edge)];
-  }
+  const SegmentEnds& EndsOf(Id edge) const { return this->Edges.Ends[edge]; }
 
   const Arrangement& Input;
-  const MeetingLimits& Limits;
+  const std::size_t Most; ///< splits, and crossings
   Meetings& Found;
   Pulse& Beats;
   const FiledEdges& Edges;
@@ -104,13 +101,13 @@ private:
 bool MeetingFinder::HasRoomForCrossings()
 {
   const CrossingEstimate estimate =
-    EstimateCrossingsAbove(this->Limits.Crossings, this->Input, this->Edges.Tree, this->Beats);
+    EstimateCrossingsAbove(this->Most, this->Input, this->Edges.Tree, this->Beats);
   if (estimate.Count == 0.0)
   {
     return true;
   }
-  this->Found.HasTooManyCrossings = true;
-  this->Found.NumberOfCrossings = estimate.Count;
+  this->Found.AreTooMany = true;
+  this->Found.AboutHowMany = estimate.Count;
   this->Found.Crossings.push_back({ estimate.First, estimate.Second });
   return false;
 }
@@ -130,7 +127,7 @@ void MeetingFinder::TestEdges()
   std::atomic<std::size_t> splits{ 0 };
   std::atomic<std::size_t> crossings{ 0 };
   const auto areFew = [this, &splits, &crossings]
-  { return splits <= this->Limits.Splits && crossings <= this->Limits.Crossings; };
+  { return std::max<std::size_t>(splits, crossings) <= this->Most; };
   DoTasks(this->Beats, parts.size(),
     [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
       std::size_t k, Monitor& monitor)
@@ -159,7 +156,7 @@ void MeetingFinder::TestPart(const SegmentTree::PairPart& part,
   Monitor& monitor) const
 {
   Pulse own(monitor);
-  MeetingFinder finder(this->Input, this->Edges, this->Limits, found, own);
+  MeetingFinder finder(this->Input, this->Edges, this->Most, found, own);
   this->Edges.Tree.VisitPairsOf(part, isNew, newBefore, finder);
 }
 
@@ -179,10 +176,10 @@ void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
 bool MeetingFinder::GoesOn()
 {
   Meetings& found = this->Found;
-  found.HasTooManySplits = found.Splits.size() > this->Limits.Splits;
-  found.HasTooManyCrossings = found.Crossings.size() > this->Limits.Crossings;
-  found.NumberOfCrossings = static_cast<double>(found.Crossings.size());
-  return !found.HasTooManySplits && !found.HasTooManyCrossings && this->Beats.Beat();
+  const std::size_t count = std::max(found.Splits.size(), found.Crossings.size());
+  found.AreTooMany = count > this->Most;
+  found.AboutHowMany = static_cast<double>(count);
+  return !found.AreTooMany && this->Beats.Beat();
 }
 
 /// Two edges without a common end.
@@ -409,11 +406,11 @@ bool SortMeetings(Meetings& meetings, Pulse& pulse)
 } // namespace
 
 bool FindMeetings(
-  const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
+  const Arrangement& arrangement, std::size_t most, Meetings& meetings, Pulse& pulse)
 {
   meetings = Meetings();
   const FiledEdges edges(arrangement, pulse);
-  MeetingFinder finder(arrangement, edges, limits, meetings, pulse);
+  MeetingFinder finder(arrangement, edges, most, meetings, pulse);
   if (!finder.HasRoomForCrossings())
   {
     return true;
