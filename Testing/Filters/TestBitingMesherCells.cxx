@@ -181,6 +181,47 @@ TEST(BitingMesherCells, OfEqualValuesInTheRegionArrayAreOne)
   ExpectQuietArea(run, 2.0);
 }
 
+/// A square of side 4, and one of side 2 whose middle is its upper right corner.
+vtkSmartPointer<vtkUnstructuredGrid> OverlappingSquares()
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  for (const double low : { 0.0, 3.0 })
+  {
+    const double high = low > 0.0 ? 5.0 : 4.0;
+    points->InsertNextPoint(low, low, 0.0);
+    points->InsertNextPoint(high, low, 0.0);
+    points->InsertNextPoint(high, high, 0.0);
+    points->InsertNextPoint(low, high, 0.0);
+  }
+  grid->SetPoints(points);
+  const vtkIdType corners[] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  grid->InsertNextCell(VTK_QUAD, 4, corners);
+  grid->InsertNextCell(VTK_QUAD, 4, corners + 4);
+  return grid;
+}
+
+TEST(BitingMesherCells, AreOneDomainByEachRule)
+{
+  CellRun evenOdd(OverlappingSquares());
+  evenOdd.Update();
+  EXPECT_NEAR(evenOdd.Area(), 18.0, 1e-12);
+  ASSERT_EQ(evenOdd.Warnings.size(), 1u);
+  EXPECT_NE(evenOdd.Warnings.front().find("Domain Rule"), std::string::npos);
+  CellRun outer(OverlappingSquares());
+  outer.Mesher->SetDomainRuleToOuterMinusOthers();
+  ExpectQuietArea(outer, 15.0, 1);
+  CellRun whole(OverlappingSquares());
+  whole.Mesher->SetDomainRuleToUnion();
+  ExpectQuietArea(whole, 19.0, 2);
+  auto alike = OverlappingSquares();
+  AddValues<vtkDoubleArray, double>(alike, "material", { 1.0, 1.0 });
+  CellRun region(alike);
+  region.Mesher->SetDomainRuleToUnion();
+  region.Mesher->SetRegionArray("material");
+  ExpectQuietArea(region, 19.0, 1);
+}
+
 TEST(BitingMesherCells, RefuseARegionArrayThatIsNotThere)
 {
   CellRun run(TwoSquares());

@@ -153,10 +153,12 @@ void OverlapFinder::ReportSurfaces()
 {
   for (const Surface& surface : this->Surfaces)
   {
-    if (surface.MostCover > 0 && this->Beats.Beat(1))
+    const bool isHole = !this->LiesOnOthers(surface);
+    const bool isKnown = isHole && this->Problems.Has(ProblemCode::OverlappingCells);
+    if (surface.MostCover > 0 && !isKnown && this->Beats.Beat(1))
     {
-      this->Report(surface.Deepest,
-        this->LiesOnOthers(surface) ? ProblemCode::OverlappingCells : ProblemCode::NestedCells);
+      this->Report(
+        surface.Deepest, isHole ? ProblemCode::NestedCells : ProblemCode::OverlappingCells);
     }
   }
 }

@@ -104,7 +104,8 @@ struct DomainOptions
   std::function<double(const Point2&)> GivenSpacing;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
-  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.
+  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices. So is
+  /// one of which very many segments lie along one line: 1400 that all overlap are too many.
   std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 

@@ -28,6 +28,10 @@ namespace
 constexpr double ShareOfPreparing = 0.4;
 constexpr double ShareOfTesting = 0.5;
 
+/// With more splits many edges lie along one line: n of them that all overlap have n^2 / 2.
+constexpr std::size_t LeastSplits = 1000000;
+constexpr std::size_t SplitsOfEdge = 50;
+
 /// The edges of an arrangement, and how they are found.
 struct FiledEdges
 {
@@ -87,10 +91,14 @@ private:
   {
     this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
   }
+  bool AreTooMany(std::size_t splits, std::size_t crossings) const
+  {
+    return crossings > this->Most || splits > LeastSplits + SplitsOfEdge * this->Edges.Ends.size();
+  }
   const SegmentEnds& EndsOf(Id edge) const { return this->Edges.Ends[edge]; }
 
   const Arrangement& Input;
-  const std::size_t Most; ///< splits, and crossings
+  const std::size_t Most; ///< crossings
   Meetings& Found;
   Pulse& Beats;
   const FiledEdges& Edges;
@@ -126,8 +134,7 @@ void MeetingFinder::TestEdges()
   // Of the parts that are done: no more parts are begun where these are too many together.
   std::atomic<std::size_t> splits{ 0 };
   std::atomic<std::size_t> crossings{ 0 };
-  const auto areFew = [this, &splits, &crossings]
-  { return std::max<std::size_t>(splits, crossings) <= this->Most; };
+  const auto areFew = [this, &splits, &crossings] { return !this->AreTooMany(splits, crossings); };
   DoTasks(this->Beats, parts.size(),
     [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
       std::size_t k, Monitor& monitor)
@@ -176,9 +183,8 @@ void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
 bool MeetingFinder::GoesOn()
 {
   Meetings& found = this->Found;
-  const std::size_t count = std::max(found.Splits.size(), found.Crossings.size());
-  found.AreTooMany = count > this->Most;
-  found.AboutHowMany = static_cast<double>(count);
+  found.AreTooMany = this->AreTooMany(found.Splits.size(), found.Crossings.size());
+  found.AboutHowMany = static_cast<double>(std::max(found.Splits.size(), found.Crossings.size()));
   return !found.AreTooMany && this->Beats.Beat();
 }
 

@@ -92,7 +92,7 @@ bool AreOnOneLine(const Arrangement& arrangement)
 
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
 /// is.
-Problem NothingBounds(const Arrangement& arrangement)
+Problem NothingBounds(const Arrangement& arrangement, DomainRule rule)
 {
   Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
   Id cancelled = 0;
@@ -115,6 +115,11 @@ Problem NothingBounds(const Arrangement& arrangement)
   else
   {
     TellWhatThereIs(arrangement, problem);
+    const bool hasLoop = std::any_of(arrangement.Edges.begin(), arrangement.Edges.end(),
+      [](const ArrangementEdge& edge) { return !edge.HasLine(); });
+    problem.Detail = rule != DomainRule::EvenOdd && hasLoop
+      ? "the others cover all of the largest loop"
+      : problem.Detail;
   }
   return problem;
 }
@@ -314,7 +319,7 @@ double RefuseOpenDrawing(
   }
   if (ends.empty())
   {
-    problems.Add(NothingBounds(arrangement));
+    problems.Add(NothingBounds(arrangement, options.Rule));
   }
   return largest;
 }

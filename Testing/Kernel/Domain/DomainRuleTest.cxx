@@ -288,9 +288,11 @@ TEST(DomainRule, LeavesOpenChainsAsInterfaces)
 TEST(DomainRule, RefusesWhereNothingIsLeftOfTheLargestLoop)
 {
   PolylineBuilder builder;
-  builder.Box(0, 0, 4, 4).Box(-1, -1, 2.5, 5).Box(2, -1, 5, 5);
+  builder.Box(0, 0, 4, 4).Box(-1, -1, 2.1, 4.1).Box(2, -1, 5, 4.1);
   const MadeDomain made = MakeBy(DomainRule::OuterMinusOthers, builder.Lines());
-  EXPECT_EQ(made.Problems.Count(ProblemCode::NoClosedLoop), 1);
+  ASSERT_EQ(made.Problems.Count(ProblemCode::NoClosedLoop), 1);
+  EXPECT_EQ(made.Problems.Groups().front().First.front().Detail,
+    "the others cover all of the largest loop");
 }
 
 } // namespace

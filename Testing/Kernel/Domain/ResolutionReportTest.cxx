@@ -90,10 +90,8 @@ TEST(ResolutionReport, HasTheFirstRoundOnly)
   ResolutionReport report(cross, problems);
   Meetings found;
   found.Reports = { { ProblemCode::Crossings, 0, 1, NoId } };
-  EXPECT_TRUE(report.IsOfFirstRound());
   EXPECT_FALSE(report.HasDefect());
   report.AddRound(found, pulse);
-  EXPECT_FALSE(report.IsOfFirstRound());
   EXPECT_TRUE(report.HasDefect());
   report.AddRound(found, pulse);
   EXPECT_EQ(problems.Count(ProblemCode::Crossings), 1);
