@@ -26,16 +26,16 @@
  * and orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the
  * mesh.
  * @par
- * Only lines: closed chains bound the domain, by even-odd nesting or another DomainRule; open chains
- * are interfaces, which become edges of the mesh.
+ * Only lines: closed chains bound the domain, by even-odd nesting or another DomainRule; open
+ * chains are interfaces, which become edges of the mesh.
  * @par
  * Two-dimensional cells (triangles, strips, quads, pixels, polygons; quadratic ones with straight
  * sides through the points of their outline): the domain is the area that an odd number of them
- * covers, whatever their orientation, so that a polygon within a polygon is a hole, which a warning
- * tells; by another DomainRule it is what that says. Edges between
- * neighbors, also where they share a part of an edge only, are nothing, and points inside of the
- * surface are no vertices of the mesh; but edges are interfaces between cells that differ in
- * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where.
+ * covers, whatever their orientation, so that a polygon within a polygon is a hole; DomainRule has
+ * two other rules. Edges between neighbors, also where they share a part of an edge only, are
+ * nothing, and points inside of the surface are no vertices of the mesh; but edges are interfaces
+ * between cells that differ in RegionArray, or where KeepCellEdges is on. Where cells lie within
+ * others, or overlap in part, a warning says where.
  * Lines beside cells never count for the area: on edges of the domain they carry their tags,
  * elsewhere they are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a
  * volume are refused; apply Extract Surface, Slice or Feature Edges. Curved cells of higher order

@@ -35,7 +35,6 @@ set(biting_kernel_sources
   Domain/DomainCheck.cxx
   Domain/EndPairs.cxx
   Domain/EndSurroundings.cxx
-  Domain/MeetingReports.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
@@ -43,7 +42,6 @@ set(biting_kernel_sources
   Domain/PointWelding.cxx
   Domain/ResolutionReport.cxx
   Domain/RuleBoundary.cxx
-  Domain/SegmentSides.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
   Domain/SlantedBox.cxx

@@ -184,20 +184,10 @@ TEST(BitingMesherCells, OfEqualValuesInTheRegionArrayAreOne)
 /// A square of side 4, and one of side 2 whose middle is its upper right corner.
 vtkSmartPointer<vtkUnstructuredGrid> OverlappingSquares()
 {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  for (const double low : { 0.0, 3.0 })
-  {
-    const double high = low > 0.0 ? 5.0 : 4.0;
-    points->InsertNextPoint(low, low, 0.0);
-    points->InsertNextPoint(high, low, 0.0);
-    points->InsertNextPoint(high, high, 0.0);
-    points->InsertNextPoint(low, high, 0.0);
-  }
-  grid->SetPoints(points);
-  const vtkIdType corners[] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-  grid->InsertNextCell(VTK_QUAD, 4, corners);
-  grid->InsertNextCell(VTK_QUAD, 4, corners + 4);
+  auto grid = GridWithPoints({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 3, 3, 0 },
+    { 5, 3, 0 }, { 5, 5, 0 }, { 3, 5, 0 } });
+  AddCell(grid, VTK_QUAD, { 0, 1, 2, 3 });
+  AddCell(grid, VTK_QUAD, { 4, 5, 6, 7 });
   return grid;
 }
 

@@ -11,7 +11,6 @@
 #include "ChainKinds.h"
 #include "Nesting.h"
 #include "OpenOutlines.h"
-#include "RuleBoundary.h"
 #include "SegmentWalk.h"
 #include "Welding.h"
 

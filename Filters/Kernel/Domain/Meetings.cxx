@@ -7,7 +7,6 @@
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
 #include "CrossingEstimate.h"
-#include "MeetingReports.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
@@ -46,6 +45,98 @@ struct FiledEdges
   const VertexStars Stars;
   const SegmentTree Tree;
 };
+
+/// Which of the places where edges meet the user hears of. Edges are those of the arrangement; the
+/// list of reports is added to.
+class MeetingReporter
+{
+public:
+  MeetingReporter(const Arrangement& arrangement, std::vector<MeetingReport>& reports)
+    : Input(arrangement)
+    , Reports(reports)
+  {
+  }
+
+  /// Faces share parts of edges, and lines run over faces.
+  void ReportOverlap(Id first, Id second, Id vertex);
+
+  /// Interfaces may end anywhere; only boundaries that touch are worth a word.
+  void ReportTouch(Id edge, Id toucher, Id vertex);
+
+  /// Where what may bound the domain is moved to a vertex near it, one of `other`: by more than
+  /// rounding, or to one that a chain passes (`isPassed`). That an interface ends on it but for
+  /// rounding, or a point lies on it, is no news.
+  void ReportNear(Id edge, Id other, Id vertex, bool isPassed);
+
+  /// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses
+  /// itself.
+  void ReportCrossing(Id first, Id second);
+
+private:
+  bool IsNews(Id first, Id second) const;
+  bool AreOfOneFace(Id first, Id second) const;
+  bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
+  bool MayBound(Id edge) const;
+
+  const Arrangement& Input;
+  std::vector<MeetingReport>& Reports;
+};
+
+void MeetingReporter::ReportOverlap(Id first, Id second, Id vertex)
+{
+  if (this->IsNews(first, second))
+  {
+    this->Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
+  }
+}
+
+void MeetingReporter::ReportTouch(Id edge, Id toucher, Id vertex)
+{
+  if (this->IsBoundary(edge) && this->IsBoundary(toucher))
+  {
+    this->Reports.push_back({ ProblemCode::Touches, edge, toucher, vertex });
+  }
+}
+
+void MeetingReporter::ReportNear(Id edge, Id other, Id vertex, bool isPassed)
+{
+  const SegmentEnds& ends = this->Input.Edge(edge).Ends;
+  const Point2& start = this->Input.At(ends.Start);
+  const Point2& end = this->Input.At(ends.End);
+  const Point2& p = this->Input.At(vertex);
+  const bool isRounding =
+    std::abs(Cross(end - start, p - start)) <= this->Input.Rounding * Distance(start, end);
+  const bool isMoved = !isRounding || (isPassed && this->MayBound(other));
+  if (this->MayBound(edge) && isMoved && !IsOnSegment(p, start, end))
+  {
+    this->Reports.push_back({ ProblemCode::NearPoints, edge, other, vertex });
+  }
+}
+
+void MeetingReporter::ReportCrossing(Id first, Id second)
+{
+  if (this->IsNews(first, second) || this->AreOfOneFace(first, second))
+  {
+    this->Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
+  }
+}
+
+bool MeetingReporter::IsNews(Id first, Id second) const
+{
+  const bool isOfLines = this->Input.Edge(first).HasLine() && this->Input.Edge(second).HasLine();
+  return isOfLines || this->IsBoundary(first) || this->IsBoundary(second);
+}
+
+bool MeetingReporter::AreOfOneFace(Id first, Id second) const
+{
+  const Id face = this->Input.Edge(first).Faces.First();
+  return face != NoId && face == this->Input.Edge(second).Faces.First();
+}
+
+bool MeetingReporter::MayBound(Id edge) const
+{
+  return this->IsBoundary(edge) || this->Input.Edge(edge).OpenCount > 0;
+}
 
 class MeetingFinder
 {

@@ -52,8 +52,9 @@ struct Meetings
   bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
 };
 
-/// Finds the meetings of which at least one edge is new; gives up where crossings are more than
-/// `most`, or splits more than a million and 50 for each edge. False: the monitor has asked to stop.
+/// Finds the meetings of which at least one edge is new; gives up where there are more crossings
+/// than `most`, or more splits than a million and 50 for each edge. False: the monitor has asked to
+/// stop.
 ///
 /// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the
 /// edge and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge,

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "RuleBoundary.h"
-
 #include "AreaSum.h"
+#include "ChainKinds.h"
 #include "Nesting.h"
 
 #include <algorithm> // for binary_search, set_symmetric_difference, sort

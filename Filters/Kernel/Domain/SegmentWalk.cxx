@@ -17,7 +17,8 @@ namespace biting
 namespace
 {
 
-/// A segment as seen from one of its ends. At a vertex the step to the last one, by place, is first.
+/// A segment as seen from one of its ends. At a vertex the step to the last one, by place, comes
+/// first.
 struct Step
 {
   Id Vertex = NoId;
