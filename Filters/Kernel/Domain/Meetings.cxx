@@ -145,6 +145,7 @@ public:
     Meetings& meetings, Pulse& pulse)
     : Input(arrangement)
     , Most(most)
+    , MostSplits(LeastSplits + SplitsOfEdge * edges.Ends.size())
     , Found(meetings)
     , Beats(pulse)
     , Edges(edges)
@@ -182,14 +183,11 @@ private:
   {
     this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
   }
-  bool AreTooMany(std::size_t splits, std::size_t crossings) const
-  {
-    return crossings > this->Most || splits > LeastSplits + SplitsOfEdge * this->Edges.Ends.size();
-  }
   const SegmentEnds& EndsOf(Id edge) const { return this->Edges.Ends[edge]; }
 
   const Arrangement& Input;
   const std::size_t Most; ///< crossings
+  const std::size_t MostSplits;
   Meetings& Found;
   Pulse& Beats;
   const FiledEdges& Edges;
@@ -225,7 +223,8 @@ void MeetingFinder::TestEdges()
   // Of the parts that are done: no more parts are begun where these are too many together.
   std::atomic<std::size_t> splits{ 0 };
   std::atomic<std::size_t> crossings{ 0 };
-  const auto areFew = [this, &splits, &crossings] { return !this->AreTooMany(splits, crossings); };
+  const auto areFew = [this, &splits, &crossings]
+  { return splits <= this->MostSplits && crossings <= this->Most; };
   DoTasks(this->Beats, parts.size(),
     [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
       std::size_t k, Monitor& monitor)
@@ -274,7 +273,7 @@ void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
 bool MeetingFinder::GoesOn()
 {
   Meetings& found = this->Found;
-  found.AreTooMany = this->AreTooMany(found.Splits.size(), found.Crossings.size());
+  found.AreTooMany = found.Splits.size() > this->MostSplits || found.Crossings.size() > this->Most;
   found.AboutHowMany = static_cast<double>(std::max(found.Splits.size(), found.Crossings.size()));
   return !found.AreTooMany && this->Beats.Beat();
 }

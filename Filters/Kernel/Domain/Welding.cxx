@@ -37,7 +37,6 @@ public:
 private:
   void MakeVertices();
   void FindLoops();
-  bool MayBound(Id chain) const;
   void AppendChain(Id chain);
   ArrangementEdge EdgeOf(Id chain) const;
   void AppendFace(Id chain);
@@ -104,12 +103,18 @@ void Welder::MakeVertices()
 void Welder::FindLoops()
 {
   const Id chains = this->Options.Rule == DomainRule::EvenOdd ? 0 : this->Input.NumberOfChains();
+  const auto mayBound = [this](Id chain)
+  {
+    const ChainKind kind = this->Input.Kinds[chain];
+    return this->Offset(chain) < this->Offset(chain + 1) &&
+      (kind == ChainKind::Boundary || (kind == ChainKind::Automatic && !this->HasFaces));
+  };
   this->Loops.assign(this->Input.Kinds.size(), NoId);
   DisjointSets joined(this->Result.Vertices.size());
   std::vector<std::uint8_t> isOdd(this->Result.Vertices.size(), 0);
   for (Id chain = 0; chain < chains; ++chain)
   {
-    if (this->MayBound(chain) && !this->IsClosed(chain))
+    if (mayBound(chain) && !this->IsClosed(chain))
     {
       joined.Unite(this->StartOf(chain), this->EndOf(chain));
       isOdd[this->StartOf(chain)] ^= 1;
@@ -124,20 +129,13 @@ void Welder::FindLoops()
   }
   for (Id chain = 0; chain < chains; ++chain)
   {
-    if (this->MayBound(chain))
+    if (mayBound(chain))
     {
       const Id set = joined.SetOf(this->StartOf(chain));
       firsts[set] = firsts[set] == NoId && !this->IsClosed(chain) ? chain : firsts[set];
       this->Loops[chain] = this->IsClosed(chain) ? chain : isOpen[set] ? NoId : firsts[set];
     }
   }
-}
-
-bool Welder::MayBound(Id chain) const
-{
-  const ChainKind kind = this->Input.Kinds[chain];
-  return this->Offset(chain) < this->Offset(chain + 1) &&
-    (kind == ChainKind::Boundary || (kind == ChainKind::Automatic && !this->HasFaces));
 }
 
 void Welder::AppendChain(Id chain)
