@@ -150,6 +150,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Gradation = filter.Gradation;
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.Domain.Rule = static_cast<biting::DomainRule>(filter.DomainRule);
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.Domain.MergeTolerance = filter.MergeTolerance;
   this->Options.Domain.EndTolerance = filter.EndTolerance;
@@ -225,7 +226,7 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
     return {};
   }
   biting::PartOfStage part(this->Progress, BoundaryEnd, 1.0);
-  biting::DomainMembership domain(this->Planar.Chains, part);
+  biting::DomainMembership domain(this->Planar.Chains, part, this->Options.Domain.Rule);
   return this->AddSource(
     this->Filter->GetInputArrayInformation(1), this->Source, this->Planar.Frame,
     [&domain](const biting::Point2& place) { return domain.MayHold(place); }, this->Options.Spacing,

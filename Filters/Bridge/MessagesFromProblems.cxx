@@ -39,8 +39,12 @@ Wording WordingOfRepair(ProblemCode code)
       return { "Points that lie on segments", "cell", "point", "The segments were split there." };
     case ProblemCode::OverlappingCells:
       return { "Cells that lie on top of others", "cell", "",
-        "The domain is what an odd number of them covers. Where borders of neighbors are the same "
-        "but for rounding, as in maps, a Merge Tolerance makes them one." };
+        "The domain is what an odd number of them covers; with the Domain Rule Union it is all of "
+        "them, the last one on top. Where borders of neighbors are the same but for rounding, as "
+        "in maps, a Merge Tolerance makes them one." };
+    case ProblemCode::NestedCells:
+      return { "Cells within others", "cell", "",
+        "They are holes. With the Domain Rule Union they belong to the domain, as regions of it." };
     case ProblemCode::NearPoints:
       return { "Points too near to others, or to segments, to be told apart", "point", "point",
         "They were merged." };

@@ -28,7 +28,7 @@ constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "Duplicate
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
   "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "NarrowAngles",
   "RaisedSpacing", "SmallLoops", "FineDrawing", "BadTriangles", "FlatTriangles", "JoinedEnds",
-  "OpenOutlines", "NearMisses", "ChangedArea" };
+  "OpenOutlines", "NearMisses", "ChangedArea", "NestedCells" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
 {

@@ -24,20 +24,18 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
-  Domain/CollinearCrowds.cxx
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
   Domain/EndPairs.cxx
   Domain/EndSurroundings.cxx
-  Domain/MeetingReports.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
   Domain/OpenOutlines.cxx
   Domain/PointWelding.cxx
   Domain/ResolutionReport.cxx
-  Domain/SegmentSides.cxx
+  Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
   Domain/SlantedBox.cxx

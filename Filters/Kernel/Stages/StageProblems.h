@@ -8,7 +8,6 @@
 #include "../Base/Problem.h"
 
 #include <cstdint> // for limits
-#include <sstream> // for figures
 #include <string>  // for details
 
 namespace biting
@@ -33,15 +32,6 @@ inline std::string FirstDetail(ProblemCode code, const ProblemList& problems)
     }
   }
   return {};
-}
-
-/// A figure of a message.
-inline std::string Figure(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
 }
 
 inline void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& problems)
