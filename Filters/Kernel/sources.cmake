@@ -59,7 +59,6 @@ set(biting_kernel_sources
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
   Simplification/VertexTree.cxx
-  Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
   Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
@@ -78,7 +77,7 @@ set(biting_kernel_sources
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/LeftOvers.cxx
-  Biting/ReachFactor.cxx
+  Biting/BiteTriangle.cxx
   Biting/Remains.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
@@ -118,19 +117,15 @@ set(biting_kernel_sources
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx
-  Stages/DomainFeatures.cxx
-  Stages/FinalCheck.cxx
   Stages/FineDrawing.cxx
-  Stages/Forecast.cxx
   Stages/MeshAssembly.cxx
-  Stages/NarrowAngles.cxx
   Stages/NearMisses.cxx
+  Stages/PreparedDomain.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx
-  Stages/RaisedSpacing.cxx
   Stages/RelaxedBites.cxx
   Stages/SegmentCover.cxx
-  Stages/SharpCornerTriangles.cxx
+  Stages/SharpSectors.cxx
   Stages/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx

@@ -34,7 +34,7 @@ struct BisectorPoint
 /// squares with half-width sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular
 /// lattice and nothing else.
 ///
-/// Squares are then shifted to where f asks for them (BalancedTop.h).
+/// Squares are then shifted to where f asks for them (BiteTriangle.h).
 ///
 /// Where more than 64 bites of the boundary crowd about one of them, its points are left out: each
 /// of them would be looked for in the crowd, and hardly one is a point of the front.

@@ -82,8 +82,6 @@ struct BitingState
   const Spacing& F;
   const BitingOptions& Options;
   Pulse Progress;
-  double BitingConstant;
-  double PartLength; ///< wanted length of boundary edges in units of f
   double ExpectedVertices;
   BitingResult Result;
   Bites& Placed; ///< the bites so far
@@ -92,11 +90,6 @@ struct BitingState
   std::vector<double> PlacedSpacings; ///< f at each bite, where half-widths follow its slope
   Id NumberOfBites = 0;
 };
-
-/// The constant, tolerance and wanted length of edges, in units of f, that the options stand for.
-double UsedBitingConstant(const BitingOptions& options);
-double UsedTolerance(const BitingOptions& options);
-double UsedPartLength(const BitingOptions& options);
 
 /// How far the grid finds neighbours, in half-widths: as far as the placement asks for them.
 double NeighborRange(const BitingOptions& options);

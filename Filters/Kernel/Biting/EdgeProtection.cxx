@@ -18,11 +18,10 @@ namespace
 // How near centres on one edge may be, in half-widths.
 double LeastPart(const BitingOptions& options)
 {
-  const double tolerance = UsedTolerance(options);
-  const bool isExact = options.Placement == Placement::Corners || tolerance == 1.0;
-  const double balanced =
-    EdgeDivider::BalancedPart * UsedPartLength(options) / UsedBitingConstant(options);
-  return isExact ? EdgeDivider::LeastPart : std::min(balanced, tolerance * EdgeDivider::LeastPart);
+  const bool isExact = options.Placement == Placement::Corners || options.Tolerance == 1.0;
+  const double balanced = EdgeDivider::BalancedPart * options.PartLength / options.BitingConstant;
+  return isExact ? EdgeDivider::LeastPart
+                 : std::min(balanced, options.Tolerance * EdgeDivider::LeastPart);
 }
 
 void ProtectEdge(Id segment, const SharpCorners& corners, EdgeDivider& divider,
@@ -62,10 +61,11 @@ void ProtectEdges(BitingState& state)
   {
     return;
   }
-  const SharpCorners corners(state.Geometry, state.Result.Spacings, state.F, state.PartLength,
-    static_cast<Id>(state.Options.MaximumNumberOfVertices), state.Progress);
-  EdgeDivider divider(
-    state.F, state.BitingConstant, state.PartLength, state.Progress, LeastPart(state.Options));
+  const SharpCorners corners(state.Geometry, state.Result.Spacings, state.F,
+    state.Options.PartLength, static_cast<Id>(state.Options.MaximumNumberOfVertices),
+    state.Progress);
+  EdgeDivider divider(state.F, state.Options.BitingConstant, state.Options.PartLength,
+    state.Progress, LeastPart(state.Options));
   DivisionPoints division;
   for (Id segment = 0; segment < state.Geometry.NumberOfSegments(); ++segment)
   {

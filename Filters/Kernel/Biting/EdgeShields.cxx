@@ -102,8 +102,8 @@ void ShieldEdge(Id segment, EdgeDivider& divider, DivisionPoints& division, Biti
 
 void ShieldEdges(BitingState& state)
 {
-  EdgeDivider divider(state.F, LeastShieldLength * state.BitingConstant,
-    ShieldLength * state.BitingConstant, state.Progress);
+  EdgeDivider divider(state.F, LeastShieldLength * state.Options.BitingConstant,
+    ShieldLength * state.Options.BitingConstant, state.Progress);
   DivisionPoints division;
   for (Id segment = 0; segment < state.Geometry.NumberOfSegments(); ++segment)
   {

@@ -24,18 +24,6 @@ constexpr int MostHalvings = 40;      // of triangles: from the whole domain to 
 constexpr int MostApproaches = 20;    // to a corner: half of the way each
 constexpr int LeastCrowd = 64;
 
-ConstraintEdges ConstraintsOf(const BitingState& state)
-{
-  const BitingResult& result = state.Result;
-  ConstraintEdges constraints{ result.EdgeStarts, result.EdgeEnds, {} };
-  constraints.IsBoundary.reserve(result.EdgeSegments.size());
-  for (const Id segment : result.EdgeSegments)
-  {
-    constraints.IsBoundary.push_back(state.Geometry.IsBoundary[segment]);
-  }
-  return constraints;
-}
-
 // Order -> the first bite of it. Bites are numbered as the vertices say, but for several squares of
 // a vertex, and shields.
 std::vector<Id> FirstOfOrders(const Bites& placed, Id numberOfOrders)
@@ -172,7 +160,8 @@ void LeftOvers::Triangulate()
     this->State.Grid.Forget(this->State.Progress);
   }
   this->State.Result.Triangulated = MakeConstrainedMesh(this->State.Result.Points,
-    ConstraintsOf(this->State), this->State.Options.Phi, this->State.Progress);
+    ConstraintsOf(this->State.Result, this->State.Geometry), this->State.Options.Phi,
+    this->State.Progress);
 }
 
 void LeftOvers::RecallAboutGaps()
@@ -201,7 +190,8 @@ void LeftOvers::RecallAboutFound()
   for (std::size_t k = 0; k < boxes.size(); ++k)
   {
     boxes[k].Add(this->Found[k]);
-    boxes[k].Grow(RecalledReach * this->State.BitingConstant * this->State.F(this->Found[k]));
+    boxes[k].Grow(
+      RecalledReach * this->State.Options.BitingConstant * this->State.F(this->Found[k]));
   }
   this->State.Grid.Recall(boxes, this->State.Progress);
 }

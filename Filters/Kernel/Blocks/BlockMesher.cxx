@@ -5,7 +5,6 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
-#include "../Biting/BitingState.h"
 #include "../Stages/RelaxedBites.h"
 #include "../Stages/SoundTriangulation.h"
 #include "../Stages/StageProblems.h"
@@ -18,6 +17,7 @@
 #include <algorithm> // for max
 #include <atomic>    // for what threads share
 #include <cstdint>   // for counts
+#include <limits>    // for the largest number of a bite
 #include <string>    // for violations
 #include <utility>   // for move
 
@@ -121,15 +121,15 @@ void BlockMesher::Plan(const DomainLocator& locator, double vertices, double ver
   PartOfStage cutting(monitor, 0.0, CuttingEnd);
   Pulse pulse(cutting);
   const CutPlan plan = PlanCuts(this->Geometry, locator, this->F,
-    { vertices, verticesPerBlock, UsedPartLength(this->Options) }, pulse);
+    { vertices, verticesPerBlock, this->Options.PartLength }, pulse);
   if (cutting.HasStopped())
   {
     return;
   }
   PartOfStage making(monitor, CuttingEnd, 1.0);
   CutDivision division;
-  division.BitingConstant = UsedBitingConstant(this->Options);
-  division.PartLength = UsedPartLength(this->Options);
+  division.BitingConstant = this->Options.BitingConstant;
+  division.PartLength = this->Options.PartLength;
   division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
   this->Own.Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
   this->Tree = plan.Tree;

@@ -19,20 +19,11 @@
 #include "JoinedBlocks.h"
 #include "KeptBlocks.h"
 
-#include <algorithm> // for min
-#include <cstdint>   // for flags, limits
-#include <limits>    // for the largest number of a bite
-#include <vector>    // for the blocks
+#include <cstdint> // for flags, limits
+#include <vector>  // for the blocks
 
 namespace biting
 {
-
-/// How many vertices the members of a crew may have together, where each may have `ofProcess`.
-/// Their bites have numbers of 32 bits, and there are fewer than two a vertex.
-inline std::int64_t MostVerticesOf(const Crew& members, std::int64_t ofProcess)
-{
-  return std::min(ofProcess * members.Size(), std::int64_t{ std::numeric_limits<Id>::max() / 2 });
-}
 
 /// Meshes a domain block by block, each by itself, on the threads of the monitor: biting,
 /// triangulation, relaxation; then joins the blocks and relaxes what lies along the cuts.

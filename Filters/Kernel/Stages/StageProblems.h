@@ -36,10 +36,10 @@ inline std::string FirstDetail(ProblemCode code, const ProblemList& problems)
 }
 
 /// A figure of a message.
-inline std::string Figure(double value)
+inline std::string Figure(double value, int digits = 3)
 {
   std::ostringstream text;
-  text.precision(3);
+  text.precision(digits);
   text << value;
   return text.str();
 }
@@ -81,6 +81,13 @@ inline bool AddAborted(const PartOfStage& part, ProblemList& problems)
     AddProblem(ProblemCode::Aborted, "", problems);
   }
   return part.HasStopped();
+}
+
+/// Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
+inline bool IsOver(const PartOfStage& whole, ProblemList& problems)
+{
+  AddAborted(whole, problems);
+  return problems.HasErrors();
 }
 
 } // namespace biting

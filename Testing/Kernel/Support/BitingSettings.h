@@ -33,10 +33,9 @@ struct BitingSetting
 
 inline std::string Text(const BitingSetting& setting)
 {
-  constexpr const char* Orders[] = { "layers", "largest y", "best first" };
   return std::string(setting.Shape == BiteShape::Square ? "squares" : "circles") +
     (setting.Place == Placement::Corners ? " at corners, " : " at bisectors, ") +
-    Orders[static_cast<int>(setting.Order)];
+    RuleOf(setting.Order).Name;
 }
 
 inline std::ostream& operator<<(std::ostream& stream, const BitingSetting& setting)
