@@ -334,12 +334,8 @@ void Remesher::Relax()
   {
     options.Hold = this->HoldBy(places, held);
   }
-  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
-    this->Cavity.Bites, this->Cavity.Triangles, this->Whole);
-  if (!violation.empty())
-  {
-    AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
-  }
+  RelaxBites(this->Cavity.Geometry, this->F, options, this->Cavity.Bites, this->Cavity.Triangles,
+    this->Whole);
   if (!this->IsOver() && !this->Options.RelaxAll)
   {
     ReturnVertices(places, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);

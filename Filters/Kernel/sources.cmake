@@ -67,11 +67,9 @@ set(biting_kernel_sources
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
-  Biting/CornerCover.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
   Biting/EdgeSamples.cxx
-  Biting/EdgeShields.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
@@ -149,12 +147,9 @@ set(biting_kernel_sources
   Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
-  Blocks/BlockBytes.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
-  Blocks/BlockShares.cxx
-  Blocks/CollarOwners.cxx
   Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
@@ -165,7 +160,6 @@ set(biting_kernel_sources
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/NearTouches.cxx
-  Blocks/RimFlips.cxx
   Blocks/StripParts.cxx
   Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx

@@ -13,6 +13,7 @@
 #include <algorithm> // for max
 #include <array>     // for the neighbours
 #include <cstddef>   // for their number
+#include <utility>   // for intervals
 
 namespace biting
 {
@@ -24,6 +25,11 @@ struct BisectorPoint
   Id Neighbor = NoId;  ///< the other bite
   double Misfit = 0.0; ///< of the triangle with the two centres: 0 where its sides are as wanted
 };
+
+/// Where the line offset + t direction runs inside a bite about the origin, as an interval of t: it
+/// ends before it begins where the line misses the bite.
+std::pair<double, double> InsideOf(
+  const Point2& axis, double halfWidth, const Point2& offset, const Point2& direction);
 
 /// Finds the points of the front where the bisector of two bites leaves both.
 ///

@@ -63,22 +63,11 @@ public:
   template <typename Visit>
   bool VisitSquare(const Point2& center, double reach, Visit&& visit) const;
 
-  /// Gives the memory back but for the cells at the top.
-  void Forget(Pulse& pulse);
-
-  /// Whether some of it may be forgotten.
-  bool IsForgotten() const { return this->HasForgotten; }
-
-  /// What was forgotten of the cells that meet one of the boxes: it takes a look at each bite.
-  void Recall(const std::vector<Box2>& boxes, Pulse& pulse);
-  void RecallAll();
-
   /// Gives the memory back; there is nothing to be asked for afterwards.
   void Release(Pulse& pulse);
 
 private:
   static constexpr Id Division = 2;
-  static constexpr Id Forgotten = -2; ///< in place of the first child
 
   struct Cell
   {
@@ -99,7 +88,6 @@ private:
   LeafPlace Locate(const Point2& p) const;
   template <typename Visit>
   bool VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const;
-  void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void FileInCells(Id bite);
   void Coarsen(Id newest);
   void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
@@ -113,9 +101,7 @@ private:
   double NumberOfFiled = 0.0; ///< bites in top cells, each as often as it is filed
   Id Crowd;                   ///< more bites than that divide a leaf
   float CircleAbout = 1.0f;   ///< squared radius of the circle about a bite, in squared half-widths
-  Id Newest = NoId;           ///< the last bite that was filed
-  bool HasForgotten = false;
-  std::vector<Cell> Cells; ///< those at the top first
+  std::vector<Cell> Cells;    ///< those at the top first
   BiteLists Lists;
 };
 
@@ -129,11 +115,6 @@ inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
   const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Frame.Columns() + column];
   while (cell->FirstChild != NoId)
   {
-    if (cell->FirstChild == Forgotten)
-    {
-      const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
-      return this->Locate(p);
-    }
     u = (u - column) * Division;
     v = (v - row) * Division;
     column = ClampedIndex(u, Division);
@@ -181,10 +162,6 @@ bool BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) co
     [this, &box, &visit](Id column, Id row)
     {
       const std::size_t cell = static_cast<std::size_t>(row) * this->Frame.Columns() + column;
-      if (this->Cells[cell].FirstChild == Forgotten)
-      {
-        const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
-      }
       return this->VisitCell(this->Cells[cell], box.From(column, row), visit);
     });
 }

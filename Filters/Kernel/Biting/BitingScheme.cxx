@@ -5,7 +5,6 @@
 
 #include "BitingState.h"
 #include "EdgeProtection.h"
-#include "EdgeShields.h"
 #include "FrontTrace.h"
 #include "InteriorBiting.h"
 #include "VertexProtection.h"

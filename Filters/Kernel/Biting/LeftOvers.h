@@ -54,10 +54,7 @@ private:
   };
 
   void Begin();
-  void Triangulate();
   std::array<Id, 3> BitesOf(Id triangle) const;
-  void RecallAboutGaps();
-  void RecallAboutFound();
   Box2 BoxOf(Id triangle) const;
   bool MayHaveGap(Id triangle) const;
   bool IsOutside(Id triangle) const;

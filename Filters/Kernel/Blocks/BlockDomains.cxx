@@ -8,10 +8,11 @@
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/AreaSum.h"
 
-#include <algorithm> // for sort, unique, lower_bound, replace
+#include <algorithm> // for sort, stable_sort, unique, lower_bound, replace
 #include <cstdint>   // for flags
 #include <limits>    // for areas
 #include <map>       // for areas
+#include <numeric>   // for iota
 #include <utility>   // for move, pair
 
 namespace biting
@@ -411,6 +412,22 @@ BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, cons
     result.Blocks = BlockMaker(domain, plan, result.Graph).Make(making);
   }
   return result;
+}
+
+std::vector<std::vector<std::size_t>> ShareBlocks(
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members)
+{
+  std::vector<std::size_t> largestFirst(blocks.size());
+  std::iota(largestFirst.begin(), largestFirst.end(), std::size_t{ 0 });
+  std::stable_sort(largestFirst.begin(), largestFirst.end(),
+    [&blocks](std::size_t a, std::size_t b)
+    { return blocks[a].ExpectedVertices > blocks[b].ExpectedVertices; });
+  std::vector<std::vector<std::size_t>> shares(members);
+  for (const std::size_t block : largestFirst)
+  {
+    shares[static_cast<std::size_t>(dealtLeaves[blocks[block].Leaf])].push_back(block);
+  }
+  return shares;
 }
 
 } // namespace biting

@@ -12,6 +12,7 @@
 #include "CutGraph.h"
 #include "CutPlan.h"
 
+#include <cstddef> // for numbers of blocks
 #include <cstdint> // for flags
 #include <vector>  // for the maps
 
@@ -43,6 +44,12 @@ struct BlockDomains
 /// rounding, and where the monitor wants to stop.
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor);
+
+/// The blocks of each of `members`, as numbers: `dealtLeaves` (DealLeaves) says to whom each leaf
+/// goes, and with it the blocks that lie there. A member's share begins with its largest block:
+/// while that is at work, other threads do several of the others. Depends on the blocks alone.
+std::vector<std::vector<std::size_t>> ShareBlocks(
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members);
 
 } // namespace biting
 

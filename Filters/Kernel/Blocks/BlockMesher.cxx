@@ -8,9 +8,6 @@
 #include "../Stages/RelaxedBites.h"
 #include "../Stages/SoundTriangulation.h"
 #include "../Stages/StageProblems.h"
-#include "BlockBytes.h"
-#include "BlockShares.h"
-#include "CollarOwners.h"
 #include "CutPlan.h"
 #include "StripParts.h"
 
@@ -18,7 +15,6 @@
 #include <atomic>    // for what threads share
 #include <cstdint>   // for counts
 #include <limits>    // for the largest number of a bite
-#include <string>    // for violations
 #include <utility>   // for move
 
 namespace biting
@@ -250,8 +246,8 @@ void BlockMesher::Relax(
   BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage relaxing(monitor, 0.0, BlocksEnd);
-  this->RelaxBlocks(problems, relaxing);
-  if (AddAborted(relaxing, problems) || problems.HasErrors())
+  this->RelaxBlocks(relaxing);
+  if (AddAborted(relaxing, problems))
   {
     return;
   }
@@ -279,27 +275,19 @@ void BlockMesher::Relax(
   triangles = std::move(this->Joined.Triangles);
 }
 
-void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
+void BlockMesher::RelaxBlocks(Monitor& monitor)
 {
-  std::vector<std::string> violations(this->Own.Meshes.size());
   RelaxationOptions options;
   options.PoorCotangents = PoorInBlock;
   Pulse pulse(monitor);
   DoTasks(pulse, this->LargestFirst.size(),
-    [this, &violations, &options](std::size_t k, Monitor& own)
+    [this, &options](std::size_t k, Monitor& own)
     {
       const std::size_t block = this->LargestFirst[k];
       BlockMesh& mesh = this->Own.Meshes[block];
-      violations[block] = RelaxBites(
+      RelaxBites(
         this->Own.Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);
     });
-  for (const std::string& violation : violations)
-  {
-    if (!violation.empty() && !pulse.HasStopped())
-    {
-      AddProblem(ProblemCode::CheckFailed, violation, problems);
-    }
-  }
 }
 
 // Of the blocks at hand.
@@ -358,7 +346,7 @@ void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
   if (!this->LargestFirst.empty() && !AddAborted(making, problems) && !problems.HasErrors())
   {
     this->Triangulate(problems, making);
-    this->RelaxBlocks(problems, making);
+    this->RelaxBlocks(making);
   }
 }
 

@@ -17,7 +17,7 @@
 #include "CutStrip.h"
 #include "CutTree.h"
 #include "JoinedBlocks.h"
-#include "KeptBlocks.h"
+#include "WholeNumbers.h"
 
 #include <cstdint> // for flags, limits
 #include <vector>  // for the blocks
@@ -78,7 +78,7 @@ private:
   void RefuseTooManyVertices(ProblemList& problems) const;
   void BiteBlock(std::size_t block, Monitor& monitor);
   void TriangulateBlock(std::size_t block, Monitor& monitor);
-  void RelaxBlocks(ProblemList& problems, Monitor& monitor);
+  void RelaxBlocks(Monitor& monitor);
   void TakeCollars();
   bool Collect(Monitor& monitor);
   void MakeMissing(ProblemList& problems, Monitor& monitor);

@@ -8,8 +8,7 @@
 #include "../Base/Point.h"
 #include "CutScene.h"
 
-#include <cstddef> // for size_t
-#include <vector>  // for the stretches
+#include <vector> // for the stretches
 
 namespace biting
 {
@@ -53,7 +52,6 @@ struct CutLine
 {
   std::vector<CutStretch> Stretches;
   bool IsGood = true;
-  std::size_t Looks = 0; ///< at pieces and vertices: what it costs
 };
 
 /// What is done about stretches that are not good.

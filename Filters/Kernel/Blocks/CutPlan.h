@@ -12,7 +12,6 @@
 #include "CutTree.h"
 #include "NearTouches.h"
 
-#include <cstddef> // for size_t
 #include <cstdint> // for flags
 #include <vector>  // for factors
 
@@ -27,8 +26,6 @@ struct CutPlan
 
   /// By which factor sides are longer in a leaf than elsewhere (CutRows.h), one a node.
   std::vector<double> Stretches;
-
-  std::size_t Looks = 0; ///< of lines, at pieces and vertices: what the plan has cost
 
   // Of the domain, where it was cut.
   NearTouches Touches;

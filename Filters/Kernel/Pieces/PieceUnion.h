@@ -6,7 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "../Blocks/KeptBlocks.h"
+#include "../Blocks/WholeNumbers.h"
 #include "../Mesh/BitingMesh.h"
 #include "CollarPart.h"
 

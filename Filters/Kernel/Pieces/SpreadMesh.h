@@ -8,7 +8,7 @@
 #include "../Base/Ids.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
-#include "../Blocks/KeptBlocks.h"
+#include "../Blocks/WholeNumbers.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMesh.h"
 #include "../Quality/ExactSum.h"
