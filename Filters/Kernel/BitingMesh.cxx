@@ -95,7 +95,8 @@ private:
   BitingMesh Mesh;
 };
 
-// What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
+// A mesh of blocks that does not pass the check, as by rounding along cuts, is made again in one
+// block.
 BitingMesh MeshMaker::Make()
 {
   this->Do(MeshingStages::Domain, &MeshMaker::ReadDomain);
@@ -118,7 +119,7 @@ BitingMesh MeshMaker::Make()
 
 void MeshMaker::Do(const Stage& stage, void (MeshMaker::*step)())
 {
-  if (!this->IsDone && !IsOver(this->Whole, this->Problems))
+  if (!IsOver(this->Whole, this->Problems) && !this->IsDone)
   {
     this->Whole.BeginStage(stage.Text);
     (this->*step)();
@@ -227,13 +228,15 @@ void MeshMaker::BiteWhole(double expectedVertices, PartOfStage& part)
   AddAborted(part, this->Problems);
 }
 
+// Blocks are triangulated where they are bitten.
 void MeshMaker::Triangulate()
 {
-  this->Triangles = this->Blocks->IsInUse()
-    ? this->Blocks->Triangulate(this->Problems, this->Whole)
-    : TriangulateBites(this->Simplified.Drawing,
-        { this->Options.Phi, this->Options.PreserveBoundary }, this->Bites, this->Problems,
-        this->Whole);
+  if (!this->Blocks->IsInUse())
+  {
+    this->Triangles = TriangulateBites(this->Simplified.Drawing,
+      { this->Options.Phi, this->Options.PreserveBoundary }, this->Bites, this->Problems,
+      this->Whole);
+  }
 }
 
 void MeshMaker::Relax()

@@ -164,12 +164,10 @@ set(biting_kernel_sources
   Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx
   Blocks/WholeNumbers.cxx
-  Pieces/CollarPart.cxx
   Pieces/FinishedMesh.cxx
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
-  Pieces/TrimmedPiece.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

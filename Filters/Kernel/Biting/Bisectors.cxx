@@ -70,7 +70,8 @@ void Bisectors::SetBite(Id bite)
   this->NextBite = NoId;
 }
 
-// Those whose bond with a bite at p is short enough, until there is one to stop at, which is true.
+// Gathers the bites whose bond with a bite at p is short enough, until stopsAt() is true of one.
+// Returns whether it was.
 template <typename Stop>
 bool Bisectors::Gather(const Point2& p, Stop&& stopsAt)
 {

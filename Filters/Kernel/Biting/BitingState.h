@@ -21,10 +21,9 @@
 namespace biting
 {
 
-/// What the phases of the biting scheme work on: the domain and what is wanted of it, the bites so
-/// far, where they are, and the vertices and edges that they make. Each phase is a unit of its own
-/// that is given a state and knows no other phase, so their order is the driver's
-/// (BitingScheme.cxx).
+/// The state of biting: the domain, f and the options, the bites so far, and the vertices and edges
+/// of the mesh so far. A phase is a function of the state and knows no other phase. The driver
+/// (BitingScheme.cxx) has their order.
 struct BitingState
 {
   BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,

@@ -8,42 +8,27 @@
 namespace biting
 {
 
-namespace
-{
-
-// Heap order: the greatest comes out first.
-bool ComesLater(const Candidate& a, const Candidate& b)
-{
-  if (a.Place.Y != b.Place.Y)
-  {
-    return a.Place.Y < b.Place.Y;
-  }
-  return a.Birth != b.Birth ? a.Birth > b.Birth : a.Place.X > b.Place.X;
-}
-
-} // namespace
-
 void CandidateQueue::Put(const Candidate& candidate)
 {
   const std::size_t rank = static_cast<std::size_t>(candidate.Class);
   std::deque<Candidate>& line = this->Lines[rank];
   line.push_back(candidate);
   this->Best = std::min(this->Best, rank);
-  if (this->Rule.IsSweep)
+  if (this->Rule.ComesLater)
   {
-    std::push_heap(line.begin(), line.end(), ComesLater);
+    std::push_heap(line.begin(), line.end(), this->Rule.ComesLater);
   }
 }
 
 Candidate CandidateQueue::Take()
 {
   std::deque<Candidate>& line = this->Lines[this->Best];
-  if (this->Rule.IsSweep)
+  if (this->Rule.ComesLater)
   {
-    std::pop_heap(line.begin(), line.end(), ComesLater);
+    std::pop_heap(line.begin(), line.end(), this->Rule.ComesLater);
   }
-  const Candidate candidate = this->Rule.IsSweep ? line.back() : line.front();
-  this->Rule.IsSweep ? line.pop_back() : line.pop_front();
+  const Candidate candidate = this->Rule.ComesLater ? line.back() : line.front();
+  this->Rule.ComesLater ? line.pop_back() : line.pop_front();
   while (this->Best < this->Lines.size() && this->Lines[this->Best].empty())
   {
     ++this->Best;

@@ -4,8 +4,6 @@
 #ifndef BitingCandidateQueue_h
 #define BitingCandidateQueue_h
 
-#include "../Base/Ids.h"
-#include "../Base/Point.h"
 #include "FrontOrder.h"
 
 #include <deque>  // for each line
@@ -14,21 +12,10 @@
 namespace biting
 {
 
-/// A place of the front, as it was when the bite `Birth` made it.
-struct Candidate
-{
-  Point2 Place;
-  Id Birth = NoId;
-
-  // Of a bisector point (Bisectors.h).
-  Id Parents[2] = { NoId, NoId };
-  int Class = 0; ///< 0 the best
-};
-
 /// The front as a set of candidates. Candidates that later bites cover stay in the queue until they
 /// are taken: nothing is ever searched for or deleted.
-/// One line a class, the best class first. A line is first in, first out, O(1) a candidate; in a
-/// sweep it is a heap by y, O(log n), where equal y go by age.
+/// One line a class, the best class first. A line is first in, first out, O(1) a candidate; where
+/// the rule says which one comes later it is a heap, O(log n).
 class CandidateQueue
 {
 public:

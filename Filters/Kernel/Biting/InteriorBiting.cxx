@@ -153,7 +153,8 @@ void InteriorBiting::PutFrontVertices(Id bite)
   }
 }
 
-// What bisectors left over, once there are no other candidates. True where there are some again.
+// Looks for left-overs of bisectors once the queue is empty. Returns whether there are candidates
+// again.
 bool InteriorBiting::PutLeftOvers()
 {
   if (this->State.Options.Placement == Placement::Corners)

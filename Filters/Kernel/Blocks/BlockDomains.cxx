@@ -30,7 +30,7 @@ struct Sides
 
 constexpr double DivisionEnd = 0.3; // of the time
 
-// Of the boundary, with the inside on its left.
+// The area enclosed by the boundary.
 void AddArea(Domain& domain)
 {
   AreaSum area(domain.Bounds.Center());
@@ -214,7 +214,8 @@ std::pair<Point2, double> BlockMaker::MiddleOf(Id triangle) const
   return { a + 1.0 / 3.0 * (ab + ac), Cross(ab, ac) };
 }
 
-// What touches may lie in two leaves also where no cut is near: land on both sides of a strait.
+// Two segments that nearly touch may be of faces in two leaves, though no cut is near, as the land on
+// both sides of a strait: the leaves become one block.
 void BlockMaker::UniteTouching()
 {
   for (const CutTree::Node& node : this->Plan.Tree.Nodes)
@@ -234,7 +235,7 @@ void BlockMaker::UniteTouching()
   }
 }
 
-// One that is uncut has both of its sides in one face.
+// Both sides of an uncut segment are in one face.
 std::vector<Id> BlockMaker::FacesOfSegments() const
 {
   std::vector<Id> faces(this->Geometry.Starts.size(), NoId);
@@ -249,7 +250,7 @@ std::vector<Id> BlockMaker::FacesOfSegments() const
   return faces;
 }
 
-// Leaves without a face are passed over.
+// A leaf that has no face is no block.
 void BlockMaker::NumberBlocks()
 {
   std::vector<Id> numbers(this->Plan.Tree.Nodes.size(), NoId);
@@ -313,7 +314,7 @@ std::vector<BlockDomain> BlockMaker::MakeBlocks() const
   return blocks;
 }
 
-// A cut within a block is none.
+// A cut with one block on both sides is left out.
 std::vector<Id> BlockMaker::BlocksAt(Id piece) const
 {
   const Sides& sides = this->SidesOf[piece];

@@ -60,14 +60,13 @@ public:
   /// The blocks, and after the last step what is kept of them, where there are several members.
   KeptBlocks& Kept() { return this->Own; }
 
-  /// The steps, in their order. The first one cuts the domain, and bites its blocks; `vertices` are
-  /// expected, `options` has the biting constant. Returns false where there are no blocks, as where
-  /// `verticesPerBlock` is 0: then nothing is done.
+  /// The first step cuts the domain, bites its blocks and triangulates them. `vertices` are expected.
+  /// Returns false where there are no blocks, as where `verticesPerBlock` is 0: then nothing is done.
   bool Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
     const BitingOptions& options, ProblemList& problems, Monitor& monitor);
-  /// Triangulate returns nothing: only Relax has the mesh of the whole domain, in `bites` and
-  /// `triangles`.
-  Triangulation Triangulate(ProblemList& problems, Monitor& monitor);
+
+  /// The second step relaxes the blocks and joins them. `bites` and `triangles` are then the mesh of
+  /// the whole domain.
   void Relax(
     BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor);
 
@@ -75,9 +74,8 @@ private:
   void Plan(const DomainLocator& locator, double vertices, double verticesPerBlock,
     ProblemList& problems, Monitor& monitor);
   void BiteBlocks(Monitor& monitor);
-  void RefuseTooManyVertices(ProblemList& problems) const;
+  void ConcludeBiting(ProblemList& problems);
   void BiteBlock(std::size_t block, Monitor& monitor);
-  void TriangulateBlock(std::size_t block, Monitor& monitor);
   void RelaxBlocks(Monitor& monitor);
   void TakeCollars();
   bool Collect(Monitor& monitor);
@@ -99,7 +97,6 @@ private:
   std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks
   std::vector<std::vector<std::size_t>> Shares; ///< of the members: blocks, the largest first
   std::vector<ProblemList> Found;               ///< in the triangulations of the blocks
-  std::vector<std::uint8_t> AreTriangulated;
   JoinedMesh Joined;
 };
 

@@ -47,14 +47,14 @@ struct CutStretch
   CutEnd To;
 };
 
-/// What the line cuts in the box of the scene.
+/// The part of a line that is in the domain and in the box of the scene.
 struct CutLine
 {
   std::vector<CutStretch> Stretches;
   bool IsGood = true;
 };
 
-/// What is done about stretches that are not good.
+/// How a line with a stretch that is not good is treated.
 enum class CutEffort
 {
   AsItIs,

@@ -83,7 +83,7 @@ JoinedMesh AsWhole(RelaxationMesh& mesh)
   return whole;
 }
 
-// What lies around the triangles before `end`.
+// The connected neighbourhoods of the triangles before `end`.
 std::vector<TriangleList> PlacesAround(const JoinedMesh& mesh, std::size_t end, Pulse& pulse)
 {
   const std::size_t vertices = mesh.Bites.Points.size();
@@ -116,7 +116,7 @@ RelaxedStrip RelaxByParts(TakenStrip strip, const Spacing& spacing, Monitor& mon
   }
   if (between > 0 && !pulse.HasStopped())
   {
-    // What was returned comes last.
+    // Returned triangles come last: those before are between the parts.
     RelaxParts(strip.Border, spacing, PlacesAround(mesh, between, pulse), mesh, pulse);
   }
   RelaxedStrip relaxed;

@@ -22,7 +22,7 @@ struct RelaxedStrip
   std::vector<Id> Origins; ///< of its vertices, in the strip as it was taken; NoId: new
 };
 
-/// What became of a mesh along its cuts, in its numbers before.
+/// The change of a mesh along its cuts, in the numbers before the change.
 struct StripChange
 {
   std::vector<Id> GoneVertices; ///< rising

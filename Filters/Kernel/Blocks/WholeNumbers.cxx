@@ -98,7 +98,7 @@ void Numberer::NumberVertices()
   this->Result.NumberOfVertices = before - this->Missing;
 }
 
-// All triangles at them are at hand.
+// The collars have all triangles at shared vertices: a vertex without one is unused.
 void Numberer::NumberShared(Listed& gone)
 {
   const std::size_t shared = static_cast<std::size_t>(this->Joined.Places[0].Vertex);
@@ -124,7 +124,7 @@ void Numberer::NumberShared(Listed& gone)
   }
 }
 
-// Those of strips come last.
+// Triangles of strips come last.
 void Numberer::NumberTriangles()
 {
   Listed strip(this->Change.Triangles);
@@ -178,7 +178,7 @@ Id BlockOfStrip(const Id* corners, const WholeNumbers& numbers)
   return block;
 }
 
-// What has none takes that of a neighbor, step by step.
+// A triangle without a block takes that of a neighbour, breadth first.
 void FillFromNeighbors(const Triangulation& mesh, std::vector<Id>& blocks)
 {
   std::vector<Id> front;

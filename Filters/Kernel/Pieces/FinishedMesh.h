@@ -18,7 +18,7 @@
 namespace biting
 {
 
-/// What is meshed, and how.
+/// The domain, f, and the options of a mesh.
 struct MeshingInput
 {
   const SimplifiedDomain& Simplified;

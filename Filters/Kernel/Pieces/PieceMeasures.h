@@ -18,7 +18,7 @@
 namespace biting
 {
 
-/// What is measured of a piece. Two more rings of triangles than `GhostLevels` lie around its own.
+/// A piece to be measured. GhostLevels + 2 rings of triangles lie around its own.
 struct MeasuredPiece
 {
   const Domain& Geometry;

@@ -19,7 +19,7 @@
 namespace biting
 {
 
-/// What a member of a crew has of a mesh whose blocks stay where they were made.
+/// The part of a spread mesh that one member of a crew has: blocks stay where they were made.
 struct SpreadInput
 {
   const Domain& Geometry;

@@ -13,7 +13,7 @@
 namespace biting
 {
 
-/// What is known of the mesh beforehand.
+/// An estimate of the mesh, made before it.
 struct Forecast
 {
   double Density = 0.0; ///< integral of 1/f^2

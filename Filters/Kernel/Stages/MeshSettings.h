@@ -35,7 +35,7 @@ struct MeshSettings
     this->Biting.PreserveBoundary = options.PreserveBoundary;
   }
 
-  /// Of all members of a crew: bites have numbers of 32 bits, and there are fewer than two a vertex.
+  /// Of all members of a crew. Bites have numbers of 32 bits; there are fewer than two a vertex.
   static constexpr std::int64_t MostVerticesInAll = std::numeric_limits<Id>::max() / 2;
 
   BitingOptions Biting;

@@ -20,7 +20,7 @@ namespace
 constexpr double GivenSpacingEnd = 0.3; // of the time
 
 // The spacing before gradation and any limit by feature size, made where it is first asked for.
-// What is wrong with it is said later.
+// Problems of it are told later, by PrepareSpacing.
 std::function<double(const Point2&)> SpacingAsGiven(
   const Polylines& input, const BitingMeshOptions& options, Monitor& monitor)
 {

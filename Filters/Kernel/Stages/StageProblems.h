@@ -61,7 +61,7 @@ inline bool RefuseMoreThan(std::int64_t limit, double vertices, ProblemList& pro
   return isTooMuch;
 }
 
-/// Those that `list` has kept.
+/// Adds the problems of `list` to `problems`.
 inline void AddAll(const ProblemList& list, ProblemList& problems)
 {
   for (const ProblemGroup& group : list.Groups())
