@@ -47,13 +47,6 @@ std::size_t BiteFrame::Size() const
   return static_cast<std::size_t>(this->NumberOfColumns) * this->NumberOfRows;
 }
 
-Point2 BiteFrame::MiddleOf(const CellPlace& cell, double size) const
-{
-  const double middle = 0.5 * size;
-  const Point2 offset{ cell.X + middle, cell.Y + middle };
-  return this->Origin + 1.0 / this->Scale * offset;
-}
-
 // Its bounding box, or its near reach where that is larger.
 CellBox BiteFrame::ExtentOf(Id bite) const
 {

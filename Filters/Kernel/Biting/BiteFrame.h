@@ -70,7 +70,6 @@ public:
       (center.Y + reach - this->Origin.Y) * this->Scale };
   }
 
-  Point2 MiddleOf(const CellPlace& cell, double size) const;
   CellBox ExtentOf(Id bite) const;
   FramedBite Framed(Id bite) const;
   SizedBite InCells(const FramedBite& bite, double size) const;

@@ -3,8 +3,6 @@
 
 #include "BiteGrid.h"
 
-#include "BiteOutline.h" // for Depth
-
 #include <algorithm> // for max
 #include <cmath>     // for sqrt
 #include <limits>    // of counts
@@ -107,19 +105,6 @@ void BiteGrid::FileInCell(
   if (leaf.NumberOfSmaller > std::max(this->Crowd, Id{ leaf.NumberOfLarger }))
   {
     this->Divide(cell, place, sized.Size);
-  }
-  else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > this->Crowd)
-  {
-    this->KeepDeepest(leaf, place, sized.Size, bite.Bite);
-  }
-}
-
-void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite)
-{
-  const Point2 p = this->Frame.MiddleOf(place, size);
-  if (leaf.Deepest == NoId || Depth(this->All, leaf.Deepest, p) < Depth(this->All, bite, p))
-  {
-    leaf.Deepest = bite;
   }
 }
 

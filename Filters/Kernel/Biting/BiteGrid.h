@@ -48,10 +48,6 @@ public:
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit, Id birth = NoId) const;
 
-  /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the
-  /// leaf lies deep in it. NoId elsewhere.
-  Id DeepestOfLeaf(const Point2& p) const { return this->Locate(p).Leaf->Deepest; }
-
   /// Calls visit(bite) for bites whose centres are within `reach` of their half-widths from p, the
   /// newest first, until it returns true: all of them up to the near reach, beyond it those of p's
   /// leaf.
@@ -72,8 +68,7 @@ private:
   struct Cell
   {
     Id FirstChild = NoId;
-    Id List = NoId;    ///< of a leaf
-    Id Deepest = NoId; ///< in a crowded leaf: the bite that the middle lies deepest in
+    Id List = NoId;                    ///< of a leaf
     std::uint16_t NumberOfSmaller = 0; ///< bites smaller than the leaf, as far as can be counted
     std::uint16_t NumberOfLarger = 0;
   };
@@ -92,7 +87,6 @@ private:
   void Coarsen(Id newest);
   void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
   void FileInChildren(Id cell, const CellPlace& place, double size, const FramedBite& bite);
-  void KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite);
   void Divide(Id cell, const CellPlace& place, double size);
 
   const Bites& All;

@@ -142,29 +142,6 @@ TEST(BiteGrid, DoesNotCopyACrowdOfLargeBitesToEachOfTheTinyOnesAmongThem)
   EXPECT_LT(CountEntries(bites), 40 * bites.Size());
 }
 
-TEST(BiteGrid, KnowsADeepBiteWhereTheyCrowd)
-{
-  Bites bites;
-  for (int k = 0; k < 2000; ++k)
-  {
-    AddBite({ 0.2 + 3e-4 * k, 0.5 }, UnitVector(30.0), 0.1, bites);
-  }
-  BiteGrid grid(bites, UnitBox(), 2000.0);
-  EXPECT_EQ(grid.DeepestOfLeaf({ 0.5, 0.5 }), NoId);
-  for (Id bite = 0; bite < bites.Size(); ++bite)
-  {
-    grid.File(bite);
-  }
-  int deep = 0;
-  for (int k = 0; k < 100; ++k)
-  {
-    const Point2 p{ 0.25 + 0.005 * k, 0.5 };
-    const Id deepest = grid.DeepestOfLeaf(p);
-    deep += deepest != NoId && Depth(bites, deepest, p) > 0.0 ? 1 : 0;
-  }
-  EXPECT_GT(deep, 90);
-}
-
 TEST(BiteGrid, FindsBitesBeyondItsBounds)
 {
   Bites bites = RandomBites(500, 0.05, 3.0, { 1.1, -0.1 }, 11);
