@@ -33,15 +33,15 @@ namespace biting
 /// not in use. The domain and the spacing must outlive it. Problems are added in the order of the
 /// blocks.
 ///
-/// The members of a crew share the blocks, which stay with them: the first one joins and relaxes
-/// their collars only (BlockCollar.h), and has in `bites` and `triangles` the mesh of these. What
-/// does not arrive it makes itself; where the collars do not suffice, or nobody has sent any, it
-/// makes all, and has the mesh of the whole.
+/// The members of a crew share the blocks. A block stays with its member; the first member gets its
+/// collar (BlockCollar.h). The first member joins and relaxes the collars, and has their mesh in
+/// `bites` and `triangles`. It makes the blocks that do not arrive. Where the collars do not suffice,
+/// or no member has sent any, it makes all blocks and has the mesh of the whole.
 class BlockMesher
 {
 public:
-  /// With `ghostLevels`, what lies so many rings of vertices around a member's part is in the
-  /// collars' mesh, and two rings more. One process may have `mostInProcess` vertices.
+  /// The collars' mesh has `ghostLevels` + 2 rings of vertices around the part of a member. One
+  /// process may have `mostInProcess` vertices.
   BlockMesher(const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew(),
     int ghostLevels = 0, std::int64_t mostInProcess = MostVerticesInIds)
     : Geometry(domain)

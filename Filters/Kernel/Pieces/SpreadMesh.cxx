@@ -116,7 +116,7 @@ BitingMesh MakePiece(const SpreadInput& input, CollarPart own, CrewRounds& round
   }
   PartOfStage measuring(part, UnitingEnd, 1.0);
   const bool isWell =
-    MeasurePieces({ input.Geometry, input.F, piece.Constraints, levels, countsAsked }, rounds,
+    MeasurePieces({ input.Geometry, input.F, piece.Constraints, countsAsked }, rounds,
       piece.Mesh, density, problems, measuring);
   if (!isWell || measuring.HasStopped())
   {
