@@ -22,7 +22,6 @@
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
 #include "Simplification/Simplification.h" // for areas that changed
-#include "Stages/FinalCheck.h"
 #include "Stages/RelaxedBites.h"
 #include "Stages/SegmentCover.h"
 #include "Stages/SoundTriangulation.h"
@@ -240,7 +239,7 @@ double Remesher::ExpectedVertices() const
     const double f = (spacings[corners[0]] + spacings[corners[1]] + spacings[corners[2]]) / 3.0;
     density += AreaOfTriangle(old.Points, corners) / (f * f);
   }
-  return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices() -
+  return EstimateNumberOfVertices(density) + this->Cavity.Geometry.NumberOfVertices() -
     this->NumberOfMiddles;
 }
 
@@ -251,12 +250,8 @@ void Remesher::Bite()
     static_cast<double>(MostVerticesInIds));
   const double unchanged = static_cast<double>(this->Result.Old.NumberOfVertices()) -
     static_cast<double>(this->Region.Vertices.size());
-  BitingOptions options;
-  options.Placement = Placement::Bisectors;
-  options.PartLength = 1.0;
-  options.FollowSlope = true;
+  BitingOptions options(BiteShape::Square, Placement::Bisectors);
   options.MaximumNumberOfVertices = static_cast<std::int64_t>(std::max(most - unchanged, 1.0));
-  options.BitingConstant = AutomaticBitingConstant(options);
   if (expected + unchanged <= most)
   {
     PartOfStage locating(this->Whole, EdgesEnd, LocatorEnd);
@@ -339,12 +334,8 @@ void Remesher::Relax()
   {
     options.Hold = this->HoldBy(places, held);
   }
-  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
-    this->Cavity.Bites, this->Cavity.Triangles, this->Whole);
-  if (!violation.empty())
-  {
-    AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
-  }
+  RelaxBites(this->Cavity.Geometry, this->F, options, this->Cavity.Bites, this->Cavity.Triangles,
+    this->Whole);
   if (!this->IsOver() && !this->Options.RelaxAll)
   {
     ReturnVertices(places, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);

@@ -51,7 +51,6 @@ set(biting_kernel_sources
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
   Simplification/VertexTree.cxx
-  Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
   Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
@@ -60,17 +59,15 @@ set(biting_kernel_sources
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
-  Biting/CornerCover.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
   Biting/EdgeSamples.cxx
-  Biting/EdgeShields.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/LeftOvers.cxx
-  Biting/ReachFactor.cxx
+  Biting/BiteTriangle.cxx
   Biting/Remains.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
@@ -110,19 +107,15 @@ set(biting_kernel_sources
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx
-  Stages/DomainFeatures.cxx
-  Stages/FinalCheck.cxx
   Stages/FineDrawing.cxx
-  Stages/Forecast.cxx
   Stages/MeshAssembly.cxx
-  Stages/NarrowAngles.cxx
   Stages/NearMisses.cxx
+  Stages/PreparedDomain.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx
-  Stages/RaisedSpacing.cxx
   Stages/RelaxedBites.cxx
   Stages/SegmentCover.cxx
-  Stages/SharpCornerTriangles.cxx
+  Stages/SharpSectors.cxx
   Stages/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
@@ -146,12 +139,9 @@ set(biting_kernel_sources
   Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
-  Blocks/BlockBytes.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
-  Blocks/BlockShares.cxx
-  Blocks/CollarOwners.cxx
   Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
@@ -162,17 +152,14 @@ set(biting_kernel_sources
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/NearTouches.cxx
-  Blocks/RimFlips.cxx
   Blocks/StripParts.cxx
   Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx
   Blocks/WholeNumbers.cxx
-  Pieces/CollarPart.cxx
   Pieces/FinishedMesh.cxx
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
-  Pieces/TrimmedPiece.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

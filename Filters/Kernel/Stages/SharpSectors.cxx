@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SharpCornerTriangles.h"
+#include "SharpSectors.h"
 
-#include "../Base/Pulse.h"
+#include "../Base/Numbers.h"
 #include "../Biting/Spokes.h"
+#include "StageProblems.h"
 
 #include <algorithm> // for all_of, any_of
 #include <array>     // for triangles
-#include <cmath>     // for sqrt
+#include <cmath>     // for atan2
 #include <vector>    // for the sectors
 
 namespace biting
@@ -17,7 +18,15 @@ namespace biting
 namespace
 {
 
+constexpr double NarrowInDegrees = 0.01;
 constexpr double CosineOf30 = 0.86602540378443864676;
+
+double AngleInDegrees(const SharpSector& sector)
+{
+  const Point2& first = sector.First.Direction;
+  const Point2& last = sector.Last.Direction;
+  return DegreesPerRadian * std::atan2(Cross(first, last), Dot(first, last));
+}
 
 using Corners = std::array<Id, 3>;
 
@@ -112,6 +121,24 @@ bool IsPoor(const BitingResult& bites, const Corners& corners)
 }
 
 } // namespace
+
+void ReportNarrowAngles(const Domain& domain, ProblemList& problems, Pulse& pulse)
+{
+  const SpokesOfVertices spokes(domain);
+  for (Id vertex = 0; vertex < domain.NumberOfVertices() && pulse.Beat(); ++vertex)
+  {
+    for (const SharpSector& sector : spokes.SharpSectorsAt(vertex))
+    {
+      const double degrees = AngleInDegrees(sector);
+      if (degrees < NarrowInDegrees)
+      {
+        problems.Add({ ProblemCode::NarrowAngles,
+          { domain.Cells[sector.First.Segment], domain.Cells[sector.Last.Segment] },
+          domain.Vertices[vertex], Figure(degrees, 2) + " degrees" });
+      }
+    }
+  }
+}
 
 Id CountSharpCornerTriangles(
   const Domain& domain, const BitingResult& bites, const Triangulation& mesh, Monitor& monitor)

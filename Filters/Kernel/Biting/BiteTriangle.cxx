@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ReachFactor.h"
+#include "BiteTriangle.h"
 
-#include <algorithm> // for min, clamp
+#include <algorithm> // for min, max, clamp
 #include <cmath>     // for sqrt, abs
 
 namespace biting
@@ -13,9 +13,7 @@ namespace
 {
 
 constexpr double FaultsOfSquares = 0.29; // per slope
-constexpr double FaultsOfCircles = 0.2;  // per root of the slope
-constexpr double FaultsOfBestCircles = 0.25;
-constexpr double GreatestSlope = 1.0; // faults do not grow beyond
+constexpr double GreatestSlope = 1.0;    // faults do not grow beyond
 // Of circles: half of f's growth to the next bite, which is .8 of the way ahead, as some come
 // sideways.
 constexpr double ShareOfGrowth = 0.4;
@@ -23,28 +21,35 @@ constexpr double GreatestGrowth = 0.5;
 constexpr double LeastHeight =
   0.1; // of the bond: in a flatter triangle the slope across is unknown
 
+constexpr double LeastShift = 1e-3; // of an edge
+
 // By what share lengths are greater.
 double Faults(BiteShape shape, FrontOrder order, double slope)
 {
-  if (shape == BiteShape::Square)
-  {
-    return FaultsOfSquares * slope;
-  }
-  return (order == FrontOrder::BestFirst ? FaultsOfBestCircles : FaultsOfCircles) *
-    std::sqrt(slope);
+  return shape == BiteShape::Square ? FaultsOfSquares * slope
+                                    : RuleOf(order).FaultsOfCircles * std::sqrt(slope);
 }
 
 } // namespace
 
-double LeastReachFactor(double slope)
+Point2 BalancedTop(const BiteTriangle& triangle, double lengthPerSpacing)
 {
-  return (1.0 - ShareOfGrowth * std::min(slope, GreatestGrowth)) /
-    (1.0 + FaultsOfBestCircles * std::sqrt(std::min(slope, GreatestSlope)));
-}
-
-double GreatestReachFactor(double slope)
-{
-  return 1.0 + ShareOfGrowth * std::min(slope, GreatestGrowth);
+  const Point2 bond = triangle.Right - triangle.Left;
+  const double left = 0.5 * lengthPerSpacing * (triangle.LeftSpacing + triangle.TopSpacing);
+  const double right = 0.5 * lengthPerSpacing * (triangle.RightSpacing + triangle.TopSpacing);
+  // In units of the bond, from Left.
+  const double perSquare = 1.0 / Dot(bond, bond);
+  const double along = 0.5 + 0.5 * (left - right) * (left + right) * perSquare;
+  const double height = left * left * perSquare - along * along;
+  if (!(height > 0.0))
+  {
+    return triangle.Top;
+  }
+  const Point2 across = Perpendicular(bond);
+  const double side = Dot(across, triangle.Top - triangle.Left) < 0.0 ? -1.0 : 1.0;
+  const Point2 top = triangle.Left + along * bond + side * std::sqrt(height) * across;
+  const Point2 shift = top - triangle.Top;
+  return Dot(shift, shift) > LeastShift * LeastShift * left * left ? top : triangle.Top;
 }
 
 double ReachFactor(BiteShape shape, FrontOrder order, const BiteTriangle& triangle)
@@ -65,6 +70,22 @@ double ReachFactor(BiteShape shape, FrontOrder order, const BiteTriangle& triang
   const double share = shape == BiteShape::Circle ? ShareOfGrowth : 0.0;
   const double growth = std::clamp(ahead, -GreatestGrowth, GreatestGrowth);
   return (1.0 + share * growth) / (1.0 + Faults(shape, order, slope));
+}
+
+double LeastReachFactor(double slope)
+{
+  double faults = 0.0;
+  for (const FrontRule& rule : FrontRules)
+  {
+    faults = std::max(faults, rule.FaultsOfCircles);
+  }
+  return (1.0 - ShareOfGrowth * std::min(slope, GreatestGrowth)) /
+    (1.0 + faults * std::sqrt(std::min(slope, GreatestSlope)));
+}
+
+double GreatestReachFactor(double slope)
+{
+  return 1.0 + ShareOfGrowth * std::min(slope, GreatestGrowth);
 }
 
 } // namespace biting
