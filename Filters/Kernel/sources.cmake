@@ -113,7 +113,6 @@ set(biting_kernel_sources
   Relaxation/ValenceRound.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
-  Quality/MeshParts.cxx
   Quality/QuadDiagonal.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
