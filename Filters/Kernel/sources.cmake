@@ -88,12 +88,10 @@ set(biting_kernel_sources
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
   Delaunay/Cavity.cxx
-  Delaunay/ConstrainedMesh.cxx
   Delaunay/ConstraintRecovery.cxx
   Delaunay/LateInsertion.cxx
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
-  Delaunay/TriangulationCheck.cxx
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayMesh.cxx
   Relaxation/DividedSegments.cxx
