@@ -101,7 +101,6 @@ set(biting_kernel_sources
   Relaxation/MeshReading.cxx
   Relaxation/MeshWriting.cxx
   Relaxation/MutableMesh.cxx
-  Relaxation/RelaxedMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx

@@ -5,7 +5,6 @@
 
 #include "Star.h"
 #include "StarObjective.h"
-#include "TriangleLimits.h"
 
 #include <algorithm> // for sort, unique, remove_if
 #include <cstddef>   // for counts
@@ -103,7 +102,6 @@ void AngleDescent::Run(Pulse& pulse)
     {
       this->FindChanged();
     }
-    this->KeepPoor();
     this->ListCorners();
     this->Moved.clear();
     const std::vector<Id> vertices = this->Mesh.Around(this->Corners, 1);
@@ -177,15 +175,12 @@ bool AngleDescent::IsPoor(const PoorTriangle& triangle) const
   return triangle.Levels >= this->PoorLevel || (this->AreLengthsPoor && triangle.IsOutOfBand);
 }
 
-void AngleDescent::KeepPoor()
+// Of those that are poor by the limits; the others are left out from now on.
+void AngleDescent::ListCorners()
 {
   this->Poor.erase(std::remove_if(this->Poor.begin(), this->Poor.end(),
                      [this](const PoorTriangle& triangle) { return !this->IsPoor(triangle); }),
     this->Poor.end());
-}
-
-void AngleDescent::ListCorners()
-{
   this->Corners.clear();
   for (const PoorTriangle& triangle : this->Poor)
   {

@@ -51,7 +51,6 @@ private:
 
   void LookAtAll(Pulse& pulse);
   void ChooseLimits();
-  void KeepPoor();
   void FindChanged();
   void ListCorners();
   PoorTriangle Judge(Id triangle) const;

@@ -3,9 +3,9 @@
 
 #include "Smoothing.h"
 
+#include "../Base/Numbers.h"
 #include "SegmentParts.h"
 #include "Star.h"
-#include "TriangleLimits.h"
 
 #include <algorithm> // for max
 #include <cstddef>   // for slots
@@ -19,7 +19,6 @@ namespace
 {
 
 constexpr int MostAttempts = 3;
-constexpr double AllowedCotangent = CotangentOf30Degrees;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
 // Of triangles about a vertex that the second sweep does not look at.
@@ -130,25 +129,16 @@ bool HasFineLengths(const MutableMesh& mesh, Id vertex, const Star& star)
   return true;
 }
 
-/// For sweeps that do not mind them.
-struct AnyLengths
-{
-  bool Allow(
-    const MutableMesh& /*mesh*/, Id /*vertex*/, const Star& /*star*/, const Point2& /*step*/) const
-  {
-    return true;
-  }
-};
-
+/// Limits of the lengths of edges; by default there are none.
 struct LengthsWithin
 {
-  double LeastSquare;    ///< in squared spacings
-  double GreatestSquare; ///< in squared spacings
+  double LeastSquare = 0.0;         ///< in squared spacings
+  double GreatestSquare = Infinity; ///< in squared spacings
 
   /// Whether no edge of the star is farther beyond the limits after the step than before.
   bool Allow(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& step) const
   {
-    for (int k = 0; k <= star.NumberOfTriangles; ++k)
+    for (int k = 0; this->GreatestSquare < Infinity && k <= star.NumberOfTriangles; ++k)
     {
       const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
       const Point2 spoke = star.Spokes[k] - step;
@@ -164,9 +154,8 @@ struct LengthsWithin
   }
 };
 
-template <typename Lengths>
-bool SmoothStar(
-  MutableMesh& mesh, Id vertex, const Star& star, double allowedCotangent, const Lengths& lengths)
+bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star,
+  double allowedCotangent = CotangentOf30Degrees, const LengthsWithin& lengths = {})
 {
   const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
   const double allowed = std::max(sum.Worst, allowedCotangent);
@@ -198,8 +187,7 @@ bool MayMove(const MutableMesh& mesh, Id vertex, Star& star)
 bool SmoothAny(MutableMesh& mesh, Id vertex)
 {
   Star star;
-  return MayMove(mesh, vertex, star) &&
-    SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
+  return MayMove(mesh, vertex, star) && SmoothStar(mesh, vertex, star);
 }
 
 /// Smooths all vertices but those whose stars are fine. Where stars change is kept in mind: in good
@@ -259,7 +247,7 @@ void CoarseSweep::Smooth(Id vertex)
   Star star;
   const bool isMoved = MayMove(this->Mesh, vertex, star) &&
     !(HasFineLengths(this->Mesh, vertex, star) && star.Worst({}) < Fine.Cotangent) &&
-    SmoothStar(this->Mesh, vertex, star, AllowedCotangent, AnyLengths());
+    SmoothStar(this->Mesh, vertex, star);
   if (!isMoved)
   {
     return;

@@ -151,17 +151,14 @@ void ValenceRound::AddCandidates(Id edge)
   if (isShort || isLong)
   {
     const double length = mesh.RelativeLength(edge);
-    this->AddCandidate(edge, true, length);
-    this->AddCandidate(edge, false, length);
-  }
-}
-
-void ValenceRound::AddCandidate(Id edge, bool isCollapse, double length)
-{
-  const double score = this->Score(edge, isCollapse, length);
-  if (score < 0.0)
-  {
-    this->Candidates.push_back({ score, edge, isCollapse });
+    for (const bool isCollapse : { true, false })
+    {
+      const double score = this->Score(edge, isCollapse, length);
+      if (score < 0.0)
+      {
+        this->Candidates.push_back({ score, edge, isCollapse });
+      }
+    }
   }
 }
 

@@ -49,7 +49,6 @@ private:
   void FindRegular(Pulse& pulse);
   bool IsFine(Id edge) const;
   void AddCandidates(Id edge);
-  void AddCandidate(Id edge, bool isCollapse, double length);
   double Score(Id edge, bool isCollapse, double length) const;
   double CollapseScore(Id edge, double length) const;
   double SplitScore(Id edge, double length) const;

@@ -8,7 +8,7 @@
 #include "Relaxation/Smoothing.h"
 #include "Relaxation/StarObjective.h"
 #include "Relaxation/TopologyTrials.h"
-#include "Relaxation/TriangleLimits.h"
+#include "Relaxation/Star.h"
 #include "Relaxation/ValenceRound.h"
 
 #include <gtest/gtest.h>
