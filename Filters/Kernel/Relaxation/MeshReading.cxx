@@ -7,9 +7,10 @@
 #include "../Base/TriangleSlots.h"
 #include "DividedSegments.h"
 
-#include <cmath>      // for abs
-#include <functional> // for less
-#include <utility>    // for move
+#include <cmath>            // for abs
+#include <functional>       // for less
+#include <initializer_list> // for steps
+#include <utility>          // for move, pairs
 
 namespace biting
 {
@@ -43,14 +44,6 @@ void ReserveWithRoom(std::size_t size, std::vector<Values>&... arrays)
   (arrays.reserve(size + size / 16), ...);
 }
 
-/// Gives back all but the first ones.
-template <typename Value>
-void KeepFirst(Id count, std::vector<Value>& values, Pulse& pulse)
-{
-  std::vector<Value>(values.begin(), values.begin() + count).swap(values);
-  pulse.Ask();
-}
-
 class Reader
 {
 public:
@@ -63,54 +56,33 @@ public:
 
   std::vector<Id> Read()
   {
-    const bool isRead = this->ReadCorners() && this->ReadVertices() && this->ReadEdges();
-    if (isRead)
+    using Step = void (Reader::*)();
+    double begin = 0.0;
+    for (const auto& [step, end] : std::initializer_list<std::pair<Step, double>>{
+           { &Reader::TakeCorners, CornersReadEnd }, { &Reader::TakeVertices, VerticesReadEnd },
+           { &Reader::TakeEdges, TrianglesReadEnd }, { &Reader::SetBounds, 1.0 } })
     {
-      this->SetBounds();
+      const PulsePart part(this->Progress, begin, end);
+      begin = end;
+      if (!this->Progress.HasStopped())
+      {
+        (this->*step)();
+      }
     }
     return std::move(this->Origins);
   }
 
 private:
-  bool ReadCorners()
-  {
-    const PulsePart part(this->Progress, 0.0, CornersReadEnd);
-    this->TakeCorners();
-    return !this->Progress.HasStopped();
-  }
-  bool ReadVertices()
-  {
-    const PulsePart part(this->Progress, CornersReadEnd, VerticesReadEnd);
-    this->TakeVertices();
-    return !this->Progress.HasStopped();
-  }
-  bool ReadEdges()
-  {
-    const PulsePart part(this->Progress, VerticesReadEnd, TrianglesReadEnd);
-    this->TakeMarks();
-    this->TakeTwins();
-    this->TakeRegions();
-    return !this->Progress.HasStopped();
-  }
-  void SetBounds()
-  {
-    const PulsePart part(this->Progress, TrianglesReadEnd, 1.0);
-    this->SetFreedoms();
-    this->SetIdealDegrees();
-  }
-
+  void TakeCorners();
   Id NumberOf(Id vertex);
   void TakeVertices();
   template <typename Value>
   void TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to);
-  bool MakeHalves(std::vector<Id>& array);
-  void TakeCorners();
-  void TakeMarks();
-  void TakeTwins();
-  void TakeRegions();
-  Id TwinOf(Id edge, Id neighbor) const;
+  void TakeEdges();
   template <typename Visit>
-  void ForEachHalf(std::size_t count, Visit&& visit);
+  void TakeHalves(std::vector<Id>& from, std::vector<Id>& to, Visit&& visit);
+  Id TwinOf(Id edge, Id neighbor) const;
+  void SetBounds();
   void SetFreedoms();
   Freedom FreedomOf(Id vertex, Id numberOfMarks, bool isAtOther) const;
   void SetIdealDegrees();
@@ -144,50 +116,51 @@ void Reader::TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to)
   ReserveWithRoom(this->Origins.size(), to);
   this->Progress.ForEach(this->Origins.size(),
     [this, &from, &to](std::size_t vertex) { to.push_back(from[this->Origins[vertex]]); });
-  KeepFirst(this->Mesh.Geometry.NumberOfVertices(), from, this->Progress);
+  const auto ofDomain = from.begin() + this->Mesh.Geometry.NumberOfVertices();
+  std::vector<Value>(from.begin(), ofDomain).swap(from);
+  this->Progress.Ask();
 }
 
-bool Reader::MakeHalves(std::vector<Id>& array)
-{
-  const std::size_t size = 4 * this->Input.Triangles.Regions.size();
-  ReserveWithRoom(size, array);
-  return GrowInSteps(array, size, NoId, this->Progress);
-}
-
-// Calls visit(half, edge) for the half-edges of the input, and what they are in the mesh.
+// Makes `to` as long as there are half-edges, and calls visit(edge, value) for the values of `from`,
+// three a triangle, with the half-edges that they are of. Then `from` is given back.
 template <typename Visit>
-void Reader::ForEachHalf(std::size_t count, Visit&& visit)
+void Reader::TakeHalves(std::vector<Id>& from, std::vector<Id>& to, Visit&& visit)
 {
-  this->Progress.ForEach(count / 3,
-    [&visit](std::size_t triangle)
-    {
-      for (std::size_t corner = 0; corner < 3; ++corner)
+  const std::size_t triangles = this->Input.Triangles.Regions.size();
+  ReserveWithRoom(4 * triangles, to);
+  if (GrowInSteps(to, 4 * triangles, NoId, this->Progress))
+  {
+    this->Progress.ForEach(triangles,
+      [&from, &visit](std::size_t triangle)
       {
-        visit(3 * triangle + corner, static_cast<Id>(4 * triangle + corner));
-      }
-    });
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          visit(static_cast<Id>(4 * triangle + corner), from[3 * triangle + corner]);
+        }
+      });
+  }
+  ReleaseInSteps(this->Progress, from);
 }
 
 // Numbers the vertices as it meets them.
 void Reader::TakeCorners()
 {
   MutableMesh& mesh = this->Mesh;
-  std::vector<Id>& corners = this->Input.Triangles.Corners;
   const std::size_t size = this->Input.Points.size();
   this->Origins.reserve(size);
   ReserveWithRoom(size, mesh.VertexEdges, mesh.Degrees);
-  if (GrowInSteps(this->Numbers, size, NoId, this->Progress) && this->MakeHalves(mesh.Corners))
+  if (GrowInSteps(this->Numbers, size, NoId, this->Progress))
   {
-    this->ForEachHalf(corners.size(),
-      [this, &mesh, &corners](std::size_t half, Id edge)
+    this->TakeHalves(this->Input.Triangles.Corners, mesh.Corners,
+      [this, &mesh](Id edge, Id corner)
       {
-        const Id vertex = this->NumberOf(corners[half]);
+        const Id vertex = this->NumberOf(corner);
         mesh.Corners[edge] = vertex;
         mesh.VertexEdges[vertex] = edge;
         ++mesh.Degrees[vertex];
       });
   }
-  ReleaseInSteps(this->Progress, corners, this->Numbers);
+  ReleaseInSteps(this->Progress, this->Numbers);
 }
 
 Id Reader::NumberOf(Id vertex)
@@ -203,43 +176,34 @@ Id Reader::NumberOf(Id vertex)
   return number;
 }
 
-void Reader::TakeMarks()
+void Reader::TakeEdges()
 {
-  std::vector<Id>& constraints = this->Input.Triangles.Constraints;
-  if (this->MakeHalves(this->Mesh.Marks))
-  {
-    this->ForEachHalf(constraints.size(),
-      [this, &constraints](std::size_t half, Id edge)
+  this->TakeHalves(this->Input.Triangles.Constraints, this->Mesh.Marks,
+    [this](Id edge, Id constraint)
+    {
+      if (constraint != NoId)
       {
-        const Id constraint = constraints[half];
-        if (constraint != NoId)
-        {
-          this->Mesh.Marks[edge] = this->Input.EdgeSegments[constraint];
-          this->Marked.push_back(edge);
-        }
-      });
-  }
-  ReleaseInSteps(this->Progress, constraints, this->Input.EdgeStarts, this->Input.EdgeEnds,
-    this->Input.EdgeSegments);
-}
-
-void Reader::TakeTwins()
-{
-  std::vector<Id>& neighbors = this->Input.Triangles.Neighbors;
-  if (this->MakeHalves(this->Mesh.Twins))
-  {
-    this->ForEachHalf(neighbors.size(),
-      [this, &neighbors](std::size_t half, Id edge)
+        this->Mesh.Marks[edge] = this->Input.EdgeSegments[constraint];
+        this->Marked.push_back(edge);
+      }
+    });
+  ReleaseInSteps(
+    this->Progress, this->Input.EdgeStarts, this->Input.EdgeEnds, this->Input.EdgeSegments);
+  this->TakeHalves(this->Input.Triangles.Neighbors, this->Mesh.Twins,
+    [this](Id edge, Id neighbor)
+    {
+      if (neighbor == NoId)
       {
-        if (neighbors[half] == NoId)
-        {
-          this->Border.push_back(edge);
-          return;
-        }
-        this->Mesh.Twins[edge] = this->TwinOf(edge, neighbors[half]);
-      });
-  }
-  ReleaseInSteps(this->Progress, neighbors);
+        this->Border.push_back(edge);
+        return;
+      }
+      this->Mesh.Twins[edge] = this->TwinOf(edge, neighbor);
+    });
+  std::vector<Id>& regions = this->Input.Triangles.Regions;
+  ReserveWithRoom(regions.size(), this->Mesh.Regions);
+  this->Progress.ForEach(regions.size(),
+    [this, &regions](std::size_t triangle) { this->Mesh.Regions.push_back(regions[triangle]); });
+  ReleaseInSteps(this->Progress, regions);
 }
 
 // The half-edge of the neighbor that ends where `edge` starts.
@@ -249,13 +213,10 @@ Id Reader::TwinOf(Id edge, Id neighbor) const
   return 4 * neighbor + After[CornerOf(&this->Mesh.Corners[4 * neighbor], this->Mesh.Origin(edge))];
 }
 
-void Reader::TakeRegions()
+void Reader::SetBounds()
 {
-  std::vector<Id>& regions = this->Input.Triangles.Regions;
-  ReserveWithRoom(regions.size(), this->Mesh.Regions);
-  this->Progress.ForEach(regions.size(),
-    [this, &regions](std::size_t triangle) { this->Mesh.Regions.push_back(regions[triangle]); });
-  ReleaseInSteps(this->Progress, regions);
+  this->SetFreedoms();
+  this->SetIdealDegrees();
 }
 
 // Only vertices at which nothing but their own segment passes may slide.

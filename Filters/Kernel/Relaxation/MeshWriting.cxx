@@ -5,9 +5,10 @@
 
 #include "../Base/SortInSteps.h"
 
-#include <algorithm> // for max, min
-#include <numeric>   // for accumulate
-#include <utility>   // for move
+#include <algorithm>        // for max, min
+#include <initializer_list> // for steps
+#include <numeric>          // for accumulate
+#include <utility>          // for move, pairs
 
 namespace biting
 {
@@ -48,11 +49,17 @@ public:
   {
     ReleaseInSteps(this->Progress, this->Mesh.Degrees, this->Mesh.Freedoms, this->Mesh.IdealDegrees,
       this->Mesh.IsEstimate);
-    this->NumberAll();
-    this->FindParts();
-    this->WriteVertices();
-    this->WriteTriangles();
-    this->WriteParts();
+    using Step = void (Writer::*)();
+    double begin = 0.0;
+    for (const auto& [step, end] :
+      std::initializer_list<std::pair<Step, double>>{ { &Writer::NumberAll, NumbersEnd },
+        { &Writer::FindParts, PartsEnd }, { &Writer::WriteVertices, VerticesWrittenEnd },
+        { &Writer::WriteTriangles, TrianglesWrittenEnd }, { &Writer::WriteParts, 1.0 } })
+    {
+      const PulsePart part(this->Progress, begin, end);
+      begin = end;
+      (this->*step)();
+    }
     output = std::move(this->Output);
     return std::move(this->NewOrigins);
   }
@@ -61,7 +68,6 @@ private:
   void NumberAll();
   void NumberVertices();
   void NumberVertex(Id source, Id origin);
-  void NumberTriangles();
   void FindParts();
   SegmentPart MakePart(Id edge) const;
   void WriteVertices();
@@ -70,12 +76,9 @@ private:
     std::vector<Value>& from, const std::vector<Value>& unused, std::vector<Value>& to);
   void WriteTriangles();
   template <typename Visit>
-  void ForEachTriangle(Visit&& visit);
-  void WriteNeighbors();
-  void WriteCorners();
-  void WriteRegions();
+  void WriteHalves(
+    std::vector<Id>& from, std::vector<Id>& to, std::size_t perTriangle, const Visit& valueOf);
   void WriteParts();
-  void WritePart(const SegmentPart& part);
   Id NewHalf(Id edge) const { return 3 * this->Triangles[edge >> 2] + (edge & 3); }
 
   MutableMesh& Mesh;
@@ -93,9 +96,12 @@ private:
 
 void Writer::NumberAll()
 {
-  const PulsePart part(this->Progress, 0.0, NumbersEnd);
   this->NumberVertices();
-  this->NumberTriangles();
+  GrowInSteps(this->Triangles, this->Mesh.Regions.size(), NoId, this->Progress);
+  Id& count = this->NumberOfTriangles;
+  this->Progress.ForEach(this->Triangles.size(),
+    [this, &count](std::size_t triangle)
+    { this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++; });
   ReleaseInSteps(this->Progress, this->Mesh.VertexEdges);
 }
 
@@ -150,18 +156,8 @@ void Writer::NumberVertex(Id source, Id origin)
   this->NewOrigins.push_back(origin);
 }
 
-void Writer::NumberTriangles()
-{
-  GrowInSteps(this->Triangles, this->Mesh.Regions.size(), NoId, this->Progress);
-  Id& count = this->NumberOfTriangles;
-  this->Progress.ForEach(this->Triangles.size(),
-    [this, &count](std::size_t triangle)
-    { this->Triangles[triangle] = this->Mesh.Corners[4 * triangle] == NoId ? NoId : count++; });
-}
-
 void Writer::FindParts()
 {
-  const PulsePart part(this->Progress, NumbersEnd, PartsEnd);
   this->Progress.ForEach(this->Triangles.size(),
     [this](std::size_t triangle)
     {
@@ -205,7 +201,6 @@ SegmentPart Writer::MakePart(Id edge) const
 
 void Writer::WriteVertices()
 {
-  const PulsePart part(this->Progress, PartsEnd, VerticesWrittenEnd);
   this->WriteOfVertices(this->Mesh.Points, this->Rest.Points, this->Output.Points);
   this->WriteOfVertices(this->Mesh.Spacings, this->Rest.Spacings, this->Output.Spacings);
   this->WriteOfVertices(this->Mesh.Segments, this->Rest.Segments, this->Output.Segments);
@@ -228,87 +223,53 @@ void Writer::WriteOfVertices(
 
 void Writer::WriteTriangles()
 {
-  const PulsePart part(this->Progress, VerticesWrittenEnd, TrianglesWrittenEnd);
-  this->WriteNeighbors();
-  this->WriteCorners();
-  this->WriteRegions();
+  Triangulation& triangles = this->Output.Triangles;
+  this->WriteHalves(this->Mesh.Twins, triangles.Neighbors, 3,
+    [this](Id twin) { return twin == NoId ? NoId : this->Triangles[twin >> 2]; });
+  this->WriteHalves(
+    this->Mesh.Corners, triangles.Corners, 3, [this](Id corner) { return this->Numbers[corner]; });
+  this->WriteHalves(this->Mesh.Regions, triangles.Regions, 1, [](Id region) { return region; });
+  ReleaseInSteps(this->Progress, this->Numbers, this->Triangles);
 }
 
-// Calls visit(triangle) for those of the mesh that are left.
+// Fills `to` with valueOf the values of `from` for the triangles that are left: the first three of
+// four, or one a triangle. Then `from` is given back.
 template <typename Visit>
-void Writer::ForEachTriangle(Visit&& visit)
+void Writer::WriteHalves(
+  std::vector<Id>& from, std::vector<Id>& to, std::size_t perTriangle, const Visit& valueOf)
 {
+  const std::size_t stride = perTriangle == 1 ? 1 : 4;
+  to.reserve(perTriangle * static_cast<std::size_t>(this->NumberOfTriangles));
   this->Progress.ForEach(this->Triangles.size(),
-    [this, &visit](std::size_t triangle)
+    [this, &from, &to, &valueOf, perTriangle, stride](std::size_t triangle)
     {
-      if (this->Triangles[triangle] != NoId)
+      const std::size_t first = stride * triangle;
+      for (std::size_t k = first; this->Triangles[triangle] != NoId && k < first + perTriangle; ++k)
       {
-        visit(triangle);
+        to.push_back(valueOf(from[k]));
       }
     });
-}
-
-void Writer::WriteNeighbors()
-{
-  std::vector<Id>& neighbors = this->Output.Triangles.Neighbors;
-  neighbors.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
-  this->ForEachTriangle(
-    [this, &neighbors](std::size_t triangle)
-    {
-      for (std::size_t edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
-      {
-        const Id twin = this->Mesh.Twins[edge];
-        neighbors.push_back(twin == NoId ? NoId : this->Triangles[twin >> 2]);
-      }
-    });
-  ReleaseInSteps(this->Progress, this->Mesh.Twins);
-}
-
-void Writer::WriteCorners()
-{
-  std::vector<Id>& corners = this->Output.Triangles.Corners;
-  corners.reserve(3 * static_cast<std::size_t>(this->NumberOfTriangles));
-  this->ForEachTriangle(
-    [this, &corners](std::size_t triangle)
-    {
-      for (std::size_t edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
-      {
-        corners.push_back(this->Numbers[this->Mesh.Corners[edge]]);
-      }
-    });
-  ReleaseInSteps(this->Progress, this->Mesh.Corners);
-}
-
-void Writer::WriteRegions()
-{
-  std::vector<Id>& regions = this->Output.Triangles.Regions;
-  regions.reserve(static_cast<std::size_t>(this->NumberOfTriangles));
-  this->ForEachTriangle(
-    [this, &regions](std::size_t triangle) { regions.push_back(this->Mesh.Regions[triangle]); });
-  ReleaseInSteps(this->Progress, this->Mesh.Regions, this->Numbers, this->Triangles);
+  ReleaseInSteps(this->Progress, from);
 }
 
 void Writer::WriteParts()
 {
-  const PulsePart part(this->Progress, TrianglesWrittenEnd, 1.0);
-  Triangulation& triangles = this->Output.Triangles;
-  GrowInSteps(triangles.Constraints, triangles.Corners.size(), NoId, this->Progress);
-  this->Progress.ForEach(
-    this->Parts.size(), [this](std::size_t k) { this->WritePart(this->Parts[k]); });
-}
-
-void Writer::WritePart(const SegmentPart& part)
-{
   RelaxationMesh& output = this->Output;
-  const Id constraint = static_cast<Id>(output.EdgeSegments.size());
-  output.EdgeStarts.push_back(part.Start);
-  output.EdgeEnds.push_back(part.End);
-  output.EdgeSegments.push_back(part.Segment);
-  output.Triangles.Constraints[part.Half] = constraint;
-  if (part.Twin != NoId)
-  {
-    output.Triangles.Constraints[part.Twin] = constraint;
-  }
+  std::vector<Id>& constraints = output.Triangles.Constraints;
+  GrowInSteps(constraints, output.Triangles.Corners.size(), NoId, this->Progress);
+  this->Progress.ForEach(this->Parts.size(),
+    [this, &output, &constraints](std::size_t k)
+    {
+      const SegmentPart& part = this->Parts[k];
+      output.EdgeStarts.push_back(part.Start);
+      output.EdgeEnds.push_back(part.End);
+      output.EdgeSegments.push_back(part.Segment);
+      constraints[part.Half] = static_cast<Id>(k);
+      if (part.Twin != NoId)
+      {
+        constraints[part.Twin] = static_cast<Id>(k);
+      }
+    });
 }
 
 } // namespace
