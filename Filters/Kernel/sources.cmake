@@ -98,8 +98,7 @@ set(biting_kernel_sources
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
   Relaxation/LongEdges.cxx
-  Relaxation/MeshReading.cxx
-  Relaxation/MeshWriting.cxx
+  Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx

@@ -118,18 +118,13 @@ void AngleDescent::Run(Pulse& pulse)
 // Those that may be poor, whatever the limits.
 void AngleDescent::LookAtAll(Pulse& pulse)
 {
-  const TriangleLimits limits{ ShortestInBand, LongestInBand,
-    this->Mesh.PoorCotangents * PoorCotangents[0] };
   this->Poor.clear();
   pulse.ForEach(this->Mesh.Regions.size(),
-    [this, &limits](std::size_t slot)
+    [this](std::size_t slot)
     {
       const Id triangle = static_cast<Id>(slot);
-      if (!this->Mesh.IsEdge(4 * triangle) || IsSurelyWithin(this->Mesh, triangle, limits))
-      {
-        return;
-      }
-      const PoorTriangle judged = this->Judge(triangle);
+      const PoorTriangle judged =
+        this->Mesh.IsEdge(4 * triangle) ? this->Judge(triangle) : PoorTriangle{};
       if (judged.Levels > 0 || judged.IsOutOfBand)
       {
         this->Poor.push_back(judged);

@@ -44,9 +44,9 @@ public:
 private:
   struct PoorTriangle
   {
-    Id Triangle;
-    std::uint8_t Levels; ///< by how many of the limits of angles it is poor
-    bool IsOutOfBand;
+    Id Triangle = NoId;
+    std::uint8_t Levels = 0; ///< by how many of the limits of angles it is poor
+    bool IsOutOfBand = false;
   };
 
   void LookAtAll(Pulse& pulse);

@@ -10,7 +10,7 @@
 #include "Smoothing.h"
 #include "Star.h"
 #include "StarObjective.h"
-#include "ValenceChange.h"
+#include "ValenceRound.h"
 
 #include <algorithm> // for sort, max, min
 
