@@ -133,17 +133,14 @@ set(biting_kernel_sources
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
-  Remeshing/FreeEdges.cxx
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
   Remeshing/InnerPlaces.cxx
   Remeshing/MisfitVertices.cxx
-  Remeshing/NearVertices.cxx
   Remeshing/OldMesh.cxx
   Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
-  Remeshing/OtherReadings.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
   Remeshing/RemeshRegion.cxx
