@@ -12,10 +12,8 @@
 #include "Domain/Polylines.h"
 #include "Quality/MeshCheck.h"
 #include "Remeshing/CavityDomain.h"
-#include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
-#include "Remeshing/InnerPlaces.h"
 #include "Remeshing/KeptVertices.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/RemeshRegion.h"
@@ -373,8 +371,7 @@ void Remesher::CheckCavity()
   if (violation.empty())
   {
     Pulse pulse(checking);
-    this->Cavity.FaceRegions =
-      FindFaceRegions(this->Result.Old, this->Region, this->Edges, this->Cavity, pulse);
+    this->Cavity.FaceRegions = FindFaceRegions(this->Result.Old, this->Region, this->Cavity, pulse);
     violation = pulse.HasStopped()
       ? ""
       : CheckAreas(this->Result.Old, this->Region, this->Cavity, this->Tolerance);

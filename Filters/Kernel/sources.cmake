@@ -129,15 +129,12 @@ set(biting_kernel_sources
   Stages/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
-  Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
-  Remeshing/InnerPlaces.cxx
-  Remeshing/MisfitVertices.cxx
   Remeshing/OldMesh.cxx
   Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
