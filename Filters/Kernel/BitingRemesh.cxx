@@ -12,12 +12,9 @@
 #include "Domain/Polylines.h"
 #include "Quality/MeshCheck.h"
 #include "Remeshing/CavityDomain.h"
-#include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
-#include "Remeshing/InnerPlaces.h"
 #include "Remeshing/KeptVertices.h"
-#include "Remeshing/OtherReadings.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
@@ -57,10 +54,11 @@ double AreaOf(const std::vector<Point2>& points, const std::vector<Id>& corners)
 class Remesher
 {
 public:
-  Remesher(const RemeshInput& input, const Reading& reading, const RemeshOptions& options,
+  /// `nearest` as ReadOldMesh has it.
+  Remesher(const RemeshInput& input, double nearest, const RemeshOptions& options,
     ProblemList& problems, Monitor& monitor)
     : Input(input)
-    , How(reading)
+    , Nearest(nearest)
     , Options(options)
     , Rules(RulesFor(options.Preference))
     , Problems(problems)
@@ -91,7 +89,7 @@ private:
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
 
   const RemeshInput& Input;
-  Reading How;
+  double Nearest;
   const RemeshOptions& Options;
   KeepRules Rules;
   ProblemList& Problems;
@@ -135,8 +133,7 @@ bool Remesher::IsOver()
 void Remesher::Read()
 {
   this->Begin(RemeshingStages::Reading);
-  this->Result.Old =
-    ReadOldMesh(this->Input, this->How.Nearest, this->Problems, this->Whole, this->How.Hanging);
+  this->Result.Old = ReadOldMesh(this->Input, this->Nearest, this->Problems, this->Whole);
   this->Result.IsUnchanged = this->Result.Old.Corners.empty();
 }
 
@@ -365,8 +362,7 @@ void Remesher::CheckCavity()
   if (violation.empty())
   {
     Pulse pulse(checking);
-    this->Cavity.FaceRegions =
-      FindFaceRegions(this->Result.Old, this->Region, this->Edges, this->Cavity, pulse);
+    this->Cavity.FaceRegions = FindFaceRegions(this->Result.Old, this->Region, this->Cavity, pulse);
     violation = pulse.HasStopped()
       ? ""
       : CheckAreas(this->Result.Old, this->Region, this->Cavity, this->Tolerance);
@@ -409,26 +405,20 @@ bool IsNoMesh(const ProblemList& problems)
 
 } // namespace
 
+// Points that are meant to be one are mostly within a unit in the last place. Where what is left of
+// slits then forms no mesh, all that rounding may have moved apart is made one.
 RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
   const double nearest = input.Rounding / NoiseInUlp;
   const ProblemList before = problems;
   StagesOnce stages(monitor);
-  RemeshResult result =
-    Remesher(input, { nearest, HangingRule::Divide }, options, problems, stages).Run();
-  if (!IsNoMesh(problems))
+  RemeshResult result = Remesher(input, nearest, options, problems, stages).Run();
+  if (IsNoMesh(problems) && nearest < input.Rounding)
   {
-    return result;
-  }
-  for (const Reading& other : OtherReadings(input, nearest, problems.Has(ProblemCode::Touches)))
-  {
-    if (IsNoMesh(problems))
-    {
-      ProblemList told = before;
-      result = Remesher(input, other, options, told, stages).Run();
-      problems = told.HasErrors() && !told.Has(ProblemCode::Aborted) ? problems : told;
-    }
+    ProblemList told = before;
+    result = Remesher(input, input.Rounding, options, told, stages).Run();
+    problems = told.HasErrors() && !told.Has(ProblemCode::Aborted) ? problems : told;
   }
   return result;
 }

@@ -77,22 +77,18 @@ set(biting_kernel_sources
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
   Delaunay/Cavity.cxx
-  Delaunay/ConstrainedMesh.cxx
   Delaunay/ConstraintRecovery.cxx
   Delaunay/LateInsertion.cxx
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
-  Delaunay/TriangulationCheck.cxx
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayMesh.cxx
   Relaxation/DividedSegments.cxx
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
   Relaxation/LongEdges.cxx
-  Relaxation/MeshReading.cxx
-  Relaxation/MeshWriting.cxx
+  Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
-  Relaxation/RelaxedMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx
@@ -102,7 +98,6 @@ set(biting_kernel_sources
   Relaxation/ValenceRound.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
-  Quality/MeshParts.cxx
   Quality/QuadDiagonal.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
@@ -119,21 +114,15 @@ set(biting_kernel_sources
   Stages/SoundTriangulation.cxx
   Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
-  Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
-  Remeshing/FreeEdges.cxx
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
-  Remeshing/InnerPlaces.cxx
-  Remeshing/MisfitVertices.cxx
-  Remeshing/NearVertices.cxx
   Remeshing/OldMesh.cxx
   Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
-  Remeshing/OtherReadings.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
   Remeshing/RemeshRegion.cxx
