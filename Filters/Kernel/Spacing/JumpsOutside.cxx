@@ -13,12 +13,9 @@ namespace biting
 namespace
 {
 
-/// The size of squares that are not cut, as a share of the least value in them. Samples are half of
-/// that apart, and f off by what it grows on half of this: about 5 % for a slope of .3.
+/// The size of squares that are not cut, as a share of the least value in them: f is off by what it
+/// grows on a quarter of that.
 constexpr double LastSize = 0.7;
-
-/// Beside a border squares are cut down to this, where their samples show nothing.
-constexpr double SizeAtBorder = 1.4;
 
 /// By less, as a share of the least value, values are linear.
 constexpr double Slight = 0.02;
@@ -80,9 +77,10 @@ private:
     {
       return;
     }
-    const bool isCoarse = isAtBorder && size > SizeAtBorder * least;
-    if (size > LastSize * least && (isCoarse || IsBent(samples, Slight * least)) &&
-      depth < DeepestCut && this->Points.Points.size() < MostPoints)
+    const double last = DistanceOfPoints(LastSize, this->Rule.Slope) * least;
+    const bool isCoarse = isAtBorder && size > 2.0 * last;
+    if (size > last && (isCoarse || IsBent(samples, Slight * least)) && depth < DeepestCut &&
+      this->Points.Points.size() < MostPoints)
     {
       for (const std::size_t first : { 0u, 1u, 3u, 4u })
       {

@@ -8,6 +8,8 @@
 #include "Spacing.h"
 #include "ValueRange.h"
 
+#include <cmath> // for abs
+
 namespace biting
 {
 
@@ -51,14 +53,21 @@ struct LowPlace
   double Value = 0.0;
 };
 
+/// How far apart points that stand for all between them may be, as a share of f: where they are
+/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above .3,
+/// so that it stays the same; slopes above 1 count as 1.
+inline double DistanceOfPoints(double length, double slope)
+{
+  constexpr double UsualSlope = 0.3;
+  return length * std::min(1.0, UsualSlope / std::min(slope, 1.0));
+}
+
 /// Whether the edge from a to b of a steep cell is listed as a segment: where it is no steeper than
-/// the slope and so long that its ends do not stand for it. Halfway between these f would be too
-/// large by slope * length / 2, at most 4 % for a slope of .3.
+/// the slope and so long that its ends do not stand for it.
 inline bool IsLowEdge(const LowPlace& a, const LowPlace& b, double slope)
 {
-  constexpr double LengthOfPoint = 0.25;
   const double length = Distance(a.At, b.At);
-  return length > LengthOfPoint * std::min(a.Value, b.Value) &&
+  return length > DistanceOfPoints(0.25, slope) * std::min(a.Value, b.Value) &&
     std::abs(b.Value - a.Value) <= slope * length;
 }
 
