@@ -13,6 +13,7 @@ set(biting_kernel_sources
   Spacing/GridInterpolator.cxx
   Spacing/JumpsOutside.cxx
   Spacing/SegmentCone.cxx
+  Spacing/Source.cxx
   Spacing/SourceCheck.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx

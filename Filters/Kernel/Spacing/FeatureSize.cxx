@@ -190,7 +190,8 @@ private:
     const double floor =
       this->Rule.Source.Floor ? LengthsPerSpacing * this->Rule.Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
-    sample.Size = this->Rule.Size(this->Segment, place, known, least);
+    const double across = this->Rule.Source.CellsAcross;
+    sample.Size = this->Rule.Size(this->Segment, place, across * known, across * least) / across;
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
@@ -200,7 +201,10 @@ private:
 
   double LeastInGaps(const Point2& place, double given) const
   {
-    return std::max(this->Rule.Drawn(place, LeastShareInGaps * given), this->LeastOnShort(given));
+    const bool isForMinimum = this->Rule.Source.CellsAcross > 1 &&
+      this->Rule.Given.LeastCapped > std::numeric_limits<double>::min();
+    const double least = isForMinimum ? 0.0 : this->Rule.Drawn(place, LeastShareInGaps * given);
+    return std::max(least, this->LeastOnShort(given));
   }
 
   double LeastOnShort(double given) const

@@ -242,10 +242,11 @@ private:
     return column + 1 + (this->Columns + 1) * (row + 1);
   }
 
-  LowPlace At(std::size_t column, std::size_t row) const
+  CellNode At(std::size_t column, std::size_t row) const
   {
-    return { { this->Grid.XNodes[column], this->Grid.YNodes[row] },
-      this->Rule.Range(this->Grid.Values[column + row * this->Columns]) };
+    const double value = this->Grid.Values[column + row * this->Columns];
+    return { { this->Grid.XNodes[column], this->Grid.YNodes[row] }, this->Rule.Range.Scale * value,
+      this->Rule.Range(value) };
   }
 
   /// Returns the slope of the cell above a node, if it is finite: the length of the largest slopes
@@ -274,7 +275,7 @@ private:
     return largest > 0.0 ? largest / step : 0.0;
   }
 
-  /// And its edges to the right and up.
+  /// And its edges to the right and up, and the cell above it.
   void ListNode(std::size_t column, std::size_t row, SegmentSource& edges) const
   {
     const std::uint8_t* above = &this->AreSteep[this->CellAbove(column, row)];
@@ -283,31 +284,41 @@ private:
     {
       return;
     }
-    const LowPlace own = this->At(column, row);
-    const std::size_t right = std::min(column + 1, this->Columns - 1);
-    const std::size_t up = std::min(row + 1, this->Rows - 1);
-    bool isLow = true;
-    for (std::size_t y = row > 0 ? row - 1 : row; y <= up; ++y)
-    {
-      for (std::size_t x = column > 0 ? column - 1 : column; x <= right; ++x)
-      {
-        const LowPlace other = this->At(x, y);
-        isLow = isLow && own.Value <= other.Value + this->Rule.Slope * Distance(own.At, other.At);
-      }
-    }
-    const auto addEdge = [this, &own, &edges](const LowPlace& end, int isSteep)
-    {
-      if (isSteep != 0 && IsLowEdge(own, end, this->Rule.Slope))
-      {
-        edges.Add(own.At, end.At, own.Value, end.Value);
-      }
-    };
-    addEdge(this->At(right, row), above[0] | below[0]);
-    addEdge(this->At(column, up), above[0] | above[-1]);
-    if (isLow)
+    const CellNode own = this->At(column, row);
+    if (this->IsLow(own, column, row))
     {
       edges.Add(own.At, own.At, own.Value, own.Value);
     }
+    if ((above[0] | below[0]) != 0)
+    {
+      AddLowEdge(own, this->At(column + 1, row), this->Rule, edges);
+    }
+    if ((above[0] | above[-1]) != 0)
+    {
+      AddLowEdge(own, this->At(column, row + 1), this->Rule, edges);
+    }
+    if (above[0] != 0)
+    {
+      AddLevelLine({ own, this->At(column + 1, row), this->At(column + 1, row + 1),
+                     this->At(column, row + 1) },
+        this->Rule.Range, edges);
+    }
+  }
+
+  /// Whether no node around it is so low that it stands for it.
+  bool IsLow(const CellNode& own, std::size_t column, std::size_t row) const
+  {
+    bool isLow = true;
+    for (std::size_t y = row > 0 ? row - 1 : row; y <= std::min(row + 1, this->Rows - 1); ++y)
+    {
+      for (std::size_t x = column > 0 ? column - 1 : 0;
+           x <= std::min(column + 1, this->Columns - 1); ++x)
+      {
+        const CellNode other = this->At(x, y);
+        isLow = isLow && own.Value <= other.Value + this->Rule.Slope * Distance(own.At, other.At);
+      }
+    }
+    return isLow;
   }
 
   const GridSource& Grid;

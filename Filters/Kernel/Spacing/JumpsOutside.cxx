@@ -13,12 +13,9 @@ namespace biting
 namespace
 {
 
-/// The size of squares that are not cut, as a share of the least value in them. Samples are half of
-/// that apart, and f off by what it grows on half of this: about 5 % for a slope of .3.
+/// The size of squares that are not cut, as a share of the least value in them: f is off by what it
+/// grows on a quarter of that.
 constexpr double LastSize = 0.7;
-
-/// Beside a border squares are cut down to this, where their samples show nothing.
-constexpr double SizeAtBorder = 1.4;
 
 /// By less, as a share of the least value, values are linear.
 constexpr double Slight = 0.02;
@@ -80,9 +77,10 @@ private:
     {
       return;
     }
-    const bool isCoarse = isAtBorder && size > SizeAtBorder * least;
-    if (size > LastSize * least && (isCoarse || IsBent(samples, Slight * least)) &&
-      depth < DeepestCut && this->Points.Points.size() < MostPoints)
+    const double last = DistanceOfPoints(LastSize, this->Rule.Slope) * least;
+    const bool isCoarse = isAtBorder && size > 2.0 * last;
+    if (size > last && (isCoarse || IsBent(samples, Slight * least)) && depth < DeepestCut &&
+      this->Points.Points.size() < MostPoints)
     {
       for (const std::size_t first : { 0u, 1u, 3u, 4u })
       {
@@ -158,76 +156,105 @@ private:
   Pulse& Beats;
 };
 
-/// From the lower end of a steep border edge its value extends along the edge's normal, on a strip
-/// that may be as thin as the edge is short. That is a segment of one value: it ends where another
-/// border is nearer.
+/// From a border point that is lower than its neighbors a valley of low values extends outward, as
+/// thin as its edges are short: along the normals of its edges, and halfway between these. Points
+/// along it are listed as long as they are below what the border point allows there.
 class BorderRays
 {
 public:
-  BorderRays(const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& rays)
+  BorderRays(const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& points)
     : Source(source)
     , Rule(rule)
-    , Rays(rays)
+    , Points(points)
   {
   }
 
-  void AddOf(const BorderEdge& edge)
+  void List(Pulse& pulse)
   {
-    const double length = Distance(edge.Start, edge.End);
-    const double start = this->Rule.Range(edge.StartValue);
-    const double end = this->Rule.Range(edge.EndValue);
-    if (std::abs(end - start) > this->Rule.Slope * length && length > 0.0)
+    const std::vector<BorderEdge>& edges = this->Source.BorderEdges().Items();
+    std::vector<Point2> normals;
+    normals.reserve(edges.size());
+    for (const BorderEdge& edge : edges)
     {
-      const Point2& low = start < end ? edge.Start : edge.End;
-      const double value = std::min(start, end);
-      const Point2 normal = (1.0 / length) * Perpendicular(edge.End - edge.Start);
-      for (const Point2& direction : { normal, -1.0 * normal })
-      {
-        const double reach = this->ReachOf(low, direction, FirstStep * std::min(length, value));
-        if (this->Rule.Slope * reach > Slight * value)
-        {
-          this->Rays.Add(low, low + reach * direction, value, value);
-        }
-      }
+      pulse.Beat(16);
+      normals.push_back(this->OutwardOf(edge));
+      this->Note(edge, edge.StartId, edge.StartValue - edge.EndValue, normals.back());
+      this->Note(edge, edge.EndId, edge.EndValue - edge.StartValue, normals.back());
+    }
+    for (std::size_t k = 0; k < edges.size() && pulse.Beat(64); ++k)
+    {
+      this->ListFrom(edges[k].Start, edges[k].StartId, edges[k].StartValue, normals[k]);
+      this->ListFrom(edges[k].End, edges[k].EndId, edges[k].EndValue, normals[k]);
     }
   }
 
 private:
-  static constexpr double FirstStep = 0.1;
-
-  /// 0 where the triangle lies on that side. By doubling, then by halving.
-  double ReachOf(const Point2& low, const Point2& direction, double step) const
+  struct Vertex
   {
-    if (this->Source.ValueInside(low + step * direction))
-    {
-      return 0.0;
-    }
-    double reach = 0.0;
-    while (
-      this->IsNearest(low, direction, step) && this->Rule.Bounds.Contains(low + reach * direction))
-    {
-      reach = step;
-      step *= 2.0;
-    }
-    for (int halving = 0; halving < 3; ++halving)
-    {
-      const double middle = 0.5 * (reach + step);
-      (this->IsNearest(low, direction, middle) ? reach : step) = middle;
-    }
-    return reach;
+    Point2 Outward; ///< the sum of its edges' normals
+    bool IsLow = false;
+    bool IsHigh = false;
+  };
+
+  Point2 OutwardOf(const BorderEdge& edge) const
+  {
+    constexpr double Slightly = 1e-3;
+    const Point2 along = edge.End - edge.Start;
+    const Point2 normal = (1.0 / Length(along)) * Perpendicular(along);
+    const Point2 beside = Midpoint(edge.Start, edge.End) + Slightly * Perpendicular(along);
+    return this->Source.ValueInside(beside) ? -1.0 * normal : normal;
   }
 
-  bool IsNearest(const Point2& low, const Point2& direction, double step) const
+  void Note(const BorderEdge& edge, Id id, double rise, const Point2& normal)
   {
-    constexpr double NearerThanRounding = 1.0 - 1e-6;
-    const double known = NearerThanRounding * step;
-    return !(
-      Nearest(this->Source.BorderEdges(), low + step * direction, { known, 0.0 }).Distance < known);
+    const auto vertex = static_cast<std::size_t>(id);
+    this->Vertices.resize(std::max(this->Vertices.size(), vertex + 1));
+    const double most = this->Rule.Slope * Distance(edge.Start, edge.End);
+    const double scaled = this->Rule.Range.Scale * rise;
+    this->Vertices[vertex].Outward = this->Vertices[vertex].Outward + normal;
+    this->Vertices[vertex].IsLow |= scaled < -most;
+    this->Vertices[vertex].IsHigh |= scaled > most;
+  }
+
+  void ListFrom(const Point2& place, Id id, double value, const Point2& normal)
+  {
+    Vertex& vertex = this->Vertices[static_cast<std::size_t>(id)];
+    if (vertex.IsLow && !vertex.IsHigh)
+    {
+      this->ListAlong(place, this->Rule.Range(value), normal);
+      const double length = Length(vertex.Outward);
+      if (length > 0.0)
+      {
+        this->ListAlong(place, this->Rule.Range(value), (1.0 / length) * vertex.Outward);
+      }
+      vertex.Outward = {}; // once
+    }
+  }
+
+  void ListAlong(const Point2& from, double least, const Point2& direction)
+  {
+    double value = least;
+    double way = 0.0;
+    while (value < least + this->Rule.Slope * way || way == 0.0)
+    {
+      way += DistanceOfPoints(0.5 * LastSize, this->Rule.Slope) * value;
+      const Point2 place = from + way * direction;
+      if (!this->Rule.Bounds.Contains(place) || this->Source.ValueInside(place))
+      {
+        return;
+      }
+      value = this->Rule.Range(this->Source.ValueOutside(place));
+      if (value < least + this->Rule.Slope * way)
+      {
+        this->Points.Add(place, place, value, value);
+      }
+    }
   }
 
   const TriangleInterpolator& Source;
   const SteepRule& Rule;
-  SegmentSource& Rays;
+  SegmentSource& Points;
+  std::vector<Vertex> Vertices; ///< of the source's points
 };
 
 } // namespace
@@ -246,12 +273,7 @@ void AddJumpsOutside(
           static_cast<double>(k / TasksAlong) * size.Y };
       JumpSearch(source, rule, parts[k], own).LookAt({ low, low + size });
     });
-  BorderRays rays(source, rule, edges);
-  for (const BorderEdge& edge : source.BorderEdges().Items())
-  {
-    pulse.Beat(64);
-    rays.AddOf(edge);
-  }
+  BorderRays(source, rule, edges).List(pulse);
   for (const SegmentSource& part : parts)
   {
     edges.Add(part);

