@@ -163,9 +163,12 @@ bool vtkBitingMesher::Execution::ReadParameters()
     filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
   this->Options.Placement =
     filter.Placement == BISECTORS ? biting::Placement::Bisectors : biting::Placement::Corners;
-  constexpr biting::FrontOrder Orders[] = { biting::FrontOrder::Layers,
-    biting::FrontOrder::LargestY, biting::FrontOrder::BestFirst };
-  this->Options.Order = Orders[filter.FrontOrder];
+  static_assert(static_cast<int>(biting::FrontOrder::Layers) == LAYERS &&
+      static_cast<int>(biting::FrontOrder::LargestY) == LARGEST_Y &&
+      static_cast<int>(biting::FrontOrder::BestFirst) == BEST_FIRST &&
+      biting::FrontRules.size() == BEST_FIRST + 1,
+    "the orders of the kernel are those of the filter");
+  this->Options.Order = biting::FrontRules[filter.FrontOrder].Order;
   this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.VerticesPerBlock = filter.VerticesPerBlock;

@@ -57,10 +57,10 @@ bool IsNote(ProblemCode code)
   return code == ProblemCode::SmallLoops || code == ProblemCode::FineDrawing;
 }
 
-std::string Figure(double value)
+std::string Figure(double value, int digits)
 {
   std::ostringstream text;
-  text.precision(3);
+  text.precision(digits);
   text << value;
   return text.str();
 }

@@ -102,8 +102,8 @@ bool IsError(ProblemCode code);
 /// Whether it is worth a word only, and nothing is wrong.
 bool IsNote(ProblemCode code);
 
-/// A figure of a detail: three digits.
-std::string Figure(double value);
+/// A figure of a detail.
+std::string Figure(double value, int digits = 3);
 
 /// A figure of two digits, no less than the value, which is above zero.
 std::string FigureAbove(double value);

@@ -51,7 +51,7 @@ inline bool RefuseMoreThan(std::int64_t limit, double vertices, ProblemList& pro
   return isTooMuch;
 }
 
-/// Those that `list` has kept.
+/// Adds the problems of `list` to `problems`.
 inline void AddAll(const ProblemList& list, ProblemList& problems)
 {
   for (const ProblemGroup& group : list.Groups())
@@ -71,6 +71,13 @@ inline bool AddAborted(const PartOfStage& part, ProblemList& problems)
     AddProblem(ProblemCode::Aborted, "", problems);
   }
   return part.HasStopped();
+}
+
+/// Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
+inline bool IsOver(const PartOfStage& whole, ProblemList& problems)
+{
+  AddAborted(whole, problems);
+  return problems.HasErrors();
 }
 
 } // namespace biting
