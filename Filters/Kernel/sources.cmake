@@ -28,14 +28,12 @@ set(biting_kernel_sources
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
-  Domain/EndPairs.cxx
   Domain/EndSurroundings.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
   Domain/OpenOutlines.cxx
   Domain/PointWelding.cxx
-  Domain/ResolutionReport.cxx
   Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx

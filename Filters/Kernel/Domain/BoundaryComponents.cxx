@@ -5,7 +5,7 @@
 
 #include "VertexStars.h"
 
-#include <algorithm> // for min, min_element, all_of
+#include <algorithm> // for min_element, all_of
 #include <cstddef>   // for size_t
 
 namespace biting
@@ -54,110 +54,63 @@ std::vector<std::uint8_t> OddVertices(std::size_t vertices, const Subgraph& grap
   return isOdd;
 }
 
-/// Depth-first search with an explicit stack.
-class BridgeFinder
+/// Walks along the faces of a plane graph.
+class FaceWalk
 {
 public:
-  BridgeFinder(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
-    : Graph(graph)
-    , Beats(pulse)
-    , Stars(vertices, graph.Segments, pulse)
-    , Entry(vertices.size(), NoId)
-    , Low(vertices.size(), NoId)
-    , Next(vertices.size(), 0)
-    , IsBridge(graph.Segments.size(), 0)
-  {
-  }
+  FaceWalk(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse);
 
-  std::vector<std::uint8_t> Run();
+  /// Each component has one walk a face: a bridge is passed twice, there and back, by one of them.
+  /// A segment drawn more than once is no bridge: its copies close a loop.
+  std::vector<std::uint8_t> FindBridges() const;
 
 private:
-  struct Visit
+  Id SideOf(Id segment, Id start) const
   {
-    Id Vertex = NoId;
-    Id Arrival = NoId; ///< the segment by which the search came
-  };
-
-  void Search(Id root);
-  void Enter(Id vertex, Id arrival);
-  void Leave();
+    return 2 * segment + (this->Graph.Segments[segment].Start == start ? 0 : 1);
+  }
 
   const Subgraph& Graph;
-  Pulse& Beats;
-  const VertexStars Stars;
-  std::vector<Id> Entry; ///< when the search entered each vertex
-  std::vector<Id> Low;   ///< the earliest entry that its subtree reaches by another way
-  std::vector<Id> Next;  ///< how much of its star has been followed
-  std::vector<std::uint8_t> IsBridge;
-  std::vector<Visit> Path;
-  Id Clock = 0;
+  std::vector<Id> Nexts; ///< of both sides of each segment: the side that follows at the end
 };
 
-std::vector<std::uint8_t> BridgeFinder::Run()
+FaceWalk::FaceWalk(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
+  : Graph(graph)
+  , Nexts(2 * graph.Segments.size())
 {
-  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
+  const VertexStars stars(vertices, graph.Segments, pulse);
+  for (Id vertex = 0; vertex < stars.NumberOfVertices(); ++vertex)
   {
-    if (this->Stars.Degree(vertex) > 0 && this->Entry[vertex] == NoId)
+    const Id* star = stars.Begin(vertex);
+    for (Id i = 0; i < stars.Degree(vertex); ++i)
     {
-      this->Search(vertex);
-    }
-  }
-  return std::move(this->IsBridge);
-}
-
-void BridgeFinder::Search(Id root)
-{
-  this->Enter(root, NoId);
-  while (!this->Path.empty() && this->Beats.Beat())
-  {
-    const Visit here = this->Path.back();
-    const auto vertex = static_cast<std::size_t>(here.Vertex);
-    if (this->Next[vertex] == this->Stars.Degree(here.Vertex))
-    {
-      this->Leave();
-      continue;
-    }
-    const Id segment = this->Stars.Begin(here.Vertex)[this->Next[vertex]++];
-    const Id other = OtherEnd(this->Graph.Segments[segment], here.Vertex);
-    const Id entry = this->Entry[other];
-    if (entry == NoId)
-    {
-      this->Enter(other, segment);
-    }
-    else if (segment != here.Arrival)
-    {
-      this->Low[vertex] = std::min(this->Low[vertex], entry);
+      const Id arriving = this->SideOf(star[i], OtherEnd(graph.Segments[star[i]], vertex));
+      this->Nexts[arriving] = this->SideOf(star[(i + 1) % stars.Degree(vertex)], vertex);
     }
   }
 }
 
-void BridgeFinder::Enter(Id vertex, Id arrival)
+std::vector<std::uint8_t> FaceWalk::FindBridges() const
 {
-  this->Entry[vertex] = this->Clock;
-  this->Low[vertex] = this->Clock++;
-  this->Path.push_back({ vertex, arrival });
-}
-
-/// A segment drawn more than once is no bridge: its copies close a loop.
-void BridgeFinder::Leave()
-{
-  const Visit left = this->Path.back();
-  this->Path.pop_back();
-  if (this->Path.empty())
+  std::vector<Id> walks(this->Nexts.size(), NoId);
+  for (std::size_t first = 0; first < walks.size(); ++first)
   {
-    return;
+    for (Id side = static_cast<Id>(first); walks[side] == NoId; side = this->Nexts[side])
+    {
+      walks[side] = static_cast<Id>(first);
+    }
   }
-  const auto parent = static_cast<std::size_t>(this->Path.back().Vertex);
-  const Id low = this->Low[left.Vertex];
-  this->Low[parent] = std::min(this->Low[parent], low);
-  const auto arrival = static_cast<std::size_t>(left.Arrival);
-  const bool isLone = this->Graph.Counts[arrival] == 1;
-  this->IsBridge[arrival] = isLone && low > this->Entry[parent] ? 1 : 0;
+  std::vector<std::uint8_t> isBridge(this->Graph.Segments.size());
+  for (std::size_t s = 0; s < isBridge.size(); ++s)
+  {
+    isBridge[s] = this->Graph.Counts[s] == 1 && walks[2 * s] == walks[2 * s + 1];
+  }
+  return isBridge;
 }
 
 Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
 {
-  const std::vector<std::uint8_t> isBridge = BridgeFinder(vertices, graph, pulse).Run();
+  const std::vector<std::uint8_t> isBridge = FaceWalk(vertices, graph, pulse).FindBridges();
   Subgraph rest;
   for (std::size_t s = 0; s < isBridge.size(); ++s)
   {

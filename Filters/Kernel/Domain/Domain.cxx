@@ -14,10 +14,10 @@
 #include "SegmentWalk.h"
 #include "Welding.h"
 
-#include <algorithm> // for none_of, sort
+#include <algorithm> // for none_of
 #include <cmath>     // for isfinite, abs
 #include <cstddef>   // for size_t
-#include <utility>   // for pair
+#include <map>       // for what is dropped
 
 namespace biting
 {
@@ -34,10 +34,11 @@ constexpr double EndOfBoundary = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
 InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse);
-Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Flags& isKept,
+  const InsideFlags& inside);
 Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside);
-void ReportOutside(
-  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
+void ReportOutside(const Arrangement& arrangement, const Flags& isKept, const InsideFlags& inside,
+  ProblemList& problems);
 double EnclosedArea(const Domain& domain);
 bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse);
@@ -115,14 +116,14 @@ Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& cl
   {
     return Refuse(ProblemCode::Aborted, problems);
   }
-  closing =
-    RefuseOpenOutlines(arrangement, KeptEdges(arrangement, inside), options, problems, pulse);
+  const Flags isKept = KeptEdges(arrangement, inside);
+  closing = RefuseOpenOutlines(arrangement, isKept, options, problems, pulse);
   if (closing > 0.0)
   {
     return {};
   }
-  ReportOutside(arrangement, inside, problems);
-  Domain domain = KeepInside(arrangement, bounds, inside);
+  ReportOutside(arrangement, isKept, inside, problems);
+  Domain domain = KeepInside(arrangement, bounds, isKept, inside);
   NumberAlongSegments(domain, pulse);
   if (!pulse.Ask())
   {
@@ -207,29 +208,26 @@ InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pul
   return inside;
 }
 
-bool IsKept(const Arrangement& arrangement, const InsideFlags& inside, std::size_t edge)
-{
-  return (inside.Left[edge] || inside.Right[edge]) &&
-    !arrangement.IsNothing(arrangement.Edges[edge]);
-}
-
+/// Edges of the drawing with the inside on one side at least.
 Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
 {
   Flags isKept;
+  isKept.reserve(arrangement.Edges.size());
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    isKept.push_back(IsKept(arrangement, inside, e));
+    isKept.push_back(
+      (inside.Left[e] || inside.Right[e]) && !arrangement.IsNothing(arrangement.Edges[e]));
   }
   return isKept;
 }
 
 /// 1 for the ends of kept edges.
-Flags EndsOfKeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
+Flags EndsOfKeptEdges(const Arrangement& arrangement, const Flags& isKept)
 {
   Flags isEnd(arrangement.Vertices.size(), 0);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(arrangement, inside, e))
+    if (isKept[e])
     {
       isEnd[arrangement.Edges[e].Ends.Start] = 1;
       isEnd[arrangement.Edges[e].Ends.End] = 1;
@@ -244,33 +242,23 @@ bool IsInterface(const ArrangementEdge& edge)
   return edge.IsInterface || (edge.BoundaryCount + edge.OpenCount) % 2 != 0;
 }
 
-void ReportOutsideInterfaces(
-  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
+void ReportOutside(const Arrangement& arrangement, const Flags& isKept, const InsideFlags& inside,
+  ProblemList& problems)
 {
-  std::vector<std::pair<Id, std::size_t>> dropped;
+  std::map<Id, Id> dropped; // by cell, where the first one begins
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (!IsKept(arrangement, inside, e) && IsInterface(arrangement.Edges[e]))
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    if (!isKept[e] && IsInterface(edge))
     {
-      dropped.emplace_back(arrangement.Edges[e].Cell, e);
+      dropped.emplace(edge.Cell, edge.Ends.Start);
     }
   }
-  std::sort(dropped.begin(), dropped.end());
-  for (std::size_t i = 0; i < dropped.size(); ++i)
+  for (const auto& [cell, start] : dropped)
   {
-    if (i == 0 || dropped[i].first != dropped[i - 1].first)
-    {
-      const Id start = arrangement.Edges[dropped[i].second].Ends.Start;
-      problems.Add(
-        { ProblemCode::OutsideInterfaces, { dropped[i].first }, arrangement.At(start), {} });
-    }
+    problems.Add({ ProblemCode::OutsideInterfaces, { cell }, arrangement.At(start), {} });
   }
-}
-
-void ReportOutside(const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
-{
-  ReportOutsideInterfaces(arrangement, inside, problems);
-  const Flags isEnd = EndsOfKeptEdges(arrangement, inside);
+  const Flags isEnd = EndsOfKeptEdges(arrangement, isKept);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
     if (!isEnd[vertex] && !inside.Vertices[vertex])
@@ -282,10 +270,10 @@ void ReportOutside(const Arrangement& arrangement, const InsideFlags& inside, Pr
 }
 
 /// Fills the vertices of the domain; returns their new numbers, NoId for those dropped.
-std::vector<Id> KeepVertices(
-  const Arrangement& arrangement, const InsideFlags& inside, Domain& domain)
+std::vector<Id> KeepVertices(const Arrangement& arrangement, const Flags& isKeptEdge,
+  const InsideFlags& inside, Domain& domain)
 {
-  Flags isKept = EndsOfKeptEdges(arrangement, inside);
+  Flags isKept = EndsOfKeptEdges(arrangement, isKeptEdge);
   Flags isLone(isKept.size(), 0);
   Flags hasPoint(isKept.size(), 0);
   for (const Id vertex : arrangement.EmbeddedVertices)
@@ -310,14 +298,15 @@ std::vector<Id> KeepVertices(
   return numbers;
 }
 
-Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside)
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Flags& isKept,
+  const InsideFlags& inside)
 {
   Domain domain;
   domain.Resolution = arrangement.Rounding;
-  const std::vector<Id> numbers = KeepVertices(arrangement, inside, domain);
+  const std::vector<Id> numbers = KeepVertices(arrangement, isKept, inside, domain);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(arrangement, inside, e))
+    if (isKept[e])
     {
       const ArrangementEdge& edge = arrangement.Edges[e];
       domain.Starts.push_back(numbers[edge.Ends.Start]);

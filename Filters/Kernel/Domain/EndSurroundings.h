@@ -18,9 +18,6 @@
 namespace biting
 {
 
-/// The vertices at which one segment of the chains ends, by their numbers.
-std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
-
 /// The point of a segment that is nearest to an end.
 struct Foot
 {
@@ -40,12 +37,19 @@ struct ChainSegment
   bool IsReversed = false; ///< it begins at the greater one
 };
 
+/// The segments that join two vertices.
+std::vector<ChainSegment> SegmentsOf(
+  const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+
+/// The vertices at which one segment ends, by their numbers.
+std::vector<Id> FindOpenEnds(const std::vector<ChainSegment>& segments, std::size_t vertices);
+
 /// The segments of all chains, as open ends see them.
 class EndSurroundings
 {
 public:
   /// Refers to the vertices of `points`.
-  EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+  EndSurroundings(std::vector<ChainSegment> segments, const WeldedPoints& points, Pulse& pulse);
 
   const ChainSegment& Segment(Id segment) const { return this->Segments[segment]; }
 
@@ -76,8 +80,6 @@ public:
   bool IsOwn(Id vertex) const { return this->IsMarked[vertex] != 0; }
 
 private:
-  static std::vector<ChainSegment> SegmentsOf(
-    const Polylines& input, const WeldedPoints& points, Pulse& pulse);
   std::vector<SegmentEnds> Ends() const;
   const Point2& At(Id vertex) const { return this->Vertices[vertex]; }
 

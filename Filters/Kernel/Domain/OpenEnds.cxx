@@ -31,13 +31,13 @@ constexpr double AboutEqual = 0.5;
 class EndJoiner
 {
 public:
-  EndJoiner(const Polylines& input, const DomainOptions& options, std::vector<Id> ends,
+  EndJoiner(std::vector<ChainSegment> segments, const DomainOptions& options, std::vector<Id> ends,
     WeldedPoints& points, Pulse& pulse)
     : Options(options)
     , Ends(std::move(ends))
     , Points(points)
     , Beats(pulse)
-    , Around(input, points, pulse)
+    , Around(std::move(segments), points, pulse)
     , Reaches(points.Vertices.size(), 0.0)
     , Shortest(points.Vertices.size(), 0.0)
     , Places(points.Vertices)
@@ -392,9 +392,11 @@ double SpacingAtEnds::operator()(const Point2& place) const
 std::vector<SegmentFoot> JoinOpenEnds(const Polylines& input, const DomainOptions& options,
   WeldedPoints& points, ProblemList& problems, Pulse& pulse)
 {
-  std::vector<Id> ends = FindOpenEnds(input, points, pulse);
-  return ends.empty() ? std::vector<SegmentFoot>()
-                      : EndJoiner(input, options, std::move(ends), points, pulse).Run(problems);
+  std::vector<ChainSegment> segments = SegmentsOf(input, points, pulse);
+  std::vector<Id> ends = FindOpenEnds(segments, points.Vertices.size());
+  return ends.empty()
+    ? std::vector<SegmentFoot>()
+    : EndJoiner(std::move(segments), options, std::move(ends), points, pulse).Run(problems);
 }
 
 } // namespace biting
