@@ -3,8 +3,8 @@
 
 #include "vtkBitingMesher.h"
 
-#include "Bridge/Ranks.h"
-#include "Bridge/SummaryText.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/SummaryText.h"
 #include "Kernel/Base/Problem.h"
 #include "vtkBitingMesherExecution.h"
 

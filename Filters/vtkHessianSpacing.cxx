@@ -3,13 +3,13 @@
 
 #include "vtkHessianSpacing.h"
 
-#include "Bridge/ArrayFromVector.h"
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DoubleArray.h"
-#include "Bridge/FacesFromDataSet.h"
-#include "Bridge/MonitorOfFilter.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/Ranks.h"
+#include "Bridge/Data/ArrayFromVector.h"
+#include "Bridge/Data/DoubleArray.h"
+#include "Bridge/Drawing/FacesFromDataSet.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/MonitorOfFilter.h"
+#include "Bridge/Run/ParameterCheck.h"
+#include "Bridge/Source/ChosenArray.h"
 #include "Kernel/Base/Box.h"
 #include "Kernel/Hessian/HessianRecovery.h"
 

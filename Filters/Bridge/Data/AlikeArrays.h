@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingAlikeArrays_h
+#define BitingAlikeArrays_h
+
+#include "../../vtkBitingCompat.h" // for the ABI namespace
+
+#include "vtkFieldData.h"    // for arrays
+#include "vtkSmartPointer.h" // for datasets
+
+#include <string> // for names
+#include <vector> // for pieces
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// The arrays of the points or of the cells of a piece, and the number of these.
+struct PieceArrays
+{
+  vtkSmartPointer<vtkFieldData> Arrays;
+  vtkIdType Size = 0;
+};
+
+/// Gives all pieces of a dataset all named arrays, those of one name with one type and one number
+/// of components, so that they can be put one after the other without a loss. Returns their names
+/// in the order of the pieces. Arrays of pieces without elements count only where others have none.
+///
+/// - Whole numbers get the first of the given types that holds the ranges of all, else the smallest
+///   type that does; signed ones beside unsigned ones of 64 bits the one that holds all values.
+/// - Real numbers, also beside whole ones, are double; float where all are float.
+/// - Texts beside numbers are texts, as are numbers that no type holds exactly: whole ones above
+///   2^53 beside real ones. A number as text has the fewest digits that give its value.
+/// - The number of components is the largest.
+///
+/// What a piece lacks, arrays or components, is NaN where values are real, else 0, or empty. An
+/// array that has fewer values than its piece has elements is lacked, as is a ghost array that is
+/// not of unsigned char. Active ids that a piece lacks are left out of it.
+std::vector<std::string> MakeArraysAlike(std::vector<PieceArrays>& pieces);
+
+/// The same of the points and of the cells of datasets.
+void MakeArraysAlike(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFilterRun_h
+#define BitingFilterRun_h
+
+#include "../../Kernel/Base/Ids.h"
+#include "../../Kernel/Base/Monitor.h"
+#include "../../Kernel/Base/Point.h"
+#include "../../Kernel/Base/Problem.h"
+#include "../../Kernel/Base/Pulse.h"
+#include "../../Kernel/Spacing/Spacing.h"
+#include "../../Kernel/Stages/MeshingStages.h"
+#include "../../vtkBitingCompat.h" // for the ABI namespace
+#include "../Drawing/PlaneFrame.h"
+#include "MessagesFromProblems.h"
+#include "MonitorOfFilter.h"
+#include "ProblemPlaces.h"
+
+#include <functional> // for steps
+#include <string>     // for messages
+#include <vector>     // for shares
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// What a filter of the kernel's facades knows of itself while it runs.
+struct RunningFilter
+{
+  vtkAlgorithm* Filter;
+  unsigned long* ErrorCode; ///< of it
+  std::string* Summary;
+  const bool* IsStopping; ///< it was asked to end for good, not only for now
+  int NumberOfThreads = 0;
+  bool IsSilent = false; ///< it works for another process, which says what is wrong
+};
+
+/// The shares of the time of a run: `reading`, those of `stages` in the rest, `writing`.
+template <typename Stages>
+std::vector<double> SharesOfStages(const Stage& reading, const Stages& stages, const Stage& writing)
+{
+  std::vector<double> shares{ reading.Share };
+  for (const Stage& stage : stages)
+  {
+    shares.push_back((1.0 - reading.Share - writing.Share) * stage.Share);
+  }
+  shares.push_back(writing.Share);
+  return shares;
+}
+
+/// Leaves nothing in them.
+void EmptyOutputs(vtkInformationVector* outputs);
+
+/// What the executions of filters have in common: progress, refusals, messages and where things are
+/// wrong.
+class FilterRun
+{
+protected:
+  FilterRun(const RunningFilter& filter, std::vector<double> shares);
+
+  /// Calls `run`, which fills the outputs. Where it was aborted, or there is too little memory,
+  /// these are empty; where it was asked to end for good, that is an error.
+  void Guard(vtkInformationVector* outputs, const std::function<void()>& run);
+
+  /// Whether there is no refusal; else says it.
+  bool Accept(const std::string& refusal);
+
+  /// Says once what is wrong, in the summary too; it is an error.
+  void Refuse(const std::string& reason);
+
+  /// Nothing where the text is empty. The summary has it too.
+  void Warn(const std::string& text) const;
+
+  /// A warning for each kind of repair.
+  void WarnOfRepairs(const PlanarInput& planar) const;
+
+  /// Adds the array of `source`, where there is any, to `spacing`; `information` names it.
+  /// `isWanted` as of AddSourceSpacing. Returns a refusal.
+  std::string AddSource(vtkInformation* information, vtkDataObject* source, const PlaneFrame& frame,
+    const std::function<bool(const Point2&)>& isWanted, SpacingOptions& spacing, Monitor& part);
+
+  /// Also where there is no mesh: the pipeline keeps what a failed execution leaves.
+  void WriteProblems(const PlanarInput& planar, RepairPolicy policy, vtkPolyData* output);
+
+  bool WasAborted() const { return this->Progress.HasStopped(); }
+
+  ProblemList Problems;
+  ProblemPlaces Places; ///< of what is refused before the kernel sees it
+  MonitorOfFilter Progress;
+  bool IsRefused = false;
+
+private:
+  void Warn(const std::string& text, const std::string& inShort) const;
+  void EndWhereStopped();
+
+  RunningFilter Running;
+};
+
+} // namespace biting
+
+#endif

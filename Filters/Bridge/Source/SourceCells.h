@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSourceCells_h
+#define BitingSourceCells_h
+
+#include "../../Kernel/Base/Pulse.h"
+#include "../../Kernel/Spacing/Spacing.h"
+#include "../Data/GhostArrays.h"
+#include "../Drawing/PlaneFrame.h"
+#include "PlaneCut.h"
+
+#include "vtkCellType.h"     // for the number of types
+#include "vtkDataSet.h"      // for the source
+#include "vtkGenericCell.h"  // for the cell at work
+#include "vtkIdList.h"       // for its points
+#include "vtkNew.h"          // for what is used again
+#include "vtkPoints.h"       // for their places
+#include "vtkSmartPointer.h" // for the source
+
+#include <array>  // for dimensions
+#include <memory> // for the triangulation
+#include <string> // for the refusal
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// Where steps of reading a source end, as shares of the time: the grid, or what reads cells
+/// instead; and the cells, before their triangles are sorted.
+constexpr double GridEnd = 0.1;
+constexpr double TrianglesEnd = 0.9;
+
+/// Turns the cells of any data into triangles of the plane: those with an area are triangulated and
+/// projected, those with a volume split into tetrahedra and cut. Hidden and ghost cells, and cells
+/// with a hidden point, are left out.
+class SourceCells
+{
+public:
+  SourceCells(vtkDataSet* source, const PlaneFrame& frame, Pulse& pulse);
+
+  /// Why there are no triangles, empty where there are. To be called first.
+  std::string Collect();
+
+  /// Of the source, ascending.
+  std::vector<vtkIdType> UsedPoints() const;
+
+  /// `values` are those at the points of the source.
+  std::shared_ptr<TriangulatedSource> Triangulation(const double* values) const;
+
+private:
+  void MeasureDistances();
+  void CollectCells();
+  int Dimension(int cellType);
+  bool IsSource(vtkIdType cell);
+  bool MeetsPlane() const;
+  void AddCell(vtkIdType cell, int dimension);
+  std::size_t NumberOfNodes() const { return this->Distances.size() + this->Cut.GetEdges().size(); }
+  Point2 PlaceOf(vtkIdType node) const;
+  double ValueOf(vtkIdType node, const double* values) const;
+
+  vtkSmartPointer<vtkDataSet> Source; // a shallow copy: asking it for cells changes nothing shared
+  const PlaneFrame& Frame;
+  Pulse& Beats;
+  const GhostArrays Ghosts;
+  std::vector<double> Distances;
+  PlaneCut Cut;
+  bool HasCells;
+  bool HasVolumes = false;
+  std::string Malformed; ///< what is said of the cell that has a point which does not exist
+  std::array<int, VTK_NUMBER_OF_CELL_TYPES> Dimensions;
+  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkIdList> Corners;
+  vtkNew<vtkPoints> Places;
+};
+
+} // namespace biting
+
+#endif
