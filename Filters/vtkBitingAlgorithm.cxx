@@ -4,7 +4,7 @@
 #include "vtkBitingAlgorithm.h"
 
 #include "Bridge/Ranks/Ranks.h"
-#include "Bridge/Run/InputTimes.h"
+#include "Bridge/Run/FilterRun.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -5,8 +5,6 @@
 
 #include "Bridge/Mesh/MeshFileFromDataSet.h"
 #include "Bridge/Mesh/ProducedEdges.h"
-#include "Bridge/Mesh/ValueGroups.h"
-#include "Bridge/Mesh/WrittenParts.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "IO/MeshFile.h"
 

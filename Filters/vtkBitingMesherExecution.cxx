@@ -4,20 +4,19 @@
 #include "vtkBitingMesherExecution.h"
 
 #include "Bridge/Drawing/BoundarySpacing.h"
-#include "Bridge/Drawing/PolylinesFromPolyData.h"
-#include "Bridge/Drawing/TagComparison.h"
+#include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Drawing/PolylinesFromDrawing.h"
 #include "Bridge/Mesh/BitesToPolyData.h"
-#include "Bridge/Mesh/BoundaryEdgesToPolyData.h"
 #include "Bridge/Mesh/MeshToPolyData.h"
 #include "Bridge/Ranks/RankCrew.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
-#include "Bridge/Run/MessagesFromProblems.h"
 #include "Bridge/Run/ParameterCheck.h"
+#include "Bridge/Run/ProblemReport.h"
 #include "Bridge/Run/SummaryText.h"
-#include "Bridge/Source/ChosenArray.h"
 #include "Bridge/Source/DomainMembership.h"
 #include "Bridge/Source/SourceCover.h"
+#include "Bridge/Source/SourceData.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
@@ -129,9 +128,9 @@ void vtkBitingMesher::Execution::ReadGhostLevels(vtkInformationVector* outputs)
 bool vtkBitingMesher::Execution::Gather(
   const biting::WholeInput& drawing, const biting::WholeInput& source)
 {
-  if (!drawing.IsComplete() || !source.IsComplete())
+  if (!this->AcceptComplete({ &drawing, &source }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   const vtkSmartPointer<vtkDataObject> input = drawing.Make();
   this->Drawing = biting::ReadDrawing(input);

@@ -7,7 +7,7 @@
 #include "vtkBitingMesher.h"
 
 #include "Bridge/Drawing/Drawing.h"
-#include "Bridge/Drawing/PolylinesFromPolyData.h"
+#include "Bridge/Drawing/PolylinesFromDrawing.h"
 #include "Bridge/Ranks/RankCrew.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"

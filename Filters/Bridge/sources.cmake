@@ -9,48 +9,33 @@ set(biting_bridge_sources
   Data/DoubleArray.cxx
   Data/GhostArrays.cxx
   Drawing/BoundarySpacing.cxx
-  Drawing/ChainReader.cxx
+  Drawing/CellTags.cxx
   Drawing/CoordinateRounding.cxx
   Drawing/Drawing.cxx
   Drawing/FacesFromDataSet.cxx
   Drawing/PlaneFrame.cxx
-  Drawing/PolylinesFromPolyData.cxx
-  Drawing/RegionNumbers.cxx
+  Drawing/PolylinesFromDrawing.cxx
   Drawing/RemeshInputFromDataSet.cxx
-  Drawing/TagComparison.cxx
   Mesh/BitesToPolyData.cxx
-  Mesh/BoundaryEdgesToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
   Mesh/MeshFileFromDataSet.cxx
   Mesh/MeshToPolyData.cxx
   Mesh/ProducedEdges.cxx
-  Mesh/QualityArrays.cxx
   Mesh/RemeshedData.cxx
-  Mesh/ValueGroups.cxx
-  Mesh/WrittenParts.cxx
-  Ranks/MeshFromPieces.cxx
   Ranks/PieceBytes.cxx
   Ranks/RankCrew.cxx
   Ranks/Ranks.cxx
   Ranks/StructuredFromPieces.cxx
   Ranks/WholeFromPieces.cxx
   Run/FilterRun.cxx
-  Run/InputTimes.cxx
-  Run/MeshWarnings.cxx
-  Run/MessagesFromProblems.cxx
   Run/MonitorOfFilter.cxx
   Run/ParameterCheck.cxx
-  Run/ProblemPlaces.cxx
-  Run/ProblemsToPolyData.cxx
+  Run/ProblemReport.cxx
   Run/SummaryText.cxx
-  Run/ThreadsOfVtk.cxx
-  Source/ChosenArray.cxx
   Source/DomainMembership.cxx
-  Source/PlaneCut.cxx
   Source/SourceCells.cxx
   Source/SourceCover.cxx
   Source/SourceData.cxx
-  Source/SourceOrder.cxx
   Source/SourceSpacing.cxx
   Source/SpacingValues.cxx)

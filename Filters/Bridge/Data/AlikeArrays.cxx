@@ -9,11 +9,8 @@
 #include "vtkStringArray.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for all_of, any_of, find, max, min
-#include <cmath>     // for floor
-#include <cstdint>   // for whole numbers
+#include <algorithm> // for all_of, any_of, find, max_element
 #include <limits>    // for NaN
-#include <sstream>   // for texts
 
 namespace biting
 {
@@ -23,124 +20,35 @@ namespace
 
 using Arrays = std::vector<vtkAbstractArray*>;
 
-// Above it not all whole numbers are a double.
-constexpr std::int64_t MostExact = std::int64_t{ 1 } << 53;
-
 bool IsReal(int type)
 {
   return type == VTK_FLOAT || type == VTK_DOUBLE;
-}
-
-// What whole numbers are among the values of arrays.
-struct WholeNumbers
-{
-  bool AreNegative = false;     ///< some
-  bool AreBeyondSigned = false; ///< some, of 64 bits
-  bool AreInexact = false;      ///< some, as a double
-};
-
-WholeNumbers FindWholeNumbers(const Arrays& arrays)
-{
-  WholeNumbers found;
-  for (vtkAbstractArray* array : arrays)
-  {
-    const bool isUnsigned = vtkDataArray::GetDataTypeMin(array->GetDataType()) == 0.0;
-    const vtkIdType size = IsReal(array->GetDataType()) ? 0 : array->GetNumberOfValues();
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      const std::int64_t value = array->GetVariantValue(k).ToTypeInt64();
-      found.AreNegative |= value < 0 && !isUnsigned;
-      found.AreBeyondSigned |= value < 0 && isUnsigned;
-      found.AreInexact |= value < -MostExact || value > MostExact || (value < 0 && isUnsigned);
-    }
-  }
-  return found;
-}
-
-int TypeOfWholeNumbers(const Arrays& arrays)
-{
-  std::vector<int> types;
-  double least = 0.0;
-  double most = 0.0;
-  for (vtkAbstractArray* array : arrays)
-  {
-    types.push_back(array->GetDataType());
-    least = std::min(least, vtkDataArray::GetDataTypeMin(types.back()));
-    most = std::max(most, vtkDataArray::GetDataTypeMax(types.back()));
-  }
-  types.insert(types.end(), { VTK_SHORT, VTK_INT, VTK_LONG_LONG });
-  const auto holding = std::find_if(types.begin(), types.end(),
-    [least, most](int type)
-    {
-      return vtkDataArray::GetDataTypeMin(type) <= least &&
-        vtkDataArray::GetDataTypeMax(type) >= most;
-    });
-  if (holding != types.end())
-  {
-    return *holding;
-  }
-  const WholeNumbers found = FindWholeNumbers(arrays);
-  const int unsignedType = found.AreNegative ? VTK_STRING : VTK_UNSIGNED_LONG_LONG;
-  return found.AreBeyondSigned ? unsignedType : VTK_LONG_LONG;
 }
 
 int TypeForAll(const Arrays& arrays)
 {
   const int first = arrays.front()->GetDataType();
   const auto isFirst = [first](vtkAbstractArray* array) { return array->GetDataType() == first; };
+  const auto isNumeric = [](vtkAbstractArray* array) { return array->IsNumeric() != 0; };
+  const auto isReal = [](vtkAbstractArray* array) { return IsReal(array->GetDataType()); };
   if (std::all_of(arrays.begin(), arrays.end(), isFirst))
   {
     return first;
   }
-  const auto isNumeric = [](vtkAbstractArray* array) { return array->IsNumeric() != 0; };
   if (!std::all_of(arrays.begin(), arrays.end(), isNumeric))
   {
     return VTK_STRING;
   }
-  const auto isReal = [](vtkAbstractArray* array) { return IsReal(array->GetDataType()); };
-  if (std::none_of(arrays.begin(), arrays.end(), isReal))
-  {
-    return TypeOfWholeNumbers(arrays);
-  }
-  return FindWholeNumbers(arrays).AreInexact ? VTK_STRING : VTK_DOUBLE;
-}
-
-std::string TextOfReal(double value, bool isFloat)
-{
-  constexpr int MostDigits = std::numeric_limits<double>::max_digits10;
-  if (std::isnan(value))
-  {
-    return "nan";
-  }
-  const bool isWhole = std::floor(value) == value && std::abs(value) <= MostExact;
-  for (int digits = isWhole ? MostDigits : 1;; ++digits)
-  {
-    std::ostringstream text;
-    text.precision(digits);
-    text << value;
-    double read = 0.0;
-    std::istringstream(text.str()) >> read;
-    const bool isSame =
-      isFloat ? static_cast<float>(read) == static_cast<float>(value) : read == value;
-    if (isSame || digits == MostDigits)
-    {
-      return text.str();
-    }
-  }
+  return std::any_of(arrays.begin(), arrays.end(), isReal) ? VTK_DOUBLE : VTK_LONG_LONG;
 }
 
 std::string TextOf(const vtkVariant& value)
 {
-  if (!value.IsNumeric())
+  if (value.IsFloat() || value.IsDouble())
   {
-    return value.ToString();
+    return value.IsFloat() ? ShortText(value.ToFloat()) : ShortText(value.ToDouble());
   }
-  if (IsReal(static_cast<int>(value.GetType())))
-  {
-    return TextOfReal(value.ToDouble(), value.IsFloat());
-  }
-  const bool isUnsigned = vtkDataArray::GetDataTypeMin(static_cast<int>(value.GetType())) == 0.0;
-  return isUnsigned ? std::to_string(value.ToTypeUInt64()) : std::to_string(value.ToTypeInt64());
+  return value.IsNumeric() ? std::to_string(value.ToTypeInt64()) : value.ToString();
 }
 
 void FillWithNaNOrZero(vtkAbstractArray* array)

@@ -9,8 +9,10 @@
 #include "vtkFieldData.h"    // for arrays
 #include "vtkSmartPointer.h" // for datasets
 
-#include <string> // for names
-#include <vector> // for pieces
+#include <charconv> // for numbers
+#include <cmath>    // for isnan
+#include <string>   // for names
+#include <vector>   // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -18,6 +20,16 @@ VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
+
+/// A real number with the fewest digits that give its value.
+template <typename Real>
+std::string ShortText(Real value)
+{
+  constexpr std::size_t MostCharacters = 32;
+  char text[MostCharacters];
+  const auto end = std::to_chars(text, text + MostCharacters, value, std::chars_format::general);
+  return std::isnan(value) ? "nan" : std::string(text, end.ptr);
+}
 
 /// The arrays of the points or of the cells of a piece, and the number of these.
 struct PieceArrays
@@ -27,15 +39,12 @@ struct PieceArrays
 };
 
 /// Gives all pieces of a dataset all named arrays, those of one name with one type and one number
-/// of components, so that they can be put one after the other without a loss. Returns their names
-/// in the order of the pieces. Arrays of pieces without elements count only where others have none.
+/// of components, so that they can be put one after the other. Returns their names in the order of
+/// the pieces. Arrays of pieces without elements count only where others have none.
 ///
-/// - Whole numbers get the first of the given types that holds the ranges of all, else the smallest
-///   type that does; signed ones beside unsigned ones of 64 bits the one that holds all values.
-/// - Real numbers, also beside whole ones, are double; float where all are float.
-/// - Texts beside numbers are texts, as are numbers that no type holds exactly: whole ones above
-///   2^53 beside real ones. A number as text has the fewest digits that give its value.
-/// - The number of components is the largest.
+/// Arrays of one type keep it. Of several types: whole numbers are of 64 bits with a sign; where some
+/// numbers are real, all are double; where some values are texts, all are, numbers with the fewest
+/// digits that give their value. The number of components is the largest.
 ///
 /// What a piece lacks, arrays or components, is NaN where values are real, else 0, or empty. An
 /// array that has fewer values than its piece has elements is lacked, as is a ghost array that is

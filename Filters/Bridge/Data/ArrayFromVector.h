@@ -14,12 +14,24 @@
 #include "vtkInformation.h"           // for what is not offered
 #include "vtkInformationIntegerKey.h" // for the mark of it
 #include "vtkNew.h"                   // for new arrays
+#include "vtkSmartPointer.h"          // for new arrays
 
 #include <cstdint> // for counts
 #include <vector>  // for the values
 
 namespace biting
 {
+
+/// An array of the type, the name and the components of `given`, of `size` tuples without values.
+inline vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* given, vtkIdType size)
+{
+  auto array = vtk::TakeSmartPointer(given->NewInstance());
+  array->SetName(given->GetName());
+  array->SetNumberOfComponents(given->GetNumberOfComponents());
+  array->CopyComponentNames(given);
+  array->SetNumberOfTuples(size);
+  return array;
+}
 
 /// Adds the array `name` of type ArrayType with `values` to `data`. On abort its values have no
 /// meaning; so it is with all that is below.

@@ -3,10 +3,15 @@
 
 #include "CellShapes.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>        // for find_if
 #include <initializer_list> // for orders
+#include <utility>          // for pair
 
 namespace biting
 {
@@ -111,6 +116,46 @@ void PointsAlong(
     default:
       along.assign(points, points + size);
   }
+}
+
+// Polydata by its lists: asking it for a cell by its id would build something in it.
+std::string VisitCells(
+  vtkDataSet* data, const std::function<std::string(const SeenCell&)>& visit, Pulse& pulse)
+{
+  std::string refusal;
+  vtkNew<vtkIdList> points;
+  SeenCell seen;
+  const auto visitSeen = [&refusal, &points, &seen, &visit]()
+  {
+    seen.Size = points->GetNumberOfIds();
+    seen.Points = points->GetPointer(0);
+    refusal = visit(seen);
+    ++seen.Id;
+  };
+  if (auto* polyData = vtkPolyData::SafeDownCast(data))
+  {
+    const std::pair<vtkCellArray*, int> lists[] = { { polyData->GetVerts(), VTK_POLY_VERTEX },
+      { polyData->GetLines(), VTK_POLY_LINE }, { polyData->GetPolys(), VTK_POLYGON },
+      { polyData->GetStrips(), VTK_TRIANGLE_STRIP } };
+    for (const auto& [cells, type] : lists)
+    {
+      seen.Type = type;
+      const vtkIdType count = cells->GetNumberOfCells();
+      for (vtkIdType k = 0; k < count && refusal.empty() && pulse.Beat(); ++k)
+      {
+        cells->GetCellAtId(k, points);
+        visitSeen();
+      }
+    }
+    return refusal;
+  }
+  while (seen.Id < data->GetNumberOfCells() && refusal.empty() && pulse.Beat())
+  {
+    data->GetCellPoints(seen.Id, points);
+    seen.Type = data->GetCellType(seen.Id);
+    visitSeen();
+  }
+  return refusal;
 }
 
 std::string MissingPointText(const char* what, vtkIdType cell, vtkIdType size,

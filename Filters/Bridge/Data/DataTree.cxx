@@ -9,9 +9,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 
 namespace biting
 {
@@ -19,91 +16,45 @@ namespace biting
 namespace
 {
 
-vtkInformation* MetaDataOf(vtkDataObjectTree* tree, unsigned int child)
+// The children of all kinds of trees alike, which VTK has, but keeps protected.
+struct Children : vtkDataObjectTree
 {
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
-  {
-    return blocks->GetMetaData(child);
-  }
-  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
-  {
-    return partitions->GetMetaData(child);
-  }
-  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree);
-  return collection ? collection->GetMetaData(child) : nullptr;
-}
-
-// Asking for what is not there would make it.
-bool HasMetaData(vtkDataObjectTree* tree, unsigned int child)
-{
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
-  {
-    return blocks->HasMetaData(child) != 0;
-  }
-  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
-  {
-    return partitions->HasMetaData(child);
-  }
-  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree);
-  return collection && collection->HasMetaData(child);
-}
+  using vtkDataObjectTree::GetChild;
+  using vtkDataObjectTree::GetChildMetaData;
+  using vtkDataObjectTree::GetNumberOfChildren;
+  using vtkDataObjectTree::HasChildMetaData;
+  using vtkDataObjectTree::SetChild;
+};
 
 } // namespace
 
 unsigned int NumberOfChildren(vtkDataObjectTree* tree)
 {
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
-  {
-    return blocks->GetNumberOfBlocks();
-  }
-  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
-  {
-    return partitions->GetNumberOfPartitions();
-  }
-  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree);
-  return collection ? collection->GetNumberOfPartitionedDataSets() : 0;
+  return (tree->*&Children::GetNumberOfChildren)();
 }
 
 vtkDataObject* ChildOf(vtkDataObjectTree* tree, unsigned int child)
 {
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
-  {
-    return blocks->GetBlock(child);
-  }
-  if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
-  {
-    return partitions->GetPartitionAsDataObject(child);
-  }
-  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree);
-  return collection ? collection->GetPartitionedDataSet(child) : nullptr;
+  return (tree->*&Children::GetChild)(child);
 }
 
+// Asking for metadata that is not there would make it.
 std::string NameOfChild(vtkDataObjectTree* tree, unsigned int child)
 {
-  vtkInformation* info = HasMetaData(tree, child) ? MetaDataOf(tree, child) : nullptr;
-  const char* name = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  const bool hasData = (tree->*&Children::HasChildMetaData)(child) != 0;
+  const char* name = hasData
+    ? (tree->*&Children::GetChildMetaData)(child)->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
   return name ? name : "";
 }
 
 void SetChild(
   vtkDataObjectTree* tree, unsigned int child, vtkDataObject* object, const std::string& name)
 {
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+  (tree->*&Children::SetChild)(child, object);
+  if (!name.empty())
   {
-    blocks->SetBlock(child, object);
-  }
-  else if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(tree))
-  {
-    partitions->SetPartition(child, object);
-  }
-  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree))
-  {
-    collection->SetPartitionedDataSet(child, vtkPartitionedDataSet::SafeDownCast(object));
-  }
-  vtkInformation* info = name.empty() ? nullptr : MetaDataOf(tree, child);
-  if (info)
-  {
-    info->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    (tree->*&Children::GetChildMetaData)(child)->Set(vtkCompositeDataSet::NAME(), name.c_str());
   }
 }
 

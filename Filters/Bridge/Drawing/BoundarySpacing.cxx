@@ -4,7 +4,6 @@
 #include "BoundarySpacing.h"
 
 #include "../../Kernel/Base/Pulse.h"
-#include "../Source/SourceOrder.h"
 #include "../Source/SpacingValues.h"
 
 #include "vtkDataArray.h"

@@ -6,9 +6,9 @@
 
 #include "../../Kernel/Spacing/Spacing.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
-#include "../Run/ProblemPlaces.h"
+#include "../Run/ProblemReport.h"
 #include "Drawing.h"
-#include "PolylinesFromPolyData.h"
+#include "PolylinesFromDrawing.h"
 
 #include <string> // for the refusal
 

@@ -4,6 +4,7 @@
 #include "Drawing.h"
 
 #include "../Data/AlikeArrays.h"
+#include "../Data/ArrayFromVector.h"
 #include "../Data/DataTree.h"
 #include "../Data/DoubleArray.h"
 
@@ -106,11 +107,7 @@ void UniteArrays(const Drawing& drawing, int association, vtkFieldData* united)
   for (const std::string& name : MakeArraysAlike(pieces))
   {
     vtkAbstractArray* like = pieces.front().Arrays->GetAbstractArray(name.c_str());
-    auto whole = vtk::TakeSmartPointer(like->NewInstance());
-    whole->SetName(like->GetName());
-    whole->SetNumberOfComponents(like->GetNumberOfComponents());
-    whole->CopyComponentNames(like);
-    whole->SetNumberOfTuples(size);
+    const auto whole = NewArrayLike(like, size);
     vtkIdType first = 0;
     vtkIdType lacking = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k)

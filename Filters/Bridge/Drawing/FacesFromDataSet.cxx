@@ -9,16 +9,13 @@
 #include "../Data/CellShapes.h"
 #include "../Data/DoubleArray.h"
 #include "../Data/GhostArrays.h"
-#include "../Run/MessagesFromProblems.h"
+#include "../Run/ProblemReport.h"
 #include "CoordinateRounding.h"
-#include "PolylinesFromPolyData.h"
+#include "PolylinesFromDrawing.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
+#include "vtkDataSet.h"
 
 #include <algorithm> // for all_of, max, min_element, rotate, stable_sort
 #include <cmath>     // for abs
@@ -31,144 +28,60 @@ namespace biting
 namespace
 {
 
-// Reads cells into faces whose corners are ids of points.
-class FaceReader
+bool IsFace(const SeenCell& cell, FaceRule rule)
 {
-public:
-  FaceReader(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Pulse& pulse);
-  std::string Read();
-
-private:
-  std::string ReadPolyData(vtkPolyData* polyData);
-  std::string ReadCells(vtkCellArray* cells, int type);
-  std::string AddCell(int type);
-  bool IsIgnored(int type) const;
-  bool IsFace(int type) const;
-  std::string Refusal(int type) const;
-
-  vtkDataSet* Data;
-  FaceRule Rule;
-  PlanarFaces& Faces;
-  Pulse& Beats;
-  const GhostArrays Ghosts;
-  vtkIdType Cell = 0;
-  vtkNew<vtkIdList> Points;
-};
-
-FaceReader::FaceReader(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Pulse& pulse)
-  : Data(data)
-  , Rule(rule)
-  , Faces(faces)
-  , Beats(pulse)
-  , Ghosts(data)
-{
-}
-
-std::string FaceReader::Read()
-{
-  if (auto* polyData = vtkPolyData::SafeDownCast(this->Data))
-  {
-    return this->ReadPolyData(polyData);
-  }
-  std::string refusal;
-  const vtkIdType count = this->Data->GetNumberOfCells();
-  for (; this->Cell < count && refusal.empty() && this->Beats.Beat(); ++this->Cell)
-  {
-    this->Data->GetCellPoints(this->Cell, this->Points);
-    refusal = this->AddCell(this->Data->GetCellType(this->Cell));
-  }
-  return refusal;
-}
-
-// By its lists: asking poly data for a cell by its id would build something in it.
-std::string FaceReader::ReadPolyData(vtkPolyData* polyData)
-{
-  this->Cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
-  const std::string refusal = this->ReadCells(polyData->GetPolys(), VTK_POLYGON);
-  return refusal.empty() ? this->ReadCells(polyData->GetStrips(), VTK_TRIANGLE_STRIP) : refusal;
-}
-
-std::string FaceReader::ReadCells(vtkCellArray* cells, int type)
-{
-  std::string refusal;
-  const vtkIdType count = cells->GetNumberOfCells();
-  for (vtkIdType k = 0; k < count && refusal.empty() && this->Beats.Beat(); ++k, ++this->Cell)
-  {
-    cells->GetCellAtId(k, this->Points);
-    refusal = this->AddCell(type);
-  }
-  return refusal;
-}
-
-// Expects the points of the cell in Points.
-std::string FaceReader::AddCell(int type)
-{
-  const vtkIdType size = this->Points->GetNumberOfIds();
-  const std::string missing = MissingPointText(
-    "the input", this->Cell, size, this->Points->GetPointer(0), this->Data->GetNumberOfPoints());
-  if (!missing.empty())
-  {
-    return missing;
-  }
-  if (this->IsIgnored(type) || this->Ghosts.LeaveOut(this->Cell, size, this->Points->GetPointer(0)))
-  {
-    return {};
-  }
-  if (!this->IsFace(type))
-  {
-    return this->Refusal(type);
-  }
-  for (vtkIdType k = 0; k < size; ++k)
-  {
-    this->Faces.Corners.push_back(static_cast<Id>(this->Points->GetId(k)));
-  }
-  constexpr std::size_t Limit = std::numeric_limits<Id>::max();
-  if (this->Faces.Corners.size() > Limit)
-  {
-    return "The input has more corners than 32-bit ids can number.";
-  }
-  this->Faces.Offsets.push_back(static_cast<Id>(this->Faces.Corners.size()));
-  this->Faces.CellIds.push_back(this->Cell);
-  return {};
-}
-
-bool FaceReader::IsIgnored(int type) const
-{
-  switch (type)
-  {
-    case VTK_EMPTY_CELL:
-    case VTK_VERTEX:
-    case VTK_POLY_VERTEX:
-    case VTK_LINE:
-    case VTK_POLY_LINE:
-    case VTK_QUADRATIC_EDGE:
-    case VTK_CUBIC_LINE:
-    case VTK_LAGRANGE_CURVE:
-    case VTK_BEZIER_CURVE:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool FaceReader::IsFace(int type) const
-{
-  const vtkIdType size = this->Points->GetNumberOfIds();
+  const int type = cell.Type;
   const bool isTriangle =
-    size == 3 && (type == VTK_TRIANGLE || type == VTK_POLYGON || type == VTK_TRIANGLE_STRIP);
-  const bool isPolygon = size > 3 && (type == VTK_POLYGON || type == VTK_QUAD || type == VTK_PIXEL);
-  return isTriangle || (this->Rule == FaceRule::Polygons && isPolygon);
+    cell.Size == 3 && (type == VTK_TRIANGLE || type == VTK_POLYGON || type == VTK_TRIANGLE_STRIP);
+  const bool isPolygon =
+    cell.Size > 3 && (type == VTK_POLYGON || type == VTK_QUAD || type == VTK_PIXEL);
+  return isTriangle || (rule == FaceRule::Polygons && isPolygon);
 }
 
-std::string FaceReader::Refusal(int type) const
+std::string RefusalOfCell(const SeenCell& cell, FaceRule rule)
 {
-  const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
-  const char* wanted = this->Rule == FaceRule::Triangles
+  const char* name = vtkCellTypes::GetClassNameFromTypeId(cell.Type);
+  const char* wanted = rule == FaceRule::Triangles
     ? "the input must consist of linear triangles (apply Triangulate, or Extract Surface before "
       "it)."
     : "the input must consist of linear faces in a plane (apply Triangulate, or Slice a volume).";
-  return "Cell " + std::to_string(this->Cell) + " is a " + name + " with " +
-    std::to_string(this->Points->GetNumberOfIds()) + " points; " + wanted;
+  return "Cell " + std::to_string(cell.Id) + " is a " + name + " with " +
+    std::to_string(cell.Size) + " points; " + wanted;
+}
+
+// The corners are ids of points.
+std::string AddFace(const SeenCell& cell, PlanarFaces& faces)
+{
+  constexpr std::size_t Limit = std::numeric_limits<Id>::max();
+  for (vtkIdType k = 0; k < cell.Size; ++k)
+  {
+    faces.Corners.push_back(static_cast<Id>(cell.Points[k]));
+  }
+  faces.Offsets.push_back(static_cast<Id>(faces.Corners.size()));
+  faces.CellIds.push_back(cell.Id);
+  return faces.Corners.size() > Limit ? "The input has more corners than 32-bit ids can number."
+                                      : "";
+}
+
+std::string ReadFaces(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Pulse& pulse)
+{
+  const GhostArrays ghosts(data);
+  return VisitCells(
+    data,
+    [data, rule, &faces, &ghosts](const SeenCell& cell)
+    {
+      const CellShape shape = ShapeOf(cell.Type);
+      const bool isIgnored =
+        shape == CellShape::Nothing || shape == CellShape::Points || shape == CellShape::Line;
+      const std::string missing =
+        MissingPointText("the input", cell.Id, cell.Size, cell.Points, data->GetNumberOfPoints());
+      if (!missing.empty() || isIgnored || ghosts.LeaveOut(cell.Id, cell.Size, cell.Points))
+      {
+        return missing;
+      }
+      return IsFace(cell, rule) ? AddFace(cell, faces) : RefusalOfCell(cell, rule);
+    },
+    pulse);
 }
 
 // Makes the corners vertices, which are the points in use.
@@ -329,7 +242,7 @@ std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces
     return "The input has more points or cells than 32-bit ids can number.";
   }
   Pulse pulse(monitor);
-  const std::string refusal = FaceReader(data, rule, faces, pulse).Read();
+  const std::string refusal = ReadFaces(data, rule, faces, pulse);
   if (!refusal.empty() || faces.CellIds.empty() || pulse.HasStopped())
   {
     return refusal;

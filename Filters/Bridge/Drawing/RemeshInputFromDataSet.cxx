@@ -6,9 +6,8 @@
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/CellShapes.h"
 #include "../Data/DoubleArray.h"
+#include "CellTags.h"
 #include "FacesFromDataSet.h"
-#include "RegionNumbers.h"
-#include "TagComparison.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -8,7 +8,7 @@
 #include "../../Kernel/Remeshing/OldMesh.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "Drawing.h"
-#include "PolylinesFromPolyData.h"
+#include "PolylinesFromDrawing.h"
 
 #include "vtkSmartPointer.h" // for the array
 #include "vtkType.h"         // for vtkIdType

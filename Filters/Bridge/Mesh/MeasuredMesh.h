@@ -9,6 +9,7 @@
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "../Drawing/FacesFromDataSet.h"
 
+#include <string> // for texts
 #include <vector> // for values
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -46,6 +47,16 @@ void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* outp
 
 /// How angles, and with a spacing conformity and lengths, are spread.
 void WriteHistograms(const MeasuredMesh& mesh, int bins, vtkTable* output);
+
+/// What users are told of triangles that are no good mesh: without area, turned, overlapping. One
+/// text for each kind.
+std::vector<std::string> WarningsOfTriangles(const PlanarFaces& faces, const TriangleLinks& links);
+
+/// The same of points that no triangle uses, of that many; empty where there are none.
+std::string WarningOfUnusedPoints(const PlanarFaces& faces, vtkIdType numberOfPoints);
+
+/// The same of points at one place.
+std::string WarningOfRepeatedPoints(const PlanarFaces& faces);
 
 } // namespace biting
 

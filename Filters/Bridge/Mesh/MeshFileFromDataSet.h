@@ -4,14 +4,22 @@
 #ifndef BitingMeshFileFromDataSet_h
 #define BitingMeshFileFromDataSet_h
 
-#include "../../IO/MeshFile.h"
+#include "../../IO/MeshFile.h"     // for MeshGroup
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 
-#include <string> // for refusals
+#include "vtkType.h" // for ids
+
+#include <cstddef> // for size_t
+#include <cstdint> // for numbers of groups
+#include <map>     // for numbers of values
+#include <string>  // for names
+#include <utility> // for pair
+#include <vector>  // for lists
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractArray;
 class vtkCellData;
+class vtkDataArray;
 class vtkDataSet;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -19,8 +27,64 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-class ValueGroups;
-class WrittenParts;
+/// Groups the values of an array, in their order: numbers by size, strings by alphabet. NaN is a
+/// group of its own, an empty string none. Numbers that differ have names that differ.
+class ValueGroups
+{
+public:
+  explicit ValueGroups(vtkAbstractArray* values);
+
+  bool Has(vtkIdType item) const { return this->Numbers || !this->KeyOf(item).second.empty(); }
+
+  std::size_t IndexOf(vtkIdType item) const { return this->Indices.at(this->KeyOf(item)); }
+
+  /// Whole numbers plus `shift` keep their values where these are above 0. In names each of the
+  /// `forbidden` characters is '_', and more of these follow where that would be the name of
+  /// another group.
+  std::vector<MeshGroup> Named(
+    std::int64_t shift, const std::string& prefix, const std::string& forbidden) const;
+
+private:
+  /// The text is empty where the number alone says all.
+  using Key = std::pair<double, std::string>;
+
+  Key KeyOf(vtkIdType item) const;
+  static std::int64_t NumberOf(const Key& key);
+  std::string NameOf(const Key& key) const;
+
+  vtkAbstractArray* Values;
+  vtkDataArray* Numbers;
+  std::map<Key, std::size_t> Indices;
+};
+
+/// What of a mesh goes into a file: all of it, or, where cells or points are hidden or another
+/// piece's, each visible cell and each of their points once, in the order of their global ids. So
+/// what several ranks have saved together is the mesh of one. Without these ids, or where two
+/// visible cells have the same one, cells stay in their order; where points at different places
+/// have the same one, all points of these cells are written.
+class WrittenParts
+{
+public:
+  explicit WrittenParts(vtkDataSet* mesh);
+
+  /// Points and cells of the mesh, in the order of the file.
+  const std::vector<vtkIdType>& Points() const { return this->PointIds; }
+  const std::vector<vtkIdType>& Cells() const { return this->CellIds; }
+
+  /// The number in the file of a point of the mesh; -1 where it is not written.
+  vtkIdType NumberOf(vtkIdType point) const
+  {
+    return this->Numbers[static_cast<std::size_t>(point)];
+  }
+
+private:
+  void ListCells(vtkDataSet* mesh);
+  void ListPointsOfCells(vtkDataSet* mesh);
+
+  std::vector<vtkIdType> PointIds;
+  std::vector<vtkIdType> CellIds;
+  std::vector<vtkIdType> Numbers;
+};
 
 /// The array of depths that need not be there.
 constexpr const char* DefaultDepths = "Depth";

@@ -4,14 +4,21 @@
 #include "MeshToPolyData.h"
 
 #include "../Data/ArrayFromVector.h"
-#include "QualityArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm> // for find, max
+#include <limits>    // for NaN
+#include <string>    // for names
 
 namespace biting
 {
@@ -90,6 +97,140 @@ void AddGhosts(const std::vector<std::uint8_t>& levels, unsigned char mark,
   AddArray<vtkUnsignedCharArray>(data, vtkDataSetAttributes::GhostArrayName(), marks, pulse);
 }
 
+// The edges over vertices of their own: those of the mesh that an edge uses, in ascending order.
+struct EdgeVertices
+{
+  std::vector<Id> MeshIds;
+  std::vector<Id> Connectivity;
+};
+
+EdgeVertices VerticesOfEdges(const BitingMesh& mesh, Pulse& pulse)
+{
+  std::vector<Id> newIds(mesh.Points.size(), NoId);
+  pulse.ForEach(mesh.EdgeStarts.size(),
+    [&mesh, &newIds](std::size_t edge)
+    {
+      newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])] = 0;
+      newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])] = 0;
+    });
+  EdgeVertices vertices;
+  pulse.ForEach(newIds.size(),
+    [&newIds, &vertices](std::size_t vertex)
+    {
+      if (newIds[vertex] != NoId)
+      {
+        newIds[vertex] = static_cast<Id>(vertices.MeshIds.size());
+        vertices.MeshIds.push_back(static_cast<Id>(vertex));
+      }
+    });
+  pulse.ForEach(mesh.EdgeStarts.size(),
+    [&mesh, &newIds, &vertices](std::size_t edge)
+    {
+      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeStarts[edge])]);
+      vertices.Connectivity.push_back(newIds[static_cast<std::size_t>(mesh.EdgeEnds[edge])]);
+    });
+  return vertices;
+}
+
+vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* meshPoints)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(vertices.MeshIds.size()));
+  double* to = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
+  const double* from = vtkDoubleArray::FastDownCast(meshPoints->GetData())->GetPointer(0);
+  for (const Id vertex : vertices.MeshIds)
+  {
+    to = std::copy_n(from + 3 * static_cast<std::size_t>(vertex), 3, to);
+  }
+  return points;
+}
+
+// What an array has where nothing is given: NaN, -1, 0 or an empty text.
+void FillWithNaNOrMinusOne(vtkAbstractArray* array)
+{
+  if (auto* data = vtkDataArray::SafeDownCast(array))
+  {
+    const bool isReal = data->GetDataType() == VTK_DOUBLE || data->GetDataType() == VTK_FLOAT;
+    data->Fill(
+      isReal ? std::numeric_limits<double>::quiet_NaN() : std::max(data->GetDataTypeMin(), -1.0));
+  }
+}
+
+// In steps, as tuples of some arrays are slow.
+void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to, Pulse& pulse)
+{
+  constexpr vtkIdType Step = 1024;
+  for (vtkIdType first = 0; first < tuples->GetNumberOfIds() && pulse.Ask(); first += Step)
+  {
+    const vtkIdType size = std::min(Step, tuples->GetNumberOfIds() - first);
+    vtkNew<vtkIdList> some;
+    vtkNew<vtkIdList> places;
+    for (vtkIdType k = first; k < first + size; ++k)
+    {
+      if (tuples->GetId(k) >= 0)
+      {
+        some->InsertNextId(tuples->GetId(k));
+        places->InsertNextId(k);
+      }
+    }
+    to->InsertTuples(places, some, from);
+  }
+}
+
+// Any kind of array, numbers or not; never as the active attribute that it may be in the input,
+// since an id that is unique there is not unique here. An array that has no value for some cell is
+// left out.
+void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData* to, Pulse& pulse)
+{
+  vtkFieldData* from = drawing.CellArrays;
+  vtkNew<vtkIdList> cells;
+  cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
+  std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
+  const bool hasUnknown =
+    std::find(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), NoId) != mesh.EdgeCells.end();
+  for (int k = 0; k < from->GetNumberOfArrays() && pulse.Ask(); ++k)
+  {
+    vtkAbstractArray* given = from->GetAbstractArray(k);
+    const std::string name = given->GetName() ? given->GetName() : "";
+    const bool isShort = given->GetNumberOfTuples() < drawing.NumberOfCells;
+    if (isShort || name == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue;
+    }
+    const auto carried = NewArrayLike(given, cells->GetNumberOfIds());
+    if (hasUnknown)
+    {
+      FillWithNaNOrMinusOne(carried);
+    }
+    CopyTuples(given, cells, carried, pulse);
+    to->AddArray(carried);
+  }
+}
+
+std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
+{
+  std::vector<std::uint8_t> kinds;
+  for (const std::uint8_t isBoundary : mesh.EdgeIsBoundary)
+  {
+    const ChainKind kind = isBoundary ? ChainKind::Boundary : ChainKind::Interface;
+    kinds.push_back(static_cast<std::uint8_t>(kind));
+  }
+  return kinds;
+}
+
+// Those of the whole, where `mesh` is the border of a mesh in pieces.
+void AddMeshPointIds(
+  const BitingMesh& mesh, const std::vector<Id>& vertices, vtkPointData* data, Pulse& pulse)
+{
+  std::vector<std::int64_t> ids(vertices.begin(), vertices.end());
+  for (std::size_t k = 0; k < ids.size() && mesh.Piece.IsPart && pulse.Beat(); ++k)
+  {
+    ids[k] = mesh.Piece.PointIds[vertices[k]];
+  }
+  AddArray<vtkIdTypeArray>(data, "MeshPointId", ids, pulse);
+}
+
 } // namespace
 
 void AddPieceArrays(const MeshPiece& piece, bool hasGhosts, vtkPolyData* output, Pulse& pulse)
@@ -145,6 +286,51 @@ void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList
   AddFigure(output->GetFieldData(), "UsedLipschitz", mesh.UsedLipschitz);
   AddRepairs(problems, output->GetFieldData());
   AddSimplification(mesh, output->GetFieldData());
+}
+
+void AddConformityArrays(
+  const MeshQuality& quality, const std::vector<double>& spacing, vtkFieldData* data, Pulse& pulse)
+{
+  AddArray<vtkDoubleArray>(data, "Spacing", spacing, pulse);
+  AddArray<vtkDoubleArray>(data, "NearestNeighborDistance", quality.NearestNeighborDistance, pulse);
+  AddArray<vtkDoubleArray>(data, "Conformity", quality.Conformity, pulse);
+}
+
+void AddShapeArrays(const MeshQuality& quality, vtkFieldData* data, Pulse& pulse)
+{
+  AddArray<vtkDoubleArray>(data, "MinimumAngle", quality.MinimumAngle, pulse);
+  AddArray<vtkDoubleArray>(data, "RadiusEdgeRatio", quality.RadiusEdgeRatio, pulse);
+  AddArray<vtkDoubleArray>(data, "AspectRatio", quality.AspectRatio, pulse);
+}
+
+void AddShapeSummary(const MeshQuality& quality, vtkFieldData* data)
+{
+  AddCount(data, "NumberOfVertices", quality.NumberOfVertices);
+  AddCount(data, "NumberOfTriangles", quality.NumberOfTriangles);
+  AddFigure(data, "SmallestAngle", quality.SmallestAngle);
+  AddFigure(data, "LargestRadiusEdgeRatio", quality.LargestRadiusEdgeRatio);
+}
+
+void AddConformitySummary(const MeshQuality& quality, vtkFieldData* data)
+{
+  AddFigure(data, "SmallestConformity", quality.SmallestConformity);
+  AddFigure(data, "MeanConformity", quality.MeanConformity);
+  AddFigure(data, "MeanRelativeLength", quality.MeanRelativeLength);
+  AddFigure(data, "ShareOfEdgesInBand", quality.ShareOfEdgesInBand);
+}
+
+void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
+  vtkPolyData* output, Pulse& pulse)
+{
+  const EdgeVertices vertices = VerticesOfEdges(mesh, pulse);
+  vtkNew<vtkCellArray> lines;
+  SetCells(lines, 2, vertices.Connectivity, pulse);
+  output->SetPoints(PointsOf(vertices, points));
+  output->SetLines(lines);
+  AddMeshPointIds(mesh, vertices.MeshIds, output->GetPointData(), pulse);
+  CarryCellArrays(mesh, drawing, output->GetCellData(), pulse);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
+  AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);
 }
 
 } // namespace biting

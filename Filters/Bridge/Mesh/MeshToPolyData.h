@@ -6,13 +6,19 @@
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/BitingMesh.h"
+#include "../../Kernel/Quality/Quality.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
-#include "../Drawing/PolylinesFromPolyData.h"
+#include "../Drawing/Drawing.h"
+#include "../Drawing/PolylinesFromDrawing.h"
 
 #include "vtkPoints.h"       // for the points
 #include "vtkSmartPointer.h" // for the points
 
+#include <vector> // for values
+
 VTK_ABI_NAMESPACE_BEGIN
+class vtkFieldData;
+class vtkPoints;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
@@ -34,6 +40,26 @@ void MeshToPolyData(const BitingMesh& mesh, vtkPoints* points, const ProblemList
 /// has a triangle at it. With ghosts, the cell array `vtkGhostType` marks triangles of other ranks
 /// as DUPLICATECELL.
 void AddPieceArrays(const MeshPiece& piece, bool hasGhosts, vtkPolyData* output, Pulse& pulse);
+
+/// Adds `Spacing`, `NearestNeighborDistance` and `Conformity` to point data.
+void AddConformityArrays(
+  const MeshQuality& quality, const std::vector<double>& spacing, vtkFieldData* data, Pulse& pulse);
+
+/// Adds `MinimumAngle`, `RadiusEdgeRatio` and `AspectRatio` to cell data.
+void AddShapeArrays(const MeshQuality& quality, vtkFieldData* data, Pulse& pulse);
+
+/// Adds the numbers of vertices and triangles and the worst shapes, one value each.
+void AddShapeSummary(const MeshQuality& quality, vtkFieldData* data);
+
+/// Adds what the whole is worth against the spacing, one value each.
+void AddConformitySummary(const MeshQuality& quality, vtkFieldData* data);
+
+/// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and
+/// interfaces. Each edge carries the values of all cell arrays of `drawing` at its cell; one
+/// without a cell has NaN, -1, 0 where there is no -1, or an empty text.
+/// On abort `output` has no meaning.
+void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Drawing& drawing,
+  vtkPolyData* output, Pulse& pulse);
 
 } // namespace biting
 

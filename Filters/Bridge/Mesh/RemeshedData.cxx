@@ -27,17 +27,6 @@ bool IsReal(vtkAbstractArray* array)
   return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
 }
 
-// An empty array like `given`, with `size` tuples.
-vtkSmartPointer<vtkAbstractArray> ArrayLike(vtkAbstractArray* given, std::size_t size)
-{
-  auto array = vtk::TakeSmartPointer(given->NewInstance());
-  array->SetName(given->GetName());
-  array->SetNumberOfComponents(given->GetNumberOfComponents());
-  array->CopyComponentNames(given);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(size));
-  return array;
-}
-
 bool IsTransferred(
   vtkDataSetAttributes* from, vtkAbstractArray* given, vtkIdType size, vtkFieldData* to)
 {
@@ -86,7 +75,7 @@ void Transfer::CarryPoints(vtkDataSet* from, vtkPointData* to)
     vtkAbstractArray* old = given->GetAbstractArray(k);
     if (IsTransferred(given, old, from->GetNumberOfPoints(), to))
     {
-      const auto array = ArrayLike(old, this->Result.Mesh.Points.size());
+      const auto array = NewArrayLike(old, static_cast<vtkIdType>(this->Result.Mesh.Points.size()));
       this->Carry(old, places, array);
       to->AddArray(array);
     }
@@ -162,7 +151,7 @@ void Transfer::CarryCells(vtkDataSet* from, const std::string& region, vtkCellDa
     vtkAbstractArray* old = given->GetAbstractArray(k);
     if (IsTransferred(given, old, from->GetNumberOfCells(), to))
     {
-      const auto array = ArrayLike(old, atMiddles.size());
+      const auto array = NewArrayLike(old, static_cast<vtkIdType>(atMiddles.size()));
       const bool isRegion = region == old->GetName();
       const std::vector<vtkIdType>& cells = isRegion ? ofRegions : atMiddles;
       for (std::size_t cell = 0; cell < cells.size(); ++cell)

@@ -5,6 +5,8 @@
 
 #ifdef BITING_HAS_MPI
 #include "vtkMPIController.h"
+#else
+#include "vtkMultiProcessController.h"
 #endif
 
 #include <algorithm> // for fill, min
@@ -15,8 +17,6 @@
 
 namespace biting
 {
-
-#ifdef BITING_HAS_MPI
 
 namespace
 {
@@ -31,6 +31,16 @@ constexpr int ReplyTag = 18424;
 constexpr int ReadyTag = 18425;
 
 constexpr std::chrono::milliseconds Pause(1);
+
+// The processes, where messages can be looked for without waiting; else null.
+vtkMultiProcessController* WithoutWaiting(vtkMultiProcessController* processes)
+{
+#ifdef BITING_HAS_MPI
+  return vtkMPIController::SafeDownCast(processes);
+#else
+  return processes ? nullptr : processes;
+#endif
+}
 
 // 1, and the bytes have that length, or 0.
 int HasRoom(vtkIdType length, std::vector<char>& bytes)
@@ -49,7 +59,7 @@ int HasRoom(vtkIdType length, std::vector<char>& bytes)
 } // namespace
 
 RankCrew::RankCrew(const Ranks& ranks, std::vector<WholeInput*> inputs)
-  : Controller(vtkMPIController::SafeDownCast(ranks.Processes()))
+  : Controller(WithoutWaiting(ranks.Processes()))
   , IsFirst(ranks.IsFirst())
   , Rank(this->Controller ? this->Controller->GetLocalProcessId() : 0)
   , Inputs(std::move(inputs))
@@ -100,11 +110,13 @@ void RankCrew::ShareInputs()
   this->OwnState = areShared ? State::AtWork : State::Away;
 }
 
-bool RankCrew::HasMessage(int rank, int tag) const
+bool RankCrew::HasMessage([[maybe_unused]] int rank, [[maybe_unused]] int tag) const
 {
   int isThere = 0;
+#ifdef BITING_HAS_MPI
   int from = 0;
-  this->Controller->Iprobe(rank, tag, &isThere, &from);
+  static_cast<vtkMPIController*>(this->Controller)->Iprobe(rank, tag, &isThere, &from);
+#endif
   return isThere != 0;
 }
 
@@ -265,52 +277,5 @@ void RankCrew::End()
   }
   this->States.clear();
 }
-
-#else
-
-RankCrew::RankCrew(const Ranks& ranks, std::vector<WholeInput*>)
-  : IsFirst(ranks.IsFirst())
-{
-}
-
-int RankCrew::Size() const
-{
-  return 1;
-}
-
-void RankCrew::Call() {}
-
-std::vector<char> RankCrew::Receive(int, Monitor&)
-{
-  return {};
-}
-
-void RankCrew::Reply(int, const std::vector<char>&) {}
-
-void RankCrew::Send(const std::vector<char>&) {}
-
-std::vector<char> RankCrew::Await()
-{
-  return {};
-}
-
-std::vector<bool> RankCrew::WhoIsAtWork() const
-{
-  return {};
-}
-
-bool RankCrew::AwaitCall()
-{
-  return false;
-}
-
-bool RankCrew::IsDismissed() const
-{
-  return false;
-}
-
-void RankCrew::End() {}
-
-#endif
 
 } // namespace biting

@@ -5,15 +5,10 @@
 #define BitingRankCrew_h
 
 #include "../../Kernel/Base/Crew.h"
-#include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "Ranks.h"
 
 #include <cstdint> // for flags
 #include <vector>  // for inputs
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkMPIController;
-VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
@@ -61,7 +56,7 @@ private:
     Waiting ///< for a reply
   };
 
-  vtkMPIController* Controller = nullptr; // null: the first rank works alone
+  vtkMultiProcessController* Controller = nullptr; // null: the first rank works alone
   bool IsFirst;
   int Rank = 0;
   std::vector<WholeInput*> Inputs;

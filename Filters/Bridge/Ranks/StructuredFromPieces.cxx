@@ -6,21 +6,16 @@
 #include "../Data/DoubleArray.h"
 #include "../Data/GhostArrays.h"
 
-#include "vtkAbstractArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm> // for equal, max, min
-#include <array>     // for extents
-#include <utility>   // for move
+#include <algorithm> // for all_of, any_of, equal, max, min
 
 namespace biting
 {
@@ -48,31 +43,15 @@ struct Lattice
   }
 };
 
-// The cells of an extent of points; along axes of one point they are as many as points.
-Lattice CellsOf(const Extent& points)
+// The points of an extent, or its cells; along axes of one point these are as many as points.
+Lattice LatticeOf(const Extent& points, int association)
 {
-  Lattice cells{ points };
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  Lattice lattice{ points };
+  for (std::size_t axis = 0; axis < 3 && association == vtkDataObject::CELL; ++axis)
   {
-    cells.Box[2 * axis + 1] -= cells.Size(axis) > 1 ? 1 : 0;
+    lattice.Box[2 * axis + 1] -= lattice.Size(axis) > 1 ? 1 : 0;
   }
-  return cells;
-}
-
-template <typename Function>
-void ForEach(const Lattice& part, const Lattice& whole, Function visit)
-{
-  vtkIdType from = 0;
-  for (int k = part.Box[4]; k <= part.Box[5]; ++k)
-  {
-    for (int j = part.Box[2]; j <= part.Box[3]; ++j)
-    {
-      for (int i = part.Box[0]; i <= part.Box[1]; ++i)
-      {
-        visit(from++, whole.NumberOf(i, j, k));
-      }
-    }
-  }
+  return lattice;
 }
 
 bool HaveSameAxes(vtkImageData* a, vtkImageData* b)
@@ -90,71 +69,6 @@ bool AreAlike(vtkDataSet* a, vtkDataSet* b)
     (!image || HaveSameAxes(image, vtkImageData::SafeDownCast(b)));
 }
 
-void CopyCoordinates(
-  vtkDataArray* from, int first, int wholeFirst, vtkIdType size, vtkSmartPointer<vtkDataArray>& to)
-{
-  if (!to)
-  {
-    to = vtk::TakeSmartPointer(from->NewInstance());
-    to->SetNumberOfTuples(size);
-  }
-  else if (to->GetDataType() != from->GetDataType())
-  {
-    to = AsDoubles(to);
-  }
-  to->InsertTuples(first - wholeFirst, from->GetNumberOfTuples(), 0, from);
-}
-
-// What a piece gives: its own numbers, and those in the whole.
-struct Part
-{
-  vtkNew<vtkIdList> From;
-  vtkNew<vtkIdList> To;
-};
-
-void PlaceOne(std::vector<char>& isPlaced, Part& part, vtkIdType from, vtkIdType to)
-{
-  char& isThere = isPlaced[static_cast<std::size_t>(to)];
-  if (!isThere)
-  {
-    isThere = 1;
-    part.From->InsertNextId(from);
-    part.To->InsertNextId(to);
-  }
-}
-
-// Puts the pieces into one extent.
-class Assembly
-{
-public:
-  Assembly(const DataSets& pieces, std::vector<Extent> extents);
-
-  bool HasGaps() const { return this->Gaps; }
-  vtkSmartPointer<vtkDataSet> Whole() const;
-
-private:
-  void PlacePoints(std::size_t piece);
-  void PlaceCells(std::size_t piece, bool areGhosts);
-  void SetGeometry(vtkDataSet* whole) const;
-  void SetImage(vtkImageData* whole) const;
-  void SetRectilinearGrid(vtkRectilinearGrid* whole) const;
-  void SetStructuredGrid(vtkStructuredGrid* whole) const;
-  void CopyArrays(int association, vtkIdType size, vtkDataSet* whole) const;
-  bool HaveAll(int association, vtkAbstractArray* like) const;
-  vtkSmartPointer<vtkAbstractArray> ArrayOfAll(
-    int association, vtkAbstractArray* like, vtkIdType size) const;
-
-  const DataSets& Pieces;
-  std::vector<Extent> Extents;
-  Lattice Points;
-  Lattice Cells;
-  std::vector<char> IsPointPlaced;
-  std::vector<char> IsCellPlaced;
-  std::vector<Part> PointParts;
-  std::vector<Part> CellParts;
-  bool Gaps = false;
-};
-
 Extent UnionOf(const std::vector<Extent>& extents)
 {
   Extent whole = extents.front();
@@ -169,189 +83,185 @@ Extent UnionOf(const std::vector<Extent>& extents)
   return whole;
 }
 
-Assembly::Assembly(const DataSets& pieces, std::vector<Extent> extents)
+// Which piece a point or a cell of the whole is taken from, and its number there.
+struct Origin
+{
+  int Piece = -1;
+  vtkIdType Number = 0;
+};
+
+// Puts the pieces into one extent.
+class Assembly
+{
+public:
+  Assembly(const DataSets& pieces, const std::vector<Extent>& extents);
+
+  bool HasGaps() const { return this->Gaps; }
+  vtkSmartPointer<vtkDataSet> Whole();
+
+private:
+  void FindOrigins(int association, const std::vector<Extent>& extents);
+  void Take(int piece, bool areGhosts, int association, const Lattice& part, const Lattice& whole);
+  void SetGeometry(vtkDataSet* whole);
+  vtkSmartPointer<vtkDataArray> CoordinatesAlong(std::size_t axis) const;
+  vtkSmartPointer<vtkPoints> PointsOfAll() const;
+  void CopyArrays(int association, vtkDataSet* whole) const;
+
+  const DataSets& Pieces;
+  Extent Box;
+  std::array<std::vector<Origin>, 2> Origins; // of points, of cells
+  bool Gaps = false;
+};
+
+Assembly::Assembly(const DataSets& pieces, const std::vector<Extent>& extents)
   : Pieces(pieces)
-  , Extents(std::move(extents))
-  , Points{ UnionOf(this->Extents) }
-  , Cells(CellsOf(this->Points.Box))
-  , PointParts(pieces.size())
-  , CellParts(pieces.size())
+  , Box(UnionOf(extents))
 {
   vtkIdType most = 0;
-  for (const Extent& extent : this->Extents)
+  for (const Extent& extent : extents)
   {
     most += Lattice{ extent }.Size();
   }
-  this->Gaps = most < this->Points.Size();
-  if (this->Gaps)
+  this->Gaps = most < Lattice{ this->Box }.Size();
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    return;
-  }
-  this->IsPointPlaced.assign(static_cast<std::size_t>(this->Points.Size()), 0);
-  this->IsCellPlaced.assign(static_cast<std::size_t>(this->Cells.Size()), 0);
-  for (const bool areGhosts : { false, true })
-  {
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    if (!this->Gaps)
     {
-      this->PlaceCells(piece, areGhosts);
+      this->FindOrigins(association, extents);
     }
   }
-  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+}
+
+// Of points the first piece that has it, of cells the first where it is no ghost, else the first.
+void Assembly::FindOrigins(int association, const std::vector<Extent>& extents)
+{
+  const Lattice whole = LatticeOf(this->Box, association);
+  std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  origins.resize(static_cast<std::size_t>(whole.Size()));
+  for (const bool areGhosts : { false, true })
   {
-    this->PlacePoints(piece);
-  }
-  const auto isMissing = [](char isPlaced) { return isPlaced == 0; };
-  this->Gaps = std::any_of(this->IsPointPlaced.begin(), this->IsPointPlaced.end(), isMissing) ||
-    std::any_of(this->IsCellPlaced.begin(), this->IsCellPlaced.end(), isMissing);
-}
-
-void Assembly::PlacePoints(std::size_t piece)
-{
-  Part& part = this->PointParts[piece];
-  ForEach(Lattice{ this->Extents[piece] }, this->Points,
-    [this, &part](vtkIdType from, vtkIdType to) { PlaceOne(this->IsPointPlaced, part, from, to); });
-}
-
-void Assembly::PlaceCells(std::size_t piece, bool areGhosts)
-{
-  vtkUnsignedCharArray* ghosts = GhostsOf(this->Pieces[piece], vtkDataObject::CELL);
-  Part& part = this->CellParts[piece];
-  ForEach(CellsOf(this->Extents[piece]), this->Cells,
-    [this, ghosts, areGhosts, &part](vtkIdType from, vtkIdType to)
+    for (std::size_t piece = 0; piece < extents.size(); ++piece)
     {
-      const bool isGhost =
-        ghosts && (ghosts->GetValue(from) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-      if (isGhost == areGhosts)
-      {
-        PlaceOne(this->IsCellPlaced, part, from, to);
-      }
-    });
+      const Lattice part = LatticeOf(extents[piece], association);
+      this->Take(static_cast<int>(piece), areGhosts, association, part, whole);
+    }
+  }
+  this->Gaps = std::any_of(
+    origins.begin(), origins.end(), [](const Origin& origin) { return origin.Piece < 0; });
 }
 
-vtkSmartPointer<vtkDataSet> Assembly::Whole() const
+void Assembly::Take(
+  int piece, bool areGhosts, int association, const Lattice& part, const Lattice& whole)
+{
+  vtkUnsignedCharArray* ghosts = association == vtkDataObject::CELL
+    ? GhostsOf(this->Pieces[static_cast<std::size_t>(piece)], association)
+    : nullptr;
+  std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  vtkIdType from = 0;
+  for (int k = part.Box[4]; k <= part.Box[5]; ++k)
+  {
+    for (int j = part.Box[2]; j <= part.Box[3]; ++j)
+    {
+      for (int i = part.Box[0]; i <= part.Box[1]; ++i, ++from)
+      {
+        Origin& origin = origins[static_cast<std::size_t>(whole.NumberOf(i, j, k))];
+        const bool isGhost =
+          ghosts && (ghosts->GetValue(from) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+        if (isGhost == areGhosts && origin.Piece < 0)
+        {
+          origin = { piece, from };
+        }
+      }
+    }
+  }
+}
+
+vtkSmartPointer<vtkDataSet> Assembly::Whole()
 {
   auto whole = vtk::TakeSmartPointer(this->Pieces.front()->NewInstance());
   this->SetGeometry(whole);
-  this->CopyArrays(vtkDataObject::POINT, this->Points.Size(), whole);
-  this->CopyArrays(vtkDataObject::CELL, this->Cells.Size(), whole);
+  this->CopyArrays(vtkDataObject::POINT, whole);
+  this->CopyArrays(vtkDataObject::CELL, whole);
   whole->GetFieldData()->ShallowCopy(this->Pieces.front()->GetFieldData());
   ForgetDuplicates(whole);
   return whole;
 }
 
-void Assembly::SetGeometry(vtkDataSet* whole) const
+void Assembly::SetGeometry(vtkDataSet* whole)
 {
   if (auto* image = vtkImageData::SafeDownCast(whole))
   {
-    this->SetImage(image);
+    auto* first = vtkImageData::SafeDownCast(this->Pieces.front());
+    image->SetExtent(this->Box.data());
+    image->SetOrigin(first->GetOrigin());
+    image->SetSpacing(first->GetSpacing());
+    image->SetDirectionMatrix(first->GetDirectionMatrix());
   }
   else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(whole))
   {
-    this->SetRectilinearGrid(rectilinear);
+    rectilinear->SetExtent(this->Box.data());
+    rectilinear->SetXCoordinates(this->CoordinatesAlong(0));
+    rectilinear->SetYCoordinates(this->CoordinatesAlong(1));
+    rectilinear->SetZCoordinates(this->CoordinatesAlong(2));
   }
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(whole))
   {
-    this->SetStructuredGrid(structured);
+    structured->SetExtent(this->Box.data());
+    structured->SetPoints(this->PointsOfAll());
   }
 }
 
-void Assembly::SetImage(vtkImageData* whole) const
+vtkSmartPointer<vtkDataArray> Assembly::CoordinatesAlong(std::size_t axis) const
 {
-  auto* first = vtkImageData::SafeDownCast(this->Pieces.front());
-  Extent box = this->Points.Box;
-  whole->SetExtent(box.data());
-  whole->SetOrigin(first->GetOrigin());
-  whole->SetSpacing(first->GetSpacing());
-  whole->SetDirectionMatrix(first->GetDirectionMatrix());
-}
-
-void Assembly::SetRectilinearGrid(vtkRectilinearGrid* whole) const
-{
-  std::array<vtkSmartPointer<vtkDataArray>, 3> coordinates;
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  const Lattice points{ this->Box };
+  auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
+  std::array<int, 3> place{ this->Box[0], this->Box[2], this->Box[4] };
+  for (; place[axis] <= this->Box[2 * axis + 1]; ++place[axis])
   {
-    auto* grid = vtkRectilinearGrid::SafeDownCast(this->Pieces[piece]);
-    vtkDataArray* own[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-      grid->GetZCoordinates() };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      CopyCoordinates(own[axis], this->Extents[piece][2 * axis], this->Points.Box[2 * axis],
-        this->Points.Size(axis), coordinates[axis]);
-    }
+    const auto number = static_cast<std::size_t>(points.NumberOf(place[0], place[1], place[2]));
+    const Origin& origin = this->Origins[vtkDataObject::POINT][number];
+    coordinates->InsertNextValue(
+      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetPoint(origin.Number)[axis]);
   }
-  Extent box = this->Points.Box;
-  whole->SetExtent(box.data());
-  whole->SetXCoordinates(coordinates[0]);
-  whole->SetYCoordinates(coordinates[1]);
-  whole->SetZCoordinates(coordinates[2]);
+  return coordinates;
 }
 
-void Assembly::SetStructuredGrid(vtkStructuredGrid* whole) const
+// Of the type that all pieces have, else double.
+vtkSmartPointer<vtkPoints> Assembly::PointsOfAll() const
 {
   const int type = TypeOfCoordinates(this->Pieces.front());
   const bool isType = std::all_of(this->Pieces.begin(), this->Pieces.end(),
     [type](vtkDataSet* piece) { return TypeOfCoordinates(piece) == type; });
-  vtkNew<vtkPoints> points;
+  auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(isType ? type : VTK_DOUBLE);
-  points->SetNumberOfPoints(this->Points.Size());
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  for (const Origin& origin : this->Origins[vtkDataObject::POINT])
   {
-    points->InsertPoints(this->PointParts[piece].To, this->PointParts[piece].From,
-      vtkStructuredGrid::SafeDownCast(this->Pieces[piece])->GetPoints());
+    points->InsertNextPoint(
+      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetPoint(origin.Number));
   }
-  Extent box = this->Points.Box;
-  whole->SetExtent(box.data());
-  whole->SetPoints(points);
+  return points;
 }
 
-void Assembly::CopyArrays(int association, vtkIdType size, vtkDataSet* whole) const
+// Those that all pieces have.
+void Assembly::CopyArrays(int association, vtkDataSet* whole) const
 {
-  vtkDataSetAttributes* first = this->Pieces.front()->GetAttributes(association);
-  for (int k = 0; k < first->GetNumberOfArrays(); ++k)
+  const std::vector<Origin>& origins = this->Origins[static_cast<std::size_t>(association)];
+  vtkDataSetAttributes* attributes = whole->GetAttributes(association);
+  vtkDataSetAttributes::FieldList common;
+  for (vtkDataSet* piece : this->Pieces)
   {
-    vtkAbstractArray* like = first->GetAbstractArray(k);
-    if (!this->HaveAll(association, like))
-    {
-      continue;
-    }
-    const int index =
-      whole->GetAttributes(association)->AddArray(this->ArrayOfAll(association, like, size));
-    const int attribute = first->IsArrayAnAttribute(k);
-    if (attribute >= 0)
-    {
-      whole->GetAttributes(association)->SetActiveAttribute(index, attribute);
-    }
+    common.IntersectFieldList(piece->GetAttributes(association));
   }
-}
-
-bool Assembly::HaveAll(int association, vtkAbstractArray* like) const
-{
-  const char* name = like->GetName();
-  return name &&
-    std::all_of(this->Pieces.begin(), this->Pieces.end(),
-      [association, name, like](vtkDataSet* piece)
-      {
-        vtkAbstractArray* array = piece->GetAttributes(association)->GetAbstractArray(name);
-        return array && array->GetNumberOfComponents() == like->GetNumberOfComponents();
-      });
-}
-
-vtkSmartPointer<vtkAbstractArray> Assembly::ArrayOfAll(
-  int association, vtkAbstractArray* like, vtkIdType size) const
-{
-  const bool isOfPoints = association == vtkDataObject::POINT;
-  auto array = vtk::TakeSmartPointer(like->NewInstance());
-  array->SetName(like->GetName());
-  array->SetNumberOfComponents(like->GetNumberOfComponents());
-  array->CopyComponentNames(like);
-  array->SetNumberOfTuples(size);
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  attributes->CopyAllOn();
+  common.CopyAllocate(
+    attributes, vtkDataSetAttributes::COPYTUPLE, static_cast<vtkIdType>(origins.size()), 0);
+  vtkIdType to = 0;
+  for (const Origin& origin : origins)
   {
-    const Part& part = isOfPoints ? this->PointParts[piece] : this->CellParts[piece];
-    vtkDataSetAttributes* from = this->Pieces[piece]->GetAttributes(association);
-    array->InsertTuples(part.To, part.From, from->GetAbstractArray(like->GetName()));
+    common.CopyData(origin.Piece,
+      this->Pieces[static_cast<std::size_t>(origin.Piece)]->GetAttributes(association),
+      origin.Number, attributes, to++);
   }
-  return array;
 }
 
 } // namespace
@@ -388,7 +298,7 @@ vtkSmartPointer<vtkDataSet> StructuredFromPieces(const DataSets& pieces)
     }
     extents.push_back(extent);
   }
-  const Assembly assembly(pieces, extents);
+  Assembly assembly(pieces, extents);
   return assembly.HasGaps() ? nullptr : assembly.Whole();
 }
 

@@ -4,15 +4,33 @@
 #include "WholeFromPieces.h"
 
 #include "../Data/AlikeArrays.h"
+#include "../Data/CellShapes.h"
 #include "../Data/DataTree.h"
-#include "MeshFromPieces.h"
+#include "../Data/DoubleArray.h"
+#include "../Data/GhostArrays.h"
 #include "StructuredFromPieces.h"
 
+#include "vtkAppendFilter.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkPartitionedDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <algorithm> // for all_of, find_if, max
+#include <algorithm> // for all_of, find_if, max, stable_sort, upper_bound
+#include <array>     // for places
+#include <map>       // for what is there already
+#include <numeric>   // for iota
 #include <string>    // for names
+#include <utility>   // for pair
 
 namespace biting
 {
@@ -96,6 +114,325 @@ vtkSmartPointer<vtkDataObject> TreeFromPieces(const Pieces& pieces)
     }
     SetChild(whole, child, WholeFromPieces(children), name);
   }
+  return whole;
+}
+
+using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
+using Numbers = std::vector<vtkIdType>;
+
+// Appending makes no promise of active attributes; as plain arrays they come through.
+constexpr const char* GlobalIdsName = "BitingGlobalIds";
+
+void KeepGlobalIds(vtkDataSetAttributes* attributes)
+{
+  vtkDataArray* ids = attributes->GetGlobalIds();
+  if (ids)
+  {
+    auto copy = vtk::TakeSmartPointer(ids->NewInstance());
+    copy->ShallowCopy(ids);
+    copy->SetName(GlobalIdsName);
+    attributes->AddArray(copy);
+  }
+}
+
+template <typename Appender, typename Mesh>
+vtkSmartPointer<vtkDataSet> Appended(const DataSets& pieces)
+{
+  vtkNew<Appender> append;
+  for (const auto& piece : pieces)
+  {
+    auto copy = vtk::TakeSmartPointer(piece->NewInstance());
+    copy->ShallowCopy(piece);
+    KeepGlobalIds(copy->GetPointData());
+    KeepGlobalIds(copy->GetCellData());
+    append->AddInputData(Mesh::SafeDownCast(copy));
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+bool ArePolyData(const DataSets& pieces)
+{
+  return std::all_of(pieces.begin(), pieces.end(),
+    [](vtkDataSet* piece) { return vtkPolyData::SafeDownCast(piece) != nullptr; });
+}
+
+// What pieces have together, as it was before anything was left out, and what of it is kept.
+class Merger
+{
+public:
+  Merger(vtkDataSet* all, const DataSets& pieces);
+
+  bool HasPolyhedra() const;
+  void MergePoints();
+  void ChooseCells();
+
+  template <typename Mesh>
+  vtkSmartPointer<vtkDataSet> Result();
+
+private:
+  std::size_t PieceOf(vtkIdType point) const;
+  bool IsGhost(vtkIdType cell) const;
+  std::vector<double> KeyOf(vtkIdType cell) const;
+  int Group(vtkIdType cell) const;
+  Numbers NumberPoints(Numbers& kept) const;
+  Numbers OwnersOf(const Numbers& kept) const;
+
+  vtkDataSet* All;
+  Numbers PointEnds; ///< of each piece
+  Numbers Merged;    ///< of each point, the one that stands for it
+  Numbers Offsets;   ///< of each cell's corners
+  Numbers CornerIds; ///< merged points
+  Numbers Kept;      ///< cells
+  vtkDataArray* PointIds;
+  vtkDataArray* CellIds;
+  vtkUnsignedCharArray* Ghosts;
+};
+
+Merger::Merger(vtkDataSet* all, const DataSets& pieces)
+  : All(all)
+  , PointIds(all->GetPointData()->GetArray(GlobalIdsName))
+  , CellIds(all->GetCellData()->GetArray(GlobalIdsName))
+  , Ghosts(all->GetCellGhostArray())
+{
+  vtkIdType end = 0;
+  for (const auto& piece : pieces)
+  {
+    end += piece->GetNumberOfPoints();
+    this->PointEnds.push_back(end);
+  }
+}
+
+bool Merger::HasPolyhedra() const
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->All);
+  return grid && grid->GetFaces() != nullptr;
+}
+
+std::size_t Merger::PieceOf(vtkIdType point) const
+{
+  const auto end = std::upper_bound(this->PointEnds.begin(), this->PointEnds.end(), point);
+  return static_cast<std::size_t>(end - this->PointEnds.begin());
+}
+
+// Points of one piece stay apart, as they are in the whole: the k-th of a piece at a place is the
+// k-th of any other piece there.
+void Merger::MergePoints()
+{
+  using Place = std::array<double, 3>;
+  std::map<std::pair<Place, std::size_t>, vtkIdType> first;  // by place and k
+  std::map<Place, std::pair<std::size_t, std::size_t>> last; // piece, and its points so far
+  for (vtkIdType point = 0; point < this->All->GetNumberOfPoints(); ++point)
+  {
+    Place place{};
+    this->All->GetPoint(point, place.data());
+    this->Merged.push_back(point);
+    if (AreFinite(place.data()))
+    {
+      const std::size_t piece = this->PieceOf(point);
+      auto& [lastPiece, count] = last[place];
+      count = lastPiece == piece ? count + 1 : 1;
+      lastPiece = piece;
+      this->Merged.back() = first.emplace(std::make_pair(place, count), point).first->second;
+    }
+  }
+}
+
+bool Merger::IsGhost(vtkIdType cell) const
+{
+  return this->Ghosts && (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+}
+
+// Cells of one piece stay, also where they are equal: so they are in the whole.
+void Merger::ChooseCells()
+{
+  vtkNew<vtkIdList> corners;
+  std::map<std::vector<double>, std::size_t> firstPieces;
+  this->Offsets.push_back(0);
+  for (vtkIdType cell = 0; cell < this->All->GetNumberOfCells(); ++cell)
+  {
+    this->All->GetCellPoints(cell, corners);
+    for (const vtkIdType corner : *corners)
+    {
+      this->CornerIds.push_back(this->Merged[static_cast<std::size_t>(corner)]);
+    }
+    this->Offsets.push_back(static_cast<vtkIdType>(this->CornerIds.size()));
+    if (this->IsGhost(cell) || corners->GetNumberOfIds() == 0)
+    {
+      continue;
+    }
+    const std::size_t piece = this->PieceOf(corners->GetId(0));
+    if (firstPieces.emplace(this->KeyOf(cell), piece).first->second == piece)
+    {
+      this->Kept.push_back(cell);
+    }
+  }
+  if (this->CellIds)
+  {
+    std::stable_sort(this->Kept.begin(), this->Kept.end(),
+      [this](vtkIdType a, vtkIdType b)
+      {
+        const int groups[2] = { this->Group(a), this->Group(b) };
+        return groups[0] != groups[1]
+          ? groups[0] < groups[1]
+          : this->CellIds->GetComponent(a, 0) < this->CellIds->GetComponent(b, 0);
+      });
+  }
+}
+
+// What makes cells of different pieces the same: the global id, else type and points.
+std::vector<double> Merger::KeyOf(vtkIdType cell) const
+{
+  if (this->CellIds)
+  {
+    return { this->CellIds->GetComponent(cell, 0) };
+  }
+  const auto corners = this->CornerIds.begin();
+  std::vector<double> key(corners + this->Offsets[static_cast<std::size_t>(cell)],
+    corners + this->Offsets[static_cast<std::size_t>(cell) + 1]);
+  key.push_back(this->All->GetCellType(cell));
+  return key;
+}
+
+// The cells of a polydata are ordered by dimension, and strips come last.
+int Merger::Group(vtkIdType cell) const
+{
+  if (!vtkPolyData::SafeDownCast(this->All))
+  {
+    return 0;
+  }
+  switch (ShapeOf(this->All->GetCellType(cell)))
+  {
+    case CellShape::Points:
+      return 0;
+    case CellShape::Line:
+      return 1;
+    case CellShape::Strip:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
+// The points that kept cells use, in their new order; returns the new number of each point.
+Numbers Merger::NumberPoints(Numbers& kept) const
+{
+  Numbers numbers(this->Merged.size(), -1);
+  for (const vtkIdType cell : this->Kept)
+  {
+    const auto first = static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(cell)]);
+    const auto end = static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(cell) + 1]);
+    for (std::size_t k = first; k < end; ++k)
+    {
+      const auto point = static_cast<std::size_t>(this->CornerIds[k]);
+      if (numbers[point] < 0)
+      {
+        numbers[point] = static_cast<vtkIdType>(kept.size());
+        kept.push_back(this->CornerIds[k]);
+      }
+    }
+  }
+  if (this->PointIds)
+  {
+    std::stable_sort(kept.begin(), kept.end(),
+      [this](vtkIdType a, vtkIdType b)
+      { return this->PointIds->GetComponent(a, 0) < this->PointIds->GetComponent(b, 0); });
+    for (std::size_t k = 0; k < kept.size(); ++k)
+    {
+      numbers[static_cast<std::size_t>(kept[k])] = static_cast<vtkIdType>(k);
+    }
+  }
+  return numbers;
+}
+
+// Of all points that are one, one that its piece owns, if there is such: what a filter made there
+// of cells all around is right.
+Numbers Merger::OwnersOf(const Numbers& kept) const
+{
+  vtkUnsignedCharArray* ghosts = this->All->GetPointGhostArray();
+  if (!ghosts)
+  {
+    return kept;
+  }
+  const auto isOwn = [ghosts](vtkIdType point)
+  { return (ghosts->GetValue(point) & vtkDataSetAttributes::DUPLICATEPOINT) == 0; };
+  Numbers owners(this->Merged.size());
+  std::iota(owners.begin(), owners.end(), vtkIdType{ 0 });
+  for (vtkIdType point = 0; point < this->All->GetNumberOfPoints(); ++point)
+  {
+    vtkIdType& owner =
+      owners[static_cast<std::size_t>(this->Merged[static_cast<std::size_t>(point)])];
+    owner = isOwn(owner) || !isOwn(point) ? owner : point;
+  }
+  Numbers ofKept;
+  for (const vtkIdType point : kept)
+  {
+    ofKept.push_back(owners[static_cast<std::size_t>(point)]);
+  }
+  return ofKept;
+}
+
+void CopyArrays(vtkDataSetAttributes* from, const Numbers& tuples, vtkDataSetAttributes* to)
+{
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(static_cast<vtkIdType>(tuples.size()));
+  std::copy(tuples.begin(), tuples.end(), list->GetPointer(0));
+  to->CopyAllOn();
+  to->CopyAllocate(from, list->GetNumberOfIds());
+  to->CopyData(from, list);
+  to->RemoveArray(GlobalIdsName);
+}
+
+template <typename Mesh>
+vtkSmartPointer<vtkDataSet> Merger::Result()
+{
+  Numbers keptPoints;
+  const Numbers numbers = this->NumberPoints(keptPoints);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(Mesh::SafeDownCast(this->All)->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(static_cast<vtkIdType>(keptPoints.size()));
+  for (std::size_t k = 0; k < keptPoints.size(); ++k)
+  {
+    points->SetPoint(static_cast<vtkIdType>(k), this->All->GetPoint(keptPoints[k]));
+  }
+  auto result = vtkSmartPointer<Mesh>::New();
+  result->SetPoints(points);
+  result->Allocate(static_cast<vtkIdType>(this->Kept.size()));
+  Numbers corners;
+  for (const vtkIdType cell : this->Kept)
+  {
+    corners.clear();
+    for (auto k = this->Offsets[static_cast<std::size_t>(cell)];
+         k < this->Offsets[static_cast<std::size_t>(cell) + 1]; ++k)
+    {
+      const vtkIdType corner = this->CornerIds[static_cast<std::size_t>(k)];
+      corners.push_back(numbers[static_cast<std::size_t>(corner)]);
+    }
+    result->InsertNextCell(
+      this->All->GetCellType(cell), static_cast<int>(corners.size()), corners.data());
+  }
+  CopyArrays(this->All->GetPointData(), this->OwnersOf(keptPoints), result->GetPointData());
+  CopyArrays(this->All->GetCellData(), this->Kept, result->GetCellData());
+  return result;
+}
+
+// A polydata of polydata, an unstructured grid of others; with the arrays that all pieces have.
+vtkSmartPointer<vtkDataSet> MeshFromPieces(const DataSets& pieces)
+{
+  const bool isPolyData = ArePolyData(pieces);
+  const auto all = isPolyData ? Appended<vtkAppendPolyData, vtkPolyData>(pieces)
+                              : Appended<vtkAppendFilter, vtkDataSet>(pieces);
+  Merger merger(all, pieces);
+  if (merger.HasPolyhedra())
+  {
+    return all;
+  }
+  merger.MergePoints();
+  merger.ChooseCells();
+  const auto whole =
+    isPolyData ? merger.Result<vtkPolyData>() : merger.Result<vtkUnstructuredGrid>();
+  whole->GetFieldData()->ShallowCopy(pieces.front()->GetFieldData());
+  ForgetDuplicates(whole);
   return whole;
 }
 

@@ -29,7 +29,7 @@ using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
 /// several pieces have counts once: cells of the same global id, or, without such, of the same
 /// type with the same points; points at the same place. Cells and points are in the order of
 /// their global ids where they have some, else cells are in that of the pieces, and points in the
-/// order in which cells use them.
+/// order in which cells use them; points that no cell uses go. Polyhedra are only appended.
 vtkSmartPointer<vtkDataObject> WholeFromPieces(const Pieces& pieces);
 
 } // namespace biting

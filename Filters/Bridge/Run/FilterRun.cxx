@@ -3,10 +3,9 @@
 
 #include "FilterRun.h"
 
-#include "../Source/ChosenArray.h"
 #include "../Source/SourceData.h"
 #include "../Source/SourceSpacing.h"
-#include "ProblemsToPolyData.h"
+#include "ProblemReport.h"
 #include "SummaryText.h"
 
 #include "vtkAlgorithm.h"
@@ -14,12 +13,50 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <new>     // for bad_alloc
-#include <utility> // for move
+#include <algorithm> // for all_of, min, max
+#include <new>       // for bad_alloc
+#include <set>       // for times
+#include <utility>   // for move
+#include <vector>    // for times as VTK takes them
 
 namespace biting
 {
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// Of inputs that change with time.
+struct Times
+{
+  std::set<double> Steps;
+  double Range[2] = { 0.0, 0.0 };
+  bool AreAny = false;
+
+  void Add(vtkInformation* input);
+};
+
+void Times::Add(vtkInformation* input)
+{
+  if (!input->Has(Pipeline::TIME_RANGE()))
+  {
+    return;
+  }
+  const double* range = input->Get(Pipeline::TIME_RANGE());
+  this->Range[0] = this->AreAny ? std::min(this->Range[0], range[0]) : range[0];
+  this->Range[1] = this->AreAny ? std::max(this->Range[1], range[1]) : range[1];
+  this->AreAny = true;
+  if (input->Has(Pipeline::TIME_STEPS()))
+  {
+    const double* steps = input->Get(Pipeline::TIME_STEPS());
+    this->Steps.insert(steps, steps + input->Length(Pipeline::TIME_STEPS()));
+  }
+}
+
+} // namespace
 
 void EmptyOutputs(vtkInformationVector* outputs)
 {
@@ -33,10 +70,14 @@ FilterRun::FilterRun(const RunningFilter& filter, std::vector<double> shares)
   : Progress(filter.Filter, std::move(shares), filter.NumberOfThreads)
   , Running(filter)
 {
-  this->Progress.StopWhere([isStopping = filter.IsStopping]() { return *isStopping; });
+  if (const bool* isStopping = filter.IsStopping)
+  {
+    this->Progress.StopWhere([isStopping]() { return *isStopping; });
+  }
 }
 
-void FilterRun::Guard(vtkInformationVector* outputs, const std::function<void()>& run)
+void FilterRun::Guard(
+  vtkInformationVector* outputs, const std::function<void()>& run, const char* noMemory)
 {
   try
   {
@@ -50,17 +91,36 @@ void FilterRun::Guard(vtkInformationVector* outputs, const std::function<void()>
   catch (const std::bad_alloc&)
   {
     EmptyOutputs(outputs);
-    this->Refuse("There is not enough memory for this mesh. Choose a larger spacing.");
+    this->Refuse(noMemory);
   }
 }
 
 void FilterRun::EndWhereStopped()
 {
-  if (*this->Running.IsStopping)
+  if (this->Running.IsStopping && *this->Running.IsStopping)
   {
     vtkBitingCompat::EndAbort(this->Running.Filter);
     this->Refuse("Stopped, as was asked for. Apply again to mesh.");
   }
+}
+
+bool FilterRun::AcceptComplete(std::initializer_list<const WholeInput*> inputs)
+{
+  const bool areComplete = std::all_of(
+    inputs.begin(), inputs.end(), [](const WholeInput* input) { return input->IsComplete(); });
+  return this->Accept(areComplete ? "" : NotGathered);
+}
+
+bool FilterRun::AcceptProblems(const PlanarInput& planar)
+{
+  for (const ProblemGroup& group : this->Problems.Groups())
+  {
+    if (IsError(group.Code) && group.Code != ProblemCode::Aborted)
+    {
+      this->Refuse(MessageFrom(group, planar));
+    }
+  }
+  return !this->IsRefused;
 }
 
 bool FilterRun::Accept(const std::string& refusal)
@@ -80,8 +140,17 @@ void FilterRun::Refuse(const std::string& reason)
     return;
   }
   *this->Running.ErrorCode = vtkErrorCode::UserError;
-  *this->Running.Summary += "Error: " + reason + "\n";
+  this->Note("Error: " + reason + "\n");
   vtkErrorWithObjectMacro(this->Running.Filter, << reason);
+}
+
+// In the summary, where there is one.
+void FilterRun::Note(const std::string& line) const
+{
+  if (this->Running.Summary)
+  {
+    *this->Running.Summary += line;
+  }
 }
 
 void FilterRun::Warn(const std::string& text) const
@@ -93,7 +162,7 @@ void FilterRun::Warn(const std::string& text, const std::string& inShort) const
 {
   if (!text.empty() && !this->Running.IsSilent)
   {
-    *this->Running.Summary += "Warning: " + inShort + "\n";
+    this->Note("Warning: " + inShort + "\n");
     vtkWarningWithObjectMacro(this->Running.Filter, << text);
   }
 }
@@ -134,6 +203,29 @@ void FilterRun::WriteProblems(const PlanarInput& planar, RepairPolicy policy, vt
     AddPlaces(this->Problems, planar, policy, this->Places);
     ProblemsToPolyData(this->Places, output);
   }
+}
+
+int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs)
+{
+  Times times;
+  for (int port = 0; port < numberOfPorts; ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      times.Add(inputs[port]->GetInformationObject(k));
+    }
+  }
+  const std::vector<double> steps(times.Steps.begin(), times.Steps.end());
+  for (int port = 0; times.AreAny && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    output->Set(Pipeline::TIME_RANGE(), times.Range, 2);
+    if (!steps.empty())
+    {
+      output->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
+    }
+  }
+  return 1;
 }
 
 } // namespace biting

@@ -13,13 +13,14 @@
 #include "../../Kernel/Stages/MeshingStages.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "../Drawing/PlaneFrame.h"
-#include "MessagesFromProblems.h"
+#include "../Ranks/Ranks.h"
 #include "MonitorOfFilter.h"
-#include "ProblemPlaces.h"
+#include "ProblemReport.h"
 
-#include <functional> // for steps
-#include <string>     // for messages
-#include <vector>     // for shares
+#include <functional>       // for steps
+#include <initializer_list> // for inputs
+#include <string>           // for messages
+#include <vector>           // for shares
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
@@ -32,13 +33,13 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// What a filter of the kernel's facades knows of itself while it runs.
+/// What a filter knows of itself while it runs.
 struct RunningFilter
 {
   vtkAlgorithm* Filter;
   unsigned long* ErrorCode; ///< of it
-  std::string* Summary;
-  const bool* IsStopping; ///< it was asked to end for good, not only for now
+  std::string* Summary;     ///< null where it has none
+  const bool* IsStopping;   ///< whether it was asked to end for good; null where it cannot be
   int NumberOfThreads = 0;
   bool IsSilent = false; ///< it works for another process, which says what is wrong
 };
@@ -68,7 +69,11 @@ protected:
 
   /// Calls `run`, which fills the outputs. Where it was aborted, or there is too little memory,
   /// these are empty; where it was asked to end for good, that is an error.
-  void Guard(vtkInformationVector* outputs, const std::function<void()>& run);
+  void Guard(vtkInformationVector* outputs, const std::function<void()>& run,
+    const char* noMemory = "There is not enough memory for this mesh. Choose a larger spacing.");
+
+  /// Whether all inputs are complete; else says that they are not.
+  bool AcceptComplete(std::initializer_list<const WholeInput*> inputs);
 
   /// Whether there is no refusal; else says it.
   bool Accept(const std::string& refusal);
@@ -78,6 +83,9 @@ protected:
 
   /// Nothing where the text is empty. The summary has it too.
   void Warn(const std::string& text) const;
+
+  /// An error for each kind of Problems that is one. Whether there is none, nor was before.
+  bool AcceptProblems(const PlanarInput& planar);
 
   /// A warning for each kind of repair.
   void WarnOfRepairs(const PlanarInput& planar) const;
@@ -99,10 +107,16 @@ protected:
 
 private:
   void Warn(const std::string& text, const std::string& inShort) const;
+  void Note(const std::string& line) const;
   void EndWhereStopped();
 
   RunningFilter Running;
 };
+
+/// In REQUEST_INFORMATION: the times of the outputs are those of all inputs, not of the first port
+/// alone, as VTK has it. So a filter runs anew where only its spacing source changes with time.
+/// Returns 1, as requests do.
+int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
 
 } // namespace biting
 

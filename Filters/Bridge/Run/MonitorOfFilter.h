@@ -4,9 +4,9 @@
 #ifndef BitingMonitorOfFilter_h
 #define BitingMonitorOfFilter_h
 
+#include "../../Kernel/Base/Executor.h"
 #include "../../Kernel/Base/Monitor.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
-#include "ThreadsOfVtk.h"
 
 #include <chrono>     // for the time of the last report
 #include <cstddef>    // for the number of the stage
@@ -21,6 +21,22 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
+/// Threads through vtkSMPTools: by its backend, or STDThread for the time of a call where that is
+/// Sequential. The calling thread watches meanwhile. Calls of several filters at once wait for each
+/// other; within a parallel scope of others no thread is started.
+class ThreadsOfVtk : public Executor
+{
+public:
+  /// 0: as many as the machine has cores, for this process. 1: none is started.
+  explicit ThreadsOfVtk(int numberOfThreads);
+
+  int NumberOfThreads() const override { return this->Size; }
+  void Run(const std::function<void()>& work, const std::function<void()>& watch) override;
+
+private:
+  int Size;
+};
+
 /// Shows stages as progress text and progress of a filter, and asks the filter whether to stop.
 /// Once it wanted to, it is not asked again: all later answers are the same.
 /// Progress is reported when it has moved by one percent or when a tenth of a second has passed.
@@ -29,10 +45,7 @@ class MonitorOfFilter : public Monitor
 public:
   /// `shares` of the whole that the stages take, in their order; their sum is 1. The number of
   /// threads is as in ThreadsOfVtk.
-  MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares, int numberOfThreads = 1);
-
-  /// Stages with equal shares.
-  MonitorOfFilter(vtkAlgorithm* filter, int numberOfStages);
+  MonitorOfFilter(vtkAlgorithm* filter, std::vector<double> shares, int numberOfThreads);
 
   bool Advance(double fraction) override;
   void BeginStage(const char* text) override;

@@ -8,7 +8,6 @@
 #include "../../Kernel/Spacing/Spacing.h"
 #include "../Data/GhostArrays.h"
 #include "../Drawing/PlaneFrame.h"
-#include "PlaneCut.h"
 
 #include "vtkCellType.h"     // for the number of types
 #include "vtkDataSet.h"      // for the source
@@ -17,6 +16,7 @@
 #include "vtkNew.h"          // for what is used again
 #include "vtkPoints.h"       // for their places
 #include "vtkSmartPointer.h" // for the source
+#include "vtkType.h"         // for vtkIdType
 
 #include <array>  // for dimensions
 #include <memory> // for the triangulation
@@ -25,6 +25,48 @@
 
 namespace biting
 {
+
+/// The cut of tetrahedra by a plane, as triangles over nodes. Nodes below the number of points are
+/// points of the data; node numberOfPoints + k lies on edge k, between its ends.
+/// Tetrahedra are given one by one; a face that lies in the plane is part of the cut.
+class PlaneCut
+{
+public:
+  /// An edge from below the plane to above it.
+  struct Edge
+  {
+    vtkIdType Low;
+    vtkIdType High;
+    bool operator<(const Edge& other) const;
+    bool operator==(const Edge& other) const;
+  };
+
+  /// `distances`: signed distance of every point from the plane; must outlive this.
+  explicit PlaneCut(const std::vector<double>& distances);
+
+  /// Adds what the plane cuts from the tetrahedron with these four points.
+  void AddTetrahedron(const vtkIdType* points);
+
+  /// Adds a triangle that lies in the plane.
+  void AddTriangle(const vtkIdType* points);
+
+  /// Makes equal edges one node. Call once, after the last cell.
+  void MergeEdges(Pulse& pulse);
+
+  const std::vector<vtkIdType>& GetTriangles() const { return this->Triangles; }
+  const std::vector<Edge>& GetEdges() const { return this->Edges; }
+
+  /// How far along the edge, from Low to High, the plane lies: in (0, 1).
+  double Fraction(const Edge& edge) const;
+
+private:
+  vtkIdType EdgeNode(vtkIdType below, vtkIdType above);
+  void AddPolygon(const vtkIdType* nodes, int size);
+
+  const std::vector<double>& Distances;
+  std::vector<vtkIdType> Triangles;
+  std::vector<Edge> Edges;
+};
 
 /// Where steps of reading a source end, as shares of the time: the grid, or what reads cells
 /// instead; and the cells, before their triangles are sorted.

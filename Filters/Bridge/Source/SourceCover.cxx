@@ -3,7 +3,7 @@
 
 #include "SourceCover.h"
 
-#include "../Run/MessagesFromProblems.h"
+#include "../Run/ProblemReport.h"
 
 #include <algorithm> // for clamp, max, min
 #include <cmath>     // for abs, ceil, sqrt

@@ -5,9 +5,8 @@
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/DoubleArray.h"
-#include "../Run/MessagesFromProblems.h"
+#include "../Run/ProblemReport.h"
 #include "SourceCells.h"
-#include "SourceOrder.h"
 #include "SpacingValues.h"
 
 #include "vtkCellData.h"

@@ -6,7 +6,7 @@
 
 #include "../../Kernel/Spacing/Spacing.h"
 #include "../Drawing/PlaneFrame.h"
-#include "../Run/ProblemPlaces.h"
+#include "../Run/ProblemReport.h"
 #include "SourceData.h"
 
 #include <functional> // for what is asked of places

@@ -7,7 +7,7 @@
 #include "../../Kernel/Base/Pulse.h"      // for progress
 #include "../../Kernel/Spacing/Spacing.h" // for options
 #include "../../vtkBitingCompat.h"        // for the ABI namespace
-#include "../Run/ProblemPlaces.h"
+#include "../Run/ProblemReport.h"
 
 #include "vtkType.h" // for vtkIdType
 
@@ -48,6 +48,14 @@ std::string ReadOwnValues(vtkDataSet* data, vtkDataArray* array,
 std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
   const std::vector<double>& values, const std::vector<vtkIdType>* points, SpacingOwner owner,
   ProblemPlaces& places, Pulse& pulse);
+
+/// Sorts the points of a source by place and value, and its triangles or segments by the numbers of
+/// their corners. Points of the same place and value become one; what then occurs again, and
+/// triangles of less than three points, go. Law: what a source says does not depend on the order in
+/// which its points and cells were read, nor on whether cells share points. Cost O(n log n). Where
+/// the monitor asks to stop the source has no meaning.
+void SortSource(TriangulatedSource& source, Pulse& pulse);
+void SortSource(SegmentSource& source, Pulse& pulse);
 
 } // namespace biting
 
