@@ -28,27 +28,23 @@ std::string Count(std::size_t count, const std::string& what)
 
 } // namespace
 
-//------------------------------------------------------------------------------
 MeshFileBuilder::MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh)
   : In(lines)
   , Mesh(mesh)
 {
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::Fail(const std::string& what)
 {
   this->Result.Reason = this->In.Expected(what);
   return false;
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::Remark(const std::string& sentence)
 {
   this->Result.Remarks.push_back(sentence);
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddVertex(std::int64_t number, const std::array<double, 3>& place)
 {
   const auto vertex = static_cast<MeshFile::Vertex>(this->Mesh.Points.size());
@@ -60,7 +56,6 @@ bool MeshFileBuilder::AddVertex(std::int64_t number, const std::array<double, 3>
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group)
 {
   Cell edge;
@@ -69,7 +64,6 @@ bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Gro
   return this->Add(edge, group);
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
 {
   this->PassedOver += kind.Corners == 0 ? 1 : 0;
@@ -95,7 +89,6 @@ bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
   return kind.Corners < 2 || this->Add(cell, group);
 }
 
-//------------------------------------------------------------------------------
 // A quad with one corner at both ends of a side is a triangle.
 bool MeshFileBuilder::Add(Cell& cell, const Group& group)
 {
@@ -124,13 +117,11 @@ bool MeshFileBuilder::Add(Cell& cell, const Group& group)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::LeaveOut(int dimension, std::int64_t group, std::size_t cells)
 {
   this->OtherGroups[{ dimension, group }] += cells;
 }
 
-//------------------------------------------------------------------------------
 ReadingResult MeshFileBuilder::Finish(const NameOf& nameOf)
 {
   if (this->Result.Reason.empty() && this->FindVertices())
@@ -147,7 +138,6 @@ ReadingResult MeshFileBuilder::Finish(const NameOf& nameOf)
   return this->Result;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::FindVertices()
 {
   bool areFound = true;
@@ -165,7 +155,6 @@ bool MeshFileBuilder::FindVertices()
   return areFound;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::FindVertex(std::size_t line, std::int64_t& number)
 {
   const auto found = this->Vertices.find(number);
@@ -179,7 +168,6 @@ bool MeshFileBuilder::FindVertex(std::size_t line, std::int64_t& number)
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Of cells with the same vertices one stays.
 void MeshFileBuilder::PassRepeatedCells()
 {
@@ -212,7 +200,6 @@ void MeshFileBuilder::PassRepeatedCells()
   this->Cells.resize(kept);
 }
 
-//------------------------------------------------------------------------------
 // The first of the cells that have a group stays, else the first.
 void MeshFileBuilder::Choose(const std::vector<std::size_t>& repeated, std::vector<bool>& isPassed)
 {
@@ -239,7 +226,6 @@ void MeshFileBuilder::Choose(const std::vector<std::size_t>& repeated, std::vect
   }
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddCells()
 {
   bool areAdded = true;
@@ -269,7 +255,6 @@ bool MeshFileBuilder::AddCells()
   return this->Result.Reason.empty();
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddQuad(const Cell& cell)
 {
   std::array<std::array<double, 3>, 4> places{};
@@ -294,7 +279,6 @@ bool MeshFileBuilder::AddQuad(const Cell& cell)
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Removes the vertices of cells of order 2 that are no corner of any cell.
 void MeshFileBuilder::RemoveMiddles()
 {
@@ -337,7 +321,6 @@ void MeshFileBuilder::RemoveMiddles()
   renumber(this->Mesh.Edges);
 }
 
-//------------------------------------------------------------------------------
 // Gives the cells of a dimension the indices of groups that differ in number.
 void MeshFileBuilder::MakeGroups(int dimension, const NameOf& nameOf,
   std::vector<std::size_t>& ofCells, std::vector<MeshGroup>& groups)
@@ -363,7 +346,6 @@ void MeshFileBuilder::MakeGroups(int dimension, const NameOf& nameOf,
   }
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::AddRemarks(const NameOf& nameOf)
 {
   const auto say = [this](std::size_t count, const std::string& what, const std::string& how)

@@ -26,7 +26,6 @@ std::string Trimmed(const std::string& text)
 
 } // namespace
 
-//------------------------------------------------------------------------------
 template <typename Whole>
 bool ReadWhole(const std::string& word, Whole& value)
 {
@@ -40,7 +39,6 @@ template bool ReadWhole(const std::string& word, int& value);
 template bool ReadWhole(const std::string& word, std::int64_t& value);
 template bool ReadWhole(const std::string& word, std::size_t& value);
 
-//------------------------------------------------------------------------------
 MeshFileLines::MeshFileLines(std::istream& file, MeshFileDialect dialect)
   : File(file)
   , Dialect(dialect)
@@ -48,7 +46,6 @@ MeshFileLines::MeshFileLines(std::istream& file, MeshFileDialect dialect)
   this->Real.imbue(std::locale::classic());
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::Next()
 {
   while (this->PassTitle())
@@ -65,7 +62,6 @@ bool MeshFileLines::Next()
   return false;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::PassTitle()
 {
   this->Position = 0;
@@ -74,20 +70,17 @@ bool MeshFileLines::PassTitle()
   return !this->IsAtEnd;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::IsRead() const
 {
   return this->Text.find_first_not_of(Blanks, this->Position) == std::string::npos;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::PassNumber()
 {
   double number = 0.0;
   return this->Take(number);
 }
 
-//------------------------------------------------------------------------------
 // An empty word, as between two commas, is none.
 bool MeshFileLines::Take(std::string& word)
 {
@@ -105,7 +98,6 @@ bool MeshFileLines::Take(std::string& word)
   return !word.empty();
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::Take(double& value)
 {
   if (!this->Take(this->Word))
@@ -122,7 +114,6 @@ bool MeshFileLines::Take(double& value)
   return (this->Real >> value) && this->Real.peek() == std::istringstream::traits_type::eof();
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::Quoted(std::string& text) const
 {
   const std::size_t begin = this->Text.find('"');
@@ -132,7 +123,6 @@ bool MeshFileLines::Quoted(std::string& text) const
   return isQuoted;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileLines::Assignment(std::string& key, std::string& value) const
 {
   const std::size_t sign = this->Text.find('=');
@@ -141,7 +131,6 @@ bool MeshFileLines::Assignment(std::string& key, std::string& value) const
   return sign != std::string::npos;
 }
 
-//------------------------------------------------------------------------------
 std::string MeshFileLines::Expected(const std::string& what) const
 {
   return this->IsAtEnd

@@ -24,6 +24,18 @@ enum class MeshFileDialect
 template <typename Whole>
 bool ReadWhole(const std::string& word, Whole& value);
 
+/// Reads `count` things, until one cannot be read; returns whether all were.
+template <typename Read>
+bool Repeat(std::size_t count, Read read)
+{
+  bool isRead = true;
+  for (std::size_t k = 0; isRead && k < count; ++k)
+  {
+    isRead = read();
+  }
+  return isRead;
+}
+
 /// The lines of a file that are not empty, each as words. A number is the whole of a word.
 class MeshFileLines
 {
