@@ -52,6 +52,22 @@ vtkBitingMesher::vtkBitingMesher()
 }
 
 //------------------------------------------------------------------------------
+void vtkBitingMesher::SetBoundarySpacingArray(int vtkNotUsed(index), int vtkNotUsed(port),
+  int vtkNotUsed(connection), int association, const char* name)
+{
+  this->BoundaryArray = vtkSmartPointer<vtkInformation>::New();
+  this->BoundaryArray->Set(vtkDataObject::FIELD_ASSOCIATION(), association);
+  this->BoundaryArray->Set(vtkDataObject::FIELD_NAME(), name ? name : "");
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkInformation* vtkBitingMesher::BoundaryArrayChoice()
+{
+  return this->BoundaryArray ? this->BoundaryArray.Get() : this->GetInputArrayInformation(0);
+}
+
+//------------------------------------------------------------------------------
 // The pipeline goes through the blocks of what the port does not take as a whole.
 void vtkBitingMesher::SetMeshBlocksSeparately(bool separately)
 {

@@ -205,15 +205,15 @@ bool vtkBitingMesher::Execution::ReadSpacing()
 //------------------------------------------------------------------------------
 std::string vtkBitingMesher::Execution::AddBoundaryArray()
 {
-  const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(0), this->Drawing.Points, { "spacing array", "input" });
+  const biting::ChosenArray chosen =
+    biting::ChooseBoundaryArray(this->Filter->BoundaryArrayChoice(), this->Drawing);
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
   biting::PartOfStage part(this->Progress, ChainsEnd, BoundaryEnd);
   return biting::AddBoundarySpacing(
-    this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
+    this->Drawing, this->Planar, chosen, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------

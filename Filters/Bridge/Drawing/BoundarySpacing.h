@@ -7,25 +7,33 @@
 #include "../../Kernel/Spacing/Spacing.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "../Run/ProblemReport.h"
+#include "../Source/SourceData.h"
 #include "Drawing.h"
 #include "PolylinesFromDrawing.h"
 
 #include <string> // for the refusal
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataArray;
+class vtkInformation;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
 
-/// Makes the spacing `values` at the points of `drawing`, which was read as `input`, a source of
-/// `options`: linear along the segments of every chain, all edges of faces too, and at every
+/// The array of the drawing that `choice`, what SetInputArrayToProcess left, asks for: one of
+/// points, or one of cells (IsOfCells) where cells are asked for, or no points have that name.
+ChosenArray ChooseBoundaryArray(vtkInformation* choice, const Drawing& drawing);
+
+/// Makes the spacing `chosen` of `drawing`, which was read as `input`, a source of `options`.
+///
+/// Of points: linear along the segments of every chain, all edges of faces too, and at every
 /// embedded point. Points of blocks without the array give none.
-/// Returns why the values cannot be used, empty where they can; `places` gets the values that are
-/// no spacing. Where the monitor asks to stop the options have no meaning.
+/// Of cells: the value of a line along it, that of a vertex cell at its points, that of a
+/// two-dimensional cell within 5 % anywhere in it. Zero and NaN ask for nothing.
+/// Returns why the values cannot be used, empty where they can; `places` gets the values at points
+/// that are no spacing. Where the monitor asks to stop the options have no meaning.
 std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
-  vtkDataArray* values, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
+  const ChosenArray& chosen, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor);
 
 } // namespace biting
 
