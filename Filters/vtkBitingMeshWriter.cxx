@@ -3,8 +3,8 @@
 
 #include "vtkBitingMeshWriter.h"
 
+#include "Bridge/Drawing/RemeshInputFromDataSet.h"
 #include "Bridge/Mesh/MeshFileFromDataSet.h"
-#include "Bridge/Mesh/ProducedEdges.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "IO/MeshFile.h"
 

@@ -104,9 +104,9 @@
  * domain on their left, with every cell array of the input at its cell, of any type: on the outline
  * of a surface that of the cell there, where a line runs along it that of the line. Blocks of a
  * composite input are told by `BlockName` (string); where a block lacks an array its values are 0,
- * NaN or empty. Arrays of one name in several blocks become one of a type that holds all values:
- * double of real and whole numbers, texts of numbers beside texts and where no numeric type holds
- * all; and as many components as the largest has. Point data: `MeshPointId` (vtkIdType, point of
+ * NaN or empty. Arrays of one name and of several types in blocks become one: of texts where some
+ * are texts, else double where some are real, else long long; with as many components as the
+ * largest has. Point data: `MeshPointId` (vtkIdType, point of
  * output 0). Cell data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1
  * interface).
  *

@@ -11,7 +11,6 @@
 #include "Bridge/Ranks/RankCrew.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
-#include "Bridge/Run/ParameterCheck.h"
 #include "Bridge/Run/ProblemReport.h"
 #include "Bridge/Run/SummaryText.h"
 #include "Bridge/Source/DomainMembership.h"

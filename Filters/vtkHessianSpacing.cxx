@@ -4,11 +4,10 @@
 #include "vtkHessianSpacing.h"
 
 #include "Bridge/Data/ArrayFromVector.h"
-#include "Bridge/Data/DoubleArray.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Drawing/FacesFromDataSet.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
-#include "Bridge/Run/ParameterCheck.h"
 #include "Bridge/Source/SourceData.h"
 #include "Kernel/Base/Box.h"
 #include "Kernel/Hessian/HessianRecovery.h"

@@ -3,11 +3,9 @@
 
 # The one list of bridge sources, relative to this folder; the module reads it.
 set(biting_bridge_sources
-  Data/AlikeArrays.cxx
-  Data/CellShapes.cxx
+  Data/Arrays.cxx
+  Data/Cells.cxx
   Data/DataTree.cxx
-  Data/DoubleArray.cxx
-  Data/GhostArrays.cxx
   Drawing/BoundarySpacing.cxx
   Drawing/CellTags.cxx
   Drawing/CoordinateRounding.cxx
@@ -21,16 +19,12 @@ set(biting_bridge_sources
   Mesh/MeasuredMesh.cxx
   Mesh/MeshFileFromDataSet.cxx
   Mesh/MeshToPolyData.cxx
-  Mesh/ProducedEdges.cxx
   Mesh/RemeshedData.cxx
-  Ranks/PieceBytes.cxx
   Ranks/RankCrew.cxx
   Ranks/Ranks.cxx
-  Ranks/StructuredFromPieces.cxx
   Ranks/WholeFromPieces.cxx
   Run/FilterRun.cxx
   Run/MonitorOfFilter.cxx
-  Run/ParameterCheck.cxx
   Run/ProblemReport.cxx
   Run/SummaryText.cxx
   Source/DomainMembership.cxx

@@ -13,27 +13,9 @@ namespace
 
 MeshFileCell CellInGmsh(int type)
 {
-  switch (type)
-  {
-    case 15:
-      return { 1, 1 };
-    case 1:
-      return { 2, 2 };
-    case 2:
-      return { 3, 3 };
-    case 3:
-      return { 4, 4 };
-    case 8:
-      return { 2, 3 };
-    case 9:
-      return { 3, 6 };
-    case 10:
-      return { 4, 9 };
-    case 16:
-      return { 4, 8 };
-    default:
-      return {};
-  }
+  static const std::vector<std::array<std::size_t, 3>> Types{ { 15, 1, 1 }, { 1, 2, 2 },
+    { 2, 3, 3 }, { 3, 4, 4 }, { 8, 2, 3 }, { 9, 3, 6 }, { 10, 4, 9 }, { 16, 4, 8 } };
+  return CellOfType(Types, type);
 }
 
 class GmshReading

@@ -127,6 +127,12 @@ TEST(BitingMesherCellArray, OfNegativeOrInfiniteSizesIsRefused)
   EXPECT_TRUE(Has(RefusalOf(infinite), "negative or infinite (1): cell 1 with inf."));
 }
 
+TEST(BitingMesherCellArray, OfSizesFarBelowThoseOfCellsIsRefusedSoon)
+{
+  const auto mesher = MesherBySize(TwoPolygons({ 1e-300, 0.1 }));
+  EXPECT_TRUE(Has(RefusalOf(mesher), "far below those of cells"));
+}
+
 TEST(BitingMesherCellArray, IsTakenBesideAPointArrayOfItsNameWhereItIsAskedFor)
 {
   auto input = FourSides({ 0.05, 0.05, 0.05, 0.05 });

@@ -56,8 +56,8 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& va
   AddArray<ArrayType>(data, name, values, pulse);
 }
 
-/// Keeps the array `name` out of the lists of arrays that programs offer, as to colour by: it tells
-/// of the whole, not of its parts.
+/// Keeps the array `name` out of the lists of arrays that programs offer to colour by: its value is
+/// one of the whole mesh.
 inline void HideFromChoices(vtkFieldData* data, const char* name)
 {
   data->GetAbstractArray(name)->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);

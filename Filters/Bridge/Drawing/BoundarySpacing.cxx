@@ -5,7 +5,7 @@
 
 #include "../../Kernel/Base/Box.h"
 #include "../../Kernel/Base/Pulse.h"
-#include "../Data/AlikeArrays.h"
+#include "../Data/Arrays.h"
 #include "../Source/SpacingValues.h"
 
 #include "vtkDataArray.h"
@@ -94,11 +94,16 @@ void AddSegment(const Point2& start, const Point2& end, double value, SegmentSou
   source.Segments.insert(source.Segments.end(), { first, first + 1 });
 }
 
-// Lines across a face, along the longer side of its box, at distances of at most `step`.
-void AddHatching(const std::vector<Point2>& outline, double value, double step,
+// A square face with k lines has (k / 3)^2 vertices: k / 9 a line, seven where k is 64. So faces of
+// more than 64 lines with more than 2^22 lines together are a mesh of some 30 million vertices.
+constexpr double LinesOfFineFace = 64.0;
+constexpr double MostLinesOfFineFaces = 1 << 22;
+
+// Lines across a face, along the longer side of its box, at distances of at most `step`; none where
+// fine faces have too many lines together.
+void AddHatching(const std::vector<Point2>& outline, double value, double step, double& fineLines,
   SegmentSource& source, Pulse& pulse)
 {
-  constexpr double MostLines = 1 << 20; // a mesh that fine is refused
   Box2 box;
   for (const Point2& point : outline)
   {
@@ -107,9 +112,11 @@ void AddHatching(const std::vector<Point2>& outline, double value, double step,
   const bool isAlongX = box.Width() >= box.Height();
   const auto turned = [isAlongX](const Point2& p) { return isAlongX ? p : Point2{ p.Y, p.X }; };
   const double low = turned(box.Low).Y;
-  const double gaps = std::min(std::ceil((turned(box.High).Y - low) / step), MostLines);
+  const double gaps = std::ceil((turned(box.High).Y - low) / step);
+  fineLines += gaps > LinesOfFineFace ? gaps : 0.0;
   std::vector<double> crossings;
-  for (double line = 1.0; line < gaps && pulse.Beat(); line += 1.0)
+  const bool isRefused = fineLines > MostLinesOfFineFaces;
+  for (double line = 1.0; line < gaps && !isRefused && pulse.Beat(); line += 1.0)
   {
     const double level = low + line / gaps * (turned(box.High).Y - low);
     crossings.clear();
@@ -142,7 +149,7 @@ double StepOf(double value, const SpacingOptions& options)
 }
 
 void AddChain(const Polylines& chains, std::size_t chain, double value,
-  const SpacingOptions& options, SegmentSource& source, Pulse& pulse)
+  const SpacingOptions& options, double& fineLines, SegmentSource& source, Pulse& pulse)
 {
   std::vector<Point2> places;
   for (Id k = chains.Offsets[chain]; k < chains.Offsets[chain + 1]; ++k)
@@ -157,7 +164,7 @@ void AddChain(const Polylines& chains, std::size_t chain, double value,
   }
   if (chains.Kinds[chain] == ChainKind::Face)
   {
-    AddHatching(places, value, StepOf(value, options), source, pulse);
+    AddHatching(places, value, StepOf(value, options), fineLines, source, pulse);
   }
 }
 
@@ -173,6 +180,7 @@ std::string AddCellSpacing(const Drawing& drawing, const Polylines& chains, vtkD
   }
   std::vector<std::string> bad;
   std::int64_t count = 0;
+  double fineLines = 0.0;
   auto source = std::make_shared<SegmentSource>();
   for (std::size_t chain = 0; chain < chains.Cells.size() && pulse.Beat(); ++chain)
   {
@@ -180,12 +188,18 @@ std::string AddCellSpacing(const Drawing& drawing, const Polylines& chains, vtkD
     const bool isSpacing = value > 0.0 && std::isfinite(value);
     if (isSpacing)
     {
-      AddChain(chains, chain, value, options, *source, pulse);
+      AddChain(chains, chain, value, options, fineLines, *source, pulse);
     }
     else if (value != 0.0 && !std::isnan(value) && ++count <= static_cast<std::int64_t>(ShownIds))
     {
       bad.push_back("cell " + std::to_string(chains.Cells[chain]) + " with " + ShortText(value));
     }
+  }
+  if (fineLines > MostLinesOfFineFaces)
+  {
+    return subject +
+      " has sizes far below those of cells: the mesh would be too large. Choose "
+      "larger sizes.";
   }
   SortSource(*source, pulse);
   options.Segments = source->Segments.empty() ? nullptr : source;

@@ -16,18 +16,18 @@
 namespace biting
 {
 
-/// For each cell of the drawing a number, equal where all components of the cell array `name` are
-/// equal: whole numbers to the last digit, NaN to NaN, 0 to -0, texts. Empty where `name` is empty
-/// or "None". Returns why there are none: the drawing has no such array, or one that is too short.
+/// Numbers the cells of the drawing: two cells have the same number where all components of the
+/// cell array `name` are equal. NaN equals NaN, 0 equals -0. `numbers` is empty where `name` is
+/// empty or "None". Returns a refusal where the drawing has no such array, or one that is too
+/// short.
 std::string FindRegionNumbers(
   const Drawing& drawing, const std::string& name, std::vector<Id>& numbers, Pulse& pulse);
 
 /// Whether two cells have equal values in every cell array, of any type. Arrays of global or
-/// pedigree ids, of numbers of original cells and of ghosts do not count, nor those that have no
-/// value for some cell. Faces,
-/// those chains of `chains` that are one, are always alike: where the boundary passes from one to
-/// another nothing ends but what belongs to their areas.
-/// Refers to `drawing`. Empty where all cells are alike.
+/// pedigree ids, of numbers of original cells and of ghosts do not count, nor do arrays without a
+/// value for each cell. Faces, which are cells of a chain of `chains` of that kind, always equal
+/// each other: an edge of the mesh may cover parts of several faces.
+/// Refers to `drawing`. Empty where all cells are equal.
 std::function<bool(Id, Id)> CompareTags(const Drawing& drawing, const Polylines& chains);
 
 } // namespace biting

@@ -3,10 +3,9 @@
 
 #include "Drawing.h"
 
-#include "../Data/AlikeArrays.h"
 #include "../Data/ArrayFromVector.h"
+#include "../Data/Arrays.h"
 #include "../Data/DataTree.h"
-#include "../Data/DoubleArray.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"

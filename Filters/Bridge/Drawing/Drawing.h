@@ -14,8 +14,7 @@
 namespace biting
 {
 
-/// One dataset of a drawing. Its points and cells have the numbers from FirstPoint and FirstCell
-/// on.
+/// One dataset of a drawing. Its first point has the number FirstPoint, its first cell FirstCell.
 struct DrawingBlock
 {
   vtkSmartPointer<vtkDataSet> Data;
@@ -44,7 +43,7 @@ struct Drawing
   int CoordinateType() const;
 };
 
-/// Reads what is not a dataset, nor made of such, as nothing.
+/// Reads a dataset, or all datasets of a composite one; of other data objects nothing.
 Drawing ReadDrawing(vtkDataObject* input);
 
 } // namespace biting

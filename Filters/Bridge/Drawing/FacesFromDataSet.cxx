@@ -6,9 +6,8 @@
 #include "../../Kernel/Base/Box.h"
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Predicates/Predicates.h" // for LeastCoordinate, GreatestCoordinate
-#include "../Data/CellShapes.h"
-#include "../Data/DoubleArray.h"
-#include "../Data/GhostArrays.h"
+#include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "../Run/ProblemReport.h"
 #include "CoordinateRounding.h"
 #include "PolylinesFromDrawing.h"

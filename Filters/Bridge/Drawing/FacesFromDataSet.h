@@ -45,21 +45,20 @@ struct PlanarFaces
 /// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, hidden
 /// and ghost cells, and cells with a hidden point, are left out. Reads without changing anything of
 /// `data`.
-/// Returns why it cannot be read, empty where it can: a cell that is neither, or refers to a point
-/// that does not exist (the first one is named), more points or corners than 32-bit ids can number,
+/// Returns a refusal: of the first cell that is no such face, or refers to a point that does not
+/// exist; of more points or corners than 32-bit ids can number,
 /// coordinates that are not finite or beyond GreatestCoordinate, a mesh smaller than
 /// LeastCoordinate, points farther from the plane than PlanarTolerance. Where the monitor asks to
 /// stop `faces` have no meaning.
 std::string FacesFromDataSet(vtkDataSet* data, FaceRule rule, PlanarFaces& faces, Monitor& monitor);
 
-/// Numbers vertices by their places, and faces by their vertices, of which the one with the lowest
-/// number comes first: what is computed of them is then the same to the last bit, in whatever order
-/// points and cells come, as where pieces of ranks were put together. Vertices at one place, and
-/// faces of the same vertices, stay in their order.
+/// Sorts the vertices by place, rotates each face to begin with its lowest vertex, and sorts the
+/// faces: results are then the same to the last bit for any order of points and cells, as after
+/// joining pieces of ranks. Vertices at one place, and faces of the same vertices, keep their
+/// order.
 void OrderByPlace(PlanarFaces& faces);
 
-/// The outlines of the faces, as closed chains: an odd number of them around a place tells that it
-/// is in the mesh.
+/// The outlines of the faces, as closed chains: a place in an odd number of them is in the mesh.
 Polylines OutlinesOf(const PlanarFaces& faces);
 
 } // namespace biting

@@ -6,9 +6,8 @@
 #include "../../Kernel/Base/Box.h"
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Base/SortInSteps.h"
-#include "../Data/CellShapes.h"
-#include "../Data/DoubleArray.h"
-#include "../Data/GhostArrays.h"
+#include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "CellTags.h"
 #include "CoordinateRounding.h"
 
@@ -28,120 +27,6 @@ namespace biting
 
 namespace
 {
-
-// Where steps end, as shares of the time: of all, and of what follows the cells.
-constexpr double PolylinesEnd = 0.4;
-constexpr double FrameEnd = 0.5;
-constexpr double MapEnd = 0.7;
-
-std::string ReadCells(
-  const Drawing& drawing, const std::string& regionArray, PlanarInput& result, Pulse& pulse)
-{
-  std::vector<Id> regions;
-  const std::string refusal = FindRegionNumbers(drawing, regionArray, regions, pulse);
-  const PulsePart part(pulse, 0.0, PolylinesEnd);
-  return refusal.empty() ? ReadChains(drawing, regions, result.Chains, result.IsUsed, pulse)
-                         : refusal;
-}
-
-void ListUsedPoints(PlanarInput& input, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, 0.0);
-  pulse.ForEach(input.IsUsed.size(),
-    [&input](std::size_t point)
-    {
-      if (input.IsUsed[point])
-      {
-        input.UsedPoints.push_back(static_cast<Id>(point));
-      }
-    });
-}
-
-void RefuseNotFinite(const PlanarInput& input, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, 0.0);
-  pulse.ForEach(input.UsedPoints.size(),
-    [&input, &problems](std::size_t k)
-    {
-      const Id point = input.UsedPoints[k];
-      const double* place = input.Place(point);
-      if (!AreFinite(place))
-      {
-        problems.Add({ ProblemCode::NotFinite, { point }, {}, {} });
-      }
-    });
-}
-
-void MapToPlane(PlanarInput& input, Pulse& pulse)
-{
-  const PulsePart part(pulse, FrameEnd, MapEnd);
-  input.Chains.Points.resize(input.IsUsed.size());
-  pulse.ForEach(input.UsedPoints.size(),
-    [&input](std::size_t k)
-    {
-      const Id point = input.UsedPoints[k];
-      input.Chains.Points[static_cast<std::size_t>(point)] =
-        input.Frame.ToPlane(input.Place(point));
-    });
-}
-
-// Along the axes of the plane; in a slanted plane they mix those of space.
-Point2 InPlane(const CoordinateRounding& rounding, const PlaneFrame& frame)
-{
-  const auto along = [&rounding, &frame](int axis)
-  { return rounding.Axes[static_cast<std::size_t>(frame.Axis(axis))]; };
-  const double most = *std::max_element(rounding.Axes.begin(), rounding.Axes.end());
-  return frame.IsAxisAligned() ? Point2{ along(0), along(1) } : Point2{ most, most };
-}
-
-double Diagonal(const PlanarInput& input, Pulse& pulse)
-{
-  const PulsePart part(pulse, MapEnd, MapEnd);
-  Box2 box;
-  pulse.ForEach(input.UsedPoints.size(),
-    [&input, &box](std::size_t k)
-    { box.Add(input.Chains.Points[static_cast<std::size_t>(input.UsedPoints[k])]); });
-  return box.Diagonal();
-}
-
-// A point and its distance from the plane, worst first.
-using Distances = std::vector<std::pair<double, Id>>;
-
-Distances FindNotPlanar(const PlanarInput& input, double farthest, Pulse& pulse)
-{
-  Distances off;
-  pulse.ForEach(input.UsedPoints.size(),
-    [&input, farthest, &off](std::size_t k)
-    {
-      const Id point = input.UsedPoints[k];
-      const double distance = std::abs(input.Frame.Distance(input.Place(point)));
-      if (distance > farthest)
-      {
-        off.emplace_back(distance, point);
-      }
-    });
-  SortInSteps(
-    off,
-    [](const auto& a, const auto& b)
-    { return a.first != b.first ? a.first > b.first : a.second < b.second; },
-    pulse);
-  return off;
-}
-
-void RefuseNotPlanar(const PlanarInput& input, double farthest, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, MapEnd, 1.0);
-  for (const auto& [distance, point] : FindNotPlanar(input, farthest, pulse))
-  {
-    if (!pulse.Beat())
-    {
-      return;
-    }
-    problems.Add(
-      { ProblemCode::NotPlanar, { point }, input.Chains.Points[static_cast<std::size_t>(point)],
-        "it lies " + vtkVariant(distance).ToString() + " from the plane" });
-  }
-}
 
 constexpr std::size_t MostIds = std::numeric_limits<Id>::max();
 constexpr const char* TooManyText =
@@ -332,6 +217,140 @@ std::string BlockReader::Refusal(CellShape shape, int type) const
         : ": apply Tessellate first, which makes straight cells of curved ones.");
 }
 
+// `regions` has a number for each cell, or is empty.
+std::string ReadChains(const Drawing& drawing, const std::vector<Id>& regions, Polylines& chains,
+  std::vector<std::uint8_t>& isUsed, Pulse& pulse)
+{
+  const auto isTooMuch = [](vtkIdType count) { return count > static_cast<vtkIdType>(MostIds); };
+  if (isTooMuch(drawing.NumberOfPoints) || isTooMuch(drawing.NumberOfCells))
+  {
+    return TooManyText;
+  }
+  isUsed.assign(static_cast<std::size_t>(drawing.NumberOfPoints), 0);
+  std::string refusal;
+  for (const DrawingBlock& block : drawing.Blocks)
+  {
+    refusal = refusal.empty()
+      ? BlockReader(block, drawing.NumberOfCells, regions, chains, isUsed, pulse).Read()
+      : refusal;
+  }
+  return refusal;
+}
+
+// Where steps end, as shares of the time: of all, and of what follows the cells.
+constexpr double PolylinesEnd = 0.4;
+constexpr double FrameEnd = 0.5;
+constexpr double MapEnd = 0.7;
+
+std::string ReadCells(
+  const Drawing& drawing, const std::string& regionArray, PlanarInput& result, Pulse& pulse)
+{
+  std::vector<Id> regions;
+  const std::string refusal = FindRegionNumbers(drawing, regionArray, regions, pulse);
+  const PulsePart part(pulse, 0.0, PolylinesEnd);
+  return refusal.empty() ? ReadChains(drawing, regions, result.Chains, result.IsUsed, pulse)
+                         : refusal;
+}
+
+void ListUsedPoints(PlanarInput& input, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, 0.0);
+  pulse.ForEach(input.IsUsed.size(),
+    [&input](std::size_t point)
+    {
+      if (input.IsUsed[point])
+      {
+        input.UsedPoints.push_back(static_cast<Id>(point));
+      }
+    });
+}
+
+void RefuseNotFinite(const PlanarInput& input, ProblemList& problems, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, 0.0);
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, &problems](std::size_t k)
+    {
+      const Id point = input.UsedPoints[k];
+      const double* place = input.Place(point);
+      if (!AreFinite(place))
+      {
+        problems.Add({ ProblemCode::NotFinite, { point }, {}, {} });
+      }
+    });
+}
+
+void MapToPlane(PlanarInput& input, Pulse& pulse)
+{
+  const PulsePart part(pulse, FrameEnd, MapEnd);
+  input.Chains.Points.resize(input.IsUsed.size());
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input](std::size_t k)
+    {
+      const Id point = input.UsedPoints[k];
+      input.Chains.Points[static_cast<std::size_t>(point)] =
+        input.Frame.ToPlane(input.Place(point));
+    });
+}
+
+// Along the axes of the plane; in a slanted plane they mix those of space.
+Point2 InPlane(const CoordinateRounding& rounding, const PlaneFrame& frame)
+{
+  const auto along = [&rounding, &frame](int axis)
+  { return rounding.Axes[static_cast<std::size_t>(frame.Axis(axis))]; };
+  const double most = *std::max_element(rounding.Axes.begin(), rounding.Axes.end());
+  return frame.IsAxisAligned() ? Point2{ along(0), along(1) } : Point2{ most, most };
+}
+
+double Diagonal(const PlanarInput& input, Pulse& pulse)
+{
+  const PulsePart part(pulse, MapEnd, MapEnd);
+  Box2 box;
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, &box](std::size_t k)
+    { box.Add(input.Chains.Points[static_cast<std::size_t>(input.UsedPoints[k])]); });
+  return box.Diagonal();
+}
+
+// A point and its distance from the plane, worst first.
+using Distances = std::vector<std::pair<double, Id>>;
+
+Distances FindNotPlanar(const PlanarInput& input, double farthest, Pulse& pulse)
+{
+  Distances off;
+  pulse.ForEach(input.UsedPoints.size(),
+    [&input, farthest, &off](std::size_t k)
+    {
+      const Id point = input.UsedPoints[k];
+      const double distance = std::abs(input.Frame.Distance(input.Place(point)));
+      if (distance > farthest)
+      {
+        off.emplace_back(distance, point);
+      }
+    });
+  SortInSteps(
+    off,
+    [](const auto& a, const auto& b)
+    { return a.first != b.first ? a.first > b.first : a.second < b.second; },
+    pulse);
+  return off;
+}
+
+void RefuseNotPlanar(const PlanarInput& input, double farthest, ProblemList& problems, Pulse& pulse)
+{
+  const PulsePart part(pulse, MapEnd, 1.0);
+  for (const auto& [distance, point] : FindNotPlanar(input, farthest, pulse))
+  {
+    if (!pulse.Beat())
+    {
+      return;
+    }
+    problems.Add(
+      { ProblemCode::NotPlanar, { point }, input.Chains.Points[static_cast<std::size_t>(point)],
+        "it lies " + vtkVariant(distance).ToString() + " from the plane" });
+  }
+}
+
 } // namespace
 
 std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regionArray,
@@ -361,25 +380,6 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
   result.Chains.SeamNoise = SeamInUlp * std::numeric_limits<double>::epsilon() * diagonal;
   RefuseNotPlanar(result, std::max(PlanarTolerance * diagonal, rounding.Most), problems, pulse);
   return {};
-}
-
-std::string ReadChains(const Drawing& drawing, const std::vector<Id>& regions, Polylines& chains,
-  std::vector<std::uint8_t>& isUsed, Pulse& pulse)
-{
-  const auto isTooMuch = [](vtkIdType count) { return count > static_cast<vtkIdType>(MostIds); };
-  if (isTooMuch(drawing.NumberOfPoints) || isTooMuch(drawing.NumberOfCells))
-  {
-    return TooManyText;
-  }
-  isUsed.assign(static_cast<std::size_t>(drawing.NumberOfPoints), 0);
-  std::string refusal;
-  for (const DrawingBlock& block : drawing.Blocks)
-  {
-    refusal = refusal.empty()
-      ? BlockReader(block, drawing.NumberOfCells, regions, chains, isUsed, pulse).Read()
-      : refusal;
-  }
-  return refusal;
 }
 
 } // namespace biting

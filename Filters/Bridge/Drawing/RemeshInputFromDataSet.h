@@ -17,13 +17,15 @@
 #include <vector> // for ids
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
 class vtkDataSet;
+class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
 
-/// A mesh as the kernel takes it, and what leads back to its dataset.
+/// A mesh as the kernel takes it, with the ids of its dataset.
 struct PlanarMesh
 {
   RemeshInput Input;
@@ -33,11 +35,11 @@ struct PlanarMesh
   Drawing Lines;                   ///< whose cells the lines are
 };
 
-/// Which arrays of the mesh say what stays; empty or "None": none.
+/// The arrays that keep edges, points and cells of the mesh; empty or "None": none.
 struct RemeshArrays
 {
-  std::string Region; ///< cell array: edges between triangles that differ in it stay edges
-  std::string Frozen; ///< point or cell array, also of lines: what is not 0 there stays as it is
+  std::string Region; ///< cell array: edges between triangles of different values stay
+  std::string Frozen; ///< array of points, cells or lines: those with a value other than 0 stay
 };
 
 /// Reads the triangles of `mesh` (FacesFromDataSet.h), and the lines that tag edges: the cells of
@@ -46,6 +48,17 @@ struct RemeshArrays
 /// Returns why the mesh cannot be read, empty where it can.
 std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const RemeshArrays& arrays,
   PlanarMesh& result, Monitor& monitor);
+
+/// Output 1, the boundary edges, of the nearest mesher, remesher or reader of ours upstream of the
+/// first input of `consumer`; null where there is none.
+vtkPolyData* FindProducedEdges(vtkAlgorithm* consumer);
+
+/// Whether each point of `edges` lies at the point of `mesh` that its `MeshPointId` names.
+bool AreEdgesOf(vtkPolyData* edges, vtkDataSet* mesh);
+
+/// FindProducedEdges where `mesh`, the input of `consumer`, has no lines, and AreEdgesOf holds;
+/// else null.
+vtkPolyData* FindTaggedEdges(vtkAlgorithm* consumer, vtkDataSet* mesh);
 
 } // namespace biting
 

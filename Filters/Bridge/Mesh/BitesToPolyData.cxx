@@ -24,7 +24,7 @@ namespace
 constexpr double DrawingEnd = 0.7; // of the time
 constexpr int CornersOfCircle = 32;
 
-// Collects points, lines and polygons, and what is known of each.
+// Points, lines and polygons, with order and phase of each.
 struct Outlines
 {
   std::vector<Point2> Points;
@@ -92,7 +92,7 @@ void AddCrossings(
   }
 }
 
-// Leaves what is on the outline of all squares, in counterclockwise order.
+// Keeps the points on the outline of the union of the squares, in counterclockwise order.
 void KeepUncovered(
   const Bites& bites, std::size_t first, std::size_t end, std::vector<Point2>& outline)
 {

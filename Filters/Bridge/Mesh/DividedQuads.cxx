@@ -50,7 +50,7 @@ QuadDiagonal DiagonalOf(vtkDataSet* data, vtkIdList* points)
   return FindQuadDiagonal(places);
 }
 
-// Cells of several faces, which nobody wants here, end the search.
+// Polyhedra are refused later, so they end the search.
 bool HasQuads(vtkDataSet* data)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);

@@ -22,7 +22,7 @@ namespace biting
 
 /// A poly data or unstructured grid with two triangles in place of each linear quad
 /// (Quality/QuadDiagonal.h), and its arrays, without global ids of cells. Quads whose sides cross,
-/// without area, or of points that do not exist stay. What has no quads stays as it is.
+/// without area, or of points that do not exist stay. Data without quads is not copied.
 class DividedQuads
 {
 public:
@@ -31,11 +31,11 @@ public:
 
   vtkDataSet* Data() const { return this->Whole; }
 
-  /// What is to be said; empty where no quad is divided.
+  /// A sentence for the user; empty where no quad is divided.
   std::string Remark() const;
 
-  /// Makes the cells that `OriginalCellId` names, where there are any, those of the dataset that
-  /// was given. The output may be null.
+  /// Replaces the ids in the cell array `OriginalCellId` of `output` by those of the given
+  /// dataset. The output, and the array, may be missing.
   void RestoreIds(vtkDataSet* output) const;
 
 private:

@@ -20,7 +20,7 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// The triangles of a dataset, the spacing that they are compared with, and what they are worth.
+/// The triangles of a dataset, the spacing f at their vertices, and their quality.
 struct MeasuredMesh
 {
   PlanarFaces Faces;
@@ -41,21 +41,21 @@ struct MeasuredMesh
   }
 };
 
-/// `input`, of which `mesh` was read, with its measures as arrays and figures; NaN where there is
-/// nothing to measure.
+/// Fills `output` with `input`, of which `mesh` was read, and the measures as arrays and figures;
+/// NaN at points and cells that are not of the mesh.
 void WriteMeasures(const MeasuredMesh& mesh, vtkDataSet* input, vtkDataSet* output);
 
-/// How angles, and with a spacing conformity and lengths, are spread.
+/// Histograms of the angles, and, with a spacing, of conformity and relative lengths.
 void WriteHistograms(const MeasuredMesh& mesh, int bins, vtkTable* output);
 
-/// What users are told of triangles that are no good mesh: without area, turned, overlapping. One
-/// text for each kind.
+/// Warnings of triangles without area, of triangles turned against the majority, and of edges with
+/// more than two triangles: one text for each kind.
 std::vector<std::string> WarningsOfTriangles(const PlanarFaces& faces, const TriangleLinks& links);
 
-/// The same of points that no triangle uses, of that many; empty where there are none.
+/// A warning of points without triangles, given the number of points; empty where there are none.
 std::string WarningOfUnusedPoints(const PlanarFaces& faces, vtkIdType numberOfPoints);
 
-/// The same of points at one place.
+/// A warning of points at one place; empty where there are none.
 std::string WarningOfRepeatedPoints(const PlanarFaces& faces);
 
 } // namespace biting

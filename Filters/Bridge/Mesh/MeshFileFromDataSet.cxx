@@ -3,9 +3,8 @@
 
 #include "MeshFileFromDataSet.h"
 
-#include "../Data/AlikeArrays.h"
-#include "../Data/CellShapes.h"
-#include "../Data/GhostArrays.h"
+#include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"

@@ -97,7 +97,7 @@ void AddGhosts(const std::vector<std::uint8_t>& levels, unsigned char mark,
   AddArray<vtkUnsignedCharArray>(data, vtkDataSetAttributes::GhostArrayName(), marks, pulse);
 }
 
-// The edges over vertices of their own: those of the mesh that an edge uses, in ascending order.
+// The edges, and the vertices of the mesh that they use, in ascending order.
 struct EdgeVertices
 {
   std::vector<Id> MeshIds;
@@ -146,7 +146,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* mes
   return points;
 }
 
-// What an array has where nothing is given: NaN, -1, 0 or an empty text.
+// The value of an edge without a cell: NaN, -1, 0 or an empty text.
 void FillWithNaNOrMinusOne(vtkAbstractArray* array)
 {
   if (auto* data = vtkDataArray::SafeDownCast(array))
@@ -219,7 +219,7 @@ std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
   return kinds;
 }
 
-// Those of the whole, where `mesh` is the border of a mesh in pieces.
+// Where `mesh` is the border of a mesh in pieces: point ids of the whole mesh.
 void AddMeshPointIds(
   const BitingMesh& mesh, const std::vector<Id>& vertices, vtkPointData* data, Pulse& pulse)
 {

@@ -51,7 +51,7 @@ void AddShapeArrays(const MeshQuality& quality, vtkFieldData* data, Pulse& pulse
 /// Adds the numbers of vertices and triangles and the worst shapes, one value each.
 void AddShapeSummary(const MeshQuality& quality, vtkFieldData* data);
 
-/// Adds what the whole is worth against the spacing, one value each.
+/// Adds the conformity of the whole mesh, one value each.
 void AddConformitySummary(const MeshQuality& quality, vtkFieldData* data);
 
 /// Fills `output` with the edges of `mesh`, whose vertices are `points`, that cover boundary and

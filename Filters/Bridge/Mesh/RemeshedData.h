@@ -25,8 +25,8 @@ namespace biting
 void TransferData(const RemeshResult& result, const PlanarMesh& mesh, vtkDataSet* from,
   const std::string& region, vtkPolyData* output, Pulse& pulse);
 
-/// Adds what is known of the old mesh to `output`: the cell array `OriginalCellId`, and how many
-/// vertices and triangles were kept, went and came, as field data.
+/// Adds to `output` the cell array `OriginalCellId` and, as field data, the numbers of kept,
+/// removed and new vertices and of kept triangles.
 void AddOriginals(const RemeshResult& result, const PlanarMesh& mesh, vtkPolyData* output);
 
 /// Makes `output` the mesh `from` itself, with all arrays, and with `OriginalPointId` and

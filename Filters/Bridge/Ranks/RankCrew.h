@@ -30,17 +30,17 @@ public:
   void Send(const std::vector<char>& bytes) override;
   std::vector<char> Await() override;
 
-  /// On the first: the members that something is to come from.
+  /// On the first rank: whether each member is at work, so that bytes will come from it.
   std::vector<bool> WhoIsAtWork() const;
 
-  /// On the others: waits until the first rank calls, then they have the inputs; or until it has
-  /// ended without: false.
+  /// On the other ranks: waits for Call of the first rank, which gives them the inputs. False where
+  /// the first rank has ended without a call.
   bool AwaitCall();
 
-  /// On the others, at work: nothing that they send is wanted any more.
+  /// On the other ranks, at work: whether their bytes are not wanted any more.
   bool IsDismissed() const;
 
-  /// The first rank dismisses who is at work or waits, the others send what they owe: nothing.
+  /// The first rank dismisses members that are at work or wait; a member at work sends no bytes.
   void End();
 
 private:

@@ -68,17 +68,17 @@ public:
   /// The pieces of an input, where ranks are several.
   GatheredBytes Gather(vtkDataObject* piece) const;
 
-  /// Makes the other ranks' outputs empty pieces with the arrays of the first's, but for the
-  /// first output where each has its piece (`areSpread`, of the first rank), and tells its
-  /// error code, which is returned. Where the first has stopped `filter`, the others do, too: a
-  /// pipeline executes it again, which it must do on all ranks.
+  /// Broadcasts the outcome of the first rank, whose error code is returned. The outputs of other
+  /// ranks become empty, with the arrays of the first rank's outputs; output 0 stays where each
+  /// rank has a piece of it (`areSpread`, of the first rank). Where `filter` was stopped on the
+  /// first rank it is stopped on all: the pipeline executes it again, and must do so on all ranks.
   unsigned long ShareOutcome(unsigned long errorCode, bool areSpread, vtkAlgorithm* filter,
     vtkInformationVector* outputs) const;
 
-  /// The error code of the first rank, which all of them call.
+  /// The error code of the first rank; all ranks call this.
   unsigned long ShareCode(unsigned long errorCode) const;
 
-  /// What all ranks have, which all of them call: sums, and the largest.
+  /// Sums, and the maximum, over all ranks; all of them call this.
   void AddUp(double* values, vtkIdType count) const;
   double Largest(double value) const;
 
@@ -89,12 +89,12 @@ private:
   int Piece = 0;
 };
 
-/// What to say where WholeInput is not complete.
+/// The refusal where WholeInput is not complete.
 constexpr const char* NotGathered =
   "The pieces of the input cannot be gathered on the first rank: they "
   "are too large for its memory, or of a kind that cannot be sent.";
 
-/// What to say where the whole has to be of the kind of its pieces, and is not.
+/// The refusal where the whole must have the type of its pieces, and has not.
 constexpr const char* NotOneGrid =
   "The pieces of the input are no single grid: they leave gaps, or lie on different axes.";
 
@@ -110,8 +110,8 @@ public:
   /// send data of this kind.
   bool IsComplete() const { return this->Gathered.IsComplete; }
 
-  /// Gives what the first rank has gathered to all of them, which all call this. False where one
-  /// has too little memory for it; then the others have nothing.
+  /// Broadcasts the gathered pieces from the first rank; all ranks call this. False where a rank
+  /// has too little memory for them; then the other ranks have none.
   bool Share(vtkMultiProcessController* controller);
 
   /// On ranks that have the pieces; null where nothing is connected. Pieces that are equal byte by

@@ -8,10 +8,12 @@
 
 #include "vtkSmartPointer.h" // for data objects
 
+#include <array>  // for extents
 #include <vector> // for pieces
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+class vtkDataSet;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
@@ -31,6 +33,16 @@ using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
 /// their global ids where they have some, else cells are in that of the pieces, and points in the
 /// order in which cells use them; points that no cell uses go. Polyhedra are only appended.
 vtkSmartPointer<vtkDataObject> WholeFromPieces(const Pieces& pieces);
+
+/// One image, rectilinear or structured grid of `pieces`, which are of one such class; with the
+/// arrays that all of them have. Null where they are not, lie on different axes, or leave gaps in
+/// the box of their extents. Where pieces overlap, the first counts; ghost cells count where no
+/// other is.
+vtkSmartPointer<vtkDataSet> StructuredFromPieces(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
+
+/// The extent of an image, a rectilinear or a structured grid; false for other data.
+bool FindExtent(vtkDataSet* piece, std::array<int, 6>& extent);
 
 } // namespace biting
 

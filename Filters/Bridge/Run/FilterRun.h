@@ -9,6 +9,7 @@
 #include "../../Kernel/Base/Point.h"
 #include "../../Kernel/Base/Problem.h"
 #include "../../Kernel/Base/Pulse.h"
+#include "../../Kernel/BitingMesh.h"
 #include "../../Kernel/Spacing/Spacing.h"
 #include "../../Kernel/Stages/MeshingStages.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
@@ -17,8 +18,10 @@
 #include "MonitorOfFilter.h"
 #include "ProblemReport.h"
 
+#include <cmath>            // for isfinite
 #include <functional>       // for steps
 #include <initializer_list> // for inputs
+#include <sstream>          // for values
 #include <string>           // for messages
 #include <vector>           // for shares
 
@@ -60,8 +63,7 @@ std::vector<double> SharesOfStages(const Stage& reading, const Stages& stages, c
 /// Leaves nothing in them.
 void EmptyOutputs(vtkInformationVector* outputs);
 
-/// What the executions of filters have in common: progress, refusals, messages and where things are
-/// wrong.
+/// One execution of a filter: progress, refusals, warnings, and the places of problems.
 class FilterRun
 {
 protected:
@@ -78,10 +80,10 @@ protected:
   /// Whether there is no refusal; else says it.
   bool Accept(const std::string& refusal);
 
-  /// Says once what is wrong, in the summary too; it is an error.
+  /// Reports an error, in the summary too.
   void Refuse(const std::string& reason);
 
-  /// Nothing where the text is empty. The summary has it too.
+  /// Reports a warning, in the summary too; nothing where the text is empty.
   void Warn(const std::string& text) const;
 
   /// An error for each kind of Problems that is one. Whether there is none, nor was before.
@@ -117,6 +119,49 @@ private:
 /// alone, as VTK has it. So a filter runs anew where only its spacing source changes with time.
 /// Returns 1, as requests do.
 int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
+
+/// Short, also where the value is large.
+inline std::string ValueText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Why `value` of the parameter `name` cannot be; empty where it is finite, and 0 or more.
+inline std::string CheckAtLeastZero(const char* name, double value)
+{
+  if (value >= 0.0 && std::isfinite(value))
+  {
+    return {};
+  }
+  return std::string(name) + " is " + ValueText(value) + "; it must be finite, and 0 or more.";
+}
+
+/// Of the parameters that mesher and remesher have in common.
+inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
+{
+  for (const std::string& refusal : { CheckAtLeastZero("Uniform Spacing", spacing.Uniform),
+         CheckAtLeastZero("Spacing Scale", spacing.Scale),
+         CheckAtLeastZero("Minimum Spacing", spacing.Minimum),
+         CheckAtLeastZero("Maximum Spacing", spacing.Maximum),
+         CheckAtLeastZero("Gradation", spacing.Gradation) })
+  {
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
+  }
+  if (spacing.Scale == 0.0)
+  {
+    return "Spacing Scale is 0; it must be above 0.";
+  }
+  const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
+  return isCrossed ? "Minimum Spacing is above Maximum Spacing." : "";
+}
+
+/// Of all that the mesher has.
+std::string CheckMesherParameters(const BitingMeshOptions& options);
 
 } // namespace biting
 

@@ -38,7 +38,7 @@ private:
 };
 
 /// Shows stages as progress text and progress of a filter, and asks the filter whether to stop.
-/// Once it wanted to, it is not asked again: all later answers are the same.
+/// Once the filter has asked to stop, all later answers are the same.
 /// Progress is reported when it has moved by one percent or when a tenth of a second has passed.
 class MonitorOfFilter : public Monitor
 {
@@ -51,7 +51,7 @@ public:
   void BeginStage(const char* text) override;
   Executor& Threads() override { return this->Workers; }
 
-  /// Asks this, too, whether to stop.
+  /// Adds a question that stops the run where it is answered with true.
   void StopWhere(std::function<bool()> isUnwanted) { this->IsUnwanted = std::move(isUnwanted); }
 
   bool HasStopped() const { return this->Stopped; }

@@ -45,7 +45,7 @@ struct ProblemPlaces
     Counts{}; ///< by kind, also of those without a place
 };
 
-/// Whether what RepairInput mends is mended, or left as it is and an error.
+/// Whether defects that RepairInput mends are repaired, or left and errors.
 enum class RepairPolicy
 {
   Repaired,
@@ -71,7 +71,7 @@ constexpr std::size_t ShownIds = 5;
 /// or can be done.
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 
-/// What and how many.
+/// The kind of the problems, and their number.
 std::string HeadingOf(const ProblemGroup& group);
 
 /// That of the error `group` among `problems`: where no loop is closed, and points were merged that

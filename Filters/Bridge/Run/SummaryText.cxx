@@ -87,7 +87,7 @@ std::string ConformityLines(vtkDataSet* mesh)
     "\n";
 }
 
-// What Boundary Tolerance and Minimum Loop Size did, or could do.
+// The effect of Boundary Tolerance and Minimum Loop Size, and a hint where the drawing is fine.
 std::string DrawingLines(vtkDataSet* mesh)
 {
   constexpr double LargeShare = 0.5;
@@ -123,7 +123,7 @@ bool TouchesInput(vtkIdList* corners, vtkDataArray* kinds)
   return false;
 }
 
-// How many triangles are thin, and, where kinds are known, at how many of them the input has a say.
+// The number of thin triangles, and, where kinds are known, of those with a vertex of the input.
 std::string ThinLines(const SummaryCounts& counts, bool areKindsKnown)
 {
   const auto grouped = [](double count) { return Grouped(static_cast<std::int64_t>(count)); };

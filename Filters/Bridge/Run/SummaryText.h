@@ -30,12 +30,12 @@ private:
   Clock::time_point Begin = Clock::now();
 };
 
-/// A few lines on a mesh with the arrays and the summary of our filters: how large and how good it
-/// is, how long it took, and what keeps it from being better. Empty where there is no summary.
+/// A few lines on a mesh with the arrays and figures of our filters: size, time, angles,
+/// conformity, thin triangles. Empty where the mesh has no such figures.
 std::string SummaryOf(vtkDataSet* mesh, double seconds);
 
-/// What is counted for it, of the pieces of a mesh: without ghosts, to be added up, but for the
-/// last one, of which the largest is wanted.
+/// Sums over the triangles of a piece of a mesh, without ghosts. Sums of pieces add up;
+/// LargestSpacing is a maximum.
 struct SummaryCounts
 {
   double Triangles = 0.0;
@@ -45,17 +45,18 @@ struct SummaryCounts
   double LargestSpacing = 0.0;
 };
 
-/// All are 0 where the mesh has not the arrays.
+/// All are 0 where the mesh lacks the arrays.
 SummaryCounts CountForSummary(vtkDataSet* mesh);
 
-/// The same of a mesh of which this is one piece.
+/// The summary of a mesh that `piece` is a piece of, given the sums of all pieces.
 std::string SummaryOf(vtkDataSet* piece, const SummaryCounts& counts, double seconds);
 
-/// What the remesher kept and made, in two lines; empty where it made nothing.
+/// The numbers of kept, removed and new vertices and of unchanged triangles, in two lines; empty
+/// where no remesher made the mesh.
 std::string CountsOf(vtkDataSet* mesh);
 
-/// The line that says that a uniform spacing is above what the mesh has everywhere, and so without
-/// effect; empty where it is not.
+/// A line that says that Uniform Spacing is above f everywhere, and so without effect; empty where
+/// it is not.
 std::string UnreachedLine(const SummaryCounts& counts, double uniformSpacing);
 
 } // namespace biting

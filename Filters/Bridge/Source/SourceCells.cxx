@@ -4,7 +4,7 @@
 #include "SourceCells.h"
 
 #include "../../Kernel/Base/SortInSteps.h"
-#include "../Data/CellShapes.h"
+#include "../Data/Cells.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -42,7 +42,7 @@ constexpr double PointsEnd = 0.85;
 
 constexpr std::size_t CheapStepsPerCell = 32; // a polygon takes a microsecond to triangulate
 
-// What helps whoever has points alone.
+// Advice where there are no cells.
 constexpr const char* PointsAdvice = " Delaunay 2D makes triangles of points.";
 
 // The entries of a ghost array for the cells from `first` on.
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkDataSet> ShallowCopyOf(vtkDataSet* source)
 }
 
 // Triangles for a polygon that VTK cannot triangulate, as its outline touches or crosses itself:
-// they may lie on each other, and on what is a hole of it.
+// they may overlap, and cover holes of it.
 void FanOut(vtkIdList* outline, vtkIdList* corners)
 {
   corners->Reset();

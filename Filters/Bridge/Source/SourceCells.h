@@ -6,7 +6,7 @@
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Spacing/Spacing.h"
-#include "../Data/GhostArrays.h"
+#include "../Data/Cells.h"
 #include "../Drawing/PlaneFrame.h"
 
 #include "vtkCellType.h"     // for the number of types
@@ -68,8 +68,8 @@ private:
   std::vector<Edge> Edges;
 };
 
-/// Where steps of reading a source end, as shares of the time: the grid, or what reads cells
-/// instead; and the cells, before their triangles are sorted.
+/// Where steps of reading a source end, as shares of the time: looking for a grid, reading cells.
+/// Sorting their triangles follows.
 constexpr double GridEnd = 0.1;
 constexpr double TrianglesEnd = 0.9;
 

@@ -44,7 +44,7 @@ private:
   std::vector<char> IsMarked; ///< squares over the bounds; empty: all of them
 };
 
-/// The part of a mesh that sources do not cover, or of a piece of it: these are joined.
+/// The part of a mesh, or of a piece of it, that sources do not cover. Parts of pieces are joined.
 struct UncoveredPart
 {
   double WholeArea = 0.0;
@@ -58,7 +58,7 @@ struct UncoveredPart
 /// Of the triangles that are the piece's own; all are where it is none.
 UncoveredPart FindUncovered(const BitingMesh& mesh, const SpacingOptions& options);
 
-/// A warning of it, with the place in space; empty where there is nothing.
+/// A warning of the uncovered part, with its place in space; empty where all is covered.
 std::string UncoveredWarning(const UncoveredPart& part, const PlaneFrame& frame);
 
 /// Warns of the part of a mesh that the sources of `options` do not cover, if there is any: how

@@ -3,10 +3,10 @@
 
 #include "SourceData.h"
 
-#include "../Data/AlikeArrays.h"
+#include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "../Data/DataTree.h"
-#include "../Data/GhostArrays.h"
-#include "../Ranks/StructuredFromPieces.h"
+#include "../Ranks/WholeFromPieces.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
@@ -53,7 +53,7 @@ using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
 
 constexpr ArrayRole Role{ "spacing array", "spacing source" };
 
-/// What probes and resamplings of VTK add: 0 where they found nothing.
+/// The mask of VTK's probes and resamplings: 0 at points outside of their source.
 constexpr const char* MaskName = "vtkValidPointMask";
 
 bool IsOfThePipeline(vtkPointData* data, int array)
@@ -207,7 +207,7 @@ vtkSmartPointer<vtkDataSet> Appended(const DataSets& blocks)
   return append->GetOutput();
 }
 
-// What was found in a block goes before why nothing was, before what is only missing.
+// The order of the results of blocks: found, refused, missing with a cell array, missing.
 int RankOf(const ChosenArray& chosen)
 {
   const int ofNothing = chosen.Refusal.empty() ? static_cast<int>(chosen.IsOfCells) : 2;

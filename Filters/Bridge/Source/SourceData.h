@@ -23,7 +23,7 @@ namespace biting
 /// The point array that a filter takes where no other was chosen, if it is there.
 constexpr const char* SpacingArrayName = "Spacing";
 
-/// What helps whoever has cell data.
+/// Advice where a point array is wanted.
 constexpr const char* CellDataAdvice = " Cell Data to Point Data makes it of cell data.";
 
 /// A point array of a dataset, or why there is none; neither where none is wanted.

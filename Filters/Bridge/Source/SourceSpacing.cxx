@@ -4,7 +4,7 @@
 #include "SourceSpacing.h"
 
 #include "../../Kernel/Base/Pulse.h"
-#include "../Data/DoubleArray.h"
+#include "../Data/Arrays.h"
 #include "../Run/ProblemReport.h"
 #include "SourceCells.h"
 #include "SpacingValues.h"

@@ -4,7 +4,7 @@
 #include "SpacingValues.h"
 
 #include "../../Kernel/Base/SortInSteps.h"
-#include "../Data/DoubleArray.h"
+#include "../Data/Arrays.h"
 #include "../Run/ProblemReport.h"
 
 #include "vtkDataSet.h"
@@ -108,7 +108,7 @@ std::vector<Id> SortPoints(std::vector<Point2>& points, std::vector<double>& val
   return numbers;
 }
 
-// Renumbers and sorts the corners of cells with `Size` of them, and drops what occurs again.
+// Renumbers and sorts the corners of cells with `Size` corners, and drops repeated cells.
 template <std::size_t Size>
 std::vector<std::array<Id, Size>> SortCells(
   const std::vector<Id>& corners, const std::vector<Id>& numbers, Pulse& pulse)

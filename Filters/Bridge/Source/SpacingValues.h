@@ -29,8 +29,8 @@ enum class SpacingOwner
   Source
 };
 
-/// What zero and negative values count as, in the units of the values: MinimumSpacing; 0 where it
-/// is not given.
+/// The value that replaces zero and negative ones: MinimumSpacing / SpacingScale; 0 where there is
+/// no MinimumSpacing.
 double LeastValue(const SpacingOptions& options);
 
 /// Whether `array` has no value for each point of `data`: in words, empty where it has.
@@ -50,9 +50,9 @@ std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
   ProblemPlaces& places, Pulse& pulse);
 
 /// Sorts the points of a source by place and value, and its triangles or segments by the numbers of
-/// their corners. Points of the same place and value become one; what then occurs again, and
-/// triangles of less than three points, go. Law: what a source says does not depend on the order in
-/// which its points and cells were read, nor on whether cells share points. Cost O(n log n). Where
+/// their corners. Points of the same place and value become one; then repeated cells, and
+/// triangles of less than three points, go. Law: the source does not depend on the order in which
+/// its points and cells were read, nor on whether cells share points. Cost O(n log n). Where
 /// the monitor asks to stop the source has no meaning.
 void SortSource(TriangulatedSource& source, Pulse& pulse);
 void SortSource(SegmentSource& source, Pulse& pulse);

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef BitingCellShapes_h
-#define BitingCellShapes_h
+#ifndef BitingCells_h
+#define BitingCells_h
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 
-#include "vtkType.h" // for vtkIdType
+#include "vtkDataSetAttributes.h" // for flags
+#include "vtkType.h"              // for vtkIdType
 
 #include <functional> // for what is done with cells
 #include <string>     // for what is said
@@ -15,12 +16,41 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+class vtkUnsignedCharArray;
 VTK_ABI_NAMESPACE_END
 
 namespace biting
 {
 
-/// What a cell of VTK is in a drawing.
+/// Cells that are hidden, that another piece has, or that finer ones stand for.
+constexpr int CellsNotHere = vtkDataSetAttributes::HIDDENCELL |
+  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL;
+
+/// The ghost array of points or cells; null where there is none. One of another type, or with fewer
+/// values than there are points or cells, is none.
+vtkUnsignedCharArray* GhostsOf(vtkDataSet* data, int association);
+
+/// The ghost arrays of a dataset.
+class GhostArrays
+{
+public:
+  explicit GhostArrays(vtkDataSet* data);
+
+  /// Whether a cell has one of CellsNotHere, or a hidden point.
+  bool LeaveOut(vtkIdType cell, vtkIdType size, const vtkIdType* points) const;
+
+private:
+  vtkUnsignedCharArray* OfCells;
+  vtkUnsignedCharArray* OfPoints;
+};
+
+/// Whether the ghost array of points or cells, if there is one, has one of `flags`.
+bool HasGhosts(vtkDataSet* data, int association, int flags);
+
+/// Of pieces that are one now duplicates are gone; ghost arrays stay where they say more than that.
+void ForgetDuplicates(vtkDataSet* whole);
+
+/// The part that a cell of VTK plays in a drawing.
 enum class CellShape
 {
   Nothing, ///< an empty cell
@@ -33,9 +63,8 @@ enum class CellShape
 };
 CellShape ShapeOf(int cellType);
 
-/// The points of a line from end to end, or those around a face, of the `size` points of a cell.
-/// Those of quadratic and cubic cells are joined by straight segments, and points within a face are
-/// left out.
+/// Orders the `size` points of a cell: of a line from end to end, of a face around it. Quadratic
+/// and cubic cells become straight segments; points within a face are left out.
 void PointsAlong(
   int cellType, vtkIdType size, const vtkIdType* points, std::vector<vtkIdType>& along);
 
