@@ -26,15 +26,16 @@
  * and orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the
  * mesh.
  * @par
- * Only lines: closed chains bound the domain, by even-odd nesting; open chains are interfaces,
- * which become edges of the mesh.
+ * Only lines: closed chains bound the domain, by even-odd nesting or another DomainRule; open
+ * chains are interfaces, which become edges of the mesh.
  * @par
  * Two-dimensional cells (triangles, strips, quads, pixels, polygons; quadratic ones with straight
  * sides through the points of their outline): the domain is the area that an odd number of them
- * covers, whatever their orientation, so that a polygon within a polygon is a hole. Edges between
- * neighbors, also where they share a part of an edge only, are nothing, and points inside of the
- * surface are no vertices of the mesh; but edges are interfaces between cells that differ in
- * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where.
+ * covers, whatever their orientation, so that a polygon within a polygon is a hole; DomainRule has
+ * two other rules. Edges between neighbors, also where they share a part of an edge only, are
+ * nothing, and points inside of the surface are no vertices of the mesh; but edges are interfaces
+ * between cells that differ in RegionArray, or where KeepCellEdges is on. Where cells lie within
+ * others, or overlap in part, a warning says where.
  * Lines beside cells never count for the area: on edges of the domain they carry their tags,
  * elsewhere they are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a
  * volume are refused; apply Extract Surface, Slice or Feature Edges. Curved cells of higher order
@@ -264,7 +265,15 @@ public:
     JOINED_ENDS = 23,       ///< open ends that nearly touched something (point; cell)
     OPEN_OUTLINES = 24,     ///< would bound the domain, but for gaps (point; point)
     NEAR_MISSES = 25,       ///< nearer than 0.01 f, and do not meet (cell, cell)
-    CHANGED_AREA = 26       ///< by more than 5 %, by BoundaryTolerance; no place
+    CHANGED_AREA = 26,      ///< by more than 5 %, by BoundaryTolerance; no place
+    NESTED_CELLS = 27       ///< cells within others, which are holes by DomainRule (cell)
+  };
+
+  enum DomainRuleType
+  {
+    EVEN_ODD = 0,
+    OUTER_MINUS_OTHERS = 1,
+    UNION = 2
   };
 
   enum BiteShapeType
@@ -339,6 +348,24 @@ public:
    */
   vtkSetMacro(EndTolerance, double);
   vtkGetMacro(EndTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the domain is, of the areas that closed lines, or two-dimensional cells, enclose.
+   * EVEN_ODD (default): what an odd number of them covers. OUTER_MINUS_OTHERS: the largest of them
+   * less all others, also where they leave it: a box of sea less land; what lies outside of it is
+   * nothing. UNION: all of them. Where they overlap the last one, by cell id, is on top; borders
+   * between different ones, or of different values of RegionArray where it is given, are
+   * interfaces: refinement regions in a domain, materials with priority. By the last two a loop of
+   * lines is one closed polyline, or lines that are joined end to end and leave no end over; other
+   * lines are interfaces. Overlaps and crossings of loops are no repairs then.
+   */
+  vtkSetClampMacro(DomainRule, int, EVEN_ODD, UNION);
+  vtkGetMacro(DomainRule, int);
+  void SetDomainRuleToEvenOdd() { this->SetDomainRule(EVEN_ODD); }
+  void SetDomainRuleToOuterMinusOthers() { this->SetDomainRule(OUTER_MINUS_OTHERS); }
+  void SetDomainRuleToUnion() { this->SetDomainRule(UNION); }
   ///@}
 
   ///@{
@@ -550,6 +577,7 @@ private:
   bool RepairInput = true;
   double MergeTolerance = 0.0;
   double EndTolerance = 0.01;
+  int DomainRule = EVEN_ODD;
   std::string RegionArray;
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;

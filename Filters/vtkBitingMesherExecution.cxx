@@ -148,6 +148,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Gradation = filter.Gradation;
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.Domain.Rule = static_cast<biting::DomainRule>(filter.DomainRule);
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.Domain.MergeTolerance = filter.MergeTolerance;
   this->Options.Domain.EndTolerance = filter.EndTolerance;
@@ -160,9 +161,12 @@ bool vtkBitingMesher::Execution::ReadParameters()
     filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
   this->Options.Placement =
     filter.Placement == BISECTORS ? biting::Placement::Bisectors : biting::Placement::Corners;
-  constexpr biting::FrontOrder Orders[] = { biting::FrontOrder::Layers,
-    biting::FrontOrder::LargestY, biting::FrontOrder::BestFirst };
-  this->Options.Order = Orders[filter.FrontOrder];
+  static_assert(static_cast<int>(biting::FrontOrder::Layers) == LAYERS &&
+      static_cast<int>(biting::FrontOrder::LargestY) == LARGEST_Y &&
+      static_cast<int>(biting::FrontOrder::BestFirst) == BEST_FIRST &&
+      biting::FrontRules.size() == BEST_FIRST + 1,
+    "the orders of the kernel are those of the filter");
+  this->Options.Order = biting::FrontRules[filter.FrontOrder].Order;
   this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.VerticesPerBlock = filter.VerticesPerBlock;
@@ -223,7 +227,7 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
     return {};
   }
   biting::PartOfStage part(this->Progress, BoundaryEnd, 1.0);
-  biting::DomainMembership domain(this->Planar.Chains, part);
+  biting::DomainMembership domain(this->Planar.Chains, part, this->Options.Domain.Rule);
   return this->AddSource(
     this->Filter->GetInputArrayInformation(1), this->Source, this->Planar.Frame,
     [&domain](const biting::Point2& place) { return domain.MayHold(place); }, this->Options.Spacing,

@@ -22,6 +22,7 @@ DEFAULTS = {
     'RepairInput': 1,
     'MergeTolerance': 0.0,
     'EndTolerance': 0.01,
+    'DomainRule': 'Even-Odd',
     'RegionArray': 'None',
     'KeepCellEdges': 0,
     'MeshBlocksSeparately': 0,

@@ -65,8 +65,10 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "CheckFailed", "The mesh failed its own check and is withheld", "", "",
     "This is a defect of the mesher: please report it, with the input." },
   { "OverlappingCells", "Cells that lie on top of others", "cell", "",
-    "The domain is what an odd number of them covers. Where borders of neighbors are the same but "
-    "for rounding, as in maps, a Merge Tolerance makes them one." },
+    "The domain is what an odd number of them covers; with the Domain Rule Union it is all of "
+    "them, "
+    "the last one on top. Where borders of neighbors are the same but for rounding, as in maps, a "
+    "Merge Tolerance makes them one." },
   { "NearPoints", "Points too near to others, or to segments, to be told apart", "point", "point",
     "They were merged." },
   { "NarrowAngles", "Angles below 0.01 degrees between segments", "cell", "cell",
@@ -91,6 +93,8 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "them." },
   { "ChangedArea", "Boundary Tolerance changed the area of the domain", "", "",
     "It is as wide as what is drawn: a smaller Boundary Tolerance changes the area less." },
+  { "NestedCells", "Cells within others", "cell", "",
+    "They are holes. With the Domain Rule Union they belong to the domain, as regions of it." },
   { "Aborted", "Aborted", "", "", "" },
 } };
 

@@ -9,9 +9,10 @@
 namespace biting
 {
 
-DomainMembership::DomainMembership(const Polylines& chains, Monitor& monitor)
+DomainMembership::DomainMembership(const Polylines& chains, Monitor& monitor, DomainRule rule)
   : Chains(chains)
   , Asked(monitor)
+  , Rule(rule)
 {
 }
 
@@ -22,7 +23,9 @@ bool DomainMembership::MayHold(const Point2& place)
     this->IsMade = true;
     PartOfStage part(this->Asked, 0.0, 0.0);
     ProblemList unreported; // the mesh will be made of the same chains
-    this->Domain = MakeDomain(this->Chains, {}, unreported, part);
+    DomainOptions options;
+    options.Rule = this->Rule;
+    this->Domain = MakeDomain(this->Chains, options, unreported, part);
     Pulse pulse(part);
     if (this->Domain.NumberOfSegments() > 0 && !part.HasStopped())
     {

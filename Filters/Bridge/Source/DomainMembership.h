@@ -18,7 +18,8 @@ class DomainMembership
 {
 public:
   /// The chains must outlive this.
-  DomainMembership(const Polylines& chains, Monitor& monitor);
+  DomainMembership(
+    const Polylines& chains, Monitor& monitor, DomainRule rule = DomainRule::EvenOdd);
 
   /// Also true on the boundary, and where the chains bound no domain.
   bool MayHold(const Point2& place);
@@ -28,6 +29,7 @@ private:
 
   const Polylines& Chains;
   biting::Monitor& Asked;
+  const DomainRule Rule;
   biting::Domain Domain;
   std::optional<DomainLocator> Locator;
   bool IsMade = false;

@@ -5,7 +5,6 @@
 
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
-#include "CollinearCrowds.h"
 #include "Meetings.h"
 #include "ResolutionReport.h"
 #include "VertexGrid.h"
@@ -14,7 +13,6 @@
 #include <cmath>      // for abs
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
-#include <limits>     // for no limit
 #include <utility>    // for pair
 
 namespace biting
@@ -28,8 +26,6 @@ namespace
 /// nearly as near as rounding, close up with it vertex by vertex, one a round.
 constexpr std::size_t LeastWork = 2000000;
 constexpr std::size_t WorkOfEdge = 100;
-constexpr std::size_t LeastSplits = 100000;
-constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
 constexpr double MostForSpikes = NoiseInUlp / RoundingInUlp; // of the resolution, in roundings
 constexpr int MostRoundsWithSpikes = 6; // twice what is seen where edges are not crowded
 
@@ -48,9 +44,6 @@ public:
   bool Run(const DomainOptions& options);
 
 private:
-  MeetingLimits LimitsFor(const DomainOptions& options) const;
-  void MergeCrowds();
-
   void MakeCrossingVertices();
   Id VertexAt(const Point2& place);
   void SplitEdges();
@@ -69,7 +62,6 @@ private:
   VertexGrid Grid;
   Meetings Found;
   ResolutionReport Report;
-  bool HasMergedCrowds = false;
 };
 
 bool Resolver::Run(const DomainOptions& options)
@@ -79,24 +71,21 @@ bool Resolver::Run(const DomainOptions& options)
   double rest = 1.0;
   const std::size_t mostWork = LeastWork + WorkOfEdge * this->Data.Edges.size();
   std::size_t work = 0;
+  const auto mostMeetings =
+    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
   for (int round = 0; work <= mostWork; ++round)
   {
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes =
       round < MostRoundsWithSpikes && this->Data.Resolution <= MostForSpikes * this->Data.Rounding;
-    if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
+    if (!FindMeetings(this->Data, mostMeetings, this->Found, this->Beats))
     {
       return this->Report.Refuse(ProblemCode::Aborted);
     }
-    if (this->Found.HasTooManyCrossings)
+    if (this->Found.AreTooMany)
     {
       return this->Report.RefuseCrowd(this->Found);
-    }
-    if (this->Found.HasTooManySplits)
-    {
-      this->MergeCrowds();
-      continue;
     }
     this->Report.AddRound(this->Found, this->Beats);
     if (!options.Repair && this->Report.HasDefect())
@@ -115,27 +104,6 @@ bool Resolver::Run(const DomainOptions& options)
   }
   return this->Report.Refuse(
     this->Beats.HasStopped() ? ProblemCode::Aborted : ProblemCode::NotResolved);
-}
-
-MeetingLimits Resolver::LimitsFor(const DomainOptions& options) const
-{
-  MeetingLimits limits;
-  limits.Crossings =
-    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
-  limits.Splits = this->HasMergedCrowds ? std::numeric_limits<std::size_t>::max()
-                                        : LeastSplits + CrowdedSplits * this->Data.Edges.size();
-  return limits;
-}
-
-/// Once, and the round begins again. In the first round the user is told.
-void Resolver::MergeCrowds()
-{
-  ProblemList unheard;
-  MergeCollinearCrowds(
-    this->Data, this->Report.IsOfFirstRound() ? this->Problems : unheard, this->Beats);
-  this->Report.RememberCrowds();
-  this->MarkAllNew(true);
-  this->HasMergedCrowds = true;
 }
 
 void Resolver::MakeCrossingVertices()

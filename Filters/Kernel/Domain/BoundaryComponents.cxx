@@ -48,8 +48,8 @@ std::vector<std::uint8_t> OddVertices(std::size_t vertices, const Subgraph& grap
   for (std::size_t s = 0; s < graph.Segments.size(); ++s)
   {
     const auto parity = static_cast<std::uint8_t>(graph.Counts[s] % 2);
-    isOdd[static_cast<std::size_t>(graph.Segments[s].Start)] ^= parity;
-    isOdd[static_cast<std::size_t>(graph.Segments[s].End)] ^= parity;
+    isOdd[graph.Segments[s].Start] ^= parity;
+    isOdd[graph.Segments[s].End] ^= parity;
   }
   return isOdd;
 }
@@ -97,7 +97,7 @@ std::vector<std::uint8_t> BridgeFinder::Run()
 {
   for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
   {
-    if (this->Stars.Degree(vertex) > 0 && this->Entry[static_cast<std::size_t>(vertex)] == NoId)
+    if (this->Stars.Degree(vertex) > 0 && this->Entry[vertex] == NoId)
     {
       this->Search(vertex);
     }
@@ -118,8 +118,8 @@ void BridgeFinder::Search(Id root)
       continue;
     }
     const Id segment = this->Stars.Begin(here.Vertex)[this->Next[vertex]++];
-    const Id other = OtherEnd(this->Graph.Segments[static_cast<std::size_t>(segment)], here.Vertex);
-    const Id entry = this->Entry[static_cast<std::size_t>(other)];
+    const Id other = OtherEnd(this->Graph.Segments[segment], here.Vertex);
+    const Id entry = this->Entry[other];
     if (entry == NoId)
     {
       this->Enter(other, segment);
@@ -133,8 +133,8 @@ void BridgeFinder::Search(Id root)
 
 void BridgeFinder::Enter(Id vertex, Id arrival)
 {
-  this->Entry[static_cast<std::size_t>(vertex)] = this->Clock;
-  this->Low[static_cast<std::size_t>(vertex)] = this->Clock++;
+  this->Entry[vertex] = this->Clock;
+  this->Low[vertex] = this->Clock++;
   this->Path.push_back({ vertex, arrival });
 }
 
@@ -148,7 +148,7 @@ void BridgeFinder::Leave()
     return;
   }
   const auto parent = static_cast<std::size_t>(this->Path.back().Vertex);
-  const Id low = this->Low[static_cast<std::size_t>(left.Vertex)];
+  const Id low = this->Low[left.Vertex];
   this->Low[parent] = std::min(this->Low[parent], low);
   const auto arrival = static_cast<std::size_t>(left.Arrival);
   const bool isLone = this->Graph.Counts[arrival] == 1;
@@ -191,11 +191,8 @@ private:
   std::vector<Id> Connected(Id seed);
   std::vector<Id> OddEdges(const std::vector<Id>& vertices) const;
   std::vector<Id> Outline(Id leftmost) const;
-  const SegmentEnds& Ends(Id segment) const
-  {
-    return this->Graph.Segments[static_cast<std::size_t>(segment)];
-  }
-  Id NumberOf(Id segment) const { return this->Graph.Numbers[static_cast<std::size_t>(segment)]; }
+  const SegmentEnds& Ends(Id segment) const { return this->Graph.Segments[segment]; }
+  Id NumberOf(Id segment) const { return this->Graph.Numbers[segment]; }
 
   const Arrangement& Drawing;
   const Subgraph& Graph;
@@ -210,7 +207,7 @@ std::vector<BoundaryComponent> ComponentJudge::Run()
   std::vector<BoundaryComponent> components;
   for (Id seed = 0; seed < this->Stars.NumberOfVertices() && this->Beats.Beat(1); ++seed)
   {
-    if (this->Stars.Degree(seed) > 0 && !this->IsSeen[static_cast<std::size_t>(seed)])
+    if (this->Stars.Degree(seed) > 0 && !this->IsSeen[seed])
     {
       components.push_back(this->Judge(this->Connected(seed)));
     }
@@ -221,7 +218,7 @@ std::vector<BoundaryComponent> ComponentJudge::Run()
 BoundaryComponent ComponentJudge::Judge(const std::vector<Id>& vertices) const
 {
   const auto isLeft = [this](Id a, Id b) { return this->Drawing.At(a) < this->Drawing.At(b); };
-  const auto isEven = [this](Id vertex) { return !this->IsOdd[static_cast<std::size_t>(vertex)]; };
+  const auto isEven = [this](Id vertex) { return !this->IsOdd[vertex]; };
   const Id leftmost = *std::min_element(vertices.begin(), vertices.end(), isLeft);
   const Id lowest = *this->Stars.Begin(leftmost);
   BoundaryComponent component;
@@ -238,7 +235,7 @@ bool ComponentJudge::IsSimpleLoop(const std::vector<Id>& vertices) const
   return std::all_of(vertices.begin(), vertices.end(),
     [this](Id vertex)
     {
-      const bool isCrossing = this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)] == NoId;
+      const bool isCrossing = this->Drawing.VertexPoints[vertex] == NoId;
       return this->Stars.Degree(vertex) == 2 && !isCrossing;
     });
 }
@@ -246,7 +243,7 @@ bool ComponentJudge::IsSimpleLoop(const std::vector<Id>& vertices) const
 std::vector<Id> ComponentJudge::Connected(Id seed)
 {
   std::vector<Id> component{ seed };
-  this->IsSeen[static_cast<std::size_t>(seed)] = 1;
+  this->IsSeen[seed] = 1;
   for (std::size_t i = 0; i < component.size(); ++i)
   {
     const Id vertex = component[i];
@@ -254,9 +251,9 @@ std::vector<Id> ComponentJudge::Connected(Id seed)
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
       const Id other = OtherEnd(this->Ends(*s), vertex);
-      if (!this->IsSeen[static_cast<std::size_t>(other)])
+      if (!this->IsSeen[other])
       {
-        this->IsSeen[static_cast<std::size_t>(other)] = 1;
+        this->IsSeen[other] = 1;
         component.push_back(other);
       }
     }
@@ -271,7 +268,7 @@ std::vector<Id> ComponentJudge::OddEdges(const std::vector<Id>& vertices) const
   {
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
-      const bool isOdd = this->Graph.Counts[static_cast<std::size_t>(*s)] % 2 != 0;
+      const bool isOdd = this->Graph.Counts[*s] % 2 != 0;
       if (isOdd && this->Ends(*s).Start == vertex)
       {
         edges.push_back(this->NumberOf(*s));

@@ -33,11 +33,6 @@ constexpr double EndOfResolving = 0.6;
 constexpr double EndOfBoundary = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
-Arrangement Weld(
-  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
-bool Resolve(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
-Flags Bound(const Arrangement& arrangement, Pulse& pulse);
 InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse);
 Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
 Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside);
@@ -90,12 +85,24 @@ Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& cl
     return {};
   }
   Pulse pulse(monitor);
-  Arrangement arrangement = Weld(input, options, problems, pulse);
-  if (!Resolve(arrangement, options, problems, pulse))
+  Arrangement arrangement;
+  Flags bounds;
   {
-    return {};
+    const PulsePart part(pulse, 0.0, EndOfWelding);
+    arrangement = WeldPolylines(input, options, problems, pulse);
   }
-  const Flags bounds = Bound(arrangement, pulse);
+  {
+    const PulsePart part(pulse, EndOfWelding, EndOfResolving);
+    if (!ResolveArrangement(arrangement, options, problems, pulse))
+    {
+      return {};
+    }
+  }
+  {
+    const PulsePart part(pulse, EndOfResolving, EndOfBoundary);
+    bounds = options.Rule == DomainRule::EvenOdd ? FindBoundary(arrangement, pulse)
+                                                 : FindBoundaryByRule(arrangement, options, pulse);
+  }
   const bool isOpen =
     std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; });
   if (isOpen && !pulse.HasStopped())
@@ -134,7 +141,7 @@ Flags UsedPoints(const Polylines& input)
   Flags isUsed(input.Points.size(), 0);
   for (const Id point : input.Connectivity)
   {
-    isUsed[static_cast<std::size_t>(point)] = 1;
+    isUsed[point] = 1;
   }
   return isUsed;
 }
@@ -177,26 +184,6 @@ bool IsUsable(const Polylines& input, ProblemList& problems)
   return isUsable;
 }
 
-Arrangement Weld(
-  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, EndOfWelding);
-  return WeldPolylines(input, options, problems, pulse);
-}
-
-bool Resolve(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, EndOfWelding, EndOfResolving);
-  return ResolveArrangement(arrangement, options, problems, pulse);
-}
-
-Flags Bound(const Arrangement& arrangement, Pulse& pulse)
-{
-  const PulsePart part(pulse, EndOfResolving, EndOfBoundary);
-  return FindBoundary(arrangement, pulse);
-}
-
 /// Edges that are none of the drawing do not hide the embedded points at their ends. Flags that are
 /// empty, because the monitor asked to stop, stay so.
 void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
@@ -206,8 +193,8 @@ void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
     const ArrangementEdge& edge = arrangement.Edges[e];
     if (arrangement.IsNothing(edge) && inside.Left[e])
     {
-      inside.Vertices[static_cast<std::size_t>(edge.Ends.Start)] = 1;
-      inside.Vertices[static_cast<std::size_t>(edge.Ends.End)] = 1;
+      inside.Vertices[edge.Ends.Start] = 1;
+      inside.Vertices[edge.Ends.End] = 1;
     }
   }
 }
@@ -244,8 +231,8 @@ Flags EndsOfKeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
   {
     if (IsKept(arrangement, inside, e))
     {
-      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.Start)] = 1;
-      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.End)] = 1;
+      isEnd[arrangement.Edges[e].Ends.Start] = 1;
+      isEnd[arrangement.Edges[e].Ends.End] = 1;
     }
   }
   return isEnd;
@@ -286,11 +273,10 @@ void ReportOutside(const Arrangement& arrangement, const InsideFlags& inside, Pr
   const Flags isEnd = EndsOfKeptEdges(arrangement, inside);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    if (!isEnd[v] && !inside.Vertices[v])
+    if (!isEnd[vertex] && !inside.Vertices[vertex])
     {
-      problems.Add({ ProblemCode::OutsidePoints, { arrangement.VertexPoints[v] },
-        arrangement.Vertices[v], {} });
+      problems.Add({ ProblemCode::OutsidePoints, { arrangement.VertexPoints[vertex] },
+        arrangement.Vertices[vertex], {} });
     }
   }
 }
@@ -304,22 +290,21 @@ std::vector<Id> KeepVertices(
   Flags hasPoint(isKept.size(), 0);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    hasPoint[v] = 1;
-    isLone[v] = !isKept[v] && inside.Vertices[v];
-    isKept[v] = isKept[v] || isLone[v];
+    hasPoint[vertex] = 1;
+    isLone[vertex] = !isKept[vertex] && inside.Vertices[vertex];
+    isKept[vertex] = isKept[vertex] || isLone[vertex];
   }
   std::vector<Id> numbers(isKept.size(), NoId);
-  for (std::size_t v = 0; v < isKept.size(); ++v)
+  for (std::size_t vertex = 0; vertex < isKept.size(); ++vertex)
   {
-    if (isKept[v])
+    if (isKept[vertex])
     {
-      numbers[v] = domain.NumberOfVertices();
-      domain.Vertices.push_back(arrangement.Vertices[v]);
-      domain.VertexPoints.push_back(arrangement.VertexPoints[v]);
-      domain.IsEmbedded.push_back(isLone[v]);
-      domain.HasPoint.push_back(hasPoint[v]);
-      domain.Bounds.Add(arrangement.Vertices[v]);
+      numbers[vertex] = domain.NumberOfVertices();
+      domain.Vertices.push_back(arrangement.Vertices[vertex]);
+      domain.VertexPoints.push_back(arrangement.VertexPoints[vertex]);
+      domain.IsEmbedded.push_back(isLone[vertex]);
+      domain.HasPoint.push_back(hasPoint[vertex]);
+      domain.Bounds.Add(arrangement.Vertices[vertex]);
     }
   }
   return numbers;
@@ -335,8 +320,8 @@ Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Ins
     if (IsKept(arrangement, inside, e))
     {
       const ArrangementEdge& edge = arrangement.Edges[e];
-      domain.Starts.push_back(numbers[static_cast<std::size_t>(edge.Ends.Start)]);
-      domain.Ends.push_back(numbers[static_cast<std::size_t>(edge.Ends.End)]);
+      domain.Starts.push_back(numbers[edge.Ends.Start]);
+      domain.Ends.push_back(numbers[edge.Ends.End]);
       domain.Cells.push_back(edge.Cell);
       domain.IsBoundary.push_back(bounds[e]);
       domain.LeftInside.push_back(inside.Left[e]);
@@ -351,8 +336,8 @@ double EnclosedArea(const Domain& domain)
   AreaSum sum(domain.Vertices.front());
   for (std::size_t s = 0; s < domain.Starts.size(); ++s)
   {
-    const Point2& start = domain.Vertices[static_cast<std::size_t>(domain.Starts[s])];
-    const Point2& end = domain.Vertices[static_cast<std::size_t>(domain.Ends[s])];
+    const Point2& start = domain.Vertices[domain.Starts[s]];
+    const Point2& end = domain.Vertices[domain.Ends[s]];
     if (domain.IsBoundary[s])
     {
       sum.Add(domain.LeftInside[s] ? start : end, domain.LeftInside[s] ? end : start);
@@ -365,7 +350,10 @@ double EnclosedArea(const Domain& domain)
 bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  ReportCellOverlaps(arrangement, input, area, problems, pulse);
+  if (options.Rule == DomainRule::EvenOdd)
+  {
+    ReportCellOverlaps(arrangement, input, area, problems, pulse);
+  }
   if (!pulse.Ask())
   {
     Refuse(ProblemCode::Aborted, problems);

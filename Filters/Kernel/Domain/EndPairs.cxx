@@ -25,8 +25,8 @@ std::vector<Id> Degrees(const Arrangement& arrangement)
   for (const ArrangementEdge& edge : arrangement.Edges)
   {
     const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
-    degrees[static_cast<std::size_t>(edge.Ends.Start)] += count;
-    degrees[static_cast<std::size_t>(edge.Ends.End)] += count;
+    degrees[edge.Ends.Start] += count;
+    degrees[edge.Ends.End] += count;
   }
   return degrees;
 }
@@ -41,8 +41,7 @@ std::vector<OpenEnd> FindEnds(const Arrangement& arrangement, const Flags& isKep
     const ArrangementEdge& edge = arrangement.Edges[e];
     for (const Id vertex : { edge.Ends.Start, edge.Ends.End })
     {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (!isKept[e] && degrees[v] == 1 && arrangement.VertexPoints[v] != NoId)
+      if (!isKept[e] && degrees[vertex] == 1 && arrangement.VertexPoints[vertex] != NoId)
       {
         ends.push_back({ vertex, edge.Cell });
       }

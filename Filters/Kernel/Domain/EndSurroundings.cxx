@@ -18,8 +18,8 @@ void ForEachSegment(const Polylines& input, const WeldedPoints& points, Visitor&
 {
   const auto vertexAt = [&input, &points](Id place)
   {
-    const Id point = input.Connectivity[static_cast<std::size_t>(place)];
-    return points.VertexOf[static_cast<std::size_t>(point)];
+    const Id point = input.Connectivity[place];
+    return points.VertexOf[point];
   };
   for (std::size_t chain = 0; chain < input.Kinds.size(); ++chain)
   {
@@ -48,7 +48,7 @@ std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points,
     {
       for (const Id vertex : { segment.Ends.Start, segment.Ends.End })
       {
-        std::uint8_t& degree = degrees[static_cast<std::size_t>(vertex)];
+        std::uint8_t& degree = degrees[vertex];
         degree = degree == 0 ? 1 : 2;
       }
       pulse.Beat(1);
@@ -140,7 +140,7 @@ void EndSurroundings::AddOwn(Id end, double reach)
   for (; next < this->Marked.size() && this->Beats.Beat(); ++next)
   {
     const Id vertex = this->Marked[next];
-    this->IsMarked[static_cast<std::size_t>(vertex)] = 1;
+    this->IsMarked[vertex] = 1;
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
       const Id other = OtherEnd(this->Segment(*s).Ends, vertex);
@@ -156,7 +156,7 @@ void EndSurroundings::ForgetOwn()
 {
   for (const Id vertex : this->Marked)
   {
-    this->IsMarked[static_cast<std::size_t>(vertex)] = 0;
+    this->IsMarked[vertex] = 0;
   }
   this->Marked.clear();
 }

@@ -47,10 +47,7 @@ public:
   /// Refers to the vertices of `points`.
   EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
 
-  const ChainSegment& Segment(Id segment) const
-  {
-    return this->Segments[static_cast<std::size_t>(segment)];
-  }
+  const ChainSegment& Segment(Id segment) const { return this->Segments[segment]; }
 
   /// One that ends at the vertex.
   const ChainSegment& SegmentAt(Id vertex) const
@@ -76,13 +73,13 @@ public:
   /// Adds the end, and all vertices that segments within `reach` of it join with it, to its own.
   void AddOwn(Id end, double reach);
   void ForgetOwn();
-  bool IsOwn(Id vertex) const { return this->IsMarked[static_cast<std::size_t>(vertex)] != 0; }
+  bool IsOwn(Id vertex) const { return this->IsMarked[vertex] != 0; }
 
 private:
   static std::vector<ChainSegment> SegmentsOf(
     const Polylines& input, const WeldedPoints& points, Pulse& pulse);
   std::vector<SegmentEnds> Ends() const;
-  const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
+  const Point2& At(Id vertex) const { return this->Vertices[vertex]; }
 
   const std::vector<Point2>& Vertices;
   const double Rounding;

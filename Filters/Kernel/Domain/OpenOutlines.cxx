@@ -10,11 +10,10 @@
 #include "OpenEnds.h" // for the spacing at an end
 
 #include <algorithm> // for all_of, any_of, find_if, max, min, minmax_element, sort
-#include <cmath>     // for abs, ceil, floor, log10, pow
+#include <cmath>     // for abs
 #include <limits>    // for infinity
 #include <map>       // for runs
 #include <set>       // for pairs
-#include <sstream>   // for figures
 #include <string>    // for details
 #include <utility>   // for move, pair
 
@@ -40,25 +39,12 @@ constexpr LargestShare Elsewhere{ 0.1, 0.01 };
 /// Of ends: with more the widest gaps are not left out one by one.
 constexpr std::size_t MostTried = 40;
 
-/// Two digits, and no less than the value.
-double RoundedUp(double value)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit) * unit;
-}
-
 /// How wide the gap is, and what closes it: "a gap of .1; an End Tolerance of .5 closes it".
 std::string DetailOf(double gap, double tolerance)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << "a gap of " << gap;
-  if (tolerance <= LargestTolerance)
-  {
-    text.precision(2);
-    text << "; an End Tolerance of " << RoundedUp(tolerance) << " closes it";
-  }
-  return text.str();
+  const bool mayClose = tolerance <= LargestTolerance;
+  return "a gap of " + Figure(gap) +
+    (mayClose ? "; an End Tolerance of " + FigureAbove(tolerance) + " closes it" : "");
 }
 
 /// With which the end reaches over its gap; infinity where no spacing is known.
@@ -83,7 +69,7 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
     const Id vertex = arrangement.EmbeddedVertices.front();
     problem.Place = arrangement.At(vertex);
     problem.Detail = "there are embedded points only, the first of them point " +
-      std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
+      std::to_string(arrangement.VertexPoints[vertex]);
   }
   else if (!arrangement.Vertices.empty())
   {
@@ -106,7 +92,7 @@ bool AreOnOneLine(const Arrangement& arrangement)
 
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
 /// is.
-Problem NothingBounds(const Arrangement& arrangement)
+Problem NothingBounds(const Arrangement& arrangement, DomainRule rule)
 {
   Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
   Id cancelled = 0;
@@ -129,6 +115,11 @@ Problem NothingBounds(const Arrangement& arrangement)
   else
   {
     TellWhatThereIs(arrangement, problem);
+    const bool hasLoop = std::any_of(arrangement.Edges.begin(), arrangement.Edges.end(),
+      [](const ArrangementEdge& edge) { return !edge.HasLine(); });
+    problem.Detail = rule != DomainRule::EvenOdd && hasLoop
+      ? "the others cover all of the largest loop"
+      : problem.Detail;
   }
   return problem;
 }
@@ -146,7 +137,7 @@ private:
   bool IsOutline(const std::vector<Id>& run, bool isLoop) const;
   bool HasKeptInside(const std::vector<Id>& loop) const;
   bool IsInside(const Point2& place, const std::vector<Id>& loop) const;
-  bool IsAtKept(Id vertex) const { return this->AtKept[static_cast<std::size_t>(vertex)] != 0; }
+  bool IsAtKept(Id vertex) const { return this->AtKept[vertex] != 0; }
   Id CellOf(Id edge) const { return this->Drawing.Edge(edge).Cell; }
   bool IsGap(Id edge) const { return static_cast<std::size_t>(edge) >= this->IsKept.size(); }
   const OpenEnd& EndOf(Id gap) const
@@ -178,8 +169,8 @@ ClosedGaps::ClosedGaps(
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
     this->Counts.push_back(edge.BoundaryCount + edge.OpenCount);
-    this->AtKept[static_cast<std::size_t>(edge.Ends.Start)] |= isKept[e];
-    this->AtKept[static_cast<std::size_t>(edge.Ends.End)] |= isKept[e];
+    this->AtKept[edge.Ends.Start] |= isKept[e];
+    this->AtKept[edge.Ends.End] |= isKept[e];
   }
   std::set<std::pair<Id, Id>> pairs;
   for (const OpenEnd& end : ends)
@@ -223,8 +214,7 @@ double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& proble
       if (widest.Vertex != NoId && this->IsOutline(run, run.size() == loop.Edges.size()))
       {
         largest = std::max(largest, tolerance);
-        const auto pointOf = [this](Id vertex)
-        { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
+        const auto pointOf = [this](Id vertex) { return this->Drawing.VertexPoints[vertex]; };
         problems.Add(
           { ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
             this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
@@ -241,7 +231,7 @@ std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop)
   for (const Id edge : loop.Edges)
   {
     const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
-    if (this->IsGap(edge) || !this->IsKept[static_cast<std::size_t>(edge)])
+    if (this->IsGap(edge) || !this->IsKept[edge])
     {
       runs[this->Groups.SetOf(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
     }
@@ -324,13 +314,12 @@ double RefuseOpenDrawing(
     const double tolerance = end.Partner == NoId ? std::numeric_limits<double>::infinity()
                                                  : ToleranceOf(end, arrangement, spacing);
     largest = std::max(largest, tolerance);
-    problems.Add({ ProblemCode::NoClosedLoop,
-      { arrangement.VertexPoints[static_cast<std::size_t>(end.Vertex)] },
+    problems.Add({ ProblemCode::NoClosedLoop, { arrangement.VertexPoints[end.Vertex] },
       arrangement.At(end.Vertex), end.Partner == NoId ? "" : DetailOf(end.Gap, tolerance) });
   }
   if (ends.empty())
   {
-    problems.Add(NothingBounds(arrangement));
+    problems.Add(NothingBounds(arrangement, options.Rule));
   }
   return largest;
 }

@@ -46,16 +46,14 @@ void ResolutionReport::Add(const MeetingReport& report)
   if (report.Code == ProblemCode::NearPoints)
   {
     this->Problems.Add(
-      { report.Code, { this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)], NoId },
-        this->Data.At(report.Vertex),
+      { report.Code, { this->Data.VertexPoints[report.Vertex], NoId }, this->Data.At(report.Vertex),
         "on a segment of cell " + std::to_string(this->Data.Edge(report.First).Cell) });
     return;
   }
   const auto [first, second] =
     std::minmax({ this->Data.Edge(report.First).Cell, this->Data.Edge(report.Second).Cell });
-  const Id other = report.Code == ProblemCode::Touches
-    ? this->Data.VertexPoints[static_cast<std::size_t>(report.Vertex)]
-    : second;
+  const Id other =
+    report.Code == ProblemCode::Touches ? this->Data.VertexPoints[report.Vertex] : second;
   constexpr auto MostKept = static_cast<std::int64_t>(ProblemList::KeptPerKind);
   const bool isKept = this->Problems.Count(report.Code) < MostKept;
   const Point2 place = isKept ? this->PlaceOf(report) : Point2();
@@ -87,19 +85,18 @@ void ResolutionReport::RememberFirst(Id firstCell, Id secondCell, const Point2& 
 /// For a refusal where the first round had nothing to report, as all was within rounding.
 void ResolutionReport::RememberLast(const Meetings& found)
 {
-  if (!found.Splits.empty())
+  if (!found.Crossings.empty())
+  {
+    const auto [first, second] = found.Crossings.front();
+    this->LastDefect.Ids = { this->Data.Edge(first).Cell, this->Data.Edge(second).Cell };
+    this->LastDefect.Place = this->PlaceOf({ ProblemCode::Crossings, first, second, NoId });
+  }
+  else if (!found.Splits.empty())
   {
     const EdgeSplit& split = found.Splits.front();
     const Id cell = this->Data.Edge(split.Edge).Cell;
     this->LastDefect.Ids = { cell, cell };
     this->LastDefect.Place = this->Data.At(split.Vertex);
-  }
-  else if (!found.Crossings.empty())
-  {
-    const EdgeCrossing& crossing = found.Crossings.front();
-    const ArrangementEdge& edge = this->Data.Edge(crossing.First);
-    this->LastDefect.Ids = { edge.Cell, this->Data.Edge(crossing.Second).Cell };
-    this->LastDefect.Place = this->Data.At(edge.Ends.Start);
   }
 }
 
@@ -116,17 +113,6 @@ void ResolutionReport::AddEqual(const ArrangementEdge& kept, const ArrangementEd
   }
 }
 
-void ResolutionReport::RememberCrowds()
-{
-  for (const ProblemGroup& group : this->Problems.Groups())
-  {
-    if (group.Code == ProblemCode::DuplicateSegments && this->FirstDefect.Ids.empty())
-    {
-      this->FirstDefect = group.First.front();
-    }
-  }
-}
-
 bool ResolutionReport::Refuse(ProblemCode code)
 {
   Problem problem;
@@ -139,18 +125,16 @@ bool ResolutionReport::Refuse(ProblemCode code)
   return false;
 }
 
-/// One crossing stands for all.
+/// One place stands for all.
 bool ResolutionReport::RefuseCrowd(const Meetings& found)
 {
   std::ostringstream count;
   count.precision(2);
-  count << "one of about " << found.NumberOfCrossings << " crossings or more";
-  const EdgeCrossing& crossing = found.Crossings.front();
-  const MeetingReport report{ ProblemCode::Crossings, crossing.First, crossing.Second, NoId };
-  this->Problems.Add({ ProblemCode::NotResolved,
-    { this->Data.Edge(crossing.First).Cell, this->Data.Edge(crossing.Second).Cell },
-    this->PlaceOf(report), count.str() });
-  return false;
+  count << "one of about " << found.AboutHowMany << " crossings or more";
+  this->RememberLast(found);
+  this->FirstDefect = this->LastDefect;
+  this->FirstDefect.Detail = count.str();
+  return this->Refuse(ProblemCode::NotResolved);
 }
 
 } // namespace biting

@@ -24,14 +24,10 @@ public:
 
   /// Later rounds mend what the first one has bent: no news for the user.
   void AddRound(const Meetings& found, Pulse& pulse);
-  bool IsOfFirstRound() const { return this->IsFirstRound; }
 
   /// Two edges with the same ends. Faces share edges, and lines carry the tags of their edges: that
   /// is no news.
   void AddEqual(const ArrangementEdge& kept, const ArrangementEdge& other);
-
-  /// Once crowds of edges along one line were merged, and the problem list has what they were.
-  void RememberCrowds();
 
   /// Whether anything was reported that must not be where nothing is repaired.
   bool HasDefect() const { return !this->FirstDefect.Ids.empty(); }

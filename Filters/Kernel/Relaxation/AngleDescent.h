@@ -44,14 +44,13 @@ public:
 private:
   struct PoorTriangle
   {
-    Id Triangle;
-    std::uint8_t Levels; ///< by how many of the limits of angles it is poor
-    bool IsOutOfBand;
+    Id Triangle = NoId;
+    std::uint8_t Levels = 0; ///< by how many of the limits of angles it is poor
+    bool IsOutOfBand = false;
   };
 
   void LookAtAll(Pulse& pulse);
   void ChooseLimits();
-  void KeepPoor();
   void FindChanged();
   void ListCorners();
   PoorTriangle Judge(Id triangle) const;

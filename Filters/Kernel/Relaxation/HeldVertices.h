@@ -64,7 +64,6 @@ private:
   };
 
   void LookAt(Id triangle);
-  bool IsBeyondLimits(Id edge) const;
   bool IsWithinLimits(double squaredLength) const;
   bool IsFree(Id vertex) const
   {

@@ -63,6 +63,24 @@ struct SegmentSource
   std::vector<Point2> Points;
   std::vector<double> Values; ///< one a point
   std::vector<Id> Segments;   ///< two point ids each
+
+  /// Adds a segment with two points of its own, or a point source where these are equal.
+  void Add(const Point2& start, const Point2& end, double startValue, double endValue)
+  {
+    const auto point = static_cast<Id>(this->Points.size());
+    this->Points.insert(this->Points.end(), { start, end });
+    this->Values.insert(this->Values.end(), { startValue, endValue });
+    this->Segments.insert(this->Segments.end(), { point, point + 1 });
+  }
+
+  /// Adds the segments of another source that was filled by Add.
+  void Add(const SegmentSource& other)
+  {
+    for (std::size_t k = 0; k < other.Points.size(); k += 2)
+    {
+      this->Add(other.Points[k], other.Points[k + 1], other.Values[k], other.Values[k + 1]);
+    }
+  }
 };
 
 /// The segments and embedded points of a domain, whose local feature size caps f (the control

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Domain/ResolutionReport.h"
-#include "Domain/MeetingReports.h"
 
 #include "../Support/Monitors.h"
 #include "Base/Monitor.h"
@@ -40,47 +39,6 @@ Arrangement Cross()
 
 } // namespace
 
-TEST(MeetingReporter, TellsOfBoundariesAndNotOfInterfacesThatTouch)
-{
-  const Arrangement cross = Cross();
-  std::vector<MeetingReport> reports;
-  MeetingReporter reporter(cross, reports);
-  reporter.ReportTouch(0, 2, 4);
-  EXPECT_TRUE(reports.empty());
-  reporter.ReportTouch(0, 1, 2);
-  ASSERT_EQ(reports.size(), 1u);
-  EXPECT_EQ(reports[0].Code, ProblemCode::Touches);
-}
-
-TEST(MeetingReporter, TellsOfVerticesThatBendAnEdgeByMoreThanRounding)
-{
-  Arrangement cross = Cross();
-  std::vector<MeetingReport> reports;
-  MeetingReporter(cross, reports).ReportNear(0, 2, 4, false);
-  ASSERT_EQ(reports.size(), 1u);
-  EXPECT_EQ(reports[0].Code, ProblemCode::NearPoints);
-  cross.Rounding = 1e-11;
-  reports.clear();
-  MeetingReporter(cross, reports).ReportNear(0, 2, 4, false);
-  EXPECT_TRUE(reports.empty()) << "within rounding";
-  MeetingReporter(cross, reports).ReportNear(0, 2, 4, true);
-  EXPECT_TRUE(reports.empty()) << "an interface bounds nothing";
-  MeetingReporter(cross, reports).ReportNear(0, 1, 4, true);
-  EXPECT_EQ(reports.size(), 1u) << "a boundary passes it";
-}
-
-TEST(MeetingReporter, TellsOfLinesThatCrossAndOverlap)
-{
-  const Arrangement cross = Cross();
-  std::vector<MeetingReport> reports;
-  MeetingReporter reporter(cross, reports);
-  reporter.ReportCrossing(0, 1);
-  reporter.ReportOverlap(0, 2, 4);
-  ASSERT_EQ(reports.size(), 2u);
-  EXPECT_EQ(reports[0].Code, ProblemCode::Crossings);
-  EXPECT_EQ(reports[1].Code, ProblemCode::DuplicateSegments);
-}
-
 TEST(ResolutionReport, HasTheFirstRoundOnly)
 {
   const Arrangement cross = Cross();
@@ -90,10 +48,8 @@ TEST(ResolutionReport, HasTheFirstRoundOnly)
   ResolutionReport report(cross, problems);
   Meetings found;
   found.Reports = { { ProblemCode::Crossings, 0, 1, NoId } };
-  EXPECT_TRUE(report.IsOfFirstRound());
   EXPECT_FALSE(report.HasDefect());
   report.AddRound(found, pulse);
-  EXPECT_FALSE(report.IsOfFirstRound());
   EXPECT_TRUE(report.HasDefect());
   report.AddRound(found, pulse);
   EXPECT_EQ(problems.Count(ProblemCode::Crossings), 1);

@@ -105,13 +105,20 @@ TEST(TriangleBuckets, AreFewTrianglesWhereverTheyAreGraded)
   }
 }
 
-/// Long ones, which no grid can tell apart, are not filed again and again.
-TEST(TriangleBuckets, FileATriangleNotManyTimes)
+/// Long ones, which no squares tell apart, are not listed again and again: in the mean a place is
+/// near as many triangles as lists have entries for their area.
+TEST(TriangleBuckets, ListATriangleNotManyTimes)
 {
   Pulse pulse(NoMonitor());
-  for (const TriangulatedSource& source : { Graded(60, 8.0), Needles(1000) })
+  const TriangulatedSource source = Needles(1000);
+  const TriangleBuckets buckets(source.Points, source.Triangles, pulse);
+  const Id* first = buckets.Near({ 0.5, 0.5 }).begin();
+  std::ptrdiff_t farthest = 0;
+  Sampler sampler(3);
+  for (int probe = 0; probe < 2000; ++probe)
   {
-    const TriangleBuckets buckets(source.Points, source.Triangles, pulse);
-    EXPECT_LE(buckets.NumberOfEntries(), 32 * source.Triangles.size() / 3);
+    farthest = std::max(farthest,
+      std::abs(buckets.Near(sampler.NextIn({ { -1.0, -1.0 }, { 2.0, 2.0 } })).end() - first));
   }
+  EXPECT_LE(farthest, 32 * 1000);
 }
