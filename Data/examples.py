@@ -110,6 +110,14 @@ def export_with_tags(folder):
     return mesh
 
 
+def size_by_tag(folder):
+    """Short edges along the lines of one tag: a cell array of sizes, 0 where nothing is asked for."""
+    plate = LegacyVTKReader(FileNames=[os.path.join(here, 'plate.vtk')])
+    sizes = Calculator(Input=plate, AttributeType='Cell Data', ResultArrayName='Size',
+        Function='if (Tag == 2, 0.05, 0)')
+    return BitingMesher(Input=sizes, UniformSpacing=0.4, BoundarySpacingArray=['CELLS', 'Size'])
+
+
 def judge_a_mesh(folder):
     """How good the mesh of another program is: angles, and how it follows the spacing it was made for."""
     points = PointSource(NumberOfPoints=500, Radius=1)
@@ -132,7 +140,7 @@ def mesh_for_a_solution(folder):
 
 
 tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast, airfoil,
-    plate_with_regions, export_with_tags, judge_a_mesh, mesh_for_a_solution]
+    plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh, mesh_for_a_solution]
 
 
 def main(plugin, folder):

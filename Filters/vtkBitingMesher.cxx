@@ -3,8 +3,8 @@
 
 #include "vtkBitingMesher.h"
 
-#include "Bridge/Ranks.h"
-#include "Bridge/SummaryText.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/SummaryText.h"
 #include "Kernel/Base/Problem.h"
 #include "vtkBitingMesherExecution.h"
 
@@ -49,6 +49,22 @@ vtkStandardNewMacro(vtkBitingMesher);
 vtkBitingMesher::vtkBitingMesher()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::SetBoundarySpacingArray(int vtkNotUsed(index), int vtkNotUsed(port),
+  int vtkNotUsed(connection), int association, const char* name)
+{
+  this->BoundaryArray = vtkSmartPointer<vtkInformation>::New();
+  this->BoundaryArray->Set(vtkDataObject::FIELD_ASSOCIATION(), association);
+  this->BoundaryArray->Set(vtkDataObject::FIELD_NAME(), name ? name : "");
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkInformation* vtkBitingMesher::BoundaryArrayChoice()
+{
+  return this->BoundaryArray ? this->BoundaryArray.Get() : this->GetInputArrayInformation(0);
 }
 
 //------------------------------------------------------------------------------

@@ -62,8 +62,8 @@
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
- * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear
- * along chains, inwards growing with the slope Gradation); the source array
+ * x: UniformSpacing; the boundary array (SetBoundarySpacingArray: of points linear along chains, of
+ * cells within them, growing from there with the slope Gradation); the source array
  * (SetInputArrayToProcess(1, 1, 0, POINTS, name): interpolated, and outside of the source the
  * nearest value of its border). Then it is multiplied by SpacingScale and clamped to
  * [MinimumSpacing, MaximumSpacing], lowered to the local feature size (LimitByFeatureSize), and
@@ -105,9 +105,9 @@
  * domain on their left, with every cell array of the input at its cell, of any type: on the outline
  * of a surface that of the cell there, where a line runs along it that of the line. Blocks of a
  * composite input are told by `BlockName` (string); where a block lacks an array its values are 0,
- * NaN or empty. Arrays of one name in several blocks become one of a type that holds all values:
- * double of real and whole numbers, texts of numbers beside texts and where no numeric type holds
- * all; and as many components as the largest has. Point data: `MeshPointId` (vtkIdType, point of
+ * NaN or empty. Arrays of one name and of several types in blocks become one: of texts where some
+ * are texts, else double where some are real, else long long; with as many components as the
+ * largest has. Point data: `MeshPointId` (vtkIdType, point of
  * output 0). Cell data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1
  * interface).
  *
@@ -218,6 +218,8 @@
 #include "vtkBitingCompat.h"        // for the ABI namespace
 #include "vtkBitingFiltersModule.h" // for the export macro
 
+#include "vtkSmartPointer.h" // for a choice of arrays
+
 #include <string> // for names and the summary
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -292,6 +294,19 @@ public:
     LARGEST_Y = 1,
     BEST_FIRST = 2
   };
+
+  /**
+   * The array of the input with the spacing, in units of the coordinates. A point array is linear
+   * along the chains. A cell array gives the size along lines, at the points of vertex cells, and
+   * anywhere in two-dimensional cells; zero and NaN ask for nothing there, and negative or infinite
+   * values are errors. `association` (vtkDataObject::FIELD_ASSOCIATION_POINTS or _CELLS) says which
+   * is taken where both have the name; the first three arguments, those of SetInputArrayToProcess,
+   * have no effect. That method serves too, where this one was not called; but ParaView makes a
+   * point array of a cell array for it where it asks for points. Default: `Spacing`, where there is
+   * such an array.
+   */
+  void SetBoundarySpacingArray(
+    int index, int port, int connection, int association, const char* name);
 
   ///@{
   /**
@@ -551,11 +566,14 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  vtkInformation* BoundaryArrayChoice();
+
   vtkBitingMesher(const vtkBitingMesher&) = delete;
   void operator=(const vtkBitingMesher&) = delete;
 
   class Execution;
 
+  vtkSmartPointer<vtkInformation> BoundaryArray; // null: SetInputArrayToProcess says it
   bool RepairInput = true;
   double MergeTolerance = 0.0;
   double EndTolerance = 0.01;

@@ -3,21 +3,19 @@
 
 #include "vtkBitingMesherExecution.h"
 
-#include "Bridge/BitesToPolyData.h"
-#include "Bridge/BoundaryEdgesToPolyData.h"
-#include "Bridge/BoundarySpacing.h"
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DomainMembership.h"
-#include "Bridge/FilterRun.h"
-#include "Bridge/MeshToPolyData.h"
-#include "Bridge/MessagesFromProblems.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/PolylinesFromPolyData.h"
-#include "Bridge/RankCrew.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/SourceCover.h"
-#include "Bridge/SummaryText.h"
-#include "Bridge/TagComparison.h"
+#include "Bridge/Drawing/BoundarySpacing.h"
+#include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Drawing/PolylinesFromDrawing.h"
+#include "Bridge/Mesh/BitesToPolyData.h"
+#include "Bridge/Mesh/MeshToPolyData.h"
+#include "Bridge/Ranks/RankCrew.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
+#include "Bridge/Run/SummaryText.h"
+#include "Bridge/Source/DomainMembership.h"
+#include "Bridge/Source/SourceCover.h"
+#include "Bridge/Source/SourceData.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
@@ -129,9 +127,9 @@ void vtkBitingMesher::Execution::ReadGhostLevels(vtkInformationVector* outputs)
 bool vtkBitingMesher::Execution::Gather(
   const biting::WholeInput& drawing, const biting::WholeInput& source)
 {
-  if (!drawing.IsComplete() || !source.IsComplete())
+  if (!this->AcceptComplete({ &drawing, &source }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   const vtkSmartPointer<vtkDataObject> input = drawing.Make();
   this->Drawing = biting::ReadDrawing(input);
@@ -210,15 +208,15 @@ bool vtkBitingMesher::Execution::ReadSpacing()
 //------------------------------------------------------------------------------
 std::string vtkBitingMesher::Execution::AddBoundaryArray()
 {
-  const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(0), this->Drawing.Points, { "spacing array", "input" });
+  const biting::ChosenArray chosen =
+    biting::ChooseBoundaryArray(this->Filter->BoundaryArrayChoice(), this->Drawing);
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
   biting::PartOfStage part(this->Progress, ChainsEnd, BoundaryEnd);
   return biting::AddBoundarySpacing(
-    this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
+    this->Drawing, this->Planar, chosen, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
