@@ -269,24 +269,19 @@ bool vtkBitingMesher::Execution::Deliver()
   biting::CrewRounds rounds(this->Crew, this->Crew.WhoIsAtWork());
   biting::ByteWriter own;
   own.Put(biting::FindUncovered(this->Mesh, this->Options.Spacing));
-  const std::vector<std::vector<char>> all = rounds.Gather(std::move(own.Bytes), part);
-  if (!rounds.IsFirst())
-  {
-    return !rounds.Scatter({}).empty();
-  }
-  if (part.HasStopped())
-  {
-    return false;
-  }
-  biting::UncoveredPart uncovered;
-  for (const std::vector<char>& bytes : all)
-  {
-    biting::UncoveredPart next;
-    biting::ByteReader(bytes).Take(next);
-    uncovered.Join(next);
-  }
-  this->Warn(biting::UncoveredWarning(uncovered, this->Planar.Frame));
-  return !rounds.Scatter(rounds.ForEach({ 1 })).empty();
+  return rounds.GoOn(std::move(own.Bytes), part,
+    [this](const std::vector<std::vector<char>>& all)
+    {
+      biting::UncoveredPart uncovered;
+      for (const std::vector<char>& bytes : all)
+      {
+        biting::UncoveredPart next;
+        biting::ByteReader(bytes).Take(next);
+        uncovered.Join(next);
+      }
+      this->Warn(biting::UncoveredWarning(uncovered, this->Planar.Frame));
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -21,18 +21,18 @@ namespace biting
 /// Finds where bites may have left something of the domain over, in the triangulation of what they
 /// have made, which it makes (BitingResult::Triangulated).
 ///
-/// A triangle is covered if its circumradius is at most the least half-width at its corners, as each
-/// of its places is that near to a corner; if the bites of its corners cover it; or if it lies outside
-/// of the domain. From each other triangle, one in a thousand where f is level, one in ten where it is
-/// steep, bites are subtracted one by one until it is empty (Remains.h).
+/// A triangle is covered if its circumradius is at most the least half-width at its corners, as
+/// each of its places is that near to a corner; if the bites of its corners cover it; or if it lies
+/// outside of the domain. From each other triangle, one in a thousand where f is level, one in ten
+/// where it is steep, bites are subtracted one by one until it is empty (Remains.h).
 class LeftOvers
 {
 public:
   explicit LeftOvers(BitingState& state);
 
   /// Places of the front beside gaps, mostly at least one a gap. To be called again once these are
-  /// bitten, until there are none. There are none, too, where nothing was bitten since the last call:
-  /// a gap may be as narrow as rounding. Without meaning on abort.
+  /// bitten, until there are none. There are none, too, where nothing was bitten since the last
+  /// call: a gap may be as narrow as rounding. Without meaning on abort.
   std::vector<Point2> FindPlaces();
 
   /// Law, once there are no such places: of all that no bite covers, each part is bounded by

@@ -18,7 +18,8 @@ namespace biting
 /// The halo of a block: the part that the first member of a crew needs, where the block stays with
 /// another member. It has the triangles around cuts, as far as relaxation along the cuts may reach,
 /// and all triangles at segments, at vertices of the domain and at vertices that blocks share. The
-/// rest is the core of the block. Its triangles have vertices of this block only, none on a segment.
+/// rest is the core of the block. Its triangles have vertices of this block only, none on a
+/// segment.
 struct BlockCollar
 {
   BlockMesh Mesh; ///< with all edges; what lies across to the core is NoId

@@ -214,8 +214,8 @@ std::pair<Point2, double> BlockMaker::MiddleOf(Id triangle) const
   return { a + 1.0 / 3.0 * (ab + ac), Cross(ab, ac) };
 }
 
-// Two segments that nearly touch may be of faces in two leaves, though no cut is near, as the land on
-// both sides of a strait: the leaves become one block.
+// Two segments that nearly touch may be of faces in two leaves, though no cut is near, as the land
+// on both sides of a strait: the leaves become one block.
 void BlockMaker::UniteTouching()
 {
   for (const CutTree::Node& node : this->Plan.Tree.Nodes)

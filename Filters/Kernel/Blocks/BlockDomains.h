@@ -39,9 +39,9 @@ struct BlockDomains
 };
 
 /// Divides the cuts, and the domain along them. A block is a face enclosed by cuts, or the union of
-/// several: of those in one leaf of the tree, and of leaves with segments that nearly touch each other
-/// (NearTouches.h). No blocks where there are less than two, where parts of cuts would meet by
-/// rounding, and where the monitor wants to stop.
+/// several: of those in one leaf of the tree, and of leaves with segments that nearly touch each
+/// other (NearTouches.h). No blocks where there are less than two, where parts of cuts would meet
+/// by rounding, and where the monitor wants to stop.
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor);
 

@@ -264,8 +264,8 @@ void BlockMesher::TakeCollars()
   }
 }
 
-// Receives the collars of the other members. Blocks that do not arrive become blocks of this process.
-// Returns whether a member holds blocks.
+// Receives the collars of the other members. Blocks that do not arrive become blocks of this
+// process. Returns whether a member holds blocks.
 bool BlockMesher::Collect(Monitor& monitor)
 {
   KeptBlocks& own = this->Own;

@@ -35,8 +35,8 @@ namespace biting
 ///
 /// The members of a crew share the blocks. A block stays with its member; the first member gets its
 /// collar (BlockCollar.h). The first member joins and relaxes the collars, and has their mesh in
-/// `bites` and `triangles`. It makes the blocks that do not arrive. Where the collars do not suffice,
-/// or no member has sent any, it makes all blocks and has the mesh of the whole.
+/// `bites` and `triangles`. It makes the blocks that do not arrive. Where the collars do not
+/// suffice, or no member has sent any, it makes all blocks and has the mesh of the whole.
 class BlockMesher
 {
 public:
@@ -60,13 +60,14 @@ public:
   /// The blocks, and after the last step what is kept of them, where there are several members.
   KeptBlocks& Kept() { return this->Own; }
 
-  /// The first step cuts the domain, bites its blocks and triangulates them. `vertices` are expected.
-  /// Returns false where there are no blocks, as where `verticesPerBlock` is 0: then nothing is done.
+  /// The first step cuts the domain, bites its blocks and triangulates them. `vertices` are
+  /// expected. Returns false where there are no blocks, as where `verticesPerBlock` is 0: then
+  /// nothing is done.
   bool Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
     const BitingOptions& options, ProblemList& problems, Monitor& monitor);
 
-  /// The second step relaxes the blocks and joins them. `bites` and `triangles` are then the mesh of
-  /// the whole domain.
+  /// The second step relaxes the blocks and joins them. `bites` and `triangles` are then the mesh
+  /// of the whole domain.
   void Relax(
     BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor);
 

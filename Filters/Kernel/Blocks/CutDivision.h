@@ -22,8 +22,8 @@ struct CutDivision
 
 /// Divides all cuts, as segments of the domain are divided. A folded cut has an odd number of
 /// vertices. The first, third, fifth lie half a part's length to its left, in the rows of the
-/// lattice that both sides make (CutRows.h). False where more than MostVertices are needed, and where
-/// the monitor wants to stop.
+/// lattice that both sides make (CutRows.h). False where more than MostVertices are needed, and
+/// where the monitor wants to stop.
 bool DivideCuts(const Spacing& spacing, const CutDivision& wanted, CutGraph& graph, Pulse& pulse);
 
 } // namespace biting

@@ -39,16 +39,16 @@ struct CutOptions
   double SideLength = 1.0; ///< of the mesh's lattice, in units of f
 };
 
-/// Cuts the domain by a kd-tree until each part has less than 1.5 VerticesPerBlock expected vertices.
-/// A domain with less than 2 VerticesPerBlock is not cut.
+/// Cuts the domain by a kd-tree until each part has less than 1.5 VerticesPerBlock expected
+/// vertices. A domain with less than 2 VerticesPerBlock is not cut.
 ///
-/// 49 lines are tried for a part, in both directions, at places where each side has at least a
-/// quarter of the vertices and lattices fit (CutRows.h). Of the good ones (CutLine.h) the cheapest is
-/// taken: cost = vertices on the line, (1 + 0.3 |change of log f across|) each, + 40 for each end that
-/// is not open; times 2.5 where it is across the first cut. Where no line is good, ends are moved;
-/// where no moved line is good either, the part stays whole. No line meets a segment that nearly
-/// touches another (NearTouches.h). Depends on the arguments alone. Where the monitor wants to stop
-/// the result has no meaning.
+/// 25 lines are tried for a part in each of both directions, at places where each side has at least
+/// a quarter of the vertices and lattices fit (CutRows.h). Of the good ones (CutLine.h) the
+/// cheapest is taken: cost = vertices on the line, (1 + 0.3 |change of log f across|) each, + 40
+/// for each end that is not open; times 2.5 where it is across the first cut. Where no line is
+/// good, ends are moved; where no moved line is good either, the part stays whole. No line meets a
+/// segment that nearly touches another (NearTouches.h). Depends on the arguments alone. Where the
+/// monitor wants to stop the result has no meaning.
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   const CutOptions& options, Pulse& pulse);
 

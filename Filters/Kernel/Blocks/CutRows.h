@@ -25,13 +25,13 @@ inline double Coordinate(const Point2& p, bool isVertical)
 /// fit each other if
 /// - cuts parallel to the first one are straight, a whole number of pairs of rows apart: their
 ///   vertices lie opposite each other;
-/// - cuts across the rows are folded: their vertices lie in the rows, alternately half a side to the
-///   left and to the right. They are a whole number of sides apart, and straight cuts meet them in
-///   left vertices.
+/// - cuts across the rows are folded: their vertices lie in the rows, alternately half a side to
+///   the left and to the right. They are a whole number of sides apart, and straight cuts meet them
+///   in left vertices.
 /// Rows are counted from the low side of the domain's box, sides along them from the low end of the
-/// longest parallel side of the boundary. With w the width, p the wanted pair (or side), the step is
-/// w / round(w / p): so the high side of the domain fits, too.
-/// Where f is not level there is no lattice; a cut is moved by less than a pair of rows all the same.
+/// longest parallel side of the boundary. With w the width, p the wanted pair (or side), the step
+/// is w / round(w / p): so the high side of the domain fits, too. Where f is not level there is no
+/// lattice; a cut is moved by less than a pair of rows all the same.
 class CutRows
 {
 public:

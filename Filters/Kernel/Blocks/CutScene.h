@@ -22,8 +22,8 @@ namespace biting
 /// The pieces of a graph in a part of the plane. A cut may leave its line as far as its ends do: so
 /// pieces beside the box count, too.
 ///
-/// Segments of the domain are found in a tree that all parts share. A search costs O(log n) and what
-/// it finds.
+/// Segments of the domain are found in a tree that all parts share. A search costs O(log n) and
+/// what it finds.
 struct CutScene
 {
   /// A segment of the domain by its first piece, or an embedded point.

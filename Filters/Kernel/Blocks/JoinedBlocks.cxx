@@ -319,8 +319,8 @@ void Joiner::CopyTriangles(std::size_t block, Pulse& pulse)
     });
 }
 
-// Finds the triangles of the block near its cuts. A triangle near the cut of another block is near a
-// cut of its own block, too.
+// Finds the triangles of the block near its cuts. A triangle near the cut of another block is near
+// a cut of its own block, too.
 void Joiner::FindNearCuts(std::size_t block, Pulse& pulse)
 {
   const BlockMesh& mesh = this->Meshes[block];

@@ -15,9 +15,9 @@ namespace biting
 {
 
 /// Pairs of segments of a domain whose parts may cross once f divides them, by the rounding of the
-/// new vertices: segments nearer to each other than that rounding, or with so small an angle between
-/// them. In one mesh such divisions are taken back (SoundTriangulation.h). Two blocks cannot do that
-/// for a pair with one segment in each.
+/// new vertices: segments nearer to each other than that rounding, or with so small an angle
+/// between them. In one mesh such divisions are taken back (SoundTriangulation.h). Two blocks
+/// cannot do that for a pair with one segment in each.
 struct NearTouches
 {
   struct Pair
@@ -33,8 +33,8 @@ struct NearTouches
 };
 
 /// Law: parts of two segments that are no such pair meet in common ends only, wherever the segments
-/// are divided in proportion to f. Cost O(n log n). Where the monitor wants to stop the answer has no
-/// meaning.
+/// are divided in proportion to f. Cost O(n log n). Where the monitor wants to stop the answer has
+/// no meaning.
 NearTouches FindNearTouches(const Domain& domain, const Spacing& spacing, Pulse& pulse);
 
 } // namespace biting

@@ -58,8 +58,8 @@ void Flip(Triangulation& mesh, std::size_t slot, std::size_t across)
   mesh.Constraints[Turned(across, 1)] = NoId;
 }
 
-// Numbers the entries that are not NoId, in their order, lists the places of the others, and returns
-// the count of numbered ones.
+// Numbers the entries that are not NoId, in their order, lists the places of the others, and
+// returns the count of numbered ones.
 Id NumberKept(std::vector<Id>& numbers, std::vector<Id>& gone, Pulse& pulse)
 {
   Id kept = 0;
