@@ -21,8 +21,8 @@ namespace biting
 /// The spacing wanted of an old mesh.
 ///
 /// Where values at the vertices give it, they are lowered to the gradation through the mesh
-/// (GradedValues.h). It is linear between them, and preparing it for a region costs no more than the
-/// region. A grid or a triangulation is prepared for all of the mesh.
+/// (GradedValues.h). It is linear between them, and preparing it for a region costs no more than
+/// the region. A grid or a triangulation is prepared for all of the mesh.
 class WantedSpacing
 {
 public:
