@@ -133,12 +133,12 @@ struct OldMesh
 /// Reads `input`:
 /// - Vertices of free edges that are not further apart than `nearest` are made one, with their
 ///   lines (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints). The
-///   lower number stays, and is fixed where one of them was. Its place is that of one that is fixed,
-///   a corner of a frozen triangle, or an end of a frozen line, if there is such.
+///   lower number stays, and is fixed where one of them was. Its place is that of one that is
+///   fixed, a corner of a frozen triangle, or an end of a frozen line, if there is such.
 /// - Where vertices hang on a free edge, to rounding, its triangle is divided
 ///   (ProblemCode::Touches, HangingVertices.h).
-/// - Flat triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those that are divided
-///   are frozen no more.
+/// - Flat triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those that are
+///   divided are frozen no more.
 /// - Triangles are turned counterclockwise.
 /// - Edges of one triangle, or between regions, or on lines are marked. A line along a side that
 ///   was divided stays on what is there instead. A line that is no edge is dropped
