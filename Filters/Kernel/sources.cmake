@@ -127,7 +127,6 @@ set(biting_kernel_sources
   Stages/SegmentCover.cxx
   Stages/SharpCornerTriangles.cxx
   Stages/SoundTriangulation.cxx
-  Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
