@@ -11,7 +11,6 @@
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"
 #include "Quality/MeshCheck.h"
-#include "Remeshing/CavityDomain.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
 #include "Remeshing/KeptVertices.h"

@@ -111,7 +111,6 @@ set(biting_kernel_sources
   Stages/SegmentCover.cxx
   Stages/SharpSectors.cxx
   Stages/SoundTriangulation.cxx
-  Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx

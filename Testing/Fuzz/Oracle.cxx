@@ -5,7 +5,7 @@
 
 #include "EvenOddArea.h"
 #include "FuzzRun.h"
-#include "MeshOracle.h"
+#include "JudgedMesh.h"
 #include "Repetition.h"
 #include "SimplificationOracle.h"
 

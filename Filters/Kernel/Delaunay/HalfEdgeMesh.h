@@ -93,8 +93,8 @@ struct HalfEdgeMesh
   }
 
   /// Flips the edge opposite corner 0, which becomes corner 0 of both triangles: (p, a, b) and
-  /// (d, b, a) turn into (p, a, d) and (p, d, b). link(edge, twin) makes twins; the twin may be what
-  /// stands in Twins where there is none. Marks and VertexEdges do not follow.
+  /// (d, b, a) turn into (p, a, d) and (p, d, b). link(edge, twin) makes twins; the twin may be
+  /// what stands in Twins where there is none. Marks and VertexEdges do not follow.
   template <typename LinkTwins>
   void FlipAround(Id edge, const LinkTwins& link)
   {

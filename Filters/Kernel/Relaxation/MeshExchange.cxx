@@ -135,8 +135,8 @@ void Reader::TakeOfVertices(std::vector<Value>& from, std::vector<Value>& to)
   this->Progress.Ask();
 }
 
-// Makes `to` as long as there are half-edges, and calls visit(edge, value) for the values of `from`,
-// three a triangle, with the half-edges that they are of. Then `from` is given back.
+// Makes `to` as long as there are half-edges, and calls visit(edge, value) for the values of
+// `from`, three a triangle, with the half-edges that they are of. Then `from` is given back.
 template <typename Visit>
 void Reader::TakeHalves(std::vector<Id>& from, std::vector<Id>& to, Visit&& visit)
 {

@@ -21,8 +21,8 @@ namespace
 constexpr int MostAttempts = 3;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
-// A vertex stays in a coarse sweep where all its edges are within these, in spacings, and all angles
-// of its triangles above 52 degrees.
+// A vertex stays in a coarse sweep where all its edges are within these, in spacings, and all
+// angles of its triangles above 52 degrees.
 constexpr double ShortestFine = 0.9;
 constexpr double LongestFine = 1.1;
 constexpr double CrossOfEquilateral = 0.8660254037844386; // of two sides of length one

@@ -18,8 +18,8 @@ namespace biting
 {
 
 /// Of each face of the cavity's triangulation, the region of the old mesh that it is: that of the
-/// old triangle at the middle of the largest triangle of the face. Edges do not tell: where they lie
-/// on each other within rounding they have different regions on one side. Cost O(n).
+/// old triangle at the middle of the largest triangle of the face. Edges do not tell: where they
+/// lie on each other within rounding they have different regions on one side. Cost O(n).
 std::vector<Id> FindFaceRegions(
   const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity, Pulse& pulse);
 

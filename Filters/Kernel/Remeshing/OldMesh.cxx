@@ -26,8 +26,8 @@ namespace
 // Of the area: far above the rounding of its sum.
 constexpr double AreaTolerance = 1e-13;
 
-// Where free edges meet, how wide the strips along them are that count twice or not at all, in units
-// of the rounding of coordinates.
+// Where free edges meet, how wide the strips along them are that count twice or not at all, in
+// units of the rounding of coordinates.
 constexpr double WidthOfStrips = 8.0;
 
 /// A slot by the ends of its edge, both in one number.
