@@ -361,7 +361,8 @@ void Remesher::CheckCavity()
   if (violation.empty())
   {
     Pulse pulse(checking);
-    this->Cavity.FaceRegions = FindFaceRegions(this->Result.Old, this->Region, this->Cavity, pulse);
+    this->Cavity.FaceRegions =
+      FindFaceRegions(this->Result.Old, this->Region, this->Edges, this->Cavity, pulse);
     violation = pulse.HasStopped()
       ? ""
       : CheckAreas(this->Result.Old, this->Region, this->Cavity, this->Tolerance);

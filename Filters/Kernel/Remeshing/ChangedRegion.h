@@ -39,7 +39,7 @@ struct ChangedRegion
 /// Of each vertex, the mean length of its edges, each in units of the mean f of its ends.
 std::vector<double> MeanLengths(const OldMesh& mesh, const std::vector<double>& spacings);
 
-/// The triangles at the vertices that are marked (MisfitVertices.h) or of repaired triangles, and
+/// The triangles at the vertices that are marked (FindMisfits) or of repaired triangles, and
 /// those around them: `rings` of them. Frozen triangles stay. `lengths` is what MeanLengths
 /// returned. Cost O(n), little a triangle.
 ChangedRegion FindChangedRegion(const OldMesh& mesh, const std::vector<double>& lengths,
@@ -63,11 +63,13 @@ struct EdgeFreedom
   bool MayBend = false; ///< vertices may go also where edges bend
 };
 
-/// 1 at the vertices where the mesh does not have the spacing that is wanted, and may get it: the
-/// mean length of their edges says so (KeepRules::IsUnchanged), and one of them is shorter or
-/// longer than the band of edges, from 1 / sqrt(2) to sqrt(2) spacings, of which an end may go, or
-/// that may be divided. So a mesh whose boundary is finer than the spacing, as it was drawn, stays.
-/// `lengths` is what MeanLengths returned. Cost O(n), little a triangle.
+/// 1 at the vertices where the mesh does not have the spacing that is wanted, and may get it. Both
+/// hold for a misfit:
+/// - The mean length of its edges is out of the band (KeepRules::IsUnchanged).
+/// - One of its edges is out of the band of edges, from 1 / sqrt(2) to sqrt(2) spacings, on the
+///   same side: longer, and it may be divided; or shorter, and one of its ends may go.
+/// So a mesh whose boundary is finer than the spacing, as it was drawn, stays. `lengths` is what
+/// MeanLengths returned. Cost O(n), little a triangle.
 std::vector<std::uint8_t> FindMisfits(const OldMesh& mesh, const std::vector<double>& spacings,
   const std::vector<double>& lengths, const EdgeFreedom& freedom);
 

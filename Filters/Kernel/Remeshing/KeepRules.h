@@ -23,18 +23,21 @@ enum class EdgePolicy
   Frozen     ///< none goes, none comes
 };
 
-/// When a vertex of an old mesh is kept. Lengths are mean lengths of the edges at a vertex, or
-/// single edges, in units of f.
+/// When a vertex of an old mesh is kept. Let l be the mean length of the edges at a vertex, in
+/// units of f.
 ///
-/// Within the band from LowestUnchanged to HighestUnchanged the mesh is as it is wanted: meshes of
-/// the mesher, relaxed, are, and a change of f by a tenth leaves vertices within. What is beyond is
-/// made anew, with what is around it; there a vertex fits that is within Lowest to Highest. Below
-/// Crowded, at most Lowest, the vertices of a coarser lattice are among the old ones, and above
-/// Sparse there is room for new ones between them; but in between neither is so: old vertices there
-/// are in the way of others. Nor is it so where f changes from one old vertex to the next: the old
-/// lattice has none of the right size within, and what it leaves breaks each lattice that has. But
-/// where all edges of a vertex have good halves the new lattice is the old one, divided in two
-/// (DividedEdges.h), whatever f does: it then changes as the old lengths do.
+/// - LowestUnchanged <= l <= HighestUnchanged: nothing is to change. Relaxed meshes of the mesher
+///   are within, also after a change of f by a tenth. The other vertices and the triangles around
+///   them are the region that is made anew.
+/// - Lowest <= l <= Highest: the vertex fits, and is kept within the region.
+/// - l <= Crowded: a coarser lattice is a subset of the old vertices, which are thinned to it.
+/// - l >= Sparse: new vertices have room between the old ones, which are kept.
+/// - Between Crowded and Lowest, or Highest and Sparse, neither holds: the vertex goes.
+/// - Where f changes by more than the factor GreatestChangeBelow (l < Lowest) or
+///   GreatestChangeAbove (l > Highest) from the vertex to its neighbors, it goes: no lattice of the
+///   old vertices has the right size on both sides. But where all edges of a vertex have good
+///   halves it stays, as the new lattice is the old one, divided in two (FindMiddles in
+///   KeptVertices.h).
 struct KeepRules
 {
   static constexpr double LowestUnchanged = 0.75;

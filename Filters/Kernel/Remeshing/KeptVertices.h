@@ -16,18 +16,17 @@ namespace biting
 {
 
 /// Which vertices of the region stay, 1 each (paper, section 7): those on the rim, the fixed ones
-/// and those that `edges` keep; then, one after the other, the inner ones that no bite of an
-/// earlier one holds, the acceptance radius: a maximal independent set.
+/// and those that `edges` keep; of the inner ones a maximal independent set, chosen one after the
+/// other. Two vertices depend on each other if they are nearer than 0.7 of the mean f of the two,
+/// so a mesh that has the spacing that is wanted stays whole; 0.9, if the later one has mean edges
+/// below the band of the rules, as the choice among these is large.
 ///
-/// A vertex is held by another that is nearer than 0.7 of the mean f of the two; than 0.9 of it,
-/// where its mean length is below the band of the rules, as there the choice is large. So a mesh
-/// that has the spacing that is wanted stays whole. Those that the rules say are in the way go, and
-/// what of a lattice is left along their border: twice, those with more than half of their
-/// neighbors in the way.
+/// Before that, vertices go that KeepRules::IsInTheWay names; then, twice, those with more than
+/// half of their neighbors gone: the rest of a lattice along its border.
 ///
-/// The order is that of a front: next are the vertices just beyond the bites of those that stay,
-/// the nearest to these first, so that of a lattice that is too fine a coarser one is left. Bites
-/// go along edges: they do not reach across a hole. Cost O(n).
+/// The order is that of a front: next are the vertices just beyond the radius of those that stay,
+/// the nearest first. So of a lattice that is too fine a coarser one is left. The search goes along
+/// edges: it does not reach across a hole. Cost O(n).
 std::vector<std::uint8_t> ChooseKeptVertices(const OldMesh& mesh, const ChangedRegion& region,
   const RegionEdges& edges, const std::vector<double>& spacings, const KeepRules& rules);
 
