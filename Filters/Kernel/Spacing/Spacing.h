@@ -89,8 +89,8 @@ struct SegmentSource
 ///   over CellsAcross, so that as many layers of triangles fit into a channel; but the cap is no
 ///   less than a quarter of what is given there, so that slits and thin walls do not become a
 ///   multitude of triangles, or than the lengths in Drawn make f, if that is less: as fine
-///   triangles were there without the simplification. With CellsAcross above 1 and a given Minimum, that is
-///   the only lower bound;
+///   triangles were there without the simplification. With CellsAcross above 1 and a given
+///   Minimum, that is the only lower bound;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
