@@ -53,14 +53,14 @@ struct CellNode
 };
 
 /// How far apart points that stand for all between them may be, as a share of f: where they are
-/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above .3,
-/// so that it stays the same; slopes above 1 count as 1.
+/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above
+/// .3, so that the error stays the same; slopes above 1 count as 1.
 double DistanceOfPoints(double length, double slope);
 
 /// Adds an edge between two nodes of a steep cell, but for parts where points stand for all of it:
 /// - the part where values are clamped to the least, as a segment;
-/// - the part above, up to the most, if it is no steeper than the slope and so long that its ends do
-///   not stand for it. The ends are left to the caller.
+/// - the part above, up to the most, if it is no steeper than the slope and so long that its ends
+///   do not stand for it. The ends are left to the caller.
 void AddLowEdge(CellNode low, CellNode high, const SteepRule& rule, SegmentSource& edges);
 
 /// Adds the line in a steep cell where values are clamped to the least no more. `nodes` go around

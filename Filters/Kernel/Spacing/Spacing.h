@@ -86,10 +86,11 @@ struct SegmentSource
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
-///   over CellsAcross, so that as many layers of triangles fit into a channel; but the cap is no less than a quarter of
-///   what is given there, so that slits and thin walls do not become a multitude of triangles, or
-///   than the lengths in Drawn make f, if that is less: as fine triangles were there without the
-///   simplification. With more CellsAcross and a given Minimum, that is the only lower bound;
+///   over CellsAcross, so that as many layers of triangles fit into a channel; but the cap is no
+///   less than a quarter of what is given there, so that slits and thin walls do not become a
+///   multitude of triangles, or than the lengths in Drawn make f, if that is less: as fine
+///   triangles were there without the simplification. With CellsAcross above 1 and a given
+///   Minimum, that is the only lower bound;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
@@ -156,7 +157,7 @@ struct SpacingOptions
 /// Tolerance: f is within 5 % of the largest g-Lipschitz function below what is given at 99 % of
 /// all places, and within 10 % anywhere in the bounds it was prepared for. What is given changes
 /// within less than f/2 is seen by its lowest value. Outside of triangles whose border values are
-/// steep, and with a Gradation above 1, f may be further above.
+/// steep, and with a Gradation above 1, f may be further above (by 30 % have been met).
 /// Preparation: MakeSpacing.
 class Spacing
 {
