@@ -4,12 +4,12 @@
 #include "SurfaceShells.h"
 
 #include "../../Base/DisjointSets.h"
+#include "../../Base/Numbers.h"
 #include "../../Predicates/Predicates.h"
 #include "TriangleContact.h" // for HeightOver
 
 #include <algorithm> // for count_if, max, min, sort, upper_bound
 #include <cstdint>   // for marks
-#include <limits>    // for the end of rays
 #include <string>    // for figures
 #include <utility>   // for swap
 
@@ -211,7 +211,7 @@ Id DepthOf(const Point3& p, Id own, const BoxTree<SurfaceItem, 3>& tree, const S
 {
   std::vector<Id> met;
   Box3 ray = Box3::Around(p, p);
-  ray.High.X = std::numeric_limits<double>::infinity();
+  ray.High.X = Infinity;
   const bool isClear = tree.AllOf(ray,
     [&p, own, &mesh, &shells, &met](const SurfaceItem& item)
     {

@@ -3,11 +3,12 @@
 
 #include "TriangleContact.h"
 
+#include "../../Base/Numbers.h"
 #include "../../Predicates/Predicates.h"
+#include "../../Predicates/Predicates3.h"
 
 #include <algorithm> // for max, min
 #include <cmath>     // for abs
-#include <limits>    // for the first overlap
 
 namespace biting
 {
@@ -26,9 +27,13 @@ Point2 Shadow(const Point3& p, std::size_t axis)
 bool MeetsInPlane(const Triangle3& t, const Point3& p, const Point3& q, Point3& place)
 {
   std::size_t axis = 0;
-  while (axis < 2 && Orient2D(Shadow(t[0], axis), Shadow(t[1], axis), Shadow(t[2], axis)) == 0)
+  while (axis < 3 && Orient2D(Shadow(t[0], axis), Shadow(t[1], axis), Shadow(t[2], axis)) == 0)
   {
     ++axis;
+  }
+  if (axis == 3)
+  {
+    return false; // flat
   }
   const Point2 a = Shadow(p, axis);
   const Point2 b = Shadow(q, axis);
@@ -85,7 +90,7 @@ public:
     this->Least = std::min(this->Least, std::max(overlap, 0.0));
   }
 
-  double Least = std::numeric_limits<double>::infinity();
+  double Least = Infinity;
 
 private:
   const Triangle3& A;
