@@ -40,7 +40,7 @@ struct SurfaceFigures
   std::int64_t Edges = 0;
   std::int64_t OpenEdges = 0;
   std::int64_t NonManifoldEdges = 0;
-  std::int64_t Parts = 0; ///< that hang together by edges
+  std::int64_t Parts = 0; ///< that hang together by vertices
   std::int64_t Cavities = 0; ///< closed shells inside an odd number of others
   std::int64_t EulerNumber = 0; ///< vertices - edges + triangles
   std::int64_t Touches = 0; ///< contacts that are not deeper than rounding

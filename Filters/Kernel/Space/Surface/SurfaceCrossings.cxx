@@ -59,6 +59,34 @@ bool HaveContact(const SurfaceMesh& mesh, Id first, Id second, SurfaceContact& c
   return true;
 }
 
+// Adds the contacts of the items from `begin` to `end` with those of higher numbers.
+void SearchAround(const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, std::size_t begin,
+  std::size_t end, Pulse& pulse, std::vector<SurfaceContact>& contacts)
+{
+  const SurfaceItem* const first = tree.Items().data() + begin;
+  const SurfaceItem* const last = tree.Items().data() + end;
+  Box3 box;
+  for (const SurfaceItem* item = first; item != last; ++item)
+  {
+    box.Add(item->Bounds.Low);
+    box.Add(item->Bounds.High);
+  }
+  tree.AllOf(box,
+    [&mesh, &pulse, &contacts, first, last](const SurfaceItem& other)
+    {
+      for (const SurfaceItem* item = first; item != last; ++item)
+      {
+        SurfaceContact contact;
+        if (item->Triangle < other.Triangle && item->Bounds.Meets(other.Bounds) &&
+          HaveContact(mesh, item->Triangle, other.Triangle, contact))
+        {
+          contacts.push_back(contact);
+        }
+      }
+      return pulse.Beat(2);
+    });
+}
+
 // The part of a vector from an edge that is across the edge.
 Point3 Across(const Point3& vector, const Point3& edge)
 {
@@ -85,7 +113,9 @@ BoxTree<SurfaceItem, 3> MakeSurfaceTree(const SurfaceMesh& mesh, Pulse& pulse)
 std::vector<SurfaceContact> FindContacts(
   const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
 {
-  constexpr std::size_t ItemsPerTask = 1u << 12;
+  // Items that follow each other in the tree are near: one search serves several.
+  constexpr std::size_t ItemsPerSearch = 8;
+  constexpr std::size_t ItemsPerTask = ItemsPerSearch << 9;
   const std::vector<SurfaceItem>& items = tree.Items();
   std::vector<std::vector<SurfaceContact>> parts((items.size() + ItemsPerTask - 1) / ItemsPerTask);
   DoTasks(pulse, parts.size(),
@@ -93,19 +123,9 @@ std::vector<SurfaceContact> FindContacts(
     {
       Pulse own(monitor);
       const std::size_t end = std::min(items.size(), (k + 1) * ItemsPerTask);
-      for (std::size_t i = k * ItemsPerTask; i < end && own.Beat(); ++i)
+      for (std::size_t i = k * ItemsPerTask; i < end && !own.HasStopped(); i += ItemsPerSearch)
       {
-        const Id first = items[i].Triangle;
-        tree.AllOf(items[i].Bounds,
-          [&mesh, &parts, &own, first, k](const SurfaceItem& other)
-          {
-            SurfaceContact contact;
-            if (first < other.Triangle && HaveContact(mesh, first, other.Triangle, contact))
-            {
-              parts[k].push_back(contact);
-            }
-            return own.Beat(1);
-          });
+        SearchAround(mesh, tree, i, std::min(end, i + ItemsPerSearch), own, parts[k]);
       }
     });
   std::vector<SurfaceContact> contacts;

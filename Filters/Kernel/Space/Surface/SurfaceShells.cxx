@@ -147,25 +147,18 @@ void TellInconsistent(const SurfaceMesh& mesh, const SurfaceLinks& links,
   }
 }
 
-// Parts hang together by edges, also by those of more than two triangles.
-void FindParts(const SurfaceLinks& links, SurfaceShells& shells)
+void FindParts(const SurfaceMesh& mesh, SurfaceShells& shells)
 {
-  DisjointSets sets(shells.Shells.size());
-  for (std::size_t edge = 0; edge + 1 < links.CrowdedOffsets.size(); ++edge)
+  DisjointSets sets(mesh.Points.size());
+  for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const Id begin = links.CrowdedOffsets[edge];
-    for (Id k = begin + 1; k < links.CrowdedOffsets[edge + 1]; ++k)
-    {
-      const auto shellOf = [&links, &shells](Id place)
-      { return shells.ShellOf[static_cast<std::size_t>(links.CrowdedSlots[place] / 3)]; };
-      sets.Unite(shellOf(begin), shellOf(k));
-    }
+    sets.Unite(sets.Unite(mesh.Corners[3 * t], mesh.Corners[3 * t + 1]), mesh.Corners[3 * t + 2]);
   }
-  std::vector<Id> numbers(shells.Shells.size(), NoId);
-  shells.RegionOf.resize(shells.ShellOf.size());
-  for (std::size_t t = 0; t < shells.ShellOf.size(); ++t)
+  std::vector<Id> numbers(mesh.Points.size(), NoId);
+  shells.RegionOf.resize(mesh.NumberOfTriangles());
+  for (std::size_t t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    Id& number = numbers[static_cast<std::size_t>(sets.SetOf(shells.ShellOf[t]))];
+    Id& number = numbers[static_cast<std::size_t>(sets.SetOf(mesh.Corners[3 * t]))];
     number = number == NoId ? shells.NumberOfParts++ : number;
     shells.RegionOf[t] = number;
   }
@@ -283,7 +276,7 @@ SurfaceShells FindShells(
   }
   TellInconsistent(mesh, links, shells, problems);
   search.TurnAll();
-  FindParts(links, shells);
+  FindParts(mesh, shells);
   AddVolumes(mesh, shells, pulse);
   return shells;
 }

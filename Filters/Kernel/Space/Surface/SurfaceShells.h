@@ -29,7 +29,7 @@ struct SurfaceShells
 {
   std::vector<Id> ShellOf; ///< of each triangle
   std::vector<SurfaceShell> Shells;
-  std::vector<Id> RegionOf; ///< of each triangle: its part, which hangs together by edges, 0 ..
+  std::vector<Id> RegionOf; ///< of each triangle: its part, which hangs together by vertices
   Id NumberOfParts = 0;
 
   const SurfaceShell& Of(std::size_t triangle) const

@@ -3,7 +3,7 @@
 
 #include "SurfaceThickness.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for find_first_of, min
 #include <array>     // for corners
 
 namespace biting
@@ -14,8 +14,8 @@ namespace
 
 constexpr double LeastOpposition = 0.9396926207859084; // cos 20 degrees
 constexpr double ShareToBegin = 0.48; // of the diameter: below half, so that round bodies end soon
-constexpr std::size_t MostSamples = 200000;
-constexpr std::size_t MostTests = 10000000;
+constexpr std::size_t MostSamples = 100000;
+constexpr std::size_t MostTests = 4000000;
 
 // The point of the triangle that is nearest to p (C. Ericson, Real-Time Collision Detection, 2005,
 // section 5.1.5: by the regions of corners, sides and the face).
@@ -81,7 +81,9 @@ public:
   SurfaceThickness Best;
 
 private:
-  Id FindInside(const Point3& center, const Point3& normal, double radius, Point3& nearest);
+  Id FindInside(
+    std::size_t triangle, const Point3& center, double radius, Point3& nearest);
+  bool Faces(std::size_t a, std::size_t b) const;
 
   const SurfaceMesh& Mesh;
   const BoxTree<SurfaceItem, 3>& Tree;
@@ -107,7 +109,7 @@ void ThinnestBall::TryAt(std::size_t triangle)
   {
     const Point3 center = place - radius * normal;
     Point3 nearest;
-    const Id other = this->FindInside(center, normal, radius, nearest);
+    const Id other = this->FindInside(triangle, center, radius, nearest);
     const Point3 apart = place - nearest;
     const double height = other == NoId ? 0.0 : Dot(apart, normal);
     const double least = height > 0.0 ? Dot(apart, apart) / (2.0 * height) : radius;
@@ -122,20 +124,30 @@ void ThinnestBall::TryAt(std::size_t triangle)
   }
 }
 
-// The nearest triangle within the ball that faces the normal; NoId where there is none.
+// Whether the triangles have opposite normals, and no common corner: walls, and no crease.
+bool ThinnestBall::Faces(std::size_t a, std::size_t b) const
+{
+  const Point3 normalA = this->Mesh.Normal(a);
+  const Point3 normalB = this->Mesh.Normal(b);
+  const Id* const corners = &this->Mesh.Corners[3 * a];
+  return -Dot(normalA, normalB) >= LeastOpposition * Length(normalA) * Length(normalB) &&
+    std::find_first_of(corners, corners + 3, &this->Mesh.Corners[3 * b],
+      &this->Mesh.Corners[3 * b] + 3) == corners + 3;
+}
+
+// The nearest triangle within the ball that faces the given one; NoId where there is none.
 Id ThinnestBall::FindInside(
-  const Point3& center, const Point3& normal, double radius, Point3& nearest)
+  std::size_t triangle, const Point3& center, double radius, Point3& nearest)
 {
   Id found = NoId;
   this->Tree.Search(center, 1.0, radius,
-    [this, &center, &normal, &nearest, &found](const SurfaceItem& item, double limit)
+    [this, triangle, &center, &nearest, &found](const SurfaceItem& item, double limit)
     {
       ++this->Tests;
       const auto t = static_cast<std::size_t>(item.Triangle);
-      const Point3 own = this->Mesh.Normal(t);
-      if (-Dot(own, normal) < LeastOpposition * Length(own) || !this->Shells.IsSolid(t))
+      if (!this->Shells.IsSolid(t) || !this->Faces(triangle, t))
       {
-        return limit;
+        return this->IsSpent() ? 0.0 : limit;
       }
       const Point3 place = NearestPoint(this->Mesh.Triangle(t), center);
       const double distance = Distance(place, center);
