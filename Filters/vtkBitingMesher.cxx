@@ -24,7 +24,7 @@ static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
     static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::CHANGED_AREA + 1,
+    static_cast<int>(biting::ProblemCode::ChangedArea) == vtkBitingMesher::CHANGED_AREA,
   "The kinds of problems that users see are those of the kernel.");
 
 namespace

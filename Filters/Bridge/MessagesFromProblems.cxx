@@ -72,8 +72,40 @@ Wording WordingOfRepair(ProblemCode code)
   }
 }
 
+Wording WordingOfSurface(ProblemCode code)
+{
+  switch (code)
+  {
+    case ProblemCode::OpenEdges:
+      return { "Open edges", "from point", "", "Fill the holes, or close the surface." };
+    case ProblemCode::NonManifoldEdges:
+      return { "Edges of more than two triangles", "cell", "cell",
+        "Remove the walls that do not belong to the surface." };
+    case ProblemCode::PinchedVertices:
+      return { "Pinched vertices, where fans of triangles meet", "point", "",
+        "Divide the vertex." };
+    case ProblemCode::Folds:
+      return { "Folds, neighbors that lie on each other", "cell", "cell", "Unfold them." };
+    case ProblemCode::SelfCrossings:
+      return { "Self-crossings", "cell", "cell", "Cut the surface there, or move it apart." };
+    case ProblemCode::NotOrientable:
+      return { "Surfaces with one side only", "cell", "cell", "They bound nothing." };
+    case ProblemCode::DuplicateTriangles:
+      return { "Duplicate triangles", "cell", "cell", "They were left out." };
+    case ProblemCode::InconsistentEdges:
+      return { "Triangles oriented against each other", "cell", "cell", "They were turned." };
+    default:
+      return { "Touches within rounding", "cell", "cell", "" };
+  }
+}
+
 Wording WordingOf(ProblemCode code)
 {
+  const bool isOfSurface = code >= ProblemCode::OpenEdges && code <= ProblemCode::SurfaceTouches;
+  if (isOfSurface)
+  {
+    return WordingOfSurface(code);
+  }
   switch (code)
   {
     case ProblemCode::NoClosedLoop:
@@ -234,6 +266,13 @@ std::string MessageOfPlace(const Problem& problem, const PlanarInput& input)
   return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
     PlaceText(PlaceInSpace(problem, input)) +
     (hasIds && !problem.Detail.empty() ? " (" + problem.Detail + ")" : "");
+}
+
+std::string MessageInSpace(const Problem& problem)
+{
+  const Wording wording = WordingOf(problem.Code);
+  return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
+    PlaceText(problem.Place) + (problem.Detail.empty() ? "" : " (" + problem.Detail + ")");
 }
 
 std::vector<std::int64_t> ShownIdsOf(const Problem& problem)

@@ -36,6 +36,9 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
 /// One problem as one line: its kind in words, its ids, its place, and its figures.
 std::string MessageOfPlace(const Problem& problem, const PlanarInput& input);
 
+/// The same of a problem of space.
+std::string MessageInSpace(const Problem& problem);
+
 /// The ids of `problem` that number points and cells of the input, in the order that its code
 /// states.
 std::vector<std::int64_t> ShownIdsOf(const Problem& problem);

@@ -62,13 +62,18 @@ private:
   std::vector<Id> Beside;
 };
 
-ProblemPlace PlaceFrom(const Problem& problem, const PlanarInput& input)
+void SetKindAndIds(const Problem& problem, ProblemPlace& place)
 {
-  ProblemPlace place;
   place.Kind = problem.Code;
   const std::vector<std::int64_t> ids = ShownIdsOf(problem);
   place.FirstId = ids.empty() ? -1 : ids[0];
   place.SecondId = ids.size() < 2 ? -1 : ids[1];
+}
+
+ProblemPlace PlaceFrom(const Problem& problem, const PlanarInput& input)
+{
+  ProblemPlace place;
+  SetKindAndIds(problem, place);
   place.Place = PlaceInSpace(problem, input);
   place.Message = MessageOfPlace(problem, input);
   return place;
@@ -124,6 +129,27 @@ void AddPlaces(
       AddGroup(group, input, isLeft || IsError(group.Code), places.Places);
       places.Counts[static_cast<std::size_t>(group.Code)] += group.Count;
     }
+  }
+}
+
+void AddPlacesInSpace(const ProblemList& problems, ProblemPlaces& places)
+{
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == ProblemCode::Aborted)
+    {
+      continue;
+    }
+    for (const Problem& problem : group.First)
+    {
+      ProblemPlace place;
+      SetKindAndIds(problem, place);
+      place.IsError = IsError(problem.Code);
+      place.Place = problem.Place;
+      place.Message = MessageInSpace(problem);
+      places.Places.push_back(place);
+    }
+    places.Counts[static_cast<std::size_t>(group.Code)] += group.Count;
   }
 }
 

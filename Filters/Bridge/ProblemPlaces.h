@@ -55,6 +55,9 @@ enum class RepairPolicy
 void AddPlaces(const ProblemList& problems, const PlanarInput& input, RepairPolicy policy,
   ProblemPlaces& places);
 
+/// The same of problems of space, whose places are what they are.
+void AddPlacesInSpace(const ProblemList& problems, ProblemPlaces& places);
+
 } // namespace biting
 
 #endif

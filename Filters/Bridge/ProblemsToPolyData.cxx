@@ -28,7 +28,9 @@ constexpr std::array<const char*, NumberOfProblemKinds> KindNames = { "Duplicate
   "OutsideInterfaces", "NoClosedLoop", "NotFinite", "OutOfRange", "NotPlanar", "BadSpacing",
   "TooManyVertices", "NotResolved", "CheckFailed", "OverlappingCells", "NearPoints", "NarrowAngles",
   "RaisedSpacing", "SmallLoops", "FineDrawing", "BadTriangles", "FlatTriangles", "JoinedEnds",
-  "OpenOutlines", "NearMisses", "ChangedArea" };
+  "OpenOutlines", "NearMisses", "ChangedArea", "OpenEdges", "NonManifoldEdges", "PinchedVertices",
+  "Folds", "SelfCrossings", "NotOrientable", "DuplicateTriangles", "InconsistentEdges",
+  "SurfaceTouches" };
 
 void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
 {

@@ -7,6 +7,7 @@ set(biting_bridge_sources
   BitesToPolyData.cxx
   BoundaryEdgesToPolyData.cxx
   BoundarySpacing.cxx
+  CarriedArrays.cxx
   CellShapes.cxx
   ChainReader.cxx
   ChosenArray.cxx
@@ -49,6 +50,8 @@ set(biting_bridge_sources
   SpacingValues.cxx
   StructuredFromPieces.cxx
   SummaryText.cxx
+  SurfaceFromDrawing.cxx
+  SurfaceToPolyData.cxx
   TagComparison.cxx
   ThreadsOfVtk.cxx
   ValueGroups.cxx

@@ -183,5 +183,13 @@ set(biting_kernel_sources
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
   Pieces/TrimmedPiece.cxx
+  Space/Surface/SurfaceCheck.cxx
+  Space/Surface/SurfaceCrossings.cxx
+  Space/Surface/SurfaceLinks.cxx
+  Space/Surface/SurfaceRepair.cxx
+  Space/Surface/SurfaceShells.cxx
+  Space/Surface/SurfaceThickness.cxx
+  Space/Surface/SurfaceWelding.cxx
+  Space/Surface/TriangleContact.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

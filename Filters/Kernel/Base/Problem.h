@@ -71,7 +71,7 @@ enum class ProblemCode
   InconsistentEdges,  ///< triangles at an edge that are oriented against each other (ids: cell,
                       ///< cell)
   SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
-  Aborted      ///< the monitor asked to stop; not an error
+  Aborted             ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

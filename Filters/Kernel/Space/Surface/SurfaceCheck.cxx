@@ -81,8 +81,7 @@ void SurfaceChecker::Run(Monitor& monitor)
   this->TellContacts(tree);
   OrientByNesting(this->Mesh, tree, this->Result.Shells, this->Beats);
   monitor.BeginStage("Measuring");
-  this->Result.Thickness =
-    SmallestThickness(this->Mesh, tree, this->Result.Shells, this->Beats);
+  this->Result.Thickness = SmallestThickness(this->Mesh, tree, this->Result.Shells, this->Beats);
   this->CollectFeatures();
   this->Measure();
 }
@@ -102,10 +101,10 @@ void SurfaceChecker::TellBorders()
   for (const BorderChain& chain : BorderChains(this->Mesh, this->Links, this->Beats))
   {
     const auto first = static_cast<std::size_t>(chain.Vertices.front());
-    this->Problems.Add({ ProblemCode::OpenEdges, { this->Mesh.PointIds[first] },
-      this->Mesh.Points[first],
-      (chain.IsLoop ? "a loop of " : "a chain of ") + std::to_string(chain.Slots.size()) +
-        " edges, length " + Text(chain.Length) + ", area " + Text(chain.Area) });
+    this->Problems.Add(
+      { ProblemCode::OpenEdges, { this->Mesh.PointIds[first] }, this->Mesh.Points[first],
+        (chain.IsLoop ? "a loop of " : "a chain of ") + std::to_string(chain.Slots.size()) +
+          " edges, length " + Text(chain.Length) + ", area " + Text(chain.Area) });
   }
 }
 
@@ -117,9 +116,9 @@ void SurfaceChecker::TellCrowded()
     const auto slotAt = [this, begin](std::size_t k)
     { return static_cast<std::size_t>(this->Links.CrowdedSlots[begin + k]); };
     const Id count = this->Links.CrowdedOffsets[edge + 1] - this->Links.CrowdedOffsets[edge];
-    this->Problems.Add({ ProblemCode::NonManifoldEdges,
-      { this->CellOf(slotAt(0) / 3), this->CellOf(slotAt(1) / 3) }, this->MiddleOf(slotAt(0)),
-      std::to_string(count) + " triangles" });
+    this->Problems.Add(
+      { ProblemCode::NonManifoldEdges, { this->CellOf(slotAt(0) / 3), this->CellOf(slotAt(1) / 3) },
+        this->MiddleOf(slotAt(0)), std::to_string(count) + " triangles" });
   }
 }
 
@@ -214,8 +213,8 @@ void SurfaceChecker::Measure()
 
 } // namespace
 
-CheckedSurface CheckSurface(SurfaceMesh surface, const SurfaceCheckOptions& options,
-  ProblemList& problems, Monitor& monitor)
+CheckedSurface CheckSurface(
+  SurfaceMesh surface, const SurfaceCheckOptions& options, ProblemList& problems, Monitor& monitor)
 {
   CheckedSurface result;
   result.Mesh = std::move(surface);

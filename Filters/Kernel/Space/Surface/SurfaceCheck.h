@@ -22,8 +22,8 @@ namespace biting
 
 struct SurfaceCheckOptions
 {
-  Point3 Rounding;           ///< along each axis: vertices of open edges that near are one
-  double Noise = 0.0;        ///< contacts that are not deeper only touch
+  Point3 Rounding;            ///< along each axis: vertices of open edges that near are one
+  double Noise = 0.0;         ///< contacts that are not deeper only touch
   double FeatureAngle = 40.0; ///< degrees by which the surface turns at a feature
 };
 
@@ -40,10 +40,10 @@ struct SurfaceFigures
   std::int64_t Edges = 0;
   std::int64_t OpenEdges = 0;
   std::int64_t NonManifoldEdges = 0;
-  std::int64_t Parts = 0; ///< that hang together by vertices
-  std::int64_t Cavities = 0; ///< closed shells inside an odd number of others
+  std::int64_t Parts = 0;       ///< that hang together by vertices
+  std::int64_t Cavities = 0;    ///< closed shells inside an odd number of others
   std::int64_t EulerNumber = 0; ///< vertices - edges + triangles
-  std::int64_t Touches = 0; ///< contacts that are not deeper than rounding
+  std::int64_t Touches = 0;     ///< contacts that are not deeper than rounding
   double Area = 0.0;
   double Volume = 0.0; ///< enclosed; a number only where no edge is open
   double Diagonal = 0.0;
@@ -63,8 +63,8 @@ struct CheckedSurface
 /// wrong, with ids of cells and points of the input.
 /// Cost O(n log n) but for pairs of triangles whose boxes meet.
 /// Where the monitor asks to stop the result has no meaning, and Aborted is among the problems.
-CheckedSurface CheckSurface(SurfaceMesh surface, const SurfaceCheckOptions& options,
-  ProblemList& problems, Monitor& monitor);
+CheckedSurface CheckSurface(
+  SurfaceMesh surface, const SurfaceCheckOptions& options, ProblemList& problems, Monitor& monitor);
 
 } // namespace biting
 

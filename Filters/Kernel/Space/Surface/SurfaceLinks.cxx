@@ -121,8 +121,7 @@ bool AreAlike(const SurfaceMesh& mesh, const SurfaceLinks& links, std::size_t sl
   return mesh.Corners[NextSlotOf(slot)] != mesh.Corners[NextSlotOf(other)];
 }
 
-std::vector<Id> PinchedVertices(
-  const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse)
+std::vector<Id> PinchedVertices(const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse)
 {
   // 0: no fan was seen; 1: one; 2: several; 3: on a crowded edge.
   std::vector<std::uint8_t> fans(mesh.Points.size(), 0);
@@ -145,8 +144,7 @@ std::vector<Id> PinchedVertices(
       }
       const auto mark = [&isSeen](std::size_t other) { isSeen[other] = 1; };
       // To one end of the fan, and from there through all of it.
-      const Id end =
-        WalkFan(mesh, links, vertex, static_cast<Id>(NextSlotOf(corner)), mark);
+      const Id end = WalkFan(mesh, links, vertex, static_cast<Id>(NextSlotOf(corner)), mark);
       if (end != NoId)
       {
         WalkFan(mesh, links, vertex, end, mark);
@@ -198,7 +196,8 @@ std::vector<BorderChain> BorderChains(
       {
         // The part before the first edge, which goes in front.
         BorderChain before;
-        follow(WalkFan(mesh, links, edge.first, static_cast<Id>(slot), nothing), edge.first, before);
+        follow(
+          WalkFan(mesh, links, edge.first, static_cast<Id>(slot), nothing), edge.first, before);
         std::reverse(before.Slots.begin(), before.Slots.end());
         std::reverse(before.Vertices.begin(), before.Vertices.end());
         chain.Slots.insert(chain.Slots.begin(), before.Slots.begin(), before.Slots.end());

@@ -61,8 +61,7 @@ Id WalkFan(const SurfaceMesh& mesh, const SurfaceLinks& links, Id vertex, Id slo
 }
 
 /// Vertices where several fans of triangles meet, but for those at crowded edges.
-std::vector<Id> PinchedVertices(
-  const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse);
+std::vector<Id> PinchedVertices(const SurfaceMesh& mesh, const SurfaceLinks& links, Pulse& pulse);
 
 /// Open edges, one after the other.
 struct BorderChain

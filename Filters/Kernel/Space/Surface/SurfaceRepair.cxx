@@ -135,8 +135,7 @@ bool FlatFlips::Improve(std::size_t t)
   }
   const auto apex = static_cast<std::size_t>(across);
   const bool isFlat = IsFlat(this->Mesh.Triangle(apex / 3));
-  const bool isLower =
-    !isFlat || this->IsBetween(apex, NextSlotOf(apex), PreviousSlotOf(apex));
+  const bool isLower = !isFlat || this->IsBetween(apex, NextSlotOf(apex), PreviousSlotOf(apex));
   if (!isLower || this->HasEdge(middle, this->Mesh.Corners[apex]))
   {
     return false;

@@ -281,8 +281,8 @@ SurfaceShells FindShells(
   return shells;
 }
 
-void OrientByNesting(SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells,
-  Pulse& pulse)
+void OrientByNesting(
+  SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells, Pulse& pulse)
 {
   constexpr std::size_t MostTries = 300; // corners, where shells touch in many vertices
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
@@ -300,9 +300,8 @@ void OrientByNesting(SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, Sur
     const std::size_t end = std::min(mesh.Corners.size(), 3 * first + MostTries);
     for (std::size_t slot = 3 * first; shell.Depth == NoId && slot < end; ++slot)
     {
-      shell.Depth = shells.ShellOf[slot / 3] == own
-        ? DepthOf(mesh.At(slot), own, tree, mesh, shells)
-        : NoId;
+      shell.Depth =
+        shells.ShellOf[slot / 3] == own ? DepthOf(mesh.At(slot), own, tree, mesh, shells) : NoId;
     }
     shell.Depth = std::max(shell.Depth, Id{ 0 });
     isTurned[k] = (shell.Volume < 0.0) == (shell.Depth % 2 == 0) && shell.Volume != 0.0 ? 1 : 0;

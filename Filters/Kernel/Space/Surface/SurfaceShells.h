@@ -53,8 +53,8 @@ SurfaceShells FindShells(
 /// Orients closed shells by nesting: outwards where an even number of others is around them, else
 /// inwards. Decided by exact signs along a ray from a vertex that no other shell touches, if there
 /// is one. `tree` has all triangles.
-void OrientByNesting(SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells,
-  Pulse& pulse);
+void OrientByNesting(
+  SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 

@@ -66,8 +66,8 @@ Point3 NearestPoint(const std::array<Point3, 3>& t, const Point3& p)
 class ThinnestBall
 {
 public:
-  ThinnestBall(const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree,
-    const SurfaceShells& shells)
+  ThinnestBall(
+    const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, const SurfaceShells& shells)
     : Mesh(mesh)
     , Tree(tree)
     , Shells(shells)
@@ -81,8 +81,7 @@ public:
   SurfaceThickness Best;
 
 private:
-  Id FindInside(
-    std::size_t triangle, const Point3& center, double radius, Point3& nearest);
+  Id FindInside(std::size_t triangle, const Point3& center, double radius, Point3& nearest);
   bool Faces(std::size_t a, std::size_t b) const;
 
   const SurfaceMesh& Mesh;

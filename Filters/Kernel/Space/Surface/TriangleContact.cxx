@@ -120,8 +120,8 @@ bool AreApart(const Triangle3& a, const Triangle3& b, std::size_t shared)
     const auto add = [&origin, &direction](const Point3& p, double side)
     {
       const Point3 v = p - origin;
-      const double size = std::abs(v.X * direction.X) + std::abs(v.Y * direction.Y) +
-        std::abs(v.Z * direction.Z);
+      const double size =
+        std::abs(v.X * direction.X) + std::abs(v.Y * direction.Y) + std::abs(v.Z * direction.Z);
       return Dot(v, direction) + side * Bound * size;
     };
     low = std::min(low, add(a[k], -1.0));
@@ -135,8 +135,7 @@ bool AreApart(const Triangle3& a, const Triangle3& b, std::size_t shared)
 bool IsBeside(const Triangle3& a, const Triangle3& b, std::size_t shared)
 {
   const int side = HeightOver(b, a[2]);
-  return side != 0 && HeightOver(b, a[1]) == side &&
-    (shared > 0 || HeightOver(b, a[0]) == side);
+  return side != 0 && HeightOver(b, a[1]) == side && (shared > 0 || HeightOver(b, a[0]) == side);
 }
 
 } // namespace
