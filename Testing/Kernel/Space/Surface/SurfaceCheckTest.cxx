@@ -16,7 +16,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-Soup Box()
+Soup Cube()
 {
   Soup soup;
   soup.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
@@ -78,7 +78,7 @@ bool HasNothing(const Verdict& verdict)
 
 TEST(SurfaceCheck, HasNothingToSayOfABox)
 {
-  const Verdict verdict = Judge(Box());
+  const Verdict verdict = Judge(Cube());
   EXPECT_TRUE(HasNothing(verdict));
   EXPECT_EQ(verdict.Surface.Mesh.Points.size(), 8u);
   EXPECT_EQ(verdict.Figures().WeldedPoints, 28);
@@ -152,13 +152,13 @@ TEST(SurfaceCheck, TellsHolesAsLoopsWithLengthAndArea)
 
 TEST(SurfaceCheck, TellsEdgesOfFourTrianglesAndPinchedVertices)
 {
-  Soup edge = Box();
+  Soup edge = Cube();
   edge.AddBox({ 1.0, 1.0, 0.0 }, { 2.0, 2.0, 1.0 });
   const Verdict atEdge = Judge(edge);
   EXPECT_EQ(atEdge.Count(ProblemCode::NonManifoldEdges), 1);
   EXPECT_EQ(atEdge.Count(ProblemCode::PinchedVertices), 0);
   EXPECT_EQ(atEdge.Figures().Parts, 1);
-  Soup vertex = Box();
+  Soup vertex = Cube();
   vertex.AddBox({ 1.0, 1.0, 1.0 }, { 2.0, 2.0, 2.0 });
   const Verdict atVertex = Judge(vertex);
   EXPECT_EQ(atVertex.Count(ProblemCode::NonManifoldEdges), 0);
@@ -186,7 +186,7 @@ TEST(SurfaceCheck, EndsChainsOfOpenEdgesAtEdgesOfThreeTriangles)
 
 TEST(SurfaceCheck, RemovesDuplicatesOfEitherOrientation)
 {
-  Soup soup = Box();
+  Soup soup = Cube();
   for (const bool isTurned : { false, true })
   {
     soup.Add(soup.Mesh.Points[0], soup.Mesh.Points[1], soup.Mesh.Points[2]);
@@ -205,7 +205,7 @@ TEST(SurfaceCheck, FlipsFlatTrianglesAway)
 {
   for (int parts = 2; parts < 7; ++parts)
   {
-    Soup soup = Box();
+    Soup soup = Cube();
     // One side of an edge is divided, and flat triangles close the slit to the other.
     const std::array<Point3, 3> corners = soup.Mesh.Triangle(0);
     soup.Remove(0);
@@ -253,11 +253,11 @@ TEST(SurfaceCheck, TellsFoldsAndNoFlatNeighbors)
 
 TEST(SurfaceCheck, TellsCrossingsFromTouches)
 {
-  Soup crossing = Box();
+  Soup crossing = Cube();
   crossing.AddBox({ 0.5, 0.5, 0.25 }, { 2.0, 2.0, 0.75 });
   EXPECT_GT(Judge(crossing).Count(ProblemCode::SelfCrossings), 0);
   EXPECT_EQ(Judge(crossing).Figures().Parts, 2);
-  Soup touching = Box();
+  Soup touching = Cube();
   touching.AddBox({ 1.0, 0.25, 0.25 }, { 2.0, 0.75, 0.75 });
   const Verdict verdict = Judge(touching);
   EXPECT_EQ(verdict.Count(ProblemCode::SelfCrossings), 0);
@@ -268,7 +268,7 @@ TEST(SurfaceCheck, TellsCrossingsFromTouches)
 
 TEST(SurfaceCheck, WeldsOpenEdgesByRoundingAndNothingElse)
 {
-  Soup soup = Box();
+  Soup soup = Cube();
   Dice dice(3);
   for (Point3& point : soup.Mesh.Points)
   {
