@@ -79,7 +79,7 @@ void SurfaceChecker::Run(Monitor& monitor)
   monitor.BeginStage("Looking for crossings");
   const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Mesh, this->Beats);
   this->TellContacts(tree);
-  OrientByNesting(this->Mesh, tree, this->Result.Shells, this->Beats);
+  OrientByNesting(this->Mesh, this->Links, tree, this->Result.Shells, this->Beats);
   monitor.BeginStage("Measuring");
   this->Result.Thickness = SmallestThickness(this->Mesh, tree, this->Result.Shells, this->Beats);
   this->CollectFeatures();

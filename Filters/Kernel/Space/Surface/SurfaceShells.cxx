@@ -8,7 +8,7 @@
 #include "../../Predicates/Predicates.h"
 #include "TriangleContact.h" // for HeightOver
 
-#include <algorithm> // for count_if, max, min, sort, upper_bound
+#include <algorithm> // for count_if, find, max, min, sort, upper_bound
 #include <cstdint>   // for marks
 #include <string>    // for figures
 #include <utility>   // for swap
@@ -38,7 +38,7 @@ public:
   }
 
   void Fill(std::size_t triangle, ProblemList& problems);
-  void TurnAll();
+  bool TurnAll();
 
 private:
   void Cross(std::size_t slot, SurfaceShell& shell, Problem& twist);
@@ -107,7 +107,8 @@ void ShellSearch::Cross(std::size_t slot, SurfaceShell& shell, Problem& twist)
   }
 }
 
-void ShellSearch::TurnAll()
+// Returns whether any was turned.
+bool ShellSearch::TurnAll()
 {
   for (std::size_t t = 0; t < this->IsTurned.size(); ++t)
   {
@@ -116,6 +117,7 @@ void ShellSearch::TurnAll()
       Turn(this->Mesh, t);
     }
   }
+  return std::find(this->IsTurned.begin(), this->IsTurned.end(), 1) != this->IsTurned.end();
 }
 
 // Before anything is turned: the first edge of each shell whose triangles are not oriented alike,
@@ -258,7 +260,7 @@ void AddVolumes(const SurfaceMesh& mesh, SurfaceShells& shells, Pulse& pulse)
 } // namespace
 
 SurfaceShells FindShells(
-  SurfaceMesh& mesh, const SurfaceLinks& links, ProblemList& problems, Pulse& pulse)
+  SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse)
 {
   SurfaceShells shells;
   ShellSearch search(mesh, links, shells);
@@ -275,14 +277,17 @@ SurfaceShells FindShells(
     return shells;
   }
   TellInconsistent(mesh, links, shells, problems);
-  search.TurnAll();
+  if (search.TurnAll())
+  {
+    links = LinkSurface(mesh, pulse); // the slots of edges have changed
+  }
   FindParts(mesh, shells);
   AddVolumes(mesh, shells, pulse);
   return shells;
 }
 
-void OrientByNesting(
-  SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells, Pulse& pulse)
+void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
+  SurfaceShells& shells, Pulse& pulse)
 {
   constexpr std::size_t MostTries = 300; // corners, where shells touch in many vertices
   const std::vector<std::size_t> farthest = FarthestSlots(mesh, shells);
@@ -313,6 +318,10 @@ void OrientByNesting(
     {
       Turn(mesh, t);
     }
+  }
+  if (std::find(isTurned.begin(), isTurned.end(), 1) != isTurned.end())
+  {
+    links = LinkSurface(mesh, pulse);
   }
 }
 

@@ -44,17 +44,17 @@ struct SurfaceShells
   }
 };
 
-/// Finds shells and parts, and orients each shell as the majority of its triangles is. Edges whose
-/// triangles were not oriented alike are told as InconsistentEdges, one problem a shell; shells
-/// that have one side only (Moebius) as NotOrientable.
+/// Finds shells and parts, and orients each shell as the majority of its triangles is; links follow.
+/// Edges whose triangles were not oriented alike are told as InconsistentEdges, one problem a shell;
+/// shells that have one side only (Moebius) as NotOrientable.
 SurfaceShells FindShells(
-  SurfaceMesh& mesh, const SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
+  SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
 
 /// Orients closed shells by nesting: outwards where an even number of others is around them, else
-/// inwards. Decided by exact signs along a ray from a vertex that no other shell touches, if there
-/// is one. `tree` has all triangles.
-void OrientByNesting(
-  SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree, SurfaceShells& shells, Pulse& pulse);
+/// inwards; links follow. Decided by exact signs along a ray from a vertex that no other shell
+/// touches, if there is one. `tree` has all triangles.
+void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
+  SurfaceShells& shells, Pulse& pulse);
 
 } // namespace biting
 
