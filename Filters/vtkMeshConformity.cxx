@@ -9,6 +9,7 @@
 #include "Bridge/FilterRun.h" // for EmptyOutputs
 #include "Bridge/InputTimes.h"
 #include "Bridge/MeasuredMesh.h"
+#include "Bridge/MeasuredTetrahedra.h"
 #include "Bridge/MeshWarnings.h"
 #include "Bridge/MessagesFromProblems.h"
 #include "Bridge/MonitorOfFilter.h"
@@ -65,6 +66,7 @@ public:
 
 private:
   bool Gather(const biting::WholeInput& mesh, const biting::WholeInput& source);
+  void MeasureSpace(vtkInformationVector* outputs);
   bool ReadMesh();
   bool ReadSpacing();
   bool Measure();
@@ -201,7 +203,15 @@ void vtkMeshConformity::Execution::Run(
 {
   try
   {
-    if (this->Gather(mesh, source) && this->ReadMesh() && this->ReadSpacing() && this->Measure())
+    if (!this->Gather(mesh, source))
+    {
+      return;
+    }
+    if (biting::MeasuredTetrahedra::AreIn(this->Input))
+    {
+      this->MeasureSpace(outputs);
+    }
+    else if (this->ReadMesh() && this->ReadSpacing() && this->Measure())
     {
       this->Write(outputs);
     }
@@ -226,6 +236,35 @@ bool vtkMeshConformity::Execution::Gather(
   const bool isAsBefore =
     !this->Input || this->Input->IsA(this->Filter->GetOutputDataObject(0)->GetClassName());
   return this->Accept(isAsBefore ? "" : biting::NotOneGrid) && this->Input != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Tetrahedra. The sources of spacing are those of a plane: an array of the mesh counts here.
+void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
+{
+  this->Monitor.BeginStage("Measuring tetrahedra");
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
+  biting::MeasuredTetrahedra mesh;
+  if (!this->Accept(chosen.Refusal) ||
+    !this->Accept(mesh.Read(this->Input, chosen.Array, this->Monitor)))
+  {
+    return;
+  }
+  this->Warn(this->Source ? "The spacing source is not used: of tetrahedra only an array of the "
+                            "mesh can be the spacing. Resample With Dataset makes one."
+                          : "");
+  this->Warn(chosen.Array ? ""
+                          : "There is no spacing to compare with: shapes are measured, conformity "
+                            "is not. Choose a point array of the mesh.");
+  mesh.Quality =
+    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Monitor);
+  if (this->Monitor.Advance(1.0))
+  {
+    mesh.Write(this->Input, vtkDataSet::GetData(outputs, 0), this->Filter->NumberOfBins,
+      vtkTable::GetData(outputs, 1));
+    this->Filter->Summary.insert(0, mesh.Summary());
+  }
 }
 
 //------------------------------------------------------------------------------

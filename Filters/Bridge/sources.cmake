@@ -22,6 +22,7 @@ set(biting_bridge_sources
   GhostArrays.cxx
   InputTimes.cxx
   MeasuredMesh.cxx
+  MeasuredTetrahedra.cxx
   MeshFileFromDataSet.cxx
   MeshFromPieces.cxx
   MeshToPolyData.cxx

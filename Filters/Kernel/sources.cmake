@@ -183,6 +183,7 @@ set(biting_kernel_sources
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
   Pieces/TrimmedPiece.cxx
+  Space/Quality/TetQuality.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx
   Space/Surface/SurfaceLinks.cxx

@@ -40,7 +40,7 @@ double FigureOf(vtkBitingSurfaceCheck* filter, const char* name)
   return Figure(filter->GetOutput(), name);
 }
 
-std::string RefusalOf(vtkDataObject* input)
+std::string ReasonOf(vtkDataObject* input)
 {
   vtkNew<vtkBitingSurfaceCheck> filter;
   Messages messages(filter);
@@ -146,11 +146,11 @@ TEST(BitingSurfaceCheck, RefusesWhatIsNoSurfaceWithAReason)
   grid->SetPoints(points);
   const vtkIdType corners[] = { 0, 1, 2, 3 };
   grid->InsertNextCell(VTK_TETRA, 4, corners);
-  EXPECT_TRUE(Has(RefusalOf(grid), "Extract Surface"));
+  EXPECT_TRUE(Has(ReasonOf(grid), "Extract Surface"));
   auto cube = Cube(0.0, 1.0);
   cube->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  EXPECT_TRUE(Has(RefusalOf(cube), "point 3 at "));
-  EXPECT_TRUE(Has(RefusalOf(UnitSquare()), "no surface"));
+  EXPECT_TRUE(Has(ReasonOf(cube), "point 3 at "));
+  EXPECT_TRUE(Has(ReasonOf(UnitSquare()), "no surface"));
 }
 
 TEST(BitingSurfaceCheck, HasNothingToSayOfNothing)

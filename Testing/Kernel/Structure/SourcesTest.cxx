@@ -100,6 +100,7 @@ const std::map<std::string, std::set<std::string>> Arrows = {
   { "Kernel/Delaunay", { "Base", "Predicates" } },
   { "Kernel/Relaxation", { "Base", "Predicates", "Domain", "Spacing", "Delaunay" } },
   { "Kernel/Quality", { "Base", "Predicates" } },
+  { "Kernel/Space/Quality", { "Base" } },
   { "Kernel/Space/Surface", { "Base", "Predicates" } },
   { "Kernel/Mesh", { "Base", "Domain", "Simplification", "Spacing", "Biting", "Quality" } },
   { "Kernel/Stages",
@@ -141,6 +142,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Remeshing", { 5850, 44 } },
   { "Kernel/Simplification", { 2000, 19 } },
   { "Kernel/Spacing", { 5700, 69 } },
+  { "Kernel/Space/Quality", { 300, 2 } },
   { "Kernel/Space/Surface", { 2350, 18 } },
   { "Kernel/Stages", { 2450, 15 } },
 };
