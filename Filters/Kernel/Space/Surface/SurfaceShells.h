@@ -44,9 +44,9 @@ struct SurfaceShells
   }
 };
 
-/// Finds shells and parts, and orients each shell as the majority of its triangles is; links follow.
-/// Edges whose triangles were not oriented alike are told as InconsistentEdges, one problem a shell;
-/// shells that have one side only (Moebius) as NotOrientable.
+/// Finds shells and parts, and orients each shell as the majority of its triangles is; links
+/// follow. Edges whose triangles were not oriented alike are told as InconsistentEdges, one problem
+/// a shell; shells that have one side only (Moebius) as NotOrientable.
 SurfaceShells FindShells(
   SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
 
