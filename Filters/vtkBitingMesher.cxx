@@ -24,7 +24,7 @@ static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
     static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::NESTED_CELLS + 1,
+    static_cast<int>(biting::ProblemCode::NestedCells) == vtkBitingMesher::NESTED_CELLS,
   "The kinds of problems that users see are those of the kernel.");
 
 namespace

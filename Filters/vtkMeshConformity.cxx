@@ -5,6 +5,7 @@
 
 #include "Bridge/Mesh/DividedQuads.h"
 #include "Bridge/Mesh/MeasuredMesh.h"
+#include "Bridge/Mesh/MeasuredTetrahedra.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
 #include "Bridge/Run/ProblemReport.h"
@@ -52,6 +53,7 @@ public:
 
 private:
   bool Gather(const biting::WholeInput& mesh, const biting::WholeInput& source);
+  void MeasureSpace(vtkInformationVector* outputs);
   bool ReadMesh();
   bool ReadSpacing();
   bool Measure();
@@ -182,7 +184,15 @@ void vtkMeshConformity::Execution::Run(
 {
   const auto run = [this, &mesh, &source, outputs]()
   {
-    if (this->Gather(mesh, source) && this->ReadMesh() && this->ReadSpacing() && this->Measure())
+    if (!this->Gather(mesh, source))
+    {
+      return;
+    }
+    if (biting::MeasuredTetrahedra::AreIn(this->Input))
+    {
+      this->MeasureSpace(outputs);
+    }
+    else if (this->ReadMesh() && this->ReadSpacing() && this->Measure())
     {
       this->Write(outputs);
     }
@@ -203,6 +213,35 @@ bool vtkMeshConformity::Execution::Gather(
   const bool isAsBefore =
     !this->Input || this->Input->IsA(this->Filter->GetOutputDataObject(0)->GetClassName());
   return this->Accept(isAsBefore ? "" : biting::NotOneGrid) && this->Input != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Tetrahedra. The sources of spacing are those of a plane: an array of the mesh counts here.
+void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
+{
+  this->Monitor.BeginStage("Measuring tetrahedra");
+  const biting::ChosenArray chosen = biting::ChooseArray(
+    this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
+  biting::MeasuredTetrahedra mesh;
+  if (!this->Accept(chosen.Refusal) ||
+    !this->Accept(mesh.Read(this->Input, chosen.Array, this->Monitor)))
+  {
+    return;
+  }
+  this->Warn(this->Source ? "The spacing source is not used: of tetrahedra only an array of the "
+                            "mesh can be the spacing. Resample With Dataset makes one."
+                          : "");
+  this->Warn(chosen.Array ? ""
+                          : "There is no spacing to compare with: shapes are measured, conformity "
+                            "is not. Choose a point array of the mesh.");
+  mesh.Quality =
+    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Monitor);
+  if (this->Monitor.Advance(1.0))
+  {
+    mesh.Write(this->Input, vtkDataSet::GetData(outputs, 0), this->Filter->NumberOfBins,
+      vtkTable::GetData(outputs, 1));
+    this->Filter->Summary.insert(0, mesh.Summary());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 
 /**
  * @class   vtkMeshConformity
- * @brief   judges a triangle mesh: its shapes, and how well it follows a spacing
+ * @brief   judges a mesh of triangles or tetrahedra: its shapes, and how well it follows a spacing
  *
  * vtkMeshConformity measures a mesh of any origin against the spacing f that was wanted of it: how
  * far each vertex is from the nearest one along its edges, how long each edge is in units of f, how
@@ -15,6 +15,17 @@
  * plane of space, whatever their orientation. Linear quads become two triangles each, by the
  * diagonal with the larger smallest angle, with a warning; the output has these. Lines and vertices
  * are passed over, so are hidden and ghost cells. Points that no triangle uses are not measured.
+ *
+ * @par Tetrahedra:
+ * A vtkUnstructuredGrid with linear tetrahedra, of either orientation, is a mesh of space: its
+ * cells of two dimensions and less are passed over, and another cell of three dimensions is an
+ * error. The spacing is the point array of the mesh, read as below; a source is not used, with a
+ * warning. Cell data: `MinimumDihedralAngle`, `MaximumDihedralAngle` (degrees, 70.53 is best; 0 and
+ * 180 where a face has no area), `RadiusEdgeRatio` (0.612 is best, infinite where there is no
+ * volume). Point data and the figures of the spacing are those below, but for the slopes. Field
+ * data: `NumberOfVertices`, `NumberOfTetrahedra`, `NumberOfSlivers` (ratio at most 2, and a
+ * dihedral angle below 10 degrees), `SmallestDihedralAngle`, `LargestDihedralAngle`,
+ * `LargestRadiusEdgeRatio`. Histograms: `DihedralAngle` (all six of each) in place of `Angle`.
  *
  * @par The spacing:
  * Where a dataset is connected to input 1, the point array of it that SetInputArrayToProcess(1, 1,

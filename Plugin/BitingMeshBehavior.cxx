@@ -232,7 +232,7 @@ void ExecuteWhereStopped(pqServerManagerModelItem* item)
 
 void FollowAll(pqPipelineSource* source)
 {
-  if (HasProblems(source) || IsA(source, "MeshConformity"))
+  if (HasProblems(source) || IsA(source, "MeshConformity") || IsA(source, "BitingSurfaceCheck"))
   {
     // The summary is information that no one else asks for when there is new data.
     source->getSourceProxy()->UpdatePipelineInformation();

@@ -4,6 +4,7 @@
 # The one list of bridge sources, relative to this folder; the module reads it.
 set(biting_bridge_sources
   Data/Arrays.cxx
+  Data/CarriedArrays.cxx
   Data/Cells.cxx
   Data/DataTree.cxx
   Drawing/BoundarySpacing.cxx
@@ -14,12 +15,15 @@ set(biting_bridge_sources
   Drawing/PlaneFrame.cxx
   Drawing/PolylinesFromDrawing.cxx
   Drawing/RemeshInputFromDataSet.cxx
+  Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
+  Mesh/MeasuredTetrahedra.cxx
   Mesh/MeshFileFromDataSet.cxx
   Mesh/MeshToPolyData.cxx
   Mesh/RemeshedData.cxx
+  Mesh/SurfaceToPolyData.cxx
   Ranks/RankCrew.cxx
   Ranks/Ranks.cxx
   Ranks/WholeFromPieces.cxx

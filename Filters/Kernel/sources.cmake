@@ -8,6 +8,7 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
+  Predicates/Predicates3.cxx
   Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
   Spacing/GridInterpolator.cxx
@@ -148,5 +149,14 @@ set(biting_kernel_sources
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
+  Space/Quality/TetQuality.cxx
+  Space/Surface/SurfaceCheck.cxx
+  Space/Surface/SurfaceCrossings.cxx
+  Space/Surface/SurfaceLinks.cxx
+  Space/Surface/SurfaceRepair.cxx
+  Space/Surface/SurfaceShells.cxx
+  Space/Surface/SurfaceThickness.cxx
+  Space/Surface/SurfaceWelding.cxx
+  Space/Surface/TriangleContact.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

@@ -6,6 +6,8 @@
 
 #include "FilterTesting.h"
 
+#include "vtkBitingSurfaceCheck.h"
+
 #include "vtkIdTypeArray.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -20,7 +22,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingMesher::NESTED_CELLS + 1;
+constexpr int NumberOfKinds = vtkBitingSurfaceCheck::SURFACE_TOUCHES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

@@ -144,6 +144,39 @@ TEST(MeshConformity, MeasuresWhatIsKnownOfFourTriangles)
   EXPECT_TRUE(messages.Warnings.empty());
 }
 
+TEST(MeshConformity, MeasuresTetrahedraByTheirDihedralAngles)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (const Place& place : { Place{ 1.0, 1.0, 1.0 }, Place{ 1.0, -1.0, -1.0 },
+         Place{ -1.0, 1.0, -1.0 }, Place{ -1.0, -1.0, 1.0 }, Place{ 9.0, 9.0, 9.0 } })
+  {
+    points->InsertNextPoint(place.data());
+  }
+  grid->SetPoints(points);
+  const vtkIdType corners[] = { 0, 1, 2, 3 };
+  grid->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  grid->InsertNextCell(VTK_TETRA, 4, corners);
+  const double length = std::sqrt(8.0);
+  AddArray<vtkDoubleArray>(grid->GetPointData(), "Spacing", std::vector<double>(5, 2.0 * length));
+  vtkNew<vtkMeshConformity> filter;
+  Messages messages(filter);
+  filter->SetInputData(grid);
+  filter->Update();
+  vtkDataSet* mesh = filter->GetOutput();
+  EXPECT_NEAR(ValueIn(mesh->GetCellData(), "MinimumDihedralAngle", 1), 70.5287793655, 1e-8);
+  EXPECT_TRUE(std::isnan(ValueIn(mesh->GetCellData(), "MinimumDihedralAngle", 0)));
+  EXPECT_DOUBLE_EQ(ValueIn(mesh->GetPointData(), "Conformity", 2), 0.5);
+  EXPECT_TRUE(std::isnan(ValueIn(mesh->GetPointData(), "Conformity", 4)));
+  EXPECT_EQ(FigureOf(mesh, "NumberOfTetrahedra"), 1.0);
+  EXPECT_EQ(FigureOf(mesh, "NumberOfVertices"), 4.0);
+  EXPECT_EQ(FigureOf(mesh, "NumberOfSlivers"), 0.0);
+  EXPECT_DOUBLE_EQ(FigureOf(mesh, "MeanRelativeLength"), 0.5);
+  EXPECT_NEAR(SumOf(filter->GetHistograms(), "DihedralAnglePercent"), 100.0, 1e-9);
+  EXPECT_TRUE(Has(filter->GetSummary(), "1 tetrahedra"));
+  EXPECT_TRUE(messages.Errors.empty() && messages.Warnings.empty());
+}
+
 TEST(MeshConformity, JudgesAMeshAsTheMesherItself)
 {
   vtkNew<vtkBitingMesher> mesher;

@@ -4,6 +4,7 @@
 #include "MeshToPolyData.h"
 
 #include "../Data/ArrayFromVector.h"
+#include "../Data/CarriedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -146,68 +147,6 @@ vtkSmartPointer<vtkPoints> PointsOf(const EdgeVertices& vertices, vtkPoints* mes
   return points;
 }
 
-// The value of an edge without a cell: NaN, -1, 0 or an empty text.
-void FillWithNaNOrMinusOne(vtkAbstractArray* array)
-{
-  if (auto* data = vtkDataArray::SafeDownCast(array))
-  {
-    const bool isReal = data->GetDataType() == VTK_DOUBLE || data->GetDataType() == VTK_FLOAT;
-    data->Fill(
-      isReal ? std::numeric_limits<double>::quiet_NaN() : std::max(data->GetDataTypeMin(), -1.0));
-  }
-}
-
-// In steps, as tuples of some arrays are slow.
-void CopyTuples(vtkAbstractArray* from, vtkIdList* tuples, vtkAbstractArray* to, Pulse& pulse)
-{
-  constexpr vtkIdType Step = 1024;
-  for (vtkIdType first = 0; first < tuples->GetNumberOfIds() && pulse.Ask(); first += Step)
-  {
-    const vtkIdType size = std::min(Step, tuples->GetNumberOfIds() - first);
-    vtkNew<vtkIdList> some;
-    vtkNew<vtkIdList> places;
-    for (vtkIdType k = first; k < first + size; ++k)
-    {
-      if (tuples->GetId(k) >= 0)
-      {
-        some->InsertNextId(tuples->GetId(k));
-        places->InsertNextId(k);
-      }
-    }
-    to->InsertTuples(places, some, from);
-  }
-}
-
-// Any kind of array, numbers or not; never as the active attribute that it may be in the input,
-// since an id that is unique there is not unique here. An array that has no value for some cell is
-// left out.
-void CarryCellArrays(const BitingMesh& mesh, const Drawing& drawing, vtkCellData* to, Pulse& pulse)
-{
-  vtkFieldData* from = drawing.CellArrays;
-  vtkNew<vtkIdList> cells;
-  cells->SetNumberOfIds(static_cast<vtkIdType>(mesh.EdgeCells.size()));
-  std::copy(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), cells->GetPointer(0));
-  const bool hasUnknown =
-    std::find(mesh.EdgeCells.begin(), mesh.EdgeCells.end(), NoId) != mesh.EdgeCells.end();
-  for (int k = 0; k < from->GetNumberOfArrays() && pulse.Ask(); ++k)
-  {
-    vtkAbstractArray* given = from->GetAbstractArray(k);
-    const std::string name = given->GetName() ? given->GetName() : "";
-    const bool isShort = given->GetNumberOfTuples() < drawing.NumberOfCells;
-    if (isShort || name == vtkDataSetAttributes::GhostArrayName())
-    {
-      continue;
-    }
-    const auto carried = NewArrayLike(given, cells->GetNumberOfIds());
-    if (hasUnknown)
-    {
-      FillWithNaNOrMinusOne(carried);
-    }
-    CopyTuples(given, cells, carried, pulse);
-    to->AddArray(carried);
-  }
-}
-
 std::vector<std::uint8_t> KindsOf(const BitingMesh& mesh)
 {
   std::vector<std::uint8_t> kinds;
@@ -328,7 +267,8 @@ void BoundaryEdgesToPolyData(const BitingMesh& mesh, vtkPoints* points, const Dr
   output->SetPoints(PointsOf(vertices, points));
   output->SetLines(lines);
   AddMeshPointIds(mesh, vertices.MeshIds, output->GetPointData(), pulse);
-  CarryCellArrays(mesh, drawing, output->GetCellData(), pulse);
+  CarryArrays(
+    drawing.CellArrays, drawing.NumberOfCells, mesh.EdgeCells, output->GetCellData(), pulse);
   AddArray<vtkIdTypeArray>(output->GetCellData(), "OriginalCellId", mesh.EdgeCells, pulse);
   AddArray<vtkUnsignedCharArray>(output->GetCellData(), "Kind", KindsOf(mesh), pulse);
 }

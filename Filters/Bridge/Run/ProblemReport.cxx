@@ -95,6 +95,19 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
     "It is as wide as what is drawn: a smaller Boundary Tolerance changes the area less." },
   { "NestedCells", "Cells within others", "cell", "",
     "They are holes. With the Domain Rule Union they belong to the domain, as regions of it." },
+  { "OpenEdges", "Open edges", "from point", "", "Fill the holes, or close the surface." },
+  { "NonManifoldEdges", "Edges of more than two triangles", "cell", "cell",
+    "Remove the walls that do not belong to the surface." },
+  { "PinchedVertices", "Pinched vertices, where fans of triangles meet", "point", "",
+    "Divide the vertex." },
+  { "Folds", "Folds, neighbors that lie on each other", "cell", "cell", "Unfold them." },
+  { "SelfCrossings", "Self-crossings", "cell", "cell",
+    "Cut the surface there, or move it apart." },
+  { "NotOrientable", "Surfaces with one side only", "cell", "cell", "They bound nothing." },
+  { "DuplicateTriangles", "Duplicate triangles", "cell", "cell", "They were left out." },
+  { "InconsistentEdges", "Triangles oriented against each other", "cell", "cell",
+    "They were turned." },
+  { "SurfaceTouches", "Touches within rounding", "cell", "cell", "" },
   { "Aborted", "Aborted", "", "", "" },
 } };
 
@@ -151,13 +164,18 @@ private:
   std::vector<Id> Beside;
 };
 
-ProblemPlace PlaceFrom(const Problem& problem, const PlanarInput& input)
+void SetKindAndIds(const Problem& problem, ProblemPlace& place)
 {
-  ProblemPlace place;
   place.Kind = problem.Code;
   const std::vector<std::int64_t> ids = ShownIdsOf(problem);
   place.FirstId = ids.empty() ? -1 : ids[0];
   place.SecondId = ids.size() < 2 ? -1 : ids[1];
+}
+
+ProblemPlace PlaceFrom(const Problem& problem, const PlanarInput& input)
+{
+  ProblemPlace place;
+  SetKindAndIds(problem, place);
   place.Place = PlaceInSpace(problem, input);
   place.Message = MessageOfPlace(problem, input);
   return place;
@@ -320,6 +338,27 @@ void AddPlaces(
   }
 }
 
+void AddPlacesInSpace(const ProblemList& problems, ProblemPlaces& places)
+{
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == ProblemCode::Aborted)
+    {
+      continue;
+    }
+    for (const Problem& problem : group.First)
+    {
+      ProblemPlace place;
+      SetKindAndIds(problem, place);
+      place.IsError = IsError(problem.Code);
+      place.Place = problem.Place;
+      place.Message = MessageInSpace(problem);
+      places.Places.push_back(place);
+    }
+    places.Counts[static_cast<std::size_t>(group.Code)] += group.Count;
+  }
+}
+
 void ProblemsToPolyData(const ProblemPlaces& problems, vtkPolyData* output)
 {
   output->Initialize();
@@ -378,6 +417,13 @@ std::string MessageOfPlace(const Problem& problem, const PlanarInput& input)
   return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
     PlaceText(PlaceInSpace(problem, input)) +
     (hasIds && !problem.Detail.empty() ? " (" + problem.Detail + ")" : "");
+}
+
+std::string MessageInSpace(const Problem& problem)
+{
+  const Wording& wording = WordingOf(problem.Code);
+  return std::string(wording.What) + ": " + IdsText(problem, wording) + " at " +
+    PlaceText(problem.Place) + (problem.Detail.empty() ? "" : " (" + problem.Detail + ")");
 }
 
 std::vector<std::int64_t> ShownIdsOf(const Problem& problem)

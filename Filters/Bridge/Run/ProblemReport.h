@@ -60,6 +60,9 @@ enum class RepairPolicy
 void AddPlaces(const ProblemList& problems, const PlanarInput& input, RepairPolicy policy,
   ProblemPlaces& places);
 
+/// The same of problems of space, whose places are what they are.
+void AddPlacesInSpace(const ProblemList& problems, ProblemPlaces& places);
+
 /// Fills `output` with one vertex cell a place, and the arrays that the documentation of
 /// vtkBitingMesher lists for output 3.
 void ProblemsToPolyData(const ProblemPlaces& problems, vtkPolyData* output);
@@ -85,6 +88,9 @@ std::string NotResolvedMessageFrom(const ProblemList& problems, const PlanarInpu
 
 /// One problem as one line: its kind in words, its ids, its place, and its figures.
 std::string MessageOfPlace(const Problem& problem, const PlanarInput& input);
+
+/// The same of a problem of space.
+std::string MessageInSpace(const Problem& problem);
 
 /// The ids of `problem` that number points and cells of the input, in the order that its code
 /// states.

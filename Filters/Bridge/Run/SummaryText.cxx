@@ -191,7 +191,7 @@ std::string SummaryOf(vtkDataSet* mesh, double seconds)
 std::string SummaryOf(vtkDataSet* mesh, const SummaryCounts& counts, double seconds)
 {
   vtkFieldData* figures = mesh->GetFieldData();
-  if (!figures->HasArray("NumberOfVertices") || Figure(mesh, "NumberOfTriangles") == 0.0)
+  if (!figures->HasArray("NumberOfTriangles") || Figure(mesh, "NumberOfTriangles") == 0.0)
   {
     return {};
   }

@@ -49,12 +49,14 @@ bool IsError(ProblemCode code)
 {
   return code == ProblemCode::Aborted || code == ProblemCode::BadTriangles ||
     code == ProblemCode::OpenOutlines ||
+    (code >= ProblemCode::OpenEdges && code <= ProblemCode::NotOrientable) ||
     (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
 }
 
 bool IsNote(ProblemCode code)
 {
-  return code == ProblemCode::SmallLoops || code == ProblemCode::FineDrawing;
+  return code == ProblemCode::SmallLoops || code == ProblemCode::FineDrawing ||
+    code == ProblemCode::SurfaceTouches;
 }
 
 std::string Figure(double value, int digits)

@@ -60,7 +60,19 @@ enum class ProblemCode
                ///< for an embedded point)
   ChangedArea, ///< a tolerance changed the area of the domain by more than 5 % (no ids)
   NestedCells, ///< a face within another one, which is a hole by DomainRule::EvenOdd (ids: cell)
-  Aborted      ///< the monitor asked to stop; not an error
+  // Of surfaces: they bound no body there.
+  OpenEdges,        ///< a loop or chain of edges of one triangle (ids: point)
+  NonManifoldEdges, ///< an edge of more than two triangles (ids: cell, cell)
+  PinchedVertices,  ///< a vertex where several fans of triangles meet (ids: point)
+  Folds,            ///< neighbors that lie on each other (ids: cell, cell)
+  SelfCrossings,    ///< two triangles that cross (ids: cell, cell)
+  NotOrientable,    ///< a closed walk along the surface ends on its other side (ids: cell, cell)
+  // Of surfaces: repaired, or noted.
+  DuplicateTriangles, ///< of the same three vertices (ids: cell, cell: the one that stays)
+  InconsistentEdges,  ///< triangles at an edge that are oriented against each other (ids: cell,
+                      ///< cell)
+  SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
+  Aborted             ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

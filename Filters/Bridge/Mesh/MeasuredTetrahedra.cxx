@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeasuredTetrahedra.h"
+
+#include "../../Kernel/Base/Pulse.h"
+#include "../../Kernel/Quality/Histogram.h"
+#include "../Data/ArrayFromVector.h"
+#include "../Data/Cells.h"
+#include "../Data/Arrays.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include <cmath>   // for isfinite
+#include <limits>  // for NaN
+#include <sstream> // for numbers
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double Unmeasured = std::numeric_limits<double>::quiet_NaN();
+
+void AddPair(const std::vector<double>& values, double highest, int bins, const std::string& name,
+  vtkTable* table)
+{
+  const Histogram histogram = MakeHistogram(values, 0.0, highest, bins);
+  AddArray<vtkDoubleArray>(table->GetRowData(), name.c_str(), histogram.Centers);
+  AddArray<vtkDoubleArray>(table->GetRowData(), (name + "Percent").c_str(), histogram.Percents);
+}
+
+std::string NumberText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+} // namespace
+
+bool MeasuredTetrahedra::AreIn(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  data->GetCellTypes(types);
+  bool isAny = false;
+  for (vtkIdType k = 0; k < types->GetNumberOfTypes(); ++k)
+  {
+    isAny = isAny || types->GetCellType(k) == VTK_TETRA;
+  }
+  return isAny;
+}
+
+std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Monitor& monitor)
+{
+  constexpr vtkIdType Limit = std::numeric_limits<Id>::max();
+  const vtkIdType numberOfPoints = data->GetNumberOfPoints();
+  if (numberOfPoints > Limit || data->GetNumberOfCells() > Limit / 4)
+  {
+    return "The input has more points or cells than 32-bit ids can number.";
+  }
+  Pulse pulse(monitor);
+  const auto coordinates = CoordinatesOf(data);
+  this->Points.resize(static_cast<std::size_t>(numberOfPoints));
+  for (std::size_t point = 0; point < this->Points.size(); ++point)
+  {
+    coordinates->GetTuple(static_cast<vtkIdType>(point), this->Points[point].data());
+  }
+  if (spacing)
+  {
+    this->Spacing = ReadDoubles(spacing, numberOfPoints);
+  }
+  const GhostArrays ghosts(data);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells() && pulse.Beat(); ++cell)
+  {
+    const int type = data->GetCellType(cell);
+    data->GetCellPoints(cell, corners);
+    const vtkIdType size = corners->GetNumberOfIds();
+    const std::string missing =
+      MissingPointText("the input", cell, size, corners->GetPointer(0), numberOfPoints);
+    if (!missing.empty() || (type != VTK_TETRA && ShapeOf(type) == CellShape::Volume))
+    {
+      return !missing.empty()
+        ? missing
+        : "Cell " + std::to_string(cell) + " is a " + vtkCellTypes::GetClassNameFromTypeId(type) +
+          "; of the cells of three dimensions only linear tetrahedra are measured (apply "
+          "Tetrahedralize before it).";
+    }
+    if (type != VTK_TETRA || ghosts.LeaveOut(cell, size, corners->GetPointer(0)))
+    {
+      continue;
+    }
+    this->Cells.push_back(cell);
+    for (const vtkIdType corner : *corners)
+    {
+      const auto vertex = static_cast<std::size_t>(corner);
+      const bool isPlace = AreFinite(this->Points[vertex].data());
+      const bool isSize = this->Spacing.empty() ||
+        (std::isfinite(this->Spacing[vertex]) && this->Spacing[vertex] > 0.0);
+      if (!isPlace || !isSize)
+      {
+        return std::string(isPlace ? "The spacing is not positive and finite"
+                                   : "Coordinates that are not finite") +
+          " at point " + std::to_string(corner) + ".";
+      }
+      this->Corners.push_back(static_cast<Id>(corner));
+    }
+  }
+  return {};
+}
+
+void MeasuredTetrahedra::Write(
+  vtkDataSet* input, vtkDataSet* output, int bins, vtkTable* histograms) const
+{
+  output->ShallowCopy(input);
+  const TetQuality& quality = this->Quality;
+  const auto addOfCells = [this, output](const char* name, const std::vector<double>& values)
+  {
+    std::vector<double> all(static_cast<std::size_t>(output->GetNumberOfCells()), Unmeasured);
+    for (std::size_t k = 0; k < this->Cells.size(); ++k)
+    {
+      all[static_cast<std::size_t>(this->Cells[k])] = values[k];
+    }
+    AddArray<vtkDoubleArray>(output->GetCellData(), name, all);
+  };
+  addOfCells("MinimumDihedralAngle", quality.MinimumDihedralAngle);
+  addOfCells("MaximumDihedralAngle", quality.MaximumDihedralAngle);
+  addOfCells("RadiusEdgeRatio", quality.RadiusEdgeRatio);
+  output->GetCellData()->SetActiveScalars("MinimumDihedralAngle");
+  std::vector<double> distances = quality.NearestNeighborDistance;
+  for (double& distance : distances)
+  {
+    distance = std::isfinite(distance) ? distance : Unmeasured;
+  }
+  AddArray<vtkDoubleArray>(output->GetPointData(), "NearestNeighborDistance", distances);
+  vtkFieldData* figures = output->GetFieldData();
+  AddCount(figures, "NumberOfVertices", quality.NumberOfVertices);
+  AddCount(figures, "NumberOfTetrahedra", static_cast<std::int64_t>(this->Cells.size()));
+  AddCount(figures, "NumberOfSlivers", quality.NumberOfSlivers);
+  AddFigure(figures, "SmallestDihedralAngle", quality.SmallestDihedralAngle);
+  AddFigure(figures, "LargestDihedralAngle", quality.LargestDihedralAngle);
+  AddFigure(figures, "LargestRadiusEdgeRatio", quality.LargestRadiusEdgeRatio);
+  constexpr double HighestDihedral = 180.0;
+  AddPair(quality.DihedralAngles, HighestDihedral, bins, "DihedralAngle", histograms);
+  if (this->Spacing.empty())
+  {
+    return;
+  }
+  AddArray<vtkDoubleArray>(output->GetPointData(), "Spacing", this->Spacing);
+  AddArray<vtkDoubleArray>(output->GetPointData(), "Conformity", quality.Conformity);
+  AddFigure(figures, "SmallestConformity", quality.SmallestConformity);
+  AddFigure(figures, "MeanConformity", quality.MeanConformity);
+  AddFigure(figures, "MeanRelativeLength", quality.MeanRelativeLength);
+  AddFigure(figures, "ShareOfEdgesInBand", quality.ShareOfEdgesInBand);
+  constexpr double HighestLength = 3.0;
+  AddPair(quality.Conformity, 1.0, bins, "Conformity", histograms);
+  AddPair(quality.RelativeLengths, HighestLength, bins, "RelativeLength", histograms);
+}
+
+std::string MeasuredTetrahedra::Summary() const
+{
+  const TetQuality& quality = this->Quality;
+  return std::to_string(quality.NumberOfVertices) + " vertices, " +
+    std::to_string(this->Cells.size()) + " tetrahedra\nDihedral angles from " +
+    NumberText(quality.SmallestDihedralAngle) + " to " + NumberText(quality.LargestDihedralAngle) +
+    " degrees\nSlivers: " + std::to_string(quality.NumberOfSlivers) + "\n" +
+    (this->Spacing.empty() ? ""
+                           : "Mean conformity " + NumberText(quality.MeanConformity) +
+          " (best: 1)\nMean length of edges in spacings " + NumberText(quality.MeanRelativeLength) +
+          "\n");
+}
+
+} // namespace biting

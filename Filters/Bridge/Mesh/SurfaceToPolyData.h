@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceToPolyData_h
+#define BitingSurfaceToPolyData_h
+
+#include "../../Kernel/Base/Problem.h"
+#include "../../Kernel/Space/Surface/SurfaceCheck.h"
+#include "../Drawing/Drawing.h"
+
+#include <string> // for the summary
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+namespace biting
+{
+
+/// The repaired surface with the arrays of the drawing and those that the documentation of
+/// vtkBitingSurfaceCheck lists for output 0.
+void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problems,
+  const Drawing& drawing, vtkPolyData* output, Pulse& pulse);
+
+/// Its feature edges as lines; `mesh` is what SurfaceToPolyData has filled.
+void FeatureEdgesToPolyData(const CheckedSurface& surface, vtkPolyData* mesh, vtkPolyData* output);
+
+/// What it is in a few lines, and what is wrong with it.
+std::string SummaryOf(const CheckedSurface& surface, const ProblemList& problems);
+
+} // namespace biting
+
+#endif

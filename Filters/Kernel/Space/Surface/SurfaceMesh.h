@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceMesh_h
+#define BitingSurfaceMesh_h
+
+#include "../../Base/Box.h"
+#include "../../Base/Ids.h"
+#include "../../Base/Point.h"
+#include "../../Base/TriangleSlots.h"
+
+#include <array>  // for the corners of a triangle
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// A triangulated surface of space, as a structure of arrays. Slots are as in TriangleSlots.h.
+struct SurfaceMesh
+{
+  std::vector<Point3> Points;
+  std::vector<Id> PointIds; ///< of each vertex, the first point of the input at its place
+  std::vector<Id> Corners;  ///< triangle t has the vertices Corners[3 t], [3 t + 1], [3 t + 2]
+  std::vector<Id> Cells;    ///< of each triangle, the cell of the input that it came from
+
+  std::size_t NumberOfTriangles() const { return this->Cells.size(); }
+
+  const Point3& At(std::size_t slot) const
+  {
+    return this->Points[static_cast<std::size_t>(this->Corners[slot])];
+  }
+
+  std::array<Point3, 3> Triangle(std::size_t t) const
+  {
+    return { this->At(3 * t), this->At(3 * t + 1), this->At(3 * t + 2) };
+  }
+
+  /// Towards where the triangle is counterclockwise; as long as twice its area.
+  Point3 Normal(std::size_t t) const
+  {
+    return Cross(this->At(3 * t + 1) - this->At(3 * t), this->At(3 * t + 2) - this->At(3 * t));
+  }
+
+  Point3 Middle(std::size_t t) const
+  {
+    return (1.0 / 3.0) * (this->At(3 * t) + this->At(3 * t + 1) + this->At(3 * t + 2));
+  }
+
+  Box3 Bounds() const
+  {
+    Box3 box;
+    for (const Point3& point : this->Points)
+    {
+      box.Add(point);
+    }
+    return box;
+  }
+};
+
+/// A triangle as an item of a BoxTree.
+struct SurfaceItem
+{
+  Box3 Bounds;
+  Id Triangle;
+
+  const Box3& Box() const { return this->Bounds; }
+  double Least() const { return 0.0; }
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceRepair_h
+#define BitingSurfaceRepair_h
+
+#include "../../Base/Problem.h"
+#include "../../Base/Pulse.h"
+#include "SurfaceLinks.h"
+
+namespace biting
+{
+
+/// Keeps the first of the triangles that have the same three vertices, whatever their orientation;
+/// tells the others as DuplicateTriangles.
+void RemoveDuplicates(SurfaceMesh& mesh, ProblemList& problems, Pulse& pulse);
+
+/// Removes triangles whose corners lie on one line, exactly, and tells them as FlatTriangles.
+///
+/// The triangle (a, b, c) with b between a and c goes, and the triangle (c, a, d) across ac becomes
+/// (c, b, d) and (b, a, d): an edge flip that changes no place of the surface. Where ac is open the
+/// triangle only goes. It stays where ac has more than two triangles, or where bd is an edge
+/// already: then it is told that it stayed. Each flip takes a triangle away or replaces the longest
+/// side of one by shorter ones, so that flips end.
+void RemoveFlatTriangles(
+  SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceShells_h
+#define BitingSurfaceShells_h
+
+#include "../../Base/BoxTree.h"
+#include "../../Base/Problem.h"
+#include "../../Base/Pulse.h"
+#include "SurfaceLinks.h"
+
+#include <vector> // for shells
+
+namespace biting
+{
+
+/// Triangles that hang together by edges of two triangles.
+struct SurfaceShell
+{
+  Id FirstTriangle = NoId;
+  Id Triangles = 0;
+  bool IsClosed = true; ///< each of its edges has two triangles
+  bool IsOrientable = true;
+  double Volume = 0.0; ///< enclosed, signed: above 0 where the triangles face outwards
+  Id Depth = 0;        ///< how many closed shells are around it
+};
+
+struct SurfaceShells
+{
+  std::vector<Id> ShellOf; ///< of each triangle
+  std::vector<SurfaceShell> Shells;
+  std::vector<Id> RegionOf; ///< of each triangle: its part, which hangs together by vertices
+  Id NumberOfParts = 0;
+
+  const SurfaceShell& Of(std::size_t triangle) const
+  {
+    return this->Shells[static_cast<std::size_t>(this->ShellOf[triangle])];
+  }
+
+  /// Whether it has an inside, by its own triangles.
+  bool IsSolid(std::size_t triangle) const
+  {
+    return this->Of(triangle).IsClosed && this->Of(triangle).IsOrientable;
+  }
+};
+
+/// Finds shells and parts, and orients each shell as the majority of its triangles is; links
+/// follow. Edges whose triangles were not oriented alike are told as InconsistentEdges, one problem
+/// a shell; shells that have one side only (Moebius) as NotOrientable.
+SurfaceShells FindShells(
+  SurfaceMesh& mesh, SurfaceLinks& links, ProblemList& problems, Pulse& pulse);
+
+/// Orients closed shells by nesting: outwards where an even number of others is around them, else
+/// inwards; links follow. Decided by exact signs along a ray from a vertex that no other shell
+/// touches, if there is one. `tree` has all triangles.
+void OrientByNesting(SurfaceMesh& mesh, SurfaceLinks& links, const BoxTree<SurfaceItem, 3>& tree,
+  SurfaceShells& shells, Pulse& pulse);
+
+} // namespace biting
+
+#endif
