@@ -8,6 +8,7 @@ set(biting_kernel_sources
   Base/Problem.cxx
   Base/Tasks.cxx
   Predicates/Predicates.cxx
+  Predicates/Predicates3.cxx
   Spacing/BorderEdge.cxx
   Spacing/CellGradation.cxx
   Spacing/ConeBranch.cxx

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Predicates3.h"
+
+#include "DoubleDouble.h"
+#include "Expansion.h"
+
+#include <algorithm> // for max, sort
+#include <array>     // for five points
+#include <cmath>     // for abs
+
+namespace biting
+{
+namespace
+{
+
+using detail::InSphereUnderflow;
+using detail::UnitRoundoff;
+
+/// The errors of DoubleDouble's operators: a cross product (9 + 4)u^2 of its magnitude, its product
+/// with an exact difference 22u^2, two sums 30u^2 of at most 6 mx my mz; with the roundings of
+/// those this stays below 181u^2 mx my mz.
+constexpr double Orient3DWideBound = 192.0 * UnitRoundoff * UnitRoundoff;
+
+/// A squared length is off by (9 + 4 + 4)u^2, less an exact difference of weights by 21u^2; the
+/// determinant of three vectors by 30u^2 as above; their product by (21 + 30 + 9)u^2; two levels of
+/// sums make it 68u^2 of at most 24 mx my mz L, 1632u^2; with the roundings below 1633u^2.
+constexpr double InSphereWideBound = 2048.0 * UnitRoundoff * UnitRoundoff;
+
+/// Scales coordinates so that products of five keep all their bits. A coordinate is a multiple of
+/// 2^-219 and at most 2^167 in magnitude (LeastCoordinate3, GreatestCoordinate3). Scaled, a product
+/// of five is a multiple of 2^-995, and the determinant is below 2^950; a weight is a multiple of
+/// 2^-386, so its product with three coordinates is one of 2^-943. Weights take the square.
+constexpr double InSphereScale = 1048576.0; // 2^20
+
+/// How many components an exact number has that is compressed: each is less than 2^-52 of the next,
+/// the least is a multiple of 2^-995 and the greatest is below 2^950.
+constexpr int PackedCapacity = 40;
+using PackedNumber = Expansion<PackedCapacity>;
+
+/// The same number, which is compressed. Of what is not finite something.
+template <int Capacity>
+PackedNumber Packed(const Expansion<Capacity>& number)
+{
+  PackedNumber packed;
+  for (int i = std::max(0, number.Size() - PackedCapacity); i < number.Size(); ++i)
+  {
+    packed.Grow(number.begin()[i]);
+  }
+  return packed;
+}
+
+} // namespace
+
+// What SphereDeterminant multiplies with: found by the kinds of the numbers, so in their namespace.
+
+static DoubleDouble Product(const DoubleDouble& x, const DoubleDouble& y)
+{
+  return x * y;
+}
+
+/// Keeps the stack small.
+template <int N, int M>
+static PackedNumber Product(const Expansion<N>& x, const Expansion<M>& y)
+{
+  return Packed(x * Packed(y));
+}
+
+namespace
+{
+
+/// A vector of numbers wider than double, so that one text serves both stages.
+template <class Number>
+struct WideVector3
+{
+  Number X;
+  Number Y;
+  Number Z;
+};
+
+/// The vector from `origin` to p: exact in both kinds of numbers.
+template <class Number>
+WideVector3<Number> WideVectorTo(const Point3& p, const Point3& origin)
+{
+  return { Number(TwoDifference(p.X, origin.X)), Number(TwoDifference(p.Y, origin.Y)),
+    Number(TwoDifference(p.Z, origin.Z)) };
+}
+
+template <class Number>
+auto VolumeDeterminant(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  const auto p = WideVectorTo<Number>(b, a);
+  const auto q = WideVectorTo<Number>(c, a);
+  const auto r = WideVectorTo<Number>(d, a);
+  return p.X * (q.Y * r.Z - q.Z * r.Y) + p.Y * (q.Z * r.X - q.X * r.Z) +
+    p.Z * (q.X * r.Y - q.Y * r.X);
+}
+
+/// The squared distance less the difference of the weights: exact in exact numbers.
+template <class Number>
+auto LiftOf(const WideVector3<Number>& v, double weight, double weightOfOrigin)
+{
+  return v.X * v.X + v.Y * v.Y + v.Z * v.Z - Number(TwoDifference(weight, weightOfOrigin));
+}
+
+using FivePoints = std::array<WeightedPoint, 5>;
+
+template <class Number>
+auto PowerDeterminant(const FivePoints& p)
+{
+  const auto a = WideVectorTo<Number>(p[0].Place, p[4].Place);
+  const auto b = WideVectorTo<Number>(p[1].Place, p[4].Place);
+  const auto c = WideVectorTo<Number>(p[2].Place, p[4].Place);
+  const auto d = WideVectorTo<Number>(p[3].Place, p[4].Place);
+  return detail::SphereDeterminant(a, b, c, d, LiftOf(a, p[0].Weight, p[4].Weight),
+    LiftOf(b, p[1].Weight, p[4].Weight), LiftOf(c, p[2].Weight, p[4].Weight),
+    LiftOf(d, p[3].Weight, p[4].Weight));
+}
+
+int ExactPowerTest(FivePoints points)
+{
+  detail::CountStage(detail::Stage::Exact);
+  for (WeightedPoint& point : points)
+  {
+    point = { InSphereScale * point.Place, InSphereScale * InSphereScale * point.Weight };
+  }
+  return PowerDeterminant<Expansion<2>>(points).Sign();
+}
+
+/// Whether the five have the same weight and are corners of one box along the axes: then a sphere
+/// goes through them. So are most of those that come here from lattices.
+bool AreOfOneBox(const FivePoints& points)
+{
+  bool isSo = true;
+  for (std::size_t d = 0; d < 3 && isSo; ++d)
+  {
+    const double first = points[0].Place[d];
+    double other = first;
+    for (const WeightedPoint& point : points)
+    {
+      const double value = point.Place[d];
+      isSo = isSo && point.Weight == points[0].Weight &&
+        (value == first || value == other || other == first);
+      other = value == first ? other : value;
+    }
+  }
+  return isSo;
+}
+
+} // namespace
+
+int detail::Orient3DWidened(
+  const Point3& a, const Point3& b, const Point3& c, const Point3& d, double magnitude)
+{
+  CountStage(Stage::Wide);
+  if (magnitude == 0.0) // nothing underflows in range: the four have a coordinate in common
+  {
+    return 0;
+  }
+  const double determinant = VolumeDeterminant<DoubleDouble>(a, b, c, d).High;
+  if (std::abs(determinant) > Orient3DWideBound * magnitude)
+  {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  CountStage(Stage::Exact);
+  return VolumeDeterminant<Expansion<2>>(a, b, c, d).Sign();
+}
+
+int detail::PowerTestWidened(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+  const WeightedPoint& d, const WeightedPoint& e, double magnitude)
+{
+  CountStage(Stage::Wide);
+  const FivePoints points{ a, b, c, d, e };
+  if (AreOfOneBox(points))
+  {
+    return 0;
+  }
+  const double determinant = PowerDeterminant<DoubleDouble>(points).High;
+  if (std::abs(determinant) > InSphereWideBound * magnitude + InSphereUnderflow)
+  {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  return ExactPowerTest(points);
+}
+
+int PowerTest(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+  const WeightedPoint& d, const WeightedPoint& e)
+{
+  detail::CountStage(detail::Stage::First);
+  const WeightedPoint* points[4] = { &a, &b, &c, &d };
+  Point3 v[4];
+  double lifts[4];
+  detail::Extents extents;
+  double greatest = 0.0; // difference of weights
+  for (int k = 0; k < 4; ++k)
+  {
+    const double weight = points[k]->Weight - e.Weight;
+    v[k] = points[k]->Place - e.Place;
+    lifts[k] = Dot(v[k], v[k]) - weight;
+    extents.Add(v[k]);
+    greatest = std::max(greatest, std::abs(weight));
+  }
+  const double determinant =
+    detail::SphereDeterminant(v[0], v[1], v[2], v[3], lifts[0], lifts[1], lifts[2], lifts[3]);
+  const double magnitude = extents.Product() * (extents.Squares() + greatest);
+  if (std::abs(determinant) > detail::InSphereBound * magnitude + InSphereUnderflow)
+  {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  return detail::PowerTestWidened(a, b, c, d, e, magnitude);
+}
+
+int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e)
+{
+  const std::array<const Point3*, 5> points{ &a, &b, &c, &d, &e };
+  std::array<std::size_t, 5> order{ 0, 1, 2, 3, 4 };
+  std::sort(order.begin(), order.end(),
+    [&points](std::size_t i, std::size_t j) { return *points[j] < *points[i]; });
+  for (const std::size_t k : order)
+  {
+    if (k == 4) // its lift grows most: it rises out of the sphere
+    {
+      return -1;
+    }
+    // The factor of the lift of point k in the determinant of InSphere.
+    std::array<const Point3*, 4> others{ &a, &b, &c, &d };
+    others[k] = &e;
+    const int sign = Orient3D(*others[0], *others[1], *others[2], *others[3]);
+    if (sign != 0)
+    {
+      return sign;
+    }
+  }
+  return -1;
+}
+
+} // namespace biting
