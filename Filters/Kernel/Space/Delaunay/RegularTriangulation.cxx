@@ -359,10 +359,7 @@ void RegularTriangulation::WaitAgain()
   std::vector<Id> waiting;
   waiting.swap(this->Waiting);
   this->Base.clear();
-  for (const Id vertex : waiting)
-  {
-    this->Wait(vertex);
-  }
+  this->InsertLater(waiting);
 }
 
 // Without any of the cells: all other vertices wait.
