@@ -128,6 +128,43 @@ int ExactPowerTest(FivePoints points)
   return PowerDeterminant<Expansion<2>>(points).Sign();
 }
 
+/// Numerators and denominator of PowerCenter: the vector is the solution x of v . x = lift / 2 for
+/// the three vectors v.
+template <class Vector, class Lift>
+auto PowerNumerator(const std::array<Vector, 3>& v, const std::array<Lift, 3>& lifts)
+{
+  const auto term = [&v, &lifts](std::size_t i, auto first, auto second)
+  {
+    const Vector& p = v[(i + 1) % 3];
+    const Vector& q = v[(i + 2) % 3];
+    return lifts[i] * (p.*first * (q.*second) - p.*second * (q.*first));
+  };
+  return [term](auto first, auto second)
+  { return term(0, first, second) + term(1, first, second) + term(2, first, second); };
+}
+
+/// The exact vector, rounded.
+Point3 ExactPowerCenter(const std::array<WeightedPoint, 4>& p)
+{
+  using Number = Expansion<2>;
+  using Vector = WideVector3<Number>;
+  std::array<Vector, 3> v;
+  std::array<Expansion<26>, 3> lifts;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    v[k] = WideVectorTo<Number>(p[k + 1].Place, p[0].Place);
+    lifts[k] = LiftOf(v[k], p[k + 1].Weight, p[0].Weight);
+  }
+  const auto determinant =
+    VolumeDeterminant<Number>(p[0].Place, p[1].Place, p[2].Place, p[3].Place);
+  const DoubleDouble denominator = determinant.Rounded();
+  const auto numerator = PowerNumerator(v, lifts);
+  return 0.5 *
+    Point3{ Quotient(numerator(&Vector::Y, &Vector::Z).Rounded(), denominator),
+      Quotient(numerator(&Vector::Z, &Vector::X).Rounded(), denominator),
+      Quotient(numerator(&Vector::X, &Vector::Y).Rounded(), denominator) };
+}
+
 /// Whether the five have the same weight and are corners of one box along the axes: then a sphere
 /// goes through them. So are most of those that come here from lattices.
 bool AreOfOneBox(const FivePoints& points)
@@ -233,6 +270,30 @@ int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3&
     }
   }
   return -1;
+}
+
+// With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of its
+// value. A lift is at most 4 m^2, a numerator off by less than 2^-43 m^4: the quotient by 2^-33 m.
+Point3 PowerCenter(
+  const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d)
+{
+  constexpr double LeastShare = 1.0 / 1024.0;
+  const std::array<Point3, 3> v{ b.Place - a.Place, c.Place - a.Place, d.Place - a.Place };
+  const std::array<double, 3> lifts{ Dot(v[0], v[0]) - (b.Weight - a.Weight),
+    Dot(v[1], v[1]) - (c.Weight - a.Weight), Dot(v[2], v[2]) - (d.Weight - a.Weight) };
+  detail::Extents extents;
+  for (const Point3& vector : v)
+  {
+    extents.Add(vector);
+  }
+  const double determinant = Dot(v[0], Cross(v[1], v[2]));
+  const double largest = std::max(extents.X, std::max(extents.Y, extents.Z));
+  if (!(std::abs(determinant) > LeastShare * largest * largest * largest))
+  {
+    return ExactPowerCenter({ a, b, c, d });
+  }
+  return 0.5 / determinant *
+    (lifts[0] * Cross(v[1], v[2]) + lifts[1] * Cross(v[2], v[0]) + lifts[2] * Cross(v[0], v[1]));
 }
 
 } // namespace biting

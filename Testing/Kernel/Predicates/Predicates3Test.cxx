@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for next_permutation
+#include <algorithm> // for max, next_permutation
 #include <array>     // for permutations
+#include <cmath>     // for isfinite, sqrt
 #include <cstdlib>   // for the wanted number of cases
 #include <limits>    // for infinity
 
@@ -245,6 +246,45 @@ TEST(TieInSphere, PermutationsKeepOrNegate)
     } while (std::next_permutation(order.begin(), order.end()));
   }
   EXPECT_GT(ties, 100);
+}
+
+// Near-singular centres: those of nearly flat tetrahedra are right, however far away they are.
+TEST(PowerCenter, IsRightWhereTetrahedraAreNearlyFlat)
+{
+  ForAllFives(60,
+    [](const Five& p)
+    {
+      if (Orient(p) == 0)
+      {
+        return;
+      }
+      const Point3 center = biting::PowerCenter(p[0], p[1], p[2], p[3]);
+      const RationalRow rows[3] = { RowOf(p[1], p[0]), RowOf(p[2], p[0]), RowOf(p[3], p[0]) };
+      const Rational volume = 2 * Determinant3(rows[0], rows[1], rows[2]);
+      double size = 0.0;
+      for (const RationalRow& row : rows)
+      {
+        for (std::size_t d = 0; d < 4; ++d)
+        {
+          const auto length = std::abs(row[d].convert_to<double>());
+          size = std::max(size, d < 3 ? length : std::sqrt(length));
+        }
+      }
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        RationalRow columns[3] = { rows[0], rows[1], rows[2] };
+        for (RationalRow& column : columns)
+        {
+          column[d] = column[3];
+        }
+        const double truth =
+          Rational(Determinant3(columns[0], columns[1], columns[2]) / volume).convert_to<double>();
+        if (std::isfinite(truth))
+        {
+          EXPECT_NEAR(center[d], truth, 1e-10 * size + 1e-15 * std::abs(truth));
+        }
+      }
+    });
 }
 
 TEST(Predicates3, SurviveWhatIsNotFinite)

@@ -31,6 +31,20 @@ Id FacetOpposite(const TetMesh& mesh, Id cell, Id vertex)
   return 4 * cell + static_cast<Id>(std::find(corners, corners + 4, vertex) - corners);
 }
 
+/// The corner of the cell that is at the place, or NoId.
+Id CornerAt(const TetMesh& mesh, Id cell, const Point3& place)
+{
+  for (Id facet = 4 * cell; facet < 4 * cell + 4; ++facet)
+  {
+    const Id corner = mesh.Corners[Index(facet)];
+    if (corner != NoId && mesh.PointAt(corner) == place)
+    {
+      return corner;
+    }
+  }
+  return NoId;
+}
+
 /// Whether the three lie on a line: their shadows along all axes do.
 bool AreCollinear(const Point3& a, const Point3& b, const Point3& c)
 {
@@ -91,8 +105,8 @@ PointInsertion RegularTriangulation::InsertVertex(Id vertex, Id hint)
   {
     return this->Wait(vertex);
   }
-  Id other = NoId;
-  if (this->IsDuplicate(cell, vertex, other))
+  const Id other = CornerAt(this->Tets, cell, point);
+  if (other != NoId)
   {
     return { PointOutcome::Duplicate, other };
   }
@@ -115,20 +129,6 @@ PointInsertion RegularTriangulation::InsertVertex(Id vertex, Id hint)
   }
   this->LastVertex = vertex;
   return { PointOutcome::Inserted, vertex };
-}
-
-bool RegularTriangulation::IsDuplicate(Id cell, Id vertex, Id& of) const
-{
-  for (Id corner = 4 * cell; corner < 4 * cell + 4; ++corner)
-  {
-    const Id other = this->Tets.Corners[Index(corner)];
-    if (other != NoId && this->Tets.PointAt(other) == this->Tets.PointAt(vertex))
-    {
-      of = other;
-      return true;
-    }
-  }
-  return false;
 }
 
 // A visibility walk: it ends, because the cells of a regular triangulation, seen from a point, are

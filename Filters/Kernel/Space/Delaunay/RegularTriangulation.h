@@ -84,7 +84,13 @@ public:
   Id Locate(const Point3& point, Id hint) const;
 
   const std::vector<LateDuplicate>& LateDuplicates() const { return this->Late; }
-  const std::vector<Id>& WaitingVertices() const { return this->Waiting; }
+  /// Of the space that the vertices span: 3 where there are cells, 2 in a plane, 1 on a line, 0 at
+  /// one place, -1 where there are none.
+  int Dimension() const
+  {
+    return this->Tets.NumberOfCells() > 0 ? 3 : static_cast<int>(this->Base.size()) - 1;
+  }
+
   const std::vector<Id>& HiddenVertices() const { return this->Hidden; }
 
 private:
@@ -97,7 +103,6 @@ private:
   void InsertLater(const std::vector<Id>& vertices);
   void WaitAgain();
   void StartAgain(Id without);
-  bool IsDuplicate(Id cell, Id vertex, Id& of) const;
 
   bool HasWeights;
   TetMesh Tets;

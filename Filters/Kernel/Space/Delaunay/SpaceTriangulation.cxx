@@ -50,6 +50,7 @@ SpaceTriangulation TriangulateSpace(
     pulse.SetFraction(static_cast<double>(i) / static_cast<double>(order.size()));
   }
   result.WasAborted = pulse.HasStopped();
+  result.Dimension = triangulation.Dimension();
   order.resize(numberOfVertices);
   const auto pointOf = [&order](Id vertex) { return order[static_cast<std::size_t>(vertex)]; };
   for (const LateDuplicate& late : triangulation.LateDuplicates())

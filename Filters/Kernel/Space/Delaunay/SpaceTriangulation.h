@@ -27,6 +27,7 @@ struct SpaceTriangulation
   std::vector<Id> Order;             ///< vertex -> point
   std::vector<PointPair> Duplicates; ///< none is known where there are no cells
   std::vector<Id> Hidden;            ///< points without a cell, too light
+  int Dimension = -1;                ///< of the space that the points span, 3 if there are cells
   bool WasAborted = false;           ///< then nothing else has a meaning
 };
 

@@ -159,6 +159,10 @@ void TetMesh::FreeCell(Id cell)
   this->Twins[Index(4 * cell)] = this->FirstFree;
   this->FirstFree = cell;
   ++this->NumberOfFree;
+  if (!this->Labels.empty())
+  {
+    this->Labels[Index(cell)] = NoId;
+  }
 }
 
 void TetMesh::SetCorners(Id cell, Id first, Id a, Id b, Id c)
