@@ -76,9 +76,9 @@ std::set<vtkIdType> UsedPoints(vtkUnstructuredGrid* grid)
   return used;
 }
 
-struct Run
+struct Outcome
 {
-  explicit Run(vtkPolyData* input, double alpha = 0.0)
+  explicit Outcome(vtkPolyData* input, double alpha = 0.0)
   {
     this->Filter->SetInputData(input);
     this->Filter->SetAlpha(alpha);
@@ -106,7 +106,7 @@ TEST(BitingDelaunay3D, FillsTheHullAndLosesNoPoint)
 {
   for (const double step : { 1.0, 0.1, 1e-9 })
   {
-    Run run(Points(Lattice(7, step)));
+    Outcome run(Points(Lattice(7, step)));
     EXPECT_TRUE(run.Errors.empty() && run.Warnings.empty());
     EXPECT_EQ(UsedPoints(run.Output()).size(), 343u);
     EXPECT_NEAR(VolumeOf(run.Output()), 216.0 * step * step * step, 1e-9 * step * step * step);
@@ -116,7 +116,7 @@ TEST(BitingDelaunay3D, FillsTheHullAndLosesNoPoint)
 TEST(BitingDelaunay3D, PassesPointsAndTheirArraysOn)
 {
   const auto input = Points(Lattice(3), VTK_FLOAT);
-  Run run(input);
+  Outcome run(input);
   EXPECT_TRUE(AreSameBytes(run.Output()->GetPoints()->GetData(), input->GetPoints()->GetData()));
   EXPECT_TRUE(AreSameBytes(
     run.Output()->GetPointData()->GetArray("Number"), input->GetPointData()->GetArray("Number")));
@@ -126,7 +126,7 @@ TEST(BitingDelaunay3D, TellsDuplicates)
 {
   std::vector<Place> places = Lattice(3);
   places.push_back(places[13]);
-  Run run(Points(places));
+  Outcome run(Points(places));
   ASSERT_EQ(run.Warnings.size(), 1u);
   EXPECT_TRUE(
     Has(run.Warnings[0], "point 27 at point 13") || Has(run.Warnings[0], "point 13 at point 27"));
@@ -144,12 +144,12 @@ TEST(BitingDelaunay3D, SaysWhyThereIsNoTetrahedron)
   };
   for (const auto& [places, words] : cases)
   {
-    Run run(Points(places));
+    Outcome run(Points(places));
     EXPECT_TRUE(run.IsEmpty() && run.Errors.empty());
     ASSERT_EQ(run.Warnings.size(), 1u);
     EXPECT_TRUE(Has(run.Warnings[0], words));
   }
-  Run none(Points({}));
+  Outcome none(Points({}));
   EXPECT_TRUE(none.IsEmpty() && none.Errors.empty() && none.Warnings.empty());
 }
 
@@ -158,12 +158,12 @@ TEST(BitingDelaunay3D, RefusesWhatIsNotFinite)
   std::vector<Place> places = Lattice(3);
   places[5][1] = std::numeric_limits<double>::quiet_NaN();
   places[7][2] = std::numeric_limits<double>::infinity();
-  Run run(Points(places));
+  Outcome run(Points(places));
   ASSERT_EQ(run.Errors.size(), 1u);
   EXPECT_TRUE(Has(run.Errors[0], "Point 5 ") && Has(run.Errors[0], "1 more"));
   EXPECT_EQ(run.Filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
   EXPECT_TRUE(run.IsEmpty());
-  Run negative(Points(Lattice(3)), -1.0);
+  Outcome negative(Points(Lattice(3)), -1.0);
   EXPECT_EQ(negative.Errors.size(), 1u);
 }
 
@@ -176,11 +176,11 @@ TEST(BitingDelaunay3D, LeavesGapsOpenThatAreWiderThanAlpha)
     place[0] += 8.0;
     places.push_back(place);
   }
-  Run all(Points(places));
+  Outcome all(Points(places));
   EXPECT_NEAR(VolumeOf(all.Output()), 99.0, 1e-9);
-  Run bounded(Points(places), 0.9);
+  Outcome bounded(Points(places), 0.9);
   EXPECT_NEAR(VolumeOf(bounded.Output()), 54.0, 1e-9);
-  Run nothing(Points(places), 0.1);
+  Outcome nothing(Points(places), 0.1);
   EXPECT_EQ(nothing.Output()->GetNumberOfCells(), 0);
 }
 
