@@ -4,9 +4,8 @@
 // Points of all kinds, inserted and removed one by one: the topology, the exact regularity, and
 // that the triangulation is the one of the vertices left, however they came.
 
+#include "../Predicates/PointFamilies3.h"
 #include "SpacePoints.h"
-
-#include <boost/multiprecision/cpp_int.hpp> // for exact numbers to compare with
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,9 @@ using namespace space_test;
 using biting::CheckTetMesh;
 using biting::PointOutcome;
 using biting::RegularTriangulation;
-using Fraction = boost::multiprecision::cpp_rational;
+using predicates_test::Five;
+using predicates_test::TruePowerTest;
+using predicates_test::WeightedPoint;
 
 /// BITING_SPACE_CASES asks for more.
 int CasesOfFuzz()
@@ -89,30 +90,9 @@ std::vector<FuzzPoint> WithoutTwins(std::vector<FuzzPoint> points)
   return points;
 }
 
-/// The power distance of a vertex and the sphere of a cell times a positive number, in fractions.
-int TruePower(const TetMesh& mesh, Id cell, Id vertex)
+WeightedPoint VertexOf(const TetMesh& mesh, Id vertex)
 {
-  using Row = std::array<Fraction, 4>;
-  std::array<Row, 4> rows;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    const Id corner = mesh.Corners[TetMesh::Index(4 * cell) + k];
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-      rows[k][d] = Fraction(mesh.PointAt(corner)[d]) - Fraction(mesh.PointAt(vertex)[d]);
-      rows[k][3] += rows[k][d] * rows[k][d];
-    }
-    rows[k][3] += Fraction(mesh.WeightAt(vertex)) - Fraction(mesh.WeightAt(corner));
-  }
-  const auto minor = [&rows](std::size_t i, std::size_t j, std::size_t k) -> Fraction
-  {
-    return rows[i][0] * (rows[j][1] * rows[k][2] - rows[j][2] * rows[k][1]) -
-      rows[i][1] * (rows[j][0] * rows[k][2] - rows[j][2] * rows[k][0]) +
-      rows[i][2] * (rows[j][0] * rows[k][1] - rows[j][1] * rows[k][0]);
-  };
-  const Fraction determinant = rows[1][3] * minor(0, 2, 3) - rows[0][3] * minor(1, 2, 3) +
-    rows[3][3] * minor(0, 1, 2) - rows[2][3] * minor(0, 1, 3);
-  return determinant.sign();
+  return { mesh.PointAt(vertex), mesh.WeightAt(vertex) };
 }
 
 /// No vertex lies inside the sphere of any cell.
@@ -120,11 +100,14 @@ void ExpectEmptySpheres(const TetMesh& mesh)
 {
   for (Id cell = 0; cell < mesh.NumberOfSlots(); ++cell)
   {
+    const Id* c = &mesh.Corners[TetMesh::Index(4 * cell)];
     for (Id v = 0; v < mesh.NumberOfVertices() && mesh.IsTetrahedron(cell); ++v)
     {
       if (mesh.VertexCells[TetMesh::Index(v)] != NoId)
       {
-        EXPECT_GE(TruePower(mesh, cell, v), 0) << "cell " << cell << ", vertex " << v;
+        const Five five{ VertexOf(mesh, c[0]), VertexOf(mesh, c[1]), VertexOf(mesh, c[2]),
+          VertexOf(mesh, c[3]), VertexOf(mesh, v) };
+        EXPECT_LE(TruePowerTest(five), 0) << "cell " << cell << ", vertex " << v;
       }
     }
   }

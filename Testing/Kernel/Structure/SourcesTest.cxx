@@ -136,7 +136,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Hessian", { 500, 5 } },
   { "Kernel/Mesh", { 200, 3 } },
   { "Kernel/Pieces", { 1750, 14 } },
-  { "Kernel/Predicates", { 1350, 9 } },
+  { "Kernel/Predicates", { 1400, 9 } },
   { "Kernel/Quality", { 1750, 20 } },
   { "Kernel/Relaxation", { 5100, 36 } },
   { "Kernel/Remeshing", { 5850, 44 } },
