@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Base/Pulse.h"
+#include "Delaunay/SpatialOrder.h"
 #include "Space/Delaunay/SpaceTriangulation.h"
 #include "SpacePoints.h"
 
@@ -264,4 +266,22 @@ TEST(RegularTriangulation, HiddenPointsComeBack)
   EXPECT_TRUE(triangulation.HiddenVertices().empty());
   EXPECT_NE(triangulation.Mesh().VertexCells[TetMesh::Index(light.Vertex)], NoId);
   EXPECT_EQ(CheckTetMesh(triangulation.Mesh(), true), "");
+}
+
+TEST(SpatialOrderOfSpace, HasStepsOfTheLengthOfTheSpacing)
+{
+  const std::vector<Point3> points = PointsOf(PointKind::Uniform, 8000);
+  biting::Pulse pulse(biting::NoMonitor());
+  std::vector<Id> order = biting::SpatialOrder(points, pulse);
+  double sum = 0.0;
+  for (std::size_t k = order.size() / 2; k + 1 < order.size(); ++k) // of the last round
+  {
+    sum += Distance(points[TetMesh::Index(order[k])], points[TetMesh::Index(order[k + 1])]);
+  }
+  EXPECT_LT(sum / (0.5 * 8000), 1.5 / 20.0);
+  std::sort(order.begin(), order.end());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    EXPECT_EQ(order[k], static_cast<Id>(k));
+  }
 }
