@@ -27,23 +27,49 @@ def contour_to_mesh(folder):
 def coast_with_spacing_by_depth(folder):
     """A sea in which edges are a share of the length of the tide's waves, period * sqrt(9.81 depth).
 
-    The depth comes on a grid, as from a chart; here it is made up: it grows with the distance from a
-    line. Grid and coast must be in the same coordinates, here metres.
+    Grid and coast must be in the same coordinates, here metres.
     """
     coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
-    x0, x1, y0, y1 = coast_box(coast)
-    grid = FastUniformGrid(WholeExtent=[0, 100, 0, 100, 0, 0])
-    grid = Transform(Input=grid, TransformAllInputVectors=0)
-    grid.Transform.Scale = [(x1 - x0) / 100, (y1 - y0) / 100, 1]
-    grid.Transform.Translate = [x0, y0, 0]
-    depth = Calculator(Input=grid, ResultArrayName='Depth',
-        Function=f'max(5, 0.004 * abs(coordsX - {x1}))')
+    depth = made_up_depth(coast)
     period, edges_a_wave = 44714, 100
     spacing = Calculator(Input=depth, ResultArrayName='Spacing',
         Function=f'{period} * sqrt(9.81 * Depth) / {edges_a_wave}')
     return BitingMesher(Input=coast, SpacingSource=spacing, BoundarySpacingArray=['POINTS', 'None'],
         SourceSpacingArray=['POINTS', 'Spacing'], MaximumSpacing=30000, Gradation=0.2,
         BoundaryTolerance=0.2)
+
+
+def courant_number_of_a_coast(folder):
+    """A sea for a time step, and the Courant number sqrt(9.81 depth) * step / edge at its vertices.
+
+    The spacing keeps the number at `most`. It is above that where edges are shorter: along the
+    shore, whose narrow places ask for fine triangles. NearestNeighborDistance is the
+    shortest edge at a vertex.
+    """
+    coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
+    depth = made_up_depth(coast)
+    step, most = 300, 0.8
+    spacing = Calculator(Input=depth, ResultArrayName='Spacing',
+        Function=f'{step} * sqrt(9.81 * Depth) / {most}')
+    mesh = BitingMesher(Input=coast, SpacingSource=spacing, BoundarySpacingArray=['POINTS', 'None'],
+        SourceSpacingArray=['POINTS', 'Spacing'], BoundaryTolerance=0.2)
+    depths = ResampleWithDataset(SourceDataArrays=depth, DestinationMesh=OutputPort(mesh, 0),
+        PassPointArrays=1)
+    courant = Calculator(Input=depths, ResultArrayName='CourantNumber',
+        Function=f'{step} * sqrt(9.81 * Depth) / NearestNeighborDistance')
+    SaveData(os.path.join(folder, 'courant_number.vtp'), proxy=courant)
+    return mesh
+
+
+def made_up_depth(coast):
+    """On a grid, as from a chart, in metres: it grows with the distance from a line."""
+    x0, x1, y0, y1 = coast_box(coast)
+    grid = FastUniformGrid(WholeExtent=[0, 100, 0, 100, 0, 0])
+    grid = Transform(Input=grid, TransformAllInputVectors=0)
+    grid.Transform.Scale = [(x1 - x0) / 100, (y1 - y0) / 100, 1]
+    grid.Transform.Translate = [x0, y0, 0]
+    return Calculator(Input=grid, ResultArrayName='Depth',
+        Function=f'max(5, 0.004 * abs(coordsX - {x1}))')
 
 
 def coast_box(coast):
@@ -84,6 +110,14 @@ def export_with_tags(folder):
     return mesh
 
 
+def size_by_tag(folder):
+    """Short edges along the lines of one tag: a cell array of sizes, 0 where nothing is asked for."""
+    plate = LegacyVTKReader(FileNames=[os.path.join(here, 'plate.vtk')])
+    sizes = Calculator(Input=plate, AttributeType='Cell Data', ResultArrayName='Size',
+        Function='if (Tag == 2, 0.05, 0)')
+    return BitingMesher(Input=sizes, UniformSpacing=0.4, BoundarySpacingArray=['CELLS', 'Size'])
+
+
 def judge_a_mesh(folder):
     """How good the mesh of another program is: angles, and how it follows the spacing it was made for."""
     points = PointSource(NumberOfPoints=500, Radius=1)
@@ -105,8 +139,8 @@ def mesh_for_a_solution(folder):
     return BitingMesher(Input=square, SpacingSource=spacing, SourceSpacingArray=['POINTS', 'Spacing'])
 
 
-tasks = [contour_to_mesh, coast_with_spacing_by_depth, airfoil, plate_with_regions, export_with_tags,
-    judge_a_mesh, mesh_for_a_solution]
+tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast, airfoil,
+    plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh, mesh_for_a_solution]
 
 
 def main(plugin, folder):

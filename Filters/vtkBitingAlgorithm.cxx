@@ -3,8 +3,8 @@
 
 #include "vtkBitingAlgorithm.h"
 
-#include "Bridge/InputTimes.h"
-#include "Bridge/Ranks.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

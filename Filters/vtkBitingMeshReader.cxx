@@ -3,7 +3,7 @@
 
 #include "vtkBitingMeshReader.h"
 
-#include "IO/MeshFileReading.h"
+#include "IO/MeshFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

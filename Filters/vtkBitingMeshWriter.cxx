@@ -3,11 +3,9 @@
 
 #include "vtkBitingMeshWriter.h"
 
-#include "Bridge/MeshFileFromDataSet.h"
-#include "Bridge/ProducedEdges.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/ValueGroups.h"
-#include "Bridge/WrittenParts.h"
+#include "Bridge/Drawing/RemeshInputFromDataSet.h"
+#include "Bridge/Mesh/MeshFileFromDataSet.h"
+#include "Bridge/Ranks/Ranks.h"
 #include "IO/MeshFile.h"
 
 #include "vtkDataSet.h"

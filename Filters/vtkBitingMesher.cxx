@@ -3,8 +3,8 @@
 
 #include "vtkBitingMesher.h"
 
-#include "Bridge/Ranks.h"
-#include "Bridge/SummaryText.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/SummaryText.h"
 #include "Kernel/Base/Problem.h"
 #include "vtkBitingMesherExecution.h"
 
@@ -24,7 +24,7 @@ static_assert(
   static_cast<int>(biting::ProblemCode::NoClosedLoop) == vtkBitingMesher::NO_CLOSED_LOOP &&
     static_cast<int>(biting::ProblemCode::CheckFailed) == vtkBitingMesher::CHECK_FAILED &&
     static_cast<int>(biting::ProblemCode::FineDrawing) == vtkBitingMesher::FINE_DRAWING &&
-    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::CHANGED_AREA + 1,
+    static_cast<int>(biting::ProblemCode::Aborted) == vtkBitingMesher::NESTED_CELLS + 1,
   "The kinds of problems that users see are those of the kernel.");
 
 namespace
@@ -49,6 +49,22 @@ vtkStandardNewMacro(vtkBitingMesher);
 vtkBitingMesher::vtkBitingMesher()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingMesher::SetBoundarySpacingArray(int vtkNotUsed(index), int vtkNotUsed(port),
+  int vtkNotUsed(connection), int association, const char* name)
+{
+  this->BoundaryArray = vtkSmartPointer<vtkInformation>::New();
+  this->BoundaryArray->Set(vtkDataObject::FIELD_ASSOCIATION(), association);
+  this->BoundaryArray->Set(vtkDataObject::FIELD_NAME(), name ? name : "");
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkInformation* vtkBitingMesher::BoundaryArrayChoice()
+{
+  return this->BoundaryArray ? this->BoundaryArray.Get() : this->GetInputArrayInformation(0);
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +144,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
+     << indent << "DomainRule: " << this->DomainRule << "\n"
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"
      << indent << "MeshBlocksSeparately: " << (this->MeshBlocksSeparately ? "on" : "off") << "\n"

@@ -26,15 +26,16 @@
  * and orientation. Each point of a vertex cell is an embedded point, which becomes a vertex of the
  * mesh.
  * @par
- * Only lines: closed chains bound the domain, by even-odd nesting; open chains are interfaces,
- * which become edges of the mesh.
+ * Only lines: closed chains bound the domain, by even-odd nesting or another DomainRule; open
+ * chains are interfaces, which become edges of the mesh.
  * @par
  * Two-dimensional cells (triangles, strips, quads, pixels, polygons; quadratic ones with straight
  * sides through the points of their outline): the domain is the area that an odd number of them
- * covers, whatever their orientation, so that a polygon within a polygon is a hole. Edges between
- * neighbors, also where they share a part of an edge only, are nothing, and points inside of the
- * surface are no vertices of the mesh; but edges are interfaces between cells that differ in
- * RegionArray, or where KeepCellEdges is on. Where cells overlap in part a warning says where.
+ * covers, whatever their orientation, so that a polygon within a polygon is a hole; DomainRule has
+ * two other rules. Edges between neighbors, also where they share a part of an edge only, are
+ * nothing, and points inside of the surface are no vertices of the mesh; but edges are interfaces
+ * between cells that differ in RegionArray, or where KeepCellEdges is on. Where cells lie within
+ * others, or overlap in part, a warning says where.
  * Lines beside cells never count for the area: on edges of the domain they carry their tags,
  * elsewhere they are interfaces. Hidden and duplicated (ghost) cells are left out. Cells with a
  * volume are refused; apply Extract Surface, Slice or Feature Edges. Curved cells of higher order
@@ -61,8 +62,8 @@
  *
  * @par Spacing:
  * f is a wanted edge length, in the units of the coordinates. It is the minimum of what is given at
- * x: UniformSpacing; the boundary array (SetInputArrayToProcess(0, 0, 0, POINTS, name): linear
- * along chains, inwards growing with the slope Gradation); the source array
+ * x: UniformSpacing; the boundary array (SetBoundarySpacingArray: of points linear along chains, of
+ * cells within them, growing from there with the slope Gradation); the source array
  * (SetInputArrayToProcess(1, 1, 0, POINTS, name): interpolated, and outside of the source the
  * nearest value of its border). Then it is multiplied by SpacingScale and clamped to
  * [MinimumSpacing, MaximumSpacing], lowered to the local feature size (LimitByFeatureSize), and
@@ -104,9 +105,9 @@
  * domain on their left, with every cell array of the input at its cell, of any type: on the outline
  * of a surface that of the cell there, where a line runs along it that of the line. Blocks of a
  * composite input are told by `BlockName` (string); where a block lacks an array its values are 0,
- * NaN or empty. Arrays of one name in several blocks become one of a type that holds all values:
- * double of real and whole numbers, texts of numbers beside texts and where no numeric type holds
- * all; and as many components as the largest has. Point data: `MeshPointId` (vtkIdType, point of
+ * NaN or empty. Arrays of one name and of several types in blocks become one: of texts where some
+ * are texts, else double where some are real, else long long; with as many components as the
+ * largest has. Point data: `MeshPointId` (vtkIdType, point of
  * output 0). Cell data: `OriginalCellId` (vtkIdType), `Kind` (unsigned char, 0 boundary, 1
  * interface).
  *
@@ -217,6 +218,8 @@
 #include "vtkBitingCompat.h"        // for the ABI namespace
 #include "vtkBitingFiltersModule.h" // for the export macro
 
+#include "vtkSmartPointer.h" // for a choice of arrays
+
 #include <string> // for names and the summary
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -262,7 +265,15 @@ public:
     JOINED_ENDS = 23,       ///< open ends that nearly touched something (point; cell)
     OPEN_OUTLINES = 24,     ///< would bound the domain, but for gaps (point; point)
     NEAR_MISSES = 25,       ///< nearer than 0.01 f, and do not meet (cell, cell)
-    CHANGED_AREA = 26       ///< by more than 5 %, by BoundaryTolerance; no place
+    CHANGED_AREA = 26,      ///< by more than 5 %, by BoundaryTolerance; no place
+    NESTED_CELLS = 27       ///< cells within others, which are holes by DomainRule (cell)
+  };
+
+  enum DomainRuleType
+  {
+    EVEN_ODD = 0,
+    OUTER_MINUS_OTHERS = 1,
+    UNION = 2
   };
 
   enum BiteShapeType
@@ -283,6 +294,19 @@ public:
     LARGEST_Y = 1,
     BEST_FIRST = 2
   };
+
+  /**
+   * The array of the input with the spacing, in units of the coordinates. A point array is linear
+   * along the chains. A cell array gives the size along lines, at the points of vertex cells, and
+   * anywhere in two-dimensional cells; zero and NaN ask for nothing there, and negative or infinite
+   * values are errors. `association` (vtkDataObject::FIELD_ASSOCIATION_POINTS or _CELLS) says which
+   * is taken where both have the name; the first three arguments, those of SetInputArrayToProcess,
+   * have no effect. That method serves too, where this one was not called; but ParaView makes a
+   * point array of a cell array for it where it asks for points. Default: `Spacing`, where there is
+   * such an array.
+   */
+  void SetBoundarySpacingArray(
+    int index, int port, int connection, int association, const char* name);
 
   ///@{
   /**
@@ -324,6 +348,24 @@ public:
    */
   vtkSetMacro(EndTolerance, double);
   vtkGetMacro(EndTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the domain is, of the areas that closed lines, or two-dimensional cells, enclose.
+   * EVEN_ODD (default): what an odd number of them covers. OUTER_MINUS_OTHERS: the largest of them
+   * less all others, also where they leave it: a box of sea less land; what lies outside of it is
+   * nothing. UNION: all of them. Where they overlap the last one, by cell id, is on top; borders
+   * between different ones, or of different values of RegionArray where it is given, are
+   * interfaces: refinement regions in a domain, materials with priority. By the last two a loop of
+   * lines is one closed polyline, or lines that are joined end to end and leave no end over; other
+   * lines are interfaces. Overlaps and crossings of loops are no repairs then.
+   */
+  vtkSetClampMacro(DomainRule, int, EVEN_ODD, UNION);
+  vtkGetMacro(DomainRule, int);
+  void SetDomainRuleToEvenOdd() { this->SetDomainRule(EVEN_ODD); }
+  void SetDomainRuleToOuterMinusOthers() { this->SetDomainRule(OUTER_MINUS_OTHERS); }
+  void SetDomainRuleToUnion() { this->SetDomainRule(UNION); }
   ///@}
 
   ///@{
@@ -524,14 +566,18 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  vtkInformation* BoundaryArrayChoice();
+
   vtkBitingMesher(const vtkBitingMesher&) = delete;
   void operator=(const vtkBitingMesher&) = delete;
 
   class Execution;
 
+  vtkSmartPointer<vtkInformation> BoundaryArray; // null: SetInputArrayToProcess says it
   bool RepairInput = true;
   double MergeTolerance = 0.0;
   double EndTolerance = 0.01;
+  int DomainRule = EVEN_ODD;
   std::string RegionArray;
   bool KeepCellEdges = false;
   bool MeshBlocksSeparately = false;

@@ -3,21 +3,19 @@
 
 #include "vtkBitingMesherExecution.h"
 
-#include "Bridge/BitesToPolyData.h"
-#include "Bridge/BoundaryEdgesToPolyData.h"
-#include "Bridge/BoundarySpacing.h"
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DomainMembership.h"
-#include "Bridge/FilterRun.h"
-#include "Bridge/MeshToPolyData.h"
-#include "Bridge/MessagesFromProblems.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/PolylinesFromPolyData.h"
-#include "Bridge/RankCrew.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/SourceCover.h"
-#include "Bridge/SummaryText.h"
-#include "Bridge/TagComparison.h"
+#include "Bridge/Drawing/BoundarySpacing.h"
+#include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Drawing/PolylinesFromDrawing.h"
+#include "Bridge/Mesh/BitesToPolyData.h"
+#include "Bridge/Mesh/MeshToPolyData.h"
+#include "Bridge/Ranks/RankCrew.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
+#include "Bridge/Run/SummaryText.h"
+#include "Bridge/Source/DomainMembership.h"
+#include "Bridge/Source/SourceCover.h"
+#include "Bridge/Source/SourceData.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
@@ -129,9 +127,9 @@ void vtkBitingMesher::Execution::ReadGhostLevels(vtkInformationVector* outputs)
 bool vtkBitingMesher::Execution::Gather(
   const biting::WholeInput& drawing, const biting::WholeInput& source)
 {
-  if (!drawing.IsComplete() || !source.IsComplete())
+  if (!this->AcceptComplete({ &drawing, &source }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   const vtkSmartPointer<vtkDataObject> input = drawing.Make();
   this->Drawing = biting::ReadDrawing(input);
@@ -150,6 +148,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Gradation = filter.Gradation;
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
   this->Options.Domain.Repair = filter.RepairInput;
+  this->Options.Domain.Rule = static_cast<biting::DomainRule>(filter.DomainRule);
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;
   this->Options.Domain.MergeTolerance = filter.MergeTolerance;
   this->Options.Domain.EndTolerance = filter.EndTolerance;
@@ -162,9 +161,12 @@ bool vtkBitingMesher::Execution::ReadParameters()
     filter.BiteShape == CIRCLE ? biting::BiteShape::Circle : biting::BiteShape::Square;
   this->Options.Placement =
     filter.Placement == BISECTORS ? biting::Placement::Bisectors : biting::Placement::Corners;
-  constexpr biting::FrontOrder Orders[] = { biting::FrontOrder::Layers,
-    biting::FrontOrder::LargestY, biting::FrontOrder::BestFirst };
-  this->Options.Order = Orders[filter.FrontOrder];
+  static_assert(static_cast<int>(biting::FrontOrder::Layers) == LAYERS &&
+      static_cast<int>(biting::FrontOrder::LargestY) == LARGEST_Y &&
+      static_cast<int>(biting::FrontOrder::BestFirst) == BEST_FIRST &&
+      biting::FrontRules.size() == BEST_FIRST + 1,
+    "the orders of the kernel are those of the filter");
+  this->Options.Order = biting::FrontRules[filter.FrontOrder].Order;
   this->Options.MaximumNumberOfBites = filter.MaximumNumberOfBites;
   this->Options.MaximumNumberOfVertices = filter.MaximumNumberOfVertices;
   this->Options.VerticesPerBlock = filter.VerticesPerBlock;
@@ -206,15 +208,15 @@ bool vtkBitingMesher::Execution::ReadSpacing()
 //------------------------------------------------------------------------------
 std::string vtkBitingMesher::Execution::AddBoundaryArray()
 {
-  const biting::ChosenArray chosen = biting::ChooseArray(
-    this->Filter->GetInputArrayInformation(0), this->Drawing.Points, { "spacing array", "input" });
+  const biting::ChosenArray chosen =
+    biting::ChooseBoundaryArray(this->Filter->BoundaryArrayChoice(), this->Drawing);
   if (!chosen.Refusal.empty() || !chosen.Array)
   {
     return chosen.Refusal;
   }
   biting::PartOfStage part(this->Progress, ChainsEnd, BoundaryEnd);
   return biting::AddBoundarySpacing(
-    this->Drawing, this->Planar, chosen.Array, this->Options.Spacing, this->Places, part);
+    this->Drawing, this->Planar, chosen, this->Options.Spacing, this->Places, part);
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +227,7 @@ std::string vtkBitingMesher::Execution::AddSourceArray()
     return {};
   }
   biting::PartOfStage part(this->Progress, BoundaryEnd, 1.0);
-  biting::DomainMembership domain(this->Planar.Chains, part);
+  biting::DomainMembership domain(this->Planar.Chains, part, this->Options.Domain.Rule);
   return this->AddSource(
     this->Filter->GetInputArrayInformation(1), this->Source, this->Planar.Frame,
     [&domain](const biting::Point2& place) { return domain.MayHold(place); }, this->Options.Spacing,
@@ -267,24 +269,19 @@ bool vtkBitingMesher::Execution::Deliver()
   biting::CrewRounds rounds(this->Crew, this->Crew.WhoIsAtWork());
   biting::ByteWriter own;
   own.Put(biting::FindUncovered(this->Mesh, this->Options.Spacing));
-  const std::vector<std::vector<char>> all = rounds.Gather(std::move(own.Bytes), part);
-  if (!rounds.IsFirst())
-  {
-    return !rounds.Scatter({}).empty();
-  }
-  if (part.HasStopped())
-  {
-    return false;
-  }
-  biting::UncoveredPart uncovered;
-  for (const std::vector<char>& bytes : all)
-  {
-    biting::UncoveredPart next;
-    biting::ByteReader(bytes).Take(next);
-    uncovered.Join(next);
-  }
-  this->Warn(biting::UncoveredWarning(uncovered, this->Planar.Frame));
-  return !rounds.Scatter(rounds.ForEach({ 1 })).empty();
+  return rounds.GoOn(std::move(own.Bytes), part,
+    [this](const std::vector<std::vector<char>>& all)
+    {
+      biting::UncoveredPart uncovered;
+      for (const std::vector<char>& bytes : all)
+      {
+        biting::UncoveredPart next;
+        biting::ByteReader(bytes).Take(next);
+        uncovered.Join(next);
+      }
+      this->Warn(biting::UncoveredWarning(uncovered, this->Planar.Frame));
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -6,11 +6,11 @@
 
 #include "vtkBitingMesher.h"
 
-#include "Bridge/Drawing.h"
-#include "Bridge/FilterRun.h"
-#include "Bridge/PolylinesFromPolyData.h"
-#include "Bridge/RankCrew.h"
-#include "Bridge/Ranks.h"
+#include "Bridge/Drawing/Drawing.h"
+#include "Bridge/Drawing/PolylinesFromDrawing.h"
+#include "Bridge/Ranks/RankCrew.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
 #include "Kernel/BitingMesh.h"
 
 #include "vtkDataObject.h"

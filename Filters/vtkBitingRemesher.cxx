@@ -3,20 +3,17 @@
 
 #include "vtkBitingRemesher.h"
 
-#include "Bridge/BitesToPolyData.h"
-#include "Bridge/BoundaryEdgesToPolyData.h"
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DividedQuads.h"
-#include "Bridge/FilterRun.h"
-#include "Bridge/MeshToPolyData.h"
-#include "Bridge/MessagesFromProblems.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/ProducedEdges.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/RemeshInputFromDataSet.h"
-#include "Bridge/RemeshedData.h"
-#include "Bridge/SpacingValues.h"
-#include "Bridge/SummaryText.h"
+#include "Bridge/Drawing/RemeshInputFromDataSet.h"
+#include "Bridge/Mesh/BitesToPolyData.h"
+#include "Bridge/Mesh/DividedQuads.h"
+#include "Bridge/Mesh/MeshToPolyData.h"
+#include "Bridge/Mesh/RemeshedData.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
+#include "Bridge/Run/SummaryText.h"
+#include "Bridge/Source/SourceData.h"
+#include "Bridge/Source/SpacingValues.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingRemesh.h"
 
@@ -71,7 +68,6 @@ private:
   void WriteUnchanged(vtkInformationVector* outputs, biting::Pulse& pulse);
   std::string ParameterRefusal() const;
   std::string AddValues();
-  bool Report();
   void NumberPoints();
 
   vtkBitingRemesher* Filter;
@@ -164,9 +160,9 @@ void vtkBitingRemesher::Execution::Run(const biting::WholeInput& mesh,
 bool vtkBitingRemesher::Execution::Gather(
   const biting::WholeInput& mesh, const biting::WholeInput& source, const biting::WholeInput& lines)
 {
-  if (!mesh.IsComplete() || !source.IsComplete() || !lines.IsComplete())
+  if (!this->AcceptComplete({ &mesh, &source, &lines }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   this->Input = vtkDataSet::SafeDownCast(mesh.Make());
   this->Source = source.Make();
@@ -287,27 +283,17 @@ std::string vtkBitingRemesher::Execution::AddValues()
 bool vtkBitingRemesher::Execution::Remesh()
 {
   this->Result = biting::Remesh(this->Mesh.Input, this->Options, this->Problems, this->Progress);
-  if (this->WasAborted() || !this->Report())
+  if (this->WasAborted())
   {
     return false;
   }
-  this->NumberPoints();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// One message for each kind. False where there was an error.
-bool vtkBitingRemesher::Execution::Report()
-{
-  for (const biting::ProblemGroup& group : this->Problems.Groups())
-  {
-    if (biting::IsError(group.Code))
-    {
-      this->Refuse(biting::MessageFrom(group, this->Mesh.Planar));
-    }
-  }
+  const bool isMade = this->AcceptProblems(this->Mesh.Planar);
   this->WarnOfRepairs(this->Mesh.Planar);
-  return !this->IsRefused;
+  if (isMade)
+  {
+    this->NumberPoints();
+  }
+  return isMade;
 }
 
 //------------------------------------------------------------------------------

@@ -3,13 +3,12 @@
 
 #include "vtkHessianSpacing.h"
 
-#include "Bridge/ArrayFromVector.h"
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DoubleArray.h"
-#include "Bridge/FacesFromDataSet.h"
-#include "Bridge/MonitorOfFilter.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/Ranks.h"
+#include "Bridge/Data/ArrayFromVector.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Drawing/FacesFromDataSet.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Source/SourceData.h"
 #include "Kernel/Base/Box.h"
 #include "Kernel/Hessian/HessianRecovery.h"
 
@@ -24,7 +23,6 @@
 #include <algorithm> // for all_of, count_if, max
 #include <cmath>     // for isfinite
 #include <limits>    // for NaN
-#include <new>       // for bad_alloc
 #include <string>    // for messages
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -74,17 +72,17 @@ int LargestExponent(const std::vector<double>& values)
 
 //------------------------------------------------------------------------------
 // One execution. Methods return false where nothing is left to do.
-class vtkHessianSpacing::Execution
+class vtkHessianSpacing::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkHessianSpacing* filter)
-    : Filter(filter)
-    , Monitor(filter, 2)
+    : FilterRun({ filter, &filter->ErrorCode, nullptr, nullptr, 1 }, { 0.5, 0.5 })
+    , Filter(filter)
   {
   }
 
   /// Fills the output of the filter; says what is wrong.
-  void Run(const biting::WholeInput& input, vtkDataSet* output);
+  void Run(const biting::WholeInput& input, vtkInformationVector* outputs);
 
 private:
   bool Gather(const biting::WholeInput& input);
@@ -92,20 +90,16 @@ private:
   bool ReadScalar();
   bool Recover();
   void Write(vtkDataSet* output) const;
-  bool Accept(const std::string& refusal);
-  void Refuse(const std::string& reason);
   std::string ParameterRefusal() const;
   double Tolerance() const;
   double LargestSpacing() const;
 
   vtkHessianSpacing* Filter;
   vtkSmartPointer<vtkDataSet> Input;
-  biting::MonitorOfFilter Monitor;
   biting::PlanarFaces Faces;
   std::vector<double> Values;
   std::vector<double> Norms;
   int Exponent = 0; ///< values, and norms with them, are divided by two to the power of it
-  bool IsRefused = false;
 };
 
 vtkStandardNewMacro(vtkHessianSpacing);
@@ -136,35 +130,32 @@ int vtkHessianSpacing::RequestData(
   const biting::WholeInput input(ranks, inputVector[0]);
   if (ranks.IsFirst())
   {
-    Execution(this).Run(input, vtkDataSet::GetData(outputVector));
+    Execution(this).Run(input, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   return 1; // also where there was an error: views keep what was before it where this is 0
 }
 
 //------------------------------------------------------------------------------
-void vtkHessianSpacing::Execution::Run(const biting::WholeInput& input, vtkDataSet* output)
+void vtkHessianSpacing::Execution::Run(
+  const biting::WholeInput& input, vtkInformationVector* outputs)
 {
-  try
+  const auto run = [this, &input, outputs]()
   {
     if (this->Gather(input) && this->ReadFaces() && this->ReadScalar() && this->Recover())
     {
-      this->Write(output);
+      this->Write(vtkDataSet::GetData(outputs));
     }
-  }
-  catch (const std::bad_alloc&)
-  {
-    output->Initialize();
-    this->Refuse("There is not enough memory for the Hessian of this input.");
-  }
+  };
+  this->Guard(outputs, run, "There is not enough memory for the Hessian of this input.");
 }
 
 //------------------------------------------------------------------------------
 bool vtkHessianSpacing::Execution::Gather(const biting::WholeInput& input)
 {
-  if (!input.IsComplete())
+  if (!this->AcceptComplete({ &input }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   this->Input = vtkDataSet::SafeDownCast(input.Make());
   const bool isAsBefore =
@@ -175,11 +166,11 @@ bool vtkHessianSpacing::Execution::Gather(const biting::WholeInput& input)
 //------------------------------------------------------------------------------
 bool vtkHessianSpacing::Execution::ReadFaces()
 {
-  this->Monitor.BeginStage("Reading the faces");
+  this->Progress.BeginStage("Reading the faces");
   if (!this->Accept(this->ParameterRefusal()) ||
     !this->Accept(biting::FacesFromDataSet(
-      this->Input, biting::FaceRule::Polygons, this->Faces, this->Monitor)) ||
-    !this->Monitor.Advance(1.0))
+      this->Input, biting::FaceRule::Polygons, this->Faces, this->Progress)) ||
+    !this->Progress.Advance(1.0))
   {
     return false;
   }
@@ -195,38 +186,12 @@ bool vtkHessianSpacing::Execution::ReadFaces()
 //------------------------------------------------------------------------------
 std::string vtkHessianSpacing::Execution::ParameterRefusal() const
 {
-  const vtkHessianSpacing& filter = *this->Filter;
-  for (const std::string& refusal :
-    { biting::CheckAtLeastZero("Error Tolerance", filter.ErrorTolerance),
-      biting::CheckAtLeastZero("Minimum Spacing", filter.MinimumSpacing),
-      biting::CheckAtLeastZero("Maximum Spacing", filter.MaximumSpacing) })
-  {
-    if (!refusal.empty())
-    {
-      return refusal;
-    }
-  }
-  const bool isReversed =
-    filter.MaximumSpacing > 0.0 && filter.MinimumSpacing > filter.MaximumSpacing;
-  return isReversed ? "Minimum Spacing is above Maximum Spacing." : "";
-}
-
-//------------------------------------------------------------------------------
-bool vtkHessianSpacing::Execution::Accept(const std::string& refusal)
-{
-  if (!refusal.empty())
-  {
-    this->Refuse(refusal);
-  }
-  return refusal.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkHessianSpacing::Execution::Refuse(const std::string& reason)
-{
-  this->IsRefused = true;
-  this->Filter->ErrorCode = vtkErrorCode::UserError;
-  vtkErrorWithObjectMacro(this->Filter, << reason);
+  const std::string refusal =
+    biting::CheckAtLeastZero("Error Tolerance", this->Filter->ErrorTolerance);
+  biting::SpacingOptions bounds;
+  bounds.Minimum = this->Filter->MinimumSpacing;
+  bounds.Maximum = this->Filter->MaximumSpacing;
+  return refusal.empty() ? biting::CheckSpacingParameters(bounds) : refusal;
 }
 
 //------------------------------------------------------------------------------
@@ -260,8 +225,8 @@ bool vtkHessianSpacing::Execution::ReadScalar()
   const std::int64_t count = CountNotFinite(this->Values);
   if (count > 0)
   {
-    vtkWarningWithObjectMacro(
-      this->Filter, << "The scalar is not finite at " << count << " points; they get no spacing.");
+    this->Warn(
+      "The scalar is not finite at " + std::to_string(count) + " points; they get no spacing.");
   }
   return true;
 }
@@ -269,9 +234,9 @@ bool vtkHessianSpacing::Execution::ReadScalar()
 //------------------------------------------------------------------------------
 bool vtkHessianSpacing::Execution::Recover()
 {
-  this->Monitor.BeginStage("Recovering the Hessian");
+  this->Progress.BeginStage("Recovering the Hessian");
   const std::vector<biting::Hessian2> hessians = biting::RecoverHessians(
-    { this->Faces.Points, this->Faces.Offsets, this->Faces.Corners }, this->Values, this->Monitor);
+    { this->Faces.Points, this->Faces.Offsets, this->Faces.Corners }, this->Values, this->Progress);
   if (hessians.empty())
   {
     return false;
@@ -289,12 +254,11 @@ bool vtkHessianSpacing::Execution::Recover()
   const std::int64_t isolated = unknown - CountNotFinite(this->Values);
   if (isolated > 0)
   {
-    vtkWarningWithObjectMacro(this->Filter, << isolated
-                                            << " points have too few others around them to "
-                                               "determine a Hessian; the spacing there is that of "
-                                               "the points around them.");
+    this->Warn(std::to_string(isolated) +
+      " points have too few others around them to determine a Hessian; the spacing there is that "
+      "of the points around them.");
   }
-  return this->Monitor.Advance(1.0);
+  return this->Progress.Advance(1.0);
 }
 
 //------------------------------------------------------------------------------

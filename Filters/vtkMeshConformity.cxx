@@ -3,21 +3,16 @@
 
 #include "vtkMeshConformity.h"
 
-#include "Bridge/ChosenArray.h"
-#include "Bridge/DividedQuads.h"
-#include "Bridge/DomainMembership.h"
-#include "Bridge/FilterRun.h" // for EmptyOutputs
-#include "Bridge/InputTimes.h"
-#include "Bridge/MeasuredMesh.h"
-#include "Bridge/MeshWarnings.h"
-#include "Bridge/MessagesFromProblems.h"
-#include "Bridge/MonitorOfFilter.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/SourceCover.h"
-#include "Bridge/SourceData.h"
-#include "Bridge/SourceSpacing.h"
-#include "Bridge/SpacingValues.h"
-#include "Bridge/SummaryText.h"
+#include "Bridge/Mesh/DividedQuads.h"
+#include "Bridge/Mesh/MeasuredMesh.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
+#include "Bridge/Run/SummaryText.h"
+#include "Bridge/Source/DomainMembership.h"
+#include "Bridge/Source/SourceCover.h"
+#include "Bridge/Source/SourceData.h"
+#include "Bridge/Source/SpacingValues.h"
 #include "Kernel/Base/Box.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Quality/Quality.h"
@@ -33,29 +28,21 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <limits>  // for NaN
-#include <new>     // for bad_alloc
-#include <string>  // for messages
-#include <utility> // for move
+#include <limits> // for NaN
+#include <string> // for messages
 
 VTK_ABI_NAMESPACE_BEGIN
-
-namespace
-{
-
-constexpr int NumberOfStages = 4;
-
-} // namespace
 
 //------------------------------------------------------------------------------
 // One execution: reads, measures, writes, and says what is wrong. Methods return false where
 // nothing is left to do.
-class vtkMeshConformity::Execution
+class vtkMeshConformity::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkMeshConformity* filter)
-    : Filter(filter)
-    , Monitor(filter, NumberOfStages)
+    : FilterRun(
+        { filter, &filter->ErrorCode, &filter->Summary, nullptr, 1 }, { 0.25, 0.25, 0.25, 0.25 })
+    , Filter(filter)
   {
   }
 
@@ -69,22 +56,16 @@ private:
   bool ReadSpacing();
   bool Measure();
   void Write(vtkInformationVector* outputs) const;
-  bool Accept(const std::string& refusal);
-  void Refuse(const std::string& reason);
-  void Warn(const std::string& text) const;
-  bool ReadSource(const biting::SourceData& source);
+  bool ReadSource(biting::SpacingOptions& options);
+  bool Compare(const biting::SpacingOptions& options);
   bool ReadOwnSpacing(vtkDataArray* values);
   std::vector<double> Evaluate(
     const biting::Spacing& spacing, const std::vector<biting::Point2>& places);
-  bool ReportErrors(const biting::ProblemList& problems);
-  biting::SourceData ChooseSource();
 
   vtkMeshConformity* Filter;
   vtkSmartPointer<vtkDataSet> Input;
   vtkSmartPointer<vtkDataObject> Source;
-  biting::MonitorOfFilter Monitor;
   biting::MeasuredMesh Mesh;
-  bool IsRefused = false;
 };
 
 vtkStandardNewMacro(vtkMeshConformity);
@@ -199,27 +180,23 @@ int vtkMeshConformity::RequestData(
 void vtkMeshConformity::Execution::Run(
   const biting::WholeInput& mesh, const biting::WholeInput& source, vtkInformationVector* outputs)
 {
-  try
+  const auto run = [this, &mesh, &source, outputs]()
   {
     if (this->Gather(mesh, source) && this->ReadMesh() && this->ReadSpacing() && this->Measure())
     {
       this->Write(outputs);
     }
-  }
-  catch (const std::bad_alloc&)
-  {
-    biting::EmptyOutputs(outputs);
-    this->Refuse("There is not enough memory to measure this mesh.");
-  }
+  };
+  this->Guard(outputs, run, "There is not enough memory to measure this mesh.");
 }
 
 //------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::Gather(
   const biting::WholeInput& mesh, const biting::WholeInput& source)
 {
-  if (!mesh.IsComplete() || !source.IsComplete())
+  if (!this->AcceptComplete({ &mesh, &source }))
   {
-    return this->Accept(biting::NotGathered);
+    return false;
   }
   this->Input = vtkDataSet::SafeDownCast(mesh.Make());
   this->Source = source.Make();
@@ -231,13 +208,13 @@ bool vtkMeshConformity::Execution::Gather(
 //------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::ReadMesh()
 {
-  this->Monitor.BeginStage("Reading the triangles");
+  this->Progress.BeginStage("Reading the triangles");
   const biting::DividedQuads divided(this->Input);
   this->Input = divided.Data();
   this->Warn(divided.Remark());
   if (!this->Accept(biting::FacesFromDataSet(
-        this->Input, biting::FaceRule::Triangles, this->Mesh.Faces, this->Monitor)) ||
-    !this->Monitor.Advance(1.0))
+        this->Input, biting::FaceRule::Triangles, this->Mesh.Faces, this->Progress)) ||
+    !this->Progress.Advance(1.0))
   {
     return false;
   }
@@ -253,46 +230,22 @@ bool vtkMeshConformity::Execution::ReadMesh()
     this->Warn(text);
   }
   this->Warn(biting::WarningOfUnusedPoints(this->Mesh.Faces, this->Input->GetNumberOfPoints()));
-  return this->Monitor.Advance(1.0);
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeshConformity::Execution::Accept(const std::string& refusal)
-{
-  if (!refusal.empty())
-  {
-    this->Refuse(refusal);
-  }
-  return refusal.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::Refuse(const std::string& reason)
-{
-  this->IsRefused = true;
-  this->Filter->ErrorCode = vtkErrorCode::UserError;
-  this->Filter->Summary += "Error: " + reason + "\n";
-  vtkErrorWithObjectMacro(this->Filter, << reason);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshConformity::Execution::Warn(const std::string& text) const
-{
-  if (!text.empty())
-  {
-    this->Filter->Summary += "Warning: " + text + "\n";
-    vtkWarningWithObjectMacro(this->Filter, << text);
-  }
+  return this->Progress.Advance(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::ReadSpacing()
 {
-  this->Monitor.BeginStage("Evaluating the spacing");
-  const biting::SourceData source = this->ChooseSource();
-  if (this->IsRefused || source.Chosen.Array)
+  this->Progress.BeginStage("Evaluating the spacing");
+  biting::SpacingOptions options;
+  options.Gradation = 0.0;
+  if (!this->ReadSource(options))
   {
-    return !this->IsRefused && this->ReadSource(source);
+    return false;
+  }
+  if (options.Grid || options.Triangulation)
+  {
+    return this->Compare(options);
   }
   const biting::ChosenArray chosen = biting::ChooseArray(
     this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
@@ -312,56 +265,42 @@ bool vtkMeshConformity::Execution::ReadSpacing()
 }
 
 //------------------------------------------------------------------------------
-// Without an array where the source is not to be used.
-biting::SourceData vtkMeshConformity::Execution::ChooseSource()
+bool vtkMeshConformity::Execution::ReadSource(biting::SpacingOptions& options)
 {
   if (!this->Source)
   {
-    return {};
+    return true;
   }
-  const biting::SourceData source =
-    biting::ChooseSource(this->Filter->GetInputArrayInformation(1), this->Source);
-  if (this->Accept(source.Chosen.Refusal) && !source.Chosen.Array)
-  {
-    this->Warn("The spacing source is not used: no array of it was chosen, and it has none named " +
-      std::string(biting::SpacingArrayName) + ".");
-  }
-  return source;
+  const biting::Polylines outlines = biting::OutlinesOf(this->Mesh.Faces);
+  biting::DomainMembership domain(outlines, this->Progress);
+  const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
+  return this->Accept(this->AddSource(this->Filter->GetInputArrayInformation(1), this->Source,
+    this->Mesh.Faces.Frame, isWanted, options, this->Progress));
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeshConformity::Execution::ReadSource(const biting::SourceData& source)
+bool vtkMeshConformity::Execution::Compare(const biting::SpacingOptions& options)
 {
-  const biting::Polylines outlines = biting::OutlinesOf(this->Mesh.Faces);
-  biting::DomainMembership domain(outlines, this->Monitor);
-  const auto isWanted = [&domain](const biting::Point2& place) { return domain.MayHold(place); };
-  biting::SpacingOptions options;
-  options.Gradation = 0.0;
-  biting::ProblemPlaces places;
-  if (!this->Accept(biting::AddSourceSpacing(
-        source, this->Mesh.Faces.Frame, isWanted, options, places, this->Monitor)))
-  {
-    return false;
-  }
   biting::Box2 box;
   for (const biting::Point2& point : this->Mesh.Faces.Points)
   {
     box.Add(point);
   }
-  biting::ProblemList problems;
-  const biting::Spacing spacing = biting::MakeSpacing(options, box, problems, this->Monitor);
-  if (problems.HasErrors())
+  const biting::Spacing spacing = biting::MakeSpacing(options, box, this->Problems, this->Progress);
+  biting::PlanarInput planar;
+  planar.Frame = this->Mesh.Faces.Frame;
+  if (!this->AcceptProblems(planar) || this->WasAborted())
   {
-    return this->ReportErrors(problems);
+    return false;
   }
   this->Warn(biting::UncoveredWarning(
     this->Mesh.Faces.Points, this->Mesh.Faces.Corners, options, this->Mesh.Faces.Frame));
   this->Mesh.Spacing = this->Evaluate(spacing, this->Mesh.Faces.Points);
   this->Mesh.MiddleSpacing =
-    this->Evaluate(spacing, biting::EdgeMiddles(this->Mesh.View(), this->Monitor));
+    this->Evaluate(spacing, biting::EdgeMiddles(this->Mesh.View(), this->Progress));
   this->Mesh.GivenLipschitz = spacing.GivenLipschitz();
   this->Mesh.HasSpacing = true;
-  return this->Monitor.Advance(1.0);
+  return this->Progress.Advance(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -369,36 +308,19 @@ std::vector<double> vtkMeshConformity::Execution::Evaluate(
   const biting::Spacing& spacing, const std::vector<biting::Point2>& places)
 {
   std::vector<double> values(places.size());
-  biting::Pulse pulse(this->Monitor);
+  biting::Pulse pulse(this->Progress);
   pulse.ForEach(
     places.size(), [&values, &spacing, &places](std::size_t k) { values[k] = spacing(places[k]); });
   return values;
 }
 
 //------------------------------------------------------------------------------
-// Always false: nothing is left to do.
-bool vtkMeshConformity::Execution::ReportErrors(const biting::ProblemList& problems)
-{
-  biting::PlanarInput planar;
-  planar.Frame = this->Mesh.Faces.Frame;
-  for (const biting::ProblemGroup& group : problems.Groups())
-  {
-    if (group.Code != biting::ProblemCode::Aborted)
-    {
-      this->Accept(biting::MessageFrom(group, planar));
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
 {
-  biting::ProblemPlaces places;
-  biting::Pulse pulse(this->Monitor);
+  biting::Pulse pulse(this->Progress);
   std::vector<double> read;
   if (!this->Accept(biting::ReadOwnValues(
-        this->Input, values, this->Mesh.Faces.PointIds, 0.0, read, places, pulse)))
+        this->Input, values, this->Mesh.Faces.PointIds, 0.0, read, this->Places, pulse)))
   {
     return false;
   }
@@ -406,22 +328,22 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
   {
     this->Mesh.Spacing.push_back(read[static_cast<std::size_t>(point)]);
   }
-  this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Monitor);
+  this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Progress);
   this->Mesh.HasSpacing = true;
-  return this->Monitor.Advance(1.0);
+  return this->Progress.Advance(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkMeshConformity::Execution::Measure()
 {
   this->Warn(biting::WarningOfRepeatedPoints(this->Mesh.Faces));
-  this->Monitor.BeginStage("Measuring");
+  this->Progress.BeginStage("Measuring");
   const biting::MeshView mesh = this->Mesh.View();
-  this->Mesh.Quality = biting::MeasureQuality(mesh, this->Monitor);
-  this->Mesh.Angles = biting::AnglesOf(mesh, this->Monitor);
-  this->Mesh.RelativeLengths = biting::RelativeLengths(mesh, this->Monitor);
-  this->Mesh.UsedLipschitz = biting::LargestSlope(mesh, this->Monitor);
-  return this->Monitor.Advance(1.0);
+  this->Mesh.Quality = biting::MeasureQuality(mesh, this->Progress);
+  this->Mesh.Angles = biting::AnglesOf(mesh, this->Progress);
+  this->Mesh.RelativeLengths = biting::RelativeLengths(mesh, this->Progress);
+  this->Mesh.UsedLipschitz = biting::LargestSlope(mesh, this->Progress);
+  return this->Progress.Advance(1.0);
 }
 
 //------------------------------------------------------------------------------

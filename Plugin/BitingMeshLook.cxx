@@ -35,13 +35,13 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       "15", "Overlapping cells", "16", "Near points", "17", "Narrow angle",
       "18", "Raised spacing", "19", "Small loop", "20", "Fine drawing", "21", "Bad triangle",
       "22", "Flat triangle", "23", "Joined end", "24", "Open outline", "25", "Near miss",
-      "26", "Changed area" ],
+      "26", "Changed area", "27", "Cell in a cell" ],
     "IndexedColors" : [ 0.6, 0.6, 0.6, 0.4, 0.4, 0.4, 0.95, 0.6, 0.1, 1, 0.85, 0.1,
       0.55, 0.35, 0.85, 0.2, 0.6, 0.9, 0.1, 0.75, 0.75, 1, 0.1, 0.1, 0.75, 0, 0.4, 0.55, 0, 0.25,
       0.95, 0.3, 0.6, 0.5, 0.3, 0.1, 0.2, 0.2, 0.2, 0.9, 0.4, 0, 0, 0, 0,
       0.6, 0.4, 0.1, 0.75, 0.75, 0.75, 0.8, 0.7, 0.3, 0.5, 0.5, 0.7, 0.4, 0.65, 0.4,
       0.7, 0.55, 0.7, 0.8, 0.1, 0.3, 0.45, 0.75, 0.6, 0.95, 0.75, 0.5, 0.7, 0, 0,
-      0.95, 0.45, 0.75, 0.35, 0.35, 0.6 ] } } } })";
+      0.95, 0.45, 0.75, 0.35, 0.35, 0.6, 0.3, 0.7, 0.3 ] } } } })";
 
 constexpr const char* Representations = R"({ "representations" : {
   "BitingMeshRepresentation" : { "EdgeColor" : [ 0.85, 0.88, 0.9 ] },

@@ -58,21 +58,20 @@ private:
   {
     std::size_t elements = 0;
     std::size_t nodes = 0;
-    bool isRead = (this->In.PassTitle() && this->In.Read(elements, nodes)) ||
-      this->Out.Fail("the numbers of elements and nodes");
-    for (std::size_t k = 0; isRead && k < nodes; ++k)
-    {
-      std::int64_t number = 0;
-      std::array<double, 3> place{};
-      isRead = (this->In.Read(number, place[0], place[1], place[2]) || this->Out.Fail("a node")) &&
-        this->Out.AddVertex(number, { place[0], place[1], 0.0 });
-      this->Mesh.Depths.push_back(place[2]);
-    }
-    for (std::size_t k = 0; isRead && k < elements; ++k)
-    {
-      isRead = this->ReadElement();
-    }
-    return isRead;
+    return ((this->In.PassTitle() && this->In.Read(elements, nodes)) ||
+             this->Out.Fail("the numbers of elements and nodes")) &&
+      Repeat(nodes, [this] { return this->ReadNode(); }) &&
+      Repeat(elements, [this] { return this->ReadElement(); });
+  }
+
+  bool ReadNode()
+  {
+    std::int64_t number = 0;
+    std::array<double, 3> place{};
+    const bool isRead = this->In.Read(number, place[0], place[1], place[2]);
+    this->Mesh.Depths.push_back(place[2]);
+    return (isRead || this->Out.Fail("a node")) &&
+      this->Out.AddVertex(number, { place[0], place[1], 0.0 });
   }
 
   bool ReadElement()
@@ -112,12 +111,9 @@ private:
     std::size_t total = 0;
     this->Nodes = 0;
     this->NodesBehind = 0;
-    bool isRead = (this->In.More(count) || this->Out.Fail("the number of boundaries")) &&
-      (this->In.Read(total) || this->Out.Fail("the number of nodes of boundaries"));
-    for (std::size_t k = 0; isRead && k < count; ++k)
-    {
-      isRead = this->ReadString(areOpen);
-    }
+    const bool isRead = (this->In.More(count) || this->Out.Fail("the number of boundaries")) &&
+      (this->In.Read(total) || this->Out.Fail("the number of nodes of boundaries")) &&
+      Repeat(count, [this, areOpen] { return this->ReadString(areOpen); });
     if (isRead && total != this->Nodes && total != this->Nodes + this->NodesBehind)
     {
       this->Out.Remark(std::string(areOpen ? "Open" : "Land") + " boundaries have " +

@@ -11,30 +11,11 @@ namespace biting
 namespace
 {
 
-//------------------------------------------------------------------------------
 MeshFileCell CellInGmsh(int type)
 {
-  switch (type)
-  {
-    case 15:
-      return { 1, 1 };
-    case 1:
-      return { 2, 2 };
-    case 2:
-      return { 3, 3 };
-    case 3:
-      return { 4, 4 };
-    case 8:
-      return { 2, 3 };
-    case 9:
-      return { 3, 6 };
-    case 10:
-      return { 4, 9 };
-    case 16:
-      return { 4, 8 };
-    default:
-      return {};
-  }
+  static const std::vector<std::array<std::size_t, 3>> Types{ { 15, 1, 1 }, { 1, 2, 2 },
+    { 2, 3, 3 }, { 3, 4, 4 }, { 8, 2, 3 }, { 9, 3, 6 }, { 10, 4, 9 }, { 16, 4, 8 } };
+  return CellOfType(Types, type);
 }
 
 class GmshReading
@@ -93,11 +74,13 @@ private:
     }
     else if (section == "$Nodes" || section == "$ParametricNodes")
     {
-      isRead = isNew ? this->ReadBlocksOfNodes() : this->ReadNodes();
+      isRead =
+        isNew ? this->ReadBlocks("nodes", &GmshReading::ReadBlockOfNodes) : this->ReadNodes();
     }
     else if (section == "$Elements")
     {
-      isRead = isNew ? this->ReadBlocksOfElements() : this->ReadElements();
+      isRead = isNew ? this->ReadBlocks("elements", &GmshReading::ReadBlockOfElements)
+                     : this->ReadElements();
     }
     else
     {
@@ -159,12 +142,8 @@ private:
   bool PassPartitions()
   {
     std::size_t count = 0;
-    bool isRead = this->In.Read(count) && this->In.Read(count);
-    for (std::size_t k = 0; isRead && k < count; ++k)
-    {
-      isRead = this->In.Next();
-    }
-    return isRead;
+    return this->In.Read(count) && this->In.Read(count) &&
+      Repeat(count, [this] { return this->In.Next(); });
   }
 
   // Its number, its box (a point has one corner), and its physical groups; a sign there is the
@@ -210,30 +189,28 @@ private:
   bool ReadNodes()
   {
     std::size_t count = 0;
-    bool isRead = this->In.Read(count) || this->Out.Fail("the number of nodes");
-    for (std::size_t k = 0; isRead && k < count; ++k)
-    {
-      std::int64_t number = 0;
-      std::array<double, 3> place{};
-      isRead = (this->In.Read(number, place[0], place[1], place[2]) || this->Out.Fail("a node")) &&
-        this->Out.AddVertex(number, place);
-    }
-    return isRead;
+    return (this->In.Read(count) || this->Out.Fail("the number of nodes")) &&
+      Repeat(count, [this] { return this->ReadNode(); });
   }
 
-  bool ReadBlocksOfNodes()
+  bool ReadNode()
+  {
+    std::int64_t number = 0;
+    std::array<double, 3> place{};
+    return (this->In.Read(number, place[0], place[1], place[2]) || this->Out.Fail("a node")) &&
+      this->Out.AddVertex(number, place);
+  }
+
+  // Each block adds the number of its things to `count`.
+  bool ReadBlocks(const std::string& things, bool (GmshReading::*readBlock)(std::size_t& count))
   {
     std::size_t blocks = 0;
-    std::size_t nodes = 0;
+    std::size_t all = 0;
     std::size_t count = 0;
-    bool isRead =
-      this->In.Read(blocks, nodes) || this->Out.Fail("the numbers of blocks and of nodes");
-    for (std::size_t block = 0; isRead && block < blocks; ++block)
-    {
-      isRead = this->ReadBlockOfNodes(count);
-    }
-    return isRead &&
-      (count == nodes || this->Out.Fail("the last of " + std::to_string(nodes) + " nodes"));
+    return (this->In.Read(blocks, all) ||
+             this->Out.Fail("the numbers of blocks and of " + things)) &&
+      Repeat(blocks, [this, readBlock, &count] { return (this->*readBlock)(count); }) &&
+      (count == all || this->Out.Fail("the last of " + std::to_string(all) + " " + things));
   }
 
   // All numbers, then all places, which parameters may follow.
@@ -268,12 +245,8 @@ private:
   bool ReadElements()
   {
     std::size_t count = 0;
-    bool isRead = this->In.Read(count) || this->Out.Fail("the number of elements");
-    for (std::size_t k = 0; isRead && k < count; ++k)
-    {
-      isRead = this->ReadElement();
-    }
-    return isRead;
+    return (this->In.Read(count) || this->Out.Fail("the number of elements")) &&
+      Repeat(count, [this] { return this->ReadElement(); });
   }
 
   // Its number, type, and tags: the first is the physical group, the second the entity.
@@ -296,22 +269,6 @@ private:
   {
     return this->Out.ReadCell(cell, group) &&
       (cell.Corners == 0 || this->In.IsRead() || this->Out.Fail("no more nodes than belong there"));
-  }
-
-  bool ReadBlocksOfElements()
-  {
-    std::size_t blocks = 0;
-    std::size_t elements = 0;
-    std::size_t count = 0;
-    bool isRead =
-      this->In.Read(blocks, elements) || this->Out.Fail("the numbers of blocks and of elements");
-    for (std::size_t block = 0; isRead && block < blocks; ++block)
-    {
-      isRead = this->ReadBlockOfElements(count);
-    }
-    return isRead &&
-      (count == elements ||
-        this->Out.Fail("the last of " + std::to_string(elements) + " elements"));
   }
 
   bool ReadBlockOfElements(std::size_t& total)

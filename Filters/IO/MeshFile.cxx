@@ -27,9 +27,6 @@ Edge Undirected(Vertex a, Vertex b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-//------------------------------------------------------------------------------
-// Boundary
-
 std::map<Edge, std::size_t> LabelsByEdge(
   const MeshFile& mesh, const std::vector<std::size_t>& labels)
 {
@@ -64,6 +61,23 @@ std::multimap<Vertex, Vertex> BoundaryEdges(const MeshFile& mesh)
     }
   }
   return edges;
+}
+
+// All sides of triangles, sorted.
+template <typename MakeEdge>
+std::vector<Edge> SortedSides(const MeshFile& mesh, MakeEdge makeEdge)
+{
+  std::vector<Edge> sides;
+  sides.reserve(3 * mesh.Triangles.size());
+  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sides.push_back(makeEdge(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
 // Takes a closed loop out of `edges`; its first vertex is not repeated.
@@ -119,9 +133,6 @@ void AddPaths(std::vector<Vertex> loop, std::vector<std::size_t> labels, bool is
   }
 }
 
-//------------------------------------------------------------------------------
-// SU2
-
 void WriteMarkers(const MeshFile& mesh, std::ostream& file)
 {
   std::vector<std::size_t> labels(mesh.Tags.size() + 1);
@@ -152,9 +163,6 @@ void WriteMarkers(const MeshFile& mesh, std::ostream& file)
     }
   }
 }
-
-//------------------------------------------------------------------------------
-// ADCIRC
 
 constexpr std::size_t Open = 1;
 
@@ -187,43 +195,29 @@ void AddOpen(const BoundaryPath& path, std::vector<BoundaryPath>& opens)
   AddOpen({ { middle, path.Vertices.end() }, Open, path.IsIsland }, opens);
 }
 
-void WritePath(const BoundaryPath& path, std::ostream& file)
-{
-  for (std::size_t k = 0; k < SizeOf(path); ++k)
-  {
-    file << path.Vertices[k] + 1 << "\n";
-  }
-}
-
-std::size_t TotalSize(const std::vector<BoundaryPath>& paths)
+// Land with its type.
+void WriteBoundaries(
+  const std::vector<BoundaryPath>& paths, const std::string& name, bool isLand, std::ostream& file)
 {
   std::size_t size = 0;
   for (const BoundaryPath& path : paths)
   {
     size += SizeOf(path);
   }
-  return size;
-}
-
-void WriteOpen(const std::vector<BoundaryPath>& paths, std::ostream& file)
-{
-  file << paths.size() << " = number of open boundaries\n"
-       << TotalSize(paths) << " = number of their nodes\n";
+  file << paths.size() << " = number of " << name << " boundaries\n"
+       << size << " = number of their nodes\n";
   for (const BoundaryPath& path : paths)
   {
-    file << SizeOf(path) << "\n";
-    WritePath(path, file);
-  }
-}
-
-void WriteLand(const std::vector<BoundaryPath>& paths, std::ostream& file)
-{
-  file << paths.size() << " = number of land boundaries\n"
-       << TotalSize(paths) << " = number of their nodes\n";
-  for (const BoundaryPath& path : paths)
-  {
-    file << SizeOf(path) << " " << (IsWholeIsland(path) ? Island : Mainland) << "\n";
-    WritePath(path, file);
+    file << SizeOf(path);
+    if (isLand)
+    {
+      file << " " << (IsWholeIsland(path) ? Island : Mainland);
+    }
+    file << "\n";
+    for (std::size_t k = 0; k < SizeOf(path); ++k)
+    {
+      file << path.Vertices[k] + 1 << "\n";
+    }
   }
 }
 
@@ -236,16 +230,7 @@ bool EndsWith(const std::string& name, const std::string& end)
 
 std::size_t CountEdgesOfNoTriangle(const MeshFile& mesh)
 {
-  std::vector<Edge> sides;
-  sides.reserve(3 * mesh.Triangles.size());
-  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sides.push_back(Undirected(triangle[k], triangle[(k + 1) % 3]));
-    }
-  }
-  std::sort(sides.begin(), sides.end());
+  const std::vector<Edge> sides = SortedSides(mesh, Undirected);
   return static_cast<std::size_t>(std::count_if(mesh.Edges.begin(), mesh.Edges.end(),
     [&sides](const Edge& edge)
     { return !std::binary_search(sides.begin(), sides.end(), Undirected(edge[0], edge[1])); }));
@@ -264,16 +249,10 @@ void OrientUpwards(MeshFile& mesh)
 
 bool IsBoundaryOfLoops(const MeshFile& mesh)
 {
-  std::vector<Edge> sides;
-  sides.reserve(3 * mesh.Triangles.size());
-  for (const std::array<Vertex, 3>& triangle : mesh.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sides.push_back({ triangle[k], triangle[(k + 1) % 3] });
-    }
-  }
-  std::sort(sides.begin(), sides.end());
+  const std::vector<Edge> sides = SortedSides(mesh,
+    [](Vertex a, Vertex b) {
+      return Edge{ a, b };
+    });
   return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
 }
 
@@ -374,17 +353,10 @@ void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::os
   labels.push_back(0);
   for (const BoundaryPath& path : BoundaryPaths(mesh, labels))
   {
-    if (path.Label == Open)
-    {
-      AddOpen(path, opens);
-    }
-    else
-    {
-      lands.push_back(path);
-    }
+    path.Label == Open ? AddOpen(path, opens) : lands.push_back(path);
   }
-  WriteOpen(opens, file);
-  WriteLand(lands, file);
+  WriteBoundaries(opens, "open", false, file);
+  WriteBoundaries(lands, "land", true, file);
 }
 
 } // namespace biting

@@ -6,6 +6,7 @@
 
 #include <array>   // for places and ids
 #include <cstdint> // for ids
+#include <istream> // for files
 #include <limits>  // for digits of numbers
 #include <ostream> // for files
 #include <string>  // for names
@@ -86,6 +87,31 @@ void WriteSU2(const MeshFile& mesh, std::ostream& file);
 /// rest as land: islands (type 1) around holes of land only, else mainland (type 0). A loop that is
 /// all open is two open boundaries, since none may be a loop. Expects IsBoundaryOfLoops.
 void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file);
+
+/// What came of reading a file.
+///
+/// Files made by any program are read. Vertices keep the order that they have there, whatever their
+/// numbers. Quads become two triangles each (Quality/QuadDiagonal.h). Of cells of order 2 the
+/// corners are read, and vertices that are no corner of another cell are left out. A cell that is
+/// listed once for each of its groups is read once, in the first of them.
+struct ReadingResult
+{
+  std::string Reason;               // why there is no mesh, with the line; empty where there is one
+  std::vector<std::string> Remarks; // sentences: what of the file the mesh does not have
+};
+
+/// Gmsh 2.2 and 4.1, ASCII. Groups are the physical groups; where the file has none, the curves
+/// and surfaces themselves, without names.
+ReadingResult ReadGmsh(std::istream& file, MeshFile& mesh);
+
+/// SU2 of two dimensions: markers as tags. Markers keep the numbers that they are called by if all
+/// are whole numbers from 1 to 2147483647, else they are numbered from 1 on.
+ReadingResult ReadSU2(std::istream& file, MeshFile& mesh);
+
+/// ADCIRC grid (fort.14): depths; tag 1 for open boundaries, 2 and the type added for land: 2
+/// mainland, 3 island and so on. Both sides of weirs with pairs of nodes have the tag of their
+/// type.
+ReadingResult ReadADCIRC(std::istream& file, MeshFile& mesh);
 
 } // namespace biting
 

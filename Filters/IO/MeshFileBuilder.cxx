@@ -5,13 +5,26 @@
 
 #include "../Kernel/Quality/QuadDiagonal.h"
 
-#include <algorithm> // for any_of, copy, count, find_if, sort
+#include <algorithm> // for min, replace_if
+#include <charconv>  // for whole numbers
+#include <cstdint>   // for whole numbers
+#include <locale>    // for numbers with a point
 
 namespace biting
 {
 
 namespace
 {
+
+constexpr const char* Blanks = " \t\r";
+constexpr const char* BlanksAndComma = " \t\r,";
+
+std::string Trimmed(const std::string& text)
+{
+  const std::size_t begin = text.find_first_not_of(Blanks);
+  return begin == std::string::npos ? std::string()
+                                    : text.substr(begin, text.find_last_not_of(Blanks) + 1 - begin);
+}
 
 constexpr std::size_t MostGroupsShown = 5;
 
@@ -28,27 +41,147 @@ std::string Count(std::size_t count, const std::string& what)
 
 } // namespace
 
-//------------------------------------------------------------------------------
+template <typename Whole>
+bool ReadWhole(const std::string& word, Whole& value)
+{
+  const bool hasPlus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result =
+    std::from_chars(word.data() + (hasPlus ? 1 : 0), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+template bool ReadWhole(const std::string& word, int& value);
+template bool ReadWhole(const std::string& word, std::int64_t& value);
+template bool ReadWhole(const std::string& word, std::size_t& value);
+
+MeshFileLines::MeshFileLines(std::istream& file, MeshFileDialect dialect)
+  : File(file)
+  , Dialect(dialect)
+{
+  this->Real.imbue(std::locale::classic());
+}
+
+bool MeshFileLines::Next()
+{
+  while (this->PassTitle())
+  {
+    if (this->Dialect == MeshFileDialect::SU2)
+    {
+      this->Text.erase(std::min(this->Text.find('%'), this->Text.size()));
+    }
+    if (this->Text.find_first_not_of(Blanks) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool MeshFileLines::PassTitle()
+{
+  this->Position = 0;
+  this->IsAtEnd = !std::getline(this->File, this->Text);
+  this->Number += this->IsAtEnd ? 0 : 1;
+  return !this->IsAtEnd;
+}
+
+bool MeshFileLines::IsRead() const
+{
+  return this->Text.find_first_not_of(Blanks, this->Position) == std::string::npos;
+}
+
+bool MeshFileLines::PassNumber()
+{
+  double number = 0.0;
+  return this->Take(number);
+}
+
+// An empty word, as between two commas, is none.
+bool MeshFileLines::Take(std::string& word)
+{
+  const bool isFortran = this->Dialect == MeshFileDialect::Fortran;
+  const std::size_t size = this->Text.size();
+  const std::size_t begin = std::min(this->Text.find_first_not_of(Blanks, this->Position), size);
+  this->Position =
+    std::min(this->Text.find_first_of(isFortran ? BlanksAndComma : Blanks, begin), size);
+  word.assign(this->Text, begin, this->Position - begin);
+  const std::size_t next = this->Text.find_first_not_of(Blanks, this->Position);
+  if (isFortran && next < size && this->Text[next] == ',')
+  {
+    this->Position = next + 1;
+  }
+  return !word.empty();
+}
+
+bool MeshFileLines::Take(double& value)
+{
+  if (!this->Take(this->Word))
+  {
+    return false;
+  }
+  if (this->Dialect == MeshFileDialect::Fortran)
+  {
+    std::replace_if(
+      this->Word.begin(), this->Word.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  }
+  this->Real.clear();
+  this->Real.str(this->Word);
+  return (this->Real >> value) && this->Real.peek() == std::istringstream::traits_type::eof();
+}
+
+bool MeshFileLines::Quoted(std::string& text) const
+{
+  const std::size_t begin = this->Text.find('"');
+  const std::size_t end = this->Text.rfind('"');
+  const bool isQuoted = begin != std::string::npos && begin < end;
+  text = isQuoted ? this->Text.substr(begin + 1, end - begin - 1) : std::string();
+  return isQuoted;
+}
+
+bool MeshFileLines::Assignment(std::string& key, std::string& value) const
+{
+  const std::size_t sign = this->Text.find('=');
+  key = Trimmed(this->Text.substr(0, sign));
+  value = sign == std::string::npos ? std::string() : Trimmed(this->Text.substr(sign + 1));
+  return sign != std::string::npos;
+}
+
+std::string MeshFileLines::Expected(const std::string& what) const
+{
+  return this->IsAtEnd
+    ? "The file ends where there should be " + what + "."
+    : "Line " + std::to_string(this->Number) + " is not what it should be: " + what + ".";
+}
+
+MeshFileCell CellOfType(const std::vector<std::array<std::size_t, 3>>& types, int type)
+{
+  for (const auto& [number, corners, vertices] : types)
+  {
+    if (type >= 0 && number == static_cast<std::size_t>(type))
+    {
+      return { corners, vertices };
+    }
+  }
+  return {};
+}
+
 MeshFileBuilder::MeshFileBuilder(MeshFileLines& lines, MeshFile& mesh)
   : In(lines)
   , Mesh(mesh)
 {
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::Fail(const std::string& what)
 {
   this->Result.Reason = this->In.Expected(what);
   return false;
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::Remark(const std::string& sentence)
 {
   this->Result.Remarks.push_back(sentence);
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddVertex(std::int64_t number, const std::array<double, 3>& place)
 {
   const auto vertex = static_cast<MeshFile::Vertex>(this->Mesh.Points.size());
@@ -60,7 +193,6 @@ bool MeshFileBuilder::AddVertex(std::int64_t number, const std::array<double, 3>
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group)
 {
   Cell edge;
@@ -69,7 +201,6 @@ bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Gro
   return this->Add(edge, group);
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
 {
   this->PassedOver += kind.Corners == 0 ? 1 : 0;
@@ -95,7 +226,6 @@ bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)
   return kind.Corners < 2 || this->Add(cell, group);
 }
 
-//------------------------------------------------------------------------------
 // A quad with one corner at both ends of a side is a triangle.
 bool MeshFileBuilder::Add(Cell& cell, const Group& group)
 {
@@ -124,13 +254,11 @@ bool MeshFileBuilder::Add(Cell& cell, const Group& group)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::LeaveOut(int dimension, std::int64_t group, std::size_t cells)
 {
   this->OtherGroups[{ dimension, group }] += cells;
 }
 
-//------------------------------------------------------------------------------
 ReadingResult MeshFileBuilder::Finish(const NameOf& nameOf)
 {
   if (this->Result.Reason.empty() && this->FindVertices())
@@ -147,7 +275,6 @@ ReadingResult MeshFileBuilder::Finish(const NameOf& nameOf)
   return this->Result;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::FindVertices()
 {
   bool areFound = true;
@@ -165,7 +292,6 @@ bool MeshFileBuilder::FindVertices()
   return areFound;
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::FindVertex(std::size_t line, std::int64_t& number)
 {
   const auto found = this->Vertices.find(number);
@@ -179,67 +305,43 @@ bool MeshFileBuilder::FindVertex(std::size_t line, std::int64_t& number)
   return true;
 }
 
-//------------------------------------------------------------------------------
-// Of cells with the same vertices one stays.
+// Of cells with the same vertices the first that has a group stays, else the first.
 void MeshFileBuilder::PassRepeatedCells()
 {
-  std::vector<std::pair<std::array<std::int64_t, 4>, std::size_t>> keys;
-  keys.reserve(this->Cells.size());
-  for (const Cell& cell : this->Cells)
-  {
-    keys.emplace_back(cell.Corners, keys.size());
-    std::sort(keys.back().first.begin(), keys.back().first.end());
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<bool> isPassed(keys.size(), false);
-  std::vector<std::size_t> repeated;
-  for (std::size_t k = 0; k < keys.size();)
-  {
-    repeated.clear();
-    const auto& corners = keys[k].first;
-    for (; k < keys.size() && keys[k].first == corners; ++k)
-    {
-      repeated.push_back(keys[k].second);
-    }
-    this->Choose(repeated, isPassed);
-  }
-  std::size_t kept = 0;
+  std::map<std::array<std::int64_t, 4>, std::size_t> kept; // by the sorted corners
+  std::vector<bool> isPassed(this->Cells.size(), false);
   for (std::size_t k = 0; k < this->Cells.size(); ++k)
   {
-    this->Cells[kept] = this->Cells[k];
-    kept += isPassed[k] ? 0 : 1;
-  }
-  this->Cells.resize(kept);
-}
-
-//------------------------------------------------------------------------------
-// The first of the cells that have a group stays, else the first.
-void MeshFileBuilder::Choose(const std::vector<std::size_t>& repeated, std::vector<bool>& isPassed)
-{
-  if (repeated.size() == 1)
-  {
-    return;
-  }
-  const int dimension = this->Cells[repeated.front()].Dimension();
-  const auto chosen = std::find_if(repeated.begin(), repeated.end(),
-    [this](std::size_t cell) { return this->Cells[cell].GroupNumber != 0; });
-  const std::size_t kept = chosen == repeated.end() ? repeated.front() : *chosen;
-  for (const std::size_t cell : repeated)
-  {
-    const std::int64_t number = this->Cells[cell].GroupNumber;
-    isPassed[cell] = cell != kept;
-    if (cell != kept && number != 0 && number != this->Cells[kept].GroupNumber)
+    const Cell& cell = this->Cells[k];
+    std::array<std::int64_t, 4> corners = cell.Corners;
+    std::sort(corners.begin(), corners.end());
+    const auto [entry, isNew] = kept.emplace(corners, k);
+    if (isNew)
     {
-      this->LeaveOut(dimension, number, 1);
+      continue;
     }
-    else if (cell != kept)
+    const std::int64_t keptGroup = this->Cells[entry->second].GroupNumber;
+    const bool isBetter = keptGroup == 0 && cell.GroupNumber != 0;
+    isPassed[isBetter ? entry->second : k] = true;
+    if (isBetter || cell.GroupNumber == 0 || cell.GroupNumber == keptGroup)
     {
+      entry->second = isBetter ? k : entry->second;
       ++this->Repeated;
     }
+    else
+    {
+      this->LeaveOut(cell.Dimension(), cell.GroupNumber, 1);
+    }
   }
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < this->Cells.size(); ++k)
+  {
+    this->Cells[count] = this->Cells[k];
+    count += isPassed[k] ? 0 : 1;
+  }
+  this->Cells.resize(count);
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddCells()
 {
   bool areAdded = true;
@@ -269,7 +371,6 @@ bool MeshFileBuilder::AddCells()
   return this->Result.Reason.empty();
 }
 
-//------------------------------------------------------------------------------
 bool MeshFileBuilder::AddQuad(const Cell& cell)
 {
   std::array<std::array<double, 3>, 4> places{};
@@ -294,7 +395,6 @@ bool MeshFileBuilder::AddQuad(const Cell& cell)
   return true;
 }
 
-//------------------------------------------------------------------------------
 // Removes the vertices of cells of order 2 that are no corner of any cell.
 void MeshFileBuilder::RemoveMiddles()
 {
@@ -337,7 +437,6 @@ void MeshFileBuilder::RemoveMiddles()
   renumber(this->Mesh.Edges);
 }
 
-//------------------------------------------------------------------------------
 // Gives the cells of a dimension the indices of groups that differ in number.
 void MeshFileBuilder::MakeGroups(int dimension, const NameOf& nameOf,
   std::vector<std::size_t>& ofCells, std::vector<MeshGroup>& groups)
@@ -363,7 +462,6 @@ void MeshFileBuilder::MakeGroups(int dimension, const NameOf& nameOf,
   }
 }
 
-//------------------------------------------------------------------------------
 void MeshFileBuilder::AddRemarks(const NameOf& nameOf)
 {
   const auto say = [this](std::size_t count, const std::string& what, const std::string& how)

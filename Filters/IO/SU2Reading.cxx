@@ -15,25 +15,9 @@ namespace
 // The types of VTK.
 MeshFileCell CellInSU2(int type)
 {
-  switch (type)
-  {
-    case 1:
-      return { 1, 1 };
-    case 3:
-      return { 2, 2 };
-    case 5:
-      return { 3, 3 };
-    case 9:
-      return { 4, 4 };
-    case 21:
-      return { 2, 3 };
-    case 22:
-      return { 3, 6 };
-    case 23:
-      return { 4, 8 };
-    default:
-      return {};
-  }
+  static const std::vector<std::array<std::size_t, 3>> Types{ { 1, 1, 1 }, { 3, 2, 2 }, { 5, 3, 3 },
+    { 9, 4, 4 }, { 21, 2, 3 }, { 22, 3, 6 }, { 23, 4, 8 } };
+  return CellOfType(Types, type);
 }
 
 // The first word counts: NPOIN may have a second number.

@@ -8,5 +8,4 @@ set(biting_file_sources
   GmshWriting.cxx
   MeshFile.cxx
   MeshFileBuilder.cxx
-  MeshFileLines.cxx
   SU2Reading.cxx)

@@ -13,21 +13,19 @@
 #include "Domain/DomainLocator.h"
 #include "Pieces/FinishedMesh.h"
 #include "Stages/Calibration.h"
-#include "Stages/DomainFeatures.h"
-#include "Stages/Forecast.h"
+#include "Stages/MeshSettings.h"
 #include "Stages/MeshingStages.h"
-#include "Stages/NarrowAngles.h"
 #include "Stages/NearMisses.h"
+#include "Stages/PreparedDomain.h"
 #include "Stages/PreparedSpacing.h"
 #include "Stages/RelaxedBites.h"
+#include "Stages/SharpSectors.h"
 #include "Stages/SoundTriangulation.h"
 #include "Stages/StageProblems.h"
 
-#include <algorithm>  // for min, max
-#include <functional> // for the spacing
-#include <memory>     // for what is made once
-#include <optional>   // for what is released early
-#include <utility>    // for move, in_place
+#include <algorithm> // for min, max
+#include <optional>  // for what is released early
+#include <utility>   // for move
 
 namespace biting
 {
@@ -38,24 +36,7 @@ namespace
 // Where steps end, as shares of the time of their stage.
 constexpr double LocatorEnd = 0.05;
 constexpr double SpacingEnd = 0.95;
-constexpr double GivenSpacingEnd = 0.3;
 constexpr double EstimateEnd = 0.02;
-
-BitingOptions MakeBitingOptions(const BitingMeshOptions& options, const Crew& members)
-{
-  BitingOptions biting;
-  biting.BitingConstant = options.BitingConstant;
-  biting.Shape = options.BiteShape;
-  biting.Placement = options.Placement;
-  biting.Order = options.Order;
-  biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
-  biting.MaximumNumberOfVertices = std::min(
-    options.MaximumNumberOfVertices, MostVerticesOf(members, options.MostVerticesOfProcess));
-  biting.KeepFront = options.KeepBites;
-  biting.Phi = options.Phi;
-  biting.PreserveBoundary = options.PreserveBoundary;
-  return biting;
-}
 
 void Release(Bites& bites, Monitor& monitor)
 {
@@ -64,218 +45,221 @@ void Release(Bites& bites, Monitor& monitor)
   ReleaseInSteps(pulse, bites.Centers, bites.Axes, bites.HalfWidths, bites.Orders, bites.Phases);
 }
 
-// 0: the mesh is to be of one block.
-double VerticesPerBlock(const BitingMeshOptions& options)
+/// The stages, in the order of the paper. None begins once nothing is left to do.
+class MeshMaker
 {
-  const bool mayCut = IsRelaxed(options) && options.Order != FrontOrder::LargestY &&
-    !options.KeepBites && !options.PreserveBoundary;
-  return mayCut ? static_cast<double>(options.VerticesPerBlock) : 0.0;
+public:
+  MeshMaker(const Polylines& input, const BitingMeshOptions& options, ProblemList& problems,
+    PartOfStage& whole, Crew& members)
+    : Input(input)
+    , Options(options)
+    , Settings(options, members)
+    , Problems(problems)
+    , Whole(whole)
+    , Members(members)
+  {
+  }
+
+  BitingMesh Make();
+
+private:
+  void Do(const Stage& stage, void (MeshMaker::*step)());
+  void MeshDomain();
+  void ReadDomain();
+  void Simplify();
+  void FindSpacing();
+  void Bite();
+  void BiteWhole(double expectedVertices, PartOfStage& part);
+  void Triangulate();
+  void Relax();
+  void Finish();
+  bool HasFailedInBlocks() const
+  {
+    return this->Blocks && this->Blocks->IsInUse() && !this->Blocks->IsHelping() &&
+      this->Problems.Has(ProblemCode::CheckFailed);
+  }
+
+  const Polylines& Input;
+  const BitingMeshOptions& Options;
+  MeshSettings Settings;
+  ProblemList& Problems;
+  PartOfStage& Whole;
+  Crew& Members;
+  bool IsDone = false; ///< there is nothing to mesh, or nothing for this member
+  SimplifiedDomain Simplified;
+  Spacing F;
+  std::optional<const DomainLocator> Locator; ///< until the domain is bitten
+  std::optional<BlockMesher> Blocks;
+  BitingResult Bites;
+  Triangulation Triangles;
+  BitingMesh Mesh;
+};
+
+// A mesh of blocks that does not pass the check, as by rounding along cuts, is made again in one
+// block.
+BitingMesh MeshMaker::Make()
+{
+  this->Do(MeshingStages::Domain, &MeshMaker::ReadDomain);
+  this->Do(MeshingStages::Simplification, &MeshMaker::Simplify);
+  this->Do(MeshingStages::Spacing, &MeshMaker::FindSpacing);
+  const ProblemList before = this->Problems;
+  this->MeshDomain();
+  if (this->HasFailedInBlocks())
+  {
+    const std::string violation = FirstDetail(ProblemCode::CheckFailed, this->Problems);
+    BitingMeshOptions inOneBlock = this->Options;
+    inOneBlock.VerticesPerBlock = 0;
+    this->Settings = MeshSettings(inOneBlock, this->Members);
+    this->Problems = before;
+    this->MeshDomain();
+    this->Mesh.BlocksViolation = violation;
+  }
+  return std::move(this->Mesh);
 }
 
-BitingResult Bite(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  BitingOptions options, double verticesPerBlock, BlockMesher& blocks, ProblemList& problems,
-  Monitor& monitor)
+void MeshMaker::Do(const Stage& stage, void (MeshMaker::*step)())
 {
-  PartOfStage estimating(monitor, 0.0, EstimateEnd);
-  const Forecast forecast =
-    MakeForecast(domain, locator, spacing, options, EstimateEffort::Full, estimating);
-  if (AddAborted(estimating, problems) ||
-    RefuseMoreThan(options.MaximumNumberOfVertices, forecast.Vertices, problems))
+  if (!IsOver(this->Whole, this->Problems) && !this->IsDone)
   {
-    return {};
+    this->Whole.BeginStage(stage.Text);
+    (this->*step)();
   }
-  const double trialsEnd =
-    EstimateEnd + (1.0 - EstimateEnd) * ShareOfTrials(options, forecast.Vertices);
-  PartOfStage trying(monitor, EstimateEnd, trialsEnd);
-  if (options.BitingConstant == 0.0)
-  {
-    options.BitingConstant =
-      CalibrateBitingConstant(domain, locator, spacing, forecast.Density, options, trying);
-    options.PartLength = 1.0;
-    options.FollowSlope = true;
-  }
-  if (AddAborted(trying, problems))
-  {
-    return {};
-  }
-  PartOfStage rest(monitor, trialsEnd, 1.0);
-  if (blocks.Bite(locator, forecast.Vertices, verticesPerBlock, options, problems, rest) ||
-    blocks.IsHelping())
-  {
-    return {};
-  }
-  const std::int64_t most =
-    std::min(options.MaximumNumberOfVertices, std::int64_t{ MostVerticesInIds });
-  options.MaximumNumberOfVertices = most;
-  BitingResult bites = BiteDomain(domain, locator, spacing, forecast.Vertices, options, rest);
-  if (bites.End == BitingEnd::TooManyVertices)
-  {
-    // The estimate did not see all of f: more than the limit is what is known.
-    AddTooManyVertices(std::max(forecast.Vertices, static_cast<double>(most)), most, problems);
-  }
-  if (!options.KeepFront)
-  {
-    Release(bites.Bites, rest);
-  }
-  AddAborted(rest, problems);
-  return bites;
 }
 
-// The drawing as it is meshed.
-SimplifiedDomain SimplifyDrawing(
-  Domain drawing, const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor)
+void MeshMaker::MeshDomain()
 {
-  SimplificationOptions wanted = options.Simplification;
-  wanted.Tolerance = options.PreserveBoundary ? 0.0 : wanted.Tolerance;
-  if (!wanted.IsAsked())
-  {
-    SimplifiedDomain whole;
-    whole.Drawing = std::move(drawing);
-    return whole;
-  }
-  PartOfStage preparing(monitor, 0.0, GivenSpacingEnd);
-  const Spacing given = PrepareGivenSpacing(options, drawing, problems, preparing);
-  if (AddAborted(preparing, problems) || problems.HasErrors())
-  {
-    return {};
-  }
-  PartOfStage simplifying(monitor, GivenSpacingEnd, 1.0);
-  return Simplify(
-    drawing, wanted, [&given](const Point2& x) { return given(x); }, problems, simplifying);
+  this->Do(MeshingStages::Biting, &MeshMaker::Bite);
+  this->Do(MeshingStages::Triangulation, &MeshMaker::Triangulate);
+  this->Do(MeshingStages::Relaxation, &MeshMaker::Relax);
+  this->Do(MeshingStages::Quality, &MeshMaker::Finish);
 }
 
-void RelaxMesh(const Domain& domain, const Spacing& spacing, const BitingMeshOptions& options,
-  BitingResult& bites, Triangulation& triangulation, ProblemList& problems, Monitor& monitor)
+void MeshMaker::ReadDomain()
 {
-  if (!IsRelaxed(options))
+  this->Simplified.Drawing = ReadDrawing(this->Input, this->Options, this->Problems, this->Whole);
+  this->IsDone = this->Simplified.Drawing.NumberOfSegments() == 0;
+}
+
+void MeshMaker::Simplify()
+{
+  this->Simplified = SimplifyDrawing(
+    std::move(this->Simplified.Drawing), this->Options, this->Problems, this->Whole);
+  this->IsDone = this->Simplified.Drawing.NumberOfSegments() == 0;
+}
+
+void MeshMaker::FindSpacing()
+{
+  const Domain& domain = this->Simplified.Drawing;
+  PartOfStage locating(this->Whole, 0.0, LocatorEnd);
+  Pulse pulse(locating);
+  ReportNarrowAngles(domain, this->Problems, pulse);
+  this->Locator.emplace(domain, pulse);
+  if (IsOver(this->Whole, this->Problems))
   {
     return;
   }
-  PartOfStage part(monitor, 0.0, 1.0);
-  const std::string violation =
-    RelaxBites(domain, spacing, { !options.PreserveBoundary }, bites, triangulation, part);
-  if (!AddAborted(part, problems) && !violation.empty())
+  PartOfStage preparing(this->Whole, LocatorEnd, SpacingEnd);
+  this->F = PrepareSpacing(this->Options, this->Simplified, this->Problems, preparing);
+  if (!IsOver(this->Whole, this->Problems))
   {
-    AddProblem(ProblemCode::CheckFailed, violation, problems);
+    PartOfStage looking(this->Whole, SpacingEnd, 1.0);
+    Pulse looks(looking);
+    ReportNearMisses(domain, this->F, this->Input, this->Problems, looks);
   }
 }
 
-// Before anything is made for them. All are vertices of the mesh.
-bool HasTooManyVertices(
-  const Domain& domain, const BitingMeshOptions& options, ProblemList& problems)
+void MeshMaker::Bite()
 {
-  const bool hasTooMany = domain.NumberOfVertices() > options.MaximumNumberOfVertices;
-  if (hasTooMany)
+  const Domain& domain = this->Simplified.Drawing;
+  BitingOptions& options = this->Settings.Biting;
+  const bool mayCut = this->Settings.VerticesPerBlock > 0.0;
+  this->Blocks.emplace(domain, this->F, mayCut ? this->Members : NoCrew(),
+    this->Options.GhostLevels, this->Options.MostVerticesOfProcess);
+  if (!this->Locator)
   {
-    AddProblem(ProblemCode::TooManyVertices,
-      "the input alone has " + std::to_string(domain.NumberOfVertices()) +
-        " vertices, the limit is " + std::to_string(options.MaximumNumberOfVertices),
-      problems);
+    Pulse pulse(this->Whole);
+    this->Locator.emplace(domain, pulse);
   }
-  return hasTooMany;
+  PartOfStage estimating(this->Whole, 0.0, EstimateEnd);
+  const Forecast forecast = MakeForecast(domain, *this->Locator, this->F, options, estimating);
+  if (AddAborted(estimating, this->Problems) ||
+    RefuseMoreThan(options.MaximumNumberOfVertices, forecast.Vertices, this->Problems))
+  {
+    return;
+  }
+  const double trialsEnd =
+    EstimateEnd + (1.0 - EstimateEnd) * ShareOfTrials(options, forecast.Vertices);
+  PartOfStage trying(this->Whole, EstimateEnd, trialsEnd);
+  options.BitingConstant =
+    CalibrateBitingConstant(domain, *this->Locator, this->F, forecast.Density, options, trying);
+  if (AddAborted(trying, this->Problems))
+  {
+    return;
+  }
+  PartOfStage rest(this->Whole, trialsEnd, 1.0);
+  if (!this->Blocks->Bite(*this->Locator, forecast.Vertices, this->Settings.VerticesPerBlock,
+        options, this->Problems, rest) &&
+    !this->Blocks->IsHelping())
+  {
+    this->BiteWhole(forecast.Vertices, rest);
+  }
+  this->Locator.reset();
+  this->IsDone = this->Blocks->IsHelping() && !this->Blocks->IsInUse();
 }
 
-// The spacing before gradation and any limit by feature size, made where it is first asked for.
-// What is wrong with it is said later.
-std::function<double(const Point2&)> SpacingAsGiven(
-  const Polylines& input, const BitingMeshOptions& options, Monitor& monitor)
+void MeshMaker::BiteWhole(double expectedVertices, PartOfStage& part)
 {
-  auto made = std::make_shared<std::optional<Spacing>>();
-  return [&input, &options, &monitor, made](const Point2& x)
+  BitingOptions& options = this->Settings.Biting;
+  options.MaximumNumberOfVertices =
+    std::min(options.MaximumNumberOfVertices, std::int64_t{ MostVerticesInIds });
+  this->Bites =
+    BiteDomain(this->Simplified.Drawing, *this->Locator, this->F, expectedVertices, options, part);
+  if (this->Bites.End == BitingEnd::TooManyVertices)
   {
-    if (!*made)
-    {
-      Box2 bounds;
-      for (const Id point : input.Connectivity)
-      {
-        bounds.Add(input.Points[static_cast<std::size_t>(point)]);
-      }
-      SpacingOptions given = options.Spacing;
-      given.Gradation = 0.0;
-      ProblemList unheard;
-      PartOfStage standing(monitor, 0.0, 0.0);
-      made->emplace(MakeSpacing(given, bounds, unheard, standing));
-    }
-    return (**made)(x);
-  };
+    // The estimate did not see all of f: more than the limit is what is known.
+    const double most = static_cast<double>(options.MaximumNumberOfVertices);
+    AddTooManyVertices(
+      std::max(expectedVertices, most), options.MaximumNumberOfVertices, this->Problems);
+  }
+  if (!options.KeepFront)
+  {
+    Release(this->Bites.Bites, part);
+  }
+  AddAborted(part, this->Problems);
 }
 
-// The domain as it is meshed; without segments where there is none.
-SimplifiedDomain PrepareDomain(const Polylines& input, const BitingMeshOptions& options,
-  ProblemList& problems, PartOfStage& whole)
+// Blocks are triangulated where they are bitten.
+void MeshMaker::Triangulate()
 {
-  whole.BeginStage(MeshingStages::Domain.Text);
-  DomainOptions wanted = options.Domain;
-  wanted.GivenSpacing = SpacingAsGiven(input, options, whole);
-  Domain drawing = MakeDomain(input, wanted, problems, whole);
-  if (IsOver(whole, problems) || drawing.NumberOfSegments() == 0)
+  if (!this->Blocks->IsInUse())
   {
-    return {};
+    this->Triangles = TriangulateBites(this->Simplified.Drawing,
+      { this->Options.Phi, this->Options.PreserveBoundary }, this->Bites, this->Problems,
+      this->Whole);
   }
-  whole.BeginStage(MeshingStages::Simplification.Text);
-  return SimplifyDrawing(std::move(drawing), options, problems, whole);
 }
 
-// From biting on. The locator is released on the way.
-BitingMesh MeshPrepared(const MeshingInput& input, double verticesPerBlock,
-  std::optional<const DomainLocator>& locator, bool& isOfBlocks, ProblemList& problems,
-  PartOfStage& whole)
+void MeshMaker::Relax()
 {
-  const Domain& domain = input.Simplified.Drawing;
-  const BitingMeshOptions& options = input.Options;
-  whole.BeginStage(MeshingStages::Biting.Text);
-  Crew& members = verticesPerBlock > 0.0 ? input.Members : NoCrew();
-  BlockMesher blocks(domain, input.F, members, options.GhostLevels, options.MostVerticesOfProcess);
-  BitingResult bites = Bite(domain, *locator, input.F, MakeBitingOptions(options, members),
-    verticesPerBlock, blocks, problems, whole);
-  locator.reset();
-  isOfBlocks = blocks.IsInUse();
-  if (IsOver(whole, problems) || (blocks.IsHelping() && !isOfBlocks))
+  if (this->Blocks->IsInUse())
   {
-    return {};
+    this->Blocks->Relax(this->Bites, this->Triangles, this->Problems, this->Whole);
+    return;
   }
-  whole.BeginStage(MeshingStages::Triangulation.Text);
-  Triangulation triangulation = isOfBlocks
-    ? blocks.Triangulate(problems, whole)
-    : TriangulateBites(domain, { options.Phi, options.PreserveBoundary }, bites, problems, whole);
-  if (IsOver(whole, problems))
+  if (this->Settings.IsRelaxed)
   {
-    return {};
+    PartOfStage part(this->Whole, 0.0, 1.0);
+    RelaxBites(this->Simplified.Drawing, this->F, { !this->Options.PreserveBoundary }, this->Bites,
+      this->Triangles, part);
+    AddAborted(part, this->Problems);
   }
-  whole.BeginStage(MeshingStages::Relaxation.Text);
-  isOfBlocks ? blocks.Relax(bites, triangulation, problems, whole)
-             : RelaxMesh(domain, input.F, options, bites, triangulation, problems, whole);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  if (blocks.IsHelping())
-  {
-    return TakeOwnPiece(input, blocks, problems, whole);
-  }
-  whole.BeginStage(MeshingStages::Quality.Text);
-  return FinishMesh(input, blocks, std::move(bites), triangulation, problems, whole);
 }
 
-// What fails in blocks, for which rounding of their cuts would be the reason, is made as a whole.
-BitingMesh MeshBlocksOrWhole(const MeshingInput& input, std::optional<const DomainLocator>& locator,
-  ProblemList& problems, PartOfStage& whole)
+void MeshMaker::Finish()
 {
-  const ProblemList before = problems;
-  bool isOfBlocks = false;
-  BitingMesh mesh =
-    MeshPrepared(input, VerticesPerBlock(input.Options), locator, isOfBlocks, problems, whole);
-  if (!isOfBlocks || input.Members.Own() != 0 || !problems.Has(ProblemCode::CheckFailed))
-  {
-    return mesh;
-  }
-  const std::string violation = FirstDetail(ProblemCode::CheckFailed, problems);
-  problems = before;
-  Pulse pulse(whole);
-  locator.emplace(input.Simplified.Drawing, pulse);
-  mesh = MeshPrepared(input, 0.0, locator, isOfBlocks, problems, whole);
-  mesh.BlocksViolation = violation;
-  return mesh;
+  this->Mesh =
+    FinishMesh({ this->Simplified, this->F, this->Options, this->Settings, this->Members },
+      *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
 }
 
 } // namespace
@@ -286,36 +270,7 @@ BitingMesh MakeBitingMesh(const Polylines& input, const BitingMeshOptions& optio
   KeepFreedMemory();
   StagesOnce stages(monitor);
   PartOfStage whole(stages, 0.0, 1.0);
-  const SimplifiedDomain simplified = PrepareDomain(input, options, problems, whole);
-  const Domain& domain = simplified.Drawing;
-  if (IsOver(whole, problems) || domain.NumberOfSegments() == 0 ||
-    HasTooManyVertices(domain, options, problems))
-  {
-    return {};
-  }
-  whole.BeginStage(MeshingStages::Spacing.Text);
-  PartOfStage locating(whole, 0.0, LocatorEnd);
-  Pulse pulse(locating);
-  ReportNarrowAngles(domain, problems, pulse);
-  std::optional<const DomainLocator> locator(std::in_place, domain, pulse);
-  if (IsOver(whole, problems))
-  {
-    return {};
-  }
-  PartOfStage preparing(whole, LocatorEnd, SpacingEnd);
-  const double mostVertices = static_cast<double>(options.MaximumNumberOfVertices);
-  const Spacing spacing = PrepareSpacing(options, domain,
-    options.LimitByFeatureSize ? FeaturesOf(simplified, mostVertices) : nullptr, problems,
-    preparing);
-  if (!IsOver(whole, problems))
-  {
-    PartOfStage looking(whole, SpacingEnd, 1.0);
-    Pulse looks(looking);
-    ReportNearMisses(domain, spacing, input, problems, looks);
-  }
-  return IsOver(whole, problems)
-    ? BitingMesh()
-    : MeshBlocksOrWhole({ simplified, spacing, options, crew }, locator, problems, whole);
+  return MeshMaker(input, options, problems, whole, crew).Make();
 }
 
 } // namespace biting

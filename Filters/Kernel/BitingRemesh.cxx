@@ -11,18 +11,13 @@
 #include "Domain/DomainLocator.h"
 #include "Domain/Polylines.h"
 #include "Quality/MeshCheck.h"
-#include "Remeshing/CavityDomain.h"
-#include "Remeshing/DividedEdges.h"
 #include "Remeshing/EdgeSimplification.h"
 #include "Remeshing/FaceRegions.h"
-#include "Remeshing/InnerPlaces.h"
 #include "Remeshing/KeptVertices.h"
-#include "Remeshing/OtherReadings.h"
 #include "Remeshing/ReleasedVertices.h"
 #include "Remeshing/RemeshRegion.h"
 #include "Remeshing/Stitching.h"
 #include "Simplification/Simplification.h" // for areas that changed
-#include "Stages/FinalCheck.h"
 #include "Stages/RelaxedBites.h"
 #include "Stages/SegmentCover.h"
 #include "Stages/SoundTriangulation.h"
@@ -58,10 +53,11 @@ double AreaOf(const std::vector<Point2>& points, const std::vector<Id>& corners)
 class Remesher
 {
 public:
-  Remesher(const RemeshInput& input, const Reading& reading, const RemeshOptions& options,
+  /// `nearest` as ReadOldMesh has it.
+  Remesher(const RemeshInput& input, double nearest, const RemeshOptions& options,
     ProblemList& problems, Monitor& monitor)
     : Input(input)
-    , How(reading)
+    , Nearest(nearest)
     , Options(options)
     , Rules(RulesFor(options.Preference))
     , Problems(problems)
@@ -92,7 +88,7 @@ private:
   void Begin(const Stage& stage) { this->Listener.BeginStage(stage.Text); }
 
   const RemeshInput& Input;
-  Reading How;
+  double Nearest;
   const RemeshOptions& Options;
   KeepRules Rules;
   ProblemList& Problems;
@@ -136,8 +132,7 @@ bool Remesher::IsOver()
 void Remesher::Read()
 {
   this->Begin(RemeshingStages::Reading);
-  this->Result.Old =
-    ReadOldMesh(this->Input, this->How.Nearest, this->Problems, this->Whole, this->How.Hanging);
+  this->Result.Old = ReadOldMesh(this->Input, this->Nearest, this->Problems, this->Whole);
   this->Result.IsUnchanged = this->Result.Old.Corners.empty();
 }
 
@@ -240,7 +235,7 @@ double Remesher::ExpectedVertices() const
     const double f = (spacings[corners[0]] + spacings[corners[1]] + spacings[corners[2]]) / 3.0;
     density += AreaOfTriangle(old.Points, corners) / (f * f);
   }
-  return EstimateNumberOfVertices(density, {}) + this->Cavity.Geometry.NumberOfVertices() -
+  return EstimateNumberOfVertices(density) + this->Cavity.Geometry.NumberOfVertices() -
     this->NumberOfMiddles;
 }
 
@@ -251,12 +246,8 @@ void Remesher::Bite()
     static_cast<double>(MostVerticesInIds));
   const double unchanged = static_cast<double>(this->Result.Old.NumberOfVertices()) -
     static_cast<double>(this->Region.Vertices.size());
-  BitingOptions options;
-  options.Placement = Placement::Bisectors;
-  options.PartLength = 1.0;
-  options.FollowSlope = true;
+  BitingOptions options(BiteShape::Square, Placement::Bisectors);
   options.MaximumNumberOfVertices = static_cast<std::int64_t>(std::max(most - unchanged, 1.0));
-  options.BitingConstant = AutomaticBitingConstant(options);
   if (expected + unchanged <= most)
   {
     PartOfStage locating(this->Whole, EdgesEnd, LocatorEnd);
@@ -339,12 +330,8 @@ void Remesher::Relax()
   {
     options.Hold = this->HoldBy(places, held);
   }
-  const std::string violation = RelaxBites(this->Cavity.Geometry, this->F, options,
-    this->Cavity.Bites, this->Cavity.Triangles, this->Whole);
-  if (!violation.empty())
-  {
-    AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
-  }
+  RelaxBites(this->Cavity.Geometry, this->F, options, this->Cavity.Bites, this->Cavity.Triangles,
+    this->Whole);
   if (!this->IsOver() && !this->Options.RelaxAll)
   {
     ReturnVertices(places, this->Cavity.Geometry, this->Cavity.Bites, this->Cavity.Triangles);
@@ -374,8 +361,7 @@ void Remesher::CheckCavity()
   if (violation.empty())
   {
     Pulse pulse(checking);
-    this->Cavity.FaceRegions =
-      FindFaceRegions(this->Result.Old, this->Region, this->Edges, this->Cavity, pulse);
+    this->Cavity.FaceRegions = FindFaceRegions(this->Result.Old, this->Region, this->Cavity, pulse);
     violation = pulse.HasStopped()
       ? ""
       : CheckAreas(this->Result.Old, this->Region, this->Cavity, this->Tolerance);
@@ -418,26 +404,20 @@ bool IsNoMesh(const ProblemList& problems)
 
 } // namespace
 
+// Points that are meant to be one are mostly within a unit in the last place. Where what is left of
+// slits then forms no mesh, all that rounding may have moved apart is made one.
 RemeshResult Remesh(
   const RemeshInput& input, const RemeshOptions& options, ProblemList& problems, Monitor& monitor)
 {
   const double nearest = input.Rounding / NoiseInUlp;
   const ProblemList before = problems;
   StagesOnce stages(monitor);
-  RemeshResult result =
-    Remesher(input, { nearest, HangingRule::Divide }, options, problems, stages).Run();
-  if (!IsNoMesh(problems))
+  RemeshResult result = Remesher(input, nearest, options, problems, stages).Run();
+  if (IsNoMesh(problems) && nearest < input.Rounding)
   {
-    return result;
-  }
-  for (const Reading& other : OtherReadings(input, nearest, problems.Has(ProblemCode::Touches)))
-  {
-    if (IsNoMesh(problems))
-    {
-      ProblemList told = before;
-      result = Remesher(input, other, options, told, stages).Run();
-      problems = told.HasErrors() && !told.Has(ProblemCode::Aborted) ? problems : told;
-    }
+    ProblemList told = before;
+    result = Remesher(input, input.Rounding, options, told, stages).Run();
+    problems = told.HasErrors() && !told.Has(ProblemCode::Aborted) ? problems : told;
   }
   return result;
 }

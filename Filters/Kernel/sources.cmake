@@ -9,18 +9,13 @@ set(biting_kernel_sources
   Base/Tasks.cxx
   Predicates/Predicates.cxx
   Predicates/Predicates3.cxx
-  Spacing/BorderEdge.cxx
-  Spacing/CellGradation.cxx
-  Spacing/ConeBranch.cxx
   Spacing/ConeTree.cxx
   Spacing/FeatureSize.cxx
-  Spacing/GridHoles.cxx
   Spacing/GridInterpolator.cxx
+  Spacing/JumpsOutside.cxx
   Spacing/SegmentCone.cxx
-  Spacing/SizeCells.cxx
-  Spacing/SizeTree.cxx
+  Spacing/Source.cxx
   Spacing/SourceCheck.cxx
-  Spacing/SourceSlopes.cxx
   Spacing/Spacing.cxx
   Spacing/TriangleBuckets.cxx
   Spacing/TriangleInterpolator.cxx
@@ -31,20 +26,16 @@ set(biting_kernel_sources
   Domain/BoundaryComponents.cxx
   Domain/CellOverlaps.cxx
   Domain/ChainKinds.cxx
-  Domain/CollinearCrowds.cxx
   Domain/CrossingEstimate.cxx
   Domain/Domain.cxx
   Domain/DomainCheck.cxx
-  Domain/EndPairs.cxx
   Domain/EndSurroundings.cxx
-  Domain/MeetingReports.cxx
   Domain/Meetings.cxx
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
   Domain/OpenOutlines.cxx
   Domain/PointWelding.cxx
-  Domain/ResolutionReport.cxx
-  Domain/SegmentSides.cxx
+  Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
   Domain/SegmentWalk.cxx
   Domain/SlantedBox.cxx
@@ -60,7 +51,6 @@ set(biting_kernel_sources
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
   Simplification/VertexTree.cxx
-  Biting/BalancedTop.cxx
   Biting/Bisectors.cxx
   Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
@@ -69,17 +59,15 @@ set(biting_kernel_sources
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
-  Biting/CornerCover.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
   Biting/EdgeSamples.cxx
-  Biting/EdgeShields.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
   Biting/Orientation.cxx
   Biting/LeftOvers.cxx
-  Biting/ReachFactor.cxx
+  Biting/BiteTriangle.cxx
   Biting/Remains.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
@@ -89,12 +77,10 @@ set(biting_kernel_sources
   Delaunay/Flips.cxx
   Delaunay/Insertion.cxx
   Delaunay/Cavity.cxx
-  Delaunay/ConstrainedMesh.cxx
   Delaunay/ConstraintRecovery.cxx
   Delaunay/LateInsertion.cxx
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
-  Delaunay/TriangulationCheck.cxx
   Space/Delaunay/CavityCones.cxx
   Space/Delaunay/RegularTriangulation.cxx
   Space/Delaunay/SpaceTriangulation.cxx
@@ -106,10 +92,8 @@ set(biting_kernel_sources
   Relaxation/EdgeOperations.cxx
   Relaxation/HeldVertices.cxx
   Relaxation/LongEdges.cxx
-  Relaxation/MeshReading.cxx
-  Relaxation/MeshWriting.cxx
+  Relaxation/MeshExchange.cxx
   Relaxation/MutableMesh.cxx
-  Relaxation/RelaxedMesh.cxx
   Relaxation/Relaxation.cxx
   Relaxation/SegmentParts.cxx
   Relaxation/Smoothing.cxx
@@ -119,53 +103,38 @@ set(biting_kernel_sources
   Relaxation/ValenceRound.cxx
   Quality/Histogram.cxx
   Quality/MeshCheck.cxx
-  Quality/MeshParts.cxx
   Quality/QuadDiagonal.cxx
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx
-  Stages/DomainFeatures.cxx
-  Stages/FinalCheck.cxx
   Stages/FineDrawing.cxx
-  Stages/Forecast.cxx
   Stages/MeshAssembly.cxx
-  Stages/NarrowAngles.cxx
   Stages/NearMisses.cxx
+  Stages/PreparedDomain.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx
-  Stages/RaisedSpacing.cxx
   Stages/RelaxedBites.cxx
   Stages/SegmentCover.cxx
-  Stages/SharpCornerTriangles.cxx
+  Stages/SharpSectors.cxx
   Stages/SoundTriangulation.cxx
-  Remeshing/CavityDomain.cxx
   Remeshing/ChangedRegion.cxx
-  Remeshing/DividedEdges.cxx
   Remeshing/EdgeSimplification.cxx
   Remeshing/FaceRegions.cxx
   Remeshing/FlatTriangles.cxx
-  Remeshing/FreeEdges.cxx
   Remeshing/GradedValues.cxx
   Remeshing/HangingVertices.cxx
   Remeshing/KeptVertices.cxx
-  Remeshing/InnerPlaces.cxx
-  Remeshing/MisfitVertices.cxx
-  Remeshing/NearVertices.cxx
   Remeshing/OldMesh.cxx
   Remeshing/OldMeshRepair.cxx
   Remeshing/OldPlaces.cxx
-  Remeshing/OtherReadings.cxx
   Remeshing/RegionEdges.cxx
   Remeshing/ReleasedVertices.cxx
   Remeshing/RemeshRegion.cxx
   Remeshing/Stitching.cxx
   Remeshing/WantedSpacing.cxx
-  Blocks/BlockBytes.cxx
   Blocks/BlockCollar.cxx
   Blocks/BlockDomains.cxx
   Blocks/BlockMesher.cxx
-  Blocks/BlockShares.cxx
-  Blocks/CollarOwners.cxx
   Blocks/CutDivision.cxx
   Blocks/CutFrame.cxx
   Blocks/CutLine.cxx
@@ -176,17 +145,14 @@ set(biting_kernel_sources
   Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/NearTouches.cxx
-  Blocks/RimFlips.cxx
   Blocks/StripParts.cxx
   Blocks/StripReturn.cxx
   Blocks/TakenStrip.cxx
   Blocks/WholeNumbers.cxx
-  Pieces/CollarPart.cxx
   Pieces/FinishedMesh.cxx
   Pieces/PieceDealer.cxx
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
-  Pieces/TrimmedPiece.cxx
   BitingMesh.cxx
   BitingRemesh.cxx)

@@ -24,7 +24,6 @@
 #include <cmath>   // for sqrt
 #include <cstdint> // for sizes
 #include <memory>  // for sources
-#include <tuple>   // for tie
 #include <utility> // for pair, move
 #include <vector>  // for points
 
@@ -59,9 +58,7 @@ constexpr std::pair<BiteShape, Placement> Circles{ BiteShape::Circle, Placement:
 void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions& options,
   const std::pair<BiteShape, Placement>& bites)
 {
-  BitingOptions biting;
-  std::tie(biting.Shape, biting.Placement) = bites;
-  biting.FollowSlope = true;
+  const BitingOptions biting(bites.first, bites.second);
   const Domain domain = DomainOf(input);
   ProblemList problems;
   SilentMonitor monitor;
@@ -72,7 +69,7 @@ void Bite(benchmark::State& state, const Polylines& input, const SpacingOptions&
     static_cast<void>(step);
     const DomainLocator locator(domain);
     const double density = IntegrateDensity(domain, locator, spacing);
-    const double estimate = EstimateNumberOfVertices(density, biting);
+    const double estimate = EstimateNumberOfVertices(density);
     vertices = BiteDomain(domain, locator, spacing, estimate, biting, monitor).Points.size();
   }
   Report(state, vertices);
@@ -180,8 +177,8 @@ RelaxationMesh BittenMesh(const Domain& domain, const Spacing& spacing)
   SilentMonitor monitor;
   const DomainLocator locator(domain);
   const double density = IntegrateDensity(domain, locator, spacing);
-  BitingResult bites =
-    BiteDomain(domain, locator, spacing, EstimateNumberOfVertices(density, {}), {}, monitor);
+  BitingResult bites = BiteDomain(
+    domain, locator, spacing, EstimateNumberOfVertices(density), BitingOptions(), monitor);
   const std::vector<std::uint8_t> areBoundary(bites.EdgeStarts.size(), 1);
   RelaxationMesh mesh;
   mesh.Triangles =

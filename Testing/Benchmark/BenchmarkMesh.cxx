@@ -17,7 +17,7 @@
 #include "MeshCases.h"
 
 #include "Base/Pulse.h"
-#include "Delaunay/Insertion.h"
+#include "Delaunay/ConstrainedMesh.h"
 #include "Delaunay/SpatialOrder.h"
 
 #include <algorithm> // for sort

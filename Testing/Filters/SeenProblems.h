@@ -20,7 +20,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingMesher::CHANGED_AREA + 1;
+constexpr int NumberOfKinds = vtkBitingMesher::NESTED_CELLS + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

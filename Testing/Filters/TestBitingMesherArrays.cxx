@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm> // for max, min
+#include <limits>    // for NaN
+
 using namespace testing_filters;
 
 TEST(BitingMesherBoundaryArray, HoldsOnTheBoundaryAndGrowsByGradation)
@@ -41,6 +44,105 @@ TEST(BitingMesherBoundaryArray, HoldsAtEmbeddedPoints)
       return std::min(0.2 + 0.3 * inside, 0.01 + 0.3 * std::hypot(place[0] - 0.5, place[1] - 0.5));
     },
     0.02);
+}
+
+namespace
+{
+
+// The sides of the unit square, one line each: bottom, right, top, left.
+vtkSmartPointer<vtkPolyData> FourSides(const std::vector<double>& sizes)
+{
+  auto data = EmptyInput();
+  AddChain(data, { { 0, 0, 0 }, { 1, 0, 0 } }, false);
+  AddChain(data, { { 1, 0, 0 }, { 1, 1, 0 } }, false);
+  AddChain(data, { { 1, 1, 0 }, { 0, 1, 0 } }, false);
+  AddChain(data, { { 0, 1, 0 }, { 0, 0, 0 } }, false);
+  AddArray<vtkDoubleArray>(data->GetCellData(), "Size", sizes);
+  return data;
+}
+
+// Two squares of side 1, as polygons.
+vtkSmartPointer<vtkPolyData> TwoPolygons(const std::vector<double>& sizes)
+{
+  auto data = EmptyInput();
+  const std::vector<Place> places{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 },
+    { 0, 1, 0 } };
+  for (const Place& place : places)
+  {
+    data->GetPoints()->InsertNextPoint(place.data());
+  }
+  data->GetPolys()->InsertNextCell({ 0, 1, 4, 5 });
+  data->GetPolys()->InsertNextCell({ 1, 2, 3, 4 });
+  AddArray<vtkDoubleArray>(data->GetCellData(), "Size", sizes);
+  return data;
+}
+
+vtkSmartPointer<vtkBitingMesher> MesherBySize(vtkPolyData* input)
+{
+  auto mesher = vtkSmartPointer<vtkBitingMesher>::New();
+  mesher->SetInputData(input);
+  mesher->SetUniformSpacing(0.25);
+  mesher->SetLimitByFeatureSize(false);
+  mesher->SetBoundarySpacingArray(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Size");
+  return mesher;
+}
+
+} // namespace
+
+TEST(BitingMesherCellArray, IsTheSizeAlongLinesWhereItIsAboveZero)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto mesher = MesherBySize(FourSides({ 0.02, 0.0, nan, 0.0 }));
+  const auto wanted = [](const Place& place) { return std::min(0.25, 0.02 + 0.3 * place[1]); };
+  ExpectSpacing(mesher, wanted, 0.05);
+  vtkNew<vtkBitingMesher> other;
+  other->SetInputData(mesher->GetInput());
+  other->SetUniformSpacing(0.25);
+  other->SetLimitByFeatureSize(false);
+  other->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Size");
+  ExpectSpacing(other, wanted, 0.05);
+}
+
+TEST(BitingMesherCellArray, IsTheSizeAnywhereInPolygonsAndGrowsOutside)
+{
+  const auto mesher = MesherBySize(TwoPolygons({ 0.03, 0.0 }));
+  ExpectSpacing(
+    mesher,
+    [](const Place& place) { return std::min(0.25, 0.03 + 0.3 * std::max(0.0, place[0] - 1.0)); },
+    0.06);
+}
+
+TEST(BitingMesherCellArray, OfZerosAsksForNothing)
+{
+  const auto mesher = MesherBySize(FourSides({ 0.0, 0.0, 0.0, 0.0 }));
+  ExpectSpacing(mesher, [](const Place&) { return 0.25; });
+}
+
+TEST(BitingMesherCellArray, OfNegativeOrInfiniteSizesIsRefused)
+{
+  const auto mesher = MesherBySize(FourSides({ 0.1, -1.0, 0.1, 0.0 }));
+  EXPECT_TRUE(Has(RefusalOf(mesher), "(1): cell 1 with -1."));
+  const auto infinite =
+    MesherBySize(FourSides({ 0.1, std::numeric_limits<double>::infinity(), 0.1, 0.0 }));
+  EXPECT_TRUE(Has(RefusalOf(infinite), "negative or infinite (1): cell 1 with inf."));
+}
+
+TEST(BitingMesherCellArray, OfSizesFarBelowThoseOfCellsIsRefusedSoon)
+{
+  const auto mesher = MesherBySize(TwoPolygons({ 1e-300, 0.1 }));
+  EXPECT_TRUE(Has(RefusalOf(mesher), "far below those of cells"));
+}
+
+TEST(BitingMesherCellArray, IsTakenBesideAPointArrayOfItsNameWhereItIsAskedFor)
+{
+  auto input = FourSides({ 0.05, 0.05, 0.05, 0.05 });
+  AddArray<vtkDoubleArray>(input->GetPointData(), "Size", std::vector<double>(8, 0.1));
+  const auto mesher = MesherBySize(input);
+  mesher->Update();
+  const vtkIdType ofCells = mesher->GetOutput()->GetNumberOfPoints();
+  mesher->SetBoundarySpacingArray(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Size");
+  mesher->Update();
+  EXPECT_GT(ofCells, 2 * mesher->GetOutput()->GetNumberOfPoints());
 }
 
 TEST(BitingMesherArrays, MayHaveOtherNames)

@@ -181,6 +181,37 @@ TEST(BitingMesherCells, OfEqualValuesInTheRegionArrayAreOne)
   ExpectQuietArea(run, 2.0);
 }
 
+/// A square of side 4, and one of side 2 whose middle is its upper right corner.
+vtkSmartPointer<vtkUnstructuredGrid> OverlappingSquares()
+{
+  auto grid = GridWithPoints({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 3, 3, 0 },
+    { 5, 3, 0 }, { 5, 5, 0 }, { 3, 5, 0 } });
+  AddCell(grid, VTK_QUAD, { 0, 1, 2, 3 });
+  AddCell(grid, VTK_QUAD, { 4, 5, 6, 7 });
+  return grid;
+}
+
+TEST(BitingMesherCells, AreOneDomainByEachRule)
+{
+  CellRun evenOdd(OverlappingSquares());
+  evenOdd.Update();
+  EXPECT_NEAR(evenOdd.Area(), 18.0, 1e-12);
+  ASSERT_EQ(evenOdd.Warnings.size(), 1u);
+  EXPECT_NE(evenOdd.Warnings.front().find("Domain Rule"), std::string::npos);
+  CellRun outer(OverlappingSquares());
+  outer.Mesher->SetDomainRuleToOuterMinusOthers();
+  ExpectQuietArea(outer, 15.0, 1);
+  CellRun whole(OverlappingSquares());
+  whole.Mesher->SetDomainRuleToUnion();
+  ExpectQuietArea(whole, 19.0, 2);
+  auto alike = OverlappingSquares();
+  AddValues<vtkDoubleArray, double>(alike, "material", { 1.0, 1.0 });
+  CellRun region(alike);
+  region.Mesher->SetDomainRuleToUnion();
+  region.Mesher->SetRegionArray("material");
+  ExpectQuietArea(region, 19.0, 1);
+}
+
 TEST(BitingMesherCells, RefuseARegionArrayThatIsNotThere)
 {
   CellRun run(TwoSquares());

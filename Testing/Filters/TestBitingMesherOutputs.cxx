@@ -59,6 +59,7 @@ TEST(BitingMesherParameters, HaveTheDefaultsThatTheDocumentationStates)
   EXPECT_TRUE(mesher->GetRepairInput());
   EXPECT_EQ(mesher->GetMergeTolerance(), 0.0);
   EXPECT_EQ(mesher->GetEndTolerance(), 0.01);
+  EXPECT_EQ(mesher->GetDomainRule(), vtkBitingMesher::EVEN_ODD);
   EXPECT_FALSE(mesher->GetPreserveBoundary());
   EXPECT_EQ(mesher->GetBiteShape(), vtkBitingMesher::SQUARE);
   EXPECT_EQ(mesher->GetBitingConstant(), 0.0);
@@ -80,11 +81,12 @@ TEST(BitingMesherParameters, AreAllPrinted)
   mesher->SetPlacementToCorners();
   std::ostringstream text;
   mesher->Print(text);
-  for (const char* name : { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0",
-         "MaximumSpacing: 0", "Gradation: 0.3", "RepairInput: on", "MergeTolerance: 0",
-         "EndTolerance: 0.01", "PreserveBoundary: off", "BiteShape: 0", "BitingConstant: 0",
-         "Placement: 0", "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on",
-         "MaximumNumberOfVertices: 20000000", "NumberOfThreads: 0", "GenerateBites: off" })
+  for (const char* name :
+    { "UniformSpacing: 0", "SpacingScale: 1", "MinimumSpacing: 0", "MaximumSpacing: 0",
+      "Gradation: 0.3", "RepairInput: on", "MergeTolerance: 0", "DomainRule: 0",
+      "EndTolerance: 0.01", "PreserveBoundary: off", "BiteShape: 0", "BitingConstant: 0",
+      "Placement: 0", "FrontOrder: 1", "MaximumNumberOfBites: -1", "Phi: 1", "Relaxation: on",
+      "MaximumNumberOfVertices: 20000000", "NumberOfThreads: 0", "GenerateBites: off" })
   {
     EXPECT_TRUE(Has(text.str(), name)) << name;
   }

@@ -17,16 +17,16 @@
 //
 // GuidedFuzz.cxx is the same under the guidance of a fuzzer that watches the branches taken.
 
+#include "FuzzArguments.h"
 #include "NearDrawings.h"
 #include "Oracle.h"
 #include "SlowCase.h"
 
 #include <array>    // for the counts
 #include <chrono>   // for rates
-#include <cstdlib>  // for numbers
 #include <fstream>  // for the file
 #include <iostream> // for the report
-#include <string>   // for arguments
+#include <string>   // for names
 
 /// Blocks are freed by the thousand in each case: without the stacks of their allocation, and with
 /// fewer of them kept aside, there is time for more cases. ASAN_OPTIONS overrules it, to look at
@@ -46,36 +46,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int SecondsPerCase = 10;
 constexpr double SecondsPerReport = 60.0;
-
-struct Arguments
-{
-  std::uint64_t Cases = 1000000;
-  std::uint64_t Seed = 1;
-  double Seconds = 1e9;
-  std::string File;
-  bool AreNear = false;
-  bool AreValid = true;
-};
-
-Arguments ReadArguments(int count, char** texts)
-{
-  Arguments arguments;
-  for (int k = 1; k + 1 < count; k += 2)
-  {
-    const std::string name = texts[k];
-    const char* value = texts[k + 1];
-    arguments.Cases = name == "--cases" ? std::strtoull(value, nullptr, 10) : arguments.Cases;
-    arguments.Seed = name == "--seed" ? std::strtoull(value, nullptr, 10) : arguments.Seed;
-    arguments.Seconds = name == "--seconds" ? std::strtod(value, nullptr) : arguments.Seconds;
-    arguments.File = name == "--write" ? value : arguments.File;
-    arguments.AreNear = arguments.AreNear || (name == "--drawings" && value == std::string("near"));
-    arguments.AreValid = arguments.AreValid &&
-      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--write" ||
-        name == "--drawings");
-  }
-  arguments.AreValid = arguments.AreValid && count % 2 == 1;
-  return arguments;
-}
 
 class Counts
 {
@@ -110,12 +80,13 @@ private:
   std::array<std::uint64_t, 5> Verdicts{};
 };
 
-bool RunCase(std::uint64_t seed, const Arguments& arguments, Counts& counts)
+bool RunCase(std::uint64_t seed, const FuzzArguments& arguments, Counts& counts)
 {
   FuzzNumbers numbers(seed);
-  const std::string& file = arguments.File;
-  const NearCase nearCase = arguments.AreNear ? MakeNearCase(numbers) : NearCase();
-  const FuzzCase fuzzCase = arguments.AreNear ? nearCase.Case : MakeFuzzCase(numbers);
+  const std::string& file = arguments.Text("--write");
+  const bool isNear = arguments.Text("--drawings") == "near";
+  const NearCase nearCase = isNear ? MakeNearCase(numbers) : NearCase();
+  const FuzzCase fuzzCase = isNear ? nearCase.Case : MakeFuzzCase(numbers);
   if (!file.empty())
   {
     std::ofstream stream(file);
@@ -123,7 +94,7 @@ bool RunCase(std::uint64_t seed, const Arguments& arguments, Counts& counts)
     std::cout << Describe(fuzzCase) << std::endl;
   }
   BeginCase(seed, SecondsPerCase);
-  const FuzzOutcome outcome = arguments.AreNear ? RunNearCase(nearCase) : RunFuzzCase(fuzzCase);
+  const FuzzOutcome outcome = isNear ? RunNearCase(nearCase) : RunFuzzCase(fuzzCase);
   EndCase();
   counts.Add(outcome);
   if (outcome.Kind == Verdict::Violation)
@@ -134,19 +105,18 @@ bool RunCase(std::uint64_t seed, const Arguments& arguments, Counts& counts)
   return outcome.Kind != Verdict::Violation;
 }
 
-int RunAll(const Arguments& arguments)
+int RunAll(const FuzzArguments& arguments)
 {
   Counts counts;
   double nextReport = SecondsPerReport;
   bool isQuiet = true;
-  for (std::uint64_t k = 0; (isQuiet || arguments.AreNear) && k < arguments.Cases; ++k)
+  const std::uint64_t cases = arguments.Count("--cases");
+  const bool goesOn = arguments.Text("--drawings") == "near";
+  for (std::uint64_t k = 0;
+       (isQuiet || goesOn) && k < cases && counts.Seconds() <= arguments.Number("--seconds"); ++k)
   {
-    const bool isKept = RunCase(arguments.Seed + k, arguments, counts);
+    const bool isKept = RunCase(arguments.Count("--seed") + k, arguments, counts);
     isQuiet = isKept && isQuiet;
-    if (counts.Seconds() > arguments.Seconds)
-    {
-      break;
-    }
     if (counts.Seconds() > nextReport)
     {
       counts.Print();
@@ -161,8 +131,10 @@ int RunAll(const Arguments& arguments)
 
 int RunFuzz(int count, char** texts)
 {
-  const Arguments arguments = ReadArguments(count, texts);
-  if (!arguments.AreValid)
+  const FuzzArguments arguments(count, texts,
+    { { "--cases", "1000000" }, { "--seed", "1" }, { "--seconds", "1e9" }, { "--write", "" },
+      { "--drawings", "" } });
+  if (!arguments.Valid())
   {
     std::cerr
       << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near]\n";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "FuzzCases.h"
-#include "MeshOracle.h"
+#include "JudgedMesh.h"
 
 #include <gtest/gtest.h>
 

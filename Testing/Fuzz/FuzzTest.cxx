@@ -3,7 +3,7 @@
 
 #include "EvenOddArea.h"
 #include "FuzzCases.h"
-#include "MeshOracle.h"
+#include "JudgedMesh.h"
 #include "NearDrawings.h"
 
 #include <gtest/gtest.h>

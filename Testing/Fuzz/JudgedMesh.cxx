@@ -3,6 +3,10 @@
 
 #include "JudgedMesh.h"
 
+#include "DrawingOracle.h"
+#include "FiguresOracle.h"
+#include "TopologyOracle.h"
+
 #include <algorithm> // for lower_bound
 
 namespace biting
@@ -30,6 +34,15 @@ bool JudgedMesh::IsCovering(const HalfEdge& half) const
 std::string JudgedMesh::EdgeText(Id start, Id end) const
 {
   return "edge " + PlaceText(this->Place(start)) + " - " + PlaceText(this->Place(end));
+}
+
+std::string FindMeshViolation(
+  const BitingMesh& mesh, const Polylines& input, const BitingMeshOptions& options)
+{
+  JudgedMesh judged(mesh, input, options);
+  (void)(TopologyOracle(judged).Holds() && DrawingOracle(judged).Holds() &&
+    FiguresOracle(judged).Holds());
+  return judged.Violation;
 }
 
 } // namespace biting

@@ -5,7 +5,7 @@
 
 #include "EvenOddArea.h"
 #include "FuzzRun.h"
-#include "MeshOracle.h"
+#include "JudgedMesh.h"
 #include "Repetition.h"
 #include "SimplificationOracle.h"
 
@@ -66,6 +66,7 @@ std::size_t ExpectedIds(const Problem& problem)
     case ProblemCode::OutsidePoints:
     case ProblemCode::OutsideInterfaces:
     case ProblemCode::OverlappingCells:
+    case ProblemCode::NestedCells:
     case ProblemCode::NotFinite:
       return 1;
     case ProblemCode::DuplicatePoints:

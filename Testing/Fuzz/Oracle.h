@@ -29,7 +29,7 @@ struct FuzzOutcome
 
 /// Runs the kernel on the case and judges what it says and makes:
 /// - a mesh, a refusal, or what stopping leaves, and nothing between these;
-/// - a mesh is what MeshOracle.h says, of a simplified drawing where that is known;
+/// - a mesh is what JudgedMesh.h says, of a simplified drawing where that is known;
 /// - a simplified drawing is what SimplificationOracle.h says;
 /// - a refusal has one kind of error, ids that exist, a place, and no mesh;
 /// - a drawing that encloses a safe area is not refused for want of a closed loop;

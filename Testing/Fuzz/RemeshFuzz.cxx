@@ -13,6 +13,7 @@
 //   sh Testing/fuzz.sh 200000 1 2 BitingRemeshFuzz
 
 #include "../Kernel/Support/RemeshLaws.h"
+#include "FuzzArguments.h"
 #include "RandomInput.h"
 #include "SlowCase.h"
 
@@ -20,9 +21,8 @@
 #include <chrono>    // for rates
 #include <cmath>     // for abs
 #include <cstdint>   // for seeds
-#include <cstdlib>   // for numbers
 #include <iostream>  // for the report
-#include <string>    // for arguments
+#include <string>    // for violations
 
 /// As in BitingFuzz.cxx.
 extern "C" const char* __asan_default_options()
@@ -40,34 +40,6 @@ constexpr int SecondsPerCase = 60;
 constexpr double SecondsPerReport = 60.0;
 constexpr int MostCoarsenings = 6;   // of a drawing, until it has few vertices
 constexpr int GrowthOfVertices = 10; // at most, by remeshing
-
-struct Arguments
-{
-  std::uint64_t Cases = 100000;
-  std::uint64_t Seed = 1;
-  double Seconds = 1e9;
-  std::int64_t Vertices = 400;
-  bool AreValid = true;
-};
-
-Arguments ReadArguments(int count, char** texts)
-{
-  Arguments arguments;
-  arguments.AreValid = count % 2 == 1;
-  for (int k = 1; k + 1 < count; k += 2)
-  {
-    const std::string name = texts[k];
-    const char* value = texts[k + 1];
-    arguments.Cases = name == "--cases" ? std::strtoull(value, nullptr, 10) : arguments.Cases;
-    arguments.Seed = name == "--seed" ? std::strtoull(value, nullptr, 10) : arguments.Seed;
-    arguments.Seconds = name == "--seconds" ? std::strtod(value, nullptr) : arguments.Seconds;
-    arguments.Vertices =
-      name == "--vertices" ? std::strtoll(value, nullptr, 10) : arguments.Vertices;
-    arguments.AreValid = arguments.AreValid &&
-      (name == "--cases" || name == "--seed" || name == "--seconds" || name == "--vertices");
-  }
-  return arguments;
-}
 
 struct Counts
 {
@@ -209,18 +181,20 @@ void Print(const Counts& counts, double seconds)
             << counts.Violations << " violations" << std::endl;
 }
 
-Counts RunAll(const Arguments& arguments)
+Counts RunAll(const FuzzArguments& arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [begin]()
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   Counts counts;
   double nextReport = SecondsPerReport;
-  for (std::uint64_t k = 0; k < arguments.Cases && elapsed() < arguments.Seconds; ++k)
+  const std::uint64_t cases = arguments.Count("--cases");
+  for (std::uint64_t k = 0; k < cases && elapsed() < arguments.Number("--seconds"); ++k)
   {
-    const std::uint64_t seed = arguments.Seed + k;
+    const std::uint64_t seed = arguments.Count("--seed") + k;
     BeginCase(seed, SecondsPerCase);
-    const std::string violation = RunCase(seed, arguments.Vertices, counts);
+    const std::string violation =
+      RunCase(seed, static_cast<std::int64_t>(arguments.Count("--vertices")), counts);
     EndCase();
     if (!violation.empty())
     {
@@ -241,8 +215,10 @@ Counts RunAll(const Arguments& arguments)
 
 int RunRemeshFuzz(int count, char** texts)
 {
-  const Arguments arguments = ReadArguments(count, texts);
-  if (!arguments.AreValid)
+  const FuzzArguments arguments(count, texts,
+    { { "--cases", "100000" }, { "--seed", "1" }, { "--seconds", "1e9" },
+      { "--vertices", "400" } });
+  if (!arguments.Valid())
   {
     std::cerr << "BitingRemeshFuzz [--cases N] [--seed S] [--seconds T] [--vertices V]\n";
     return 2;

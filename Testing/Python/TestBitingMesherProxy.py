@@ -22,6 +22,7 @@ DEFAULTS = {
     'RepairInput': 1,
     'MergeTolerance': 0.0,
     'EndTolerance': 0.01,
+    'DomainRule': 'Even-Odd',
     'RegionArray': 'None',
     'KeepCellEdges': 0,
     'MeshBlocksSeparately': 0,
@@ -56,6 +57,21 @@ SQUARE_WITH_STRAY_POINT = SQUARE.replace('POINTS 4', 'POINTS 5').replace(
 IMAGE = '# vtk DataFile Version 3.0\nimage\nASCII\nDATASET STRUCTURED_POINTS\n' \
     'DIMENSIONS 2 2 1\nORIGIN 0 0 0\nSPACING 9 9 1\nPOINT_DATA 4\n' \
     'SCALARS {name} double 1\nLOOKUP_TABLE default\n0.5 0.5 0.5 0.5\n'
+
+
+SIDES = '''# vtk DataFile Version 3.0
+the sides of a square
+ASCII
+DATASET POLYDATA
+POINTS 4 double
+0 0 0 10 0 0 10 10 0 0 10 0
+LINES 4 12
+2 0 1 2 1 2 2 2 3 2 3 0
+CELL_DATA 4
+SCALARS Size double 1
+LOOKUP_TABLE default
+0.05 0 0 0
+'''
 
 
 def triangles(mesher):
@@ -231,6 +247,31 @@ class TestBitingMesherProxy(unittest.TestCase):
         by_source = triangles(BitingMesher(Input=self.square(), SpacingSource=self.image('h'),
                                            SourceSpacingArray=['POINTS', 'h']))
         self.assertGreater(by_source, 2.5 * by_array)
+
+    def test_cell_arrays_are_read_as_they_are(self):
+        # The lower side 0.05, elsewhere nothing: as points ParaView would have zeros, or means.
+        square = self.read('sides.vtk', SIDES)
+        counts = []
+        for association in ('CELLS', 'POINTS'):
+            mesher = BitingMesher(Input=square, UniformSpacing=1.0,
+                                  BoundarySpacingArray=[association, 'Size'])
+            counts.append(triangles(mesher))
+            edges = servermanager.Fetch(mesher, idx=1)
+            names = [edges.GetPointData().GetArrayName(k)
+                     for k in range(edges.GetPointData().GetNumberOfArrays())]
+            self.assertEqual(names, ['MeshPointId'])
+        self.assertEqual(counts[0], counts[1])
+        without = triangles(BitingMesher(Input=square, UniformSpacing=1.0))
+        self.assertGreater(counts[0], 2 * without)
+
+    def test_the_panel_offers_arrays_of_points_and_of_cells(self):
+        mesher = BitingMesher(Input=self.read('sides.vtk', SIDES))
+        mesher.UpdatePipeline()
+        domain = mesher.SMProxy.GetProperty('BoundarySpacingArray').FindDomain(
+            'vtkSMArrayListDomain')
+        found = {(domain.GetFieldAssociation(k), domain.GetString(k))
+                 for k in range(domain.GetNumberOfStrings())}
+        self.assertIn((1, 'Size'), found)
 
     def test_none_leaves_the_array_out(self):
         mesher = BitingMesher(Input=self.square('Spacing'), UniformSpacing=3.0)

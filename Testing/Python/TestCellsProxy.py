@@ -139,6 +139,15 @@ class TestCellsProxy(unittest.TestCase):
         mesher = self.expect(self.gmsh_mesh(), 8.0, 2, UniformSpacing=0.25, RegionArray='physical')
         self.assertEqual({kind for _, kind in self.tags(mesher, 'physical')}, {0, 1})
 
+    def test_a_refinement_region_belongs_to_the_union(self):
+        group = simple.AppendGeometry(Input=[
+            simple.Plane(Origin=[0, 0, 0], Point1=[10, 0, 0], Point2=[0, 10, 0],
+                         XResolution=1, YResolution=1),
+            simple.Plane(Origin=[4, 4, 0], Point1=[6, 4, 0], Point2=[4, 6, 0],
+                         XResolution=1, YResolution=1)])
+        self.expect(group, 100.0, 2, UniformSpacing=1.0, DomainRule='Union')
+        self.expect(group, 96.0, 1, UniformSpacing=1.0, DomainRule='Outer Minus Others')
+
     def test_the_region_arrays_on_offer_are_cell_arrays(self):
         mesher = BitingMesher(Input=self.gmsh_mesh())
         names = mesher.GetProperty('RegionArray').GetAvailable()

@@ -11,13 +11,19 @@
 namespace biting
 {
 
-/// From p to the nearest place of the segment ab, whose ends may be equal.
-inline double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+/// The place of the segment ab, whose ends may be equal, that is nearest to p.
+inline Point2 NearestOnSegment(const Point2& p, const Point2& a, const Point2& b)
 {
   const Point2 side = b - a;
   const double square = Dot(side, side);
   const double share = square > 0.0 ? std::clamp(Dot(p - a, side) / square, 0.0, 1.0) : 0.0;
-  return Distance(p, a + share * side);
+  return a + share * side;
+}
+
+/// From p to that place.
+inline double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
+{
+  return Distance(p, NearestOnSegment(p, a, b));
 }
 
 } // namespace biting

@@ -4,6 +4,8 @@
 #include "Problem.h"
 
 #include <algorithm> // for find_if
+#include <cmath>     // for ceil, floor, log10, pow
+#include <sstream>   // for figures
 #include <utility>   // for move
 
 namespace biting
@@ -53,6 +55,23 @@ bool IsError(ProblemCode code)
 bool IsNote(ProblemCode code)
 {
   return code == ProblemCode::SmallLoops || code == ProblemCode::FineDrawing;
+}
+
+std::string Figure(double value, int digits)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+std::string FigureAbove(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  std::ostringstream text;
+  text.precision(2);
+  text << std::ceil(value / unit) * unit;
+  return text.str();
 }
 
 } // namespace biting

@@ -59,6 +59,7 @@ enum class ProblemCode
   NearMisses,  ///< a vertex that nearly meets a segment or an embedded point (ids: cell, cell; NoId
                ///< for an embedded point)
   ChangedArea, ///< a tolerance changed the area of the domain by more than 5 % (no ids)
+  NestedCells, ///< a face within another one, which is a hole by DomainRule::EvenOdd (ids: cell)
   Aborted      ///< the monitor asked to stop; not an error
 };
 
@@ -100,6 +101,12 @@ bool IsError(ProblemCode code);
 
 /// Whether it is worth a word only, and nothing is wrong.
 bool IsNote(ProblemCode code);
+
+/// A figure of a detail.
+std::string Figure(double value, int digits = 3);
+
+/// A figure of two digits, no less than the value, which is above zero.
+std::string FigureAbove(double value);
 
 } // namespace biting
 

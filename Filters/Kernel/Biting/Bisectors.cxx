@@ -29,8 +29,8 @@ void ClipToSlab(double offset, double slope, double halfWidth, double& enter, do
   leave = std::min(leave, middle + half);
 }
 
-// Where the line offset + t direction runs inside a bite about the origin; it leaves before it
-// enters where it misses the bite.
+} // namespace
+
 std::pair<double, double> InsideOf(
   const Point2& axis, double halfWidth, const Point2& offset, const Point2& direction)
 {
@@ -49,8 +49,6 @@ std::pair<double, double> InsideOf(
   const double half = rest >= 0.0 ? std::sqrt(rest) : -Infinity;
   return { middle - half, middle + half };
 }
-
-} // namespace
 
 Bisectors::Bisectors(const Bites& bites, const BiteGrid& grid, double lengthPerHalfWidth,
   double tolerance, double slack)
@@ -72,7 +70,8 @@ void Bisectors::SetBite(Id bite)
   this->NextBite = NoId;
 }
 
-// Those whose bond with a bite at p is short enough, until there is one to stop at, which is true.
+// Gathers the bites whose bond with a bite at p is short enough, until stopsAt() is true of one.
+// Returns whether it was.
 template <typename Stop>
 bool Bisectors::Gather(const Point2& p, Stop&& stopsAt)
 {

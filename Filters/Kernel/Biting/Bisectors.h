@@ -13,6 +13,7 @@
 #include <algorithm> // for max
 #include <array>     // for the neighbours
 #include <cstddef>   // for their number
+#include <utility>   // for intervals
 
 namespace biting
 {
@@ -25,6 +26,11 @@ struct BisectorPoint
   double Misfit = 0.0; ///< of the triangle with the two centres: 0 where its sides are as wanted
 };
 
+/// Where the line offset + t direction runs inside a bite about the origin, as an interval of t: it
+/// ends before it begins where the line misses the bite.
+std::pair<double, double> InsideOf(
+  const Point2& axis, double halfWidth, const Point2& offset, const Point2& direction);
+
 /// Finds the points of the front where the bisector of two bites leaves both.
 ///
 /// A bite may sit anywhere on the front, as far as the theory of the paper goes (section 4 needs
@@ -34,7 +40,7 @@ struct BisectorPoint
 /// squares with half-width sqrt(3)/2 and centres 1 apart, turned to their bond, make the triangular
 /// lattice and nothing else.
 ///
-/// Squares are then shifted to where f asks for them (BalancedTop.h).
+/// Squares are then shifted to where f asks for them (BiteTriangle.h).
 ///
 /// Where more than 64 bites of the boundary crowd about one of them, its points are left out: each
 /// of them would be looked for in the crowd, and hardly one is a point of the front.

@@ -12,9 +12,8 @@ namespace biting
 namespace
 {
 
-constexpr double FilingMargin = 1e-6;  // of the reach: more than rounding, less than a leaf
-constexpr double WidestSpread = 1.415; // more than the square root of 2
-constexpr double EntryMargin = 4e-6;   // single precision, after the rounding of a place
+constexpr double FilingMargin = 1e-6; // of the reach: more than rounding, less than a leaf
+constexpr double EntryMargin = 4e-6;  // single precision, after the rounding of a place
 constexpr double PlaceRounding = 1e-15;
 
 // Of the bite's bounding box, half its width, in half-widths.
@@ -32,7 +31,6 @@ BiteFrame::BiteFrame(const Bites& bites, const Box2& bounds, double nearReach, d
   , Extents{ std::max(bounds.Width(), 1e-3 * bounds.Height()),
     std::max(bounds.Height(), 1e-3 * bounds.Width()) }
   , NearReach(nearReach)
-  , WidestReach(std::max(WidestSpread, nearReach) * (1.0 + FilingMargin))
   , Slack(slack)
 {
 }
@@ -49,24 +47,11 @@ std::size_t BiteFrame::Size() const
   return static_cast<std::size_t>(this->NumberOfColumns) * this->NumberOfRows;
 }
 
-Point2 BiteFrame::MiddleOf(const CellPlace& cell, double size) const
-{
-  const double middle = 0.5 * size;
-  const Point2 offset{ cell.X + middle, cell.Y + middle };
-  return this->Origin + 1.0 / this->Scale * offset;
-}
-
 // Its bounding box, or its near reach where that is larger.
 CellBox BiteFrame::ExtentOf(Id bite) const
 {
   const double spread = std::max(Spread(this->All, bite), this->NearReach);
   const double reach = spread * this->All.HalfWidths[bite] * (1.0 + FilingMargin) + this->Slack;
-  return this->ToGrid(this->All.Centers[bite], reach);
-}
-
-CellBox BiteFrame::WidestExtentOf(Id bite) const
-{
-  const double reach = this->WidestReach * this->All.HalfWidths[bite] + this->Slack;
   return this->ToGrid(this->All.Centers[bite], reach);
 }
 

@@ -70,9 +70,7 @@ public:
       (center.Y + reach - this->Origin.Y) * this->Scale };
   }
 
-  Point2 MiddleOf(const CellPlace& cell, double size) const;
   CellBox ExtentOf(Id bite) const;
-  CellBox WidestExtentOf(Id bite) const; ///< whatever its axis is
   FramedBite Framed(Id bite) const;
   SizedBite InCells(const FramedBite& bite, double size) const;
 
@@ -102,9 +100,8 @@ private:
   double Scale = 1.0;
   Id NumberOfColumns = 1;
   Id NumberOfRows = 1;
-  double NearReach;   ///< in half-widths
-  double WidestReach; ///< as far as a bite may be filed but for the slack, in half-widths
-  double Slack;       ///< a length
+  double NearReach; ///< in half-widths
+  double Slack;     ///< a length
 };
 
 } // namespace biting

@@ -3,8 +3,6 @@
 
 #include "BiteGrid.h"
 
-#include "BiteOutline.h" // for Depth
-
 #include <algorithm> // for max
 #include <cmath>     // for sqrt
 #include <limits>    // of counts
@@ -33,38 +31,6 @@ constexpr double MostCellsPerBite = 16.0;
 constexpr double CellsPerTopCell = 1.1;
 constexpr std::size_t CellsPerMore = 8;
 
-// How many cells of a grid are marked, from its low corner to each node.
-class MarkedCells
-{
-public:
-  MarkedCells(const std::vector<std::uint8_t>& isMarked, Id columns)
-    : Stride(static_cast<std::size_t>(columns) + 1)
-    , Sums(isMarked.size() + isMarked.size() / static_cast<std::size_t>(columns) + this->Stride, 0)
-  {
-    for (std::size_t cell = 0; cell < isMarked.size(); ++cell)
-    {
-      const std::size_t low = cell + cell / static_cast<std::size_t>(columns);
-      const std::size_t high = low + this->Stride + 1;
-      this->Sums[high] =
-        isMarked[cell] + this->Sums[high - 1] + this->Sums[high - this->Stride] - this->Sums[low];
-    }
-  }
-
-  bool HasAny() const { return this->Sums.back() > 0; }
-
-  bool HasAny(Id firstColumn, Id firstRow, Id lastColumn, Id lastRow) const
-  {
-    const auto at = [this](Id column, Id row) { return this->Sums[row * this->Stride + column]; };
-    return at(lastColumn + 1, lastRow + 1) - at(firstColumn, lastRow + 1) -
-      at(lastColumn + 1, firstRow) + at(firstColumn, firstRow) >
-      0;
-  }
-
-private:
-  std::size_t Stride;
-  std::vector<Id> Sums;
-};
-
 } // namespace
 
 BiteGrid::BiteGrid(
@@ -87,72 +53,8 @@ void BiteGrid::Release(Pulse& pulse)
   ReleaseInSteps(pulse, this->Cells);
 }
 
-void BiteGrid::Forget(Pulse& pulse)
-{
-  this->HasForgotten = true;
-  this->Lists.Clear();
-  Cell forgotten;
-  forgotten.FirstChild = Forgotten;
-  std::vector<Cell>(this->Frame.Size(), forgotten).swap(this->Cells);
-  pulse.Ask();
-}
-
-void BiteGrid::Recall(const std::vector<Box2>& boxes, Pulse& pulse)
-{
-  std::vector<std::uint8_t> isWanted(this->Frame.Size(), 0);
-  for (const Box2& box : boxes)
-  {
-    const double reach = 0.5 * std::max(box.Width(), box.Height());
-    this->Frame.VisitCells(this->Frame.ToGrid(Midpoint(box.Low, box.High), reach),
-      [&isWanted](Id, Id, Id cell) { isWanted[cell] = 1; });
-  }
-  this->RecallCells(isWanted, &pulse);
-}
-
-void BiteGrid::RecallAll()
-{
-  this->HasForgotten = false;
-  this->RecallCells(std::vector<std::uint8_t>(this->Frame.Size(), 1), nullptr);
-}
-
-// In the order of their filing.
-void BiteGrid::RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse)
-{
-  std::vector<std::uint8_t> isNew(isWanted.size(), 0);
-  for (std::size_t cell = 0; cell < isWanted.size(); ++cell)
-  {
-    isNew[cell] = isWanted[cell] != 0 && this->Cells[cell].FirstChild == Forgotten ? 1 : 0;
-    this->Cells[cell].FirstChild = isNew[cell] != 0 ? NoId : this->Cells[cell].FirstChild;
-  }
-  const MarkedCells areNew(isNew, this->Frame.Columns());
-  const bool hasNew = areNew.HasAny();
-  const Id columns = this->Frame.Columns();
-  const Id rows = this->Frame.Rows();
-  for (Id bite = 0; hasNew && bite <= this->Newest && (pulse == nullptr || pulse->Beat(1)); ++bite)
-  {
-    const CellBox extent = this->Frame.WidestExtentOf(bite);
-    if (!areNew.HasAny(ClampedIndex(extent.LowX, columns), ClampedIndex(extent.LowY, rows),
-          ClampedIndex(extent.HighX, columns), ClampedIndex(extent.HighY, rows)))
-    {
-      continue;
-    }
-    const FramedBite filed = this->Frame.Framed(bite);
-    const SizedBite sized = this->Frame.InCells(filed, 1.0);
-    this->Frame.VisitCells(filed.Extent,
-      [this, &filed, &sized, &isNew](Id column, Id row, Id cell)
-      {
-        if (isNew[cell] != 0)
-        {
-          this->FileInCell(
-            cell, { static_cast<double>(column), static_cast<double>(row) }, filed, sized);
-        }
-      });
-  }
-}
-
 void BiteGrid::File(Id bite)
 {
-  this->Newest = bite;
   this->FileInCells(bite);
   if (this->NumberOfFiled > std::max(this->MostFiled, MostCellsPerBite * (bite + 1.0)))
   {
@@ -165,7 +67,7 @@ void BiteGrid::Coarsen(Id newest)
 {
   this->Frame.SetCellsPerLength(0.5 * this->Frame.CellsPerLength());
   this->Cells.assign(this->Frame.Size(), Cell());
-  this->Lists.Clear();
+  this->Lists = BiteLists();
   this->NumberOfFiled = 0.0;
   for (Id bite = 0; bite <= newest; ++bite)
   {
@@ -182,11 +84,8 @@ void BiteGrid::FileInCells(Id bite)
     [this, &filed, &sized](Id column, Id row, Id cell)
     {
       this->NumberOfFiled += 1.0;
-      if (this->Cells[cell].FirstChild != Forgotten)
-      {
-        this->FileInCell(
-          cell, { static_cast<double>(column), static_cast<double>(row) }, filed, sized);
-      }
+      this->FileInCell(
+        cell, { static_cast<double>(column), static_cast<double>(row) }, filed, sized);
     });
 }
 
@@ -206,19 +105,6 @@ void BiteGrid::FileInCell(
   if (leaf.NumberOfSmaller > std::max(this->Crowd, Id{ leaf.NumberOfLarger }))
   {
     this->Divide(cell, place, sized.Size);
-  }
-  else if (leaf.NumberOfSmaller + leaf.NumberOfLarger > this->Crowd)
-  {
-    this->KeepDeepest(leaf, place, sized.Size, bite.Bite);
-  }
-}
-
-void BiteGrid::KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite)
-{
-  const Point2 p = this->Frame.MiddleOf(place, size);
-  if (leaf.Deepest == NoId || Depth(this->All, leaf.Deepest, p) < Depth(this->All, bite, p))
-  {
-    leaf.Deepest = bite;
   }
 }
 

@@ -48,10 +48,6 @@ public:
   template <typename Visit>
   bool VisitLeaf(const Point2& p, Visit&& visit, Id birth = NoId) const;
 
-  /// Of p's leaf where that is crowded: the bite that most likely contains p, as the middle of the
-  /// leaf lies deep in it. NoId elsewhere.
-  Id DeepestOfLeaf(const Point2& p) const { return this->Locate(p).Leaf->Deepest; }
-
   /// Calls visit(bite) for bites whose centres are within `reach` of their half-widths from p, the
   /// newest first, until it returns true: all of them up to the near reach, beyond it those of p's
   /// leaf.
@@ -63,28 +59,16 @@ public:
   template <typename Visit>
   bool VisitSquare(const Point2& center, double reach, Visit&& visit) const;
 
-  /// Gives the memory back but for the cells at the top.
-  void Forget(Pulse& pulse);
-
-  /// Whether some of it may be forgotten.
-  bool IsForgotten() const { return this->HasForgotten; }
-
-  /// What was forgotten of the cells that meet one of the boxes: it takes a look at each bite.
-  void Recall(const std::vector<Box2>& boxes, Pulse& pulse);
-  void RecallAll();
-
   /// Gives the memory back; there is nothing to be asked for afterwards.
   void Release(Pulse& pulse);
 
 private:
   static constexpr Id Division = 2;
-  static constexpr Id Forgotten = -2; ///< in place of the first child
 
   struct Cell
   {
     Id FirstChild = NoId;
-    Id List = NoId;    ///< of a leaf
-    Id Deepest = NoId; ///< in a crowded leaf: the bite that the middle lies deepest in
+    Id List = NoId;                    ///< of a leaf
     std::uint16_t NumberOfSmaller = 0; ///< bites smaller than the leaf, as far as can be counted
     std::uint16_t NumberOfLarger = 0;
   };
@@ -99,12 +83,10 @@ private:
   LeafPlace Locate(const Point2& p) const;
   template <typename Visit>
   bool VisitCell(const Cell& cell, const CellBox& box, Visit&& visit) const;
-  void RecallCells(const std::vector<std::uint8_t>& isWanted, Pulse* pulse);
   void FileInCells(Id bite);
   void Coarsen(Id newest);
   void FileInCell(Id cell, const CellPlace& place, const FramedBite& bite, const SizedBite& sized);
   void FileInChildren(Id cell, const CellPlace& place, double size, const FramedBite& bite);
-  void KeepDeepest(Cell& leaf, const CellPlace& place, double size, Id bite);
   void Divide(Id cell, const CellPlace& place, double size);
 
   const Bites& All;
@@ -113,9 +95,7 @@ private:
   double NumberOfFiled = 0.0; ///< bites in top cells, each as often as it is filed
   Id Crowd;                   ///< more bites than that divide a leaf
   float CircleAbout = 1.0f;   ///< squared radius of the circle about a bite, in squared half-widths
-  Id Newest = NoId;           ///< the last bite that was filed
-  bool HasForgotten = false;
-  std::vector<Cell> Cells; ///< those at the top first
+  std::vector<Cell> Cells;    ///< those at the top first
   BiteLists Lists;
 };
 
@@ -129,11 +109,6 @@ inline BiteGrid::LeafPlace BiteGrid::Locate(const Point2& p) const
   const Cell* cell = &this->Cells[static_cast<std::size_t>(row) * this->Frame.Columns() + column];
   while (cell->FirstChild != NoId)
   {
-    if (cell->FirstChild == Forgotten)
-    {
-      const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
-      return this->Locate(p);
-    }
     u = (u - column) * Division;
     v = (v - row) * Division;
     column = ClampedIndex(u, Division);
@@ -181,10 +156,6 @@ bool BiteGrid::VisitSquare(const Point2& center, double reach, Visit&& visit) co
     [this, &box, &visit](Id column, Id row)
     {
       const std::size_t cell = static_cast<std::size_t>(row) * this->Frame.Columns() + column;
-      if (this->Cells[cell].FirstChild == Forgotten)
-      {
-        const_cast<BiteGrid*>(this)->RecallAll(); // NOLINT: what it says is the same
-      }
       return this->VisitCell(this->Cells[cell], box.From(column, row), visit);
     });
 }

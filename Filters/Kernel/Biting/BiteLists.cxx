@@ -3,8 +3,6 @@
 
 #include "BiteLists.h"
 
-#include <algorithm> // for find
-
 namespace biting
 {
 
@@ -43,19 +41,6 @@ void BiteLists::AddChunks()
   {
     this->Chunks.push_back(this->Allocated.back().get() + k * ChunkSize);
   }
-}
-
-void BiteLists::Clear()
-{
-  if (!this->Allocated.empty())
-  {
-    const Block* last = this->Allocated.back().get();
-    this->Chunks.erase(
-      this->Chunks.begin(), std::find(this->Chunks.begin(), this->Chunks.end(), last));
-    this->Allocated.erase(this->Allocated.begin(), this->Allocated.end() - 1);
-  }
-  this->Count = 0;
-  this->Unused = NoId;
 }
 
 } // namespace biting

@@ -36,12 +36,6 @@ public:
   /// Empties the list; its memory is for the lists that follow.
   void Empty(Id& list);
 
-  /// Gives the memory back but for what was allocated last, for the lists that follow: those of
-  /// before must not be asked for any more. What is kept is mostly at the end of the heap: while it
-  /// is there the C library hands out what was freed before it, and gives none of that back to the
-  /// system, which would fill it with zeros anew.
-  void Clear();
-
 private:
   // Two cache lines. Larger ones are half empty more often: 15 B a bite for twice the entries.
   struct Block

@@ -200,8 +200,8 @@ void BiteOutline::CoverSquareByCircle(const Point2& center, double radius)
   }
 }
 
-// What each side of the square cuts off is an arc about that side's normal; between neighbouring
-// arcs the circle is covered.
+// Each side of the square cuts off an arc about its normal. Between neighbouring arcs the circle is
+// covered.
 void BiteOutline::CoverCircleBySquare(const Point2& center, const Point2& axis, double halfWidth)
 {
   const Point2 normals[4] = { axis, Perpendicular(axis), -1.0 * axis, -1.0 * Perpendicular(axis) };

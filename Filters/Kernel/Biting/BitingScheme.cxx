@@ -5,7 +5,6 @@
 
 #include "BitingState.h"
 #include "EdgeProtection.h"
-#include "EdgeShields.h"
 #include "FrontTrace.h"
 #include "InteriorBiting.h"
 #include "VertexProtection.h"
@@ -18,10 +17,9 @@ namespace biting
 namespace
 {
 
-// c_b for a mean edge length f, and vertices per integral of 1/f^2 then, measured: corners over
-// uniform and graded fields, bisectors where f is level (elsewhere see ReachFactor.h).
-constexpr double SquareCornerConstant = 0.77;
-constexpr double SquareCornerSweepConstant = 0.80;
+// c_b for a mean edge length f (of squares at corners: FrontOrder.h), and vertices per integral of
+// 1/f^2 then, measured: corners over uniform and graded fields, bisectors where f is level
+// (elsewhere see BiteTriangle.h).
 constexpr double SquareBisectorConstant = 0.824;
 constexpr double CircleCornerConstant = 0.91;
 constexpr double CircleBisectorConstant = 0.995;
@@ -32,31 +30,37 @@ constexpr double CircleTolerance = 0.8;
 
 } // namespace
 
-double AutomaticBitingConstant(const BitingOptions& options)
+BitingOptions::BitingOptions(
+  BiteShape shape, biting::Placement placement, FrontOrder order, double bitingConstant)
+  : Shape(shape)
+  , Placement(placement)
+  , Order(order)
+  , FollowSlope(bitingConstant == 0.0)
 {
-  const bool isCircle = options.Shape == BiteShape::Circle;
-  if (options.Placement == Placement::Bisectors)
-  {
-    return isCircle ? CircleBisectorConstant : SquareBisectorConstant;
-  }
-  const bool isSweep = options.Order == FrontOrder::LargestY;
-  const double square = isSweep ? SquareCornerSweepConstant : SquareCornerConstant;
-  return isCircle ? CircleCornerConstant : square;
+  const bool isCircle = shape == BiteShape::Circle;
+  const bool isAtCorner = placement == Placement::Corners;
+  const double square = isAtCorner ? RuleOf(order).CornerConstant : SquareBisectorConstant;
+  const double circle = isAtCorner ? CircleCornerConstant : CircleBisectorConstant;
+  const double automatic = isCircle ? circle : square;
+  this->BitingConstant = bitingConstant > 0.0 ? bitingConstant : automatic;
+  this->PartLength = this->BitingConstant / automatic;
+  this->Tolerance = isAtCorner ? 1.0 : (isCircle ? CircleTolerance : SquareTolerance);
 }
 
-double AutomaticTolerance(const BitingOptions& options)
+ConstraintEdges ConstraintsOf(const BitingResult& bites, const Domain& domain)
 {
-  if (options.Placement == Placement::Corners)
+  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
+  constraints.IsBoundary.reserve(bites.EdgeSegments.size());
+  for (const Id segment : bites.EdgeSegments)
   {
-    return 1.0;
+    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
   }
-  return options.Shape == BiteShape::Circle ? CircleTolerance : SquareTolerance;
+  return constraints;
 }
 
-double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& options)
+double EstimateNumberOfVertices(double integratedDensity, double partLength)
 {
-  const double length = UsedBitingConstant(options) / AutomaticBitingConstant(options);
-  return VerticesPerDensity * integratedDensity / (length * length);
+  return VerticesPerDensity * integratedDensity / (partLength * partLength);
 }
 
 BitingResult BiteDomain(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,

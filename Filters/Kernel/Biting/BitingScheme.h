@@ -12,7 +12,7 @@
 #include "../Domain/DomainLocator.h"
 #include "../Spacing/Spacing.h"
 #include "Bites.h"
-#include "CandidateQueue.h"
+#include "FrontOrder.h"
 
 #include <cstdint> // for limits
 #include <vector>  // for the arrays
@@ -20,28 +20,36 @@
 namespace biting
 {
 
+/// How a domain is bitten. All are values: where the user leaves c_b open, 0 = automatic, the
+/// constructor has chosen it, and nobody below asks again.
 struct BitingOptions
 {
-  double BitingConstant = 0.0; ///< c_b; 0 = AutomaticBitingConstant
-  double PartLength = 0.0;     ///< wanted length of boundary edges in units of f; 0 = as inside
-  BiteShape Shape = BiteShape::Square;
-  biting::Placement Placement = biting::Placement::Corners;
-  FrontOrder Order = FrontOrder::Layers;
+  /// `bitingConstant` 0: c_b is such that the mean edge length of the mesh is f, on average over
+  /// domains.
+  explicit BitingOptions(BiteShape shape = BiteShape::Square,
+    biting::Placement placement = biting::Placement::Corners, FrontOrder order = FrontOrder::Layers,
+    double bitingConstant = 0.0);
 
-  /// True: with Bisectors, inner bites are larger or smaller than c_b f by what the slope of f does
-  /// to lengths (ReachFactor.h), and squares shifted by it (BalancedTop.h), so that with
-  /// AutomaticBitingConstant the mean edge length is f, whatever f. False: their half-width is c_b
-  /// f, as in the paper.
-  bool FollowSlope = false;
+  BiteShape Shape;
+  biting::Placement Placement;
+  FrontOrder Order;
+  double BitingConstant; ///< c_b
+  double PartLength;     ///< wanted length of edges, on the boundary and inside, in units of f
+
+  /// True: the mean edge length is to be f, whatever f: so it is where c_b is automatic. With
+  /// Bisectors inner bites are larger or smaller than c_b f then by what the slope of f does to
+  /// lengths, and squares are shifted by it (BiteTriangle.h). False: the half-width of inner bites
+  /// is c_b f, as in the paper.
+  bool FollowSlope;
 
   /// With FollowSlope, squares: by which factor inner edges are longer than f, so that a whole
   /// number of rows fills the domain. About 1.
   double Stretch = 1.0;
 
   /// t: with Bisectors an inner bite covers its concentric core, t times as wide, in (0, 1], and
-  /// vertices on a segment may be as near as EdgeDivider::BalancedPart of PartLength. 0:
-  /// AutomaticTolerance; 1: the laws to the letter.
-  double Tolerance = 0.0;
+  /// vertices on a segment may be as near as EdgeDivider::BalancedPart of PartLength. The best
+  /// shapes have 0.9 for squares and 0.8 for circles. 1: the laws to the letter, as at corners.
+  double Tolerance;
   std::int64_t MaximumNumberOfBites = -1; ///< -1 = until the front is empty
   std::int64_t MaximumNumberOfVertices = 20000000;
   bool KeepFront = false; ///< fill Front
@@ -83,16 +91,11 @@ struct BitingResult
   BitingEnd End = BitingEnd::Complete;
 };
 
-/// The c_b for which the mean edge length of the mesh is f, on average over domains, for the shape,
-/// placement and order of `options`.
-double AutomaticBitingConstant(const BitingOptions& options);
-
-/// The tolerance t that gives the best shapes: 1 at corners, 0.9 for squares and 0.8 for circles at
-/// bisectors.
-double AutomaticTolerance(const BitingOptions& options);
+/// The edges of the result as constraints of a triangulation of its points.
+ConstraintEdges ConstraintsOf(const BitingResult& bites, const Domain& domain);
 
 /// How many vertices the mesh will have, by the integral of 1/f^2 (see VertexEstimate.h).
-double EstimateNumberOfVertices(double integratedDensity, const BitingOptions& options);
+double EstimateNumberOfVertices(double integratedDensity, double partLength = 1.0);
 
 /// Bites the domain until nothing is left of it (paper, section 3.1): the vertices of the domain,
 /// points on its segments, then places of the front, each bite a square of half-width c_b f or a

@@ -33,27 +33,11 @@ void MakeRoom(std::vector<First>& first, std::vector<Rest>&... rest)
 
 } // namespace
 
-double UsedBitingConstant(const BitingOptions& options)
-{
-  return options.BitingConstant > 0.0 ? options.BitingConstant : AutomaticBitingConstant(options);
-}
-
-double UsedTolerance(const BitingOptions& options)
-{
-  return options.Tolerance > 0.0 ? options.Tolerance : AutomaticTolerance(options);
-}
-
-double UsedPartLength(const BitingOptions& options)
-{
-  return options.PartLength > 0.0 ? options.PartLength
-                                  : UsedBitingConstant(options) / AutomaticBitingConstant(options);
-}
-
 double NeighborRange(const BitingOptions& options)
 {
   return options.Placement == Placement::Corners
     ? 0.0
-    : Bisectors::GreatestBond * UsedPartLength(options) / UsedBitingConstant(options);
+    : Bisectors::GreatestBond * options.PartLength / options.BitingConstant;
 }
 
 BitingState::BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
@@ -63,8 +47,6 @@ BitingState::BitingState(const Domain& domain, const DomainLocator& locator, con
   , F(spacing)
   , Options(options)
   , Progress(monitor)
-  , BitingConstant(UsedBitingConstant(options))
-  , PartLength(UsedPartLength(options))
   , ExpectedVertices(expectedVertices)
   , Placed(Result.Bites)
   , Grid(Result.Bites, domain.Bounds, expectedVertices - domain.NumberOfVertices(),
@@ -110,7 +92,7 @@ void BitingState::Bite(Id vertex, const Point2& axis, double share, BitePhase ph
   const double spacing = this->Result.Spacings[vertex];
   this->AddBite(this->Result.Points[vertex],
     this->Options.Shape == BiteShape::Circle ? Point2{} : axis,
-    share * this->BitingConstant * spacing, spacing, phase);
+    share * this->Options.BitingConstant * spacing, spacing, phase);
   this->Result.BiteOrders[vertex] = this->NumberOfBites;
 }
 

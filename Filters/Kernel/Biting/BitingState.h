@@ -21,10 +21,9 @@
 namespace biting
 {
 
-/// What the phases of the biting scheme work on: the domain and what is wanted of it, the bites so
-/// far, where they are, and the vertices and edges that they make. Each phase is a unit of its own
-/// that is given a state and knows no other phase, so their order is the driver's
-/// (BitingScheme.cxx).
+/// The state of biting: the domain, f and the options, the bites so far, and the vertices and edges
+/// of the mesh so far. A phase is a function of the state and knows no other phase. The driver
+/// (BitingScheme.cxx) has their order.
 struct BitingState
 {
   BitingState(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
@@ -82,8 +81,6 @@ struct BitingState
   const Spacing& F;
   const BitingOptions& Options;
   Pulse Progress;
-  double BitingConstant;
-  double PartLength; ///< wanted length of boundary edges in units of f
   double ExpectedVertices;
   BitingResult Result;
   Bites& Placed; ///< the bites so far
@@ -92,11 +89,6 @@ struct BitingState
   std::vector<double> PlacedSpacings; ///< f at each bite, where half-widths follow its slope
   Id NumberOfBites = 0;
 };
-
-/// The constant, tolerance and wanted length of edges, in units of f, that the options stand for.
-double UsedBitingConstant(const BitingOptions& options);
-double UsedTolerance(const BitingOptions& options);
-double UsedPartLength(const BitingOptions& options);
 
 /// How far the grid finds neighbours, in half-widths: as far as the placement asks for them.
 double NeighborRange(const BitingOptions& options);

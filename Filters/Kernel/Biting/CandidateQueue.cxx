@@ -8,54 +8,28 @@
 namespace biting
 {
 
-namespace
-{
-
-// Measured: 5 to 6 % in two classes gives the best mean shape on average over fields, with squares
-// and with circles; 16 to 64 classes of 1 to 5 % are alike.
-constexpr double GoodMisfit = 0.06;
-constexpr double ClassWidth = 0.02;
-
-// Heap order: the greatest comes out first.
-bool ComesLater(const Candidate& a, const Candidate& b)
-{
-  if (a.Place.Y != b.Place.Y)
-  {
-    return a.Place.Y < b.Place.Y;
-  }
-  return a.Birth != b.Birth ? a.Birth > b.Birth : a.Place.X > b.Place.X;
-}
-
-} // namespace
-
-CandidateQueue::CandidateQueue(FrontOrder order)
-  : Order(order)
-{
-}
-
 void CandidateQueue::Put(const Candidate& candidate)
 {
-  const int rank = this->Order == FrontOrder::LargestY ? 0 : candidate.Class;
+  const std::size_t rank = static_cast<std::size_t>(candidate.Class);
   std::deque<Candidate>& line = this->Lines[rank];
   line.push_back(candidate);
   this->Best = std::min(this->Best, rank);
-  if (this->Order == FrontOrder::LargestY)
+  if (this->Rule.ComesLater)
   {
-    std::push_heap(line.begin(), line.end(), ComesLater);
+    std::push_heap(line.begin(), line.end(), this->Rule.ComesLater);
   }
 }
 
 Candidate CandidateQueue::Take()
 {
   std::deque<Candidate>& line = this->Lines[this->Best];
-  const bool isHeap = this->Order == FrontOrder::LargestY;
-  if (isHeap)
+  if (this->Rule.ComesLater)
   {
-    std::pop_heap(line.begin(), line.end(), ComesLater);
+    std::pop_heap(line.begin(), line.end(), this->Rule.ComesLater);
   }
-  const Candidate candidate = isHeap ? line.back() : line.front();
-  isHeap ? line.pop_back() : line.pop_front();
-  while (this->Best < NumberOfClasses && this->Lines[this->Best].empty())
+  const Candidate candidate = this->Rule.ComesLater ? line.back() : line.front();
+  this->Rule.ComesLater ? line.pop_back() : line.pop_front();
+  while (this->Best < this->Lines.size() && this->Lines[this->Best].empty())
   {
     ++this->Best;
   }
@@ -64,11 +38,8 @@ Candidate CandidateQueue::Take()
 
 int CandidateQueue::ClassOf(double misfit) const
 {
-  if (this->Order == FrontOrder::BestFirst)
-  {
-    return static_cast<int>(std::min(misfit / ClassWidth, NumberOfClasses - 1.0));
-  }
-  return misfit < GoodMisfit ? 0 : 1;
+  return static_cast<int>(
+    std::min(this->Rule.NumberOfClasses - 1.0, misfit / this->Rule.ClassWidth));
 }
 
 } // namespace biting

@@ -14,6 +14,11 @@ namespace biting
 /// left stay undivided.
 void ProtectEdges(BitingState& state);
 
+/// The same of segments that must stay one edge: squares that make no vertex, one for each part of
+/// a segment. Their size follows f as that of bites does, so that they hide little of what is
+/// behind the segments, and the front rises from the ends of a long one as f does.
+void ShieldEdges(BitingState& state);
+
 } // namespace biting
 
 #endif

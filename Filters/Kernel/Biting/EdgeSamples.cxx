@@ -81,7 +81,7 @@ EdgeSamples::Sample EdgeSamples::AskBefore(const Sample& sample) const
   return this->Ask(0.5 * (this->Last.Parameter + sample.Parameter));
 }
 
-// Not where the last one and the one ahead are next to each other in rounding.
+// False where no number lies between the last parameter and the one ahead.
 bool EdgeSamples::IsBetween(const Sample& middle) const
 {
   return this->Last.Parameter < middle.Parameter && middle.Parameter < this->Ahead.back().Parameter;

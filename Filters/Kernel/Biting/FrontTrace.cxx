@@ -3,10 +3,11 @@
 
 #include "FrontTrace.h"
 
+#include "Bisectors.h" // for InsideOf
 #include "BiteOutline.h"
 
-#include <algorithm> // for sort
-#include <cmath>     // for sqrt, ceil
+#include <algorithm> // for max, min, sort
+#include <cmath>     // for ceil
 #include <utility>   // for pair
 
 namespace biting
@@ -22,19 +23,6 @@ constexpr double GrowthOfTraced = 1.0 + 2e-9;
 constexpr double GrowthOfNewer = 1.0 + 1e-9;
 constexpr double ChordsPerHalfSide = 4.0;
 constexpr double LeastPiece = 1e-8; // of a bite's half-width: shorter pieces are rounding
-
-// The parameters in [0, 1] between which start + t span lies in the circle about the origin; an
-// empty interval at 1 where it does not.
-std::pair<double, double> PartInCircle(const Point2& start, const Point2& span, double radius)
-{
-  const double square = Dot(span, span);
-  const double middle = -Dot(start, span) / square;
-  const double away = Cross(start, span);
-  const double half = std::sqrt(std::max(0.0, radius * radius * square - away * away)) / square;
-  const double low = std::max(0.0, middle - half);
-  const double high = std::min(1.0, middle + half);
-  return low < high ? std::make_pair(low, high) : std::make_pair(1.0, 1.0);
-}
 
 class FrontTracer
 {
@@ -189,33 +177,14 @@ void FrontTracer::TraceSegment(Id segment)
   }
 }
 
-// The parameters between which ab runs inside the bite; an empty interval at 1 where it does not.
+// The parameters in [0, 1] between which ab runs inside the bite; an empty interval at 1 where it
+// does not.
 FrontTracer::Interval FrontTracer::CoveredPart(Id bite, const Point2& a, const Point2& b) const
 {
-  const Point2 offset = a - this->Squares.Centers[bite];
-  const Point2& axis = this->Squares.Axes[bite];
-  const double halfWidth = this->Squares.HalfWidths[bite];
-  if (this->Squares.IsCircle(bite))
-  {
-    return PartInCircle(offset, b - a, halfWidth);
-  }
-  Interval part{ 0.0, 1.0 };
-  const std::pair<double, double> slabs[2] = { { Dot(offset, axis), Dot(b - a, axis) },
-    { Cross(axis, offset), Cross(axis, b - a) } };
-  for (const auto& [start, slope] : slabs)
-  {
-    if (slope == 0.0 && std::abs(start) >= halfWidth)
-    {
-      return { 1.0, 1.0 };
-    }
-    if (slope != 0.0)
-    {
-      const double first = (-halfWidth - start) / slope;
-      const double second = (halfWidth - start) / slope;
-      part.first = std::max(part.first, std::min(first, second));
-      part.second = std::min(part.second, std::max(first, second));
-    }
-  }
+  const Bites& bites = this->Squares;
+  const auto [enter, leave] =
+    InsideOf(bites.Axes[bite], bites.HalfWidths[bite], a - bites.Centers[bite], b - a);
+  const Interval part{ std::max(enter, 0.0), std::min(leave, 1.0) };
   return part.first < part.second ? part : Interval{ 1.0, 1.0 };
 }
 

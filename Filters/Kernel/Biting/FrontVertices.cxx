@@ -96,9 +96,7 @@ bool FrontVertices::HideGaps(Id bite)
       const Point2 middle = this->Outline.At(side, 0.5 * (part.Low + part.High));
       const auto hides = [this, bite, &middle](Id other)
       { return Depth(this->State.Placed, other, middle) > 0.0 && this->Look(bite, other); };
-      const Id deepest = this->State.Grid.DeepestOfLeaf(middle);
-      if (part.Low < part.High && !(deepest != NoId && hides(deepest)) &&
-        !this->State.Grid.VisitLeaf(middle, hides))
+      if (part.Low < part.High && !this->State.Grid.VisitLeaf(middle, hides))
       {
         return false;
       }

@@ -23,7 +23,7 @@ class FrontVertices
 public:
   explicit FrontVertices(const BitingState& state);
 
-  /// Those within the domain; valid until the next call.
+  /// The vertices of the front on this bite that lie in the domain; valid until the next call.
   const std::vector<Point2>& Find(Id bite);
 
   /// Gives the memory back.

@@ -3,8 +3,7 @@
 
 #include "InteriorBiting.h"
 
-#include "BalancedTop.h"
-#include "ReachFactor.h"
+#include "BiteTriangle.h"
 
 namespace biting
 {
@@ -12,8 +11,8 @@ namespace biting
 InteriorBiting::InteriorBiting(BitingState& state)
   : State(state)
   , IsUniform(state.F.IsUniform())
-  , Points(state.Placed, state.Grid, state.PartLength / state.BitingConstant,
-      UsedTolerance(state.Options), state.Geometry.Resolution)
+  , Points(state.Placed, state.Grid, state.Options.PartLength / state.Options.BitingConstant,
+      state.Options.Tolerance, state.Geometry.Resolution)
   , Front(state)
   , Queue(state.Options.Order)
   , Rest(state)
@@ -62,7 +61,7 @@ void InteriorBiting::BiteCandidate(Candidate candidate)
 }
 
 // Squares go where f asks for them, unless one of the two bites covers that; circles are made
-// larger or smaller instead (ReachFactor.h). Most candidates are covered by then, and f is asked
+// larger or smaller instead (BiteTriangle.h). Most candidates are covered by then, and f is asked
 // for the others only. Returns f where the candidate comes to lie, 0 where it was not asked there.
 double InteriorBiting::Shift(Candidate& candidate) const
 {
@@ -78,9 +77,9 @@ double InteriorBiting::Shift(Candidate& candidate) const
     candidate.Place, left, right, here };
   const double share =
     (this->State.Placed.HalfWidths[bite] + this->State.Placed.HalfWidths[other]) /
-    (this->State.BitingConstant * (left + right));
+    (this->State.Options.BitingConstant * (left + right));
   const Point2 top =
-    BalancedTop(triangle, share * this->State.Options.Stretch * this->State.PartLength);
+    BalancedTop(triangle, share * this->State.Options.Stretch * this->State.Options.PartLength);
   if (top == candidate.Place || this->Points.IsCoveredBy(bite, top) ||
     this->Points.IsCoveredBy(other, top))
   {
@@ -154,7 +153,8 @@ void InteriorBiting::PutFrontVertices(Id bite)
   }
 }
 
-// What bisectors left over, once there are no other candidates. True where there are some again.
+// Looks for left-overs of bisectors once the queue is empty. Returns whether there are candidates
+// again.
 bool InteriorBiting::PutLeftOvers()
 {
   if (this->State.Options.Placement == Placement::Corners)

@@ -4,7 +4,6 @@
 #include "LeftOvers.h"
 
 #include "BiteOutline.h" // for Depth
-#include "CornerCover.h"
 
 #include <algorithm> // for clamp, max, min, max_element, min_element
 #include <iterator>  // for begin, end
@@ -17,24 +16,10 @@ namespace biting
 namespace
 {
 
-constexpr double RecalledReach = 4.0; // in half-widths: further than most gaps go on
-constexpr Id LeastToForget = 1 << 16; // with fewer bites the grid takes less than 10 MB
-constexpr int MostTaken = 64;         // more than there are where f follows the domain
-constexpr int MostHalvings = 40;      // of triangles: from the whole domain to far below f
-constexpr int MostApproaches = 20;    // to a corner: half of the way each
+constexpr int MostTaken = 64;      // more than there are where f follows the domain
+constexpr int MostHalvings = 40;   // of triangles: from the whole domain to far below f
+constexpr int MostApproaches = 20; // to a corner: half of the way each
 constexpr int LeastCrowd = 64;
-
-ConstraintEdges ConstraintsOf(const BitingState& state)
-{
-  const BitingResult& result = state.Result;
-  ConstraintEdges constraints{ result.EdgeStarts, result.EdgeEnds, {} };
-  constraints.IsBoundary.reserve(result.EdgeSegments.size());
-  for (const Id segment : result.EdgeSegments)
-  {
-    constraints.IsBoundary.push_back(state.Geometry.IsBoundary[segment]);
-  }
-  return constraints;
-}
 
 // Order -> the first bite of it. Bites are numbered as the vertices say, but for several squares of
 // a vertex, and shields.
@@ -104,7 +89,6 @@ std::vector<Point2> LeftOvers::FindPlaces()
       (this->Found.size() > before ? this->Gaps : this->Doubtful).push_back(triangle);
     }
   }
-  this->RecallAboutFound();
   return this->Found;
 }
 
@@ -133,17 +117,15 @@ std::vector<Id> LeftOvers::FindBites()
       marked.push_back(bite);
     }
   }
-  if (!marked.empty())
-  {
-    this->State.Grid.RecallAll();
-  }
   return marked;
 }
 
 void LeftOvers::Begin()
 {
   this->HasBegun = true;
-  this->Triangulate();
+  this->State.Result.Triangulated = MakeConstrainedMesh(this->State.Result.Points,
+    ConstraintsOf(this->State.Result, this->State.Geometry), this->State.Options.Phi,
+    this->State.Progress);
   const ConstrainedMesh& made = this->State.Result.Triangulated;
   if (!made.IsWhole() || this->State.Progress.HasStopped())
   {
@@ -160,50 +142,6 @@ void LeftOvers::Begin()
       this->Gaps.push_back(triangle);
     }
   }
-  this->RecallAboutGaps();
-}
-
-// The grid and the triangulation need as much memory each: where there may be gaps the grid is
-// recalled.
-void LeftOvers::Triangulate()
-{
-  if (this->State.Placed.Size() >= LeastToForget)
-  {
-    this->State.Grid.Forget(this->State.Progress);
-  }
-  this->State.Result.Triangulated = MakeConstrainedMesh(this->State.Result.Points,
-    ConstraintsOf(this->State), this->State.Options.Phi, this->State.Progress);
-}
-
-void LeftOvers::RecallAboutGaps()
-{
-  if (!this->State.Grid.IsForgotten())
-  {
-    return;
-  }
-  std::vector<Box2> boxes;
-  boxes.reserve(this->Gaps.size());
-  for (const Id triangle : this->Gaps)
-  {
-    boxes.push_back(this->BoxOf(triangle));
-  }
-  this->State.Grid.Recall(boxes, this->State.Progress);
-}
-
-// As far as the bites there, and those that they make, will be asked for.
-void LeftOvers::RecallAboutFound()
-{
-  if (!this->State.Grid.IsForgotten())
-  {
-    return;
-  }
-  std::vector<Box2> boxes(this->Found.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-  {
-    boxes[k].Add(this->Found[k]);
-    boxes[k].Grow(RecalledReach * this->State.BitingConstant * this->State.F(this->Found[k]));
-  }
-  this->State.Grid.Recall(boxes, this->State.Progress);
 }
 
 Box2 LeftOvers::BoxOf(Id triangle) const

@@ -21,18 +21,18 @@ namespace biting
 /// Finds where bites may have left something of the domain over, in the triangulation of what they
 /// have made, which it makes (BitingResult::Triangulated).
 ///
-/// Nothing is left of a triangle whose circumradius is at most the least half-width at its corners:
-/// each of its places is as near to one of them. Nor is of one that the bites of its corners cover,
-/// or that lies outside. From what remains, one in a thousand where f is level, one in ten where it
-/// is steep, bites are taken away one by one until nothing is left (Remains.h).
+/// A triangle is covered if its circumradius is at most the least half-width at its corners, as
+/// each of its places is that near to a corner; if the bites of its corners cover it; or if it lies
+/// outside of the domain. From each other triangle, one in a thousand where f is level, one in ten
+/// where it is steep, bites are subtracted one by one until it is empty (Remains.h).
 class LeftOvers
 {
 public:
   explicit LeftOvers(BitingState& state);
 
-  /// Places of the front beside gaps, most often one or more for each gap; to be called again when
-  /// these are bitten, until there are none: so it is, too, where nothing was bitten since the last
-  /// call, as gaps may be as narrow as rounding. Without meaning on abort.
+  /// Places of the front beside gaps, mostly at least one a gap. To be called again once these are
+  /// bitten, until there are none. There are none, too, where nothing was bitten since the last
+  /// call: a gap may be as narrow as rounding. Without meaning on abort.
   std::vector<Point2> FindPlaces();
 
   /// Law, once there are no such places: of all that no bite covers, each part is bounded by
@@ -54,10 +54,7 @@ private:
   };
 
   void Begin();
-  void Triangulate();
   std::array<Id, 3> BitesOf(Id triangle) const;
-  void RecallAboutGaps();
-  void RecallAboutFound();
   Box2 BoxOf(Id triangle) const;
   bool MayHaveGap(Id triangle) const;
   bool IsOutside(Id triangle) const;

@@ -74,6 +74,15 @@ private:
   std::vector<double> Beyond; ///< how far the corners of Inside lie beyond a side
 };
 
+// Whether nothing is left of a triangle, by what is about its corners alone.
+
+/// Whether each place of the triangle is within `distance` of one of its corners.
+bool IsWithinOfCorners(const std::array<Point2, 3>& corners, double distance);
+
+/// Whether these bites, centred at the corners of the triangle, cover it. Where it says no they may
+/// do so all the same.
+bool CoverTriangle(const Bites& bites, const std::array<Id, 3>& atCorners);
+
 } // namespace biting
 
 #endif

@@ -5,10 +5,9 @@
 
 #include "../Base/Pulse.h"
 
-#include <algorithm> // for min, max, min_element
+#include <algorithm> // for min, max
 #include <array>     // for quarters
 #include <cmath>     // for ceil, log
-#include <cstdint>   // for scattering
 #include <limits>    // for infinity
 #include <numeric>   // for accumulate
 #include <vector>    // for the cells to do
@@ -31,15 +30,11 @@ constexpr double LeastDoubt =
 constexpr double DoubtOnBorder = 0.3; // of what a cell may hold: the area is known
 constexpr double LeastCells = 2048.0;
 constexpr double GreatestCells = 100000.0;
-constexpr double GreatestCellsOfRough = 8192.0;
 constexpr double CellsPerVertex = 16.0;      // between these limits: a small mesh asks for no more
 constexpr double SegmentPanel = 3.0;         // of a segment, in spacings
 constexpr double NearlyLevel = 1e-3;         // growth of f in a panel, as a share of it
 constexpr double MostPanels = 64.0;          // along a segment
 constexpr double MostPanelsInAll = 300000.0; // but at least one a segment
-constexpr double MostPanelsOfRough = 32768.0;
-constexpr Id MostSegmentsOfRough = 16384;
-constexpr std::size_t PartsOfRough = 4; // the least of them counts: one spike is in one of them
 
 struct Sample
 {
@@ -153,11 +148,9 @@ double MeanDensityOfSegments(const Domain& domain, const Spacing& spacing, Pulse
 class Quadrature
 {
 public:
-  Quadrature(
-    const DomainLocator& locator, const Spacing& spacing, double mostCells, Monitor& monitor)
+  Quadrature(const DomainLocator& locator, const Spacing& spacing, Monitor& monitor)
     : Locator(locator)
     , F(spacing)
-    , MostCells(mostCells)
     , Beats(monitor)
   {
   }
@@ -169,7 +162,7 @@ public:
       double waiting = 0.0;
       for (std::size_t k = 0; k < cells.size() && this->Beats.Beat(); ++k)
       {
-        this->Beats.SetFraction(this->NumberOfCells++ / this->MostCells);
+        this->Beats.SetFraction(this->NumberOfCells++ / GreatestCells);
         TakeSample(this->Locator, this->F, cells[k]);
         waiting += cells[k].Values.Density;
       }
@@ -187,7 +180,7 @@ private:
   // The quarters of those that are worth it; the others are done.
   std::vector<Cell> Divide(const std::vector<Cell>& cells, double whole)
   {
-    const double most = std::min(std::max(LeastCells, CellsPerVertex * whole), this->MostCells);
+    const double most = std::min(std::max(LeastCells, CellsPerVertex * whole), GreatestCells);
     std::vector<Cell> next;
     for (const Cell& cell : cells)
     {
@@ -209,28 +202,11 @@ private:
 
   const DomainLocator& Locator;
   const Spacing& F;
-  const double MostCells;
   Pulse Beats;
   double NumberOfCells = 0.0;
   double Density = 0.0; ///< integral over the cells that are done
   double Area = 0.0;    ///< of these, inside
 };
-
-// All, or of each run of them one, never at the same place of it: drawings repeat themselves.
-std::vector<Id> ChooseSegments(const Domain& domain, EstimateEffort effort)
-{
-  const Id count = domain.NumberOfSegments();
-  const Id run = effort == EstimateEffort::Full ? 1 : 1 + (count - 1) / MostSegmentsOfRough;
-  std::vector<Id> segments;
-  segments.reserve(static_cast<std::size_t>(count / run));
-  std::uint32_t scattered = 0;
-  for (Id first = 0; first + run <= count; first += run)
-  {
-    segments.push_back(first + static_cast<Id>((scattered >> 8) % static_cast<std::uint32_t>(run)));
-    scattered += 2654435769u; // the golden section of 2^32
-  }
-  return segments;
-}
 
 // How 1/f is integrated along a segment.
 struct SegmentRule
@@ -241,16 +217,14 @@ struct SegmentRule
 };
 
 // Most segments begin where the one before ends.
-std::vector<SegmentRule> MakeRules(
-  const Domain& domain, const std::vector<Id>& segments, const Spacing& spacing, Pulse& pulse)
+std::vector<SegmentRule> MakeRules(const Domain& domain, const Spacing& spacing, Pulse& pulse)
 {
   std::vector<SegmentRule> rules;
-  rules.reserve(segments.size());
+  rules.reserve(domain.Starts.size());
   Id last = NoId;
   double atLast = 0.0;
-  for (std::size_t k = 0; k < segments.size() && pulse.Beat(); ++k)
+  for (Id segment = 0; segment < domain.NumberOfSegments() && pulse.Beat(); ++segment)
   {
-    const Id segment = segments[k];
     const Id start = domain.Starts[segment];
     const double atStart = start == last ? atLast : spacing(domain.Vertices[start]);
     last = domain.Ends[segment];
@@ -292,16 +266,15 @@ double IntegrateInverse(const Domain& domain, Id segment, const SegmentRule& rul
 
 } // namespace
 
-double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  Monitor& monitor, EstimateEffort effort)
+double IntegrateDensity(
+  const Domain& domain, const DomainLocator& locator, const Spacing& spacing, Monitor& monitor)
 {
   if (spacing.IsUniform())
   {
     const double f = spacing(domain.Bounds.Center());
     return domain.Area / (f * f);
   }
-  const double mostCells = effort == EstimateEffort::Full ? GreatestCells : GreatestCellsOfRough;
-  Quadrature quadrature(locator, spacing, mostCells, monitor);
+  Quadrature quadrature(locator, spacing, monitor);
   quadrature.Run(FirstCells(domain.Bounds));
   const double mean = quadrature.Mean() >= 0.0
     ? quadrature.Mean()
@@ -309,30 +282,24 @@ double IntegrateDensity(const Domain& domain, const DomainLocator& locator, cons
   return mean * domain.Area;
 }
 
-double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength,
-  Monitor& monitor, EstimateEffort effort)
+double EstimateDivisionPoints(
+  const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  const std::vector<Id> segments = ChooseSegments(domain, effort);
-  const std::vector<SegmentRule> rules = MakeRules(domain, segments, spacing, pulse);
+  const std::vector<SegmentRule> rules = MakeRules(domain, spacing, pulse);
   const double panels = std::accumulate(rules.begin(), rules.end(), 0.0,
     [](double sum, const SegmentRule& rule) { return sum + rule.Panels; });
-  const double mostPanels = effort == EstimateEffort::Full ? MostPanelsInAll : MostPanelsOfRough;
-  const double share = std::min(1.0, mostPanels / panels);
-  const bool isAll = static_cast<Id>(segments.size()) == domain.NumberOfSegments();
-  std::vector<double> points(isAll ? 1 : PartsOfRough, 0.0);
+  const double share = std::min(1.0, MostPanelsInAll / panels);
+  double points = 0.0;
   for (std::size_t k = 0; k < rules.size() && pulse.Beat(); ++k)
   {
     pulse.SetFraction(static_cast<double>(k) / static_cast<double>(rules.size()));
     const int count = static_cast<int>(std::ceil(share * rules[k].Panels));
     const double parts =
-      IntegrateInverse(domain, segments[k], rules[k], count, spacing, pulse) / partLength;
-    points[k % points.size()] += std::max(0.0, parts - 1.0);
+      IntegrateInverse(domain, static_cast<Id>(k), rules[k], count, spacing, pulse) / partLength;
+    points += std::max(0.0, parts - 1.0);
   }
-  const double weight = isAll ? 1.0
-                              : static_cast<double>(PartsOfRough) * domain.NumberOfSegments() /
-      static_cast<double>(segments.size());
-  return weight * *std::min_element(points.begin(), points.end());
+  return points;
 }
 
 } // namespace biting

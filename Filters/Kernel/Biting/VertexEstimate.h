@@ -12,26 +12,17 @@
 namespace biting
 {
 
-/// How much an estimate may cost.
-enum class EstimateEffort
-{
-  Full,
-  Rough ///< a tenth or less of it: what is fine in few places only is missed
-};
-
 /// The integral of 1/f^2 over the domain, to about 5 % for a spacing that varies slowly; finer than
 /// an adaptive quadrature of bounded cost sees, it is too small. Cost independent of the mesh.
 /// Where the monitor asks to stop the result has no meaning; so it is with the next one.
 double IntegrateDensity(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-  Monitor& monitor = NoMonitor(), EstimateEffort effort = EstimateEffort::Full);
+  Monitor& monitor = NoMonitor());
 
 /// How many vertices divide the segments of the domain into parts of `partLength` spacings: the
 /// integral of 1/f along each, by a rule of at most 64 points, fewer where there are many segments.
-/// Sees a spacing that is fine on the boundary alone, which no quadrature over the domain does. A
-/// rough one looks at some ten thousand segments, and takes the least of what four interleaved
-/// parts of them say.
-double EstimateDivisionPoints(const Domain& domain, const Spacing& spacing, double partLength,
-  Monitor& monitor = NoMonitor(), EstimateEffort effort = EstimateEffort::Full);
+/// Sees a spacing that is fine on the boundary alone, which no quadrature over the domain does.
+double EstimateDivisionPoints(
+  const Domain& domain, const Spacing& spacing, double partLength, Monitor& monitor = NoMonitor());
 
 } // namespace biting
 

@@ -15,14 +15,16 @@
 namespace biting
 {
 
-/// What the first member of a crew needs of a block that stays with another one: what lies around
-/// cuts, as far as relaxation there may reach, and all triangles at segments, at vertices of the
-/// domain and at those that blocks share. The rest is the core of the block: triangles far from all
-/// that, with vertices of the block's own only, on no segment.
+/// The halo of a block: the part that the first member of a crew needs, where the block stays with
+/// another member. It has the triangles around cuts, as far as relaxation along the cuts may reach,
+/// and all triangles at segments, at vertices of the domain and at vertices that blocks share. The
+/// rest is the core of the block. Its triangles have vertices of this block only, none on a
+/// segment.
 struct BlockCollar
 {
-  BlockMesh Mesh;            ///< with all edges; what lies across to the core is NoId
-  std::vector<Id> Vertices;  ///< of those it shares with none: which of these in the block, rising
+  BlockMesh Mesh; ///< with all edges; what lies across to the core is NoId
+  std::vector<Id>
+    Vertices; ///< of the collar, that no other block has: which ones of the block, rising
   std::vector<Id> Triangles; ///< which in the block, rising
   Id NumberOfVertices = 0;   ///< of the block, that it shares with none
   Id NumberOfTriangles = 0;  ///< of the block
@@ -31,10 +33,20 @@ struct BlockCollar
 /// Which vertices of the graph are ends of pieces of cuts.
 std::vector<std::uint8_t> VerticesOnCuts(const CutGraph& graph);
 
-/// The triangles that are at most so many steps across edges from one at a cut, and those that are
-/// of the collar anyway.
+/// The collar of a block, with the triangles at most `steps` across edges from one at a cut.
 BlockCollar TakeCollar(const BlockDomain& block, const std::vector<std::uint8_t>& isOnCut,
   const BlockMesh& mesh, int steps);
+
+/// The collars of those of all `blocks` that `numbers` names, as bytes of this machine, for another
+/// process that has the same blocks: about 115 a vertex. Numbers of vertices stay 32 bits wide, as
+/// they are those of a block.
+std::vector<char> PackCollars(const BlockDomains& blocks, const std::vector<std::size_t>& numbers,
+  const std::vector<BlockCollar>& collars);
+
+/// Puts them where they belong. False where the bytes are none, or of other blocks; then nothing is
+/// changed.
+bool UnpackCollars(const std::vector<char>& bytes, const BlockDomains& blocks,
+  const std::vector<std::size_t>& numbers, std::vector<BlockCollar>& collars);
 
 } // namespace biting
 

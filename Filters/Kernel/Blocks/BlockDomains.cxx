@@ -8,10 +8,11 @@
 #include "../Delaunay/Triangulation.h"
 #include "../Domain/AreaSum.h"
 
-#include <algorithm> // for sort, unique, lower_bound, replace
+#include <algorithm> // for sort, stable_sort, unique, lower_bound, replace
 #include <cstdint>   // for flags
 #include <limits>    // for areas
 #include <map>       // for areas
+#include <numeric>   // for iota
 #include <utility>   // for move, pair
 
 namespace biting
@@ -29,7 +30,7 @@ struct Sides
 
 constexpr double DivisionEnd = 0.3; // of the time
 
-// Of the boundary, with the inside on its left.
+// The area enclosed by the boundary.
 void AddArea(Domain& domain)
 {
   AreaSum area(domain.Bounds.Center());
@@ -213,7 +214,8 @@ std::pair<Point2, double> BlockMaker::MiddleOf(Id triangle) const
   return { a + 1.0 / 3.0 * (ab + ac), Cross(ab, ac) };
 }
 
-// What touches may lie in two leaves also where no cut is near: land on both sides of a strait.
+// Two segments that nearly touch may be of faces in two leaves, though no cut is near, as the land
+// on both sides of a strait: the leaves become one block.
 void BlockMaker::UniteTouching()
 {
   for (const CutTree::Node& node : this->Plan.Tree.Nodes)
@@ -233,7 +235,7 @@ void BlockMaker::UniteTouching()
   }
 }
 
-// One that is uncut has both of its sides in one face.
+// Both sides of an uncut segment are in one face.
 std::vector<Id> BlockMaker::FacesOfSegments() const
 {
   std::vector<Id> faces(this->Geometry.Starts.size(), NoId);
@@ -248,7 +250,7 @@ std::vector<Id> BlockMaker::FacesOfSegments() const
   return faces;
 }
 
-// Leaves without a face are passed over.
+// A leaf that has no face is no block.
 void BlockMaker::NumberBlocks()
 {
   std::vector<Id> numbers(this->Plan.Tree.Nodes.size(), NoId);
@@ -312,7 +314,7 @@ std::vector<BlockDomain> BlockMaker::MakeBlocks() const
   return blocks;
 }
 
-// A cut within a block is none.
+// A cut with one block on both sides is left out.
 std::vector<Id> BlockMaker::BlocksAt(Id piece) const
 {
   const Sides& sides = this->SidesOf[piece];
@@ -411,6 +413,22 @@ BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, cons
     result.Blocks = BlockMaker(domain, plan, result.Graph).Make(making);
   }
   return result;
+}
+
+std::vector<std::vector<std::size_t>> ShareBlocks(
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members)
+{
+  std::vector<std::size_t> largestFirst(blocks.size());
+  std::iota(largestFirst.begin(), largestFirst.end(), std::size_t{ 0 });
+  std::stable_sort(largestFirst.begin(), largestFirst.end(),
+    [&blocks](std::size_t a, std::size_t b)
+    { return blocks[a].ExpectedVertices > blocks[b].ExpectedVertices; });
+  std::vector<std::vector<std::size_t>> shares(members);
+  for (const std::size_t block : largestFirst)
+  {
+    shares[static_cast<std::size_t>(dealtLeaves[blocks[block].Leaf])].push_back(block);
+  }
+  return shares;
 }
 
 } // namespace biting

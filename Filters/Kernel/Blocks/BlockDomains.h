@@ -12,6 +12,7 @@
 #include "CutGraph.h"
 #include "CutPlan.h"
 
+#include <cstddef> // for numbers of blocks
 #include <cstdint> // for flags
 #include <vector>  // for the maps
 
@@ -37,12 +38,18 @@ struct BlockDomains
   std::vector<std::uint8_t> AreTouching; ///< segments of the domain (CutPlan.h)
 };
 
-/// Divides the cuts, and the domain along them. A block is what cuts enclose, or several of such,
-/// where they lie in one leaf of the tree, or in leaves with segments that nearly touch each other
-/// (NearTouches.h). No blocks where there are less than two, where parts of cuts would meet by
-/// rounding, and where the monitor wants to stop.
+/// Divides the cuts, and the domain along them. A block is a face enclosed by cuts, or the union of
+/// several: of those in one leaf of the tree, and of leaves with segments that nearly touch each
+/// other (NearTouches.h). No blocks where there are less than two, where parts of cuts would meet
+/// by rounding, and where the monitor wants to stop.
 BlockDomains MakeBlockDomains(const Domain& domain, const Spacing& spacing, const CutPlan& plan,
   const CutDivision& division, Monitor& monitor);
+
+/// The blocks of each of `members`, as numbers: `dealtLeaves` (DealLeaves) says to whom each leaf
+/// goes, and with it the blocks that lie there. A member's share begins with its largest block:
+/// while that is at work, other threads do several of the others. Depends on the blocks alone.
+std::vector<std::vector<std::size_t>> ShareBlocks(
+  const std::vector<BlockDomain>& blocks, const std::vector<Id>& dealtLeaves, std::size_t members);
 
 } // namespace biting
 

@@ -5,20 +5,15 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
-#include "../Biting/BitingState.h"
 #include "../Stages/RelaxedBites.h"
 #include "../Stages/SoundTriangulation.h"
 #include "../Stages/StageProblems.h"
-#include "BlockBytes.h"
-#include "BlockShares.h"
-#include "CollarOwners.h"
 #include "CutPlan.h"
 #include "StripParts.h"
 
 #include <algorithm> // for max
-#include <atomic>    // for what threads share
 #include <cstdint>   // for counts
-#include <string>    // for violations
+#include <limits>    // for the largest number of a bite
 #include <utility>   // for move
 
 namespace biting
@@ -31,6 +26,7 @@ namespace
 constexpr double PlanEnd = 0.02;
 constexpr double CuttingEnd = 0.7;
 constexpr double LocatorEnd = 0.05;
+constexpr double BitingEnds = 0.8; // of a block
 constexpr double BlocksEnd = 0.8;
 constexpr double JoiningEnd = 0.25; // of what follows
 
@@ -62,7 +58,7 @@ bool RefuseLargeShares(const std::vector<std::vector<std::size_t>>& shares,
     }
     largest = std::max(largest, vertices);
   }
-  // One that has all was looked at before, by the better estimate.
+  // A share that is the whole was compared before, by the better estimate.
   return shares.size() > 1 && largest > most &&
     RefuseMoreThan(static_cast<std::int64_t>(expected / largest * most), expected, problems);
 }
@@ -110,7 +106,7 @@ bool BlockMesher::Bite(const DomainLocator& locator, double vertices, double ver
   this->BiteBlocks(biting);
   if (!AddAborted(biting, problems))
   {
-    this->RefuseTooManyVertices(problems);
+    this->ConcludeBiting(problems);
   }
   return true;
 }
@@ -121,15 +117,15 @@ void BlockMesher::Plan(const DomainLocator& locator, double vertices, double ver
   PartOfStage cutting(monitor, 0.0, CuttingEnd);
   Pulse pulse(cutting);
   const CutPlan plan = PlanCuts(this->Geometry, locator, this->F,
-    { vertices, verticesPerBlock, UsedPartLength(this->Options) }, pulse);
+    { vertices, verticesPerBlock, this->Options.PartLength }, pulse);
   if (cutting.HasStopped())
   {
     return;
   }
   PartOfStage making(monitor, CuttingEnd, 1.0);
   CutDivision division;
-  division.BitingConstant = UsedBitingConstant(this->Options);
-  division.PartLength = UsedPartLength(this->Options);
+  division.BitingConstant = this->Options.BitingConstant;
+  division.PartLength = this->Options.PartLength;
   division.MostVertices = static_cast<Id>(this->Options.MaximumNumberOfVertices);
   this->Own.Parts = MakeBlockDomains(this->Geometry, this->F, plan, division, making);
   this->Tree = plan.Tree;
@@ -150,37 +146,15 @@ void BlockMesher::Plan(const DomainLocator& locator, double vertices, double ver
   }
 }
 
-// Threads that find no more blocks to bite triangulate some, for as long as others bite.
 void BlockMesher::BiteBlocks(Monitor& monitor)
 {
-  const std::size_t count = this->LargestFirst.size();
   this->Found.resize(this->Own.Meshes.size());
-  this->AreTriangulated.assign(this->Own.Meshes.size(), 0);
-  std::vector<std::atomic<bool>> areBitten(count);
-  std::atomic<std::size_t> begun{ 0 };
-  std::atomic<std::size_t> ended{ 0 };
-  std::atomic<std::size_t> next{ 0 };
   Pulse pulse(monitor);
-  DoTasks(pulse, count,
-    [this, count, &areBitten, &begun, &ended, &next](std::size_t k, Monitor& own)
-    {
-      ++begun;
-      this->BiteBlock(this->LargestFirst[k], own);
-      areBitten[k] = true;
-      ++ended;
-      PartOfStage after(own, 1.0, 1.0);
-      while (begun == count && ended < count && next < count && !after.HasStopped())
-      {
-        const std::size_t other = next++;
-        if (other < count && areBitten[other])
-        {
-          this->TriangulateBlock(this->LargestFirst[other], after);
-        }
-      }
-    });
+  DoTasks(pulse, this->LargestFirst.size(),
+    [this](std::size_t k, Monitor& own) { this->BiteBlock(this->LargestFirst[k], own); });
 }
 
-void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
+void BlockMesher::ConcludeBiting(ProblemList& problems)
 {
   std::int64_t most = this->MostOfWhole;
   std::int64_t vertices = 0;
@@ -201,57 +175,41 @@ void BlockMesher::RefuseTooManyVertices(ProblemList& problems) const
     // The estimate did not see all of f: more than the limit is what is known.
     AddTooManyVertices(std::max(this->Expected, static_cast<double>(most)), most, problems);
   }
+  for (const ProblemList& found : this->Found)
+  {
+    AddAll(found, problems);
+  }
+  this->Found.clear();
 }
 
+// Its triangulation follows at once: no thread waits for the blocks of others.
 void BlockMesher::BiteBlock(std::size_t block, Monitor& monitor)
 {
   const BlockDomain& part = this->Own.Parts.Blocks[block];
   PartOfStage locating(monitor, 0.0, LocatorEnd);
   Pulse pulse(locating);
   const DomainLocator locator(part.Geometry, pulse);
-  PartOfStage biting(monitor, LocatorEnd, 1.0);
-  BitingResult& bites = this->Own.Meshes[block].Bites;
+  PartOfStage biting(monitor, LocatorEnd, BitingEnds);
+  BlockMesh& mesh = this->Own.Meshes[block];
   BitingOptions options = this->Options;
   options.Stretch = part.Stretch;
-  bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, options, biting);
-  bites.Bites = Bites();
-  this->Own.Meshes[block].Bitten = static_cast<std::int64_t>(bites.Points.size());
-}
-
-Triangulation BlockMesher::Triangulate(ProblemList& problems, Monitor& monitor)
-{
-  PartOfStage part(monitor, 0.0, 1.0);
-  Pulse pulse(part);
-  DoTasks(pulse, this->LargestFirst.size(),
-    [this](std::size_t k, Monitor& own)
-    {
-      if (this->AreTriangulated[this->LargestFirst[k]] == 0)
-      {
-        this->TriangulateBlock(this->LargestFirst[k], own);
-      }
-    });
-  for (std::size_t block = 0; block < this->Found.size() && !AddAborted(part, problems); ++block)
+  mesh.Bites = BiteDomain(part.Geometry, locator, this->F, part.ExpectedVertices, options, biting);
+  mesh.Bites.Bites = Bites();
+  mesh.Bitten = static_cast<std::int64_t>(mesh.Bites.Points.size());
+  PartOfStage triangulating(monitor, BitingEnds, 1.0);
+  if (!biting.HasStopped() && mesh.Bites.End == BitingEnd::Complete)
   {
-    AddAll(this->Found[block], problems);
+    mesh.Triangles =
+      TriangulateBites(part.Geometry, {}, mesh.Bites, this->Found[block], triangulating);
   }
-  this->Found.clear();
-  return {};
-}
-
-void BlockMesher::TriangulateBlock(std::size_t block, Monitor& monitor)
-{
-  BlockMesh& mesh = this->Own.Meshes[block];
-  mesh.Triangles = TriangulateBites(
-    this->Own.Parts.Blocks[block].Geometry, {}, mesh.Bites, this->Found[block], monitor);
-  this->AreTriangulated[block] = 1;
 }
 
 void BlockMesher::Relax(
   BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor)
 {
   PartOfStage relaxing(monitor, 0.0, BlocksEnd);
-  this->RelaxBlocks(problems, relaxing);
-  if (AddAborted(relaxing, problems) || problems.HasErrors())
+  this->RelaxBlocks(relaxing);
+  if (AddAborted(relaxing, problems))
   {
     return;
   }
@@ -279,27 +237,19 @@ void BlockMesher::Relax(
   triangles = std::move(this->Joined.Triangles);
 }
 
-void BlockMesher::RelaxBlocks(ProblemList& problems, Monitor& monitor)
+void BlockMesher::RelaxBlocks(Monitor& monitor)
 {
-  std::vector<std::string> violations(this->Own.Meshes.size());
   RelaxationOptions options;
   options.PoorCotangents = PoorInBlock;
   Pulse pulse(monitor);
   DoTasks(pulse, this->LargestFirst.size(),
-    [this, &violations, &options](std::size_t k, Monitor& own)
+    [this, &options](std::size_t k, Monitor& own)
     {
       const std::size_t block = this->LargestFirst[k];
       BlockMesh& mesh = this->Own.Meshes[block];
-      violations[block] = RelaxBites(
+      RelaxBites(
         this->Own.Parts.Blocks[block].Geometry, this->F, options, mesh.Bites, mesh.Triangles, own);
     });
-  for (const std::string& violation : violations)
-  {
-    if (!violation.empty() && !pulse.HasStopped())
-    {
-      AddProblem(ProblemCode::CheckFailed, violation, problems);
-    }
-  }
 }
 
 // Of the blocks at hand.
@@ -314,8 +264,8 @@ void BlockMesher::TakeCollars()
   }
 }
 
-// What the others have made; what is missing is left as the blocks that this process makes. Returns
-// whether anybody holds blocks.
+// Receives the collars of the other members. Blocks that do not arrive become blocks of this
+// process. Returns whether a member holds blocks.
 bool BlockMesher::Collect(Monitor& monitor)
 {
   KeptBlocks& own = this->Own;
@@ -343,7 +293,7 @@ bool BlockMesher::Collect(Monitor& monitor)
   return isAny;
 }
 
-// The stages once more, for blocks that did not arrive.
+// Does all stages for the blocks that did not arrive.
 void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
 {
   PartOfStage making(monitor, 1.0, 1.0);
@@ -353,16 +303,15 @@ void BlockMesher::MakeMissing(ProblemList& problems, Monitor& monitor)
   }
   if (!making.HasStopped())
   {
-    this->RefuseTooManyVertices(problems);
+    this->ConcludeBiting(problems);
   }
   if (!this->LargestFirst.empty() && !AddAborted(making, problems) && !problems.HasErrors())
   {
-    this->Triangulate(problems, making);
-    this->RelaxBlocks(problems, making);
+    this->RelaxBlocks(making);
   }
 }
 
-// False where that does not give the whole.
+// Joins and relaxes the collars. False where the result is not that of the whole.
 bool BlockMesher::MendCollars(ProblemList& problems, PartOfStage& part)
 {
   KeptBlocks& own = this->Own;

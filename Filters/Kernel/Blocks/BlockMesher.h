@@ -17,22 +17,13 @@
 #include "CutStrip.h"
 #include "CutTree.h"
 #include "JoinedBlocks.h"
-#include "KeptBlocks.h"
+#include "WholeNumbers.h"
 
-#include <algorithm> // for min
-#include <cstdint>   // for flags, limits
-#include <limits>    // for the largest number of a bite
-#include <vector>    // for the blocks
+#include <cstdint> // for flags, limits
+#include <vector>  // for the blocks
 
 namespace biting
 {
-
-/// How many vertices the members of a crew may have together, where each may have `ofProcess`.
-/// Their bites have numbers of 32 bits, and there are fewer than two a vertex.
-inline std::int64_t MostVerticesOf(const Crew& members, std::int64_t ofProcess)
-{
-  return std::min(ofProcess * members.Size(), std::int64_t{ std::numeric_limits<Id>::max() / 2 });
-}
 
 /// Meshes a domain block by block, each by itself, on the threads of the monitor: biting,
 /// triangulation, relaxation; then joins the blocks and relaxes what lies along the cuts.
@@ -42,15 +33,15 @@ inline std::int64_t MostVerticesOf(const Crew& members, std::int64_t ofProcess)
 /// not in use. The domain and the spacing must outlive it. Problems are added in the order of the
 /// blocks.
 ///
-/// The members of a crew share the blocks, which stay with them: the first one joins and relaxes
-/// their collars only (BlockCollar.h), and has in `bites` and `triangles` the mesh of these. What
-/// does not arrive it makes itself; where the collars do not suffice, or nobody has sent any, it
-/// makes all, and has the mesh of the whole.
+/// The members of a crew share the blocks. A block stays with its member; the first member gets its
+/// collar (BlockCollar.h). The first member joins and relaxes the collars, and has their mesh in
+/// `bites` and `triangles`. It makes the blocks that do not arrive. Where the collars do not
+/// suffice, or no member has sent any, it makes all blocks and has the mesh of the whole.
 class BlockMesher
 {
 public:
-  /// With `ghostLevels`, what lies so many rings of vertices around a member's part is in the
-  /// collars' mesh, and two rings more. One process may have `mostInProcess` vertices.
+  /// The collars' mesh has `ghostLevels` + 2 rings of vertices around the part of a member. One
+  /// process may have `mostInProcess` vertices.
   BlockMesher(const Domain& domain, const Spacing& spacing, Crew& crew = NoCrew(),
     int ghostLevels = 0, std::int64_t mostInProcess = MostVerticesInIds)
     : Geometry(domain)
@@ -69,14 +60,14 @@ public:
   /// The blocks, and after the last step what is kept of them, where there are several members.
   KeptBlocks& Kept() { return this->Own; }
 
-  /// The steps, in their order. The first one cuts the domain, and bites its blocks; `vertices` are
-  /// expected, `options` has the biting constant. Returns false where there are no blocks, as where
-  /// `verticesPerBlock` is 0: then nothing is done.
+  /// The first step cuts the domain, bites its blocks and triangulates them. `vertices` are
+  /// expected. Returns false where there are no blocks, as where `verticesPerBlock` is 0: then
+  /// nothing is done.
   bool Bite(const DomainLocator& locator, double vertices, double verticesPerBlock,
     const BitingOptions& options, ProblemList& problems, Monitor& monitor);
-  /// Triangulate returns nothing: only Relax has the mesh of the whole domain, in `bites` and
-  /// `triangles`.
-  Triangulation Triangulate(ProblemList& problems, Monitor& monitor);
+
+  /// The second step relaxes the blocks and joins them. `bites` and `triangles` are then the mesh
+  /// of the whole domain.
   void Relax(
     BitingResult& bites, Triangulation& triangles, ProblemList& problems, Monitor& monitor);
 
@@ -84,10 +75,9 @@ private:
   void Plan(const DomainLocator& locator, double vertices, double verticesPerBlock,
     ProblemList& problems, Monitor& monitor);
   void BiteBlocks(Monitor& monitor);
-  void RefuseTooManyVertices(ProblemList& problems) const;
+  void ConcludeBiting(ProblemList& problems);
   void BiteBlock(std::size_t block, Monitor& monitor);
-  void TriangulateBlock(std::size_t block, Monitor& monitor);
-  void RelaxBlocks(ProblemList& problems, Monitor& monitor);
+  void RelaxBlocks(Monitor& monitor);
   void TakeCollars();
   bool Collect(Monitor& monitor);
   void MakeMissing(ProblemList& problems, Monitor& monitor);
@@ -108,7 +98,6 @@ private:
   std::vector<std::size_t> LargestFirst;        ///< the blocks that this process makes, as tasks
   std::vector<std::vector<std::size_t>> Shares; ///< of the members: blocks, the largest first
   std::vector<ProblemList> Found;               ///< in the triangulations of the blocks
-  std::vector<std::uint8_t> AreTriangulated;
   JoinedMesh Joined;
 };
 

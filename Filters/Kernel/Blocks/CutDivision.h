@@ -12,7 +12,7 @@
 namespace biting
 {
 
-/// What parts of cuts are long.
+/// The wanted length of the parts of cuts.
 struct CutDivision
 {
   double BitingConstant = 0.0;
@@ -20,9 +20,9 @@ struct CutDivision
   Id MostVertices = 0;
 };
 
-/// Divides all cuts, as segments of the domain are. Folded ones have an odd number of vertices, of
-/// which the first, third, and so on are half a part's length to the left, in rows of the lattice
-/// that both sides make (CutRows.h). False where more vertices are needed than there may be, and
+/// Divides all cuts, as segments of the domain are divided. A folded cut has an odd number of
+/// vertices. The first, third, fifth lie half a part's length to its left, in the rows of the
+/// lattice that both sides make (CutRows.h). False where more than MostVertices are needed, and
 /// where the monitor wants to stop.
 bool DivideCuts(const Spacing& spacing, const CutDivision& wanted, CutGraph& graph, Pulse& pulse);
 

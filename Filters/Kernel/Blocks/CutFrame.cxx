@@ -99,7 +99,7 @@ Point2 AxisAlong(const Point2& way)
   return axis;
 }
 
-// Those of the coordinates, then those of the longest segments.
+// The axes of the coordinates come first, then those of the longest segments.
 std::vector<Point2> AxesAlong(const std::vector<Point2>& ways)
 {
   std::vector<Point2> longest(std::min(MostDirections, ways.size()));

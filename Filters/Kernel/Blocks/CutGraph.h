@@ -61,7 +61,7 @@ struct CutGraph
   }
 
   /// Divides the piece: it ends at the vertex then, and another one, which is returned, goes on.
-  /// What is folded is open there.
+  /// A folded cut is open at the new vertex.
   Id Split(Id piece, Id vertex)
   {
     Piece rest = this->Pieces[piece];

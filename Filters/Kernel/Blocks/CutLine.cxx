@@ -100,30 +100,24 @@ private:
   }
   const Point2& Vertex(Id vertex) const { return this->Scene.Graph.Vertices[vertex]; }
 
-  template <typename Question>
-  bool AllPieces(const Box2& place, const Question& isSo);
-  template <typename Question>
-  bool AllVertices(const Box2& place, const Question& isSo);
-
   bool FindEnds();
   bool MayBeGood() const;
   CutEnd MakeEnd(Id piece) const;
   void Unite();
   bool IsWanted(const CutEnd& from, const CutEnd& to) const;
-  bool Add(CutStretch stretch, CutLine& line);
-  bool MoveEnds(CutStretch& stretch);
-  std::vector<CutEnd> EndsNear(const CutEnd& end, const CutEnd& other);
-  bool IsGood(const CutStretch& stretch);
+  bool Add(CutStretch stretch, CutLine& line) const;
+  bool MoveEnds(CutStretch& stretch) const;
+  std::vector<CutEnd> EndsNear(const CutEnd& end, const CutEnd& other) const;
+  bool IsGood(const CutStretch& stretch) const;
   bool IsClearOf(Id piece, const CutStretch& stretch) const;
   bool IsClearOfVertex(Id vertex, const CutStretch& stretch) const;
-  bool IsOpen(const CutEnd& end, const CutEnd& other);
+  bool IsOpen(const CutEnd& end, const CutEnd& other) const;
 
   const CutScene& Scene;
   const AxisLine& Line;
   CutEffort Effort;
   std::vector<CutEnd> Ends;
   double Margin = 0.0;
-  std::size_t Looks = 0;
 };
 
 CutLine LineMaker::Make()
@@ -138,30 +132,7 @@ CutLine LineMaker::Make()
     }
   }
   line.IsGood = line.IsGood && (this->Effort == CutEffort::AsItIs || !line.Stretches.empty());
-  line.Looks = this->Looks;
   return line;
-}
-
-template <typename Question>
-bool LineMaker::AllPieces(const Box2& place, const Question& isSo)
-{
-  return this->Scene.AllPieces(place,
-    [this, &isSo](Id piece)
-    {
-      ++this->Looks;
-      return isSo(piece);
-    });
-}
-
-template <typename Question>
-bool LineMaker::AllVertices(const Box2& place, const Question& isSo)
-{
-  return this->Scene.AllVertices(place,
-    [this, &isSo](Id vertex)
-    {
-      ++this->Looks;
-      return isSo(vertex);
-    });
 }
 
 // By the room of its stretches alone, before what is near is looked at: a fringe has short ones.
@@ -180,7 +151,7 @@ bool LineMaker::MayBeGood() const
 }
 
 // False where it is not good.
-bool LineMaker::Add(CutStretch stretch, CutLine& line)
+bool LineMaker::Add(CutStretch stretch, CutLine& line) const
 {
   if (!this->IsGood(stretch))
   {
@@ -197,7 +168,7 @@ bool LineMaker::Add(CutStretch stretch, CutLine& line)
 }
 
 // False where there are no good ends.
-bool LineMaker::MoveEnds(CutStretch& stretch)
+bool LineMaker::MoveEnds(CutStretch& stretch) const
 {
   const double f = std::max(stretch.From.F, stretch.To.F);
   if (Distance(stretch.From.Place, stretch.To.Place) < LeastMoved * f)
@@ -221,11 +192,11 @@ bool LineMaker::MoveEnds(CutStretch& stretch)
 
 // The end itself, and vertices, the nearest first. Of a fringe the nearest are all within it: so
 // the last is the one that stands out most towards the other end.
-std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end, const CutEnd& other)
+std::vector<CutEnd> LineMaker::EndsNear(const CutEnd& end, const CutEnd& other) const
 {
   std::vector<CutEnd> ends{ end };
   const double reach = MoveReach * end.F;
-  this->AllVertices(this->Line.Band(this->Margin, end.Along - reach, end.Along + reach),
+  this->Scene.AllVertices(this->Line.Band(this->Margin, end.Along - reach, end.Along + reach),
     [this, &ends, &end, reach](Id vertex)
     {
       const Point2& place = this->Vertex(vertex);
@@ -262,7 +233,7 @@ bool LineMaker::FindEnds()
   const Box2& box = this->Scene.Around;
   const Box2 place = this->Line.Band(
     0.0, Coordinate(box.Low, !this->Line.IsVertical), Coordinate(box.High, !this->Line.IsVertical));
-  const bool areOff = this->AllPieces(place,
+  const bool areOff = this->Scene.AllPieces(place,
     [this](Id piece)
     {
       const auto& ends = this->Scene.Graph.Pieces[piece];
@@ -328,7 +299,7 @@ bool LineMaker::IsWanted(const CutEnd& from, const CutEnd& to) const
     this->Scene.Locator.IsInside(this->PlaceAt(along));
 }
 
-bool LineMaker::IsGood(const CutStretch& stretch)
+bool LineMaker::IsGood(const CutStretch& stretch) const
 {
   if (!HasRoom(stretch))
   {
@@ -339,9 +310,9 @@ bool LineMaker::IsGood(const CutStretch& stretch)
   const double low = std::min(from, to) - this->Margin;
   const double high = std::max(from, to) + this->Margin;
   const Box2 place = this->Line.Band(this->Margin, low, high);
-  return this->AllPieces(
+  return this->Scene.AllPieces(
            place, [this, &stretch](Id piece) { return this->IsClearOf(piece, stretch); }) &&
-    this->AllVertices(
+    this->Scene.AllVertices(
       place, [this, &stretch](Id vertex) { return this->IsClearOfVertex(vertex, stretch); });
 }
 
@@ -362,11 +333,11 @@ bool LineMaker::IsClearOf(Id piece, const CutStretch& stretch) const
            this->Vertex(ends.End)) == Meeting::None;
 }
 
-bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other)
+bool LineMaker::IsOpen(const CutEnd& end, const CutEnd& other) const
 {
   const double along = this->Along(end.Place);
   const double reach = OpenReach * end.F;
-  return this->AllPieces(this->Line.Band(this->Margin, along - reach, along + reach),
+  return this->Scene.AllPieces(this->Line.Band(this->Margin, along - reach, along + reach),
     [this, &end, &other, reach](Id piece)
     {
       const auto& ends = this->Scene.Graph.Pieces[piece];

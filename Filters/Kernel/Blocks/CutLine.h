@@ -8,8 +8,7 @@
 #include "../Base/Point.h"
 #include "CutScene.h"
 
-#include <cstddef> // for size_t
-#include <vector>  // for the stretches
+#include <vector> // for the stretches
 
 namespace biting
 {
@@ -48,15 +47,14 @@ struct CutStretch
   CutEnd To;
 };
 
-/// What the line cuts in the box of the scene.
+/// The part of a line that is in the domain and in the box of the scene.
 struct CutLine
 {
   std::vector<CutStretch> Stretches;
   bool IsGood = true;
-  std::size_t Looks = 0; ///< at pieces and vertices: what it costs
 };
 
-/// What is done about stretches that are not good.
+/// How a line with a stretch that is not good is treated.
 enum class CutEffort
 {
   AsItIs,

@@ -317,7 +317,6 @@ Cut Planner::FindCut(Part& part, const CutScene& scene, bool isVertical, CutEffo
   best.Along.IsGood = false;
   for (Cut& cut : cuts)
   {
-    this->Plan.Looks += cut.Along.Looks;
     if (cut.Cost < best.Cost)
     {
       best = std::move(cut);

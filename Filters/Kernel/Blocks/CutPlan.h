@@ -12,7 +12,6 @@
 #include "CutTree.h"
 #include "NearTouches.h"
 
-#include <cstddef> // for size_t
 #include <cstdint> // for flags
 #include <vector>  // for factors
 
@@ -28,8 +27,6 @@ struct CutPlan
   /// By which factor sides are longer in a leaf than elsewhere (CutRows.h), one a node.
   std::vector<double> Stretches;
 
-  std::size_t Looks = 0; ///< of lines, at pieces and vertices: what the plan has cost
-
   // Of the domain, where it was cut.
   NearTouches Touches;
   std::vector<std::uint8_t> AreTouching; ///< segments that are of such a pair
@@ -42,13 +39,15 @@ struct CutOptions
   double SideLength = 1.0; ///< of the mesh's lattice, in units of f
 };
 
-/// Cuts the domain by a kd-tree until less than 1.5 blocks' worth of vertices are expected in each
-/// part; not at all where these are less than 2 in all. Each line divides its part nearly equally,
-/// in the direction and at the place where fewest vertices lie on it, and its ends are open, of
-/// those at which it is good (CutLine.h). Where there is none, ends of lines are moved; where that
-/// does not help the part stays whole. What nearly touches others (NearTouches.h) stays uncut.
-/// Along f counts less than across, where f changes, and the direction of the first cut less than
-/// the other. Lines are where lattices fit (CutRows.h). Depends on the arguments alone. Where the
+/// Cuts the domain by a kd-tree until each part has less than 1.5 VerticesPerBlock expected
+/// vertices. A domain with less than 2 VerticesPerBlock is not cut.
+///
+/// 25 lines are tried for a part in each of both directions, at places where each side has at least
+/// a quarter of the vertices and lattices fit (CutRows.h). Of the good ones (CutLine.h) the
+/// cheapest is taken: cost = vertices on the line, (1 + 0.3 |change of log f across|) each, + 40
+/// for each end that is not open; times 2.5 where it is across the first cut. Where no line is
+/// good, ends are moved; where no moved line is good either, the part stays whole. No line meets a
+/// segment that nearly touches another (NearTouches.h). Depends on the arguments alone. Where the
 /// monitor wants to stop the result has no meaning.
 CutPlan PlanCuts(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
   const CutOptions& options, Pulse& pulse);

@@ -23,15 +23,15 @@ inline double Coordinate(const Point2& p, bool isVertical)
 ///
 /// A front that leaves a straight cut makes rows of vertices parallel to it. The fronts of all cuts
 /// fit each other if
-/// - cuts that are parallel to the first one are straight, and pairs of rows apart: so their
+/// - cuts parallel to the first one are straight, a whole number of pairs of rows apart: their
 ///   vertices lie opposite each other;
-/// - the others, across the rows, are folded: their vertices lie in the rows, one to the left and
-///   one to the right in turns, by half a side. They are whole sides apart, and cuts meet them in
-///   the left ones.
+/// - cuts across the rows are folded: their vertices lie in the rows, alternately half a side to
+///   the left and to the right. They are a whole number of sides apart, and straight cuts meet them
+///   in left vertices.
 /// Rows are counted from the low side of the domain's box, sides along them from the low end of the
-/// longest side of the boundary that is parallel to them. So that the high ones fit as well, rows
-/// and sides are shorter or longer by a part of one over the width.
-/// Where f is not level no lattice is to be had, and cuts are moved by less than a pair of rows.
+/// longest parallel side of the boundary. With w the width, p the wanted pair (or side), the step
+/// is w / round(w / p): so the high side of the domain fits, too. Where f is not level there is no
+/// lattice; a cut is moved by less than a pair of rows all the same.
 class CutRows
 {
 public:

@@ -19,11 +19,11 @@
 namespace biting
 {
 
-/// What a part of the plane holds of a graph. A cut is off its line by as much as its ends are, so
-/// that pieces beside the box count too.
+/// The pieces of a graph in a part of the plane. A cut may leave its line as far as its ends do: so
+/// pieces beside the box count, too.
 ///
-/// What the domain has is found in a tree that all parts share: a search costs what it finds, and
-/// none goes through all that is in the part.
+/// Segments of the domain are found in a tree that all parts share. A search costs O(log n) and
+/// what it finds.
 struct CutScene
 {
   /// A segment of the domain by its first piece, or an embedded point.

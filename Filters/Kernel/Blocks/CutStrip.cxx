@@ -7,6 +7,7 @@
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Relaxation/Relaxation.h"
+#include "../Stages/RelaxedBites.h" // for Exchange
 #include "StripParts.h"
 #include "StripReturn.h"
 #include "TakenStrip.h"
@@ -73,36 +74,16 @@ bool RelaxParts(const Domain& domain, const Spacing& spacing, std::vector<Triang
 }
 
 // The strip as a mesh that strips may be taken from; the number of a vertex is that of its bite.
-JoinedMesh AsWhole(RelaxationMesh mesh)
+JoinedMesh AsWhole(RelaxationMesh& mesh)
 {
   JoinedMesh whole;
-  BitingResult& bites = whole.Bites;
-  bites.BiteOrders.resize(mesh.Points.size());
-  std::iota(bites.BiteOrders.begin(), bites.BiteOrders.end(), 0);
-  bites.Points = std::move(mesh.Points);
-  bites.Spacings = std::move(mesh.Spacings);
-  bites.Segments = std::move(mesh.Segments);
-  bites.EdgeStarts = std::move(mesh.EdgeStarts);
-  bites.EdgeEnds = std::move(mesh.EdgeEnds);
-  bites.EdgeSegments = std::move(mesh.EdgeSegments);
-  whole.Triangles = std::move(mesh.Triangles);
+  whole.Bites.BiteOrders.resize(mesh.Points.size());
+  std::iota(whole.Bites.BiteOrders.begin(), whole.Bites.BiteOrders.end(), 0);
+  Exchange(whole.Bites, whole.Triangles, mesh);
   return whole;
 }
 
-RelaxationMesh AsStrip(JoinedMesh whole)
-{
-  RelaxationMesh mesh;
-  mesh.Points = std::move(whole.Bites.Points);
-  mesh.Spacings = std::move(whole.Bites.Spacings);
-  mesh.Segments = std::move(whole.Bites.Segments);
-  mesh.EdgeStarts = std::move(whole.Bites.EdgeStarts);
-  mesh.EdgeEnds = std::move(whole.Bites.EdgeEnds);
-  mesh.EdgeSegments = std::move(whole.Bites.EdgeSegments);
-  mesh.Triangles = std::move(whole.Triangles);
-  return mesh;
-}
-
-// What lies around the triangles before `end`.
+// The connected neighbourhoods of the triangles before `end`.
 std::vector<TriangleList> PlacesAround(const JoinedMesh& mesh, std::size_t end, Pulse& pulse)
 {
   const std::size_t vertices = mesh.Bites.Points.size();
@@ -116,12 +97,12 @@ std::vector<TriangleList> PlacesAround(const JoinedMesh& mesh, std::size_t end, 
 RelaxedStrip RelaxByParts(TakenStrip strip, const Spacing& spacing, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  JoinedMesh mesh = AsWhole(std::move(strip.Mesh));
+  JoinedMesh mesh = AsWhole(strip.Mesh);
   std::vector<TriangleList> parts =
     DivideIntoParts(mesh.Triangles, mesh.Bites.Points.size(), TrianglesOfPart, pulse);
   if (parts.size() < 2)
   {
-    strip.Mesh = AsStrip(std::move(mesh));
+    Exchange(mesh.Bites, mesh.Triangles, strip.Mesh);
     return RelaxStrip(std::move(strip), spacing, monitor);
   }
   std::size_t between = mesh.Triangles.Regions.size();
@@ -135,12 +116,12 @@ RelaxedStrip RelaxByParts(TakenStrip strip, const Spacing& spacing, Monitor& mon
   }
   if (between > 0 && !pulse.HasStopped())
   {
-    // What was returned comes last.
+    // Returned triangles come last: those before are between the parts.
     RelaxParts(strip.Border, spacing, PlacesAround(mesh, between, pulse), mesh, pulse);
   }
   RelaxedStrip relaxed;
   relaxed.Origins = std::move(mesh.Bites.BiteOrders);
-  strip.Mesh = AsStrip(std::move(mesh));
+  Exchange(mesh.Bites, mesh.Triangles, strip.Mesh);
   relaxed.Strip = std::move(strip);
   return relaxed;
 }

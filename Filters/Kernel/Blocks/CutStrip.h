@@ -16,11 +16,11 @@
 namespace biting
 {
 
-/// Relaxes what lies within some rings around the cuts: their vertices move, come and go like all
-/// others. On segments they slide and go only, and not at all where `areTouching` says that the
-/// segment nearly touches another. What is farther away stays. Vertices of the domain keep their
-/// numbers, the others their order; new ones come last, and so do triangles of the strip. Where
-/// the monitor wants to stop the result has no meaning.
+/// Relaxes the strips around the cuts, StripSteps wide (StripParts.h). Inner vertices of a strip
+/// move, come and go. Vertices on a segment slide or go, unless `areTouching` says that the segment
+/// nearly touches another. All others stay. Vertices of the domain keep their numbers, other kept
+/// vertices their order. New vertices and the triangles of strips come last. Where the monitor
+/// wants to stop the result has no meaning.
 StripChange RelaxCuts(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
   const Spacing& spacing, JoinedMesh& mesh, Monitor& monitor);
 

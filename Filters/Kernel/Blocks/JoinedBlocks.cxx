@@ -151,7 +151,7 @@ void Joiner::NumberShared()
   this->Places[0].Vertex = static_cast<Id>(bites.Points.size());
 }
 
-// One after the other.
+// Vertices, bites, triangles and faces are numbered block after block.
 void Joiner::PlaceBlocks()
 {
   for (std::size_t block = 0; block < this->Meshes.size() && this->Beats.Ask(); ++block)
@@ -319,7 +319,8 @@ void Joiner::CopyTriangles(std::size_t block, Pulse& pulse)
     });
 }
 
-// What is near a cut across other blocks is at their cuts as well.
+// Finds the triangles of the block near its cuts. A triangle near the cut of another block is near
+// a cut of its own block, too.
 void Joiner::FindNearCuts(std::size_t block, Pulse& pulse)
 {
   const BlockMesh& mesh = this->Meshes[block];
@@ -407,7 +408,7 @@ bool Joiner::Fits(const CutSide& side, const CutSide& other) const
     corner(side.Slot, 2) == corner(other.Slot, 1);
 }
 
-// As one meets them along the constraints, the left side of each before the right.
+// Regions are numbered in the order of the constraints, the left side of each before the right.
 void Joiner::NumberRegions()
 {
   std::vector<Id> numbers(this->JoinedFaces.Size(), NoId);

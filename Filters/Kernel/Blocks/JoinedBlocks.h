@@ -17,7 +17,7 @@
 namespace biting
 {
 
-/// What was made of a block: the triangles refer to the vertices and edges of the bites.
+/// The mesh of a block. The triangles refer to the vertices and edges of the bites.
 struct BlockMesh
 {
   BitingResult Bites;
@@ -26,7 +26,7 @@ struct BlockMesh
   Id NumberOfOrders = 0;   ///< of the block, where this is a part of it (BlockCollar.h)
 };
 
-/// Where the first of a block's own goes.
+/// The first numbers of a block in the joined mesh.
 struct BlockPlace
 {
   Id Vertex = 0; ///< that it shares with none
@@ -35,7 +35,7 @@ struct BlockPlace
   Id Face = 0; ///< a region of the block
 };
 
-/// One mesh of a domain, as if it had not been cut: cuts are no constraints of it.
+/// The mesh of the whole domain. Cuts are no constraints of it.
 struct JoinedMesh
 {
   BitingResult Bites;

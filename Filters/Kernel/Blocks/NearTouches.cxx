@@ -4,11 +4,10 @@
 #include "NearTouches.h"
 
 #include "../Base/DistanceToSegment.h"
-#include "../Base/SortInSteps.h"
+#include "../Biting/Spokes.h"
 #include "../Domain/SegmentTree.h"
 
 #include <algorithm> // for min, max
-#include <cmath>     // for atan2
 #include <cstdint>   // for flags
 #include <vector>    // for the lists
 
@@ -88,47 +87,12 @@ void AddNearSegments(const Domain& domain, double reach, NearTouches& touches, P
   }
 }
 
-// A segment as it leaves a vertex.
-struct Spoke
-{
-  Id Vertex;
-  Id End;
-  Id Segment;
-  double Direction;
-};
-
-std::vector<Spoke> SpokesOf(const Domain& domain, Pulse& pulse)
-{
-  std::vector<Spoke> spokes;
-  const auto add = [&domain, &spokes](Id vertex, Id end, Id segment)
-  {
-    const Point2 way = domain.Vertices[end] - domain.Vertices[vertex];
-    spokes.push_back({ vertex, end, segment, std::atan2(way.Y, way.X) });
-  };
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    add(domain.Starts[segment], domain.Ends[segment], segment);
-    add(domain.Ends[segment], domain.Starts[segment], segment);
-  }
-  SortInSteps(
-    spokes,
-    [](const Spoke& a, const Spoke& b)
-    {
-      return a.Vertex != b.Vertex    ? a.Vertex < b.Vertex
-        : a.Direction != b.Direction ? a.Direction < b.Direction
-                                     : a.End < b.End;
-    },
-    pulse);
-  return spokes;
-}
-
-// Whether the first vertices on the two, or their ends, are that near.
+// Whether the first vertices on two segments that leave a vertex, or their ends, are that near.
 bool AreNear(
-  const Domain& domain, const Spacing& spacing, const Spoke& one, const Spoke& other, double reach)
+  const Point2& vertex, const Spacing& spacing, const Spoke& one, const Spoke& other, double reach)
 {
-  const Point2& vertex = domain.Vertices[one.Vertex];
-  const Point2 first = domain.Vertices[one.End] - vertex;
-  const Point2 second = domain.Vertices[other.End] - vertex;
+  const Point2 first = one.End - vertex;
+  const Point2 second = other.End - vertex;
   const double length = Length(first);
   const double otherLength = Length(second);
   const double along = std::min({ length, otherLength, LeastWay * spacing(vertex) });
@@ -138,16 +102,17 @@ bool AreNear(
 void AddNearSpokes(
   const Domain& domain, const Spacing& spacing, double reach, NearTouches& touches, Pulse& pulse)
 {
-  const std::vector<Spoke> spokes = SpokesOf(domain, pulse);
-  std::size_t first = 0; // at the vertex
-  for (std::size_t k = 0; k < spokes.size() && pulse.Beat(); ++k)
+  const SpokesOfVertices all(domain);
+  for (Id vertex = 0; vertex < domain.NumberOfVertices() && pulse.Beat(); ++vertex)
   {
-    first = spokes[first].Vertex == spokes[k].Vertex ? first : k;
-    const bool isLast = k + 1 == spokes.size() || spokes[k + 1].Vertex != spokes[k].Vertex;
-    const Spoke& next = isLast ? spokes[first] : spokes[k + 1];
-    if (next.End != spokes[k].End && AreNear(domain, spacing, spokes[k], next, reach))
+    const std::vector<Spoke> spokes = all.Around(vertex);
+    for (std::size_t k = 0; k < spokes.size() && spokes.size() > 1; ++k)
     {
-      touches.Pairs.push_back({ spokes[k].Segment, next.Segment });
+      const Spoke& next = spokes[(k + 1) % spokes.size()];
+      if (AreNear(domain.Vertices[vertex], spacing, spokes[k], next, reach))
+      {
+        touches.Pairs.push_back({ spokes[k].Segment, next.Segment });
+      }
     }
   }
 }

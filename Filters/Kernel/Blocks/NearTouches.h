@@ -14,10 +14,10 @@
 namespace biting
 {
 
-/// Segments of a domain that may meet, where f divides them, by rounding of the vertices on them:
-/// that are as near to each other as that, or leave a vertex at so small an angle. The mesh of a
-/// whole takes such divisions back. Blocks can not, if one has the one segment, and another one the
-/// other.
+/// Pairs of segments of a domain whose parts may cross once f divides them, by the rounding of the
+/// new vertices: segments nearer to each other than that rounding, or with so small an angle
+/// between them. In one mesh such divisions are taken back (SoundTriangulation.h). Two blocks
+/// cannot do that for a pair with one segment in each.
 struct NearTouches
 {
   struct Pair
@@ -29,12 +29,12 @@ struct NearTouches
   bool IsEmpty() const { return this->Pairs.empty() && !this->AreEverywhere; }
 
   std::vector<Pair> Pairs;    ///< of segments
-  bool AreEverywhere = false; ///< there are too many for a list, or some of embedded points
+  bool AreEverywhere = false; ///< too many for a list, or one of them is an embedded point
 };
 
-/// Law: vertices on other segments than these pairs differ, and their parts meet at common ends
-/// only, wherever they are divided in proportion to f. Cost O(n log n). Where the monitor wants to
-/// stop the answer has no meaning.
+/// Law: parts of two segments that are no such pair meet in common ends only, wherever the segments
+/// are divided in proportion to f. Cost O(n log n). Where the monitor wants to stop the answer has
+/// no meaning.
 NearTouches FindNearTouches(const Domain& domain, const Spacing& spacing, Pulse& pulse);
 
 } // namespace biting

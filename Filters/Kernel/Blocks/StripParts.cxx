@@ -101,8 +101,8 @@ private:
 
 } // namespace
 
-TriangleList TrianglesAround(
-  const Triangulation& mesh, std::size_t vertices, const std::vector<Id>& seeds, Pulse& pulse)
+TriangleList TrianglesAround(const Triangulation& mesh, std::size_t vertices,
+  const std::vector<Id>& seeds, Pulse& pulse, int steps)
 {
   std::vector<std::uint8_t> isSeed(vertices, 0);
   for (const Id seed : seeds)
@@ -122,7 +122,7 @@ TriangleList TrianglesAround(
       }
     });
   std::size_t begin = 0;
-  for (int step = 0; step < StripSteps; ++step)
+  for (int step = 0; step < steps; ++step)
   {
     const std::size_t end = triangles.size();
     for (; begin < end && pulse.Beat(); ++begin)

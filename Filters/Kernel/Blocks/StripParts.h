@@ -22,9 +22,9 @@ using TriangleList = std::vector<Id>;
 constexpr int StripSteps = 6;
 
 /// Of a mesh of so many vertices: the triangles with a corner among `seeds`, and those at most
-/// StripSteps from these.
-TriangleList TrianglesAround(
-  const Triangulation& mesh, std::size_t vertices, const std::vector<Id>& seeds, Pulse& pulse);
+/// `steps` across edges from these.
+TriangleList TrianglesAround(const Triangulation& mesh, std::size_t vertices,
+  const std::vector<Id>& seeds, Pulse& pulse, int steps = StripSteps);
 
 /// Parts of a mesh of so many vertices, no two with a vertex in common: each grows across edges,
 /// from where another one ended, to `most` triangles. Triangles between parts are of none.

@@ -4,12 +4,10 @@
 #include "StripReturn.h"
 
 #include "../Base/Tasks.h"
-#include "RimFlips.h"
+#include "../Predicates/Predicates.h"
 
-#include <algorithm> // for copy, count, min, sort
-#include <array>     // for lists of arrays
+#include <algorithm> // for sort
 #include <cstdint>   // for flags
-#include <numeric>   // for sums
 #include <utility>   // for move
 
 namespace biting
@@ -18,34 +16,82 @@ namespace biting
 namespace
 {
 
-// Numbers what is not NoId, in its order, and lists the places of what is. Returns how many the
-// first are.
+// In the triangle of a slot, so many corners on.
+std::size_t Turned(std::size_t slot, std::size_t turn)
+{
+  return slot - slot % 3 + (slot + turn) % 3;
+}
+
+// The slot of the neighbour across.
+std::size_t Across(const Triangulation& mesh, std::size_t slot)
+{
+  std::size_t across = 3 * static_cast<std::size_t>(mesh.Neighbors[slot]);
+  while (mesh.Corners[Turned(across, 2)] != mesh.Corners[Turned(slot, 1)])
+  {
+    ++across;
+  }
+  return across;
+}
+
+// The neighbour across slot `from` becomes the neighbour across slot `to`.
+void Move(Triangulation& mesh, std::size_t from, std::size_t to)
+{
+  const Id neighbor = mesh.Neighbors[from];
+  if (neighbor != NoId)
+  {
+    mesh.Neighbors[Across(mesh, from)] = static_cast<Id>(to / 3);
+  }
+  mesh.Neighbors[to] = neighbor;
+  mesh.Constraints[to] = mesh.Constraints[from];
+}
+
+// Triangles (p, a, b) and (d, b, a) become (p, a, d) and (d, b, p).
+void Flip(Triangulation& mesh, std::size_t slot, std::size_t across)
+{
+  Move(mesh, Turned(across, 1), slot);
+  Move(mesh, Turned(slot, 1), across);
+  mesh.Corners[Turned(slot, 2)] = mesh.Corners[across];
+  mesh.Corners[Turned(across, 2)] = mesh.Corners[slot];
+  mesh.Neighbors[Turned(slot, 1)] = static_cast<Id>(across / 3);
+  mesh.Neighbors[Turned(across, 1)] = static_cast<Id>(slot / 3);
+  mesh.Constraints[Turned(slot, 1)] = NoId;
+  mesh.Constraints[Turned(across, 1)] = NoId;
+}
+
+// Numbers the entries that are not NoId, in their order, lists the places of the others, and
+// returns the count of numbered ones.
 Id NumberKept(std::vector<Id>& numbers, std::vector<Id>& gone, Pulse& pulse)
 {
-  const std::size_t size = numbers.size();
-  std::vector<Id> before((size + StepsPerTask - 1) / StepsPerTask + 1, 0); // kept ones, of tasks
-  const auto endOf = [size](std::size_t k) { return std::min(size, (k + 1) * StepsPerTask); };
-  DoTasks(pulse, before.size() - 1,
-    [&numbers, &before, &endOf](std::size_t k, Monitor&)
+  Id kept = 0;
+  pulse.ForEach(numbers.size(),
+    [&numbers, &gone, &kept](std::size_t place)
     {
-      const Id* first = numbers.data();
-      const auto left = std::count(first + k * StepsPerTask, first + endOf(k), NoId);
-      before[k + 1] = static_cast<Id>(endOf(k) - k * StepsPerTask) - static_cast<Id>(left);
-    });
-  std::partial_sum(before.begin(), before.end(), before.begin());
-  gone.resize(size - static_cast<std::size_t>(before.back()));
-  DoTasks(pulse, before.size() - 1,
-    [&numbers, &gone, &before, &endOf](std::size_t k, Monitor&)
-    {
-      Id kept = before[k];
-      Id* next = gone.data() + (k * StepsPerTask - static_cast<std::size_t>(kept));
-      for (std::size_t place = k * StepsPerTask; place < endOf(k); ++place)
+      if (numbers[place] == NoId)
       {
-        Id& number = numbers[place];
-        number == NoId ? void(*next++ = static_cast<Id>(place)) : void(number = kept++);
+        gone.push_back(static_cast<Id>(place));
+      }
+      else
+      {
+        numbers[place] = kept++;
       }
     });
-  return before.back();
+  return kept;
+}
+
+// Moves the values of what is kept to their new numbers: `size` values each.
+template <typename Value>
+void CloseUp(
+  const std::vector<Id>& numbers, std::size_t size, std::vector<Value>& values, Pulse& pulse)
+{
+  pulse.ForEach(numbers.size(),
+    [&numbers, size, &values](std::size_t place)
+    {
+      const Id number = numbers[place];
+      for (std::size_t k = 0; k < size && number != NoId; ++k)
+      {
+        values[size * static_cast<std::size_t>(number) + k] = values[size * place + k];
+      }
+    });
 }
 
 // Puts relaxed strips back into the whole.
@@ -68,14 +114,9 @@ private:
   void MarkGone(const RelaxedStrip& strip);
   std::vector<Id> ListGone() const;
   void MoveVertices();
-  void CloseUp();
-  template <typename Value>
-  void CloseUp(std::vector<Value>& values, Pulse& own) const;
   void FillStrip(const RelaxedStrip& strip, const std::vector<Id>& numbers);
   void NumberTriangles();
   void MoveTriangles();
-  void CloseUpTriangles();
-  void CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pulse& own) const;
   void FindFirstParts(const TakenStrip& strip);
   Id ConstraintOf(const TakenStrip& strip, Id part) const;
   void AddStrip(const TakenStrip& strip, const std::vector<Id>& numbers);
@@ -124,7 +165,7 @@ StripChange StripReturn::Run()
   return change;
 }
 
-// What stays as long as nobody says otherwise.
+// All vertices and triangles are kept unless they are marked as gone.
 void StripReturn::MakeRoom()
 {
   const std::size_t vertices = this->Whole.Bites.Points.size();
@@ -135,7 +176,7 @@ void StripReturn::MakeRoom()
       { GrowInSteps(this->NewTriangles, triangles, Id{ 0 }, own); } });
 }
 
-// What stays, in its order, then what is new.
+// Kept vertices are numbered first, in their order, then the new ones.
 void StripReturn::NumberVertices()
 {
   for (const RelaxedStrip& strip : this->Strips)
@@ -195,8 +236,13 @@ std::vector<Id> StripReturn::ListGone() const
 
 void StripReturn::MoveVertices()
 {
-  this->CloseUp();
   BitingResult& bites = this->Whole.Bites;
+  const std::vector<Id>& numbers = this->NewNumbers;
+  DoEach(this->Beats,
+    { [&numbers, &bites](Pulse& own) { CloseUp(numbers, 1, bites.Points, own); },
+      [&numbers, &bites](Pulse& own) { CloseUp(numbers, 1, bites.Spacings, own); },
+      [&numbers, &bites](Pulse& own) { CloseUp(numbers, 1, bites.BiteOrders, own); },
+      [&numbers, &bites](Pulse& own) { CloseUp(numbers, 1, bites.Segments, own); } });
   bites.Points.resize(this->NumberOfVertices);
   bites.Spacings.resize(this->NumberOfVertices);
   bites.BiteOrders.resize(this->NumberOfVertices, NoId);
@@ -210,31 +256,6 @@ void StripReturn::MoveVertices()
     ForEachAtOnce(this->Beats, ends->size(),
       [this, ends](std::size_t edge) { (*ends)[edge] = this->NewNumbers[(*ends)[edge]]; });
   }
-}
-
-// Array by array as tasks.
-void StripReturn::CloseUp()
-{
-  BitingResult& bites = this->Whole.Bites;
-  DoEach(this->Beats,
-    { [this, &bites](Pulse& own) { this->CloseUp(bites.Points, own); },
-      [this, &bites](Pulse& own) { this->CloseUp(bites.Spacings, own); },
-      [this, &bites](Pulse& own) { this->CloseUp(bites.BiteOrders, own); },
-      [this, &bites](Pulse& own) { this->CloseUp(bites.Segments, own); } });
-}
-
-template <typename Value>
-void StripReturn::CloseUp(std::vector<Value>& values, Pulse& own) const
-{
-  own.ForEach(this->NewNumbers.size(),
-    [this, &values](std::size_t vertex)
-    {
-      const Id number = this->NewNumbers[vertex];
-      if (number != NoId)
-      {
-        values[number] = values[vertex];
-      }
-    });
 }
 
 void StripReturn::FillStrip(const RelaxedStrip& strip, const std::vector<Id>& numbers)
@@ -266,7 +287,7 @@ void StripReturn::NumberTriangles()
     static_cast<std::size_t>(NumberKept(this->NewTriangles, this->Gone, this->Beats));
 }
 
-// Those that are of no strip close up.
+// The triangles outside of strips move together, in their order.
 void StripReturn::MoveTriangles()
 {
   Triangulation& whole = this->Whole.Triangles;
@@ -277,41 +298,19 @@ void StripReturn::MoveTriangles()
       whole.Corners[slot] = this->NewNumbers[whole.Corners[slot]];
       whole.Neighbors[slot] = neighbor == NoId ? NoId : this->NewTriangles[neighbor];
     });
-  this->CloseUpTriangles();
+  const std::vector<Id>& numbers = this->NewTriangles;
+  DoEach(this->Beats,
+    { [&numbers, &whole](Pulse& own) { CloseUp(numbers, 3, whole.Corners, own); },
+      [&numbers, &whole](Pulse& own) { CloseUp(numbers, 3, whole.Neighbors, own); },
+      [&numbers, &whole](Pulse& own) { CloseUp(numbers, 3, whole.Constraints, own); },
+      [&numbers, &whole](Pulse& own) { CloseUp(numbers, 1, whole.Regions, own); } });
   whole.Corners.resize(3 * this->NumberOfTriangles);
   whole.Neighbors.resize(3 * this->NumberOfTriangles);
   whole.Constraints.resize(3 * this->NumberOfTriangles);
   whole.Regions.resize(this->NumberOfTriangles);
 }
 
-// Run by run between triangles of strips, array by array as tasks.
-void StripReturn::CloseUpTriangles()
-{
-  Triangulation& whole = this->Whole.Triangles;
-  const std::array<std::vector<Id>*, 4> arrays{ &whole.Corners, &whole.Neighbors,
-    &whole.Constraints, &whole.Regions };
-  DoTasks(this->Beats, arrays.size(),
-    [this, &arrays](std::size_t k, Monitor& monitor)
-    {
-      Pulse own(monitor);
-      this->CloseUpTriangles(*arrays[k], k < 3 ? 3 : 1, own);
-    });
-}
-
-void StripReturn::CloseUpTriangles(std::vector<Id>& values, std::size_t size, Pulse& own) const
-{
-  const std::vector<Id>& gone = this->Gone;
-  for (std::size_t k = 0; k < gone.size() && own.Beat(); ++k)
-  {
-    const std::size_t first = size * (static_cast<std::size_t>(gone[k]) + 1);
-    const std::size_t last = size *
-      (k + 1 < gone.size() ? static_cast<std::size_t>(gone[k + 1]) : this->NewTriangles.size());
-    std::copy(values.data() + first, values.data() + last,
-      values.data() + size * (static_cast<std::size_t>(gone[k]) - k));
-  }
-}
-
-// They are listed segment by segment.
+// Finds the first part of each segment; parts are listed segment by segment.
 void StripReturn::FindFirstParts(const TakenStrip& strip)
 {
   const std::vector<Id>& segments = strip.Mesh.EdgeSegments;
@@ -322,7 +321,8 @@ void StripReturn::FindFirstParts(const TakenStrip& strip)
   }
 }
 
-// Of the whole, or NoId. Parts of a run have its constraints, one after the other.
+// The constraint of the whole that a part of the strip has, or NoId. The parts of a run have
+// consecutive constraints.
 Id StripReturn::ConstraintOf(const TakenStrip& strip, Id part) const
 {
   const Id segment = strip.Mesh.EdgeSegments[part];
@@ -368,7 +368,7 @@ void StripReturn::AddStrip(const TakenStrip& strip, const std::vector<Id>& numbe
   whole.Regions.insert(whole.Regions.end(), own.Regions.begin(), own.Regions.end());
 }
 
-// Runs have other edges now, and perhaps fewer: those that are gone have no segment any more.
+// A run has other edges after relaxation, perhaps fewer. An edge that is gone has no segment.
 void StripReturn::ChangeEdges(const TakenStrip& strip, const std::vector<Id>& numbers)
 {
   BitingResult& bites = this->Whole.Bites;
@@ -422,6 +422,31 @@ void StripReturn::CloseUpEdges()
 }
 
 } // namespace
+
+bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
+  Triangulation& mesh, Pulse& pulse)
+{
+  bool isWhole = true;
+  while (!slots.empty() && pulse.Beat())
+  {
+    const std::size_t slot = slots.back();
+    slots.pop_back();
+    if (mesh.Neighbors[slot] == NoId || mesh.Constraints[slot] != NoId)
+    {
+      isWhole = isWhole && mesh.Constraints[slot] != NoId;
+      continue;
+    }
+    const std::size_t across = Across(mesh, slot);
+    const auto corner = [&points, &mesh](std::size_t at) { return points[mesh.Corners[at]]; };
+    if (InCircle(corner(slot), corner(Turned(slot, 1)), corner(Turned(slot, 2)), corner(across)) >
+      0)
+    {
+      Flip(mesh, slot, across);
+      slots.insert(slots.end(), { slot, Turned(slot, 2), across, Turned(across, 2) });
+    }
+  }
+  return isWhole;
+}
 
 StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& mesh, Pulse& pulse)
 {

@@ -9,7 +9,8 @@
 #include "JoinedBlocks.h"
 #include "TakenStrip.h"
 
-#include <vector> // for the strips
+#include <cstddef> // for slots
+#include <vector>  // for the strips
 
 namespace biting
 {
@@ -21,12 +22,12 @@ struct RelaxedStrip
   std::vector<Id> Origins; ///< of its vertices, in the strip as it was taken; NoId: new
 };
 
-/// What became of a mesh along its cuts, in its numbers before.
+/// The change of a mesh along its cuts, in the numbers before the change.
 struct StripChange
 {
   std::vector<Id> GoneVertices; ///< rising
   std::vector<Id> Triangles;    ///< of the strip, rising: in the place of these others came last
-  bool IsWhole = true;          ///< false: flips needed what is not there (RimFlips.h)
+  bool IsWhole = true;          ///< false: flips needed what is not there (FlipUntilDelaunay)
 };
 
 /// Puts strips, which have no vertex in common, back into the mesh that they were taken from.
@@ -34,6 +35,13 @@ struct StripChange
 /// the triangles of strips, strip by strip. The mesh is constrained Delaunay where strips meet the
 /// rest. Where the monitor wants to stop the result has no meaning.
 StripChange ReturnStrips(const std::vector<RelaxedStrip>& strips, JoinedMesh& mesh, Pulse& pulse);
+
+/// Makes the mesh constrained Delaunay by flips, exactly, given that all edges that may not be so
+/// are opposite the corners `slots`. Where the monitor wants to stop the mesh is valid, no more.
+/// False where they came to an edge with nothing across it and no constraint: what is there is
+/// missing, and the mesh is not that of the whole.
+bool FlipUntilDelaunay(const std::vector<Point2>& points, std::vector<std::size_t> slots,
+  Triangulation& mesh, Pulse& pulse);
 
 } // namespace biting
 

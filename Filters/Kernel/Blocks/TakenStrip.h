@@ -45,7 +45,7 @@ struct TakenStrip
 /// A mesh from which strips are taken, with memory for all of them together.
 struct StripSource
 {
-  /// What it is made of must outlive it.
+  /// The arguments must outlive this object.
   StripSource(const Domain& domain, const std::vector<std::uint8_t>& areTouching,
     const JoinedMesh& mesh, Pulse& pulse);
 

@@ -46,6 +46,34 @@ struct WholeNumbers
 WholeNumbers NumberWhole(
   const std::vector<BlockCollar>& collars, const JoinedMesh& joined, const StripChange& change);
 
+/// Which member of a crew is to have each triangle of the collars' mesh: the one that holds its
+/// block; of those that come from strips the block is the first one that has a corner for its own,
+/// or else that of a triangle nearby, across edges.
+std::vector<Id> OwnersOfTriangles(
+  const Triangulation& mesh, const WholeNumbers& numbers, const std::vector<Id>& holders);
+
+/// Whether all that is within so many rings of vertices around what triangles of different owners
+/// share is in the mesh: none of these vertices is at an edge with nothing across and no
+/// constraint.
+bool HasRingsAround(const Triangulation& mesh, const std::vector<Id>& owners,
+  std::size_t numberOfVertices, int rings);
+
+/// Where blocks stay with the members of a crew that made them: what a member has when all are
+/// relaxed. Collars of blocks have no mesh any more then.
+struct KeptBlocks
+{
+  BlockDomains Parts;
+  std::vector<BlockMesh> Meshes;    ///< of its own blocks; the others are empty
+  std::vector<BlockCollar> Collars; ///< of its own blocks, and on the first member of all
+
+  // On the first member.
+  bool AreSpread = false;       ///< else it has the whole mesh
+  std::vector<Id> Holders;      ///< members, of the blocks
+  std::vector<bool> AreHolding; ///< of the members: they have given collars, and wait for the rest
+  WholeNumbers Numbers;
+  std::vector<Id> Owners; ///< members, of the triangles of the collars' mesh
+};
+
 } // namespace biting
 
 #endif

@@ -68,7 +68,6 @@ private:
   void AddFirst(Id position);
   void Insert(Id position);
   bool IsToFlip(Id edge) const;
-  void FlipAround(Id edge);
 
   Id TakeTriangle() { return this->Triangles[this->Used++]; }
   void Attach(Id edge, Id facing);
@@ -246,7 +245,7 @@ void ChainFiller::Insert(Id position)
   {
     if (this->IsToFlip(edge))
     {
-      this->FlipAround(edge);
+      this->Mesh.FlipAround(edge, [this](Id one, Id twin) { this->Attach(one, twin); });
       continue;
     }
     const Id ahead = this->Mesh.Twins[edge + 1];
@@ -270,25 +269,6 @@ bool ChainFiller::IsToFlip(Id edge) const
   const Point2& b = this->Mesh.PointAt(this->Mesh.Corners[edge + 2]);
   return Orient2D(p, a, b) <= 0 ||
     InCircle(p, a, b, this->Mesh.PointAt(this->Mesh.Corners[twin])) > 0;
-}
-
-/// (p, a, b) and (d, b, a) turn into (p, a, d) and (p, d, b).
-void ChainFiller::FlipAround(Id edge)
-{
-  HalfEdgeMesh& mesh = this->Mesh;
-  const Id twin = mesh.Twins[edge];
-  const Id other = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(twin));
-  const Id b = mesh.Corners[edge + 2];
-  const Id d = mesh.Corners[twin];
-  const Id beyondAd = mesh.Twins[HalfEdgeMesh::Next(twin)];
-  const Id beyondDb = mesh.Twins[HalfEdgeMesh::Previous(twin)];
-  const Id ahead = mesh.Twins[edge + 1];
-  mesh.Corners[edge + 2] = d;
-  mesh.SetTriangle(HalfEdgeMesh::TriangleOf(twin), mesh.Corners[edge], d, b);
-  this->Attach(edge, beyondAd);
-  this->Attach(other, beyondDb);
-  this->Attach(other + 1, ahead);
-  this->Attach(edge + 1, other + 2);
 }
 
 void ChainFiller::Attach(Id edge, Id facing)

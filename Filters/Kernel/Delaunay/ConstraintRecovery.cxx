@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ConstraintRecovery.h"
+#include "ConstrainedMesh.h"
 
 #include "../Predicates/Predicates.h"
 #include "Cavity.h"

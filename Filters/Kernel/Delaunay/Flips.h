@@ -6,7 +6,6 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "../Predicates/Predicates.h"
 #include "HalfEdgeMesh.h"
 
 #include <vector> // for the stack

@@ -6,6 +6,7 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Point.h"
+#include "../Predicates/Predicates.h"
 
 #include <vector> // for the arrays
 
@@ -83,6 +84,33 @@ struct HalfEdgeMesh
     this->Corners[first] = a;
     this->Corners[first + 1] = b;
     this->Corners[first + 2] = c;
+  }
+
+  /// Where `point` lies of the half-edge: +1 on its left, -1 on its right, 0 on its line, exactly.
+  int Side(Id edge, const Point2& point) const
+  {
+    return Orient2D(this->Points[this->Origin(edge)], this->Points[this->Target(edge)], point);
+  }
+
+  /// Flips the edge opposite corner 0, which becomes corner 0 of both triangles: (p, a, b) and
+  /// (d, b, a) turn into (p, a, d) and (p, d, b). link(edge, twin) makes twins; the twin may be
+  /// what stands in Twins where there is none. Marks and VertexEdges do not follow.
+  template <typename LinkTwins>
+  void FlipAround(Id edge, const LinkTwins& link)
+  {
+    const Id twin = this->Twins[edge];
+    const Id other = FirstEdge(TriangleOf(twin));
+    const Id b = this->Corners[edge + 2];
+    const Id d = this->Corners[twin];
+    const Id beyondAd = this->Twins[Next(twin)];
+    const Id beyondDb = this->Twins[Previous(twin)];
+    const Id ahead = this->Twins[edge + 1];
+    this->Corners[edge + 2] = d;
+    this->SetTriangle(TriangleOf(twin), this->Corners[edge], d, b);
+    link(edge, beyondAd);
+    link(other, beyondDb);
+    link(other + 1, ahead);
+    link(edge + 1, other + 2);
   }
 
   /// Divides the triangle into three by a vertex, which becomes corner 0 of each. The triangle

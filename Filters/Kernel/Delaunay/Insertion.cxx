@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Insertion.h"
+#include "ConstrainedMesh.h"
 
 #include "../Predicates/Predicates.h"
 #include "Flips.h"
@@ -47,10 +47,9 @@ private:
   Location Locate(const Point2& point);
   Id FirstEdgeBefore(const Point2& point) const;
   bool IsOtherWayFirst();
-  int Side(Id edge, const Point2& point) const;
 
   Id CornerTriangle(Id triangle, Id edge) const;
-  void FlipAround(Id triangle);
+  void FlipAround(Id edge);
   void RestoreStar(Id triangle);
   void RestorePhi(Id triangle);
 
@@ -87,7 +86,8 @@ Id Inserter::Insert(Id vertex)
   this->Mesh.Split(location.Triangle, vertex);
   if (location.Edge != NoId)
   {
-    this->FlipAround(this->CornerTriangle(location.Triangle, location.Edge));
+    this->FlipAround(
+      HalfEdgeMesh::FirstEdge(this->CornerTriangle(location.Triangle, location.Edge)));
   }
   if (this->Phi < 1.0)
   {
@@ -111,8 +111,8 @@ Location Inserter::Locate(const Point2& point)
     const bool isSwapped = this->IsOtherWayFirst();
     const Id first = isSwapped ? HalfEdgeMesh::Previous(edge) : HalfEdgeMesh::Next(edge);
     const Id second = isSwapped ? HalfEdgeMesh::Next(edge) : HalfEdgeMesh::Previous(edge);
-    const int firstSide = this->Side(first, point);
-    const int secondSide = firstSide < 0 ? 0 : this->Side(second, point);
+    const int firstSide = this->Mesh.Side(first, point);
+    const int secondSide = firstSide < 0 ? 0 : this->Mesh.Side(second, point);
     if (firstSide >= 0 && secondSide >= 0)
     {
       const Id onEdge = firstSide == 0 ? first : (secondSide == 0 ? second : NoId);
@@ -139,7 +139,7 @@ Id Inserter::FirstEdgeBefore(const Point2& point) const
     }
     edge = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]));
   }
-  while (this->Side(edge, point) <= 0)
+  while (this->Mesh.Side(edge, point) <= 0)
   {
     ++edge;
   }
@@ -156,12 +156,6 @@ bool Inserter::IsOtherWayFirst()
   return (this->Generator >> 31) != 0u;
 }
 
-int Inserter::Side(Id edge, const Point2& point) const
-{
-  const auto& points = this->Mesh.Points;
-  return Orient2D(points[this->Mesh.Origin(edge)], points[this->Mesh.Target(edge)], point);
-}
-
 /// Of the three triangles that Split has just made, the one that took `edge` of `triangle`.
 Id Inserter::CornerTriangle(Id triangle, Id edge) const
 {
@@ -169,25 +163,9 @@ Id Inserter::CornerTriangle(Id triangle, Id edge) const
   return corner == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + corner;
 }
 
-/// Flips the edge opposite corner 0, the new vertex, which becomes corner 0 of both triangles:
-/// (p, a, b) and (d, b, a) turn into (p, a, d) and (p, d, b).
-void Inserter::FlipAround(Id triangle)
+void Inserter::FlipAround(Id edge)
 {
-  HalfEdgeMesh& mesh = this->Mesh;
-  const Id edge = HalfEdgeMesh::FirstEdge(triangle);
-  const Id twin = mesh.Twins[edge];
-  const Id other = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(twin));
-  const Id b = mesh.Corners[edge + 2];
-  const Id d = mesh.Corners[twin];
-  const Id beyondAd = mesh.Twins[HalfEdgeMesh::Next(twin)];
-  const Id beyondDb = mesh.Twins[HalfEdgeMesh::Previous(twin)];
-  const Id ahead = mesh.Twins[edge + 1];
-  mesh.Corners[edge + 2] = d;
-  mesh.SetTriangle(HalfEdgeMesh::TriangleOf(twin), mesh.Corners[edge], d, b);
-  mesh.Link(edge, beyondAd);
-  mesh.Link(other, beyondDb);
-  mesh.Link(other + 1, ahead);
-  mesh.Link(edge + 1, other + 2);
+  this->Mesh.FlipAround(edge, [this](Id one, Id twin) { this->Mesh.Link(one, twin); });
 }
 
 /// Goes once around the new vertex, corner 0 of all its triangles, and flips what its star may eat.
@@ -201,7 +179,7 @@ void Inserter::RestoreStar(Id triangle)
     const Id opposite = corners[this->Mesh.Twins[edge]];
     if (BreaksDelaunay(this->Mesh, corners[edge], corners[edge + 1], corners[edge + 2], opposite))
     {
-      this->FlipAround(HalfEdgeMesh::TriangleOf(edge));
+      this->FlipAround(edge);
       continue;
     }
     if (corners[edge + 2] == end)

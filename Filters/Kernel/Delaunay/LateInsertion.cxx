@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "../Predicates/Predicates.h"
 #include "ConstrainedMesh.h"
 #include "Flips.h"
 
@@ -28,7 +27,6 @@ public:
   Id Insert(const Point2& point);
 
 private:
-  int Side(Id edge, const Point2& point) const;
   bool IsOtherWayFirst();
   Id FindTriangle(const Point2& point);
   Id VertexAt(Id triangle, const Point2& point) const;
@@ -43,12 +41,6 @@ private:
   std::uint32_t Generator = 1;
   std::vector<Id> Stack;
 };
-
-int LateInserter::Side(Id edge, const Point2& point) const
-{
-  return Orient2D(this->Mesh.PointAt(this->Mesh.Origin(edge)),
-    this->Mesh.PointAt(this->Mesh.Target(edge)), point);
-}
 
 bool LateInserter::IsOtherWayFirst()
 {
@@ -68,7 +60,7 @@ Id LateInserter::FindTriangle(const Point2& point)
       {
         edge = HalfEdgeMesh::Next(edge);
       }
-      if (this->Side(edge, point) > 0)
+      if (this->Mesh.Side(edge, point) > 0)
       {
         break;
       }
@@ -76,7 +68,7 @@ Id LateInserter::FindTriangle(const Point2& point)
     }
     edge = this->IsOtherWayFirst() ? HalfEdgeMesh::Next(edge) : edge;
     Id steps = 0;
-    while (steps < 3 && this->Side(edge, point) >= 0)
+    while (steps < 3 && this->Mesh.Side(edge, point) >= 0)
     {
       edge = HalfEdgeMesh::Next(edge);
       ++steps;
@@ -119,7 +111,7 @@ Id LateInserter::Insert(const Point2& point)
   {
     for (Id edge = HalfEdgeMesh::FirstEdge(triangle), k = 0; k < 3; ++k, ++edge)
     {
-      onEdge = this->Side(edge, point) == 0 ? k : onEdge;
+      onEdge = this->Mesh.Side(edge, point) == 0 ? k : onEdge;
     }
   }
   this->Split(triangle, vertex);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "RegionFill.h"
+#include "ConstrainedMesh.h"
 
+#include "../Base/DisjointSets.h"
 #include "../Base/Prefetch.h"
 #include "../Base/SortInSteps.h"
 
-#include <algorithm> // for max, max_element, min
+#include <algorithm> // for lower_bound, max, max_element, min
 #include <cstdint>   // for flags
 #include <utility>   // for move
 
@@ -80,8 +81,8 @@ std::vector<BorderEdge> CollectBorder(const HalfEdgeMesh& mesh, const Constraint
   return border;
 }
 
-/// The faces that marks part: sets of triangles that share edges without one, united in the order
-/// of triangles. A parent has no greater number than its triangle, and a root is its own.
+/// The faces that marks part: sets of triangles that share edges without one, numbered by their
+/// first triangles.
 class Faces
 {
 public:
@@ -99,11 +100,7 @@ public:
   std::vector<Id> Take() { return std::move(this->OfTriangle); }
 
 private:
-  void UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle);
-  Id RootOf(Id triangle);
-  void Number(const HalfEdgeMesh& mesh, Id triangle);
-
-  std::vector<Id> OfTriangle; ///< triangle -> parent, then face
+  std::vector<Id> OfTriangle;
   std::vector<Id> WithMarks;
   Id Count = 0;
   Id Outer = NoId;
@@ -112,57 +109,37 @@ private:
 Faces::Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, FacesEnd);
-  this->OfTriangle.reserve(mesh.NumberOfTriangles);
-  pulse.ForEach(mesh.NumberOfTriangles,
-    [this, &mesh](std::size_t t) { this->UniteWithEarlier(mesh, static_cast<Id>(t)); });
-  pulse.ForEach(this->OfTriangle.size(),
-    [this, &mesh](std::size_t t) { this->Number(mesh, static_cast<Id>(t)); });
-}
-
-void Faces::UniteWithEarlier(const HalfEdgeMesh& mesh, Id triangle)
-{
-  this->OfTriangle.push_back(triangle);
-  const bool hasMarks = mesh.HasMarks(triangle);
-  if (hasMarks)
-  {
-    this->WithMarks.push_back(triangle);
-  }
-  const Id first = HalfEdgeMesh::FirstEdge(triangle);
-  Id root = triangle;
-  for (Id edge = first; edge < first + 3; ++edge)
-  {
-    const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
-    if (neighbor < triangle && (!hasMarks || mesh.Mark(edge) == NoId))
+  DisjointSets sets(static_cast<std::size_t>(mesh.NumberOfTriangles));
+  pulse.ForEach(sets.Size(),
+    [this, &mesh, &sets](std::size_t t)
     {
-      const Id other = this->RootOf(neighbor);
-      const Id least = std::min(root, other);
-      this->OfTriangle[root] = this->OfTriangle[other] = least;
-      root = least;
-    }
-  }
-}
-
-Id Faces::RootOf(Id triangle)
-{
-  std::vector<Id>& parents = this->OfTriangle;
-  while (parents[triangle] != triangle)
-  {
-    parents[triangle] = parents[parents[triangle]];
-    triangle = parents[triangle];
-  }
-  return triangle;
-}
-
-/// Parents come before: theirs are faces by then.
-void Faces::Number(const HalfEdgeMesh& mesh, Id triangle)
-{
-  const Id parent = this->OfTriangle[triangle];
-  const Id face = parent == triangle ? this->Count++ : this->OfTriangle[parent];
-  this->OfTriangle[triangle] = face;
-  if (this->Outer == NoId && mesh.IsGhost(triangle))
-  {
-    this->Outer = face;
-  }
+      const Id triangle = static_cast<Id>(t);
+      const bool hasMarks = mesh.HasMarks(triangle);
+      for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
+      {
+        const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
+        if (neighbor < triangle && (!hasMarks || mesh.Mark(edge) == NoId))
+        {
+          sets.Unite(triangle, neighbor);
+        }
+      }
+      if (hasMarks)
+      {
+        this->WithMarks.push_back(triangle);
+      }
+    });
+  this->OfTriangle.reserve(sets.Size());
+  pulse.ForEach(sets.Size(),
+    [this, &mesh, &sets](std::size_t t)
+    {
+      const Id triangle = static_cast<Id>(t);
+      const Id first = sets.SetOf(triangle);
+      this->OfTriangle.push_back(first == triangle ? this->Count++ : this->OfTriangle[first]);
+      if (this->Outer == NoId && mesh.IsGhost(triangle))
+      {
+        this->Outer = this->OfTriangle.back();
+      }
+    });
 }
 
 /// A step from face to face, across a half-edge with a mark.
@@ -173,57 +150,34 @@ struct Step
   std::uint8_t IsOdd = 0;
 };
 
-/// The steps of all borders by the face they start from; those from face f are
-/// Steps[Begins[f]] .. Steps[Begins[f + 1] - 1].
-struct FaceGraph
-{
-  std::vector<Step> Steps;
-  std::vector<Id> Begins;
-};
-
-FaceGraph MakeFaceGraph(
+/// Face -> 1 where it is an odd number of boundaries away from the outer face.
+std::vector<std::uint8_t> FindInside(
   const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, const Faces& faces, Pulse& pulse)
 {
-  FaceGraph graph;
-  graph.Begins.assign(faces.Size() + 1, 0);
-  std::vector<Step> steps(border.size());
-  pulse.ForEach(border.size(),
-    [&mesh, &border, &faces, &graph, &steps](std::size_t k)
-    {
-      const Id edge = border[k].Edge;
-      const Id from = faces.FaceOf(HalfEdgeMesh::TriangleOf(edge));
-      const Id to = faces.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[edge]));
-      steps[k] = { from, to, static_cast<std::uint8_t>(mesh.Mark(edge) & 1) };
-      ++graph.Begins[from + 1];
-    });
-  for (Id face = 0; face < faces.Size() && pulse.Beat(); ++face)
-  {
-    graph.Begins[face + 1] += graph.Begins[face];
-  }
-  graph.Steps.resize(steps.size());
-  std::vector<Id> next = graph.Begins;
-  pulse.ForEach(steps.size(),
-    [&graph, &steps, &next](std::size_t k) { graph.Steps[next[steps[k].From]++] = steps[k]; });
-  return graph;
-}
-
-/// Face -> 1 where it is an odd number of boundaries away from the outer face.
-std::vector<std::uint8_t> FindInside(const FaceGraph& graph, Id outerFace, Pulse& pulse)
-{
   constexpr std::uint8_t unknown = 2;
-  std::vector<std::uint8_t> isInside(graph.Begins.size() - 1, unknown);
-  std::vector<Id> queue{ outerFace };
-  isInside[outerFace] = 0;
-  for (std::size_t next = 0; next < queue.size(); ++next)
+  std::vector<Step> steps;
+  steps.reserve(border.size());
+  for (const BorderEdge& one : border)
+  {
+    steps.push_back({ faces.FaceOf(HalfEdgeMesh::TriangleOf(one.Edge)),
+      faces.FaceOf(HalfEdgeMesh::TriangleOf(mesh.Twins[one.Edge])),
+      static_cast<std::uint8_t>(mesh.Mark(one.Edge) & 1) });
+  }
+  const auto isBefore = [](const Step& a, const Step& b) { return a.From < b.From; };
+  SortInSteps(steps, isBefore, pulse);
+  std::vector<std::uint8_t> isInside(static_cast<std::size_t>(faces.Size()), unknown);
+  std::vector<Id> queue{ faces.OuterFace() };
+  isInside[faces.OuterFace()] = 0;
+  for (std::size_t next = 0; next < queue.size() && pulse.Beat(); ++next)
   {
     const Id face = queue[next];
-    for (Id i = graph.Begins[face]; i < graph.Begins[face + 1] && pulse.Beat(); ++i)
+    for (auto step = std::lower_bound(steps.begin(), steps.end(), Step{ face, NoId, 0 }, isBefore);
+         step != steps.end() && step->From == face; ++step)
     {
-      const Step& step = graph.Steps[i];
-      if (isInside[step.To] == unknown)
+      if (isInside[step->To] == unknown)
       {
-        isInside[step.To] = isInside[face] ^ step.IsOdd;
-        queue.push_back(step.To);
+        isInside[step->To] = isInside[face] ^ step->IsOdd;
+        queue.push_back(step->To);
       }
     }
   }
@@ -241,8 +195,7 @@ Regions NumberRegions(
   const HalfEdgeMesh& mesh, const std::vector<BorderEdge>& border, const Faces& faces, Pulse& pulse)
 {
   const PulsePart part(pulse, BorderEnd, RegionsEnd);
-  const std::vector<std::uint8_t> isInside =
-    FindInside(MakeFaceGraph(mesh, border, faces, pulse), faces.OuterFace(), pulse);
+  const std::vector<std::uint8_t> isInside = FindInside(mesh, border, faces, pulse);
   Regions regions;
   regions.OfFace.assign(faces.Size(), NoId);
   for (std::size_t k = 0; k < border.size() && pulse.Beat(); ++k)

@@ -9,7 +9,6 @@
 #include "../Base/Point.h"
 
 #include <cstdint> // for flags
-#include <string>  // for the check
 #include <vector>  // for the arrays
 
 namespace biting
@@ -87,12 +86,6 @@ struct ConstrainedMesh;
 
 /// The last steps of Triangulate, where the first ones are done (ConstrainedMesh.h).
 TriangulationResult FinishTriangulation(ConstrainedMesh made, Monitor& monitor);
-
-/// Checks, exactly: corners counterclockwise; neighbors mutual; every unconstrained inner edge
-/// locally Delaunay (Phi = 1 only); constraint marks equal on both sides; every boundary constraint
-/// borders one inside triangle. Returns the first violation as text, empty where there is none.
-std::string CheckTriangulation(const std::vector<Point2>& points, const Triangulation& mesh,
-  const TriangulationOptions& options);
 
 } // namespace biting
 

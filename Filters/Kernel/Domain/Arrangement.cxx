@@ -37,9 +37,7 @@ void Absorb(ArrangementEdge& kept, const ArrangementEdge& other)
 bool Arrangement::DividesRegions(const ArrangementEdge& edge) const
 {
   const auto [first, second] = this->Regions.empty() ? std::pair(NoId, NoId) : edge.Faces.OddPair();
-  return first != NoId &&
-    this->Regions[static_cast<std::size_t>(first)] !=
-    this->Regions[static_cast<std::size_t>(second)];
+  return first != NoId && this->Regions[first] != this->Regions[second];
 }
 
 bool Arrangement::IsNothing(const ArrangementEdge& edge) const

@@ -52,8 +52,8 @@ struct Arrangement
   DisjointSets Groups;              ///< of chains: faces whose common edges were dropped
   std::vector<Id> Regions;          ///< of chains; empty: all are of one region
 
-  const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
-  const ArrangementEdge& Edge(Id id) const { return this->Edges[static_cast<std::size_t>(id)]; }
+  const Point2& At(Id vertex) const { return this->Vertices[vertex]; }
+  const ArrangementEdge& Edge(Id id) const { return this->Edges[id]; }
   std::vector<SegmentEnds> EdgeEnds() const;
 
   /// A place at `offset` from the line along `span` is on it where Cross(span, offset) is no more.
@@ -84,9 +84,6 @@ struct Arrangement
 /// side by side from there are one but for rounding. But many edges within Resolution of each
 /// other, which rounded crossings have cut and bent, may make new ones without end: after some
 /// rounds these are welded too.
-///
-/// Where so many vertices lie on edges that many edges must lie along one line, these are merged
-/// all at once (see CollinearCrowds.h).
 ///
 /// Edges between two faces that are none of the drawing are dropped wherever equal edges are
 /// merged: of a triangulation only the outline takes part. That faces share edges, or parts of

@@ -5,16 +5,14 @@
 
 #include "../Base/SortInSteps.h"
 #include "../Predicates/Predicates.h"
-#include "CollinearCrowds.h"
 #include "Meetings.h"
-#include "ResolutionReport.h"
 #include "VertexGrid.h"
 
 #include <algorithm>  // for sort, minmax, count_if
 #include <cmath>      // for abs
 #include <cstdint>    // for masks and counts
 #include <functional> // for less
-#include <limits>     // for no limit
+#include <sstream>    // for a count
 #include <utility>    // for pair
 
 namespace biting
@@ -28,10 +26,167 @@ namespace
 /// nearly as near as rounding, close up with it vertex by vertex, one a round.
 constexpr std::size_t LeastWork = 2000000;
 constexpr std::size_t WorkOfEdge = 100;
-constexpr std::size_t LeastSplits = 100000;
-constexpr std::size_t CrowdedSplits = 50; // an edge, above which edges are looked at as crowds
 constexpr double MostForSpikes = NoiseInUlp / RoundingInUlp; // of the resolution, in roundings
 constexpr int MostRoundsWithSpikes = 6; // twice what is seen where edges are not crowded
+
+/// What the user hears of the resolution of an arrangement: what its first round finds, and why it
+/// was refused.
+class ResolutionReport
+{
+public:
+  /// Ends that were joined before are among what must not be.
+  ResolutionReport(const Arrangement& arrangement, ProblemList& problems);
+
+  /// Later rounds mend what the first one has bent: no news for the user.
+  void AddRound(const Meetings& found, Pulse& pulse);
+
+  /// Two edges with the same ends. Faces share edges, and lines carry the tags of their edges: that
+  /// is no news.
+  void AddEqual(const ArrangementEdge& kept, const ArrangementEdge& other);
+
+  /// Whether anything was reported that must not be where nothing is repaired.
+  bool HasDefect() const { return !this->FirstDefect.Ids.empty(); }
+
+  /// Adds why the arrangement is not resolved, with a place; returns false.
+  bool Refuse(ProblemCode code);
+  bool RefuseCrowd(const Meetings& found);
+
+private:
+  void Add(const MeetingReport& report);
+  Point2 PlaceOf(const MeetingReport& report) const;
+  void RememberFirst(Id firstCell, Id secondCell, const Point2& place);
+  void RememberLast(const Meetings& found);
+
+  const Arrangement& Data;
+  ProblemList& Problems;
+  bool IsFirstRound = true;
+  Problem FirstDefect; ///< the cells and the place of the first report
+  Problem LastDefect;  ///< of something that the last round has found
+};
+
+ResolutionReport::ResolutionReport(const Arrangement& arrangement, ProblemList& problems)
+  : Data(arrangement)
+  , Problems(problems)
+{
+  for (const ProblemGroup& group : problems.Groups())
+  {
+    if (group.Code == ProblemCode::JoinedEnds)
+    {
+      const Problem& first = group.First.front();
+      const auto cell = static_cast<Id>(first.Ids.back());
+      this->RememberFirst(cell, cell, InPlane(first.Place));
+    }
+  }
+}
+
+void ResolutionReport::AddRound(const Meetings& found, Pulse& pulse)
+{
+  for (const MeetingReport& report : found.Reports)
+  {
+    if (this->IsFirstRound && pulse.Beat())
+    {
+      this->Add(report);
+    }
+  }
+  this->IsFirstRound = false;
+  this->RememberLast(found);
+}
+
+void ResolutionReport::Add(const MeetingReport& report)
+{
+  if (report.Code == ProblemCode::NearPoints)
+  {
+    this->Problems.Add(
+      { report.Code, { this->Data.VertexPoints[report.Vertex], NoId }, this->Data.At(report.Vertex),
+        "on a segment of cell " + std::to_string(this->Data.Edge(report.First).Cell) });
+    return;
+  }
+  const auto [first, second] =
+    std::minmax({ this->Data.Edge(report.First).Cell, this->Data.Edge(report.Second).Cell });
+  const Id other =
+    report.Code == ProblemCode::Touches ? this->Data.VertexPoints[report.Vertex] : second;
+  constexpr auto MostKept = static_cast<std::int64_t>(ProblemList::KeptPerKind);
+  const bool isKept = this->Problems.Count(report.Code) < MostKept;
+  const Point2 place = isKept ? this->PlaceOf(report) : Point2();
+  this->Problems.Add({ report.Code, { first, other }, place, {} });
+  this->RememberFirst(first, second, place);
+}
+
+Point2 ResolutionReport::PlaceOf(const MeetingReport& report) const
+{
+  if (report.Vertex != NoId)
+  {
+    return this->Data.At(report.Vertex);
+  }
+  const SegmentEnds& a = this->Data.Edge(report.First).Ends;
+  const SegmentEnds& b = this->Data.Edge(report.Second).Ends;
+  return CrossingPoint(
+    this->Data.At(a.Start), this->Data.At(a.End), this->Data.At(b.Start), this->Data.At(b.End));
+}
+
+void ResolutionReport::RememberFirst(Id firstCell, Id secondCell, const Point2& place)
+{
+  if (this->FirstDefect.Ids.empty())
+  {
+    this->FirstDefect.Ids = { firstCell, secondCell };
+    this->FirstDefect.Place = place;
+  }
+}
+
+/// For a refusal where the first round had nothing to report, as all was within rounding.
+void ResolutionReport::RememberLast(const Meetings& found)
+{
+  if (!found.Crossings.empty())
+  {
+    const auto [first, second] = found.Crossings.front();
+    this->LastDefect.Ids = { this->Data.Edge(first).Cell, this->Data.Edge(second).Cell };
+    this->LastDefect.Place = this->PlaceOf({ ProblemCode::Crossings, first, second, NoId });
+  }
+  else if (!found.Splits.empty())
+  {
+    const EdgeSplit& split = found.Splits.front();
+    const Id cell = this->Data.Edge(split.Edge).Cell;
+    this->LastDefect.Ids = { cell, cell };
+    this->LastDefect.Place = this->Data.At(split.Vertex);
+  }
+}
+
+void ResolutionReport::AddEqual(const ArrangementEdge& kept, const ArrangementEdge& other)
+{
+  const bool areLines = kept.HasLine() && other.HasLine();
+  const bool countsTwice = kept.BoundaryCount + other.BoundaryCount > 0;
+  if (this->IsFirstRound && (areLines || countsTwice))
+  {
+    const Point2& place = this->Data.At(kept.Ends.Start);
+    const auto [first, second] = std::minmax({ kept.Cell, other.Cell });
+    this->Problems.Add({ ProblemCode::DuplicateSegments, { first, second }, place, {} });
+    this->RememberFirst(first, second, place);
+  }
+}
+
+bool ResolutionReport::Refuse(ProblemCode code)
+{
+  Problem problem;
+  if (code != ProblemCode::Aborted)
+  {
+    problem = this->FirstDefect.Ids.empty() ? this->LastDefect : this->FirstDefect;
+  }
+  problem.Code = code;
+  this->Problems.Add(problem);
+  return false;
+}
+
+/// One place stands for all.
+bool ResolutionReport::RefuseCrowd(const Meetings& found)
+{
+  std::ostringstream count;
+  count.precision(2);
+  count << "one of about " << found.AboutHowMany << " crossings or more";
+  this->RememberLast(found);
+  this->FirstDefect = this->LastDefect;
+  this->FirstDefect.Detail = count.str();
+  return this->Refuse(ProblemCode::NotResolved);
+}
 
 class Resolver
 {
@@ -48,9 +203,6 @@ public:
   bool Run(const DomainOptions& options);
 
 private:
-  MeetingLimits LimitsFor(const DomainOptions& options) const;
-  void MergeCrowds();
-
   void MakeCrossingVertices();
   Id VertexAt(const Point2& place);
   void SplitEdges();
@@ -69,7 +221,6 @@ private:
   VertexGrid Grid;
   Meetings Found;
   ResolutionReport Report;
-  bool HasMergedCrowds = false;
 };
 
 bool Resolver::Run(const DomainOptions& options)
@@ -79,24 +230,21 @@ bool Resolver::Run(const DomainOptions& options)
   double rest = 1.0;
   const std::size_t mostWork = LeastWork + WorkOfEdge * this->Data.Edges.size();
   std::size_t work = 0;
+  const auto mostMeetings =
+    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
   for (int round = 0; work <= mostWork; ++round)
   {
     PulsePart half(this->Beats, 1.0 - rest, 1.0 - 0.5 * rest);
     rest *= 0.5;
     this->Data.KeepsSpikes =
       round < MostRoundsWithSpikes && this->Data.Resolution <= MostForSpikes * this->Data.Rounding;
-    if (!FindMeetings(this->Data, this->LimitsFor(options), this->Found, this->Beats))
+    if (!FindMeetings(this->Data, mostMeetings, this->Found, this->Beats))
     {
       return this->Report.Refuse(ProblemCode::Aborted);
     }
-    if (this->Found.HasTooManyCrossings)
+    if (this->Found.AreTooMany)
     {
       return this->Report.RefuseCrowd(this->Found);
-    }
-    if (this->Found.HasTooManySplits)
-    {
-      this->MergeCrowds();
-      continue;
     }
     this->Report.AddRound(this->Found, this->Beats);
     if (!options.Repair && this->Report.HasDefect())
@@ -115,27 +263,6 @@ bool Resolver::Run(const DomainOptions& options)
   }
   return this->Report.Refuse(
     this->Beats.HasStopped() ? ProblemCode::Aborted : ProblemCode::NotResolved);
-}
-
-MeetingLimits Resolver::LimitsFor(const DomainOptions& options) const
-{
-  MeetingLimits limits;
-  limits.Crossings =
-    static_cast<std::size_t>(std::max<std::int64_t>(options.MaximumNumberOfCrossings, 0));
-  limits.Splits = this->HasMergedCrowds ? std::numeric_limits<std::size_t>::max()
-                                        : LeastSplits + CrowdedSplits * this->Data.Edges.size();
-  return limits;
-}
-
-/// Once, and the round begins again. In the first round the user is told.
-void Resolver::MergeCrowds()
-{
-  ProblemList unheard;
-  MergeCollinearCrowds(
-    this->Data, this->Report.IsOfFirstRound() ? this->Problems : unheard, this->Beats);
-  this->Report.RememberCrowds();
-  this->MarkAllNew(true);
-  this->HasMergedCrowds = true;
 }
 
 void Resolver::MakeCrossingVertices()

@@ -5,7 +5,7 @@
 
 #include "VertexStars.h"
 
-#include <algorithm> // for min, min_element, all_of
+#include <algorithm> // for min_element, all_of
 #include <cstddef>   // for size_t
 
 namespace biting
@@ -48,116 +48,69 @@ std::vector<std::uint8_t> OddVertices(std::size_t vertices, const Subgraph& grap
   for (std::size_t s = 0; s < graph.Segments.size(); ++s)
   {
     const auto parity = static_cast<std::uint8_t>(graph.Counts[s] % 2);
-    isOdd[static_cast<std::size_t>(graph.Segments[s].Start)] ^= parity;
-    isOdd[static_cast<std::size_t>(graph.Segments[s].End)] ^= parity;
+    isOdd[graph.Segments[s].Start] ^= parity;
+    isOdd[graph.Segments[s].End] ^= parity;
   }
   return isOdd;
 }
 
-/// Depth-first search with an explicit stack.
-class BridgeFinder
+/// Walks along the faces of a plane graph.
+class FaceWalk
 {
 public:
-  BridgeFinder(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
-    : Graph(graph)
-    , Beats(pulse)
-    , Stars(vertices, graph.Segments, pulse)
-    , Entry(vertices.size(), NoId)
-    , Low(vertices.size(), NoId)
-    , Next(vertices.size(), 0)
-    , IsBridge(graph.Segments.size(), 0)
-  {
-  }
+  FaceWalk(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse);
 
-  std::vector<std::uint8_t> Run();
+  /// Each component has one walk a face: a bridge is passed twice, there and back, by one of them.
+  /// A segment drawn more than once is no bridge: its copies close a loop.
+  std::vector<std::uint8_t> FindBridges() const;
 
 private:
-  struct Visit
+  Id SideOf(Id segment, Id start) const
   {
-    Id Vertex = NoId;
-    Id Arrival = NoId; ///< the segment by which the search came
-  };
-
-  void Search(Id root);
-  void Enter(Id vertex, Id arrival);
-  void Leave();
+    return 2 * segment + (this->Graph.Segments[segment].Start == start ? 0 : 1);
+  }
 
   const Subgraph& Graph;
-  Pulse& Beats;
-  const VertexStars Stars;
-  std::vector<Id> Entry; ///< when the search entered each vertex
-  std::vector<Id> Low;   ///< the earliest entry that its subtree reaches by another way
-  std::vector<Id> Next;  ///< how much of its star has been followed
-  std::vector<std::uint8_t> IsBridge;
-  std::vector<Visit> Path;
-  Id Clock = 0;
+  std::vector<Id> Nexts; ///< of both sides of each segment: the side that follows at the end
 };
 
-std::vector<std::uint8_t> BridgeFinder::Run()
+FaceWalk::FaceWalk(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
+  : Graph(graph)
+  , Nexts(2 * graph.Segments.size())
 {
-  for (Id vertex = 0; vertex < this->Stars.NumberOfVertices(); ++vertex)
+  const VertexStars stars(vertices, graph.Segments, pulse);
+  for (Id vertex = 0; vertex < stars.NumberOfVertices(); ++vertex)
   {
-    if (this->Stars.Degree(vertex) > 0 && this->Entry[static_cast<std::size_t>(vertex)] == NoId)
+    const Id* star = stars.Begin(vertex);
+    for (Id i = 0; i < stars.Degree(vertex); ++i)
     {
-      this->Search(vertex);
-    }
-  }
-  return std::move(this->IsBridge);
-}
-
-void BridgeFinder::Search(Id root)
-{
-  this->Enter(root, NoId);
-  while (!this->Path.empty() && this->Beats.Beat())
-  {
-    const Visit here = this->Path.back();
-    const auto vertex = static_cast<std::size_t>(here.Vertex);
-    if (this->Next[vertex] == this->Stars.Degree(here.Vertex))
-    {
-      this->Leave();
-      continue;
-    }
-    const Id segment = this->Stars.Begin(here.Vertex)[this->Next[vertex]++];
-    const Id other = OtherEnd(this->Graph.Segments[static_cast<std::size_t>(segment)], here.Vertex);
-    const Id entry = this->Entry[static_cast<std::size_t>(other)];
-    if (entry == NoId)
-    {
-      this->Enter(other, segment);
-    }
-    else if (segment != here.Arrival)
-    {
-      this->Low[vertex] = std::min(this->Low[vertex], entry);
+      const Id arriving = this->SideOf(star[i], OtherEnd(graph.Segments[star[i]], vertex));
+      this->Nexts[arriving] = this->SideOf(star[(i + 1) % stars.Degree(vertex)], vertex);
     }
   }
 }
 
-void BridgeFinder::Enter(Id vertex, Id arrival)
+std::vector<std::uint8_t> FaceWalk::FindBridges() const
 {
-  this->Entry[static_cast<std::size_t>(vertex)] = this->Clock;
-  this->Low[static_cast<std::size_t>(vertex)] = this->Clock++;
-  this->Path.push_back({ vertex, arrival });
-}
-
-/// A segment drawn more than once is no bridge: its copies close a loop.
-void BridgeFinder::Leave()
-{
-  const Visit left = this->Path.back();
-  this->Path.pop_back();
-  if (this->Path.empty())
+  std::vector<Id> walks(this->Nexts.size(), NoId);
+  for (std::size_t first = 0; first < walks.size(); ++first)
   {
-    return;
+    for (Id side = static_cast<Id>(first); walks[side] == NoId; side = this->Nexts[side])
+    {
+      walks[side] = static_cast<Id>(first);
+    }
   }
-  const auto parent = static_cast<std::size_t>(this->Path.back().Vertex);
-  const Id low = this->Low[static_cast<std::size_t>(left.Vertex)];
-  this->Low[parent] = std::min(this->Low[parent], low);
-  const auto arrival = static_cast<std::size_t>(left.Arrival);
-  const bool isLone = this->Graph.Counts[arrival] == 1;
-  this->IsBridge[arrival] = isLone && low > this->Entry[parent] ? 1 : 0;
+  std::vector<std::uint8_t> isBridge(this->Graph.Segments.size());
+  for (std::size_t s = 0; s < isBridge.size(); ++s)
+  {
+    isBridge[s] = this->Graph.Counts[s] == 1 && walks[2 * s] == walks[2 * s + 1];
+  }
+  return isBridge;
 }
 
 Subgraph WithoutBridges(const std::vector<Point2>& vertices, const Subgraph& graph, Pulse& pulse)
 {
-  const std::vector<std::uint8_t> isBridge = BridgeFinder(vertices, graph, pulse).Run();
+  const std::vector<std::uint8_t> isBridge = FaceWalk(vertices, graph, pulse).FindBridges();
   Subgraph rest;
   for (std::size_t s = 0; s < isBridge.size(); ++s)
   {
@@ -191,11 +144,8 @@ private:
   std::vector<Id> Connected(Id seed);
   std::vector<Id> OddEdges(const std::vector<Id>& vertices) const;
   std::vector<Id> Outline(Id leftmost) const;
-  const SegmentEnds& Ends(Id segment) const
-  {
-    return this->Graph.Segments[static_cast<std::size_t>(segment)];
-  }
-  Id NumberOf(Id segment) const { return this->Graph.Numbers[static_cast<std::size_t>(segment)]; }
+  const SegmentEnds& Ends(Id segment) const { return this->Graph.Segments[segment]; }
+  Id NumberOf(Id segment) const { return this->Graph.Numbers[segment]; }
 
   const Arrangement& Drawing;
   const Subgraph& Graph;
@@ -210,7 +160,7 @@ std::vector<BoundaryComponent> ComponentJudge::Run()
   std::vector<BoundaryComponent> components;
   for (Id seed = 0; seed < this->Stars.NumberOfVertices() && this->Beats.Beat(1); ++seed)
   {
-    if (this->Stars.Degree(seed) > 0 && !this->IsSeen[static_cast<std::size_t>(seed)])
+    if (this->Stars.Degree(seed) > 0 && !this->IsSeen[seed])
     {
       components.push_back(this->Judge(this->Connected(seed)));
     }
@@ -221,7 +171,7 @@ std::vector<BoundaryComponent> ComponentJudge::Run()
 BoundaryComponent ComponentJudge::Judge(const std::vector<Id>& vertices) const
 {
   const auto isLeft = [this](Id a, Id b) { return this->Drawing.At(a) < this->Drawing.At(b); };
-  const auto isEven = [this](Id vertex) { return !this->IsOdd[static_cast<std::size_t>(vertex)]; };
+  const auto isEven = [this](Id vertex) { return !this->IsOdd[vertex]; };
   const Id leftmost = *std::min_element(vertices.begin(), vertices.end(), isLeft);
   const Id lowest = *this->Stars.Begin(leftmost);
   BoundaryComponent component;
@@ -238,7 +188,7 @@ bool ComponentJudge::IsSimpleLoop(const std::vector<Id>& vertices) const
   return std::all_of(vertices.begin(), vertices.end(),
     [this](Id vertex)
     {
-      const bool isCrossing = this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)] == NoId;
+      const bool isCrossing = this->Drawing.VertexPoints[vertex] == NoId;
       return this->Stars.Degree(vertex) == 2 && !isCrossing;
     });
 }
@@ -246,7 +196,7 @@ bool ComponentJudge::IsSimpleLoop(const std::vector<Id>& vertices) const
 std::vector<Id> ComponentJudge::Connected(Id seed)
 {
   std::vector<Id> component{ seed };
-  this->IsSeen[static_cast<std::size_t>(seed)] = 1;
+  this->IsSeen[seed] = 1;
   for (std::size_t i = 0; i < component.size(); ++i)
   {
     const Id vertex = component[i];
@@ -254,9 +204,9 @@ std::vector<Id> ComponentJudge::Connected(Id seed)
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
       const Id other = OtherEnd(this->Ends(*s), vertex);
-      if (!this->IsSeen[static_cast<std::size_t>(other)])
+      if (!this->IsSeen[other])
       {
-        this->IsSeen[static_cast<std::size_t>(other)] = 1;
+        this->IsSeen[other] = 1;
         component.push_back(other);
       }
     }
@@ -271,7 +221,7 @@ std::vector<Id> ComponentJudge::OddEdges(const std::vector<Id>& vertices) const
   {
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
-      const bool isOdd = this->Graph.Counts[static_cast<std::size_t>(*s)] % 2 != 0;
+      const bool isOdd = this->Graph.Counts[*s] % 2 != 0;
       if (isOdd && this->Ends(*s).Start == vertex)
       {
         edges.push_back(this->NumberOf(*s));

@@ -27,7 +27,7 @@ struct BoundaryComponent
 /// Bridges bound nothing and are taken away first. A component that is left bounds by parity where
 /// all its vertices have even degree, each edge counted as often as drawn; else by its outline: the
 /// edges that its outer face touches.
-/// Cost O(n log n). Source: R. Tarjan, "A note on finding the bridges of a graph", 1974.
+/// Cost O(n log n).
 std::vector<BoundaryComponent> FindBoundaryComponents(
   const Arrangement& arrangement, const std::vector<Id>& counts, Pulse& pulse);
 

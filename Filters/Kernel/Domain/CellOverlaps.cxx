@@ -57,10 +57,10 @@ private:
   Id OwnerBelow(Id segment) const;
   void ReportSurfaces();
   bool LiesOnOthers(const Surface& surface);
-  void Report(Id segment);
+  void Report(Id segment, ProblemCode code);
 
   const FaceEdge& FacesAt(Id segment) const { return this->Drawing.Edge(segment).Faces; }
-  Id StepOf(Id segment) const { return this->Depths.Steps[static_cast<std::size_t>(segment)]; }
+  Id StepOf(Id segment) const { return this->Depths.Steps[segment]; }
 
   const Arrangement& Drawing;
   const std::vector<Id>& Cells;
@@ -117,15 +117,15 @@ void OverlapFinder::Visit(Id segment)
   if (faces.First() != NoId && !isThin)
   {
     const Id group = this->Groups.SetOf(faces.First());
-    Surface& surface = this->Surfaces[static_cast<std::size_t>(group)];
+    Surface& surface = this->Surfaces[group];
     surface.Parent = surface.LeastCover == NoId ? below : surface.Parent;
     this->MeetOutline(segment, surface);
     above = this->StepOf(segment) > 0 ? group : this->StepOf(segment) < 0 ? surface.Parent : below;
   }
-  this->OwnersAbove[static_cast<std::size_t>(segment)] = above;
+  this->OwnersAbove[segment] = above;
   if (faces.First() != NoId && faces.Count + std::abs(faces.Turn) > 3)
   {
-    this->Report(segment);
+    this->Report(segment, ProblemCode::OverlappingCells);
   }
 }
 
@@ -135,7 +135,7 @@ void OverlapFinder::MeetOutline(Id segment, Surface& surface) const
   {
     return;
   }
-  const Id above = this->Depths.Above[static_cast<std::size_t>(segment)];
+  const Id above = this->Depths.Above[segment];
   const Id cover = std::min(std::abs(above), std::abs(above - this->StepOf(segment)));
   const bool isFirst = surface.LeastCover == NoId;
   surface.LeastCover = isFirst ? cover : std::min(surface.LeastCover, cover);
@@ -145,17 +145,20 @@ void OverlapFinder::MeetOutline(Id segment, Surface& surface) const
 
 Id OverlapFinder::OwnerBelow(Id segment) const
 {
-  const Id below = this->Depths.Below[static_cast<std::size_t>(segment)];
-  return below == NoId ? NoId : this->OwnersAbove[static_cast<std::size_t>(below)];
+  const Id below = this->Depths.Below[segment];
+  return below == NoId ? NoId : this->OwnersAbove[below];
 }
 
 void OverlapFinder::ReportSurfaces()
 {
   for (const Surface& surface : this->Surfaces)
   {
-    if (this->LiesOnOthers(surface) && this->Beats.Beat(1))
+    const bool isHole = !this->LiesOnOthers(surface);
+    const bool isKnown = isHole && this->Problems.Has(ProblemCode::OverlappingCells);
+    if (surface.MostCover > 0 && !isKnown && this->Beats.Beat(1))
     {
-      this->Report(surface.Deepest);
+      this->Report(
+        surface.Deepest, isHole ? ProblemCode::NestedCells : ProblemCode::OverlappingCells);
     }
   }
 }
@@ -164,16 +167,16 @@ void OverlapFinder::ReportSurfaces()
 bool OverlapFinder::LiesOnOthers(const Surface& surface)
 {
   const bool isOfSeveral = surface.Parent != NoId && this->Groups.SizeOf(surface.Parent) > 1;
-  return surface.MostCover > 0 && (surface.LeastCover != surface.MostCover || isOfSeveral);
+  return surface.LeastCover != surface.MostCover || isOfSeveral;
 }
 
-void OverlapFinder::Report(Id segment)
+void OverlapFinder::Report(Id segment, ProblemCode code)
 {
   const auto face = static_cast<std::size_t>(this->FacesAt(segment).First());
   if (!this->IsReported[face])
   {
     this->IsReported[face] = 1;
-    this->Problems.Add({ ProblemCode::OverlappingCells, { this->Cells[face] },
+    this->Problems.Add({ code, { this->Cells[face] },
       this->Drawing.At(this->Drawing.Edge(segment).Ends.Start), {} });
   }
 }

@@ -16,9 +16,10 @@ namespace biting
 /// are left of them in `arrangement`, where `area` is covered by an odd number of faces.
 ///
 /// Faces that were joined over their common edges are one surface. A surface within another that is
-/// a single face is a hole of it, without a word. Reported, with the first of the cells: two faces
-/// on the same side of an edge; a surface whose outline lies partly within others and partly not; a
-/// surface within another of several faces, which may divide them.
+/// a single face is a hole of it: NestedCells, where no OverlappingCells are known. These are, with
+/// the first of the cells: two faces on the same side of an edge; a surface whose outline lies
+/// partly within others and partly not; a surface within another of several faces, which may divide
+/// them.
 ///
 /// Where all faces together have the area that is covered, nothing overlaps: then the cost is O(1)
 /// a edge, else that of a sweep, O(n log n). The orientation of faces plays no part; one that

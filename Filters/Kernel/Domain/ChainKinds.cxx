@@ -40,8 +40,8 @@ bool LeavesEndsOpen(const Arrangement& arrangement, const Flags& bounds)
   Flags isOdd(arrangement.Vertices.size(), 0);
   for (std::size_t e = 0; e < bounds.size(); ++e)
   {
-    isOdd[static_cast<std::size_t>(arrangement.Edges[e].Ends.Start)] ^= bounds[e];
-    isOdd[static_cast<std::size_t>(arrangement.Edges[e].Ends.End)] ^= bounds[e];
+    isOdd[arrangement.Edges[e].Ends.Start] ^= bounds[e];
+    isOdd[arrangement.Edges[e].Ends.End] ^= bounds[e];
   }
   return std::any_of(isOdd.begin(), isOdd.end(), [](std::uint8_t odd) { return odd != 0; });
 }
@@ -50,7 +50,7 @@ void Toggle(const BoundaryComponent& component, Flags& bounds)
 {
   for (const Id edge : component.Edges)
   {
-    bounds[static_cast<std::size_t>(edge)] ^= 1;
+    bounds[edge] ^= 1;
   }
 }
 

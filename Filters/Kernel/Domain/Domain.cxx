@@ -14,10 +14,10 @@
 #include "SegmentWalk.h"
 #include "Welding.h"
 
-#include <algorithm> // for none_of, sort
+#include <algorithm> // for none_of
 #include <cmath>     // for isfinite, abs
 #include <cstddef>   // for size_t
-#include <utility>   // for pair
+#include <map>       // for what is dropped
 
 namespace biting
 {
@@ -33,16 +33,12 @@ constexpr double EndOfResolving = 0.6;
 constexpr double EndOfBoundary = 0.7;
 
 bool IsUsable(const Polylines& input, ProblemList& problems);
-Arrangement Weld(
-  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
-bool Resolve(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse);
-Flags Bound(const Arrangement& arrangement, Pulse& pulse);
 InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pulse);
-Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside);
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Flags& isKept,
+  const InsideFlags& inside);
 Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside);
-void ReportOutside(
-  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems);
+void ReportOutside(const Arrangement& arrangement, const Flags& isKept, const InsideFlags& inside,
+  ProblemList& problems);
 double EnclosedArea(const Domain& domain);
 bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse);
@@ -90,12 +86,24 @@ Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& cl
     return {};
   }
   Pulse pulse(monitor);
-  Arrangement arrangement = Weld(input, options, problems, pulse);
-  if (!Resolve(arrangement, options, problems, pulse))
+  Arrangement arrangement;
+  Flags bounds;
   {
-    return {};
+    const PulsePart part(pulse, 0.0, EndOfWelding);
+    arrangement = WeldPolylines(input, options, problems, pulse);
   }
-  const Flags bounds = Bound(arrangement, pulse);
+  {
+    const PulsePart part(pulse, EndOfWelding, EndOfResolving);
+    if (!ResolveArrangement(arrangement, options, problems, pulse))
+    {
+      return {};
+    }
+  }
+  {
+    const PulsePart part(pulse, EndOfResolving, EndOfBoundary);
+    bounds = options.Rule == DomainRule::EvenOdd ? FindBoundary(arrangement, pulse)
+                                                 : FindBoundaryByRule(arrangement, options, pulse);
+  }
   const bool isOpen =
     std::none_of(bounds.begin(), bounds.end(), [](std::uint8_t b) { return b != 0; });
   if (isOpen && !pulse.HasStopped())
@@ -108,14 +116,14 @@ Domain MakeOnce(const Polylines& input, const DomainOptions& options, double& cl
   {
     return Refuse(ProblemCode::Aborted, problems);
   }
-  closing =
-    RefuseOpenOutlines(arrangement, KeptEdges(arrangement, inside), options, problems, pulse);
+  const Flags isKept = KeptEdges(arrangement, inside);
+  closing = RefuseOpenOutlines(arrangement, isKept, options, problems, pulse);
   if (closing > 0.0)
   {
     return {};
   }
-  ReportOutside(arrangement, inside, problems);
-  Domain domain = KeepInside(arrangement, bounds, inside);
+  ReportOutside(arrangement, isKept, inside, problems);
+  Domain domain = KeepInside(arrangement, bounds, isKept, inside);
   NumberAlongSegments(domain, pulse);
   if (!pulse.Ask())
   {
@@ -134,7 +142,7 @@ Flags UsedPoints(const Polylines& input)
   Flags isUsed(input.Points.size(), 0);
   for (const Id point : input.Connectivity)
   {
-    isUsed[static_cast<std::size_t>(point)] = 1;
+    isUsed[point] = 1;
   }
   return isUsed;
 }
@@ -177,26 +185,6 @@ bool IsUsable(const Polylines& input, ProblemList& problems)
   return isUsable;
 }
 
-Arrangement Weld(
-  const Polylines& input, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, EndOfWelding);
-  return WeldPolylines(input, options, problems, pulse);
-}
-
-bool Resolve(
-  Arrangement& arrangement, const DomainOptions& options, ProblemList& problems, Pulse& pulse)
-{
-  const PulsePart part(pulse, EndOfWelding, EndOfResolving);
-  return ResolveArrangement(arrangement, options, problems, pulse);
-}
-
-Flags Bound(const Arrangement& arrangement, Pulse& pulse)
-{
-  const PulsePart part(pulse, EndOfResolving, EndOfBoundary);
-  return FindBoundary(arrangement, pulse);
-}
-
 /// Edges that are none of the drawing do not hide the embedded points at their ends. Flags that are
 /// empty, because the monitor asked to stop, stay so.
 void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
@@ -206,8 +194,8 @@ void AddEndsOfNothing(const Arrangement& arrangement, InsideFlags& inside)
     const ArrangementEdge& edge = arrangement.Edges[e];
     if (arrangement.IsNothing(edge) && inside.Left[e])
     {
-      inside.Vertices[static_cast<std::size_t>(edge.Ends.Start)] = 1;
-      inside.Vertices[static_cast<std::size_t>(edge.Ends.End)] = 1;
+      inside.Vertices[edge.Ends.Start] = 1;
+      inside.Vertices[edge.Ends.End] = 1;
     }
   }
 }
@@ -220,32 +208,29 @@ InsideFlags Nest(const Arrangement& arrangement, const Flags& bounds, Pulse& pul
   return inside;
 }
 
-bool IsKept(const Arrangement& arrangement, const InsideFlags& inside, std::size_t edge)
-{
-  return (inside.Left[edge] || inside.Right[edge]) &&
-    !arrangement.IsNothing(arrangement.Edges[edge]);
-}
-
+/// Edges of the drawing with the inside on one side at least.
 Flags KeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
 {
   Flags isKept;
+  isKept.reserve(arrangement.Edges.size());
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    isKept.push_back(IsKept(arrangement, inside, e));
+    isKept.push_back(
+      (inside.Left[e] || inside.Right[e]) && !arrangement.IsNothing(arrangement.Edges[e]));
   }
   return isKept;
 }
 
 /// 1 for the ends of kept edges.
-Flags EndsOfKeptEdges(const Arrangement& arrangement, const InsideFlags& inside)
+Flags EndsOfKeptEdges(const Arrangement& arrangement, const Flags& isKept)
 {
   Flags isEnd(arrangement.Vertices.size(), 0);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(arrangement, inside, e))
+    if (isKept[e])
     {
-      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.Start)] = 1;
-      isEnd[static_cast<std::size_t>(arrangement.Edges[e].Ends.End)] = 1;
+      isEnd[arrangement.Edges[e].Ends.Start] = 1;
+      isEnd[arrangement.Edges[e].Ends.End] = 1;
     }
   }
   return isEnd;
@@ -257,86 +242,75 @@ bool IsInterface(const ArrangementEdge& edge)
   return edge.IsInterface || (edge.BoundaryCount + edge.OpenCount) % 2 != 0;
 }
 
-void ReportOutsideInterfaces(
-  const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
+void ReportOutside(const Arrangement& arrangement, const Flags& isKept, const InsideFlags& inside,
+  ProblemList& problems)
 {
-  std::vector<std::pair<Id, std::size_t>> dropped;
+  std::map<Id, Id> dropped; // by cell, where the first one begins
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (!IsKept(arrangement, inside, e) && IsInterface(arrangement.Edges[e]))
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    if (!isKept[e] && IsInterface(edge))
     {
-      dropped.emplace_back(arrangement.Edges[e].Cell, e);
+      dropped.emplace(edge.Cell, edge.Ends.Start);
     }
   }
-  std::sort(dropped.begin(), dropped.end());
-  for (std::size_t i = 0; i < dropped.size(); ++i)
+  for (const auto& [cell, start] : dropped)
   {
-    if (i == 0 || dropped[i].first != dropped[i - 1].first)
-    {
-      const Id start = arrangement.Edges[dropped[i].second].Ends.Start;
-      problems.Add(
-        { ProblemCode::OutsideInterfaces, { dropped[i].first }, arrangement.At(start), {} });
-    }
+    problems.Add({ ProblemCode::OutsideInterfaces, { cell }, arrangement.At(start), {} });
   }
-}
-
-void ReportOutside(const Arrangement& arrangement, const InsideFlags& inside, ProblemList& problems)
-{
-  ReportOutsideInterfaces(arrangement, inside, problems);
-  const Flags isEnd = EndsOfKeptEdges(arrangement, inside);
+  const Flags isEnd = EndsOfKeptEdges(arrangement, isKept);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    if (!isEnd[v] && !inside.Vertices[v])
+    if (!isEnd[vertex] && !inside.Vertices[vertex])
     {
-      problems.Add({ ProblemCode::OutsidePoints, { arrangement.VertexPoints[v] },
-        arrangement.Vertices[v], {} });
+      problems.Add({ ProblemCode::OutsidePoints, { arrangement.VertexPoints[vertex] },
+        arrangement.Vertices[vertex], {} });
     }
   }
 }
 
 /// Fills the vertices of the domain; returns their new numbers, NoId for those dropped.
-std::vector<Id> KeepVertices(
-  const Arrangement& arrangement, const InsideFlags& inside, Domain& domain)
+std::vector<Id> KeepVertices(const Arrangement& arrangement, const Flags& isKeptEdge,
+  const InsideFlags& inside, Domain& domain)
 {
-  Flags isKept = EndsOfKeptEdges(arrangement, inside);
+  Flags isKept = EndsOfKeptEdges(arrangement, isKeptEdge);
   Flags isLone(isKept.size(), 0);
   Flags hasPoint(isKept.size(), 0);
   for (const Id vertex : arrangement.EmbeddedVertices)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    hasPoint[v] = 1;
-    isLone[v] = !isKept[v] && inside.Vertices[v];
-    isKept[v] = isKept[v] || isLone[v];
+    hasPoint[vertex] = 1;
+    isLone[vertex] = !isKept[vertex] && inside.Vertices[vertex];
+    isKept[vertex] = isKept[vertex] || isLone[vertex];
   }
   std::vector<Id> numbers(isKept.size(), NoId);
-  for (std::size_t v = 0; v < isKept.size(); ++v)
+  for (std::size_t vertex = 0; vertex < isKept.size(); ++vertex)
   {
-    if (isKept[v])
+    if (isKept[vertex])
     {
-      numbers[v] = domain.NumberOfVertices();
-      domain.Vertices.push_back(arrangement.Vertices[v]);
-      domain.VertexPoints.push_back(arrangement.VertexPoints[v]);
-      domain.IsEmbedded.push_back(isLone[v]);
-      domain.HasPoint.push_back(hasPoint[v]);
-      domain.Bounds.Add(arrangement.Vertices[v]);
+      numbers[vertex] = domain.NumberOfVertices();
+      domain.Vertices.push_back(arrangement.Vertices[vertex]);
+      domain.VertexPoints.push_back(arrangement.VertexPoints[vertex]);
+      domain.IsEmbedded.push_back(isLone[vertex]);
+      domain.HasPoint.push_back(hasPoint[vertex]);
+      domain.Bounds.Add(arrangement.Vertices[vertex]);
     }
   }
   return numbers;
 }
 
-Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const InsideFlags& inside)
+Domain KeepInside(const Arrangement& arrangement, const Flags& bounds, const Flags& isKept,
+  const InsideFlags& inside)
 {
   Domain domain;
   domain.Resolution = arrangement.Rounding;
-  const std::vector<Id> numbers = KeepVertices(arrangement, inside, domain);
+  const std::vector<Id> numbers = KeepVertices(arrangement, isKept, inside, domain);
   for (std::size_t e = 0; e < arrangement.Edges.size(); ++e)
   {
-    if (IsKept(arrangement, inside, e))
+    if (isKept[e])
     {
       const ArrangementEdge& edge = arrangement.Edges[e];
-      domain.Starts.push_back(numbers[static_cast<std::size_t>(edge.Ends.Start)]);
-      domain.Ends.push_back(numbers[static_cast<std::size_t>(edge.Ends.End)]);
+      domain.Starts.push_back(numbers[edge.Ends.Start]);
+      domain.Ends.push_back(numbers[edge.Ends.End]);
       domain.Cells.push_back(edge.Cell);
       domain.IsBoundary.push_back(bounds[e]);
       domain.LeftInside.push_back(inside.Left[e]);
@@ -351,8 +325,8 @@ double EnclosedArea(const Domain& domain)
   AreaSum sum(domain.Vertices.front());
   for (std::size_t s = 0; s < domain.Starts.size(); ++s)
   {
-    const Point2& start = domain.Vertices[static_cast<std::size_t>(domain.Starts[s])];
-    const Point2& end = domain.Vertices[static_cast<std::size_t>(domain.Ends[s])];
+    const Point2& start = domain.Vertices[domain.Starts[s]];
+    const Point2& end = domain.Vertices[domain.Ends[s]];
     if (domain.IsBoundary[s])
     {
       sum.Add(domain.LeftInside[s] ? start : end, domain.LeftInside[s] ? end : start);
@@ -365,7 +339,10 @@ double EnclosedArea(const Domain& domain)
 bool AcceptOverlaps(const Arrangement& arrangement, const Polylines& input, double area,
   const DomainOptions& options, ProblemList& problems, Pulse& pulse)
 {
-  ReportCellOverlaps(arrangement, input, area, problems, pulse);
+  if (options.Rule == DomainRule::EvenOdd)
+  {
+    ReportCellOverlaps(arrangement, input, area, problems, pulse);
+  }
   if (!pulse.Ask())
   {
     Refuse(ProblemCode::Aborted, problems);

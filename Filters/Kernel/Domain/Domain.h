@@ -69,8 +69,22 @@ struct Domain
   }
 };
 
+/// What the domain is, of the areas that closed chains and faces enclose.
+enum class DomainRule
+{
+  EvenOdd,          ///< what an odd number of them covers
+  OuterMinusOthers, ///< the largest of them, less all others
+  Union             ///< all of them; where they overlap the last one is on top
+};
+
 struct DomainOptions
 {
+  /// By the rules other than EvenOdd a loop is a closed chain, or chains that are joined end to end
+  /// without an end left over, or a face; all other chains are interfaces. That loops cross or
+  /// overlap is no problem then. By Union edges between loops are interfaces, by
+  /// Polylines::Regions where these are given; what a later loop covers is dropped.
+  DomainRule Rule = DomainRule::EvenOdd;
+
   /// True: crossings, touches, overlaps and duplicates are resolved into the arrangement and
   /// reported as repairs. False: they are reported, and followed by ProblemCode::NotResolved.
   bool Repair = true;
@@ -90,7 +104,8 @@ struct DomainOptions
   std::function<double(const Point2&)> GivenSpacing;
 
   /// With more pairs of segments that cross, the input is refused with ProblemCode::NotResolved, as
-  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices.
+  /// memory for them would be wasted: 100 bytes each. The mesh would have as many vertices. So is
+  /// one of which very many segments lie along one line: 1400 that all overlap are too many.
   std::int64_t MaximumNumberOfCrossings = 20000000;
 };
 
@@ -100,7 +115,7 @@ struct DomainOptions
 /// `problems`; where these have errors the returned domain is empty. Cost O(n log n + k) for k
 /// meetings of segments. Law: neither the order of points, chains and cells matters, nor directions
 /// and first points of closed chains, nor whether points are shared; but to ids of points and
-/// cells.
+/// cells, and by DomainRule::Union, where the last one is on top.
 Domain MakeDomain(
   const Polylines& input, const DomainOptions& options, ProblemList& problems, Monitor& monitor);
 

@@ -33,13 +33,9 @@ public:
   std::string Sides() const;
 
 private:
-  std::string Fan(Id vertex, const VertexStars& stars) const;
   std::string Turn(Id vertex, Id here, Id next) const;
   bool MeetsAnother(Id segment, const SegmentTree& tree) const;
-  const Point2& At(Id vertex) const
-  {
-    return this->Input.Vertices[static_cast<std::size_t>(vertex)];
-  }
+  const Point2& At(Id vertex) const { return this->Input.Vertices[vertex]; }
   bool IsLeftSeenFrom(Id vertex, Id segment, bool isLeft) const;
 
   const Domain& Input;
@@ -123,14 +119,14 @@ std::string Checker::Meetings() const
 
 bool Checker::MeetsAnother(Id segment, const SegmentTree& tree) const
 {
-  const SegmentEnds& a = this->Ends[static_cast<std::size_t>(segment)];
+  const SegmentEnds& a = this->Ends[segment];
   Box2 box;
   box.Add(this->At(a.Start));
   box.Add(this->At(a.End));
   bool isMet = false;
   const auto test = [this, &a, &isMet](Id other)
   {
-    const SegmentEnds& b = this->Ends[static_cast<std::size_t>(other)];
+    const SegmentEnds& b = this->Ends[other];
     isMet = isMet ||
       Meet(this->At(a.Start), this->At(a.End), this->At(b.Start), this->At(b.End)) != Meeting::None;
   };
@@ -141,29 +137,23 @@ bool Checker::MeetsAnother(Id segment, const SegmentTree& tree) const
 std::string Checker::LoneVertices() const
 {
   const SegmentTree tree(this->Input.Vertices, this->Ends, 0.0);
-  std::vector<std::uint8_t> isEnd(this->Input.Vertices.size(), 0);
-  for (const SegmentEnds& ends : this->Ends)
-  {
-    isEnd[static_cast<std::size_t>(ends.Start)] = 1;
-    isEnd[static_cast<std::size_t>(ends.End)] = 1;
-  }
+  const VertexStars stars(this->Input.Vertices, this->Ends);
   for (Id vertex = 0; vertex < this->Input.NumberOfVertices(); ++vertex)
   {
-    const auto v = static_cast<std::size_t>(vertex);
-    if ((this->Input.IsEmbedded[v] != 0) == (isEnd[v] != 0) ||
-      this->Input.IsEmbedded[v] > this->Input.HasPoint[v])
+    const bool isEmbedded = this->Input.IsEmbedded[vertex] != 0;
+    if (isEmbedded != (stars.Degree(vertex) == 0) || (isEmbedded && !this->Input.HasPoint[vertex]))
     {
       return Violation("embedded mark of vertex", vertex);
     }
     Box2 place;
     place.Add(this->At(vertex));
     bool isMet = false;
-    const auto test = [this, vertex, &isMet](Id segment)
-    {
-      const SegmentEnds& ends = this->Ends[static_cast<std::size_t>(segment)];
-      isMet = isMet || IsOnSegment(this->At(vertex), this->At(ends.Start), this->At(ends.End));
-    };
-    tree.Visit(place, { vertex, NoId }, test);
+    tree.Visit(place, { vertex, NoId },
+      [this, vertex, &isMet](Id segment)
+      {
+        const SegmentEnds& ends = this->Ends[segment];
+        isMet = isMet || IsOnSegment(this->At(vertex), this->At(ends.Start), this->At(ends.End));
+      });
     if (isMet)
     {
       return Violation("a segment passes through vertex", vertex);
@@ -176,21 +166,13 @@ std::string Checker::Fans() const
 {
   const VertexStars stars(this->Input.Vertices, this->Ends);
   std::string violation;
-  for (Id vertex = 0; vertex < stars.NumberOfVertices() && violation.empty(); ++vertex)
+  for (Id vertex = 0; vertex < stars.NumberOfVertices(); ++vertex)
   {
-    violation = this->Fan(vertex, stars);
-  }
-  return violation;
-}
-
-std::string Checker::Fan(Id vertex, const VertexStars& stars) const
-{
-  std::string violation;
-  const Id degree = stars.Degree(vertex);
-  const Id* star = stars.Begin(vertex);
-  for (Id i = 0; i < degree && violation.empty(); ++i)
-  {
-    violation = this->Turn(vertex, star[i], star[(i + 1) % degree]);
+    const Id* star = stars.Begin(vertex);
+    for (Id i = 0; i < stars.Degree(vertex) && violation.empty(); ++i)
+    {
+      violation = this->Turn(vertex, star[i], star[(i + 1) % stars.Degree(vertex)]);
+    }
   }
   return violation;
 }
@@ -199,8 +181,8 @@ std::string Checker::Fan(Id vertex, const VertexStars& stars) const
 std::string Checker::Turn(Id vertex, Id here, Id next) const
 {
   const Point2& apex = this->At(vertex);
-  const Point2& a = this->At(OtherEnd(this->Ends[static_cast<std::size_t>(here)], vertex));
-  const Point2& b = this->At(OtherEnd(this->Ends[static_cast<std::size_t>(next)], vertex));
+  const Point2& a = this->At(OtherEnd(this->Ends[here], vertex));
+  const Point2& b = this->At(OtherEnd(this->Ends[next], vertex));
   if (here != next && Orient2D(apex, a, b) == 0 && (apex < a) == (apex < b))
   {
     return Violation("two segments overlap at vertex", vertex);
@@ -213,9 +195,8 @@ std::string Checker::Turn(Id vertex, Id here, Id next) const
 /// The flag of the side that is left (or right) when looking from `vertex` along `segment`.
 bool Checker::IsLeftSeenFrom(Id vertex, Id segment, bool isLeft) const
 {
-  const auto s = static_cast<std::size_t>(segment);
-  const bool isForward = this->Ends[s].Start == vertex;
-  return (isForward == isLeft ? this->Input.LeftInside[s] : this->Input.RightInside[s]) != 0;
+  const bool isForward = this->Ends[segment].Start == vertex;
+  return (isForward == isLeft ? this->Input.LeftInside : this->Input.RightInside)[segment] != 0;
 }
 
 std::string Checker::Sides() const

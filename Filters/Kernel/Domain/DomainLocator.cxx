@@ -4,10 +4,9 @@
 #include "DomainLocator.h"
 
 #include "../Predicates/Predicates.h"
-#include "SegmentSides.h"
 
 #include <algorithm> // for clamp, max, sort, unique
-#include <cmath>     // for sqrt
+#include <cmath>     // for abs, sqrt
 
 namespace biting
 {
@@ -44,6 +43,34 @@ double LeastCellSize(const Domain& domain)
     length += std::abs(direction.X) + std::abs(direction.Y);
   }
   return length / (MostTopCells * std::max(LeastCells, domain.NumberOfSegments()));
+}
+
+/// Whether the segment passes through the box, or by it within the resolution and CellMargin.
+bool PassesBox(const Domain& domain, Id segment, const Box2& box)
+{
+  const Point2& a = domain.Vertices[domain.Starts[segment]];
+  const Point2& b = domain.Vertices[domain.Ends[segment]];
+  Box2 grown = box;
+  grown.Grow(CellMargin * box.Width() + domain.Resolution);
+  Box2 span;
+  span.Add(a);
+  span.Add(b);
+  const Point2 direction = b - a;
+  const double reach =
+    0.5 * (std::abs(direction.X) * grown.Height() + std::abs(direction.Y) * grown.Width());
+  return grown.Meets(span) &&
+    std::abs(Cross(direction, grown.Center() - a)) <= reach * (1.0 + CellMargin);
+}
+
+/// Whether the segment crosses pq, whose ends are not on it, exactly. An end on the line pq counts
+/// as left of it, for both segments that share that end: so a point is inside where an odd number
+/// of boundary segments separates it from one outside.
+bool Separates(const Domain& domain, Id segment, const Point2& p, const Point2& q)
+{
+  const Point2& a = domain.Vertices[domain.Starts[segment]];
+  const Point2& b = domain.Vertices[domain.Ends[segment]];
+  return (Orient2D(a, b, p) > 0) != (Orient2D(a, b, q) > 0) &&
+    (Orient2D(p, q, a) >= 0) != (Orient2D(p, q, b) >= 0);
 }
 
 } // namespace

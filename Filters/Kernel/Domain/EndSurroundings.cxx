@@ -5,54 +5,43 @@
 
 #include <algorithm> // for max, min
 #include <limits>    // for no limit
+#include <utility>   // for move
 
 namespace biting
 {
 
-namespace
+std::vector<ChainSegment> SegmentsOf(
+  const Polylines& input, const WeldedPoints& points, Pulse& pulse)
 {
-
-/// Calls visit(segment) for each segment that joins two vertices.
-template <typename Visitor>
-void ForEachSegment(const Polylines& input, const WeldedPoints& points, Visitor&& visit)
-{
+  std::vector<ChainSegment> segments;
   const auto vertexAt = [&input, &points](Id place)
-  {
-    const Id point = input.Connectivity[static_cast<std::size_t>(place)];
-    return points.VertexOf[static_cast<std::size_t>(point)];
-  };
+  { return points.VertexOf[input.Connectivity[place]]; };
   for (std::size_t chain = 0; chain < input.Kinds.size(); ++chain)
   {
     const bool isLine = input.Kinds[chain] != ChainKind::EmbeddedPoint;
     const Id end = isLine ? input.Offsets[chain + 1] : 0;
-    for (Id place = input.Offsets[chain]; place + 1 < end; ++place)
+    for (Id place = input.Offsets[chain]; place + 1 < end && pulse.Beat(1); ++place)
     {
-      const Id first = vertexAt(place);
-      const Id second = vertexAt(place + 1);
-      if (first != second)
+      const auto [low, high] = std::minmax({ vertexAt(place), vertexAt(place + 1) });
+      if (low != high)
       {
-        const SegmentEnds ends{ std::min(first, second), std::max(first, second) };
-        visit(ChainSegment{ ends, place, input.Cells[chain], first > second });
+        segments.push_back({ { low, high }, place, input.Cells[chain], vertexAt(place) == high });
       }
     }
   }
+  return segments;
 }
 
-} // namespace
-
-std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points, Pulse& pulse)
+std::vector<Id> FindOpenEnds(const std::vector<ChainSegment>& segments, std::size_t vertices)
 {
-  std::vector<std::uint8_t> degrees(points.Vertices.size(), 0);
-  ForEachSegment(input, points,
-    [&degrees, &pulse](const ChainSegment& segment)
+  std::vector<std::uint8_t> degrees(vertices, 0);
+  for (const ChainSegment& segment : segments)
+  {
+    for (const Id vertex : { segment.Ends.Start, segment.Ends.End })
     {
-      for (const Id vertex : { segment.Ends.Start, segment.Ends.End })
-      {
-        std::uint8_t& degree = degrees[static_cast<std::size_t>(vertex)];
-        degree = degree == 0 ? 1 : 2;
-      }
-      pulse.Beat(1);
-    });
+      degrees[vertex] = degrees[vertex] == 0 ? 1 : 2;
+    }
+  }
   std::vector<Id> ends;
   for (std::size_t vertex = 0; vertex < degrees.size(); ++vertex)
   {
@@ -64,28 +53,16 @@ std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points,
   return ends;
 }
 
-EndSurroundings::EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse)
+EndSurroundings::EndSurroundings(
+  std::vector<ChainSegment> segments, const WeldedPoints& points, Pulse& pulse)
   : Vertices(points.Vertices)
   , Rounding(points.Rounding)
   , Beats(pulse)
-  , Segments(SegmentsOf(input, points, pulse))
+  , Segments(std::move(segments))
   , Stars(points.Vertices, this->Ends(), pulse)
   , Tree(points.Vertices, this->Ends(), points.Rounding, pulse)
   , IsMarked(points.Vertices.size(), 0)
 {
-}
-
-std::vector<ChainSegment> EndSurroundings::SegmentsOf(
-  const Polylines& input, const WeldedPoints& points, Pulse& pulse)
-{
-  std::vector<ChainSegment> segments;
-  ForEachSegment(input, points,
-    [&segments, &pulse](const ChainSegment& segment)
-    {
-      segments.push_back(segment);
-      pulse.Beat(1);
-    });
-  return segments;
 }
 
 std::vector<SegmentEnds> EndSurroundings::Ends() const
@@ -140,7 +117,7 @@ void EndSurroundings::AddOwn(Id end, double reach)
   for (; next < this->Marked.size() && this->Beats.Beat(); ++next)
   {
     const Id vertex = this->Marked[next];
-    this->IsMarked[static_cast<std::size_t>(vertex)] = 1;
+    this->IsMarked[vertex] = 1;
     for (const Id* s = this->Stars.Begin(vertex); s != this->Stars.End(vertex); ++s)
     {
       const Id other = OtherEnd(this->Segment(*s).Ends, vertex);
@@ -156,7 +133,7 @@ void EndSurroundings::ForgetOwn()
 {
   for (const Id vertex : this->Marked)
   {
-    this->IsMarked[static_cast<std::size_t>(vertex)] = 0;
+    this->IsMarked[vertex] = 0;
   }
   this->Marked.clear();
 }

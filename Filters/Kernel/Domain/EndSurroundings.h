@@ -18,9 +18,6 @@
 namespace biting
 {
 
-/// The vertices at which one segment of the chains ends, by their numbers.
-std::vector<Id> FindOpenEnds(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
-
 /// The point of a segment that is nearest to an end.
 struct Foot
 {
@@ -40,17 +37,21 @@ struct ChainSegment
   bool IsReversed = false; ///< it begins at the greater one
 };
 
+/// The segments that join two vertices.
+std::vector<ChainSegment> SegmentsOf(
+  const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+
+/// The vertices at which one segment ends, by their numbers.
+std::vector<Id> FindOpenEnds(const std::vector<ChainSegment>& segments, std::size_t vertices);
+
 /// The segments of all chains, as open ends see them.
 class EndSurroundings
 {
 public:
   /// Refers to the vertices of `points`.
-  EndSurroundings(const Polylines& input, const WeldedPoints& points, Pulse& pulse);
+  EndSurroundings(std::vector<ChainSegment> segments, const WeldedPoints& points, Pulse& pulse);
 
-  const ChainSegment& Segment(Id segment) const
-  {
-    return this->Segments[static_cast<std::size_t>(segment)];
-  }
+  const ChainSegment& Segment(Id segment) const { return this->Segments[segment]; }
 
   /// One that ends at the vertex.
   const ChainSegment& SegmentAt(Id vertex) const
@@ -76,13 +77,11 @@ public:
   /// Adds the end, and all vertices that segments within `reach` of it join with it, to its own.
   void AddOwn(Id end, double reach);
   void ForgetOwn();
-  bool IsOwn(Id vertex) const { return this->IsMarked[static_cast<std::size_t>(vertex)] != 0; }
+  bool IsOwn(Id vertex) const { return this->IsMarked[vertex] != 0; }
 
 private:
-  static std::vector<ChainSegment> SegmentsOf(
-    const Polylines& input, const WeldedPoints& points, Pulse& pulse);
   std::vector<SegmentEnds> Ends() const;
-  const Point2& At(Id vertex) const { return this->Vertices[static_cast<std::size_t>(vertex)]; }
+  const Point2& At(Id vertex) const { return this->Vertices[vertex]; }
 
   const std::vector<Point2>& Vertices;
   const double Rounding;

@@ -16,17 +16,8 @@ constexpr Id KeptInPlace = 3;
 
 } // namespace
 
-std::pair<Id, Id> FaceEdge::OddPair() const
+std::vector<Id> FaceEdge::OddFaces() const
 {
-  const std::pair<Id, Id> none{ NoId, NoId };
-  if (this->Count % 2 != 0 || this->Count == 0)
-  {
-    return none;
-  }
-  if (this->Count == 2)
-  {
-    return this->First() != this->Second() ? std::pair(this->First(), this->Second()) : none;
-  }
   std::vector<Id> odd;
   for (Id k = 0; k < this->Count; ++k)
   {
@@ -41,6 +32,18 @@ std::pair<Id, Id> FaceEdge::OddPair() const
       odd.erase(known);
     }
   }
+  return odd;
+}
+
+/// The ordinary edge allocates nothing.
+std::pair<Id, Id> FaceEdge::OddPair() const
+{
+  const std::pair<Id, Id> none{ NoId, NoId };
+  if (this->Count == 2)
+  {
+    return this->First() != this->Second() ? std::pair(this->First(), this->Second()) : none;
+  }
+  const std::vector<Id> odd = this->Count > 2 ? this->OddFaces() : std::vector<Id>();
   return odd.size() == 2 ? std::pair(odd[0], odd[1]) : none;
 }
 
@@ -78,14 +81,12 @@ void FaceEdge::Absorb(const FaceEdge& other, bool isReversed)
 
 Id FaceEdge::RunAt(Id k) const
 {
-  return k < KeptInPlace ? this->Runs[static_cast<std::size_t>(k)]
-                         : this->MoreRuns[static_cast<std::size_t>(k - KeptInPlace)];
+  return k < KeptInPlace ? this->Runs[k] : this->MoreRuns[k - KeptInPlace];
 }
 
 Id& FaceEdge::RunAt(Id k)
 {
-  return k < KeptInPlace ? this->Runs[static_cast<std::size_t>(k)]
-                         : this->MoreRuns[static_cast<std::size_t>(k - KeptInPlace)];
+  return k < KeptInPlace ? this->Runs[k] : this->MoreRuns[k - KeptInPlace];
 }
 
 } // namespace biting

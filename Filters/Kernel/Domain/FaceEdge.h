@@ -35,8 +35,11 @@ struct FaceEdge
   Id First() const { return FaceOf(this->Runs[0]); }
   Id Second() const { return FaceOf(this->Runs[1]); }
 
-  /// The faces that run along it an odd number of times, if these are two: NoId twice otherwise. By
-  /// parity the others are on both of its sides, or on none.
+  /// The faces that run along it an odd number of times. By parity the others are on both of its
+  /// sides, or on none.
+  std::vector<Id> OddFaces() const;
+
+  /// The same, if these are two: NoId twice otherwise.
   std::pair<Id, Id> OddPair() const;
 
   /// Adds a run; one that goes the other way goes with it.

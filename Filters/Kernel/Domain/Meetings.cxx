@@ -7,7 +7,6 @@
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h"
 #include "CrossingEstimate.h"
-#include "MeetingReports.h"
 #include "SegmentTree.h"
 #include "VertexStars.h"
 
@@ -28,6 +27,10 @@ namespace
 constexpr double ShareOfPreparing = 0.4;
 constexpr double ShareOfTesting = 0.5;
 
+/// With more splits many edges lie along one line: n of them that all overlap have n^2 / 2.
+constexpr std::size_t LeastSplits = 1000000;
+constexpr std::size_t SplitsOfEdge = 50;
+
 /// The edges of an arrangement, and how they are found.
 struct FiledEdges
 {
@@ -43,13 +46,106 @@ struct FiledEdges
   const SegmentTree Tree;
 };
 
+/// Which of the places where edges meet the user hears of. Edges are those of the arrangement; the
+/// list of reports is added to.
+class MeetingReporter
+{
+public:
+  MeetingReporter(const Arrangement& arrangement, std::vector<MeetingReport>& reports)
+    : Input(arrangement)
+    , Reports(reports)
+  {
+  }
+
+  /// Faces share parts of edges, and lines run over faces.
+  void ReportOverlap(Id first, Id second, Id vertex);
+
+  /// Interfaces may end anywhere; only boundaries that touch are worth a word.
+  void ReportTouch(Id edge, Id toucher, Id vertex);
+
+  /// Where what may bound the domain is moved to a vertex near it, one of `other`: by more than
+  /// rounding, or to one that a chain passes (`isPassed`). That an interface ends on it but for
+  /// rounding, or a point lies on it, is no news.
+  void ReportNear(Id edge, Id other, Id vertex, bool isPassed);
+
+  /// Faces on top of each other are told of in another way (CellOverlaps.h), but not what crosses
+  /// itself.
+  void ReportCrossing(Id first, Id second);
+
+private:
+  bool IsNews(Id first, Id second) const;
+  bool AreOfOneFace(Id first, Id second) const;
+  bool IsBoundary(Id edge) const { return this->Input.Edge(edge).BoundaryCount > 0; }
+  bool MayBound(Id edge) const;
+
+  const Arrangement& Input;
+  std::vector<MeetingReport>& Reports;
+};
+
+void MeetingReporter::ReportOverlap(Id first, Id second, Id vertex)
+{
+  if (this->IsNews(first, second))
+  {
+    this->Reports.push_back({ ProblemCode::DuplicateSegments, first, second, vertex });
+  }
+}
+
+void MeetingReporter::ReportTouch(Id edge, Id toucher, Id vertex)
+{
+  if (this->IsBoundary(edge) && this->IsBoundary(toucher))
+  {
+    this->Reports.push_back({ ProblemCode::Touches, edge, toucher, vertex });
+  }
+}
+
+void MeetingReporter::ReportNear(Id edge, Id other, Id vertex, bool isPassed)
+{
+  const SegmentEnds& ends = this->Input.Edge(edge).Ends;
+  const Point2& start = this->Input.At(ends.Start);
+  const Point2& end = this->Input.At(ends.End);
+  const Point2& p = this->Input.At(vertex);
+  const bool isRounding =
+    std::abs(Cross(end - start, p - start)) <= this->Input.Rounding * Distance(start, end);
+  const bool isMoved = !isRounding || (isPassed && this->MayBound(other));
+  if (this->MayBound(edge) && isMoved && !IsOnSegment(p, start, end))
+  {
+    this->Reports.push_back({ ProblemCode::NearPoints, edge, other, vertex });
+  }
+}
+
+void MeetingReporter::ReportCrossing(Id first, Id second)
+{
+  if (this->IsNews(first, second) || this->AreOfOneFace(first, second))
+  {
+    this->Reports.push_back({ ProblemCode::Crossings, first, second, NoId });
+  }
+}
+
+bool MeetingReporter::IsNews(Id first, Id second) const
+{
+  const bool isOfLines = this->Input.Edge(first).HasLine() && this->Input.Edge(second).HasLine();
+  return isOfLines || this->IsBoundary(first) || this->IsBoundary(second);
+}
+
+bool MeetingReporter::AreOfOneFace(Id first, Id second) const
+{
+  const Id face = this->Input.Edge(first).Faces.First();
+  return face != NoId && face == this->Input.Edge(second).Faces.First();
+}
+
+bool MeetingReporter::MayBound(Id edge) const
+{
+  return this->IsBoundary(edge) || this->Input.Edge(edge).OpenCount > 0;
+}
+
 class MeetingFinder
 {
 public:
-  MeetingFinder(const Arrangement& arrangement, const FiledEdges& edges,
-    const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
+  MeetingFinder(const Arrangement& arrangement, const FiledEdges& edges, std::size_t most,
+    Meetings& meetings, Pulse& pulse)
     : Input(arrangement)
-    , Limits(limits)
+    , Most(most)
+    , MostSplits(LeastSplits + SplitsOfEdge * edges.Ends.size())
     , Found(meetings)
     , Beats(pulse)
     , Edges(edges)
@@ -87,13 +183,11 @@ private:
   {
     this->News.ReportNear(edge, other, vertex, this->Edges.Stars.Degree(vertex) > 1);
   }
-  const SegmentEnds& EndsOf(Id edge) const
-  {
-    return this->Edges.Ends[static_cast<std::size_t>(edge)];
-  }
+  const SegmentEnds& EndsOf(Id edge) const { return this->Edges.Ends[edge]; }
 
   const Arrangement& Input;
-  const MeetingLimits& Limits;
+  const std::size_t Most; ///< crossings
+  const std::size_t MostSplits;
   Meetings& Found;
   Pulse& Beats;
   const FiledEdges& Edges;
@@ -104,13 +198,13 @@ private:
 bool MeetingFinder::HasRoomForCrossings()
 {
   const CrossingEstimate estimate =
-    EstimateCrossingsAbove(this->Limits.Crossings, this->Input, this->Edges.Tree, this->Beats);
+    EstimateCrossingsAbove(this->Most, this->Input, this->Edges.Tree, this->Beats);
   if (estimate.Count == 0.0)
   {
     return true;
   }
-  this->Found.HasTooManyCrossings = true;
-  this->Found.NumberOfCrossings = estimate.Count;
+  this->Found.AreTooMany = true;
+  this->Found.AboutHowMany = estimate.Count;
   this->Found.Crossings.push_back({ estimate.First, estimate.Second });
   return false;
 }
@@ -130,7 +224,7 @@ void MeetingFinder::TestEdges()
   std::atomic<std::size_t> splits{ 0 };
   std::atomic<std::size_t> crossings{ 0 };
   const auto areFew = [this, &splits, &crossings]
-  { return splits <= this->Limits.Splits && crossings <= this->Limits.Crossings; };
+  { return splits <= this->MostSplits && crossings <= this->Most; };
   DoTasks(this->Beats, parts.size(),
     [this, &parts, &isNew, &newBefore, &found, &splits, &crossings, &areFew](
       std::size_t k, Monitor& monitor)
@@ -159,7 +253,7 @@ void MeetingFinder::TestPart(const SegmentTree::PairPart& part,
   Monitor& monitor) const
 {
   Pulse own(monitor);
-  MeetingFinder finder(this->Input, this->Edges, this->Limits, found, own);
+  MeetingFinder finder(this->Input, this->Edges, this->Most, found, own);
   this->Edges.Tree.VisitPairsOf(part, isNew, newBefore, finder);
 }
 
@@ -179,10 +273,9 @@ void MeetingFinder::TakeAll(const std::vector<Meetings>& parts)
 bool MeetingFinder::GoesOn()
 {
   Meetings& found = this->Found;
-  found.HasTooManySplits = found.Splits.size() > this->Limits.Splits;
-  found.HasTooManyCrossings = found.Crossings.size() > this->Limits.Crossings;
-  found.NumberOfCrossings = static_cast<double>(found.Crossings.size());
-  return !found.HasTooManySplits && !found.HasTooManyCrossings && this->Beats.Beat();
+  found.AreTooMany = found.Splits.size() > this->MostSplits || found.Crossings.size() > this->Most;
+  found.AboutHowMany = static_cast<double>(std::max(found.Splits.size(), found.Crossings.size()));
+  return !found.AreTooMany && this->Beats.Beat();
 }
 
 /// Two edges without a common end.
@@ -409,11 +502,11 @@ bool SortMeetings(Meetings& meetings, Pulse& pulse)
 } // namespace
 
 bool FindMeetings(
-  const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse)
+  const Arrangement& arrangement, std::size_t most, Meetings& meetings, Pulse& pulse)
 {
   meetings = Meetings();
   const FiledEdges edges(arrangement, pulse);
-  MeetingFinder finder(arrangement, edges, limits, meetings, pulse);
+  MeetingFinder finder(arrangement, edges, most, meetings, pulse);
   if (!finder.HasRoomForCrossings())
   {
     return true;

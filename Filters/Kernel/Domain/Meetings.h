@@ -46,21 +46,15 @@ struct Meetings
   std::vector<EdgeSplit> Splits;
   std::vector<EdgeCrossing> Crossings;
   std::vector<MeetingReport> Reports;
-  bool HasTooManySplits = false;    ///< the search was given up
-  bool HasTooManyCrossings = false; ///< the search was given up
-  double NumberOfCrossings = 0.0;   ///< about; only where there are too many
+  bool AreTooMany = false;   ///< the search was given up
+  double AboutHowMany = 0.0; ///< where there are too many
 
   bool IsEmpty() const { return this->Splits.empty() && this->Crossings.empty(); }
 };
 
-/// When to give up.
-struct MeetingLimits
-{
-  std::size_t Splits = 0;
-  std::size_t Crossings = 0;
-};
-
-/// Finds the meetings of which at least one edge is new. False: the monitor has asked to stop.
+/// Finds the meetings of which at least one edge is new; gives up where there are more crossings
+/// than `most`, or more splits than a million and 50 for each edge. False: the monitor has asked to
+/// stop.
 ///
 /// A vertex lies on an edge where it does so exactly, or where it lies within Resolution of the
 /// edge and sees its ends under an obtuse angle. The angle makes both parts shorter than the edge,
@@ -70,7 +64,7 @@ struct MeetingLimits
 /// share a vertex can only overlap: each is tested against its neighbours in the order of
 /// directions around that vertex, as far as these are that near. Others are found by the tree.
 bool FindMeetings(
-  const Arrangement& arrangement, const MeetingLimits& limits, Meetings& meetings, Pulse& pulse);
+  const Arrangement& arrangement, std::size_t most, Meetings& meetings, Pulse& pulse);
 
 } // namespace biting
 

@@ -29,13 +29,13 @@ struct BelowOrder
 
   const Point2& Start(Id segment) const
   {
-    const Id vertex = (*this->Segments)[static_cast<std::size_t>(segment)].Start;
-    return (*this->Vertices)[static_cast<std::size_t>(vertex)];
+    const Id vertex = (*this->Segments)[segment].Start;
+    return (*this->Vertices)[vertex];
   }
   const Point2& End(Id segment) const
   {
-    const Id vertex = (*this->Segments)[static_cast<std::size_t>(segment)].End;
-    return (*this->Vertices)[static_cast<std::size_t>(vertex)];
+    const Id vertex = (*this->Segments)[segment].End;
+    return (*this->Vertices)[vertex];
   }
   int Side(Id segment, const Point2& p) const
   {
@@ -65,8 +65,7 @@ std::vector<SegmentEnds> LeftToRight(
   std::vector<SegmentEnds> directed = segments;
   for (SegmentEnds& ends : directed)
   {
-    if (vertices[static_cast<std::size_t>(ends.End)] <
-      vertices[static_cast<std::size_t>(ends.Start)])
+    if (vertices[ends.End] < vertices[ends.Start])
     {
       ends = { ends.End, ends.Start };
     }
@@ -135,11 +134,7 @@ std::vector<Id> Sweep::EventOrder() const
 {
   std::vector<Id> order(this->Vertices.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto isBefore = [this](Id a, Id b)
-  {
-    return this->Vertices[static_cast<std::size_t>(a)] <
-      this->Vertices[static_cast<std::size_t>(b)];
-  };
+  const auto isBefore = [this](Id a, Id b) { return this->Vertices[a] < this->Vertices[b]; };
   SortInSteps(order, isBefore, this->Beats);
   return order;
 }
@@ -149,15 +144,13 @@ void Sweep::Pass(Id vertex)
 {
   const Id degree = this->Stars.Degree(vertex);
   const Id* last = this->Stars.End(vertex) - 1;
-  const bool hasEnding =
-    degree > 0 && this->Directed[static_cast<std::size_t>(*last)].End == vertex;
-  const auto above = hasEnding
-    ? this->EraseEnding(vertex, this->Cut.end())
-    : this->Cut.lower_bound(this->Vertices[static_cast<std::size_t>(vertex)]);
+  const bool hasEnding = degree > 0 && this->Directed[*last].End == vertex;
+  const auto above = hasEnding ? this->EraseEnding(vertex, this->Cut.end())
+                               : this->Cut.lower_bound(this->Vertices[vertex]);
   if (degree == 0)
   {
     const Id depth = this->DepthAbove(this->SegmentBelow(above));
-    this->LoneInside[static_cast<std::size_t>(vertex)] = depth % 2 != 0 ? 1 : 0;
+    this->LoneInside[vertex] = depth % 2 != 0 ? 1 : 0;
   }
   this->InsertStarting(vertex, above);
 }
@@ -203,7 +196,7 @@ Id Sweep::SegmentBelow(CutSegments::iterator above) const
 
 Id Sweep::DepthAbove(Id segment) const
 {
-  return segment == NoId ? 0 : this->Above[static_cast<std::size_t>(segment)];
+  return segment == NoId ? 0 : this->Above[segment];
 }
 
 /// Above is the left of a segment that leads from left to right.
@@ -238,8 +231,7 @@ std::vector<Id> Upwards(const std::vector<Point2>& vertices,
 {
   for (std::size_t s = 0; s < steps.size(); ++s)
   {
-    const bool isReversed = vertices[static_cast<std::size_t>(segments[s].End)] <
-      vertices[static_cast<std::size_t>(segments[s].Start)];
+    const bool isReversed = vertices[segments[s].End] < vertices[segments[s].Start];
     steps[s] = isReversed ? -steps[s] : steps[s];
   }
   return steps;

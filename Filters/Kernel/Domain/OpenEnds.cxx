@@ -9,7 +9,6 @@
 
 #include <algorithm> // for max, min, remove_if, sort
 #include <map>       // for the feet of a segment
-#include <sstream>   // for a distance
 #include <tuple>     // for orders
 #include <utility>   // for pair, move
 
@@ -32,13 +31,13 @@ constexpr double AboutEqual = 0.5;
 class EndJoiner
 {
 public:
-  EndJoiner(const Polylines& input, const DomainOptions& options, std::vector<Id> ends,
+  EndJoiner(std::vector<ChainSegment> segments, const DomainOptions& options, std::vector<Id> ends,
     WeldedPoints& points, Pulse& pulse)
     : Options(options)
     , Ends(std::move(ends))
     , Points(points)
     , Beats(pulse)
-    , Around(input, points, pulse)
+    , Around(std::move(segments), points, pulse)
     , Reaches(points.Vertices.size(), 0.0)
     , Shortest(points.Vertices.size(), 0.0)
     , Places(points.Vertices)
@@ -75,9 +74,8 @@ private:
   void Report(ProblemList& problems);
   void Renumber();
 
-  const Point2& At(Id vertex) const { return this->Points.Vertices[Index(vertex)]; }
-  double ReachOf(Id vertex) const { return this->Reaches[Index(vertex)]; }
-  static std::size_t Index(Id id) { return static_cast<std::size_t>(id); }
+  const Point2& At(Id vertex) const { return this->Points.Vertices[vertex]; }
+  double ReachOf(Id vertex) const { return this->Reaches[vertex]; }
 
   const DomainOptions& Options;
   std::vector<Id> Ends;
@@ -126,8 +124,8 @@ void EndJoiner::FindReaches()
     const double spacing = tolerance > 0.0 ? spacingAt(this->At(end)) : 0.0;
     const double least = this->Points.Resolution;
     const double reach = std::max(tolerance * spacing, least);
-    this->Reaches[Index(end)] = reach;
-    this->Shortest[Index(end)] = std::min(reach, std::max(ShortestEdge * spacing, least));
+    this->Reaches[end] = reach;
+    this->Shortest[end] = std::min(reach, std::max(ShortestEdge * spacing, least));
   }
 }
 
@@ -161,9 +159,9 @@ std::vector<EndJoiner::Cluster> EndJoiner::MakeClusters()
     const Id end = this->Ends[i];
     grid.Update();
     const Id nearest = grid.Find(this->At(end));
-    if (nearest != NoId && this->AreWithinReach(end, clusters[Index(nearest)].front()))
+    if (nearest != NoId && this->AreWithinReach(end, clusters[nearest].front()))
     {
-      clusters[Index(nearest)].push_back(end);
+      clusters[nearest].push_back(end);
       continue;
     }
     clusters.push_back({ end });
@@ -234,12 +232,12 @@ Foot EndJoiner::NearestFoot(const Cluster& cluster) const
 /// there is one near the foot.
 bool EndJoiner::JoinWithVertexAt(const Foot& foot, const Cluster& cluster)
 {
-  const double reach = std::max(AboutEqual * foot.Distance, this->Shortest[Index(foot.End)]);
+  const double reach = std::max(AboutEqual * foot.Distance, this->Shortest[foot.End]);
   using Candidate = std::tuple<double, Point2, Id, Id>; // distance, place, vertex, cell
   std::vector<Candidate> candidates;
   const auto take = [this, reach, &foot, &candidates](Id vertex, Id cell)
   {
-    const Point2& place = this->Places[Index(vertex)];
+    const Point2& place = this->Places[vertex];
     const double distance = Distance(place, foot.Place);
     if (distance <= reach)
     {
@@ -276,9 +274,9 @@ void EndJoiner::JoinWithSegment(const Foot& foot, const Cluster& cluster)
 {
   const Id vertex = cluster.front();
   const ChainSegment& segment = this->Around.Segment(foot.Segment);
-  this->Places[Index(vertex)] = foot.Place;
+  this->Places[vertex] = foot.Place;
   this->JoinWith(vertex, segment.Cell, cluster);
-  this->Points.VertexPoints[Index(vertex)] = NoId;
+  this->Points.VertexPoints[vertex] = NoId;
   this->Feet[foot.Segment].push_back(vertex);
   this->Divide(foot, vertex);
 }
@@ -295,8 +293,7 @@ void EndJoiner::HoldWhatTouches()
 {
   for (const Id end : this->Ends)
   {
-    const bool isMoved =
-      this->Targets[Index(end)] != end || this->Places[Index(end)] != this->At(end);
+    const bool isMoved = this->Targets[end] != end || this->Places[end] != this->At(end);
     for (const Foot& foot : isMoved ? this->Around.VerticesOnSegmentAt(end) : std::vector<Foot>())
     {
       if (this->ReachOf(foot.End) == 0.0)
@@ -311,11 +308,11 @@ void EndJoiner::JoinWith(Id vertex, Id cell, const Cluster& cluster)
 {
   for (const Id end : cluster)
   {
-    this->Targets[Index(end)] = vertex;
-    const double distance = Distance(this->At(end), this->Places[Index(vertex)]);
+    this->Targets[end] = vertex;
+    const double distance = Distance(this->At(end), this->Places[vertex]);
     if (distance > 0.0)
     {
-      const Id point = this->Points.VertexPoints[Index(end)];
+      const Id point = this->Points.VertexPoints[end];
       this->Moves.push_back({ distance, this->At(end), point, cell });
     }
   }
@@ -328,11 +325,9 @@ void EndJoiner::Report(ProblemList& problems)
     { return std::tie(b.Distance, a.Place) < std::tie(a.Distance, b.Place); });
   for (const Move& move : this->Moves)
   {
-    std::ostringstream text;
-    text.precision(3);
-    text << "moved by " << move.Distance
-         << (problems.Has(ProblemCode::JoinedEnds) ? "" : ", which is the most");
-    problems.Add({ ProblemCode::JoinedEnds, { move.Point, move.Cell }, move.Place, text.str() });
+    problems.Add({ ProblemCode::JoinedEnds, { move.Point, move.Cell }, move.Place,
+      "moved by " + Figure(move.Distance) +
+        (problems.Has(ProblemCode::JoinedEnds) ? "" : ", which is the most") });
   }
 }
 
@@ -360,11 +355,11 @@ void EndJoiner::Renumber()
       this->Points.VertexPoints.push_back(NoId);
     }
     Id& point = this->Points.VertexPoints.back();
-    point = std::max(point, points[Index(vertex)]);
-    numbers[Index(vertex)] = static_cast<Id>(this->Points.Vertices.size()) - 1;
+    point = std::max(point, points[vertex]);
+    numbers[vertex] = static_cast<Id>(this->Points.Vertices.size()) - 1;
   }
   const auto renumber = [this, &numbers](Id& vertex)
-  { vertex = vertex == NoId ? NoId : numbers[Index(this->Targets[Index(vertex)])]; };
+  { vertex = vertex == NoId ? NoId : numbers[this->Targets[vertex]]; };
   std::for_each(this->Points.VertexOf.begin(), this->Points.VertexOf.end(), renumber);
   for (SegmentFoot& foot : this->Result)
   {
@@ -397,9 +392,11 @@ double SpacingAtEnds::operator()(const Point2& place) const
 std::vector<SegmentFoot> JoinOpenEnds(const Polylines& input, const DomainOptions& options,
   WeldedPoints& points, ProblemList& problems, Pulse& pulse)
 {
-  std::vector<Id> ends = FindOpenEnds(input, points, pulse);
-  return ends.empty() ? std::vector<SegmentFoot>()
-                      : EndJoiner(input, options, std::move(ends), points, pulse).Run(problems);
+  std::vector<ChainSegment> segments = SegmentsOf(input, points, pulse);
+  std::vector<Id> ends = FindOpenEnds(segments, points.Vertices.size());
+  return ends.empty()
+    ? std::vector<SegmentFoot>()
+    : EndJoiner(std::move(segments), options, std::move(ends), points, pulse).Run(problems);
 }
 
 } // namespace biting

@@ -6,15 +6,13 @@
 #include "../Base/Box.h"
 #include "../Base/DisjointSets.h"
 #include "BoundaryComponents.h"
-#include "EndPairs.h"
 #include "OpenEnds.h" // for the spacing at an end
 
 #include <algorithm> // for all_of, any_of, find_if, max, min, minmax_element, sort
-#include <cmath>     // for abs, ceil, floor, log10, pow
+#include <cmath>     // for abs
 #include <limits>    // for infinity
 #include <map>       // for runs
 #include <set>       // for pairs
-#include <sstream>   // for figures
 #include <string>    // for details
 #include <utility>   // for move, pair
 
@@ -40,25 +38,185 @@ constexpr LargestShare Elsewhere{ 0.1, 0.01 };
 /// Of ends: with more the widest gaps are not left out one by one.
 constexpr std::size_t MostTried = 40;
 
-/// Two digits, and no less than the value.
-double RoundedUp(double value)
+/// A vertex at which nothing goes on, and the other one at its gap.
+struct OpenEnd
 {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit) * unit;
+  Id Vertex = NoId;
+  Id Cell = NoId; ///< of its edge
+  Id Partner = NoId;
+  double Gap = 0.0;
+};
+
+constexpr std::size_t MostEnds = 10000;
+
+/// How many edges end at each vertex, those that are drawn several times as often.
+std::vector<Id> Degrees(const Arrangement& arrangement)
+{
+  std::vector<Id> degrees(arrangement.Vertices.size(), 0);
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    const Id count = std::max<Id>(1, edge.BoundaryCount + edge.OpenCount + edge.Faces.Count);
+    degrees[edge.Ends.Start] += count;
+    degrees[edge.Ends.End] += count;
+  }
+  return degrees;
+}
+
+/// Of edges that are not kept, by their vertices.
+std::vector<OpenEnd> FindEnds(const Arrangement& arrangement, const Flags& isKept)
+{
+  const std::vector<Id> degrees = Degrees(arrangement);
+  std::vector<OpenEnd> ends;
+  for (std::size_t e = 0; e < isKept.size(); ++e)
+  {
+    const ArrangementEdge& edge = arrangement.Edges[e];
+    for (const Id vertex : { edge.Ends.Start, edge.Ends.End })
+    {
+      if (!isKept[e] && degrees[vertex] == 1 && arrangement.VertexPoints[vertex] != NoId)
+      {
+        ends.push_back({ vertex, edge.Cell });
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end(),
+    [](const OpenEnd& a, const OpenEnd& b) { return a.Vertex < b.Vertex; });
+  return ends;
+}
+
+/// By number, for each of `ends`, which are sorted along the first axis, the nearest other one.
+std::vector<std::size_t> NearestOthers(
+  const Arrangement& arrangement, const std::vector<OpenEnd>& ends, Pulse& pulse)
+{
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < ends.size() && pulse.Beat(); ++i)
+  {
+    const Point2& place = arrangement.At(ends[i].Vertex);
+    double least = std::numeric_limits<double>::infinity();
+    nearest.push_back(i);
+    const auto look = [&arrangement, &ends, &place, &least, &nearest](std::size_t other)
+    {
+      const Point2& there = arrangement.At(ends[other].Vertex);
+      const double distance = Distance(place, there);
+      if (distance < least)
+      {
+        least = distance;
+        nearest.back() = other;
+      }
+      return std::abs(there.X - place.X) <= least;
+    };
+    for (std::size_t below = i; below > 0 && look(below - 1); --below)
+    {
+    }
+    for (std::size_t above = i + 1; above < ends.size() && look(above); ++above)
+    {
+    }
+  }
+  return nearest;
+}
+
+/// Those that are the nearest of each other become partners, then those of the rest, and so on.
+void FindPartners(const Arrangement& arrangement, std::vector<OpenEnd>& ends, Pulse& pulse)
+{
+  std::vector<OpenEnd> left = ends;
+  std::sort(left.begin(), left.end(),
+    [&arrangement](const OpenEnd& a, const OpenEnd& b)
+    { return arrangement.At(a.Vertex) < arrangement.At(b.Vertex); });
+  std::vector<OpenEnd> done;
+  while (left.size() > 1 && left.size() <= MostEnds && !pulse.HasStopped())
+  {
+    const std::vector<std::size_t> nearest = NearestOthers(arrangement, left, pulse);
+    std::vector<OpenEnd> rest;
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const bool isPair = nearest[nearest[i]] == i;
+      OpenEnd& end = left[i];
+      end.Partner = isPair ? left[nearest[i]].Vertex : NoId;
+      end.Gap = isPair ? Distance(arrangement.At(end.Vertex), arrangement.At(end.Partner)) : 0.0;
+      (isPair ? done : rest).push_back(end);
+    }
+    if (rest.size() == left.size())
+    {
+      break;
+    }
+    left.swap(rest);
+  }
+  done.insert(done.end(), left.begin(), left.end());
+  ends.swap(done);
+}
+
+/// The vertices at which an odd number of the edges of a cell end, by cells; of those of the ends.
+std::vector<std::pair<Id, Id>> EndsOfCells(
+  const Arrangement& arrangement, const std::vector<OpenEnd>& ends)
+{
+  std::vector<Id> wanted;
+  wanted.reserve(ends.size());
+  for (const OpenEnd& end : ends)
+  {
+    wanted.push_back(end.Cell);
+  }
+  std::sort(wanted.begin(), wanted.end());
+  std::vector<std::pair<Id, Id>> places;
+  for (const ArrangementEdge& edge : arrangement.Edges)
+  {
+    if (std::binary_search(wanted.begin(), wanted.end(), edge.Cell))
+    {
+      places.emplace_back(edge.Cell, edge.Ends.Start);
+      places.emplace_back(edge.Cell, edge.Ends.End);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<std::pair<Id, Id>> odd;
+  for (const std::pair<Id, Id>& place : places)
+  {
+    const bool isSecond = !odd.empty() && odd.back() == place;
+    isSecond ? odd.pop_back() : odd.push_back(place);
+  }
+  return odd;
+}
+
+void PreferOwnCell(const Arrangement& arrangement, std::vector<OpenEnd>& ends)
+{
+  const std::vector<std::pair<Id, Id>> endsOfCells = EndsOfCells(arrangement, ends);
+  for (OpenEnd& end : ends)
+  {
+    const std::pair<Id, Id> lowest(end.Cell, NoId);
+    const auto first = std::lower_bound(endsOfCells.begin(), endsOfCells.end(), lowest);
+    const bool areTwo = endsOfCells.end() - first >= 2 && first[1].first == end.Cell &&
+      (endsOfCells.end() - first == 2 || first[2].first != end.Cell);
+    const Id other = areTwo ? first[first->second == end.Vertex ? 1 : 0].second : NoId;
+    const double gap =
+      areTwo ? Distance(arrangement.At(end.Vertex), arrangement.At(other)) : end.Gap;
+    if (areTwo && (end.Partner == NoId || gap < end.Gap))
+    {
+      end.Partner = other;
+      end.Gap = gap;
+    }
+  }
+}
+
+/// The open ends of edges that are not `isKept`, those with the widest gaps first.
+///
+/// The two that are nearest to each other are partners, then the two of the rest, and so on; where
+/// more than 10000 ends are open they have none. Where the other end of the same cell is nearer, it
+/// is the partner: what else ends there, it is not open.
+std::vector<OpenEnd> PairOpenEnds(
+  const Arrangement& arrangement, const std::vector<std::uint8_t>& isKept, Pulse& pulse)
+{
+  std::vector<OpenEnd> ends = FindEnds(arrangement, isKept);
+  FindPartners(arrangement, ends, pulse);
+  PreferOwnCell(arrangement, ends);
+  std::sort(ends.begin(), ends.end(),
+    [](const OpenEnd& a, const OpenEnd& b)
+    { return a.Gap != b.Gap ? a.Gap > b.Gap : a.Vertex < b.Vertex; });
+  return ends;
 }
 
 /// How wide the gap is, and what closes it: "a gap of .1; an End Tolerance of .5 closes it".
 std::string DetailOf(double gap, double tolerance)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << "a gap of " << gap;
-  if (tolerance <= LargestTolerance)
-  {
-    text.precision(2);
-    text << "; an End Tolerance of " << RoundedUp(tolerance) << " closes it";
-  }
-  return text.str();
+  const bool mayClose = tolerance <= LargestTolerance;
+  return "a gap of " + Figure(gap) +
+    (mayClose ? "; an End Tolerance of " + FigureAbove(tolerance) + " closes it" : "");
 }
 
 /// With which the end reaches over its gap; infinity where no spacing is known.
@@ -83,7 +241,7 @@ void TellWhatThereIs(const Arrangement& arrangement, Problem& problem)
     const Id vertex = arrangement.EmbeddedVertices.front();
     problem.Place = arrangement.At(vertex);
     problem.Detail = "there are embedded points only, the first of them point " +
-      std::to_string(arrangement.VertexPoints[static_cast<std::size_t>(vertex)]);
+      std::to_string(arrangement.VertexPoints[vertex]);
   }
   else if (!arrangement.Vertices.empty())
   {
@@ -106,7 +264,7 @@ bool AreOnOneLine(const Arrangement& arrangement)
 
 /// A refusal where nothing is open; says how many segments were drawn twice, if any, and where one
 /// is.
-Problem NothingBounds(const Arrangement& arrangement)
+Problem NothingBounds(const Arrangement& arrangement, DomainRule rule)
 {
   Problem problem{ ProblemCode::NoClosedLoop, {}, {}, {} };
   Id cancelled = 0;
@@ -129,6 +287,11 @@ Problem NothingBounds(const Arrangement& arrangement)
   else
   {
     TellWhatThereIs(arrangement, problem);
+    const bool hasLoop = std::any_of(arrangement.Edges.begin(), arrangement.Edges.end(),
+      [](const ArrangementEdge& edge) { return !edge.HasLine(); });
+    problem.Detail = rule != DomainRule::EvenOdd && hasLoop
+      ? "the others cover all of the largest loop"
+      : problem.Detail;
   }
   return problem;
 }
@@ -146,7 +309,7 @@ private:
   bool IsOutline(const std::vector<Id>& run, bool isLoop) const;
   bool HasKeptInside(const std::vector<Id>& loop) const;
   bool IsInside(const Point2& place, const std::vector<Id>& loop) const;
-  bool IsAtKept(Id vertex) const { return this->AtKept[static_cast<std::size_t>(vertex)] != 0; }
+  bool IsAtKept(Id vertex) const { return this->AtKept[vertex] != 0; }
   Id CellOf(Id edge) const { return this->Drawing.Edge(edge).Cell; }
   bool IsGap(Id edge) const { return static_cast<std::size_t>(edge) >= this->IsKept.size(); }
   const OpenEnd& EndOf(Id gap) const
@@ -178,8 +341,8 @@ ClosedGaps::ClosedGaps(
   {
     const ArrangementEdge& edge = arrangement.Edges[e];
     this->Counts.push_back(edge.BoundaryCount + edge.OpenCount);
-    this->AtKept[static_cast<std::size_t>(edge.Ends.Start)] |= isKept[e];
-    this->AtKept[static_cast<std::size_t>(edge.Ends.End)] |= isKept[e];
+    this->AtKept[edge.Ends.Start] |= isKept[e];
+    this->AtKept[edge.Ends.End] |= isKept[e];
   }
   std::set<std::pair<Id, Id>> pairs;
   for (const OpenEnd& end : ends)
@@ -223,8 +386,7 @@ double ClosedGaps::AddProblems(const DomainOptions& options, ProblemList& proble
       if (widest.Vertex != NoId && this->IsOutline(run, run.size() == loop.Edges.size()))
       {
         largest = std::max(largest, tolerance);
-        const auto pointOf = [this](Id vertex)
-        { return this->Drawing.VertexPoints[static_cast<std::size_t>(vertex)]; };
+        const auto pointOf = [this](Id vertex) { return this->Drawing.VertexPoints[vertex]; };
         problems.Add(
           { ProblemCode::OpenOutlines, { pointOf(widest.Vertex), pointOf(widest.Partner) },
             this->Drawing.At(widest.Vertex), DetailOf(widest.Gap, tolerance) });
@@ -241,7 +403,7 @@ std::vector<std::vector<Id>> ClosedGaps::RunsOf(const BoundaryComponent& loop)
   for (const Id edge : loop.Edges)
   {
     const SegmentEnds& ends = this->Drawing.Edge(edge).Ends;
-    if (this->IsGap(edge) || !this->IsKept[static_cast<std::size_t>(edge)])
+    if (this->IsGap(edge) || !this->IsKept[edge])
     {
       runs[this->Groups.SetOf(this->IsAtKept(ends.Start) ? ends.End : ends.Start)].push_back(edge);
     }
@@ -324,13 +486,12 @@ double RefuseOpenDrawing(
     const double tolerance = end.Partner == NoId ? std::numeric_limits<double>::infinity()
                                                  : ToleranceOf(end, arrangement, spacing);
     largest = std::max(largest, tolerance);
-    problems.Add({ ProblemCode::NoClosedLoop,
-      { arrangement.VertexPoints[static_cast<std::size_t>(end.Vertex)] },
+    problems.Add({ ProblemCode::NoClosedLoop, { arrangement.VertexPoints[end.Vertex] },
       arrangement.At(end.Vertex), end.Partner == NoId ? "" : DetailOf(end.Gap, tolerance) });
   }
   if (ends.empty())
   {
-    problems.Add(NothingBounds(arrangement));
+    problems.Add(NothingBounds(arrangement, options.Rule));
   }
   return largest;
 }

@@ -15,7 +15,7 @@ namespace biting
 {
 
 /// Refuses a drawing in which nothing bounds a domain. Says where chains could be closed: one
-/// problem for each open end, with its gap, those of the widest gaps first (EndPairs.h); a single
+/// problem for each open end, with its gap, those of the widest gaps first; a single
 /// problem where no end is open.
 /// Returns the EndTolerance that closes all gaps; infinity where it is not known.
 double RefuseOpenDrawing(const Arrangement& arrangement, const DomainOptions& options,

@@ -13,7 +13,6 @@
 #include <cstdint>    // for masks
 #include <functional> // for less
 #include <limits>     // for epsilon
-#include <sstream>    // for a distance
 #include <tuple>      // for an order
 #include <utility>    // for pair, move
 
@@ -67,10 +66,10 @@ private:
   std::vector<Id> Candidates(const std::vector<Id>& leaders) const;
   void ReportNear(std::vector<Id> merged, const std::vector<Id>& leaders);
 
-  Id Offset(Id chain) const { return this->Input.Offsets[static_cast<std::size_t>(chain)]; }
-  Id PointAt(Id place) const { return this->Input.Connectivity[static_cast<std::size_t>(place)]; }
-  PointUse& UseOf(Id point) { return this->Uses[static_cast<std::size_t>(point)]; }
-  PointUse UseOf(Id point) const { return this->Uses[static_cast<std::size_t>(point)]; }
+  Id Offset(Id chain) const { return this->Input.Offsets[chain]; }
+  Id PointAt(Id place) const { return this->Input.Connectivity[place]; }
+  PointUse& UseOf(Id point) { return this->Uses[point]; }
+  PointUse UseOf(Id point) const { return this->Uses[point]; }
 
   const Polylines& Input;
   ProblemList& Problems;
@@ -100,7 +99,7 @@ void PointWelder::FindUses()
 {
   for (Id chain = 0; chain < this->Input.NumberOfChains(); ++chain)
   {
-    const PointUse use = UseBy(this->Input.Kinds[static_cast<std::size_t>(chain)]);
+    const PointUse use = UseBy(this->Input.Kinds[chain]);
     for (Id place = this->Offset(chain); place < this->Offset(chain + 1); ++place)
     {
       PointUse& known = this->UseOf(this->PointAt(place));
@@ -168,18 +167,17 @@ void PointWelder::MakeVertices()
   }
   for (const Id point : this->InOrder)
   {
-    if (leaders[static_cast<std::size_t>(point)] == point)
+    if (leaders[point] == point)
     {
-      numbers[static_cast<std::size_t>(point)] = static_cast<Id>(this->Result.Vertices.size());
+      numbers[point] = static_cast<Id>(this->Result.Vertices.size());
       this->Result.Vertices.push_back(PlaceOf(this->Input, point));
       this->Result.VertexPoints.push_back(point);
     }
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Id leader = leaders[static_cast<std::size_t>(firstEquals[i])];
-    this->Result.VertexOf[static_cast<std::size_t>(points[i])] =
-      numbers[static_cast<std::size_t>(leader)];
+    const Id leader = leaders[firstEquals[i]];
+    this->Result.VertexOf[points[i]] = numbers[leader];
   }
 }
 
@@ -213,13 +211,13 @@ void PointWelder::ShareUse(Id point, Id first)
   this->UseOf(first) = std::min(this->UseOf(first), this->UseOf(point));
   if (point != first)
   {
-    this->AddDegree(first, this->Degrees[static_cast<std::size_t>(point)]);
+    this->AddDegree(first, this->Degrees[point]);
   }
 }
 
 void PointWelder::AddDegree(Id point, int added)
 {
-  std::uint8_t& degree = this->Degrees[static_cast<std::size_t>(point)];
+  std::uint8_t& degree = this->Degrees[point];
   degree = static_cast<std::uint8_t>(std::min(degree + added, 2));
 }
 
@@ -227,7 +225,7 @@ void PointWelder::AddDegree(Id point, int added)
 PointUse PointWelder::UseWhereMerged(Id first) const
 {
   const PointUse use = this->UseOf(first);
-  return this->Degrees[static_cast<std::size_t>(first)] == 1 ? std::max(use, PointUse::End) : use;
+  return this->Degrees[first] == 1 ? std::max(use, PointUse::End) : use;
 }
 
 /// By point: for the first of equal ones the point that is its vertex; NoId for the others.
@@ -236,7 +234,7 @@ std::vector<Id> PointWelder::Leaders(const std::vector<Id>& firstEquals)
   std::vector<Id> leaders(this->Input.Points.size(), NoId);
   for (const Id first : firstEquals)
   {
-    leaders[static_cast<std::size_t>(first)] = first;
+    leaders[first] = first;
   }
   const double reach = std::max(this->Result.Resolution, this->Input.SeamNoise);
   const std::vector<Id> candidates = this->Candidates(leaders);
@@ -260,7 +258,7 @@ std::vector<Id> PointWelder::Leaders(const std::vector<Id>& firstEquals)
   for (std::size_t i = 0; i < merged.size() && this->Beats.Beat(1); ++i)
   {
     const Id nearest = grid.Find(PlaceOf(this->Input, merged[i]));
-    leaders[static_cast<std::size_t>(merged[i])] = chosen[static_cast<std::size_t>(nearest)];
+    leaders[merged[i]] = chosen[nearest];
   }
   this->ReportNear(merged, leaders);
   return leaders;
@@ -288,21 +286,13 @@ std::vector<Id> PointWelder::Candidates(const std::vector<Id>& leaders) const
   return points;
 }
 
-std::string Figure(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 /// In the order of the points.
 void PointWelder::ReportNear(std::vector<Id> merged, const std::vector<Id>& leaders)
 {
   std::sort(merged.begin(), merged.end());
   for (std::size_t i = 0; i < merged.size() && this->Beats.Beat(1); ++i)
   {
-    const Id leader = leaders[static_cast<std::size_t>(merged[i])];
+    const Id leader = leaders[merged[i]];
     const Point2 place = PlaceOf(this->Input, merged[i]);
     const bool isKept = this->Problems.Count(ProblemCode::NearPoints) <
       static_cast<std::int64_t>(ProblemList::KeptPerKind);
@@ -320,7 +310,7 @@ double FlushTiny(double coordinate)
 
 Point2 PlaceOf(const Polylines& input, Id point)
 {
-  const Point2& p = input.Points[static_cast<std::size_t>(point)];
+  const Point2& p = input.Points[point];
   return { FlushTiny(p.X), FlushTiny(p.Y) };
 }
 

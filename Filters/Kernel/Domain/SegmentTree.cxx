@@ -91,8 +91,8 @@ void SegmentTree::Builder::FileItems(
   for (const SegmentEnds& ends : segments)
   {
     Item item;
-    const Point2& start = points[static_cast<std::size_t>(ends.Start)];
-    const Point2& end = points[static_cast<std::size_t>(ends.End)];
+    const Point2& start = points[ends.Start];
+    const Point2& end = points[ends.End];
     item.Shortest = LengthOf(start, end);
     item.Bounds.Add(start);
     item.Bounds.Add(end);
@@ -180,7 +180,7 @@ void SegmentTree::Builder::Halve(Id first, Id middle, Id last)
   Box2 centers;
   for (Id i = first; i < last; ++i)
   {
-    centers.Add(this->Tree.Items[static_cast<std::size_t>(i)].Bounds.Center());
+    centers.Add(this->Tree.Items[i].Bounds.Center());
   }
   const bool alongX = centers.Width() >= centers.Height();
   const auto isBefore = [alongX](const Item& a, const Item& b)
@@ -255,7 +255,7 @@ std::vector<Id> SegmentTree::WantedBefore(const std::vector<std::uint8_t>& isWan
   before.reserve(this->Items.size() + 1);
   for (const Item& item : this->Items)
   {
-    before.push_back(before.back() + (isWanted[static_cast<std::size_t>(item.Segment)] ? 1 : 0));
+    before.push_back(before.back() + (isWanted[item.Segment] ? 1 : 0));
   }
   return before;
 }

@@ -224,8 +224,7 @@ private:
 
     void Pair(const Item& a, const Item& b)
     {
-      const bool isWanted = this->IsWanted[static_cast<std::size_t>(a.Segment)] ||
-        this->IsWanted[static_cast<std::size_t>(b.Segment)];
+      const bool isWanted = this->IsWanted[a.Segment] || this->IsWanted[b.Segment];
       if (isWanted && a.Bounds.Meets(b.Bounds) && !a.Ends.Has(b.Ends.Start) &&
         !a.Ends.Has(b.Ends.End) && this->Visit.GoesOn())
       {
@@ -235,8 +234,7 @@ private:
 
     bool HasWanted(const Node& node) const
     {
-      return this->WantedBefore[static_cast<std::size_t>(node.FirstItem)] !=
-        this->WantedBefore[static_cast<std::size_t>(node.LastItem)];
+      return this->WantedBefore[node.FirstItem] != this->WantedBefore[node.LastItem];
     }
 
     const SegmentTree& Tree;
@@ -357,8 +355,8 @@ private:
     return this->NodeAt(a).Size() >= this->NodeAt(b).Size() ? PairPart{ a, b } : PairPart{ b, a };
   }
 
-  const Node& NodeAt(Id node) const { return this->Nodes[static_cast<std::size_t>(node)]; }
-  const Item& ItemAt(Id item) const { return this->Items[static_cast<std::size_t>(item)]; }
+  const Node& NodeAt(Id node) const { return this->Nodes[node]; }
+  const Item& ItemAt(Id item) const { return this->Items[item]; }
   bool IsLeaf(Id node) const { return this->NodeAt(node).Next == node + 1; }
   SlantedBox BoxOf(const Item& item) const;
 

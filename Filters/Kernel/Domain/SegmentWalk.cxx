@@ -17,14 +17,18 @@ namespace biting
 namespace
 {
 
-/// A segment as seen from one of its ends.
+/// A segment as seen from one of its ends. At a vertex the step to the last one, by place, comes
+/// first.
 struct Step
 {
+  Id Vertex = NoId;
   Id Rank = NoId; ///< of the vertex it leads to
   Id Segment = NoId;
 
-  /// The last vertex goes first.
-  bool operator<(const Step& other) const { return this->Rank > other.Rank; }
+  bool operator<(const Step& other) const
+  {
+    return this->Vertex != other.Vertex ? this->Vertex < other.Vertex : this->Rank > other.Rank;
+  }
 };
 
 class SegmentWalk
@@ -41,21 +45,17 @@ public:
 private:
   void RankVertices();
   void CollectSteps();
-  void SortSteps();
   void WalkFrom(Id vertex);
   bool TakeStep(Id& vertex);
   void NumberVertex(Id vertex);
   void AddSegment(Id segment, Id start, Id end);
 
-  Id RankOf(Id vertex) const { return this->Ranks[static_cast<std::size_t>(vertex)]; }
-
   const Domain& Input;
   Pulse& Beats;
-  std::vector<Id> ByPlace;         ///< vertices
-  std::vector<Id> Ranks;           ///< of vertices, by place
-  std::vector<std::size_t> Begins; ///< of each vertex's steps, and the end
-  std::vector<std::size_t> Nexts;  ///< of each vertex, the step to try next
-  std::vector<Step> Steps;
+  std::vector<Id> ByPlace;            ///< vertices
+  std::vector<Id> Ranks;              ///< of vertices, by place
+  std::vector<std::size_t> Nexts;     ///< of each vertex, the step to try next
+  std::vector<Step> Steps;            ///< sorted
   std::vector<std::uint8_t> IsWalked; ///< segments
   std::vector<Id> Numbers;            ///< of vertices; NoId before
   Domain Result;
@@ -65,7 +65,6 @@ Domain SegmentWalk::Run()
 {
   this->RankVertices();
   this->CollectSteps();
-  this->SortSteps();
   this->IsWalked.assign(this->Input.Starts.size(), 0);
   this->Numbers.assign(this->Input.Vertices.size(), NoId);
   for (std::size_t k = 0; k < this->ByPlace.size() && this->Beats.Beat(); ++k)
@@ -95,45 +94,26 @@ void SegmentWalk::RankVertices()
   this->ByPlace.reserve(places.size());
   for (const auto& place : places)
   {
-    this->Ranks[static_cast<std::size_t>(place.second)] = static_cast<Id>(this->ByPlace.size());
+    this->Ranks[place.second] = static_cast<Id>(this->ByPlace.size());
     this->ByPlace.push_back(place.second);
   }
 }
 
 void SegmentWalk::CollectSteps()
 {
-  this->Begins.assign(this->Input.Vertices.size() + 1, 0);
   const std::vector<Id>& starts = this->Input.Starts;
   const std::vector<Id>& ends = this->Input.Ends;
+  this->Steps.reserve(2 * starts.size());
   for (std::size_t s = 0; s < starts.size(); ++s)
   {
-    ++this->Begins[static_cast<std::size_t>(starts[s]) + 1];
-    ++this->Begins[static_cast<std::size_t>(ends[s]) + 1];
+    this->Steps.push_back({ starts[s], this->Ranks[ends[s]], static_cast<Id>(s) });
+    this->Steps.push_back({ ends[s], this->Ranks[starts[s]], static_cast<Id>(s) });
   }
-  for (std::size_t v = 1; v < this->Begins.size(); ++v)
+  SortInSteps(this->Steps, std::less<>(), this->Beats);
+  this->Nexts.assign(this->Input.Vertices.size(), this->Steps.size());
+  for (std::size_t step = this->Steps.size(); step-- > 0;)
   {
-    this->Begins[v] += this->Begins[v - 1];
-  }
-  this->Steps.resize(this->Begins.back());
-  this->Nexts.assign(this->Begins.begin(), this->Begins.end() - 1);
-  for (std::size_t s = 0; s < starts.size() && this->Beats.Beat(); ++s)
-  {
-    const Id segment = static_cast<Id>(s);
-    this->Steps[this->Nexts[static_cast<std::size_t>(starts[s])]++] = { this->RankOf(ends[s]),
-      segment };
-    this->Steps[this->Nexts[static_cast<std::size_t>(ends[s])]++] = { this->RankOf(starts[s]),
-      segment };
-  }
-}
-
-void SegmentWalk::SortSteps()
-{
-  for (std::size_t v = 0; v + 1 < this->Begins.size() && this->Beats.Beat(); ++v)
-  {
-    const auto first = this->Steps.begin();
-    std::sort(first + static_cast<std::ptrdiff_t>(this->Begins[v]),
-      first + static_cast<std::ptrdiff_t>(this->Begins[v + 1]));
-    this->Nexts[v] = this->Begins[v];
+    this->Nexts[this->Steps[step].Vertex] = step;
   }
 }
 
@@ -153,19 +133,19 @@ void SegmentWalk::WalkFrom(Id vertex)
 /// Walks along the first segment that is left, and moves `vertex` to its other end.
 bool SegmentWalk::TakeStep(Id& vertex)
 {
-  const auto v = static_cast<std::size_t>(vertex);
-  std::size_t& next = this->Nexts[v];
-  while (next < this->Begins[v + 1] &&
-    this->IsWalked[static_cast<std::size_t>(this->Steps[next].Segment)])
+  std::size_t& next = this->Nexts[vertex];
+  const auto isLeft = [this, &next, vertex]
+  { return next < this->Steps.size() && this->Steps[next].Vertex == vertex; };
+  while (isLeft() && this->IsWalked[this->Steps[next].Segment])
   {
     ++next;
   }
-  if (next == this->Begins[v + 1])
+  if (!isLeft())
   {
     return false;
   }
   const Step& step = this->Steps[next];
-  const Id end = this->ByPlace[static_cast<std::size_t>(step.Rank)];
+  const Id end = this->ByPlace[step.Rank];
   this->NumberVertex(vertex);
   this->NumberVertex(end);
   this->AddSegment(step.Segment, vertex, end);
@@ -175,33 +155,33 @@ bool SegmentWalk::TakeStep(Id& vertex)
 
 void SegmentWalk::NumberVertex(Id vertex)
 {
-  const auto v = static_cast<std::size_t>(vertex);
-  if (this->Numbers[v] == NoId)
+  if (this->Numbers[vertex] == NoId)
   {
-    this->Numbers[v] = this->Result.NumberOfVertices();
-    this->Result.Vertices.push_back(this->Input.Vertices[v]);
-    this->Result.VertexPoints.push_back(this->Input.VertexPoints[v]);
-    this->Result.IsEmbedded.push_back(this->Input.IsEmbedded[v]);
-    this->Result.HasPoint.push_back(this->Input.HasPoint[v]);
+    this->Numbers[vertex] = this->Result.NumberOfVertices();
+    this->Result.Vertices.push_back(this->Input.Vertices[vertex]);
+    this->Result.VertexPoints.push_back(this->Input.VertexPoints[vertex]);
+    this->Result.IsEmbedded.push_back(this->Input.IsEmbedded[vertex]);
+    this->Result.HasPoint.push_back(this->Input.HasPoint[vertex]);
   }
 }
 
 void SegmentWalk::AddSegment(Id segment, Id start, Id end)
 {
-  const auto s = static_cast<std::size_t>(segment);
-  this->IsWalked[s] = 1;
-  const bool isForward = this->Input.Starts[s] == start;
-  std::uint8_t left = isForward ? this->Input.LeftInside[s] : this->Input.RightInside[s];
-  std::uint8_t right = isForward ? this->Input.RightInside[s] : this->Input.LeftInside[s];
-  if (this->Input.IsBoundary[s] && !left)
+  this->IsWalked[segment] = 1;
+  const bool isForward = this->Input.Starts[segment] == start;
+  std::uint8_t left =
+    isForward ? this->Input.LeftInside[segment] : this->Input.RightInside[segment];
+  std::uint8_t right =
+    isForward ? this->Input.RightInside[segment] : this->Input.LeftInside[segment];
+  if (this->Input.IsBoundary[segment] && !left)
   {
     std::swap(start, end);
     std::swap(left, right);
   }
-  this->Result.Starts.push_back(this->Numbers[static_cast<std::size_t>(start)]);
-  this->Result.Ends.push_back(this->Numbers[static_cast<std::size_t>(end)]);
-  this->Result.Cells.push_back(this->Input.Cells[s]);
-  this->Result.IsBoundary.push_back(this->Input.IsBoundary[s]);
+  this->Result.Starts.push_back(this->Numbers[start]);
+  this->Result.Ends.push_back(this->Numbers[end]);
+  this->Result.Cells.push_back(this->Input.Cells[segment]);
+  this->Result.IsBoundary.push_back(this->Input.IsBoundary[segment]);
   this->Result.LeftInside.push_back(left);
   this->Result.RightInside.push_back(right);
 }

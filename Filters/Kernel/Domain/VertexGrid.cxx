@@ -50,7 +50,7 @@ void VertexGrid::Grow()
 
 void VertexGrid::File(Id vertex)
 {
-  const Point2& p = this->Points[static_cast<std::size_t>(vertex)];
+  const Point2& p = this->Points[vertex];
   Id& head =
     this->Heads[this->EntryOf(std::floor(p.X / this->CellSize), std::floor(p.Y / this->CellSize))];
   this->Nexts.push_back(head);
@@ -69,9 +69,9 @@ Id VertexGrid::Find(const Point2& place) const
          ++column)
     {
       for (Id vertex = this->Heads[this->EntryOf(column, row)]; vertex != NoId;
-           vertex = this->Nexts[static_cast<std::size_t>(vertex)])
+           vertex = this->Nexts[vertex])
       {
-        const Point2 gap = this->Points[static_cast<std::size_t>(vertex)] - place;
+        const Point2 gap = this->Points[vertex] - place;
         const double distance = Length(Point2{ this->Stretch.X * gap.X, this->Stretch.Y * gap.Y });
         const bool isTie = distance == least && (nearest == NoId || vertex < nearest);
         nearest = distance < least || isTie ? vertex : nearest;

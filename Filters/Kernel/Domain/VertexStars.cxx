@@ -39,8 +39,8 @@ std::vector<Id> CountDegrees(std::size_t vertices, const std::vector<SegmentEnds
   std::vector<Id> offsets(vertices + 1, 0);
   for (const SegmentEnds& ends : segments)
   {
-    ++offsets[static_cast<std::size_t>(ends.Start) + 1];
-    ++offsets[static_cast<std::size_t>(ends.End) + 1];
+    ++offsets[ends.Start + 1];
+    ++offsets[ends.End + 1];
   }
   for (std::size_t v = 0; v < vertices; ++v)
   {
@@ -69,8 +69,8 @@ VertexStars::VertexStars(
   {
     for (const Id vertex : { segments[s].Start, segments[s].End })
     {
-      const Id place = next[static_cast<std::size_t>(vertex)]++;
-      this->Segments[static_cast<std::size_t>(place)] = static_cast<Id>(s);
+      const Id place = next[vertex]++;
+      this->Segments[place] = static_cast<Id>(s);
     }
   }
   std::vector<Ray> rays;
@@ -87,10 +87,10 @@ void VertexStars::SortStar(Id vertex, const std::vector<Point2>& points,
   rays.clear();
   for (const Id* s = this->Begin(vertex); s != this->End(vertex); ++s)
   {
-    const Id far = OtherEnd(segments[static_cast<std::size_t>(*s)], vertex);
-    rays.push_back({ points[static_cast<std::size_t>(far)], *s });
+    const Id far = OtherEnd(segments[*s], vertex);
+    rays.push_back({ points[far], *s });
   }
-  const DirectionOrder order{ points[static_cast<std::size_t>(vertex)] };
+  const DirectionOrder order{ points[vertex] };
   if (this->Degree(vertex) <= LargeDegree)
   {
     std::sort(rays.begin(), rays.end(), order);

@@ -44,7 +44,7 @@ public:
 private:
   void SortStar(Id vertex, const std::vector<Point2>& points,
     const std::vector<SegmentEnds>& segments, std::vector<Ray>& rays, Pulse& pulse);
-  Id Offset(Id vertex) const { return this->Offsets[static_cast<std::size_t>(vertex)]; }
+  Id Offset(Id vertex) const { return this->Offsets[vertex]; }
 
   std::vector<Id> Offsets;
   std::vector<Id> Segments;

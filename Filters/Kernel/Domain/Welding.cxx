@@ -36,6 +36,7 @@ public:
 
 private:
   void MakeVertices();
+  void FindLoops();
   void AppendChain(Id chain);
   ArrangementEdge EdgeOf(Id chain) const;
   void AppendFace(Id chain);
@@ -47,9 +48,11 @@ private:
   bool IsClosed(Id chain) const;
   bool AreEqual(Id first, Id second) const { return this->Place(first) == this->Place(second); }
 
-  Id Offset(Id chain) const { return this->Input.Offsets[static_cast<std::size_t>(chain)]; }
-  Id PointAt(Id place) const { return this->Input.Connectivity[static_cast<std::size_t>(place)]; }
-  Id VertexOf(Id point) const { return this->PointVertices[static_cast<std::size_t>(point)]; }
+  Id Offset(Id chain) const { return this->Input.Offsets[chain]; }
+  Id PointAt(Id place) const { return this->Input.Connectivity[place]; }
+  Id VertexOf(Id point) const { return this->PointVertices[point]; }
+  Id StartOf(Id chain) const { return this->VertexOf(this->PointAt(this->Offset(chain))); }
+  Id EndOf(Id chain) const { return this->VertexOf(this->PointAt(this->Offset(chain + 1) - 1)); }
   Point2 Place(Id point) const { return PlaceOf(this->Input, point); }
 
   const Polylines& Input;
@@ -61,12 +64,14 @@ private:
   AreaSum FaceArea{ {} };        ///< of all faces
   std::vector<Id> PointVertices; ///< NoId: no chain uses the point
   std::vector<SegmentFoot> Feet;
+  std::vector<Id> Loops; ///< of chains that are no faces: the first one of the loop, NoId: none
   std::vector<std::pair<Id, Id>> EmbeddedPoints; ///< vertex, point
 };
 
 Arrangement Welder::Run()
 {
   this->MakeVertices();
+  this->FindLoops();
   this->Result.Edges.reserve(this->Input.Connectivity.size());
   this->Result.Groups =
     DisjointSets(static_cast<std::size_t>(this->HasFaces ? this->Input.NumberOfChains() : 0));
@@ -93,9 +98,49 @@ void Welder::MakeVertices()
   this->PointVertices = std::move(points.VertexOf);
 }
 
+/// For the rules other than EvenOdd. Chains whose ends meet are joined; where an odd number of ends
+/// is at one vertex they make no loop.
+void Welder::FindLoops()
+{
+  const Id chains = this->Options.Rule == DomainRule::EvenOdd ? 0 : this->Input.NumberOfChains();
+  const auto mayBound = [this](Id chain)
+  {
+    const ChainKind kind = this->Input.Kinds[chain];
+    return this->Offset(chain) < this->Offset(chain + 1) &&
+      (kind == ChainKind::Boundary || (kind == ChainKind::Automatic && !this->HasFaces));
+  };
+  this->Loops.assign(this->Input.Kinds.size(), NoId);
+  DisjointSets joined(this->Result.Vertices.size());
+  std::vector<std::uint8_t> isOdd(this->Result.Vertices.size(), 0);
+  for (Id chain = 0; chain < chains; ++chain)
+  {
+    if (mayBound(chain) && !this->IsClosed(chain))
+    {
+      joined.Unite(this->StartOf(chain), this->EndOf(chain));
+      isOdd[this->StartOf(chain)] ^= 1;
+      isOdd[this->EndOf(chain)] ^= 1;
+    }
+  }
+  std::vector<Id> firsts(isOdd.size(), NoId); // of joined chains, by their set
+  std::vector<std::uint8_t> isOpen(isOdd.size(), 0);
+  for (std::size_t vertex = 0; vertex < isOdd.size(); ++vertex)
+  {
+    isOpen[joined.SetOf(static_cast<Id>(vertex))] |= isOdd[vertex];
+  }
+  for (Id chain = 0; chain < chains; ++chain)
+  {
+    if (mayBound(chain))
+    {
+      const Id set = joined.SetOf(this->StartOf(chain));
+      firsts[set] = firsts[set] == NoId && !this->IsClosed(chain) ? chain : firsts[set];
+      this->Loops[chain] = this->IsClosed(chain) ? chain : isOpen[set] ? NoId : firsts[set];
+    }
+  }
+}
+
 void Welder::AppendChain(Id chain)
 {
-  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
+  const ChainKind kind = this->Input.Kinds[chain];
   if (kind == ChainKind::EmbeddedPoint)
   {
     this->AppendEmbeddedPoints(chain);
@@ -112,11 +157,17 @@ void Welder::AppendChain(Id chain)
 /// What an edge of the line `chain` counts for.
 ArrangementEdge Welder::EdgeOf(Id chain) const
 {
-  const ChainKind kind = this->Input.Kinds[static_cast<std::size_t>(chain)];
+  const ChainKind kind = this->Input.Kinds[chain];
   const bool isAutomatic = kind == ChainKind::Automatic && !this->HasFaces;
   const bool isBoundary = kind == ChainKind::Boundary || (isAutomatic && this->IsClosed(chain));
   ArrangementEdge edge;
-  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
+  edge.Cell = this->Input.Cells[chain];
+  if (this->Loops[chain] != NoId)
+  {
+    edge.Faces.AddRun(this->Loops[chain]);
+    edge.Faces.Stays = true;
+    return edge;
+  }
   edge.BoundaryCount = isBoundary ? 1 : 0;
   edge.OpenCount = isAutomatic && !isBoundary ? 1 : 0;
   edge.IsInterface = !isAutomatic && !isBoundary;
@@ -144,20 +195,18 @@ void Welder::AppendFace(Id chain)
   const bool isReversed = sum.Area() < 0.0;
   const bool isThin = std::abs(sum.Area()) <= thin;
   ArrangementEdge edge;
-  edge.Cell = this->Input.Cells[static_cast<std::size_t>(chain)];
+  edge.Cell = this->Input.Cells[chain];
   edge.Faces.Turn = isThin ? 0 : isReversed ? -1 : 1;
   edge.Faces.AddRun(isReversed ? FaceEdge::OtherSide(chain) : chain);
-  edge.Faces.Stays = this->Options.KeepCellEdges;
+  edge.Faces.Stays = this->Options.KeepCellEdges || this->Options.Rule != DomainRule::EvenOdd;
   this->FaceArea.AddMagnitude(sum);
   this->AppendEdges(chain, edge);
 }
 
 bool Welder::IsClosed(Id chain) const
 {
-  const Id first = this->Offset(chain);
-  const Id last = this->Offset(chain + 1) - 1;
-  return first <= last &&
-    this->VertexOf(this->PointAt(first)) == this->VertexOf(this->PointAt(last));
+  return this->Offset(chain) < this->Offset(chain + 1) &&
+    this->StartOf(chain) == this->EndOf(chain);
 }
 
 /// Directs `edge` from the lesser of its ends to the greater.

@@ -67,7 +67,7 @@ struct BitingMesh
   MeshQuality Quality; ///< of a piece: arrays of its own; on the first member figures of the whole
   double GivenLipschitz = 0.0;         ///< of the spacing as given
   double UsedLipschitz = 0.0;          ///< of the spacing as used, over the edges of the mesh
-  Id NumberOfSharpCornerTriangles = 0; ///< poor only because the input is (SharpCornerTriangles.h)
+  Id NumberOfSharpCornerTriangles = 0; ///< poor only because the input is (SharpSectors.h)
 
   Id RemovedVertices = 0;   ///< of the input's chains (SimplificationOptions::Tolerance)
   Id LeftOutLoops = 0;      ///< (SimplificationOptions::MinimumLoopSize)

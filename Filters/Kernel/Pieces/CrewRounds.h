@@ -15,8 +15,8 @@
 namespace biting
 {
 
-/// What members of a crew that hold blocks tell each other, by way of the first: all of them
-/// gather, then scatter, in turns.
+/// What members of a crew that hold blocks tell each other, by way of the first, in rounds in which
+/// all of them take part.
 class CrewRounds
 {
 public:
@@ -29,19 +29,18 @@ public:
   {
   }
 
-  bool IsFirst() const { return this->Members.Own() == 0; }
-
-  /// On the first member what all of them have, one after the other, empty for those that take no
-  /// part; none where the monitor wants to stop. Throws where one is lost. `own` is not empty.
-  std::vector<Bytes> Gather(Bytes own, PartOfStage& part)
+  /// One round: the first member gets what all of them have, one after the other, empty for those
+  /// that take no part, and says by conclude(all) whether all go on, which is returned on each.
+  /// False where the monitor wants to stop. Throws where a member is lost. `own` is not empty.
+  template <typename Conclude>
+  bool GoOn(Bytes own, PartOfStage& part, Conclude&& conclude)
   {
-    std::vector<Bytes> all;
-    if (!this->IsFirst())
+    if (this->Members.Own() != 0)
     {
       this->Members.Send(own);
-      return all;
+      return !this->Members.Await().empty();
     }
-    all.resize(this->AreHolding.size());
+    std::vector<Bytes> all(this->AreHolding.size());
     all[0] = std::move(own);
     for (std::size_t member = 1; member < all.size() && !part.HasStopped(); ++member)
     {
@@ -54,29 +53,19 @@ public:
         }
       }
     }
-    return part.HasStopped() ? std::vector<Bytes>() : all;
-  }
-
-  /// Gives each member its own of `all`, of the first, and returns it; empty: nothing follows.
-  Bytes Scatter(const std::vector<Bytes>& all)
-  {
-    if (!this->IsFirst())
+    if (part.HasStopped())
     {
-      return this->Members.Await();
+      return false;
     }
-    for (std::size_t member = 1; member < this->AreHolding.size(); ++member)
+    const bool goesOn = conclude(all);
+    for (std::size_t member = 1; member < all.size(); ++member)
     {
       if (this->AreHolding[member])
       {
-        this->Members.Reply(static_cast<int>(member), all.empty() ? Bytes() : all[member]);
+        this->Members.Reply(static_cast<int>(member), Bytes(goesOn ? 1 : 0, 1));
       }
     }
-    return all.empty() ? Bytes() : all[0];
-  }
-
-  std::vector<Bytes> ForEach(const Bytes& bytes) const
-  {
-    return std::vector<Bytes>(this->AreHolding.size(), bytes);
+    return goesOn;
   }
 
 private:

@@ -4,12 +4,11 @@
 #include "FinishedMesh.h"
 
 #include "../Base/Pulse.h"
-#include "../Stages/FinalCheck.h"
+#include "../Quality/MeshCheck.h"
 #include "../Stages/FineDrawing.h"
 #include "../Stages/MeshAssembly.h"
-#include "../Stages/MeshingStages.h"
 #include "../Stages/SegmentCover.h"
-#include "../Stages/SharpCornerTriangles.h"
+#include "../Stages/SharpSectors.h"
 #include "../Stages/StageProblems.h"
 #include "SpreadMesh.h"
 
@@ -42,10 +41,14 @@ BitingMesh Assemble(const Domain& domain, BitingResult bites, Triangulation& tri
   {
     PartOfStage checking(monitor, AssemblyEnd, CheckEnd);
     const std::vector<Id>& constraints = triangulation.Constraints;
-    const std::string violation = isSpread
-      ? CheckSegmentCover(
-          domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, checking)
-      : CheckFinalMesh({ domain, mesh, constraints, segments, isDelaunay }, checking);
+    MeshCheckInput all{ mesh.Points, mesh.Corners, mesh.Neighbors, constraints, domain.Area };
+    all.IsDelaunay = isDelaunay;
+    std::string violation = isSpread ? "" : CheckMesh(all, checking);
+    if (violation.empty() && !checking.HasStopped())
+    {
+      violation = CheckSegmentCover(
+        domain, { mesh.Points, mesh.Corners, mesh.Neighbors, constraints, segments }, checking);
+    }
     if (!AddAborted(checking, problems) && !violation.empty())
     {
       AddProblem(ProblemCode::CheckFailed, violation, problems);
@@ -145,27 +148,20 @@ void TellBlocks(BlockMesher& blocks, BitingMesh& mesh, ProblemList& problems)
 
 } // namespace
 
-bool IsRelaxed(const BitingMeshOptions& options)
-{
-  return options.Relaxation && options.MaximumNumberOfBites < 0;
-}
-
-bool IsOver(const PartOfStage& whole, ProblemList& problems)
-{
-  AddAborted(whole, problems);
-  return problems.HasErrors();
-}
-
 BitingMesh FinishMesh(const MeshingInput& input, BlockMesher& blocks, BitingResult bites,
   Triangulation& triangulation, ProblemList& problems, PartOfStage& whole)
 {
+  if (blocks.IsHelping())
+  {
+    PartOfStage taking(whole, 0.0, 1.0);
+    return TakePiece(Spread(input, blocks), problems, taking);
+  }
   const Domain& domain = input.Simplified.Drawing;
   const bool isSpread = blocks.Kept().AreSpread;
   PartOfStage counting(whole, 0.0, CountingEnd);
   const Id sharp = CountSharpCornerTriangles(domain, bites, triangulation, counting);
-  const bool isDelaunay = input.Options.Phi == 1.0 || IsRelaxed(input.Options);
-  BitingMesh mesh =
-    Assemble(domain, std::move(bites), triangulation, isDelaunay, isSpread, problems, whole);
+  BitingMesh mesh = Assemble(
+    domain, std::move(bites), triangulation, input.Settings.IsDelaunay, isSpread, problems, whole);
   if (IsOver(whole, problems))
   {
     return {};
@@ -182,14 +178,6 @@ BitingMesh FinishMesh(const MeshingInput& input, BlockMesher& blocks, BitingResu
     TellBlocks(blocks, mesh, problems);
   }
   return problems.HasErrors() ? BitingMesh() : std::move(mesh);
-}
-
-BitingMesh TakeOwnPiece(
-  const MeshingInput& input, BlockMesher& blocks, ProblemList& problems, PartOfStage& whole)
-{
-  whole.BeginStage(MeshingStages::Quality.Text);
-  PartOfStage taking(whole, 0.0, 1.0);
-  return TakePiece(Spread(input, blocks), problems, taking);
 }
 
 } // namespace biting

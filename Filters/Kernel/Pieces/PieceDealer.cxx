@@ -3,12 +3,38 @@
 
 #include "PieceDealer.h"
 
+#include "../Blocks/ByteStream.h"
+
 #include <algorithm> // for min, sort, unique
 #include <limits>    // for levels
 #include <numeric>   // for partial_sum
+#include <tuple>     // for lists of arrays
+#include <utility>   // for move
 
 namespace biting
 {
+
+namespace
+{
+
+template <typename Part>
+auto MembersOf(Part& part)
+{
+  auto& mesh = part.Mesh;
+  auto& piece = mesh.Piece;
+  return std::tie(mesh.Points, mesh.Spacing, mesh.BiteOrders, mesh.Kinds, mesh.OriginalPoints,
+    mesh.Corners, mesh.Neighbors, mesh.Regions, piece.IsPart, piece.PointIds, piece.TriangleIds,
+    piece.ForeignPoints, piece.Levels, part.Constraints, part.GhostLevels, part.CountsAsked);
+}
+
+template <typename Numbers>
+auto MembersOfBlock(Numbers& numbers)
+{
+  return std::tie(numbers.FirstVertex, numbers.GoneVertices, numbers.FirstTriangle,
+    numbers.TakenTriangles, numbers.FirstOrder, numbers.Regions);
+}
+
+} // namespace
 
 PieceDealer::PieceDealer(const DealtMesh& dealt, int levels)
   : Dealt(dealt)
@@ -88,7 +114,7 @@ PieceDealer::Numbers PieceDealer::TrianglesOf(Id member)
   Numbers front = triangles;
   for (int level = 1; level <= this->Levels; ++level)
   {
-    // What is beyond the largest number has that one.
+    // Levels beyond the largest number have the largest.
     constexpr int Largest = std::numeric_limits<std::uint8_t>::max();
     this->AddLevel(static_cast<std::uint8_t>(std::min(level + 1, Largest)), front, triangles);
   }
@@ -168,6 +194,34 @@ void PieceDealer::CopyTriangles(const Numbers& triangles, CollarPart& part) cons
     to.Piece.TriangleIds.push_back(from.Piece.TriangleIds[triangle]);
     to.Piece.Levels.push_back(static_cast<std::uint8_t>(this->LevelsSoFar[triangle] - 1));
   }
+}
+
+std::vector<char> PackPart(const CollarPart& part)
+{
+  ByteWriter writer;
+  const auto put = [&writer](const auto&... members) { (writer.Put(members), ...); };
+  std::apply(put, MembersOf(part));
+  writer.Put(static_cast<std::uint64_t>(part.Blocks.size()));
+  for (const BlockNumbers& numbers : part.Blocks)
+  {
+    std::apply(put, MembersOfBlock(numbers));
+  }
+  return std::move(writer.Bytes);
+}
+
+bool UnpackPart(const std::vector<char>& bytes, CollarPart& part)
+{
+  ByteReader reader(bytes);
+  const auto take = [&reader](auto&... members) { (reader.Take(members), ...); };
+  std::apply(take, MembersOf(part));
+  std::uint64_t count = 0;
+  reader.Take(count);
+  for (std::uint64_t k = 0; k < count && !bytes.empty(); ++k)
+  {
+    part.Blocks.emplace_back();
+    std::apply(take, MembersOfBlock(part.Blocks.back()));
+  }
+  return reader.IsAtEnd();
 }
 
 } // namespace biting

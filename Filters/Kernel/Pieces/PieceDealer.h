@@ -5,13 +5,29 @@
 #define BitingPieceDealer_h
 
 #include "../Base/Ids.h"
+#include "../Blocks/WholeNumbers.h"
 #include "../Mesh/BitingMesh.h"
-#include "CollarPart.h"
 
 #include <vector> // for the arrays
 
 namespace biting
 {
+
+/// The part of the collars' mesh that one member of a crew gets: its own triangles, rings of ghosts
+/// around them, and the numbers of the cores of its blocks in the whole.
+struct CollarPart
+{
+  BitingMesh Mesh; ///< vertices, triangles and Piece only
+  std::vector<Id> Constraints;
+  std::vector<BlockNumbers> Blocks; ///< of its own, rising
+  int GhostLevels = 0;
+  bool CountsAsked = false; ///< vertices that the spacing asks for (FineDrawing.h)
+};
+
+std::vector<char> PackPart(const CollarPart& part);
+
+/// False where the bytes are none.
+bool UnpackPart(const std::vector<char>& bytes, CollarPart& part);
 
 /// The collars' mesh, and which member of a crew is to have each triangle.
 struct DealtMesh

@@ -30,7 +30,7 @@ constexpr double PieceCheckEnd = 0.5;
 
 using Bytes = CrewRounds::Bytes;
 
-// What a member finds by itself.
+// The check of one piece.
 struct Report
 {
   std::vector<char> Violation;
@@ -71,7 +71,7 @@ public:
   {
   }
 
-  bool Measure();
+  bool Measure() { return this->CompareReports() && this->AddUp(); }
 
 private:
   Report Look();
@@ -81,7 +81,6 @@ private:
   std::string ViolationOf(const std::vector<Report>& reports) const;
   bool AddUp();
   Bytes MeasureOwn();
-  bool Refuse(const std::string& violation);
 
   const MeasuredPiece& Piece;
   CrewRounds& Rounds;
@@ -90,11 +89,6 @@ private:
   ProblemList& Problems;
   PartOfStage& Part;
 };
-
-bool PieceMeasurer::Measure()
-{
-  return this->CompareReports() && this->AddUp();
-}
 
 Report PieceMeasurer::Look()
 {
@@ -136,29 +130,22 @@ void PieceMeasurer::AddArea(Report& report)
 
 bool PieceMeasurer::CompareReports()
 {
-  const std::vector<Bytes> all = this->Rounds.Gather(Pack(this->Look()), this->Part);
-  std::vector<Bytes> replies;
-  if (this->Rounds.IsFirst())
-  {
-    if (this->Part.HasStopped())
+  return this->Rounds.GoOn(Pack(this->Look()), this->Part,
+    [this](const std::vector<Bytes>& all)
     {
-      return false;
-    }
-    std::vector<Report> reports;
-    reports.reserve(all.size());
-    for (const Bytes& bytes : all)
-    {
-      reports.push_back(bytes.empty() ? Report() : UnpackReport(bytes));
-    }
-    const std::string violation = this->ViolationOf(reports);
-    if (!violation.empty())
-    {
-      this->Rounds.Scatter({});
-      return this->Refuse(violation);
-    }
-    replies = this->Rounds.ForEach(Bytes(1, 1));
-  }
-  return !this->Rounds.Scatter(replies).empty();
+      std::vector<Report> reports;
+      reports.reserve(all.size());
+      for (const Bytes& bytes : all)
+      {
+        reports.push_back(bytes.empty() ? Report() : UnpackReport(bytes));
+      }
+      const std::string violation = this->ViolationOf(reports);
+      if (!violation.empty())
+      {
+        AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
+      }
+      return violation.empty();
+    });
 }
 
 // The rounding of the area is that of MeshCheck.h.
@@ -201,34 +188,28 @@ std::string PieceMeasurer::ViolationOf(const std::vector<Report>& reports) const
 
 bool PieceMeasurer::AddUp()
 {
-  const std::vector<Bytes> all = this->Rounds.Gather(this->MeasureOwn(), this->Part);
-  std::vector<Bytes> replies;
-  if (this->Rounds.IsFirst())
-  {
-    if (this->Part.HasStopped())
+  return this->Rounds.GoOn(this->MeasureOwn(), this->Part,
+    [this](const std::vector<Bytes>& all)
     {
-      return false;
-    }
-    QualitySums sums;
-    ExactSum density;
-    for (const Bytes& bytes : all)
-    {
-      QualitySums own;
-      ExactSum ownDensity;
-      ByteReader reader(bytes);
-      reader.Take(own);
-      reader.Take(ownDensity);
-      if (!bytes.empty())
+      QualitySums sums;
+      ExactSum density;
+      for (const Bytes& bytes : all)
       {
-        sums.Join(own);
-        density.Join(ownDensity);
+        QualitySums own;
+        ExactSum ownDensity;
+        ByteReader reader(bytes);
+        reader.Take(own);
+        reader.Take(ownDensity);
+        if (!bytes.empty())
+        {
+          sums.Join(own);
+          density.Join(ownDensity);
+        }
       }
-    }
-    this->Mesh.Quality.Conclude(sums);
-    this->Density = density;
-    replies = this->Rounds.ForEach(Bytes(1, 1));
-  }
-  return !this->Rounds.Scatter(replies).empty();
+      this->Mesh.Quality.Conclude(sums);
+      this->Density = density;
+      return true;
+    });
 }
 
 Bytes PieceMeasurer::MeasureOwn()
@@ -245,12 +226,6 @@ Bytes PieceMeasurer::MeasureOwn()
   writer.Put(this->Mesh.Quality.Sums);
   writer.Put(density);
   return std::move(writer.Bytes);
-}
-
-bool PieceMeasurer::Refuse(const std::string& violation)
-{
-  AddProblem(ProblemCode::CheckFailed, violation, this->Problems);
-  return false;
 }
 
 } // namespace

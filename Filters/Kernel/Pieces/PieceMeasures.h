@@ -18,13 +18,12 @@
 namespace biting
 {
 
-/// What is measured of a piece. Two more rings of triangles than `GhostLevels` lie around its own.
+/// A piece to be measured, with two more rings of triangles around its own than it will have.
 struct MeasuredPiece
 {
   const Domain& Geometry;
   const Spacing& F;
   const std::vector<Id>& Constraints;
-  int GhostLevels = 0;
   bool CountsAsked = false; ///< vertices that the spacing asks for (FineDrawing.h)
 };
 

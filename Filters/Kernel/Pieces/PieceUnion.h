@@ -6,9 +6,9 @@
 
 #include "../Base/Ids.h"
 #include "../Base/Pulse.h"
-#include "../Blocks/KeptBlocks.h"
+#include "../Blocks/WholeNumbers.h"
 #include "../Mesh/BitingMesh.h"
-#include "CollarPart.h"
+#include "PieceDealer.h"
 
 #include <cstddef> // for numbers of blocks
 #include <vector>  // for constraints
@@ -16,8 +16,7 @@
 namespace biting
 {
 
-/// What a member of a crew has of the mesh: the cores of its blocks and its part of the collars'
-/// mesh, as one.
+/// The piece of one member of a crew: the cores of its blocks and its part of the collars' mesh.
 struct UnitedPiece
 {
   BitingMesh Mesh; ///< vertices, triangles and Piece only
@@ -30,6 +29,10 @@ struct UnitedPiece
 /// result has no meaning.
 UnitedPiece UnitePiece(
   KeptBlocks& kept, const std::vector<std::size_t>& numbers, CollarPart part, Pulse& pulse);
+
+/// Leaves out the triangles of a piece beyond the ghost level, and vertices that no other triangle
+/// uses, with what is measured of them. Neighbors are not kept.
+void TrimPiece(int ghostLevels, BitingMesh& mesh);
 
 } // namespace biting
 

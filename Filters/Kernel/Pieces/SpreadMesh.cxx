@@ -5,12 +5,10 @@
 
 #include "../Base/Pulse.h"
 #include "../Stages/StageProblems.h"
-#include "CollarPart.h"
 #include "CrewRounds.h"
 #include "PieceDealer.h"
 #include "PieceMeasures.h"
 #include "PieceUnion.h"
-#include "TrimmedPiece.h"
 
 #include <utility> // for move
 
@@ -39,20 +37,6 @@ void NumberCollars(const WholeNumbers& numbers, BitingMesh& collars)
   }
 }
 
-std::vector<std::size_t> BlocksOf(const KeptBlocks& kept, Id member)
-{
-  std::vector<std::size_t> blocks;
-  for (std::size_t block = 0; block < kept.Holders.size(); ++block)
-  {
-    if (kept.Holders[block] == member)
-    {
-      blocks.push_back(block);
-    }
-  }
-  return blocks;
-}
-
-// Of a member that is not the first: it has no others.
 std::vector<std::size_t> OwnBlocks(const KeptBlocks& kept)
 {
   std::vector<std::size_t> blocks;
@@ -69,9 +53,12 @@ std::vector<std::size_t> OwnBlocks(const KeptBlocks& kept)
 CollarPart PartOf(Id member, const KeptBlocks& kept, PieceDealer& dealer)
 {
   CollarPart part = dealer.Make(member);
-  for (const std::size_t block : BlocksOf(kept, member))
+  for (std::size_t block = 0; block < kept.Holders.size(); ++block)
   {
-    part.Blocks.push_back(kept.Numbers.Blocks[block]);
+    if (kept.Holders[block] == member)
+    {
+      part.Blocks.push_back(kept.Numbers.Blocks[block]);
+    }
   }
   return part;
 }
@@ -114,14 +101,14 @@ std::shared_ptr<const BitingMesh> BorderOf(BitingMesh& collars)
 }
 
 // From the part of the collars on, as all members do.
-BitingMesh MakePiece(const SpreadInput& input, const std::vector<std::size_t>& blocks,
-  CollarPart own, CrewRounds& rounds, ExactSum& density, ProblemList& problems, PartOfStage& part)
+BitingMesh MakePiece(const SpreadInput& input, CollarPart own, CrewRounds& rounds,
+  ExactSum& density, ProblemList& problems, PartOfStage& part)
 {
   const bool countsAsked = own.CountsAsked;
   const int levels = own.GhostLevels;
   PartOfStage uniting(part, DealingEnd, UnitingEnd);
   Pulse pulse(uniting);
-  UnitedPiece piece = UnitePiece(input.Kept, blocks, std::move(own), pulse);
+  UnitedPiece piece = UnitePiece(input.Kept, OwnBlocks(input.Kept), std::move(own), pulse);
   if (!piece.IsSound)
   {
     // The check finds a boundary without a constraint.
@@ -129,7 +116,7 @@ BitingMesh MakePiece(const SpreadInput& input, const std::vector<std::size_t>& b
   }
   PartOfStage measuring(part, UnitingEnd, 1.0);
   const bool isWell =
-    MeasurePieces({ input.Geometry, input.F, piece.Constraints, levels, countsAsked }, rounds,
+    MeasurePieces({ input.Geometry, input.F, piece.Constraints, countsAsked }, rounds,
       piece.Mesh, density, problems, measuring);
   if (!isWell || measuring.HasStopped())
   {
@@ -171,8 +158,7 @@ BitingMesh ShareMesh(const SpreadInput& input, BitingMesh collars,
   }
   const std::shared_ptr<const BitingMesh> border = BorderOf(collars);
   collars = BitingMesh();
-  BitingMesh mesh =
-    MakePiece(input, BlocksOf(kept, 0), std::move(own), rounds, density, problems, part);
+  BitingMesh mesh = MakePiece(input, std::move(own), rounds, density, problems, part);
   if (mesh.Piece.IsPart)
   {
     mesh.Border = border;
@@ -189,7 +175,7 @@ BitingMesh TakePiece(const SpreadInput& input, ProblemList& problems, PartOfStag
   }
   CrewRounds rounds(input.Members, {});
   ExactSum density;
-  return MakePiece(input, OwnBlocks(input.Kept), std::move(own), rounds, density, problems, part);
+  return MakePiece(input, std::move(own), rounds, density, problems, part);
 }
 
 } // namespace biting

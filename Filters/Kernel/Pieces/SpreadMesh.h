@@ -8,7 +8,7 @@
 #include "../Base/Ids.h"
 #include "../Base/PartOfStage.h"
 #include "../Base/Problem.h"
-#include "../Blocks/KeptBlocks.h"
+#include "../Blocks/WholeNumbers.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMesh.h"
 #include "../Quality/ExactSum.h"
@@ -19,7 +19,7 @@
 namespace biting
 {
 
-/// What a member of a crew has of a mesh whose blocks stay where they were made.
+/// The part of a spread mesh that one member of a crew has: blocks stay where they were made.
 struct SpreadInput
 {
   const Domain& Geometry;

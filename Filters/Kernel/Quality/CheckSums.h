@@ -10,9 +10,7 @@
 #include <algorithm> // for min
 #include <cmath>     // for abs
 #include <cstddef>   // for slots
-#include <cstdint>   // for counts
 #include <limits>    // for none
-#include <vector>    // for the boundary
 
 // What the check of a mesh adds up over parts of it, for SumAtOnce.
 
@@ -56,52 +54,6 @@ struct TurnSum
     this->Wrong.Join(other.Wrong);
     this->DoubledArea.Join(other.DoubledArea);
     this->AreaMagnitude += other.AreaMagnitude;
-  }
-};
-
-/// Of vertices.
-struct UseSum
-{
-  std::int64_t Inner = 0;
-  FirstDefect Unused;
-
-  void Join(const UseSum& other)
-  {
-    this->Inner += other.Inner;
-    this->Unused.Join(other.Unused);
-  }
-};
-
-/// Of what lies across edges.
-struct LinkSum
-{
-  FirstDefect Wrong;
-  FirstDefect Bent; ///< edges that are not locally Delaunay
-  std::int64_t Unanswered = 0;
-  std::vector<std::size_t> BoundarySlots;
-
-  void Join(const LinkSum& other)
-  {
-    this->Wrong.Join(other.Wrong);
-    this->Bent.Join(other.Bent);
-    this->Unanswered += other.Unanswered;
-    this->BoundarySlots.insert(
-      this->BoundarySlots.end(), other.BoundarySlots.begin(), other.BoundarySlots.end());
-  }
-};
-
-/// Of triangles, and of what lies across their edges.
-struct TriangleSum
-{
-  FirstDefect Invalid; ///< triangles with ids out of range: the sums leave them out
-  TurnSum Turns;
-  LinkSum Links;
-
-  void Join(const TriangleSum& other)
-  {
-    this->Invalid.Join(other.Invalid);
-    this->Turns.Join(other.Turns);
-    this->Links.Join(other.Links);
   }
 };
 

@@ -3,13 +3,13 @@
 
 #include "MeshCheck.h"
 
+#include "../Base/DisjointSets.h"
 #include "../Base/Marks.h"
 #include "../Base/Pulse.h"
 #include "../Base/Tasks.h"
 #include "../Base/TriangleSlots.h"
 #include "../Predicates/Predicates.h"
 #include "CheckSums.h"
-#include "MeshParts.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for abs
@@ -54,6 +54,32 @@ std::string EdgeText(const MeshCheckInput& mesh, std::size_t slot)
   return text.str();
 }
 
+/// What triangles, their edges and their vertices add up to.
+struct CheckSum
+{
+  FirstDefect Invalid; ///< triangles with ids out of range: the sums leave them out
+  TurnSum Turns;
+  FirstDefect Wrong; ///< links that lead to no common edge
+  FirstDefect Bent;  ///< edges that are not locally Delaunay
+  std::int64_t Unanswered = 0;
+  std::vector<std::size_t> BoundarySlots;
+  FirstDefect Unused; ///< vertices
+  std::int64_t InnerVertices = 0;
+
+  void Join(const CheckSum& other)
+  {
+    this->Invalid.Join(other.Invalid);
+    this->Turns.Join(other.Turns);
+    this->Wrong.Join(other.Wrong);
+    this->Bent.Join(other.Bent);
+    this->Unanswered += other.Unanswered;
+    this->BoundarySlots.insert(
+      this->BoundarySlots.end(), other.BoundarySlots.begin(), other.BoundarySlots.end());
+    this->Unused.Join(other.Unused);
+    this->InnerVertices += other.InnerVertices;
+  }
+};
+
 class MeshChecker
 {
 public:
@@ -66,20 +92,19 @@ public:
   std::string Check();
 
 private:
-  void LookAtTriangle(std::size_t triangle, TriangleSum& sum);
+  void LookAtTriangle(std::size_t triangle, CheckSum& sum);
   bool HasValidIds(std::size_t triangle) const;
   void AddTurn(std::size_t triangle, TurnSum& sum) const;
-  void FollowLink(std::size_t triangle, std::size_t corner, LinkSum& sum) const;
+  void FollowLink(std::size_t triangle, std::size_t corner, CheckSum& sum) const;
   bool IsLocallyDelaunay(std::size_t triangle, std::size_t slot, std::size_t across) const;
   bool AreTrianglesSound();
   bool HasConstrainedBoundary();
   bool HasNoUnusedVertex();
   bool FulfilsEuler();
-  std::int64_t CountParts();
+  std::int64_t CountComponents();
   std::int64_t CountLoops();
   bool CoversArea();
   double BoundaryRounding() const;
-  bool IsGoingOn(std::size_t slot);
   bool Refuse(const std::string& violation);
 
   std::size_t Corner(std::size_t slot) const
@@ -92,8 +117,7 @@ private:
   Pulse& Beats;
   std::string Violation;
   Marks Uses; ///< of each vertex
-  TriangleSum Triangles;
-  std::int64_t NumberOfInnerVertices = 0;
+  CheckSum Triangles;
 };
 
 std::string MeshChecker::Check()
@@ -101,15 +125,15 @@ std::string MeshChecker::Check()
   // All that is asked of triangles at once, as their places are at hand then.
   {
     const PulsePart part(this->Beats, 0.0, LinksEnd);
-    this->Triangles = SumAtOnce(this->Beats, this->Mesh.Corners.size() / 3, TriangleSum(),
-      [this](TriangleSum& sum, std::size_t triangle) { this->LookAtTriangle(triangle, sum); });
+    this->Triangles = SumAtOnce(this->Beats, this->Mesh.Corners.size() / 3, CheckSum(),
+      [this](CheckSum& sum, std::size_t triangle) { this->LookAtTriangle(triangle, sum); });
   }
   const bool isSound = this->AreTrianglesSound() && this->HasConstrainedBoundary() &&
     this->HasNoUnusedVertex() && this->FulfilsEuler() && this->CoversArea();
   return isSound ? std::string() : this->Violation;
 }
 
-void MeshChecker::LookAtTriangle(std::size_t triangle, TriangleSum& sum)
+void MeshChecker::LookAtTriangle(std::size_t triangle, CheckSum& sum)
 {
   if (!this->HasValidIds(triangle))
   {
@@ -120,7 +144,7 @@ void MeshChecker::LookAtTriangle(std::size_t triangle, TriangleSum& sum)
   for (std::size_t corner = 0; corner < 3; ++corner)
   {
     this->Uses.Set(this->Corner(3 * triangle + corner), Inner);
-    this->FollowLink(triangle, corner, sum.Links);
+    this->FollowLink(triangle, corner, sum);
   }
 }
 
@@ -151,7 +175,7 @@ void MeshChecker::AddTurn(std::size_t triangle, TurnSum& sum) const
 // A link to a smaller triangle is followed there, to a slot that must name this triangle. As no
 // slot can answer two triangles, all links to larger triangles are answered too if there are as
 // many.
-void MeshChecker::FollowLink(std::size_t triangle, std::size_t corner, LinkSum& sum) const
+void MeshChecker::FollowLink(std::size_t triangle, std::size_t corner, CheckSum& sum) const
 {
   const std::size_t slot = 3 * triangle + corner;
   const Id neighbor = this->Mesh.Neighbors[slot];
@@ -195,7 +219,8 @@ bool MeshChecker::AreTrianglesSound()
 {
   const FirstDefect& invalid = this->Triangles.Invalid;
   const FirstDefect& turned = this->Triangles.Turns.Wrong;
-  const LinkSum& links = this->Triangles.Links;
+  const FirstDefect& wrong = this->Triangles.Wrong;
+  const FirstDefect& bent = this->Triangles.Bent;
   if (invalid.Exists())
   {
     return this->Refuse(
@@ -205,24 +230,22 @@ bool MeshChecker::AreTrianglesSound()
   {
     return this->Refuse("triangle " + std::to_string(turned.Slot / 3) + " is not counterclockwise");
   }
-  if (links.Wrong.Exists())
+  if (wrong.Exists())
   {
-    return this->Refuse(
-      "the triangles at " + EdgeText(this->Mesh, links.Wrong.Slot) + " do not match");
+    return this->Refuse("the triangles at " + EdgeText(this->Mesh, wrong.Slot) + " do not match");
   }
-  if (links.Bent.Exists())
+  if (bent.Exists())
   {
-    return this->Refuse(EdgeText(this->Mesh, links.Bent.Slot) + " is not Delaunay");
+    return this->Refuse(EdgeText(this->Mesh, bent.Slot) + " is not Delaunay");
   }
-  return links.Unanswered == 0 || this->Refuse("neighbors are not mutual");
+  return this->Triangles.Unanswered == 0 || this->Refuse("neighbors are not mutual");
 }
 
 bool MeshChecker::HasConstrainedBoundary()
 {
-  for (std::size_t k = 0; k < this->Triangles.Links.BoundarySlots.size() && this->IsGoingOn(k); ++k)
+  for (const std::size_t slot : this->Triangles.BoundarySlots)
   {
-    const std::size_t slot = this->Triangles.Links.BoundarySlots[k];
-    if (this->Mesh.Constraints[slot] == NoId)
+    if (this->Beats.Beat() && this->Mesh.Constraints[slot] == NoId)
     {
       return this->Refuse("no constraint covers the boundary at " + EdgeText(this->Mesh, slot));
     }
@@ -233,17 +256,17 @@ bool MeshChecker::HasConstrainedBoundary()
 bool MeshChecker::HasNoUnusedVertex()
 {
   const PulsePart part(this->Beats, LinksEnd, UsesEnd);
-  for (const std::size_t slot : this->Triangles.Links.BoundarySlots)
+  for (const std::size_t slot : this->Triangles.BoundarySlots)
   {
     this->Uses.Set(this->Corner(NextSlotOf(slot)), Boundary);
   }
-  const UseSum sum = SumAtOnce(this->Beats, this->Uses.Size(), UseSum(),
-    [this](UseSum& own, std::size_t vertex)
+  const CheckSum sum = SumAtOnce(this->Beats, this->Uses.Size(), CheckSum(),
+    [this](CheckSum& own, std::size_t vertex)
     {
-      own.Inner += this->Uses[vertex] == Inner ? 1 : 0;
+      own.InnerVertices += this->Uses[vertex] == Inner ? 1 : 0;
       own.Unused.Add(vertex, this->Uses[vertex] == None);
     });
-  this->NumberOfInnerVertices = sum.Inner;
+  this->Triangles.InnerVertices = sum.InnerVertices;
   return !sum.Unused.Exists() ||
     this->Refuse("vertex " + std::to_string(sum.Unused.Slot) + " belongs to no triangle");
 }
@@ -255,27 +278,55 @@ bool MeshChecker::FulfilsEuler()
 {
   const std::int64_t numberOfTriangles = static_cast<std::int64_t>(this->Mesh.Corners.size() / 3);
   const std::int64_t numberOfBoundaryEdges =
-    static_cast<std::int64_t>(this->Triangles.Links.BoundarySlots.size());
-  const std::int64_t components = this->CountParts();
+    static_cast<std::int64_t>(this->Triangles.BoundarySlots.size());
+  const std::int64_t components = this->CountComponents();
   const std::int64_t loops = this->CountLoops();
   const std::int64_t found =
-    2 * this->NumberOfInnerVertices + numberOfBoundaryEdges - numberOfTriangles;
+    2 * this->Triangles.InnerVertices + numberOfBoundaryEdges - numberOfTriangles;
   return found == 4 * components - 2 * loops ||
     this->Refuse("Euler's formula fails for " + std::to_string(components) + " components and " +
       std::to_string(loops) + " boundary loops");
 }
 
-std::int64_t MeshChecker::CountParts()
+// Triangles of one component are connected over edges.
+std::int64_t MeshChecker::CountComponents()
 {
   const PulsePart part(this->Beats, UsesEnd, ComponentsEnd);
-  return CountComponents(this->Mesh.Neighbors, this->Beats);
+  DisjointSets components(this->Mesh.Corners.size() / 3);
+  this->Beats.ForEach(this->Mesh.Neighbors.size(),
+    [this, &components](std::size_t slot)
+    {
+      const Id triangle = static_cast<Id>(slot / 3);
+      if (this->Mesh.Neighbors[slot] != NoId && this->Mesh.Neighbors[slot] < triangle)
+      {
+        components.Unite(triangle, this->Mesh.Neighbors[slot]);
+      }
+    });
+  return static_cast<std::int64_t>(components.NumberOfSets());
 }
 
+// A boundary edge is followed by the other one of the fan of triangles about its end. Neighbors are
+// mutual, so the turn through the fan meets no triangle twice.
 std::int64_t MeshChecker::CountLoops()
 {
   const PulsePart part(this->Beats, ComponentsEnd, 1.0);
-  return CountBoundaryLoops(
-    this->Mesh.Corners, this->Mesh.Neighbors, this->Triangles.Links.BoundarySlots, this->Beats);
+  const std::vector<Id>& neighbors = this->Mesh.Neighbors;
+  std::vector<bool> isTraced(neighbors.size(), false);
+  std::int64_t count = 0;
+  for (std::size_t slot : this->Triangles.BoundarySlots)
+  {
+    count += isTraced[slot] ? 0 : 1;
+    while (!isTraced[slot] && this->Beats.Beat())
+    {
+      isTraced[slot] = true;
+      slot = NextSlotOf(slot);
+      while (neighbors[slot] != NoId)
+      {
+        slot = NextSlotOf(SlotAcross(this->Mesh.Corners, slot, neighbors[slot]));
+      }
+    }
+  }
+  return count;
 }
 
 bool MeshChecker::CoversArea()
@@ -300,25 +351,13 @@ double MeshChecker::BoundaryRounding() const
 {
   double length = 0.0;
   double largest = 0.0;
-  for (const std::size_t slot : this->Triangles.Links.BoundarySlots)
+  for (const std::size_t slot : this->Triangles.BoundarySlots)
   {
     const Point2& start = this->Place(NextSlotOf(slot));
     length += Distance(start, this->Place(PreviousSlotOf(slot)));
     largest = std::max({ largest, std::abs(start.X), std::abs(start.Y) });
   }
   return 4.0 * length * largest;
-}
-
-// Asks the monitor now and then; slots that are counted by threes are asked as often.
-bool MeshChecker::IsGoingOn(std::size_t slot)
-{
-  if (slot % 4096 != 0)
-  {
-    return true;
-  }
-  this->Beats.SetFraction(
-    static_cast<double>(slot) / static_cast<double>(this->Mesh.Corners.size()));
-  return this->Beats.Ask();
 }
 
 bool MeshChecker::Refuse(const std::string& violation)

@@ -28,8 +28,7 @@ class LeastValues
 {
 public:
   LeastValues(std::size_t count, Pulse& pulse)
-    : IsAlone(pulse.Threads().NumberOfThreads() == 1)
-    , Values(count)
+    : Values(count)
   {
     ForEachAtOnce(pulse, count, [this](std::size_t k) { this->Values[k] = Infinity; });
   }
@@ -40,18 +39,12 @@ public:
   {
     std::atomic<double>& least = this->Values[static_cast<std::size_t>(vertex)];
     double known = least.load(std::memory_order_relaxed);
-    if (this->IsAlone)
-    {
-      least.store(std::min(known, value), std::memory_order_relaxed);
-      return;
-    }
     while (value < known && !least.compare_exchange_weak(known, value, std::memory_order_relaxed))
     {
     }
   }
 
 private:
-  bool IsAlone;
   std::vector<std::atomic<double>> Values;
 };
 
@@ -118,30 +111,16 @@ double AspectRatio(const Shape& shape)
   return 0.5 * diameter * (shortest + middle + longest) / shape.DoubledArea;
 }
 
-// Of large meshes array by array as tasks: the system takes its time to hand out memory.
 void MakeRoom(MeshQuality& quality, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, 0.0);
-  const std::array<std::vector<double>*, 5> arrays{ &quality.MinimumAngle, &quality.RadiusEdgeRatio,
-    &quality.AspectRatio, &quality.Conformity, &quality.NearestNeighborDistance };
-  const std::size_t triangles = static_cast<std::size_t>(quality.NumberOfTriangles);
-  const std::size_t vertices = static_cast<std::size_t>(quality.NumberOfVertices);
-  const auto makeRoom = [&arrays, triangles, vertices](std::size_t k, Pulse& beats)
-  { GrowInSteps(*arrays[k], k < 3 ? triangles : vertices, 0.0, beats); };
-  if (triangles > StepsPerTask)
-  {
-    DoTasks(pulse, arrays.size(),
-      [&makeRoom](std::size_t k, Monitor& monitor)
-      {
-        Pulse own(monitor);
-        makeRoom(k, own);
-      });
-    return;
-  }
-  for (std::size_t k = 0; k < arrays.size(); ++k)
-  {
-    makeRoom(k, pulse);
-  }
+  const auto triangles = static_cast<std::size_t>(quality.NumberOfTriangles);
+  const auto vertices = static_cast<std::size_t>(quality.NumberOfVertices);
+  GrowInSteps(quality.MinimumAngle, triangles, 0.0, pulse);
+  GrowInSteps(quality.RadiusEdgeRatio, triangles, 0.0, pulse);
+  GrowInSteps(quality.AspectRatio, triangles, 0.0, pulse);
+  GrowInSteps(quality.Conformity, vertices, 0.0, pulse);
+  GrowInSteps(quality.NearestNeighborDistance, vertices, 0.0, pulse);
 }
 
 // The ends of the edge opposite a slot's corner.

@@ -5,7 +5,6 @@
 
 #include "Star.h"
 #include "StarObjective.h"
-#include "TriangleLimits.h"
 
 #include <algorithm> // for sort, unique, remove_if
 #include <cstddef>   // for counts
@@ -103,7 +102,6 @@ void AngleDescent::Run(Pulse& pulse)
     {
       this->FindChanged();
     }
-    this->KeepPoor();
     this->ListCorners();
     this->Moved.clear();
     const std::vector<Id> vertices = this->Mesh.Around(this->Corners, 1);
@@ -120,18 +118,13 @@ void AngleDescent::Run(Pulse& pulse)
 // Those that may be poor, whatever the limits.
 void AngleDescent::LookAtAll(Pulse& pulse)
 {
-  const TriangleLimits limits{ ShortestInBand, LongestInBand,
-    this->Mesh.PoorCotangents * PoorCotangents[0] };
   this->Poor.clear();
   pulse.ForEach(this->Mesh.Regions.size(),
-    [this, &limits](std::size_t slot)
+    [this](std::size_t slot)
     {
       const Id triangle = static_cast<Id>(slot);
-      if (!this->Mesh.IsEdge(4 * triangle) || IsSurelyWithin(this->Mesh, triangle, limits))
-      {
-        return;
-      }
-      const PoorTriangle judged = this->Judge(triangle);
+      const PoorTriangle judged =
+        this->Mesh.IsEdge(4 * triangle) ? this->Judge(triangle) : PoorTriangle{};
       if (judged.Levels > 0 || judged.IsOutOfBand)
       {
         this->Poor.push_back(judged);
@@ -177,15 +170,12 @@ bool AngleDescent::IsPoor(const PoorTriangle& triangle) const
   return triangle.Levels >= this->PoorLevel || (this->AreLengthsPoor && triangle.IsOutOfBand);
 }
 
-void AngleDescent::KeepPoor()
+// Of those that are poor by the limits; the others are left out from now on.
+void AngleDescent::ListCorners()
 {
   this->Poor.erase(std::remove_if(this->Poor.begin(), this->Poor.end(),
                      [this](const PoorTriangle& triangle) { return !this->IsPoor(triangle); }),
     this->Poor.end());
-}
-
-void AngleDescent::ListCorners()
-{
   this->Corners.clear();
   for (const PoorTriangle& triangle : this->Poor)
   {

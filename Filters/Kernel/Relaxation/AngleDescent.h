@@ -14,15 +14,17 @@
 namespace biting
 {
 
-/// Moves single vertices where triangles are worst.
+/// Moves single vertices where triangles are worst: a compass search for the least objective of the
+/// star (StarObjective).
 ///
-/// The vertices of triangles with an angle below 40 degrees, and of edges out of the band (see
-/// StarObjective), look in eight directions, or in both along their segment, for a place where the
-/// objective of their star is less, in steps from 0.12 spacings down to 0.008, unless it is good:
-/// as above 45 degrees. A vertex is looked at again only where its star has changed.
-/// Where more than 500 and a twentieth of the triangles have such angles, only those below 35, 30
-/// or 25 degrees count, and what is good is less in proportion; where more have such edges, these
-/// do not. Law: no star gets an angle that is both below 32 degrees and smaller than its smallest.
+/// Looked at are the vertices of triangles with an angle below 40 degrees, or with an edge out of
+/// the band, and their neighbors. A vertex whose objective is good, as above 45 degrees, stays. The
+/// others are moved in eight directions, or in both along their segment, by steps from 0.12
+/// spacings down to 0.008. A vertex is looked at again only where its star has changed.
+/// Of n triangles at most 500 + n / 20 may count as poor: else the limit of 40 degrees becomes 35,
+/// 30 or 25, and the good objective is less in proportion. Edges do not count where more triangles
+/// have one out of the band.
+/// Law: no star gets an angle that is both below 32 degrees and smaller than its smallest.
 class AngleDescent
 {
 public:
@@ -44,14 +46,13 @@ public:
 private:
   struct PoorTriangle
   {
-    Id Triangle;
-    std::uint8_t Levels; ///< by how many of the limits of angles it is poor
-    bool IsOutOfBand;
+    Id Triangle = NoId;
+    std::uint8_t Levels = 0; ///< by how many of the limits of angles it is poor
+    bool IsOutOfBand = false;
   };
 
   void LookAtAll(Pulse& pulse);
   void ChooseLimits();
-  void KeepPoor();
   void FindChanged();
   void ListCorners();
   PoorTriangle Judge(Id triangle) const;

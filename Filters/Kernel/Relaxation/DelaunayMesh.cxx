@@ -11,14 +11,10 @@ namespace biting
 
 void DelaunayMesh::RestoreAround(Id vertex)
 {
-  const Id first = this->FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    this->Stack.push_back(edge);
-    this->Stack.push_back(Next(edge));
-    edge = this->Turn(edge);
-  } while (edge != NoId && edge != first);
+  this->ForEachAround(vertex,
+    [this](Id edge) {
+      this->Stack.insert(this->Stack.end(), { edge, Next(edge) });
+    });
   this->EmptyStack();
 }
 
@@ -92,34 +88,33 @@ void DelaunayMesh::FlipAndPush(Id edge)
 {
   const Id twin = this->Twins[edge];
   this->Flip(edge);
-  for (const Id changed : { edge, Previous(edge), twin, Previous(twin) })
-  {
-    this->Stack.push_back(changed);
-  }
+  this->Stack.insert(this->Stack.end(), { edge, Previous(edge), twin, Previous(twin) });
 }
 
 const std::vector<Id>& DelaunayMesh::Around(Id center, int rings)
 {
-  this->BeginNear();
-  this->AddNear(center);
-  return this->Grow(rings);
+  this->Centers.assign(1, center);
+  return this->Around(this->Centers, rings);
 }
 
 const std::vector<Id>& DelaunayMesh::Around(const std::vector<Id>& centers, int rings)
 {
-  this->BeginNear();
+  this->Stamps.resize(this->Points.size(), 0);
+  this->Near.clear();
+  ++this->Stamp;
   for (const Id center : centers)
   {
     this->AddNear(center);
   }
-  return this->Grow(rings);
-}
-
-void DelaunayMesh::BeginNear()
-{
-  this->Stamps.resize(this->Points.size(), 0);
-  this->Near.clear();
-  ++this->Stamp;
+  std::size_t first = 0;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (const std::size_t last = this->Near.size(); first < last; ++first)
+    {
+      this->AddNeighbors(this->Near[first]);
+    }
+  }
+  return this->Near;
 }
 
 void DelaunayMesh::AddNear(Id vertex)
@@ -129,20 +124,6 @@ void DelaunayMesh::AddNear(Id vertex)
     this->Stamps[vertex] = this->Stamp;
     this->Near.push_back(vertex);
   }
-}
-
-const std::vector<Id>& DelaunayMesh::Grow(int rings)
-{
-  std::size_t first = 0;
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    const std::size_t last = this->Near.size();
-    for (; first < last; ++first)
-    {
-      this->AddNeighbors(this->Near[first]);
-    }
-  }
-  return this->Near;
 }
 
 void DelaunayMesh::AddNeighbors(Id vertex)

@@ -14,8 +14,8 @@
 namespace biting
 {
 
-/// A mutable mesh with what all that changes it needs: flips that make it Delaunay again, and the
-/// vertices near a vertex.
+/// A mutable mesh with flips that make it Delaunay again, and a search for the vertices near a
+/// vertex.
 ///
 /// Edges without marks are made locally Delaunay, exactly. A flip never lowers the smallest angle
 /// of its two triangles; each lowers the lifted surface, so it ends.
@@ -46,12 +46,11 @@ private:
   void FlipAndPush(Id edge);
   void RestoreEdge(Id edge);
   void EmptyStack();
-  void BeginNear();
   void AddNear(Id vertex);
   void AddNeighbors(Id vertex);
-  const std::vector<Id>& Grow(int rings);
 
-  std::vector<Id> Stack; ///< edges to look at
+  std::vector<Id> Stack;   ///< edges to look at
+  std::vector<Id> Centers; ///< one, of a search
   std::vector<Id> Near;
   std::vector<Id> Stamps; ///< of each vertex: the last search that found it
   Id Stamp = 0;

@@ -13,9 +13,9 @@
 namespace biting
 {
 
-/// 1024 times the rounding of a vertex (Domain::Resolution), in input length units: parts of
-/// segments that are longer are hardly turned by it, so that together they stay as long as the
-/// segment within 1e-6. Vertices come, slide and go only on such parts.
+/// 1024 times the rounding of a vertex (Domain::Resolution), in input length units. Rounding turns
+/// a longer part of a segment by at most 2 / 1024, so the parts are together as long as the
+/// segment, within (2 / 1024)^2 / 2 = 2e-6. Vertices come, slide and go only on such parts.
 double LeastSlidingLength(const Domain& domain);
 
 /// Whether a part of that length is one of these.
@@ -24,11 +24,12 @@ inline bool IsFarAboveRounding(double length, const Domain& domain)
   return length > LeastSlidingLength(domain);
 }
 
-/// 1 for the segments on which vertices may lie anywhere: a vertex is off its segment by rounding,
-/// and what lies beyond the border is not triangulated, so nothing there would notice if the parts
-/// of two segments met. Segments nearer to another than rounding can bridge have 0, and so have
-/// two that leave a vertex so close together that they are that near at a quarter of the spacing;
-/// and those that are not far above rounding themselves.
+/// 1 for the segments on which vertices may lie anywhere. A vertex is off its segment by rounding,
+/// and no triangles beyond the border keep the parts of two segments from meeting. So 0 is for
+/// segments that are
+/// - nearer to another one than twice the rounding on either side;
+/// - at a vertex, if another one there is as near at a quarter of the spacing from the vertex;
+/// - not far above rounding themselves.
 /// `spacings` begins with those of the vertices of the domain.
 /// Cost O(n log n). Where the monitor wants to stop the result has no meaning.
 std::vector<std::uint8_t> FindDividedSegments(

@@ -66,47 +66,27 @@ bool MayVanish(const MutableMesh& mesh, Id edge)
     (mesh.Twins[next] != NoId || mesh.Twins[previous] != NoId);
 }
 
-bool IsValidAt(const MutableMesh& mesh, Id vertex, const Point2& place)
+// With the vertex at `place`, the triangles of `spared` left out, which may be none.
+bool IsValidAt(const MutableMesh& mesh, Id vertex, const Point2& place, Id spared)
 {
-  const Id first = mesh.FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    if (Orient2D(place, mesh.Points[mesh.Origin(edge)], mesh.Points[mesh.Target(edge)]) <= 0)
+  return mesh.HoldsAround(vertex,
+    [&mesh, &place, spared](Id edge)
     {
-      return false;
-    }
-    edge = mesh.Turn(edge);
-  } while (edge != NoId && edge != first);
-  return true;
+      const Id a = mesh.Origin(edge);
+      const Id b = mesh.Target(edge);
+      return a == spared || b == spared || Orient2D(place, mesh.Points[a], mesh.Points[b]) > 0;
+    });
 }
 
 bool MoveToMiddle(MutableMesh& mesh, Id edge, Id kept)
 {
   const Point2 place =
     mesh.PlaceFor(kept, Midpoint(mesh.Points[mesh.Origin(edge)], mesh.Points[mesh.Target(edge)]));
-  if (!IsValidAt(mesh, kept, place))
+  if (!IsValidAt(mesh, kept, place, NoId))
   {
     return false;
   }
   mesh.Move(kept, place);
-  return true;
-}
-
-bool IsValidWithout(const MutableMesh& mesh, Id vertex, Id kept)
-{
-  const Id first = mesh.FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    const Id a = mesh.Origin(edge);
-    const Id b = mesh.Target(edge);
-    if (a != kept && b != kept && Orient2D(mesh.Points[kept], mesh.Points[a], mesh.Points[b]) <= 0)
-    {
-      return false;
-    }
-    edge = mesh.Turn(edge);
-  } while (edge != NoId && edge != first);
   return true;
 }
 
@@ -140,14 +120,7 @@ void RemoveVertex(MutableMesh& mesh, Id edge, Id vertex, Id kept)
   const Id twin = mesh.Twins[edge];
   const Id numberOfSides = twin == NoId ? 1 : 2;
   mesh.AddDegree(kept, mesh.Degrees[vertex] - 2 * numberOfSides);
-  const Id first = mesh.FirstAround(vertex);
-  Id around = first;
-  do
-  {
-    const Id following = mesh.Turn(around);
-    mesh.Store(mesh.Corners, around, kept);
-    around = following;
-  } while (around != NoId && around != first);
+  mesh.ForEachAround(vertex, [&mesh, kept](Id around) { mesh.Store(mesh.Corners, around, kept); });
   mesh.Store(mesh.VertexEdges, vertex, NoId);
   RemoveSide(mesh, edge);
   if (twin != NoId)
@@ -204,7 +177,7 @@ Id CollapseEdge(MutableMesh& mesh, Id edge)
   {
     return NoId;
   }
-  if (!IsValidWithout(mesh, vertex, kept))
+  if (!IsValidAt(mesh, vertex, mesh.Points[kept], kept))
   {
     mesh.Move(kept, oldPlace);
     return NoId;

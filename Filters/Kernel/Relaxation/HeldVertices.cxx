@@ -124,16 +124,11 @@ void HeldVertices::LookAt(Id triangle)
   }
   for (Id edge = first; edge < first + 3; ++edge)
   {
-    if (this->IsBeyondLimits(edge))
+    if (!this->IsWithinLimits(this->Mesh.SquaredRelativeLength(edge)))
     {
       this->Complain({ this->Mesh.Origin(edge), this->Mesh.Target(edge), NoId });
     }
   }
-}
-
-bool HeldVertices::IsBeyondLimits(Id edge) const
-{
-  return !this->IsWithinLimits(this->Mesh.SquaredRelativeLength(edge));
 }
 
 bool HeldVertices::IsWithinLimits(double squaredLength) const

@@ -19,8 +19,9 @@
 namespace biting
 {
 
-/// Vertices that stay where they are until they are in the way of a better mesh: then they are
-/// released, and are vertices like all others. Where that did not help they are taken back.
+/// Vertices that stay where they are unless a triangle or an edge at them is beyond the limits of
+/// HoldOptions: then they are released, which makes them free. Released vertices return to their
+/// places where the limits are met with them there.
 class HeldVertices
 {
 public:
@@ -29,9 +30,9 @@ public:
   HeldVertices(
     const HoldOptions& hold, Id first, const std::vector<Id>& origins, MutableMesh& mesh);
 
-  /// Releases vertices of triangles with an angle, and of edges, beyond the limits: of each such
-  /// triangle and edge at most one, that of most of them, and last ones after all others. Returns
-  /// those that are released: none where the limits are met.
+  /// Releases vertices of triangles with an angle, and of edges, beyond the limits, and returns
+  /// them. Of each such triangle or edge at most one vertex is released: the one with most of them,
+  /// but one that is last only where the others are not held.
   std::vector<Id> ReleaseThoseInTheWay(Pulse& pulse);
 
   /// A vertex that was released.
@@ -53,7 +54,8 @@ public:
   bool HoldAtPlaceNear(Id vertex);
 
 private:
-  using Complaint = std::array<Id, 3>; ///< the held ones of the corners or ends, NoId the others
+  /// A triangle or an edge beyond the limits: its held vertices, NoId in place of the others.
+  using Complaint = std::array<Id, 3>;
 
   struct Candidate
   {
@@ -64,7 +66,6 @@ private:
   };
 
   void LookAt(Id triangle);
-  bool IsBeyondLimits(Id edge) const;
   bool IsWithinLimits(double squaredLength) const;
   bool IsFree(Id vertex) const
   {

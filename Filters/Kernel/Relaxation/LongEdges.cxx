@@ -29,7 +29,7 @@ bool IsTooLong(const MutableMesh& mesh, Id edge, double longest)
 }
 
 // The longest first.
-std::vector<Id> FindLong(const MutableMesh& mesh, double longest, Pulse& pulse)
+std::vector<std::pair<double, Id>> FindLong(const MutableMesh& mesh, double longest, Pulse& pulse)
 {
   std::vector<std::pair<double, Id>> found;
   pulse.ForEach(static_cast<std::size_t>(mesh.NumberOfEdges()),
@@ -44,13 +44,7 @@ std::vector<Id> FindLong(const MutableMesh& mesh, double longest, Pulse& pulse)
   SortInSteps(
     found, [](const std::pair<double, Id>& a, const std::pair<double, Id>& b) { return a < b; },
     pulse);
-  std::vector<Id> edges;
-  edges.reserve(found.size());
-  for (const auto& [length, edge] : found)
-  {
-    edges.push_back(edge);
-  }
-  return edges;
+  return found;
 }
 
 double WorstAroundAll(const MutableMesh& mesh, const std::vector<Id>& vertices)
@@ -100,11 +94,11 @@ bool TrySplit(DelaunayMesh& mesh, Id edge, double limit)
 
 void SplitLongEdges(DelaunayMesh& mesh, double longest, double greatestCotangent, Pulse& pulse)
 {
-  const std::vector<Id> edges = FindLong(mesh, longest, pulse);
+  const std::vector<std::pair<double, Id>> edges = FindLong(mesh, longest, pulse);
   pulse.ForEach(edges.size(),
     [&mesh, &edges, longest, greatestCotangent](std::size_t k)
     {
-      const Id edge = edges[k];
+      const Id edge = edges[k].second;
       if (mesh.IsEdge(edge) && IsTooLong(mesh, edge, longest))
       {
         const double worst = WorstAroundAll(mesh,

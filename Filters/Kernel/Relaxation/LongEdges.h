@@ -11,9 +11,9 @@ namespace biting
 {
 
 /// Splits inner edges of more than `longest` spacings, the longest first, and smooths around the
-/// new vertices: what smoothing cannot mend between vertices that are held, a vertex more may, so
-/// that none of them has to go. A split is kept where no triangle near by then is both worse than
-/// the worst one was and beyond `greatestCotangent`, and no edge of the new vertex is shorter than
+/// new vertices. Between held vertices, which smoothing cannot move, this keeps edges within the
+/// limits without releasing a vertex. A split is kept if the worst triangle near by is not worse
+/// than before or within `greatestCotangent`, and if no edge of the new vertex is shorter than
 /// 0.75 spacings. Edges beside vertices with more triangles than a Star holds stay.
 void SplitLongEdges(DelaunayMesh& mesh, double longest, double greatestCotangent, Pulse& pulse);
 

@@ -140,17 +140,10 @@ void MutableMesh::TakeBack()
     this->Points[motion->Vertex] = motion->Place;
     this->Spacings[motion->Vertex] = motion->Spacing;
   }
-  this->Points.resize(this->OldNumberOfVertices);
-  this->Spacings.resize(this->OldNumberOfVertices);
-  this->Freedoms.resize(this->OldNumberOfVertices);
-  this->Segments.resize(this->OldNumberOfVertices);
-  this->VertexEdges.resize(this->OldNumberOfVertices);
-  this->Degrees.resize(this->OldNumberOfVertices);
-  this->IdealDegrees.resize(this->OldNumberOfVertices);
-  this->IsEstimate.resize(this->OldNumberOfVertices);
-  this->Corners.resize(4 * this->OldNumberOfTriangles);
-  this->Twins.resize(4 * this->OldNumberOfTriangles);
-  this->Marks.resize(4 * this->OldNumberOfTriangles);
+  const auto shrink = [](std::size_t size, auto&... arrays) { (arrays.resize(size), ...); };
+  shrink(this->OldNumberOfVertices, this->Points, this->Spacings, this->Freedoms, this->Segments,
+    this->VertexEdges, this->Degrees, this->IdealDegrees, this->IsEstimate);
+  shrink(4 * this->OldNumberOfTriangles, this->Corners, this->Twins, this->Marks);
   this->Regions.resize(this->OldNumberOfTriangles);
 }
 

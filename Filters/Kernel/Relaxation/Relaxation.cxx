@@ -42,8 +42,7 @@ constexpr double MarginOfEstimates = 1.025; // spacings at new places are known 
 constexpr double ReadingEnd = 0.06;
 constexpr double WorkingEnd = 0.94;
 
-/// The steps of relaxation, on one mesh. The two numbers of a step are when it begins and ends, as
-/// shares of the time of all.
+/// The steps of relaxation, on one mesh.
 class Relaxer
 {
 public:
@@ -61,42 +60,46 @@ public:
   void Run()
   {
     const bool holds = this->Options.Hold.Count > 0 || this->Options.Hold.FindPlace;
-    this->MendValences(0.0, 0.2, 2);
-    this->Smooth(0.2, 0.4, SweepKind::All);
-    this->MendValences(0.4, 0.55, 1);
-    this->Smooth(0.55, 0.75, SweepKind::Coarse);
-    this->Descend(0.75, holds ? 0.8 : 0.95);
+    this->Do(0.0, 0.2, [this]() { this->Valences.Run(2, this->Progress); });
+    this->Do(0.2, 0.4, [this]() { SmoothAll(this->Mesh, SweepKind::All, this->Progress); });
+    this->Do(0.4, 0.55, [this]() { this->Valences.Run(1, this->Progress); });
+    this->Do(0.55, 0.75, [this]() { SmoothAll(this->Mesh, SweepKind::Coarse, this->Progress); });
+    this->Do(0.75, holds ? 0.8 : 0.95, [this]() { this->Descent.Run(this->Progress); });
     if (holds)
     {
-      this->SplitLong(0.8, 0.82);
-      this->Release(0.82, 0.95);
+      this->Do(0.8, 0.82, [this]() { this->SplitLong(); });
+      this->Do(0.82, 0.95, [this]() { this->Release(); });
     }
-    this->TryTopologies(0.95, 0.98);
+    this->Do(0.95, 0.98, [this]() { this->TryTopologies(); });
     if (holds)
     {
-      this->TakeBack(0.98, 0.983);
-      this->HoldAtPlaces(0.983, 0.985);
-      this->SmoothBetweenHeld(0.985, 0.99);
+      this->Do(0.98, 0.983, [this]() { this->TakeBack(); });
+      this->Do(0.983, 0.985, [this]() { this->HoldAtPlaces(); });
+      this->Do(0.985, 0.99, [this]() { this->SmoothBetweenHeld(); });
     }
-    const PulsePart part(this->Progress, 0.99, 1.0);
-    this->Mesh.AskForEstimates(this->Progress);
+    this->Do(0.99, 1.0, [this]() { this->Mesh.AskForEstimates(this->Progress); });
   }
 
 private:
-  void MendValences(double begin, double end, int rings);
-  void Smooth(double begin, double end, SweepKind kind);
-  void Descend(double begin, double end);
-  void TryTopologies(double begin, double end);
+  /// A step, from `begin` to `end` as shares of the time of all.
+  template <typename Step>
+  void Do(double begin, double end, const Step& step)
+  {
+    const PulsePart part(this->Progress, begin, end);
+    step();
+  }
+
+  void TryTopologies();
   std::size_t CountPoor() const;
 
   // Where vertices are held.
-  void SplitLong(double begin, double end);
-  void Release(double begin, double end);
+  void SplitLong();
+  void Release();
   std::vector<Id> SmoothAround(const std::vector<Id>& released);
-  void TakeBack(double begin, double end);
-  void HoldAtPlaces(double begin, double end);
+  void TakeBack();
+  void HoldAtPlaces();
   void DescendAround(const std::vector<Id>& vertices);
-  void SmoothBetweenHeld(double begin, double end);
+  void SmoothBetweenHeld();
 
   DelaunayMesh& Mesh;
   const RelaxationOptions& Options;
@@ -107,31 +110,12 @@ private:
   TopologyTrials Trials;
 };
 
-void Relaxer::MendValences(double begin, double end, int rings)
-{
-  const PulsePart part(this->Progress, begin, end);
-  this->Valences.Run(rings, this->Progress);
-}
-
-void Relaxer::Smooth(double begin, double end, SweepKind kind)
-{
-  const PulsePart part(this->Progress, begin, end);
-  SmoothAll(this->Mesh, kind, this->Progress);
-}
-
-void Relaxer::Descend(double begin, double end)
-{
-  const PulsePart part(this->Progress, begin, end);
-  this->Descent.Run(this->Progress);
-}
-
-void Relaxer::TryTopologies(double begin, double end)
+void Relaxer::TryTopologies()
 {
   if (!this->Options.TriesTopologies)
   {
     return;
   }
-  const PulsePart part(this->Progress, begin, end);
   const std::size_t vertices = this->Mesh.Points.size();
   const std::size_t limit = LeastNumberOfTrials +
     std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial;
@@ -155,16 +139,14 @@ std::size_t Relaxer::CountPoor() const
   return count;
 }
 
-void Relaxer::SplitLong(double begin, double end)
+void Relaxer::SplitLong()
 {
-  const PulsePart part(this->Progress, begin, end);
   const HoldOptions& hold = this->Options.Hold;
   SplitLongEdges(this->Mesh, hold.LongestEdge, hold.GreatestCotangent, this->Progress);
 }
 
-void Relaxer::Release(double begin, double end)
+void Relaxer::Release()
 {
-  const PulsePart part(this->Progress, begin, end);
   for (int round = 0; round < this->Options.Hold.Rounds && !this->Progress.HasStopped(); ++round)
   {
     const std::vector<Id> released = this->Held.ReleaseThoseInTheWay(this->Progress);
@@ -196,9 +178,8 @@ std::vector<Id> Relaxer::SmoothAround(const std::vector<Id>& released)
 }
 
 /// What is beside a vertex that came back is improved, and may then make room for others.
-void Relaxer::TakeBack(double begin, double end)
+void Relaxer::TakeBack()
 {
-  const PulsePart part(this->Progress, begin, end);
   for (int pass = 0; pass < PassesOfTakingBack; ++pass)
   {
     std::vector<Id> returned;
@@ -215,9 +196,8 @@ void Relaxer::TakeBack(double begin, double end)
 }
 
 /// One after the other, each where the ones before have gone. A second pass finds few more.
-void Relaxer::HoldAtPlaces(double begin, double end)
+void Relaxer::HoldAtPlaces()
 {
-  const PulsePart part(this->Progress, begin, end);
   if (!this->Options.Hold.FindPlace)
   {
     return;
@@ -252,21 +232,12 @@ void Relaxer::DescendAround(const std::vector<Id>& vertices)
 }
 
 /// The descent cares for the worst triangles alone: the others are brought back into shape.
-void Relaxer::SmoothBetweenHeld(double begin, double end)
+void Relaxer::SmoothBetweenHeld()
 {
-  const PulsePart part(this->Progress, begin, end);
   const HoldOptions& hold = this->Options.Hold;
   const SmoothingLimits limits{ CotangentOf40Degrees, MarginOfEstimates * hold.ShortestEdge,
     hold.LongestEdge / MarginOfEstimates };
   SmoothWithin(this->Mesh, limits, this->Progress);
-}
-
-void KeepPreserved(const Domain& domain, std::vector<std::uint8_t>& isDivided)
-{
-  for (std::size_t segment = 0; segment < domain.IsPreserved.size(); ++segment)
-  {
-    isDivided[segment] &= domain.IsPreserved[segment] == 0;
-  }
 }
 
 } // namespace
@@ -280,7 +251,10 @@ RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   {
     const PulsePart reading(pulse, 0.0, ReadingEnd);
     work.IsDivided = FindDividedSegments(domain, mesh.Spacings, pulse);
-    KeepPreserved(domain, work.IsDivided);
+    for (std::size_t segment = 0; segment < domain.IsPreserved.size(); ++segment)
+    {
+      work.IsDivided[segment] &= domain.IsPreserved[segment] == 0;
+    }
     work.DividesSegments = options.DividesSegments;
     work.PoorCotangents = options.PoorCotangents;
     origins = ReadMesh(mesh, work, pulse);

@@ -106,7 +106,7 @@ struct RelaxationResult
 /// triangles, 64 more in meshes of some thousand vertices, each for about two thousand vertices'
 /// time, are made where angles stay below 38 degrees; where vertices are held, and more do, only
 /// where they stay below the limit of holding, or 35 degrees.
-/// Precondition: `mesh` passes CheckTriangulation but for the Delaunay criterion.
+/// Precondition: `mesh` passes CheckMesh (MeshCheck.h); it need not be Delaunay.
 RelaxationResult Relax(const Domain& domain, const Spacing& spacing,
   const RelaxationOptions& options, RelaxationMesh& mesh, Monitor& monitor);
 

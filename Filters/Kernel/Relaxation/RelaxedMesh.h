@@ -78,19 +78,49 @@ struct RelaxedMesh
   }
 
   /// The same, found by turning back.
-  Id FirstOfFan(Id vertex) const;
+  Id FirstOfFan(Id vertex) const
+  {
+    const Id start = this->VertexEdges[vertex];
+    Id first = start;
+    for (Id before = this->TurnBack(start); before != start; before = this->TurnBack(first))
+    {
+      if (before == NoId)
+      {
+        return first;
+      }
+      first = before;
+    }
+    return start;
+  }
 
-  /// Calls visit(edge) for the half-edges of all triangles of the vertex, counterclockwise.
-  template <typename Visit>
-  void ForEachAround(Id vertex, Visit&& visit) const
+  /// Whether holds(edge) is true for the half-edges of all triangles of the vertex. They are asked
+  /// counterclockwise, up to the first for which it is not.
+  template <typename Condition>
+  bool HoldsAround(Id vertex, Condition&& holds) const
   {
     const Id first = this->FirstAround(vertex);
     Id edge = first;
     do
     {
-      visit(edge);
+      if (!holds(edge))
+      {
+        return false;
+      }
       edge = this->Turn(edge);
     } while (edge != NoId && edge != first);
+    return true;
+  }
+
+  /// Calls visit(edge) for the half-edges of all triangles of the vertex, counterclockwise.
+  template <typename Visit>
+  void ForEachAround(Id vertex, Visit&& visit) const
+  {
+    this->HoldsAround(vertex,
+      [&visit](Id edge)
+      {
+        visit(edge);
+        return true;
+      });
   }
 
   /// Number of triangles of a vertex less the number that would fit best.

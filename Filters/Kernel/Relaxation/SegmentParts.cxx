@@ -20,23 +20,23 @@ constexpr double LongAfterSlide = 1.37;
 /// The other end of the other part at a vertex that slides; NoId where there is none.
 Id FarEnd(const MutableMesh& mesh, Id vertex, Id nearEnd)
 {
-  const Id first = mesh.FirstAround(vertex);
-  Id edge = first;
-  do
-  {
-    const Id origin = mesh.Origin(edge);
-    const Id target = mesh.Target(edge);
-    if (origin != nearEnd && mesh.Marks[MutableMesh::Previous(edge)] != NoId)
+  Id far = NoId;
+  mesh.HoldsAround(vertex,
+    [&mesh, nearEnd, &far](Id edge)
     {
-      return origin;
-    }
-    if (target != nearEnd && mesh.Marks[MutableMesh::Next(edge)] != NoId)
-    {
-      return target;
-    }
-    edge = mesh.Turn(edge);
-  } while (edge != NoId && edge != first);
-  return NoId;
+      const Id origin = mesh.Origin(edge);
+      const Id target = mesh.Target(edge);
+      if (origin != nearEnd && mesh.Marks[MutableMesh::Previous(edge)] != NoId)
+      {
+        far = origin;
+      }
+      else if (target != nearEnd && mesh.Marks[MutableMesh::Next(edge)] != NoId)
+      {
+        far = target;
+      }
+      return far == NoId;
+    });
+  return far;
 }
 
 bool IsLong(const MutableMesh& mesh, const Point2& place, double spacing, Id end)

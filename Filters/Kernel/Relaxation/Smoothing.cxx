@@ -3,9 +3,9 @@
 
 #include "Smoothing.h"
 
+#include "../Base/Numbers.h"
 #include "SegmentParts.h"
 #include "Star.h"
-#include "TriangleLimits.h"
 
 #include <algorithm> // for max
 #include <cstddef>   // for slots
@@ -19,12 +19,12 @@ namespace
 {
 
 constexpr int MostAttempts = 3;
-constexpr double AllowedCotangent = CotangentOf30Degrees;
 constexpr double Overrelaxation = 1.3;
 constexpr double SizeWeight = 3.0; // more makes lengths better, and angles worse
-// Of triangles about a vertex that the second sweep does not look at.
-constexpr TriangleLimits Fine{ 0.9, 1.1, CotangentOf52Degrees };
-constexpr double LookingEnd = 0.2; // of the second sweep, as a share of its time
+// A vertex stays in a coarse sweep where all its edges are within these, in spacings, and all
+// angles of its triangles above 52 degrees.
+constexpr double ShortestFine = 0.9;
+constexpr double LongestFine = 1.1;
 constexpr double CrossOfEquilateral = 0.8660254037844386; // of two sides of length one
 
 /// Gradient and Hessian of the energy at the center, and the worst cotangent.
@@ -115,40 +115,31 @@ Point2 NewtonStep(const MutableMesh& mesh, Id vertex, const EnergyExpansion& sum
   return (1.0 / determinant) * Point2{ sum.XY * g.Y - sum.YY * g.X, sum.XY * g.X - sum.XX * g.Y };
 }
 
-bool HasFineLengths(const MutableMesh& mesh, Id vertex, const Star& star)
+bool IsFine(const MutableMesh& mesh, Id vertex, const Star& star)
 {
   for (int k = 0; k <= star.NumberOfTriangles; ++k)
   {
     const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
     const double square = Dot(star.Spokes[k], star.Spokes[k]);
-    if (!(square > Fine.Shortest * Fine.Shortest * mean * mean &&
-          square < Fine.Longest * Fine.Longest * mean * mean))
+    if (!(square > ShortestFine * ShortestFine * mean * mean &&
+          square < LongestFine * LongestFine * mean * mean))
     {
       return false;
     }
   }
-  return true;
+  return star.Worst({}) < CotangentOf52Degrees;
 }
 
-/// For sweeps that do not mind them.
-struct AnyLengths
-{
-  bool Allow(
-    const MutableMesh& /*mesh*/, Id /*vertex*/, const Star& /*star*/, const Point2& /*step*/) const
-  {
-    return true;
-  }
-};
-
+/// Limits of the lengths of edges; by default there are none.
 struct LengthsWithin
 {
-  double LeastSquare;    ///< in squared spacings
-  double GreatestSquare; ///< in squared spacings
+  double LeastSquare = 0.0;         ///< in squared spacings
+  double GreatestSquare = Infinity; ///< in squared spacings
 
   /// Whether no edge of the star is farther beyond the limits after the step than before.
   bool Allow(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& step) const
   {
-    for (int k = 0; k <= star.NumberOfTriangles; ++k)
+    for (int k = 0; this->GreatestSquare < Infinity && k <= star.NumberOfTriangles; ++k)
     {
       const double mean = 0.5 * (mesh.Spacings[vertex] + mesh.Spacings[star.Vertices[k]]);
       const Point2 spoke = star.Spokes[k] - step;
@@ -164,9 +155,8 @@ struct LengthsWithin
   }
 };
 
-template <typename Lengths>
-bool SmoothStar(
-  MutableMesh& mesh, Id vertex, const Star& star, double allowedCotangent, const Lengths& lengths)
+bool SmoothStar(MutableMesh& mesh, Id vertex, const Star& star,
+  double allowedCotangent = CotangentOf30Degrees, const LengthsWithin& lengths = {})
 {
   const EnergyExpansion sum = ExpandEnergy(mesh, vertex, star);
   const double allowed = std::max(sum.Worst, allowedCotangent);
@@ -195,83 +185,6 @@ bool MayMove(const MutableMesh& mesh, Id vertex, Star& star)
   return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex);
 }
 
-bool SmoothAny(MutableMesh& mesh, Id vertex)
-{
-  Star star;
-  return MayMove(mesh, vertex, star) &&
-    SmoothStar(mesh, vertex, star, AllowedCotangent, AnyLengths());
-}
-
-/// Smooths all vertices but those whose stars are fine. Where stars change is kept in mind: in good
-/// meshes most stay as they are, and nothing about them is asked again.
-class CoarseSweep
-{
-public:
-  CoarseSweep(DelaunayMesh& mesh, Pulse& pulse)
-    : Mesh(mesh)
-    , Progress(pulse)
-    , MayBeCoarse(mesh.Points.size(), 0)
-    , AreChanged(mesh.Regions.size(), 0)
-  {
-  }
-
-  void Run();
-
-private:
-  void Smooth(Id vertex);
-
-  DelaunayMesh& Mesh;
-  Pulse& Progress;
-  std::vector<std::uint8_t> MayBeCoarse; ///< of vertices: 0 where the star is fine
-  std::vector<std::uint8_t> AreChanged;  ///< of triangles: 1 where a corner has moved
-};
-
-void CoarseSweep::Run()
-{
-  {
-    const PulsePart part(this->Progress, 0.0, LookingEnd);
-    this->Progress.ForEach(this->AreChanged.size(),
-      [this](std::size_t triangle)
-      {
-        const Id* corners = this->Mesh.Corners.data() + 4 * triangle;
-        if (corners[0] != NoId && !IsSurelyWithin(this->Mesh, static_cast<Id>(triangle), Fine))
-        {
-          this->MayBeCoarse[corners[0]] = 1;
-          this->MayBeCoarse[corners[1]] = 1;
-          this->MayBeCoarse[corners[2]] = 1;
-        }
-      });
-  }
-  const PulsePart part(this->Progress, LookingEnd, 1.0);
-  this->Progress.ForEach(this->MayBeCoarse.size(),
-    [this](std::size_t vertex)
-    {
-      if (this->MayBeCoarse[vertex] != 0 && this->Mesh.IsAlive(static_cast<Id>(vertex)))
-      {
-        this->Smooth(static_cast<Id>(vertex));
-      }
-    });
-  this->Mesh.RestoreBeside(this->AreChanged, this->Progress);
-}
-
-void CoarseSweep::Smooth(Id vertex)
-{
-  Star star;
-  const bool isMoved = MayMove(this->Mesh, vertex, star) &&
-    !(HasFineLengths(this->Mesh, vertex, star) && star.Worst({}) < Fine.Cotangent) &&
-    SmoothStar(this->Mesh, vertex, star, AllowedCotangent, AnyLengths());
-  if (!isMoved)
-  {
-    return;
-  }
-  for (int k = 0; k < star.NumberOfTriangles; ++k)
-  {
-    this->AreChanged[MutableMesh::TriangleOf(star.Edges[k])] = 1;
-    this->MayBeCoarse[star.Vertices[k]] = 1;
-  }
-  this->MayBeCoarse[star.Vertices[star.NumberOfTriangles]] = 1;
-}
-
 template <typename Smooth>
 void Sweep(DelaunayMesh& mesh, const Smooth& smooth, Pulse& pulse)
 {
@@ -284,14 +197,14 @@ void Sweep(DelaunayMesh& mesh, const Smooth& smooth, Pulse& pulse)
         smooth(vertex);
       }
     });
-  mesh.RestoreAll(pulse);
 }
 
 } // namespace
 
 void SmoothVertex(DelaunayMesh& mesh, Id vertex)
 {
-  if (SmoothAny(mesh, vertex))
+  Star star;
+  if (MayMove(mesh, vertex, star) && SmoothStar(mesh, vertex, star))
   {
     mesh.RestoreAround(vertex);
   }
@@ -299,13 +212,22 @@ void SmoothVertex(DelaunayMesh& mesh, Id vertex)
 
 void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse)
 {
-  if (kind == SweepKind::Coarse)
-  {
-    CoarseSweep(mesh, pulse).Run();
-    return;
-  }
+  std::vector<std::uint8_t> areChanged(mesh.Regions.size(), 0); // triangles with a moved corner
+  const bool isCoarse = kind == SweepKind::Coarse;
   Sweep(
-    mesh, [&mesh](Id vertex) { SmoothAny(mesh, vertex); }, pulse);
+    mesh,
+    [&mesh, &areChanged, isCoarse](Id vertex)
+    {
+      Star star;
+      const bool isMoved = MayMove(mesh, vertex, star) &&
+        !(isCoarse && IsFine(mesh, vertex, star)) && SmoothStar(mesh, vertex, star);
+      for (int k = 0; isMoved && k < star.NumberOfTriangles; ++k)
+      {
+        areChanged[MutableMesh::TriangleOf(star.Edges[k])] = 1;
+      }
+    },
+    pulse);
+  isCoarse ? mesh.RestoreBeside(areChanged, pulse) : mesh.RestoreAll(pulse);
 }
 
 void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& pulse)
@@ -323,6 +245,7 @@ void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& puls
       }
     },
     pulse);
+  mesh.RestoreAll(pulse);
 }
 
 } // namespace biting

@@ -47,17 +47,9 @@ StarObjective::StarObjective(const MutableMesh& mesh, Id vertex, const Star& sta
 void StarObjective::FindWorst()
 {
   double worst = -1.0;
-  Point2 p = this->Around.Spokes[0];
-  double pp = Dot(p, p);
   for (int k = 0; k < this->Around.NumberOfTriangles; ++k)
   {
-    const Point2 q = this->Around.Spokes[k + 1];
-    const double qq = Dot(q, q);
-    const double value = this->HasFixedAngles && this->Fixed[k].HasAny()
-      ? WorstOfOthers(p, q, this->Fixed[k])
-      : WorstCotangent(p, q, pp, qq);
-    p = q;
-    pp = qq;
+    const double value = this->TriangleAt(k, {});
     this->Worst = value > worst ? k : this->Worst;
     worst = std::max(worst, value);
   }
@@ -156,32 +148,12 @@ bool IsWorseThan(const MutableMesh& mesh, Id triangle, double cotangent)
   const Point2& a = mesh.Points[mesh.Corners[first]];
   const Point2& b = mesh.Points[mesh.Corners[first + 1]];
   const Point2& c = mesh.Points[mesh.Corners[first + 2]];
-  if (!(WorstCotangent(a, b, c) > cotangent))
-  {
-    return false;
-  }
-  const Point2 sides[] = { c - b, a - c, b - a };
-  const double area = Cross(sides[0], sides[1]);
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const int next = (corner + 1) % 3;
-    const int previous = (corner + 2) % 3;
-    const bool isFixed = mesh.Marks[first + next] != NoId && mesh.Marks[first + previous] != NoId;
-    if (!isFixed && !(-Dot(sides[next], sides[previous]) <= cotangent * area))
-    {
-      return true;
-    }
-  }
-  return false;
+  return WorstCotangent(a, b, c) > cotangent && WorstFreeCotangent(mesh, triangle) > cotangent;
 }
 
 bool IsOutOfBand(const MutableMesh& mesh, Id edge)
 {
-  const Id u = mesh.Origin(edge);
-  const Id v = mesh.Target(edge);
-  const Point2 p = mesh.Points[v] - mesh.Points[u];
-  const double mean = 0.5 * (mesh.Spacings[u] + mesh.Spacings[v]);
-  const double square = Dot(p, p) / (mean * mean);
+  const double square = mesh.SquaredRelativeLength(edge);
   return !(square >= ShortestInBand * ShortestInBand && square <= LongestInBand * LongestInBand);
 }
 

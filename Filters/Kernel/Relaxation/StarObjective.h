@@ -16,10 +16,10 @@ namespace biting
 constexpr double ShortestInBand = 0.74;
 constexpr double LongestInBand = 1.36;
 
-/// What is to be made small around a vertex, wherever it is put: the cotangent of the smallest
-/// angle of its triangles, or what an edge shorter than 0.74 or longer than 1.36 spacings counts:
-/// as an angle below 38 but not below 32 degrees.
-/// An angle between two segments at an input vertex is what it is and does not count, nor do the
+/// The objective around a vertex, as a function of its place: the larger one of the cotangent of
+/// the smallest angle of its triangles, and min(cot 38 + 3 e, cot 32 = 1.6), where e > 0 is by how
+/// many spacings an edge is shorter than 0.74 or longer than 1.36.
+/// Angles between two segments at an input vertex, which nothing changes, do not count; nor do the
 /// lengths of the edges of a vertex that cannot move.
 class StarObjective
 {

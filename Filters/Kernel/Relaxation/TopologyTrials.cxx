@@ -10,7 +10,7 @@
 #include "Smoothing.h"
 #include "Star.h"
 #include "StarObjective.h"
-#include "ValenceChange.h"
+#include "ValenceRound.h"
 
 #include <algorithm> // for sort, max, min
 
@@ -46,32 +46,6 @@ constexpr double FarFromBest = 1.1;
 constexpr double CotangentOfLast = 1.351; // of 36.5 degrees
 constexpr int NumberOfLast = 4;
 constexpr int MostFailures = 2;
-
-/// The lowest of values that come one by one.
-class LowestValues
-{
-public:
-  explicit LowestValues(std::size_t count)
-    : Count(count)
-  {
-  }
-
-  void Add(double value)
-  {
-    this->Sorted.insert(std::upper_bound(this->Sorted.begin(), this->Sorted.end(), value), value);
-    this->Sorted.resize(std::min(this->Sorted.size(), this->Count));
-  }
-
-  /// What is not below this is none of them, whatever comes.
-  double Limit() const
-  {
-    return this->Sorted.size() < this->Count ? Infinity : this->Sorted.back();
-  }
-
-private:
-  std::size_t Count;
-  std::vector<double> Sorted;
-};
 
 } // namespace
 
@@ -239,7 +213,7 @@ void TopologyTrials::FindEdges(const std::vector<Id>& corners)
 bool TopologyTrials::RankOperations(const Effort& effort, Pulse& pulse)
 {
   this->Operations.clear();
-  LowestValues lowest(effort.TrialsInFull);
+  std::vector<double> lowest(effort.TrialsInFull, Infinity); // of the trials so far, ascending
   for (const Id edge : this->Edges)
   {
     for (const bool isCollapse : { true, false })
@@ -247,11 +221,13 @@ bool TopologyTrials::RankOperations(const Effort& effort, Pulse& pulse)
       Operation operation{ edge, isCollapse, Infinity };
       if (this->IsPromising(operation, effort))
       {
-        operation.Worst = this->QuickTrial(operation, lowest.Limit());
+        operation.Worst = this->QuickTrial(operation, lowest.back());
       }
-      if (operation.Worst < lowest.Limit())
+      if (operation.Worst < lowest.back())
       {
-        lowest.Add(operation.Worst);
+        lowest.pop_back();
+        lowest.insert(
+          std::upper_bound(lowest.begin(), lowest.end(), operation.Worst), operation.Worst);
         this->Operations.push_back(operation);
       }
     }

@@ -19,12 +19,13 @@ namespace biting
 
 /// Collapses and splits edges around the few triangles that are still below 38 degrees.
 ///
-/// Around each of them, the worst first, every edge nearby is collapsed and split on trial. After a
-/// round of smoothing of what is next to it the most promising operations are known; these are
-/// tried in full, with the vertices near it moved by AngleDescent until they are better than the
-/// best trial so far. The best one is kept, if all triangles that it changes are then better than
-/// the poor one was. All that are left are tried again as long as that helps, those near which
-/// nothing has changed apart. In the end the very worst are tried with every operation in full.
+/// 1. Around each of them, the worst first, every edge near by is collapsed and split on trial, and
+///    the vertices next to it are smoothed once: that ranks the operations.
+/// 2. The best ranked ones are tried in full: AngleDescent moves the vertices near by until they
+///    are better than the best trial so far.
+/// 3. The best one is kept, if all triangles that it changes are then better than the poor one was.
+/// 4. Poor triangles near a change are tried again, as long as that improves any.
+/// 5. In the end up to four of the worst are tried with every operation in full.
 class TopologyTrials
 {
 public:

@@ -9,7 +9,6 @@
 #include "SegmentParts.h"
 #include "Smoothing.h"
 #include "Star.h"
-#include "ValenceChange.h"
 
 #include <algorithm> // for max, clamp
 #include <cstddef>   // for slots
@@ -26,9 +25,8 @@ constexpr double CollapseLength = 0.67;
 constexpr double SplitLength = 1.28;
 constexpr double ShiftPerError = 5.0; // of these lengths, by what the mean length lacks
 constexpr double GreatestShift = 0.1;
-constexpr double ChangeOfRegular = 6.0; // of the valences, by a split or a collapse
-constexpr double BoundMargin = 1e-9;    // of relative lengths: far above rounding
-constexpr Id SampledEdges = 60000;      // half-edges, for the mean length
+constexpr double BoundMargin = 1e-9; // of relative lengths: far above rounding
+constexpr Id SampledEdges = 60000;   // half-edges, for the mean length
 
 } // namespace
 
@@ -76,13 +74,12 @@ void ValenceRound::ChooseShift(Pulse& pulse)
 void ValenceRound::FindCandidates(Pulse& pulse)
 {
   this->Candidates.clear();
-  this->FindRegular(pulse);
   pulse.ForEach(this->Mesh.Regions.size(),
     [this](std::size_t triangle)
     {
       for (Id edge = 4 * static_cast<Id>(triangle); (edge & 3) < 3; ++edge)
       {
-        if (this->Mesh.IsFirstHalf(edge) && !this->IsFine(edge))
+        if (this->Mesh.IsFirstHalf(edge))
         {
           this->AddCandidates(edge);
         }
@@ -99,44 +96,6 @@ void ValenceRound::FindCandidates(Pulse& pulse)
     pulse);
 }
 
-// Vertices that have their six triangles, and the lengths of edges among four of these that have no
-// negative score.
-void ValenceRound::FindRegular(Pulse& pulse)
-{
-  this->AreRegular.resize(this->Mesh.Points.size());
-  pulse.ForEach(this->AreRegular.size(),
-    [this](std::size_t vertex)
-    {
-      this->AreRegular[vertex] =
-        this->Mesh.Degrees[vertex] == 6 && this->Mesh.IdealDegrees[vertex] == IdealInside ? 1 : 0;
-    });
-  const double most = ChangeOfRegular / LengthWeight;
-  const double shortest = CollapseLength + this->Shift + BoundMargin - most;
-  const double longest = SplitLength + this->Shift - BoundMargin + most;
-  this->ShortestRegular = 0.25 * shortest * shortest;
-  this->LongestRegular = 0.25 * longest * longest;
-}
-
-// Nearly all are, in most meshes: this takes no division.
-bool ValenceRound::IsFine(Id edge) const
-{
-  const MutableMesh& mesh = this->Mesh;
-  const Id twin = mesh.Twins[edge];
-  const Id u = mesh.Origin(edge);
-  const Id v = mesh.Target(edge);
-  if (twin == NoId || mesh.Marks[edge] != NoId ||
-    (this->AreRegular[u] & this->AreRegular[v] & this->AreRegular[mesh.Corners[edge]] &
-      this->AreRegular[mesh.Corners[twin]]) == 0)
-  {
-    return false;
-  }
-  const Point2 along = mesh.Points[v] - mesh.Points[u];
-  const double square = Dot(along, along);
-  const double sum = mesh.Spacings[u] + mesh.Spacings[v];
-  return square > this->ShortestRegular * (sum * sum) &&
-    square < this->LongestRegular * (sum * sum);
-}
-
 // Most edges are neither short nor long enough for a negative score: a comparison of squares tells.
 void ValenceRound::AddCandidates(Id edge)
 {
@@ -151,17 +110,14 @@ void ValenceRound::AddCandidates(Id edge)
   if (isShort || isLong)
   {
     const double length = mesh.RelativeLength(edge);
-    this->AddCandidate(edge, true, length);
-    this->AddCandidate(edge, false, length);
-  }
-}
-
-void ValenceRound::AddCandidate(Id edge, bool isCollapse, double length)
-{
-  const double score = this->Score(edge, isCollapse, length);
-  if (score < 0.0)
-  {
-    this->Candidates.push_back({ score, edge, isCollapse });
+    for (const bool isCollapse : { true, false })
+    {
+      const double score = this->Score(edge, isCollapse, length);
+      if (score < 0.0)
+      {
+        this->Candidates.push_back({ score, edge, isCollapse });
+      }
+    }
   }
 }
 

@@ -8,11 +8,54 @@
 #include "../Base/Pulse.h"
 #include "DelaunayMesh.h"
 
-#include <cstdint> // for flags, locks
+#include <cstdint> // for locks
+#include <limits>  // for infinity
+#include <utility> // for swap
 #include <vector>  // for the candidates
 
 namespace biting
 {
+
+// By how much an operation changes the sum of squared excesses (see MutableMesh::Excess) of the
+// vertices that it touches: negative where it brings them nearer to the best numbers of triangles.
+
+inline double ChangeOfSquaredExcess(double excess, double change)
+{
+  return change * (2.0 * excess + change);
+}
+
+/// Of the collapse of an edge; infinite where both of its ends are fixed.
+inline double ValenceChangeOfCollapse(const MutableMesh& mesh, Id edge)
+{
+  Id kept = mesh.Origin(edge);
+  Id gone = mesh.Target(edge);
+  if (mesh.Freedoms[gone] < mesh.Freedoms[kept])
+  {
+    std::swap(kept, gone);
+  }
+  if (mesh.Freedoms[gone] == Freedom::Fixed)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Id twin = mesh.Twins[edge];
+  const double sides = twin == NoId ? 1.0 : 2.0;
+  const double goneExcess = mesh.Excess(gone);
+  const double change = ChangeOfSquaredExcess(mesh.Excess(kept), mesh.Degrees[gone] - 2.0 * sides) -
+    goneExcess * goneExcess + ChangeOfSquaredExcess(mesh.Excess(mesh.Corners[edge]), -1.0);
+  return twin == NoId ? change
+                      : change + ChangeOfSquaredExcess(mesh.Excess(mesh.Corners[twin]), -1.0);
+}
+
+/// Of the split of an edge.
+inline double ValenceChangeOfSplit(const MutableMesh& mesh, Id edge)
+{
+  const Id twin = mesh.Twins[edge];
+  const double excess = twin == NoId ? -1.0 : -2.0; // of the vertex between the ends
+  const double change =
+    excess * excess + ChangeOfSquaredExcess(mesh.Excess(mesh.Corners[edge]), 1.0);
+  return twin == NoId ? change
+                      : change + ChangeOfSquaredExcess(mesh.Excess(mesh.Corners[twin]), 1.0);
+}
 
 /// Collapses and splits edges where vertices have too many or too few triangles, or edges are too
 /// short or too long.
@@ -46,10 +89,7 @@ private:
 
   void ChooseShift(Pulse& pulse);
   void FindCandidates(Pulse& pulse);
-  void FindRegular(Pulse& pulse);
-  bool IsFine(Id edge) const;
   void AddCandidates(Id edge);
-  void AddCandidate(Id edge, bool isCollapse, double length);
   double Score(Id edge, bool isCollapse, double length) const;
   double CollapseScore(Id edge, double length) const;
   double SplitScore(Id edge, double length) const;
@@ -59,10 +99,7 @@ private:
   void SmoothAround(Id vertex, int rings);
 
   DelaunayMesh& Mesh;
-  double Shift = 0.0;                   ///< of the lengths at which edges collapse and split
-  std::vector<std::uint8_t> AreRegular; ///< of each vertex: inside, with six triangles
-  double ShortestRegular = 0.0; ///< of edges among these, squared and in sums of two spacings
-  double LongestRegular = 0.0;
+  double Shift = 0.0; ///< of the lengths at which edges collapse and split
   std::vector<Candidate> Candidates;
   std::vector<std::uint8_t> Locks; ///< one a vertex
 };

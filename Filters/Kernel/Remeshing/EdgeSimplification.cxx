@@ -6,7 +6,7 @@
 #include "../Base/DistanceToSegment.h"
 #include "../Domain/Domain.h"
 #include "../Simplification/Simplification.h"
-#include "CavityDomain.h"
+#include "Stitching.h"
 
 #include <algorithm> // for max
 #include <cstdint>   // for flags

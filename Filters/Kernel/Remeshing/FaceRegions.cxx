@@ -7,8 +7,7 @@
 
 #include <algorithm> // for max, max_element
 #include <cmath>     // for abs
-#include <cstdint>   // for flags
-#include <utility>   // for move
+#include <cstddef>   // for faces
 
 namespace biting
 {
@@ -18,97 +17,19 @@ namespace
 
 constexpr double ToleranceOfSums = 1e-9; // of the old mesh; for sums
 
-/// What edges say about faces.
-class FaceReader
+// Of each face, the middle of its largest triangle: there rounding matters least.
+std::vector<Point2> MiddlesOfFaces(const CavityMesh& cavity)
 {
-public:
-  FaceReader(const RegionEdges& edges, const CavityMesh& cavity)
-    : Edges(edges)
-    , Cavity(cavity)
-    , Regions(NumberOfFaces(cavity), NoId)
-    , AreUnclear(this->Regions.size(), 0)
-  {
-  }
-
-  void Read();
-  std::vector<Id> UnclearFaces() const;
-  std::vector<Point2> MiddlesOf(const std::vector<Id>& faces) const;
-  void Set(Id face, Id region) { this->Regions[face] = region; }
-  std::vector<Id> Take() { return std::move(this->Regions); }
-
-private:
-  static std::size_t NumberOfFaces(const CavityMesh& cavity)
-  {
-    Id count = 0;
-    for (const Id face : cavity.Triangles.Regions)
-    {
-      count = std::max(count, face + 1);
-    }
-    return static_cast<std::size_t>(count);
-  }
-  Id RegionBeside(Id slot) const;
-
-  const RegionEdges& Edges;
-  const CavityMesh& Cavity;
-  std::vector<Id> Regions;
-  std::vector<std::uint8_t> AreUnclear;
-};
-
-// What the edge at a slot has on the side of the slot's triangle.
-Id FaceReader::RegionBeside(Id slot) const
-{
-  const BitingResult& bites = this->Cavity.Bites;
-  const std::vector<Id>& corners = this->Cavity.Triangles.Corners;
-  const Id constraint = this->Cavity.Triangles.Constraints[slot];
-  const Id first = slot - slot % 3;
-  const Point2 along =
-    bites.Points[corners[first + (slot + 2) % 3]] - bites.Points[corners[first + (slot + 1) % 3]];
-  const Point2 direction =
-    bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
-  const RegionEdge& edge = this->Edges.Edges[bites.EdgeSegments[constraint]];
-  return Dot(along, direction) > 0.0 ? edge.LeftRegion : edge.RightRegion;
-}
-
-void FaceReader::Read()
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
-  {
-    if (triangles.Constraints[slot] != NoId)
-    {
-      const Id face = triangles.Regions[slot / 3];
-      const Id region = this->RegionBeside(slot);
-      Id& known = this->Regions[face];
-      known = known == NoId ? region : known;
-      this->AreUnclear[face] |= static_cast<std::uint8_t>(region == NoId || region != known);
-    }
-  }
-}
-
-std::vector<Id> FaceReader::UnclearFaces() const
-{
-  std::vector<Id> faces;
-  for (Id face = 0; face < static_cast<Id>(this->Regions.size()); ++face)
-  {
-    if (this->AreUnclear[face] || this->Regions[face] == NoId)
-    {
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-// Of the largest triangle of each: it is where rounding matters least.
-std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  const std::vector<Point2>& points = this->Cavity.Bites.Points;
-  std::vector<double> largest(this->Regions.size(), 0.0);
-  std::vector<Point2> middles(this->Regions.size());
+  const Triangulation& triangles = cavity.Triangles;
+  const std::vector<Point2>& points = cavity.Bites.Points;
+  std::vector<double> largest;
+  std::vector<Point2> middles;
   for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
   {
     const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    const Id face = triangles.Regions[triangle];
+    const auto face = static_cast<std::size_t>(triangles.Regions[triangle]);
+    largest.resize(std::max(largest.size(), face + 1), 0.0);
+    middles.resize(largest.size());
     const double area = AreaOfTriangle(points, corners);
     if (area > largest[face])
     {
@@ -116,13 +37,7 @@ std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
       middles[face] = (1.0 / 3.0) * (points[corners[0]] + points[corners[1]] + points[corners[2]]);
     }
   }
-  std::vector<Point2> wanted;
-  wanted.reserve(faces.size());
-  for (const Id face : faces)
-  {
-    wanted.push_back(middles[face]);
-  }
-  return wanted;
+  return middles;
 }
 
 using Areas = std::vector<double>; // one a region of the old mesh
@@ -163,19 +78,15 @@ Areas AllowedDifferences(const OldMesh& mesh, const ChangedRegion& region,
 
 } // namespace
 
-std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region,
-  const RegionEdges& edges, const CavityMesh& cavity, Pulse& pulse)
+std::vector<Id> FindFaceRegions(
+  const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity, Pulse& pulse)
 {
-  FaceReader reader(edges, cavity);
-  reader.Read();
-  const std::vector<Id> unclear = reader.UnclearFaces();
-  const std::vector<OldPlace> places =
-    FindOldPlaces(mesh, region.Triangles, reader.MiddlesOf(unclear), pulse);
-  for (std::size_t k = 0; k < places.size(); ++k)
+  std::vector<Id> regions;
+  for (const OldPlace& place : FindOldPlaces(mesh, region.Triangles, MiddlesOfFaces(cavity), pulse))
   {
-    reader.Set(unclear[k], mesh.Regions[places[k].Triangle]);
+    regions.push_back(mesh.Regions[place.Triangle]);
   }
-  return reader.Take();
+  return regions;
 }
 
 std::string CheckAreas(const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity,

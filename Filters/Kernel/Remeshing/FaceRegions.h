@@ -9,7 +9,6 @@
 #include "ChangedRegion.h"
 #include "EdgeSimplification.h"
 #include "OldMesh.h"
-#include "RegionEdges.h"
 #include "Stitching.h"
 
 #include <string> // for the violation
@@ -18,12 +17,11 @@
 namespace biting
 {
 
-/// Of each face of the cavity's triangulation, the region of the old mesh that it is: what its
-/// edges have on this side. Where edges lie on each other within rounding they may say different
-/// things, or nothing; then it is the region of the old triangle at the middle of the largest
-/// triangle of the face. Cost O(n).
-std::vector<Id> FindFaceRegions(const OldMesh& mesh, const ChangedRegion& region,
-  const RegionEdges& edges, const CavityMesh& cavity, Pulse& pulse);
+/// Of each face of the cavity's triangulation, the region of the old mesh that it is: that of the
+/// old triangle at the middle of the largest triangle of the face. Edges do not tell: where they
+/// lie on each other within rounding they have different regions on one side. Cost O(n).
+std::vector<Id> FindFaceRegions(
+  const OldMesh& mesh, const ChangedRegion& region, const CavityMesh& cavity, Pulse& pulse);
 
 /// Compares the areas of regions in the cavity, whose FaceRegions are known, with those of the old
 /// mesh. They may differ by strips: along the old edges of the region as wide as `tolerance` lets

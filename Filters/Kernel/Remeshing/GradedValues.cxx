@@ -3,11 +3,9 @@
 
 #include "GradedValues.h"
 
-#include "../Base/Numbers.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/SegmentCone.h"
 
-#include <cmath>      // for isnormal
 #include <cstdint>    // for flags
 #include <functional> // for greater
 #include <numeric>    // for partial_sum
@@ -22,7 +20,6 @@ namespace
 
 constexpr double SlopeTolerance = 1.02; // that of the law of Spacing
 constexpr double SlightShare = 0.003;   // less than this is not handed on
-constexpr double SteepestBetween = 2.0; // gradations: 1 / cos(60 degrees), and rounding
 
 class Lowering
 {
@@ -149,14 +146,6 @@ void Lowering::Lower(Id vertex, Id start, Id end)
   }
 }
 
-// Of the linear function with these values at the corners of a triangle; 0 where its area is below
-// rounding.
-double SlopeOf(const Point2& ab, const Point2& ac, double riseToB, double riseToC)
-{
-  const double area = Cross(ab, ac);
-  return std::isnormal(area) ? Length(riseToB * ac - riseToC * ab) / area : 0.0;
-}
-
 } // namespace
 
 void LowerToGradation(
@@ -167,25 +156,6 @@ void LowerToGradation(
   {
     Lowering(mesh, gradation, values, pulse).Run();
   }
-}
-
-bool IsGradedBetween(
-  const OldMesh& mesh, double gradation, const std::vector<double>& values, Monitor& monitor)
-{
-  bool isGraded = true;
-  Pulse pulse(monitor);
-  pulse.ForEach(mesh.Regions.size(),
-    [&mesh, gradation, &values, &isGraded](std::size_t triangle)
-    {
-      const Id* corners = mesh.Corners.data() + 3 * triangle;
-      const double rises[2] = { values[corners[1]] - values[corners[0]],
-        values[corners[2]] - values[corners[0]] };
-      const Point2& a = mesh.Points[corners[0]];
-      const double slope =
-        SlopeOf(mesh.Points[corners[1]] - a, mesh.Points[corners[2]] - a, rises[0], rises[1]);
-      isGraded &= slope <= SlopeTolerance * SteepestBetween * gradation;
-    });
-  return isGraded;
 }
 
 } // namespace biting

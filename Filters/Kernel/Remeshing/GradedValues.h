@@ -12,25 +12,20 @@
 namespace biting
 {
 
-/// Lowers `values`, one a vertex, until they grow by `gradation` at most through the mesh, to 2 %
-/// of it: to the largest that are nowhere above what is given, or above these, by 5 % at most
-/// where all grow from one vertex. Distances are those of the plane where triangles have no
-/// obtuse angles, along edges where they have; none leads through holes. A gradation of 0 lowers
-/// nothing.
+/// Lowers `values` v, one a vertex, to the largest with v(b) - v(a) <= gradation * d(a, b) through
+/// the mesh, to 2 % of the gradation; where all grow from one vertex they may be 5 % above that. d
+/// is the distance in the plane where triangles have no obtuse angles, along edges where they have;
+/// no way leads through holes. The linear interpolation between the vertices is at most twice as
+/// steep where no angle is above 120 degrees. In other triangles it may be steeper. A gradation of
+/// 0 lowers nothing.
 ///
-/// Method: points hand on what they allow to the corners of the triangles around them, lowest
-/// first, over the edge across (Kimmel and Sethian, "Computing geodesic paths on manifolds",
-/// 1998). Cost: one pass over the triangles; where something is steep, O(n) once more, and O(m
-/// log m) for m vertices that are lowered. Where the monitor asks to stop the values have no
-/// meaning.
+/// Method: the eikonal equation by fast marching. Vertices hand on what they allow to the corners
+/// of the triangles around them, lowest first, over the edge across (Kimmel and Sethian, "Computing
+/// geodesic paths on manifolds", 1998). Cost: one pass over the triangles; where something is
+/// steep, O(n) once more, and O(m log m) for m vertices that are lowered. Where the monitor asks to
+/// stop the values have no meaning.
 void LowerToGradation(
   const OldMesh& mesh, double gradation, std::vector<double>& values, Monitor& monitor);
-
-/// Whether linear interpolation keeps to `gradation`, as far as triangles of ordinary shape let it:
-/// no gradient is above twice that. It is at a vertex whose value is least, with an angle of 120
-/// degrees. In thinner triangles it may be anything.
-bool IsGradedBetween(
-  const OldMesh& mesh, double gradation, const std::vector<double>& values, Monitor& monitor);
 
 } // namespace biting
 

@@ -15,6 +15,14 @@ enum class RemeshPreference
   Shape ///< vertices go where others could be placed better
 };
 
+/// How the boundary, the interfaces and the tagged edges may change.
+enum class EdgePolicy
+{
+  Free,      ///< vertices on straight parts may go and come
+  SplitOnly, ///< none goes
+  Frozen     ///< none goes, none comes
+};
+
 /// When a vertex of an old mesh is kept. Lengths are mean lengths of the edges at a vertex, or
 /// single edges, in units of f.
 ///

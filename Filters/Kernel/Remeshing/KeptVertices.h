@@ -5,6 +5,7 @@
 #define BitingKeptVertices_h
 
 #include "ChangedRegion.h"
+#include "KeepRules.h"
 #include "OldMesh.h"
 #include "RegionEdges.h"
 
@@ -29,6 +30,16 @@ namespace biting
 /// go along edges: they do not reach across a hole. Cost O(n).
 std::vector<std::uint8_t> ChooseKeptVertices(const OldMesh& mesh, const ChangedRegion& region,
   const RegionEdges& edges, const std::vector<double>& spacings, const KeepRules& rules);
+
+/// The middles of the inner edges between two triangles of the region, all of whose edges have
+/// halves of the length that is wanted: from sqrt(2) to 2 sqrt(2) in units of the mean f of the
+/// ends, which are kept both. Where f is halved the new mesh then has the old one's vertices and
+/// shapes: four similar triangles of each. `spacings` is f, one a vertex of the region.
+///
+/// Left out are edges beside a flat triangle, and middles that are nearer to one chosen before, on
+/// an edge of the same triangle, than the acceptance radius. Cost O(n).
+std::vector<Point2> FindMiddles(const OldMesh& mesh, const ChangedRegion& region,
+  const std::vector<std::uint8_t>& isKept, const std::vector<double>& spacings);
 
 } // namespace biting
 

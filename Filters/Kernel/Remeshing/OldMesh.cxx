@@ -4,10 +4,10 @@
 #include "OldMesh.h"
 
 #include "../Base/Pulse.h"
+#include "../Domain/AreaSum.h"
 #include "../Domain/Domain.h"
 #include "../Domain/Polylines.h"
 #include "../Predicates/Predicates.h"
-#include "FreeEdges.h"
 #include "OldMeshRepair.h"
 
 #include <algorithm> // for lower_bound, sort
@@ -26,8 +26,8 @@ namespace
 // Of the area: far above the rounding of its sum.
 constexpr double AreaTolerance = 1e-13;
 
-// Where free edges are near to others, how wide the strips along them are that count twice or not
-// at all, in units of the rounding of coordinates.
+// Where free edges meet, how wide the strips along them are that count twice or not at all, in
+// units of the rounding of coordinates.
 constexpr double WidthOfStrips = 8.0;
 
 /// A slot by the ends of its edge, both in one number.
@@ -71,11 +71,9 @@ Polylines DrawingOf(const OldMesh& mesh)
 class Reader
 {
 public:
-  Reader(const RemeshInput& input, double nearest, HangingRule rule, ProblemList& problems,
-    Monitor& monitor)
+  Reader(const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
     : Input(input)
     , Nearest(nearest)
-    , Rule(rule)
     , Problems(problems)
     , Listener(monitor)
     , Progress(monitor)
@@ -114,7 +112,6 @@ private:
   bool MarkLine(Id line, const std::vector<EdgeSlot>& slots);
   bool MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& slots);
   void CheckOverlaps();
-  void FindOverlaps(double allowed);
   void AddMeetings(const ProblemList& found);
   void AddCovered(const Domain& domain);
   void AddBad(Id triangle, const char* detail);
@@ -126,14 +123,12 @@ private:
 
   const RemeshInput& Input;
   double Nearest;
-  HangingRule Rule;
   ProblemList& Problems;
   Monitor& Listener;
   Pulse Progress;
   OldMesh Mesh;
   std::vector<Id> Numbers; ///< of each vertex of the input: the one that it was made; empty: itself
   std::vector<DividedSide> Divided; ///< as MendedMesh has them
-  bool AreApart = false;            ///< likewise
 };
 
 void Reader::Copy()
@@ -212,11 +207,9 @@ void Reader::Orient()
 
 void Reader::Mend()
 {
-  MendedMesh mended =
-    MendOldMesh(this->Input, this->Nearest, this->Rule, this->Mesh, this->Problems, this->Progress);
+  MendedMesh mended = MendOldMesh(this->Input, this->Nearest, this->Mesh, this->Problems);
   this->Numbers = std::move(mended.Numbers);
   this->Divided = std::move(mended.Divided);
-  this->AreApart = mended.AreApart;
   for (const Id triangle : mended.Crowded)
   {
     this->AddBad(triangle, "more than two triangles share an edge of it");
@@ -357,30 +350,30 @@ bool Reader::MarkEdge(Id start, Id end, Id line, const std::vector<EdgeSlot>& sl
   return isEdge;
 }
 
-// What free edges bound that meet in common ends only is told exactly. Elsewhere rounding is an
-// excuse along those that are near to others.
+// The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
 void Reader::CheckOverlaps()
 {
-  const FreeEdges edges(this->Mesh);
-  this->Mesh.Area = edges.Area();
-  const bool meetInEnds = this->AreApart || edges.AreApart(0.0, this->Progress);
-  if (meetInEnds && edges.BoundOnce(this->Progress))
+  const std::vector<Id> slots = this->Mesh.FreeSlots();
+  if (slots.empty())
   {
     return;
   }
-  const double near =
-    this->AreApart ? 0.0 : edges.LengthOf(edges.FindNear(this->Mesh.Rounding, this->Progress));
-  this->FindOverlaps(AreaTolerance * this->Mesh.Area + WidthOfStrips * this->Mesh.Rounding * near);
-}
-
-// The free edges as a drawing: it must bound as much as the triangles have, which lie left of them.
-void Reader::FindOverlaps(double allowed)
-{
+  AreaSum sum(this->Mesh.Points[this->Mesh.Start(slots.front())]);
+  double length = 0.0;
+  for (const Id slot : slots)
+  {
+    const Point2& start = this->Mesh.Points[this->Mesh.Start(slot)];
+    const Point2& end = this->Mesh.Points[this->Mesh.End(slot)];
+    sum.Add(start, end);
+    length += Distance(start, end);
+  }
+  this->Mesh.Area = sum.Area();
   ProblemList found;
   const Domain domain = MakeDomain(DrawingOf(this->Mesh), {}, found, this->Listener);
   this->Progress.Ask();
-  const bool isRounding = !this->AreApart && std::abs(domain.Area - this->Mesh.Area) <= allowed;
-  if (this->Progress.HasStopped() || isRounding)
+  const double strips = found.Groups().empty() ? 0.0 : WidthOfStrips * this->Mesh.Rounding * length;
+  const double difference = std::abs(domain.Area - this->Mesh.Area);
+  if (this->Progress.HasStopped() || difference <= AreaTolerance * this->Mesh.Area + strips)
   {
     return;
   }
@@ -429,10 +422,10 @@ void Reader::AddCovered(const Domain& domain)
 
 } // namespace
 
-OldMesh ReadOldMesh(const RemeshInput& input, double nearest, ProblemList& problems,
-  Monitor& monitor, HangingRule rule)
+OldMesh ReadOldMesh(
+  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor)
 {
-  return Reader(input, nearest, rule, problems, monitor).Read();
+  return Reader(input, nearest, problems, monitor).Read();
 }
 
 } // namespace biting

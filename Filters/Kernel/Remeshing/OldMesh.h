@@ -130,31 +130,29 @@ struct OldMesh
   }
 };
 
-/// What is done where vertices hang on free edges.
-enum class HangingRule
-{
-  Divide, ///< the triangles there
-  Leave
-};
-
-/// Reads `input`: vertices of free edges that are not further apart than `nearest` are made one
-/// (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints), with their
-/// lines, and fixed where one of them was: the lower number stays, but the place of one that is
-/// fixed, a corner of a frozen triangle, or an end of a frozen line; where vertices hang on a free
-/// edge, to rounding, its triangle is divided (ProblemCode::Touches, HangingVertices.h), unless
-/// `rule` leaves it; flat triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those
-/// that are divided are frozen no more; triangles are turned counterclockwise. Edges of one
-/// triangle, or between regions, or on lines are marked. Lines along sides that were divided stay
-/// on what is there instead; those that are no edges are dropped (ProblemCode::OutsideInterfaces).
+/// Reads `input`:
+/// - Vertices of free edges that are not further apart than `nearest` are made one, with their
+///   lines (ProblemCode::DuplicatePoints where they are at the same place, else NearPoints). The
+///   lower number stays, and is fixed where one of them was. Its place is that of one that is
+///   fixed, a corner of a frozen triangle, or an end of a frozen line, if there is such.
+/// - Where vertices hang on a free edge, to rounding, its triangle is divided
+///   (ProblemCode::Touches, HangingVertices.h).
+/// - Flat triangles are mended (ProblemCode::FlatTriangles, FlatTriangles.h): those that are
+///   divided are frozen no more.
+/// - Triangles are turned counterclockwise.
+/// - Edges of one triangle, or between regions, or on lines are marked. A line along a side that
+///   was divided stays on what is there instead. A line that is no edge is dropped
+///   (ProblemCode::OutsideInterfaces).
 ///
 /// Refused with ProblemCode::OutOfRange are coordinates that the predicates cannot handle (ids:
 /// point), and with ProblemCode::BadTriangles (ids: cell) is what is no mesh: no triangle with an
 /// area, an edge of more than two triangles, two triangles on the same side of an edge, and
-/// triangles that overlap: the free edges bound less than the triangles have together, where none
-/// of them is near to others, or by more than rounding along those that are and 1e-13 of it. Cost
-/// O(n) in the triangles and O(m log m) in the free edges.
-OldMesh ReadOldMesh(const RemeshInput& input, double nearest, ProblemList& problems,
-  Monitor& monitor, HangingRule rule = HangingRule::Divide);
+/// triangles that overlap: the free edges, as a drawing, bound less than the triangles have
+/// together. The areas may differ by 1e-13 of themselves and, where free edges meet or nearly meet
+/// other than in common ends, by strips of 8 roundings along all of them. Cost O(n) in the
+/// triangles and O(m log m) in the free edges.
+OldMesh ReadOldMesh(
+  const RemeshInput& input, double nearest, ProblemList& problems, Monitor& monitor);
 
 } // namespace biting
 

@@ -4,21 +4,78 @@
 #include "OldMeshRepair.h"
 
 #include "../Quality/TriangleLinks.h"
-#include "FreeEdges.h"
 #include "HangingVertices.h"
-#include "NearVertices.h"
 
-#include <algorithm> // for max, minmax, sort
+#include <algorithm> // for minmax, sort, unique
 #include <array>     // for corners
+#include <cmath>     // for floor
 #include <cstdint>   // for flags
 #include <numeric>   // for iota
-#include <utility>   // for move, swap
+#include <tuple>     // for the order of vertices
+#include <utility>   // for move, pairs, swap
 
 namespace biting
 {
 
 namespace
 {
+
+/// A vertex in one of many upright strips.
+struct StripVertex
+{
+  double Strip = 0.0;
+  Point2 Place;
+  Id Vertex = NoId;
+};
+
+bool operator<(const StripVertex& a, const StripVertex& b)
+{
+  return std::tie(a.Strip, a.Place.Y, a.Place.X, a.Vertex) <
+    std::tie(b.Strip, b.Place.Y, b.Place.X, b.Vertex);
+}
+
+/// Pairs of different `vertices` that are not further apart than `nearest`, which may be 0: so many
+/// that all are connected by them that are by such distances. Each pair once or twice, in an order
+/// that depends on places and numbers alone. Cost O(n log n) where few places are that near to one,
+/// however many vertices are at each.
+/// Strips are twice as wide as vertices may be apart: two of them share a strip, or one of those
+/// that lie half a width beside. Of many at one place each is paired with the next.
+std::vector<std::pair<Id, Id>> FindNearVertices(
+  const std::vector<Point2>& points, std::vector<Id> vertices, double nearest)
+{
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<std::pair<Id, Id>> pairs;
+  std::vector<StripVertex> ordered(vertices.size());
+  for (const double shift : { 0.0, nearest })
+  {
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const Point2& place = points[vertices[k]];
+      const double strip =
+        nearest > 0.0 ? std::floor((place.X + shift) / (2.0 * nearest)) : place.X;
+      ordered[k] = { strip, place, vertices[k] };
+    }
+    std::sort(ordered.begin(), ordered.end());
+    for (auto one = ordered.begin(); one != ordered.end(); ++one)
+    {
+      for (auto other = one + 1; other != ordered.end() && other->Strip == one->Strip &&
+           other->Place.Y - one->Place.Y <= nearest;
+           ++other)
+      {
+        if (Distance(one->Place, other->Place) <= nearest)
+        {
+          pairs.emplace_back(one->Vertex, other->Vertex);
+        }
+        if (other->Place == one->Place)
+        {
+          break; // what is near to the one is near to the other
+        }
+      }
+    }
+  }
+  return pairs;
+}
 
 class Mender
 {
@@ -31,7 +88,7 @@ public:
   {
   }
 
-  MendedMesh Mend(HangingRule rule, Pulse& pulse);
+  MendedMesh Mend();
 
 private:
   void Link();
@@ -69,23 +126,14 @@ void Mender::Link()
   this->Result.Crowded = std::move(links.Crowded);
 }
 
-MendedMesh Mender::Mend(HangingRule rule, Pulse& pulse)
+MendedMesh Mender::Mend()
 {
   this->Link();
-  const double distance = std::max(this->Nearest, this->Input.Rounding);
-  this->Result.AreApart = FreeEdges(this->Mesh).AreApart(distance, pulse);
-  if (!this->Result.AreApart)
-  {
-    this->WeldFreeEdges();
-    if (rule == HangingRule::Divide)
-    {
-      this->FillBesideHanging();
-    }
-  }
+  this->WeldFreeEdges();
+  this->FillBesideHanging();
   this->MendFlat();
   if (!this->Result.Numbers.empty() || !this->Mesh.Origins.empty())
   {
-    this->Result.AreApart = false;
     this->Link();
   }
   return std::move(this->Result);
@@ -254,10 +302,10 @@ void Mender::Renumber()
 
 } // namespace
 
-MendedMesh MendOldMesh(const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh,
-  ProblemList& problems, Pulse& pulse)
+MendedMesh MendOldMesh(
+  const RemeshInput& input, double nearest, OldMesh& mesh, ProblemList& problems)
 {
-  return Mender(input, nearest, mesh, problems).Mend(rule, pulse);
+  return Mender(input, nearest, mesh, problems).Mend();
 }
 
 } // namespace biting

@@ -4,7 +4,6 @@
 #ifndef BitingOldMeshRepair_h
 #define BitingOldMeshRepair_h
 
-#include "../Base/Pulse.h"
 #include "FlatTriangles.h"
 #include "OldMesh.h"
 
@@ -21,17 +20,14 @@ struct MendedMesh
 
   /// Sides that are no edges any more, the smaller end first, ascending.
   std::vector<DividedSide> Divided;
-
-  /// True: nothing was mended, and free edges are apart, by more than rounding (FreeEdges.h).
-  bool AreApart = false;
 };
 
 /// Makes vertices of free edges one, divides triangles at vertices that hang on them, and mends
 /// flat triangles, as ReadOldMesh (OldMesh.h) states, with a word in `problems`, and links the
 /// triangles of `mesh`, a copy of `input`. They have any orientation. Cost O(n) in the triangles
 /// and O(m log m) in the free edges.
-MendedMesh MendOldMesh(const RemeshInput& input, double nearest, HangingRule rule, OldMesh& mesh,
-  ProblemList& problems, Pulse& pulse);
+MendedMesh MendOldMesh(
+  const RemeshInput& input, double nearest, OldMesh& mesh, ProblemList& problems);
 
 } // namespace biting
 

@@ -48,8 +48,6 @@ public:
   RegionEdges Read(const Choice& choose);
 
 private:
-  void ReadRuns(const Choice& choose);
-  bool HoldTwins();
   void ReadSlots();
   void ListIncidences();
   void FindLoose();
@@ -70,7 +68,6 @@ private:
   std::vector<Id> Offsets; ///< of the edges at a vertex
   std::vector<Id> Incidences;
   std::vector<std::uint8_t> AreLoose; ///< of a vertex: it may go, if its piece is straight
-  std::vector<std::uint8_t> AreHeld;  ///< of a vertex: it must stay, or edges would be twins
   std::vector<std::uint8_t> IsWalked; ///< of an edge
   RegionEdges Result;
 };
@@ -79,18 +76,7 @@ RegionEdges EdgeReader::Read(const Choice& choose)
 {
   this->ReadSlots();
   this->ListIncidences();
-  this->AreHeld.assign(this->Region.Vertices.size(), 0);
-  do
-  {
-    this->ReadRuns(choose);
-  } while (this->HoldTwins());
-  return std::move(this->Result);
-}
-
-void EdgeReader::ReadRuns(const Choice& choose)
-{
   this->FindLoose();
-  this->Result = RegionEdges();
   this->Result.IsKept.assign(this->Region.Vertices.size(), 0);
   this->Result.IsGone.assign(this->Region.Vertices.size(), 0);
   this->IsWalked.assign(this->Old.size(), 0);
@@ -110,43 +96,7 @@ void EdgeReader::ReadRuns(const Choice& choose)
       }
     }
   }
-}
-
-// Where a hole or a strip between two edges is as thin as rounding, both may be straight between
-// the same vertices: then what is between the ends of them stays. Whether there were any.
-bool EdgeReader::HoldTwins()
-{
-  const RegionEdges& made = this->Result;
-  if (made.Gone.empty())
-  {
-    return false;
-  }
-  std::vector<std::pair<std::pair<Id, Id>, Id>> ends;
-  for (std::size_t edge = 0; edge < made.Edges.size(); ++edge)
-  {
-    ends.emplace_back(
-      std::minmax({ made.Edges[edge].Start, made.Edges[edge].End }), static_cast<Id>(edge));
-  }
-  for (const auto& [start, end] : FreeEdgesOfRest(this->Mesh, this->Region))
-  {
-    ends.emplace_back(
-      std::minmax({ this->Region.Numbers[start], this->Region.Numbers[end] }), NoId);
-  }
-  std::sort(ends.begin(), ends.end());
-  bool hasSome = false;
-  for (std::size_t k = 0; k < ends.size(); ++k)
-  {
-    const bool isTwin = (k > 0 && ends[k].first == ends[k - 1].first) ||
-      (k + 1 < ends.size() && ends[k].first == ends[k + 1].first);
-    const Id edge = isTwin ? ends[k].second : NoId;
-    for (Id m = edge == NoId ? 0 : made.GoneOffsets[edge];
-         edge != NoId && m < made.GoneOffsets[edge + 1]; ++m)
-    {
-      this->AreHeld[made.Gone[m]] = 1;
-      hasSome = true;
-    }
-  }
-  return hasSome;
+  return std::move(this->Result);
 }
 
 void EdgeReader::ReadSlots()
@@ -197,7 +147,7 @@ void EdgeReader::FindLoose()
   this->AreLoose.assign(this->Region.Vertices.size(), 0);
   for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
   {
-    this->AreLoose[vertex] = this->Policy == EdgePolicy::Free && !this->AreHeld[vertex] &&
+    this->AreLoose[vertex] = this->Policy == EdgePolicy::Free &&
       (this->Left ? (*this->Left)[vertex] == 0 : this->IsLoose(vertex));
   }
 }

@@ -14,14 +14,6 @@
 namespace biting
 {
 
-/// How the boundary, the interfaces and the tagged edges may change.
-enum class EdgePolicy
-{
-  Free,      ///< vertices on straight parts may go and come
-  SplitOnly, ///< none goes
-  Frozen     ///< none goes, none comes
-};
-
 /// An edge that the region must keep as a line, with what lies beside it.
 struct RegionEdge
 {

@@ -6,7 +6,6 @@
 
 #include "../Spacing/Spacing.h"
 #include "KeepRules.h"
-#include "RegionEdges.h"
 
 #include <cstdint> // for limits
 #include <vector>  // for values

@@ -4,7 +4,6 @@
 #include "RemeshRegion.h"
 
 #include "../Base/PartOfStage.h"
-#include "MisfitVertices.h"
 #include "RegionEdges.h"
 #include "WantedSpacing.h"
 

@@ -38,34 +38,24 @@ WantedSpacing::WantedSpacing(const OldMesh& mesh, const SpacingOptions& options,
   : Mesh(mesh)
   , Options(options)
 {
-  const bool hasSource = options.Grid || options.Triangulation;
   if (!CheckSpacing(options, problems, monitor))
   {
     return;
   }
-  if (!hasSource && !values.empty())
+  this->IsLocal = !options.Grid && !options.Triangulation && !values.empty();
+  if (this->IsLocal)
   {
     this->Combine(values, problems);
-    if (problems.HasErrors())
+    if (!problems.HasErrors())
     {
-      return;
+      LowerToGradation(mesh, options.Gradation, this->Values, monitor);
     }
-    LowerToGradation(mesh, options.Gradation, this->Values, monitor);
-    this->IsLocal =
-      options.Gradation == 0.0 || IsGradedBetween(mesh, options.Gradation, this->Values, monitor);
-    if (this->IsLocal)
-    {
-      return;
-    }
-    this->Options.Triangulation = this->SourceOnMesh();
-    this->Options.Scale = 1.0;
-    this->Options.Uniform = 0.0;
+    return;
   }
-  const Spacing f = MakeSpacing(this->Options, BoundsOf(mesh, mesh.Corners), problems, monitor);
-  this->Values.resize(mesh.Points.size(), 1.0);
-  for (std::size_t vertex = 0; vertex < this->Values.size(); ++vertex)
+  const Spacing f = MakeSpacing(options, BoundsOf(mesh, mesh.Corners), problems, monitor);
+  for (const Point2& point : mesh.Points)
   {
-    this->Values[vertex] = f(mesh.Points[vertex]);
+    this->Values.push_back(f(point));
   }
 }
 
@@ -88,15 +78,6 @@ void WantedSpacing::Combine(const std::vector<double>& values, ProblemList& prob
     value = options.Maximum > 0.0 ? std::min(value, options.Maximum) : value;
     this->Values.push_back(std::max(value, options.Minimum));
   }
-}
-
-std::shared_ptr<const TriangulatedSource> WantedSpacing::SourceOnMesh() const
-{
-  auto source = std::make_shared<TriangulatedSource>();
-  source->Points = this->Mesh.Points;
-  source->Values = this->Values;
-  source->Triangles = this->Mesh.Corners;
-  return source;
 }
 
 double WantedSpacing::LeastOf(const ChangedRegion& region) const

@@ -20,10 +20,9 @@ namespace biting
 
 /// The spacing wanted of an old mesh.
 ///
-/// Where it is given by values at the vertices, these are lowered to the gradation through the mesh
-/// (GradedValues.h), it is linear between them, and preparing it for a region costs no more than
-/// the region. Otherwise, and where triangles are so thin that slopes between vertices say nothing,
-/// it is prepared for all of the mesh.
+/// Where values at the vertices give it, they are lowered to the gradation through the mesh
+/// (GradedValues.h). It is linear between them, and preparing it for a region costs no more than
+/// the region. A grid or a triangulation is prepared for all of the mesh.
 class WantedSpacing
 {
 public:
@@ -45,7 +44,6 @@ public:
 
 private:
   void Combine(const std::vector<double>& values, ProblemList& problems);
-  std::shared_ptr<const TriangulatedSource> SourceOnMesh() const;
   std::shared_ptr<const TriangulatedSource> SourceOn(const ChangedRegion& region) const;
   double LeastOf(const ChangedRegion& region) const;
   std::shared_ptr<const FeatureSource> FeaturesOf(const ChangedRegion& region,
@@ -57,7 +55,7 @@ private:
   SpacingOptions Options;
   std::vector<double> Values;
   std::vector<double> Limited; ///< by feature size
-  bool IsLocal = false;        ///< the values are f
+  bool IsLocal = false;        ///< f is linear between the values
 };
 
 } // namespace biting

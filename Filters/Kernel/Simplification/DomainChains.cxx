@@ -54,7 +54,7 @@ ChainMaker::ChainMaker(const Domain& domain, const AreAlike& areAlike, Pulse& pu
       const Id degree = this->Degrees[vertex]++;
       if (degree < 2)
       {
-        this->Pairs[vertex][static_cast<std::size_t>(degree)] = segment;
+        this->Pairs[vertex][degree] = segment;
       }
     }
   }

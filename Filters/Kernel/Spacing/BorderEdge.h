@@ -34,10 +34,30 @@ struct NearestValue
 };
 
 /// The nearest point of an edge, and its value.
-NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x);
+inline NearestValue NearestOnEdge(const BorderEdge& edge, const Point2& x)
+{
+  const Point2 direction = edge.End - edge.Start;
+  const Point2 offset = x - edge.Start;
+  const double length = Dot(direction, direction);
+  const double along = length > 0.0 ? Dot(offset, direction) / length : 0.0;
+  const double weight = std::min(std::max(0.0, along), 1.0);
+  const Point2 toFoot = weight * direction;
+  return { Length(offset - toFoot), (1.0 - weight) * edge.StartValue + weight * edge.EndValue,
+    edge.Start + toFoot, &edge };
+}
 
 /// The value at the nearest point of all edges, or `known` where none is nearer than that.
-NearestValue Nearest(const BoxTree<BorderEdge>& border, const Point2& x, const NearestValue& known);
+inline NearestValue Nearest(const BoxTree<BorderEdge>& border, const Point2& x, NearestValue known)
+{
+  border.Search(x, 1.0, known.Distance,
+    [&x, &known](const BorderEdge& edge, double)
+    {
+      const NearestValue found = NearestOnEdge(edge, x);
+      known = found.Distance < known.Distance ? found : known;
+      return known.Distance;
+    });
+  return known;
+}
 
 } // namespace biting
 

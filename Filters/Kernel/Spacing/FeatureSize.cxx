@@ -96,11 +96,7 @@ double DiagonalOf(const std::vector<Point2>& points)
 struct CapRule
 {
   const FeatureSource& Source;
-  const std::function<double(const Point2&)>& Given;
-  double Least; ///< of f as given
-  double Most;
-  double Gradation;
-  double LeastCapped;
+  const GivenBounds& Given;
   const FeatureSize Size;
   const SegmentExtension Drawn; ///< f by the lengths of what was simplified
   const double Extent;          ///< of the drawing
@@ -117,10 +113,8 @@ struct CapRule
 class CappedRange
 {
 public:
-  /// Nothing more is capped after so many samples.
-  CappedRange(const CapRule& rule, double mostSamples, Pulse& pulse)
+  CappedRange(const CapRule& rule, Pulse& pulse)
     : Rule(rule)
-    , MostSamples(mostSamples)
     , Beats(pulse)
   {
   }
@@ -134,25 +128,20 @@ public:
     double EndValue;
   };
 
-  /// Segments [begin, end). `samplesOfAll`, if not null, counts those of other ranges, too: false,
-  /// and there are caps missing, where they are too many.
-  bool Run(std::size_t begin, std::size_t end, std::atomic<std::size_t>* samplesOfAll)
+  /// Segments [begin, end), until there are too many samples; `samplesOfAll` counts those of all
+  /// ranges.
+  void Run(std::size_t begin, std::size_t end, std::atomic<std::size_t>& samplesOfAll)
   {
-    bool goesOn = true;
-    for (std::size_t k = begin; k < end && goesOn && this->Beats.Beat(16); ++k)
+    for (std::size_t k = begin; k < end && !this->IsOver() && this->Beats.Beat(16); ++k)
     {
       this->Beats.SetFraction(static_cast<double>(k - begin) / static_cast<double>(end - begin));
-      const std::size_t before = this->NumberOfSamples;
+      this->SamplesBefore = samplesOfAll.load(std::memory_order_relaxed);
+      this->Samples = 0;
       this->CapSegment(static_cast<Id>(k));
-      const std::size_t own = this->NumberOfSamples - before;
-      goesOn = samplesOfAll == nullptr ||
-        static_cast<double>(samplesOfAll->fetch_add(own, std::memory_order_relaxed) + own) <=
-          this->Rule.MostSamples();
+      samplesOfAll.fetch_add(this->Samples, std::memory_order_relaxed);
     }
-    return goesOn;
   }
 
-  std::size_t Samples() const { return this->NumberOfSamples; }
   std::vector<Cap> TakeCaps() { return std::move(this->Caps); }
 
 private:
@@ -185,14 +174,14 @@ private:
   /// Most segments begin where the one before ends.
   double GivenAt(const Point2& place) const
   {
-    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Rule.Given(place);
+    return place == this->LastEnd.Place ? this->LastEnd.Given : this->Rule.Given.Given(place);
   }
 
   /// `reach` is how far from here the feature size is to be known.
   Sample TakeSample(const Point2& place, double reach)
   {
     this->Beats.Beat(16);
-    ++this->NumberOfSamples;
+    ++this->Samples;
     Sample sample;
     sample.Place = place;
     sample.Given = this->GivenAt(place);
@@ -201,17 +190,21 @@ private:
     const double floor =
       this->Rule.Source.Floor ? LengthsPerSpacing * this->Rule.Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
-    sample.Size = this->Rule.Size(this->Segment, place, known, least);
+    const double across = this->Rule.Source.CellsAcross;
+    sample.Size = this->Rule.Size(this->Segment, place, across * known, across * least) / across;
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
-      std::min(sample.Given, std::max(std::min(bySize, byLength), this->Rule.LeastCapped));
+      std::min(sample.Given, std::max(std::min(bySize, byLength), this->Rule.Given.LeastCapped));
     return sample;
   }
 
   double LeastInGaps(const Point2& place, double given) const
   {
-    return std::max(this->Rule.Drawn(place, LeastShareInGaps * given), this->LeastOnShort(given));
+    const bool isForMinimum = this->Rule.Source.CellsAcross > 1 &&
+      this->Rule.Given.LeastCapped > std::numeric_limits<double>::min();
+    const double least = isForMinimum ? 0.0 : this->Rule.Drawn(place, LeastShareInGaps * given);
+    return std::max(least, this->LeastOnShort(given));
   }
 
   double LeastOnShort(double given) const
@@ -225,11 +218,9 @@ private:
   void AddPiece(const Sample& start, const Sample& end, double length, int depth)
   {
     const double least = 0.5 * (start.Size + end.Size - length);
-    const double most =
-      std::min(this->Rule.Most, 0.5 * (start.Given + end.Given + this->Rule.Gradation * length));
-    const bool isOver =
-      this->Beats.HasStopped() || static_cast<double>(this->NumberOfSamples) > this->MostSamples;
-    if (isOver || std::min(least, this->MostByLength) >= most)
+    const double most = std::min(
+      this->Rule.Given.Most, 0.5 * (start.Given + end.Given + this->Rule.Given.Gradation * length));
+    if (this->IsOver() || this->Beats.HasStopped() || std::min(least, this->MostByLength) >= most)
     {
       return;
     }
@@ -247,46 +238,42 @@ private:
     this->AddPiece(middle, end, 0.5 * length, depth + 1);
   }
 
+  bool IsOver() const
+  {
+    return static_cast<double>(this->SamplesBefore + this->Samples) > this->Rule.MostSamples();
+  }
+
   const CapRule& Rule;
-  const double MostSamples;
   Pulse& Beats;
   std::vector<Cap> Caps;
   Id Segment = 0;
   double MostByLength = 0.0; ///< f on that segment
   Sample LastEnd{ { Infinity, Infinity } };
-  std::size_t NumberOfSamples = 0;
+  std::size_t SamplesBefore = 0; ///< of all ranges
+  std::size_t Samples = 0;       ///< of the segment at work
 };
 
 /// Lowers f along all segments.
 class FeatureCap
 {
 public:
-  FeatureCap(const CapRule& rule, ConeCollector& cones, Pulse& pulse)
+  FeatureCap(const CapRule& rule, SegmentSource& caps, Pulse& pulse)
     : Rule(rule)
     , Beats(pulse)
-    , Cones(cones)
-    , Ranges((rule.Source.Starts.size() + SegmentsPerTask - 1) / SegmentsPerTask)
+    , Caps(caps)
   {
   }
 
   bool Run()
   {
-    if (!this->HasTooManyPieces() && !this->Beats.HasStopped())
+    if (!this->HasTooManyPieces() && !this->Beats.HasStopped() && !this->CapAtOnce())
     {
-      this->CapRanges();
-      this->CollectCaps();
+      this->CapInOrder();
     }
     return !this->Beats.HasStopped();
   }
 
 private:
-  struct Range
-  {
-    std::vector<CappedRange::Cap> Caps;
-    std::size_t Samples = 0;
-    bool IsWhole = false;
-  };
-
   /// Of f as given, sampled at the ends of parts of each segment.
   bool HasTooManyPieces()
   {
@@ -299,7 +286,7 @@ private:
       length += Distance(feature.Start, feature.End);
     }
     const double most = source.MostPieces;
-    double pieces = length / (PieceLength * this->Rule.Least);
+    double pieces = length / (PieceLength * this->Rule.Given.Least);
     if (pieces <= most)
     {
       return false;
@@ -311,10 +298,10 @@ private:
     {
       const Feature feature(source, segment);
       const Point2 step = (1.0 / parts) * (feature.End - feature.Start);
-      double last = this->Rule.Given(feature.Start);
+      double last = this->Rule.Given.Given(feature.Start);
       for (double part = 1.0; part <= parts && this->Beats.Beat(); part += 1.0)
       {
-        const double next = this->Rule.Given(feature.Start + part * step);
+        const double next = this->Rule.Given.Given(feature.Start + part * step);
         pieces += Length(step) / (PieceLength * std::max(last, next));
         last = next;
       }
@@ -322,53 +309,50 @@ private:
     return pieces > most;
   }
 
-  /// Each as if there were no others; once they have too many samples together, some not to the
-  /// end.
-  void CapRanges()
-  {
-    std::atomic<std::size_t> samplesOfAll{ 0 };
-    DoTasks(this->Beats, this->Ranges.size(),
-      [this, &samplesOfAll](std::size_t k, Monitor& monitor)
-      {
-        Pulse own(monitor);
-        this->Ranges[k] = this->CapRange(k, this->Rule.MostSamples(), &samplesOfAll, own);
-      });
-  }
-
-  Range CapRange(
-    std::size_t k, double mostSamples, std::atomic<std::size_t>* samplesOfAll, Pulse& pulse) const
+  /// Each range of segments by a task. False, and nothing is capped, where there are too many
+  /// samples in all.
+  bool CapAtOnce()
   {
     const std::size_t count = this->Rule.Source.Starts.size();
-    CappedRange range(this->Rule, mostSamples, pulse);
-    const bool isWhole =
-      range.Run(k * SegmentsPerTask, std::min(count, (k + 1) * SegmentsPerTask), samplesOfAll);
-    return { range.TakeCaps(), range.Samples(), isWhole };
+    std::vector<std::vector<CappedRange::Cap>> ranges(
+      (count + SegmentsPerTask - 1) / SegmentsPerTask);
+    std::atomic<std::size_t> samplesOfAll{ 0 };
+    DoTasks(this->Beats, ranges.size(),
+      [this, count, &ranges, &samplesOfAll](std::size_t k, Monitor& monitor)
+      {
+        Pulse own(monitor);
+        CappedRange range(this->Rule, own);
+        range.Run(k * SegmentsPerTask, std::min(count, (k + 1) * SegmentsPerTask), samplesOfAll);
+        ranges[k] = range.TakeCaps();
+      });
+    const bool isWhole = static_cast<double>(samplesOfAll) <= this->Rule.MostSamples();
+    for (std::size_t k = 0; k < ranges.size() && isWhole; ++k)
+    {
+      this->Add(ranges[k]);
+    }
+    return isWhole;
   }
 
-  /// In their order. From where they have too many samples together it is done again, one range
-  /// after the other: what is capped is what it would be on one thread.
-  void CollectCaps()
+  /// Up to the segment where there are too many samples: as on one thread.
+  void CapInOrder()
   {
-    double left = this->Rule.MostSamples();
-    for (std::size_t k = 0; k < this->Ranges.size() && !this->Beats.HasStopped(); ++k)
+    std::atomic<std::size_t> samplesOfAll{ 0 };
+    CappedRange range(this->Rule, this->Beats);
+    range.Run(0, this->Rule.Source.Starts.size(), samplesOfAll);
+    this->Add(range.TakeCaps());
+  }
+
+  void Add(const std::vector<CappedRange::Cap>& caps)
+  {
+    for (const CappedRange::Cap& cap : caps)
     {
-      Range range = std::move(this->Ranges[k]);
-      if (!range.IsWhole || static_cast<double>(range.Samples) > left)
-      {
-        range = this->CapRange(k, left, nullptr, this->Beats);
-      }
-      left -= static_cast<double>(range.Samples);
-      for (const CappedRange::Cap& cap : range.Caps)
-      {
-        this->Cones.AddSegment(cap.Start, cap.End, cap.StartValue, cap.EndValue);
-      }
+      this->Caps.Add(cap.Start, cap.End, cap.StartValue, cap.EndValue);
     }
   }
 
   const CapRule& Rule;
   Pulse& Beats;
-  ConeCollector& Cones;
-  std::vector<Range> Ranges;
+  SegmentSource& Caps;
 };
 
 } // namespace
@@ -428,17 +412,16 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
   return least;
 }
 
-bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-  double least, double most, double gradation, ConeCollector& cones, Monitor& monitor)
+bool AddFeatureSizes(
+  const FeatureSource& source, const GivenBounds& given, SegmentSource& caps, Monitor& monitor)
 {
   Pulse pulse(monitor);
   const std::vector<SegmentCone> drawn = source.Drawn
-    ? MakeCones(*source.Drawn, LengthsPerSpacing, gradation, pulse)
+    ? MakeCones(*source.Drawn, LengthsPerSpacing, given.Gradation, pulse)
     : std::vector<SegmentCone>();
-  const CapRule rule{ source, given, least, most, gradation, cones.Values().Least,
-    FeatureSize(source, pulse), SegmentExtension(drawn, gradation, pulse),
-    DiagonalOf(source.Points) };
-  return !pulse.HasStopped() && FeatureCap(rule, cones, pulse).Run();
+  const CapRule rule{ source, given, FeatureSize(source, pulse),
+    SegmentExtension(drawn, given.Gradation, pulse), DiagonalOf(source.Points) };
+  return !pulse.HasStopped() && FeatureCap(rule, caps, pulse).Run();
 }
 
 } // namespace biting

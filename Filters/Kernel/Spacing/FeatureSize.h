@@ -5,7 +5,7 @@
 #define BitingFeatureSize_h
 
 #include "../Base/BoxTree.h"
-#include "ConeCollector.h"
+#include "Spacing.h"
 
 #include <functional> // for the spacing as given
 #include <vector>     // for positions
@@ -52,12 +52,20 @@ private:
   std::vector<Id> Positions; ///< of each segment: where it is in the order of the tree
 };
 
-/// Adds to `cones` how far f is to be lowered along the segments of `source` for their feature
-/// size; see FeatureSource for the rule. `given(x)` is f without it, from `least` to `most`;
-/// `gradation` the Lipschitz constant that it will have in the end. False if the monitor asks to
-/// stop.
-bool AddFeatureSizes(const FeatureSource& source, const std::function<double(const Point2&)>& given,
-  double least, double most, double gradation, ConeCollector& cones, Monitor& monitor);
+/// f without the feature size.
+struct GivenBounds
+{
+  std::function<double(const Point2&)> Given;
+  double Least;       ///< of Given
+  double Most;        ///< of Given
+  double LeastCapped; ///< f is capped no lower
+  double Gradation;   ///< the Lipschitz constant that f will have in the end
+};
+
+/// Adds to `caps` how far f is to be lowered along the segments of `source` for their feature size;
+/// see FeatureSource for the rule. False if the monitor asks to stop.
+bool AddFeatureSizes(
+  const FeatureSource& source, const GivenBounds& given, SegmentSource& caps, Monitor& monitor);
 
 } // namespace biting
 

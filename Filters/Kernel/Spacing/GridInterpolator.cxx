@@ -5,8 +5,10 @@
 
 #include "../Base/Tasks.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for min, max, any_of
+#include <cmath>     // for isnan
 #include <cstdint>   // for marks
+#include <limits>    // for nodes that have no value yet
 #include <utility>   // for move
 
 namespace biting
@@ -14,141 +16,223 @@ namespace biting
 namespace
 {
 
-std::vector<double> AtLeastTwo(std::vector<double> nodes)
+/// Gives holes the value of the nearest node. Two sweeps over the rows, up and down; in each, holes
+/// are offered the nearest nodes of their neighbors in the row before and on both sides.
+class HoleFilling
 {
-  if (nodes.size() == 1)
+public:
+  explicit HoleFilling(const GridSource& grid)
+    : Grid(grid)
+    , Columns(grid.XNodes.size())
+    , Nearest(grid.Values.size(), None)
   {
-    nodes.push_back(nodes.front());
   }
-  return nodes;
+
+  std::vector<double> Fill(Pulse& pulse)
+  {
+    const std::size_t rows = this->Grid.YNodes.size();
+    for (std::size_t node = 0; node < this->Nearest.size(); ++node)
+    {
+      this->Nearest[node] = std::isnan(this->Grid.Values[node]) ? None : node;
+    }
+    for (std::size_t row = 0; row < rows && pulse.Beat(this->Columns); ++row)
+    {
+      this->Sweep(row, row > 0 ? row - 1 : row);
+    }
+    for (std::size_t row = rows - 1; row > 0 && pulse.Beat(this->Columns); --row)
+    {
+      this->Sweep(row - 1, row);
+    }
+    std::vector<double> values(this->Nearest.size());
+    for (std::size_t node = 0; node < values.size() && !pulse.HasStopped(); ++node)
+    {
+      values[node] = this->Grid.Values[this->Nearest[node]];
+    }
+    return values;
+  }
+
+private:
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+
+  void Sweep(std::size_t row, std::size_t before)
+  {
+    const std::size_t first = row * this->Columns;
+    const std::size_t last = this->Columns - 1;
+    for (std::size_t column = 0; column <= last; ++column)
+    {
+      const std::size_t left = column > 0 ? column - 1 : column;
+      for (const std::size_t from : { left, column, std::min(column + 1, last) })
+      {
+        this->Offer(from + before * this->Columns, first + column);
+      }
+      this->Offer(first + left, first + column);
+    }
+    for (std::size_t column = last; column > 0; --column)
+    {
+      this->Offer(first + column, first + column - 1);
+    }
+  }
+
+  void Offer(std::size_t from, std::size_t to)
+  {
+    const std::size_t offered = this->Nearest[from];
+    std::size_t& own = this->Nearest[to];
+    if (own != to && offered != None && offered != own &&
+      (own == None || this->Away(to, offered) < this->Away(to, own)))
+    {
+      own = offered;
+    }
+  }
+
+  double Away(std::size_t a, std::size_t b) const
+  {
+    return Length(Point2{ this->Grid.XNodes[a % Columns] - this->Grid.XNodes[b % Columns],
+      this->Grid.YNodes[a / Columns] - this->Grid.YNodes[b / Columns] });
+  }
+
+  const GridSource& Grid;
+  const std::size_t Columns;
+  std::vector<std::size_t> Nearest; ///< of each node, the given one whose value it takes
+};
+
+std::shared_ptr<const GridSource> WithoutHoles(
+  const std::shared_ptr<const GridSource>& source, Pulse& pulse)
+{
+  const std::vector<double>& values = source->Values;
+  return std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })
+    ? source
+    : std::make_shared<const GridSource>(
+        GridSource{ source->XNodes, source->YNodes, HoleFilling(*source).Fill(pulse) });
 }
 
-} // namespace
-
-GridAxis::GridAxis(const std::vector<double>& nodes)
-  : Nodes(AtLeastTwo(nodes))
+/// Twice the first and the last node where they do not reach `low` and `high`, and there are two
+/// nodes at least.
+std::vector<std::size_t> ReachingNodes(const std::vector<double>& nodes, double low, double high)
 {
-  const std::size_t bucketCount = this->Nodes.size() - 1;
-  const double extent = this->Nodes.back() - this->Nodes.front();
-  this->LastNodeBefore.assign(bucketCount + 1, 0);
-  this->BucketsPerLength = extent > 0.0 ? static_cast<double>(bucketCount) / extent : 0.0;
-  for (std::size_t node = 0; node < this->Nodes.size(); ++node)
+  std::vector<std::size_t> numbers(low < nodes.front() ? 1 : 0, 0);
+  for (std::size_t node = 0; node < nodes.size(); ++node)
   {
-    this->LastNodeBefore[this->BucketOf(this->Nodes[node]) + 1] = static_cast<Id>(node);
+    numbers.push_back(node);
   }
-  for (std::size_t bucket = 1; bucket <= bucketCount; ++bucket)
-  {
-    this->LastNodeBefore[bucket] =
-      std::max(this->LastNodeBefore[bucket], this->LastNodeBefore[bucket - 1]);
-  }
+  numbers.insert(
+    numbers.end(), high > nodes.back() || numbers.size() == 1 ? 1 : 0, nodes.size() - 1);
+  return numbers;
 }
 
-/// Monotone, also after rounding: so a node of an earlier bucket is below the coordinate, and the
-/// search between the last nodes of two buckets cannot miss.
-std::size_t GridAxis::BucketOf(double coordinate) const
+std::vector<double> ReachingAxis(const std::vector<double>& nodes,
+  const std::vector<std::size_t>& numbers, double low, double high)
 {
-  const double bucket = (coordinate - this->Nodes.front()) * this->BucketsPerLength;
-  const auto last = static_cast<double>(this->Nodes.size() - 2);
-  return static_cast<std::size_t>(std::min(std::max(0.0, bucket), last));
+  std::vector<double> reaching;
+  reaching.reserve(numbers.size());
+  for (const std::size_t node : numbers)
+  {
+    reaching.push_back(nodes[node]);
+  }
+  reaching.front() = std::min(nodes.front(), low);
+  reaching.back() = std::max(nodes.back(), high);
+  return reaching;
 }
 
-GridAxis::Place GridAxis::Find(double coordinate) const
+/// The same spacing on a grid that reaches over `bounds`.
+std::shared_ptr<const GridSource> ReachingOver(
+  const std::shared_ptr<const GridSource>& source, const Box2& bounds)
 {
-  const std::size_t bucket = this->BucketOf(coordinate);
-  auto low = static_cast<std::size_t>(this->LastNodeBefore[bucket]);
-  auto high = static_cast<std::size_t>(this->LastNodeBefore[bucket + 1]);
-  while (low < high)
+  const std::vector<double>& xs = source->XNodes;
+  const std::vector<double>& ys = source->YNodes;
+  const std::vector<std::size_t> columns = ReachingNodes(xs, bounds.Low.X, bounds.High.X);
+  const std::vector<std::size_t> rows = ReachingNodes(ys, bounds.Low.Y, bounds.High.Y);
+  if (columns.size() == xs.size() && rows.size() == ys.size())
   {
-    const std::size_t middle = (low + high + 1) / 2;
-    const bool isAbove = coordinate < this->Nodes[middle];
-    low = isAbove ? low : middle;
-    high = isAbove ? middle - 1 : high;
+    return source;
   }
-  const std::size_t cell = std::min(low, this->Nodes.size() - 2);
-  const double width = this->Nodes[cell + 1] - this->Nodes[cell];
-  const double weight = width > 0.0 ? (coordinate - this->Nodes[cell]) / width : 0.0;
+  GridSource reaching{ ReachingAxis(xs, columns, bounds.Low.X, bounds.High.X),
+    ReachingAxis(ys, rows, bounds.Low.Y, bounds.High.Y), {} };
+  reaching.Values.reserve(columns.size() * rows.size());
+  for (const std::size_t row : rows)
+  {
+    for (const std::size_t column : columns)
+    {
+      reaching.Values.push_back(source->Values[column + row * xs.size()]);
+    }
+  }
+  return std::make_shared<const GridSource>(std::move(reaching));
+}
+
+/// Cell i lies between nodes i and i + 1; Weight in [0, 1] is that of node i + 1.
+struct PlaceOnAxis
+{
+  std::size_t Cell;
+  double Weight;
+};
+
+/// The nearest place on the axis. Constant cost where nodes are evenly spaced, else logarithmic.
+PlaceOnAxis FindOnAxis(const std::vector<double>& nodes, double coordinate)
+{
+  const std::size_t cells = nodes.size() - 1;
+  const double share = (coordinate - nodes.front()) / (nodes.back() - nodes.front());
+  const double guess = std::min(std::max(0.0, share), 1.0) * static_cast<double>(cells);
+  std::size_t cell = std::min(static_cast<std::size_t>(guess), cells - 1);
+  if (!(nodes[cell] <= coordinate && coordinate < nodes[cell + 1]))
+  {
+    const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, coordinate);
+    cell = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  }
+  const double width = nodes[cell + 1] - nodes[cell];
+  const double weight = width > 0.0 ? (coordinate - nodes[cell]) / width : 0.0;
   return { cell, std::min(std::max(0.0, weight), 1.0) };
 }
 
-GridInterpolator::GridInterpolator(std::shared_ptr<const GridSource> source)
-  : Grid(std::move(source))
-  , XAxis(this->Grid->XNodes)
-  , YAxis(this->Grid->YNodes)
-  , ToRight(this->Grid->XNodes.size() > 1 ? 1 : 0)
-  , ToNextRow(this->Grid->YNodes.size() > 1 ? this->Grid->XNodes.size() : 0)
+double Blend(double low, double high, double weight)
 {
+  return (1.0 - weight) * low + weight * high;
 }
 
-GridInterpolator::Place GridInterpolator::Find(const Point2& x) const
-{
-  const GridAxis::Place column = this->XAxis.Find(x.X);
-  const GridAxis::Place row = this->YAxis.Find(x.Y);
-  return { column.Cell, row.Cell, column.Weight, row.Weight };
-}
-
-double GridInterpolator::At(const Place& place) const
-{
-  const double* low = &this->Grid->Values[this->NodeAt(place.Column, place.Row)];
-  const double* high = low + this->ToNextRow;
-  return Blend(Blend(low[0], low[this->ToRight], place.X),
-    Blend(high[0], high[this->ToRight], place.X), place.Y);
-}
-
-Source<2>::Sample GridInterpolator::At(const Point<2>& x) const
-{
-  const std::vector<double>& xs = this->Grid->XNodes;
-  const std::vector<double>& ys = this->Grid->YNodes;
-  const bool isInside =
-    x[0] >= xs.front() && x[0] <= xs.back() && x[1] >= ys.front() && x[1] <= ys.back();
-  return { (*this)(Point2{ x[0], x[1] }), isInside };
-}
-
-namespace
-{
-
-/// Lists the low places of a grid.
-class LowNodes
+/// Lists the low edges of a grid.
+class SteepCells
 {
 public:
-  LowNodes(const GridSource& grid, double slope, const ValueRange& range)
+  SteepCells(const GridSource& grid, const SteepRule& rule)
     : Grid(grid)
     , Columns(grid.XNodes.size())
     , Rows(grid.YNodes.size())
-    , Slope(slope)
-    , Range(range)
-    , MostOnEdge(MostPlacesOnEdge(2 * grid.Values.size()))
+    , Rule(rule)
     , AreSteep((this->Columns + 1) * (this->Rows + 1), 0)
   {
   }
 
-  std::vector<LowPlace<2>> List(Pulse& pulse)
+  /// Returns the largest slope.
+  double Find(Pulse& pulse)
   {
-    ForRowsAtOnce(pulse, std::max<std::size_t>(this->Rows - 1, 1), this->Columns,
-      [this](std::size_t first, std::size_t last)
+    std::vector<double> largest(this->Rows, 0.0);
+    ForRowsAtOnce(pulse, this->Rows - 1, this->Columns,
+      [this, &largest](std::size_t first, std::size_t last)
       {
         for (std::size_t row = first; row < last; ++row)
         {
-          for (std::size_t column = 0; column == 0 || column + 1 < this->Columns; ++column)
+          for (std::size_t column = 0; column + 1 < this->Columns; ++column)
           {
-            this->AreSteep[this->CellAbove(column, row)] = this->IsSteep(column, row) ? 1 : 0;
+            largest[row] = std::max(largest[row], this->MarkCell(column, row));
           }
         }
       });
-    std::vector<std::vector<LowPlace<2>>> parts(this->Rows);
+    return *std::max_element(largest.begin(), largest.end());
+  }
+
+  void List(SegmentSource& edges, Pulse& pulse)
+  {
+    std::vector<SegmentSource> parts(this->Rows);
     ForRowsAtOnce(pulse, this->Rows, this->Columns,
       [this, &parts](std::size_t first, std::size_t last)
       {
-        for (std::size_t row = first; row < last; ++row)
+        for (std::size_t node = first * this->Columns; node < last * this->Columns; ++node)
         {
-          this->ListRow(row, parts[row]);
+          this->ListNode(node % this->Columns, node / this->Columns, parts[node / this->Columns]);
         }
       });
-    std::vector<LowPlace<2>> places;
-    for (const std::vector<LowPlace<2>>& part : parts)
+    for (const SegmentSource& part : parts)
     {
-      places.insert(places.end(), part.begin(), part.end());
+      edges.Add(part);
     }
-    return places;
   }
 
 private:
@@ -158,92 +242,117 @@ private:
     return column + 1 + (this->Columns + 1) * (row + 1);
   }
 
-  double Value(std::size_t column, std::size_t row) const
+  CellNode At(std::size_t column, std::size_t row) const
   {
-    return this->Grid.Values[column + row * this->Columns];
-  }
-  LowPlace<2> At(std::size_t column, std::size_t row) const
-  {
-    return { { this->Grid.XNodes[column], this->Grid.YNodes[row] },
-      this->Range(this->Value(column, row)) };
+    const double value = this->Grid.Values[column + row * this->Columns];
+    return { { this->Grid.XNodes[column], this->Grid.YNodes[row] }, this->Rule.Range.Scale * value,
+      this->Rule.Range(value) };
   }
 
-  /// Of the cell above a node, as LargestSlope measures it. A cell without a width or height is
-  /// where values differ across it.
-  bool IsSteep(std::size_t column, std::size_t row) const
+  /// Returns the slope of the cell above a node, if it is finite: the length of the largest slopes
+  /// along x and along y. A cell without a width or height is steep where values differ across it.
+  double MarkCell(std::size_t column, std::size_t row)
   {
-    const std::size_t right = std::min(column + 1, this->Columns - 1);
-    const std::size_t up = std::min(row + 1, this->Rows - 1);
-    const double values[4] = { this->Value(column, row), this->Value(right, row),
-      this->Value(column, up), this->Value(right, up) };
-    const auto [least, most] = std::minmax_element(values, values + 4);
-    const auto slopeOf = [this](double rise, double otherRise, double step)
+    const double* low = &this->Grid.Values[column + row * this->Columns];
+    const double* high = low + this->Columns;
+    const double alongX = SlopeOf(low[1] - low[0], high[1] - high[0],
+      this->Grid.XNodes[column + 1] - this->Grid.XNodes[column]);
+    const double alongY = SlopeOf(
+      high[0] - low[0], high[1] - low[1], this->Grid.YNodes[row + 1] - this->Grid.YNodes[row]);
+    const double slope = std::sqrt(alongX * alongX + alongY * alongY);
+    if (this->Rule.Range.Scale * slope > this->Rule.Slope)
     {
-      const double largest = this->Range.Scale * std::max(std::abs(rise), std::abs(otherRise));
-      return largest > 0.0 ? largest / step : 0.0;
-    };
-    const double alongX = slopeOf(values[1] - values[0], values[3] - values[2],
-      this->Grid.XNodes[right] - this->Grid.XNodes[column]);
-    const double alongY = slopeOf(
-      values[2] - values[0], values[3] - values[1], this->Grid.YNodes[up] - this->Grid.YNodes[row]);
-    return this->Range(*least) < this->Range(*most) &&
-      alongX * alongX + alongY * alongY > this->Slope * this->Slope;
+      const auto [least, most] = std::minmax({ low[0], low[1], high[0], high[1] });
+      this->AreSteep[this->CellAbove(column, row)] =
+        this->Rule.Range(least) < this->Rule.Range(most) ? 1 : 0;
+    }
+    return slope <= std::numeric_limits<double>::max() ? slope : 0.0;
   }
 
-  void ListRow(std::size_t row, std::vector<LowPlace<2>>& places) const
+  static double SlopeOf(double rise, double otherRise, double step)
   {
-    for (std::size_t column = 0; column < this->Columns; ++column)
+    const double largest = std::max(std::abs(rise), std::abs(otherRise));
+    return largest > 0.0 ? largest / step : 0.0;
+  }
+
+  /// And its edges to the right and up, and the cell above it.
+  void ListNode(std::size_t column, std::size_t row, SegmentSource& edges) const
+  {
+    const std::uint8_t* above = &this->AreSteep[this->CellAbove(column, row)];
+    const std::uint8_t* below = above - (this->Columns + 1);
+    if ((above[0] | above[-1] | below[0] | below[-1]) == 0)
     {
-      const std::uint8_t* above = &this->AreSteep[this->CellAbove(column, row)];
-      const std::uint8_t* below = above - (this->Columns + 1);
-      const bool isRightSteep = (above[0] | below[0]) != 0;
-      const bool isUpSteep = (above[0] | above[-1]) != 0;
-      if (isRightSteep || isUpSteep || below[-1] != 0)
-      {
-        this->ListNode(column, row, isRightSteep, isUpSteep, places);
-      }
+      return;
+    }
+    const CellNode own = this->At(column, row);
+    if (this->IsLow(own, column, row))
+    {
+      edges.Add(own.At, own.At, own.Value, own.Value);
+    }
+    if ((above[0] | below[0]) != 0)
+    {
+      AddLowEdge(own, this->At(column + 1, row), this->Rule, edges);
+    }
+    if ((above[0] | above[-1]) != 0)
+    {
+      AddLowEdge(own, this->At(column, row + 1), this->Rule, edges);
+    }
+    if (above[0] != 0)
+    {
+      AddLevelLine({ own, this->At(column + 1, row), this->At(column + 1, row + 1),
+                     this->At(column, row + 1) },
+        this->Rule.Range, edges);
     }
   }
 
-  /// And what is on its edges to the right and up.
-  void ListNode(std::size_t column, std::size_t row, bool isRightSteep, bool isUpSteep,
-    std::vector<LowPlace<2>>& places) const
+  /// Whether no node around it is so low that it stands for it.
+  bool IsLow(const CellNode& own, std::size_t column, std::size_t row) const
   {
-    const LowPlace<2> own = this->At(column, row);
     bool isLow = true;
-    const auto lookAt = [this, &own, &isLow, &places](const LowPlace<2>& other, bool isSteep)
+    for (std::size_t y = row > 0 ? row - 1 : row; y <= std::min(row + 1, this->Rows - 1); ++y)
     {
-      isLow = isLow && own.Value <= other.Value + this->Slope * Distance<2>(own.At, other.At);
-      if (isSteep)
+      for (std::size_t x = column > 0 ? column - 1 : 0;
+           x <= std::min(column + 1, this->Columns - 1); ++x)
       {
-        AddPlacesOnEdge<2>(own, other, this->Slope, this->MostOnEdge, places);
+        const CellNode other = this->At(x, y);
+        isLow = isLow && own.Value <= other.Value + this->Rule.Slope * Distance(own.At, other.At);
       }
-    };
-    lookAt(this->At(column > 0 ? column - 1 : 0, row), false);
-    lookAt(this->At(column, row > 0 ? row - 1 : 0), false);
-    lookAt(this->At(std::min(column + 1, this->Columns - 1), row), isRightSteep);
-    lookAt(this->At(column, std::min(row + 1, this->Rows - 1)), isUpSteep);
-    if (isLow)
-    {
-      places.push_back(own);
     }
+    return isLow;
   }
 
   const GridSource& Grid;
   const std::size_t Columns;
   const std::size_t Rows;
-  const double Slope;
-  const ValueRange& Range;
-  const double MostOnEdge;
+  const SteepRule& Rule;
   std::vector<std::uint8_t> AreSteep; ///< cells
 };
 
 } // namespace
 
-std::vector<LowPlace<2>> GridInterpolator::LowPlaces(
-  double slope, const ValueRange& range, Pulse& pulse) const
+GridInterpolator::GridInterpolator(
+  const std::shared_ptr<const GridSource>& source, const Box2& bounds, Pulse& pulse)
+  : Grid(ReachingOver(WithoutHoles(source, pulse), bounds))
 {
-  return LowNodes(*this->Grid, slope, range).List(pulse);
+}
+
+double GridInterpolator::operator()(const Point2& x) const
+{
+  const PlaceOnAxis column = FindOnAxis(this->Grid->XNodes, x.X);
+  const PlaceOnAxis row = FindOnAxis(this->Grid->YNodes, x.Y);
+  const double* low = &this->Grid->Values[column.Cell + row.Cell * this->Grid->XNodes.size()];
+  const double* high = low + this->Grid->XNodes.size();
+  return Blend(
+    Blend(low[0], low[1], column.Weight), Blend(high[0], high[1], column.Weight), row.Weight);
+}
+
+double GridInterpolator::AddLowEdges(
+  const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const
+{
+  SteepCells cells(*this->Grid, rule);
+  const double slope = cells.Find(pulse);
+  cells.List(edges, pulse);
+  return slope;
 }
 
 } // namespace biting

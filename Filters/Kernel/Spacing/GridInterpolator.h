@@ -5,78 +5,26 @@
 #define BitingGridInterpolator_h
 
 #include "Source.h"
-#include "Spacing.h"
 
 namespace biting
 {
 
-/// From low, at weight 0, to high, at weight 1.
-inline double Blend(double low, double high, double weight)
-{
-  return (1.0 - weight) * low + weight * high;
-}
-
-/// Finds the cell of a coordinate among ascending nodes: constant cost where the nodes are about
-/// evenly spaced, logarithmic at worst.
-class GridAxis
+/// The bilinear interpolant of a grid. Outside it is the nearest value of the border. A node whose
+/// value is NaN takes the value of the nearest node that has one: by vector propagation (after
+/// Danielsson 1980), so where two are nearly as near it may be the other one.
+class GridInterpolator : public Source
 {
 public:
-  /// Cell i lies between nodes i and i + 1; Weight in [0, 1] is that of node i + 1.
-  struct Place
-  {
-    std::size_t Cell;
-    double Weight;
-  };
+  /// At least one value is given. Where the grid does not reach the border of `bounds` it gets a
+  /// row or column of nodes there. Linear in the number of nodes; incomplete if the pulse stops.
+  GridInterpolator(
+    const std::shared_ptr<const GridSource>& source, const Box2& bounds, Pulse& pulse);
 
-  explicit GridAxis(const std::vector<double>& nodes);
-
-  /// The nearest place inside, for a coordinate outside (or NaN).
-  Place Find(double coordinate) const;
+  double operator()(const Point2& x) const override;
+  double AddLowEdges(const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const override;
 
 private:
-  std::size_t BucketOf(double coordinate) const;
-
-  std::vector<double> Nodes;      ///< at least two; a single one is doubled
-  std::vector<Id> LastNodeBefore; ///< last node in a bucket before this one, or 0; one past the end
-  double BucketsPerLength = 0.0;
-};
-
-/// The bilinear interpolant of a grid without holes, which it shares. Outside it is the nearest
-/// value of the border. A single row or column counts twice, so that there are cells.
-class GridInterpolator : public Source<2>
-{
-public:
-  /// Where a point is in its cell, whose low node is (Column, Row).
-  struct Place
-  {
-    std::size_t Column;
-    std::size_t Row;
-    double X; ///< weight of the nodes to the right
-    double Y; ///< weight of the nodes above
-  };
-
-  explicit GridInterpolator(std::shared_ptr<const GridSource> source);
-
-  double operator()(const Point2& x) const { return this->At(this->Find(x)); }
-
-  Sample At(const Point<2>& x) const override;
-  std::vector<LowPlace<2>> LowPlaces(
-    double slope, const ValueRange& range, Pulse& pulse) const override;
-
-  Place Find(const Point2& x) const;
-  double At(const Place& place) const;
-
-private:
-  std::size_t NodeAt(std::size_t column, std::size_t row) const
-  {
-    return column + row * this->Grid->XNodes.size();
-  }
-
-  std::shared_ptr<const GridSource> Grid;
-  GridAxis XAxis;
-  GridAxis YAxis;
-  std::size_t ToRight; ///< from a value to that of the next column
-  std::size_t ToNextRow;
+  std::shared_ptr<const GridSource> Grid; ///< without holes
 };
 
 } // namespace biting

@@ -4,7 +4,6 @@
 #include "SegmentCone.h"
 
 #include "../Base/Numbers.h"
-#include "SourceSlopes.h"
 
 namespace biting
 {
@@ -61,22 +60,6 @@ struct Piece
 
 } // namespace
 
-SegmentCone::SegmentCone(
-  const Point2& start, const Point2& end, double startValue, double endValue, double gradation)
-{
-  const bool isRising = !(endValue < startValue);
-  const Point2& low = isRising ? start : end;
-  const Point2& high = isRising ? end : start;
-  const double length = Distance(start, end);
-  this->Start = low;
-  this->SetValues(
-    length, std::min(startValue, endValue), std::abs(endValue - startValue), gradation);
-  if (this->Length > 0.0)
-  {
-    this->Direction = { (high.X - low.X) / length, (high.Y - low.Y) / length };
-  }
-}
-
 std::vector<SegmentCone> MakeCones(
   const SegmentSource& source, double scale, double gradation, Pulse& pulse, double tolerance)
 {
@@ -105,22 +88,18 @@ std::vector<SegmentCone> MakeCones(
   return cones;
 }
 
-void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse)
+double LargestSlope(const SegmentSource& source)
 {
-  for (int direction = 0; direction < 2; ++direction)
+  double largest = 0.0;
+  for (std::size_t first = 0; first + 1 < source.Segments.size(); first += 2)
   {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < cones.size() && pulse.Beat(1); ++k)
-    {
-      const SegmentCone cone = cones[k];
-      if (kept == 0 || !cones[kept - 1].StandsFor(cone, slope, 0.5 * tolerance * cone.Value))
-      {
-        cones[kept++] = cone;
-      }
-    }
-    cones.resize(kept);
-    std::reverse(cones.begin(), cones.end());
+    const auto a = static_cast<std::size_t>(source.Segments[first]);
+    const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
+    const double perLength = 1.0 / Distance(source.Points[a], source.Points[b]);
+    const double slope = std::abs(source.Values[b] - source.Values[a]) * perLength;
+    largest = std::isfinite(slope) ? std::max(largest, slope) : largest;
   }
+  return largest;
 }
 
 double SlopeOfCones(const SegmentSource& source, double gradation)

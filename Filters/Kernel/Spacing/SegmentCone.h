@@ -14,27 +14,52 @@
 namespace biting
 {
 
+/// The distance of a place from the line through the origin.
+inline double DistanceAcross(const Point2& offset, const Point2& direction)
+{
+  return std::abs(Cross(offset, direction));
+}
+inline double DistanceAcross(const Point3& offset, const Point3& direction)
+{
+  return Length(Cross(offset, direction));
+}
+
 /// The Lipschitz extension of values along one segment: min over y on it of f(y) + g |x - y|.
 ///
 /// With u and h the coordinates of x along and across the segment, f(y) = Value + Slope t, the
 /// minimum over the line is where (u - t) / |x - y| = Slope / g, that is t = u - h Lean with
 /// Lean = (Slope / g) / sqrt(1 - (Slope / g)^2); over the segment, which is a convex problem, t is
 /// that clamped to [0, Length]. Data as steep as g or steeper are a cone at their lower end.
-/// Eight numbers: 64 bytes.
-struct SegmentCone
+/// In the plane eight numbers: 64 bytes.
+template <std::size_t D>
+struct Cone
 {
-  Point2 Start;
-  Point2 Direction{ 1.0, 0.0 };
+  Point<D> Start;
+  Point<D> Direction;
   double Length = 0.0;
   double Value = 0.0; ///< at Start
   double Slope = 0.0;
   double Lean = 0.0;
 
-  SegmentCone() = default;
+  Cone() { this->Direction[0] = 1.0; }
 
   /// Of two places and the values there; `gradation` is positive.
-  SegmentCone(
-    const Point2& start, const Point2& end, double startValue, double endValue, double gradation);
+  Cone(const Point<D>& start, const Point<D>& end, double startValue, double endValue,
+    double gradation)
+    : Cone()
+  {
+    const bool isRising = !(endValue < startValue);
+    const Point<D>& low = isRising ? start : end;
+    const Point<D>& high = isRising ? end : start;
+    const double length = Distance(start, end);
+    this->Start = low;
+    this->SetValues(
+      length, std::min(startValue, endValue), std::abs(endValue - startValue), gradation);
+    for (std::size_t d = 0; d<D&& this->Length> 0.0; ++d)
+    {
+      this->Direction[d] = (high[d] - low[d]) / length;
+    }
+  }
 
   /// From `value` at its start up by `rise` over its length; a point if that is too steep.
   void SetValues(double length, double value, double rise, double gradation)
@@ -49,11 +74,11 @@ struct SegmentCone
     }
   }
 
-  double operator()(const Point2& x, double gradation) const
+  double operator()(const Point<D>& x, double gradation) const
   {
-    const Point2 offset = x - this->Start;
+    const Point<D> offset = x - this->Start;
     const double along = Dot(offset, this->Direction);
-    const double across = std::abs(Cross(offset, this->Direction));
+    const double across = DistanceAcross(offset, this->Direction);
     const double foot = this->FootAt(along, across);
     const double ahead = along - foot;
     return this->Value + this->Slope * foot +
@@ -65,28 +90,28 @@ struct SegmentCone
   struct View
   {
     double Value;
-    Point2 Away;
+    Point<D> Away;
   };
-  View From(const Point2& x) const
+  View From(const Point<D>& x) const
   {
-    const Point2 offset = x - this->Start;
+    const Point<D> offset = x - this->Start;
     const double foot =
-      this->FootAt(Dot(offset, this->Direction), std::abs(Cross(offset, this->Direction)));
+      this->FootAt(Dot(offset, this->Direction), DistanceAcross(offset, this->Direction));
     return { this->Value + this->Slope * foot, offset - foot * this->Direction };
   }
 
   /// Whether it is nowhere above another cone by more than `room`. It is not, if not at both ends
   /// of the other one's segment: along that it is convex, and from there it grows no faster.
-  bool StandsFor(const SegmentCone& other, double gradation, double room) const
+  bool StandsFor(const Cone& other, double gradation, double room) const
   {
     return (*this)(other.Start, gradation) <= other.Value + room &&
       (*this)(other.End(), gradation) <= other.Value + other.Slope * other.Length + room;
   }
 
-  Point2 End() const { return this->Start + this->Length * this->Direction; }
+  Point<D> End() const { return this->Start + this->Length * this->Direction; }
 
   // For a BoxTree.
-  Box2 Box() const { return Box2::Around(this->Start, this->End()); }
+  biting::Box<D> Box() const { return biting::Box<D>::Around(this->Start, this->End()); }
   double Least() const { return this->Value; }
 
 private:
@@ -99,6 +124,8 @@ private:
   }
 };
 
+using SegmentCone = Cone<2>;
+
 /// Those of the segments of a source, with the values times `scale`; their minimum is that of all
 /// segments to within `tolerance` of itself. Fewer where segments are much shorter than f / g:
 /// - Segments that follow each other become one, as long as their ends are so near to it, and their
@@ -110,7 +137,27 @@ std::vector<SegmentCone> MakeCones(const SegmentSource& source, double scale, do
 
 /// Leaves out cones that are nowhere below the one that was kept last before them, but for half the
 /// tolerance; then the same from the last one to the first.
-void DropHigh(double slope, double tolerance, std::vector<SegmentCone>& cones, Pulse& pulse);
+template <std::size_t D>
+void DropHigh(double slope, double tolerance, std::vector<Cone<D>>& cones, Pulse& pulse)
+{
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < cones.size() && pulse.Beat(1); ++k)
+    {
+      const Cone<D> cone = cones[k];
+      if (kept == 0 || !cones[kept - 1].StandsFor(cone, slope, 0.5 * tolerance * cone.Value))
+      {
+        cones[kept++] = cone;
+      }
+    }
+    cones.resize(kept);
+    std::reverse(cones.begin(), cones.end());
+  }
+}
+
+/// The largest slope along segments; those of no length have none.
+double LargestSlope(const SegmentSource& source);
 
 /// The slope with which values grow from their segments: `gradation`, or the largest slope along
 /// them where that is 0, or the default of SpacingOptions where they are all level.

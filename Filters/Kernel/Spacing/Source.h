@@ -4,54 +4,37 @@
 #ifndef BitingSource_h
 #define BitingSource_h
 
-#include "../Base/Box.h"
 #include "../Base/Pulse.h"
+#include "Spacing.h"
 #include "ValueRange.h"
-
-#include <algorithm>  // for max
-#include <array>      // for places
-#include <cmath>      // for sqrt
-#include <cstddef>    // for dimensions
-#include <functional> // for what is given
-#include <vector>     // for low places
 
 namespace biting
 {
 
-/// A place, and the spacing given there: scaled and clamped.
-template <std::size_t D>
-struct LowPlace
+/// Where the spacing is too steep, and what is looked at.
+struct SteepRule
 {
-  Point<D> At{};
-  double Value = 0.0;
+  double Slope;     ///< greater ones are steep; infinite: none is
+  ValueRange Range; ///< of the spacing
+  Box2 Bounds;      ///< where f is asked for
 };
 
-/// A spacing that is given on cells: a grid, triangles, tetrahedra. To add a kind of source, derive
-/// from this.
-template <std::size_t D>
+/// A spacing that is given on cells: a grid, triangles. To add a kind of source, derive from this.
 class Source
 {
 public:
-  struct Sample
-  {
-    double Value;
-    bool IsInside; ///< else nothing is given there; the value is that of the nearest border
-  };
-
   virtual ~Source() = default;
 
-  /// What is given at x. Called from any number of threads at once.
-  virtual Sample At(const Point<D>& x) const = 0;
+  /// What is given at x; outside of the cells the value of the nearest border. Called from any
+  /// number of threads at once.
+  virtual double operator()(const Point2& x) const = 0;
 
-  /// The places from which the spacing grows by more than `slope`: of each cell that is steeper,
-  /// the corners, and places on its edges (in space: on its faces) whose distance is at most half
-  /// of the value there. A place may be left out where another one of the same edge is lower by
-  /// more than `slope` times their distance.
-  virtual std::vector<LowPlace<D>> LowPlaces(
-    double slope, const ValueRange& range, Pulse& pulse) const = 0;
-
-  /// Whether values may jump outside of the source, though no cell is steep.
-  virtual bool MayJumpOutside() const { return false; }
+  /// Returns the largest slope of a cell, without the scale. Adds the places from which the
+  /// spacing, scaled and clamped, grows by more than the rule's slope: the edges of steep cells,
+  /// and points where values jump. For g-Lipschitz f the largest function below is then
+  /// min(given(x), min over these y of given(y) + g |x - y|): in a cell that is steeper than g the
+  /// minimum lies on an edge. Edges may be left out where others stand for them.
+  virtual double AddLowEdges(const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const = 0;
 
 protected:
   Source() = default;
@@ -61,51 +44,29 @@ protected:
   Source& operator=(Source&&) noexcept = default;
 };
 
-/// What is given at a place by all sources, scaled and clamped.
-template <std::size_t D>
-using GivenAt = std::function<typename Source<D>::Sample(const Point<D>&)>;
-
-/// How many places are listed on each of so many edges: a mesh that needs more on all of them would
-/// be refused.
-inline double MostPlacesOnEdge(std::size_t edges)
+/// A node of a cell.
+struct CellNode
 {
-  constexpr double MostInAll = 1 << 18;
-  constexpr double Least = 16.0;
-  return std::max(Least, MostInAll / static_cast<double>(edges + 1));
-}
+  Point2 At;
+  double Scaled = 0.0; ///< the value, not clamped
+  double Value = 0.0;  ///< the spacing
+};
 
-/// Lists at most so many places on the edge from a to b of a steep cell, the ends apart, for
-/// Source::LowPlaces.
-template <std::size_t D>
-void AddPlacesOnEdge(const LowPlace<D>& a, const LowPlace<D>& b, double slope, double most,
-  std::vector<LowPlace<D>>& places)
-{
-  const double length = Distance<D>(a.At, b.At);
-  const double rise = b.Value - a.Value;
-  if (rise < 0.0 || (rise == 0.0 && b.At < a.At))
-  {
-    AddPlacesOnEdge(b, a, slope, most, places);
-    return;
-  }
-  if (rise > slope * length)
-  {
-    return;
-  }
-  constexpr double Step = 0.4; // of the value
-  const double leastStep = length / most;
-  for (double along = std::max(Step * a.Value, leastStep); along < length - 0.5 * Step * b.Value;)
-  {
-    const double weight = along / length;
-    LowPlace<D> place;
-    for (std::size_t d = 0; d < D; ++d)
-    {
-      place.At[d] = (1.0 - weight) * a.At[d] + weight * b.At[d];
-    }
-    place.Value = a.Value + weight * rise;
-    places.push_back(place);
-    along += std::max(Step * place.Value, leastStep);
-  }
-}
+/// How far apart points that stand for all between them may be, as a share of f: where they are
+/// `length` f apart f is too large by slope * length / 2, at most. Less where the slope is above .3,
+/// so that it stays the same; slopes above 1 count as 1.
+double DistanceOfPoints(double length, double slope);
+
+/// Adds an edge between two nodes of a steep cell, but for parts where points stand for all of it:
+/// - the part where values are clamped to the least, as a segment;
+/// - the part above, up to the most, if it is no steeper than the slope and so long that its ends do
+///   not stand for it. The ends are left to the caller.
+void AddLowEdge(CellNode low, CellNode high, const SteepRule& rule, SegmentSource& edges);
+
+/// Adds the line in a steep cell where values are clamped to the least no more. `nodes` go around
+/// it.
+void AddLevelLine(
+  const std::vector<CellNode>& nodes, const ValueRange& range, SegmentSource& edges);
 
 } // namespace biting
 

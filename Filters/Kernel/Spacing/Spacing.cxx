@@ -8,15 +8,11 @@
 #include "../Base/PartOfStage.h"
 #include "../Base/Tasks.h"
 #include "../Predicates/Predicates.h" // for GreatestCoordinate
-#include "ConeCollector.h"
 #include "ConeTree.h"
 #include "FeatureSize.h"
-#include "GridHoles.h"
 #include "GridInterpolator.h"
 #include "SegmentExtension.h"
-#include "SizeTree.h"
 #include "SourceCheck.h"
-#include "SourceSlopes.h"
 #include "TriangleInterpolator.h"
 
 #include <algorithm> // for min, max
@@ -91,14 +87,13 @@ SpacingOptions WithoutConstants(SpacingOptions options)
 } // namespace
 
 /// What is left of the sources after preparation: what is given, and what limits it. A source that
-/// is one value everywhere becomes part of Uniform. Boundary values are among the limits, as long
-/// as they grow inwards with the gradation itself.
+/// is one value everywhere becomes part of Uniform. Steep edges of sources are among the limits;
+/// boundary values, too, as long as they grow inwards with the gradation itself.
 struct Spacing::Implementation
 {
-  std::vector<std::shared_ptr<const Source<2>>> Sources;
-  SizeTree<2> Graded;               ///< empty: sources are as given
-  std::optional<ConeTree> Segments; ///< of boundary values that do not grow with the gradation
-  std::optional<ConeTree> Limit;
+  std::vector<std::shared_ptr<const Source>> Sources;
+  std::optional<ConeTree<2>> Segments; ///< of boundary values that do not grow with the gradation
+  std::optional<ConeTree<2>> Limit;
   std::optional<SegmentExtension>
     LimitBeforeFeatures;                 ///< a part of Limit, where there are features
   std::optional<SegmentExtension> Floor; ///< of its values, negative
@@ -128,24 +123,14 @@ struct Spacing::Implementation
     return this->Sources.empty() && !this->Segments && !this->Limit && !this->Floor;
   }
 
-  /// By sources, and Uniform.
-  Source<2>::Sample Sampled(const Point<2>& x) const
-  {
-    Source<2>::Sample least{ this->Uniform, true };
-    for (const auto& source : this->Sources)
-    {
-      const Source<2>::Sample own = source->At(x);
-      least = { std::min(least.Value, own.Value), least.IsInside && own.IsInside };
-    }
-    return { this->Range(least.Value), least.IsInside };
-  }
-
   double EvaluateGiven(const Point2& x) const
   {
-    const Point<2> place{ x.X, x.Y };
-    const double given = this->Sampled(place).Value;
-    return this->Lowered(
-      this->Graded.IsEmpty() ? given : this->Graded(place, given), this->Segments, x);
+    double least = this->Uniform;
+    for (const auto& source : this->Sources)
+    {
+      least = std::min(least, (*source)(x));
+    }
+    return this->Lowered(this->Range(least), this->Segments, x);
   }
 
   double EvaluateBeforeFeatures(const Point2& x) const
@@ -185,7 +170,7 @@ public:
     , Data(data)
     , Problems(problems)
     , Stage(stage)
-    , Cones({ data.Range.Scale, data.Range.Least, data.Range(data.Uniform) })
+    , Range({ data.Range.Scale, data.Range.Least, data.Range(data.Uniform) })
   {
   }
 
@@ -193,69 +178,43 @@ public:
   {
     const SpacingOptions& given = this->Options;
     return (!given.Grid || this->AddGrid()) && (!given.Triangulation || this->AddTriangulation()) &&
-      this->GradeSources() && (!given.Segments || this->AddSegments()) &&
-      (!given.Features || this->AddFeatures()) && this->AddLimit() &&
-      (!given.Floor || this->AddFloor());
+      (!given.Segments || this->AddSegments()) && (!given.Features || this->AddFeatures()) &&
+      this->AddLimit() && (!given.Floor || this->AddFloor());
   }
 
 private:
   bool AddGrid()
   {
-    PartOfStage measuring(this->Stage, 0.05, 0.08);
-    this->AddSlope(LargestSlope(*this->Options.Grid, measuring));
-    PartOfStage filling(this->Stage, 0.08, 0.15);
-    std::shared_ptr<const GridSource> grid = FillHoles(this->Options.Grid, filling);
-    if (grid)
-    {
-      const bool mayGrow = this->Options.Gradation > 0.0;
-      this->Data.Sources.push_back(
-        std::make_shared<GridInterpolator>(mayGrow ? ReachingOver(grid, this->Bounds) : grid));
-    }
-    return !this->Stage.HasStopped();
+    PartOfStage part(this->Stage, 0.05, 0.2);
+    Pulse pulse(part);
+    return this->AddSource(
+      std::make_shared<GridInterpolator>(this->Options.Grid, this->Bounds, pulse), pulse);
   }
 
   bool AddTriangulation()
   {
-    PartOfStage measuring(this->Stage, 0.15, 0.17);
-    this->AddSlope(LargestSlope(*this->Options.Triangulation, measuring));
-    PartOfStage preparing(this->Stage, 0.17, 0.3);
-    const auto source =
-      std::make_shared<TriangleInterpolator>(this->Options.Triangulation, preparing);
-    if (this->Stage.HasStopped())
-    {
-      return false;
-    }
-    if (source->IsEmpty())
+    PartOfStage part(this->Stage, 0.2, 0.5);
+    const auto source = std::make_shared<TriangleInterpolator>(this->Options.Triangulation, part);
+    Pulse pulse(part);
+    if (source->IsEmpty() && !part.HasStopped())
     {
       this->Problems.Add({ ProblemCode::BadSpacing, {}, {},
         "no triangle has an area and three values in the triangulated source" });
       return false;
     }
-    this->Data.Sources.push_back(source);
-    return true;
+    return this->AddSource(source, pulse);
   }
 
-  bool GradeSources()
+  /// And the edges where it is too steep.
+  bool AddSource(std::shared_ptr<const Source> source, Pulse& pulse)
   {
-    PartOfStage part(this->Stage, 0.3, 0.5);
-    Pulse pulse(part);
-    std::vector<LowPlace<2>> places;
-    bool mayJump = false;
-    const ValueRange& range = this->Cones.Values();
-    for (std::size_t k = 0; k < this->Data.Sources.size() && this->Options.Gradation > 0.0; ++k)
+    const double gradation = this->Options.Gradation;
+    if (!this->Stage.HasStopped())
     {
-      const Source<2>& source = *this->Data.Sources[k];
-      const std::vector<LowPlace<2>> own =
-        source.LowPlaces(SteepTolerance * this->Options.Gradation, range, pulse);
-      places.insert(places.end(), own.begin(), own.end());
-      mayJump = mayJump || source.MayJumpOutside();
-    }
-    if (!places.empty() || mayJump)
-    {
-      const Box<2> bounds{ { this->Bounds.Low.X, this->Bounds.Low.Y },
-        { this->Bounds.High.X, this->Bounds.High.Y } };
-      this->Data.Graded = SizeTree<2>([this](const Point<2>& x) { return this->Data.Sampled(x); },
-        mayJump, std::move(places), bounds, this->Options.Gradation, pulse);
+      this->AddSlope(source->AddLowEdges(
+        { gradation > 0.0 ? SteepTolerance * gradation : Infinity, this->Range, this->Bounds },
+        this->Low, pulse));
+      this->Data.Sources.push_back(std::move(source));
     }
     return !this->Stage.HasStopped();
   }
@@ -291,16 +250,16 @@ private:
     {
       const auto a = static_cast<std::size_t>(source.Segments[first]);
       const auto b = static_cast<std::size_t>(source.Segments[first + 1]);
-      this->Cones.AddSegment(source.Points[a], source.Points[b], grown(a), grown(b));
+      this->Low.Add(source.Points[a], source.Points[b], grown(a), grown(b));
     }
   }
 
   void MakeTree(const SegmentSource& source, double scale, double slope, PartOfStage& part,
-    std::optional<ConeTree>& tree) const
+    std::optional<ConeTree<2>>& tree) const
   {
     Pulse pulse(part);
     tree.emplace(MakeCones(source, scale, slope, pulse, MergingTolerance), slope, this->Bounds,
-      this->Cones.Values().Most, part);
+      this->Range.Most, part);
   }
 
   bool AddFeatures()
@@ -309,23 +268,21 @@ private:
     Pulse pulse(filing);
     const double slope = GradationOf(this->Options);
     this->Data.LimitBeforeFeatures.emplace(
-      MakeCones(this->Cones.Segments(), 1.0, slope, pulse, MergingTolerance), slope, pulse);
+      MakeCones(this->Low, 1.0, slope, pulse, MergingTolerance), slope, pulse);
     PartOfStage sampling(this->Stage, 0.62, 0.7);
     return !filing.HasStopped() &&
-      AddFeatureSizes(
-        *this->Options.Features,
-        [this](const Point2& x) { return this->Data.EvaluateBeforeFeatures(x); },
-        this->Cones.Values()(LeastGiven(this->Options)), this->Cones.Values().Most, slope,
-        this->Cones, sampling);
+      AddFeatureSizes(*this->Options.Features,
+        { [this](const Point2& x) { return this->Data.EvaluateBeforeFeatures(x); },
+          this->Range(LeastGiven(this->Options)), this->Range.Most, this->Range.Least, slope },
+        this->Low, sampling);
   }
 
   bool AddLimit()
   {
-    if (!this->Cones.Segments().Segments.empty())
+    if (!this->Low.Segments.empty())
     {
       PartOfStage refining(this->Stage, 0.7, 1.0);
-      this->MakeTree(
-        this->Cones.Segments(), 1.0, GradationOf(this->Options), refining, this->Data.Limit);
+      this->MakeTree(this->Low, 1.0, GradationOf(this->Options), refining, this->Data.Limit);
     }
     return !this->Stage.HasStopped();
   }
@@ -361,7 +318,8 @@ private:
   Implementation& Data;
   ProblemList& Problems;
   PartOfStage& Stage;
-  ConeCollector Cones;
+  const ValueRange Range; ///< up to Uniform
+  SegmentSource Low;      ///< from which f may grow no faster than the gradation
 };
 
 Spacing::Spacing()

@@ -63,15 +63,33 @@ struct SegmentSource
   std::vector<Point2> Points;
   std::vector<double> Values; ///< one a point
   std::vector<Id> Segments;   ///< two point ids each
+
+  /// Adds a segment with two points of its own, or a point source where these are equal.
+  void Add(const Point2& start, const Point2& end, double startValue, double endValue)
+  {
+    const auto point = static_cast<Id>(this->Points.size());
+    this->Points.insert(this->Points.end(), { start, end });
+    this->Values.insert(this->Values.end(), { startValue, endValue });
+    this->Segments.insert(this->Segments.end(), { point, point + 1 });
+  }
+
+  /// Adds the segments of another source that was filled by Add.
+  void Add(const SegmentSource& other)
+  {
+    for (std::size_t k = 0; k < other.Points.size(); k += 2)
+    {
+      this->Add(other.Points[k], other.Points[k + 1], other.Values[k], other.Values[k + 1]);
+    }
+  }
 };
 
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
-///   so that one layer of triangles fits into a channel; but the cap is no less than a quarter of
+///   over CellsAcross, so that as many layers of triangles fit into a channel; but the cap is no less than a quarter of
 ///   what is given there, so that slits and thin walls do not become a multitude of triangles, or
 ///   than the lengths in Drawn make f, if that is less: as fine triangles were there without the
-///   simplification;
+///   simplification. With more CellsAcross and a given Minimum, that is the only lower bound;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
@@ -85,6 +103,9 @@ struct FeatureSource
   std::vector<Id> Ends;   ///< a point on no segment is given as one whose ends are equal
   std::vector<std::uint8_t> LeftInside; ///< 1: the domain lies left of start -> end
   std::vector<std::uint8_t> RightInside;
+
+  /// Triangles across channels and walls: at least 1.
+  int CellsAcross = 1;
 
   /// Where a drawing was simplified: its segments as they were, each with its length at both ends.
   /// May be null.

@@ -5,9 +5,10 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "SourceSlopes.h"
+#include "JumpsOutside.h"
 
 #include <algorithm> // for min, max, none_of, sort
+#include <cmath>     // for isfinite
 #include <cstdint>   // for sides
 #include <numeric>   // for partial_sum
 #include <utility>   // for move
@@ -115,15 +116,11 @@ TriangleInterpolator::TriangleInterpolator(
   DoEach(pulse, { makeBuckets, makeBorder });
 }
 
-double TriangleInterpolator::operator()(const Point2& x) const
+/// The least one of the triangles there where they may overlap, else that of any one. With room for
+/// gaps between triangles that are there by rounding.
+std::optional<double> TriangleInterpolator::ValueInside(const Point2& x) const
 {
-  const std::optional<double> value = this->FindValue(x, this->HasOverlaps());
-  return value ? *value : this->ValueOutside(x);
-}
-
-/// The least one of the triangles there, or that of any one.
-std::optional<double> TriangleInterpolator::FindValue(const Point2& x, bool isLeast) const
-{
+  constexpr double RoomForRounding = 1e-9; // of the area
   std::optional<double> least;
   for (Id triangle : this->Buckets->Near(x))
   {
@@ -134,14 +131,17 @@ std::optional<double> TriangleInterpolator::FindValue(const Point2& x, bool isLe
     const double first = Cross(x - origin, toSecond);
     const double second = Cross(toFirst, x - origin);
     const double rest = whole - first - second;
-    if (first >= 0.0 && second >= 0.0 && rest >= 0.0)
+    if (std::min({ first, second, rest }) >= -RoomForRounding * whole)
     {
       // By weights: differences of values would cancel what is beside a fill value.
-      const double value = (rest / whole) * this->ValueOf(triangle, 0) +
-        (first / whole) * this->ValueOf(triangle, 1) +
-        (second / whole) * this->ValueOf(triangle, 2);
+      const double weights[3] = { std::max(rest, 0.0), std::max(first, 0.0),
+        std::max(second, 0.0) };
+      const double sum = weights[0] + weights[1] + weights[2];
+      const double value = (weights[0] / sum) * this->ValueOf(triangle, 0) +
+        (weights[1] / sum) * this->ValueOf(triangle, 1) +
+        (weights[2] / sum) * this->ValueOf(triangle, 2);
       least = least ? std::min(*least, value) : value;
-      if (!isLeast)
+      if (!this->Triangles->MayOverlap)
       {
         break;
       }
@@ -150,123 +150,126 @@ std::optional<double> TriangleInterpolator::FindValue(const Point2& x, bool isLe
   return least;
 }
 
-/// That of the nearest point of the border; but a triangle that is nearer yet closes a gap between
-/// triangles, which is there by rounding. Those of the bucket come first: then the border is
-/// searched nearby only.
 double TriangleInterpolator::ValueOutside(const Point2& x) const
 {
-  constexpr double NearerThanRounding = 1.0 - 1e-9;
-  NearestValue nearest{ Infinity, this->ValueOf(0, 0) };
-  for (Id triangle : this->Buckets->Near(x))
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t next = k == 2 ? 0 : k + 1;
-      const BorderEdge side{ this->PlaceOf(triangle, k), this->PlaceOf(triangle, next),
-        this->ValueOf(triangle, k), this->ValueOf(triangle, next) };
-      const NearestValue found = NearestOnEdge(side, x);
-      nearest = found.Distance < nearest.Distance ? found : nearest;
-    }
-  }
-  return Nearest(this->Border, x, { nearest.Distance / NearerThanRounding, nearest.Value }).Value;
-}
-
-Source<2>::Sample TriangleInterpolator::At(const Point<2>& x) const
-{
-  const Point2 place{ x[0], x[1] };
-  const std::optional<double> value = this->FindValue(place, this->HasOverlaps());
-  return value ? Sample{ *value, true } : Sample{ this->ValueOutside(place), false };
+  return Nearest(this->Border, x, { Infinity, this->ValueOf(0, 0) }).Value;
 }
 
 namespace
 {
 
-/// Lists the low places of triangles.
-class LowPoints
+/// Of linear values in a triangle; 0 where it is not known.
+double SlopeOfTriangle(const TriangulatedSource& source, const Id* corners)
+{
+  const auto rise = [&source, corners](std::size_t k)
+  { return source.Values[PointOf(corners, k)] - source.Values[PointOf(corners, 0)]; };
+  const Point2& origin = source.Points[PointOf(corners, 0)];
+  const Point2 firstSide = source.Points[PointOf(corners, 1)] - origin;
+  const Point2 secondSide = source.Points[PointOf(corners, 2)] - origin;
+  const double slope =
+    Length((1.0 / Cross(firstSide, secondSide)) * (rise(1) * secondSide - rise(2) * firstSide));
+  return std::isfinite(slope) ? slope : 0.0;
+}
+
+/// Lists the low edges of triangles.
+class LowSides
 {
 public:
-  LowPoints(const TriangulatedSource& source, double slope, const ValueRange& range)
+  LowSides(const TriangulatedSource& source, const SteepRule& rule, SegmentSource& edges)
     : Given(source)
-    , Slope(slope)
-    , Range(range)
-    , MostOnEdge(MostPlacesOnEdge(source.Triangles.size()))
+    , Rule(rule)
+    , Edges(edges)
     , States(source.Points.size(), 0)
   {
   }
 
-  void AddSteep(const Id* corners)
+  void AddSide(Id start, Id end)
   {
-    const LowPlace<2> ends[3] = { this->At(corners[0]), this->At(corners[1]),
-      this->At(corners[2]) };
-    const auto [least, most] = std::minmax({ ends[0].Value, ends[1].Value, ends[2].Value });
-    if (least<most&& this->Range.Scale * Length(GradientOfTriangle(this->Given, corners))> this
-          ->Slope)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        this->AddEdge(corners[k], corners[k == 2 ? 0 : k + 1]);
-      }
-    }
-  }
-
-  void AddEdge(Id start, Id end)
-  {
-    const LowPlace<2> a = this->At(start);
-    const LowPlace<2> b = this->At(end);
-    const double most = this->Slope * Distance<2>(a.At, b.At);
+    const CellNode a = this->At(start);
+    const CellNode b = this->At(end);
+    const double most = this->Rule.Slope * Distance(a.At, b.At);
     this->StateOf(start) |= a.Value > b.Value + most ? IsUpper : IsListed;
     this->StateOf(end) |= b.Value > a.Value + most ? IsUpper : IsListed;
-    AddPlacesOnEdge<2>(a, b, this->Slope, this->MostOnEdge, this->Places);
+    AddLowEdge(a, b, this->Rule, this->Edges);
   }
 
-  std::vector<LowPlace<2>> List()
+  /// Of a triangle whose values differ.
+  void AddSidesOf(const Id* corners)
+  {
+    const std::vector<CellNode> nodes{ this->At(corners[0]), this->At(corners[1]),
+      this->At(corners[2]) };
+    const auto [least, most] = std::minmax({ nodes[0].Value, nodes[1].Value, nodes[2].Value });
+    for (std::size_t k = 0; k < 3 && least < most; ++k)
+    {
+      this->AddSide(corners[k], corners[k == 2 ? 0 : k + 1]);
+    }
+    AddLevelLine(nodes, this->Rule.Range, this->Edges);
+  }
+
+  /// Those that are no upper end of a steep side, when all sides are added.
+  void AddPoints()
   {
     for (std::size_t point = 0; point < this->States.size(); ++point)
     {
       if (this->States[point] == IsListed)
       {
-        this->Places.push_back(this->At(static_cast<Id>(point)));
+        const CellNode place = this->At(static_cast<Id>(point));
+        this->Edges.Add(place.At, place.At, place.Value, place.Value);
       }
     }
-    return std::move(this->Places);
   }
 
 private:
   static constexpr std::uint8_t IsListed = 1;
-  static constexpr std::uint8_t IsUpper = 2; ///< of an edge that is steep itself
+  static constexpr std::uint8_t IsUpper = 2;
 
-  LowPlace<2> At(Id point) const
+  CellNode At(Id point) const
   {
     const auto id = static_cast<std::size_t>(point);
-    const Point2& place = this->Given.Points[id];
-    return { { place.X, place.Y }, this->Range(this->Given.Values[id]) };
+    const double value = this->Given.Values[id];
+    return { this->Given.Points[id], this->Rule.Range.Scale * value, this->Rule.Range(value) };
   }
   std::uint8_t& StateOf(Id point) { return this->States[static_cast<std::size_t>(point)]; }
 
   const TriangulatedSource& Given;
-  const double Slope;
-  const ValueRange& Range;
-  const double MostOnEdge;
+  const SteepRule& Rule;
+  SegmentSource& Edges;
   std::vector<std::uint8_t> States; ///< of points
-  std::vector<LowPlace<2>> Places;
 };
 
 } // namespace
 
-std::vector<LowPlace<2>> TriangleInterpolator::LowPlaces(
-  double slope, const ValueRange& range, Pulse& pulse) const
+double TriangleInterpolator::AddLowEdges(
+  const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const
 {
-  LowPoints low(*this->Triangles, slope, range);
-  if (!this->Triangles->IsGraded)
+  const TriangulatedSource& source = *this->Triangles;
+  const double least = source.IsGraded ? Infinity : rule.Slope;
+  double largest = 0.0;
+  LowSides low(source, rule, edges);
+  pulse.ForEach(this->Corners.size() / 3,
+    [this, &source, &rule, &low, &largest, least](std::size_t triangle)
+    {
+      const Id* corners = &this->Corners[3 * triangle];
+      const double slope = SlopeOfTriangle(source, corners);
+      largest = std::max(largest, slope);
+      if (rule.Range.Scale * slope > least)
+      {
+        low.AddSidesOf(corners);
+      }
+    });
+  if (rule.Slope < Infinity)
   {
-    pulse.ForEach(this->Corners.size() / 3,
-      [this, &low](std::size_t triangle) { low.AddSteep(&this->Corners[3 * triangle]); });
+    for (std::size_t k = 0; k < this->Border.Items().size() && source.MayOverlap; ++k)
+    {
+      low.AddSide(this->Border.Items()[k].StartId, this->Border.Items()[k].EndId);
+    }
+    low.AddPoints();
+    if (!source.CoversDomain)
+    {
+      AddJumpsOutside(*this, rule, edges, pulse);
+    }
   }
-  for (std::size_t k = 0; k < this->BorderEdges().size() && this->HasOverlaps(); ++k)
-  {
-    low.AddEdge(this->BorderEdges()[k].StartId, this->BorderEdges()[k].EndId);
-  }
-  return low.List();
+  return largest;
 }
 
 } // namespace biting

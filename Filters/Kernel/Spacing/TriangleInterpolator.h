@@ -6,7 +6,6 @@
 
 #include "BorderEdge.h"
 #include "Source.h"
-#include "Spacing.h"
 #include "TriangleBuckets.h"
 
 #include <memory>   // for buckets, shared sources
@@ -19,7 +18,7 @@ namespace biting
 /// outside the value of the nearest point of it. Where triangles leave a gap by rounding, that is
 /// the value beside the gap. Where triangles overlap the smallest value counts, if the source says
 /// that they may.
-class TriangleInterpolator : public Source<2>
+class TriangleInterpolator : public Source
 {
 public:
   /// Leaves out triangles that have no area or have a corner that is NaN.
@@ -30,22 +29,25 @@ public:
   /// No triangle is left: it must not be evaluated.
   bool IsEmpty() const { return this->Corners.empty(); }
 
-  /// Whether triangles may lie on each other.
-  bool HasOverlaps() const { return this->Triangles->MayOverlap; }
+  double operator()(const Point2& x) const override
+  {
+    const std::optional<double> value = this->ValueInside(x);
+    return value ? *value : this->ValueOutside(x);
+  }
 
-  double operator()(const Point2& x) const;
+  /// None outside of the triangles.
+  std::optional<double> ValueInside(const Point2& x) const;
 
-  Sample At(const Point<2>& x) const override;
-  std::vector<LowPlace<2>> LowPlaces(
-    double slope, const ValueRange& range, Pulse& pulse) const override;
-  bool MayJumpOutside() const override { return !this->Triangles->CoversDomain; }
-
-  const std::vector<BorderEdge>& BorderEdges() const { return this->Border.Items(); }
-
-private:
-  std::optional<double> FindValue(const Point2& x, bool isLeast) const;
+  /// Of the nearest point of the border.
   double ValueOutside(const Point2& x) const;
 
+  /// Outside of them also where the nearest value of the border jumps, unless the source covers the
+  /// domain.
+  double AddLowEdges(const SteepRule& rule, SegmentSource& edges, Pulse& pulse) const override;
+
+  const BoxTree<BorderEdge>& BorderEdges() const { return this->Border; }
+
+private:
   std::size_t PointOf(Id triangle, std::size_t corner) const
   {
     return static_cast<std::size_t>(this->Corners[3 * static_cast<std::size_t>(triangle) + corner]);

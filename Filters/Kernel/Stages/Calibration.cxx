@@ -4,6 +4,7 @@
 #include "Calibration.h"
 
 #include "../Base/PartOfStage.h"
+#include "../Biting/VertexEstimate.h"
 #include "../Delaunay/Triangulation.h"
 
 #include <algorithm> // for clamp, min, max
@@ -15,6 +16,7 @@ namespace biting
 namespace
 {
 
+constexpr double VerticesOfTrials = 12000.0; // as many as cost the same, roughly
 constexpr double MostTrialVertices = 6000.0;
 constexpr double LeastTrialVertices = 600.0;
 constexpr double ShareOfTrial = 0.5;    // of the vertices of the mesh
@@ -24,6 +26,11 @@ constexpr int MostTrials = 2;
 constexpr double TrialBitingEnd = 0.6;     // of the time of a trial
 constexpr double CloseEnough = 0.01;       // of the mean length
 constexpr double GreatestCorrection = 1.2; // of the constant: what packings differ by
+
+bool HasTrials(const BitingOptions& options)
+{
+  return options.FollowSlope && options.Placement == Placement::Corners;
+}
 
 struct MeanLength
 {
@@ -62,36 +69,46 @@ MeanLength RunTrial(const Domain& domain, const DomainLocator& locator, const Sp
   {
     return {};
   }
-  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
-  for (Id segment : bites.EdgeSegments)
-  {
-    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
-  }
   PartOfStage triangulating(monitor, TrialBitingEnd, 1.0);
-  const TriangulationResult result = Triangulate(bites.Points, constraints, {}, triangulating);
+  const TriangulationResult result =
+    Triangulate(bites.Points, ConstraintsOf(bites, domain), {}, triangulating);
   return InnerMeanLength(bites, result.Mesh, domain.NumberOfVertices());
 }
 
 } // namespace
 
+Forecast MakeForecast(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
+  const BitingOptions& options, Monitor& monitor)
+{
+  PartOfStage integrating(monitor, 0.0, 0.5);
+  const double density = IntegrateDensity(domain, locator, spacing, integrating);
+  PartOfStage dividing(monitor, 0.5, 1.0);
+  const double divisionPoints =
+    options.PreserveBoundary ? 0.0 : EstimateDivisionPoints(domain, spacing, 1.0, dividing);
+  return { density,
+    EstimateNumberOfVertices(density, options.PartLength) + domain.NumberOfVertices() +
+      divisionPoints };
+}
+
+double ShareOfTrials(const BitingOptions& options, double vertices)
+{
+  return HasTrials(options) ? VerticesOfTrials / (VerticesOfTrials + vertices) : 0.0;
+}
+
 // A coarser spacing k f is the same as k c_b and parts of length k.
 double CalibrateBitingConstant(const Domain& domain, const DomainLocator& locator,
   const Spacing& spacing, double integratedDensity, const BitingOptions& options, Monitor& monitor)
 {
-  const double first = AutomaticBitingConstant(options);
-  if (options.Placement == Placement::Bisectors)
+  const double first = options.BitingConstant;
+  const double wanted = EstimateNumberOfVertices(integratedDensity);
+  if (!HasTrials(options) || wanted < LeastEstimate ||
+    domain.NumberOfVertices() > MostTrialVertices)
   {
     return first;
   }
   BitingOptions trial = options;
-  trial.BitingConstant = first;
   trial.MaximumNumberOfBites = -1;
   trial.KeepFront = false;
-  const double wanted = EstimateNumberOfVertices(integratedDensity, trial);
-  if (wanted < LeastEstimate || domain.NumberOfVertices() > MostTrialVertices)
-  {
-    return first;
-  }
   const double most = std::clamp(ShareOfTrial * wanted, LeastTrialVertices, MostTrialVertices);
   const double coarsening = std::max(1.0, std::sqrt(wanted / most));
   double constant = first;

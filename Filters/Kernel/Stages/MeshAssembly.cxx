@@ -92,7 +92,7 @@ void CloseUp(const Numbering& used, std::vector<Value>& values, Pulse& pulse)
   values.resize(static_cast<std::size_t>(used.Size));
 }
 
-// What each vertex is, before any is left out.
+// Kind and input point of each vertex, before unused ones are left out.
 void TellVertices(const Domain& domain, const BitingResult& bites, BitingMesh& mesh, Pulse& pulse)
 {
   const std::size_t size = bites.Points.size();

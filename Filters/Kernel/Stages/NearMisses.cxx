@@ -3,6 +3,7 @@
 
 #include "NearMisses.h"
 
+#include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
 #include "../Biting/Spokes.h"
 #include "../Domain/PointWelding.h" // for places of points
@@ -10,8 +11,7 @@
 #include "../Domain/VertexStars.h" // for the other end
 #include "StageProblems.h"
 
-#include <algorithm> // for clamp, max, min
-#include <cmath>     // for ceil, floor, log10, pow
+#include <algorithm> // for max, min
 #include <map>       // for what is found
 
 namespace biting
@@ -33,13 +33,6 @@ constexpr double RoomToMerge = 2.0;
 /// A way along a chain that is not longer than so many distances is the drawing's own: the corner
 /// is no sharper than 5 degrees.
 constexpr double MostWay = 12.0;
-
-Point2 NearestOn(const Point2& a, const Point2& b, const Point2& p)
-{
-  const Point2 side = b - a;
-  const double square = Dot(side, side);
-  return square > 0.0 ? a + std::clamp(Dot(p - a, side) / square, 0.0, 1.0) * side : a;
-}
 
 /// What a vertex nearly meets.
 struct NearMiss
@@ -103,8 +96,8 @@ private:
   }
   Point2 NearestOf(Id segment, const Point2& p) const
   {
-    return NearestOn(
-      this->At(this->Segments[segment].Start), this->At(this->Segments[segment].End), p);
+    return NearestOnSegment(
+      p, this->At(this->Segments[segment].Start), this->At(this->Segments[segment].End));
   }
   const Point2& At(Id vertex) const { return this->Geometry.Vertices[vertex]; }
 
@@ -283,13 +276,6 @@ std::vector<Id> CellsOfPoints(const Polylines& input)
   return cells;
 }
 
-/// Of two digits, a little more than `value`.
-double RoundedUp(double value)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return unit * (std::floor(value / unit) + 1.0);
-}
-
 } // namespace
 
 void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polylines& input,
@@ -316,7 +302,7 @@ void ReportNearMisses(const Domain& domain, const Spacing& spacing, const Polyli
       : cellsOfPoints[domain.VertexPoints[search.AllSegments()[segment].Start]];
   };
   const std::string summary = Figure(smallest) + " to " + Figure(largest) +
-    " apart; Merge Tolerance " + Figure(RoundedUp(RoomToMerge * largest / DiagonalOf(input))) +
+    " apart; Merge Tolerance " + FigureAbove(RoomToMerge * largest / DiagonalOf(input)) +
     " joins them";
   for (const auto& [vertex, miss] : found)
   {

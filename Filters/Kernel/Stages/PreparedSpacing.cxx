@@ -4,10 +4,11 @@
 #include "PreparedSpacing.h"
 
 #include "../Base/PartOfStage.h"
+#include "../Spacing/SourceCheck.h"
 #include "PreservedSpacing.h"
-#include "RaisedSpacing.h"
 #include "StageProblems.h"
 
+#include <memory>  // for sources
 #include <utility> // for move
 
 namespace biting
@@ -19,26 +20,68 @@ namespace
 // Where the step ends, as a share of the time.
 constexpr double ChoiceEnd = 0.05;
 
-// The features may be none.
-SpacingOptions ChooseSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor)
+SpacingOptions RaiseToRounding(SpacingOptions spacing, const Domain& domain, ProblemList& problems)
 {
-  SpacingOptions spacing = RaiseToRounding(options.Spacing, domain, problems);
-  if (options.PreserveBoundary)
+  const double rounding = domain.Resolution;
+  const bool isBelow = spacing.Minimum >= 0.0 && spacing.Minimum < rounding;
+  const bool isFree = spacing.Maximum == 0.0 || spacing.Maximum > rounding;
+  if (!isBelow || !isFree)
   {
-    return FollowSegments(spacing, domain, monitor);
+    return spacing;
   }
-  spacing.Features = std::move(features);
+  spacing.Minimum = rounding;
+  const double least = spacing.Scale * LeastGiven(spacing);
+  if (least < rounding && !problems.Has(ProblemCode::RaisedSpacing))
+  {
+    AddProblem(
+      ProblemCode::RaisedSpacing, Figure(least) + " is raised to " + Figure(rounding), problems);
+  }
   return spacing;
 }
 
-} // namespace
-
-Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor)
+// With their lengths; none without ends.
+std::shared_ptr<const SegmentSource> DrawnSegments(const std::vector<Point2>& ends)
 {
-  PartOfStage choosing(monitor, 0.0, ChoiceEnd);
-  SpacingOptions wanted = ChooseSpacing(options, domain, std::move(features), problems, choosing);
+  auto segments = std::make_shared<SegmentSource>();
+  segments->Points = ends;
+  for (std::size_t end = 0; end < ends.size(); ++end)
+  {
+    segments->Segments.push_back(static_cast<Id>(end));
+    segments->Values.push_back(Distance(ends[end], ends[end ^ 1]));
+  }
+  return ends.empty() ? nullptr : segments;
+}
+
+// The segments and embedded points of a domain; of a mesh that is refused if it has more vertices
+// than that.
+std::shared_ptr<const FeatureSource> FeaturesOf(
+  const SimplifiedDomain& simplified, double mostVertices)
+{
+  const Domain& domain = simplified.Drawing;
+  auto features = std::make_shared<FeatureSource>();
+  features->Points = domain.Vertices;
+  features->MostPieces = 2.0 * mostVertices; // two for an edge
+  features->Starts = domain.Starts;
+  features->Ends = domain.Ends;
+  features->LeftInside = domain.LeftInside;
+  features->RightInside = domain.RightInside;
+  features->Drawn = DrawnSegments(simplified.DrawnEnds);
+  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
+  {
+    if (domain.IsEmbedded[vertex])
+    {
+      features->Starts.push_back(vertex);
+      features->Ends.push_back(vertex);
+      features->LeftInside.push_back(1);
+      features->RightInside.push_back(1);
+    }
+  }
+  return features;
+}
+
+Spacing MakeChosen(const SpacingOptions& wanted, const Domain& domain, const PartOfStage& choosing,
+  ProblemList& problems, Monitor& monitor)
+{
   if (AddAborted(choosing, problems))
   {
     return {};
@@ -47,12 +90,34 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
   return MakeSpacing(wanted, domain.Bounds, problems, making);
 }
 
+} // namespace
+
+Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain& simplified,
+  ProblemList& problems, Monitor& monitor)
+{
+  const Domain& domain = simplified.Drawing;
+  PartOfStage choosing(monitor, 0.0, ChoiceEnd);
+  SpacingOptions wanted = RaiseToRounding(options.Spacing, domain, problems);
+  if (options.PreserveBoundary)
+  {
+    wanted = FollowSegments(std::move(wanted), domain, choosing);
+  }
+  else
+  {
+    wanted.Features = options.LimitByFeatureSize
+      ? FeaturesOf(simplified, static_cast<double>(options.MaximumNumberOfVertices))
+      : nullptr;
+  }
+  return MakeChosen(wanted, domain, choosing, problems, monitor);
+}
+
 Spacing PrepareGivenSpacing(
   const BitingMeshOptions& options, const Domain& drawing, ProblemList& problems, Monitor& monitor)
 {
-  BitingMeshOptions given = options;
-  given.PreserveBoundary = false;
-  return PrepareSpacing(given, drawing, nullptr, problems, monitor);
+  const PartOfStage choosing(monitor, 0.0, ChoiceEnd);
+  SpacingOptions wanted = RaiseToRounding(options.Spacing, drawing, problems);
+  wanted.Features = nullptr;
+  return MakeChosen(wanted, drawing, choosing, problems, monitor);
 }
 
 } // namespace biting

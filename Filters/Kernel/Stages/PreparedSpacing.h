@@ -8,16 +8,17 @@
 #include "../Base/Problem.h"
 #include "../Domain/Domain.h"
 #include "../Mesh/BitingMeshOptions.h"
+#include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
-
-#include <memory> // for features
 
 namespace biting
 {
 
-/// f of a domain, limited by the features of its drawing, which may be none.
-Spacing PrepareSpacing(const BitingMeshOptions& options, const Domain& domain,
-  std::shared_ptr<const FeatureSource> features, ProblemList& problems, Monitor& monitor);
+/// f of a domain, limited by the features of its drawing where the options say so. The minimum is
+/// the rounding of vertices at least, unless bounds say otherwise: vertices nearer to each other
+/// are one. Where less than that is given, it is told once (ProblemCode::RaisedSpacing).
+Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain& simplified,
+  ProblemList& problems, Monitor& monitor);
 
 /// f before any limit by feature size. Many of the drawing's vertices will go: they are no reason
 /// to refuse.

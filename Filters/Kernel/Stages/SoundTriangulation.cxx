@@ -31,16 +31,6 @@ constexpr double TriangulationEnd = 0.95;
 
 using Flags = std::vector<std::uint8_t>;
 
-ConstraintEdges MakeConstraints(const Domain& domain, const BitingResult& bites)
-{
-  ConstraintEdges constraints{ bites.EdgeStarts, bites.EdgeEnds, {} };
-  for (Id segment : bites.EdgeSegments)
-  {
-    constraints.IsBoundary.push_back(domain.IsBoundary[segment]);
-  }
-  return constraints;
-}
-
 std::vector<double> LengthsOfConstraints(const BitingResult& bites, Pulse& pulse)
 {
   std::vector<double> lengths(bites.EdgeStarts.size());
@@ -285,7 +275,7 @@ void Attempt::Triangulate()
   this->Bites.Triangulated = {};
   this->Result = made.IsWhole()
     ? FinishTriangulation(std::move(made), triangulating)
-    : biting::Triangulate(this->Bites.Points, MakeConstraints(this->Geometry, this->Bites),
+    : biting::Triangulate(this->Bites.Points, ConstraintsOf(this->Bites, this->Geometry),
         { this->Options.Phi }, triangulating);
 }
 

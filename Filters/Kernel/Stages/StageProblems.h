@@ -8,7 +8,6 @@
 #include "../Base/Problem.h"
 
 #include <cstdint> // for limits
-#include <sstream> // for figures
 #include <string>  // for details
 
 namespace biting
@@ -35,15 +34,6 @@ inline std::string FirstDetail(ProblemCode code, const ProblemList& problems)
   return {};
 }
 
-/// A figure of a message.
-inline std::string Figure(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 inline void AddTooManyVertices(double estimate, std::int64_t limit, ProblemList& problems)
 {
   AddProblem(ProblemCode::TooManyVertices,
@@ -61,7 +51,7 @@ inline bool RefuseMoreThan(std::int64_t limit, double vertices, ProblemList& pro
   return isTooMuch;
 }
 
-/// Those that `list` has kept.
+/// Adds the problems of `list` to `problems`.
 inline void AddAll(const ProblemList& list, ProblemList& problems)
 {
   for (const ProblemGroup& group : list.Groups())
@@ -81,6 +71,13 @@ inline bool AddAborted(const PartOfStage& part, ProblemList& problems)
     AddProblem(ProblemCode::Aborted, "", problems);
   }
   return part.HasStopped();
+}
+
+/// Whether nothing is left to do: there is a refusal, or the monitor wants to stop.
+inline bool IsOver(const PartOfStage& whole, ProblemList& problems)
+{
+  AddAborted(whole, problems);
+  return problems.HasErrors();
 }
 
 } // namespace biting

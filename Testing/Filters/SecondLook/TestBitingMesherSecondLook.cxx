@@ -110,6 +110,5 @@ INSTANTIATE_TEST_SUITE_P(Faults, BitingMesherSecondLook,
     BrokenThing{ Fault::UnusedVertex, "UnusedVertex", "belongs to no triangle" },
     BrokenThing{
       Fault::UncoveredSegment, "UncoveredSegment", "a part of a segment is not in the mesh" },
-    BrokenThing{
-      Fault::MistakenSegment, "MistakenSegment", "relaxation took a part of a segment" }),
+    BrokenThing{ Fault::MistakenSegment, "MistakenSegment", "are not a chain between its ends" }),
   [](const testing::TestParamInfo<BrokenThing>& broken) { return broken.param.Name; });

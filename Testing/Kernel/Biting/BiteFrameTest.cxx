@@ -53,7 +53,6 @@ TEST(BiteFrame, HasSquareCellsThatCoverTheBounds)
   EXPECT_EQ(frame.Size(), 156u);
   EXPECT_EQ(frame.ToGrid({ -3.0, 2.0 }), (Point2{ 0.0, 0.0 }));
   EXPECT_EQ(frame.ToGrid({ 1.0, 4.0 }), (Point2{ 10.0, 5.0 }));
-  EXPECT_EQ(frame.MiddleOf({ 9.0, 4.0 }, 2.0), (Point2{ 1.0, 4.0 }));
 }
 
 // The law of the extent: where a point lies in a bite, it lies in the extent, too.

@@ -142,29 +142,6 @@ TEST(BiteGrid, DoesNotCopyACrowdOfLargeBitesToEachOfTheTinyOnesAmongThem)
   EXPECT_LT(CountEntries(bites), 40 * bites.Size());
 }
 
-TEST(BiteGrid, KnowsADeepBiteWhereTheyCrowd)
-{
-  Bites bites;
-  for (int k = 0; k < 2000; ++k)
-  {
-    AddBite({ 0.2 + 3e-4 * k, 0.5 }, UnitVector(30.0), 0.1, bites);
-  }
-  BiteGrid grid(bites, UnitBox(), 2000.0);
-  EXPECT_EQ(grid.DeepestOfLeaf({ 0.5, 0.5 }), NoId);
-  for (Id bite = 0; bite < bites.Size(); ++bite)
-  {
-    grid.File(bite);
-  }
-  int deep = 0;
-  for (int k = 0; k < 100; ++k)
-  {
-    const Point2 p{ 0.25 + 0.005 * k, 0.5 };
-    const Id deepest = grid.DeepestOfLeaf(p);
-    deep += deepest != NoId && Depth(bites, deepest, p) > 0.0 ? 1 : 0;
-  }
-  EXPECT_GT(deep, 90);
-}
-
 TEST(BiteGrid, FindsBitesBeyondItsBounds)
 {
   Bites bites = RandomBites(500, 0.05, 3.0, { 1.1, -0.1 }, 11);
@@ -302,59 +279,5 @@ TEST(BiteGrid, FindsEveryBiteThatIsNear)
 }
 
 } // namespace
-
-/// All that the grid says of some places.
-std::vector<Id> Answers(const BiteGrid& grid, std::uint64_t seed)
-{
-  std::vector<Id> answers;
-  const auto add = [&answers](Id bite)
-  {
-    answers.push_back(bite);
-    return false;
-  };
-  TestNumbers numbers(seed);
-  for (int k = 0; k < 200; ++k)
-  {
-    const double x = numbers.Unit();
-    const Point2 p{ x, numbers.Unit() };
-    grid.VisitLeaf(p, add);
-    grid.VisitNear(p, 1.5, add);
-    answers.push_back(grid.DeepestOfLeaf(p));
-    grid.VisitSquare(p, 0.02, add);
-  }
-  return answers;
-}
-
-TEST(BiteGrid, SaysTheSameAfterItWasForgotten)
-{
-  const Bites bites = RandomBites(3000, 0.002, 20.0, { 0.4, 0.5 }, 17);
-  SilentMonitor monitor;
-  Pulse pulse(monitor);
-  for (int way = 0; way < 3; ++way)
-  {
-    BiteGrid whole(bites, UnitBox(), 1000.0, 1.5);
-    BiteGrid grid(bites, UnitBox(), 1000.0, 1.5);
-    for (Id bite = 0; bite < bites.Size(); ++bite)
-    {
-      whole.File(bite);
-      grid.File(bite);
-      if (bite == 2000)
-      {
-        grid.Forget(pulse);
-        EXPECT_TRUE(grid.IsForgotten());
-      }
-      if (bite == 2500 && way > 0)
-      {
-        Box2 box = UnitBox();
-        box.Grow(way == 1 ? -0.4 : 0.4);
-        grid.Recall({ box }, pulse);
-      }
-    }
-    const std::vector<Id> answers = Answers(whole, 5);
-    EXPECT_GT(answers.size(), 10000u);
-    EXPECT_EQ(Answers(grid, 5), answers);
-    EXPECT_EQ(grid.IsForgotten(), way == 2);
-  }
-}
 
 } // namespace biting

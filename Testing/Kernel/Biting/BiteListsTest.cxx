@@ -86,19 +86,4 @@ TEST(BiteLists, ThatAreEmptiedLeaveTheOthersAsTheyAre)
   EXPECT_EQ(after.back(), 1000);
 }
 
-TEST(BiteLists, BeginAnewOnceTheyAreCleared)
-{
-  BiteLists lists;
-  for (int round = 0; round < 3; ++round)
-  {
-    Id head = NoId;
-    for (Id bite = 0; bite < 5000; ++bite)
-    {
-      lists.Append({ 0.0f, 0.0f, 1.0f, bite }, head);
-    }
-    EXPECT_EQ(BitesOf(lists, head).size(), 5000u);
-    lists.Clear();
-  }
-}
-
 } // namespace biting

@@ -6,8 +6,8 @@
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "Biting/BiteOutline.h"
+#include "Biting/BiteTriangle.h"
 #include "Biting/EdgeDivision.h"
-#include "Biting/ReachFactor.h"
 #include "Domain/DomainLocator.h"
 
 #include <gtest/gtest.h>
@@ -198,10 +198,8 @@ protected:
     this->EdgeTolerance = this->Tolerance;
     if (run.Setting.Place == Placement::Bisectors)
     {
-      BitingOptions shape;
-      shape.Shape = run.Setting.Shape;
-      shape.Placement = run.Setting.Place;
-      const double part = EdgeDivider::BalancedPart / AutomaticBitingConstant(shape);
+      const BitingOptions automatic(run.Setting.Shape, run.Setting.Place);
+      const double part = EdgeDivider::BalancedPart / automatic.BitingConstant;
       this->LeastLength = std::min(this->LeastLength, part * this->BitingConstant);
       this->EdgeTolerance = std::min(this->Tolerance, part / (isCircle ? 1.0 : 1.0824));
     }

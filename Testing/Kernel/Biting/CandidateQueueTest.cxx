@@ -94,7 +94,7 @@ TEST(CandidateQueue, TakesTheBestClassAndTheOldestOfIt)
     if (oracle.empty() || numbers.Below(100) < (step < 2000 ? 70 : 20))
     {
       oracle.push_back(RandomCandidate(step, numbers));
-      oracle.back().Class = numbers.Below(CandidateQueue::NumberOfClasses);
+      oracle.back().Class = numbers.Below(RuleOf(FrontOrder::BestFirst).NumberOfClasses);
       queue.Put(oracle.back());
       continue;
     }
@@ -119,7 +119,7 @@ TEST(CandidateQueue, ClassesGrowWithTheMisfit)
     EXPECT_GE(bestFirst.ClassOf(misfit), last);
     last = bestFirst.ClassOf(misfit);
   }
-  EXPECT_EQ(last, CandidateQueue::NumberOfClasses - 1);
+  EXPECT_EQ(last, RuleOf(FrontOrder::BestFirst).NumberOfClasses - 1);
 }
 
 } // namespace

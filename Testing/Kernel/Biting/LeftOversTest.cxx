@@ -30,9 +30,8 @@ protected:
     : Made(Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, Sides)).Lines()))
     , Locator(this->Made.Domain)
     , F(Prepare())
+    , Options(GetParam(), Placement::Bisectors)
   {
-    this->Options.Shape = this->GetParam();
-    this->Options.Placement = Placement::Bisectors;
   }
 
   static Spacing Prepare()
@@ -78,7 +77,7 @@ protected:
   const MadeDomain Made;
   const DomainLocator Locator;
   const Spacing F;
-  BitingOptions Options;
+  const BitingOptions Options;
 };
 
 INSTANTIATE_TEST_SUITE_P(

@@ -109,16 +109,11 @@ TEST(IntegrateDensity, SeesBothSidesOfAJump)
   }
 }
 
-Domain Polygon(int corners)
-{
-  return Make(PolylineBuilder().Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, corners)).Lines()).Domain;
-}
-
-double DivisionPoints(const Domain& domain, const SpacingOptions& options, EstimateEffort effort)
+double DivisionPoints(const Domain& domain, const SpacingOptions& options)
 {
   ProblemList problems;
   const Spacing spacing = MakeSpacing(options, domain.Bounds, problems, NoMonitor());
-  return EstimateDivisionPoints(domain, spacing, 1.0, NoMonitor(), effort);
+  return EstimateDivisionPoints(domain, spacing, 1.0);
 }
 
 TEST(EstimateDivisionPoints, AreNotManyForOneFineCorner)
@@ -127,49 +122,10 @@ TEST(EstimateDivisionPoints, AreNotManyForOneFineCorner)
   for (const double least : { 1e-3, 1e-9, 1e-14 })
   {
     const Domain domain = Make(Box(1.0, 1.0)).Domain;
-    const double points =
-      DivisionPoints(domain, RadialSpacing({ 0.0, 0.0 }, least, 1.0), EstimateEffort::Full);
+    const double points = DivisionPoints(domain, RadialSpacing({ 0.0, 0.0 }, least, 1.0));
     const double expected = 2.0 * (std::log(1.0 / least) - 1.0);
     EXPECT_NEAR(points, expected, 0.05 * expected) << least;
   }
-}
-
-TEST(EstimateDivisionPoints, RoughIsNearFull)
-{
-  const SpacingOptions graded = RadialSpacing({ 1.0, 0.0 }, 1e-6, 1e-4);
-  for (const int corners : { 5, 1000, 20001, 50000 })
-  {
-    const Domain domain = Polygon(corners);
-    const double full = DivisionPoints(domain, graded, EstimateEffort::Full);
-    const double rough = DivisionPoints(domain, graded, EstimateEffort::Rough);
-    EXPECT_NEAR(rough, full, 0.1 * full) << corners;
-  }
-}
-
-TEST(EstimateDivisionPoints, RoughIsNotMisledByOneFineSegment)
-{
-  // At each corner in turn would take too long; some are looked at, others are not.
-  const Domain domain = Polygon(40000);
-  for (int corner = 0; corner < 40; ++corner)
-  {
-    const double angle = 2.0 * 3.14159265358979323846 * corner / 40000.0;
-    const SpacingOptions spiked = RadialSpacing({ std::cos(angle), std::sin(angle) }, 1e-9, 0.3);
-    const double full = DivisionPoints(domain, spiked, EstimateEffort::Full);
-    EXPECT_LE(DivisionPoints(domain, spiked, EstimateEffort::Rough), 1.5 * full) << corner;
-  }
-}
-
-TEST(IntegrateDensity, RoughIsNearFullForASpacingThatVariesSlowly)
-{
-  const MadeDomain made = Make(Box(1.0, 1.0));
-  const DomainLocator locator(made.Domain);
-  ProblemList problems;
-  const Spacing spacing =
-    MakeSpacing(LinearSpacing(1e-3, 0.1, 1.0), made.Domain.Bounds, problems, NoMonitor());
-  const double full = IntegrateDensity(made.Domain, locator, spacing);
-  const double rough =
-    IntegrateDensity(made.Domain, locator, spacing, NoMonitor(), EstimateEffort::Rough);
-  EXPECT_NEAR(rough, full, 0.2 * full);
 }
 
 TEST(EstimateNumberOfVertices, IsWithinAQuarterOfTheMesh)
@@ -182,11 +138,9 @@ TEST(EstimateNumberOfVertices, IsWithinAQuarterOfTheMesh)
       options.Spacing = LinearSpacing(0.01, 0.05, 1.0);
       options.BitingConstant = bitingConstant;
       options.Order = order;
-      BitingOptions biting;
-      biting.BitingConstant = bitingConstant;
-      biting.Order = order;
+      const BitingOptions biting(BiteShape::Square, Placement::Bisectors, order, bitingConstant);
       const double estimate =
-        EstimateNumberOfVertices(Integral(Box(1.0, 1.0), options.Spacing), biting);
+        EstimateNumberOfVertices(Integral(Box(1.0, 1.0), options.Spacing), biting.PartLength);
       const double vertices = RunMesh(Box(1.0, 1.0), options).NumberOfVertices();
       EXPECT_NEAR(estimate, vertices, 0.25 * vertices) << bitingConstant;
     }

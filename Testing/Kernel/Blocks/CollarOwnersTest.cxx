@@ -3,7 +3,7 @@
 
 #include "../Pieces/GridMesh.h"
 
-#include "Blocks/CollarOwners.h"
+#include "Blocks/WholeNumbers.h"
 
 #include <gtest/gtest.h>
 

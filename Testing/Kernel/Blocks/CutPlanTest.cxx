@@ -175,28 +175,6 @@ TEST(CutPlan, BelowTwoBlocksNothingIsCut)
   EXPECT_EQ(plan.Graph.NumberOfPieces(), 4);
 }
 
-/// Fifty lines are tried in each part: if they looked at all of it, that would be hundreds of looks
-/// a segment, level by level.
-TEST(CutPlan, LooksAtFewSegmentsALine)
-{
-  for (const int holes : { 50, 158 })
-  {
-    PolylineBuilder builder;
-    builder.Box(0.0, 0.0, holes + 0.6, holes + 0.6);
-    for (int k = 0; k < holes * holes; ++k)
-    {
-      const double x = 0.6 + k % holes;
-      const double y = 0.6 + k / holes;
-      builder.Box(x, y, x + 0.4, y + 0.4);
-    }
-    Scene scene(builder.Lines(), 0.06);
-    const CutPlan plan = scene.PlanOf(268.0 * holes * holes, 128000.0);
-    EXPECT_GE(plan.Tree.NumberOfLeaves, holes * holes / 1000);
-    EXPECT_GT(plan.Looks, 0u);
-    EXPECT_LT(plan.Looks, 20 * scene.Made.Starts.size());
-  }
-}
-
 /// A snowflake of segments as long as f. Only six blocks are had where ends of cuts stay in place.
 TEST(CutPlan, DrawingsAsFineAsTheSpacingAreCut)
 {

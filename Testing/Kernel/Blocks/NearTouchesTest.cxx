@@ -47,6 +47,8 @@ public:
       this->Made.Starts.push_back(last);
       this->Made.Ends.push_back(first);
     }
+    this->Made.LeftInside.resize(this->Made.Starts.size(), 1);
+    this->Made.RightInside.resize(this->Made.Starts.size(), 1);
     return *this;
   }
 

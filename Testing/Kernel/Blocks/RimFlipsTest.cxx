@@ -3,7 +3,7 @@
 
 #include "../Quality/TestMesh.h"
 
-#include "Blocks/RimFlips.h"
+#include "Blocks/StripReturn.h"
 #include "Quality/MeshCheck.h"
 
 #include <gtest/gtest.h>

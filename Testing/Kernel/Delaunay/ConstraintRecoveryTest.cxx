@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Delaunay/ConstraintRecovery.h"
+#include "Delaunay/ConstrainedMesh.h"
 
 #include "Delaunay/Scene.h"
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Delaunay/RegionFill.h"
-
 #include "Delaunay/Scene.h"
 
 #include <gtest/gtest.h>

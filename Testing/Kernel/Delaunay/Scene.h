@@ -5,6 +5,7 @@
 #define BitingDelaunayScene_h
 
 #include "../Support/Dice.h"
+#include "../Support/TriangulationCheck.h"
 #include "Delaunay/Triangulation.h"
 #include "Predicates/Predicates.h"
 

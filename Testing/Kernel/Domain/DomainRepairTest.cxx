@@ -207,7 +207,7 @@ TEST(Domain, ResolvesAFanOfTenThousandSpokes)
   EXPECT_EQ(made.Domain.NumberOfSegments(), 20000);
 }
 
-/// Each overlaps all others: split in pairs there were 4 n^2 parts.
+/// Each overlaps all others.
 TEST(Domain, ResolvesACrowdOfNestedSegments)
 {
   constexpr int Count = 500;
@@ -221,8 +221,20 @@ TEST(Domain, ResolvesACrowdOfNestedSegments)
   const MadeDomain made = Make(builder);
   ExpectDomain(made, 2.0 * (2 * Count + 1), 1);
   EXPECT_EQ(made.Domain.NumberOfSegments(), 4 + 2 * Count - 1);
-  EXPECT_EQ(made.Problems.Count(ProblemCode::DuplicateSegments), 2 * Count - 3);
+  EXPECT_EQ(made.Problems.Count(ProblemCode::DuplicateSegments), Count * (Count - 1) / 2);
   ExpectRefused(Make(builder, false), ProblemCode::NotResolved);
+}
+
+TEST(Domain, RefusesWhereFarTooManySegmentsLieAlongOneLine)
+{
+  constexpr int Count = 3000;
+  PolylineBuilder builder;
+  builder.Box(-1, -1, 2 * Count, 1);
+  for (int i = 0; i < Count; ++i)
+  {
+    builder.Chain({ { static_cast<double>(i), 0 }, { 2.0 * Count - 1 - i, 0 } });
+  }
+  ExpectRefused(Make(builder), ProblemCode::NotResolved);
 }
 
 TEST(Domain, CountsTheParityOfACrowdOfSegmentsOnOneSlantedLine)

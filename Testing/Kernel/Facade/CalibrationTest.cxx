@@ -16,8 +16,8 @@ namespace biting
 namespace
 {
 
-double Calibrate(
-  const Polylines& input, const SpacingOptions& spacingOptions, const BitingOptions& options = {})
+double Calibrate(const Polylines& input, const SpacingOptions& spacingOptions,
+  const BitingOptions& options = BitingOptions())
 {
   const MadeDomain made = Make(input);
   const DomainLocator locator(made.Domain);
@@ -48,11 +48,7 @@ std::vector<BitingOptions> Settings()
       for (const FrontOrder order :
         { FrontOrder::Layers, FrontOrder::LargestY, FrontOrder::BestFirst })
       {
-        BitingOptions options;
-        options.Shape = shape;
-        options.Placement = placement;
-        options.Order = order;
-        settings.push_back(options);
+        settings.emplace_back(shape, placement, order);
       }
     }
   }
@@ -63,7 +59,7 @@ TEST(CalibrateBitingConstant, StaysWithinAFifthOfTheAutomaticConstant)
 {
   for (const BitingOptions& options : Settings())
   {
-    const double automatic = AutomaticBitingConstant(options);
+    const double automatic = options.BitingConstant;
     for (double length : { 0.03, 0.001 })
     {
       for (const Polylines& input : { Square(1.0), Disc() })
@@ -87,8 +83,7 @@ TEST(CalibrateBitingConstant, LeavesSmallMeshesAlone)
 {
   for (const BitingOptions& options : Settings())
   {
-    EXPECT_EQ(
-      Calibrate(Square(1.0), UniformSpacing(0.1), options), AutomaticBitingConstant(options));
+    EXPECT_EQ(Calibrate(Square(1.0), UniformSpacing(0.1), options), options.BitingConstant);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "IO/MeshFileReading.h"
+#include "IO/MeshFile.h"
 
 #include <gtest/gtest.h>
 

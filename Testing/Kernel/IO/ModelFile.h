@@ -4,7 +4,7 @@
 #ifndef BitingModelFile_h
 #define BitingModelFile_h
 
-#include "IO/MeshFileReading.h"
+#include "IO/MeshFile.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Pieces/CollarPart.h"
 #include "GridMesh.h"
+#include "Pieces/PieceDealer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Pieces/TrimmedPiece.h"
 #include "GridMesh.h"
+#include "Pieces/PieceUnion.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include "Quality/TriangleLinks.h"
 
+#include "Base/TriangleSlots.h"
 #include "TestMesh.h"
 
 #include <gtest/gtest.h>
@@ -98,3 +99,20 @@ TEST(LinkTriangles, FindsNothingInNothing)
 }
 
 } // namespace
+
+TEST(TriangleSlots, LeadAcrossAnEdgeAndBack)
+{
+  const TestMesh mesh = TestMesh::Random(200, 3);
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+  {
+    EXPECT_EQ(biting::NextSlotOf(biting::NextSlotOf(slot)), biting::PreviousSlotOf(slot));
+    EXPECT_EQ(biting::NextSlotOf(biting::PreviousSlotOf(slot)), slot);
+    if (mesh.Neighbors[slot] != NoId)
+    {
+      const std::size_t across = biting::SlotAcross(mesh.Corners, slot, mesh.Neighbors[slot]);
+      EXPECT_EQ(across / 3, static_cast<std::size_t>(mesh.Neighbors[slot]));
+      EXPECT_EQ(static_cast<std::size_t>(mesh.Neighbors[across]), slot / 3);
+      EXPECT_EQ(biting::SlotAcross(mesh.Corners, across, mesh.Neighbors[across]), slot);
+    }
+  }
+}

@@ -6,9 +6,9 @@
 #include "Base/Pulse.h"
 #include "Relaxation/AngleDescent.h"
 #include "Relaxation/Smoothing.h"
+#include "Relaxation/Star.h"
 #include "Relaxation/StarObjective.h"
 #include "Relaxation/TopologyTrials.h"
-#include "Relaxation/TriangleLimits.h"
 #include "Relaxation/ValenceRound.h"
 
 #include <gtest/gtest.h>
@@ -107,32 +107,6 @@ TEST(Smoothing, KeepsDelaunayWhereACoarseSweepLooksForFlipsBesideWhatMovedOnly)
       ExpectLawful(tools, worst, CotangentOf30Degrees);
     }
   }
-}
-
-TEST(TriangleLimits, AreMetByTheSameTrianglesAsAreFineFromEachCorner)
-{
-  constexpr TriangleLimits Limits{ 0.8, 1.2, CotangentOf40Degrees };
-  Id within = 0;
-  for (RawMesh& raw : AllRawMeshes())
-  {
-    Tools tools(std::move(raw));
-    SmoothAll(tools.Mesh, SweepKind::All, tools.Progress);
-    const MutableMesh& mesh = tools.Mesh;
-    for (Id triangle = 0; triangle < static_cast<Id>(mesh.Regions.size()); ++triangle)
-    {
-      bool isFine = true;
-      for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
-      {
-        const double length = mesh.RelativeLength(edge);
-        isFine = isFine && length > Limits.Shortest && length < Limits.Longest &&
-          WorstCotangent(mesh.Points[mesh.Corners[edge]], mesh.Points[mesh.Origin(edge)],
-            mesh.Points[mesh.Target(edge)]) < Limits.Cotangent;
-      }
-      ASSERT_EQ(IsSurelyWithin(mesh, triangle, Limits), isFine);
-      within += isFine ? 1 : 0;
-    }
-  }
-  EXPECT_GT(within, 100);
 }
 
 TEST(Smoothing, PutsAVertexInTheMiddleOfAHexagon)

@@ -34,15 +34,14 @@ bool AreSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
     (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
 }
 
-/// What CheckMesh and CheckTriangulation say about a mesh that is, or need not be, Delaunay.
+/// What CheckMesh says about a mesh that is, or need not be, Delaunay.
 inline std::string Violation(const Domain& domain, const RelaxationMesh& mesh, bool isDelaunay)
 {
   const Triangulation& triangles = mesh.Triangles;
-  const std::string violation = CheckMesh(
-    { mesh.Points, triangles.Corners, triangles.Neighbors, triangles.Constraints, domain.Area });
-  TriangulationOptions options;
-  options.Phi = isDelaunay ? 1.0 : 0.5;
-  return violation.empty() ? CheckTriangulation(mesh.Points, triangles, options) : violation;
+  MeshCheckInput input{ mesh.Points, triangles.Corners, triangles.Neighbors, triangles.Constraints,
+    domain.Area };
+  input.IsDelaunay = isDelaunay;
+  return CheckMesh(input);
 }
 
 /// A domain, a spacing, and a mesh of mediocre triangles: parts of segments of about the spacing,

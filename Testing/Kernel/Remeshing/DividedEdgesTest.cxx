@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Remeshing/DividedEdges.h"
+#include "Remeshing/KeptVertices.h"
 #include "OldMeshShapes.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Remeshing/FaceRegions.h"
-#include "Remeshing/CavityDomain.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm> // for minmax
 
 namespace biting
 {
@@ -26,47 +23,18 @@ struct Halves
     ProblemList problems;
     this->Mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
     this->Region = WholeRegion(this->Mesh, std::vector<double>(4, 1.0));
-    this->Edges = StraightPieces(this->Mesh, this->Region, EdgePolicy::Frozen);
-    this->Cavity.Geometry = MakeCavityDomain(
-      this->Mesh, this->Region, this->Edges, this->Edges.IsKept, {}, EdgePolicy::Frozen);
-    BitingResult& bites = this->Cavity.Bites;
-    bites.Points = this->Cavity.Geometry.Vertices;
-    bites.EdgeStarts = this->Cavity.Geometry.Starts;
-    bites.EdgeEnds = this->Cavity.Geometry.Ends;
-    Triangulation& triangles = this->Cavity.Triangles;
-    triangles = { this->Mesh.Corners, this->Mesh.Neighbors, {}, { 0, 1 } };
-    for (std::size_t edge = 0; edge < this->Edges.Edges.size(); ++edge)
-    {
-      bites.EdgeSegments.push_back(static_cast<Id>(edge));
-    }
-    for (Id slot = 0; slot < 6; ++slot)
-    {
-      triangles.Constraints.push_back(this->EdgeAt(slot));
-    }
+    this->Cavity.Bites.Points = this->Mesh.Points;
+    this->Cavity.Triangles = { this->Mesh.Corners, this->Mesh.Neighbors, {}, { 0, 1 } };
   }
-
-  Id EdgeAt(Id slot) const
-  {
-    const auto wanted = std::minmax({ this->Mesh.Start(slot), this->Mesh.End(slot) });
-    Id edge = 0;
-    while (std::minmax({ this->Edges.Edges[edge].Start, this->Edges.Edges[edge].End }) != wanted)
-    {
-      ++edge;
-    }
-    return edge;
-  }
-
-  RegionEdge& Diagonal() { return this->Edges.Edges[this->EdgeAt(1)]; }
 
   std::vector<Id> FaceRegions() const
   {
     Pulse pulse(NoMonitor());
-    return FindFaceRegions(this->Mesh, this->Region, this->Edges, this->Cavity, pulse);
+    return FindFaceRegions(this->Mesh, this->Region, this->Cavity, pulse);
   }
 
   OldMesh Mesh;
   ChangedRegion Region;
-  RegionEdges Edges;
   CavityMesh Cavity;
 };
 
@@ -74,32 +42,9 @@ using Numbers = std::vector<Id>;
 
 } // namespace
 
-TEST(FaceRegions, AreWhatEdgesHaveOnThisSide)
+TEST(FaceRegions, AreThoseAtTheirMiddle)
 {
   EXPECT_EQ(Halves().FaceRegions(), (Numbers{ 0, 1 }));
-}
-
-// As a tagged edge within a region has it that rounding has put across the interface beside it.
-TEST(FaceRegions, AreThoseAtTheirMiddleWhereEdgesDisagree)
-{
-  for (const Id region : { 0, 1 })
-  {
-    Halves halves;
-    halves.Diagonal().LeftRegion = region;
-    halves.Diagonal().RightRegion = region;
-    EXPECT_EQ(halves.FaceRegions(), (Numbers{ 0, 1 })) << region;
-  }
-}
-
-TEST(FaceRegions, AreThoseAtTheirMiddleWhereEdgesHaveNone)
-{
-  Halves halves;
-  for (RegionEdge& edge : halves.Edges.Edges)
-  {
-    edge.LeftRegion = NoId;
-    edge.RightRegion = NoId;
-  }
-  EXPECT_EQ(halves.FaceRegions(), (Numbers{ 0, 1 }));
 }
 
 TEST(FaceRegions, HaveTheAreasOfTheOldMesh)

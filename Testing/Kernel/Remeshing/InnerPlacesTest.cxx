@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Remeshing/InnerPlaces.h"
+#include "Remeshing/ReleasedVertices.h"
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "../Support/RemeshLaws.h"

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Remeshing/MisfitVertices.h"
 #include "OldMeshShapes.h"
 #include "Remeshing/ChangedRegion.h"
 

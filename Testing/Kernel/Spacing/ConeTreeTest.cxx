@@ -21,9 +21,9 @@ std::vector<SegmentCone> ConesOf(const SegmentSource& source, double slope)
   return MakeCones(source, 1.0, slope, pulse);
 }
 
-ConeTree TreeOf(const SegmentSource& source, double slope, const Box2& box = UnitBox())
+ConeTree<2> TreeOf(const SegmentSource& source, double slope, const Box2& box = UnitBox())
 {
-  return ConeTree(ConesOf(source, slope), slope, box);
+  return ConeTree<2>(ConesOf(source, slope), slope, box);
 }
 
 /// Of all cones, one by one.
@@ -80,7 +80,7 @@ TEST(ConeTree, IsNowhereBelowTheMinimumAndAboveByItsToleranceAtMost)
     for (double slope : { 0.02, 0.3, 1.0, 10.0 })
     {
       const Minimum exact{ ConesOf(source, slope), slope };
-      const ConeTree tree = TreeOf(source, slope);
+      const ConeTree<2> tree = TreeOf(source, slope);
       Sampler sampler(11);
       for (int probe = 0; probe < 10000; ++probe)
       {
@@ -88,7 +88,7 @@ TEST(ConeTree, IsNowhereBelowTheMinimumAndAboveByItsToleranceAtMost)
         const double value = tree(x);
         const double least = exact(x);
         ASSERT_GE(value, least);
-        ASSERT_LE(value, (1.0 + ConeTree::Tolerance) * least) << slope;
+        ASSERT_LE(value, (1.0 + ConeTree<2>::Tolerance) * least) << slope;
       }
     }
   }
@@ -106,21 +106,21 @@ TEST(ConeTree, KeepsNoConeThatIsNowhereTheLowest)
   EXPECT_LE(TreeOf(source, 0.3).NumberOfCones(), 50u);
 }
 
-TEST(ConeTree, HasLeavesInProportionToItsCones)
+TEST(ConeTree, HasListsInProportionToItsCones)
 {
-  const auto leavesPerCone = [](int depth)
+  const auto entriesPerCone = [](int depth)
   {
     const SegmentSource source = Koch(depth);
-    return static_cast<double>(TreeOf(source, 0.3).NumberOfLeaves()) /
+    return static_cast<double>(TreeOf(source, 0.3).NumberOfEntries()) /
       static_cast<double>(source.Points.size());
   };
-  EXPECT_LE(leavesPerCone(6), 1.5 * leavesPerCone(4));
-  EXPECT_LE(leavesPerCone(6), 12.0);
+  EXPECT_LE(entriesPerCone(6), 1.5 * entriesPerCone(4));
+  EXPECT_LE(entriesPerCone(6), 120.0);
 }
 
 TEST(ConeTree, IsTheNearestValueBeyondItsBox)
 {
-  const ConeTree tree = TreeOf(MakeScatter(20, 0.2, 17), 0.3);
+  const ConeTree<2> tree = TreeOf(MakeScatter(20, 0.2, 17), 0.3);
   EXPECT_EQ(tree({ 7.0, 0.25 }), tree({ 1.0, 0.25 }));
   EXPECT_EQ(tree({ -7.0, 9.0 }), tree({ 0.0, 1.0 }));
 }
@@ -130,14 +130,14 @@ TEST(ConeTree, IsInfiniteOnlyWhereAllIsAboveWhatMatters)
   const SegmentSource source = MakeLoop(400, [](double) { return 0.004; });
   const Minimum exact{ ConesOf(source, 0.3), 0.3 };
   constexpr double Most = 0.03;
-  const ConeTree tree(ConesOf(source, 0.3), 0.3, UnitBox(), Most);
+  const ConeTree<2> tree(ConesOf(source, 0.3), 0.3, UnitBox(), Most);
   Sampler sampler(22);
   for (int probe = 0; probe < 2000; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
-    ASSERT_TRUE(exact(x) >= Most || tree(x) <= (1.0 + ConeTree::Tolerance) * exact(x));
+    ASSERT_TRUE(exact(x) >= Most || tree(x) <= (1.0 + ConeTree<2>::Tolerance) * exact(x));
   }
-  EXPECT_LT(tree.NumberOfLeaves(), TreeOf(source, 0.3).NumberOfLeaves());
+  EXPECT_LT(tree.NumberOfEntries(), TreeOf(source, 0.3).NumberOfEntries());
 }
 
 TEST(ConeTree, TakesBoxesOfAnyProportion)
@@ -145,12 +145,12 @@ TEST(ConeTree, TakesBoxesOfAnyProportion)
   const SegmentSource source = MakeScatter(20, 0.2, 18);
   const Minimum exact{ ConesOf(source, 0.3), 0.3 };
   const Box2 thin{ { 0.0, 0.4 }, { 1.0, 0.4 + 1e-7 } };
-  const ConeTree tree = TreeOf(source, 0.3, thin);
+  const ConeTree<2> tree = TreeOf(source, 0.3, thin);
   Sampler sampler(19);
   for (int probe = 0; probe < 2000; ++probe)
   {
     const Point2 x = sampler.NextIn(thin);
-    ASSERT_NEAR(tree(x) / exact(x), 1.0, ConeTree::Tolerance);
+    ASSERT_NEAR(tree(x) / exact(x), 1.0, ConeTree<2>::Tolerance);
   }
 }
 
@@ -163,7 +163,7 @@ double LargestErrorOnBorder(const Box2& box, int seed)
     point = { box.Low.X + point.X * box.Width(), box.Low.Y + point.Y * box.Height() };
   }
   const Minimum exact{ ConesOf(source, 0.3), 0.3 };
-  const ConeTree tree = TreeOf(source, 0.3, box);
+  const ConeTree<2> tree = TreeOf(source, 0.3, box);
   double largest = 0.0;
   for (int part = 0; part <= 16; ++part)
   {
@@ -198,12 +198,12 @@ TEST(ConeTree, IsTheMinimumWhereTheSlopeIsLostInRounding)
   {
     const SegmentSource source = MakeScatter(40, 0.5, 3);
     const Minimum exact{ ConesOf(source, gradation), gradation };
-    const ConeTree tree = TreeOf(source, gradation);
+    const ConeTree<2> tree = TreeOf(source, gradation);
     Sampler sampler(5);
     for (int probe = 0; probe < 100; ++probe)
     {
       const Point2 x = sampler.NextIn(UnitBox());
-      ASSERT_NEAR(tree(x), exact(x), ConeTree::Tolerance * exact(x)) << gradation;
+      ASSERT_NEAR(tree(x), exact(x), ConeTree<2>::Tolerance * exact(x)) << gradation;
     }
   }
 }
@@ -224,12 +224,12 @@ TEST(ConeTree, IsWithinItsToleranceWhereSegmentsGoThroughCentersOfSquares)
       source.Segments.insert(source.Segments.end(), { 2 * line, 2 * line + 1 });
     }
     const Minimum exact{ ConesOf(source, 0.3), 0.3 };
-    const ConeTree tree = TreeOf(source, 0.3);
+    const ConeTree<2> tree = TreeOf(source, 0.3);
     Sampler sampler(13);
     for (int probe = 0; probe < 20000; ++probe)
     {
       const Point2 x = sampler.NextIn(UnitBox());
-      ASSERT_LE(tree(x), (1.0 + ConeTree::Tolerance) * exact(x));
+      ASSERT_LE(tree(x), (1.0 + ConeTree<2>::Tolerance) * exact(x));
     }
   }
 }
@@ -237,7 +237,7 @@ TEST(ConeTree, IsWithinItsToleranceWhereSegmentsGoThroughCentersOfSquares)
 TEST(ConeTree, StopsWhenAsked)
 {
   StoppingMonitor monitor(2);
-  ConeTree(ConesOf(Koch(5), 0.3), 0.3, UnitBox(), Infinity, monitor);
+  ConeTree<2>(ConesOf(Koch(5), 0.3), 0.3, UnitBox(), Infinity, monitor);
   EXPECT_TRUE(monitor.HasStopped());
   EXPECT_EQ(monitor.Calls, 3);
 }
@@ -256,14 +256,14 @@ TEST(ConeTree, HasFewLeavesWhereValuesJumpWithoutGradation)
   source.Points.push_back(source.Points.back() + Point2{ 0.0, 1e-13 });
   source.Values.push_back(0.5);
   source.Segments.insert(source.Segments.end(), { 39, 40 });
-  EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfLeaves(), 10000u);
+  EXPECT_LE(TreeOf(source, SlopeOfCones(source, 0.0)).NumberOfEntries(), 100000u);
 }
 
 /// Of a tree, in 4096 comparisons of cones.
 int WorkOf(const SegmentSource& source, double slope)
 {
   StoppingMonitor monitor(std::numeric_limits<int>::max());
-  ConeTree(ConesOf(source, slope), slope, UnitBox(), Infinity, monitor);
+  ConeTree<2>(ConesOf(source, slope), slope, UnitBox(), Infinity, monitor);
   return monitor.Calls;
 }
 
@@ -324,7 +324,7 @@ TEST(ConeTree, DoesNotFollowSlopesThatNobodySees)
   {
     point.X = point.X < 0.5 ? 0.5 * sampler.Next() : 0.5 + 0.5 * sampler.Next();
   }
-  EXPECT_LE(TreeOf(stripes, 10.0).NumberOfLeaves(), 30000u);
+  EXPECT_LE(TreeOf(stripes, 10.0).NumberOfEntries(), 150000u);
 }
 
 TEST(ConeTree, TakesNoLongerForPointsInDisorder)
@@ -347,12 +347,12 @@ TEST(ConeTree, TakesNoLongerForPointsInDisorder)
 TEST(ConeTree, IsTheSameOnAnyNumberOfThreads)
 {
   const std::vector<SegmentCone> cones = ConesOf(MakeScatter(20000, 0.001, 27), 0.3);
-  const ConeTree expected(cones, 0.3, UnitBox());
+  const ConeTree<2> expected(cones, 0.3, UnitBox());
   for (const int threads : { 2, 3, 8 })
   {
     MonitorWithThreads monitor(threads);
-    const ConeTree tree(cones, 0.3, UnitBox(), std::numeric_limits<double>::infinity(), monitor);
-    EXPECT_EQ(tree.NumberOfLeaves(), expected.NumberOfLeaves());
+    const ConeTree<2> tree(cones, 0.3, UnitBox(), std::numeric_limits<double>::infinity(), monitor);
+    EXPECT_EQ(tree.NumberOfEntries(), expected.NumberOfEntries());
     EXPECT_EQ(tree.NumberOfCones(), expected.NumberOfCones());
     Sampler sampler(28);
     for (int probe = 0; probe < 5000; ++probe)
@@ -367,13 +367,13 @@ TEST(ConeTree, IsTheMinimumOfManyConesToo)
 {
   const SegmentSource source = MakeScatter(20000, 0.001, 29);
   const Minimum exact{ ConesOf(source, 0.3), 0.3 };
-  const ConeTree tree = TreeOf(source, 0.3);
+  const ConeTree<2> tree = TreeOf(source, 0.3);
   Sampler sampler(30);
   for (int probe = 0; probe < 500; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
     const double least = exact(x);
     ASSERT_GE(tree(x), least);
-    ASSERT_LE(tree(x), (1.0 + ConeTree::Tolerance) * least);
+    ASSERT_LE(tree(x), (1.0 + ConeTree<2>::Tolerance) * least);
   }
 }

@@ -295,6 +295,25 @@ TEST(FeatureLimit, IsNotBelowAQuarterOfWhatIsGiven)
   }
 }
 
+TEST(FeatureLimit, IsTheFeatureSizeOverTheCellsAcross)
+{
+  FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 1.0, 0.08) });
+  for (const int cells : { 1, 2, 3 })
+  {
+    channel.CellsAcross = cells;
+    EXPECT_NEAR(WithFeatures(channel, 0.1)({ 0.5, 0.0 }), 0.08 / cells, 0.08 * 0.01) << cells;
+  }
+  channel.CellsAcross = 8;
+  EXPECT_NEAR(WithFeatures(channel, 0.1)({ 0.5, 0.0 }), 0.025, 0.025 * 0.01);
+  SpacingOptions options;
+  options.Uniform = 0.1;
+  options.Minimum = 0.001;
+  options.Features = Share(channel);
+  EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.01, 0.01 * 0.01);
+  options.Minimum = 0.015;
+  EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.015, 1e-12);
+}
+
 TEST(FeatureLimit, LeavesShortSegmentsNoShorterThanEdgesShouldBe)
 {
   std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);

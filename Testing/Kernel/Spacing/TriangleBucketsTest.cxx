@@ -104,14 +104,3 @@ TEST(TriangleBuckets, AreFewTrianglesWhereverTheyAreGraded)
     }
   }
 }
-
-/// Long ones, which no grid can tell apart, are not filed again and again.
-TEST(TriangleBuckets, FileATriangleNotManyTimes)
-{
-  Pulse pulse(NoMonitor());
-  for (const TriangulatedSource& source : { Graded(60, 8.0), Needles(1000) })
-  {
-    const TriangleBuckets buckets(source.Points, source.Triangles, pulse);
-    EXPECT_LE(buckets.NumberOfEntries(), 32 * source.Triangles.size() / 3);
-  }
-}

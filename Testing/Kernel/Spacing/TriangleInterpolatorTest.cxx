@@ -3,6 +3,7 @@
 
 #include "Spacing/TriangleInterpolator.h"
 
+#include "Spacing/BorderEdge.h"
 #include "SpacingSources.h"
 
 #include <gtest/gtest.h>

@@ -68,10 +68,12 @@ std::size_t NumberOfColumns(const std::string& line)
     [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }));
 }
 
-/// The folder of a file, seen from Filters: "Kernel/Delaunay", "Bridge", "." for the filters.
+/// The folder of a file, seen from Filters: "Kernel/Delaunay", "." for the filters. The folders of
+/// the bridge are one room.
 std::string RoomOf(const fs::path& file)
 {
-  return file.parent_path().lexically_relative(Root / "Filters").generic_string();
+  const fs::path folder = file.parent_path().lexically_relative(Root / "Filters");
+  return *folder.begin() == "Bridge" ? "Bridge" : folder.generic_string();
 }
 
 /// What the line includes, from this tree; empty where it includes nothing, or another's header.

@@ -33,10 +33,9 @@ struct BitingSetting
 
 inline std::string Text(const BitingSetting& setting)
 {
-  constexpr const char* Orders[] = { "layers", "largest y", "best first" };
   return std::string(setting.Shape == BiteShape::Square ? "squares" : "circles") +
     (setting.Place == Placement::Corners ? " at corners, " : " at bisectors, ") +
-    Orders[static_cast<int>(setting.Order)];
+    RuleOf(setting.Order).Name;
 }
 
 inline std::ostream& operator<<(std::ostream& stream, const BitingSetting& setting)
@@ -50,12 +49,14 @@ inline std::vector<BitingSetting> BitingSettings()
   std::vector<BitingSetting> settings;
   for (const BiteShape shape : { BiteShape::Square, BiteShape::Circle })
   {
-    for (const FrontOrder order : { FrontOrder::Layers, FrontOrder::LargestY })
+    for (const FrontRule& rule : FrontRules)
     {
-      settings.push_back({ shape, Placement::Corners, order });
-      settings.push_back({ shape, Placement::Bisectors, order });
+      settings.push_back({ shape, Placement::Bisectors, rule.Order });
+      if (rule.Order == FrontOrder::Layers || rule.ComesLater)
+      {
+        settings.push_back({ shape, Placement::Corners, rule.Order });
+      }
     }
-    settings.push_back({ shape, Placement::Bisectors, FrontOrder::BestFirst });
   }
   return settings;
 }

@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshFileFromDataSet.h"
+
+#include "../Data/Arrays.h"
+#include "../Data/Cells.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkVariant.h"
+
+#include <algorithm> // for max, replace_if
+#include <array>     // for places
+#include <cmath>     // for abs, floor, isnan
+#include <cstdint>   // for global ids
+#include <map>       // for what has an id
+#include <numeric>   // for iota
+#include <set>       // for names that were changed
+
+namespace biting
+{
+
+namespace
+{
+
+// From here on there are whole numbers that are no double: 2^53.
+constexpr double LeastInexact = 9007199254740992.0;
+
+std::string WithoutForbidden(std::string name, const std::string& forbidden)
+{
+  std::replace_if(
+    name.begin(), name.end(),
+    [&forbidden](char c) { return forbidden.find(c) != std::string::npos; }, '_');
+  return name;
+}
+
+bool HasAnyGhosts(vtkDataSet* mesh)
+{
+  return HasGhosts(mesh, vtkDataObject::POINT, ~0) || HasGhosts(mesh, vtkDataObject::CELL, ~0);
+}
+
+std::int64_t IdIn(vtkDataArray* ids, vtkIdType item)
+{
+  return ids ? static_cast<std::int64_t>(ids->GetComponent(item, 0)) : item;
+}
+
+// Whether points of one id are at one place: not where meshes were appended that were numbered
+// each by itself.
+bool AreOfOnePlaceEach(vtkDataSet* mesh, vtkDataArray* ids)
+{
+  std::map<std::int64_t, std::array<double, 3>> places;
+  bool areSo = true;
+  for (vtkIdType point = 0; ids && point < mesh->GetNumberOfPoints() && areSo; ++point)
+  {
+    std::array<double, 3> place{};
+    mesh->GetPoint(point, place.data());
+    areSo = places.emplace(IdIn(ids, point), place).first->second == place;
+  }
+  return areSo;
+}
+
+// What the mesher itself adds to its boundary edges.
+constexpr const char* OwnArrays[] = { "OriginalCellId", "Kind" };
+
+std::string ReadPoints(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
+{
+  for (const vtkIdType point : parts.Points())
+  {
+    std::array<double, 3> place;
+    mesh->GetPoint(point, place.data());
+    file.Points.push_back(place);
+    if (!std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); }))
+    {
+      return "The coordinates of point " + std::to_string(point) + " are not finite.";
+    }
+  }
+  return {};
+}
+
+void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
+{
+  vtkSmartPointer<vtkDataArray> regions = mesh->GetCellData()->GetArray("RegionId");
+  if (!regions)
+  {
+    regions = vtkSmartPointer<vtkIntArray>::New();
+    regions->SetNumberOfTuples(mesh->GetNumberOfCells());
+    regions->Fill(0.0);
+  }
+  const ValueGroups groups(regions);
+  file.Regions = groups.Named(1, "Region ", EndsOfNames);
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType cell : parts.Cells())
+  {
+    if (mesh->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      mesh->GetCellPoints(cell, corners);
+      file.Triangles.push_back({ parts.NumberOf(corners->GetId(0)),
+        parts.NumberOf(corners->GetId(1)), parts.NumberOf(corners->GetId(2)) });
+      file.RegionOfTriangle.push_back(groups.IndexOf(cell));
+    }
+  }
+}
+
+bool IsFlat(const MeshFile& file)
+{
+  return std::all_of(file.Points.begin(), file.Points.end(),
+    [&file](const std::array<double, 3>& point) { return point[2] == file.Points.front()[2]; });
+}
+
+} // namespace
+
+ValueGroups::ValueGroups(vtkAbstractArray* values)
+  : Values(values)
+  , Numbers(vtkDataArray::SafeDownCast(values))
+{
+  for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
+  {
+    if (this->Has(k))
+    {
+      this->Indices.emplace(this->KeyOf(k), 0);
+    }
+  }
+  std::size_t index = 0;
+  for (auto& entry : this->Indices)
+  {
+    entry.second = index++;
+  }
+}
+
+std::vector<MeshGroup> ValueGroups::Named(
+  std::int64_t shift, const std::string& prefix, const std::string& forbidden) const
+{
+  std::int64_t highest = 0;
+  for (const auto& entry : this->Indices)
+  {
+    highest = std::max(highest, NumberOf(entry.first) + shift);
+  }
+  std::set<std::string> changed;
+  std::vector<MeshGroup> groups;
+  for (const auto& entry : this->Indices)
+  {
+    const std::int64_t own = NumberOf(entry.first) + shift;
+    const std::string given = this->NameOf(entry.first);
+    std::string name = WithoutForbidden(given, forbidden);
+    while (name != given && (this->Indices.count({ 0.0, name }) || !changed.insert(name).second))
+    {
+      name += '_';
+    }
+    groups.push_back({ own > 0 ? own : ++highest, prefix + name });
+  }
+  return groups;
+}
+
+ValueGroups::Key ValueGroups::KeyOf(vtkIdType item) const
+{
+  const double number = this->Numbers ? this->Numbers->GetComponent(item, 0) : std::nan("");
+  const int type = this->Values->GetDataType();
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  if (!std::isnan(number) && (isReal || std::abs(number) < LeastInexact))
+  {
+    return { number, std::string() };
+  }
+  const vtkIdType first = item * this->Values->GetNumberOfComponents();
+  return { std::isnan(number) ? 0.0 : number, this->Values->GetVariantValue(first).ToString() };
+}
+
+// Far below 0 where it is no whole number.
+std::int64_t ValueGroups::NumberOf(const Key& key)
+{
+  const bool isWhole = key.second.empty() && std::floor(key.first) == key.first;
+  return isWhole && std::abs(key.first) < 1e9 ? static_cast<std::int64_t>(key.first) : -2000000000;
+}
+
+// Whole numbers have all of their digits.
+std::string ValueGroups::NameOf(const Key& key) const
+{
+  const double value = key.first;
+  if (!key.second.empty() || (std::floor(value) == value && std::abs(value) < LeastInexact))
+  {
+    return key.second.empty() ? std::to_string(static_cast<std::int64_t>(value)) : key.second;
+  }
+  return this->Values->GetDataType() == VTK_FLOAT ? ShortText(static_cast<float>(value))
+                                                  : ShortText(value);
+}
+
+WrittenParts::WrittenParts(vtkDataSet* mesh)
+  : PointIds(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
+  , CellIds(static_cast<std::size_t>(mesh->GetNumberOfCells()))
+{
+  std::iota(this->PointIds.begin(), this->PointIds.end(), 0);
+  std::iota(this->CellIds.begin(), this->CellIds.end(), 0);
+  this->Numbers = this->PointIds;
+  if (HasAnyGhosts(mesh))
+  {
+    this->ListCells(mesh);
+    this->ListPointsOfCells(mesh);
+  }
+}
+
+void WrittenParts::ListCells(vtkDataSet* mesh)
+{
+  const GhostArrays ghosts(mesh);
+  vtkNew<vtkIdList> corners;
+  const auto isElsewhere = [mesh, &ghosts, &corners](vtkIdType cell)
+  {
+    mesh->GetCellPoints(cell, corners);
+    return ghosts.LeaveOut(cell, corners->GetNumberOfIds(), corners->GetPointer(0));
+  };
+  this->CellIds.erase(
+    std::remove_if(this->CellIds.begin(), this->CellIds.end(), isElsewhere), this->CellIds.end());
+  vtkDataArray* ids = mesh->GetCellData()->GetGlobalIds();
+  std::map<std::int64_t, vtkIdType> cells;
+  for (const vtkIdType cell : this->CellIds)
+  {
+    cells.emplace(IdIn(ids, cell), cell);
+  }
+  if (cells.size() == this->CellIds.size())
+  {
+    std::transform(cells.begin(), cells.end(), this->CellIds.begin(),
+      [](const auto& entry) { return entry.second; });
+  }
+}
+
+void WrittenParts::ListPointsOfCells(vtkDataSet* mesh)
+{
+  vtkDataArray* globalIds = mesh->GetPointData()->GetGlobalIds();
+  vtkDataArray* ids = AreOfOnePlaceEach(mesh, globalIds) ? globalIds : nullptr;
+  std::map<std::int64_t, vtkIdType> points;
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType cell : this->CellIds)
+  {
+    mesh->GetCellPoints(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType point = corners->GetId(k);
+      points.emplace(IdIn(ids, point), point);
+    }
+  }
+  this->PointIds.clear();
+  for (auto& entry : points)
+  {
+    this->PointIds.push_back(entry.second);
+    entry.second = static_cast<vtkIdType>(this->PointIds.size()) - 1;
+  }
+  for (vtkIdType& number : this->Numbers)
+  {
+    const auto found = points.find(IdIn(ids, number));
+    number = found == points.end() ? -1 : found->second;
+  }
+}
+
+std::string RefusalOfCells(vtkDataSet* mesh)
+{
+  using Shape = CellShape;
+  const GhostArrays ghosts(mesh);
+  vtkNew<vtkIdList> points;
+  std::string refusal;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells() && refusal.empty(); ++cell)
+  {
+    mesh->GetCellPoints(cell, points);
+    const vtkIdType size = points->GetNumberOfIds();
+    const int type = mesh->GetCellType(cell);
+    const Shape shape = ShapeOf(type);
+    refusal =
+      MissingPointText("the mesh", cell, size, points->GetPointer(0), mesh->GetNumberOfPoints());
+    if (refusal.empty() && type != VTK_TRIANGLE && shape != Shape::Nothing &&
+      shape != Shape::Points && shape != Shape::Line &&
+      !ghosts.LeaveOut(cell, size, points->GetPointer(0)))
+    {
+      refusal = "Cell " + std::to_string(cell) + " is a " +
+        vtkCellTypes::GetClassNameFromTypeId(type) +
+        "; only triangles are written (apply Extract Surface and Triangulate).";
+    }
+  }
+  return refusal;
+}
+
+std::string ReadTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
+{
+  const std::string refusal = ReadPoints(mesh, parts, file);
+  AddTriangles(mesh, parts, file);
+  return refusal.empty() && file.Triangles.empty() ? "There are no triangles to write." : refusal;
+}
+
+std::string MakePlanar(MeshFile& file)
+{
+  if (!IsFlat(file))
+  {
+    return "This format has two coordinates, and the mesh is not in a plane of constant z.";
+  }
+  OrientUpwards(file);
+  return IsBoundaryOfLoops(file) ? "" : "Triangles overlap, or there are some twice.";
+}
+
+std::string ReadDepths(
+  vtkDataSet* mesh, const WrittenParts& parts, const std::string& name, MeshFile& file)
+{
+  vtkDataArray* depths = mesh->GetPointData()->GetArray(name.c_str());
+  if (!depths || depths->GetNumberOfComponents() != 1)
+  {
+    const bool mayLack = !depths && (name.empty() || name == DefaultDepths);
+    return mayLack ? ""
+                   : "The mesh has no point array of numbers named " + name +
+        " with one component, for the depths.";
+  }
+  for (const vtkIdType point : parts.Points())
+  {
+    file.Depths.push_back(depths->GetComponent(point, 0));
+    if (!std::isfinite(file.Depths.back()))
+    {
+      return "The depth of point " + std::to_string(point) + ", in the array " + name +
+        ", is not finite.";
+    }
+  }
+  return {};
+}
+
+vtkAbstractArray* FindTags(vtkCellData* data, const std::string& chosen)
+{
+  if (!chosen.empty())
+  {
+    return data->GetAbstractArray(chosen.c_str());
+  }
+  if (vtkAbstractArray* tags = data->GetAbstractArray("Tag"))
+  {
+    return tags;
+  }
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    const bool isOwn = std::any_of(
+      std::begin(OwnArrays), std::end(OwnArrays), [&name](const char* own) { return name == own; });
+    if (!isOwn && array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+  }
+  return data->GetAbstractArray("Kind");
+}
+
+void ReadEdges(
+  vtkPolyData* edges, const WrittenParts& parts, const ValueGroups& groups, MeshFile& file)
+{
+  vtkDataArray* ids = edges->GetPointData()->GetArray("MeshPointId");
+  vtkNew<vtkIdList> ends;
+  for (vtkIdType cell = 0; cell < edges->GetNumberOfCells(); ++cell)
+  {
+    edges->GetCellPoints(cell, ends);
+    if (ends->GetNumberOfIds() == 2 && groups.Has(cell))
+    {
+      file.Edges.push_back({ parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(0)))),
+        parts.NumberOf(static_cast<vtkIdType>(ids->GetTuple1(ends->GetId(1)))) });
+      file.TagOfEdge.push_back(groups.IndexOf(cell));
+    }
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SourceSpacing.h"
+
+#include "../../Kernel/Base/Pulse.h"
+#include "../Data/Arrays.h"
+#include "../Run/ProblemReport.h"
+#include "SourceCells.h"
+#include "SpacingValues.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+
+#include <algorithm> // for all_of, is_sorted, minmax
+#include <array>     // for axes
+#include <cmath>     // for NaN
+#include <limits>    // for NaN
+
+namespace biting
+{
+
+namespace
+{
+
+using AxisNodes = std::array<std::vector<double>, 3>;
+
+// Whether cells are left out; a ghost array alone says nothing.
+bool LeavesOutCells(vtkDataSet* source)
+{
+  return HasGhosts(source, vtkDataObject::POINT, vtkDataSetAttributes::HIDDENPOINT) ||
+    HasGhosts(source, vtkDataObject::CELL, CellsNotHere);
+}
+
+// The coordinates of the grid lines of an image whose axes are those of space; empty for others.
+AxisNodes NodesOfImage(vtkImageData* image)
+{
+  AxisNodes nodes;
+  if (!image->GetDirectionMatrix()->IsIdentity())
+  {
+    return nodes;
+  }
+  const int* extent = image->GetExtent();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int k = extent[2 * axis]; k <= extent[2 * axis + 1]; ++k)
+    {
+      nodes[axis].push_back(image->GetOrigin()[axis] + k * image->GetSpacing()[axis]);
+    }
+  }
+  return nodes;
+}
+
+AxisNodes NodesOfRectilinearGrid(vtkRectilinearGrid* grid)
+{
+  AxisNodes nodes;
+  vtkDataArray* arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto doubles = AsDoubles(arrays[axis]);
+    const double* first = doubles->GetPointer(0);
+    nodes[axis].assign(first, first + doubles->GetNumberOfValues());
+  }
+  return nodes;
+}
+
+AxisNodes NodesOfGrid(vtkDataSet* source)
+{
+  if (auto* image = vtkImageData::SafeDownCast(source))
+  {
+    return NodesOfImage(image);
+  }
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(source))
+  {
+    return NodesOfRectilinearGrid(grid);
+  }
+  return {};
+}
+
+// Why an image lies nowhere; empty where it does not, or the source is no image.
+std::string CheckImage(vtkDataSet* source)
+{
+  auto* image = vtkImageData::SafeDownCast(source);
+  if (!image || (AreFinite(image->GetOrigin()) && AreFinite(image->GetSpacing())))
+  {
+    return {};
+  }
+  const double* origin = image->GetOrigin();
+  const double* steps = image->GetSpacing();
+  return "The spacing source lies nowhere: the origin of the image is " +
+    PlaceText({ origin[0], origin[1], origin[2] }) + " and its spacing of points " +
+    PlaceText({ steps[0], steps[1], steps[2] }) + ". Both must be finite.";
+}
+
+// Which of `points` of the source lie nowhere.
+std::string CheckPoints(vtkDataSet* source, const std::vector<vtkIdType>& points, Pulse& pulse)
+{
+  std::vector<std::string> first;
+  std::int64_t count = 0;
+  for (const vtkIdType point : points)
+  {
+    Point3 place;
+    source->GetPoint(point, place.data());
+    if (pulse.Beat(1) && !AreFinite(place.data()) && ++count <= static_cast<std::int64_t>(ShownIds))
+    {
+      first.push_back("point " + std::to_string(point) + " at " + PlaceText(place));
+    }
+  }
+  return count == 0 ? ""
+                    : "The spacing source has coordinates that are not finite (" +
+      std::to_string(count) + "): " + ListText(first, count) + ". Correct or remove these points.";
+}
+
+bool IsAscending(const std::vector<double>& nodes)
+{
+  const bool isFinite =
+    std::all_of(nodes.begin(), nodes.end(), [](double node) { return std::isfinite(node); });
+  const auto repeated = std::adjacent_find(
+    nodes.begin(), nodes.end(), [](double node, double next) { return !(node < next); });
+  return isFinite && !nodes.empty() && repeated == nodes.end();
+}
+
+// The source as a grid of the plane, which takes the values; null where it is none.
+std::shared_ptr<GridSource> GridFrom(
+  vtkDataSet* source, std::vector<double>& values, const PlaneFrame& frame, Pulse& pulse)
+{
+  const PulsePart part(pulse, 0.0, GridEnd);
+  const AxisNodes nodes = NodesOfGrid(source);
+  const auto first = static_cast<std::size_t>(frame.Axis(0));
+  const auto second = static_cast<std::size_t>(frame.Axis(1));
+  const auto normal = static_cast<std::size_t>(frame.Axis(2));
+  if (!frame.IsAxisAligned() || nodes[normal].size() != 1 || !IsAscending(nodes[first]) ||
+    !IsAscending(nodes[second]) || LeavesOutCells(source))
+  {
+    return nullptr;
+  }
+  const std::array<std::size_t, 3> strides{ 1, nodes[0].size(), nodes[0].size() * nodes[1].size() };
+  auto grid = std::make_shared<GridSource>();
+  grid->XNodes = nodes[first];
+  grid->YNodes = nodes[second];
+  const std::size_t width = nodes[first].size();
+  const bool isInOrder = strides[first] == 1 && strides[second] == width;
+  if (isInOrder)
+  {
+    grid->Values = std::move(values);
+    return grid;
+  }
+  GrowInSteps(grid->Values, width * nodes[second].size(), 0.0, pulse);
+  pulse.ForEach(grid->Values.size(),
+    [&values, &grid, width, along = strides[first], across = strides[second]](std::size_t k)
+    { grid->Values[k] = values[k % width * along + k / width * across]; });
+  return grid;
+}
+
+bool HasArea(const TriangulatedSource& source, Pulse& pulse)
+{
+  for (std::size_t k = 0; k < source.Triangles.size() && pulse.Beat(); k += 3)
+  {
+    const Point2& a = source.Points[static_cast<std::size_t>(source.Triangles[k])];
+    const Point2& b = source.Points[static_cast<std::size_t>(source.Triangles[k + 1])];
+    const Point2& c = source.Points[static_cast<std::size_t>(source.Triangles[k + 2])];
+    if (Cross(b - a, c - a) != 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string AddGrid(const SourceData& chosen, const std::vector<double>& values,
+  const std::shared_ptr<const GridSource>& grid, SpacingOptions& options, ProblemPlaces& places,
+  Pulse& pulse)
+{
+  options.Grid = grid;
+  return CheckReadValues(chosen.Data, chosen.Chosen.Array, values.empty() ? grid->Values : values,
+    nullptr, SpacingOwner::Source, places, pulse);
+}
+
+std::string AddCells(const SourceData& chosen, const std::vector<double>& values,
+  const PlaneFrame& frame, SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
+{
+  vtkDataSet* source = chosen.Data;
+  SourceCells cells(source, frame, pulse);
+  std::string refusal = cells.Collect();
+  const std::vector<vtkIdType> points = cells.UsedPoints();
+  if (refusal.empty())
+  {
+    refusal = CheckPoints(source, points, pulse);
+  }
+  if (refusal.empty())
+  {
+    refusal = CheckReadValues(
+      source, chosen.Chosen.Array, values, &points, SpacingOwner::Source, places, pulse);
+  }
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  const auto triangulation = cells.Triangulation(values.data());
+  const PulsePart part(pulse, TrianglesEnd, 1.0);
+  SortSource(*triangulation, pulse);
+  triangulation->MayOverlap = true;
+  options.Triangulation = triangulation;
+  return HasArea(*triangulation, pulse)
+    ? ""
+    : "The cells of the spacing source have no area in the plane of the input.";
+}
+
+bool IsFillValue(double value)
+{
+  return !std::isnan(value) && !(value > 0.0 && std::isfinite(value));
+}
+
+// The values, NaN for those that are no spacing where none is wanted; elsewhere zero and negative
+// ones are `least` where that is above 0.
+std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const PlaneFrame& frame,
+  const std::function<bool(const Point2&)>& isWanted, double least, Pulse& pulse)
+{
+  std::vector<double> values = ReadDoubles(given, source->GetNumberOfPoints());
+  bool isAnyKnown = false;
+  pulse.ForEach(values.size(),
+    [source, &frame, &isWanted, least, &values, &isAnyKnown](std::size_t point)
+    {
+      double& value = values[point];
+      if (!IsFillValue(value))
+      {
+        isAnyKnown = isAnyKnown || value > 0.0;
+        return;
+      }
+      double place[3];
+      source->GetPoint(static_cast<vtkIdType>(point), place);
+      if (!isWanted(frame.ToPlane(place)))
+      {
+        value = std::numeric_limits<double>::quiet_NaN();
+      }
+      else if (least > 0.0 && value <= 0.0)
+      {
+        value = least;
+        isAnyKnown = true;
+      }
+    });
+  if (!isAnyKnown) // what is given is refused by its values
+  {
+    return ReadDoubles(given, source->GetNumberOfPoints());
+  }
+  return values;
+}
+
+} // namespace
+
+std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
+  const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
+  ProblemPlaces& places, Monitor& monitor)
+{
+  Pulse pulse(monitor);
+  vtkDataSet* source = chosen.Data;
+  vtkDataArray* given = chosen.Chosen.Array;
+  for (const std::string& refusal : { CheckShape(source, given), CheckImage(source) })
+  {
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
+  }
+  std::vector<double> values =
+    KnownValues(source, given, frame, isWanted, LeastValue(options), pulse);
+  const std::shared_ptr<const GridSource> grid = GridFrom(source, values, frame, pulse);
+  const std::string refusal = grid ? AddGrid(chosen, values, grid, options, places, pulse)
+                                   : AddCells(chosen, values, frame, options, places, pulse);
+  return pulse.HasStopped() ? "" : refusal;
+}
+
+} // namespace biting

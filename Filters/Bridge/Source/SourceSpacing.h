@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSourceSpacing_h
+#define BitingSourceSpacing_h
+
+#include "../../Kernel/Spacing/Spacing.h"
+#include "../Drawing/PlaneFrame.h"
+#include "../Run/ProblemReport.h"
+#include "SourceData.h"
+
+#include <functional> // for what is asked of places
+#include <string>     // for the refusal
+
+namespace biting
+{
+
+/// Makes the chosen array of `source` a source of `options`, in the plane `frame`.
+///
+/// Images and rectilinear grids of one layer along the plane, which is axis-aligned, are taken as
+/// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
+/// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with
+/// a hidden point, and cells without area are no source. Where cells may overlap the smallest value
+/// counts. Values that are zero, negative or infinite where `isWanted` says no are none, as NaN:
+/// fill values outside of the domain; elsewhere zero and negative ones count as options.Minimum
+/// where that is given. Reads the source without changing it. Returns why it cannot
+/// be used, empty where it can; `places` gets the values that are no spacing. Where the monitor
+/// asks to stop nothing is refused, and the options have no meaning.
+std::string AddSourceSpacing(const SourceData& source, const PlaneFrame& frame,
+  const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
+  ProblemPlaces& places, Monitor& monitor);
+
+} // namespace biting
+
+#endif

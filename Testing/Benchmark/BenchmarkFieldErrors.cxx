@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How exact f is, and what it takes, for sources of all kinds.
+//   BenchmarkFieldErrors [nodes along a side] [places] [part of a name]
+// A row a source: CPU seconds of preparation, nanoseconds of an evaluation, and in brackets those
+// without gradation; the error of f in per cent, of 99 % of all places and the worst.
+//
+// The reference is min over y of given(y) + g |x - y|, over all nodes of the source, a lattice as
+// fine as these or 1/520, and a finer one around x. It is above f where that misses a place: f
+// itself is nowhere below the largest function, as each cone has a value that is given.
+
+#include "../Kernel/Spacing/SpacingSources.h"
+
+#include <cstdio> // for tables
+#include <ctime>  // for costs
+#include <string> // for names
+
+namespace
+{
+
+using namespace biting;
+
+struct Row
+{
+  std::string Name;
+  SpacingOptions Options;
+};
+
+/// Nodes moved by up to half a step.
+TriangulatedSource Jittered(int nodes, const Field& field)
+{
+  Sampler sampler(6);
+  TriangulatedSource source = MakeTriangulation(nodes, field);
+  for (Point2& point : source.Points)
+  {
+    point = point + (0.45 / nodes) * Point2{ sampler.Next(), sampler.Next() };
+  }
+  return source;
+}
+
+TriangulatedSource OnAPart(TriangulatedSource source)
+{
+  for (Point2& point : source.Points)
+  {
+    point = { 0.3 + 0.3 * point.X, 0.2 + 0.4 * point.Y };
+  }
+  return source;
+}
+
+TriangulatedSource WithGaps(const TriangulatedSource& source)
+{
+  Sampler sampler(7);
+  TriangulatedSource kept{ source.Points, source.Values, {} };
+  for (std::size_t corner = 0; corner < source.Triangles.size(); corner += 3)
+  {
+    const auto first = source.Triangles.begin() + static_cast<std::ptrdiff_t>(corner);
+    kept.Triangles.insert(kept.Triangles.end(), first, sampler.Next() < 0.6 ? first + 3 : first);
+  }
+  return kept;
+}
+
+/// A triangle of low values on others.
+TriangulatedSource Sheets(TriangulatedSource source)
+{
+  const auto first = static_cast<Id>(source.Points.size());
+  source.Points.insert(source.Points.end(), { { 0.2, 0.3 }, { 0.7, 0.4 }, { 0.4, 0.8 } });
+  source.Values.insert(source.Values.end(), { 0.01, 0.02, 0.03 });
+  source.Triangles.insert(source.Triangles.end(), { first, first + 1, first + 2 });
+  source.MayOverlap = true;
+  return source;
+}
+
+/// Triangles around one point.
+TriangulatedSource Hub(Id count, const Field& field)
+{
+  TriangulatedSource source{ { { 0.5, 0.5 } }, { 0.01 }, {} };
+  for (Id k = 0; k < count; ++k)
+  {
+    const double angle = 6.283185307179586 * k / count;
+    source.Points.push_back({ 0.5 + 0.5 * std::cos(angle), 0.5 + 0.5 * std::sin(angle) });
+    source.Values.push_back(field(source.Points.back()));
+    source.Triangles.insert(source.Triangles.end(), { 0, 1 + k, 1 + (k + 1) % count });
+  }
+  return source;
+}
+
+std::vector<Row> Rows(int nodes)
+{
+  Sampler sampler(5);
+  const double step = 1.0 / nodes;
+  const Field smooth = [](const Point2& x) { return 0.05 + 0.1 * x.X * x.Y; };
+  const Field jump = [](const Point2& x) {
+    return Length(x - Point2{ 0.4, 0.45 }) < 0.3 + 0.05 * std::sin(9.0 * x.X) ? 0.01 : 0.4;
+  };
+  const Field waves = [](const Point2& x)
+  { return 0.02 * std::exp(1.5 * std::sin(17.0 * x.X) * std::sin(13.0 * x.Y)); };
+  const Field noise = [&sampler](const Point2&) { return 0.02 * std::exp(3.0 * sampler.Next()); };
+  const Field fine = [&sampler, step](const Point2&)
+  { return 2.0 * step * (0.1 + 1.8 * sampler.Next()); };
+  const Field dots = [&sampler](const Point2&) { return sampler.Next() < 0.002 ? 0.003 : 0.1; };
+  const Field fill = [&jump](const Point2& x)
+  { return std::fmod(7.0 * x.X, 1.0) < 0.2 && x.Y > 0.3 ? 1e20 : jump(x); };
+  const Field holes = [&waves](const Point2& x)
+  { return std::fmod(7.0 * x.X, 1.0) < 0.4 && x.Y > 0.3 ? NotANumber : waves(x); };
+  const auto grid = [nodes](const Field& field) { return WithGrid(MakeGrid(nodes, nodes, field)); };
+  const int few = std::max(9, nodes / 8);
+  std::vector<Row> rows{ { "smooth", grid(smooth) }, { "slope g", grid(AroundTheMiddle(0.3)) },
+    { "slope 1.1 g", grid(AroundTheMiddle(0.33)) }, { "slope 2 g", grid(AroundTheMiddle(0.6)) },
+    { "jump", grid(jump) }, { "waves", grid(waves) }, { "noise x 20", grid(noise) },
+    { "noise 90 %", grid(fine) }, { "dots", grid(dots) }, { "fill values", grid(fill) },
+    { "holes", grid(holes) }, { "triangles", WithTriangles(MakeTriangulation(nodes, smooth)) },
+    { "triangles, jump", WithTriangles(MakeTriangulation(nodes, jump)) },
+    { "triangles, 90 %", WithTriangles(Jittered(nodes, fine)) },
+    { "beside noise", WithTriangles(OnAPart(Jittered(few, noise))) },
+    { "gaps in noise", WithTriangles(WithGaps(Jittered(nodes, fine))) },
+    { "sheets", WithTriangles(Sheets(MakeTriangulation(nodes, smooth))) },
+    { "hub", WithTriangles(Hub(4 * nodes, noise)) }, { "composite", grid(jump) } };
+  rows.back().Options.Triangulation = Share(OnAPart(Jittered(few, noise)));
+  return rows;
+}
+
+double Now()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// f, and what it took.
+struct Timed
+{
+  Spacing F;
+  double Preparation = 0.0;
+  double Evaluation = 0.0;
+
+  explicit Timed(const SpacingOptions& options)
+  {
+    const double begin = Now();
+    this->F = MakeGoodSpacing(options);
+    this->Preparation = Now() - begin;
+    constexpr int Count = 100000;
+    Sampler sampler(33);
+    double sum = 0.0;
+    for (int k = 0; k < Count; ++k)
+    {
+      sum += this->F(sampler.NextIn(UnitBox()));
+    }
+    this->Evaluation = sum > 0.0 ? (Now() - begin - this->Preparation) / Count : 0.0;
+  }
+};
+
+void AddLattice(const Point2& middle, double step, int count, const Spacing& given,
+  std::vector<std::pair<Point2, double>>& places)
+{
+  for (int k = 0; k <= count * (count + 2); ++k)
+  {
+    const Point2 y = middle +
+      step *
+        Point2{ k % (count + 1) - 0.5 * count, static_cast<double>(k / (count + 1)) - 0.5 * count };
+    if (UnitBox().Contains(y))
+    {
+      places.emplace_back(y, given(y));
+    }
+  }
+}
+
+void Print(const Row& row, int nodes, int probes)
+{
+  const Timed used(row.Options);
+  SpacingOptions asGiven = row.Options;
+  asGiven.Gradation = 0.0;
+  const Timed given(asGiven);
+  const int steps = (nodes - 1) * std::max(1, 520 / nodes);
+  std::vector<std::pair<Point2, double>> places;
+  AddLattice({ 0.5, 0.5 }, 1.0 / steps, steps, given.F, places);
+  for (std::size_t k = 0; row.Options.Triangulation && k < row.Options.Triangulation->Points.size();
+       ++k)
+  {
+    const Point2& point = row.Options.Triangulation->Points[k];
+    places.emplace_back(point, UnitBox().Contains(point) ? given.F(point) : 1e30);
+  }
+  Sampler sampler(34);
+  std::vector<double> errors(1, 0.0);
+  for (int probe = 0; probe < probes; ++probe)
+  {
+    const Point2 x = sampler.NextIn(UnitBox());
+    std::vector<std::pair<Point2, double>> near;
+    AddLattice(x, 0.2 / steps, 20, given.F, near);
+    double least = given.F(x);
+    for (const auto* some : { &near, &places })
+    {
+      for (const auto& [place, value] : *some)
+      {
+        least = value < least ? std::min(least, value + 0.3 * Distance(place, x)) : least;
+      }
+    }
+    errors.push_back(100.0 * std::max(used.F(x) / least - 1.0, 0.0));
+  }
+  std::sort(errors.begin(), errors.end());
+  std::printf("| %-15s | %5d | %7.3f (%.3f) | %5.0f (%.0f) | %5.1f %5.1f |\n", row.Name.c_str(),
+    nodes, used.Preparation, given.Preparation, 1e9 * used.Evaluation, 1e9 * given.Evaluation,
+    errors[(99 * (errors.size() - 1)) / 100], errors.back());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const int nodes = argc > 1 ? std::stoi(argv[1]) : 65;
+  const int probes = argc > 2 ? std::stoi(argv[2]) : 300;
+  for (const Row& row : Rows(nodes))
+  {
+    if (argc < 4 || row.Name.find(argv[3]) != std::string::npos)
+    {
+      Print(row, nodes, probes);
+    }
+  }
+  return 0;
+}
