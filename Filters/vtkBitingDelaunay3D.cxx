@@ -3,10 +3,10 @@
 
 #include "vtkBitingDelaunay3D.h"
 
-#include "Bridge/ArrayFromVector.h"
-#include "Bridge/MonitorOfFilter.h"
-#include "Bridge/ParameterCheck.h"
-#include "Bridge/Ranks.h"
+#include "Bridge/Data/ArrayFromVector.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/MonitorOfFilter.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Space/Delaunay/SpaceTriangulation.h"
 
