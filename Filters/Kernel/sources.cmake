@@ -81,6 +81,11 @@ set(biting_kernel_sources
   Delaunay/LateInsertion.cxx
   Delaunay/RegionFill.cxx
   Delaunay/Triangulation.cxx
+  Space/Delaunay/CavityCones.cxx
+  Space/Delaunay/RegularTriangulation.cxx
+  Space/Delaunay/SpaceTriangulation.cxx
+  Space/Delaunay/TetMesh.cxx
+  Space/Delaunay/VertexStar.cxx
   Relaxation/AngleDescent.cxx
   Relaxation/DelaunayMesh.cxx
   Relaxation/DividedSegments.cxx

@@ -29,8 +29,10 @@ struct Run
 using Key = std::uint64_t;
 constexpr int IndexBits = 32;
 
-/// Cells of the curve along each axis of a run's box: 16 bits, so a place on it has 32.
-constexpr double LastCell = 65535.0;
+/// Cells of the curve along each axis of a run's box, less one: 16 bits in the plane and 10 in
+/// space, so a place on the curve has 32 or 30.
+template <std::size_t D>
+constexpr double LastCell = D == 2 ? 65535.0 : 1023.0;
 
 /// Runs no longer than this stay in any order: a walk across them is as short.
 constexpr std::size_t LeastRun = 4;
@@ -88,23 +90,63 @@ constexpr HilbertTable MakeHilbertTable()
 
 constexpr HilbertTable Hilbert = MakeHilbertTable();
 
-std::uint32_t HilbertPlace(unsigned x, unsigned y)
+std::uint32_t HilbertPlace(const std::array<std::uint32_t, 2>& cell)
 {
   std::uint32_t place = 0;
   unsigned state = 0;
   for (int shift = 12; shift >= 0; shift -= 4)
   {
     const unsigned entry =
-      Hilbert[(state << 8) + (((x >> shift) & 15u) << 4) + ((y >> shift) & 15u)];
+      Hilbert[(state << 8) + (((cell[0] >> shift) & 15u) << 4) + ((cell[1] >> shift) & 15u)];
     place = (place << 8) + (entry & 255u);
     state = entry >> 8;
   }
   return place;
 }
 
-unsigned Cell(double offset, double scale)
+/// In space: level by level the cells are turned as the curve turns; then the place is the Gray
+/// code whose bits the axes share (J. Skilling, "Programming the Hilbert curve", 2004).
+std::uint32_t HilbertPlace(std::array<std::uint32_t, 3> cell)
 {
-  return static_cast<unsigned>(std::min(offset * scale, LastCell));
+  constexpr std::uint32_t TopBit = 1u << 9;
+  for (std::uint32_t bit = TopBit; bit > 1; bit >>= 1)
+  {
+    for (std::uint32_t& x : cell)
+    {
+      const bool isSet = (x & bit) != 0;
+      const std::uint32_t exchanged = isSet ? 0 : (cell[0] ^ x) & (bit - 1);
+      cell[0] ^= isSet ? bit - 1 : exchanged;
+      x ^= exchanged;
+    }
+  }
+  cell[1] ^= cell[0];
+  cell[2] ^= cell[1];
+  std::uint32_t turned = 0;
+  for (std::uint32_t bit = TopBit; bit > 1; bit >>= 1)
+  {
+    turned ^= (cell[2] & bit) != 0 ? bit - 1 : 0;
+  }
+  std::uint32_t place = 0;
+  for (std::uint32_t bit = TopBit; bit > 0; bit >>= 1)
+  {
+    for (const std::uint32_t x : cell)
+    {
+      place = 2 * place + (((x ^ turned) & bit) != 0 ? 1 : 0);
+    }
+  }
+  return place;
+}
+
+/// The place of the cell in which a point lies that is so far from the low corner of the box.
+template <std::size_t D>
+Key PlaceOf(const Point<D>& offset, double scale)
+{
+  std::array<std::uint32_t, D> cell{};
+  for (std::size_t d = 0; d < D; ++d)
+  {
+    cell[d] = static_cast<std::uint32_t>(std::min(offset[d] * scale, LastCell<D>));
+  }
+  return HilbertPlace(cell);
 }
 
 /// The round of a point, 0 the last: round r + 1 has a quarter of the points of round r.
@@ -178,10 +220,11 @@ void RadixSort(std::vector<Key>& keys, std::vector<Key>& other, Pulse& pulse)
 
 /// Sorts runs along the curve; where many points share its last cell the run is sorted again,
 /// relative to the box of its own points.
+template <std::size_t D>
 class CurveSorter
 {
 public:
-  CurveSorter(const std::vector<Point2>& points, std::vector<Id>& order, Pulse& pulse)
+  CurveSorter(const std::vector<Point<D>>& points, std::vector<Id>& order, Pulse& pulse)
     : Points(points)
     , Order(order)
     , Beats(pulse)
@@ -207,28 +250,31 @@ private:
   /// False where all points of the run coincide, and on abort.
   bool MakeKeys(const Run& run)
   {
-    const Box2 box = this->BoxOf(run);
-    const double size = std::max(box.Width(), box.Height());
+    const Box<D> box = this->BoxOf(run);
+    double size = 0.0;
+    for (std::size_t d = 0; d < D; ++d)
+    {
+      size = std::max(size, box.Size(d));
+    }
     if (!(size > 0.0))
     {
       return false;
     }
-    const double scale = LastCell / size;
+    const double scale = LastCell<D> / size;
     const PulsePart part(this->Beats, BoxEnd, KeysEnd);
     this->Keys.resize(run.Size());
     return this->Beats.ForEach(run.Size(),
       [this, &run, &box, scale](std::size_t i)
       {
-        const Point2 offset = this->PointAt(run.Begin + i) - box.Low;
-        const Key place = HilbertPlace(Cell(offset.X, scale), Cell(offset.Y, scale));
+        const Key place = PlaceOf(this->PointAt(run.Begin + i) - box.Low, scale);
         this->Keys[i] = (place << IndexBits) | static_cast<Key>(this->Order[run.Begin + i]);
       });
   }
 
-  Box2 BoxOf(const Run& run)
+  Box<D> BoxOf(const Run& run)
   {
     const PulsePart part(this->Beats, 0.0, BoxEnd);
-    Box2 box;
+    Box<D> box;
     this->Beats.ForEach(
       run.Size(), [this, &run, &box](std::size_t i) { box.Add(this->PointAt(run.Begin + i)); });
     return box;
@@ -274,12 +320,12 @@ private:
     }
   }
 
-  const Point2& PointAt(std::size_t position) const
+  const Point<D>& PointAt(std::size_t position) const
   {
     return this->Points[static_cast<std::size_t>(this->Order[position])];
   }
 
-  const std::vector<Point2>& Points;
+  const std::vector<Point<D>>& Points;
   std::vector<Id>& Order;
   Pulse& Beats;
   std::vector<Run> Pending;
@@ -289,10 +335,11 @@ private:
 
 } // namespace
 
-std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse)
+template <std::size_t D>
+std::vector<Id> SpatialOrder(const std::vector<Point<D>>& points, Pulse& pulse)
 {
   std::vector<Id> order(points.size());
-  CurveSorter sorter(points, order, pulse);
+  CurveSorter<D> sorter(points, order, pulse);
   const std::vector<Run> rounds = SplitIntoRounds(order, pulse);
   const PulsePart sorting(pulse, SplittingEnd, 1.0);
   for (const Run& round : rounds)
@@ -303,5 +350,8 @@ std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse)
   }
   return order;
 }
+
+template std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse);
+template std::vector<Id> SpatialOrder(const std::vector<Point3>& points, Pulse& pulse);
 
 } // namespace biting

@@ -19,8 +19,9 @@ namespace biting
 /// The curve is refined where points crowd, whatever the grading. Deterministic. Cost O(n) for
 /// coordinates of bounded grading.
 /// Source: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", 2003.
-/// On abort the order has no meaning.
-std::vector<Id> SpatialOrder(const std::vector<Point2>& points, Pulse& pulse);
+/// On abort the order has no meaning. Of points of the plane (D = 2) or of space (D = 3).
+template <std::size_t D>
+std::vector<Id> SpatialOrder(const std::vector<Point<D>>& points, Pulse& pulse);
 
 } // namespace biting
 

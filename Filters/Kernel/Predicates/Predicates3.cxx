@@ -6,9 +6,9 @@
 #include "DoubleDouble.h"
 #include "Expansion.h"
 
-#include <algorithm> // for max, sort
+#include <algorithm> // for all_of, max, sort
 #include <array>     // for five points
-#include <cmath>     // for abs
+#include <cmath>     // for abs, floor, ilogb, ldexp
 
 namespace biting
 {
@@ -128,8 +128,80 @@ int ExactPowerTest(FivePoints points)
   return PowerDeterminant<Expansion<2>>(points).Sign();
 }
 
-/// Whether the five have the same weight and are corners of one box along the axes: then a sphere
-/// goes through them. So are most of those that come here from lattices.
+/// Numerators and denominator of PowerCenter: the vector is the solution x of v . x = lift / 2 for
+/// the three vectors v.
+template <class Vector, class Lift>
+auto PowerNumerator(const std::array<Vector, 3>& v, const std::array<Lift, 3>& lifts)
+{
+  const auto term = [&v, &lifts](std::size_t i, auto first, auto second)
+  {
+    const Vector& p = v[(i + 1) % 3];
+    const Vector& q = v[(i + 2) % 3];
+    return lifts[i] * (p.*first * (q.*second) - p.*second * (q.*first));
+  };
+  return [term](auto first, auto second)
+  { return term(0, first, second) + term(1, first, second) + term(2, first, second); };
+}
+
+/// The exact vector, rounded.
+Point3 ExactPowerCenter(const std::array<WeightedPoint, 4>& p)
+{
+  using Number = Expansion<2>;
+  using Vector = WideVector3<Number>;
+  std::array<Vector, 3> v;
+  std::array<Expansion<26>, 3> lifts;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    v[k] = WideVectorTo<Number>(p[k + 1].Place, p[0].Place);
+    lifts[k] = LiftOf(v[k], p[k + 1].Weight, p[0].Weight);
+  }
+  const auto determinant =
+    VolumeDeterminant<Number>(p[0].Place, p[1].Place, p[2].Place, p[3].Place);
+  const DoubleDouble denominator = determinant.Rounded();
+  const auto numerator = PowerNumerator(v, lifts);
+  return 0.5 *
+    Point3{ Quotient(numerator(&Vector::Y, &Vector::Z).Rounded(), denominator),
+      Quotient(numerator(&Vector::Z, &Vector::X).Rounded(), denominator),
+      Quotient(numerator(&Vector::X, &Vector::Y).Rounded(), denominator) };
+}
+
+/// Whether all vectors from the origin to the points are exact and whole multiples of one number,
+/// up to 2^9 times along each axis: so they are on lattices. Then the determinants of Orient3D and
+/// InSphere are exact in double arithmetic, which makes 2^-9 times this number the unit: a lift is
+/// below 2^20, a determinant of three vectors below 2^30, the sum of four products below 2^52.
+template <class Points>
+bool AreFewSteps(const Points& points, const Point3& origin, const detail::Extents& extents)
+{
+  constexpr double LeastWithoutUnderflow = 1e-50; // five factors of 2^-9 times it are above 2^-890
+  const double largest = std::max(extents.X, std::max(extents.Y, extents.Z));
+  if (!(largest > LeastWithoutUnderflow && largest <= GreatestCoordinate3 * 2.0))
+  {
+    return false;
+  }
+  const double perUnit = std::ldexp(1.0, 8 - std::ilogb(largest));
+  for (const auto& point : points)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const DoubleDouble difference = TwoDifference(point[d], origin[d]);
+      const double steps = difference.High * perUnit;
+      if (difference.Low != 0.0 || steps != std::floor(steps))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool HaveSameWeight(const FivePoints& points)
+{
+  return std::all_of(points.begin(), points.end(),
+    [&points](const WeightedPoint& point) { return point.Weight == points[0].Weight; });
+}
+
+/// Whether the five are corners of one box along the axes: then a sphere goes through them. So are
+/// most of those that come here from lattices whose steps are rounded.
 bool AreOfOneBox(const FivePoints& points)
 {
   bool isSo = true;
@@ -140,12 +212,16 @@ bool AreOfOneBox(const FivePoints& points)
     for (const WeightedPoint& point : points)
     {
       const double value = point.Place[d];
-      isSo = isSo && point.Weight == points[0].Weight &&
-        (value == first || value == other || other == first);
+      isSo = isSo && (value == first || value == other || other == first);
       other = value == first ? other : value;
     }
   }
   return isSo;
+}
+
+int SignOf(double value)
+{
+  return (value > 0.0) - (value < 0.0);
 }
 
 } // namespace
@@ -157,6 +233,17 @@ int detail::Orient3DWidened(
   if (magnitude == 0.0) // nothing underflows in range: the four have a coordinate in common
   {
     return 0;
+  }
+  const std::array<Point3, 3> points{ b, c, d };
+  const std::array<Point3, 3> v{ b - a, c - a, d - a };
+  detail::Extents extents;
+  for (const Point3& vector : v)
+  {
+    extents.Add(vector);
+  }
+  if (AreFewSteps(points, a, extents))
+  {
+    return SignOf(Dot(v[0], Cross(v[1], v[2])));
   }
   const double determinant = VolumeDeterminant<DoubleDouble>(a, b, c, d).High;
   if (std::abs(determinant) > Orient3DWideBound * magnitude)
@@ -172,9 +259,25 @@ int detail::PowerTestWidened(const WeightedPoint& a, const WeightedPoint& b, con
 {
   CountStage(Stage::Wide);
   const FivePoints points{ a, b, c, d, e };
-  if (AreOfOneBox(points))
+  if (HaveSameWeight(points))
   {
-    return 0;
+    if (AreOfOneBox(points))
+    {
+      return 0;
+    }
+    const std::array<Point3, 4> others{ a.Place, b.Place, c.Place, d.Place };
+    std::array<Point3, 4> v;
+    detail::Extents extents;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      v[k] = others[k] - e.Place;
+      extents.Add(v[k]);
+    }
+    if (AreFewSteps(others, e.Place, extents))
+    {
+      return SignOf(SphereDeterminant(v[0], v[1], v[2], v[3], Dot(v[0], v[0]), Dot(v[1], v[1]),
+        Dot(v[2], v[2]), Dot(v[3], v[3])));
+    }
   }
   const double determinant = PowerDeterminant<DoubleDouble>(points).High;
   if (std::abs(determinant) > InSphereWideBound * magnitude + InSphereUnderflow)
@@ -233,6 +336,30 @@ int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3&
     }
   }
   return -1;
+}
+
+// With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of its
+// value. A lift is at most 4 m^2, a numerator off by less than 2^-43 m^4: the quotient by 2^-33 m.
+Point3 PowerCenter(
+  const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d)
+{
+  constexpr double LeastShare = 1.0 / 1024.0;
+  const std::array<Point3, 3> v{ b.Place - a.Place, c.Place - a.Place, d.Place - a.Place };
+  const std::array<double, 3> lifts{ Dot(v[0], v[0]) - (b.Weight - a.Weight),
+    Dot(v[1], v[1]) - (c.Weight - a.Weight), Dot(v[2], v[2]) - (d.Weight - a.Weight) };
+  detail::Extents extents;
+  for (const Point3& vector : v)
+  {
+    extents.Add(vector);
+  }
+  const double determinant = Dot(v[0], Cross(v[1], v[2]));
+  const double largest = std::max(extents.X, std::max(extents.Y, extents.Z));
+  if (!(std::abs(determinant) > LeastShare * largest * largest * largest))
+  {
+    return ExactPowerCenter({ a, b, c, d });
+  }
+  return 0.5 / determinant *
+    (lifts[0] * Cross(v[1], v[2]) + lifts[1] * Cross(v[2], v[0]) + lifts[2] * Cross(v[0], v[1]));
 }
 
 } // namespace biting

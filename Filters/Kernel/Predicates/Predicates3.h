@@ -56,6 +56,14 @@ int PowerTest(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoin
 int TieInSphere(
   const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e);
 
+/// The centre of the sphere that is orthogonal to a, b, c, d (through them, without weights), as a
+/// vector from a. Precondition: Orient3D is not 0.
+/// Where the four are nearly coplanar it is rounded from the exact fraction, so each coordinate is
+/// right within two units in its last place; elsewhere it is off by less than 1e-10 of the
+/// greatest distance between two of the four, if their weights are not larger than its square.
+Point3 PowerCenter(
+  const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d);
+
 } // namespace biting
 
 #include "PredicateFilters3.h" // for the first stages, inline

@@ -7,8 +7,6 @@
 #include "PointFamilies.h"
 #include "Predicates/Predicates3.h"
 
-#include <boost/multiprecision/cpp_int.hpp> // for exact numbers to compare with
-
 #include <array>   // for five points
 #include <cmath>   // for ldexp
 #include <utility> // for swap
@@ -18,27 +16,29 @@ namespace predicates_test
 
 using biting::Point3;
 using biting::WeightedPoint;
-using Rational = boost::multiprecision::cpp_rational;
 using Five = std::array<WeightedPoint, 5>;
 
-// The truth, in fractions.
+// The truth, in integers.
 
-using RationalRow = std::array<Rational, 4>;
+/// Coordinates are multiples of 2^-SpaceBits, weights of its square.
+constexpr int SpaceBits = 220;
+
+using ExactRow = std::array<Integer, 4>;
 
 /// The vector from `origin` to p, and its lift.
-inline RationalRow RowOf(const WeightedPoint& p, const WeightedPoint& origin)
+inline ExactRow RowOf(const WeightedPoint& p, const WeightedPoint& origin)
 {
-  RationalRow row;
+  ExactRow row;
   for (std::size_t d = 0; d < 3; ++d)
   {
-    row[d] = Rational(p.Place[d]) - Rational(origin.Place[d]);
+    row[d] = Exactly(p.Place[d], SpaceBits) - Exactly(origin.Place[d], SpaceBits);
     row[3] += row[d] * row[d];
   }
-  row[3] -= Rational(p.Weight) - Rational(origin.Weight);
+  row[3] -= Exactly(p.Weight, 2 * SpaceBits) - Exactly(origin.Weight, 2 * SpaceBits);
   return row;
 }
 
-inline Rational Determinant3(const RationalRow& p, const RationalRow& q, const RationalRow& r)
+inline Integer Determinant3(const ExactRow& p, const ExactRow& q, const ExactRow& r)
 {
   return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
     p[2] * (q[0] * r[1] - q[1] * r[0]);
@@ -53,16 +53,21 @@ inline int TrueOrient3D(const Point3& a, const Point3& b, const Point3& c, const
 
 inline int TruePowerTest(const Five& p)
 {
-  std::array<RationalRow, 4> rows;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    rows[k] = RowOf(p[k], p[4]);
-  }
-  const Rational determinant = rows[0][3] * Determinant3(rows[1], rows[2], rows[3]) -
+  const ExactRow rows[4] = { RowOf(p[0], p[4]), RowOf(p[1], p[4]), RowOf(p[2], p[4]),
+    RowOf(p[3], p[4]) };
+  const Integer determinant = rows[0][3] * Determinant3(rows[1], rows[2], rows[3]) -
     rows[1][3] * Determinant3(rows[0], rows[2], rows[3]) +
     rows[2][3] * Determinant3(rows[0], rows[1], rows[3]) -
     rows[3][3] * Determinant3(rows[0], rows[1], rows[2]);
   return determinant.sign();
+}
+
+/// A fraction of whole units.
+inline double LengthOf(const Integer& numerator, const Integer& denominator)
+{
+  constexpr int MoreBits = 120;
+  const Integer quotient((numerator << MoreBits) / denominator);
+  return std::ldexp(quotient.convert_to<double>(), -MoreBits - SpaceBits);
 }
 
 // Where the points come from.

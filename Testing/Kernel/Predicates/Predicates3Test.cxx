@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for next_permutation
+#include <algorithm> // for max, next_permutation
 #include <array>     // for permutations
+#include <cmath>     // for isfinite, sqrt
 #include <cstdlib>   // for the wanted number of cases
 #include <limits>    // for infinity
 
@@ -97,7 +98,7 @@ TEST(Orient3D, IsPositiveForTetrahedraOfVtk)
   EXPECT_EQ(biting::Orient3D({ 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 3, 4, 0 }), 0);
 }
 
-TEST(Orient3D, AgreesWithExactFractions)
+TEST(Orient3D, AgreesWithExactIntegers)
 {
   ForAllFives(CasesOfFamily(),
     [](const Five& p)
@@ -143,7 +144,7 @@ TEST(InSphere, KnowsInsideFromOutside)
   EXPECT_EQ(biting::InSphere(a, b, c, d, { 1, outward, 1 }), -1);
 }
 
-TEST(InSphere, AgreesWithExactFractions)
+TEST(InSphere, AgreesWithExactIntegers)
 {
   ForAllFives(CasesOfFamily(),
     [](const Five& p) { EXPECT_EQ(InSphere(p), TruePowerTest(WithoutWeights(p))); });
@@ -164,7 +165,7 @@ TEST(InSphere, IsZeroForRepeatedPoints)
     });
 }
 
-TEST(PowerTest, AgreesWithExactFractions)
+TEST(PowerTest, AgreesWithExactIntegers)
 {
   ForAllFives(CasesOfFamily(), [](const Five& p) { EXPECT_EQ(PowerTest(p), TruePowerTest(p)); });
 }
@@ -245,6 +246,41 @@ TEST(TieInSphere, PermutationsKeepOrNegate)
     } while (std::next_permutation(order.begin(), order.end()));
   }
   EXPECT_GT(ties, 100);
+}
+
+// Near-singular centres: those of nearly flat tetrahedra are right, however far away they are.
+TEST(PowerCenter, IsRightWhereTetrahedraAreNearlyFlat)
+{
+  ForAllFives(60,
+    [](const Five& p)
+    {
+      if (Orient(p) == 0)
+      {
+        return;
+      }
+      const Point3 center = biting::PowerCenter(p[0], p[1], p[2], p[3]);
+      const ExactRow rows[3] = { RowOf(p[1], p[0]), RowOf(p[2], p[0]), RowOf(p[3], p[0]) };
+      const Integer volume = 2 * Determinant3(rows[0], rows[1], rows[2]);
+      double size = 0.0;
+      for (std::size_t k = 1; k < 4; ++k)
+      {
+        size = std::max(size, Length(p[k].Place - p[0].Place));
+        size = std::max(size, std::sqrt(std::abs(p[k].Weight - p[0].Weight)));
+      }
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        ExactRow columns[3] = { rows[0], rows[1], rows[2] };
+        for (ExactRow& column : columns)
+        {
+          column[d] = column[3];
+        }
+        const double truth = LengthOf(Determinant3(columns[0], columns[1], columns[2]), volume);
+        if (std::isfinite(truth))
+        {
+          EXPECT_NEAR(center[d], truth, 1e-10 * size + 1e-15 * std::abs(truth));
+        }
+      }
+    });
 }
 
 TEST(Predicates3, SurviveWhatIsNotFinite)

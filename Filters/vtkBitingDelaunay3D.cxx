@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkBitingDelaunay3D.h"
+
+#include "Bridge/Data/ArrayFromVector.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/MonitorOfFilter.h"
+#include "Kernel/Base/Pulse.h"
+#include "Kernel/Space/Delaunay/SpaceTriangulation.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm> // for max, min, sort
+#include <cmath>     // for abs, ilogb, isfinite, ldexp
+#include <new>       // for bad_alloc
+#include <string>    // for messages
+#include <vector>    // for points
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+
+/// Facets have ids of 31 bits, four a cell; there are 6.8 cells a point in ordinary inputs.
+constexpr vtkIdType MostPoints = (vtkIdType(1) << 29) / 8;
+
+/// What is said of points without volume, by their dimension.
+constexpr const char* FlatSentences[] = {
+  "All points are at one place: there is no tetrahedron between them.",
+  "All points lie on one line: there is no tetrahedron between them.",
+  "All points lie in one plane: there is no tetrahedron between them. Use Delaunay 2D."
+};
+
+//------------------------------------------------------------------------------
+std::string DuplicatesText(std::vector<biting::PointPair> pairs)
+{
+  constexpr std::size_t Listed = 5;
+  if (pairs.empty())
+  {
+    return {};
+  }
+  std::sort(pairs.begin(), pairs.end(),
+    [](const biting::PointPair& a, const biting::PointPair& b) { return a.Point < b.Point; });
+  std::string text = std::to_string(pairs.size()) +
+    (pairs.size() == 1
+        ? " point lies at the place of another one and is a corner of no tetrahedron:"
+        : " points lie at the places of others and are corners of no tetrahedra:");
+  for (std::size_t k = 0; k < std::min(Listed, pairs.size()); ++k)
+  {
+    text += std::string(k == 0 ? " " : ", ") + "point " + std::to_string(pairs[k].Point) +
+      " at point " + std::to_string(pairs[k].Of);
+  }
+  return text +
+    (pairs.size() > Listed ? ", and " + std::to_string(pairs.size() - Listed) + " more." : ".");
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+// One execution. Methods return false where nothing is left to do.
+class vtkBitingDelaunay3D::Execution
+{
+public:
+  explicit Execution(vtkBitingDelaunay3D* filter)
+    : Filter(filter)
+    , Monitor(filter, { 0.05, 0.85, 0.1 })
+  {
+  }
+
+  /// Fills the output of the filter; says what is wrong.
+  void Run(const biting::WholeInput& input, vtkUnstructuredGrid* output);
+
+private:
+  bool Gather(const biting::WholeInput& input);
+  bool ReadPoints();
+  bool Triangulate();
+  void Write(vtkUnstructuredGrid* output);
+  bool IsWanted(biting::Id cell) const;
+  void Refuse(const std::string& reason);
+
+  vtkBitingDelaunay3D* Filter;
+  biting::MonitorOfFilter Monitor;
+  vtkSmartPointer<vtkPointSet> Input;
+  std::vector<biting::Point3> Points; ///< divided by two to the power of Exponent
+  int Exponent = 0;
+  biting::SpaceTriangulation Result;
+};
+
+vtkStandardNewMacro(vtkBitingDelaunay3D);
+
+//------------------------------------------------------------------------------
+int vtkBitingDelaunay3D::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingDelaunay3D::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkBitingCompat::ForgetAbort(this);
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  biting::Ranks(request, outputVector).AskForPieces(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBitingDelaunay3D::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ErrorCode = vtkErrorCode::NoError;
+  const biting::Ranks ranks(request, outputVector);
+  const biting::WholeInput input(ranks, inputVector[0]);
+  if (ranks.IsFirst())
+  {
+    Execution(this).Run(input, vtkUnstructuredGrid::GetData(outputVector));
+  }
+  this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
+  return 1; // also where there was an error: views keep what was before it where this is 0
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingDelaunay3D::Execution::Run(
+  const biting::WholeInput& input, vtkUnstructuredGrid* output)
+{
+  try
+  {
+    const std::string refusal = biting::CheckAtLeastZero("Alpha", this->Filter->Alpha);
+    if (!refusal.empty())
+    {
+      this->Refuse(refusal);
+    }
+    else if (this->Gather(input) && this->ReadPoints() && this->Triangulate())
+    {
+      this->Write(output);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    this->Refuse("There is not enough memory for the tetrahedra between so many points.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingDelaunay3D::Execution::Refuse(const std::string& reason)
+{
+  this->Filter->ErrorCode = vtkErrorCode::UserError;
+  vtkErrorWithObjectMacro(this->Filter, << reason);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingDelaunay3D::Execution::Gather(const biting::WholeInput& input)
+{
+  if (!input.IsComplete())
+  {
+    this->Refuse(biting::NotGathered);
+    return false;
+  }
+  this->Input = vtkPointSet::SafeDownCast(input.Make());
+  const vtkIdType count = this->Input ? this->Input->GetNumberOfPoints() : 0;
+  if (count > MostPoints)
+  {
+    this->Refuse("There are " + std::to_string(count) + " points; at most " +
+      std::to_string(MostPoints) + " can be triangulated.");
+    return false;
+  }
+  return count > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingDelaunay3D::Execution::ReadPoints()
+{
+  this->Monitor.BeginStage("Reading the points");
+  this->Points.resize(static_cast<std::size_t>(this->Input->GetNumberOfPoints()));
+  double largest = 0.0;
+  vtkIdType firstBad = -1;
+  vtkIdType numberOfBad = 0;
+  biting::Pulse pulse(this->Monitor);
+  pulse.ForEach(this->Points.size(),
+    [this, &largest, &firstBad, &numberOfBad](std::size_t k)
+    {
+      biting::Point3& point = this->Points[k];
+      this->Input->GetPoint(static_cast<vtkIdType>(k), point.data());
+      const double size = std::abs(point.X) + std::abs(point.Y) + std::abs(point.Z);
+      if (!std::isfinite(size))
+      {
+        firstBad = numberOfBad++ == 0 ? static_cast<vtkIdType>(k) : firstBad;
+      }
+      largest = std::max(largest, size);
+    });
+  if (numberOfBad > 0 && !pulse.HasStopped())
+  {
+    this->Refuse("Point " + std::to_string(firstBad) +
+      " has a coordinate that is not finite, or too large" +
+      (numberOfBad > 1 ? "; so have " + std::to_string(numberOfBad - 1) + " more." : "."));
+    return false;
+  }
+  this->Exponent = largest > 0.0 ? std::ilogb(largest) : 0;
+  pulse.ForEach(this->Points.size(),
+    [this](std::size_t k)
+    {
+      for (double& x : this->Points[k])
+      {
+        x = std::ldexp(x, -this->Exponent);
+        x = std::abs(x) < biting::LeastCoordinate3 ? 0.0 : x;
+      }
+    });
+  return !pulse.HasStopped();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingDelaunay3D::Execution::Triangulate()
+{
+  this->Monitor.BeginStage("Triangulating");
+  this->Result = biting::TriangulateSpace(this->Points, {}, this->Monitor);
+  if (this->Result.WasAborted)
+  {
+    return false;
+  }
+  const bool isSolid = this->Result.Dimension == 3;
+  const std::string text =
+    isSolid ? DuplicatesText(this->Result.Duplicates) : FlatSentences[this->Result.Dimension];
+  if (!text.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << text);
+  }
+  return isSolid;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingDelaunay3D::Execution::IsWanted(biting::Id cell) const
+{
+  const biting::TetMesh& mesh = this->Result.Mesh;
+  if (!mesh.IsTetrahedron(cell) || this->Filter->Alpha == 0.0)
+  {
+    return mesh.IsTetrahedron(cell);
+  }
+  const auto corner = [&mesh, cell](std::size_t k) -> biting::WeightedPoint {
+    return { mesh.PointAt(mesh.Corners[4 * static_cast<std::size_t>(cell) + k]), 0.0 };
+  };
+  const double radius = Length(biting::PowerCenter(corner(0), corner(1), corner(2), corner(3)));
+  return radius <= std::ldexp(this->Filter->Alpha, -this->Exponent);
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingDelaunay3D::Execution::Write(vtkUnstructuredGrid* output)
+{
+  this->Monitor.BeginStage("Writing the tetrahedra");
+  const biting::TetMesh& mesh = this->Result.Mesh;
+  std::vector<biting::Id> corners;
+  corners.reserve(mesh.Corners.size());
+  biting::Pulse pulse(this->Monitor);
+  pulse.ForEach(static_cast<std::size_t>(mesh.NumberOfSlots()),
+    [this, &mesh, &corners](std::size_t cell)
+    {
+      if (this->IsWanted(static_cast<biting::Id>(cell)))
+      {
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          const biting::Id vertex = mesh.Corners[4 * cell + k];
+          corners.push_back(this->Result.Order[static_cast<std::size_t>(vertex)]);
+        }
+      }
+    });
+  vtkNew<vtkCellArray> cells;
+  biting::SetCells(cells, 4, corners, pulse);
+  if (!pulse.HasStopped())
+  {
+    output->SetPoints(this->Input->GetPoints());
+    output->SetCells(VTK_TETRA, cells);
+    output->GetPointData()->PassData(this->Input->GetPointData());
+    output->GetFieldData()->PassData(this->Input->GetFieldData());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBitingDelaunay3D::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Alpha: " << this->Alpha << "\n";
+}
+
+VTK_ABI_NAMESPACE_END
