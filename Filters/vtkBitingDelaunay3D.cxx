@@ -75,7 +75,7 @@ class vtkBitingDelaunay3D::Execution
 public:
   explicit Execution(vtkBitingDelaunay3D* filter)
     : Filter(filter)
-    , Monitor(filter, { 0.05, 0.85, 0.1 })
+    , Monitor(filter, { 0.05, 0.85, 0.1 }, 1)
   {
   }
 

@@ -219,12 +219,12 @@ bool vtkMeshConformity::Execution::Gather(
 // Tetrahedra. The sources of spacing are those of a plane: an array of the mesh counts here.
 void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
 {
-  this->Monitor.BeginStage("Measuring tetrahedra");
+  this->Progress.BeginStage("Measuring tetrahedra");
   const biting::ChosenArray chosen = biting::ChooseArray(
     this->Filter->GetInputArrayInformation(0), this->Input, { "spacing array", "input" });
   biting::MeasuredTetrahedra mesh;
   if (!this->Accept(chosen.Refusal) ||
-    !this->Accept(mesh.Read(this->Input, chosen.Array, this->Monitor)))
+    !this->Accept(mesh.Read(this->Input, chosen.Array, this->Progress)))
   {
     return;
   }
@@ -235,8 +235,8 @@ void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
                           : "There is no spacing to compare with: shapes are measured, conformity "
                             "is not. Choose a point array of the mesh.");
   mesh.Quality =
-    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Monitor);
-  if (this->Monitor.Advance(1.0))
+    biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Progress);
+  if (this->Progress.Advance(1.0))
   {
     mesh.Write(this->Input, vtkDataSet::GetData(outputs, 0), this->Filter->NumberOfBins,
       vtkTable::GetData(outputs, 1));

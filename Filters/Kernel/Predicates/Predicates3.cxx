@@ -338,8 +338,9 @@ int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3&
   return -1;
 }
 
-// With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of its
-// value. A lift is at most 4 m^2, a numerator off by less than 2^-43 m^4: the quotient by 2^-33 m.
+// With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of
+// its value. A lift is at most 4 m^2, a numerator off by less than 2^-43 m^4: the quotient by
+// 2^-33 m.
 Point3 PowerCenter(
   const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d)
 {

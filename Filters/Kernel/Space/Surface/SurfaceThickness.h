@@ -26,9 +26,9 @@ struct SurfaceThickness
 ///
 /// An approximation: balls touch at the middles of triangles; walls face each other if their
 /// normals are opposite within 20 degrees and they have no common corner, so that wedges and
-/// creases are no thin places; of two places that differ by less than 4 % either may be told. At most
-/// 100,000 triangles, evenly taken, are looked at, and the search ends once four million pairs of
-/// balls and triangles were tested.
+/// creases are no thin places; of two places that differ by less than 4 % either may be told. At
+/// most 100,000 triangles, evenly taken, are looked at, and the search ends once four million pairs
+/// of balls and triangles were tested.
 SurfaceThickness SmallestThickness(const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree,
   const SurfaceShells& shells, Pulse& pulse);
 
