@@ -194,7 +194,7 @@ bool vtkBitingDelaunay3D::Execution::ReadPoints()
     [this, &largest, &firstBad, &numberOfBad](std::size_t k)
     {
       biting::Point3& point = this->Points[k];
-      this->Input->GetPoint(static_cast<vtkIdType>(k), point.data());
+      this->Input->GetPoint(static_cast<vtkIdType>(k), point.Data());
       const double size = std::abs(point.X) + std::abs(point.Y) + std::abs(point.Z);
       if (!std::isfinite(size))
       {

@@ -3,11 +3,11 @@
 
 #include "vtkBitingSurfaceCheck.h"
 
-#include "Bridge/Run/FilterRun.h"
-#include "Bridge/Run/ProblemReport.h"
-#include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Drawing/SurfaceFromDrawing.h"
 #include "Bridge/Mesh/SurfaceToPolyData.h"
+#include "Bridge/Ranks/Ranks.h"
+#include "Bridge/Run/FilterRun.h"
+#include "Bridge/Run/ProblemReport.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"

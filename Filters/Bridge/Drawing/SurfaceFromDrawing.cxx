@@ -5,8 +5,8 @@
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Predicates/Predicates3.h"
-#include "../Data/Cells.h"
 #include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "../Run/ProblemReport.h"
 
 #include "vtkCellArray.h"
@@ -197,7 +197,7 @@ void SurfaceReader::AddPolygon()
   this->Polygon->PointIds->SetNumberOfIds(size);
   for (vtkIdType k = 0; k < size; ++k)
   {
-    this->Polygon->Points->SetPoint(k, this->At(static_cast<std::size_t>(k)).data());
+    this->Polygon->Points->SetPoint(k, this->At(static_cast<std::size_t>(k)).Data());
     this->Polygon->PointIds->SetId(k, k);
   }
   const bool isDone =
@@ -288,7 +288,7 @@ std::string SurfaceFromDrawing(const Drawing& drawing, GivenSurface& surface, Mo
   const std::string refusal = RefuseBadPoints(surface.Mesh, used);
   if (refusal.empty() && !used.empty())
   {
-    const double* coordinates = surface.Mesh.Points.front().data();
+    const double* coordinates = surface.Mesh.Points.front().Data();
     surface.Rounding = RoundingOfCoordinates(drawing.CoordinateType(), coordinates, used, pulse);
   }
   return refusal;

@@ -6,8 +6,8 @@
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Quality/Histogram.h"
 #include "../Data/ArrayFromVector.h"
-#include "../Data/Cells.h"
 #include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -71,7 +71,7 @@ std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Mo
   this->Points.resize(static_cast<std::size_t>(numberOfPoints));
   for (std::size_t point = 0; point < this->Points.size(); ++point)
   {
-    coordinates->GetTuple(static_cast<vtkIdType>(point), this->Points[point].data());
+    coordinates->GetTuple(static_cast<vtkIdType>(point), this->Points[point].Data());
   }
   if (spacing)
   {
@@ -102,7 +102,7 @@ std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Mo
     for (const vtkIdType corner : *corners)
     {
       const auto vertex = static_cast<std::size_t>(corner);
-      const bool isPlace = AreFinite(this->Points[vertex].data());
+      const bool isPlace = AreFinite(this->Points[vertex].Data());
       const bool isSize = this->Spacing.empty() ||
         (std::isfinite(this->Spacing[vertex]) && this->Spacing[vertex] > 0.0);
       if (!isPlace || !isSize)

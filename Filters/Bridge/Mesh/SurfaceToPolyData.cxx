@@ -67,7 +67,7 @@ void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problem
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
   pulse.ForEach(mesh.Points.size(),
     [&points, &mesh](std::size_t point)
-    { points->SetPoint(static_cast<vtkIdType>(point), mesh.Points[point].data()); });
+    { points->SetPoint(static_cast<vtkIdType>(point), mesh.Points[point].Data()); });
   output->SetPoints(points);
   vtkNew<vtkCellArray> cells;
   SetCells(cells, 3, mesh.Corners, pulse);
@@ -100,7 +100,7 @@ void FeatureEdgesToPolyData(const CheckedSurface& surface, vtkPolyData* mesh, vt
     {
       number = static_cast<Id>(used.size());
       used.push_back(end);
-      points->InsertNextPoint(surface.Mesh.Points[static_cast<std::size_t>(end)].data());
+      points->InsertNextPoint(surface.Mesh.Points[static_cast<std::size_t>(end)].Data());
     }
     ends.push_back(number);
   }

@@ -101,8 +101,7 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "PinchedVertices", "Pinched vertices, where fans of triangles meet", "point", "",
     "Divide the vertex." },
   { "Folds", "Folds, neighbors that lie on each other", "cell", "cell", "Unfold them." },
-  { "SelfCrossings", "Self-crossings", "cell", "cell",
-    "Cut the surface there, or move it apart." },
+  { "SelfCrossings", "Self-crossings", "cell", "cell", "Cut the surface there, or move it apart." },
   { "NotOrientable", "Surfaces with one side only", "cell", "cell", "They bound nothing." },
   { "DuplicateTriangles", "Duplicate triangles", "cell", "cell", "They were left out." },
   { "InconsistentEdges", "Triangles oriented against each other", "cell", "cell",
@@ -223,7 +222,7 @@ void SetPoints(const std::vector<ProblemPlace>& places, vtkPolyData* output)
   points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    points->SetPoint(static_cast<vtkIdType>(k), places[k].Place.data());
+    points->SetPoint(static_cast<vtkIdType>(k), places[k].Place.Data());
   }
   output->SetPoints(points);
   std::vector<Id> vertices(places.size());

@@ -105,8 +105,8 @@ std::string CheckPoints(vtkDataSet* source, const std::vector<vtkIdType>& points
   for (const vtkIdType point : points)
   {
     Point3 place;
-    source->GetPoint(point, place.data());
-    if (pulse.Beat(1) && !AreFinite(place.data()) && ++count <= static_cast<std::int64_t>(ShownIds))
+    source->GetPoint(point, place.Data());
+    if (pulse.Beat(1) && !AreFinite(place.Data()) && ++count <= static_cast<std::int64_t>(ShownIds))
     {
       first.push_back("point " + std::to_string(point) + " at " + PlaceText(place));
     }

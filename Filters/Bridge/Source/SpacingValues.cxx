@@ -187,7 +187,7 @@ std::string CheckReadValues(vtkDataSet* data, vtkDataArray* array,
     if (!IsSpacing(value, owner) && static_cast<std::size_t>(++count) <= ProblemList::KeptPerKind)
     {
       Point3 place;
-      data->GetPoint(point, place.data());
+      data->GetPoint(point, place.Data());
       bad.push_back(Describe(point, value, place));
       AddPlace(point, place, subject + bad.back(), places);
     }

@@ -29,8 +29,8 @@ struct Point<3>
   const double* end() const { return &this->X + 3; }
   double* begin() { return &this->X; }
   double* end() { return &this->X + 3; }
-  double* data() { return &this->X; }
-  const double* data() const { return &this->X; }
+  double* Data() { return &this->X; }
+  const double* Data() const { return &this->X; }
 };
 
 template <>

@@ -115,9 +115,8 @@ BitingMesh MakePiece(const SpreadInput& input, CollarPart own, CrewRounds& round
     piece.Constraints.assign(piece.Constraints.size(), NoId);
   }
   PartOfStage measuring(part, UnitingEnd, 1.0);
-  const bool isWell =
-    MeasurePieces({ input.Geometry, input.F, piece.Constraints, countsAsked }, rounds,
-      piece.Mesh, density, problems, measuring);
+  const bool isWell = MeasurePieces({ input.Geometry, input.F, piece.Constraints, countsAsked },
+    rounds, piece.Mesh, density, problems, measuring);
   if (!isWell || measuring.HasStopped())
   {
     return {};

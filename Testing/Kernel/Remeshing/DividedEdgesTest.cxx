@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Remeshing/KeptVertices.h"
 #include "OldMeshShapes.h"
+#include "Remeshing/KeptVertices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Remeshing/ReleasedVertices.h"
 #include "../Support/MeshRun.h"
 #include "../Support/MeshShapes.h"
 #include "../Support/RemeshLaws.h"
 #include "BitingRemesh.h"
+#include "Remeshing/ReleasedVertices.h"
 
 #include <gtest/gtest.h>
 

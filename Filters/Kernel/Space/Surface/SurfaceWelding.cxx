@@ -20,7 +20,7 @@ PlaceTable::Key BitsOf(const Point3& place)
 {
   const Point3 positive = place + Point3(); // -0 becomes 0
   PlaceTable::Key key;
-  std::memcpy(key.data(), positive.data(), sizeof key);
+  std::memcpy(key.data(), positive.Data(), sizeof key);
   return key;
 }
 
