@@ -160,12 +160,25 @@ def add_arrays(digest, ids, data):
             add_array(ids if name in INPUT_IDS else digest, data.GetAbstractArray(name))
 
 
+def digests_of_problems(problems):
+    """They come in the order of the input's ids, and their messages name these."""
+    data = problems.GetPointData()
+    rows = sorted(problems.GetPoint(k) + (data.GetArray('ProblemKind').GetValue(k),)
+                  for k in range(problems.GetNumberOfPoints()))
+    ids = hashlib.sha256(bytes_of(problems.GetPoints().GetData()))
+    add_arrays(ids, ids, data)
+    digest = hashlib.sha256(str(rows).encode())
+    return '%d problems, %s' % (len(rows), digest.hexdigest()[:16]), ids.hexdigest()[:16]
+
+
 def digests_of(data):
     """Of the bytes, and of those that number points and cells of the input."""
     digest, ids = hashlib.sha256(), hashlib.sha256()
     if hasattr(data, 'GetRowData'):
         add_arrays(digest, ids, data.GetRowData())
         return '%d rows, %s' % (data.GetNumberOfRows(), digest.hexdigest()[:16]), ''
+    if data.GetNumberOfPoints() > 0 and data.GetPointData().HasArray('ProblemKind'):
+        return digests_of_problems(data)
     if data.GetNumberOfPoints() > 0 and hasattr(data, 'GetPoints'):
         add_array(digest, data.GetPoints().GetData())
     for cells in ('GetPolys', 'GetLines', 'GetVerts', 'GetCells'):
