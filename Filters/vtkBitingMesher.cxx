@@ -144,6 +144,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RepairInput: " << (this->RepairInput ? "on" : "off") << "\n"
+     << indent << "CellsAcross: " << this->CellsAcross << "\n"
      << indent << "DomainRule: " << this->DomainRule << "\n"
      << indent << "RegionArray: " << this->RegionArray << "\n"
      << indent << "KeepCellEdges: " << (this->KeepCellEdges ? "on" : "off") << "\n"

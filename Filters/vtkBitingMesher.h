@@ -352,6 +352,17 @@ public:
 
   ///@{
   /**
+   * How many triangles there are at least across channels and walls: LimitByFeatureSize leaves
+   * room for so many, but does not lower the spacing below a quarter of what is given; where this
+   * is above 1 and a MinimumSpacing is given, that is the only lower bound. From 1 (default) to
+   * 100. Without effect where LimitByFeatureSize is off or PreserveBoundary on.
+   */
+  vtkSetClampMacro(CellsAcross, int, 1, 100);
+  vtkGetMacro(CellsAcross, int);
+  ///@}
+
+  ///@{
+  /**
    * What the domain is, of the areas that closed lines, or two-dimensional cells, enclose.
    * EVEN_ODD (default): what an odd number of them covers. OUTER_MINUS_OTHERS: the largest of them
    * less all others, also where they leave it: a box of sea less land; what lies outside of it is
@@ -577,6 +588,7 @@ private:
   bool RepairInput = true;
   double MergeTolerance = 0.0;
   double EndTolerance = 0.01;
+  int CellsAcross = 1;
   int DomainRule = EVEN_ODD;
   std::string RegionArray;
   bool KeepCellEdges = false;

@@ -147,6 +147,7 @@ bool vtkBitingMesher::Execution::ReadParameters()
   this->Options.Spacing.Maximum = filter.MaximumSpacing;
   this->Options.Spacing.Gradation = filter.Gradation;
   this->Options.LimitByFeatureSize = filter.LimitByFeatureSize;
+  this->Options.CellsAcross = filter.CellsAcross;
   this->Options.Domain.Repair = filter.RepairInput;
   this->Options.Domain.Rule = static_cast<biting::DomainRule>(filter.DomainRule);
   this->Options.Domain.KeepCellEdges = filter.KeepCellEdges;

@@ -38,6 +38,19 @@ vtkSmartPointer<vtkBitingMesher> ChannelMesher(bool isLimited)
   return mesher;
 }
 
+// Vertices within the channel, off its walls, where x is between 1.2 and 1.8.
+int VerticesAmidTheChannel(vtkBitingMesher* mesher)
+{
+  int count = 0;
+  vtkPolyData* mesh = mesher->GetOutput();
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    const double* place = mesh->GetPoint(point);
+    count += place[0] > 1.2 && place[0] < 1.8 && place[1] > 0.502 && place[1] < 0.518 ? 1 : 0;
+  }
+  return count;
+}
+
 double LeastSpacing(vtkBitingMesher* mesher)
 {
   double range[2];
@@ -79,6 +92,28 @@ double LargestSlope(vtkBitingMesher* mesher)
 }
 
 } // namespace
+
+// The channel is 0.02 wide: n rows of triangles have n - 1 rows of vertices between them.
+TEST(BitingMesherControlSpacing, CellsAcrossAreRowsOfTrianglesInAChannel)
+{
+  auto mesher = ChannelMesher(true);
+  EXPECT_EQ(mesher->GetCellsAcross(), 1);
+  EXPECT_EQ(VerticesAmidTheChannel(mesher), 0);
+  mesher->SetMinimumSpacing(1e-3);
+  for (const int count : { 2, 4 })
+  {
+    mesher->SetCellsAcross(count);
+    mesher->Update();
+    const double aRow = 0.6 / (0.02 / count);
+    EXPECT_GE(VerticesAmidTheChannel(mesher), 0.8 * aRow * (count - 1)) << count;
+    EXPECT_LE(LeastSpacing(mesher), 0.02 / count * (1.0 + 1e-12));
+  }
+  mesher->SetMinimumSpacing(0.0);
+  mesher->Update();
+  EXPECT_GE(LeastSpacing(mesher), 0.25 * 0.05 * (1.0 - 1e-12)); // a quarter of what is given
+  mesher->SetCellsAcross(0);
+  EXPECT_EQ(mesher->GetCellsAcross(), 1);
+}
 
 TEST(BitingMesherControlSpacing, IsAsNarrowAsAChannel)
 {

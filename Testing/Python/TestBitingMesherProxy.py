@@ -19,6 +19,7 @@ DEFAULTS = {
     'MaximumSpacing': 0.0,
     'Gradation': 0.3,
     'LimitByFeatureSize': 1,
+    'CellsAcross': 1,
     'RepairInput': 1,
     'MergeTolerance': 0.0,
     'EndTolerance': 0.01,

@@ -29,6 +29,7 @@ struct BitingMeshOptions
   /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is
   /// replaced). Without effect where the boundary is preserved.
   bool LimitByFeatureSize = true;
+  int CellsAcross = 1; ///< with it, at least 1: FeatureSource::CellsAcross
 
   double BitingConstant = 0.0; ///< c_b in [0.1, 1]; 0 = automatic: mean edge length = f
   biting::BiteShape BiteShape = biting::BiteShape::Square;

@@ -9,6 +9,7 @@
 #include "SegmentExtension.h"
 
 #include <atomic> // for what tasks count together
+#include <cmath>  // for expm1
 
 namespace biting
 {
@@ -107,6 +108,14 @@ struct CapRule
   {
     return 2.0 * static_cast<double>(this->Source.Starts.size()) + 4.0 * this->Source.MostPieces;
   }
+
+  /// How many cells as small as those at the walls a channel is wide that has CellsAcross cells.
+  double CellsOfLeastSize() const
+  {
+    const int count = this->Source.CellsAcross;
+    const double growth = 0.5 * this->Given.Gradation;
+    return count == 1 ? 1.0 : std::expm1(growth * count) / growth;
+  }
 };
 
 /// Lowers f along one segment after the other of a range.
@@ -190,7 +199,7 @@ private:
     const double floor =
       this->Rule.Source.Floor ? LengthsPerSpacing * this->Rule.Source.Floor(place) : 0.0;
     const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
-    const double across = this->Rule.Source.CellsAcross;
+    const double across = this->Rule.CellsOfLeastSize();
     sample.Size = this->Rule.Size(this->Segment, place, across * known, across * least) / across;
     const double bySize = std::max(sample.Size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
@@ -201,9 +210,8 @@ private:
 
   double LeastInGaps(const Point2& place, double given) const
   {
-    const bool isForMinimum = this->Rule.Source.CellsAcross > 1 &&
-      this->Rule.Given.LeastCapped > std::numeric_limits<double>::min();
-    const double least = isForMinimum ? 0.0 : this->Rule.Drawn(place, LeastShareInGaps * given);
+    const double least =
+      this->Rule.Source.IsDownToMinimum ? 0.0 : this->Rule.Drawn(place, LeastShareInGaps * given);
     return std::max(least, this->LeastOnShort(given));
   }
 

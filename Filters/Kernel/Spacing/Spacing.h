@@ -86,11 +86,11 @@ struct SegmentSource
 /// The segments and embedded points of a domain, whose local feature size caps f (the control
 /// spacing of the paper, section 2.1). On a segment f is at most
 /// - the distance, through the domain, to the nearest segment or point that shares no end with it,
-///   over CellsAcross, so that as many layers of triangles fit into a channel; but the cap is no
+///   so that one layer of triangles fits into a channel; with n = CellsAcross above 1, that
+///   distance times g / (2 exp(g n / 2) - 2), as f grows with g from both sides. The cap is no
 ///   less than a quarter of what is given there, so that slits and thin walls do not become a
 ///   multitude of triangles, or than the lengths in Drawn make f, if that is less: as fine
-///   triangles were there without the simplification. With CellsAcross above 1 and a given
-///   Minimum, that is the only lower bound;
+///   triangles were there without the simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about
 ///   three vertices a segment; but the cap is no less than 2^-23 of what is given, or of the size
 ///   of the drawing if that is less, as floats do not tell lengths apart below that: f grows from
@@ -107,6 +107,9 @@ struct FeatureSource
 
   /// Triangles across channels and walls: at least 1.
   int CellsAcross = 1;
+
+  /// True: the cap for the distance has no lower bound but Minimum.
+  bool IsDownToMinimum = false;
 
   /// Where a drawing was simplified: its segments as they were, each with its length at both ends.
   /// May be null.

@@ -52,15 +52,16 @@ std::shared_ptr<const SegmentSource> DrawnSegments(const std::vector<Point2>& en
   return ends.empty() ? nullptr : segments;
 }
 
-// The segments and embedded points of a domain; of a mesh that is refused if it has more vertices
-// than that.
+// The segments and embedded points of a domain.
 std::shared_ptr<const FeatureSource> FeaturesOf(
-  const SimplifiedDomain& simplified, double mostVertices)
+  const SimplifiedDomain& simplified, const BitingMeshOptions& options)
 {
   const Domain& domain = simplified.Drawing;
   auto features = std::make_shared<FeatureSource>();
   features->Points = domain.Vertices;
-  features->MostPieces = 2.0 * mostVertices; // two for an edge
+  features->CellsAcross = options.CellsAcross;
+  features->IsDownToMinimum = options.CellsAcross > 1 && options.Spacing.Minimum > 0.0;
+  features->MostPieces = 2.0 * static_cast<double>(options.MaximumNumberOfVertices); // two an edge
   features->Starts = domain.Starts;
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;
@@ -104,9 +105,7 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain&
   }
   else
   {
-    wanted.Features = options.LimitByFeatureSize
-      ? FeaturesOf(simplified, static_cast<double>(options.MaximumNumberOfVertices))
-      : nullptr;
+    wanted.Features = options.LimitByFeatureSize ? FeaturesOf(simplified, options) : nullptr;
   }
   return MakeChosen(wanted, domain, choosing, problems, monitor);
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath> // for log1p
+
 namespace
 {
 
@@ -295,21 +297,27 @@ TEST(FeatureLimit, IsNotBelowAQuarterOfWhatIsGiven)
   }
 }
 
-TEST(FeatureLimit, IsTheFeatureSizeOverTheCellsAcross)
+/// Cells whose sizes grow with g from both sides: the integral of 1/f across is their number.
+TEST(FeatureLimit, LeavesRoomForTheCellsAcross)
 {
-  FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 1.0, 0.08) });
-  for (const int cells : { 1, 2, 3 })
+  constexpr double Width = 0.096;
+  constexpr double Slope = 0.3;
+  FeatureSource channel = Loops({ Rectangle(0.0, 0.0, 1.0, Width) });
+  EXPECT_NEAR(WithFeatures(channel, 0.1)({ 0.5, 0.0 }), Width, Width * 0.01);
+  for (const int cells : { 2, 3 })
   {
     channel.CellsAcross = cells;
-    EXPECT_NEAR(WithFeatures(channel, 0.1)({ 0.5, 0.0 }), 0.08 / cells, 0.08 * 0.01) << cells;
+    const double least = WithFeatures(channel, 0.1)({ 0.5, 0.0 });
+    EXPECT_NEAR(2.0 / Slope * std::log1p(0.5 * Slope * Width / least), cells, 0.02 * cells);
   }
   channel.CellsAcross = 8;
   EXPECT_NEAR(WithFeatures(channel, 0.1)({ 0.5, 0.0 }), 0.025, 0.025 * 0.01);
   SpacingOptions options;
   options.Uniform = 0.1;
   options.Minimum = 0.001;
+  channel.IsDownToMinimum = true;
   options.Features = Share(channel);
-  EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.01, 0.01 * 0.01);
+  EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.0062, 0.0001);
   options.Minimum = 0.015;
   EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.015, 1e-12);
 }
