@@ -355,7 +355,8 @@ public:
    * How many triangles there are at least across channels and walls: LimitByFeatureSize leaves
    * room for so many, but does not lower the spacing below a quarter of what is given; where this
    * is above 1 and a MinimumSpacing is given, that is the only lower bound. From 1 (default) to
-   * 100. Without effect where LimitByFeatureSize is off or PreserveBoundary on.
+   * 100. Without effect where LimitByFeatureSize is off or PreserveBoundary on. What counts is the
+   * distance to segments that share no end, so short segments of a bent outline count, too.
    */
   vtkSetClampMacro(CellsAcross, int, 1, 100);
   vtkGetMacro(CellsAcross, int);
