@@ -128,7 +128,7 @@ struct Budget
 };
 
 const std::map<std::string, Budget> Budgets = {
-  { ".", { 4700, 9 } },
+  { ".", { 4750, 9 } },
   { "Bridge", { 11400, 62 } },
   { "IO", { 2100, 12 } },
   { "Kernel", { 850, 3 } },
