@@ -16,6 +16,7 @@
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>   // for isfinite
 #include <limits>  // for NaN
@@ -48,14 +49,13 @@ std::string NumberText(double value)
 
 bool MeasuredTetrahedra::AreIn(vtkDataSet* data)
 {
-  vtkNew<vtkCellTypes> types;
-  data->GetCellTypes(types);
-  bool isAny = false;
-  for (vtkIdType k = 0; k < types->GetNumberOfTypes(); ++k)
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkIdType cell = grid ? grid->GetNumberOfCells() : 0;
+  while (cell > 0 && grid->GetCellType(cell - 1) != VTK_TETRA)
   {
-    isAny = isAny || types->GetCellType(k) == VTK_TETRA;
+    --cell;
   }
-  return isAny;
+  return cell > 0;
 }
 
 std::string MeasuredTetrahedra::Read(vtkDataSet* data, vtkDataArray* spacing, Monitor& monitor)
