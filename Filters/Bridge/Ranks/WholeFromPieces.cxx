@@ -379,9 +379,12 @@ void CopyArrays(vtkDataSetAttributes* from, const Numbers& tuples, vtkDataSetAtt
   vtkNew<vtkIdList> list;
   list->SetNumberOfIds(static_cast<vtkIdType>(tuples.size()));
   std::copy(tuples.begin(), tuples.end(), list->GetPointer(0));
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(list->GetNumberOfIds());
+  std::iota(places->GetPointer(0), places->GetPointer(0) + tuples.size(), 0);
   to->CopyAllOn();
   to->CopyAllocate(from, list->GetNumberOfIds());
-  to->CopyData(from, list);
+  to->CopyData(from, list, places); // the one that older VTK has
   to->RemoveArray(GlobalIdsName);
 }
 
