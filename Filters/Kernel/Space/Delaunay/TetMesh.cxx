@@ -208,15 +208,23 @@ std::size_t TetMesh::Bytes() const
 
 std::string CheckTetMesh(const TetMesh& mesh, bool isRegular)
 {
+  // Facets are regular only where all corners and twins are what they should be.
+  for (const bool isOfSpheres : { false, true })
+  {
+    for (Id cell = 0; cell < mesh.NumberOfSlots(); ++cell)
+    {
+      std::string violation =
+        mesh.IsFree(cell) ? "" : CheckCell(mesh, cell, isOfSpheres && isRegular);
+      if (!violation.empty())
+      {
+        return violation;
+      }
+    }
+  }
   Id numberOfFree = 0;
   for (Id cell = 0; cell < mesh.NumberOfSlots(); ++cell)
   {
     numberOfFree += mesh.IsFree(cell) ? 1 : 0;
-    std::string violation = mesh.IsFree(cell) ? "" : CheckCell(mesh, cell, isRegular);
-    if (!violation.empty())
-    {
-      return violation;
-    }
   }
   for (Id cell = mesh.FirstFree; cell != NoId && numberOfFree >= 0;
        cell = mesh.Twins[TetMesh::Index(4 * cell)])
