@@ -147,7 +147,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Simplification", { 1950, 19 } },
   { "Kernel/Spacing", { 3700, 48 } },
   { "Kernel/Stages", { 2250, 15 } },
-  { "Kernel/Space/Delaunay", { 1400, 10 } },
+  { "Kernel/Space/Delaunay", { 1450, 10 } },
   { "Kernel/Space/Quality", { 300, 2 } },
   { "Kernel/Space/Surface", { 2350, 18 } },
 };
