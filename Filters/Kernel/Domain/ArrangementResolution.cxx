@@ -193,7 +193,6 @@ class Resolver
 public:
   Resolver(Arrangement& arrangement, ProblemList& problems, Pulse& pulse)
     : Data(arrangement)
-    , Problems(problems)
     , Beats(pulse)
     , Grid(arrangement.Vertices, arrangement.Resolution, arrangement.Stretch)
     , Report(arrangement, problems)
@@ -216,7 +215,6 @@ private:
   bool MarkAllNew(bool isWanted);
 
   Arrangement& Data;
-  ProblemList& Problems;
   Pulse& Beats;
   VertexGrid Grid;
   Meetings Found;

@@ -132,15 +132,17 @@ void VertexStar::Fill(TetMesh& mesh, const TetMesh& part, const std::vector<Id>&
       }
     }
   }
-  for (std::size_t i = 0; i < region.size(); ++i)
+  std::size_t next = 0;
+  while (next < region.size()) // it grows by what is taken
   {
-    const std::array<Id, 4> corners = CornersAmong(part, region[i], vertices);
-    const Id place = places[TetMesh::Index(region[i])];
+    const Id cell = region[next++];
+    const std::array<Id, 4> corners = CornersAmong(part, cell, vertices);
+    const Id place = places[TetMesh::Index(cell)];
     mesh.SetCorners(place, corners[0], corners[1], corners[2], corners[3]);
     for (int k = 0; k < 4; ++k)
     {
       const Wall* const wall = this->FindWall(corners, k);
-      const Id twin = part.Twins[TetMesh::Index(4 * region[i] + k)];
+      const Id twin = part.Twins[TetMesh::Index(4 * cell + k)];
       if (!wall)
       {
         take(TetMesh::CellOf(twin));

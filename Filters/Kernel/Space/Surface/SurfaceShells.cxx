@@ -58,11 +58,13 @@ void ShellSearch::Fill(std::size_t triangle, ProblemList& problems)
   Problem twist{ ProblemCode::NotOrientable, {}, {}, "" };
   this->Members.assign(1, shell.FirstTriangle);
   this->Result.ShellOf[triangle] = number;
-  for (std::size_t k = 0; k < this->Members.size(); ++k)
+  std::size_t next = 0;
+  while (next < this->Members.size()) // Cross adds members
   {
+    const auto member = static_cast<std::size_t>(this->Members[next++]);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      this->Cross(3 * static_cast<std::size_t>(this->Members[k]) + corner, shell, twist);
+      this->Cross(3 * member + corner, shell, twist);
     }
   }
   shell.Triangles = static_cast<Id>(this->Members.size());
