@@ -6,7 +6,6 @@
 #include "Bridge/Data/ArrayFromVector.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
-#include "Bridge/Run/MonitorOfFilter.h"
 #include "Kernel/Base/Pulse.h"
 #include "Kernel/Space/Delaunay/SpaceTriangulation.h"
 
@@ -24,7 +23,6 @@
 
 #include <algorithm> // for max, min, sort
 #include <cmath>     // for abs, ilogb, isfinite, ldexp
-#include <new>       // for bad_alloc
 #include <string>    // for messages
 #include <vector>    // for points
 
@@ -70,17 +68,17 @@ std::string DuplicatesText(std::vector<biting::PointPair> pairs)
 
 //------------------------------------------------------------------------------
 // One execution. Methods return false where nothing is left to do.
-class vtkBitingDelaunay3D::Execution
+class vtkBitingDelaunay3D::Execution : private biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingDelaunay3D* filter)
-    : Filter(filter)
-    , Monitor(filter, { 0.05, 0.85, 0.1 }, 1)
+    : FilterRun({ filter, &filter->ErrorCode, nullptr, nullptr, 1 }, { 0.05, 0.85, 0.1 })
+    , Filter(filter)
   {
   }
 
   /// Fills the output of the filter; says what is wrong.
-  void Run(const biting::WholeInput& input, vtkUnstructuredGrid* output);
+  void Run(const biting::WholeInput& input, vtkInformationVector* outputs);
 
 private:
   bool Gather(const biting::WholeInput& input);
@@ -88,10 +86,8 @@ private:
   bool Triangulate();
   void Write(vtkUnstructuredGrid* output);
   bool IsWanted(biting::Id cell) const;
-  void Refuse(const std::string& reason);
 
   vtkBitingDelaunay3D* Filter;
-  biting::MonitorOfFilter Monitor;
   vtkSmartPointer<vtkPointSet> Input;
   std::vector<biting::Point3> Points; ///< divided by two to the power of Exponent
   int Exponent = 0;
@@ -126,7 +122,7 @@ int vtkBitingDelaunay3D::RequestData(
   const biting::WholeInput input(ranks, inputVector[0]);
   if (ranks.IsFirst())
   {
-    Execution(this).Run(input, vtkUnstructuredGrid::GetData(outputVector));
+    Execution(this).Run(input, outputVector);
   }
   this->ErrorCode = ranks.ShareOutcome(this->ErrorCode, false, this, outputVector);
   return 1; // also where there was an error: views keep what was before it where this is 0
@@ -134,40 +130,25 @@ int vtkBitingDelaunay3D::RequestData(
 
 //------------------------------------------------------------------------------
 void vtkBitingDelaunay3D::Execution::Run(
-  const biting::WholeInput& input, vtkUnstructuredGrid* output)
+  const biting::WholeInput& input, vtkInformationVector* outputs)
 {
-  try
+  const auto run = [this, &input, outputs]()
   {
-    const std::string refusal = biting::CheckAtLeastZero("Alpha", this->Filter->Alpha);
-    if (!refusal.empty())
+    if (this->Accept(biting::CheckAtLeastZero("Alpha", this->Filter->Alpha)) &&
+      this->Gather(input) && this->ReadPoints() && this->Triangulate())
     {
-      this->Refuse(refusal);
+      this->Write(vtkUnstructuredGrid::GetData(outputs));
     }
-    else if (this->Gather(input) && this->ReadPoints() && this->Triangulate())
-    {
-      this->Write(output);
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    output->Initialize();
-    this->Refuse("There is not enough memory for the tetrahedra between so many points.");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBitingDelaunay3D::Execution::Refuse(const std::string& reason)
-{
-  this->Filter->ErrorCode = vtkErrorCode::UserError;
-  vtkErrorWithObjectMacro(this->Filter, << reason);
+  };
+  this->Guard(
+    outputs, run, "There is not enough memory for the tetrahedra between so many points.");
 }
 
 //------------------------------------------------------------------------------
 bool vtkBitingDelaunay3D::Execution::Gather(const biting::WholeInput& input)
 {
-  if (!input.IsComplete())
+  if (!this->AcceptComplete({ &input }))
   {
-    this->Refuse(biting::NotGathered);
     return false;
   }
   this->Input = vtkPointSet::SafeDownCast(input.Make());
@@ -184,12 +165,12 @@ bool vtkBitingDelaunay3D::Execution::Gather(const biting::WholeInput& input)
 //------------------------------------------------------------------------------
 bool vtkBitingDelaunay3D::Execution::ReadPoints()
 {
-  this->Monitor.BeginStage("Reading the points");
+  this->Progress.BeginStage("Reading the points");
   this->Points.resize(static_cast<std::size_t>(this->Input->GetNumberOfPoints()));
   double largest = 0.0;
   vtkIdType firstBad = -1;
   vtkIdType numberOfBad = 0;
-  biting::Pulse pulse(this->Monitor);
+  biting::Pulse pulse(this->Progress);
   pulse.ForEach(this->Points.size(),
     [this, &largest, &firstBad, &numberOfBad](std::size_t k)
     {
@@ -225,8 +206,8 @@ bool vtkBitingDelaunay3D::Execution::ReadPoints()
 //------------------------------------------------------------------------------
 bool vtkBitingDelaunay3D::Execution::Triangulate()
 {
-  this->Monitor.BeginStage("Triangulating");
-  this->Result = biting::TriangulateSpace(this->Points, {}, this->Monitor);
+  this->Progress.BeginStage("Triangulating");
+  this->Result = biting::TriangulateSpace(this->Points, {}, this->Progress);
   if (this->Result.WasAborted)
   {
     return false;
@@ -234,10 +215,7 @@ bool vtkBitingDelaunay3D::Execution::Triangulate()
   const bool isSolid = this->Result.Dimension == 3;
   const std::string text =
     isSolid ? DuplicatesText(this->Result.Duplicates) : FlatSentences[this->Result.Dimension];
-  if (!text.empty())
-  {
-    vtkWarningWithObjectMacro(this->Filter, << text);
-  }
+  this->Warn(text);
   return isSolid;
 }
 
@@ -259,11 +237,11 @@ bool vtkBitingDelaunay3D::Execution::IsWanted(biting::Id cell) const
 //------------------------------------------------------------------------------
 void vtkBitingDelaunay3D::Execution::Write(vtkUnstructuredGrid* output)
 {
-  this->Monitor.BeginStage("Writing the tetrahedra");
+  this->Progress.BeginStage("Writing the tetrahedra");
   const biting::TetMesh& mesh = this->Result.Mesh;
   std::vector<biting::Id> corners;
   corners.reserve(mesh.Corners.size());
-  biting::Pulse pulse(this->Monitor);
+  biting::Pulse pulse(this->Progress);
   pulse.ForEach(static_cast<std::size_t>(mesh.NumberOfSlots()),
     [this, &mesh, &corners](std::size_t cell)
     {

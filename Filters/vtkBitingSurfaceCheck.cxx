@@ -26,20 +26,12 @@ static_assert(
     static_cast<int>(biting::ProblemCode::SurfaceTouches) == vtkBitingSurfaceCheck::SURFACE_TOUCHES,
   "The kinds of problems that users see are those of the kernel.");
 
-namespace
-{
-
-constexpr bool IsNeverStopping = false;
-
-} // namespace
-
 //------------------------------------------------------------------------------
 class vtkBitingSurfaceCheck::Execution : public biting::FilterRun
 {
 public:
   explicit Execution(vtkBitingSurfaceCheck* filter)
-    : FilterRun(
-        { filter, &filter->ErrorCode, &filter->Summary, &IsNeverStopping, filter->NumberOfThreads },
+    : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, nullptr, filter->NumberOfThreads },
         { 0.1, 0.2, 0.5, 0.1, 0.1 }) // reading, the three of CheckSurface, writing
     , Filter(filter)
   {
@@ -117,7 +109,7 @@ int vtkBitingSurfaceCheck::RequestData(
 void vtkBitingSurfaceCheck::Execution::Check(
   const biting::WholeInput& input, vtkInformationVector* outputs)
 {
-  if (!this->Accept(input.IsComplete() ? "" : biting::NotGathered))
+  if (!this->AcceptComplete({ &input }))
   {
     return;
   }
