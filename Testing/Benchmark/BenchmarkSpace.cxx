@@ -6,6 +6,7 @@
 //
 // Where CGAL was found when this was built, its Delaunay_triangulation_3 (exact predicates, inexact
 // constructions) is measured in the same run: a yardstick, which no library of ours contains.
+// `same`: the share of our cells that CGAL has, too; the rest are ties.
 
 #include "CountedMemory.h"
 
@@ -15,15 +16,20 @@
 #ifdef BITING_HAS_CGAL
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #endif
 
-#include <cmath>   // for cbrt
-#include <cstdio>  // for tables
-#include <cstdlib> // for arguments
-#include <ctime>   // for CPU time
-#include <random>  // for points
-#include <string>  // for names
-#include <vector>  // for points
+#include <algorithm> // for comparing cells
+#include <array>     // for corners
+#include <cmath>     // for cbrt
+#include <cstdio>    // for tables
+#include <cstdlib>   // for arguments
+#include <ctime>     // for CPU time
+#include <iterator>  // for cells of both
+#include <random>    // for points
+#include <string>    // for names
+#include <utility>   // for points with numbers
+#include <vector>    // for points
 
 namespace
 {
@@ -92,22 +98,89 @@ const Kind Kinds[] = {
     } },
 };
 
-double SecondsOfCgal([[maybe_unused]] const std::vector<Point3>& points)
+using Cells = std::vector<std::array<Id, 4>>;
+
+Cells Sorted(Cells cells)
 {
+  for (std::array<Id, 4>& cell : cells)
+  {
+    std::sort(cell.begin(), cell.end());
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
 #ifdef BITING_HAS_CGAL
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> others;
+using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalVertices = CGAL::Triangulation_vertex_base_with_info_3<Id, CgalKernel>;
+using CgalDelaunay = CGAL::Delaunay_triangulation_3<CgalKernel,
+  CGAL::Triangulation_data_structure_3<CgalVertices,
+    CGAL::Delaunay_triangulation_cell_base_3<CgalKernel>>>;
+
+Cells CgalCells(const std::vector<Point3>& points)
+{
+  std::vector<std::pair<CgalKernel::Point_3, Id>> others;
+  others.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    others.emplace_back(
+      CgalKernel::Point_3(points[k].X, points[k].Y, points[k].Z), static_cast<Id>(k));
+  }
+  const CgalDelaunay triangulation(others.begin(), others.end());
+  Cells cells;
+  cells.reserve(triangulation.number_of_finite_cells());
+  for (auto cell = triangulation.finite_cells_begin(); cell != triangulation.finite_cells_end();
+       ++cell)
+  {
+    cells.push_back({ cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(),
+      cell->vertex(3)->info() });
+  }
+  return Sorted(std::move(cells));
+}
+
+double SecondsOfCgal(const std::vector<Point3>& points)
+{
+  std::vector<CgalKernel::Point_3> others;
   others.reserve(points.size());
   for (const Point3& p : points)
   {
     others.emplace_back(p.X, p.Y, p.Z);
   }
   const double begin = Seconds();
-  const CGAL::Delaunay_triangulation_3<Kernel> triangulation(others.begin(), others.end());
+  const CGAL::Delaunay_triangulation_3<CgalKernel> triangulation(others.begin(), others.end());
   return Seconds() - begin;
+}
 #else
+Cells CgalCells(const std::vector<Point3>&)
+{
+  return {};
+}
+
+double SecondsOfCgal(const std::vector<Point3>&)
+{
   return 0.0;
+}
 #endif
+
+double SharedCells(const SpaceTriangulation& ours, const std::vector<Point3>& points)
+{
+  Cells cells;
+  for (Id cell = 0; cell < ours.Mesh.NumberOfSlots(); ++cell)
+  {
+    if (ours.Mesh.IsTetrahedron(cell))
+    {
+      std::array<Id, 4>& corners = cells.emplace_back();
+      std::transform(ours.Mesh.Corners.begin() + 4 * cell, ours.Mesh.Corners.begin() + 4 * cell + 4,
+        corners.begin(), [&](Id vertex) { return ours.Order[static_cast<std::size_t>(vertex)]; });
+    }
+  }
+  cells = Sorted(std::move(cells));
+  const Cells others = CgalCells(points);
+  Cells both;
+  std::set_intersection(
+    cells.begin(), cells.end(), others.begin(), others.end(), std::back_inserter(both));
+  return static_cast<double>(both.size()) /
+    static_cast<double>(std::max(cells.size(), others.size()));
 }
 
 /// µs of removing and inserting again, a vertex.
@@ -147,9 +220,10 @@ void Measure(const Kind& kind, std::size_t count)
   const auto n = static_cast<double>(count);
   const double memory = static_cast<double>(PeakBytes() - bytes) / n;
   const double cgal = SecondsOfCgal(points);
-  std::printf("%-16s %8zu %7.2f %7.2f %7.2f %7.1f %6.2f %8.1f\n", kind.Name, count,
+  std::printf("%-16s %8zu %7.2f %7.2f %7.2f %7.1f %6.2f %8.6f %8.1f\n", kind.Name, count,
     1e6 * seconds / n, 1e6 * cgal / n, cgal > 0.0 ? seconds / cgal : 0.0, memory,
-    static_cast<double>(result.Mesh.NumberOfCells()) / n, CostOfChange(points));
+    static_cast<double>(result.Mesh.NumberOfCells()) / n, SharedCells(result, points),
+    CostOfChange(points));
 }
 
 } // namespace
@@ -158,8 +232,8 @@ int main(int argc, char** argv)
 {
   const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
   const std::string wanted = argc > 2 ? argv[2] : "";
-  std::printf("%-16s %8s %7s %7s %7s %7s %6s %8s\n", "kind", "points", "us", "CGAL", "ratio",
-    "bytes", "cells", "change");
+  std::printf("%-16s %8s %7s %7s %7s %7s %6s %8s %8s\n", "kind", "points", "us", "CGAL", "ratio",
+    "bytes", "cells", "same", "change");
   for (const Kind& kind : Kinds)
   {
     if (std::string(kind.Name).find(wanted) != std::string::npos)

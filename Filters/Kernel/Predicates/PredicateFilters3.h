@@ -62,8 +62,8 @@ struct Extents
 /// The stages after the first. `magnitude` is mx my mz, for the second function times L.
 int Orient3DWidened(
   const Point3& a, const Point3& b, const Point3& c, const Point3& d, double magnitude);
-int PowerTestWidened(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
-  const WeightedPoint& d, const WeightedPoint& e, double magnitude);
+int InSphereWidened(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+  const Point3& e, double magnitude);
 
 /// What an exact product of factors has in place of a rounded one (Predicates3.cxx).
 inline double Product(double x, double y)
@@ -132,8 +132,7 @@ inline int InSphere(
   {
     return determinant > 0.0 ? 1 : -1;
   }
-  return detail::PowerTestWidened(
-    { a, 0.0 }, { b, 0.0 }, { c, 0.0 }, { d, 0.0 }, { e, 0.0 }, magnitude);
+  return detail::InSphereWidened(a, b, c, d, e, magnitude);
 }
 
 } // namespace biting

@@ -6,7 +6,7 @@
 #include "DoubleDouble.h"
 #include "Expansion.h"
 
-#include <algorithm> // for all_of, max, sort
+#include <algorithm> // for max
 #include <array>     // for five points
 #include <cmath>     // for abs, floor, ilogb, ldexp
 
@@ -118,8 +118,14 @@ auto PowerDeterminant(const FivePoints& p)
     LiftOf(d, p[3].Weight, p[4].Weight));
 }
 
-int ExactPowerTest(FivePoints points)
+/// The stages after double arithmetic.
+int PowerTestOf(FivePoints points, double magnitude)
 {
+  const double determinant = PowerDeterminant<DoubleDouble>(points).High;
+  if (std::abs(determinant) > InSphereWideBound * magnitude + InSphereUnderflow)
+  {
+    return determinant > 0.0 ? 1 : -1;
+  }
   detail::CountStage(detail::Stage::Exact);
   for (WeightedPoint& point : points)
   {
@@ -194,29 +200,25 @@ bool AreFewSteps(const Points& points, const Point3& origin, const detail::Exten
   return true;
 }
 
-bool HaveSameWeight(const FivePoints& points)
-{
-  return std::all_of(points.begin(), points.end(),
-    [&points](const WeightedPoint& point) { return point.Weight == points[0].Weight; });
-}
-
 /// Whether the five are corners of one box along the axes: then a sphere goes through them. So are
 /// most of those that come here from lattices whose steps are rounded.
-bool AreOfOneBox(const FivePoints& points)
+bool AreOfOneBox(const std::array<const Point3*, 5>& points)
 {
-  bool isSo = true;
-  for (std::size_t d = 0; d < 3 && isSo; ++d)
+  for (std::size_t d = 0; d < 3; ++d)
   {
-    const double first = points[0].Place[d];
+    const double first = (*points[0])[d];
     double other = first;
-    for (const WeightedPoint& point : points)
+    for (const Point3* point : points)
     {
-      const double value = point.Place[d];
-      isSo = isSo && (value == first || value == other || other == first);
+      const double value = (*point)[d];
+      if (value != first && value != other && other != first)
+      {
+        return false;
+      }
       other = value == first ? other : value;
     }
   }
-  return isSo;
+  return true;
 }
 
 int SignOf(double value)
@@ -254,37 +256,28 @@ int detail::Orient3DWidened(
   return VolumeDeterminant<Expansion<2>>(a, b, c, d).Sign();
 }
 
-int detail::PowerTestWidened(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
-  const WeightedPoint& d, const WeightedPoint& e, double magnitude)
+int detail::InSphereWidened(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+  const Point3& e, double magnitude)
 {
   CountStage(Stage::Wide);
-  const FivePoints points{ a, b, c, d, e };
-  if (HaveSameWeight(points))
+  if (AreOfOneBox({ &a, &b, &c, &d, &e }))
   {
-    if (AreOfOneBox(points))
-    {
-      return 0;
-    }
-    const std::array<Point3, 4> others{ a.Place, b.Place, c.Place, d.Place };
-    std::array<Point3, 4> v;
-    detail::Extents extents;
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      v[k] = others[k] - e.Place;
-      extents.Add(v[k]);
-    }
-    if (AreFewSteps(others, e.Place, extents))
-    {
-      return SignOf(SphereDeterminant(v[0], v[1], v[2], v[3], Dot(v[0], v[0]), Dot(v[1], v[1]),
-        Dot(v[2], v[2]), Dot(v[3], v[3])));
-    }
+    return 0;
   }
-  const double determinant = PowerDeterminant<DoubleDouble>(points).High;
-  if (std::abs(determinant) > InSphereWideBound * magnitude + InSphereUnderflow)
+  const std::array<Point3, 4> others{ a, b, c, d };
+  std::array<Point3, 4> v;
+  detail::Extents extents;
+  for (std::size_t k = 0; k < 4; ++k)
   {
-    return determinant > 0.0 ? 1 : -1;
+    v[k] = others[k] - e;
+    extents.Add(v[k]);
   }
-  return ExactPowerTest(points);
+  if (AreFewSteps(others, e, extents))
+  {
+    return SignOf(SphereDeterminant(
+      v[0], v[1], v[2], v[3], Dot(v[0], v[0]), Dot(v[1], v[1]), Dot(v[2], v[2]), Dot(v[3], v[3])));
+  }
+  return PowerTestOf({ { { a, 0.0 }, { b, 0.0 }, { c, 0.0 }, { d, 0.0 }, { e, 0.0 } } }, magnitude);
 }
 
 int PowerTest(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
@@ -311,17 +304,25 @@ int PowerTest(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoin
   {
     return determinant > 0.0 ? 1 : -1;
   }
-  return detail::PowerTestWidened(a, b, c, d, e, magnitude);
+  if (greatest == 0.0)
+  {
+    return detail::InSphereWidened(a.Place, b.Place, c.Place, d.Place, e.Place, magnitude);
+  }
+  detail::CountStage(detail::Stage::Wide);
+  return PowerTestOf({ a, b, c, d, e }, magnitude);
 }
 
 int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e)
 {
-  const std::array<const Point3*, 5> points{ &a, &b, &c, &d, &e };
-  std::array<std::size_t, 5> order{ 0, 1, 2, 3, 4 };
-  std::sort(order.begin(), order.end(),
-    [&points](std::size_t i, std::size_t j) { return *points[j] < *points[i]; });
-  for (const std::size_t k : order)
+  // Mostly the first place decides: no sorting.
+  std::array<const Point3*, 5> left{ &a, &b, &c, &d, &e };
+  for (;;)
   {
+    std::size_t k = 4;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      k = left[i] != nullptr && *left[k] < *left[i] ? i : k;
+    }
     if (k == 4) // its lift grows most: it rises out of the sphere
     {
       return -1;
@@ -334,8 +335,8 @@ int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3&
     {
       return sign;
     }
+    left[k] = nullptr;
   }
-  return -1;
 }
 
 // With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of
