@@ -68,7 +68,7 @@ void CarryArrays(
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
     const bool isShort = given->GetNumberOfTuples() < size;
-    if (isShort || name == vtkDataSetAttributes::GhostArrayName())
+    if (isShort || name == vtkDataSetAttributes::GhostArrayName() || to->HasArray(name.c_str()))
     {
       continue;
     }
