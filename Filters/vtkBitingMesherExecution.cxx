@@ -17,6 +17,7 @@
 #include "Bridge/Source/DomainMembership.h"
 #include "Bridge/Source/SourceCover.h"
 #include "Bridge/Source/SourceData.h"
+#include "Bridge/Source/TransferredArrays.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
@@ -28,6 +29,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkOutputWindow.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -412,6 +414,11 @@ void vtkBitingMesher::Execution::WriteMesh(
   {
     biting::CarryArrays(this->Drawing.CellArrays, this->Drawing.NumberOfCells, this->TriangleCells,
       output->GetCellData(), pulse);
+  }
+  if (this->Filter->TransferSourceArrays && this->Source)
+  {
+    biting::TransferArrays(
+      this->Source, this->Planar.Frame, this->Mesh.Points, output->GetPointData(), pulse);
   }
   if (this->Mesh.Piece.IsPart)
   {

@@ -5,10 +5,16 @@
 
 #include "FilterTesting.h"
 
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>      // for distances
 #include <functional> // for what is expected
 #include <set>        // for what is there
 
@@ -164,4 +170,153 @@ TEST(BitingMesherValues, AreThoseOfTheRegionBesideASimplifiedInterface)
       cells->GetArray("RegionId")->GetTuple1(cell), cells->GetArray("Tag")->GetTuple1(cell));
   }
   EXPECT_EQ(pairs.size(), 2u);
+}
+
+namespace
+{
+
+/// x + 2 y, its sign as a whole number, and twice a vector of floats, at the points of `source`.
+void AddFields(vtkDataSet* source)
+{
+  vtkNew<vtkDoubleArray> depth;
+  vtkNew<vtkIntArray> side;
+  vtkNew<vtkFloatArray> flow;
+  vtkNew<vtkDoubleArray> spacing;
+  depth->SetName("Depth");
+  side->SetName("Side");
+  flow->SetName("Flow");
+  spacing->SetName("Spacing");
+  flow->SetNumberOfComponents(2);
+  for (vtkIdType point = 0; point < source->GetNumberOfPoints(); ++point)
+  {
+    const double* place = source->GetPoint(point);
+    const double value = place[0] + 2.0 * place[1];
+    depth->InsertNextValue(value);
+    side->InsertNextValue(value > 1.5 ? 1 : -1);
+    flow->InsertNextTuple2(value, -value);
+    spacing->InsertNextValue(0.2);
+  }
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(depth), static_cast<vtkDataArray*>(side),
+         static_cast<vtkDataArray*>(flow), static_cast<vtkDataArray*>(spacing) })
+  {
+    source->GetPointData()->AddArray(array);
+  }
+}
+
+/// Over [0, width] x [-1, 2] at level z.
+vtkSmartPointer<vtkImageData> ImageSource(double width, double z = 0.0, int layers = 1)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(9, 13, layers);
+  image->SetOrigin(0, -1, z);
+  image->SetSpacing(width / 8.0, 0.25, 1.0);
+  AddFields(image);
+  return image;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> AsCells(vtkDataSet* source)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType point = 0; point < source->GetNumberOfPoints(); ++point)
+  {
+    points->InsertNextPoint(source->GetPoint(point));
+  }
+  grid->SetPoints(points);
+  for (vtkIdType cell = 0; cell < source->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> corners;
+    source->GetCellPoints(cell, corners);
+    grid->InsertNextCell(source->GetCellType(cell), corners);
+  }
+  AddFields(grid);
+  return grid;
+}
+
+/// The unit square with a source that reaches to x = width; all values are right.
+void ExpectTransferred(vtkDataObject* source, double width, double tolerance = 1e-12)
+{
+  const auto mesher = MesherOf(UnitSquare(), 0.1);
+  mesher->SetInputDataObject(1, source);
+  Messages messages(mesher);
+  mesher->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  vtkPolyData* mesh = mesher->GetOutput();
+  vtkPointData* data = mesh->GetPointData();
+  for (const char* name : { "Depth", "Side", "Flow", "vtkValidPointMask" })
+  {
+    ASSERT_NE(data->GetArray(name), nullptr) << name;
+  }
+  EXPECT_NE(vtkFloatArray::SafeDownCast(data->GetArray("Flow")), nullptr);
+  ASSERT_GT(mesh->GetNumberOfPoints(), 50);
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    const double x = std::min(mesh->GetPoint(point)[0], width);
+    const double value = x + 2.0 * mesh->GetPoint(point)[1];
+    ASSERT_NEAR(data->GetArray("Depth")->GetTuple1(point), value, tolerance);
+    ASSERT_NEAR(data->GetArray("Flow")->GetComponent(point, 1), -value, 1e-6);
+    ASSERT_EQ(std::abs(data->GetArray("Side")->GetTuple1(point)), 1.0);
+    ASSERT_EQ(data->GetArray("vtkValidPointMask")->GetTuple1(point),
+      mesh->GetPoint(point)[0] <= width + 1e-9 ? 1.0 : 0.0);
+  }
+  EXPECT_LT(data->GetArray("Spacing")->GetRange()[1], 0.11) << "ours";
+}
+
+} // namespace
+
+TEST(BitingMesherValues, OfSourcesOfAllKindsAreInterpolatedAtTheVertices)
+{
+  for (const double width : { 1.0, 0.5 })
+  {
+    ExpectTransferred(ImageSource(width), width);
+    ExpectTransferred(AsCells(ImageSource(width)), width);
+    ExpectTransferred(AsCells(ImageSource(width, -0.5, 2)), width);
+  }
+}
+
+TEST(BitingMesherValues, OfBlocksOfASourceAreThoseOfTheBlockAround)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto image = ImageSource(0.5);
+  const auto other = AsCells(ImageSource(0.25));
+  for (vtkIdType point = 0; point < other->GetNumberOfPoints(); ++point)
+  {
+    double place[3];
+    other->GetPoint(point, place);
+    other->GetPoints()->SetPoint(point, place[0] + 0.5, place[1], place[2]);
+  }
+  AddFields(other);
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, other);
+  ExpectTransferred(blocks, 0.75);
+}
+
+TEST(BitingMesherValues, OfASourceWithAMaskAreThoseOfItsValidPart)
+{
+  const auto image = ImageSource(1.0);
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("vtkValidPointMask");
+  for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+  {
+    const bool isValid = image->GetPoint(point)[0] <= 0.5;
+    mask->InsertNextValue(isValid ? 1 : 0);
+    if (!isValid)
+    {
+      image->GetPointData()->GetArray("Depth")->SetTuple1(point, -1e30);
+      image->GetPointData()->GetArray("Flow")->SetTuple2(point, -1e30, 1e30);
+    }
+  }
+  image->GetPointData()->AddArray(mask);
+  ExpectTransferred(image, 0.5);
+}
+
+TEST(BitingMesherValues, OfASourceStayThereWhereNotAskedFor)
+{
+  const auto mesher = MesherOf(UnitSquare(), 0.1);
+  mesher->SetInputDataObject(1, ImageSource(1.0));
+  mesher->TransferSourceArraysOff();
+  mesher->Update();
+  EXPECT_EQ(mesher->GetOutput()->GetPointData()->GetArray("Depth"), nullptr);
+  EXPECT_EQ(mesher->GetOutput()->GetPointData()->GetArray("vtkValidPointMask"), nullptr);
 }
