@@ -44,7 +44,7 @@ def courant_number_of_a_coast(folder):
 
     The spacing keeps the number at `most`. It is above that where edges are shorter: along the
     shore, whose narrow places ask for fine triangles. NearestNeighborDistance is the
-    shortest edge at a vertex.
+    shortest edge at a vertex; the depth comes along from the spacing source.
     """
     coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
     depth = made_up_depth(coast)
@@ -53,11 +53,24 @@ def courant_number_of_a_coast(folder):
         Function=f'{step} * sqrt(9.81 * Depth) / {most}')
     mesh = BitingMesher(Input=coast, SpacingSource=spacing, BoundarySpacingArray=['POINTS', 'None'],
         SourceSpacingArray=['POINTS', 'Spacing'], BoundaryTolerance=0.2)
-    depths = ResampleWithDataset(SourceDataArrays=depth, DestinationMesh=OutputPort(mesh, 0),
-        PassPointArrays=1)
-    courant = Calculator(Input=depths, ResultArrayName='CourantNumber',
+    courant = Calculator(Input=OutputPort(mesh, 0), ResultArrayName='CourantNumber',
         Function=f'{step} * sqrt(9.81 * Depth) / NearestNeighborDistance')
     SaveData(os.path.join(folder, 'courant_number.vtp'), proxy=courant)
+    return mesh
+
+
+def adcirc_grid_with_depths(folder):
+    """A grid for ADCIRC (.14; .gr3 is SCHISM's, .2dm that of SMS) whose depths are those of a chart.
+
+    All arrays of the spacing source come along to the mesh, so that three gestures do: a spacing of
+    the chart, the mesh, the file. A chart alone is no spacing: then SourceSpacingArray is None.
+    """
+    coast = LegacyVTKReader(FileNames=[os.path.join(here, 'coast.vtk')])
+    spacing = Calculator(Input=made_up_depth(coast), ResultArrayName='Spacing',
+        Function='5000 + 20 * Depth')
+    mesh = BitingMesher(Input=coast, SpacingSource=spacing, BoundarySpacingArray=['POINTS', 'None'],
+        BoundaryTolerance=0.2)
+    SaveData(os.path.join(folder, 'coast.14'), proxy=OutputPort(mesh, 0))
     return mesh
 
 
@@ -139,8 +152,9 @@ def mesh_for_a_solution(folder):
     return BitingMesher(Input=square, SpacingSource=spacing, SourceSpacingArray=['POINTS', 'Spacing'])
 
 
-tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast, airfoil,
-    plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh, mesh_for_a_solution]
+tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast,
+    adcirc_grid_with_depths, airfoil, plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh,
+    mesh_for_a_solution]
 
 
 def main(plugin, folder):

@@ -4,6 +4,7 @@
 #include "vtkBitingMeshReader.h"
 
 #include "IO/MeshFile.h"
+#include "IO/MeshFormat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -43,19 +44,8 @@ ReadingResult ReadFile(const std::string& name, MeshFile& file)
   {
     return { "The file could not be opened.", {} };
   }
-  if (biting::EndsWith(name, ".msh"))
-  {
-    return biting::ReadGmsh(stream, file);
-  }
-  if (biting::EndsWith(name, ".su2"))
-  {
-    return biting::ReadSU2(stream, file);
-  }
-  if (biting::EndsWith(name, ".14"))
-  {
-    return biting::ReadADCIRC(stream, file);
-  }
-  return { "The name of the file must end with .msh, .su2 or .14.", {} };
+  const biting::MeshFormat* format = biting::FormatOf(name);
+  return format ? format->Read(stream, file) : ReadingResult{ biting::SentenceOfEnds(), {} };
 }
 
 //------------------------------------------------------------------------------

@@ -9,17 +9,18 @@
  * - `.msh`, Gmsh 2.2 or 4.1, ASCII: physical groups; where there are none, curves and surfaces,
  *   without names;
  * - `.su2`, SU2 of two dimensions: markers;
- * - `.14`, ADCIRC (fort.14): depths, open and land boundaries.
+ * - `.14`, ADCIRC (fort.14), and `.gr3`, SCHISM (hgrid): depths, open and land boundaries;
+ * - `.2dm`, SMS: materials as regions, node strings as tags, z as depth with the other sign.
  *
  * Output 0 is the mesh: triangles with the cell array `RegionId`, the number of their group less
  * 1, as vtkBitingMeshWriter adds 1, and 0 where the file has no groups; points in the order of the
- * file, with `Depth` from ADCIRC.
+ * file, with `Depth` from ADCIRC, SCHISM and SMS.
  * Output 1 are the edges that the file names: lines with the cell array `Tag`, the number of their
  * group, and the point array `MeshPointId`, the number of the point in output 0. So they can be the
  * tagged lines of vtkBitingRemesher. Where the file has names they are in the cell arrays
  * `RegionName` and `TagName`. Markers of SU2 that are not all called by numbers are numbered from 1
- * on. In ADCIRC files the tag of open boundaries is 1, that of land 2 plus its type: 2 mainland, 3
- * islands; of weirs both sides have it.
+ * on. In files of ADCIRC and SCHISM the tag of open boundaries is 1, that of land 2 plus its type:
+ * 2 mainland, 3 islands; of weirs both sides have it. In SMS it is the number of the node string.
  *
  * What the mesh does not have of the file is said in warnings. Quads become two triangles each, by
  * the diagonal with the larger smallest angle. Of triangles, quads and edges of order 2 the corners
@@ -55,7 +56,7 @@ public:
 
   ///@{
   /**
-   * The file to read; its end chooses the format: `.msh`, `.su2` or `.14`.
+   * The file to read; its end chooses the format: `.msh`, `.su2`, `.14`, `.gr3` or `.2dm`.
    */
   vtkSetStringMacro(FileName);
   vtkGetStringMacro(FileName);

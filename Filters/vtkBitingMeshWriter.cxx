@@ -7,6 +7,7 @@
 #include "Bridge/Mesh/MeshFileFromDataSet.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "IO/MeshFile.h"
+#include "IO/MeshFormat.h"
 
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
@@ -50,6 +51,7 @@ vtkBitingMeshWriter::~vtkBitingMeshWriter()
 {
   this->SetFileName(nullptr);
   this->SetTagArray(nullptr);
+  this->SetRegionArray(nullptr);
   this->SetOpenTags(nullptr);
   this->SetDepthArray(nullptr);
 }
@@ -137,7 +139,7 @@ std::string vtkBitingMeshWriter::ReadTags(
     file.TagOfEdge.clear();
     file.Tags.clear();
   }
-  else if (biting::EndsWith(Text(this->FileName), ".su2"))
+  else if (biting::FormatOf(Text(this->FileName))->HasPlainNames)
   {
     this->TakeNames(groups.Named(0, "", biting::EndsOfNamesInSU2), file);
   }
@@ -202,11 +204,10 @@ void vtkBitingMeshWriter::WriteData()
 std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
 {
   const std::string name = Text(this->FileName);
-  const bool isADCIRC = biting::EndsWith(name, ".14");
-  const bool isPlanar = isADCIRC || biting::EndsWith(name, ".su2");
-  if (!isPlanar && !biting::EndsWith(name, ".msh"))
+  const biting::MeshFormat* format = biting::FormatOf(name);
+  if (!format)
   {
-    return "The name of the file must end with .msh, .su2 or .14: " + name;
+    return biting::SentenceOfEnds() + " It is " + name;
   }
   if (!mesh)
   {
@@ -219,9 +220,10 @@ std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
   }
   biting::MeshFile file;
   const biting::WrittenParts parts(mesh);
-  refusal = biting::ReadTriangles(mesh, parts, file);
-  refusal = refusal.empty() && isPlanar ? biting::MakePlanar(file) : refusal;
-  refusal = refusal.empty() && isADCIRC
+  refusal = biting::ReadTriangles(
+    mesh, parts, format->HasRegions ? Text(this->RegionArray) : std::string(), file);
+  refusal = refusal.empty() && format->IsPlanar ? biting::MakePlanar(file) : refusal;
+  refusal = refusal.empty() && format->HasDepths
     ? biting::ReadDepths(mesh, parts, Text(this->DepthArray), file)
     : refusal;
   refusal = refusal.empty() ? this->ReadTags(mesh, edges, parts, file) : refusal;
@@ -233,27 +235,17 @@ std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
 std::string vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
 {
   const std::string name = Text(this->FileName);
+  const biting::MeshFormat& format = *biting::FormatOf(name);
   std::vector<bool> areOpen;
   const std::string unknown =
-    biting::EndsWith(name, ".14") ? biting::FindOpenTags(file, Text(this->OpenTags), areOpen) : "";
+    format.HasOpenTags ? biting::FindOpenTags(file, Text(this->OpenTags), areOpen) : "";
   if (!unknown.empty())
   {
     return "No edge of the boundary has the tag " + unknown + ", which Open Tags lists.";
   }
   const std::string part = name + ".part";
   std::ofstream stream(part);
-  if (biting::EndsWith(name, ".msh"))
-  {
-    biting::WriteGmsh(file, stream);
-  }
-  else if (biting::EndsWith(name, ".su2"))
-  {
-    biting::WriteSU2(file, stream);
-  }
-  else
-  {
-    biting::WriteADCIRC(file, areOpen, stream);
-  }
+  format.Write(file, areOpen, stream);
   stream.close();
   std::error_code failure;
   if (stream)
@@ -274,6 +266,7 @@ void vtkBitingMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << Text(this->FileName) << "\n"
      << indent << "TagArray: " << Text(this->TagArray) << "\n"
+     << indent << "RegionArray: " << Text(this->RegionArray) << "\n"
      << indent << "OpenTags: " << Text(this->OpenTags) << "\n"
      << indent << "DepthArray: " << Text(this->DepthArray) << "\n"
      << indent << "GatherPieces: " << this->GatherPieces << "\n";

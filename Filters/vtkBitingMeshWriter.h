@@ -8,13 +8,17 @@
  * The end of the file name chooses the format:
  * - `.msh`, Gmsh 4.1 ASCII: tags and regions as physical groups of edges and triangles;
  * - `.su2`, SU2: the tags of the boundary as markers; interfaces and regions are left out;
- * - `.14`, ADCIRC (fort.14): open and land boundaries; islands are land around holes.
+ * - `.14`, ADCIRC (fort.14), and `.gr3`, SCHISM (hgrid): open and land boundaries; islands are
+ *   land around holes;
+ * - `.2dm`, SMS: regions as materials, tags as node strings by their numbers, without names.
  *
  * Port 0 is the mesh: a vtkDataSet of triangles; other cells are passed over. Regions are the
- * values of its cell array `RegionId`; the physical number is the value plus 1. Port 1, optional,
- * is output 1 of vtkBitingMesher or vtkBitingRemesher: lines with the point array `MeshPointId`.
- * Where nothing is connected there, it is taken from the last of these filters through which the
- * mesh came. Lines that are not edges of the mesh, at the same points, give a warning and no tags.
+ * values of a cell array: RegionArray, else `RegionId`, of which the physical number is the value
+ * plus 1. Those of another array have numbers and names as tags do; triangles whose text is empty
+ * are a group without a name. Port 1, optional, is output 1 of vtkBitingMesher or
+ * vtkBitingRemesher: lines with the point array `MeshPointId`. Where nothing is connected there, it
+ * is taken from the last of these filters through which the mesh came. Lines that are not edges of
+ * the mesh, at the same points, give a warning and no tags.
  *
  * Tags are the values of one cell array of port 1: TagArray, else `Tag`, else the first array that
  * the mesher has not made, else `Kind`. The physical number of a whole number above 0 is that
@@ -27,11 +31,12 @@
  * have saved together (`.pvtp`) becomes the mesh of one. With GatherPieces several ranks write one
  * file.
  *
- * SU2 and ADCIRC have two coordinates: a mesh that is not in a plane of constant z is an error for
+ * All but Gmsh have two coordinates: a mesh that is not in a plane of constant z is an error for
  * them, and so are triangles that overlap; clockwise triangles are turned. In SU2 names of markers
- * have '_' in place of blanks and other signs that end names there, with a warning. In ADCIRC an
- * island that is open in part is open boundary and mainland; a loop that is all open is two open
- * boundaries. Numbers are written so that reading gives them back bit for bit.
+ * have '_' in place of blanks and other signs that end names there, with a warning. In ADCIRC and
+ * SCHISM an island that is open in part is open boundary and mainland; a loop that is all open is
+ * two open boundaries. In SMS z is the depth with the other sign. Numbers are written so that
+ * reading gives them back bit for bit.
  *
  * Where there is an error no file is written, and one that was there stays as it was.
  */
@@ -67,7 +72,8 @@ public:
 
   ///@{
   /**
-   * The file to write; its end chooses the format: `.msh`, `.su2` or `.14`.
+   * The file to write; its end chooses the format: `.msh`, `.su2`, `.14`, `.gr3` or
+   * `.2dm`.
    */
   vtkSetStringMacro(FileName);
   vtkGetStringMacro(FileName);
@@ -83,7 +89,16 @@ public:
 
   ///@{
   /**
-   * For ADCIRC: the tags of open boundaries, with blanks or commas between; tags may have some,
+   * For Gmsh and SMS: cell array of the mesh whose values, numbers or texts, are the groups of
+   * triangles. Empty (default), or "None": `RegionId`.
+   */
+  vtkSetStringMacro(RegionArray);
+  vtkGetStringMacro(RegionArray);
+  ///@}
+
+  ///@{
+  /**
+   * For ADCIRC and SCHISM: the tags of open boundaries, with blanks or commas between; tags may have some,
    * too. A word that is no tag of the boundary is an error. Empty (default): none, all is land.
    */
   vtkSetStringMacro(OpenTags);
@@ -92,7 +107,7 @@ public:
 
   ///@{
   /**
-   * For ADCIRC: the point array of depths, positive downwards. Default `Depth`: depths are 0 where
+   * For ADCIRC, SCHISM and SMS: the point array of depths, positive downwards. Default `Depth`: depths are 0 where
    * it does not exist. Any other array that does not exist, and depths that are not finite, are
    * errors.
    */
@@ -141,6 +156,7 @@ private:
 
   char* FileName = nullptr;
   char* TagArray = nullptr;
+  char* RegionArray = nullptr;
   char* OpenTags = nullptr;
   char* DepthArray = nullptr;
   bool GatherPieces = false;

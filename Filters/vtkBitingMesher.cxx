@@ -161,6 +161,7 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FrontOrder: " << this->FrontOrder << "\n"
      << indent << "MaximumNumberOfBites: " << this->MaximumNumberOfBites << "\n"
      << indent << "VerticesPerBlock: " << this->VerticesPerBlock << "\n"
+     << indent << "TransferSourceArrays: " << (this->TransferSourceArrays ? "on" : "off") << "\n"
      << indent << "Phi: " << this->Phi << "\n";
 }
 

@@ -85,7 +85,11 @@
  * point), `OriginalPointId` (vtkIdType, -1 where new). Cell data: `RegionId` (int, connected faces,
  * from the leftmost one on along the boundary), `MinimumAngle` (double, degrees), `RadiusEdgeRatio`
  * (double, 0.577 is best), `AspectRatio` (double, radii of the smallest containing and the
- * inscribed circle, 2 is best). `MinimumAngle` is the active scalar, as are `Phase` of output 2 and
+ * inscribed circle, 2 is best). Besides these, cell data has every cell array of the
+ * two-dimensional cells of port 0, of any type: at a triangle the value of the cell that covers its
+ * middle; of several, by DomainRule Union the last one, else that with the smallest area; beside a
+ * simplified outline the nearest one of its region. Point data has every point array of port 1
+ * (TransferSourceArrays). Arrays of the names above are left out. `MinimumAngle` is the active scalar, as are `Phase` of output 2 and
  * `ProblemKind` of output 3. Field data, one value each, marked vtkAbstractArray::GUI_HIDE so that
  * programs do not offer them to colour by: `NumberOfVertices`, `NumberOfTriangles`,
  * `SmallestAngle`, `LargestRadiusEdgeRatio`, `SmallestConformity`, `MeanConformity`,
@@ -567,6 +571,19 @@ public:
   vtkGetMacro(VerticesPerBlock, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * On (default): the point arrays of the spacing source come along to the points of output 0.
+   * Real numbers are interpolated by the cells of the source, of anything else the value of the
+   * nearest corner counts; outside of the source that at the nearest place of its border. The array
+   * `vtkValidPointMask` (unsigned char) says where: 1 inside, 0 outside. Arrays whose names are
+   * those of arrays of output 0, such as `Spacing`, are left out. Off: none come along.
+   */
+  vtkSetMacro(TransferSourceArrays, bool);
+  vtkGetMacro(TransferSourceArrays, bool);
+  vtkBooleanMacro(TransferSourceArrays, bool);
+  ///@}
+
 protected:
   vtkBitingMesher();
   ~vtkBitingMesher() override = default;
@@ -606,6 +623,7 @@ private:
   vtkIdType MaximumNumberOfBites = -1;
   double Phi = 1.0;
   vtkIdType VerticesPerBlock = 64000;
+  bool TransferSourceArrays = true;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -3,6 +3,7 @@
 
 #include "vtkBitingMesherExecution.h"
 
+#include "Bridge/Data/CarriedArrays.h"
 #include "Bridge/Drawing/BoundarySpacing.h"
 #include "Bridge/Drawing/CellTags.h"
 #include "Bridge/Drawing/PolylinesFromDrawing.h"
@@ -16,15 +17,19 @@
 #include "Bridge/Source/DomainMembership.h"
 #include "Bridge/Source/SourceCover.h"
 #include "Bridge/Source/SourceData.h"
+#include "Bridge/Source/TransferredArrays.h"
 #include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
 #include "Kernel/Blocks/ByteStream.h"
 #include "Kernel/Pieces/CrewRounds.h"
+#include "Kernel/Stages/CoveringFaces.h"
 #include "Kernel/Stages/MeshingStages.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkOutputWindow.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -68,7 +73,7 @@ void vtkBitingMesher::Execution::Run(const biting::WholeInput& drawing,
   const auto run = [this, &drawing, &source, outputs]()
   {
     if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
-      this->ReadSpacing() && this->MakeMesh())
+      this->ReadSpacing() && this->MakeMesh() && this->FindCells())
     {
       this->Write(outputs);
       this->IsSpread = this->Mesh.Piece.IsPart && this->Deliver();
@@ -95,7 +100,7 @@ void vtkBitingMesher::Execution::Help(const biting::WholeInput& drawing,
   try
   {
     if (this->Gather(drawing, source) && this->ReadParameters() && this->ReadChains() &&
-      this->ReadSpacing() && this->MakeMesh())
+      this->ReadSpacing() && this->MakeMesh() && this->FindCells())
     {
       this->Write(outputs);
       this->IsSpread = this->Deliver();
@@ -263,6 +268,67 @@ bool vtkBitingMesher::Execution::MakeMesh()
 }
 
 //------------------------------------------------------------------------------
+// Those on which triangles lie; pieces decide together. False where one of them does not arrive.
+bool vtkBitingMesher::Execution::FindCells()
+{
+  this->Progress.BeginStage(WritingStage.Text);
+  biting::PartOfStage part(this->Progress, 0.0, PointsEnd);
+  biting::Pulse pulse(part);
+  const biting::CoveringFaces faces(this->Planar.Chains, this->Options.Domain, pulse);
+  if (faces.IsEmpty() || this->Drawing.CellArrays->GetNumberOfArrays() == 0)
+  {
+    return !pulse.HasStopped();
+  }
+  this->TriangleCells = faces.FacesOf(this->Mesh, pulse);
+  biting::CoveringFaces::Votes votes;
+  if (!pulse.HasStopped())
+  {
+    votes = faces.Count(this->Mesh, this->TriangleCells);
+  }
+  if (this->Mesh.Piece.IsPart)
+  {
+    votes = this->VotesOfAll(votes, part);
+  }
+  if (pulse.HasStopped() || part.HasStopped() || votes.empty())
+  {
+    return false;
+  }
+  faces.CorrectBy(votes, this->Mesh, this->TriangleCells, pulse);
+  for (biting::Id& cell : this->TriangleCells)
+  {
+    cell = this->Planar.Chains.Cells[static_cast<std::size_t>(cell)];
+  }
+  return !pulse.HasStopped();
+}
+
+//------------------------------------------------------------------------------
+// Of all pieces; empty where one of them does not arrive.
+biting::CoveringFaces::Votes vtkBitingMesher::Execution::VotesOfAll(
+  const biting::CoveringFaces::Votes& votes, biting::PartOfStage& part)
+{
+  biting::CrewRounds rounds(this->Crew, this->Crew.WhoIsAtWork());
+  biting::ByteWriter own;
+  own.Put(votes);
+  const auto join = [](const std::vector<std::vector<char>>& all)
+  {
+    biting::CoveringFaces::Votes joined;
+    for (const std::vector<char>& bytes : all)
+    {
+      biting::CoveringFaces::Votes next;
+      biting::ByteReader(bytes).Take(next);
+      joined.insert(joined.end(), next.begin(), next.end());
+    }
+    biting::ByteWriter writer;
+    writer.Put(joined);
+    return std::move(writer.Bytes);
+  };
+  const std::vector<char> reply = rounds.Share(std::move(own.Bytes), part, join);
+  biting::CoveringFaces::Votes whole;
+  biting::ByteReader(reply).Take(whole);
+  return whole;
+}
+
+//------------------------------------------------------------------------------
 // Of several ranks, each has its piece: whether all of them have. Warns of all of it.
 bool vtkBitingMesher::Execution::Deliver()
 {
@@ -319,7 +385,6 @@ void vtkBitingMesher::Execution::ReportNotes() const
 //------------------------------------------------------------------------------
 void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
 {
-  this->Progress.BeginStage(WritingStage.Text);
   biting::Pulse pulse(this->Progress);
   const auto points = this->MakePoints(pulse);
   this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
@@ -345,6 +410,16 @@ void vtkBitingMesher::Execution::WriteMesh(
 {
   const biting::PulsePart part(pulse, PointsEnd, MeshEnd);
   biting::MeshToPolyData(this->Mesh, points, this->Problems, output, pulse);
+  if (!this->TriangleCells.empty())
+  {
+    biting::CarryArrays(this->Drawing.CellArrays, this->Drawing.NumberOfCells, this->TriangleCells,
+      output->GetCellData(), pulse);
+  }
+  if (this->Filter->TransferSourceArrays && this->Source)
+  {
+    biting::TransferArrays(
+      this->Source, this->Planar.Frame, this->Mesh.Points, output->GetPointData(), pulse);
+  }
   if (this->Mesh.Piece.IsPart)
   {
     biting::AddPieceArrays(this->Mesh.Piece, this->Options.GhostLevels > 0, output, pulse);

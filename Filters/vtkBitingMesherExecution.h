@@ -11,12 +11,15 @@
 #include "Bridge/Ranks/RankCrew.h"
 #include "Bridge/Ranks/Ranks.h"
 #include "Bridge/Run/FilterRun.h"
+#include "Kernel/Base/PartOfStage.h"
 #include "Kernel/BitingMesh.h"
+#include "Kernel/Stages/CoveringFaces.h"
 
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
 #include <string> // for refusals
+#include <vector> // for cells
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -46,6 +49,9 @@ private:
   bool ReadSpacing();
   void ReadGhostLevels(vtkInformationVector* outputs);
   bool MakeMesh();
+  bool FindCells();
+  biting::CoveringFaces::Votes VotesOfAll(
+    const biting::CoveringFaces::Votes& votes, biting::PartOfStage& part);
   bool Deliver();
   void Write(vtkInformationVector* outputs);
   std::string AddBoundaryArray();
@@ -63,6 +69,7 @@ private:
   biting::PlanarInput Planar;
   biting::BitingMeshOptions Options;
   biting::BitingMesh Mesh;
+  std::vector<biting::Id> TriangleCells; // of the input, where it has faces
   bool IsSpread = false;
 };
 

@@ -36,4 +36,5 @@ set(biting_bridge_sources
   Source/SourceCover.cxx
   Source/SourceData.cxx
   Source/SourceSpacing.cxx
-  Source/SpacingValues.cxx)
+  Source/SpacingValues.cxx
+  Source/TransferredArrays.cxx)

@@ -15,7 +15,7 @@
 /**
  * Meshes of triangles in the text formats of solvers. No VTK: plain lists in, text out. Numbers are
  * written so that reading gives them back bit for bit. Ids begin with 0 in lists and in SU2, with 1
- * in Gmsh and ADCIRC.
+ * in Gmsh, ADCIRC and SMS.
  */
 namespace biting
 {
@@ -88,6 +88,10 @@ void WriteSU2(const MeshFile& mesh, std::ostream& file);
 /// all open is two open boundaries, since none may be a loop. Expects IsBoundaryOfLoops.
 void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file);
 
+/// SMS (2dm): x, y and, as z, the depth with the other sign; regions as materials, tags as node
+/// strings with their numbers, along interfaces, too. Names of tags are left out.
+void WriteSMS(const MeshFile& mesh, std::ostream& file);
+
 /// What came of reading a file.
 ///
 /// Files made by any program are read. Vertices keep the order that they have there, whatever their
@@ -112,6 +116,10 @@ ReadingResult ReadSU2(std::istream& file, MeshFile& mesh);
 /// mainland, 3 island and so on. Both sides of weirs with pairs of nodes have the tag of their
 /// type.
 ReadingResult ReadADCIRC(std::istream& file, MeshFile& mesh);
+
+/// SMS (2dm): materials as regions, with their names; node strings as tags, by their numbers, else
+/// numbered in their order; z with the other sign as depth. Elements of order 2 are no mesh.
+ReadingResult ReadSMS(std::istream& file, MeshFile& mesh);
 
 } // namespace biting
 

@@ -195,10 +195,16 @@ bool MeshFileBuilder::AddVertex(std::int64_t number, const std::array<double, 3>
 
 bool MeshFileBuilder::AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group)
 {
-  Cell edge;
-  edge.Corners = { ends[0], ends[1], -1, -1 };
-  edge.Size = 2;
-  return this->Add(edge, group);
+  return this->AddCell({ ends[0], ends[1], -1, -1 }, 2, group);
+}
+
+bool MeshFileBuilder::AddCell(
+  const std::array<std::int64_t, 4>& corners, std::size_t size, const Group& group)
+{
+  Cell cell;
+  cell.Corners = corners;
+  cell.Size = size;
+  return this->Add(cell, group);
 }
 
 bool MeshFileBuilder::ReadCell(const MeshFileCell& kind, const Group& group)

@@ -141,6 +141,9 @@ public:
   bool AddVertex(std::int64_t number, const std::array<double, 3>& place);
   bool AddEdge(const std::array<std::int64_t, 2>& ends, const Group& group);
 
+  /// An edge, a triangle or a quad, by its `size` corners.
+  bool AddCell(const std::array<std::int64_t, 4>& corners, std::size_t size, const Group& group);
+
   /// Reads the vertices that follow in this line.
   bool ReadCell(const MeshFileCell& kind, const Group& group);
 

@@ -8,4 +8,6 @@ set(biting_file_sources
   GmshWriting.cxx
   MeshFile.cxx
   MeshFileBuilder.cxx
+  MeshFormat.cxx
+  SMSFiles.cxx
   SU2Reading.cxx)

@@ -107,6 +107,7 @@ set(biting_kernel_sources
   Quality/Quality.cxx
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx
+  Stages/CoveringFaces.cxx
   Stages/FineDrawing.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx

@@ -3,10 +3,11 @@
 
 // The long run: as many made-up inputs as there is time for, each judged by the oracle.
 //
-//   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near]
+//   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near|rules]
 //
 // With `--drawings near` they are drawings that nearly meet themselves, and the laws are those of
-// NearDrawings.h; each violation is told, and the run goes on.
+// NearDrawings.h; each violation is told, and the run goes on. With `rules` they are loops over each
+// other, and the laws those of RuleDrawings.h.
 //
 // Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it
 // was found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and
@@ -20,6 +21,7 @@
 #include "FuzzArguments.h"
 #include "NearDrawings.h"
 #include "Oracle.h"
+#include "RuleDrawings.h"
 #include "SlowCase.h"
 
 #include <array>    // for the counts
@@ -85,8 +87,12 @@ bool RunCase(std::uint64_t seed, const FuzzArguments& arguments, Counts& counts)
   FuzzNumbers numbers(seed);
   const std::string& file = arguments.Text("--write");
   const bool isNear = arguments.Text("--drawings") == "near";
+  const bool hasRule = arguments.Text("--drawings") == "rules";
   const NearCase nearCase = isNear ? MakeNearCase(numbers) : NearCase();
-  const FuzzCase fuzzCase = isNear ? nearCase.Case : MakeFuzzCase(numbers);
+  const RuleCase ruleCase = hasRule ? MakeRuleCase(numbers) : RuleCase();
+  const FuzzCase fuzzCase = isNear ? nearCase.Case
+    : hasRule                      ? ruleCase.Case
+                                   : MakeFuzzCase(numbers);
   if (!file.empty())
   {
     std::ofstream stream(file);
@@ -94,7 +100,9 @@ bool RunCase(std::uint64_t seed, const FuzzArguments& arguments, Counts& counts)
     std::cout << Describe(fuzzCase) << std::endl;
   }
   BeginCase(seed, SecondsPerCase);
-  const FuzzOutcome outcome = isNear ? RunNearCase(nearCase) : RunFuzzCase(fuzzCase);
+  const FuzzOutcome outcome = isNear ? RunNearCase(nearCase)
+    : hasRule                        ? RunRuleCase(ruleCase)
+                                     : RunFuzzCase(fuzzCase);
   EndCase();
   counts.Add(outcome);
   if (outcome.Kind == Verdict::Violation)
@@ -137,7 +145,7 @@ int RunFuzz(int count, char** texts)
   if (!arguments.Valid())
   {
     std::cerr
-      << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near]\n";
+      << "BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near|rules]\n";
     return 2;
   }
   return RunAll(arguments);

@@ -5,6 +5,7 @@
 #include "FuzzCases.h"
 #include "JudgedMesh.h"
 #include "NearDrawings.h"
+#include "RuleDrawings.h"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,15 @@ TEST(Fuzz, WhatNearlyTouchesIsMeantOrToldOf)
   {
     FuzzNumbers numbers(seed);
     EXPECT_EQ(RunNearCase(MakeNearCase(numbers)).Violation, "") << "seed " << seed;
+  }
+}
+
+TEST(Fuzz, DomainsAreWhatTheirRuleSays)
+{
+  for (std::uint64_t seed = FirstSeed; seed < FirstSeed + 400; ++seed)
+  {
+    FuzzNumbers numbers(seed);
+    EXPECT_EQ(RunRuleCase(MakeRuleCase(numbers)).Violation, "") << "seed " << seed;
   }
 }
 

@@ -15,10 +15,11 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'Data')
 SMALLEST_ANGLES = {'contour_to_mesh': 30, 'coast_with_spacing_by_depth': 15,
-                   'courant_number_of_a_coast': 15, 'airfoil': 35,
+                   'courant_number_of_a_coast': 15, 'adcirc_grid_with_depths': 15, 'airfoil': 35,
                    'plate_with_regions': 30, 'export_with_tags': 30, 'size_by_tag': 30,
                    'judge_a_mesh': 0, 'mesh_for_a_solution': 35}
-FILES = ['airfoil.su2', 'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh', 'plate.su2']
+FILES = ['airfoil.su2', 'coast.14', 'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh',
+         'plate.su2']
 
 
 class TestExamplesProxy(unittest.TestCase):

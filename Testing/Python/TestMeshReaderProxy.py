@@ -113,7 +113,33 @@ ADCIRC = '''a square   % of two triangles
 2
 3
 '''
-FILES = {'old.msh': GMSH_2, 'new.msh': GMSH_4, 'square.su2': SU2, 'square.14': ADCIRC}
+SMS = '''MESH2D
+E3T 1 1 2 3 5
+E3T 2 1 3 4 5
+ND 1 0 0 -5.5
+ND 2 1 0 -6
+ND 3 1 1 -7
+ND 4 0 1 1
+NS 4 -1 1
+NS 1 2 -3
+'''
+FILES = {'old.msh': GMSH_2, 'new.msh': GMSH_4, 'square.su2': SU2, 'square.14': ADCIRC,
+         'square.gr3': ADCIRC, 'square.2dm': SMS}
+# A square within another.
+POLYGONS = '''
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+points, polygons, names = vtkPoints(), vtkCellArray(), vtkStringArray()
+names.SetName('Ground')
+for low, high, name in ((0, 1, 'sand'), (0.25, 0.75, 'hard rock')):
+    ids = [points.InsertNextPoint(x, y, 0)
+           for x, y in ((low, low), (high, low), (high, high), (low, high))]
+    polygons.InsertNextCell(4, ids)
+    names.InsertNextValue(name)
+output.SetPoints(points)
+output.SetPolys(polygons)
+output.GetCellData().AddArray(names)
+'''
 
 
 def cells_of(data, array):
@@ -155,20 +181,37 @@ class TestMeshReaderProxy(unittest.TestCase):
         mesher.UpdatePipeline()
         mesh, edges = (simple.FetchData(simple.OutputPort(mesher, port))[0] for port in range(2))
         kind = edges.GetCellData().GetArray('Kind')
-        for end in ('msh', 'su2', '14'):
+        for end in ('msh', '2dm', 'su2', '14', 'gr3'):
             path = os.path.join(self.folder.name, 'plate.' + end)
             simple.SaveData(path, proxy=mesher)
             found, found_edges = self.read(path)
-            regions = 'RegionId' if end == 'msh' else None
+            regions = 'RegionId' if end in ('msh', '2dm') else None
             self.assertEqual([places for places, _ in sorted(cells_of(found, 'RegionId'))],
                              [places for places, _ in sorted(cells_of(mesh, 'RegionId'))])
             if regions:
                 self.assertEqual(sorted(cells_of(found, regions)), sorted(cells_of(mesh, regions)))
-            if end != '14':
+            if end not in ('14', 'gr3'):
                 tags = {frozenset(places): tag for k, (places, tag)
-                        in enumerate(cells_of(edges, 'Tag')) if end == 'msh' or kind.GetValue(k) == 0}
+                        in enumerate(cells_of(edges, 'Tag')) if regions or kind.GetValue(k) == 0}
                 self.assertEqual({frozenset(places): tag
                                   for places, tag in cells_of(found_edges, 'Tag')}, tags)
+
+    def test_texts_of_polygons_are_names_of_groups_and_come_back(self):
+        cells = simple.ProgrammableSource(OutputDataSetType='vtkPolyData', Script=POLYGONS)
+        mesher = BitingMesher(Input=cells, UniformSpacing=0.3, RegionArray='Ground',
+                              DomainRule='Union')
+        mesher.UpdatePipeline()
+        mesh = simple.FetchData(simple.OutputPort(mesher, 0))[0]
+        for end in ('msh', '2dm'):
+            path = os.path.join(self.folder.name, 'ground.' + end)
+            simple.SaveData(path, proxy=mesher, RegionArray='Ground')
+            found, _ = self.read(path)
+            self.assertEqual(sorted(cells_of(found, 'RegionName')), sorted(cells_of(mesh, 'Ground')))
+            finer = BitingRemesher(Input=self.reader, UniformSpacing=0.15, RegionArray='RegionName')
+            finer.UpdatePipeline()
+            inside = {name for places, name in cells_of(simple.FetchData(finer)[0], 'RegionName')
+                      if all([0.25 < x < 0.75 and 0.25 < y < 0.75 for x, y, _ in places])}
+            self.assertEqual(inside, {'hard rock'})
 
     def test_files_as_other_programs_write_them(self):
         a, b, c, d = (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)
@@ -177,6 +220,8 @@ class TestMeshReaderProxy(unittest.TestCase):
             'new.msh': ('8', [((a, b), '5')]),
             'square.su2': ('0', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
             'square.14': ('0', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+            'square.gr3': ('0', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
+            'square.2dm': ('4', [((d, a), '1'), ((a, b), '2'), ((b, c), '2')]),
         }
         for name, text in FILES.items():
             mesh, edges = self.read(self.path_of(name, text))
@@ -190,9 +235,10 @@ class TestMeshReaderProxy(unittest.TestCase):
         self.assertEqual(cells_of(edges, 'TagName')[0][1], '100% wall')
         _, edges = self.read(self.path_of('square.su2', SU2))
         self.assertEqual([tag for _, tag in cells_of(edges, 'TagName')], ['inlet', 'wall', 'wall'])
-        mesh, edges = self.read(self.path_of('square.14', ADCIRC))
-        depths = mesh.GetPointData().GetArray('Depth')
-        self.assertEqual([depths.GetValue(k) for k in range(4)], [5.5, 6, 7, -1])
+        for name, text in (('square.2dm', SMS), ('square.gr3', ADCIRC), ('square.14', ADCIRC)):
+            mesh, edges = self.read(self.path_of(name, text))
+            depths = mesh.GetPointData().GetArray('Depth')
+            self.assertEqual([depths.GetValue(k) for k in range(4)], [5.5, 6, 7, -1])
         self.assertEqual(cells_of(edges, 'TagName')[-1][1], 'land, type 0')
 
     def test_what_the_mesh_has_not_of_a_file_is_said_in_warnings(self):

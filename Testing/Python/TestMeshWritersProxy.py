@@ -362,6 +362,11 @@ class TestMeshWritersProxy(unittest.TestCase):
             mesh.GetPointData().AddArray(depths)
             self.refuse('depths.14', mesh, DepthArray=name)
         self.refuse('depths.14', mesh, DepthArray='Bathymetry')
+        self.refuse('depths.gr3', mesh, DepthArray='Bathymetry')
+        self.refuse('depths.2dm', mesh, DepthArray='Bathymetry')
+
+    def test_regions_that_are_not_there_are_an_error_and_no_file(self):
+        self.refuse('regions.msh', self.mesh, RegionArray='Ground')
 
     def test_tags_that_no_edge_has_cannot_be_open(self):
         self.refuse('unknown.14', self.mesh, OpenTags='99')
@@ -372,7 +377,7 @@ class TestMeshWritersProxy(unittest.TestCase):
         mesh.GetCellData().Initialize()
         mesh.GetPolys().InsertNextCell(self.mesh.GetCell(5).GetPointIds())
         mesh.BuildCells()
-        for name in ('twice.su2', 'twice.14'):
+        for name in ('twice.su2', 'twice.14', 'twice.2dm'):
             self.refuse(name, mesh)
 
     def test_coordinates_that_are_not_finite_are_an_error_and_no_file(self):

@@ -12,7 +12,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm> // for copy, find, max, min
+#include <algorithm> // for copy, find, max, max_element, min
 #include <limits>    // for NaN
 #include <string>    // for names
 
@@ -68,7 +68,7 @@ void CarryArrays(
     vtkAbstractArray* given = from->GetAbstractArray(k);
     const std::string name = given->GetName() ? given->GetName() : "";
     const bool isShort = given->GetNumberOfTuples() < size;
-    if (isShort || name == vtkDataSetAttributes::GhostArrayName())
+    if (isShort || name == vtkDataSetAttributes::GhostArrayName() || to->HasArray(name.c_str()))
     {
       continue;
     }
@@ -79,6 +79,28 @@ void CarryArrays(
     }
     CopyTuples(given, tuples, carried, pulse);
     to->AddArray(carried);
+  }
+}
+
+void SetMixed(vtkAbstractArray* to, vtkIdType tuple, const TupleMix& mix, vtkAbstractArray* from)
+{
+  const int type = from->GetDataType();
+  if (type != VTK_DOUBLE && type != VTK_FLOAT)
+  {
+    const auto* begin = mix.Weights.begin();
+    const auto nearest = std::max_element(begin, begin + mix.Size) - begin;
+    to->SetTuple(tuple, mix.Tuples[static_cast<std::size_t>(nearest)], from);
+    return;
+  }
+  auto* given = static_cast<vtkDataArray*>(from);
+  for (int component = 0; component < given->GetNumberOfComponents(); ++component)
+  {
+    double value = 0.0;
+    for (std::size_t k = 0; k < mix.Size; ++k)
+    {
+      value += mix.Weights[k] * given->GetComponent(mix.Tuples[k], component);
+    }
+    static_cast<vtkDataArray*>(to)->SetComponent(tuple, component, value);
   }
 }
 

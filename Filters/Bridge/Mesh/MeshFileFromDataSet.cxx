@@ -21,7 +21,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
-#include <algorithm> // for max, replace_if
+#include <algorithm> // for find, max, replace_if
 #include <array>     // for places
 #include <cmath>     // for abs, floor, isnan
 #include <cstdint>   // for global ids
@@ -89,17 +89,13 @@ std::string ReadPoints(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& fi
   return {};
 }
 
-void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
+// Triangles without a text are a group of their own, the last one.
+void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, vtkAbstractArray* regions,
+  bool isChosen, MeshFile& file)
 {
-  vtkSmartPointer<vtkDataArray> regions = mesh->GetCellData()->GetArray("RegionId");
-  if (!regions)
-  {
-    regions = vtkSmartPointer<vtkIntArray>::New();
-    regions->SetNumberOfTuples(mesh->GetNumberOfCells());
-    regions->Fill(0.0);
-  }
   const ValueGroups groups(regions);
-  file.Regions = groups.Named(1, "Region ", EndsOfNames);
+  file.Regions = groups.Named(isChosen ? 0 : 1, isChosen ? "" : "Region ", EndsOfNames);
+  const std::size_t unnamed = file.Regions.size();
   vtkNew<vtkIdList> corners;
   for (const vtkIdType cell : parts.Cells())
   {
@@ -108,8 +104,18 @@ void AddTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
       mesh->GetCellPoints(cell, corners);
       file.Triangles.push_back({ parts.NumberOf(corners->GetId(0)),
         parts.NumberOf(corners->GetId(1)), parts.NumberOf(corners->GetId(2)) });
-      file.RegionOfTriangle.push_back(groups.IndexOf(cell));
+      file.RegionOfTriangle.push_back(groups.Has(cell) ? groups.IndexOf(cell) : unnamed);
     }
+  }
+  if (std::find(file.RegionOfTriangle.begin(), file.RegionOfTriangle.end(), unnamed) !=
+    file.RegionOfTriangle.end())
+  {
+    std::int64_t highest = 0;
+    for (const MeshGroup& region : file.Regions)
+    {
+      highest = std::max(highest, region.Number);
+    }
+    file.Regions.push_back({ highest + 1, "" });
   }
 }
 
@@ -287,10 +293,25 @@ std::string RefusalOfCells(vtkDataSet* mesh)
   return refusal;
 }
 
-std::string ReadTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file)
+std::string ReadTriangles(
+  vtkDataSet* mesh, const WrittenParts& parts, const std::string& regions, MeshFile& file)
 {
+  const bool isChosen = !regions.empty() && regions != "None";
+  vtkSmartPointer<vtkAbstractArray> values =
+    mesh->GetCellData()->GetAbstractArray(isChosen ? regions.c_str() : "RegionId");
+  if (isChosen && !values)
+  {
+    return "The mesh has no cell array named " + regions + ", for the regions.";
+  }
+  if (!vtkDataArray::SafeDownCast(values) && !isChosen)
+  {
+    vtkNew<vtkIntArray> zeros;
+    zeros->SetNumberOfTuples(mesh->GetNumberOfCells());
+    zeros->Fill(0.0);
+    values = zeros;
+  }
   const std::string refusal = ReadPoints(mesh, parts, file);
-  AddTriangles(mesh, parts, file);
+  AddTriangles(mesh, parts, values, isChosen, file);
   return refusal.empty() && file.Triangles.empty() ? "There are no triangles to write." : refusal;
 }
 

@@ -96,8 +96,10 @@ constexpr const char* EndsOfNamesInSU2 = "\"\n\r \t%=,()";
 /// What is said of the first cell that has no place in a file; empty where there is none.
 std::string RefusalOfCells(vtkDataSet* mesh);
 
-/// Reads points, and triangles with their regions. Returns why that is no mesh, empty where it is.
-std::string ReadTriangles(vtkDataSet* mesh, const WrittenParts& parts, MeshFile& file);
+/// Reads points, and triangles with their regions: the values of the cell array `regions`, by name;
+/// where it is empty, `RegionId` plus 1. Returns why that is no mesh, empty where it is.
+std::string ReadTriangles(
+  vtkDataSet* mesh, const WrittenParts& parts, const std::string& regions, MeshFile& file);
 
 /// Makes the mesh one of two coordinates; returns why it is none, empty where it is.
 std::string MakePlanar(MeshFile& file);

@@ -5,6 +5,7 @@
 
 #include "../../Kernel/Remeshing/OldPlaces.h"
 #include "../Data/ArrayFromVector.h"
+#include "../Data/CarriedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -12,7 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
-#include <algorithm> // for max_element, copy
+#include <algorithm> // for copy, max
 #include <numeric>   // for iota
 #include <string>    // for names
 
@@ -21,11 +22,6 @@ namespace biting
 
 namespace
 {
-
-bool IsReal(vtkAbstractArray* array)
-{
-  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-}
 
 bool IsTransferred(
   vtkDataSetAttributes* from, vtkAbstractArray* given, vtkIdType size, vtkFieldData* to)
@@ -52,8 +48,6 @@ public:
 private:
   std::vector<OldPlace> PlacesOfNewVertices() const;
   void Carry(vtkAbstractArray* given, const std::vector<OldPlace>& places, vtkAbstractArray* array);
-  void CarryTo(vtkIdType vertex, vtkAbstractArray* given, const OldPlace& place,
-    vtkAbstractArray* array) const;
   std::vector<vtkIdType> CellsAtMiddles() const;
   std::vector<vtkIdType> CellsOfRegions() const;
   vtkIdType PointAt(const OldPlace& place, int corner) const
@@ -110,34 +104,14 @@ void Transfer::Carry(
     }
     else
     {
-      this->CarryTo(tuple, given, places[next++], array);
+      const OldPlace& place = places[next++];
+      TupleMix mix;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        mix.Add(this->PointAt(place, corner), place.Weights[static_cast<std::size_t>(corner)]);
+      }
+      SetMixed(array, tuple, mix, given);
     }
-  }
-}
-
-void Transfer::CarryTo(
-  vtkIdType vertex, vtkAbstractArray* given, const OldPlace& place, vtkAbstractArray* array) const
-{
-  if (!IsReal(given))
-  {
-    const auto nearest = std::max_element(place.Weights.begin(), place.Weights.end());
-    const int corner = static_cast<int>(nearest - place.Weights.begin());
-    array->SetTuple(vertex, this->PointAt(place, corner), given);
-    return;
-  }
-  auto* from = static_cast<vtkDataArray*>(given);
-  auto* to = static_cast<vtkDataArray*>(array);
-  for (int component = 0; component < from->GetNumberOfComponents(); ++component)
-  {
-    double value = 0.0;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      // A corner that does not count has no say, were it NaN.
-      const double weight = place.Weights[static_cast<std::size_t>(corner)];
-      value +=
-        weight > 0.0 ? weight * from->GetComponent(this->PointAt(place, corner), component) : 0.0;
-    }
-    to->SetComponent(vertex, component, value);
   }
 }
 

@@ -392,6 +392,33 @@ std::shared_ptr<TriangulatedSource> SourceCells::Triangulation(const double* val
   return triangulation;
 }
 
+std::vector<TupleMix> SourceCells::Origins() const
+{
+  std::vector<TupleMix> origins;
+  std::vector<std::uint8_t> isKnown(this->NumberOfNodes(), 0);
+  const auto numberOfPoints = static_cast<vtkIdType>(this->Distances.size());
+  const std::vector<vtkIdType>& nodes = this->Cut.GetTriangles();
+  this->Beats.ForEach(nodes.size(),
+    [this, numberOfPoints, &origins, &isKnown, &nodes](std::size_t k)
+    {
+      std::uint8_t& known = isKnown[static_cast<std::size_t>(nodes[k])];
+      if (known == 0)
+      {
+        TupleMix origin;
+        const bool isPoint = nodes[k] < numberOfPoints;
+        const PlaneCut::Edge edge = isPoint
+          ? PlaneCut::Edge{ nodes[k], nodes[k] }
+          : this->Cut.GetEdges()[static_cast<std::size_t>(nodes[k] - numberOfPoints)];
+        const double fraction = isPoint ? 0.0 : this->Cut.Fraction(edge);
+        origin.Add(edge.Low, 1.0 - fraction);
+        origin.Add(edge.High, fraction);
+        origins.push_back(origin);
+      }
+      known = 1;
+    });
+  return origins;
+}
+
 Point2 SourceCells::PlaceOf(vtkIdType node) const
 {
   double place[3];

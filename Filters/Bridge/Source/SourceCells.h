@@ -6,6 +6,7 @@
 
 #include "../../Kernel/Base/Pulse.h"
 #include "../../Kernel/Spacing/Spacing.h"
+#include "../Data/CarriedArrays.h"
 #include "../Data/Cells.h"
 #include "../Drawing/PlaneFrame.h"
 
@@ -86,6 +87,9 @@ public:
 
   /// Of the source, ascending.
   std::vector<vtkIdType> UsedPoints() const;
+
+  /// What the points of Triangulation are of those of the source.
+  std::vector<TupleMix> Origins() const;
 
   /// `values` are those at the points of the source.
   std::shared_ptr<TriangulatedSource> Triangulation(const double* values) const;

@@ -53,14 +53,11 @@ using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
 
 constexpr ArrayRole Role{ "spacing array", "spacing source" };
 
-/// The mask of VTK's probes and resamplings: 0 at points outside of their source.
-constexpr const char* MaskName = "vtkValidPointMask";
-
 bool IsOfThePipeline(vtkPointData* data, int array)
 {
   const std::string name = data->GetArrayName(array) ? data->GetArrayName(array) : "";
   const int attribute = data->IsArrayAnAttribute(array);
-  return name == vtkDataSetAttributes::GhostArrayName() || name == MaskName ||
+  return name == vtkDataSetAttributes::GhostArrayName() || name == ValidMaskName ||
     attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS;
 }
 
@@ -92,16 +89,6 @@ SourceData OnlyScalar(const DataSets& blocks)
     }
   }
   return only;
-}
-
-// The mask of a block, or null.
-vtkDataArray* MaskOf(vtkDataSet* block)
-{
-  vtkDataArray* mask = block->GetPointData()->GetArray(MaskName);
-  return mask && mask->GetNumberOfComponents() == 1 &&
-      mask->GetNumberOfTuples() == block->GetNumberOfPoints()
-    ? mask
-    : nullptr;
 }
 
 // The array, with NaN where the mask of the block says that nothing was found.
@@ -291,6 +278,32 @@ ChosenArray ChooseArray(vtkInformation* choice, vtkDataSet* data, const ArrayRol
     return ActiveArray(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()), data, role);
   }
   return ArrayNamed(SpacingArrayName, data, role);
+}
+
+vtkSmartPointer<vtkDataSet> WholeSource(vtkDataObject* source)
+{
+  DataSets blocks = LeavesOf(source);
+  if (blocks.size() < 2)
+  {
+    return blocks.empty() ? nullptr : blocks.front();
+  }
+  for (auto& block : blocks)
+  {
+    auto copy = vtk::TakeSmartPointer(block->NewInstance());
+    copy->ShallowCopy(block);
+    block = copy;
+  }
+  MakeArraysAlike(blocks);
+  return Appended(blocks);
+}
+
+vtkDataArray* MaskOf(vtkDataSet* data)
+{
+  vtkDataArray* mask = data->GetPointData()->GetArray(ValidMaskName);
+  return mask && mask->GetNumberOfComponents() == 1 &&
+      mask->GetNumberOfTuples() == data->GetNumberOfPoints()
+    ? mask
+    : nullptr;
 }
 
 SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source)

@@ -63,6 +63,16 @@ struct SourceData
 /// and agree where they meet, else by their cells; where these overlap, the smallest value counts.
 SourceData ChooseSource(vtkInformation* choice, vtkDataObject* source);
 
+/// The mask of VTK's probes and resamplings: 0 at points outside of their source.
+constexpr const char* ValidMaskName = "vtkValidPointMask";
+
+/// A source as one dataset with all point arrays of its blocks: itself where it is one, else the
+/// cells of all. Null where there are no points.
+vtkSmartPointer<vtkDataSet> WholeSource(vtkDataObject* source);
+
+/// The mask of a dataset, null where it has none.
+vtkDataArray* MaskOf(vtkDataSet* data);
+
 } // namespace biting
 
 #endif

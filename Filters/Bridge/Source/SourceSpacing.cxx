@@ -130,29 +130,24 @@ std::shared_ptr<GridSource> GridFrom(
   vtkDataSet* source, std::vector<double>& values, const PlaneFrame& frame, Pulse& pulse)
 {
   const PulsePart part(pulse, 0.0, GridEnd);
-  const AxisNodes nodes = NodesOfGrid(source);
-  const auto first = static_cast<std::size_t>(frame.Axis(0));
-  const auto second = static_cast<std::size_t>(frame.Axis(1));
-  const auto normal = static_cast<std::size_t>(frame.Axis(2));
-  if (!frame.IsAxisAligned() || nodes[normal].size() != 1 || !IsAscending(nodes[first]) ||
-    !IsAscending(nodes[second]) || LeavesOutCells(source))
+  std::optional<PlaneGrid> plane = GridOf(source, frame);
+  if (!plane)
   {
     return nullptr;
   }
-  const std::array<std::size_t, 3> strides{ 1, nodes[0].size(), nodes[0].size() * nodes[1].size() };
   auto grid = std::make_shared<GridSource>();
-  grid->XNodes = nodes[first];
-  grid->YNodes = nodes[second];
-  const std::size_t width = nodes[first].size();
-  const bool isInOrder = strides[first] == 1 && strides[second] == width;
+  grid->XNodes = std::move(plane->XNodes);
+  grid->YNodes = std::move(plane->YNodes);
+  const std::size_t width = grid->XNodes.size();
+  const bool isInOrder = plane->Along == 1 && plane->Across == width;
   if (isInOrder)
   {
     grid->Values = std::move(values);
     return grid;
   }
-  GrowInSteps(grid->Values, width * nodes[second].size(), 0.0, pulse);
+  GrowInSteps(grid->Values, width * grid->YNodes.size(), 0.0, pulse);
   pulse.ForEach(grid->Values.size(),
-    [&values, &grid, width, along = strides[first], across = strides[second]](std::size_t k)
+    [&values, &grid, width, along = plane->Along, across = plane->Across](std::size_t k)
     { grid->Values[k] = values[k % width * along + k / width * across]; });
   return grid;
 }
@@ -252,6 +247,21 @@ std::vector<double> KnownValues(vtkDataSet* source, vtkDataArray* given, const P
 }
 
 } // namespace
+
+std::optional<PlaneGrid> GridOf(vtkDataSet* source, const PlaneFrame& frame)
+{
+  const AxisNodes nodes = NodesOfGrid(source);
+  const auto first = static_cast<std::size_t>(frame.Axis(0));
+  const auto second = static_cast<std::size_t>(frame.Axis(1));
+  const auto normal = static_cast<std::size_t>(frame.Axis(2));
+  if (!frame.IsAxisAligned() || nodes[normal].size() != 1 || !IsAscending(nodes[first]) ||
+    !IsAscending(nodes[second]) || LeavesOutCells(source))
+  {
+    return std::nullopt;
+  }
+  const std::array<std::size_t, 3> strides{ 1, nodes[0].size(), nodes[0].size() * nodes[1].size() };
+  return PlaneGrid{ nodes[first], nodes[second], strides[first], strides[second] };
+}
 
 std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,

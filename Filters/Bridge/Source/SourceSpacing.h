@@ -9,11 +9,27 @@
 #include "../Run/ProblemReport.h"
 #include "SourceData.h"
 
+#include <cstddef>    // for numbers of points
 #include <functional> // for what is asked of places
+#include <optional>   // for grids
 #include <string>     // for the refusal
+#include <vector>     // for nodes
 
 namespace biting
 {
+
+/// The points of an image or a rectilinear grid of one layer along a plane that is axis-aligned:
+/// that in column i and row j has the number i * Along + j * Across.
+struct PlaneGrid
+{
+  std::vector<double> XNodes; ///< ascending
+  std::vector<double> YNodes; ///< ascending
+  std::size_t Along = 1;
+  std::size_t Across = 1;
+};
+
+/// None for other data, and where cells are left out.
+std::optional<PlaneGrid> GridOf(vtkDataSet* source, const PlaneFrame& frame);
 
 /// Makes the chosen array of `source` a source of `options`, in the plane `frame`.
 ///

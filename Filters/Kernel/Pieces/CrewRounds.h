@@ -35,10 +35,19 @@ public:
   template <typename Conclude>
   bool GoOn(Bytes own, PartOfStage& part, Conclude&& conclude)
   {
+    const auto reply = [&conclude](const std::vector<Bytes>& all)
+    { return Bytes(conclude(all) ? 1 : 0, 1); };
+    return !this->Share(std::move(own), part, reply).empty();
+  }
+
+  /// The same, where conclude(all) makes the bytes that each gets; no bytes: nobody goes on.
+  template <typename Conclude>
+  Bytes Share(Bytes own, PartOfStage& part, Conclude&& conclude)
+  {
     if (this->Members.Own() != 0)
     {
       this->Members.Send(own);
-      return !this->Members.Await().empty();
+      return this->Members.Await();
     }
     std::vector<Bytes> all(this->AreHolding.size());
     all[0] = std::move(own);
@@ -55,17 +64,17 @@ public:
     }
     if (part.HasStopped())
     {
-      return false;
+      return {};
     }
-    const bool goesOn = conclude(all);
+    Bytes reply = conclude(all);
     for (std::size_t member = 1; member < all.size(); ++member)
     {
       if (this->AreHolding[member])
       {
-        this->Members.Reply(static_cast<int>(member), Bytes(goesOn ? 1 : 0, 1));
+        this->Members.Reply(static_cast<int>(member), reply);
       }
     }
-    return goesOn;
+    return reply;
   }
 
 private:

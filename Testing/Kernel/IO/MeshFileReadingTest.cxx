@@ -281,4 +281,28 @@ TEST(MeshFileReading, SectionsThatDoNotEndAreErrors)
     "The file ends where there should be $EndNodeData.");
 }
 
+TEST(MeshFileReading, CardsOfSMSMayComeInAnyOrderAndStringsGoOnInTheNext)
+{
+  const std::string nodes = "ND 1 0 0 -5\nND 2 1 0 2.5\nND 5 1 1 0\nND 4 0 1 1e1\n";
+  const std::string cells = "E4Q 1 1 2 5 4 3\n";
+  const Reading read(ReadSMS,
+    "MESH2D\nMESHNAME \"a b\"\n" + nodes + cells +
+      "NS 1 2\nNS 5 -4 9\nNS 4 -1\nMAT 3 \"the sand\"\nGM \"Mesh\"\n");
+  EXPECT_EQ(read.Reason, "");
+  EXPECT_EQ(read.Mesh.Triangles.size(), 2U);
+  EXPECT_EQ(read.Mesh.Regions[0].Name, "the sand");
+  EXPECT_EQ(read.Regions(), (std::vector<std::int64_t>{ 3, 3 }));
+  EXPECT_EQ(read.Mesh.Depths, (std::vector<double>{ 5, -2.5, 0, -10 }));
+  EXPECT_EQ(read.Mesh.Edges, (Edges{ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } }));
+  EXPECT_EQ(read.Tags(), (std::vector<std::int64_t>{ 9, 9, 9, 2 }));
+  EXPECT_TRUE(read.Says("left out: 1.")) << read.Said;
+  for (const std::string text :
+    { "NS 1 2\n", "NS 1 0 -2\n", "NS 1 -2 0\n", "NS 1 -3\n", "E6T 1 1 2 5 4 1 2\n", "ND 7 0 0\n",
+      "ND 1 2 0 0\n", "E3T 2 1 2\n", "E3T 2 1 2 5 x\n", "MAT sand\n" })
+  {
+    EXPECT_NE(Reading(ReadSMS, "MESH2D\n" + cells + nodes + text).Reason, "") << text;
+  }
+  EXPECT_NE(Reading(ReadSMS, cells + nodes).Reason, "");
+}
+
 } // namespace biting

@@ -213,4 +213,54 @@ TEST(MeshFileWriting, EdgesWithoutATagAreAMarkerOfTheirOwn)
   EXPECT_EQ(back.Tags[2].Name, "boundary_");
 }
 
+TEST(MeshFileWriting, SMSHasDepthsMaterialsAndEachTaggedEdgeOnce)
+{
+  for (unsigned seed = 1; seed <= 100; ++seed)
+  {
+    std::mt19937 random(seed);
+    MeshFile mesh = LatticeOf([&random](std::int64_t i, std::int64_t j)
+      { return (i == 0 && j == 0) || random() % 3 > 0; },
+      Tags, [&random](std::size_t, std::size_t) { return random() % 8 == 0 ? 1 : 0; });
+    mesh.Edges.push_back({ mesh.Triangles[0][0], mesh.Triangles[0][2] }); // an interface
+    mesh.TagOfEdge.push_back(1);
+    mesh.Regions = { { 3, "the sand" }, { 7, "" } };
+    for (std::size_t& region : mesh.RegionOfTriangle)
+    {
+      region = random() % 2;
+    }
+    mesh.RegionOfTriangle[0] = 0;
+    for (std::size_t k = 0; k < mesh.Points.size(); ++k)
+    {
+      mesh.Depths.push_back(k == 0 ? 0.0 : 0.1 * double(random() % 1000) - 30.0);
+    }
+    std::stringstream stream;
+    WriteSMS(mesh, stream);
+    MeshFile back;
+    const ReadingResult result = ReadSMS(stream, back);
+    EXPECT_EQ(result.Reason, "");
+    EXPECT_TRUE(result.Remarks.empty());
+    EXPECT_EQ(back.Points, mesh.Points);
+    EXPECT_EQ(back.Depths, mesh.Depths);
+    EXPECT_EQ(back.Triangles, mesh.Triangles);
+    for (std::size_t k = 0; k < mesh.Triangles.size(); ++k)
+    {
+      const MeshGroup& region = back.Regions[back.RegionOfTriangle[k]];
+      EXPECT_EQ(region.Number, mesh.Regions[mesh.RegionOfTriangle[k]].Number);
+      EXPECT_EQ(region.Name, mesh.Regions[mesh.RegionOfTriangle[k]].Name);
+    }
+    std::map<std::array<std::int64_t, 2>, std::int64_t> expected;
+    std::map<std::array<std::int64_t, 2>, std::int64_t> found;
+    for (std::size_t k = 0; k < mesh.Edges.size(); ++k)
+    {
+      expected[Sorted(mesh.Edges[k])] = mesh.Tags[mesh.TagOfEdge[k]].Number;
+    }
+    for (std::size_t k = 0; k < back.Edges.size(); ++k)
+    {
+      found[Sorted(back.Edges[k])] = back.Tags[back.TagOfEdge[k]].Number;
+    }
+    EXPECT_EQ(back.Edges.size(), mesh.Edges.size());
+    EXPECT_EQ(found, expected);
+  }
+}
+
 } // namespace biting

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshFormat.h"
+
+#include <algorithm> // for find_if
+#include <iterator>  // for begin, end
+
+namespace biting
+{
+
+namespace
+{
+
+using Flags = std::vector<bool>;
+
+const MeshFormat Formats[] = {
+  { ".msh", false, false, false, true, false, ReadGmsh,
+    [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteGmsh(mesh, file); } },
+  { ".su2", true, false, false, false, true, ReadSU2,
+    [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteSU2(mesh, file); } },
+  { ".14", true, true, true, false, false, ReadADCIRC, WriteADCIRC },
+  { ".gr3", true, true, true, false, false, ReadADCIRC, WriteADCIRC },
+  { ".2dm", true, true, false, true, false, ReadSMS,
+    [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteSMS(mesh, file); } },
+};
+
+} // namespace
+
+const MeshFormat* FormatOf(const std::string& name)
+{
+  const MeshFormat* const format = std::find_if(std::begin(Formats), std::end(Formats),
+    [&name](const MeshFormat& one) { return EndsWith(name, one.End); });
+  return format == std::end(Formats) ? nullptr : format;
+}
+
+std::string SentenceOfEnds()
+{
+  std::string ends;
+  for (const MeshFormat& format : Formats)
+  {
+    const bool isLast = &format + 1 == std::end(Formats);
+    ends += (ends.empty() ? "" : isLast ? " or " : ", ") + std::string(format.End);
+  }
+  return "The name of the file must end with " + ends + ".";
+}
+
+} // namespace biting
