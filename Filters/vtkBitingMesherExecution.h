@@ -46,6 +46,7 @@ private:
   bool ReadSpacing();
   void ReadGhostLevels(vtkInformationVector* outputs);
   bool MakeMesh();
+  bool ReadTranslations();
   bool Deliver();
   void Write(vtkInformationVector* outputs);
   std::string AddBoundaryArray();

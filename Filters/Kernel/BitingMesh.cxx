@@ -16,6 +16,8 @@
 #include "Stages/MeshSettings.h"
 #include "Stages/MeshingStages.h"
 #include "Stages/NearMisses.h"
+#include "Stages/OpenedInterfaces.h"
+#include "Stages/PeriodicDivision.h"
 #include "Stages/PreparedDomain.h"
 #include "Stages/PreparedSpacing.h"
 #include "Stages/RelaxedBites.h"
@@ -24,6 +26,7 @@
 #include "Stages/StageProblems.h"
 
 #include <algorithm> // for min, max
+#include <memory>    // for the first spacing
 #include <optional>  // for what is released early
 #include <utility>   // for move
 
@@ -37,6 +40,8 @@ namespace
 constexpr double LocatorEnd = 0.05;
 constexpr double SpacingEnd = 0.95;
 constexpr double EstimateEnd = 0.02;
+
+constexpr double FloorFactor = 1.4; // that FeatureSource::Floor has
 
 void Release(Bites& bites, Monitor& monitor)
 {
@@ -68,6 +73,7 @@ private:
   void ReadDomain();
   void Simplify();
   void FindSpacing();
+  void DivideSidesAlike();
   void Bite();
   void BiteWhole(double expectedVertices, PartOfStage& part);
   void Triangulate();
@@ -87,6 +93,7 @@ private:
   Crew& Members;
   bool IsDone = false; ///< there is nothing to mesh, or nothing for this member
   SimplifiedDomain Simplified;
+  PeriodicSides Sides;
   Spacing F;
   std::optional<const DomainLocator> Locator; ///< until the domain is bitten
   std::optional<BlockMesher> Blocks;
@@ -115,6 +122,12 @@ BitingMesh MeshMaker::Make()
     this->Mesh.BlocksViolation = violation;
   }
   return std::move(this->Mesh);
+  if (this->Options.Opens)
+  {
+    PartOfStage opening(this->Whole, 1.0, 1.0);
+    OpenInterfaces(this->Options.Opens, this->Mesh, opening);
+    AddAborted(opening, this->Problems);
+  }
 }
 
 void MeshMaker::Do(const Stage& stage, void (MeshMaker::*step)())
@@ -149,8 +162,9 @@ void MeshMaker::Simplify()
 
 void MeshMaker::FindSpacing()
 {
-  const Domain& domain = this->Simplified.Drawing;
+  Domain& domain = this->Simplified.Drawing;
   PartOfStage locating(this->Whole, 0.0, LocatorEnd);
+  this->Sides = FindPeriodicSides(domain, this->Input, this->Options, this->Problems, locating);
   Pulse pulse(locating);
   ReportNarrowAngles(domain, this->Problems, pulse);
   this->Locator.emplace(domain, pulse);
@@ -166,14 +180,36 @@ void MeshMaker::FindSpacing()
     Pulse looks(looking);
     ReportNearMisses(domain, this->F, this->Input, this->Problems, looks);
   }
+  this->DivideSidesAlike();
+}
+
+// f is the lower one of both sides.
+void MeshMaker::DivideSidesAlike()
+{
+  if (this->Sides.IsEmpty() || this->Options.PreserveBoundary ||
+    IsOver(this->Whole, this->Problems))
+  {
+    return;
+  }
+  Domain& domain = this->Simplified.Drawing;
+  PartOfStage part(this->Whole, 1.0, 1.0);
+  const auto first = std::make_shared<const Spacing>(std::move(this->F));
+  this->F = PrepareSpacing(WithLowerOfSides(this->Options, domain, this->Sides, *first, part),
+    this->Simplified, this->Problems, part,
+    [first](const Point2& x) { return (*first)(x) / FloorFactor; });
+  DivideSides(this->F, this->Settings.Biting, this->Sides, domain, part);
+  if (!AddAborted(part, this->Problems))
+  {
+    Pulse pulse(part);
+    this->Locator.emplace(domain, pulse);
+  }
 }
 
 void MeshMaker::Bite()
 {
   const Domain& domain = this->Simplified.Drawing;
   BitingOptions& options = this->Settings.Biting;
-  const bool mayCut = this->Settings.VerticesPerBlock > 0.0;
-  this->Blocks.emplace(domain, this->F, mayCut ? this->Members : NoCrew(),
+  this->Blocks.emplace(domain, this->F, this->Settings.IsShared ? this->Members : NoCrew(),
     this->Options.GhostLevels, this->Options.MostVerticesOfProcess);
   if (!this->Locator)
   {
@@ -260,6 +296,12 @@ void MeshMaker::Finish()
   this->Mesh =
     FinishMesh({ this->Simplified, this->F, this->Options, this->Settings, this->Members },
       *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
+  if (IsOver(this->Whole, this->Problems))
+  {
+    return;
+  }
+  TellPartners(
+    this->Simplified.Drawing, this->Sides, this->Options.PeriodicTranslations.size(), this->Mesh);
 }
 
 } // namespace

@@ -34,6 +34,7 @@ set(biting_kernel_sources
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
   Domain/OpenOutlines.cxx
+  Domain/PeriodicSides.cxx
   Domain/PointWelding.cxx
   Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
@@ -110,6 +111,8 @@ set(biting_kernel_sources
   Stages/FineDrawing.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx
+  Stages/OpenedInterfaces.cxx
+  Stages/PeriodicDivision.cxx
   Stages/PreparedDomain.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx
