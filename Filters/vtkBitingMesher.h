@@ -393,9 +393,14 @@ public:
 
   ///@{
   /**
-   * On: every edge of a two-dimensional cell of the input is an edge of the mesh, and each cell a
-   * region of it. Off (default): edges between cells of one region are dropped, with the vertices
-   * inside.
+   * On: every edge of a two-dimensional cell of the input is an edge of the mesh. Triangles stay
+   * as they are, and those of one value of RegionArray that are neighbors are one region: so a
+   * fine mesh of another program is placed into a coarse one, with the DomainRule UNION or in a
+   * hole that fits. Around them f is the length of their edges, and goes to what is asked with the
+   * slope Gradation. They stay where their edges are whole in the drawing and no point lies in
+   * them, and no translation makes sides periodic; else, and for cells with more corners, edges
+   * are divided and each cell is a region. The mesh is the first rank's. Off (default): edges
+   * between cells of one region are dropped, with the vertices inside.
    */
   vtkSetMacro(KeepCellEdges, bool);
   vtkGetMacro(KeepCellEdges, bool);
@@ -570,20 +575,22 @@ public:
 
   ///@{
   /**
-   * A vector of space, in units of the coordinates, in the plane of the drawing: the period of what
-   * is computed on the mesh. Zero (default): none. Sides of the boundary that it maps onto others,
-   * the domain on the other side of these, are divided alike: f is there the lower one of both
-   * sides, also for the gradation, and the vertices of both differ by the vector but for rounding.
-   * Where a line ends at one side the other one gets a vertex, so inclusions may cross the sides.
-   * The point array `PeriodicPartner` of the mesh (vtkIdType) tells the point on the other side, -1
-   * where there is none. Other parts of the boundary are free. PeriodicTranslation2 is a second
-   * one, with `PeriodicPartner2`: in a corner of a cell each tells the partner along its own
-   * vector. (A second one alone counts as the first.) Points within four times the rounding of coordinates, or MergeTolerance, of each other
-   * belong together. An error, with cells and places in output 3 (UNMATCHED_SIDES): no side is
-   * mapped onto another; a line of the drawing is mapped in part; a side is mapped within 1 % of
-   * the vector's length beside another, at less than 10 degrees; a vector that leaves the plane by
-   * more than 1e-6 of its length. Sides keep their vertices in Relaxation. The mesh is the first
-   * rank's. Where a crack (SplitInterfaces) meets a side its points have no partners.
+   * A vector of space, in units of the coordinates, in the plane of the drawing: the period of
+   * what is computed on the mesh. Zero (default): none. Sides of the boundary that it maps onto
+   * others, the domain on the other side of these, are divided alike: f is there the lower one of
+   * both sides, also for the gradation, and the vertices of both differ by the vector but for
+   * rounding. Where a line ends at one side the other one gets a vertex, so inclusions may cross
+   * the sides. The point array `PeriodicPartner` of the mesh (vtkIdType) tells the point on the
+   * other side, -1 where there is none. Other parts of the boundary are free. PeriodicTranslation2
+   * is a second one, with `PeriodicPartner2`: in a corner of a cell each tells the partner along
+   * its own vector. (A second one alone counts as the first.) Points within four times the
+   * rounding of coordinates, or MergeTolerance, of each other belong together. An error, with
+   * cells and places in output 3 (UNMATCHED_SIDES): no side is mapped onto another; a line of the
+   * drawing is mapped in part; a side is mapped within 1 % of the vector's length beside another,
+   * at less than 10 degrees; a vector that leaves the plane by more than 1e-6 of its length. Sides
+   * keep their vertices in Relaxation. With a BoundaryTolerance each side is simplified by itself,
+   * and refused where they differ then. The mesh is the first rank's. Where a crack
+   * (SplitInterfaces) meets a side its points have no partners.
    */
   vtkSetVector3Macro(PeriodicTranslation, double);
   vtkGetVector3Macro(PeriodicTranslation, double);

@@ -13,6 +13,7 @@
 #include "Domain/DomainLocator.h"
 #include "Pieces/FinishedMesh.h"
 #include "Stages/Calibration.h"
+#include "Stages/GivenTriangles.h"
 #include "Stages/MeshSettings.h"
 #include "Stages/MeshingStages.h"
 #include "Stages/NearMisses.h"
@@ -79,6 +80,10 @@ private:
   void Triangulate();
   void Relax();
   void Finish();
+
+  /// All of the domain is triangles that stay.
+  bool IsAllGiven() const { return this->Simplified.Drawing.NumberOfSegments() == 0; }
+
   bool HasFailedInBlocks() const
   {
     return this->Blocks && this->Blocks->IsInUse() && !this->Blocks->IsHelping() &&
@@ -93,6 +98,7 @@ private:
   Crew& Members;
   bool IsDone = false; ///< there is nothing to mesh, or nothing for this member
   SimplifiedDomain Simplified;
+  GivenTriangles Given; ///< taken out of the domain
   PeriodicSides Sides;
   Spacing F;
   std::optional<const DomainLocator> Locator; ///< until the domain is bitten
@@ -122,12 +128,6 @@ BitingMesh MeshMaker::Make()
     this->Mesh.BlocksViolation = violation;
   }
   return std::move(this->Mesh);
-  if (this->Options.Opens)
-  {
-    PartOfStage opening(this->Whole, 1.0, 1.0);
-    OpenInterfaces(this->Options.Opens, this->Mesh, opening);
-    AddAborted(opening, this->Problems);
-  }
 }
 
 void MeshMaker::Do(const Stage& stage, void (MeshMaker::*step)())
@@ -157,11 +157,23 @@ void MeshMaker::Simplify()
 {
   this->Simplified = SimplifyDrawing(
     std::move(this->Simplified.Drawing), this->Options, this->Problems, this->Whole);
-  this->IsDone = this->Simplified.Drawing.NumberOfSegments() == 0;
+  const bool mayKeep =
+    this->Options.Domain.KeepCellEdges && this->Options.PeriodicTranslations.empty();
+  if (mayKeep && !IsOver(this->Whole, this->Problems))
+  {
+    PartOfStage taking(this->Whole, 1.0, 1.0);
+    this->Given = TakeGivenTriangles(this->Input, this->Simplified.Drawing, taking);
+  }
+  this->IsDone = this->IsAllGiven() && this->Given.IsEmpty();
 }
 
 void MeshMaker::FindSpacing()
 {
+  if (this->IsAllGiven())
+  {
+    this->F = PrepareGivenSpacing(this->Options, this->Given.Whole, this->Problems, this->Whole);
+    return;
+  }
   Domain& domain = this->Simplified.Drawing;
   PartOfStage locating(this->Whole, 0.0, LocatorEnd);
   this->Sides = FindPeriodicSides(domain, this->Input, this->Options, this->Problems, locating);
@@ -173,7 +185,12 @@ void MeshMaker::FindSpacing()
     return;
   }
   PartOfStage preparing(this->Whole, LocatorEnd, SpacingEnd);
-  this->F = PrepareSpacing(this->Options, this->Simplified, this->Problems, preparing);
+  BitingMeshOptions options = this->Options;
+  if (!this->Given.IsEmpty() && !options.PreserveBoundary)
+  {
+    options.Spacing = FollowPreserved(std::move(options.Spacing), domain, preparing);
+  }
+  this->F = PrepareSpacing(options, this->Simplified, this->Problems, preparing);
   if (!IsOver(this->Whole, this->Problems))
   {
     PartOfStage looking(this->Whole, SpacingEnd, 1.0);
@@ -211,6 +228,10 @@ void MeshMaker::Bite()
   BitingOptions& options = this->Settings.Biting;
   this->Blocks.emplace(domain, this->F, this->Settings.IsShared ? this->Members : NoCrew(),
     this->Options.GhostLevels, this->Options.MostVerticesOfProcess);
+  if (this->IsAllGiven())
+  {
+    return;
+  }
   if (!this->Locator)
   {
     Pulse pulse(this->Whole);
@@ -267,7 +288,7 @@ void MeshMaker::BiteWhole(double expectedVertices, PartOfStage& part)
 // Blocks are triangulated where they are bitten.
 void MeshMaker::Triangulate()
 {
-  if (!this->Blocks->IsInUse())
+  if (!this->Blocks->IsInUse() && !this->IsAllGiven())
   {
     this->Triangles = TriangulateBites(this->Simplified.Drawing,
       { this->Options.Phi, this->Options.PreserveBoundary }, this->Bites, this->Problems,
@@ -282,7 +303,7 @@ void MeshMaker::Relax()
     this->Blocks->Relax(this->Bites, this->Triangles, this->Problems, this->Whole);
     return;
   }
-  if (this->Settings.IsRelaxed)
+  if (this->Settings.IsRelaxed && !this->IsAllGiven())
   {
     PartOfStage part(this->Whole, 0.0, 1.0);
     RelaxBites(this->Simplified.Drawing, this->F, { !this->Options.PreserveBoundary }, this->Bites,
@@ -293,15 +314,29 @@ void MeshMaker::Relax()
 
 void MeshMaker::Finish()
 {
-  this->Mesh =
-    FinishMesh({ this->Simplified, this->F, this->Options, this->Settings, this->Members },
-      *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
+  SimplifiedDomain whole;
+  if (!this->Given.IsEmpty())
+  {
+    PutBackTriangles(this->Given, this->Simplified.Drawing, this->Bites, this->Triangles);
+    whole = this->Simplified;
+    whole.Drawing = this->Given.Whole;
+    this->Settings.IsDelaunay = false;
+  }
+  this->Mesh = FinishMesh({ this->Given.IsEmpty() ? this->Simplified : whole, this->F,
+                            this->Options, this->Settings, this->Members },
+    *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
   if (IsOver(this->Whole, this->Problems))
   {
     return;
   }
   TellPartners(
     this->Simplified.Drawing, this->Sides, this->Options.PeriodicTranslations.size(), this->Mesh);
+  if (this->Options.Opens)
+  {
+    PartOfStage opening(this->Whole, 1.0, 1.0);
+    OpenInterfaces(this->Options.Opens, this->Mesh, opening);
+    AddAborted(opening, this->Problems);
+  }
 }
 
 } // namespace

@@ -109,6 +109,7 @@ set(biting_kernel_sources
   Quality/TriangleLinks.cxx
   Stages/Calibration.cxx
   Stages/FineDrawing.cxx
+  Stages/GivenTriangles.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx
   Stages/OpenedInterfaces.cxx

@@ -162,18 +162,16 @@ TEST(PeriodicSides, HaveTheLowerSpacingOfBothAndAVertexWhereALineEndsAtOne)
   EXPECT_TRUE(MeshChecker(mesh).HasVertex({ 1.0, 0.75 }));
   const int count = CountPointsAt(mesh, 0.0);
   EXPECT_EQ(count, CountPointsAt(mesh, 1.0));
-  EXPECT_GT(count, 20);
+  EXPECT_GT(count, 15); // 11 by the spacing, 2 where the circle ends
   EXPECT_EQ(CountPartners(mesh, "PeriodicPartner", { 1, 0, 0 }), 2 * count);
 }
 
 TEST(PeriodicSides, AreRefusedWithPlacesWhereTheyDoNotMatch)
 {
   auto beside = EmptyInput();
-  AddChain(
-    beside, { { 0, 0, 0 }, { 1, 0, 0 }, { 1.005, 0.5, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, true);
+  AddChain(beside, { { 0, 0, 0 }, { 1, 0, 0 }, { 1.005, 0.5, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, true);
   auto inPart = EmptyInput();
-  AddChain(
-    inPart, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0.5, 0 }, { 0.5, 1, 0 }, { 0, 1, 0 } }, true);
+  AddChain(inPart, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0.5, 0 }, { 0.5, 1, 0 }, { 0, 1, 0 } }, true);
   const std::map<std::string, vtkPolyData*> cases{ { "beside cell 0", beside.Get() },
     { "only a part of it", inPart.Get() } };
   for (const auto& [words, drawing] : cases)
@@ -238,7 +236,8 @@ TEST(Cracks, ThatMeetLeaveAPointForEachSector)
   const auto copies = CountCopies(mesher->GetOutput());
   EXPECT_EQ(copies.at(4), 1);
   EXPECT_EQ(copies.at(2), 8);
-  auto unknown = CrackMesher({ { 0.2, 0.5, 0 }, { 0.8, 0.5, 0 } }, { { 0, 0.2, 0 }, { 0.4, 0.2, 0 } });
+  auto unknown =
+    CrackMesher({ { 0.2, 0.5, 0 }, { 0.8, 0.5, 0 } }, { { 0, 0.2, 0 }, { 0.4, 0.2, 0 } });
   unknown->SetSplitInterfaces("Crevice");
   Messages messages(unknown);
   unknown->Update();

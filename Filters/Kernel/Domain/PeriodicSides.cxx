@@ -259,13 +259,6 @@ void SideMatcher::Check(const Point2& translation, std::size_t number, ProblemLi
       isPaired[pair.Second] = 1;
     }
   }
-  if (std::count(isPaired.begin(), isPaired.end(), 1) == 0)
-  {
-    problems.Add({ ProblemCode::UnmatchedSides, {}, {},
-      "none is mapped onto another by the translation (" + Figure(translation.X, 6) + ", " +
-        Figure(translation.Y, 6) + ") in the plane" });
-    return;
-  }
   const auto middle = [this](std::size_t segment)
   {
     return Midpoint(this->Geometry.Vertices[this->Geometry.Starts[segment]],
@@ -293,6 +286,12 @@ void SideMatcher::Check(const Point2& translation, std::size_t number, ProblemLi
           std::to_string(this->Geometry.Cells[miss.Second]),
         problems);
     }
+  }
+  if (!problems.HasErrors() && std::count(isPaired.begin(), isPaired.end(), 1) == 0)
+  {
+    problems.Add({ ProblemCode::UnmatchedSides, {}, {},
+      "none is mapped onto another by the translation (" + Figure(translation.X, 6) + ", " +
+        Figure(translation.Y, 6) + ") in the plane" });
   }
 }
 

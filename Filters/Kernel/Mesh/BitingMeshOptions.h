@@ -32,8 +32,8 @@ struct BitingMeshOptions
   std::vector<Point2> PeriodicTranslations;
 
   /// Which input cells are cracks: the mesh is cut along their interfaces
-  /// (Stages/OpenedInterfaces.h). May be empty. With it, and with translations, no crew shares the
-  /// mesh.
+  /// (Stages/OpenedInterfaces.h). May be empty. With it, with translations, and with
+  /// DomainOptions::KeepCellEdges no crew shares the mesh.
   std::function<bool(Id)> Opens;
 
   /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is

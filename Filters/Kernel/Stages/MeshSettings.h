@@ -26,8 +26,8 @@ struct MeshSettings
     const bool mayCut = this->IsRelaxed && RuleOf(options.Order).MayCut && !options.KeepBites &&
       !options.PreserveBoundary;
     this->VerticesPerBlock = mayCut ? static_cast<double>(options.VerticesPerBlock) : 0.0;
-    this->IsShared =
-      this->VerticesPerBlock > 0.0 && !options.Opens && options.PeriodicTranslations.empty();
+    this->IsShared = this->VerticesPerBlock > 0.0 && !options.Opens &&
+      !options.Domain.KeepCellEdges && options.PeriodicTranslations.empty();
     this->Biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
     this->Biting.MaximumNumberOfVertices = std::min({ options.MaximumNumberOfVertices,
       options.MostVerticesOfProcess * (this->IsShared ? members.Size() : 1), MostVerticesInAll });
