@@ -152,9 +152,44 @@ def mesh_for_a_solution(folder):
     return BitingMesher(Input=square, SpacingSource=spacing, SourceSpacingArray=['POINTS', 'Spacing'])
 
 
+def nested_refinement_regions(folder):
+    """Six squares within each other and a domain, each with half the edges: regions with exact areas."""
+    sizes = {64: 6.4, 32: 3.2, 16: 1.6, 8: 0.8, 4: 0.4, 2: 0.2, 1: 0.1}
+    boxes = [Calculator(Input=Plane(Origin=[-half, -half, 0], Point1=[half, -half, 0],
+        Point2=[-half, half, 0], XResolution=1, YResolution=1), AttributeType='Cell Data',
+        ResultArrayName='Size', Function=str(size)) for half, size in sizes.items()]
+    return BitingMesher(Input=AppendGeometry(Input=boxes), DomainRule='Union',
+        BoundarySpacingArray=['CELLS', 'Size'])
+
+
+def a_town_of_houses(folder):
+    """60 houses in a plain that water flows around: what is drawn upon the first polygon is no domain."""
+    plain = Plane(Origin=[0, 0, 0], Point1=[240, 0, 0], Point2=[0, 160, 0])
+    houses = [Plane(Origin=[x, y, 0], Point1=[x + 9, y + 3, 0], Point2=[x - 4, y + 12, 0])
+        for x in range(25, 225, 20) for y in range(15, 140, 23)]
+    return BitingMesher(Input=AppendGeometry(Input=[plain, *houses]), UniformSpacing=4,
+        DomainRule='Outer Minus Others')
+
+
+def periodic_cell(folder):
+    """A cell that repeats along x and y: PeriodicPartner tells the point on the other side."""
+    cell = Plane(Origin=[0, 0, 0], Point1=[1, 0, 0], Point2=[0, 1, 0])
+    return BitingMesher(Input=cell, UniformSpacing=0.05, PeriodicTranslation=[1, 0, 0],
+        PeriodicTranslation2=[0, 1, 0])
+
+
+def fine_mesh_in_a_coarse_one(folder):
+    """Triangles of another program stay as they are, and a coarse mesh grows around them."""
+    fine = Triangulate(Input=Plane(XResolution=30, YResolution=30))
+    coarse = Plane(Origin=[-3, -2, 0], Point1=[3, -2, 0], Point2=[-3, 2, 0])
+    return BitingMesher(Input=AppendGeometry(Input=[coarse, fine]), UniformSpacing=0.3,
+        DomainRule='Union', KeepCellEdges=1)
+
+
 tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast,
     adcirc_grid_with_depths, airfoil, plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh,
-    mesh_for_a_solution]
+    mesh_for_a_solution, nested_refinement_regions, a_town_of_houses, periodic_cell,
+    fine_mesh_in_a_coarse_one]
 
 
 def main(plugin, folder):

@@ -163,6 +163,13 @@ void vtkBitingMesher::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VerticesPerBlock: " << this->VerticesPerBlock << "\n"
      << indent << "TransferSourceArrays: " << (this->TransferSourceArrays ? "on" : "off") << "\n"
      << indent << "Phi: " << this->Phi << "\n";
+  os << indent << "SplitInterfaces: " << this->SplitInterfaces << "\n";
+  for (const double* vector : { this->PeriodicTranslation, this->PeriodicTranslation2 })
+  {
+    os << indent
+       << (vector == this->PeriodicTranslation ? "PeriodicTranslation: " : "PeriodicTranslation2: ")
+       << vector[0] << " " << vector[1] << " " << vector[2] << "\n";
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -238,8 +238,8 @@ public:
 
   /**
    * The values of `ProblemKind`; in brackets, what `FirstId` and `SecondId` number: points and
-   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, BAD_TRIANGLES and OPEN_OUTLINES
-   * leave no mesh; the others are repaired, or only told.
+   * cells of the input. Those from NO_CLOSED_LOOP to CHECK_FAILED, BAD_TRIANGLES, OPEN_OUTLINES and
+   * UNMATCHED_SIDES leave no mesh; the others are repaired, or only told.
    */
   enum ProblemKindType
   {
@@ -270,7 +270,8 @@ public:
     OPEN_OUTLINES = 24,     ///< would bound the domain, but for gaps (point; point)
     NEAR_MISSES = 25,       ///< nearer than 0.01 f, and do not meet (cell, cell)
     CHANGED_AREA = 26,      ///< by more than 5 %, by BoundaryTolerance; no place
-    NESTED_CELLS = 27       ///< cells within others, which are holes by DomainRule (cell)
+    NESTED_CELLS = 27,      ///< cells within others, which are holes by DomainRule (cell)
+    UNMATCHED_SIDES = 37    ///< that PeriodicTranslation maps in part, or beside others (cell)
   };
 
   enum DomainRuleType
@@ -360,7 +361,7 @@ public:
    * room for so many, but does not lower the spacing below a quarter of what is given; where this
    * is above 1 and a MinimumSpacing is given, that is the only lower bound. From 1 (default) to
    * 100. Without effect where LimitByFeatureSize is off or PreserveBoundary on. What counts is the
-   * distance to segments that share no end, so short segments of a bent outline count, too.
+   * distance to segments that face each other, within 45 degrees, with the domain between.
    */
   vtkSetClampMacro(CellsAcross, int, 1, 100);
   vtkGetMacro(CellsAcross, int);
@@ -396,9 +397,14 @@ public:
 
   ///@{
   /**
-   * On: every edge of a two-dimensional cell of the input is an edge of the mesh, and each cell a
-   * region of it. Off (default): edges between cells of one region are dropped, with the vertices
-   * inside.
+   * On: every edge of a two-dimensional cell of the input is an edge of the mesh. Triangles stay
+   * as they are, and those of one value of RegionArray that are neighbors are one region: so a
+   * fine mesh of another program is placed into a coarse one, with the DomainRule UNION or in a
+   * hole that fits. Around them f is the length of their edges, and goes to what is asked with the
+   * slope Gradation. They stay where their edges are whole in the drawing and no point lies in
+   * them, and no translation makes sides periodic; else, and for cells with more corners, edges
+   * are divided and each cell is a region. The mesh is the first rank's. Off (default): edges
+   * between cells of one region are dropped, with the vertices inside.
    */
   vtkSetMacro(KeepCellEdges, bool);
   vtkGetMacro(KeepCellEdges, bool);
@@ -584,6 +590,45 @@ public:
   vtkBooleanMacro(TransferSourceArrays, bool);
   ///@}
 
+  ///@{
+  /**
+   * A vector of space, in units of the coordinates, in the plane of the drawing: the period of
+   * what is computed on the mesh. Zero (default): none. Sides of the boundary that it maps onto
+   * others, the domain on the other side of these, are divided alike: f is there the lower one of
+   * both sides, also for the gradation, and the vertices of both differ by the vector but for
+   * rounding. Where a line ends at one side the other one gets a vertex, so inclusions may cross
+   * the sides. The point array `PeriodicPartner` of the mesh (vtkIdType) tells the point on the
+   * other side, -1 where there is none. Other parts of the boundary are free. PeriodicTranslation2
+   * is a second one, with `PeriodicPartner2`: in a corner of a cell each tells the partner along
+   * its own vector. (A second one alone counts as the first.) Points within four times the
+   * rounding of coordinates, or MergeTolerance, of each other belong together. An error, with
+   * cells and places in output 3 (UNMATCHED_SIDES): no side is mapped onto another; a line of the
+   * drawing is mapped in part; a side is mapped within 1 % of the vector's length beside another,
+   * at less than 10 degrees; a vector that leaves the plane by more than 1e-6 of its length. Sides
+   * keep their vertices in Relaxation. With a BoundaryTolerance each side is simplified by itself,
+   * and refused where they differ then. The mesh is the first rank's. Where a crack
+   * (SplitInterfaces) meets a side its points have no partners.
+   */
+  vtkSetVector3Macro(PeriodicTranslation, double);
+  vtkGetVector3Macro(PeriodicTranslation, double);
+  vtkSetVector3Macro(PeriodicTranslation2, double);
+  vtkGetVector3Macro(PeriodicTranslation2, double);
+  ///@}
+
+  ///@{
+  /**
+   * The name of a cell array of the input, of numbers: interfaces whose line, or cell where there
+   * is no line, has another value than 0 there are cracks, along which the mesh opens once it is
+   * made. Points on them are there twice, with the same coordinates, one for each side: the ends of
+   * a crack stay single, a crack that ends at the boundary opens it, and where cracks meet there is
+   * a point for each sector between them. Output 1 has the edges of both sides, each with its
+   * triangle on its left. RegionId stays that of the closed mesh. Empty or "None" (default): none.
+   * A name that does not exist is an error. NaN is no crack. The mesh is the first rank's.
+   */
+  vtkSetStdStringFromCharMacro(SplitInterfaces);
+  vtkGetCharFromStdStringMacro(SplitInterfaces);
+  ///@}
+
 protected:
   vtkBitingMesher();
   ~vtkBitingMesher() override = default;
@@ -624,6 +669,9 @@ private:
   double Phi = 1.0;
   vtkIdType VerticesPerBlock = 64000;
   bool TransferSourceArrays = true;
+  std::string SplitInterfaces;
+  double PeriodicTranslation[3] = { 0.0, 0.0, 0.0 };
+  double PeriodicTranslation2[3] = { 0.0, 0.0, 0.0 };
 };
 VTK_ABI_NAMESPACE_END
 

@@ -208,7 +208,32 @@ bool vtkBitingMesher::Execution::ReadChains()
 bool vtkBitingMesher::Execution::ReadSpacing()
 {
   return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray()) &&
+    this->ReadTranslations() &&
+    this->Accept(
+      biting::FindCracks(this->Drawing, this->Filter->SplitInterfaces, this->Options.Opens)) &&
     !this->WasAborted();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBitingMesher::Execution::ReadTranslations()
+{
+  for (const double* vector :
+    { this->Filter->PeriodicTranslation, this->Filter->PeriodicTranslation2 })
+  {
+    const biting::Point3 translation{ vector[0], vector[1], vector[2] };
+    const double length = Length(translation);
+    biting::Point2 inPlane;
+    if (length != 0.0 && !this->Planar.Frame.TakeVector(translation, inPlane))
+    {
+      return this->Accept("Periodic Translation is a vector in the plane of the drawing, of finite "
+                          "length.");
+    }
+    if (length != 0.0)
+    {
+      this->Options.PeriodicTranslations.push_back(inPlane);
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ private:
   bool FindCells();
   biting::CoveringFaces::Votes VotesOfAll(
     const biting::CoveringFaces::Votes& votes, biting::PartOfStage& part);
+  bool ReadTranslations();
   bool Deliver();
   void Write(vtkInformationVector* outputs);
   std::string AddBoundaryArray();

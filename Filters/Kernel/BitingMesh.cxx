@@ -13,9 +13,12 @@
 #include "Domain/DomainLocator.h"
 #include "Pieces/FinishedMesh.h"
 #include "Stages/Calibration.h"
+#include "Stages/GivenTriangles.h"
 #include "Stages/MeshSettings.h"
 #include "Stages/MeshingStages.h"
 #include "Stages/NearMisses.h"
+#include "Stages/OpenedInterfaces.h"
+#include "Stages/PeriodicDivision.h"
 #include "Stages/PreparedDomain.h"
 #include "Stages/PreparedSpacing.h"
 #include "Stages/RelaxedBites.h"
@@ -24,6 +27,7 @@
 #include "Stages/StageProblems.h"
 
 #include <algorithm> // for min, max
+#include <memory>    // for the first spacing
 #include <optional>  // for what is released early
 #include <utility>   // for move
 
@@ -37,6 +41,8 @@ namespace
 constexpr double LocatorEnd = 0.05;
 constexpr double SpacingEnd = 0.95;
 constexpr double EstimateEnd = 0.02;
+
+constexpr double FloorFactor = 1.4; // that FeatureSource::Floor has
 
 void Release(Bites& bites, Monitor& monitor)
 {
@@ -68,11 +74,16 @@ private:
   void ReadDomain();
   void Simplify();
   void FindSpacing();
+  void DivideSidesAlike();
   void Bite();
   void BiteWhole(double expectedVertices, PartOfStage& part);
   void Triangulate();
   void Relax();
   void Finish();
+
+  /// All of the domain is triangles that stay.
+  bool IsAllGiven() const { return this->Simplified.Drawing.NumberOfSegments() == 0; }
+
   bool HasFailedInBlocks() const
   {
     return this->Blocks && this->Blocks->IsInUse() && !this->Blocks->IsHelping() &&
@@ -87,6 +98,8 @@ private:
   Crew& Members;
   bool IsDone = false; ///< there is nothing to mesh, or nothing for this member
   SimplifiedDomain Simplified;
+  GivenTriangles Given; ///< taken out of the domain
+  PeriodicSides Sides;
   Spacing F;
   std::optional<const DomainLocator> Locator; ///< until the domain is bitten
   std::optional<BlockMesher> Blocks;
@@ -144,13 +157,26 @@ void MeshMaker::Simplify()
 {
   this->Simplified = SimplifyDrawing(
     std::move(this->Simplified.Drawing), this->Options, this->Problems, this->Whole);
-  this->IsDone = this->Simplified.Drawing.NumberOfSegments() == 0;
+  const bool mayKeep =
+    this->Options.Domain.KeepCellEdges && this->Options.PeriodicTranslations.empty();
+  if (mayKeep && !IsOver(this->Whole, this->Problems))
+  {
+    PartOfStage taking(this->Whole, 1.0, 1.0);
+    this->Given = TakeGivenTriangles(this->Input, this->Simplified.Drawing, taking);
+  }
+  this->IsDone = this->IsAllGiven() && this->Given.IsEmpty();
 }
 
 void MeshMaker::FindSpacing()
 {
-  const Domain& domain = this->Simplified.Drawing;
+  if (this->IsAllGiven())
+  {
+    this->F = PrepareGivenSpacing(this->Options, this->Given.Whole, this->Problems, this->Whole);
+    return;
+  }
+  Domain& domain = this->Simplified.Drawing;
   PartOfStage locating(this->Whole, 0.0, LocatorEnd);
+  this->Sides = FindPeriodicSides(domain, this->Input, this->Options, this->Problems, locating);
   Pulse pulse(locating);
   ReportNarrowAngles(domain, this->Problems, pulse);
   this->Locator.emplace(domain, pulse);
@@ -159,12 +185,40 @@ void MeshMaker::FindSpacing()
     return;
   }
   PartOfStage preparing(this->Whole, LocatorEnd, SpacingEnd);
-  this->F = PrepareSpacing(this->Options, this->Simplified, this->Problems, preparing);
+  BitingMeshOptions options = this->Options;
+  if (!this->Given.IsEmpty() && !options.PreserveBoundary)
+  {
+    options.Spacing = FollowPreserved(std::move(options.Spacing), domain, preparing);
+  }
+  this->F = PrepareSpacing(options, this->Simplified, this->Problems, preparing);
   if (!IsOver(this->Whole, this->Problems))
   {
     PartOfStage looking(this->Whole, SpacingEnd, 1.0);
     Pulse looks(looking);
     ReportNearMisses(domain, this->F, this->Input, this->Problems, looks);
+  }
+  this->DivideSidesAlike();
+}
+
+// f is the lower one of both sides.
+void MeshMaker::DivideSidesAlike()
+{
+  if (this->Sides.IsEmpty() || this->Options.PreserveBoundary ||
+    IsOver(this->Whole, this->Problems))
+  {
+    return;
+  }
+  Domain& domain = this->Simplified.Drawing;
+  PartOfStage part(this->Whole, 1.0, 1.0);
+  const auto first = std::make_shared<const Spacing>(std::move(this->F));
+  this->F = PrepareSpacing(WithLowerOfSides(this->Options, domain, this->Sides, *first, part),
+    this->Simplified, this->Problems, part,
+    [first](const Point2& x) { return (*first)(x) / FloorFactor; });
+  DivideSides(this->F, this->Settings.Biting, this->Sides, domain, part);
+  if (!AddAborted(part, this->Problems))
+  {
+    Pulse pulse(part);
+    this->Locator.emplace(domain, pulse);
   }
 }
 
@@ -172,9 +226,12 @@ void MeshMaker::Bite()
 {
   const Domain& domain = this->Simplified.Drawing;
   BitingOptions& options = this->Settings.Biting;
-  const bool mayCut = this->Settings.VerticesPerBlock > 0.0;
-  this->Blocks.emplace(domain, this->F, mayCut ? this->Members : NoCrew(),
+  this->Blocks.emplace(domain, this->F, this->Settings.IsShared ? this->Members : NoCrew(),
     this->Options.GhostLevels, this->Options.MostVerticesOfProcess);
+  if (this->IsAllGiven())
+  {
+    return;
+  }
   if (!this->Locator)
   {
     Pulse pulse(this->Whole);
@@ -231,7 +288,7 @@ void MeshMaker::BiteWhole(double expectedVertices, PartOfStage& part)
 // Blocks are triangulated where they are bitten.
 void MeshMaker::Triangulate()
 {
-  if (!this->Blocks->IsInUse())
+  if (!this->Blocks->IsInUse() && !this->IsAllGiven())
   {
     this->Triangles = TriangulateBites(this->Simplified.Drawing,
       { this->Options.Phi, this->Options.PreserveBoundary }, this->Bites, this->Problems,
@@ -246,7 +303,7 @@ void MeshMaker::Relax()
     this->Blocks->Relax(this->Bites, this->Triangles, this->Problems, this->Whole);
     return;
   }
-  if (this->Settings.IsRelaxed)
+  if (this->Settings.IsRelaxed && !this->IsAllGiven())
   {
     PartOfStage part(this->Whole, 0.0, 1.0);
     RelaxBites(this->Simplified.Drawing, this->F, { !this->Options.PreserveBoundary }, this->Bites,
@@ -257,9 +314,29 @@ void MeshMaker::Relax()
 
 void MeshMaker::Finish()
 {
-  this->Mesh =
-    FinishMesh({ this->Simplified, this->F, this->Options, this->Settings, this->Members },
-      *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
+  SimplifiedDomain whole;
+  if (!this->Given.IsEmpty())
+  {
+    PutBackTriangles(this->Given, this->Simplified.Drawing, this->Bites, this->Triangles);
+    whole = this->Simplified;
+    whole.Drawing = this->Given.Whole;
+    this->Settings.IsDelaunay = false;
+  }
+  this->Mesh = FinishMesh({ this->Given.IsEmpty() ? this->Simplified : whole, this->F,
+                            this->Options, this->Settings, this->Members },
+    *this->Blocks, std::move(this->Bites), this->Triangles, this->Problems, this->Whole);
+  if (IsOver(this->Whole, this->Problems))
+  {
+    return;
+  }
+  TellPartners(
+    this->Simplified.Drawing, this->Sides, this->Options.PeriodicTranslations.size(), this->Mesh);
+  if (this->Options.Opens)
+  {
+    PartOfStage opening(this->Whole, 1.0, 1.0);
+    OpenInterfaces(this->Options.Opens, this->Mesh, opening);
+    AddAborted(opening, this->Problems);
+  }
 }
 
 } // namespace

@@ -34,6 +34,7 @@ set(biting_kernel_sources
   Domain/Nesting.cxx
   Domain/OpenEnds.cxx
   Domain/OpenOutlines.cxx
+  Domain/PeriodicSides.cxx
   Domain/PointWelding.cxx
   Domain/RuleBoundary.cxx
   Domain/SegmentTree.cxx
@@ -109,8 +110,11 @@ set(biting_kernel_sources
   Stages/Calibration.cxx
   Stages/CoveringFaces.cxx
   Stages/FineDrawing.cxx
+  Stages/GivenTriangles.cxx
   Stages/MeshAssembly.cxx
   Stages/NearMisses.cxx
+  Stages/OpenedInterfaces.cxx
+  Stages/PeriodicDivision.cxx
   Stages/PreparedDomain.cxx
   Stages/PreparedSpacing.cxx
   Stages/PreservedSpacing.cxx

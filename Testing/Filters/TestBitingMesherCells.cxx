@@ -228,6 +228,84 @@ TEST(BitingMesherCells, KeepTheirEdgesOnDemand)
   ExpectQuietArea(run, 2.0, 2);
 }
 
+// A rectangle of 6 by 4 with n by n squares within, each two triangles, in the middle.
+vtkSmartPointer<vtkUnstructuredGrid> TrianglesInARectangle(int n)
+{
+  std::vector<Place> places = Rectangle(-3.0, -2.0, 3.0, 2.0);
+  const auto pointAt = [n](int i, int j) { return vtkIdType{ 4 } + i + j * (n + 1); };
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      places.push_back({ double(i) / n - 0.5, double(j) / n - 0.5, 0.0 });
+    }
+  }
+  auto grid = GridWithPoints(places);
+  AddCell(grid, VTK_QUAD, { 0, 1, 2, 3 });
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      AddCell(grid, VTK_TRIANGLE, { pointAt(i, j), pointAt(i + 1, j), pointAt(i + 1, j + 1) });
+      AddCell(grid, VTK_TRIANGLE, { pointAt(i, j), pointAt(i, j + 1), pointAt(i + 1, j + 1) });
+    }
+  }
+  return grid;
+}
+
+// Triangles of the mesh whose corners are points of the input but for the first four.
+int CountGivenTriangles(vtkPolyData* mesh)
+{
+  vtkDataArray* originals = mesh->GetPointData()->GetArray("OriginalPointId");
+  int count = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, ids);
+    bool isGiven = true;
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      isGiven = isGiven && originals->GetComponent(ids->GetId(k), 0) >= 4.0;
+    }
+    count += isGiven ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(BitingMesherCells, ThatAreTrianglesStayAsTheyAreAsOneRegion)
+{
+  for (const double spacing : { 0.3, 0.02, 1.0 })
+  {
+    CellRun run(TrianglesInARectangle(20));
+    run.Mesher->SetKeepCellEdges(true);
+    run.Mesher->SetDomainRuleToUnion();
+    run.Mesher->SetUniformSpacing(spacing);
+    ExpectQuietArea(run, 24.0, 2);
+    vtkPolyData* mesh = run.Mesher->GetOutput();
+    EXPECT_EQ(CountGivenTriangles(mesh), 800);
+    EXPECT_GT(Figure(mesh, "SmallestAngle"), 25.0) << spacing;
+    EXPECT_EQ(run.ValuesOf("Kind"), std::set<std::string>({ "0", "1" }));
+  }
+}
+
+TEST(BitingMesherCells, ThatAreTrianglesAreAllOfAMeshWhereThereIsNothingElse)
+{
+  auto grid = GridWithPoints(Rectangle(0.0, 0.0, 1.0, 1.0));
+  AddCell(grid, VTK_TRIANGLE, { 0, 1, 2 });
+  AddCell(grid, VTK_TRIANGLE, { 0, 3, 2 });
+  CellRun run(grid);
+  run.Mesher->SetKeepCellEdges(true);
+  ExpectQuietArea(run, 1.0, 1);
+  EXPECT_EQ(run.Mesher->GetOutput()->GetNumberOfCells(), 2);
+  EXPECT_EQ(run.Mesher->GetOutput(1)->GetNumberOfCells(), 4);
+  AddValues<vtkIntArray, int>(grid, "material", { 1, 2 });
+  CellRun parted(grid);
+  parted.Mesher->SetKeepCellEdges(true);
+  parted.Mesher->SetRegionArray("material");
+  ExpectQuietArea(parted, 1.0, 2);
+  EXPECT_EQ(parted.Mesher->GetOutput(1)->GetNumberOfCells(), 5);
+}
+
 TEST(BitingMesherCells, ThatAreHiddenOrGhostsAreLeftOut)
 {
   auto grid = TwoSquares();

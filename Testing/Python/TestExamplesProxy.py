@@ -5,6 +5,7 @@
 
 import glob
 import importlib.util
+import math
 import os
 import tempfile
 import unittest
@@ -17,7 +18,9 @@ DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'Dat
 SMALLEST_ANGLES = {'contour_to_mesh': 30, 'coast_with_spacing_by_depth': 15,
                    'courant_number_of_a_coast': 15, 'adcirc_grid_with_depths': 15, 'airfoil': 35,
                    'plate_with_regions': 30, 'export_with_tags': 30, 'size_by_tag': 30,
-                   'judge_a_mesh': 0, 'mesh_for_a_solution': 35}
+                   'judge_a_mesh': 0, 'mesh_for_a_solution': 35,
+                   'nested_refinement_regions': 30, 'a_town_of_houses': 25, 'periodic_cell': 35,
+                   'fine_mesh_in_a_coarse_one': 25}
 FILES = ['airfoil.su2', 'coast.14', 'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh',
          'plate.su2']
 
@@ -55,6 +58,25 @@ class TestExamplesProxy(unittest.TestCase):
                 for line in file:
                     if 'LoadPlugin(' in line:
                         self.assertIn('os.path.abspath(', line, path)
+
+    def test_nested_regions_and_a_town_have_their_areas(self):
+        mesh = self.examples.nested_refinement_regions(self.folder.name)
+        halves = [64, 32, 16, 8, 4, 2, 1]
+        expected = [4.0 * (a * a - b * b) for a, b in zip(halves, halves[1:] + [0])]
+        self.assertEqual(sorted(self.areas(mesh)), sorted(expected))
+        mesh = self.examples.a_town_of_houses(self.folder.name)
+        self.assertAlmostEqual(sum(self.areas(mesh)), 240 * 160 - 60 * (9 * 12 + 3 * 4), delta=1e-8)
+
+    def areas(self, mesh):
+        """Of the regions, rounded to what the sum of coordinates leaves."""
+        mesh.UpdatePipeline()
+        data = servermanager.Fetch(mesh, idx=0)
+        regions, areas = data.GetCellData().GetArray('RegionId'), {}
+        for k in range(data.GetNumberOfCells()):
+            a, b, c = (data.GetPoint(data.GetCell(k).GetPointId(i)) for i in range(3))
+            twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            areas.setdefault(regions.GetValue(k), []).append(0.5 * twice)
+        return [round(math.fsum(parts), 9) for parts in areas.values()]
 
     def check(self, task):
         window = vtkStringOutputWindow()

@@ -152,6 +152,27 @@ std::string FindRegionNumbers(
   return {};
 }
 
+std::string FindCracks(
+  const Drawing& drawing, const std::string& name, std::function<bool(Id)>& opens)
+{
+  if (name.empty() || name == "None" || drawing.NumberOfCells == 0)
+  {
+    return {};
+  }
+  vtkDataArray* array = drawing.CellArrays->GetArray(name.c_str());
+  if (!array || array->GetNumberOfTuples() < drawing.NumberOfCells)
+  {
+    return "The input has no cell array of numbers named " + name +
+      " with a value for each cell, which Split Interfaces asks for.";
+  }
+  opens = [array](Id cell)
+  {
+    const double value = array->GetComponent(cell, 0);
+    return value != 0.0 && !std::isnan(value);
+  };
+  return {};
+}
+
 std::function<bool(Id, Id)> CompareTags(const Drawing& drawing, const Polylines& chains)
 {
   std::vector<vtkAbstractArray*> tags;

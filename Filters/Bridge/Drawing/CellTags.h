@@ -30,6 +30,12 @@ std::string FindRegionNumbers(
 /// Refers to `drawing`. Empty where all cells are equal.
 std::function<bool(Id, Id)> CompareTags(const Drawing& drawing, const Polylines& chains);
 
+/// Sets `opens` to whether the cell array `name` is another number than 0, and not NaN, at a cell;
+/// leaves it where `name` is empty or "None". Returns a refusal where the drawing has no such
+/// numbers. Refers to `drawing`.
+std::string FindCracks(
+  const Drawing& drawing, const std::string& name, std::function<bool(Id)>& opens);
+
 } // namespace biting
 
 #endif

@@ -6,7 +6,7 @@
 #include "../../Kernel/Base/SortInSteps.h"
 
 #include <algorithm>  // for min, max, unique
-#include <cmath>      // for sqrt
+#include <cmath>      // for abs, isfinite, sqrt
 #include <functional> // for less
 
 namespace biting
@@ -254,6 +254,16 @@ Point2 PlaneFrame::ToPlane(const double* place) const
   }
   const Point3 offset = Point3{ place[0], place[1], place[2] } - this->Origin;
   return { Dot(offset, this->First), Dot(offset, this->Second) };
+}
+
+bool PlaneFrame::TakeVector(const Point3& vector, Point2& inPlane) const
+{
+  constexpr double MostOff = 1e-6;
+  inPlane = this->IsAligned ? Point2{ vector[this->Axes[0]], vector[this->Axes[1]] }
+                            : Point2{ Dot(vector, this->First), Dot(vector, this->Second) };
+  const double off = this->IsAligned ? vector[this->Axes[2]] : Dot(vector, this->Normal);
+  return std::abs(off) <= MostOff * biting::Length(inPlane) &&
+    std::isfinite(biting::Length(inPlane));
 }
 
 Point3 PlaneFrame::ToSpace(const Point2& p) const

@@ -34,6 +34,10 @@ public:
   Point2 ToPlane(const double* place) const;
   Point3 ToSpace(const Point2& p) const;
 
+  /// A vector of space as one of the plane. False where it is off by more than 1e-6 of its length,
+  /// or not finite.
+  bool TakeVector(const Point3& vector, Point2& inPlane) const;
+
   /// Signed distance from the plane, positive on the side of the normal.
   double Distance(const double* place) const;
 

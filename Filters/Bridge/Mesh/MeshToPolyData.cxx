@@ -44,6 +44,11 @@ void AddPointData(const BitingMesh& mesh, vtkPointData* data, Pulse& pulse)
   AddArray<vtkIntArray>(data, "BiteOrder", mesh.BiteOrders, pulse);
   AddArray<vtkUnsignedCharArray>(data, "VertexKind", mesh.Kinds, pulse);
   AddArray<vtkIdTypeArray>(data, "OriginalPointId", mesh.OriginalPoints, pulse);
+  for (std::size_t k = 0; k < mesh.Partners.size(); ++k)
+  {
+    const char* name = k == 0 ? "PeriodicPartner" : "PeriodicPartner2";
+    AddArray<vtkIdTypeArray>(data, name, mesh.Partners[k], pulse);
+  }
 }
 
 void AddCellData(const BitingMesh& mesh, vtkCellData* data, Pulse& pulse)

@@ -107,6 +107,8 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "InconsistentEdges", "Triangles oriented against each other", "cell", "cell",
     "They were turned." },
   { "SurfaceTouches", "Touches within rounding", "cell", "cell", "" },
+  { "UnmatchedSides", "Sides that Periodic Translation does not map onto others", "cell", "",
+    "Draw both sides alike, or correct the translation." },
   { "Aborted", "Aborted", "", "", "" },
 } };
 

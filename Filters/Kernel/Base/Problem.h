@@ -72,7 +72,9 @@ enum class ProblemCode
   InconsistentEdges,  ///< triangles at an edge that are oriented against each other (ids: cell,
                       ///< cell)
   SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
-  Aborted             ///< the monitor asked to stop; not an error
+  // Refused.
+  UnmatchedSides, ///< a side that a periodic translation maps in part, or beside another (ids: cell)
+  Aborted         ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

@@ -47,6 +47,10 @@ struct BitingMesh
   std::vector<VertexKind> Kinds;
   std::vector<Id> OriginalPoints; ///< input point id, NoId = new
 
+  /// One list for each of BitingMeshOptions::PeriodicTranslations: the vertex that the translation,
+  /// or its inverse, maps each vertex onto; NoId where there is none.
+  std::vector<std::vector<Id>> Partners;
+
   // Triangles, counterclockwise; Neighbors as in Triangulation.
   std::vector<Id> Corners;
   std::vector<Id> Neighbors;

@@ -11,7 +11,9 @@
 #include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
 
-#include <cstdint> // for limits
+#include <cstdint>    // for limits
+#include <functional> // for cracks
+#include <vector>     // for translations
 
 namespace biting
 {
@@ -25,6 +27,14 @@ struct BitingMeshOptions
   /// By the spacing before the limit by feature size, which then sees the simplified drawing.
   /// Without effect where the boundary is preserved, but for the loops that are left out.
   SimplificationOptions Simplification;
+
+  /// Sides that one of them maps onto each other are divided alike (Domain/PeriodicSides.h).
+  std::vector<Point2> PeriodicTranslations;
+
+  /// Which input cells are cracks: the mesh is cut along their interfaces
+  /// (Stages/OpenedInterfaces.h). May be empty. With it, with translations, and with
+  /// DomainOptions::KeepCellEdges no crew shares the mesh.
+  std::function<bool(Id)> Opens;
 
   /// True: f is capped by the local feature size of the domain (SpacingOptions::Features, which is
   /// replaced). Without effect where the boundary is preserved.

@@ -83,6 +83,28 @@ double DistanceInside(const Feature& own, const Point2& x, const Feature& other)
     x, startHeight < 0.0 ? cut : other.Start, endHeight < 0.0 ? cut : other.End);
 }
 
+/// How much a wall may be turned against another, and the way to it against the normal: 45 degrees,
+/// which leaves out the neighbors of neighbors on an outline that is bent.
+constexpr double CosineOfFacing = 0.70710678118654752;
+
+bool IsFacing(const Feature& own, const Point2& x, const Feature& other)
+{
+  if (own.IsPoint() || other.IsPoint())
+  {
+    return false;
+  }
+  const Point2 normal = Perpendicular(own.End - own.Start);
+  const Point2 otherNormal = Perpendicular(other.End - other.Start);
+  const Point2 way = NearestOnSegment(x, other.Start, other.End) - x;
+  const double ahead = Dot(normal, way);
+  const double back = -Dot(otherNormal, way);
+  const double alike = std::abs(Dot(normal, otherNormal));
+  return std::abs(ahead) >= CosineOfFacing * Length(normal) * Length(way) &&
+    alike >= CosineOfFacing * Length(normal) * Length(otherNormal) &&
+    (ahead > 0.0 ? own.LeftInside : own.RightInside) &&
+    (back > 0.0 ? other.LeftInside : other.RightInside);
+}
+
 double DiagonalOf(const std::vector<Point2>& points)
 {
   Box2 box;
@@ -201,11 +223,21 @@ private:
     const double least = std::max(floor, this->LeastInGaps(place, sample.Given));
     const double across = this->Rule.CellsOfLeastSize();
     sample.Size = this->Rule.Size(this->Segment, place, across * known, across * least) / across;
-    const double bySize = std::max(sample.Size, least);
+    const double size = across > 1.0 && sample.Size < known
+      ? this->SizeOfChannel(place, known, least, across)
+      : sample.Size;
+    const double bySize = std::max(size, least);
     const double byLength = std::max(this->MostByLength, this->LeastOnShort(sample.Given));
     sample.Capped =
       std::min(sample.Given, std::max(std::min(bySize, byLength), this->Rule.Given.LeastCapped));
     return sample;
+  }
+
+  /// Only walls that face each other have room for more than one cell between them.
+  double SizeOfChannel(const Point2& place, double known, double enough, double across) const
+  {
+    return std::min(this->Rule.Size(this->Segment, place, known, enough),
+      this->Rule.Size.Across(this->Segment, place, across * known) / across);
   }
 
   double LeastInGaps(const Point2& place, double given) const
@@ -417,6 +449,24 @@ double FeatureSize::operator()(Id segment, const Point2& x, double known, double
   {
     this->Tree.Search(x, 1.0, least, look);
   }
+  return least;
+}
+
+double FeatureSize::Across(Id segment, const Point2& x, double known) const
+{
+  const std::vector<Feature>& features = this->Tree.Items();
+  const Feature& own =
+    features[static_cast<std::size_t>(this->Positions[static_cast<std::size_t>(segment)])];
+  double least = known;
+  this->Tree.Search(x, 1.0, least,
+    [&own, &x, &least](const Feature& other, double)
+    {
+      if (!own.IsIncident(other) && IsFacing(own, x, other))
+      {
+        least = std::min(least, DistanceToSegment(x, other.Start, other.End));
+      }
+      return least;
+    });
   return least;
 }
 

@@ -47,6 +47,10 @@ public:
   /// to each other is left to its length.
   double operator()(Id segment, const Point2& x, double known, double enough = 0.0) const;
 
+  /// The same, of features only that face the segment: the walls of a channel. Their line is within
+  /// 45 degrees of the segment's, and the way to them of its normal; the domain lies between.
+  double Across(Id segment, const Point2& x, double known) const;
+
 private:
   BoxTree<Feature> Tree;
   std::vector<Id> Positions; ///< of each segment: where it is in the order of the tree

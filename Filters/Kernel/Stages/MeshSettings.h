@@ -26,10 +26,11 @@ struct MeshSettings
     const bool mayCut = this->IsRelaxed && RuleOf(options.Order).MayCut && !options.KeepBites &&
       !options.PreserveBoundary;
     this->VerticesPerBlock = mayCut ? static_cast<double>(options.VerticesPerBlock) : 0.0;
+    this->IsShared = this->VerticesPerBlock > 0.0 && !options.Opens &&
+      !options.Domain.KeepCellEdges && options.PeriodicTranslations.empty();
     this->Biting.MaximumNumberOfBites = options.MaximumNumberOfBites;
     this->Biting.MaximumNumberOfVertices = std::min({ options.MaximumNumberOfVertices,
-      options.MostVerticesOfProcess * (this->VerticesPerBlock > 0.0 ? members.Size() : 1),
-      MostVerticesInAll });
+      options.MostVerticesOfProcess * (this->IsShared ? members.Size() : 1), MostVerticesInAll });
     this->Biting.KeepFront = options.KeepBites;
     this->Biting.Phi = options.Phi;
     this->Biting.PreserveBoundary = options.PreserveBoundary;
@@ -40,6 +41,7 @@ struct MeshSettings
 
   BitingOptions Biting;
   double VerticesPerBlock; ///< 0: one block
+  bool IsShared;           ///< among the members of a crew, where there are blocks
   bool IsRelaxed;          ///< not where biting is stopped: the front is to be seen as it is then
   bool IsDelaunay;         ///< the mesh must be
 };

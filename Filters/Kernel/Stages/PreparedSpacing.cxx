@@ -8,8 +8,9 @@
 #include "PreservedSpacing.h"
 #include "StageProblems.h"
 
-#include <memory>  // for sources
-#include <utility> // for move
+#include <functional> // for floors
+#include <memory>     // for sources
+#include <utility>    // for move
 
 namespace biting
 {
@@ -53,8 +54,8 @@ std::shared_ptr<const SegmentSource> DrawnSegments(const std::vector<Point2>& en
 }
 
 // The segments and embedded points of a domain.
-std::shared_ptr<const FeatureSource> FeaturesOf(
-  const SimplifiedDomain& simplified, const BitingMeshOptions& options)
+std::shared_ptr<const FeatureSource> FeaturesOf(const SimplifiedDomain& simplified,
+  const BitingMeshOptions& options, std::function<double(const Point2&)> floor)
 {
   const Domain& domain = simplified.Drawing;
   auto features = std::make_shared<FeatureSource>();
@@ -66,6 +67,7 @@ std::shared_ptr<const FeatureSource> FeaturesOf(
   features->Ends = domain.Ends;
   features->LeftInside = domain.LeftInside;
   features->RightInside = domain.RightInside;
+  features->Floor = std::move(floor);
   features->Drawn = DrawnSegments(simplified.DrawnEnds);
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
@@ -94,7 +96,7 @@ Spacing MakeChosen(const SpacingOptions& wanted, const Domain& domain, const Par
 } // namespace
 
 Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain& simplified,
-  ProblemList& problems, Monitor& monitor)
+  ProblemList& problems, Monitor& monitor, std::function<double(const Point2&)> floor)
 {
   const Domain& domain = simplified.Drawing;
   PartOfStage choosing(monitor, 0.0, ChoiceEnd);
@@ -105,7 +107,8 @@ Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain&
   }
   else
   {
-    wanted.Features = options.LimitByFeatureSize ? FeaturesOf(simplified, options) : nullptr;
+    wanted.Features =
+      options.LimitByFeatureSize ? FeaturesOf(simplified, options, std::move(floor)) : nullptr;
   }
   return MakeChosen(wanted, domain, choosing, problems, monitor);
 }

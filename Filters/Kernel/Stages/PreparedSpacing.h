@@ -11,14 +11,17 @@
 #include "../Simplification/Simplification.h"
 #include "../Spacing/Spacing.h"
 
+#include <functional> // for floors
+
 namespace biting
 {
 
 /// f of a domain, limited by the features of its drawing where the options say so. The minimum is
 /// the rounding of vertices at least, unless bounds say otherwise: vertices nearer to each other
 /// are one. Where less than that is given, it is told once (ProblemCode::RaisedSpacing).
+/// `floor` is FeatureSource::Floor.
 Spacing PrepareSpacing(const BitingMeshOptions& options, const SimplifiedDomain& simplified,
-  ProblemList& problems, Monitor& monitor);
+  ProblemList& problems, Monitor& monitor, std::function<double(const Point2&)> floor = {});
 
 /// f before any limit by feature size. Many of the drawing's vertices will go: they are no reason
 /// to refuse.

@@ -322,6 +322,30 @@ TEST(FeatureLimit, LeavesRoomForTheCellsAcross)
   EXPECT_NEAR(MakeGoodSpacing(options)({ 0.5, 0.0 }), 0.015, 1e-12);
 }
 
+/// Neighbors of neighbors on a bent outline are no walls of a channel.
+TEST(FeatureLimit, CountsCellsAcrossBetweenLinesThatFaceEachOther)
+{
+  for (const int corners : { 12, 16, 60, 400 })
+  {
+    std::vector<Point2> circle;
+    for (int k = 0; k < corners; ++k)
+    {
+      const double angle = 2.0 * 3.14159265358979324 * k / corners;
+      circle.push_back({ std::cos(angle), std::sin(angle) });
+    }
+    FeatureSource source = Loops({ circle });
+    const Spacing once = WithFeatures(source, 0.1);
+    source.CellsAcross = 8;
+    const Spacing more = WithFeatures(source, 0.1);
+    for (const Point2& p : { Point2{ 1.0, 0.0 }, Midpoint(circle[0], circle[1]), Point2{} })
+    {
+      EXPECT_EQ(more(p), once(p)) << corners;
+    }
+    source.CellsAcross = 40; // more than fit between the far sides
+    EXPECT_LT(WithFeatures(source, 0.1)({ 1.0, 0.0 }), 0.9 * once({ 1.0, 0.0 }));
+  }
+}
+
 TEST(FeatureLimit, LeavesShortSegmentsNoShorterThanEdgesShouldBe)
 {
   std::vector<Point2> loop = Rectangle(0.0, 0.0, 1.0, 1.0);
