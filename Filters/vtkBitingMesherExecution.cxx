@@ -5,6 +5,7 @@
 
 #include "Bridge/Drawing/BoundarySpacing.h"
 #include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Drawing/Globe.h"
 #include "Bridge/Drawing/PolylinesFromDrawing.h"
 #include "Bridge/Mesh/BitesToPolyData.h"
 #include "Bridge/Mesh/MeshToPolyData.h"
@@ -141,6 +142,8 @@ bool vtkBitingMesher::Execution::Gather(
 bool vtkBitingMesher::Execution::ReadParameters()
 {
   const vtkBitingMesher& filter = *this->Filter;
+  this->Planar.IsOnGlobe = filter.Coordinates == LONGITUDE_LATITUDE;
+  this->Planar.MayDivide = !filter.PreserveBoundary;
   this->Options.Spacing.Uniform = filter.UniformSpacing;
   this->Options.Spacing.Scale = filter.SpacingScale;
   this->Options.Spacing.Minimum = filter.MinimumSpacing;
@@ -202,8 +205,17 @@ bool vtkBitingMesher::Execution::ReadChains()
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadSpacing()
 {
-  return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray()) &&
-    !this->WasAborted();
+  if (!this->Accept(this->AddBoundaryArray()) || !this->Accept(this->AddSourceArray()))
+  {
+    return false;
+  }
+  if (this->Planar.IsOnGlobe)
+  {
+    this->Options.Spacing.Curvature = this->Planar.Frame.Curvature();
+    biting::PartOfStage part(this->Progress, 1.0, 1.0);
+    biting::DivideLines(&this->Options.Spacing, this->Planar, part);
+  }
+  return !this->WasAborted();
 }
 
 //------------------------------------------------------------------------------
@@ -322,6 +334,7 @@ void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
   this->Progress.BeginStage(WritingStage.Text);
   biting::Pulse pulse(this->Progress);
   const auto points = this->MakePoints(pulse);
+  biting::EndOnGlobe(this->Planar, this->Drawing.NumberOfPoints, this->Mesh);
   this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
   this->WriteEdges(points, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
   if (this->Filter->GenerateBites)
