@@ -60,7 +60,7 @@ def mesh_sea(resolution, outline, southernmost, longitudes, spacing):
         DomainRule='Outer Minus Others', UniformSpacing=spacing, BoundaryTolerance=0.2,
         MinimumLoopSize=1.5)
     mesh.UpdatePipeline()
-    print(mesh.GetClientSideObject().GetSummary())
+    print(mesh.Summary)
     return mesh
 
 

@@ -174,8 +174,8 @@ public:
    * messages, in LeftOutArea and of tolerances that are relative to the diagonal are those of that
    * plane. Lines of the input are straight in degrees, the shorter way around the globe, and along
    * the meridian to a pole; they are divided, where PreserveBoundary is off, so that the mesh is less
-   * than 0.01 f from them (f without the feature size), in parts of which none bends by more than 2 %
-   * of its length; points that divide have OriginalPointId -1. Gradation is a slope in that plane;
+   * than 0.01 f from them, where parts are no longer than an edge 0.03 f (f without the feature size);
+   * points that divide have OriginalPointId -1. Gradation is a slope in that plane;
    * on the globe it may be larger by f tan(c / 2) / 6,371 km.
    * Longitudes of the mesh are within [-180, 180), or [0, 360) where those of the input are; of an
    * input that jumps, as across 180 degrees, they continue beyond, within 180 degrees of the middle,

@@ -75,7 +75,7 @@ class TestGlobeProxy(unittest.TestCase):
     def test_latitudes_beyond_the_pole_are_refused(self):
         mesher = BitingMesher(Input=rectangle(0, 80, 10, 95), Coordinates=BELOW)
         mesher.UpdatePipeline()
-        self.assertIn('Latitudes', mesher.GetClientSideObject().GetSummary())
+        self.assertIn('Latitudes', mesher.Summary)
 
     def figure(self, proxy, name):
         proxy.UpdatePipeline()

@@ -86,7 +86,8 @@ double LongitudeFor(const double* coordinates, const std::vector<Id>& points,
     }
     return false;
   };
-  const double own = DegreesOf(middle).X;
+  const double longitude = DegreesOf(middle).X;
+  const double own = isBeyond || longitude >= 0.0 ? longitude : longitude + 360.0;
   const bool meetsItself = high - low > 360.0 - 1e-9; // parts that were cut at the jump
   return (meetsItself || isTorn(given)) && !isTorn(own) ? own : given;
 }
@@ -115,6 +116,7 @@ public:
     , Input(input)
     , Listener(monitor)
     , Beats(monitor)
+    , Noise(4.0 * input.Chains.Rounding.X)
   {
     if (spacing)
     {
@@ -138,7 +140,7 @@ private:
 
   const std::vector<Id>& Between(Id start, Id end);
   void Divide(const DegreesLine& line, const Part& part, std::vector<double>& shares);
-  double Tolerance(const Part& part, double deviation);
+  bool IsStraight(const Part& part, double deviation);
   double SpacingAt(const Point2& place);
   Id AddPoint(const DegreesLine& line, Id start, Id end, double share);
   Point2 InPlane(const Point3& degrees) const { return this->Input.Frame.ToPlane(degrees.Data()); }
@@ -147,7 +149,8 @@ private:
   PlanarInput& Input;
   Monitor& Listener;
   Pulse Beats;
-  double Least = 0.0;
+  const double Noise; ///< what rounding may make of a straight line
+  double Least = 0.0; ///< no f is below it
   std::optional<Spacing> F;
   std::map<std::pair<Id, Id>, std::vector<Id>> Known; ///< of lines that several cells share
   std::vector<Id> Along;
@@ -229,7 +232,7 @@ void LineDivider::Divide(const DegreesLine& line, const Part& part, std::vector<
     deviation =
       std::max(deviation, length > 0.0 ? std::abs(Cross(chord, offset)) / length : Length(offset));
   }
-  if (part.Depth == MostHalvings || !(deviation > this->Tolerance(part, deviation)))
+  if (part.Depth == MostHalvings || this->IsStraight(part, deviation))
   {
     return;
   }
@@ -240,20 +243,20 @@ void LineDivider::Divide(const DegreesLine& line, const Part& part, std::vector<
   this->Divide(line, { half, part.End, middle, part.Stop, part.Depth + 1 }, shares);
 }
 
-// No less than what rounding makes of a straight line. f is asked for only where it may be less than
-// the deviation needs.
-double LineDivider::Tolerance(const Part& part, double deviation)
+// Enough so, or not longer than an edge of the mesh. f is asked for only where it may matter.
+bool LineDivider::IsStraight(const Part& part, double deviation)
 {
-  const double rounding = 4.0 * this->Input.Chains.Rounding.X;
+  const double length = Distance(part.Start, part.Stop);
   if (!this->Options)
   {
-    return std::max(rounding, DeviationInLength * Distance(part.Start, part.Stop));
+    return deviation <= std::max(DeviationInLength * length, this->Noise);
   }
-  if (deviation <= std::max(rounding, DeviationInSpacing * this->Least))
+  if (deviation <= std::max(DeviationInSpacing * this->Least, this->Noise))
   {
-    return deviation;
+    return true;
   }
-  return std::max(rounding, DeviationInSpacing * this->SpacingAt(Midpoint(part.Start, part.Stop)));
+  const double f = this->SpacingAt(Midpoint(part.Start, part.Stop));
+  return deviation <= DeviationInSpacing * f || length <= LongestEdge * f;
 }
 
 // Infinite where it cannot be: that is refused later.

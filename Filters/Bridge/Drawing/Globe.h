@@ -39,25 +39,26 @@ Point2 DegreesOf(const Point3& direction);
 ///
 /// Longitudes are mapped back as they are given: within [-180, 180) where all are, or within [0,
 /// 360) where these are. Where lines of the input jump from one end of that range to the other, or
-/// it has points at both, longitudes lie within 180 degrees of the middle: the mesh continues across the jump. Around a
-/// pole every range has a jump: it is that of the input then.
+/// it has points at both, longitudes lie within 180 degrees of the middle: the mesh continues
+/// across the jump, beyond 180. Around a pole every range has a jump: it is that of the input then.
 ///
 /// Returns a refusal: of latitudes beyond 90 degrees, and of points more than 170 degrees from the
 /// middle, with ids and places.
 std::string FitGlobe(const double* coordinates, const std::vector<Id>& points,
   const std::vector<Id>& ends, PlaneFrame& frame);
 
-/// How far a line that is straight in degrees may be from a line that is straight in the plane: a
-/// share of its length, and a share of f.
+/// How far a line that is straight in degrees may be from one that is straight in the plane: a share
+/// of its length; and, where it is longer than LongestEdge times f, a share of f. So it is within
+/// 0.028 f anywhere, and parts are no shorter than an edge of the mesh because of f.
 constexpr double DeviationInLength = 0.02;
 constexpr double DeviationInSpacing = 0.01;
+constexpr double LongestEdge = 1.4;
 
-/// Divides the lines of `input`, which are straight in degrees, until each part deviates from a
-/// straight line of the plane by less than DeviationInLength times its length; or, where `spacing`
-/// is not null, by less than DeviationInSpacing times f, which is taken without the feature size. So
-/// parts are as long as f, but where f is more than .16 R / tan(latitude) along a parallel. The new
-/// points have ids from the number of points of the input on (PlanarInput::Divisions). A line goes
-/// the shorter way around the globe, and to a pole along the meridian.
+/// Divides the lines of `input`, which are straight in degrees, until each part is as straight in the
+/// plane as the length of it asks for; or, where `spacing` is not null, as its f does, without the
+/// feature size. The new points have ids from the number of points of the input on
+/// (PlanarInput::Divisions). A line goes the shorter way around the globe, and to a pole along the
+/// meridian.
 void DivideLines(const SpacingOptions* spacing, PlanarInput& input, Monitor& monitor);
 
 /// Turns lengths of the plane at the `points` into those of the globe, in metres: of the spacing
