@@ -32,11 +32,12 @@ def main(plugin, folder):
     LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     layout = CreateLayout('Globe')
     layout.SplitHorizontal(0, 0.5)
-    chukotka = mesh_sea('l', box(170, 62, 198, 72), 60, (150, 220), 12e3)
-    view = views.plane_view([184, 67], 13, SIZE)
+    chukotka = mesh_sea('l', box(170, 62, 198, 73), 61, (169, 199), 20e3)
+    view = views.plane_view([184, 67.5], 25, SIZE)
     views.show_mesh(chukotka, view)
     views.show_lines(OutputPort(chukotka, 1), view, COAST)
-    add_text('Around Chukotka: longitudes 170 to 198', view)
+    views.show_lines(Line(Point1=[180, 61, 0], Point2=[180, 74, 0]), view, [0.3, 0.3, 0.3])
+    add_text('Around Chukotka: 170 to 198 degrees, and the 180th meridian', view)
     AssignViewToLayout(view, layout, 1)
     arctic = mesh_sea('c', [(5 * k, 66) for k in range(72)], 58, None, 70e3)
     view = views.plane_view([0, 0], 5.6, SIZE)
@@ -60,6 +61,7 @@ def mesh_sea(resolution, outline, southernmost, longitudes, spacing):
         DomainRule='Outer Minus Others', UniformSpacing=spacing, BoundaryTolerance=0.2,
         MinimumLoopSize=1.5)
     mesh.UpdatePipeline()
+    mesh.UpdatePropertyInformation()
     print(mesh.Summary)
     return mesh
 

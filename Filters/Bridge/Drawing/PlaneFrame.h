@@ -43,8 +43,8 @@ public:
   PlaneFrame OfDegrees() const { return Aligned(2, this->Level); }
 
   bool IsOnGlobe() const { return this->SquaredDiameter > 0.0; }
-  double Curvature() const { return this->IsOnGlobe() ? 1.0 / this->SquaredDiameter : 0.0; }
   double StretchAt(const Point2& p) const { return 1.0 + this->Curvature() * Dot(p, p); }
+  double Curvature() const { return this->IsOnGlobe() ? 1.0 / this->SquaredDiameter : 0.0; }
 
   /// On the globe, the cosine of the angle between a place and the middle.
   double LevelOf(const double* place) const;

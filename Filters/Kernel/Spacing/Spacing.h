@@ -21,7 +21,7 @@ namespace biting
 /// k of SpacingOptions::Curvature: by how much lengths of the plane at x exceed those given.
 inline double StretchAt(const Point2& x, double curvature)
 {
-  return 1.0 + curvature * Dot(x, x);
+  return curvature == 0.0 ? 1.0 : 1.0 + curvature * Dot(x, x);
 }
 
 /// A spacing given on a regular or rectilinear grid: bilinear between its nodes, the nearest border
