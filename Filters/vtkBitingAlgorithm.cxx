@@ -71,6 +71,7 @@ void vtkBitingAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Relaxation: " << (this->Relaxation ? "on" : "off") << "\n"
      << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
+     << indent << "Coordinates: " << this->Coordinates << "\n"
      << indent << "GenerateBites: " << (this->GenerateBites ? "on" : "off") << "\n";
 }
 

@@ -6,6 +6,7 @@
 #include "Bridge/Data/CarriedArrays.h"
 #include "Bridge/Drawing/BoundarySpacing.h"
 #include "Bridge/Drawing/CellTags.h"
+#include "Bridge/Drawing/Globe.h"
 #include "Bridge/Drawing/PolylinesFromDrawing.h"
 #include "Bridge/Mesh/BitesToPolyData.h"
 #include "Bridge/Mesh/MeshToPolyData.h"
@@ -146,6 +147,8 @@ bool vtkBitingMesher::Execution::Gather(
 bool vtkBitingMesher::Execution::ReadParameters()
 {
   const vtkBitingMesher& filter = *this->Filter;
+  this->Planar.IsOnGlobe = filter.Coordinates == LONGITUDE_LATITUDE;
+  this->Planar.MayDivide = !filter.PreserveBoundary;
   this->Options.Spacing.Uniform = filter.UniformSpacing;
   this->Options.Spacing.Scale = filter.SpacingScale;
   this->Options.Spacing.Minimum = filter.MinimumSpacing;
@@ -207,11 +210,20 @@ bool vtkBitingMesher::Execution::ReadChains()
 //------------------------------------------------------------------------------
 bool vtkBitingMesher::Execution::ReadSpacing()
 {
-  return this->Accept(this->AddBoundaryArray()) && this->Accept(this->AddSourceArray()) &&
-    this->ReadTranslations() &&
-    this->Accept(
-      biting::FindCracks(this->Drawing, this->Filter->SplitInterfaces, this->Options.Opens)) &&
-    !this->WasAborted();
+  if (!this->Accept(this->AddBoundaryArray()) || !this->Accept(this->AddSourceArray()) ||
+    !this->ReadTranslations() ||
+    !this->Accept(
+      biting::FindCracks(this->Drawing, this->Filter->SplitInterfaces, this->Options.Opens)))
+  {
+    return false;
+  }
+  if (this->Planar.IsOnGlobe)
+  {
+    this->Options.Spacing.Curvature = this->Planar.Frame.Curvature();
+    biting::PartOfStage part(this->Progress, 1.0, 1.0);
+    biting::DivideLines(&this->Options.Spacing, this->Planar, part);
+  }
+  return !this->WasAborted();
 }
 
 //------------------------------------------------------------------------------
@@ -222,6 +234,10 @@ bool vtkBitingMesher::Execution::ReadTranslations()
   {
     const biting::Point3 translation{ vector[0], vector[1], vector[2] };
     const double length = Length(translation);
+    if (length != 0.0 && this->Planar.IsOnGlobe)
+    {
+      return this->Accept("Periodic Translation is for Coordinates Plane.");
+    }
     biting::Point2 inPlane;
     if (length != 0.0 && !this->Planar.Frame.TakeVector(translation, inPlane))
     {
@@ -412,6 +428,7 @@ void vtkBitingMesher::Execution::Write(vtkInformationVector* outputs)
 {
   biting::Pulse pulse(this->Progress);
   const auto points = this->MakePoints(pulse);
+  biting::EndOnGlobe(this->Planar, this->Drawing.NumberOfPoints, this->Mesh);
   this->WriteMesh(points, vtkPolyData::GetData(outputs, MESH), pulse);
   this->WriteEdges(points, vtkPolyData::GetData(outputs, BOUNDARY_EDGES), pulse);
   if (this->Filter->GenerateBites)

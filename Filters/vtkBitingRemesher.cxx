@@ -3,6 +3,7 @@
 
 #include "vtkBitingRemesher.h"
 
+#include "Bridge/Drawing/Globe.h"
 #include "Bridge/Drawing/RemeshInputFromDataSet.h"
 #include "Bridge/Mesh/BitesToPolyData.h"
 #include "Bridge/Mesh/DividedQuads.h"
@@ -223,6 +224,7 @@ bool vtkBitingRemesher::Execution::ReadMesh()
   this->Input = this->Divided.Data();
   this->Warn(this->Divided.Remark());
   biting::PartOfStage part(this->Progress, 0.0, 0.5);
+  this->Mesh.Planar.IsOnGlobe = this->Filter->Coordinates == LONGITUDE_LATITUDE;
   const biting::RemeshArrays arrays{ this->Filter->RegionArray, this->Filter->FrozenArray };
   if (!this->Accept(
         biting::RemeshInputFromDataSet(this->Input, this->Lines, arrays, this->Mesh, part)) ||
@@ -242,6 +244,7 @@ bool vtkBitingRemesher::Execution::ReadMesh()
 bool vtkBitingRemesher::Execution::ReadSpacing()
 {
   biting::SpacingOptions& spacing = this->Options.Spacing;
+  spacing.Curvature = this->Mesh.Planar.Frame.Curvature();
   biting::PartOfStage part(this->Progress, 0.5, 0.9);
   if (this->Source &&
     !this->Accept(this->AddSource(
@@ -333,6 +336,8 @@ void vtkBitingRemesher::Execution::Write(vtkInformationVector* outputs)
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, MESH);
   const auto points = biting::PointsInSpace(this->Result.Mesh, this->Mesh.Planar, pulse);
+  biting::ToMetres(this->Mesh.Planar.Frame, this->Result.Mesh.Points, this->Result.Mesh.Spacing,
+    this->Result.Mesh.Quality);
   biting::MeshToPolyData(this->Result.Mesh, points, this->Problems, output, pulse);
   if (this->Filter->TransferData)
   {

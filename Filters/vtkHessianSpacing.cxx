@@ -167,6 +167,7 @@ bool vtkHessianSpacing::Execution::Gather(const biting::WholeInput& input)
 bool vtkHessianSpacing::Execution::ReadFaces()
 {
   this->Progress.BeginStage("Reading the faces");
+  this->Faces.IsOnGlobe = this->Filter->Coordinates == LONGITUDE_LATITUDE;
   if (!this->Accept(this->ParameterRefusal()) ||
     !this->Accept(biting::FacesFromDataSet(
       this->Input, biting::FaceRule::Polygons, this->Faces, this->Progress)) ||
@@ -241,9 +242,10 @@ bool vtkHessianSpacing::Execution::Recover()
   {
     return false;
   }
-  for (const biting::Hessian2& hessian : hessians)
+  for (std::size_t vertex = 0; vertex < hessians.size(); ++vertex)
   {
-    this->Norms.push_back(biting::SpectralNorm(hessian));
+    const double stretch = this->Faces.Frame.StretchAt(this->Faces.Points[vertex]);
+    this->Norms.push_back(stretch * stretch * biting::SpectralNorm(hessians[vertex]));
   }
   const std::int64_t unknown = CountNotFinite(this->Norms);
   if (unknown == static_cast<std::int64_t>(this->Norms.size()))
@@ -314,7 +316,8 @@ void vtkHessianSpacing::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n"
      << indent << "MinimumSpacing: " << this->MinimumSpacing << "\n"
-     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n";
+     << indent << "MaximumSpacing: " << this->MaximumSpacing << "\n"
+     << indent << "Coordinates: " << this->Coordinates << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

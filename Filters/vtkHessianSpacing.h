@@ -80,6 +80,13 @@ public:
   vtkTypeMacro(vtkHessianSpacing, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What x and y are.
+  enum CoordinatesType
+  {
+    PLANE = 0,
+    LONGITUDE_LATITUDE = 1
+  };
+
   ///@{
   /**
    * Eight times the error that linear interpolation may have along an edge, in units of the scalar,
@@ -109,6 +116,18 @@ public:
   vtkGetMacro(MaximumSpacing, double);
   ///@}
 
+  ///@{
+  /**
+   * PLANE (default), or LONGITUDE_LATITUDE: x and y are degrees, and spacings metres on a sphere of
+   * 6,371,008.8 m: the Hessian is that in the stereographic plane about the middle of the input
+   * (vtkBitingMesher), per square metre of the globe.
+   */
+  vtkSetClampMacro(Coordinates, int, PLANE, LONGITUDE_LATITUDE);
+  vtkGetMacro(Coordinates, int);
+  void SetCoordinatesToPlane() { this->SetCoordinates(PLANE); }
+  void SetCoordinatesToLongitudeLatitude() { this->SetCoordinates(LONGITUDE_LATITUDE); }
+  ///@}
+
 protected:
   vtkHessianSpacing();
   ~vtkHessianSpacing() override = default;
@@ -127,6 +146,7 @@ private:
   double ErrorTolerance = 0.0;
   double MinimumSpacing = 0.0;
   double MaximumSpacing = 0.0;
+  int Coordinates = PLANE;
 };
 VTK_ABI_NAMESPACE_END
 

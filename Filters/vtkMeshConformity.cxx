@@ -3,6 +3,7 @@
 
 #include "vtkMeshConformity.h"
 
+#include "Bridge/Drawing/Globe.h"
 #include "Bridge/Mesh/DividedQuads.h"
 #include "Bridge/Mesh/MeasuredMesh.h"
 #include "Bridge/Mesh/MeasuredTetrahedra.h"
@@ -59,7 +60,7 @@ private:
   bool Measure();
   void Write(vtkInformationVector* outputs) const;
   bool ReadSource(biting::SpacingOptions& options);
-  bool Compare(const biting::SpacingOptions& options);
+  bool Compare(biting::SpacingOptions options);
   bool ReadOwnSpacing(vtkDataArray* values);
   std::vector<double> Evaluate(
     const biting::Spacing& spacing, const std::vector<biting::Point2>& places);
@@ -251,6 +252,7 @@ bool vtkMeshConformity::Execution::ReadMesh()
   const biting::DividedQuads divided(this->Input);
   this->Input = divided.Data();
   this->Warn(divided.Remark());
+  this->Mesh.Faces.IsOnGlobe = this->Filter->Coordinates == LONGITUDE_LATITUDE;
   if (!this->Accept(biting::FacesFromDataSet(
         this->Input, biting::FaceRule::Triangles, this->Mesh.Faces, this->Progress)) ||
     !this->Progress.Advance(1.0))
@@ -318,8 +320,9 @@ bool vtkMeshConformity::Execution::ReadSource(biting::SpacingOptions& options)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeshConformity::Execution::Compare(const biting::SpacingOptions& options)
+bool vtkMeshConformity::Execution::Compare(biting::SpacingOptions options)
 {
+  options.Curvature = this->Mesh.Faces.Frame.Curvature();
   biting::Box2 box;
   for (const biting::Point2& point : this->Mesh.Faces.Points)
   {
@@ -363,9 +366,11 @@ bool vtkMeshConformity::Execution::ReadOwnSpacing(vtkDataArray* values)
   {
     return false;
   }
-  for (const vtkIdType point : this->Mesh.Faces.PointIds)
+  const biting::PlanarFaces& faces = this->Mesh.Faces;
+  for (std::size_t vertex = 0; vertex < faces.Points.size(); ++vertex)
   {
-    this->Mesh.Spacing.push_back(read[static_cast<std::size_t>(point)]);
+    this->Mesh.Spacing.push_back(faces.Frame.StretchAt(faces.Points[vertex]) *
+      read[static_cast<std::size_t>(faces.PointIds[vertex])]);
   }
   this->Mesh.GivenLipschitz = biting::LargestSlope(this->Mesh.View(), this->Progress);
   this->Mesh.HasSpacing = true;
@@ -382,6 +387,8 @@ bool vtkMeshConformity::Execution::Measure()
   this->Mesh.Angles = biting::AnglesOf(mesh, this->Progress);
   this->Mesh.RelativeLengths = biting::RelativeLengths(mesh, this->Progress);
   this->Mesh.UsedLipschitz = biting::LargestSlope(mesh, this->Progress);
+  biting::ToMetres(
+    this->Mesh.Faces.Frame, this->Mesh.Faces.Points, this->Mesh.Spacing, this->Mesh.Quality);
   return this->Progress.Advance(1.0);
 }
 
@@ -396,7 +403,8 @@ void vtkMeshConformity::Execution::Write(vtkInformationVector* outputs) const
 void vtkMeshConformity::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "NumberOfBins: " << this->NumberOfBins << "\n"
+     << indent << "Coordinates: " << this->Coordinates << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -100,6 +100,13 @@ public:
   vtkTypeMacro(vtkMeshConformity, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What x and y are.
+  enum CoordinatesType
+  {
+    PLANE = 0,
+    LONGITUDE_LATITUDE = 1
+  };
+
   ///@{
   /**
    * Dataset with a point array of the spacing (port 1), as data or as a connection. Optional.
@@ -120,6 +127,19 @@ public:
    */
   vtkSetClampMacro(NumberOfBins, int, 1, 10000);
   vtkGetMacro(NumberOfBins, int);
+  ///@}
+
+  ///@{
+  /**
+   * PLANE (default), or LONGITUDE_LATITUDE: x and y of mesh and source are degrees, spacings and
+   * distances metres on a sphere of 6,371,008.8 m, and angles those on the globe, measured in the
+   * stereographic plane about the middle of the mesh (vtkBitingMesher). Triangles go the shorter way
+   * around the globe. Lengths are taken with the scale at the vertex. Not for tetrahedra.
+   */
+  vtkSetClampMacro(Coordinates, int, PLANE, LONGITUDE_LATITUDE);
+  vtkGetMacro(Coordinates, int);
+  void SetCoordinatesToPlane() { this->SetCoordinates(PLANE); }
+  void SetCoordinatesToLongitudeLatitude() { this->SetCoordinates(LONGITUDE_LATITUDE); }
   ///@}
 
   /**
@@ -150,6 +170,7 @@ private:
   class Execution;
 
   int NumberOfBins = 60;
+  int Coordinates = PLANE;
   std::string Summary;
 };
 VTK_ABI_NAMESPACE_END

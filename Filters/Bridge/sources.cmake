@@ -12,6 +12,7 @@ set(biting_bridge_sources
   Drawing/CoordinateRounding.cxx
   Drawing/Drawing.cxx
   Drawing/FacesFromDataSet.cxx
+  Drawing/Globe.cxx
   Drawing/PlaneFrame.cxx
   Drawing/PolylinesFromDrawing.cxx
   Drawing/RemeshInputFromDataSet.cxx
@@ -32,6 +33,7 @@ set(biting_bridge_sources
   Run/ProblemReport.cxx
   Run/SummaryText.cxx
   Source/DomainMembership.cxx
+  Source/GlobeSource.cxx
   Source/SourceCells.cxx
   Source/SourceCover.cxx
   Source/SourceData.cxx

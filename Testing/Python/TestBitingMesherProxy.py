@@ -31,6 +31,7 @@ DEFAULTS = {
     'KeepCellEdges': 0,
     'MeshBlocksSeparately': 0,
     'PreserveBoundary': 0,
+    'Coordinates': 'Plane',
     'BoundaryTolerance': 0.0,
     'CornerAngle': 45.0,
     'MinimumLoopSize': 0.0,

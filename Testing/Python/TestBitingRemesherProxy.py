@@ -14,6 +14,7 @@ PROPERTIES = {
     'Gradation': 0.3, 'LimitByFeatureSize': 1, 'Preference': 'Balanced', 'EdgePolicy': 'Free',
     'BoundaryTolerance': 0.0, 'FeatureAngle': 30.0,
     'RegionArray': 'RegionId', 'FrozenArray': 'None', 'TransferData': 1, 'Relaxation': 1, 'Rings': 2,
+    'Coordinates': 'Plane',
     'RelaxAll': 0, 'MaximumNumberOfVertices': 20000000, 'NumberOfThreads': 0, 'GenerateBites': 0,
     'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
 }

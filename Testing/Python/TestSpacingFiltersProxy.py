@@ -11,11 +11,11 @@ from paraview import simple
 PROPERTIES = {
     'HessianSpacing': {
         'ErrorTolerance': 0.0, 'MinimumSpacing': 0.0, 'MaximumSpacing': 0.0,
-        'ScalarArray': ['POINTS', 'RTData'],
+        'ScalarArray': ['POINTS', 'RTData'], 'Coordinates': 'Plane',
     },
     'MeshConformity': {
         'SpacingArray': ['POINTS', 'Spacing'], 'SourceSpacingArray': ['POINTS', 'Spacing'],
-        'NumberOfBins': 60,
+        'NumberOfBins': 60, 'Coordinates': 'Plane',
     },
 }
 OTHERS = {'HessianSpacing': {'Input'}, 'MeshConformity': {'Input', 'SpacingSource', 'Summary'}}

@@ -57,6 +57,35 @@ std::vector<vtkIdType> PointsWith(
   return points;
 }
 
+// Values at points that divide lines: linear along these, if both ends have one.
+void AddDivisions(const PlanarInput& input, std::vector<Id>& newIds, SegmentSource& source)
+{
+  auto point = input.Chains.Points.size() - input.Divisions.size();
+  for (const PlanarInput::Division& division : input.Divisions)
+  {
+    const Id start = newIds[static_cast<std::size_t>(division.Start)];
+    const Id end = newIds[static_cast<std::size_t>(division.End)];
+    if (start != NoId && end != NoId)
+    {
+      const double low = source.Values[static_cast<std::size_t>(start)];
+      const double high = source.Values[static_cast<std::size_t>(end)];
+      newIds[point] = static_cast<Id>(source.Points.size());
+      source.Points.push_back(input.Chains.Points[point]);
+      source.Values.push_back(low + division.Share * (high - low));
+    }
+    ++point;
+  }
+}
+
+// Values are lengths of the plane from here on.
+void Stretch(const PlaneFrame& frame, SegmentSource& source)
+{
+  for (std::size_t k = 0; k < source.Points.size(); ++k)
+  {
+    source.Values[k] *= frame.StretchAt(source.Points[k]);
+  }
+}
+
 std::string AddPointSpacing(const Drawing& drawing, const PlanarInput& input, vtkDataArray* values,
   SpacingOptions& options, ProblemPlaces& places, Pulse& pulse)
 {
@@ -77,6 +106,8 @@ std::string AddPointSpacing(const Drawing& drawing, const PlanarInput& input, vt
     source->Points.push_back(input.Chains.Points[point]);
     source->Values.push_back(read[point]);
   }
+  AddDivisions(input, newIds, *source);
+  Stretch(input.Frame, *source);
   for (Id chain = 0; chain < input.Chains.NumberOfChains() && pulse.Beat(); ++chain)
   {
     AddSegments(input.Chains, chain, newIds, source->Segments, pulse);
@@ -168,9 +199,10 @@ void AddChain(const Polylines& chains, std::size_t chain, double value,
   }
 }
 
-std::string AddCellSpacing(const Drawing& drawing, const Polylines& chains, vtkDataArray* values,
+std::string AddCellSpacing(const Drawing& drawing, const PlanarInput& input, vtkDataArray* values,
   SpacingOptions& options, Pulse& pulse)
 {
+  const Polylines& chains = input.Chains;
   const std::string subject =
     std::string("The spacing array ") + (values->GetName() ? values->GetName() : "");
   if (values->GetNumberOfComponents() != 1 || values->GetNumberOfTuples() < drawing.NumberOfCells)
@@ -201,6 +233,7 @@ std::string AddCellSpacing(const Drawing& drawing, const Polylines& chains, vtkD
       " has sizes far below those of cells: the mesh would be too large. Choose "
       "larger sizes.";
   }
+  Stretch(input.Frame, *source);
   SortSource(*source, pulse);
   options.Segments = source->Segments.empty() ? nullptr : source;
   return count == 0 ? ""
@@ -234,7 +267,7 @@ std::string AddBoundarySpacing(const Drawing& drawing, const PlanarInput& input,
   const ChosenArray& chosen, SpacingOptions& options, ProblemPlaces& places, Monitor& monitor)
 {
   Pulse pulse(monitor);
-  return chosen.IsOfCells ? AddCellSpacing(drawing, input.Chains, chosen.Array, options, pulse)
+  return chosen.IsOfCells ? AddCellSpacing(drawing, input, chosen.Array, options, pulse)
                           : AddPointSpacing(drawing, input, chosen.Array, options, places, pulse);
 }
 

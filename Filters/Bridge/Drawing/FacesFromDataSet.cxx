@@ -10,6 +10,7 @@
 #include "../Data/Cells.h"
 #include "../Run/ProblemReport.h"
 #include "CoordinateRounding.h"
+#include "Globe.h"
 #include "PolylinesFromDrawing.h"
 
 #include "vtkCellType.h"
@@ -108,28 +109,6 @@ std::vector<Id> NumberVertices(vtkIdType numberOfPoints, PlanarFaces& faces)
   return used;
 }
 
-// Says "<what> (n): point 3 at (x, y, z), ... <advice>" of the points that are not as `isGood`
-// wants.
-template <typename Question>
-std::string RefuseWhereNot(const Question& isGood, const std::vector<Id>& points,
-  const double* coordinates, const char* what, const char* advice)
-{
-  std::vector<std::string> first;
-  std::int64_t count = 0;
-  for (const Id point : points)
-  {
-    const double* place = coordinates + 3 * static_cast<std::size_t>(point);
-    if (!isGood(place) && ++count <= static_cast<std::int64_t>(ShownIds))
-    {
-      first.push_back(
-        "point " + std::to_string(point) + " at " + PlaceText({ place[0], place[1], place[2] }));
-    }
-  }
-  return count == 0 ? ""
-                    : std::string(what) + " (" + std::to_string(count) +
-      "): " + ListText(first, count) + ". " + advice;
-}
-
 bool AreNotTooLarge(const double* place)
 {
   return std::all_of(
@@ -145,6 +124,27 @@ std::string RefuseCoordinates(const std::vector<Id>& points, const double* coord
                               "Coordinates that are too large to compute with", "Scale the input.");
 }
 
+// The ends of all sides, as points.
+std::vector<Id> SidesOf(const PlanarFaces& faces)
+{
+  std::vector<Id> ends;
+  ends.reserve(2 * faces.Corners.size());
+  const auto add = [&faces, &ends](Id corner)
+  {
+    const Id vertex = faces.Corners[static_cast<std::size_t>(corner)];
+    ends.push_back(static_cast<Id>(faces.PointIds[static_cast<std::size_t>(vertex)]));
+  };
+  for (std::size_t face = 0; face < faces.CellIds.size(); ++face)
+  {
+    for (Id k = faces.Offsets[face]; k < faces.Offsets[face + 1]; ++k)
+    {
+      add(k);
+      add(k + 1 < faces.Offsets[face + 1] ? k + 1 : faces.Offsets[face]);
+    }
+  }
+  return ends;
+}
+
 std::string MapToPlane(
   const std::vector<Id>& points, vtkDataSet* data, PlanarFaces& faces, Pulse& pulse)
 {
@@ -157,8 +157,15 @@ std::string MapToPlane(
   }
   const double rounding =
     RoundingOfCoordinates(TypeOfCoordinates(data), coordinates, points, pulse).Most;
-  faces.Rounding = rounding;
-  faces.Frame = PlaneFrame::FitTo(coordinates, points, rounding, pulse);
+  faces.Rounding = faces.IsOnGlobe ? MetresPerDegree * rounding : rounding;
+  faces.Frame =
+    faces.IsOnGlobe ? PlaneFrame() : PlaneFrame::FitTo(coordinates, points, rounding, pulse);
+  const std::string beyond =
+    faces.IsOnGlobe ? FitGlobe(coordinates, points, SidesOf(faces), faces.Frame) : "";
+  if (!beyond.empty())
+  {
+    return beyond;
+  }
   Box2 box;
   for (const Id point : points)
   {

@@ -40,9 +40,10 @@ struct PlanarFaces
   std::vector<Id> Offsets{ 0 };    ///< face c has Corners[Offsets[c] .. Offsets[c + 1])
   std::vector<Id> Corners;         ///< vertices
   double Rounding = 0.0;           ///< of the coordinates (CoordinateRounding.h)
+  bool IsOnGlobe = false;          ///< x and y are degrees (Globe.h); set before it is read
 };
 
-/// Reads the faces of `data` and fits their plane. Cells of less than two dimensions, hidden
+/// Reads the faces of `data` and fits their plane, on the globe that of FitGlobe. Cells of less than two dimensions, hidden
 /// and ghost cells, and cells with a hidden point, are left out. Reads without changing anything of
 /// `data`.
 /// Returns a refusal: of the first cell that is no such face, or refers to a point that does not

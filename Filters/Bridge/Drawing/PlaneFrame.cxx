@@ -4,6 +4,7 @@
 #include "PlaneFrame.h"
 
 #include "../../Kernel/Base/SortInSteps.h"
+#include "Globe.h"
 
 #include <algorithm>  // for min, max, unique
 #include <cmath>      // for abs, isfinite, sqrt
@@ -246,8 +247,42 @@ PlaneFrame PlaneFrame::WithNormal(const Point3& origin, const Point3& normal)
   return frame;
 }
 
+PlaneFrame PlaneFrame::OnGlobe(const Point3& middle, double longitude, double level)
+{
+  constexpr double NearPole = 1e-9; // where the direction of east is one of rounding
+  const bool isPole = std::hypot(middle.X, middle.Y) < NearPole;
+  PlaneFrame frame;
+  frame.IsAligned = false;
+  frame.SquaredDiameter = 4.0 * EarthRadius * EarthRadius;
+  frame.Longitude = longitude;
+  frame.Level = level;
+  frame.Normal = middle;
+  frame.First = isPole ? Point3{ 0.0, 1.0, 0.0 } : Unit(Point3{ -middle.Y, middle.X, 0.0 });
+  frame.Second = Cross(frame.Normal, frame.First);
+  return frame;
+}
+
+double PlaneFrame::LevelOf(const double* place) const
+{
+  return Dot(DirectionOf(place), this->Normal);
+}
+
+double PlaneFrame::TurnedLongitude(double longitude) const
+{
+  const double turns = std::round((longitude - this->Longitude) / 360.0);
+  return std::abs(longitude - this->Longitude) <= 180.0 ? longitude : longitude - 360.0 * turns;
+}
+
+// With d the unit vector of a place, m that of the middle: p = 2 R (d - (d.m) m) / (1 + d.m). So
+// |p| = 2 R tan(c / 2) at the angle c from the middle, and k = 2 / (1 + cos c) = 1 + |p|^2 / 4 R^2.
 Point2 PlaneFrame::ToPlane(const double* place) const
 {
+  if (this->IsOnGlobe())
+  {
+    const Point3 direction = DirectionOf(place);
+    const double factor = std::sqrt(this->SquaredDiameter) / (1.0 + Dot(direction, this->Normal));
+    return { factor * Dot(direction, this->First), factor * Dot(direction, this->Second) };
+  }
   if (this->IsAligned)
   {
     return { place[this->Axes[0]], place[this->Axes[1]] };
@@ -268,6 +303,14 @@ bool PlaneFrame::TakeVector(const Point3& vector, Point2& inPlane) const
 
 Point3 PlaneFrame::ToSpace(const Point2& p) const
 {
+  if (this->IsOnGlobe())
+  {
+    const double along = 2.0 / this->StretchAt(p); // 1 + cos c
+    const double across = along / std::sqrt(this->SquaredDiameter);
+    const Point3 degrees = DegreesOf(
+      (along - 1.0) * this->Normal + (across * p.X * this->First + across * p.Y * this->Second));
+    return { this->TurnedLongitude(degrees.X), degrees.Y, this->Level };
+  }
   if (this->IsAligned)
   {
     Point3 place{};
@@ -281,7 +324,7 @@ Point3 PlaneFrame::ToSpace(const Point2& p) const
 
 double PlaneFrame::Distance(const double* place) const
 {
-  if (this->IsAligned)
+  if (this->IsAligned || this->IsOnGlobe())
   {
     return place[this->Axes[2]] - this->Level;
   }

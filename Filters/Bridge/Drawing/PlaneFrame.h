@@ -21,6 +21,10 @@ namespace biting
 /// triangle of the points, then by least squares; its origin is the centre of the points' box, and
 /// its first axis is the projection of a coordinate axis. The axes and the normal are right-handed;
 /// the normal's largest component is positive.
+///
+/// Or the stereographic plane of the globe (Globe.h): x and y are longitude and latitude in degrees
+/// then, z is `level`, and lengths of the plane are metres at its middle, StretchAt times those of
+/// the globe elsewhere.
 class PlaneFrame
 {
 public:
@@ -30,6 +34,24 @@ public:
   /// equal, get one of the planes that hold them. On abort the plane has no meaning.
   static PlaneFrame FitTo(
     const double* coordinates, const std::vector<Id>& points, double rounding, Pulse& pulse);
+
+  /// The stereographic plane about `middle`, a unit vector. Longitudes that are mapped back lie
+  /// within 180 degrees of `longitude`.
+  static PlaneFrame OnGlobe(const Point3& middle, double longitude, double level);
+
+  /// Degrees as a plane of their own, at the level of this frame.
+  PlaneFrame OfDegrees() const { return Aligned(2, this->Level); }
+
+  bool IsOnGlobe() const { return this->SquaredDiameter > 0.0; }
+  double StretchAt(const Point2& p) const { return 1.0 + this->Curvature() * Dot(p, p); }
+  double Curvature() const { return this->IsOnGlobe() ? 1.0 / this->SquaredDiameter : 0.0; }
+
+  /// On the globe, the cosine of the angle between a place and the middle.
+  double LevelOf(const double* place) const;
+
+  /// The longitude by whole turns near that of the frame; as it is where it is no farther than 180
+  /// degrees from it.
+  double TurnedLongitude(double longitude) const;
 
   Point2 ToPlane(const double* place) const;
   Point3 ToSpace(const Point2& p) const;
@@ -53,6 +75,8 @@ private:
   bool IsAligned = true;
   std::array<int, 3> Axes{ 0, 1, 2 };
   double Level = 0.0;
+  double SquaredDiameter = 0.0; ///< of the globe; 0: a plane
+  double Longitude = 0.0;       ///< about which longitudes are mapped back
 
   Point3 Origin{ 0.0, 0.0, 0.0 };
   Point3 First{ 1.0, 0.0, 0.0 };

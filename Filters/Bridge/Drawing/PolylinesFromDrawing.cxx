@@ -10,6 +10,7 @@
 #include "../Data/Cells.h"
 #include "CellTags.h"
 #include "CoordinateRounding.h"
+#include "Globe.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -293,6 +294,35 @@ void MapToPlane(PlanarInput& input, Pulse& pulse)
     });
 }
 
+// The ends of all lines.
+std::vector<Id> LinesOf(const Polylines& chains)
+{
+  std::vector<Id> ends;
+  ends.reserve(2 * chains.Connectivity.size());
+  for (std::size_t chain = 0; chain < chains.Kinds.size(); ++chain)
+  {
+    const bool arePoints = chains.Kinds[chain] == ChainKind::EmbeddedPoint;
+    for (Id k = chains.Offsets[chain] + 1; k < chains.Offsets[chain + 1] && !arePoints; ++k)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      ends.insert(ends.end(), { chains.Connectivity[at - 1], chains.Connectivity[at] });
+    }
+  }
+  return ends;
+}
+
+// The largest stretch of the points counts for all.
+double RoundingOnGlobe(const CoordinateRounding& rounding, const PlanarInput& input)
+{
+  double stretch = 1.0;
+  for (const Id point : input.UsedPoints)
+  {
+    const Point2& place = input.Chains.Points[static_cast<std::size_t>(point)];
+    stretch = std::max(stretch, input.Frame.StretchAt(place));
+  }
+  return stretch * MetresPerDegree * std::max(rounding.Axes[0], rounding.Axes[1]);
+}
+
 // Along the axes of the plane; in a slanted plane they mix those of space.
 Point2 InPlane(const CoordinateRounding& rounding, const PlaneFrame& frame)
 {
@@ -373,12 +403,37 @@ std::string PolylinesFromDrawing(const Drawing& drawing, const std::string& regi
   const double* places = result.Coordinates->GetPointer(0);
   const CoordinateRounding rounding =
     RoundingOfCoordinates(drawing.CoordinateType(), places, result.UsedPoints, pulse);
-  result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, rounding.Most, pulse);
-  result.Chains.Rounding = InPlane(rounding, result.Frame);
+  if (result.IsOnGlobe)
+  {
+    const std::string beyond =
+      FitGlobe(places, result.UsedPoints, LinesOf(result.Chains), result.Frame);
+    if (!beyond.empty())
+    {
+      return beyond;
+    }
+  }
+  else
+  {
+    result.Frame = PlaneFrame::FitTo(places, result.UsedPoints, rounding.Most, pulse);
+    result.Chains.Rounding = InPlane(rounding, result.Frame);
+  }
   MapToPlane(result, pulse);
   const double diagonal = Diagonal(result, pulse);
   result.Chains.SeamNoise = SeamInUlp * std::numeric_limits<double>::epsilon() * diagonal;
   RefuseNotPlanar(result, std::max(PlanarTolerance * diagonal, rounding.Most), problems, pulse);
+  if (result.IsOnGlobe)
+  {
+    const double noise = RoundingOnGlobe(rounding, result);
+    result.Chains.Rounding = { noise, noise };
+  }
+  if (result.IsOnGlobe && !problems.HasErrors())
+  {
+    // A copy, to which points are added: the coordinates may be those of the drawing.
+    const auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+    copy->DeepCopy(result.Coordinates);
+    result.Coordinates = copy;
+    DivideLines(nullptr, result, monitor);
+  }
   return {};
 }
 

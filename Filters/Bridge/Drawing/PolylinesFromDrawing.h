@@ -25,11 +25,22 @@ namespace biting
 /// Chains and points keep the ids of the input; points that no cell uses lie at the plane's origin.
 struct PlanarInput
 {
+  /// A point that divides the line between two points of lower ids (Globe.h).
+  struct Division
+  {
+    Id Start;
+    Id End;
+    double Share;
+  };
+
   Polylines Chains;
   PlaneFrame Frame;
   vtkSmartPointer<vtkDoubleArray> Coordinates; ///< of the input, in space
   std::vector<std::uint8_t> IsUsed;            ///< one a point
   std::vector<Id> UsedPoints;                  ///< ascending
+  bool IsOnGlobe = false;                      ///< x and y are degrees; set before it is read
+  bool MayDivide = true;                       ///< lines on the globe; set before
+  std::vector<Division> Divisions;             ///< the last points of Chains
 
   const double* Place(Id point) const { return this->Coordinates->GetPointer(3 * point); }
 };
@@ -45,7 +56,8 @@ constexpr double PlanarTolerance = 1e-6;
 /// triangle; each point of a vertex cell is an embedded point. A numeric cell array `Kind` of the
 /// block replaces the kind of lines, and makes interfaces (1) or embedded points (2) of faces. Left
 /// out are hidden and duplicated cells, cells with a hidden point, faces of less than three points,
-/// and empty cells. Faces are of one region where the cell array `regionArray` is equal, all of one
+/// and empty cells. On the globe the plane is that of FitGlobe, whose refusals count, and lines are
+/// divided (DivideLines). Faces are of one region where the cell array `regionArray` is equal, all of one
 /// where it is empty or "None".
 ///
 /// Returns a refusal, empty where the drawing can be read: of a cell with a volume or of an unknown

@@ -217,6 +217,7 @@ std::string RemeshInputFromDataSet(vtkDataSet* mesh, vtkDataSet* lines, const Re
   PlanarMesh& result, Monitor& monitor)
 {
   PlanarFaces faces;
+  faces.IsOnGlobe = result.Planar.IsOnGlobe;
   std::string refusal = FacesFromDataSet(mesh, FaceRule::Triangles, faces, monitor);
   if (!refusal.empty() || faces.CellIds.empty())
   {

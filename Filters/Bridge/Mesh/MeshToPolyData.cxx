@@ -202,7 +202,8 @@ vtkSmartPointer<vtkPoints> PointsInSpace(
       const Id original = mesh.OriginalPoints[vertex];
       if (original != NoId)
       {
-        std::copy_n(input.Place(original), 3, places + 3 * vertex);
+        double* place = std::copy_n(input.Place(original), 3, places + 3 * vertex) - 3;
+        place[0] = input.Frame.IsOnGlobe() ? input.Frame.TurnedLongitude(place[0]) : place[0];
       }
       else
       {

@@ -448,6 +448,26 @@ Point3 PlaceInSpace(const Problem& problem, const PlanarInput& input)
   return input.Frame.ToSpace(InPlane(problem.Place));
 }
 
+std::string RefuseWhereNot(const std::function<bool(const double*)>& isGood,
+  const std::vector<Id>& points, const double* coordinates, const std::string& what,
+  const std::string& advice)
+{
+  std::vector<std::string> first;
+  std::int64_t count = 0;
+  for (const Id point : points)
+  {
+    const double* place = coordinates + 3 * static_cast<std::size_t>(point);
+    if (!isGood(place) && ++count <= static_cast<std::int64_t>(ShownIds))
+    {
+      first.push_back(
+        "point " + std::to_string(point) + " at " + PlaceText({ place[0], place[1], place[2] }));
+    }
+  }
+  return count == 0
+    ? ""
+    : what + " (" + std::to_string(count) + "): " + ListText(first, count) + ". " + advice;
+}
+
 std::string PlaceText(const Point3& place)
 {
   constexpr int Digits = 12;

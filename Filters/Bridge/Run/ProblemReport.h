@@ -11,10 +11,11 @@
 
 #include "vtkType.h" // for vtkIdType
 
-#include <array>   // for counts
-#include <cstdint> // for counts
-#include <string>  // for messages
-#include <vector>  // for places
+#include <array>      // for counts
+#include <cstdint>    // for counts
+#include <functional> // for questions
+#include <string>     // for messages
+#include <vector>     // for places
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
@@ -101,6 +102,12 @@ Point3 PlaceInSpace(const Problem& problem, const PlanarInput& input);
 
 /// "(x, y, z)".
 std::string PlaceText(const Point3& place);
+
+/// "<what> (n): point 3 at (x, y, z), .... <advice>" of the `points` among `coordinates` (three a
+/// point) that are not as `isGood` wants; empty where all are.
+std::string RefuseWhereNot(const std::function<bool(const double*)>& isGood,
+  const std::vector<Id>& points, const double* coordinates, const std::string& what,
+  const std::string& advice);
 
 /// `first` joined by commas; where `count` is larger, "... and 37 more".
 std::string ListText(const std::vector<std::string>& first, std::int64_t count);

@@ -6,6 +6,7 @@
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/Arrays.h"
 #include "../Run/ProblemReport.h"
+#include "GlobeSource.h"
 #include "SourceCells.h"
 #include "SpacingValues.h"
 
@@ -267,6 +268,19 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
   const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
   ProblemPlaces& places, Monitor& monitor)
 {
+  if (frame.IsOnGlobe())
+  {
+    const auto isWantedInDegrees = [&frame, &isWanted](const Point2& degrees)
+    { return isWanted(frame.ToPlane(Point3(degrees).Data())); };
+    const std::string refusal =
+      AddSourceSpacing(chosen, frame.OfDegrees(), isWantedInDegrees, options, places, monitor);
+    Pulse pulse(monitor);
+    SourceOnGlobe(frame, options, pulse);
+    const bool isEmpty = options.Triangulation && options.Triangulation->Triangles.empty();
+    return refusal.empty() && isEmpty && !pulse.HasStopped()
+      ? "The spacing source is on the other side of the globe."
+      : refusal;
+  }
   Pulse pulse(monitor);
   vtkDataSet* source = chosen.Data;
   vtkDataArray* given = chosen.Chosen.Array;

@@ -71,12 +71,14 @@ void WantedSpacing::Combine(const std::vector<double>& values, ProblemList& prob
     }
   }
   const SpacingOptions& options = this->Options;
-  for (const double given : values)
+  for (std::size_t vertex = 0; vertex < values.size(); ++vertex)
   {
+    const double given = values[vertex];
     double value = options.Uniform > 0.0 ? std::min(given, options.Uniform) : given;
     value *= options.Scale;
     value = options.Maximum > 0.0 ? std::min(value, options.Maximum) : value;
-    this->Values.push_back(std::max(value, options.Minimum));
+    this->Values.push_back(
+      StretchAt(this->Mesh.Points[vertex], options.Curvature) * std::max(value, options.Minimum));
   }
 }
 

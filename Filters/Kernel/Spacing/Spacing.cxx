@@ -100,6 +100,8 @@ struct Spacing::Implementation
   double Uniform = Infinity;             ///< infinite: none
   ValueRange Range{ 1.0, std::numeric_limits<double>::min(), GreatestSpacing };
   double GivenLipschitz = 0.0;
+  double Curvature = 0.0;
+  double LargestStretch = 1.0; ///< in the bounds
 
   Implementation() = default;
 
@@ -111,17 +113,26 @@ struct Spacing::Implementation
     this->Range.Most =
       options.Maximum > 0.0 ? std::min(options.Maximum, this->Range.Most) : this->Range.Most;
     this->Uniform = options.Uniform;
+    this->Curvature = options.Curvature;
+    for (const Point2& corner : { bounds.Low, bounds.High, Point2{ bounds.Low.X, bounds.High.Y },
+           Point2{ bounds.High.X, bounds.Low.Y } })
+    {
+      this->LargestStretch = std::max(this->LargestStretch, this->StretchAt(corner));
+    }
     if (this->Uniform == Infinity && !options.Grid && !options.Triangulation && !options.Segments)
     {
-      const double diagonal = bounds.Diagonal();
+      const double diagonal = bounds.Diagonal() / this->LargestStretch;
       this->Uniform = diagonal > 0.0 ? DefaultShareOfDiagonal * diagonal : 1.0;
     }
   }
 
   bool IsUniform() const
   {
-    return this->Sources.empty() && !this->Segments && !this->Limit && !this->Floor;
+    return this->Sources.empty() && !this->Segments && !this->Limit && !this->Floor &&
+      this->Curvature == 0.0;
   }
+
+  double StretchAt(const Point2& x) const { return biting::StretchAt(x, this->Curvature); }
 
   double EvaluateGiven(const Point2& x) const
   {
@@ -130,13 +141,13 @@ struct Spacing::Implementation
     {
       least = std::min(least, (*source)(x));
     }
-    return this->Lowered(this->Range(least), this->Segments, x);
+    return this->Lowered(this->StretchAt(x) * this->Range(least), this->Segments, x);
   }
 
   double EvaluateBeforeFeatures(const Point2& x) const
   {
     const double given = this->EvaluateGiven(x);
-    return std::max((*this->LimitBeforeFeatures)(x, given), this->Range.Least);
+    return std::max((*this->LimitBeforeFeatures)(x, given), this->StretchAt(x) * this->Range.Least);
   }
 
   double EvaluateBeforeFloor(const Point2& x) const
@@ -155,7 +166,8 @@ private:
   template <typename Bound>
   double Lowered(double value, const Bound& bound, const Point2& x) const
   {
-    return bound ? std::max(std::min(value, (*bound)(x)), this->Range.Least) : value;
+    return bound ? std::max(std::min(value, (*bound)(x)), this->StretchAt(x) * this->Range.Least)
+                 : value;
   }
 };
 
@@ -208,12 +220,17 @@ private:
   /// And the edges where it is too steep.
   bool AddSource(std::shared_ptr<const Source> source, Pulse& pulse)
   {
-    const double gradation = this->Options.Gradation;
+    const double gradation = this->Options.Gradation / this->Data.LargestStretch;
     if (!this->Stage.HasStopped())
     {
+      const std::size_t first = this->Low.Points.size();
       this->AddSlope(source->AddLowEdges(
         { gradation > 0.0 ? SteepTolerance * gradation : Infinity, this->Range, this->Bounds },
         this->Low, pulse));
+      for (std::size_t end = first; end < this->Low.Points.size(); ++end)
+      {
+        this->Low.Values[end] *= this->Data.StretchAt(this->Low.Points[end]);
+      }
       this->Data.Sources.push_back(std::move(source));
     }
     return !this->Stage.HasStopped();
@@ -259,7 +276,7 @@ private:
   {
     Pulse pulse(part);
     tree.emplace(MakeCones(source, scale, slope, pulse, MergingTolerance), slope, this->Bounds,
-      this->Range.Most, part);
+      this->Data.LargestStretch * this->Range.Most, part);
   }
 
   bool AddFeatures()
@@ -273,7 +290,8 @@ private:
     return !filing.HasStopped() &&
       AddFeatureSizes(*this->Options.Features,
         { [this](const Point2& x) { return this->Data.EvaluateBeforeFeatures(x); },
-          this->Range(LeastGiven(this->Options)), this->Range.Most, this->Range.Least, slope },
+          this->Range(LeastGiven(this->Options)), this->Data.LargestStretch * this->Range.Most,
+          this->Range.Least, slope },
         this->Low, sampling);
   }
 

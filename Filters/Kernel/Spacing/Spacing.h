@@ -18,6 +18,12 @@
 namespace biting
 {
 
+/// k of SpacingOptions::Curvature: by how much lengths of the plane at x exceed those given.
+inline double StretchAt(const Point2& x, double curvature)
+{
+  return curvature == 0.0 ? 1.0 : 1.0 + curvature * Dot(x, x);
+}
+
 /// A spacing given on a regular or rectilinear grid: bilinear between its nodes, the nearest border
 /// value outside. Values[i + j * XNodes.size()] is at (XNodes[i], YNodes[j]). A node whose value is
 /// NaN is a hole: it takes the value of the nearest node that has one. Without nodes: no source.
@@ -133,6 +139,12 @@ class Spacing;
 /// clamped, capped by the feature size, and of that the largest function below it that is Lipschitz
 /// with the constant Gradation: min over y of f(y) + g |x - y|, distances in the plane, also across
 /// holes.
+///
+/// The plane may be the stereographic one of a sphere of radius R, which touches it at the origin.
+/// Then Curvature is 1 / (4 R^2), what is given is in lengths of the sphere (Segments and Floor are
+/// in lengths of the plane), and f in lengths of the plane: k(x) = 1 + Curvature |x|^2 times as
+/// large. The gradation limits f in the plane; the slope on the sphere differs from that by at most
+/// sqrt(k - 1) f / R.
 struct SpacingOptions
 {
   double Uniform = 0.0; ///< 0: none; where nothing else is given, 2 % of the diagonal of the domain
@@ -150,6 +162,8 @@ struct SpacingOptions
   /// all, to max_i(f_i - g |x - x_i|) with f_i the values along its segments. Its values are meant
   /// as they are, neither scaled nor clamped. With gradation 0, g is the default.
   std::shared_ptr<const SegmentSource> Floor;
+
+  double Curvature = 0.0; ///< 0: the plane is one
 };
 
 /// The spacing f(x), in input length units: the edge length wanted at x. Positive and finite

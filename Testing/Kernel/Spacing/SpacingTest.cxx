@@ -162,6 +162,43 @@ TEST(Spacing, IsScaledThenClamped)
   EXPECT_EQ(MakeGoodSpacing(options)({ 0.3, 0.3 }), 0.1);
 }
 
+// The plane touches a sphere of radius 1 at the origin: lengths at x are 1 + |x|^2 / 4 times as large.
+TEST(Spacing, OnASphereIsWhatIsGivenInLengthsOfTheSphere)
+{
+  SpacingOptions options;
+  options.Uniform = 0.04;
+  options.Curvature = 0.25;
+  const Spacing uniform = MakeGoodSpacing(options);
+  EXPECT_FALSE(uniform.IsUniform());
+  options.Uniform = 0.0;
+  options.Scale = 2.0;
+  options.Minimum = 0.07;
+  options.Triangulation = Share(MakeTriangulation(15, [](const Point2&) { return 0.02; }));
+  const Spacing bounded = MakeGoodSpacing(options);
+  for (const Point2& x : Probes(100))
+  {
+    EXPECT_DOUBLE_EQ(uniform(x), 0.04 * (1.0 + 0.25 * Dot(x, x)));
+    EXPECT_DOUBLE_EQ(bounded(x), 0.07 * (1.0 + 0.25 * Dot(x, x)));
+  }
+}
+
+// A jump from 0.2 to 0.02 on the sphere: f rises from there with the gradation, in the plane.
+TEST(Spacing, OnASphereIsGradedInThePlane)
+{
+  SpacingOptions options;
+  options.Curvature = 0.25;
+  options.Gradation = 0.2;
+  options.Grid = Share(MakeGrid(81, 81, [](const Point2& x) { return x.X < 0.5 ? 0.02 : 0.2; }));
+  const Spacing f = MakeGoodSpacing(options);
+  const auto stretch = [](const Point2& x) { return 1.0 + 0.25 * Dot(x, x); };
+  for (const double y : { 0.1, 0.5, 0.9 })
+  {
+    EXPECT_NEAR(f({ 0.3, y }), 0.02 * stretch({ 0.3, y }), 1e-6);
+    const double jump = 0.4875; // the last node with 0.02
+    EXPECT_NEAR(f({ 0.8, y }), 0.02 * stretch({ jump, y }) + 0.2 * (0.8 - jump), 0.004);
+  }
+}
+
 TEST(Spacing, GrowsWithEachSource)
 {
   const SpacingOptions options = WithEverything();
