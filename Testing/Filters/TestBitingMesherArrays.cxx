@@ -112,6 +112,31 @@ TEST(BitingMesherCellArray, IsTheSizeAnywhereInPolygonsAndGrowsOutside)
     0.06);
 }
 
+// A refinement region: a polygon that is an interface, in a domain.
+TEST(BitingMesherCellArray, IsTheSizeAnywhereInPolygonsThatAreInterfaces)
+{
+  auto input = EmptyInput();
+  for (const auto& places : { Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 3) })
+  {
+    input->GetPolys()->InsertNextCell(4);
+    for (const Place& place : places)
+    {
+      input->GetPolys()->InsertCellPoint(input->GetPoints()->InsertNextPoint(place.data()));
+    }
+  }
+  AddArray<vtkIntArray>(input->GetCellData(), "Kind", { 0, 1 });
+  AddArray<vtkDoubleArray>(input->GetCellData(), "Size", { 0.0, 0.05 });
+  ExpectSpacing(
+    MesherBySize(input),
+    [](const Place& place)
+    {
+      const double x = std::max({ 1.0 - place[0], place[0] - 2.0, 0.0 });
+      const double y = std::max({ 1.0 - place[1], place[1] - 3.0, 0.0 });
+      return std::min(0.25, 0.05 + 0.3 * std::hypot(x, y));
+    },
+    0.06);
+}
+
 TEST(BitingMesherCellArray, OfZerosAsksForNothing)
 {
   const auto mesher = MesherBySize(FourSides({ 0.0, 0.0, 0.0, 0.0 }));

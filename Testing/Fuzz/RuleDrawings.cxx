@@ -88,10 +88,11 @@ std::string CheckParts(const RuleCase& ruleCase, Id outer, const BitingMesh& mes
   return {};
 }
 
-Polylines DrawingOf(const Loops& loops, int way)
+/// As chains of that kind, or of a segment each.
+Polylines DrawingOf(const Loops& loops, bool areSegments, ChainKind kindOfLoops)
 {
   Polylines drawing;
-  const auto addChain = [&drawing](const Loop& chain, ChainKind kind, std::size_t loop)
+  const auto addChain = [&drawing, kindOfLoops](const Loop& chain, std::size_t loop)
   {
     for (const Point2& p : chain)
     {
@@ -99,7 +100,7 @@ Polylines DrawingOf(const Loops& loops, int way)
       drawing.Points.push_back(p);
     }
     drawing.Offsets.push_back(static_cast<Id>(drawing.Connectivity.size()));
-    drawing.Kinds.push_back(kind);
+    drawing.Kinds.push_back(kindOfLoops);
     drawing.Cells.push_back(static_cast<Id>(drawing.Cells.size()));
     drawing.Regions.push_back(static_cast<Id>(loop));
   };
@@ -107,17 +108,28 @@ Polylines DrawingOf(const Loops& loops, int way)
   {
     Loop closed = loops[k];
     closed.push_back(closed.front());
-    if (way != 1)
+    if (!areSegments)
     {
-      addChain(closed, way == 2 ? ChainKind::Face : ChainKind::Automatic, k);
+      addChain(closed, k);
       drawing.Connectivity.back() = drawing.Connectivity[drawing.Offsets[k]];
     }
-    for (std::size_t i = 0; way == 1 && i + 1 < closed.size(); ++i)
+    for (std::size_t i = 0; areSegments && i + 1 < closed.size(); ++i)
     {
-      addChain({ closed[i + i % 2], closed[i + 1 - i % 2] }, ChainKind::Automatic, k);
+      addChain({ closed[i + i % 2], closed[i + 1 - i % 2] }, k);
     }
   }
   return drawing;
+}
+
+/// Then rounding decides which of them is the outer one.
+bool HasTwoLargest(const Loops& loops)
+{
+  const Id largest = LargestOf(loops);
+  Loops others = loops;
+  others.erase(others.begin() + largest);
+  const auto area = [](const Loop& loop) { return AreaBy({ loop }, DomainRule::EvenOdd, 0); };
+  return area(others[static_cast<std::size_t>(LargestOf(others))]) >
+    area(loops[static_cast<std::size_t>(largest)]) - AreaSlack;
 }
 
 } // namespace
@@ -139,11 +151,16 @@ RuleCase MakeRuleCase(FuzzNumbers& numbers)
     }
     made.Loops.push_back(loop);
   }
-  // Segments of loops that meet at a point would be one loop.
-  const int way = numbers.Below(3);
-  made.Case.Input = DrawingOf(made.Loops, isOnGrid && way == 1 ? 0 : way);
-  const int rule = numbers.Below(isOnGrid || way != 1 ? 3 : 2);
-  made.Case.Options.Domain.Rule = static_cast<DomainRule>(isOnGrid || way != 1 ? rule : rule + 1);
+  // Segments of loops that meet at a point would be one loop; those of a loop that crosses itself
+  // may be interfaces by EvenOdd, as closed chains may that nobody says to be boundary.
+  const bool areSegments = !isOnGrid && numbers.OneIn(3);
+  auto rule = static_cast<DomainRule>(areSegments ? numbers.Between(1, 2) : numbers.Below(3));
+  rule = HasTwoLargest(made.Loops) ? DomainRule::Union : rule;
+  const ChainKind ofLines =
+    rule == DomainRule::EvenOdd ? ChainKind::Boundary : ChainKind::Automatic;
+  const bool areFaces = !areSegments && numbers.OneIn(2);
+  made.Case.Input = DrawingOf(made.Loops, areSegments, areFaces ? ChainKind::Face : ofLines);
+  made.Case.Options.Domain.Rule = rule;
   made.Case.Options.Spacing.Uniform = numbers.Power(-4, 0);
   return made;
 }

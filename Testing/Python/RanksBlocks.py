@@ -23,7 +23,7 @@ import RanksScenarios as scenes
 BLOCKS = {'UniformSpacing': 0.3, 'VerticesPerBlock': 400}
 
 # Of the mesh: also where another rank owns a point they are right.
-COPIED = ('Spacing', 'Conformity', 'OriginalPointId', 'RegionId', 'MinimumAngle')
+COPIED = ('Spacing', 'Conformity', 'OriginalPointId', 'Depth', 'RegionId', 'MinimumAngle', 'Tag')
 
 
 def order_of(data):
@@ -125,6 +125,15 @@ if rank == ranks - 1:
         answer['Source.' + name] = result_of(mesher_of(
             scenes.drawing('Dealt'), UniformSpacing=0.0, SpacingSource=source, SpacingScale=0.4,
             SourceSpacingArray=['POINTS', 'Spacing']))
+
+
+def rules(answer):
+    """Polygons over each other: ranks agree on which of them a region has."""
+    for where in ('First', 'Divided'):
+        for rule in ('Union', 'Even-Odd'):
+            answer['Rule %s.%s' % (rule, where)] = result_of(mesher_of(
+                scenes.drawing(where, 'Polygons'), DomainRule=rule, RegionArray='Tag',
+                BoundaryTolerance=0.5))
 
 
 def filters(answer):

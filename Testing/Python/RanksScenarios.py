@@ -102,12 +102,15 @@ def Field(extent, power=1.0):
     image = vtkImageData()
     image.SetExtent(*extent)
     image.SetOrigin(-12, -12, 0)
-    values = vtkDoubleArray()
+    values, depths = vtkDoubleArray(), vtkDoubleArray()
     values.SetName('Spacing')
+    depths.SetName('Depth')  # comes along to the mesh
     for j in range(extent[2], extent[3] + 1):
         for i in range(extent[0], extent[1] + 1):
             values.InsertNextValue(F(i - 12, j - 12) ** power)
+            depths.InsertNextValue(3.0 * i - j)
     image.GetPointData().SetScalars(values)
+    image.GetPointData().AddArray(depths)
     return image
 '''
 
@@ -223,6 +226,15 @@ def drawings(answer):
         blocks = producer(
             "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')
         answer['Composite.' + where] = mesh(blocks)
+
+
+def rules(answer):
+    """Polygons over each other: what they carry is on triangles, beside simplified interfaces, too."""
+    for where in ('First', 'Everywhere', 'Divided'):
+        for rule in ('Union', 'Outer Minus Others'):
+            answer['Rule %s.%s' % (rule, where)] = mesh(
+                drawing(where, 'Polygons'), DomainRule=rule, RegionArray='Tag',
+                BoundaryTolerance=0.3)
 
 
 # Every other rank has other types, and only the one with the last ring has the array Last.

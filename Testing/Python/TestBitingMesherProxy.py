@@ -45,6 +45,7 @@ DEFAULTS = {
     'MaximumNumberOfVertices': 20000000,
     'VerticesPerBlock': 64000,
     'NumberOfThreads': 0,
+    'TransferSourceArrays': 1,
     'GenerateBites': 0,
 }
 

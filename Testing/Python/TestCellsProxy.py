@@ -73,6 +73,20 @@ class TestCellsProxy(unittest.TestCase):
         os.remove(path)
         return reader
 
+    def test_arrays_of_polygons_are_on_the_triangles_of_their_area(self):
+        mesher, mesh = self.mesh(self.gmsh_mesh(), RegionArray='physical', UniformSpacing=0.2)
+        values = mesh.GetCellData().GetArray('physical')
+        for cell in range(mesh.GetNumberOfCells()):
+            places = [mesh.GetPoint(mesh.GetCell(cell).GetPointId(k)) for k in range(3)]
+            x, y = (sum(place[axis] for place in places) / 3 for axis in (0, 1))
+            self.assertEqual(values.GetValue(cell), 1 if x > y else 2)
+        finer = BitingRemesher(Input=mesher, UniformSpacing=0.1)
+        finer.UpdatePipeline()
+        cells = servermanager.Fetch(finer).GetCellData()
+        pairs = {(cells.GetArray('RegionId').GetValue(k), cells.GetArray('physical').GetValue(k))
+                 for k in range(cells.GetArray('physical').GetNumberOfTuples())}
+        self.assertEqual(len(pairs), 2)
+
     def tags(self, mesher, name):
         data = servermanager.Fetch(mesher, idx=1).GetCellData()
         array, kind = data.GetAbstractArray(name), data.GetArray('Kind')

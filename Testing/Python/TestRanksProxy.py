@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SECONDS = 300  # for all scenarios on a number of ranks, which take a minute
 
 # The time goes into starting ranks, and into what they wait for each other: fewer for many ranks.
-PIECES = ['drawings', 'mixed', 'redistributed', 'sources', 'hidden_cells']
+PIECES = ['drawings', 'mixed', 'redistributed', 'sources', 'rules', 'hidden_cells']
 ALL = PIECES + ['redistributed_otherwise', 'contours', 'other_filters', 'separate_blocks',
                 'writers', 'errors', 'aborts', 'upstream']
 SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters'], 4: PIECES}

@@ -6,13 +6,15 @@
 #include "../../Kernel/Base/Box.h"
 #include "../../Kernel/Base/Pulse.h"
 #include "../Data/Arrays.h"
+#include "../Data/Cells.h"
 #include "../Source/SpacingValues.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
-#include <algorithm> // for max, min, sort
+#include <algorithm> // for max, min, sort, upper_bound
 #include <cmath>     // for ceil, isfinite, isnan
 
 namespace biting
@@ -179,7 +181,22 @@ double StepOf(double value, const SpacingOptions& options)
   return 2.0 * Excess * std::max(value * options.Scale, options.Minimum) / std::max(slope, 0.1);
 }
 
-void AddChain(const Polylines& chains, std::size_t chain, double value,
+// Whether the cell has an area, also where its outline is an interface only.
+bool HasArea(const Drawing& drawing, Id cell)
+{
+  const auto after = std::upper_bound(drawing.Blocks.begin(), drawing.Blocks.end(), cell,
+    [](Id wanted, const DrawingBlock& block) { return wanted < block.FirstCell; });
+  const DrawingBlock& block = *(after - 1);
+  const vtkIdType own = cell - block.FirstCell;
+  if (auto* lines = vtkPolyData::SafeDownCast(block.Data)) // whose types are not known as yet
+  {
+    return own >= lines->GetNumberOfVerts() + lines->GetNumberOfLines();
+  }
+  const CellShape shape = ShapeOf(block.Data->GetCellType(own));
+  return shape == CellShape::Face || shape == CellShape::Strip;
+}
+
+void AddChain(const Polylines& chains, std::size_t chain, bool hasArea, double value,
   const SpacingOptions& options, double& fineLines, SegmentSource& source, Pulse& pulse)
 {
   std::vector<Point2> places;
@@ -193,7 +210,7 @@ void AddChain(const Polylines& chains, std::size_t chain, double value,
   {
     AddSegment(places[arePoints ? k : k - 1], places[k], value, source);
   }
-  if (chains.Kinds[chain] == ChainKind::Face)
+  if (hasArea && !arePoints)
   {
     AddHatching(places, value, StepOf(value, options), fineLines, source, pulse);
   }
@@ -220,7 +237,8 @@ std::string AddCellSpacing(const Drawing& drawing, const PlanarInput& input, vtk
     const bool isSpacing = value > 0.0 && std::isfinite(value);
     if (isSpacing)
     {
-      AddChain(chains, chain, value, options, fineLines, *source, pulse);
+      const bool hasArea = HasArea(drawing, chains.Cells[chain]);
+      AddChain(chains, chain, hasArea, value, options, fineLines, *source, pulse);
     }
     else if (value != 0.0 && !std::isnan(value) && ++count <= static_cast<std::int64_t>(ShownIds))
     {

@@ -6,6 +6,7 @@
 #include "../Base/DistanceToSegment.h"
 #include "../Domain/AreaSum.h"
 #include "../Predicates/Predicates.h"
+#include "../Quality/TriangleLinks.h"
 
 #include <algorithm> // for min
 #include <cmath>     // for abs, nextafter
@@ -82,17 +83,22 @@ std::vector<Id> CoveringFaces::FacesOf(const BitingMesh& mesh, Pulse& pulse) con
     return faces;
   }
   constexpr std::size_t CheapSteps = 64; // of a query
+  std::vector<Id> ofPiece; // a piece has none
+  if (mesh.Neighbors.size() != mesh.Corners.size())
+  {
+    ofPiece = LinkTriangles(mesh.Corners, static_cast<Id>(mesh.Points.size())).Neighbors;
+  }
+  const std::vector<Id>& neighbors = ofPiece.empty() ? mesh.Neighbors : ofPiece;
   ForRowsAtOnce(pulse, faces.size(), CheapSteps,
-    [this, &mesh, &faces](std::size_t begin, std::size_t end)
+    [this, &mesh, &faces, &neighbors](std::size_t begin, std::size_t end)
     {
       for (std::size_t triangle = begin; triangle < end; ++triangle)
       {
         const Point2 middle = MiddleOf(mesh, triangle);
         for (std::size_t k = 3 * triangle; k < 3 * triangle + 3 && faces[triangle] == NoId; ++k)
         {
-          const auto neighbor = static_cast<std::size_t>(mesh.Neighbors[k]);
-          const bool isKnown =
-            mesh.Neighbors[k] != NoId && begin <= neighbor && neighbor < triangle;
+          const auto neighbor = static_cast<std::size_t>(neighbors[k]);
+          const bool isKnown = neighbors[k] != NoId && begin <= neighbor && neighbor < triangle;
           if (isKnown && this->IsClear(Box2::Around(middle, MiddleOf(mesh, neighbor))))
           {
             faces[triangle] = faces[neighbor];

@@ -117,7 +117,6 @@ inline double AreaBy(const Loops& loops, DomainRule rule, Id outer)
   return area;
 }
 
-/// The first of equals, but for rounding.
 inline Id LargestOf(const Loops& loops)
 {
   Id largest = 0;
@@ -125,7 +124,7 @@ inline Id LargestOf(const Loops& loops)
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     const double area = AreaBy({ loops[k] }, DomainRule::EvenOdd, 0);
-    largest = area > (1.0 + 1e-12) * most ? static_cast<Id>(k) : largest;
+    largest = area > most ? static_cast<Id>(k) : largest;
     most = std::max(most, area);
   }
   return largest;
