@@ -31,7 +31,9 @@ bool FiguresOracle::IsDelaunay()
   for (const HalfEdge& half : this->Judged.Halves)
   {
     const HalfEdge* twin = this->Judged.FindHalf(half.End, half.Start);
-    const bool isExpected = this->Judged.Options.Phi == 1.0 || this->Judged.IsRelaxed();
+    const bool mayStay = this->Judged.Options.Domain.KeepCellEdges; // triangles as they are
+    const bool isExpected =
+      !mayStay && (this->Judged.Options.Phi == 1.0 || this->Judged.IsRelaxed());
     if (isExpected && twin && half.Start < half.End && !this->Judged.IsCovering(half))
     {
       const std::size_t first = half.Slot / 3 * 3;
