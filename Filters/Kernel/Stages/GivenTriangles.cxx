@@ -214,23 +214,36 @@ void AddSegment(const Domain& from, Id segment, Domain& to)
   to.RightInside.push_back(from.RightInside[segment]);
 }
 
+Domain WithoutSegments(Domain domain)
+{
+  domain.Starts.clear();
+  domain.Ends.clear();
+  domain.Cells.clear();
+  domain.IsBoundary.clear();
+  domain.LeftInside.clear();
+  domain.RightInside.clear();
+  return domain;
+}
+
+double AreaOf(const std::vector<Id>& corners, const std::vector<Point2>& points)
+{
+  double doubled = 0.0;
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+  {
+    const Point2& a = points[corners[k]];
+    doubled += Cross(points[corners[k + 1]] - a, points[corners[k + 2]] - a);
+  }
+  return 0.5 * doubled;
+}
+
 /// In the order of the whole; boundary with the inside on its left.
 Domain TriangleTaker::MakeRest(GivenTriangles& given) const
 {
   const Domain& all = this->Whole;
   Domain rest;
   rest.Resolution = all.Resolution;
-  rest.Area = all.Area;
-  given.Whole = all;
-  for (auto* ids : { &given.Whole.Starts, &given.Whole.Ends, &given.Whole.Cells })
-  {
-    ids->clear();
-  }
-  for (Flags* flags :
-    { &given.Whole.IsBoundary, &given.Whole.LeftInside, &given.Whole.RightInside })
-  {
-    flags->clear();
-  }
+  rest.Area = all.Area - AreaOf(given.Corners, all.Vertices);
+  given.Whole = WithoutSegments(all);
   std::vector<Id> numbers(all.Vertices.size(), NoId);
   const auto keep = [&all, &rest, &given, &numbers](Id vertex)
   {
@@ -275,12 +288,6 @@ Domain TriangleTaker::MakeRest(GivenTriangles& given) const
     {
       keep(vertex);
     }
-  }
-  for (std::size_t k = 0; k < given.Corners.size(); k += 3)
-  {
-    const Point2& a = this->At(given.Corners[k]);
-    rest.Area -=
-      0.5 * Cross(this->At(given.Corners[k + 1]) - a, this->At(given.Corners[k + 2]) - a);
   }
   return rest;
 }
