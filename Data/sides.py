@@ -38,11 +38,12 @@ def main(plugin, folder):
 
 
 def draw_cell():
-    """A grain that crosses the sides, and the cell once more at its period."""
+    """A grain that crosses the sides, a hole beside one, and the cell once more at its period."""
     half = [(0.3 * math.cos(t), 0.45 + 0.3 * math.sin(t)) for t in turns(-0.5, 0.5, 16)]
     other = [(1 + 0.3 * math.cos(t), 0.45 + 0.3 * math.sin(t)) for t in turns(0.5, 1.5, 16)]
     half[0], half[-1], other[0], other[-1] = (0, 0.15), (0, 0.75), (1, 0.75), (1, 0.15)
-    source = drawing([square(), half, other, [(0.9, 0.85), (0.95, 0.88)]])
+    hole = [(0.93 + 0.03 * math.cos(t), 0.88 + 0.03 * math.sin(t)) for t in turns(0, 2, 12)]
+    source = drawing([square(), half, other, hole])
     mesh = BitingMesher(Input=source, UniformSpacing=0.06, PeriodicTranslation=[1, 0, 0])
     copy = Transform(Input=mesh, Transform='Transform')
     copy.Transform.Translate = [1, 0, 0]

@@ -103,6 +103,7 @@
  * input, by BoundaryTolerance), `LeftOutLoops` and `LeftOutArea` (by MinimumLoopSize),
  * `ShareOfDrawing` (share of the vertices that only the drawing asks for, 0 where it is not much
  * finer than the spacing). Field data of the input is passed on.
+ * With PeriodicTranslation there is the point array `PeriodicPartner`, too.
  *
  * @par Output 1, the boundary edges:
  * Lines: the edges of the mesh that cover boundary and interfaces, those of the boundary with the

@@ -317,7 +317,7 @@ void MeshMaker::Finish()
   SimplifiedDomain whole;
   if (!this->Given.IsEmpty())
   {
-    PutBackTriangles(this->Given, this->Simplified.Drawing, this->Bites, this->Triangles);
+    PutBackTriangles(this->Given, this->Bites, this->Triangles);
     whole = this->Simplified;
     whole.Drawing = this->Given.Whole;
     this->Settings.IsDelaunay = false;

@@ -274,7 +274,7 @@ int CountGivenTriangles(vtkPolyData* mesh)
 
 TEST(BitingMesherCells, ThatAreTrianglesStayAsTheyAreAsOneRegion)
 {
-  for (const double spacing : { 0.3, 0.02, 1.0 })
+  for (const double spacing : { 0.3, 0.04, 1.0 })
   {
     CellRun run(TrianglesInARectangle(20));
     run.Mesher->SetKeepCellEdges(true);

@@ -219,11 +219,26 @@ DrawingOracle::Answer DrawingOracle::DividesFaces(
     }
   }
   const bool isKept = isEdge && this->Judged.Options.Domain.KeepCellEdges;
+  if (isKept && this->HasTriangle(faces))
+  {
+    return Answer::Unknown; // triangles that stay are one region, those that cannot are none
+  }
   const bool areTwo = faces.size() == 2;
   const bool differ = areTwo && faces.begin()->second->Region != faces.rbegin()->second->Region;
   return faces.size() % 2 != 0 || isKept || differ ? Answer::Yes
     : !hasSpike && (faces.empty() || areTwo)       ? Answer::No
                                                    : Answer::Unknown;
+}
+
+bool DrawingOracle::HasTriangle(const std::map<Id, const DrawnSegment*>& faces) const
+{
+  const std::vector<DrawnSegment>& segments = this->Judged.Drawn.Segments;
+  return std::any_of(faces.begin(), faces.end(),
+    [&segments](const auto& face)
+    {
+      return std::count_if(segments.begin(), segments.end(),
+               [&face](const DrawnSegment& segment) { return segment.Face == face.first; }) == 3;
+    });
 }
 
 /// Where faces are thinner than rounding, or have corners, it is not known which edges are one.

@@ -6,6 +6,8 @@
 
 #include "JudgedMesh.h"
 
+#include <map> // for faces
+
 namespace biting
 {
 
@@ -39,6 +41,7 @@ private:
   bool CoversSegment(const DrawnSegment& segment);
   bool CoversGap(const DrawnSegment& segment, double from, double to);
   Answer DividesFaces(const Point2& p, const Point2& q, double slack) const;
+  bool HasTriangle(const std::map<Id, const DrawnSegment*>& faces) const;
   bool SurelyDividesFaces(const Point2& p, const Point2& q) const;
   bool MayDivideFaces(const Point2& p, const Point2& q) const;
   bool AllSay(Answer answer, const Point2& p, const Point2& q) const;

@@ -31,7 +31,9 @@ bool FiguresOracle::IsDelaunay()
   for (const HalfEdge& half : this->Judged.Halves)
   {
     const HalfEdge* twin = this->Judged.FindHalf(half.End, half.Start);
-    const bool isExpected = this->Judged.Options.Phi == 1.0 || this->Judged.IsRelaxed();
+    const bool mayStay = this->Judged.Options.Domain.KeepCellEdges; // triangles as they are
+    const bool isExpected =
+      !mayStay && (this->Judged.Options.Phi == 1.0 || this->Judged.IsRelaxed());
     if (isExpected && twin && half.Start < half.End && !this->Judged.IsCovering(half))
     {
       const std::size_t first = half.Slot / 3 * 3;
@@ -138,11 +140,13 @@ bool FiguresOracle::HasBites()
     this->Judged.Require(most >= 0 || this->Judged.Mesh.Front.empty(), "no front is left");
 }
 
-/// A relaxed mesh has vertices without a bite, and others are not where they were bitten.
+/// A relaxed mesh has vertices without a bite, and others are not where they were bitten. So have
+/// triangles that stay.
 bool FiguresOracle::HasBiteOrders()
 {
   const std::int64_t most = this->Judged.Options.MaximumNumberOfBites;
-  const Id least = most < 0 && !this->Judged.IsRelaxed() ? 0 : NoId;
+  const bool mayStay = this->Judged.Options.Domain.KeepCellEdges;
+  const Id least = most < 0 && !mayStay && !this->Judged.IsRelaxed() ? 0 : NoId;
   std::vector<Id> orders;
   for (std::size_t vertex = 0; vertex < this->Judged.Mesh.Points.size(); ++vertex)
   {

@@ -73,7 +73,7 @@ enum class ProblemCode
                       ///< cell)
   SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
   // Refused.
-  UnmatchedSides, ///< a side that a periodic translation maps in part, or beside another (ids: cell)
+  UnmatchedSides, ///< sides that a translation maps in part, or beside others (ids: cell)
   Aborted         ///< the monitor asked to stop; not an error
 };
 

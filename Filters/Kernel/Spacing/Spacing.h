@@ -95,8 +95,8 @@ struct SegmentSource
 ///   so that one layer of triangles fits into a channel; with n = CellsAcross above 1, the distance
 ///   to segments that face it times g / (2 exp(g n / 2) - 2), if that is less, as f grows with g
 ///   from both sides. Segments face each other where their lines are within 45 degrees, the way
-///   from one to the other is within 45 degrees of its normal, and the domain lies between. The cap is no
-///   less than a quarter of what is given there, so that slits and thin walls do not become a
+///   from one to the other is within 45 degrees of its normal, and the domain lies between. The cap
+///   is no less than a quarter of what is given there, so that slits and thin walls do not become a
 ///   multitude of triangles, or than the lengths in Drawn make f, if that is less: as fine
 ///   triangles were there without the simplification;
 /// - 1.4 times its length, so that a short segment is an edge of a length that suits f, for about

@@ -4,17 +4,17 @@
 #include "GivenTriangles.h"
 
 #include "../Base/BoxTree.h"
+#include "../Base/Directory.h"
 #include "../Base/DisjointSets.h"
 #include "../Base/Pulse.h"
-#include "../Domain/SegmentWalk.h"
 #include "../Predicates/Predicates.h"
 #include "../Quality/TriangleLinks.h"
 #include "PreservedSpacing.h"
 
-#include <algorithm> // for lower_bound, minmax, sort, swap
+#include <algorithm> // for max, sort, swap
 #include <array>     // for corners
 #include <cstdint>   // for flags
-#include <utility>   // for move, pair
+#include <utility>   // for move
 
 namespace biting
 {
@@ -22,46 +22,22 @@ namespace biting
 namespace
 {
 
-using Ends = std::pair<Id, Id>;
+using Flags = std::vector<std::uint8_t>;
 
 constexpr double DefaultShareOfDiagonal = 0.02; // as where nothing is given
 
-/// Numbers by key; NoId where there is none.
-template <typename Key>
-class Directory
+/// The place before which the edge from corner k of a triangle ends.
+std::size_t NextCorner(std::size_t k)
 {
-public:
-  void Add(const Key& key, Id number) { this->Entries.emplace_back(key, number); }
-  void Sort() { std::sort(this->Entries.begin(), this->Entries.end()); }
-
-  Id operator[](const Key& key) const
-  {
-    const auto found =
-      std::lower_bound(this->Entries.begin(), this->Entries.end(), std::make_pair(key, Id(0)));
-    return found != this->Entries.end() && found->first == key ? found->second : NoId;
-  }
-
-private:
-  std::vector<std::pair<Key, Id>> Entries;
-};
-
-Directory<Point2> PlacesOf(const Domain& domain)
-{
-  Directory<Point2> places;
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-  {
-    places.Add(domain.Vertices[vertex], vertex);
-  }
-  places.Sort();
-  return places;
+  return k % 3 == 2 ? k - 2 : k + 1;
 }
 
-Directory<Ends> SegmentsOf(const Domain& domain)
+Directory<UndirectedEnds> SegmentsOf(const Domain& domain)
 {
-  Directory<Ends> segments;
+  Directory<UndirectedEnds> segments;
   for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
   {
-    segments.Add(std::minmax({ domain.Starts[segment], domain.Ends[segment] }), segment);
+    segments.Add(EndsOf(domain.Starts[segment], domain.Ends[segment]), segment);
   }
   segments.Sort();
   return segments;
@@ -69,7 +45,6 @@ Directory<Ends> SegmentsOf(const Domain& domain)
 
 struct VertexItem
 {
-  Id Vertex;
   Point2 Place;
 
   Box2 Box() const { return Box2::Around(this->Place, this->Place); }
@@ -82,50 +57,58 @@ class TriangleTaker
 public:
   TriangleTaker(const Polylines& input, const Domain& domain, Pulse& pulse);
 
+  /// All but what is told of the rest.
   GivenTriangles Take();
 
-  /// What is left.
-  Domain Rest() const;
+  /// What is left, which `given` is told.
+  Domain MakeRest(GivenTriangles& given) const;
 
 private:
   using Triangle = std::array<Id, 3>;
 
+  /// A side of a segment.
+  struct Side
+  {
+    std::uint8_t IsFree = 0; ///< inside, and not taken
+    Id Region = NoId;        ///< of the triangle that was taken
+  };
+
   bool FindTriangle(Id chain, Triangle& corners) const;
-  bool IsFree(const Triangle& corners) const;
+  bool FindSides(const Triangle& corners, std::array<Side*, 3>& sides);
   bool IsHollow(const Triangle& corners) const;
-  std::vector<std::uint8_t>& SideOf(Id start, Id end, Id& segment);
   bool IsDropped(Id segment) const;
+  const Point2& At(Id vertex) const { return this->Whole.Vertices[vertex]; }
 
   const Polylines& Input;
   const Domain& Whole;
   Pulse& Beats;
   Directory<Point2> Places;
-  Directory<Ends> Segments;
+  Directory<UndirectedEnds> Segments;
   BoxTree<VertexItem> Vertices;
-  std::vector<std::uint8_t> IsFaceCell; // of input cells
-  std::vector<std::uint8_t> LeftFree;   // what of the sides of segments is inside, and left
-  std::vector<std::uint8_t> RightFree;
-  std::vector<Id> LeftRegions; // of the triangles taken there
-  std::vector<Id> RightRegions;
+  Flags IsFaceCell; ///< of input cells
+  std::vector<Side> Lefts;
+  std::vector<Side> Rights;
 };
 
 TriangleTaker::TriangleTaker(const Polylines& input, const Domain& domain, Pulse& pulse)
   : Input(input)
   , Whole(domain)
   , Beats(pulse)
-  , Places(PlacesOf(domain))
   , Segments(SegmentsOf(domain))
-  , LeftFree(domain.LeftInside)
-  , RightFree(domain.RightInside)
-  , LeftRegions(domain.Starts.size(), NoId)
-  , RightRegions(domain.Starts.size(), NoId)
 {
   std::vector<VertexItem> items;
   for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
   {
-    items.push_back({ vertex, domain.Vertices[vertex] });
+    this->Places.Add(this->At(vertex), vertex);
+    items.push_back({ this->At(vertex) });
   }
+  this->Places.Sort();
   this->Vertices = BoxTree<VertexItem>(items, pulse);
+  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+  {
+    this->Lefts.push_back({ domain.LeftInside[segment], NoId });
+    this->Rights.push_back({ domain.RightInside[segment], NoId });
+  }
   for (std::size_t chain = 0; chain < input.Kinds.size(); ++chain)
   {
     const auto cell = static_cast<std::size_t>(input.Cells[chain]);
@@ -134,7 +117,7 @@ TriangleTaker::TriangleTaker(const Polylines& input, const Domain& domain, Pulse
   }
 }
 
-/// Counterclockwise; false where the chain is no triangle of the domain's segments.
+/// Counterclockwise; false where the chain is no triangle of vertices of the domain.
 bool TriangleTaker::FindTriangle(Id chain, Triangle& corners) const
 {
   const Id first = this->Input.Offsets[chain];
@@ -144,15 +127,13 @@ bool TriangleTaker::FindTriangle(Id chain, Triangle& corners) const
   }
   for (Id k = 0; k < 3; ++k)
   {
-    const Id point = this->Input.Connectivity[first + k];
-    corners[k] = this->Places[this->Input.Points[point]];
+    corners[k] = this->Places[this->Input.Points[this->Input.Connectivity[first + k]]];
     if (corners[k] == NoId)
     {
       return false;
     }
   }
-  const std::vector<Point2>& points = this->Whole.Vertices;
-  const int turn = Orient2D(points[corners[0]], points[corners[1]], points[corners[2]]);
+  const int turn = Orient2D(this->At(corners[0]), this->At(corners[1]), this->At(corners[2]));
   if (turn < 0)
   {
     std::swap(corners[1], corners[2]);
@@ -160,33 +141,31 @@ bool TriangleTaker::FindTriangle(Id chain, Triangle& corners) const
   return turn != 0;
 }
 
-/// The flags of the side on the left of the way, of a segment that is told; NoId: there is none.
-std::vector<std::uint8_t>& TriangleTaker::SideOf(Id start, Id end, Id& segment)
-{
-  segment = this->Segments[std::minmax({ start, end })];
-  return segment != NoId && this->Whole.Starts[segment] == start ? this->LeftFree : this->RightFree;
-}
-
-bool TriangleTaker::IsFree(const Triangle& corners) const
+/// The sides of segments within the triangle; false where not all are there and free.
+bool TriangleTaker::FindSides(const Triangle& corners, std::array<Side*, 3>& sides)
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Id start = corners[k];
-    const Id segment = this->Segments[std::minmax({ start, corners[(k + 1) % 3] })];
-    if (segment == NoId ||
-      !(this->Whole.Starts[segment] == start ? this->LeftFree : this->RightFree)[segment])
+    const Id segment = this->Segments[EndsOf(corners[k], corners[NextCorner(k)])];
+    if (segment == NoId)
+    {
+      return false;
+    }
+    const bool isForward = this->Whole.Starts[segment] == corners[k];
+    sides[k] = &(isForward ? this->Lefts : this->Rights)[segment];
+    if (!sides[k]->IsFree)
     {
       return false;
     }
   }
-  return this->IsHollow(corners);
+  return true;
 }
 
 bool TriangleTaker::IsHollow(const Triangle& corners) const
 {
-  const Point2& a = this->Whole.Vertices[corners[0]];
-  const Point2& b = this->Whole.Vertices[corners[1]];
-  const Point2& c = this->Whole.Vertices[corners[2]];
+  const Point2& a = this->At(corners[0]);
+  const Point2& b = this->At(corners[1]);
+  const Point2& c = this->At(corners[2]);
   Box2 box = Box2::Around(a, b);
   box.Add(c);
   return this->Vertices.AllOf(box,
@@ -201,49 +180,18 @@ GivenTriangles TriangleTaker::Take()
 {
   GivenTriangles given;
   Triangle corners{};
+  std::array<Side*, 3> sides{};
   for (Id chain = 0; chain < this->Input.NumberOfChains() && this->Beats.Beat(32); ++chain)
   {
-    if (!this->FindTriangle(chain, corners) || !this->IsFree(corners))
+    if (this->FindTriangle(chain, corners) && this->FindSides(corners, sides) &&
+      this->IsHollow(corners))
     {
-      continue;
+      for (Side* side : sides)
+      {
+        *side = { 0, this->Input.Regions.empty() ? 0 : this->Input.Regions[chain] };
+      }
+      given.Corners.insert(given.Corners.end(), corners.begin(), corners.end());
     }
-    const Id region = this->Input.Regions.empty() ? 0 : this->Input.Regions[chain];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      Id segment = NoId;
-      std::vector<std::uint8_t>& side = this->SideOf(corners[k], corners[(k + 1) % 3], segment);
-      side[segment] = 0;
-      (&side == &this->LeftFree ? this->LeftRegions : this->RightRegions)[segment] = region;
-    }
-    given.Corners.insert(given.Corners.end(), corners.begin(), corners.end());
-  }
-  if (given.IsEmpty())
-  {
-    return given;
-  }
-  given.Whole = this->Whole;
-  Domain& whole = given.Whole;
-  Id kept = 0;
-  for (Id segment = 0; segment < this->Whole.NumberOfSegments(); ++segment)
-  {
-    if (!this->IsDropped(segment))
-    {
-      whole.Starts[kept] = whole.Starts[segment];
-      whole.Ends[kept] = whole.Ends[segment];
-      whole.Cells[kept] = whole.Cells[segment];
-      whole.IsBoundary[kept] = whole.IsBoundary[segment];
-      whole.LeftInside[kept] = whole.LeftInside[segment];
-      whole.RightInside[kept] = whole.RightInside[segment];
-      ++kept;
-    }
-  }
-  for (auto* values : { &whole.Starts, &whole.Ends, &whole.Cells })
-  {
-    values->resize(static_cast<std::size_t>(kept));
-  }
-  for (auto* values : { &whole.IsBoundary, &whole.LeftInside, &whole.RightInside })
-  {
-    values->resize(static_cast<std::size_t>(kept));
   }
   return given;
 }
@@ -251,173 +199,111 @@ GivenTriangles TriangleTaker::Take()
 /// Whether it is an edge between two triangles that stay, and nothing else.
 bool TriangleTaker::IsDropped(Id segment) const
 {
-  return this->LeftRegions[segment] != NoId &&
-    this->LeftRegions[segment] == this->RightRegions[segment] &&
+  return this->Lefts[segment].Region != NoId &&
+    this->Lefts[segment].Region == this->Rights[segment].Region &&
     this->IsFaceCell[this->Whole.Cells[segment]];
 }
 
-Domain TriangleTaker::Rest() const
+void AddSegment(const Domain& from, Id segment, Domain& to)
 {
-  const Domain& whole = this->Whole;
+  to.Starts.push_back(from.Starts[segment]);
+  to.Ends.push_back(from.Ends[segment]);
+  to.Cells.push_back(from.Cells[segment]);
+  to.IsBoundary.push_back(from.IsBoundary[segment]);
+  to.LeftInside.push_back(from.LeftInside[segment]);
+  to.RightInside.push_back(from.RightInside[segment]);
+}
+
+Domain WithoutSegments(Domain domain)
+{
+  domain.Starts.clear();
+  domain.Ends.clear();
+  domain.Cells.clear();
+  domain.IsBoundary.clear();
+  domain.LeftInside.clear();
+  domain.RightInside.clear();
+  return domain;
+}
+
+double AreaOf(const std::vector<Id>& corners, const std::vector<Point2>& points)
+{
+  double doubled = 0.0;
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+  {
+    const Point2& a = points[corners[k]];
+    doubled += Cross(points[corners[k + 1]] - a, points[corners[k + 2]] - a);
+  }
+  return 0.5 * doubled;
+}
+
+/// In the order of the whole; boundary with the inside on its left.
+Domain TriangleTaker::MakeRest(GivenTriangles& given) const
+{
+  const Domain& all = this->Whole;
   Domain rest;
-  rest.Resolution = whole.Resolution;
-  std::vector<Id> numbers(whole.Vertices.size(), NoId);
-  const auto numberOf = [&whole, &rest, &numbers](Id vertex)
+  rest.Resolution = all.Resolution;
+  rest.Area = all.Area - AreaOf(given.Corners, all.Vertices);
+  given.Whole = WithoutSegments(all);
+  std::vector<Id> numbers(all.Vertices.size(), NoId);
+  const auto keep = [&all, &rest, &given, &numbers](Id vertex)
   {
     if (numbers[vertex] == NoId)
     {
       numbers[vertex] = rest.NumberOfVertices();
-      rest.Vertices.push_back(whole.Vertices[vertex]);
-      rest.VertexPoints.push_back(whole.VertexPoints[vertex]);
-      rest.IsEmbedded.push_back(whole.IsEmbedded[vertex]);
-      rest.HasPoint.push_back(whole.HasPoint[vertex]);
-      rest.Bounds.Add(whole.Vertices[vertex]);
+      rest.Vertices.push_back(all.Vertices[vertex]);
+      rest.VertexPoints.push_back(all.VertexPoints[vertex]);
+      rest.IsEmbedded.push_back(all.IsEmbedded[vertex]);
+      rest.HasPoint.push_back(all.HasPoint[vertex]);
+      rest.Bounds.Add(all.Vertices[vertex]);
+      given.Vertices.push_back(vertex);
     }
     return numbers[vertex];
   };
-  for (Id segment = 0; segment < whole.NumberOfSegments(); ++segment)
+  for (Id segment = 0; segment < all.NumberOfSegments(); ++segment)
   {
-    const bool isLeft = this->LeftFree[segment] != 0;
-    const bool isRight = this->RightFree[segment] != 0;
-    if (!isLeft && !isRight)
+    const std::uint8_t isLeft = this->Lefts[segment].IsFree;
+    const std::uint8_t isRight = this->Rights[segment].IsFree;
+    if (isLeft || isRight)
     {
-      continue;
+      const Id start = keep(all.Starts[segment]);
+      const Id end = keep(all.Ends[segment]);
+      AddSegment(all, segment, rest);
+      rest.Starts.back() = isLeft ? start : end;
+      rest.Ends.back() = isLeft ? end : start;
+      rest.IsBoundary.back() = isLeft != isRight;
+      rest.LeftInside.back() = 1;
+      rest.RightInside.back() = isLeft && isRight;
+      rest.IsPreserved.push_back(
+        this->Lefts[segment].Region != NoId || this->Rights[segment].Region != NoId);
+      given.Segments.push_back(given.Whole.NumberOfSegments());
     }
-    const Id start = numberOf(whole.Starts[segment]);
-    const Id end = numberOf(whole.Ends[segment]);
-    rest.Starts.push_back(isLeft ? start : end);
-    rest.Ends.push_back(isLeft ? end : start);
-    rest.Cells.push_back(whole.Cells[segment]);
-    rest.IsBoundary.push_back(isLeft != isRight);
-    rest.LeftInside.push_back(1);
-    rest.RightInside.push_back(isLeft && isRight);
-  }
-  for (Id vertex = 0; vertex < whole.NumberOfVertices(); ++vertex)
-  {
-    if (whole.IsEmbedded[vertex])
+    if (!this->IsDropped(segment))
     {
-      numberOf(vertex);
+      AddSegment(all, segment, given.Whole);
+    }
+  }
+  for (Id vertex = 0; vertex < all.NumberOfVertices(); ++vertex)
+  {
+    if (all.IsEmbedded[vertex])
+    {
+      keep(vertex);
     }
   }
   return rest;
 }
 
-double AreaOf(const GivenTriangles& given)
+/// Of vertices that only triangles have.
+void TellLengths(const GivenTriangles& given, std::vector<double>& spacings)
 {
-  double doubled = 0.0;
-  for (std::size_t k = 0; k < given.Corners.size(); k += 3)
-  {
-    const Point2& a = given.Whole.Vertices[given.Corners[k]];
-    doubled += Cross(given.Whole.Vertices[given.Corners[k + 1]] - a,
-      given.Whole.Vertices[given.Corners[k + 2]] - a);
-  }
-  return 0.5 * doubled;
-}
-
-/// The segments of the rest at which a triangle was taken.
-std::vector<std::uint8_t> FindRim(const GivenTriangles& given, const Domain& rest)
-{
-  Directory<Ends> edges;
-  for (std::size_t k = 0; k < given.Corners.size(); ++k)
-  {
-    const Id next = given.Corners[k % 3 == 2 ? k - 2 : k + 1];
-    edges.Add(std::minmax({ given.Corners[k], next }), static_cast<Id>(k));
-  }
-  edges.Sort();
-  const Directory<Point2> places = PlacesOf(given.Whole);
-  std::vector<std::uint8_t> isRim;
-  for (Id segment = 0; segment < rest.NumberOfSegments(); ++segment)
-  {
-    const Ends ends = std::minmax(
-      { places[rest.Vertices[rest.Starts[segment]]], places[rest.Vertices[rest.Ends[segment]]] });
-    isRim.push_back(edges[ends] != NoId);
-  }
-  return isRim;
-}
-
-/// Puts the arrays of the rest into those of the whole.
-class Return
-{
-public:
-  Return(const GivenTriangles& given, const Domain& rest)
-    : Given(given)
-    , Rest(rest)
-  {
-    const Directory<Point2> places = PlacesOf(given.Whole);
-    const Directory<Ends> segments = SegmentsOf(given.Whole);
-    for (const Point2& place : rest.Vertices)
-    {
-      this->WholeOf.push_back(places[place]);
-    }
-    for (Id segment = 0; segment < rest.NumberOfSegments(); ++segment)
-    {
-      this->SegmentOf.push_back(segments[std::minmax(
-        { this->WholeOf[rest.Starts[segment]], this->WholeOf[rest.Ends[segment]] })]);
-    }
-  }
-
-  void PutVertices(BitingResult& bites) const;
-  void PutEdges(BitingResult& bites, Directory<Ends>& constraints) const;
-  void PutTriangles(const Directory<Ends>& constraints, Triangulation& mesh) const;
-
-private:
-  void TellLengths(std::vector<double>& spacings) const;
-  Id NumberOf(Id vertex) const
-  {
-    const Id first = this->Rest.NumberOfVertices();
-    return vertex < first ? this->WholeOf[vertex]
-                          : vertex - first + this->Given.Whole.NumberOfVertices();
-  }
-
-  const GivenTriangles& Given;
-  const Domain& Rest;
-  std::vector<Id> WholeOf;   // vertices
-  std::vector<Id> SegmentOf; // the same of segments
-};
-
-void Return::PutVertices(BitingResult& bites) const
-{
-  const Domain& whole = this->Given.Whole;
-  BitingResult all;
-  all.Points = whole.Vertices;
-  all.Spacings.assign(whole.Vertices.size(), 0.0);
-  all.BiteOrders.assign(whole.Vertices.size(), NoId);
-  all.Segments.assign(whole.Vertices.size(), NoId);
-  for (Id vertex = 0; vertex < static_cast<Id>(bites.Points.size()); ++vertex)
-  {
-    const Id number = this->NumberOf(vertex);
-    if (number < whole.NumberOfVertices())
-    {
-      all.Spacings[number] = bites.Spacings[vertex];
-      all.BiteOrders[number] = bites.BiteOrders[vertex];
-      continue;
-    }
-    const Id segment = bites.Segments[vertex];
-    all.Points.push_back(bites.Points[vertex]);
-    all.Spacings.push_back(bites.Spacings[vertex]);
-    all.BiteOrders.push_back(bites.BiteOrders[vertex]);
-    all.Segments.push_back(segment == NoId ? NoId : this->SegmentOf[segment]);
-  }
-  this->TellLengths(all.Spacings);
-  bites.Points.swap(all.Points);
-  bites.Spacings.swap(all.Spacings);
-  bites.BiteOrders.swap(all.BiteOrders);
-  bites.Segments.swap(all.Segments);
-}
-
-/// Of vertices that only triangles have, whose spacing is zero: the mean length of their edges.
-void Return::TellLengths(std::vector<double>& spacings) const
-{
-  const std::vector<Id>& corners = this->Given.Corners;
-  const std::vector<Point2>& points = this->Given.Whole.Vertices;
+  const std::vector<Point2>& points = given.Whole.Vertices;
   std::vector<double> sums(points.size(), 0.0);
   std::vector<double> counts(points.size(), 0.0);
-  for (std::size_t k = 0; k < corners.size(); ++k)
+  for (std::size_t k = 0; k < given.Corners.size(); ++k)
   {
-    const Id next = corners[k % 3 == 2 ? k - 2 : k + 1];
-    for (const Id vertex : { corners[k], next })
+    const Id end = given.Corners[NextCorner(k)];
+    for (const Id vertex : { given.Corners[k], end })
     {
-      sums[vertex] += Distance(points[corners[k]], points[next]);
+      sums[vertex] += Distance(points[given.Corners[k]], points[end]);
       counts[vertex] += 1.0;
     }
   }
@@ -430,52 +316,67 @@ void Return::TellLengths(std::vector<double>& spacings) const
   }
 }
 
-/// Segments that the rest does not have are edges as they are.
-void Return::PutEdges(BitingResult& bites, Directory<Ends>& constraints) const
+/// The vertices of the whole come first, then those that the mesh of the rest has made. Returns the
+/// new number of each vertex.
+std::vector<Id> PutVertices(const GivenTriangles& given, BitingResult& bites)
 {
-  const Domain& whole = this->Given.Whole;
-  std::vector<std::uint8_t> isThere(whole.Starts.size(), 0);
+  const std::size_t first = given.Whole.Vertices.size();
+  BitingResult all;
+  all.Points = given.Whole.Vertices;
+  all.Spacings.assign(first, 0.0);
+  all.BiteOrders.assign(first, NoId);
+  all.Segments.assign(first, NoId);
+  std::vector<Id> numbers = given.Vertices;
+  for (std::size_t vertex = 0; vertex < bites.Points.size(); ++vertex)
+  {
+    if (vertex < given.Vertices.size())
+    {
+      all.Spacings[numbers[vertex]] = bites.Spacings[vertex];
+      all.BiteOrders[numbers[vertex]] = bites.BiteOrders[vertex];
+      continue;
+    }
+    const Id segment = bites.Segments[vertex];
+    numbers.push_back(static_cast<Id>(all.Points.size()));
+    all.Points.push_back(bites.Points[vertex]);
+    all.Spacings.push_back(bites.Spacings[vertex]);
+    all.BiteOrders.push_back(bites.BiteOrders[vertex]);
+    all.Segments.push_back(segment == NoId ? NoId : given.Segments[segment]);
+  }
+  TellLengths(given, all.Spacings);
+  bites.Points.swap(all.Points);
+  bites.Spacings.swap(all.Spacings);
+  bites.BiteOrders.swap(all.BiteOrders);
+  bites.Segments.swap(all.Segments);
+  return numbers;
+}
+
+/// Segments that the rest does not have are edges as they are. Returns an edge of each segment: the
+/// only one where a triangle stays at it.
+std::vector<Id> PutEdges(
+  const GivenTriangles& given, const std::vector<Id>& numbers, BitingResult& bites)
+{
+  std::vector<Id> edges(given.Whole.Starts.size(), NoId);
   for (std::size_t edge = 0; edge < bites.EdgeSegments.size(); ++edge)
   {
-    bites.EdgeStarts[edge] = this->NumberOf(bites.EdgeStarts[edge]);
-    bites.EdgeEnds[edge] = this->NumberOf(bites.EdgeEnds[edge]);
-    bites.EdgeSegments[edge] = this->SegmentOf[bites.EdgeSegments[edge]];
-    isThere[bites.EdgeSegments[edge]] = 1;
+    bites.EdgeStarts[edge] = numbers[bites.EdgeStarts[edge]];
+    bites.EdgeEnds[edge] = numbers[bites.EdgeEnds[edge]];
+    bites.EdgeSegments[edge] = given.Segments[bites.EdgeSegments[edge]];
+    edges[bites.EdgeSegments[edge]] = static_cast<Id>(edge);
   }
-  for (Id segment = 0; segment < whole.NumberOfSegments(); ++segment)
+  for (Id segment = 0; segment < given.Whole.NumberOfSegments(); ++segment)
   {
-    if (!isThere[segment])
+    if (edges[segment] == NoId)
     {
-      bites.EdgeStarts.push_back(whole.Starts[segment]);
-      bites.EdgeEnds.push_back(whole.Ends[segment]);
+      edges[segment] = static_cast<Id>(bites.EdgeSegments.size());
+      bites.EdgeStarts.push_back(given.Whole.Starts[segment]);
+      bites.EdgeEnds.push_back(given.Whole.Ends[segment]);
       bites.EdgeSegments.push_back(segment);
     }
   }
-  for (std::size_t edge = 0; edge < bites.EdgeSegments.size(); ++edge)
-  {
-    constraints.Add(
-      std::minmax({ bites.EdgeStarts[edge], bites.EdgeEnds[edge] }), static_cast<Id>(edge));
-  }
-  constraints.Sort();
+  return edges;
 }
 
-void Return::PutTriangles(const Directory<Ends>& constraints, Triangulation& mesh) const
-{
-  for (Id& corner : mesh.Corners)
-  {
-    corner = this->NumberOf(corner);
-  }
-  const std::vector<Id>& corners = this->Given.Corners;
-  mesh.Corners.insert(mesh.Corners.end(), corners.begin(), corners.end());
-  for (std::size_t k = 0; k < corners.size(); ++k)
-  {
-    const std::size_t first = k - k % 3;
-    mesh.Constraints.push_back(
-      constraints[std::minmax({ corners[first + (k + 1) % 3], corners[first + (k + 2) % 3] })]);
-  }
-}
-
-/// Between constraints, numbered by their first segments, on the left of these first.
+/// Of the faces between constraints, by their first segments, on the left of these first.
 void NumberRegions(const BitingResult& bites, Triangulation& mesh)
 {
   const std::size_t count = mesh.Corners.size() / 3;
@@ -490,9 +391,8 @@ void NumberRegions(const BitingResult& bites, Triangulation& mesh)
       faces.Unite(triangle, mesh.Neighbors[k]);
       continue;
     }
-    const std::size_t first = k - k % 3;
-    const Point2& start = bites.Points[mesh.Corners[first + (k + 1) % 3]];
-    const Point2& end = bites.Points[mesh.Corners[first + (k + 2) % 3]];
+    const Point2& start = bites.Points[mesh.Corners[NextCorner(k)]];
+    const Point2& end = bites.Points[mesh.Corners[NextCorner(NextCorner(k))]];
     const Point2 way =
       bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
     border.push_back(
@@ -501,9 +401,9 @@ void NumberRegions(const BitingResult& bites, Triangulation& mesh)
   std::sort(border.begin(), border.end());
   std::vector<Id> numbers(count, NoId); // of the sets
   Id regions = 0;
-  for (const auto& [segment, side, triangle] : border)
+  for (const auto& place : border)
   {
-    Id& number = numbers[faces.SetOf(triangle)];
+    Id& number = numbers[faces.SetOf(place[2])];
     number = number == NoId ? regions++ : number;
   }
   mesh.Regions.clear();
@@ -522,11 +422,7 @@ GivenTriangles TakeGivenTriangles(const Polylines& input, Domain& domain, Monito
   GivenTriangles given = taker.Take();
   if (!given.IsEmpty() && !pulse.HasStopped())
   {
-    Domain rest = taker.Rest();
-    rest.Area = domain.Area - AreaOf(given);
-    NumberAlongSegments(rest, pulse);
-    rest.IsPreserved = FindRim(given, rest);
-    domain = std::move(rest);
+    domain = taker.MakeRest(given);
   }
   return given;
 }
@@ -534,18 +430,17 @@ GivenTriangles TakeGivenTriangles(const Polylines& input, Domain& domain, Monito
 SpacingOptions FollowPreserved(SpacingOptions spacing, const Domain& rest, Monitor& monitor)
 {
   Domain rim;
+  rim.Vertices = rest.Vertices;
+  rim.IsEmbedded.assign(rest.Vertices.size(), 1);
   for (Id segment = 0; segment < rest.NumberOfSegments(); ++segment)
   {
     if (rest.MustPreserve(segment))
     {
-      const Id vertex = rim.NumberOfVertices();
-      rim.Starts.push_back(vertex);
-      rim.Ends.push_back(vertex + 1);
-      rim.Vertices.push_back(rest.Vertices[rest.Starts[segment]]);
-      rim.Vertices.push_back(rest.Vertices[rest.Ends[segment]]);
+      AddSegment(rest, segment, rim);
+      rim.IsEmbedded[rest.Starts[segment]] = 0;
+      rim.IsEmbedded[rest.Ends[segment]] = 0;
     }
   }
-  rim.IsEmbedded.assign(rim.Vertices.size(), 0);
   if (spacing.Uniform == 0.0 && !spacing.Grid && !spacing.Triangulation && !spacing.Segments)
   {
     spacing.Uniform = DefaultShareOfDiagonal * rest.Bounds.Diagonal();
@@ -553,14 +448,23 @@ SpacingOptions FollowPreserved(SpacingOptions spacing, const Domain& rest, Monit
   return rim.Starts.empty() ? spacing : FollowSegments(std::move(spacing), rim, monitor);
 }
 
-void PutBackTriangles(
-  const GivenTriangles& given, const Domain& rest, BitingResult& bites, Triangulation& mesh)
+void PutBackTriangles(const GivenTriangles& given, BitingResult& bites, Triangulation& mesh)
 {
-  const Return back(given, rest);
-  Directory<Ends> constraints;
-  back.PutVertices(bites);
-  back.PutEdges(bites, constraints);
-  back.PutTriangles(constraints, mesh);
+  const std::vector<Id> numbers = PutVertices(given, bites);
+  const std::vector<Id> edges = PutEdges(given, numbers, bites);
+  const Directory<UndirectedEnds> segments = SegmentsOf(given.Whole);
+  const std::vector<Id>& corners = given.Corners;
+  for (Id& corner : mesh.Corners)
+  {
+    corner = numbers[corner];
+  }
+  mesh.Corners.insert(mesh.Corners.end(), corners.begin(), corners.end());
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    const std::size_t next = NextCorner(k);
+    const Id segment = segments[EndsOf(corners[next], corners[NextCorner(next)])];
+    mesh.Constraints.push_back(segment == NoId ? NoId : edges[segment]);
+  }
   mesh.Neighbors = LinkTriangles(mesh.Corners, static_cast<Id>(bites.Points.size())).Neighbors;
   NumberRegions(bites, mesh);
 }

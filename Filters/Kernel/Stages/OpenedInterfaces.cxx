@@ -3,11 +3,12 @@
 
 #include "OpenedInterfaces.h"
 
+#include "../Base/Directory.h"
 #include "../Base/DisjointSets.h"
 #include "../Quality/Quality.h"
 
-#include <algorithm> // for binary_search, lower_bound, minmax, sort
-#include <utility>   // for pair, swap
+#include <cstdint> // for flags
+#include <utility> // for pair, swap
 
 namespace biting
 {
@@ -15,7 +16,8 @@ namespace biting
 namespace
 {
 
-using Ends = std::pair<Id, Id>;
+/// From start to end.
+using Way = std::pair<Id, Id>;
 
 class Opening
 {
@@ -30,15 +32,15 @@ public:
         !mesh.EdgeIsBoundary[edge] && mesh.EdgeCells[edge] != NoId && opens(mesh.EdgeCells[edge]);
       if (isOpen)
       {
-        this->Cracks.push_back(std::minmax({ mesh.EdgeStarts[edge], mesh.EdgeEnds[edge] }));
+        this->Cracks.Add(EndsOf(mesh.EdgeStarts[edge], mesh.EdgeEnds[edge]), 0);
         this->IsOnCrack[mesh.EdgeStarts[edge]] = 1;
         this->IsOnCrack[mesh.EdgeEnds[edge]] = 1;
       }
     }
-    std::sort(this->Cracks.begin(), this->Cracks.end());
+    this->Cracks.Sort();
   }
 
-  bool IsEmpty() const { return this->Cracks.empty(); }
+  bool IsEmpty() const { return this->Cracks.IsEmpty(); }
 
   void Run()
   {
@@ -50,19 +52,7 @@ public:
   }
 
 private:
-  // A triangle's edge from Start to End, with the corner at Start.
-  struct Half
-  {
-    Ends Way;
-    Id Start;
-    Id End;
-  };
-
-  bool IsCrack(Id a, Id b) const
-  {
-    return std::binary_search(
-      this->Cracks.begin(), this->Cracks.end(), Ends(std::minmax({ a, b })));
-  }
+  bool IsCrack(Id a, Id b) const { return this->Cracks[EndsOf(a, b)] != NoId; }
 
   static Id NextCorner(Id corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
@@ -70,46 +60,34 @@ private:
   void NumberSectors();
   void DoubleVertices();
   void DoubleEdges();
-  const Half* FindHalf(Id start, Id end) const;
-  void AddEdge(std::size_t edge, const Half& half, BitingMesh& edges) const;
+  void AddEdge(std::size_t edge, Id corner, BitingMesh& edges) const;
 
   BitingMesh& Mesh;
   std::vector<std::uint8_t> IsOnCrack; // of vertices
-  std::vector<Ends> Cracks;            // edges that open, the lower vertex first
-  std::vector<Half> Halves;            // those with an end on a crack, or of a listed edge
+  Directory<UndirectedEnds> Cracks;    // edges that open
+  Directory<Way> Halves;               // edges of triangles on their left: the corner at the start
   std::vector<Id> NewCorners;
   std::vector<Id> Copied; // the vertex of each new one
 };
 
-// Only what has a vertex of boundary or interfaces at both ends can be asked for.
+// Only those between vertices of listed edges are asked for.
 void Opening::ListHalves()
 {
-  std::vector<std::uint8_t> isListed = this->IsOnCrack;
+  std::vector<std::uint8_t> isListed(this->Mesh.Points.size(), 0);
   for (std::size_t edge = 0; edge < this->Mesh.EdgeStarts.size(); ++edge)
   {
     isListed[this->Mesh.EdgeStarts[edge]] = 1;
     isListed[this->Mesh.EdgeEnds[edge]] = 1;
   }
-  for (std::size_t k = 0; k < this->Mesh.Corners.size(); ++k)
+  for (Id corner = 0; corner < static_cast<Id>(this->Mesh.Corners.size()); ++corner)
   {
-    const Id corner = static_cast<Id>(k);
-    const Id next = NextCorner(corner);
-    const Ends way(this->Mesh.Corners[corner], this->Mesh.Corners[next]);
+    const Way way(this->Mesh.Corners[corner], this->Mesh.Corners[NextCorner(corner)]);
     if (isListed[way.first] && isListed[way.second])
     {
-      this->Halves.push_back({ way, corner, next });
+      this->Halves.Add(way, corner);
     }
   }
-  std::sort(this->Halves.begin(), this->Halves.end(),
-    [](const Half& a, const Half& b) { return a.Way < b.Way; });
-}
-
-const Opening::Half* Opening::FindHalf(Id start, Id end) const
-{
-  const Ends way(start, end);
-  const auto found = std::lower_bound(this->Halves.begin(), this->Halves.end(), way,
-    [](const Half& half, const Ends& wanted) { return half.Way < wanted; });
-  return found != this->Halves.end() && found->Way == way ? &*found : nullptr;
+  this->Halves.Sort();
 }
 
 // Corners at a vertex are of one sector where their triangles share an edge there that is closed.
@@ -188,10 +166,10 @@ void Opening::DoubleVertices()
   }
 }
 
-void Opening::AddEdge(std::size_t edge, const Half& half, BitingMesh& edges) const
+void Opening::AddEdge(std::size_t edge, Id corner, BitingMesh& edges) const
 {
-  edges.EdgeStarts.push_back(this->NewCorners[half.Start]);
-  edges.EdgeEnds.push_back(this->NewCorners[half.End]);
+  edges.EdgeStarts.push_back(this->NewCorners[corner]);
+  edges.EdgeEnds.push_back(this->NewCorners[NextCorner(corner)]);
   edges.EdgeCells.push_back(this->Mesh.EdgeCells[edge]);
   edges.EdgeIsBoundary.push_back(this->Mesh.EdgeIsBoundary[edge]);
 }
@@ -204,15 +182,15 @@ void Opening::DoubleEdges()
   {
     const Id start = this->Mesh.EdgeStarts[edge];
     const Id end = this->Mesh.EdgeEnds[edge];
-    const Half* half = this->FindHalf(start, end);
-    const Half* twin = this->FindHalf(end, start);
-    if (half)
+    const Id half = this->Halves[{ start, end }];
+    const Id twin = this->Halves[{ end, start }];
+    if (half != NoId)
     {
-      this->AddEdge(edge, *half, edges);
+      this->AddEdge(edge, half, edges);
     }
-    if (twin && (!half || this->IsCrack(start, end)))
+    if (twin != NoId && (half == NoId || this->IsCrack(start, end)))
     {
-      this->AddEdge(edge, *twin, edges);
+      this->AddEdge(edge, twin, edges);
     }
   }
   this->Mesh.EdgeStarts.swap(edges.EdgeStarts);

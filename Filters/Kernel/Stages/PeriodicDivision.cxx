@@ -3,6 +3,7 @@
 
 #include "PeriodicDivision.h"
 
+#include "../Base/Directory.h"
 #include "../Base/DisjointSets.h"
 #include "../Base/Pulse.h"
 #include "../Biting/EdgeDivision.h"
@@ -185,20 +186,15 @@ void DivideSides(const Spacing& f, const BitingOptions& options, PeriodicSides& 
 void TellPartners(
   const Domain& domain, const PeriodicSides& sides, std::size_t translations, BitingMesh& mesh)
 {
-  std::vector<std::pair<Point2, Id>> places;
+  Directory<Point2> places;
   for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
   {
     for (const Id vertex : { mesh.EdgeStarts[edge], mesh.EdgeEnds[edge] })
     {
-      places.emplace_back(mesh.Points[vertex], vertex);
+      places.Add(mesh.Points[vertex], vertex);
     }
   }
-  std::sort(places.begin(), places.end());
-  const auto find = [&places](const Point2& place)
-  {
-    const auto found = std::lower_bound(places.begin(), places.end(), std::make_pair(place, Id(0)));
-    return found != places.end() && found->first == place ? found->second : NoId;
-  };
+  places.Sort();
   mesh.Partners.assign(translations, std::vector<Id>(mesh.Points.size(), NoId));
   for (const PeriodicSides::Pair& pair : sides.Pairs)
   {
@@ -208,8 +204,8 @@ void TellPartners(
     for (const auto& [place, image] :
       { std::make_pair(first.Start, second.Start), std::make_pair(first.End, second.End) })
     {
-      const Id vertex = find(place);
-      const Id partner = find(image);
+      const Id vertex = places[place];
+      const Id partner = places[image];
       if (vertex != NoId && partner != NoId)
       {
         partners[vertex] = partner;

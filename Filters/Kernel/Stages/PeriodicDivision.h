@@ -15,7 +15,7 @@
 namespace biting
 {
 
-/// The sides of `domain` that the translations of the options map onto each other (PeriodicSides.h),
+/// The sides of `domain` that the translations of the options map onto each other (MatchSides),
 /// within the rounding of the input and MergeTolerance.
 PeriodicSides FindPeriodicSides(Domain& domain, const Polylines& input,
   const BitingMeshOptions& options, ProblemList& problems, Monitor& monitor);
