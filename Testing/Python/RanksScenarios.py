@@ -222,6 +222,8 @@ def drawings(answer):
             answer['%s.%s' % (form, where)] = mesh(drawing(where, form))
     for where in ('First', 'Dealt'):
         answer['Tilted.' + where] = mesh(drawing(where, tilt=0.3), BoundarySpacingArray='Spacing')
+        answer['Globe.' + where] = mesh(
+            drawing(where), Coordinates='Longitude Latitude', UniformSpacing=1e5)
     for where in ('First', 'Last', 'Everywhere', 'Divided', 'Dealt', 'Around'):
         blocks = producer(
             "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')
