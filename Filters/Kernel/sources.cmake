@@ -154,6 +154,7 @@ set(biting_kernel_sources
   Pieces/PieceMeasures.cxx
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
+  Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx

@@ -107,6 +107,9 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "InconsistentEdges", "Triangles oriented against each other", "cell", "cell",
     "They were turned." },
   { "SurfaceTouches", "Touches within rounding", "cell", "cell", "" },
+  { "TooThin", "Walls too near to each other for the spacing", "cell", "", "" },
+  { "TooSharp", "Faces at too small an angle for the spacing", "cell", "", "" },
+  { "LostFeatures", "Feature lines that are not in the mesh", "point", "", "" },
   { "Aborted", "Aborted", "", "", "" },
 } };
 

@@ -48,7 +48,8 @@ bool ProblemList::HasErrors() const
 bool IsError(ProblemCode code)
 {
   return code == ProblemCode::Aborted || code == ProblemCode::BadTriangles ||
-    code == ProblemCode::OpenOutlines ||
+    code == ProblemCode::OpenOutlines || code == ProblemCode::TooThin ||
+    code == ProblemCode::TooSharp ||
     (code >= ProblemCode::OpenEdges && code <= ProblemCode::NotOrientable) ||
     (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
 }

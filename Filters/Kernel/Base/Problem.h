@@ -72,6 +72,11 @@ enum class ProblemCode
   InconsistentEdges,  ///< triangles at an edge that are oriented against each other (ids: cell,
                       ///< cell)
   SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
+  // Of meshes of surfaces: refused.
+  TooThin,  ///< walls or feature lines too near to each other for f (ids: cell)
+  TooSharp, ///< faces at too small an angle for f (ids: cell)
+  // Meshed, and told.
+  LostFeatures, ///< feature lines that are not in the mesh (ids: point)
   Aborted             ///< the monitor asked to stop; not an error
 };
 
