@@ -17,6 +17,7 @@ set(biting_bridge_sources
   Drawing/RemeshInputFromDataSet.cxx
   Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
+  Mesh/BitingSurfaceToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
   Mesh/MeasuredTetrahedra.cxx
@@ -36,4 +37,5 @@ set(biting_bridge_sources
   Source/SourceCover.cxx
   Source/SourceData.cxx
   Source/SourceSpacing.cxx
+  Source/SpaceSpacing.cxx
   Source/SpacingValues.cxx)

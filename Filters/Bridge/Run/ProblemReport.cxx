@@ -291,7 +291,8 @@ std::size_t PointIdOf(ProblemCode code)
   return isPoint(wording.FirstId) ? 0 : isPoint(wording.SecondId) ? 1 : 2;
 }
 
-std::string Occurrences(const ProblemGroup& group, const Wording& wording, const PlanarInput& input)
+// `place` is that of the first.
+std::string Occurrences(const ProblemGroup& group, const Wording& wording, const std::string& place)
 {
   std::vector<std::string> first;
   for (std::size_t k = 0; k < std::min(group.First.size(), ShownIds); ++k)
@@ -300,7 +301,7 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
     first.push_back(IdsText(problem, wording));
     if (k == 0)
     {
-      first.back() += " near " + PlaceText(PlaceInSpace(problem, input));
+      first.back() += " near " + place;
       first.back() += problem.Detail.empty() ? "" : " (" + problem.Detail + ")";
     }
   }
@@ -309,17 +310,22 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
 }
 
 // What, how many, which and where.
-std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
+std::string FactsOf(const ProblemGroup& group, const std::string& place)
 {
   const Wording& wording = WordingOf(group.Code);
   const Problem& first = group.First.front();
   if (!ShownIdsOf(first).empty())
   {
-    return wording.What + Occurrences(group, wording, input) + ".";
+    return wording.What + Occurrences(group, wording, place) + ".";
   }
   const bool hasPlace = first.Code == ProblemCode::NoClosedLoop && !first.Detail.empty();
   return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) +
-    (hasPlace ? " near " + PlaceText(PlaceInSpace(first, input)) : "") + ".";
+    (hasPlace ? " near " + place : "") + ".";
+}
+
+std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
+{
+  return FactsOf(group, PlaceText(PlaceInSpace(group.First.front(), input)));
 }
 
 } // namespace
@@ -378,6 +384,13 @@ void ProblemsToPolyData(const ProblemPlaces& problems, vtkPolyData* output)
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
 {
   return FactsOf(group, input) + " " + WordingOf(group.Code).Advice;
+}
+
+std::string MessageInSpace(const ProblemGroup& group)
+{
+  const std::string advice = WordingOf(group.Code).Advice;
+  return FactsOf(group, PlaceText(group.First.front().Place)) + (advice.empty() ? "" : " ") +
+    advice;
 }
 
 std::string HeadingOf(const ProblemGroup& group)
