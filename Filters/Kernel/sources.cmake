@@ -156,6 +156,14 @@ set(biting_kernel_sources
   Pieces/SpreadMesh.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
+  Space/Biting/ChainDivision.cxx
+  Space/Biting/SurfaceBites.cxx
+  Space/Boundary/BoundaryCheck.cxx
+  Space/Boundary/InsideTest.cxx
+  Space/Boundary/SurfaceBoundary.cxx
+  Space/Features/FeatureLines.cxx
+  Space/Features/SizeCaps.cxx
+  Space/Features/SurfaceGround.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx
   Space/Surface/SurfaceLinks.cxx
