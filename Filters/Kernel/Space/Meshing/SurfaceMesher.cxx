@@ -43,7 +43,7 @@ public:
     {
       return {};
     }
-    constexpr int MostRounds = 6;
+    const int MostRounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : 4;
     for (int round = 0; round < MostRounds; ++round)
     {
       this->Listener.BeginStage("Biting");
@@ -52,10 +52,23 @@ public:
       const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
       this->Listener.BeginStage("Triangulating");
       this->Boundary = FindBoundary(this->Ground, this->Bites, tree, this->IsSolid(), this->Beats);
-      fprintf(stderr, "round %d: ground %zu tri, bites %d (%d %d), facets %zu, offences %zu\n", round, this->Ground.Mesh.NumberOfTriangles(), this->Bites.Size(), this->Bites.NumberOfCorners, this->Bites.NumberOnLines, this->Boundary.Triangles.size(), this->Boundary.Offences.size());
+      fprintf(stderr, "round %d: ground %zu tri, bites %d (%d %d), facets %zu, offences %zu\n",
+        round, this->Ground.Mesh.NumberOfTriangles(), this->Bites.Size(),
+        this->Bites.NumberOfCorners, this->Bites.NumberOnLines, this->Boundary.Triangles.size(),
+        this->Boundary.Offences.size());
       int kinds[5] = {};
-      for (auto& o : this->Boundary.Offences) ++kinds[(int)o.Fault];
-      fprintf(stderr, "   missing %d lost %d nonmanifold %d pinched %d turned %d\n", kinds[0], kinds[1], kinds[2], kinds[3], kinds[4]);
+      for (auto& o : this->Boundary.Offences)
+      {
+        ++kinds[(int)o.Fault];
+        if (getenv("SHOW"))
+        {
+          auto& c = this->Bites.Centers[At(o.Bite)];
+          fprintf(stderr, "     fault %d bite %d other %d size %g at %g %g %g\n", (int)o.Fault,
+            o.Bite, o.Other, this->Bites.Sizes[At(o.Bite)], c.X, c.Y, c.Z);
+        }
+      }
+      fprintf(stderr, "   missing %d lost %d nonmanifold %d pinched %d turned %d\n", kinds[0],
+        kinds[1], kinds[2], kinds[3], kinds[4]);
       if (this->Boundary.Offences.empty() || !this->LowerSizes())
       {
         break;
@@ -91,27 +104,36 @@ private:
     }
     FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
     const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
-    const std::function<double(const Point3&)> given = this->Options.Spacing
-      ? this->Options.Spacing
-      : [uniform](const Point3&) { return uniform; };
+    this->Spacing = this->Options.Spacing;
+    if (!this->Spacing)
+    {
+      this->Spacing = [uniform](const Point3&) { return uniform; };
+    }
     for (const Point3& place : ground.Mesh.Points)
     {
-      ground.Sizes.push_back(given(place));
+      ground.Given.push_back(this->Spacing(place));
     }
-    DivideGround(ground, given, 100000000, this->Beats);
-    this->Given = ground.Sizes;
+    ground.Sizes = ground.Given;
+    DivideGround(ground, this->Spacing, 100000000, this->Beats);
     LinkGround(ground, this->Beats);
     FindChains(ground);
     DropNoise(ground);
     LinkGround(ground, this->Beats);
     CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
-    if (this->Options.LimitByFeatureSize)
+    this->Regrade();
+    // Where caps divide the ground it sees more.
+    constexpr int MostRounds = 3;
+    std::size_t before = 0;
+    for (int round = 0; round < MostRounds && this->Options.LimitByFeatureSize &&
+         before < ground.Mesh.Points.size();
+         ++round)
     {
+      before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
       const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, this->Beats);
       CapByThickness(ground, tree, this->Beats);
+      this->Regrade();
     }
-    this->Regrade();
     return true;
   }
 
@@ -120,7 +142,7 @@ private:
   {
     SurfaceGround& ground = this->Ground;
     GradeSizes(ground, this->Options.Gradation, this->Beats);
-    DivideGround(ground, {}, 100000000, this->Beats);
+    DivideGround(ground, this->Spacing, 100000000, this->Beats);
     LinkGround(ground, this->Beats);
     FindChains(ground);
   }
@@ -175,7 +197,7 @@ private:
   Monitor& Listener;
   Pulse Beats;
   SurfaceGround Ground;
-  std::vector<double> Given;
+  std::function<double(const Point3&)> Spacing;
   SurfaceBites Bites;
   SurfaceBoundary Boundary;
 };
