@@ -5,11 +5,14 @@
 
 #include "../Biting/SurfaceBites.h"
 #include "../Boundary/SurfaceBoundary.h"
+#include "../Boundary/WholeCheck.h"
 #include "../Features/FeatureLines.h"
 #include "../Features/SizeCaps.h"
+#include "../Surface/NearestOnTriangle.h"
 #include "../Surface/SurfaceCrossings.h"
 
 #include <algorithm> // for min, max
+#include <cmath>     // for isfinite
 #include <utility>   // for move
 
 namespace biting
@@ -39,19 +42,13 @@ public:
   BitingSurface Run()
   {
     this->Listener.BeginStage("Looking for features");
-    if (!this->MakeGround())
+    this->MakeGround();
+    bool isDone = this->MayGoOn();
+    std::size_t before = this->Ground.Mesh.Points.size();
+    for (int round = 0; isDone; ++round)
     {
-      return {};
-    }
-    const int MostRounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : 4;
-    for (int round = 0; round < MostRounds; ++round)
-    {
-      this->Listener.BeginStage("Biting");
-      this->Bites = BiteSurface(
-        this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
-      const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
-      this->Listener.BeginStage("Triangulating");
-      this->Boundary = FindBoundary(this->Ground, this->Bites, tree, this->IsSolid(), this->Beats);
+      this->Bite();
+      const std::size_t faults = this->CountFaults();
       fprintf(stderr, "round %d: ground %zu tri, bites %d (%d %d), facets %zu, offences %zu\n",
         round, this->Ground.Mesh.NumberOfTriangles(), this->Bites.Size(),
         this->Bites.NumberOfCorners, this->Bites.NumberOnLines, this->Boundary.Triangles.size(),
@@ -69,15 +66,107 @@ public:
       }
       fprintf(stderr, "   missing %d lost %d nonmanifold %d pinched %d turned %d\n", kinds[0],
         kinds[1], kinds[2], kinds[3], kinds[4]);
-      if (this->Boundary.Offences.empty() || !this->LowerSizes())
+      isDone = this->MayGoOn();
+      // Where more faults come than go, smaller bites are of no help.
+      const bool isWorse = round > 1 && faults >= before;
+      before = faults;
+      if (!isDone || this->Boundary.Offences.empty() || round == MostRounds || isWorse ||
+        !this->LowerSizes())
       {
         break;
       }
     }
-    return this->Assemble();
+    return isDone && this->IsCertified() ? this->Assemble() : BitingSurface();
   }
 
 private:
+  static constexpr int MostRounds = 4;
+
+  void Bite()
+  {
+    this->Listener.BeginStage("Biting");
+    this->Bites = BiteSurface(
+      this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
+    if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    {
+      this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
+        "more than " + std::to_string(this->Options.MaximumNumberOfVertices));
+      return;
+    }
+    this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
+    this->Listener.BeginStage("Triangulating");
+    this->Boundary =
+      FindBoundary(this->Ground, this->Bites, this->Tree, this->IsSolid(), this->Beats);
+  }
+
+  bool MayGoOn()
+  {
+    if (!this->Beats.Ask() && !this->Problems.Has(ProblemCode::Aborted))
+    {
+      this->Refuse(ProblemCode::Aborted, {}, NoId, "");
+    }
+    return !this->Problems.HasErrors();
+  }
+
+  /// `triangle`: of the surface.
+  void Refuse(ProblemCode code, const Point3& place, Id triangle, const std::string& detail)
+  {
+    std::vector<std::int64_t> ids;
+    if (triangle != NoId)
+    {
+      ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
+    }
+    this->Problems.Add({ code, std::move(ids), place, detail });
+  }
+
+  /// Those of topology.
+  std::size_t CountFaults() const
+  {
+    std::size_t count = 0;
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      count += offence.Fault != BoundaryFault::Turned ? 1 : 0;
+    }
+    return count;
+  }
+
+  /// Refuses what is no mesh of the surface.
+  bool IsCertified()
+  {
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      const bool isSharp = offence.Bite < this->Bites.NumberOnLines ||
+        (offence.Other != NoId && offence.Other < this->Bites.NumberOnLines);
+      const auto bite = At(offence.Bite);
+      this->Refuse(isSharp ? ProblemCode::TooSharp : ProblemCode::TooThin,
+        this->Bites.Centers[bite], this->Ground.Mesh.Cells[At(this->Bites.Triangles[bite])],
+        "with spacing " + Figure(this->Bites.Sizes[bite]));
+    }
+    if (!this->Boundary.Offences.empty())
+    {
+      return false;
+    }
+    const WholeVerdict verdict = CheckWhole(
+      this->Surface, this->Bites.Centers, this->Boundary.Corners, this->TrianglesBelow());
+    if (!verdict.IsSame)
+    {
+      this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
+    }
+    return verdict.IsSame;
+  }
+
+  /// Of facets, the triangles of the surface.
+  std::vector<Id> TrianglesBelow() const
+  {
+    std::vector<Id> below;
+    below.reserve(this->Boundary.Triangles.size());
+    for (const Id triangle : this->Boundary.Triangles)
+    {
+      below.push_back(this->Ground.Mesh.Cells[At(triangle)]);
+    }
+    return below;
+  }
+
   bool IsSolid() const
   {
     for (std::size_t t = 0; t < this->Surface.Mesh.NumberOfTriangles(); ++t)
@@ -90,7 +179,7 @@ private:
     return true;
   }
 
-  bool MakeGround()
+  void MakeGround()
   {
     SurfaceGround& ground = this->Ground;
     ground.Mesh = this->Surface.Mesh;
@@ -111,7 +200,13 @@ private:
     }
     for (const Point3& place : ground.Mesh.Points)
     {
-      ground.Given.push_back(this->Spacing(place));
+      const double size = this->Spacing(place);
+      if (!(size > 0.0) || !std::isfinite(size))
+      {
+        this->Refuse(ProblemCode::BadSpacing, place, NoId, "value " + Figure(size));
+        return;
+      }
+      ground.Given.push_back(size);
     }
     ground.Sizes = ground.Given;
     DivideGround(ground, this->Spacing, 100000000, this->Beats);
@@ -122,9 +217,9 @@ private:
     CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
     this->Regrade();
     // Where caps divide the ground it sees more.
-    constexpr int MostRounds = 3;
+    constexpr int MostDivisions = 3;
     std::size_t before = 0;
-    for (int round = 0; round < MostRounds && this->Options.LimitByFeatureSize &&
+    for (int round = 0; round < MostDivisions && this->Options.LimitByFeatureSize &&
          before < ground.Mesh.Points.size();
          ++round)
     {
@@ -134,7 +229,6 @@ private:
       CapByThickness(ground, tree, this->Beats);
       this->Regrade();
     }
-    return true;
   }
 
   /// After sizes were lowered.
@@ -181,14 +275,61 @@ private:
     mesh.Points = this->Bites.Centers;
     mesh.Spacing = this->Bites.Sizes;
     mesh.Corners = this->Boundary.Corners;
+    mesh.Triangles = this->TrianglesBelow();
+    mesh.EdgeEnds = this->Bites.PieceEnds;
+    for (const Id chain : this->Bites.PieceChains)
+    {
+      mesh.EdgeKinds.push_back(this->Ground.Chains.Kinds[At(chain)]);
+    }
     for (Id bite = 0; bite < this->Bites.Size(); ++bite)
     {
+      const Id vertex = this->Bites.GroundVertices[At(bite)];
+      mesh.BiteOrders.push_back(bite);
+      mesh.OriginalPoints.push_back(vertex == NoId ? NoId : this->Ground.Mesh.PointIds[At(vertex)]);
       mesh.Kinds.push_back(bite < this->Bites.NumberOfCorners ? SurfaceVertexKind::Corner
           : bite < this->Bites.NumberOnLines                  ? SurfaceVertexKind::Line
                                                               : SurfaceVertexKind::Surface);
     }
-    mesh.EdgeEnds = this->Bites.PieceEnds;
+    if (this->Options.KeepBites)
+    {
+      mesh.BiteCenters = this->Bites.Centers;
+      mesh.BiteRadii = this->Bites.Radii;
+    }
+    this->Measure(mesh);
     return mesh;
+  }
+
+  /// Regions, and how far middles are from the surface.
+  void Measure(BitingSurface& mesh)
+  {
+    mesh.Deviations.resize(mesh.Triangles.size());
+    for (std::size_t t = 0; t < mesh.Triangles.size() && this->Beats.Beat(8); ++t)
+    {
+      Point3 middle{};
+      double size = 0.0;
+      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+      {
+        middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+        size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+      }
+      Id nearest = NoId;
+      this->Tree.Search(middle, 1.0, Infinity,
+        [this, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
+        {
+          const double distance =
+            Distance(NearestPoint(this->Ground.Mesh.Triangle(At(item.Triangle)), middle), middle);
+          if (distance < limit)
+          {
+            nearest = item.Triangle;
+            mesh.Deviations[t] = distance;
+          }
+          return std::min(limit, distance);
+        });
+      mesh.Deviations[t] /= size;
+      mesh.Triangles[t] = this->Ground.Mesh.Cells[At(nearest)];
+      mesh.Regions.push_back(
+        this->Options.Regions.empty() ? 0 : this->Options.Regions[At(mesh.Triangles[t])]);
+    }
   }
 
   const CheckedSurface& Surface;
@@ -199,6 +340,7 @@ private:
   SurfaceGround Ground;
   std::function<double(const Point3&)> Spacing;
   SurfaceBites Bites;
+  BoxTree<SurfaceItem, 3> Tree; ///< of the ground
   SurfaceBoundary Boundary;
 };
 
