@@ -8,6 +8,7 @@
 #include "../Boundary/WholeCheck.h"
 #include "../Features/FeatureLines.h"
 #include "../Features/SizeCaps.h"
+#include "../Relaxation/SurfaceRelaxation.h"
 #include "../Surface/NearestOnTriangle.h"
 #include "../Surface/SurfaceCrossings.h"
 
@@ -272,9 +273,7 @@ private:
   BitingSurface Assemble()
   {
     BitingSurface mesh;
-    mesh.Points = this->Bites.Centers;
-    mesh.Spacing = this->Bites.Sizes;
-    mesh.Corners = this->Boundary.Corners;
+    this->Relax(mesh);
     mesh.Triangles = this->TrianglesBelow();
     mesh.EdgeEnds = this->Bites.PieceEnds;
     for (const Id chain : this->Bites.PieceChains)
@@ -297,6 +296,37 @@ private:
     }
     this->Measure(mesh);
     return mesh;
+  }
+
+  void Relax(BitingSurface& mesh)
+  {
+    RelaxedSurface relaxed{ this->Bites.Centers, this->Bites.Sizes, this->Bites.Triangles, {},
+      this->Boundary.Corners };
+    relaxed.IsFree.assign(relaxed.Points.size(), 1);
+    std::fill_n(relaxed.IsFree.begin(), this->Bites.NumberOnLines, std::uint8_t{ 0 });
+    if (this->Options.Relaxation)
+    {
+      this->Listener.BeginStage("Relaxing");
+      RelaxedSurface given = relaxed;
+      RelaxSurface(this->Ground, this->Bites.PieceEnds, relaxed, this->Beats);
+      if (this->CrossesItself(relaxed))
+      {
+        relaxed = std::move(given); // facets of one triangulation cross nowhere
+      }
+    }
+    mesh.Points = std::move(relaxed.Points);
+    mesh.Spacing = std::move(relaxed.Sizes);
+    mesh.Corners = std::move(relaxed.Corners);
+  }
+
+  bool CrossesItself(const RelaxedSurface& relaxed)
+  {
+    SurfaceMesh mesh;
+    mesh.Points = relaxed.Points;
+    mesh.Corners = relaxed.Corners;
+    mesh.Cells.resize(relaxed.Corners.size() / 3);
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(mesh, this->Beats);
+    return !FindContacts(mesh, tree, this->Beats).empty();
   }
 
   /// Regions, and how far middles are from the surface.
