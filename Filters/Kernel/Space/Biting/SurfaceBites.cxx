@@ -5,9 +5,10 @@
 
 #include "ChainDivision.h"
 
-#include <algorithm> // for max, min
+#include <algorithm> // for find, max, min
 #include <array>     // for corners
 #include <cmath>     // for sqrt
+#include <utility>   // for move
 
 namespace biting
 {
@@ -212,12 +213,9 @@ private:
       this->Meet(bite, triangle);
       for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
       {
-        const Id across = this->Ground.Across[slot];
-        if (across != NoId && this->Seen[At(across / 3)] != bite &&
-          this->Distance2(slot, center) <= radius2)
+        if (this->Distance2(slot, center) <= radius2)
         {
-          this->Seen[At(across / 3)] = bite;
-          this->Front.push_back(across / 3);
+          this->GoAcross(bite, slot);
         }
       }
     }
@@ -230,6 +228,39 @@ private:
       !this->IsTaken(this->Way.Triangle, this->Way.Place))
     {
       this->Queue.push_back(this->Way);
+    }
+  }
+
+  void GoAcross(Id bite, std::size_t slot)
+  {
+    const Id across = this->Ground.Across[slot];
+    if (across != NoId)
+    {
+      this->GoTo(bite, across / 3);
+    }
+    else if (bite < this->Bites.NumberOnLines)
+    {
+      // No centre may be in the ball of a feature: it goes on beyond other features.
+      const Id tail = this->Ground.Mesh.Corners[NextSlotOf(slot)];
+      const Id head = this->Ground.Mesh.Corners[PreviousSlotOf(slot)];
+      for (const Id* t = this->Ground.TrianglesAt.Begin(tail);
+           t < this->Ground.TrianglesAt.End(tail); ++t)
+      {
+        const Id* corners = &this->Ground.Mesh.Corners[3 * At(*t)];
+        if (std::find(corners, corners + 3, head) != corners + 3)
+        {
+          this->GoTo(bite, *t);
+        }
+      }
+    }
+  }
+
+  void GoTo(Id bite, Id triangle)
+  {
+    if (this->Seen[At(triangle)] != bite)
+    {
+      this->Seen[At(triangle)] = bite;
+      this->Front.push_back(triangle);
     }
   }
 
@@ -267,8 +298,7 @@ private:
     return disk.Radius2 > 0.0;
   }
 
-  void MeetDisk(
-    const PlaneDisk& a, const PlaneDisk& b, const GroundPlane& plane, Id triangle)
+  void MeetDisk(const PlaneDisk& a, const PlaneDisk& b, const GroundPlane& plane, Id triangle)
   {
     const Point3 way = b.Center - a.Center;
     const double way2 = Dot(way, way);

@@ -14,14 +14,15 @@ namespace biting
 
 /// Bites on a surface, in their order: first the corners, then the vertices of chains, then those of
 /// the surface. A bite is the part of the surface within its ball that hangs together with its
-/// centre, and does not go on beyond feature lines: so opposite walls do not see each other.
+/// centre; that of a centre on no feature does not go on beyond feature lines. So opposite walls do
+/// not see each other.
 struct SurfaceBites
 {
   std::vector<Point3> Centers;
-  std::vector<double> Sizes;  ///< f; at features the length of the shortest piece there
-  std::vector<double> Radii;  ///< of balls
-  std::vector<double> Guards; ///< no later centre is nearer, on what a bite takes
-  std::vector<Id> Triangles;  ///< of the ground, where the centre lies
+  std::vector<double> Sizes;      ///< f; at features the length of the shortest piece there
+  std::vector<double> Radii;      ///< of balls
+  std::vector<double> Guards;     ///< no later centre is nearer, on what a bite takes
+  std::vector<Id> Triangles;      ///< of the ground, where the centre lies
   std::vector<Id> GroundVertices; ///< of corners; else NoId
   Id NumberOfCorners = 0;
   Id NumberOnLines = 0; ///< with corners
@@ -44,7 +45,7 @@ struct SurfaceBites
 };
 
 /// Radius of a bite of the surface, in f: so the mean edge has the length f.
-constexpr double SurfaceBitingConstant = 0.9;
+constexpr double SurfaceBitingConstant = 0.94;
 
 /// Bites the surface, until all of it is taken.
 ///

@@ -89,8 +89,8 @@ private:
   bool IsPiece(Id a, Id b) const
   {
     return a < this->Bites.NumberOnLines && b < this->Bites.NumberOnLines &&
-      std::binary_search(
-        this->Pieces.begin(), this->Pieces.end(), std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
+      std::binary_search(this->Pieces.begin(), this->Pieces.end(),
+        std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
   }
 
   Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
@@ -103,8 +103,8 @@ private:
     const Id* begin = this->FacetsAt.Begin(bite);
     const Id* end = this->FacetsAt.End(bite);
     const Id count = this->FacetsAt.Count(bite);
-    Id starts = 0;  // fans that begin at a piece
-    Id walked = 0;  // facets in these
+    Id starts = 0; // fans that begin at a piece
+    Id walked = 0; // facets in these
     for (const Id* slot = begin; slot < end; ++slot)
     {
       Id before = 0;
@@ -210,8 +210,8 @@ private:
 
 } // namespace
 
-void CheckBoundary(const SurfaceGround& ground, const SurfaceBites& bites, bool /*isSolid*/,
-  SurfaceBoundary& boundary)
+void CheckBoundary(
+  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary)
 {
   BoundaryChecker(ground, bites, boundary).Run();
 }

@@ -6,6 +6,7 @@
 #include "../../Base/Numbers.h"
 #include "../../Delaunay/SpatialOrder.h"
 #include "../Delaunay/RegularTriangulation.h"
+#include "../Surface/NearestOnTriangle.h"
 #include "BoundaryCheck.h"
 #include "InsideTest.h"
 
@@ -57,6 +58,15 @@ public:
     else
     {
       this->TakeMeetings();
+    }
+    CheckBoundary(this->Ground, this->Bites, this->Result);
+    constexpr int MostRounds = 3;
+    for (int round = 0; isSolid && !getenv("NOANEW") && round < MostRounds && this->LabelAnew();
+         ++round)
+    {
+      this->Result = {};
+      this->TakeWalls();
+      CheckBoundary(this->Ground, this->Bites, this->Result);
     }
     return std::move(this->Result);
   }
@@ -118,6 +128,49 @@ private:
           side != 0 ? side < 0 : test.IsInside(this->Centers[Index(cell)]);
       }
     }
+  }
+
+  /// Labels cells at bites with faults by their middles. In a wedge or a wall too thin for f power
+  /// centres are beyond the other side, but middles are not. Whether a label changes.
+  bool LabelAnew()
+  {
+    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const TetMesh& mesh = this->Cells.Mesh();
+    std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
+    for (const BoundaryOffence& offence : this->Result.Offences)
+    {
+      if (offence.Fault == BoundaryFault::Turned)
+      {
+        continue;
+      }
+      isAt[Index(offence.Bite)] = 1;
+      isAt[Index(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
+    }
+    bool isChanged = false;
+    this->IsByMiddle.resize(this->IsInside.size(), 0);
+    for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
+    {
+      bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[Index(cell)] == 0;
+      Point3 middle{};
+      Id faults = 0;
+      double size = Infinity;
+      for (Id k = 0; k < 4 && isFaulty; ++k)
+      {
+        const Id vertex = mesh.Corners[Index(4 * cell + k)];
+        faults += isAt[Index(this->BiteOf[Index(vertex)])];
+        middle = middle + 0.25 * mesh.PointAt(vertex);
+        size = std::min(size, this->Bites.Sizes[Index(this->BiteOf[Index(vertex)])]);
+      }
+      constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
+      if (isFaulty && faults > 0 && this->NearestTo(middle, LeastDepth * size) == NoId)
+      {
+        const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
+        this->IsByMiddle[Index(cell)] = 1;
+        isChanged = isChanged || label != this->IsInside[Index(cell)];
+        this->IsInside[Index(cell)] = label;
+      }
+    }
+    return isChanged;
   }
 
   /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
@@ -189,9 +242,9 @@ private:
   Point3 NormalOf(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal = Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) -
-        mesh.PointAt(mesh.FacetCorner(facet, 0)),
-      mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
+    const Point3 normal =
+      Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - mesh.PointAt(mesh.FacetCorner(facet, 0)),
+        mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
     return (1.0 / Length(normal)) * normal;
   }
 
@@ -212,8 +265,7 @@ private:
     }
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
-    const double high =
-      mesh.IsTetrahedron(other) ? height(this->Centers[Index(other)]) : Infinity;
+    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[Index(other)]) : Infinity;
     const double begin = std::max(std::min(low, high), -reach);
     const double end = std::min(std::max(low, high), reach);
     DualMeeting meeting;
@@ -224,8 +276,8 @@ private:
     return meeting;
   }
 
-  void MeetSegment(const Point3& foot, const Point3& normal, double begin, double end,
-    DualMeeting& meeting) const
+  void MeetSegment(
+    const Point3& foot, const Point3& normal, double begin, double end, DualMeeting& meeting) const
   {
     const Box3 box = Box3::Around(foot + begin * normal, foot + end * normal);
     double least = Infinity;
@@ -270,7 +322,35 @@ private:
       std::swap(bites[1], bites[2]);
     }
     this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
-    this->Result.Triangles.push_back(meeting.Triangle);
+    this->Result.Triangles.push_back(meeting.Triangle != NoId
+        ? meeting.Triangle
+        : this->NearestTo(this->MiddleOf(facet), Infinity));
+  }
+
+  Point3 MiddleOf(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    Point3 middle{};
+    for (int k = 0; k < 3; ++k)
+    {
+      middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
+    }
+    return middle;
+  }
+
+  /// The triangle of the ground that is nearest to the place, and nearer than `most`; or NoId.
+  Id NearestTo(const Point3& place, double most) const
+  {
+    Id nearest = NoId;
+    this->Tree.Search(place, 1.0, most,
+      [this, &place, &nearest](const SurfaceItem& item, double limit)
+      {
+        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(Index(item.Triangle));
+        const double distance = Distance(NearestPoint(triangle, place), place);
+        nearest = distance < limit ? item.Triangle : nearest;
+        return std::min(limit, distance);
+      });
+    return nearest;
   }
 
   const SurfaceGround& Ground;
@@ -278,9 +358,10 @@ private:
   const BoxTree<SurfaceItem, 3>& Tree;
   RegularTriangulation Cells;
   Pulse& Beats;
-  std::vector<Id> BiteOf;       ///< of vertices
-  std::vector<Point3> Centers;  ///< of cells
+  std::vector<Id> BiteOf;      ///< of vertices
+  std::vector<Point3> Centers; ///< of cells
   std::vector<std::uint8_t> IsInside;
+  std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;
 };
 
@@ -289,9 +370,7 @@ private:
 SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
   const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse)
 {
-  SurfaceBoundary boundary = BoundaryFinder(ground, bites, tree, pulse).Run(isSolid);
-  CheckBoundary(ground, bites, isSolid, boundary);
-  return boundary;
+  return BoundaryFinder(ground, bites, tree, pulse).Run(isSolid);
 }
 
 } // namespace biting

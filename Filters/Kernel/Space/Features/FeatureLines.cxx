@@ -234,8 +234,8 @@ void DropNoise(SurfaceGround& ground)
   {
     for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
     {
-      const VertexPair pair = PairOf(
-        ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
+      const VertexPair pair =
+        PairOf(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
       if (ground.Flags[slot] != 0 && std::binary_search(edges.begin(), edges.end(), pair))
       {
         ground.Flags[slot] = 0;

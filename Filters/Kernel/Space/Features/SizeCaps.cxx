@@ -23,10 +23,10 @@ std::size_t At(Id id)
   return static_cast<std::size_t>(id);
 }
 
-void Cap(SurfaceGround& ground, const std::vector<double>& given, Id vertex, double size)
+void Cap(SurfaceGround& ground, Id vertex, double size)
 {
   double& old = ground.Sizes[At(vertex)];
-  old = std::min(old, std::max(size, LeastShare * given[At(vertex)]));
+  old = std::min(old, std::max(size, LeastShare * ground.Given[At(vertex)]));
 }
 
 /// Balls that touch the ground from one side.
@@ -41,7 +41,7 @@ public:
 
   /// The diameter of the ball that touches the place, where the surface has the normal, from the
   /// side of it (+1) or from the other one (-1).
-  double Diameter(const Point3& place, const Point3& normal, double side, double most) const
+  double Diameter(const Point3& place, const Point3& normal, double side, double most)
   {
     constexpr int MostRounds = 4;
     double radius = 0.5 * most;
@@ -55,13 +55,15 @@ public:
       const double height = isLess ? side * Dot(apart, normal) : 0.0;
       isLess = height > 0.0 && Dot(apart, apart) < (2.0 - 1e-6) * height * radius;
       radius = isLess ? Dot(apart, apart) / (2.0 * height) : radius;
+      this->Wall = isLess ? this->Entered : this->Wall;
     }
     return 2.0 * radius;
   }
 
+  Id Wall = NoId; ///< the triangle that the last ball ended at
+
 private:
-  bool IsEntered(
-    const Point3& center, double radius, const Point3& normal, Point3& nearest) const
+  bool IsEntered(const Point3& center, double radius, const Point3& normal, Point3& nearest)
   {
     constexpr double LeastOpposition = -0.75;
     bool isFound = false;
@@ -79,6 +81,7 @@ private:
         {
           nearest = place;
           isFound = true;
+          this->Entered = item.Triangle;
           return distance;
         }
         return limit;
@@ -88,6 +91,7 @@ private:
 
   const SurfaceGround& Ground;
   const BoxTree<SurfaceItem, 3>& Tree;
+  Id Entered = NoId;
 };
 
 /// A feature edge as an item of a tree.
@@ -118,7 +122,8 @@ public:
       {
         const Id a = chains.At(k - 1);
         const Id b = chains.At(k);
-        items.push_back({ a, b, Box3::Around(ground.Mesh.Points[At(a)], ground.Mesh.Points[At(b)]) });
+        items.push_back(
+          { a, b, Box3::Around(ground.Mesh.Points[At(a)], ground.Mesh.Points[At(b)]) });
         this->Arms[At(a)].push_back(b);
         this->Arms[At(b)].push_back(a);
       }
@@ -137,8 +142,7 @@ public:
       {
         const Point3& tail = this->Ground.Mesh.Points[At(item.Tail)];
         const Point3 side = this->Ground.Mesh.Points[At(item.Head)] - tail;
-        const double part =
-          std::min(1.0, std::max(0.0, Dot(place - tail, side) / Dot(side, side)));
+        const double part = std::min(1.0, std::max(0.0, Dot(place - tail, side) / Dot(side, side)));
         const Point3 foot = tail + part * side;
         const double distance = Distance(place, foot);
         const double way = std::min(this->Ways[At(item.Tail)] + part * Length(side),
@@ -178,8 +182,7 @@ private:
       for (const Id next : this->Arms[At(entry.second)])
       {
         const double way = entry.first +
-          Distance(
-            this->Ground.Mesh.Points[At(next)], this->Ground.Mesh.Points[At(entry.second)]);
+          Distance(this->Ground.Mesh.Points[At(next)], this->Ground.Mesh.Points[At(entry.second)]);
         if (way < most && way < this->Ways[At(next)])
         {
           this->Ways[At(next)] = way;
@@ -197,19 +200,31 @@ private:
   std::vector<Id> Seen;
 };
 
+/// The wall where a ball of the diameter ends, at `place`: f grows from there. What is steeper than
+/// any gradation is left to later rounds, when the wall is divided there.
+void CapWall(SurfaceGround& ground, Id wall, const Point3& place, double diameter)
+{
+  constexpr double Growth = 0.3;
+  for (std::size_t slot = 3 * At(wall); slot < 3 * At(wall) + 3; ++slot)
+  {
+    Cap(
+      ground, ground.Mesh.Corners[slot], diameter + Growth * Distance(ground.Mesh.At(slot), place));
+  }
+}
+
 double LengthOfChain(const SurfaceGround& ground, Id chain)
 {
   double length = 0.0;
   for (Id k = ground.Chains.Begin(chain) + 1; k < ground.Chains.End(chain); ++k)
   {
-    length += Distance(ground.Mesh.Points[At(ground.Chains.At(k - 1))],
-      ground.Mesh.Points[At(ground.Chains.At(k))]);
+    length += Distance(
+      ground.Mesh.Points[At(ground.Chains.At(k - 1))], ground.Mesh.Points[At(ground.Chains.At(k))]);
   }
   return length;
 }
 
 /// Of a chain at its vertices of the input; a straight piece between two of them is one side.
-void CapByTurns(SurfaceGround& ground, const std::vector<double>& given, Id chain, double tolerance)
+void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
 {
   std::vector<Id> turns;
   for (Id k = ground.Chains.Begin(chain); k < ground.Chains.End(chain); ++k)
@@ -235,7 +250,7 @@ void CapByTurns(SurfaceGround& ground, const std::vector<double>& given, Id chai
     {
       // A chord l of a circle of radius R is l^2 / (8 R) from it.
       const double size = 8.0 * tolerance * reach / turn;
-      Cap(ground, given, turns[k], std::max(size, reach));
+      Cap(ground, turns[k], std::max(size, reach));
     }
   }
 }
@@ -244,24 +259,28 @@ void CapByTurns(SurfaceGround& ground, const std::vector<double>& given, Id chai
 
 void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
 {
-  const std::vector<double> given = ground.Sizes;
-  const ShrinkingBall ball(ground, tree);
+  ShrinkingBall ball(ground, tree);
   std::vector<std::uint8_t> isDone(ground.Mesh.Points.size(), 0);
-  const auto measure = [&ball, &ground, &given](const Point3& place, const Point3& normal, Id vertex)
+  const auto measure = [&ball, &ground](const Point3& place, const Point3& normal, Id vertex)
   {
-    const double size = given[At(vertex)];
-    const double diameter = std::min(
-      ball.Diameter(place, normal, 1.0, size), ball.Diameter(place, normal, -1.0, size));
-    if (diameter < size)
+    const double size = ground.Given[At(vertex)];
+    bool isFree = true;
+    for (const double side : { 1.0, -1.0 })
     {
-      Cap(ground, given, vertex, diameter);
+      const double diameter = ball.Diameter(place, normal, side, size);
+      if (diameter < size)
+      {
+        isFree = false;
+        Cap(ground, vertex, diameter);
+        CapWall(ground, ball.Wall, place + (side * diameter) * normal, diameter);
+      }
     }
-    return diameter >= size;
+    return isFree;
   };
   // Neighbours of a vertex that sees no wall see none either, if they are near.
   constexpr double Near = 0.3;
   pulse.ForEach(ground.Mesh.Points.size(),
-    [&ground, &given, &isDone, &measure](std::size_t v)
+    [&ground, &isDone, &measure](std::size_t v)
     {
       if (isDone[v] != 0 || ground.Places[v] != FeaturePlace::None)
       {
@@ -283,7 +302,7 @@ void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, 
       {
         for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
         {
-          if (Distance(ground.Mesh.At(slot), place) < Near * given[v])
+          if (Distance(ground.Mesh.At(slot), place) < Near * ground.Given[v])
           {
             isDone[At(ground.Mesh.Corners[slot])] = 1;
           }
@@ -309,16 +328,15 @@ void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, 
 void CapByFeatures(SurfaceGround& ground, Pulse& pulse)
 {
   constexpr double ShareOfDistance = 0.8;
-  const std::vector<double> given = ground.Sizes;
   FeatureDistances distances(ground, pulse);
   pulse.ForEach(ground.Mesh.Points.size(),
-    [&ground, &given, &distances](std::size_t v)
+    [&ground, &distances](std::size_t v)
     {
       if (ground.Places[v] != FeaturePlace::None)
       {
         const auto vertex = static_cast<Id>(v);
-        const double most = given[v] / ShareOfDistance;
-        Cap(ground, given, vertex, ShareOfDistance * distances.FromStranger(vertex, most));
+        const double most = ground.Given[v] / ShareOfDistance;
+        Cap(ground, vertex, ShareOfDistance * distances.FromStranger(vertex, most));
       }
     });
   for (Id chain = 0; chain < ground.Chains.Size(); ++chain)
@@ -329,15 +347,13 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse)
     const double size = LengthOfChain(ground, chain) / (isClosed ? 4.0 : 1.0);
     for (Id k = begin; k < end; ++k)
     {
-      Cap(ground, given, ground.Chains.At(k), size);
+      Cap(ground, ground.Chains.At(k), size);
     }
   }
 }
 
-void CapByCurvature(
-  SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse)
+void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse)
 {
-  const std::vector<double> given = ground.Sizes;
   const SurfaceLinks links = LinkSurface(input, pulse);
   std::vector<double> sizes(input.NumberOfTriangles(), Infinity); // of triangles of the input
   for (std::size_t slot = 0; slot < input.Corners.size(); ++slot)
@@ -368,12 +384,12 @@ void CapByCurvature(
     const double size = sizes[At(ground.Mesh.Cells[slot / 3])];
     if (size < Infinity)
     {
-      Cap(ground, given, ground.Mesh.Corners[slot], size);
+      Cap(ground, ground.Mesh.Corners[slot], size);
     }
   }
   for (Id chain = 0; chain < ground.Chains.Size(); ++chain)
   {
-    CapByTurns(ground, given, chain, tolerance);
+    CapByTurns(ground, chain, tolerance);
   }
 }
 
@@ -402,8 +418,8 @@ void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
       for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
       {
         const Id other = ground.Mesh.Corners[slot];
-        const double size = entry.first +
-          gradation * Distance(ground.Mesh.At(slot), ground.Mesh.Points[At(vertex)]);
+        const double size =
+          entry.first + gradation * Distance(ground.Mesh.At(slot), ground.Mesh.Points[At(vertex)]);
         if (size < ground.Sizes[At(other)])
         {
           ground.Sizes[At(other)] = size;

@@ -173,7 +173,7 @@ double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
                        : this->Sizes[static_cast<std::size_t>(this->Mesh.Corners[3 * t])];
 }
 
-bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& sizeAt,
+bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
   std::size_t mostTriangles, Pulse& pulse)
 {
   std::vector<Id> middles;
@@ -191,11 +191,8 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
         const double mean = 0.5 * (ground.Sizes[low] + ground.Sizes[high]);
         ground.Mesh.Points.push_back(place);
         ground.Mesh.PointIds.push_back(NoId);
-        ground.Sizes.push_back(sizeAt ? sizeAt(place) : mean);
-        if (!(ground.Sizes.back() > 0.0))
-        {
-          return true;
-        }
+        ground.Given.push_back(given(place));
+        ground.Sizes.push_back(std::min(mean, ground.Given.back()));
       }
       middles[slots[k].Slot] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
     }

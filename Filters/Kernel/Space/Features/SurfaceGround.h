@@ -61,7 +61,8 @@ struct SurfaceGround
   SurfaceMesh Mesh;            ///< Cells: the triangle of the input that each is a part of
   std::vector<EdgeFlag> Flags; ///< of slots
   std::vector<Id> Across;      ///< of slots: the slot in the same patch; NoId at feature edges
-  std::vector<double> Sizes;   ///< f at vertices
+  std::vector<double> Given;   ///< f at vertices as given
+  std::vector<double> Sizes;   ///< f at vertices as used: no more than that
   std::vector<Point3> Normals; ///< unit, of the triangles of the input
   std::vector<FeaturePlace> Places;
   FeatureChains Chains;
@@ -80,9 +81,9 @@ struct SurfaceGround
 constexpr double LongestEdge = 1.2;
 
 /// Divides all edges longer than LongestEdge f: in halves, round by round, all long ones at once.
-/// f at new vertices is sizeAt, or the mean of the ends where that is empty. False where there are
-/// more triangles than `mostTriangles`.
-bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& sizeAt,
+/// f at new vertices is the mean of the ends, and no more than `given` there. False where there would
+/// be more triangles than `mostTriangles`.
+bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
   std::size_t mostTriangles, Pulse& pulse);
 
 /// Sets Across and TrianglesAt.
