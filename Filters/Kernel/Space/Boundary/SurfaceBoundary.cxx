@@ -48,6 +48,10 @@ public:
 
   SurfaceBoundary Run(bool isSolid)
   {
+    if (!isSolid)
+    {
+      this->AddFrame();
+    }
     this->Triangulate();
     this->FindCenters();
     if (isSolid)
@@ -72,6 +76,20 @@ public:
   }
 
 private:
+  /// Corners of a cube around all: so flat surfaces have cells on both sides.
+  void AddFrame()
+  {
+    const Box3 box = this->Ground.Mesh.Bounds();
+    const double reach = 3.0 * box.Diagonal();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Point3 way{ (corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
+        (corner & 4) != 0 ? reach : -reach };
+      this->Cells.Insert(box.Center() + way);
+      this->BiteOf.push_back(NoId);
+    }
+  }
+
   void Triangulate()
   {
     this->Cells.Reserve(this->Bites.Centers.size());
@@ -225,7 +243,8 @@ private:
     {
       const Id twin = mesh.Twins[Index(facet)];
       const Id cell = TetMesh::CellOf(facet);
-      if (mesh.IsTetrahedron(cell) && (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))))
+      if (mesh.IsTetrahedron(cell) && this->IsOfBites(facet) &&
+        (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))))
       {
         const DualMeeting meeting = this->Meet(facet);
         if (meeting.Count % 2 == 1)
@@ -236,6 +255,14 @@ private:
         }
       }
     }
+  }
+
+  bool IsOfBites(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    return this->BiteOf[Index(mesh.FacetCorner(facet, 0))] != NoId &&
+      this->BiteOf[Index(mesh.FacetCorner(facet, 1))] != NoId &&
+      this->BiteOf[Index(mesh.FacetCorner(facet, 2))] != NoId;
   }
 
   /// The unit normal of the facet, away from its cell.
@@ -292,7 +319,12 @@ private:
         const double y = Dot(Cross(c, a), normal);
         const double z = Dot(Cross(a, b), normal);
         const double sum = x + y + z;
-        const bool isMet = sum != 0.0 && x * sum >= 0.0 && y * sum >= 0.0 && z * sum >= 0.0;
+        // What passes an edge passes one of its two triangles: their rounded products only differ in
+        // sign, and 0 has that of the order of the ends.
+        const Id* ends = &this->Ground.Mesh.Corners[3 * Index(item.Triangle)];
+        const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
+        const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
+          isLeft == (z > 0.0 || (z == 0.0 && ends[0] < ends[1]));
         const double height =
           isMet ? (x * Dot(a, normal) + y * Dot(b, normal) + z * Dot(c, normal)) / sum : Infinity;
         if (height >= begin && height <= end)

@@ -212,6 +212,32 @@ void CapWall(SurfaceGround& ground, Id wall, const Point3& place, double diamete
   }
 }
 
+/// Marks the vertices that hang together with one within the distance of it.
+void MarkAround(
+  const SurfaceGround& ground, Id vertex, double most, std::vector<std::uint8_t>& isMarked)
+{
+  const Point3& place = ground.Mesh.Points[At(vertex)];
+  std::vector<Id> front{ vertex };
+  isMarked[At(vertex)] = 1;
+  while (!front.empty())
+  {
+    const Id next = front.back();
+    front.pop_back();
+    for (const Id* t = ground.TrianglesAt.Begin(next); t < ground.TrianglesAt.End(next); ++t)
+    {
+      for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+      {
+        const Id other = ground.Mesh.Corners[slot];
+        if (isMarked[At(other)] == 0 && Distance(ground.Mesh.At(slot), place) < most)
+        {
+          isMarked[At(other)] = 1;
+          front.push_back(other);
+        }
+      }
+    }
+  }
+}
+
 double LengthOfChain(const SurfaceGround& ground, Id chain)
 {
   double length = 0.0;
@@ -298,16 +324,7 @@ void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, 
       {
         return;
       }
-      for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
-      {
-        for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
-        {
-          if (Distance(ground.Mesh.At(slot), place) < Near * ground.Given[v])
-          {
-            isDone[At(ground.Mesh.Corners[slot])] = 1;
-          }
-        }
-      }
+      MarkAround(ground, vertex, Near * ground.Given[v], isDone);
     });
   // Strips without a vertex inside.
   pulse.ForEach(ground.Mesh.NumberOfTriangles(),

@@ -379,7 +379,9 @@ private:
 BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   ProblemList& problems, Monitor& monitor)
 {
-  return SurfaceMesher(surface, options, problems, monitor).Run();
+  return surface.Mesh.NumberOfTriangles() == 0
+    ? BitingSurface()
+    : SurfaceMesher(surface, options, problems, monitor).Run();
 }
 
 } // namespace biting

@@ -51,10 +51,10 @@ public:
 
   void Run()
   {
-    constexpr int Rounds = 8;
+    constexpr int Rounds = 5;
     for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
     {
-      this->FlipAll(round < Rounds - 2);
+      this->FlipAll(round < Rounds - 1);
       for (Id vertex = 0; vertex < static_cast<Id>(this->Mesh.Points.size()); ++vertex)
       {
         if (this->Mesh.IsFree[At(vertex)] != 0 && this->Beats.Beat(64))
@@ -66,7 +66,10 @@ public:
     constexpr int Trials = 12;
     for (int round = 0; round < Trials && this->Beats.Ask(); ++round)
     {
-      this->FlipAll(false);
+      if (round % 3 == 0)
+      {
+        this->FlipAll(false);
+      }
       if (!this->MoveWorst(round))
       {
         break;
@@ -178,7 +181,7 @@ private:
 
   void FlipAll(bool byDegrees)
   {
-    constexpr int MostSweeps = 4;
+    constexpr int MostSweeps = 2;
     bool isChanged = true;
     for (int sweep = 0; sweep < MostSweeps && isChanged; ++sweep)
     {
