@@ -298,7 +298,7 @@ bool vtkBitingMesher::Execution::MakeMesh()
   {
     return false;
   }
-  this->WarnOfRepairs(this->Planar);
+  this->WarnOfRepairs(&this->Planar);
   if (!this->Mesh.Piece.IsPart)
   {
     this->Warn(biting::UncoveredWarning(

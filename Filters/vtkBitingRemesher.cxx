@@ -290,8 +290,8 @@ bool vtkBitingRemesher::Execution::Remesh()
   {
     return false;
   }
-  const bool isMade = this->AcceptProblems(this->Mesh.Planar);
-  this->WarnOfRepairs(this->Mesh.Planar);
+  const bool isMade = this->AcceptProblems(&this->Mesh.Planar);
+  this->WarnOfRepairs(&this->Mesh.Planar);
   if (isMade)
   {
     this->NumberPoints();

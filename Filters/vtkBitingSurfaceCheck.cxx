@@ -147,7 +147,8 @@ void vtkBitingSurfaceCheck::Execution::Write(const biting::CheckedSurface& surfa
   biting::Pulse pulse(this->Progress);
   vtkPolyData* mesh = vtkPolyData::GetData(outputs, 0);
   biting::SurfaceToPolyData(surface, this->Problems, drawing, mesh, pulse);
-  biting::FeatureEdgesToPolyData(surface, mesh, vtkPolyData::GetData(outputs, 1));
+  biting::EdgesToPolyData(surface.Mesh.Points, surface.EdgeEnds, surface.EdgeKinds, mesh,
+    vtkPolyData::GetData(outputs, 1));
   biting::AddPlacesInSpace(this->Problems, this->Places);
   biting::ProblemsToPolyData(this->Places, vtkPolyData::GetData(outputs, 2));
   this->Filter->Summary = biting::SummaryOf(surface, this->Problems);

@@ -331,7 +331,7 @@ bool vtkMeshConformity::Execution::Compare(biting::SpacingOptions options)
   const biting::Spacing spacing = biting::MakeSpacing(options, box, this->Problems, this->Progress);
   biting::PlanarInput planar;
   planar.Frame = this->Mesh.Faces.Frame;
-  if (!this->AcceptProblems(planar) || this->WasAborted())
+  if (!this->AcceptProblems(&planar) || this->WasAborted())
   {
     return false;
   }

@@ -77,7 +77,8 @@ bool IsA(pqPipelineSource* source, const char* name)
 
 bool HasProblems(pqPipelineSource* source)
 {
-  return IsA(source, "BitingMesher") || IsA(source, "BitingRemesher");
+  return IsA(source, "BitingMesher") || IsA(source, "BitingRemesher") ||
+    IsA(source, "BitingSurfaceMesher");
 }
 
 bool IsEmpty(pqPipelineSource* source, int port)

@@ -18,6 +18,7 @@ set(biting_bridge_sources
   Drawing/RemeshInputFromDataSet.cxx
   Drawing/SurfaceFromDrawing.cxx
   Mesh/BitesToPolyData.cxx
+  Mesh/BitingSurfaceToPolyData.cxx
   Mesh/DividedQuads.cxx
   Mesh/MeasuredMesh.cxx
   Mesh/MeasuredTetrahedra.cxx
@@ -38,5 +39,6 @@ set(biting_bridge_sources
   Source/SourceCover.cxx
   Source/SourceData.cxx
   Source/SourceSpacing.cxx
+  Source/SpaceSpacing.cxx
   Source/SpacingValues.cxx
   Source/TransferredArrays.cxx)

@@ -6,7 +6,7 @@
 
 #include "FilterTesting.h"
 
-#include "vtkBitingSurfaceCheck.h"
+#include "vtkBitingSurfaceMesher.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkStringArray.h"
@@ -22,7 +22,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingSurfaceCheck::SURFACE_TOUCHES + 1;
+constexpr int NumberOfKinds = vtkBitingSurfaceMesher::LOST_FEATURES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem

@@ -84,23 +84,24 @@ void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problem
   AddFigures(surface, problems, output->GetFieldData());
 }
 
-void FeatureEdgesToPolyData(const CheckedSurface& surface, vtkPolyData* mesh, vtkPolyData* output)
+void EdgesToPolyData(const std::vector<Point3>& places, const std::vector<Id>& given,
+  const std::vector<SurfaceEdgeKind>& edgeKinds, vtkPolyData* mesh, vtkPolyData* output)
 {
   output->Initialize();
-  std::vector<Id> numbers(surface.Mesh.Points.size(), NoId);
+  std::vector<Id> numbers(places.size(), NoId);
   std::vector<Id> used;
   std::vector<Id> ends;
-  ends.reserve(surface.EdgeEnds.size());
+  ends.reserve(given.size());
   vtkNew<vtkPoints> points;
   points->SetDataType(mesh->GetPoints()->GetDataType());
-  for (const Id end : surface.EdgeEnds)
+  for (const Id end : given)
   {
     Id& number = numbers[static_cast<std::size_t>(end)];
     if (number == NoId)
     {
       number = static_cast<Id>(used.size());
       used.push_back(end);
-      points->InsertNextPoint(surface.Mesh.Points[static_cast<std::size_t>(end)].Data());
+      points->InsertNextPoint(places[static_cast<std::size_t>(end)].Data());
     }
     ends.push_back(number);
   }
@@ -110,8 +111,8 @@ void FeatureEdgesToPolyData(const CheckedSurface& surface, vtkPolyData* mesh, vt
   output->SetLines(lines);
   AddArray<vtkIdTypeArray>(output->GetPointData(), "MeshPointId", used);
   std::vector<std::uint8_t> kinds;
-  kinds.reserve(surface.EdgeKinds.size());
-  for (const SurfaceEdgeKind kind : surface.EdgeKinds)
+  kinds.reserve(edgeKinds.size());
+  for (const SurfaceEdgeKind kind : edgeKinds)
   {
     kinds.push_back(static_cast<std::uint8_t>(kind));
   }

@@ -22,8 +22,9 @@ namespace biting
 void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problems,
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse);
 
-/// Its feature edges as lines; `mesh` is what SurfaceToPolyData has filled.
-void FeatureEdgesToPolyData(const CheckedSurface& surface, vtkPolyData* mesh, vtkPolyData* output);
+/// Edges between `places` as lines, two ends each, with their kinds; `mesh` has the same places.
+void EdgesToPolyData(const std::vector<Point3>& places, const std::vector<Id>& given,
+  const std::vector<SurfaceEdgeKind>& edgeKinds, vtkPolyData* mesh, vtkPolyData* output);
 
 /// What it is in a few lines, and what is wrong with it.
 std::string SummaryOf(const CheckedSurface& surface, const ProblemList& problems);

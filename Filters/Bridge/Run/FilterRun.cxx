@@ -111,13 +111,13 @@ bool FilterRun::AcceptComplete(std::initializer_list<const WholeInput*> inputs)
   return this->Accept(areComplete ? "" : NotGathered);
 }
 
-bool FilterRun::AcceptProblems(const PlanarInput& planar)
+bool FilterRun::AcceptProblems(const PlanarInput* planar)
 {
   for (const ProblemGroup& group : this->Problems.Groups())
   {
     if (IsError(group.Code) && group.Code != ProblemCode::Aborted)
     {
-      this->Refuse(MessageFrom(group, planar));
+      this->Refuse(planar ? MessageFrom(group, *planar) : MessageInSpace(group));
     }
   }
   return !this->IsRefused;
@@ -167,28 +167,35 @@ void FilterRun::Warn(const std::string& text, const std::string& inShort) const
   }
 }
 
-void FilterRun::WarnOfRepairs(const PlanarInput& planar) const
+void FilterRun::WarnOfRepairs(const PlanarInput* planar) const
 {
   for (const ProblemGroup& group : this->Problems.Groups())
   {
     if (!IsError(group.Code) && !IsNote(group.Code))
     {
-      this->Warn(MessageFrom(group, planar), HeadingOf(group) + ", see Problems");
+      this->Warn(planar ? MessageFrom(group, *planar) : MessageInSpace(group),
+        HeadingOf(group) + ", see Problems");
     }
   }
 }
 
-std::string FilterRun::AddSource(vtkInformation* information, vtkDataObject* source,
-  const PlaneFrame& frame, const std::function<bool(const Point2&)>& isWanted,
-  SpacingOptions& spacing, Monitor& part)
+SourceData FilterRun::Choose(vtkInformation* information, vtkDataObject* source)
 {
-  const SourceData data = ChooseSource(information, source);
+  SourceData data = ChooseSource(information, source);
   if (data.Chosen.IsMissing)
   {
     this->Warn(std::string("The spacing source is not used: it has no point array named ") +
       SpacingArrayName + ", and no other was chosen." +
       (data.Chosen.IsOfCells ? CellDataAdvice : ""));
   }
+  return data;
+}
+
+std::string FilterRun::AddSource(vtkInformation* information, vtkDataObject* source,
+  const PlaneFrame& frame, const std::function<bool(const Point2&)>& isWanted,
+  SpacingOptions& spacing, Monitor& part)
+{
+  const SourceData data = this->Choose(information, source);
   if (!data.Chosen.Refusal.empty() || !data.Chosen.Array)
   {
     return data.Chosen.Refusal;
@@ -230,10 +237,9 @@ int PassTimes(vtkInformationVector** inputs, int numberOfPorts, vtkInformationVe
 
 std::string CheckMesherParameters(const BitingMeshOptions& options)
 {
-  const double mergeTolerance = options.Domain.MergeTolerance;
   const SimplificationOptions& simplification = options.Simplification;
   for (const std::string& refusal :
-    { CheckSpacingParameters(options.Spacing), CheckAtLeastZero("Merge Tolerance", mergeTolerance),
+    { CheckSpacingParameters(options.Spacing), CheckMergeTolerance(options.Domain.MergeTolerance),
       CheckAtLeastZero("End Tolerance", options.Domain.EndTolerance),
       CheckAtLeastZero("Boundary Tolerance", simplification.Tolerance),
       CheckAtLeastZero("Corner Angle", simplification.CornerAngle),
@@ -254,18 +260,11 @@ std::string CheckMesherParameters(const BitingMeshOptions& options)
   {
     return "Phi is " + ValueText(options.Phi) + "; it must be above 0 and at most 1.";
   }
-  if (mergeTolerance >= 1.0)
+  if (options.MaximumNumberOfBites < -1)
   {
-    return "Merge Tolerance is " + ValueText(mergeTolerance) +
-      "; it is relative to the diagonal of the input, and must be below 1.";
+    return "Maximum Number Of Bites is below -1; -1 means until the front is empty.";
   }
-  if (options.MaximumNumberOfBites < -1 || options.MaximumNumberOfVertices < 1)
-  {
-    return options.MaximumNumberOfBites < -1
-      ? "Maximum Number Of Bites is below -1; -1 means until the front is empty."
-      : "Maximum Number Of Vertices is below 1.";
-  }
-  return {};
+  return CheckMostVertices(options.MaximumNumberOfVertices);
 }
 
 } // namespace biting

@@ -15,6 +15,7 @@
 #include "../../vtkBitingCompat.h" // for the ABI namespace
 #include "../Drawing/PlaneFrame.h"
 #include "../Ranks/Ranks.h"
+#include "../Source/SourceData.h"
 #include "MonitorOfFilter.h"
 #include "ProblemReport.h"
 
@@ -86,11 +87,15 @@ protected:
   /// Reports a warning, in the summary too; nothing where the text is empty.
   void Warn(const std::string& text) const;
 
-  /// An error for each kind of Problems that is one. Whether there is none, nor was before.
-  bool AcceptProblems(const PlanarInput& planar);
+  /// An error for each kind of Problems that is one. Whether there is none, nor was before. Without
+  /// `planar` they are problems of space.
+  bool AcceptProblems(const PlanarInput* planar);
 
   /// A warning for each kind of repair.
-  void WarnOfRepairs(const PlanarInput& planar) const;
+  void WarnOfRepairs(const PlanarInput* planar) const;
+
+  /// The array of `source` that `information` names; warns where there is none.
+  SourceData Choose(vtkInformation* information, vtkDataObject* source);
 
   /// Adds the array of `source`, where there is any, to `spacing`; `information` names it.
   /// `isWanted` as of AddSourceSpacing. Returns a refusal.
@@ -158,6 +163,19 @@ inline std::string CheckSpacingParameters(const SpacingOptions& spacing)
   }
   const bool isCrossed = spacing.Maximum > 0.0 && spacing.Minimum > spacing.Maximum;
   return isCrossed ? "Minimum Spacing is above Maximum Spacing." : "";
+}
+
+inline std::string CheckMergeTolerance(double tolerance)
+{
+  const std::string refusal = CheckAtLeastZero("Merge Tolerance", tolerance);
+  return refusal.empty() && tolerance >= 1.0 ? "Merge Tolerance is " + ValueText(tolerance) +
+      "; it is relative to the diagonal of the input, and must be below 1."
+                                             : refusal;
+}
+
+inline std::string CheckMostVertices(std::int64_t most)
+{
+  return most < 1 ? "Maximum Number Of Vertices is below 1." : "";
 }
 
 /// Of all that the mesher has.

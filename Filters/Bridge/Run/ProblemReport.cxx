@@ -109,6 +109,12 @@ constexpr std::array<Wording, NumberOfProblemKinds + 1> Wordings = { {
   { "SurfaceTouches", "Touches within rounding", "cell", "cell", "" },
   { "UnmatchedSides", "Sides that Periodic Translation does not map onto others", "cell", "",
     "Draw both sides alike, or correct the translation." },
+  { "TooThin", "Walls too near to each other for the spacing", "cell", "",
+    "Choose a smaller spacing there." },
+  { "TooSharp", "Faces at too small an angle for the spacing", "cell", "",
+    "Choose a smaller spacing there, or a larger Feature Angle." },
+  { "LostFeatures", "Feature lines that are not in the mesh", "point", "",
+    "They are too fine for the spacing." },
   { "Aborted", "Aborted", "", "", "" },
 } };
 
@@ -290,7 +296,8 @@ std::size_t PointIdOf(ProblemCode code)
   return isPoint(wording.FirstId) ? 0 : isPoint(wording.SecondId) ? 1 : 2;
 }
 
-std::string Occurrences(const ProblemGroup& group, const Wording& wording, const PlanarInput& input)
+// `place` is that of the first.
+std::string Occurrences(const ProblemGroup& group, const Wording& wording, const std::string& place)
 {
   std::vector<std::string> first;
   for (std::size_t k = 0; k < std::min(group.First.size(), ShownIds); ++k)
@@ -299,7 +306,7 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
     first.push_back(IdsText(problem, wording));
     if (k == 0)
     {
-      first.back() += " near " + PlaceText(PlaceInSpace(problem, input));
+      first.back() += " near " + place;
       first.back() += problem.Detail.empty() ? "" : " (" + problem.Detail + ")";
     }
   }
@@ -308,17 +315,22 @@ std::string Occurrences(const ProblemGroup& group, const Wording& wording, const
 }
 
 // What, how many, which and where.
-std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
+std::string FactsOf(const ProblemGroup& group, const std::string& place)
 {
   const Wording& wording = WordingOf(group.Code);
   const Problem& first = group.First.front();
   if (!ShownIdsOf(first).empty())
   {
-    return wording.What + Occurrences(group, wording, input) + ".";
+    return wording.What + Occurrences(group, wording, place) + ".";
   }
   const bool hasPlace = first.Code == ProblemCode::NoClosedLoop && !first.Detail.empty();
   return wording.What + (first.Detail.empty() ? "" : ": " + first.Detail) +
-    (hasPlace ? " near " + PlaceText(PlaceInSpace(first, input)) : "") + ".";
+    (hasPlace ? " near " + place : "") + ".";
+}
+
+std::string FactsOf(const ProblemGroup& group, const PlanarInput& input)
+{
+  return FactsOf(group, PlaceText(PlaceInSpace(group.First.front(), input)));
 }
 
 } // namespace
@@ -377,6 +389,13 @@ void ProblemsToPolyData(const ProblemPlaces& problems, vtkPolyData* output)
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input)
 {
   return FactsOf(group, input) + " " + WordingOf(group.Code).Advice;
+}
+
+std::string MessageInSpace(const ProblemGroup& group)
+{
+  const std::string advice = WordingOf(group.Code).Advice;
+  return FactsOf(group, PlaceText(group.First.front().Place)) + (advice.empty() ? "" : " ") +
+    advice;
 }
 
 std::string HeadingOf(const ProblemGroup& group)

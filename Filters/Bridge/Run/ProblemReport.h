@@ -75,6 +75,9 @@ constexpr std::size_t ShownIds = 5;
 /// or can be done.
 std::string MessageFrom(const ProblemGroup& group, const PlanarInput& input);
 
+/// The same of problems of space.
+std::string MessageInSpace(const ProblemGroup& group);
+
 /// The kind of the problems, and their number.
 std::string HeadingOf(const ProblemGroup& group);
 

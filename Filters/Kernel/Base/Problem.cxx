@@ -49,6 +49,7 @@ bool IsError(ProblemCode code)
 {
   return code == ProblemCode::Aborted || code == ProblemCode::BadTriangles ||
     code == ProblemCode::OpenOutlines || code == ProblemCode::UnmatchedSides ||
+    code == ProblemCode::TooThin || code == ProblemCode::TooSharp ||
     (code >= ProblemCode::OpenEdges && code <= ProblemCode::NotOrientable) ||
     (code >= ProblemCode::NoClosedLoop && code <= ProblemCode::CheckFailed);
 }

@@ -74,7 +74,12 @@ enum class ProblemCode
   SurfaceTouches,     ///< two triangles that meet, but not deeper than rounding (ids: cell, cell)
   // Refused.
   UnmatchedSides, ///< sides that a translation maps in part, or beside others (ids: cell)
-  Aborted         ///< the monitor asked to stop; not an error
+  // Of meshes of surfaces: refused.
+  TooThin,  ///< walls or feature lines too near to each other for f (ids: cell)
+  TooSharp, ///< faces at too small an angle for f (ids: cell)
+  // Meshed, and told.
+  LostFeatures, ///< feature lines that are not in the mesh (ids: point)
+  Aborted       ///< the monitor asked to stop; not an error
 };
 
 /// One thing that is wrong with the input: what, which, where.

@@ -23,32 +23,6 @@ Soup Cube()
   return soup;
 }
 
-// A sphere of rings about the z axis, about the origin.
-Soup Sphere(double radius, int rings)
-{
-  Soup soup;
-  const auto at = [radius, rings](int i, int j)
-  {
-    const double polar = Pi * i / rings;
-    const double turn = Pi * (j % (2 * rings)) / rings;
-    return i == 0  ? Point3{ 0.0, 0.0, radius }
-      : i == rings ? Point3{ 0.0, 0.0, -radius }
-                   : Point3{ radius * std::sin(polar) * std::cos(turn),
-                       radius * std::sin(polar) * std::sin(turn), radius * std::cos(polar) };
-  };
-  for (int j = 0; j < 2 * rings; ++j)
-  {
-    soup.Add(at(0, 0), at(1, j), at(1, j + 1));
-    soup.Add(at(rings, 0), at(rings - 1, j + 1), at(rings - 1, j));
-    for (int i = 1; i + 1 < rings; ++i)
-    {
-      soup.Add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      soup.Add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  return soup;
-}
-
 // A band of n quads about the z axis; a Moebius band where it is twisted.
 Soup Band(int n, bool isTwisted)
 {

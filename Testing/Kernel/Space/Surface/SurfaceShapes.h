@@ -7,6 +7,7 @@
 #include "Space/Surface/SurfaceCheck.h"
 #include "Support/Dice.h"
 
+#include <cmath>            // for spheres
 #include <initializer_list> // for corners
 #include <utility>          // for swap
 #include <vector>           // for points
@@ -77,6 +78,33 @@ struct Soup
     this->Mesh.Cells.erase(this->Mesh.Cells.begin() + static_cast<std::ptrdiff_t>(triangle));
   }
 };
+
+/// A sphere of rings about the z axis, about the origin.
+inline Soup Sphere(double radius, int rings)
+{
+  constexpr double Pi = 3.14159265358979323846;
+  Soup soup;
+  const auto at = [radius, rings](int i, int j)
+  {
+    const double polar = Pi * i / rings;
+    const double turn = Pi * (j % (2 * rings)) / rings;
+    return i == 0  ? Point3{ 0.0, 0.0, radius }
+      : i == rings ? Point3{ 0.0, 0.0, -radius }
+                   : Point3{ radius * std::sin(polar) * std::cos(turn),
+                       radius * std::sin(polar) * std::sin(turn), radius * std::cos(polar) };
+  };
+  for (int j = 0; j < 2 * rings; ++j)
+  {
+    soup.Add(at(0, 0), at(1, j), at(1, j + 1));
+    soup.Add(at(rings, 0), at(rings - 1, j + 1), at(rings - 1, j));
+    for (int i = 1; i + 1 < rings; ++i)
+    {
+      soup.Add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      soup.Add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  return soup;
+}
 
 /// A checked surface with what was told of it.
 struct Verdict

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BitingSurfaceToPolyData.h"
+
+#include "../../Kernel/Base/Numbers.h"
+#include "../../Kernel/Quality/Quality.h"
+#include "../Data/ArrayFromVector.h"
+#include "../Data/CarriedArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm> // for max, min, sort, transform, unique
+#include <numeric>   // for iota
+#include <sstream>   // for figures
+#include <utility>   // for edges
+
+namespace biting
+{
+
+namespace
+{
+
+// The measures of vertices and triangles, and of the whole.
+struct SurfaceQuality
+{
+  std::vector<double> NearestNeighborDistance;
+  std::vector<double> Conformity;
+  std::vector<double> MinimumAngle;
+  std::vector<double> RadiusEdgeRatio;
+  std::vector<double> AspectRatio;
+  double SmallestAngle = 180.0;
+  double MeanConformity = 0.0;
+  double LargestDeviation = 0.0;
+  double Edges = 0.0;
+
+  explicit SurfaceQuality(const BitingSurface& mesh);
+
+private:
+  void AddTriangle(const BitingSurface& mesh, std::size_t triangle);
+};
+
+SurfaceQuality::SurfaceQuality(const BitingSurface& mesh)
+  : NearestNeighborDistance(mesh.Points.size(), Infinity)
+{
+  std::vector<std::pair<Id, Id>> edges;
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    this->AddTriangle(mesh, t);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back(std::minmax({ mesh.Corners[3 * t + k], mesh.Corners[3 * t + (k + 1) % 3] }));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  this->Edges = static_cast<double>(std::unique(edges.begin(), edges.end()) - edges.begin());
+  this->Conformity.reserve(mesh.Points.size());
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    const double ratio = this->NearestNeighborDistance[v] / mesh.Spacing[v];
+    this->Conformity.push_back(std::min(ratio, 1.0 / ratio));
+    this->MeanConformity += this->Conformity[v] / static_cast<double>(mesh.Points.size());
+  }
+  for (const double deviation : mesh.Deviations)
+  {
+    this->LargestDeviation = std::max(this->LargestDeviation, deviation);
+  }
+}
+
+void SurfaceQuality::AddTriangle(const BitingSurface& mesh, std::size_t triangle)
+{
+  const Id* corners = &mesh.Corners[3 * triangle];
+  const auto at = [&mesh, corners](std::size_t k) -> const Point3&
+  { return mesh.Points[static_cast<std::size_t>(corners[k % 3])]; };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double length = Distance(at(k), at(k + 1));
+    for (const std::size_t end : { k, (k + 1) % 3 })
+    {
+      double& nearest = this->NearestNeighborDistance[static_cast<std::size_t>(corners[end])];
+      nearest = std::min(nearest, length);
+    }
+  }
+  // The triangle in its own plane.
+  const Point3 side = at(1) - at(0);
+  const Point3 other = at(2) - at(0);
+  const double length = Length(side);
+  const Point2 a;
+  const Point2 b{ length, 0.0 };
+  const Point2 c{ Dot(side, other) / length, Length(Cross(side, other)) / length };
+  this->MinimumAngle.push_back(biting::MinimumAngle(a, b, c));
+  this->RadiusEdgeRatio.push_back(biting::RadiusEdgeRatio(a, b, c));
+  this->AspectRatio.push_back(biting::AspectRatio(a, b, c));
+  this->SmallestAngle = std::min(this->SmallestAngle, this->MinimumAngle.back());
+}
+
+// The values of `of` at the places that `ids` number.
+template <typename Value>
+std::vector<Id> Picked(const std::vector<Value>& of, const std::vector<Id>& ids)
+{
+  std::vector<Id> picked(ids.size());
+  std::transform(ids.begin(), ids.end(), picked.begin(),
+    [&of](Id id) { return static_cast<Id>(of[static_cast<std::size_t>(id)]); });
+  return picked;
+}
+
+std::vector<std::uint8_t> KindsOf(const BitingSurface& mesh)
+{
+  std::vector<std::uint8_t> kinds(mesh.Kinds.size());
+  std::transform(mesh.Kinds.begin(), mesh.Kinds.end(), kinds.begin(),
+    [](SurfaceVertexKind kind) { return static_cast<std::uint8_t>(kind); });
+  return kinds;
+}
+
+double EulerNumberOf(const BitingSurface& mesh, const SurfaceQuality& quality)
+{
+  return static_cast<double>(mesh.Points.size() + mesh.Triangles.size()) - quality.Edges;
+}
+
+void AddFigures(const BitingSurface& mesh, const SurfaceQuality& quality, vtkFieldData* data)
+{
+  AddCount(data, "NumberOfVertices", static_cast<std::int64_t>(mesh.Points.size()));
+  AddCount(data, "NumberOfTriangles", static_cast<std::int64_t>(mesh.Triangles.size()));
+  AddCount(data, "EulerNumber", static_cast<std::int64_t>(EulerNumberOf(mesh, quality)));
+  AddFigure(data, "SmallestAngle", quality.SmallestAngle);
+  AddFigure(data, "MeanConformity", quality.MeanConformity);
+  AddFigure(data, "LargestDeviation", quality.LargestDeviation);
+}
+
+std::string SummaryOf(const BitingSurface& mesh, const SurfaceQuality& quality)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << mesh.Points.size() << " vertices, " << mesh.Triangles.size()
+       << " triangles\nEuler number: " << static_cast<std::int64_t>(EulerNumberOf(mesh, quality))
+       << "\nSmallest angle: " << quality.SmallestAngle
+       << " degrees\nMean conformity: " << quality.MeanConformity
+       << "\nLargest deviation from the surface: " << quality.LargestDeviation << " f\n";
+  return text.str();
+}
+
+} // namespace
+
+std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
+  const Drawing& drawing, vtkPolyData* output, Pulse& pulse)
+{
+  output->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  pulse.ForEach(mesh.Points.size(),
+    [&points, &mesh](std::size_t point)
+    { points->SetPoint(static_cast<vtkIdType>(point), mesh.Points[point].Data()); });
+  output->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  SetCells(cells, 3, mesh.Corners, pulse);
+  output->SetPolys(cells);
+  const SurfaceQuality quality(mesh);
+  vtkPointData* pointData = output->GetPointData();
+  AddArray<vtkDoubleArray>(pointData, "Spacing", mesh.Spacing, pulse);
+  AddArray<vtkDoubleArray>(
+    pointData, "NearestNeighborDistance", quality.NearestNeighborDistance, pulse);
+  AddArray<vtkDoubleArray>(pointData, "Conformity", quality.Conformity, pulse);
+  AddArray<vtkIntArray>(pointData, "BiteOrder", mesh.BiteOrders, pulse);
+  AddArray<vtkUnsignedCharArray>(pointData, "VertexKind", KindsOf(mesh), pulse);
+  AddArray<vtkIdTypeArray>(pointData, "OriginalPointId", mesh.OriginalPoints, pulse);
+  vtkCellData* cellData = output->GetCellData();
+  const std::vector<Id> original = Picked(surface.Mesh.Cells, mesh.Triangles);
+  CarryArrays(drawing.CellArrays, drawing.NumberOfCells, original, cellData, pulse);
+  AddArray<vtkIdTypeArray>(cellData, "OriginalCellId", original, pulse);
+  AddArray<vtkIdTypeArray>(cellData, "RegionId", mesh.Regions, pulse);
+  AddArray<vtkDoubleArray>(cellData, "Deviation", mesh.Deviations, pulse);
+  AddArray<vtkDoubleArray>(cellData, "MinimumAngle", quality.MinimumAngle, pulse);
+  AddArray<vtkDoubleArray>(cellData, "RadiusEdgeRatio", quality.RadiusEdgeRatio, pulse);
+  AddArray<vtkDoubleArray>(cellData, "AspectRatio", quality.AspectRatio, pulse);
+  cellData->SetActiveScalars("RegionId");
+  AddFigures(mesh, quality, output->GetFieldData());
+  return SummaryOf(mesh, quality);
+}
+
+void SpheresToPolyData(const BitingSurface& mesh, vtkPolyData* output)
+{
+  output->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Point3& center : mesh.BiteCenters)
+  {
+    points->InsertNextPoint(center.Data());
+  }
+  output->SetPoints(points);
+  std::vector<Id> order(mesh.BiteCenters.size());
+  std::iota(order.begin(), order.end(), 0);
+  vtkNew<vtkCellArray> cells;
+  SetCells(cells, 1, order);
+  output->SetVerts(cells);
+  AddArray<vtkIntArray>(output->GetPointData(), "BiteOrder", order);
+  AddArray<vtkDoubleArray>(output->GetPointData(), "Radius", mesh.BiteRadii);
+  output->GetPointData()->SetActiveScalars("Radius");
+}
+
+} // namespace biting

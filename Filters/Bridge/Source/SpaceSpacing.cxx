@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SpaceSpacing.h"
+
+#include "../../Kernel/Base/BoxTree.h"
+#include "../../Kernel/Spacing/ConeTree.h"
+#include "../Data/Arrays.h"
+#include "SpacingValues.h"
+
+#include "vtkCell.h"
+#include "vtkGenericCell.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <algorithm> // for clamp, max, min, sort
+#include <cmath>     // for floor, isnan
+#include <limits>    // for the least distance
+#include <memory>    // for sharing
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+// A cell of the source as an item of a tree.
+struct SourceItem
+{
+  Box3 Bounds;
+  vtkIdType Cell;
+
+  const Box3& Box() const { return this->Bounds; }
+  double Least() const { return 0.0; }
+};
+
+// What is given at a place.
+class SourceOfSpace
+{
+public:
+  SourceOfSpace(vtkDataSet* data, std::vector<double> values, const SpacingOptions& options)
+    : Data(data)
+    , Options(options)
+    , Values(std::move(values))
+  {
+    for (double& value : this->Values)
+    {
+      value = std::isnan(value) ? value : this->Clamped(value);
+    }
+  }
+  virtual ~SourceOfSpace() = default;
+  SourceOfSpace(const SourceOfSpace&) = delete;
+  SourceOfSpace& operator=(const SourceOfSpace&) = delete;
+
+  virtual double At(const Point3& x) const = 0;
+
+  // A value as Uniform, SpacingScale and the bounds make it.
+  double Clamped(double value) const
+  {
+    const SpacingOptions& options = this->Options;
+    value = options.Uniform > 0.0 ? std::min(value, options.Uniform) : value;
+    value = std::max(value * options.Scale, options.Minimum);
+    return options.Maximum > 0.0 ? std::min(value, options.Maximum) : value;
+  }
+
+  void Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse);
+
+  double operator()(const Point3& x) const
+  {
+    const double given = this->At(x);
+    return this->IsGraded ? std::min(given, this->Cones(x)) : given;
+  }
+
+protected:
+  vtkSmartPointer<vtkDataSet> Data;
+  SpacingOptions Options;
+  std::vector<double> Values; ///< of points, clamped; NaN: nothing is given
+
+private:
+  void AddConesOf(vtkCell* cell, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const;
+
+  ConeTree<3> Cones;
+  bool IsGraded = false;
+};
+
+// The edges, or one end of each, from which f grows by less than what is given.
+void SourceOfSpace::AddConesOf(
+  vtkCell* cell, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> flat;
+  bool isSteep = false;
+  const vtkIdType size = cell->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    for (vtkIdType j = i + 1; j < size; ++j)
+    {
+      Point3 a;
+      Point3 b;
+      cell->GetPoints()->GetPoint(i, a.Data());
+      cell->GetPoints()->GetPoint(j, b.Data());
+      const vtkIdType first = cell->GetPointId(static_cast<int>(i));
+      const vtkIdType second = cell->GetPointId(static_cast<int>(j));
+      const double change = this->Values[static_cast<std::size_t>(second)] -
+        this->Values[static_cast<std::size_t>(first)];
+      if (std::abs(change) > this->Options.Gradation * Distance(a, b))
+      {
+        isSteep = true;
+        edges.emplace_back(change > 0.0 ? first : second, change > 0.0 ? first : second);
+      }
+      else
+      {
+        flat.emplace_back(std::min(first, second), std::max(first, second));
+      }
+    }
+  }
+  if (isSteep)
+  {
+    edges.insert(edges.end(), flat.begin(), flat.end());
+  }
+}
+
+void SourceOfSpace::Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse)
+{
+  double most = 0.0;
+  for (const double value : this->Values)
+  {
+    most = std::max(most, std::isnan(value) ? 0.0 : value);
+  }
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  vtkNew<vtkGenericCell> cell;
+  pulse.ForEach(static_cast<std::size_t>(this->Data->GetNumberOfCells()),
+    [this, &edges, &cell](std::size_t k)
+    {
+      this->Data->GetCell(static_cast<vtkIdType>(k), cell);
+      this->AddConesOf(cell, edges);
+    });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<Cone<3>> cones;
+  const double slope = this->Options.Gradation;
+  pulse.ForEach(edges.size(),
+    [this, &edges, &cones, &bounds, slope, most](std::size_t k)
+    {
+      Point3 a;
+      Point3 b;
+      this->Data->GetPoint(edges[k].first, a.Data());
+      this->Data->GetPoint(edges[k].second, b.Data());
+      const double atA = this->Values[static_cast<std::size_t>(edges[k].first)];
+      const double atB = this->Values[static_cast<std::size_t>(edges[k].second)];
+      const double away = std::max(bounds.DistanceTo(a) - Distance(a, b), 0.0);
+      if (std::min(atA, atB) + slope * away < most)
+      {
+        cones.emplace_back(a, b, atA, atB, slope);
+      }
+    });
+  this->IsGraded = !cones.empty() && !pulse.HasStopped();
+  if (this->IsGraded)
+  {
+    this->Cones = ConeTree<3>(cones, slope, bounds, most, monitor);
+  }
+}
+
+// An image along the axes of space: trilinear; outside the nearest place of it.
+class ImageOfSpace : public SourceOfSpace
+{
+public:
+  ImageOfSpace(vtkImageData* image, std::vector<double> values, const SpacingOptions& options)
+    : SourceOfSpace(image, std::move(values), options)
+  {
+    image->GetPoint(0, this->Origin.Data());
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      this->Size[d] = image->GetDimensions()[d];
+      this->Step[d] = image->GetSpacing()[d];
+    }
+  }
+
+  double At(const Point3& x) const override
+  {
+    std::size_t low[3];
+    double share[3];
+    std::size_t next[3];
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const double most = this->Size[d] - 1.0;
+      const double place = std::clamp((x[d] - this->Origin[d]) / this->Step[d], 0.0, most);
+      const double floor = std::min(std::floor(place), std::max(most - 1.0, 0.0));
+      low[d] = static_cast<std::size_t>(floor);
+      share[d] = place - floor;
+      next[d] = most > 0.0 ? 1 : 0;
+    }
+    double sum = 0.0;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      double weight = 1.0;
+      std::size_t node = 0;
+      for (std::size_t d = 3; d-- > 0;)
+      {
+        const bool isHigh = ((corner >> d) & 1u) != 0;
+        weight *= isHigh ? share[d] : 1.0 - share[d];
+        node = node * static_cast<std::size_t>(this->Size[d]) + low[d] + (isHigh ? next[d] : 0);
+      }
+      sum += weight > 0.0 ? weight * this->Values[node] : 0.0;
+    }
+    return sum;
+  }
+
+private:
+  Point3 Origin;
+  Point3 Step;
+  int Size[3] = { 1, 1, 1 };
+};
+
+// Cells of any kind.
+class CellsOfSpace : public SourceOfSpace
+{
+public:
+  CellsOfSpace(
+    vtkDataSet* data, std::vector<double> values, const SpacingOptions& options, Pulse& pulse)
+    : SourceOfSpace(data, std::move(values), options)
+  {
+    std::vector<SourceItem> items;
+    vtkNew<vtkGenericCell> cell;
+    pulse.ForEach(static_cast<std::size_t>(data->GetNumberOfCells()),
+      [this, data, &items, &cell](std::size_t k)
+      {
+        data->GetCell(static_cast<vtkIdType>(k), cell);
+        SourceItem item;
+        item.Cell = static_cast<vtkIdType>(k);
+        bool isKnown = cell->GetNumberOfPoints() > 0;
+        for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
+        {
+          Point3 place;
+          cell->GetPoints()->GetPoint(i, place.Data());
+          item.Bounds.Add(place);
+          isKnown = isKnown && AreFinite(place.Data()) &&
+            !std::isnan(this->Values[static_cast<std::size_t>(cell->GetPointId(i))]);
+        }
+        if (isKnown)
+        {
+          items.push_back(item);
+        }
+      });
+    this->Tree = BoxTree<SourceItem, 3>(items, pulse);
+  }
+
+  bool IsEmpty() const { return this->Tree.Items().empty(); }
+
+  double At(const Point3& x) const override
+  {
+    static thread_local vtkNew<vtkGenericCell> cell; // one a thread: to make one costs more than At
+    double nearest = Infinity;
+    double least = Infinity;
+    this->Tree.Search(x, 1.0, Infinity,
+      [this, &x, &nearest, &least](const SourceItem& item, double)
+      {
+        double distance = 0.0;
+        const double value = this->ValueIn(item.Cell, x, cell, distance);
+        least = distance < nearest ? value : distance == nearest ? std::min(value, least) : least;
+        nearest = std::min(nearest, distance);
+        return nearest > 0.0 ? nearest : std::numeric_limits<double>::min();
+      });
+    return least;
+  }
+
+private:
+  // The value at the nearest place of the cell, and how far it is.
+  double ValueIn(vtkIdType id, const Point3& x, vtkGenericCell* cell, double& distance) const
+  {
+    this->Data->GetCell(id, cell);
+    this->Weights().resize(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+    double* weights = this->Weights().data();
+    Point3 closest = x;
+    Point3 place = x;
+    double parametric[3];
+    double squared = 0.0;
+    int part = 0;
+    int state =
+      cell->EvaluatePosition(place.Data(), closest.Data(), part, parametric, squared, weights);
+    distance = state == 1 ? std::sqrt(squared) : state == 0 ? Distance(x, closest) : Infinity;
+    if (state == 0)
+    {
+      place = closest;
+      cell->EvaluatePosition(place.Data(), closest.Data(), part, parametric, squared, weights);
+    }
+    double sum = 0.0;
+    double low = Infinity;
+    double high = 0.0;
+    for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
+    {
+      const double value = this->Values[static_cast<std::size_t>(cell->GetPointId(i))];
+      sum += weights[i] * value;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    return std::clamp(sum, low, high);
+  }
+
+  static std::vector<double>& Weights()
+  {
+    static thread_local std::vector<double> weights;
+    return weights;
+  }
+
+  BoxTree<SourceItem, 3> Tree;
+};
+
+// Whether ImageOfSpace can hold it.
+bool IsPlainImage(vtkDataSet* data, const std::vector<double>& values)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  const bool isPlain = image && image->GetNumberOfPoints() > 0 && !image->HasAnyBlankCells() &&
+    !image->HasAnyBlankPoints() && image->GetDirectionMatrix()->IsIdentity();
+  return isPlain &&
+    std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+}
+
+// A constant; empty where none is given.
+SpaceSpacing UniformSpacing(const SpacingOptions& options)
+{
+  if (!(options.Uniform > 0.0))
+  {
+    return {};
+  }
+  const double scaled = std::max(options.Uniform * options.Scale, options.Minimum);
+  const double value = options.Maximum > 0.0 ? std::min(scaled, options.Maximum) : scaled;
+  return [value](const Point3&) { return value; };
+}
+
+} // namespace
+
+std::string MakeSpaceSpacing(const SourceData& source, const SpacingOptions& options,
+  const Box3& bounds, SpaceSpacing& spacing, ProblemPlaces& places, Monitor& monitor)
+{
+  vtkDataSet* data = source.Data;
+  if (!data || !source.Chosen.Array)
+  {
+    spacing = UniformSpacing(options);
+    return source.Chosen.Refusal;
+  }
+  Pulse pulse(monitor);
+  std::string refusal = CheckShape(data, source.Chosen.Array);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  std::vector<double> values = ReadDoubles(source.Chosen.Array, data->GetNumberOfPoints());
+  const double least = LeastValue(options);
+  for (double& value : values)
+  {
+    value = value <= 0.0 && least > 0.0 ? least : value;
+  }
+  refusal = CheckReadValues(
+    data, source.Chosen.Array, values, nullptr, SpacingOwner::Source, places, pulse);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  std::shared_ptr<SourceOfSpace> field;
+  if (IsPlainImage(data, values))
+  {
+    field =
+      std::make_shared<ImageOfSpace>(vtkImageData::SafeDownCast(data), std::move(values), options);
+  }
+  else
+  {
+    auto cells = std::make_shared<CellsOfSpace>(data, std::move(values), options, pulse);
+    if (cells->IsEmpty() && !pulse.HasStopped())
+    {
+      return "The spacing source has no cell with values at all of its points.";
+    }
+    field = cells;
+  }
+  if (options.Gradation > 0.0)
+  {
+    field->Grade(bounds, monitor, pulse);
+  }
+  spacing = [field](const Point3& x) { return (*field)(x); };
+  return {};
+}
+
+} // namespace biting

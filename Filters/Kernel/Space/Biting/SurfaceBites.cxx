@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceBites.h"
+
+#include "ChainDivision.h"
+
+#include <algorithm> // for find, max, min
+#include <array>     // for corners
+#include <cmath>     // for sqrt
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+/// No later centre is nearer to one on the surface, in radii.
+constexpr double Tolerance = 0.9;
+
+/// A point is taken for one of a triangle up to so far beyond its sides, in its heights: a candidate
+/// on a side must not be lost by rounding, and is the same in both triangles.
+constexpr double Beside = 1e-9;
+
+std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+/// A triangle of the ground in its plane.
+struct GroundPlane
+{
+  explicit GroundPlane(const std::array<Point3, 3>& triangle)
+    : Corners(triangle)
+    , Normal(Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]))
+    , Twice(Length(Normal))
+  {
+    this->Normal = (1.0 / this->Twice) * this->Normal;
+  }
+
+  bool Has(const Point3& p) const
+  {
+    bool isIn = true;
+    for (std::size_t k = 0; k < 3 && isIn; ++k)
+    {
+      const Point3 side = this->Corners[(k + 1) % 3] - this->Corners[k];
+      isIn = Dot(Cross(side, p - this->Corners[k]), this->Normal) >= -Beside * this->Twice;
+    }
+    return isIn;
+  }
+
+  std::array<Point3, 3> Corners;
+  Point3 Normal;
+  double Twice; ///< the area
+};
+
+/// A ball's disk in the plane of a triangle.
+struct PlaneDisk
+{
+  Point3 Center;
+  double Radius2;
+};
+
+class SurfaceBiter
+{
+public:
+  SurfaceBiter(const SurfaceGround& ground, std::size_t mostBites, Pulse& pulse)
+    : Ground(ground)
+    , MostBites(mostBites)
+    , Beats(pulse)
+    , Heads(ground.Mesh.NumberOfTriangles(), NoId)
+    , Seen(ground.Mesh.NumberOfTriangles(), NoId)
+  {
+  }
+
+  SurfaceBites Run()
+  {
+    DivideChains(this->Ground, this->Bites);
+    for (Id bite = 0; bite < this->Bites.NumberOnLines && this->Beats.Beat(); ++bite)
+    {
+      this->StartAtFeature(bite);
+      this->Take(bite);
+    }
+    this->EmptyQueue();
+    for (std::size_t t = 0; t < this->Heads.size() && !this->Beats.HasStopped(); ++t)
+    {
+      // Of a patch that no bite has reached.
+      if (this->Heads[t] == NoId)
+      {
+        this->AddBite(this->Ground.Mesh.Middle(t), static_cast<Id>(t));
+        this->EmptyQueue();
+      }
+    }
+    return std::move(this->Bites);
+  }
+
+private:
+  struct Entry
+  {
+    Id Bite;
+    Id Next;
+  };
+
+  struct Candidate
+  {
+    Point3 Place;
+    Id Triangle;
+  };
+
+  void EmptyQueue()
+  {
+    while (this->First < this->Queue.size() && this->Beats.Beat(16) &&
+      this->Bites.Centers.size() <= this->MostBites)
+    {
+      const Candidate candidate = this->Queue[this->First];
+      ++this->First;
+      if (!this->IsTaken(candidate.Triangle, candidate.Place))
+      {
+        this->AddBite(candidate.Place, candidate.Triangle);
+      }
+    }
+    this->Queue.clear();
+    this->First = 0;
+  }
+
+  /// Whether the guard of a bite that reaches the triangle has the place.
+  bool IsTaken(Id triangle, const Point3& place) const
+  {
+    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
+    {
+      const std::size_t bite = At(this->Entries[At(entry)].Bite);
+      const Point3 apart = place - this->Bites.Centers[bite];
+      if (Dot(apart, apart) < this->Bites.Guards[bite] * this->Bites.Guards[bite])
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void AddBite(const Point3& place, Id triangle)
+  {
+    const double size = this->Ground.SizeAt(triangle, place);
+    this->Bites.Centers.push_back(place);
+    this->Bites.Sizes.push_back(size);
+    this->Bites.Radii.push_back(SurfaceBitingConstant * size);
+    this->Bites.Guards.push_back(Tolerance * SurfaceBitingConstant * size);
+    this->Bites.Triangles.push_back(triangle);
+    this->Bites.GroundVertices.push_back(NoId);
+    this->Front.assign(1, triangle);
+    this->Take(this->Bites.Size() - 1);
+  }
+
+  /// All triangles at the vertex, or at the edge that the vertex lies on, begin the walk.
+  void StartAtFeature(Id bite)
+  {
+    const Id vertex = this->Bites.GroundVertices[At(bite)];
+    this->Front.clear();
+    if (vertex != NoId)
+    {
+      this->Front.assign(
+        this->Ground.TrianglesAt.Begin(vertex), this->Ground.TrianglesAt.End(vertex));
+      return;
+    }
+    const Point3& center = this->Bites.Centers[At(bite)];
+    const Id* corners = &this->Ground.Mesh.Corners[3 * At(this->Bites.Triangles[At(bite)])];
+    const double near = 1e-9 * this->Bites.Radii[At(bite)];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      for (const Id* t = this->Ground.TrianglesAt.Begin(corners[k]);
+           t < this->Ground.TrianglesAt.End(corners[k]); ++t)
+      {
+        bool isAt = false;
+        for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+        {
+          isAt = isAt || this->Distance2(slot, center) <= near * near;
+        }
+        if (isAt && std::find(this->Front.begin(), this->Front.end(), *t) == this->Front.end())
+        {
+          this->Front.push_back(*t);
+        }
+      }
+    }
+  }
+
+  /// Of the place from the edge of the slot, squared.
+  double Distance2(std::size_t slot, const Point3& place) const
+  {
+    const Point3& tail = this->Ground.Mesh.At(NextSlotOf(slot));
+    const Point3 side = this->Ground.Mesh.At(PreviousSlotOf(slot)) - tail;
+    const Point3 away = place - tail;
+    const double part = std::min(1.0, std::max(0.0, Dot(away, side) / Dot(side, side)));
+    const Point3 apart = away - part * side;
+    return Dot(apart, apart);
+  }
+
+  /// Walks from Front over what the bite takes; the candidates on its sphere go into the queue.
+  void Take(Id bite)
+  {
+    const Point3 center = this->Bites.Centers[At(bite)];
+    const double radius2 = this->Bites.Radii[At(bite)] * this->Bites.Radii[At(bite)];
+    for (const Id triangle : this->Front)
+    {
+      this->Seen[At(triangle)] = bite;
+    }
+    this->NumberOfMeetings = 0;
+    this->Way = { {}, NoId };
+    // Candidates first: the new bite is in no list yet.
+    for (std::size_t k = 0; k < this->Front.size(); ++k)
+    {
+      const Id triangle = this->Front[k];
+      this->Meet(bite, triangle);
+      for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
+      {
+        if (this->Distance2(slot, center) <= radius2)
+        {
+          this->GoAcross(bite, slot);
+        }
+      }
+    }
+    for (const Id triangle : this->Front)
+    {
+      this->Entries.push_back({ bite, this->Heads[At(triangle)] });
+      this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
+    }
+    if (this->NumberOfMeetings == 0 && this->Way.Triangle != NoId &&
+      !this->IsTaken(this->Way.Triangle, this->Way.Place))
+    {
+      this->Queue.push_back(this->Way);
+    }
+  }
+
+  void GoAcross(Id bite, std::size_t slot)
+  {
+    const Id across = this->Ground.Across[slot];
+    if (across != NoId)
+    {
+      this->GoTo(bite, across / 3);
+    }
+    else if (bite < this->Bites.NumberOnLines)
+    {
+      // No centre may be in the ball of a feature: it goes on beyond other features.
+      const Id tail = this->Ground.Mesh.Corners[NextSlotOf(slot)];
+      const Id head = this->Ground.Mesh.Corners[PreviousSlotOf(slot)];
+      for (const Id* t = this->Ground.TrianglesAt.Begin(tail);
+           t < this->Ground.TrianglesAt.End(tail); ++t)
+      {
+        const Id* corners = &this->Ground.Mesh.Corners[3 * At(*t)];
+        if (std::find(corners, corners + 3, head) != corners + 3)
+        {
+          this->GoTo(bite, *t);
+        }
+      }
+    }
+  }
+
+  void GoTo(Id bite, Id triangle)
+  {
+    if (this->Seen[At(triangle)] != bite)
+    {
+      this->Seen[At(triangle)] = bite;
+      this->Front.push_back(triangle);
+    }
+  }
+
+  /// The candidates in a triangle.
+  void Meet(Id bite, Id triangle)
+  {
+    const GroundPlane plane(this->Ground.Mesh.Triangle(At(triangle)));
+    if (!(plane.Twice > 0.0))
+    {
+      return;
+    }
+    PlaneDisk own{};
+    if (!this->DiskOf(bite, plane, own))
+    {
+      return;
+    }
+    this->NoteWay(own, plane, triangle);
+    for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
+    {
+      PlaneDisk other{};
+      if (this->DiskOf(this->Entries[At(entry)].Bite, plane, other))
+      {
+        this->MeetDisk(own, other, plane, triangle);
+      }
+    }
+  }
+
+  bool DiskOf(Id bite, const GroundPlane& plane, PlaneDisk& disk) const
+  {
+    const Point3& center = this->Bites.Centers[At(bite)];
+    const double radius = this->Bites.Radii[At(bite)];
+    const double height = Dot(center - plane.Corners[0], plane.Normal);
+    disk.Center = center - height * plane.Normal;
+    disk.Radius2 = radius * radius - height * height;
+    return disk.Radius2 > 0.0;
+  }
+
+  void MeetDisk(const PlaneDisk& a, const PlaneDisk& b, const GroundPlane& plane, Id triangle)
+  {
+    const Point3 way = b.Center - a.Center;
+    const double way2 = Dot(way, way);
+    const double part = 0.5 * (1.0 + (a.Radius2 - b.Radius2) / way2);
+    const double rise2 = a.Radius2 / way2 - part * part;
+    if (!(rise2 >= 0.0))
+    {
+      return;
+    }
+    const Point3 foot = a.Center + part * way;
+    const Point3 across = std::sqrt(rise2) * Cross(plane.Normal, way);
+    for (const Point3& place : { foot + across, foot - across })
+    {
+      if (plane.Has(place))
+      {
+        ++this->NumberOfMeetings;
+        if (!this->IsTaken(triangle, place))
+        {
+          this->Queue.push_back({ place, triangle });
+        }
+      }
+    }
+  }
+
+  /// A point of the sphere on a side of the triangle, for a bite that meets no other.
+  void NoteWay(const PlaneDisk& disk, const GroundPlane& plane, Id triangle)
+  {
+    for (std::size_t k = 0; k < 3 && this->Way.Triangle == NoId; ++k)
+    {
+      const Point3& tail = plane.Corners[k];
+      const Point3 side = plane.Corners[(k + 1) % 3] - tail;
+      const Point3 away = tail - disk.Center;
+      const double half = Dot(away, side) / Dot(side, side);
+      const double rest = half * half - (Dot(away, away) - disk.Radius2) / Dot(side, side);
+      const double root = rest >= 0.0 ? std::sqrt(rest) : -1.0;
+      for (const double part : { -half - root, -half + root })
+      {
+        if (rest >= 0.0 && part >= 0.0 && part <= 1.0)
+        {
+          this->Way = { tail + part * side, triangle };
+        }
+      }
+    }
+  }
+
+  const SurfaceGround& Ground;
+  const std::size_t MostBites;
+  Pulse& Beats;
+  SurfaceBites Bites;
+  std::vector<Id> Heads; ///< of triangles: the first of the entries of bites that reach it
+  std::vector<Entry> Entries;
+  std::vector<Id> Seen;  ///< of triangles: the last bite whose walk came there
+  std::vector<Id> Front; ///< of the walk
+  std::vector<Candidate> Queue;
+  std::size_t First = 0;
+  std::size_t NumberOfMeetings = 0;
+  Candidate Way{ {}, NoId };
+};
+
+} // namespace
+
+SurfaceBites BiteSurface(const SurfaceGround& ground, std::size_t mostBites, Pulse& pulse)
+{
+  return SurfaceBiter(ground, mostBites, pulse).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BoundaryCheck.h"
+
+#include <algorithm> // for sort, binary_search
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+class BoundaryChecker
+{
+public:
+  BoundaryChecker(const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary)
+    : Ground(ground)
+    , Bites(bites)
+    , Boundary(boundary)
+  {
+  }
+
+  void Run()
+  {
+    this->ListFacets();
+    this->ListPieces();
+    for (Id bite = 0; bite < this->Bites.Size(); ++bite)
+    {
+      if (this->FacetsAt.Count(bite) == 0)
+      {
+        this->Tell(BoundaryFault::Missing, bite, NoId);
+      }
+      else
+      {
+        this->CheckFan(bite);
+      }
+    }
+    this->CheckPieces();
+    this->CheckNormals();
+  }
+
+private:
+  void Tell(BoundaryFault fault, Id bite, Id other)
+  {
+    this->Boundary.Offences.push_back({ fault, bite, other });
+  }
+
+  void ListFacets()
+  {
+    const std::vector<Id>& corners = this->Boundary.Corners;
+    std::vector<Id>& offsets = this->FacetsAt.Offsets;
+    offsets.assign(At(this->Bites.Size()) + 1, 0);
+    this->FacetsAt.Items.resize(corners.size());
+    for (const Id corner : corners)
+    {
+      ++offsets[At(corner)];
+    }
+    Id sum = 0;
+    for (Id& offset : offsets)
+    {
+      sum += offset;
+      offset = sum;
+    }
+    for (std::size_t slot = corners.size(); slot-- > 0;)
+    {
+      Id& offset = offsets[At(corners[slot])];
+      --offset;
+      this->FacetsAt.Items[At(offset)] = static_cast<Id>(slot);
+    }
+  }
+
+  void ListPieces()
+  {
+    const std::vector<Id>& ends = this->Bites.PieceEnds;
+    for (std::size_t k = 0; k < ends.size(); k += 2)
+    {
+      this->Pieces.push_back({ std::min(ends[k], ends[k + 1]), std::max(ends[k], ends[k + 1]) });
+    }
+    std::sort(this->Pieces.begin(), this->Pieces.end());
+  }
+
+  bool IsPiece(Id a, Id b) const
+  {
+    return a < this->Bites.NumberOnLines && b < this->Bites.NumberOnLines &&
+      std::binary_search(this->Pieces.begin(), this->Pieces.end(),
+        std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
+  }
+
+  Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
+  Id Previous(Id slot) const { return this->Boundary.Corners[PreviousSlotOf(At(slot))]; }
+
+  /// Follows the fan from each facet at the bite; all of them must come in one turn. At a vertex of
+  /// features that is asked of solids only in all, and for other edges than pieces.
+  void CheckFan(Id bite)
+  {
+    const Id* begin = this->FacetsAt.Begin(bite);
+    const Id* end = this->FacetsAt.End(bite);
+    const Id count = this->FacetsAt.Count(bite);
+    Id starts = 0; // fans that begin at a piece
+    Id walked = 0; // facets in these
+    for (const Id* slot = begin; slot < end; ++slot)
+    {
+      Id before = 0;
+      Id beside = 0;
+      for (const Id* other = begin; other < end; ++other)
+      {
+        before += this->Previous(*other) == this->Next(*slot) ? 1 : 0;
+        beside += this->Next(*other) == this->Next(*slot) ? 1 : 0;
+      }
+      const bool isPiece = this->IsPiece(bite, this->Next(*slot));
+      if (!isPiece && (before != 1 || beside != 1))
+      {
+        this->Tell(BoundaryFault::NonManifold, bite, this->Next(*slot));
+        return;
+      }
+      starts += isPiece ? 1 : 0;
+    }
+    for (const Id* slot = begin; slot < end; ++slot)
+    {
+      if (starts == 0 || this->IsPiece(bite, this->Next(*slot)))
+      {
+        walked += this->WalkFan(bite, *slot);
+      }
+      if (starts == 0)
+      {
+        break;
+      }
+    }
+    if (walked != count)
+    {
+      this->Tell(BoundaryFault::Pinched, bite, NoId);
+    }
+  }
+
+  /// The number of facets from the slot of the bite on, up to a piece or round.
+  Id WalkFan(Id bite, Id slot) const
+  {
+    const Id first = slot;
+    const Id limit = this->FacetsAt.Count(bite);
+    for (Id count = 1; count <= limit; ++count)
+    {
+      if (this->IsPiece(bite, this->Previous(slot)))
+      {
+        return count;
+      }
+      Id next = NoId;
+      for (const Id* other = this->FacetsAt.Begin(bite); other < this->FacetsAt.End(bite); ++other)
+      {
+        next = this->Next(*other) == this->Previous(slot) ? *other : next;
+      }
+      if (next == first || next == NoId)
+      {
+        return count;
+      }
+      slot = next;
+    }
+    return limit + 1;
+  }
+
+  void CheckPieces()
+  {
+    const std::vector<Id>& ends = this->Bites.PieceEnds;
+    for (std::size_t k = 0; k < ends.size(); k += 2)
+    {
+      bool isThere = false;
+      for (const Id* slot = this->FacetsAt.Begin(ends[k]);
+           slot < this->FacetsAt.End(ends[k]) && !isThere; ++slot)
+      {
+        isThere = this->Next(*slot) == ends[k + 1] || this->Previous(*slot) == ends[k + 1];
+      }
+      if (!isThere)
+      {
+        this->Tell(BoundaryFault::LostPiece, ends[k], ends[k + 1]);
+      }
+    }
+  }
+
+  void CheckNormals()
+  {
+    constexpr double LeastCosine = 0.5;
+    for (std::size_t facet = 0; facet < this->Boundary.Triangles.size(); ++facet)
+    {
+      const Id* corners = &this->Boundary.Corners[3 * facet];
+      const Point3& a = this->Bites.Centers[At(corners[0])];
+      const Point3 normal =
+        Cross(this->Bites.Centers[At(corners[1])] - a, this->Bites.Centers[At(corners[2])] - a);
+      const Id triangle = this->Boundary.Triangles[facet];
+      if (triangle == NoId ||
+        Dot(normal, this->Ground.NormalOf(At(triangle))) < LeastCosine * Length(normal))
+      {
+        const Id worst = std::max(corners[0], std::max(corners[1], corners[2]));
+        this->Tell(BoundaryFault::Turned, worst, NoId);
+      }
+    }
+  }
+
+  const SurfaceGround& Ground;
+  const SurfaceBites& Bites;
+  SurfaceBoundary& Boundary;
+  ListsByKey FacetsAt; ///< of bites: the slots of facets
+  std::vector<std::pair<Id, Id>> Pieces;
+};
+
+} // namespace
+
+void CheckBoundary(
+  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary)
+{
+  BoundaryChecker(ground, bites, boundary).Run();
+}
+
+} // namespace biting

@@ -1,0 +1,408 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceBoundary.h"
+
+#include "../../Base/Numbers.h"
+#include "../../Delaunay/SpatialOrder.h"
+#include "../Delaunay/RegularTriangulation.h"
+#include "../Surface/NearestOnTriangle.h"
+#include "BoundaryCheck.h"
+#include "InsideTest.h"
+
+#include <algorithm> // for min, max
+#include <array>     // for corners
+#include <cmath>     // for abs
+
+namespace biting
+{
+
+namespace
+{
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+/// Where the dual edge of a facet meets the surface.
+struct DualMeeting
+{
+  Id Triangle = NoId; ///< of the ground; NoId: nowhere
+  Point3 Place;
+  Id Count = 0;
+};
+
+class BoundaryFinder
+{
+public:
+  BoundaryFinder(const SurfaceGround& ground, const SurfaceBites& bites,
+    const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+    : Ground(ground)
+    , Bites(bites)
+    , Tree(tree)
+    , Cells(bites.NumberOnLines > 0)
+    , Beats(pulse)
+  {
+  }
+
+  SurfaceBoundary Run(bool isSolid)
+  {
+    if (!isSolid)
+    {
+      this->AddFrame();
+    }
+    this->Triangulate();
+    this->FindCenters();
+    if (isSolid)
+    {
+      this->LabelCells();
+      this->TakeWalls();
+    }
+    else
+    {
+      this->TakeMeetings();
+    }
+    CheckBoundary(this->Ground, this->Bites, this->Result);
+    constexpr int MostRounds = 3;
+    for (int round = 0; isSolid && !getenv("NOANEW") && round < MostRounds && this->LabelAnew();
+         ++round)
+    {
+      this->Result = {};
+      this->TakeWalls();
+      CheckBoundary(this->Ground, this->Bites, this->Result);
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  /// Corners of a cube around all: so flat surfaces have cells on both sides.
+  void AddFrame()
+  {
+    const Box3 box = this->Ground.Mesh.Bounds();
+    const double reach = 3.0 * box.Diagonal();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Point3 way{ (corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
+        (corner & 4) != 0 ? reach : -reach };
+      this->Cells.Insert(box.Center() + way);
+      this->BiteOf.push_back(NoId);
+    }
+  }
+
+  void Triangulate()
+  {
+    this->Cells.Reserve(this->Bites.Centers.size());
+    const std::vector<Id> order = SpatialOrder(this->Bites.Centers, this->Beats);
+    this->BiteOf.reserve(order.size());
+    for (const Id bite : order)
+    {
+      if (!this->Beats.Beat(64))
+      {
+        return;
+      }
+      const PointInsertion made =
+        this->Cells.Insert(this->Bites.Centers[Index(bite)], this->Bites.WeightOf(bite));
+      if (made.What != PointOutcome::Duplicate)
+      {
+        this->BiteOf.push_back(bite);
+      }
+    }
+  }
+
+  WeightedPoint CornerAt(Id cell, Id k) const
+  {
+    const Id vertex = this->Cells.Mesh().Corners[Index(4 * cell + k)];
+    return { this->Cells.Mesh().PointAt(vertex), this->Cells.Mesh().WeightAt(vertex) };
+  }
+
+  void FindCenters()
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    this->Centers.resize(Index(mesh.NumberOfSlots()));
+    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
+    {
+      if (mesh.IsTetrahedron(cell))
+      {
+        const WeightedPoint first = this->CornerAt(cell, 0);
+        this->Centers[Index(cell)] = first.Place +
+          PowerCenter(
+            first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
+      }
+    }
+  }
+
+  void LabelCells()
+  {
+    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const TetMesh& mesh = this->Cells.Mesh();
+    this->IsInside.assign(Index(mesh.NumberOfSlots()), 0);
+    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(32); ++cell)
+    {
+      if (mesh.IsTetrahedron(cell))
+      {
+        const int side = this->SideByNormals(cell);
+        this->IsInside[Index(cell)] =
+          side != 0 ? side < 0 : test.IsInside(this->Centers[Index(cell)]);
+      }
+    }
+  }
+
+  /// Labels cells at bites with faults by their middles. In a wedge or a wall too thin for f power
+  /// centres are beyond the other side, but middles are not. Whether a label changes.
+  bool LabelAnew()
+  {
+    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const TetMesh& mesh = this->Cells.Mesh();
+    std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
+    for (const BoundaryOffence& offence : this->Result.Offences)
+    {
+      if (offence.Fault == BoundaryFault::Turned)
+      {
+        continue;
+      }
+      isAt[Index(offence.Bite)] = 1;
+      isAt[Index(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
+    }
+    bool isChanged = false;
+    this->IsByMiddle.resize(this->IsInside.size(), 0);
+    for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
+    {
+      bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[Index(cell)] == 0;
+      Point3 middle{};
+      Id faults = 0;
+      double size = Infinity;
+      for (Id k = 0; k < 4 && isFaulty; ++k)
+      {
+        const Id vertex = mesh.Corners[Index(4 * cell + k)];
+        faults += isAt[Index(this->BiteOf[Index(vertex)])];
+        middle = middle + 0.25 * mesh.PointAt(vertex);
+        size = std::min(size, this->Bites.Sizes[Index(this->BiteOf[Index(vertex)])]);
+      }
+      constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
+      if (isFaulty && faults > 0 && this->NearestTo(middle, LeastDepth * size) == NoId)
+      {
+        const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
+        this->IsByMiddle[Index(cell)] = 1;
+        isChanged = isChanged || label != this->IsInside[Index(cell)];
+        this->IsInside[Index(cell)] = label;
+      }
+    }
+    return isChanged;
+  }
+
+  /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
+  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface, which
+  /// they cover, is near the sphere only.
+  int SideByNormals(Id cell) const
+  {
+    constexpr double LeastSlope = 0.5;
+    int sides = 0;
+    for (Id k = 0; k < 4; ++k)
+    {
+      const Id bite = this->BiteOf[Index(this->Cells.Mesh().Corners[Index(4 * cell + k)])];
+      if (bite < this->Bites.NumberOnLines)
+      {
+        return 0;
+      }
+      const Point3 apart = this->Centers[Index(cell)] - this->Bites.Centers[Index(bite)];
+      const double height =
+        Dot(apart, this->Ground.NormalOf(Index(this->Bites.Triangles[Index(bite)])));
+      if (std::abs(height) < LeastSlope * Length(apart))
+      {
+        return 0;
+      }
+      sides += height > 0.0 ? 1 : -1;
+    }
+    return sides == 4 ? 1 : (sides == -4 ? -1 : 0);
+  }
+
+  void TakeWalls()
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
+    {
+      if (this->IsInside[Index(cell)] == 0)
+      {
+        continue;
+      }
+      for (Id facet = 4 * cell; facet < 4 * cell + 4; ++facet)
+      {
+        if (this->IsInside[Index(TetMesh::CellOf(mesh.Twins[Index(facet)]))] == 0)
+        {
+          this->Add(facet, this->Meet(facet), false);
+        }
+      }
+    }
+  }
+
+  void TakeMeetings()
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    for (Id facet = 0; facet < 4 * mesh.NumberOfSlots() && this->Beats.Beat(64); ++facet)
+    {
+      const Id twin = mesh.Twins[Index(facet)];
+      const Id cell = TetMesh::CellOf(facet);
+      if (mesh.IsTetrahedron(cell) && this->IsOfBites(facet) &&
+        (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))))
+      {
+        const DualMeeting meeting = this->Meet(facet);
+        if (meeting.Count % 2 == 1)
+        {
+          const Point3 normal = this->NormalOf(facet);
+          this->Add(
+            facet, meeting, Dot(normal, this->Ground.NormalOf(Index(meeting.Triangle))) < 0.0);
+        }
+      }
+    }
+  }
+
+  bool IsOfBites(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    return this->BiteOf[Index(mesh.FacetCorner(facet, 0))] != NoId &&
+      this->BiteOf[Index(mesh.FacetCorner(facet, 1))] != NoId &&
+      this->BiteOf[Index(mesh.FacetCorner(facet, 2))] != NoId;
+  }
+
+  /// The unit normal of the facet, away from its cell.
+  Point3 NormalOf(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    const Point3 normal =
+      Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - mesh.PointAt(mesh.FacetCorner(facet, 0)),
+        mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
+    return (1.0 / Length(normal)) * normal;
+  }
+
+  /// Along the dual edge, which begins at the centre of the cell of the facet; near the facet.
+  DualMeeting Meet(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    const Point3 normal = this->NormalOf(facet);
+    const Point3& center = this->Centers[Index(TetMesh::CellOf(facet))];
+    const Id first = mesh.FacetCorner(facet, 0);
+    const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
+    const Id other = TetMesh::CellOf(mesh.Twins[Index(facet)]);
+    double reach = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id bite = this->BiteOf[Index(mesh.FacetCorner(facet, k))];
+      reach = std::max(reach, 1.5 * this->Bites.Sizes[Index(bite)]);
+    }
+    const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
+    const double low = height(center);
+    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[Index(other)]) : Infinity;
+    const double begin = std::max(std::min(low, high), -reach);
+    const double end = std::min(std::max(low, high), reach);
+    DualMeeting meeting;
+    if (begin < end)
+    {
+      this->MeetSegment(foot, normal, begin, end, meeting);
+    }
+    return meeting;
+  }
+
+  void MeetSegment(
+    const Point3& foot, const Point3& normal, double begin, double end, DualMeeting& meeting) const
+  {
+    const Box3 box = Box3::Around(foot + begin * normal, foot + end * normal);
+    double least = Infinity;
+    this->Tree.AllOf(box,
+      [this, &foot, &normal, begin, end, &meeting, &least](const SurfaceItem& item)
+      {
+        const std::array<Point3, 3> t = this->Ground.Mesh.Triangle(Index(item.Triangle));
+        const Point3 a = t[0] - foot;
+        const Point3 b = t[1] - foot;
+        const Point3 c = t[2] - foot;
+        const double x = Dot(Cross(b, c), normal);
+        const double y = Dot(Cross(c, a), normal);
+        const double z = Dot(Cross(a, b), normal);
+        const double sum = x + y + z;
+        // What passes an edge passes one of its two triangles: their rounded products only differ in
+        // sign, and 0 has that of the order of the ends.
+        const Id* ends = &this->Ground.Mesh.Corners[3 * Index(item.Triangle)];
+        const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
+        const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
+          isLeft == (z > 0.0 || (z == 0.0 && ends[0] < ends[1]));
+        const double height =
+          isMet ? (x * Dot(a, normal) + y * Dot(b, normal) + z * Dot(c, normal)) / sum : Infinity;
+        if (height >= begin && height <= end)
+        {
+          ++meeting.Count;
+          if (std::abs(height) < least)
+          {
+            least = std::abs(height);
+            meeting.Triangle = item.Triangle;
+            meeting.Place = foot + height * normal;
+          }
+        }
+        return true;
+      });
+  }
+
+  void Add(Id facet, const DualMeeting& meeting, bool isTurned)
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    std::array<Id, 3> bites{};
+    for (int k = 0; k < 3; ++k)
+    {
+      bites[Index(k)] = this->BiteOf[Index(mesh.FacetCorner(facet, k))];
+    }
+    if (isTurned)
+    {
+      std::swap(bites[1], bites[2]);
+    }
+    this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
+    this->Result.Triangles.push_back(meeting.Triangle != NoId
+        ? meeting.Triangle
+        : this->NearestTo(this->MiddleOf(facet), Infinity));
+  }
+
+  Point3 MiddleOf(Id facet) const
+  {
+    const TetMesh& mesh = this->Cells.Mesh();
+    Point3 middle{};
+    for (int k = 0; k < 3; ++k)
+    {
+      middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
+    }
+    return middle;
+  }
+
+  /// The triangle of the ground that is nearest to the place, and nearer than `most`; or NoId.
+  Id NearestTo(const Point3& place, double most) const
+  {
+    Id nearest = NoId;
+    this->Tree.Search(place, 1.0, most,
+      [this, &place, &nearest](const SurfaceItem& item, double limit)
+      {
+        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(Index(item.Triangle));
+        const double distance = Distance(NearestPoint(triangle, place), place);
+        nearest = distance < limit ? item.Triangle : nearest;
+        return std::min(limit, distance);
+      });
+    return nearest;
+  }
+
+  const SurfaceGround& Ground;
+  const SurfaceBites& Bites;
+  const BoxTree<SurfaceItem, 3>& Tree;
+  RegularTriangulation Cells;
+  Pulse& Beats;
+  std::vector<Id> BiteOf;      ///< of vertices
+  std::vector<Point3> Centers; ///< of cells
+  std::vector<std::uint8_t> IsInside;
+  std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
+  SurfaceBoundary Result;
+};
+
+} // namespace
+
+SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
+  const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse)
+{
+  return BoundaryFinder(ground, bites, tree, pulse).Run(isSolid);
+}
+
+} // namespace biting

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceBoundary_h
+#define BitingSurfaceBoundary_h
+
+#include "../../Base/BoxTree.h"
+#include "../Biting/SurfaceBites.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// What is wrong with the boundary at a bite.
+enum class BoundaryFault
+{
+  Missing,     ///< the bite is no vertex of the boundary
+  LostPiece,   ///< the piece of a chain from it to Other is no edge of the boundary
+  NonManifold, ///< the edge from it to Other has not two facets, and is no feature
+  Pinched,     ///< several fans of facets meet at it
+  Turned       ///< a facet at it is turned by more than 60 degrees against the surface
+};
+
+struct BoundaryOffence
+{
+  BoundaryFault Fault;
+  Id Bite;
+  Id Other = NoId;
+};
+
+/// The facets of the regular triangulation of bites that follow the surface.
+struct SurfaceBoundary
+{
+  std::vector<Id> Corners;   ///< three bites a facet, oriented as the surface
+  std::vector<Id> Triangles; ///< of the ground, where the dual edge of the facet meets it
+  std::vector<BoundaryOffence> Offences;
+  std::vector<Point3> Uncovered; ///< centres of balls larger than bites
+};
+
+/// Finds them. Of a solid (all shells are closed and orientable) they are the facets between cells
+/// whose power centres are on different sides of the surface: closed by construction, and without
+/// self-crossings, as facets of one triangulation. Of other surfaces they are the facets whose dual
+/// edges meet the surface.
+/// Then all certificates but those of the whole: faults are told, not repaired.
+SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
+  const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse);
+
+} // namespace biting
+
+#endif

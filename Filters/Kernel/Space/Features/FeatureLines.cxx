@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FeatureLines.h"
+
+#include "../../Base/Numbers.h"
+#include "../Surface/SurfaceLinks.h"
+
+#include <algorithm> // for sort, unique, binary_search
+#include <cmath>     // for cos
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+constexpr double StraightestCorner = 0.6427876096865394; // cos 50 degrees
+
+constexpr EdgeFlag FlagOf(SurfaceEdgeKind kind)
+{
+  return static_cast<EdgeFlag>(1 + static_cast<int>(kind));
+}
+
+/// A feature edge as seen from one of its ends.
+struct FeatureArm
+{
+  Id Tail;
+  Id Head;
+  EdgeFlag Flag;
+
+  bool operator<(const FeatureArm& other) const
+  {
+    return this->Tail != other.Tail ? this->Tail < other.Tail : this->Head < other.Head;
+  }
+  bool operator==(const FeatureArm& other) const
+  {
+    return this->Tail == other.Tail && this->Head == other.Head;
+  }
+};
+
+/// The feature edges as a graph, and its chains.
+class ChainWalk
+{
+public:
+  explicit ChainWalk(SurfaceGround& ground)
+    : Ground(ground)
+  {
+    const std::vector<Id>& corners = ground.Mesh.Corners;
+    for (std::size_t slot = 0; slot < corners.size(); ++slot)
+    {
+      if (ground.Flags[slot] != 0)
+      {
+        const Id a = corners[NextSlotOf(slot)];
+        const Id b = corners[PreviousSlotOf(slot)];
+        this->Arms.push_back({ a, b, ground.Flags[slot] });
+        this->Arms.push_back({ b, a, ground.Flags[slot] });
+      }
+    }
+    std::sort(this->Arms.begin(), this->Arms.end());
+    this->Arms.erase(std::unique(this->Arms.begin(), this->Arms.end()), this->Arms.end());
+    this->IsUsed.assign(this->Arms.size(), 0);
+  }
+
+  void Run()
+  {
+    this->Ground.Chains = {};
+    this->FindPlaces();
+    // From corners first; what is left are closed chains without one.
+    for (const bool isFromCorners : { true, false })
+    {
+      for (std::size_t arm = 0; arm < this->Arms.size(); ++arm)
+      {
+        if (this->IsUsed[arm] == 0 && (!isFromCorners || this->IsCorner(this->Arms[arm].Tail)))
+        {
+          this->Follow(arm);
+        }
+      }
+    }
+  }
+
+private:
+  bool IsCorner(Id vertex) const
+  {
+    return this->Ground.Places[static_cast<std::size_t>(vertex)] == FeaturePlace::Corner;
+  }
+
+  const Point3& At(Id vertex) const
+  {
+    return this->Ground.Mesh.Points[static_cast<std::size_t>(vertex)];
+  }
+
+  std::size_t FirstArm(Id vertex) const
+  {
+    const auto first =
+      std::lower_bound(this->Arms.begin(), this->Arms.end(), FeatureArm{ vertex, NoId, 0 });
+    return static_cast<std::size_t>(first - this->Arms.begin());
+  }
+
+  void FindPlaces()
+  {
+    this->Ground.Places.assign(this->Ground.Mesh.Points.size(), FeaturePlace::None);
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < this->Arms.size(); begin = end)
+    {
+      const FeatureArm& arm = this->Arms[begin];
+      while (end < this->Arms.size() && this->Arms[end].Tail == arm.Tail)
+      {
+        ++end;
+      }
+      bool isCorner = end - begin != 2 || arm.Flag != this->Arms[begin + 1].Flag;
+      if (!isCorner)
+      {
+        const Point3 in = this->At(arm.Tail) - this->At(arm.Head);
+        const Point3 out = this->At(this->Arms[begin + 1].Head) - this->At(arm.Tail);
+        isCorner = Dot(in, out) < StraightestCorner * Length(in) * Length(out);
+      }
+      this->Ground.Places[static_cast<std::size_t>(arm.Tail)] =
+        isCorner ? FeaturePlace::Corner : FeaturePlace::Line;
+    }
+  }
+
+  void Follow(std::size_t arm)
+  {
+    FeatureChains& chains = this->Ground.Chains;
+    const Id start = this->Arms[arm].Tail;
+    chains.Vertices.push_back(start);
+    chains.Kinds.push_back(static_cast<SurfaceEdgeKind>(this->Arms[arm].Flag - 1));
+    Id head = start;
+    do
+    {
+      const Id tail = this->Arms[arm].Tail;
+      head = this->Arms[arm].Head;
+      const std::size_t first = this->FirstArm(head);
+      const bool isFirst = this->Arms[first].Head == tail;
+      std::size_t back = first;
+      while (this->Arms[back].Head != tail)
+      {
+        ++back;
+      }
+      this->IsUsed[arm] = 1;
+      this->IsUsed[back] = 1;
+      chains.Vertices.push_back(head);
+      arm = isFirst ? first + 1 : first;
+    } while (head != start && !this->IsCorner(head));
+    chains.Offsets.push_back(static_cast<Id>(chains.Vertices.size()));
+  }
+
+  SurfaceGround& Ground;
+  std::vector<FeatureArm> Arms;
+  std::vector<std::uint8_t> IsUsed;
+};
+
+using VertexPair = std::pair<Id, Id>;
+
+VertexPair PairOf(Id a, Id b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+/// The edges of chains that are noise, sorted.
+std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
+{
+  const FeatureChains& chains = ground.Chains;
+  std::vector<Id> degrees(ground.Mesh.Points.size(), 0);
+  for (Id chain = 0; chain < chains.Size(); ++chain)
+  {
+    ++degrees[static_cast<std::size_t>(chains.At(chains.Begin(chain)))];
+    ++degrees[static_cast<std::size_t>(chains.At(chains.End(chain) - 1))];
+  }
+  std::vector<VertexPair> edges;
+  for (Id chain = 0; chain < chains.Size(); ++chain)
+  {
+    const auto first = static_cast<std::size_t>(chains.At(chains.Begin(chain)));
+    const auto last = static_cast<std::size_t>(chains.At(chains.End(chain) - 1));
+    double length = 0.0;
+    for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+    {
+      length += Distance(ground.Mesh.Points[static_cast<std::size_t>(chains.At(k - 1))],
+        ground.Mesh.Points[static_cast<std::size_t>(chains.At(k))]);
+    }
+    const bool isOpen = first != last && (degrees[first] == 1 || degrees[last] == 1);
+    if (isOpen && chains.Kinds[static_cast<std::size_t>(chain)] == SurfaceEdgeKind::Feature &&
+      length < 0.5 * (ground.Sizes[first] + ground.Sizes[last]))
+    {
+      for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+      {
+        edges.push_back(PairOf(chains.At(k - 1), chains.At(k)));
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+} // namespace
+
+void FlagFeatures(SurfaceGround& ground, const std::vector<Id>& regions, double angle, Pulse& pulse)
+{
+  const double turned = std::cos(angle / DegreesPerRadian);
+  const SurfaceLinks links = LinkSurface(ground.Mesh, pulse);
+  const auto regionOf = [&regions](std::size_t slot)
+  { return regions.empty() ? 0 : regions[slot / 3]; };
+  ground.Flags.assign(ground.Mesh.Corners.size(), 0);
+  for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
+  {
+    const Id across = links.Across[slot];
+    if (across == OpenEdge || across == CrowdedEdge)
+    {
+      ground.Flags[slot] =
+        FlagOf(across == OpenEdge ? SurfaceEdgeKind::Border : SurfaceEdgeKind::NonManifold);
+      continue;
+    }
+    const auto other = static_cast<std::size_t>(across);
+    if (regionOf(slot) != regionOf(other) ||
+      Dot(ground.NormalOf(slot / 3), ground.NormalOf(other / 3)) < turned)
+    {
+      ground.Flags[slot] = FlagOf(SurfaceEdgeKind::Feature);
+    }
+  }
+}
+
+void FindChains(SurfaceGround& ground)
+{
+  ChainWalk(ground).Run();
+}
+
+void DropNoise(SurfaceGround& ground)
+{
+  constexpr int MostRounds = 5;
+  std::vector<VertexPair> edges = NoisyEdges(ground);
+  for (int round = 0; round < MostRounds && !edges.empty(); ++round)
+  {
+    for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
+    {
+      const VertexPair pair =
+        PairOf(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
+      if (ground.Flags[slot] != 0 && std::binary_search(edges.begin(), edges.end(), pair))
+      {
+        ground.Flags[slot] = 0;
+      }
+    }
+    FindChains(ground);
+    edges = NoisyEdges(ground);
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingFeatureLines_h
+#define BitingFeatureLines_h
+
+#include "SurfaceGround.h"
+
+namespace biting
+{
+
+/// Sets Flags by the edges of the surface that are open, of more than two triangles, between two
+/// regions, or where it turns by more than `angle` degrees.
+void FlagFeatures(
+  SurfaceGround& ground, const std::vector<Id>& regions, double angle, Pulse& pulse);
+
+/// Sets Places and Chains by Flags. A corner is where a number of chains other than two meet, two
+/// kinds do, or a chain turns by more than 50 degrees.
+void FindChains(SurfaceGround& ground);
+
+/// Takes away the flags of chains of turning edges that are shorter than f and end in nothing:
+/// noise of scans. Places and Chains follow.
+void DropNoise(SurfaceGround& ground);
+
+} // namespace biting
+
+#endif

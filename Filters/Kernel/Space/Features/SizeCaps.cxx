@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SizeCaps.h"
+
+#include "../Surface/NearestOnTriangle.h"
+#include "../Surface/SurfaceLinks.h"
+
+#include <algorithm>  // for min, max
+#include <cmath>      // for sqrt
+#include <functional> // for greater
+#include <queue>      // for the front of the gradation
+#include <utility>    // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+void Cap(SurfaceGround& ground, Id vertex, double size)
+{
+  double& old = ground.Sizes[At(vertex)];
+  old = std::min(old, std::max(size, LeastShare * ground.Given[At(vertex)]));
+}
+
+/// Balls that touch the ground from one side.
+class ShrinkingBall
+{
+public:
+  ShrinkingBall(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
+    : Ground(ground)
+    , Tree(tree)
+  {
+  }
+
+  /// The diameter of the ball that touches the place, where the surface has the normal, from the
+  /// side of it (+1) or from the other one (-1).
+  double Diameter(const Point3& place, const Point3& normal, double side, double most)
+  {
+    constexpr int MostRounds = 4;
+    double radius = 0.5 * most;
+    bool isLess = true;
+    for (int round = 0; round < MostRounds && isLess; ++round)
+    {
+      const Point3 center = place + (side * radius) * normal;
+      Point3 nearest;
+      isLess = this->IsEntered(center, radius, normal, nearest);
+      const Point3 apart = nearest - place;
+      const double height = isLess ? side * Dot(apart, normal) : 0.0;
+      isLess = height > 0.0 && Dot(apart, apart) < (2.0 - 1e-6) * height * radius;
+      radius = isLess ? Dot(apart, apart) / (2.0 * height) : radius;
+      this->Wall = isLess ? this->Entered : this->Wall;
+    }
+    return 2.0 * radius;
+  }
+
+  Id Wall = NoId; ///< the triangle that the last ball ended at
+
+private:
+  bool IsEntered(const Point3& center, double radius, const Point3& normal, Point3& nearest)
+  {
+    constexpr double LeastOpposition = -0.75;
+    bool isFound = false;
+    this->Tree.Search(center, 1.0, radius,
+      [this, &center, &normal, &nearest, &isFound](const SurfaceItem& item, double limit)
+      {
+        const std::size_t t = At(item.Triangle);
+        if (Dot(this->Ground.NormalOf(t), normal) > LeastOpposition)
+        {
+          return limit;
+        }
+        const Point3 place = NearestPoint(this->Ground.Mesh.Triangle(t), center);
+        const double distance = Distance(place, center);
+        if (distance < limit)
+        {
+          nearest = place;
+          isFound = true;
+          this->Entered = item.Triangle;
+          return distance;
+        }
+        return limit;
+      });
+    return isFound;
+  }
+
+  const SurfaceGround& Ground;
+  const BoxTree<SurfaceItem, 3>& Tree;
+  Id Entered = NoId;
+};
+
+/// A feature edge as an item of a tree.
+struct FeatureItem
+{
+  Id Tail;
+  Id Head;
+  Box3 Bounds;
+
+  const Box3& Box() const { return this->Bounds; }
+  double Least() const { return 0.0; }
+};
+
+/// Distances of features from each other, in space and along chains.
+class FeatureDistances
+{
+public:
+  FeatureDistances(const SurfaceGround& ground, Pulse& pulse)
+    : Ground(ground)
+    , Ways(ground.Mesh.Points.size(), Infinity)
+    , Arms(ground.Mesh.Points.size())
+  {
+    std::vector<FeatureItem> items;
+    const FeatureChains& chains = ground.Chains;
+    for (Id chain = 0; chain < chains.Size(); ++chain)
+    {
+      for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+      {
+        const Id a = chains.At(k - 1);
+        const Id b = chains.At(k);
+        items.push_back(
+          { a, b, Box3::Around(ground.Mesh.Points[At(a)], ground.Mesh.Points[At(b)]) });
+        this->Arms[At(a)].push_back(b);
+        this->Arms[At(b)].push_back(a);
+      }
+    }
+    this->Tree = BoxTree<FeatureItem, 3>(items, pulse);
+  }
+
+  /// The least distance of a stranger, if it is below `most`.
+  double FromStranger(Id vertex, double most)
+  {
+    this->Measure(vertex, LeastRatio * most);
+    const Point3& place = this->Ground.Mesh.Points[At(vertex)];
+    double least = most;
+    this->Tree.Search(place, 1.0, most,
+      [this, &place, &least](const FeatureItem& item, double limit)
+      {
+        const Point3& tail = this->Ground.Mesh.Points[At(item.Tail)];
+        const Point3 side = this->Ground.Mesh.Points[At(item.Head)] - tail;
+        const double part = std::min(1.0, std::max(0.0, Dot(place - tail, side) / Dot(side, side)));
+        const Point3 foot = tail + part * side;
+        const double distance = Distance(place, foot);
+        const double way = std::min(this->Ways[At(item.Tail)] + part * Length(side),
+          this->Ways[At(item.Head)] + (1.0 - part) * Length(side));
+        if (way > LeastRatio * distance && distance < least)
+        {
+          least = distance;
+        }
+        return std::min(limit, least);
+      });
+    for (const Id seen : this->Seen)
+    {
+      this->Ways[At(seen)] = Infinity;
+    }
+    return least;
+  }
+
+private:
+  static constexpr double LeastRatio = 4.0;
+  using Entry = std::pair<double, Id>;
+
+  /// Dijkstra along chains.
+  void Measure(Id vertex, double most)
+  {
+    this->Seen.assign(1, vertex);
+    this->Ways[At(vertex)] = 0.0;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    front.push({ 0.0, vertex });
+    while (!front.empty())
+    {
+      const Entry entry = front.top();
+      front.pop();
+      if (entry.first > this->Ways[At(entry.second)])
+      {
+        continue;
+      }
+      for (const Id next : this->Arms[At(entry.second)])
+      {
+        const double way = entry.first +
+          Distance(this->Ground.Mesh.Points[At(next)], this->Ground.Mesh.Points[At(entry.second)]);
+        if (way < most && way < this->Ways[At(next)])
+        {
+          this->Ways[At(next)] = way;
+          this->Seen.push_back(next);
+          front.push({ way, next });
+        }
+      }
+    }
+  }
+
+  const SurfaceGround& Ground;
+  BoxTree<FeatureItem, 3> Tree;
+  std::vector<double> Ways;
+  std::vector<std::vector<Id>> Arms;
+  std::vector<Id> Seen;
+};
+
+/// The wall where a ball of the diameter ends, at `place`: f grows from there. What is steeper than
+/// any gradation is left to later rounds, when the wall is divided there.
+void CapWall(SurfaceGround& ground, Id wall, const Point3& place, double diameter)
+{
+  constexpr double Growth = 0.3;
+  for (std::size_t slot = 3 * At(wall); slot < 3 * At(wall) + 3; ++slot)
+  {
+    Cap(
+      ground, ground.Mesh.Corners[slot], diameter + Growth * Distance(ground.Mesh.At(slot), place));
+  }
+}
+
+/// Marks the vertices that hang together with one within the distance of it.
+void MarkAround(
+  const SurfaceGround& ground, Id vertex, double most, std::vector<std::uint8_t>& isMarked)
+{
+  const Point3& place = ground.Mesh.Points[At(vertex)];
+  std::vector<Id> front{ vertex };
+  isMarked[At(vertex)] = 1;
+  while (!front.empty())
+  {
+    const Id next = front.back();
+    front.pop_back();
+    for (const Id* t = ground.TrianglesAt.Begin(next); t < ground.TrianglesAt.End(next); ++t)
+    {
+      for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+      {
+        const Id other = ground.Mesh.Corners[slot];
+        if (isMarked[At(other)] == 0 && Distance(ground.Mesh.At(slot), place) < most)
+        {
+          isMarked[At(other)] = 1;
+          front.push_back(other);
+        }
+      }
+    }
+  }
+}
+
+double LengthOfChain(const SurfaceGround& ground, Id chain)
+{
+  double length = 0.0;
+  for (Id k = ground.Chains.Begin(chain) + 1; k < ground.Chains.End(chain); ++k)
+  {
+    length += Distance(
+      ground.Mesh.Points[At(ground.Chains.At(k - 1))], ground.Mesh.Points[At(ground.Chains.At(k))]);
+  }
+  return length;
+}
+
+/// Of a chain at its vertices of the input; a straight piece between two of them is one side.
+void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
+{
+  std::vector<Id> turns;
+  for (Id k = ground.Chains.Begin(chain); k < ground.Chains.End(chain); ++k)
+  {
+    if (ground.Mesh.PointIds[At(ground.Chains.At(k))] != NoId)
+    {
+      turns.push_back(ground.Chains.At(k));
+    }
+  }
+  if (turns.size() > 2 && turns.front() == turns.back())
+  {
+    turns.push_back(turns[1]);
+  }
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k)
+  {
+    const Point3 in = ground.Mesh.Points[At(turns[k])] - ground.Mesh.Points[At(turns[k - 1])];
+    const Point3 out = ground.Mesh.Points[At(turns[k + 1])] - ground.Mesh.Points[At(turns[k])];
+    const double lengths = Length(in) * Length(out);
+    // 2 sin(angle / 2) = sqrt(2 - 2 cos angle)
+    const double turn = std::sqrt(std::max(0.0, 2.0 - 2.0 * Dot(in, out) / lengths));
+    const double reach = 0.5 * (Length(in) + Length(out));
+    if (turn > 0.0 && ground.Places[At(turns[k])] == FeaturePlace::Line)
+    {
+      // A chord l of a circle of radius R is l^2 / (8 R) from it.
+      const double size = 8.0 * tolerance * reach / turn;
+      Cap(ground, turns[k], std::max(size, reach));
+    }
+  }
+}
+
+} // namespace
+
+void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+{
+  ShrinkingBall ball(ground, tree);
+  std::vector<std::uint8_t> isDone(ground.Mesh.Points.size(), 0);
+  const auto measure = [&ball, &ground](const Point3& place, const Point3& normal, Id vertex)
+  {
+    const double size = ground.Given[At(vertex)];
+    bool isFree = true;
+    for (const double side : { 1.0, -1.0 })
+    {
+      const double diameter = ball.Diameter(place, normal, side, size);
+      if (diameter < size)
+      {
+        isFree = false;
+        Cap(ground, vertex, diameter);
+        CapWall(ground, ball.Wall, place + (side * diameter) * normal, diameter);
+      }
+    }
+    return isFree;
+  };
+  // Neighbours of a vertex that sees no wall see none either, if they are near.
+  constexpr double Near = 0.3;
+  pulse.ForEach(ground.Mesh.Points.size(),
+    [&ground, &isDone, &measure](std::size_t v)
+    {
+      if (isDone[v] != 0 || ground.Places[v] != FeaturePlace::None)
+      {
+        return;
+      }
+      const auto vertex = static_cast<Id>(v);
+      Point3 normal{};
+      for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
+      {
+        normal = normal + ground.NormalOf(At(*t));
+      }
+      const double length = Length(normal);
+      const Point3 place = ground.Mesh.Points[v];
+      if (length == 0.0 || !measure(place, (1.0 / length) * normal, vertex))
+      {
+        return;
+      }
+      MarkAround(ground, vertex, Near * ground.Given[v], isDone);
+    });
+  // Strips without a vertex inside.
+  pulse.ForEach(ground.Mesh.NumberOfTriangles(),
+    [&ground, &measure](std::size_t t)
+    {
+      const Id* corners = &ground.Mesh.Corners[3 * t];
+      if (std::all_of(corners, corners + 3,
+            [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; }))
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          measure(ground.Mesh.Middle(t), ground.NormalOf(t), corners[k]);
+        }
+      }
+    });
+}
+
+void CapByFeatures(SurfaceGround& ground, Pulse& pulse)
+{
+  constexpr double ShareOfDistance = 0.8;
+  FeatureDistances distances(ground, pulse);
+  pulse.ForEach(ground.Mesh.Points.size(),
+    [&ground, &distances](std::size_t v)
+    {
+      if (ground.Places[v] != FeaturePlace::None)
+      {
+        const auto vertex = static_cast<Id>(v);
+        const double most = ground.Given[v] / ShareOfDistance;
+        Cap(ground, vertex, ShareOfDistance * distances.FromStranger(vertex, most));
+      }
+    });
+  for (Id chain = 0; chain < ground.Chains.Size(); ++chain)
+  {
+    const Id begin = ground.Chains.Begin(chain);
+    const Id end = ground.Chains.End(chain);
+    const bool isClosed = ground.Chains.At(begin) == ground.Chains.At(end - 1);
+    const double size = LengthOfChain(ground, chain) / (isClosed ? 4.0 : 1.0);
+    for (Id k = begin; k < end; ++k)
+    {
+      Cap(ground, ground.Chains.At(k), size);
+    }
+  }
+}
+
+void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse)
+{
+  const SurfaceLinks links = LinkSurface(input, pulse);
+  std::vector<double> sizes(input.NumberOfTriangles(), Infinity); // of triangles of the input
+  for (std::size_t slot = 0; slot < input.Corners.size(); ++slot)
+  {
+    const Id across = links.Across[slot];
+    if (across <= static_cast<Id>(slot))
+    {
+      continue;
+    }
+    const std::size_t t = slot / 3;
+    const std::size_t other = At(across) / 3;
+    const Point3 turn = ground.Normals[t] - ground.Normals[other]; // 2 sin(angle / 2)
+    const double side = Distance(input.At(NextSlotOf(slot)), input.At(PreviousSlotOf(slot)));
+    const double reach = 0.5 * (Length(input.Normal(t)) + Length(input.Normal(other))) / side;
+    const double angle = Length(turn);
+    constexpr double MostTurn = 0.75; // more is a feature: below 44 degrees
+    if (angle > 1e-6 && angle < MostTurn)
+    {
+      // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R; the factor
+      // leaves room for longer edges.
+      const double size = std::max(4.5 * tolerance * reach / angle, reach);
+      sizes[t] = std::min(sizes[t], size);
+      sizes[other] = std::min(sizes[other], size);
+    }
+  }
+  for (std::size_t slot = 0; slot < ground.Mesh.Corners.size(); ++slot)
+  {
+    const double size = sizes[At(ground.Mesh.Cells[slot / 3])];
+    if (size < Infinity)
+    {
+      Cap(ground, ground.Mesh.Corners[slot], size);
+    }
+  }
+  for (Id chain = 0; chain < ground.Chains.Size(); ++chain)
+  {
+    CapByTurns(ground, chain, tolerance);
+  }
+}
+
+void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
+{
+  using Entry = std::pair<double, Id>;
+  std::vector<Entry> entries;
+  entries.reserve(ground.Sizes.size());
+  for (std::size_t v = 0; v < ground.Sizes.size(); ++v)
+  {
+    entries.push_back({ ground.Sizes[v], static_cast<Id>(v) });
+  }
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front(
+    std::greater<>(), std::move(entries));
+  while (!front.empty() && pulse.Beat())
+  {
+    const Entry entry = front.top();
+    front.pop();
+    const Id vertex = entry.second;
+    if (entry.first > ground.Sizes[At(vertex)])
+    {
+      continue;
+    }
+    for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
+    {
+      for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+      {
+        const Id other = ground.Mesh.Corners[slot];
+        const double size =
+          entry.first + gradation * Distance(ground.Mesh.At(slot), ground.Mesh.Points[At(vertex)]);
+        if (size < ground.Sizes[At(other)])
+        {
+          ground.Sizes[At(other)] = size;
+          front.push({ size, other });
+        }
+      }
+    }
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceGround.h"
+
+#include "../Surface/SurfaceLinks.h"
+
+#include <algorithm> // for sort, min, max
+#include <array>     // for triangles
+#include <utility>   // for pairs, move
+
+namespace biting
+{
+
+namespace
+{
+
+/// A slot whose edge is to be halved, by the ends of that edge.
+struct LongSlot
+{
+  Id Low;
+  Id High;
+  std::size_t Slot;
+
+  bool IsSameEdge(const LongSlot& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
+
+  bool operator<(const LongSlot& other) const
+  {
+    return this->Low != other.Low ? this->Low < other.Low
+      : this->High != other.High  ? this->High < other.High
+                                  : this->Slot < other.Slot;
+  }
+};
+
+std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground)
+{
+  std::vector<LongSlot> slots;
+  slots.reserve(ground.Mesh.Corners.size() / 4);
+  for (std::size_t slot = 0; slot < ground.Mesh.Corners.size(); ++slot)
+  {
+    const Id a = ground.Mesh.Corners[NextSlotOf(slot)];
+    const Id b = ground.Mesh.Corners[PreviousSlotOf(slot)];
+    const Id low = std::min(a, b);
+    const Id high = std::max(a, b);
+    const double most = LongestEdge *
+      std::min(
+        ground.Sizes[static_cast<std::size_t>(low)], ground.Sizes[static_cast<std::size_t>(high)]);
+    if (Distance(ground.Mesh.Points[static_cast<std::size_t>(low)],
+          ground.Mesh.Points[static_cast<std::size_t>(high)]) > most)
+    {
+      slots.push_back({ low, high, slot });
+    }
+  }
+  std::sort(slots.begin(), slots.end());
+  return slots;
+}
+
+/// Makes the triangles of a round of halving.
+class Halving
+{
+public:
+  Halving(SurfaceGround& ground, const std::vector<Id>& middles)
+    : Ground(ground)
+    , Middles(middles)
+  {
+    const std::size_t slots = ground.Mesh.Corners.size() + 4 * middles.size();
+    this->Corners.reserve(slots);
+    this->Flags.reserve(slots);
+    this->Cells.reserve(slots / 3);
+  }
+
+  void Divide(std::size_t triangle)
+  {
+    const std::size_t base = 3 * triangle;
+    std::size_t turn = 0;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      count += this->Middles[base + k] != NoId ? 1 : 0;
+    }
+    // One long edge comes first, one that is not long of two long ones, too.
+    while (count % 3 != 0 && (this->Middles[base + turn] != NoId) != (count == 1))
+    {
+      ++turn;
+    }
+    const std::array<std::size_t, 3> slot{ base + turn, base + (turn + 1) % 3,
+      base + (turn + 2) % 3 };
+    const auto corner = [this, &slot](std::size_t k) { return this->Ground.Mesh.Corners[slot[k]]; };
+    const auto flag = [this, &slot](std::size_t k) { return this->Ground.Flags[slot[k]]; };
+    const auto middle = [this, &slot](std::size_t k) { return this->Middles[slot[k]]; };
+    const Id cell = this->Ground.Mesh.Cells[triangle];
+    if (count == 0)
+    {
+      this->Add({ corner(0), corner(1), corner(2) }, { flag(0), flag(1), flag(2) }, cell);
+    }
+    else if (count == 1)
+    {
+      this->Add({ corner(0), corner(1), middle(0) }, { flag(0), 0, flag(2) }, cell);
+      this->Add({ corner(0), middle(0), corner(2) }, { flag(0), flag(1), 0 }, cell);
+    }
+    else if (count == 2)
+    {
+      this->Add({ corner(0), middle(2), middle(1) }, { 0, flag(1), flag(2) }, cell);
+      if (this->Length2(middle(2), corner(2)) < this->Length2(corner(1), middle(1)))
+      {
+        this->Add({ middle(2), corner(1), corner(2) }, { flag(0), 0, flag(2) }, cell);
+        this->Add({ middle(2), corner(2), middle(1) }, { flag(1), 0, 0 }, cell);
+      }
+      else
+      {
+        this->Add({ corner(1), corner(2), middle(1) }, { flag(1), 0, flag(0) }, cell);
+        this->Add({ corner(1), middle(1), middle(2) }, { 0, flag(2), 0 }, cell);
+      }
+    }
+    else
+    {
+      this->Add({ corner(0), middle(2), middle(1) }, { 0, flag(1), flag(2) }, cell);
+      this->Add({ middle(2), corner(1), middle(0) }, { flag(0), 0, flag(2) }, cell);
+      this->Add({ middle(1), middle(0), corner(2) }, { flag(0), flag(1), 0 }, cell);
+      this->Add({ middle(0), middle(1), middle(2) }, { 0, 0, 0 }, cell);
+    }
+  }
+
+  void Finish()
+  {
+    this->Ground.Mesh.Corners = std::move(this->Corners);
+    this->Ground.Mesh.Cells = std::move(this->Cells);
+    this->Ground.Flags = std::move(this->Flags);
+  }
+
+private:
+  /// Flags are of the edges opposite the corners.
+  void Add(const std::array<Id, 3>& corners, const std::array<EdgeFlag, 3>& flags, Id cell)
+  {
+    this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
+    this->Flags.insert(this->Flags.end(), flags.begin(), flags.end());
+    this->Cells.push_back(cell);
+  }
+
+  double Length2(Id a, Id b) const
+  {
+    const Point3 side = this->Ground.Mesh.Points[static_cast<std::size_t>(b)] -
+      this->Ground.Mesh.Points[static_cast<std::size_t>(a)];
+    return Dot(side, side);
+  }
+
+  SurfaceGround& Ground;
+  const std::vector<Id>& Middles;
+  std::vector<Id> Corners;
+  std::vector<Id> Cells;
+  std::vector<EdgeFlag> Flags;
+};
+
+} // namespace
+
+double SurfaceGround::SizeAt(Id triangle, const Point3& place) const
+{
+  const auto t = static_cast<std::size_t>(triangle);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t slot = 3 * t + k;
+    const double weight = Length(
+      Cross(this->Mesh.At(NextSlotOf(slot)) - place, this->Mesh.At(PreviousSlotOf(slot)) - place));
+    weights += weight;
+    sum += weight * this->Sizes[static_cast<std::size_t>(this->Mesh.Corners[slot])];
+  }
+  return weights > 0.0 ? sum / weights
+                       : this->Sizes[static_cast<std::size_t>(this->Mesh.Corners[3 * t])];
+}
+
+bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
+  std::size_t mostTriangles, Pulse& pulse)
+{
+  std::vector<Id> middles;
+  std::vector<LongSlot> slots = FindLongSlots(ground);
+  while (!slots.empty() && pulse.Ask())
+  {
+    middles.assign(ground.Mesh.Corners.size(), NoId);
+    for (std::size_t k = 0; k < slots.size(); ++k)
+    {
+      const auto low = static_cast<std::size_t>(slots[k].Low);
+      const auto high = static_cast<std::size_t>(slots[k].High);
+      if (k == 0 || !slots[k].IsSameEdge(slots[k - 1]))
+      {
+        const Point3 place = Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]);
+        const double mean = 0.5 * (ground.Sizes[low] + ground.Sizes[high]);
+        ground.Mesh.Points.push_back(place);
+        ground.Mesh.PointIds.push_back(NoId);
+        ground.Given.push_back(given(place));
+        ground.Sizes.push_back(std::min(mean, ground.Given.back()));
+      }
+      middles[slots[k].Slot] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
+    }
+    Halving halving(ground, middles);
+    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
+    if (triangles > mostTriangles)
+    {
+      return false;
+    }
+    for (std::size_t t = 0; t < triangles; ++t)
+    {
+      halving.Divide(t);
+    }
+    halving.Finish();
+    slots = FindLongSlots(ground);
+  }
+  return true;
+}
+
+void LinkGround(SurfaceGround& ground, Pulse& pulse)
+{
+  const std::vector<Id>& corners = ground.Mesh.Corners;
+  ground.Across = LinkSurface(ground.Mesh, pulse).Across;
+  for (std::size_t slot = 0; slot < corners.size(); ++slot)
+  {
+    const bool isInner = ground.Flags[slot] == 0 && ground.Across[slot] >= 0;
+    ground.Across[slot] = isInner ? ground.Across[slot] : NoId;
+  }
+  ground.TrianglesAt.Offsets.assign(ground.Mesh.Points.size() + 1, 0);
+  ground.TrianglesAt.Items.resize(corners.size());
+  std::vector<Id>& offsets = ground.TrianglesAt.Offsets;
+  for (const Id corner : corners)
+  {
+    ++offsets[static_cast<std::size_t>(corner)];
+  }
+  Id sum = 0;
+  for (Id& offset : offsets)
+  {
+    sum += offset;
+    offset = sum;
+  }
+  for (std::size_t slot = corners.size(); slot-- > 0;)
+  {
+    Id& offset = offsets[static_cast<std::size_t>(corners[slot])];
+    --offset;
+    ground.TrianglesAt.Items[static_cast<std::size_t>(offset)] = static_cast<Id>(slot / 3);
+  }
+}
+
+} // namespace biting

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSurfaceGround_h
+#define BitingSurfaceGround_h
+
+#include "../../Base/Pulse.h"
+#include "../Surface/SurfaceCheck.h"
+
+#include <cstdint>    // for flags
+#include <functional> // for f
+#include <vector>     // for the arrays
+
+namespace biting
+{
+
+/// Lists by key, one after the other: those of key k are Items[Offsets[k]] to Items[Offsets[k + 1]].
+struct ListsByKey
+{
+  std::vector<Id> Offsets{ 0 };
+  std::vector<Id> Items;
+
+  const Id* Begin(Id key) const { return this->Items.data() + this->Offset(key); }
+  const Id* End(Id key) const { return this->Items.data() + this->Offset(key + 1); }
+  Id Count(Id key) const { return this->Offset(key + 1) - this->Offset(key); }
+
+private:
+  Id Offset(Id key) const { return this->Offsets[static_cast<std::size_t>(key)]; }
+};
+
+/// Chains of feature edges between corners, or closed.
+struct FeatureChains
+{
+  std::vector<Id> Vertices; ///< chain after chain; a closed one has its first vertex last, too
+  std::vector<Id> Offsets{ 0 };
+  std::vector<SurfaceEdgeKind> Kinds;
+
+  Id Size() const { return static_cast<Id>(this->Kinds.size()); }
+  Id Begin(Id chain) const { return this->Offsets[static_cast<std::size_t>(chain)]; }
+  Id End(Id chain) const { return this->Offsets[static_cast<std::size_t>(chain) + 1]; }
+  Id At(Id place) const { return this->Vertices[static_cast<std::size_t>(place)]; }
+};
+
+/// What an edge of the ground is: 0 none, else 1 + SurfaceEdgeKind.
+using EdgeFlag = std::uint8_t;
+
+/// The place of a vertex of the ground among features.
+enum class FeaturePlace : std::uint8_t
+{
+  None = 0,
+  Line = 1,
+  Corner = 2
+};
+
+/// A surface as it is bitten: its triangles divided until no edge is longer than LongestEdge f, so
+/// that each bite and each place has a handful of them; the patches that feature lines bound; f at
+/// the vertices, linear between. Points of the surface are no points of the input's triangles but
+/// for rounding.
+struct SurfaceGround
+{
+  SurfaceMesh Mesh;            ///< Cells: the triangle of the input that each is a part of
+  std::vector<EdgeFlag> Flags; ///< of slots
+  std::vector<Id> Across;      ///< of slots: the slot in the same patch; NoId at feature edges
+  std::vector<double> Given;   ///< f at vertices as given
+  std::vector<double> Sizes;   ///< f at vertices as used: no more than that
+  std::vector<Point3> Normals; ///< unit, of the triangles of the input
+  std::vector<FeaturePlace> Places;
+  FeatureChains Chains;
+  ListsByKey TrianglesAt; ///< of vertices
+
+  const Point3& NormalOf(std::size_t triangle) const
+  {
+    return this->Normals[static_cast<std::size_t>(this->Mesh.Cells[triangle])];
+  }
+
+  /// f at a point of the triangle.
+  double SizeAt(Id triangle, const Point3& place) const;
+};
+
+/// Edges of the ground, in units of f at their ends.
+constexpr double LongestEdge = 1.2;
+
+/// Divides all edges longer than LongestEdge f: in halves, round by round, all long ones at once.
+/// f at new vertices is the mean of the ends, and no more than `given` there. False where there would
+/// be more triangles than `mostTriangles`.
+bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
+  std::size_t mostTriangles, Pulse& pulse);
+
+/// Sets Across and TrianglesAt.
+void LinkGround(SurfaceGround& ground, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceMesher.h"
+
+#include "../Biting/SurfaceBites.h"
+#include "../Boundary/SurfaceBoundary.h"
+#include "../Boundary/WholeCheck.h"
+#include "../Features/FeatureLines.h"
+#include "../Features/SizeCaps.h"
+#include "../Relaxation/SurfaceRelaxation.h"
+#include "../Surface/NearestOnTriangle.h"
+#include "../Surface/SurfaceCrossings.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for isfinite
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+class SurfaceMesher
+{
+public:
+  SurfaceMesher(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+    ProblemList& problems, Monitor& monitor)
+    : Surface(surface)
+    , Options(options)
+    , Problems(problems)
+    , Listener(monitor)
+    , Beats(monitor)
+  {
+  }
+
+  BitingSurface Run()
+  {
+    this->Listener.BeginStage("Looking for features");
+    this->MakeGround();
+    bool isDone = this->MayGoOn();
+    std::size_t before = this->Ground.Mesh.Points.size();
+    for (int round = 0; isDone; ++round)
+    {
+      this->Bite();
+      const std::size_t faults = this->CountFaults();
+      fprintf(stderr, "round %d: ground %zu tri, bites %d (%d %d), facets %zu, offences %zu\n",
+        round, this->Ground.Mesh.NumberOfTriangles(), this->Bites.Size(),
+        this->Bites.NumberOfCorners, this->Bites.NumberOnLines, this->Boundary.Triangles.size(),
+        this->Boundary.Offences.size());
+      int kinds[5] = {};
+      for (auto& o : this->Boundary.Offences)
+      {
+        ++kinds[(int)o.Fault];
+        if (getenv("SHOW"))
+        {
+          auto& c = this->Bites.Centers[At(o.Bite)];
+          fprintf(stderr, "     fault %d bite %d other %d size %g at %g %g %g\n", (int)o.Fault,
+            o.Bite, o.Other, this->Bites.Sizes[At(o.Bite)], c.X, c.Y, c.Z);
+        }
+      }
+      fprintf(stderr, "   missing %d lost %d nonmanifold %d pinched %d turned %d\n", kinds[0],
+        kinds[1], kinds[2], kinds[3], kinds[4]);
+      isDone = this->MayGoOn();
+      // Where more faults come than go, smaller bites are of no help.
+      const bool isWorse = round > 1 && faults >= before;
+      before = faults;
+      if (!isDone || this->Boundary.Offences.empty() || round == MostRounds || isWorse ||
+        !this->LowerSizes())
+      {
+        break;
+      }
+    }
+    return isDone && this->IsCertified() ? this->Assemble() : BitingSurface();
+  }
+
+private:
+  static constexpr int MostRounds = 4;
+
+  void Bite()
+  {
+    this->Listener.BeginStage("Biting");
+    this->Bites = BiteSurface(
+      this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
+    if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    {
+      this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
+        "more than " + std::to_string(this->Options.MaximumNumberOfVertices));
+      return;
+    }
+    this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
+    this->Listener.BeginStage("Triangulating");
+    this->Boundary =
+      FindBoundary(this->Ground, this->Bites, this->Tree, this->IsSolid(), this->Beats);
+  }
+
+  bool MayGoOn()
+  {
+    if (!this->Beats.Ask() && !this->Problems.Has(ProblemCode::Aborted))
+    {
+      this->Refuse(ProblemCode::Aborted, {}, NoId, "");
+    }
+    return !this->Problems.HasErrors();
+  }
+
+  /// `triangle`: of the surface.
+  void Refuse(ProblemCode code, const Point3& place, Id triangle, const std::string& detail)
+  {
+    std::vector<std::int64_t> ids;
+    if (triangle != NoId)
+    {
+      ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
+    }
+    this->Problems.Add({ code, std::move(ids), place, detail });
+  }
+
+  /// Those of topology.
+  std::size_t CountFaults() const
+  {
+    std::size_t count = 0;
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      count += offence.Fault != BoundaryFault::Turned ? 1 : 0;
+    }
+    return count;
+  }
+
+  /// Refuses what is no mesh of the surface.
+  bool IsCertified()
+  {
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      const bool isSharp = offence.Bite < this->Bites.NumberOnLines ||
+        (offence.Other != NoId && offence.Other < this->Bites.NumberOnLines);
+      const auto bite = At(offence.Bite);
+      this->Refuse(isSharp ? ProblemCode::TooSharp : ProblemCode::TooThin,
+        this->Bites.Centers[bite], this->Ground.Mesh.Cells[At(this->Bites.Triangles[bite])],
+        "with spacing " + Figure(this->Bites.Sizes[bite]));
+    }
+    if (!this->Boundary.Offences.empty())
+    {
+      return false;
+    }
+    const WholeVerdict verdict = CheckWhole(
+      this->Surface, this->Bites.Centers, this->Boundary.Corners, this->TrianglesBelow());
+    if (!verdict.IsSame)
+    {
+      this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
+    }
+    return verdict.IsSame;
+  }
+
+  /// Of facets, the triangles of the surface.
+  std::vector<Id> TrianglesBelow() const
+  {
+    std::vector<Id> below;
+    below.reserve(this->Boundary.Triangles.size());
+    for (const Id triangle : this->Boundary.Triangles)
+    {
+      below.push_back(this->Ground.Mesh.Cells[At(triangle)]);
+    }
+    return below;
+  }
+
+  bool IsSolid() const
+  {
+    for (std::size_t t = 0; t < this->Surface.Mesh.NumberOfTriangles(); ++t)
+    {
+      if (!this->Surface.Shells.IsSolid(t))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void MakeGround()
+  {
+    SurfaceGround& ground = this->Ground;
+    ground.Mesh = this->Surface.Mesh;
+    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
+    for (std::size_t t = 0; t < triangles; ++t)
+    {
+      ground.Mesh.Cells[t] = static_cast<Id>(t);
+      const Point3 normal = ground.Mesh.Normal(t);
+      const double length = Length(normal);
+      ground.Normals.push_back(length > 0.0 ? (1.0 / length) * normal : Point3{});
+    }
+    FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
+    const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
+    this->Spacing = this->Options.Spacing;
+    if (!this->Spacing)
+    {
+      this->Spacing = [uniform](const Point3&) { return uniform; };
+    }
+    for (const Point3& place : ground.Mesh.Points)
+    {
+      const double size = this->Spacing(place);
+      if (!(size > 0.0) || !std::isfinite(size))
+      {
+        this->Refuse(ProblemCode::BadSpacing, place, NoId, "value " + Figure(size));
+        return;
+      }
+      ground.Given.push_back(size);
+    }
+    ground.Sizes = ground.Given;
+    DivideGround(ground, this->Spacing, 100000000, this->Beats);
+    LinkGround(ground, this->Beats);
+    FindChains(ground);
+    DropNoise(ground);
+    LinkGround(ground, this->Beats);
+    CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
+    this->Regrade();
+    // Where caps divide the ground it sees more.
+    constexpr int MostDivisions = 3;
+    std::size_t before = 0;
+    for (int round = 0; round < MostDivisions && this->Options.LimitByFeatureSize &&
+         before < ground.Mesh.Points.size();
+         ++round)
+    {
+      before = ground.Mesh.Points.size();
+      CapByFeatures(ground, this->Beats);
+      const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, this->Beats);
+      CapByThickness(ground, tree, this->Beats);
+      this->Regrade();
+    }
+  }
+
+  /// After sizes were lowered.
+  void Regrade()
+  {
+    SurfaceGround& ground = this->Ground;
+    GradeSizes(ground, this->Options.Gradation, this->Beats);
+    DivideGround(ground, this->Spacing, 100000000, this->Beats);
+    LinkGround(ground, this->Beats);
+    FindChains(ground);
+  }
+
+  bool LowerSizes()
+  {
+    bool isLower = false;
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      for (const Id bite : { offence.Bite, offence.Other })
+      {
+        if (bite == NoId)
+        {
+          continue;
+        }
+        const Id triangle = this->Bites.Triangles[At(bite)];
+        for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
+        {
+          double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
+          const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
+          isLower = isLower || wanted < size;
+          size = std::min(size, wanted);
+        }
+      }
+    }
+    if (isLower)
+    {
+      this->Regrade();
+    }
+    return isLower;
+  }
+
+  BitingSurface Assemble()
+  {
+    BitingSurface mesh;
+    this->Relax(mesh);
+    mesh.Triangles = this->TrianglesBelow();
+    mesh.EdgeEnds = this->Bites.PieceEnds;
+    for (const Id chain : this->Bites.PieceChains)
+    {
+      mesh.EdgeKinds.push_back(this->Ground.Chains.Kinds[At(chain)]);
+    }
+    for (Id bite = 0; bite < this->Bites.Size(); ++bite)
+    {
+      const Id vertex = this->Bites.GroundVertices[At(bite)];
+      mesh.BiteOrders.push_back(bite);
+      mesh.OriginalPoints.push_back(vertex == NoId ? NoId : this->Ground.Mesh.PointIds[At(vertex)]);
+      mesh.Kinds.push_back(bite < this->Bites.NumberOfCorners ? SurfaceVertexKind::Corner
+          : bite < this->Bites.NumberOnLines                  ? SurfaceVertexKind::Line
+                                                              : SurfaceVertexKind::Surface);
+    }
+    if (this->Options.KeepBites)
+    {
+      mesh.BiteCenters = this->Bites.Centers;
+      mesh.BiteRadii = this->Bites.Radii;
+    }
+    this->Measure(mesh);
+    return mesh;
+  }
+
+  void Relax(BitingSurface& mesh)
+  {
+    RelaxedSurface relaxed{ this->Bites.Centers, this->Bites.Sizes, this->Bites.Triangles, {},
+      this->Boundary.Corners };
+    relaxed.IsFree.assign(relaxed.Points.size(), 1);
+    std::fill_n(relaxed.IsFree.begin(), this->Bites.NumberOnLines, std::uint8_t{ 0 });
+    if (this->Options.Relaxation)
+    {
+      this->Listener.BeginStage("Relaxing");
+      RelaxedSurface given = relaxed;
+      RelaxSurface(this->Ground, this->Bites.PieceEnds, relaxed, this->Beats);
+      if (this->CrossesItself(relaxed))
+      {
+        relaxed = std::move(given); // facets of one triangulation cross nowhere
+      }
+    }
+    mesh.Points = std::move(relaxed.Points);
+    mesh.Spacing = std::move(relaxed.Sizes);
+    mesh.Corners = std::move(relaxed.Corners);
+  }
+
+  bool CrossesItself(const RelaxedSurface& relaxed)
+  {
+    SurfaceMesh mesh;
+    mesh.Points = relaxed.Points;
+    mesh.Corners = relaxed.Corners;
+    mesh.Cells.resize(relaxed.Corners.size() / 3);
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(mesh, this->Beats);
+    return !FindContacts(mesh, tree, this->Beats).empty();
+  }
+
+  /// Regions, and how far middles are from the surface.
+  void Measure(BitingSurface& mesh)
+  {
+    mesh.Deviations.resize(mesh.Triangles.size());
+    for (std::size_t t = 0; t < mesh.Triangles.size() && this->Beats.Beat(8); ++t)
+    {
+      Point3 middle{};
+      double size = 0.0;
+      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+      {
+        middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+        size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+      }
+      Id nearest = NoId;
+      this->Tree.Search(middle, 1.0, Infinity,
+        [this, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
+        {
+          const double distance =
+            Distance(NearestPoint(this->Ground.Mesh.Triangle(At(item.Triangle)), middle), middle);
+          if (distance < limit)
+          {
+            nearest = item.Triangle;
+            mesh.Deviations[t] = distance;
+          }
+          return std::min(limit, distance);
+        });
+      mesh.Deviations[t] /= size;
+      mesh.Triangles[t] = this->Ground.Mesh.Cells[At(nearest)];
+      mesh.Regions.push_back(
+        this->Options.Regions.empty() ? 0 : this->Options.Regions[At(mesh.Triangles[t])]);
+    }
+  }
+
+  const CheckedSurface& Surface;
+  const SurfaceMesherOptions& Options;
+  ProblemList& Problems;
+  Monitor& Listener;
+  Pulse Beats;
+  SurfaceGround Ground;
+  std::function<double(const Point3&)> Spacing;
+  SurfaceBites Bites;
+  BoxTree<SurfaceItem, 3> Tree; ///< of the ground
+  SurfaceBoundary Boundary;
+};
+
+} // namespace
+
+BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+  ProblemList& problems, Monitor& monitor)
+{
+  return surface.Mesh.NumberOfTriangles() == 0
+    ? BitingSurface()
+    : SurfaceMesher(surface, options, problems, monitor).Run();
+}
+
+} // namespace biting

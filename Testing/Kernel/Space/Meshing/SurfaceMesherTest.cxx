@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Space/Meshing/SurfaceMesher.h"
+#include "Space/Surface/SurfaceShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for sort, unique
+#include <array>     // for corners
+#include <cmath>     // for angles
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+/// A mesh with what was told of it.
+struct Meshed
+{
+  BitingSurface Mesh;
+  ProblemList Problems;
+
+  Point3 At(std::size_t slot) const
+  {
+    return this->Mesh.Points[static_cast<std::size_t>(this->Mesh.Corners[slot])];
+  }
+  std::size_t Triangles() const { return this->Mesh.Corners.size() / 3; }
+};
+
+SurfaceMesherOptions Uniform(double size)
+{
+  SurfaceMesherOptions options;
+  options.Spacing = [size](const Point3&) { return size; };
+  return options;
+}
+
+Meshed MakeMesh(const Soup& soup, const SurfaceMesherOptions& options)
+{
+  Meshed meshed;
+  meshed.Mesh = MakeBitingSurface(Judge(soup).Surface, options, meshed.Problems, NoMonitor());
+  return meshed;
+}
+
+Soup BoxOf(const Point3& size)
+{
+  Soup soup;
+  soup.AddBox({ 0.0, 0.0, 0.0 }, size);
+  return soup;
+}
+
+/// Edges as pairs of vertices, each as often as triangles have it in that direction.
+std::vector<std::pair<Id, Id>> DirectedEdges(const BitingSurface& mesh)
+{
+  std::vector<std::pair<Id, Id>> edges;
+  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+  {
+    edges.push_back({ mesh.Corners[slot], mesh.Corners[slot % 3 == 2 ? slot - 2 : slot + 1] });
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Each edge comes once in each direction.
+bool IsClosed(const BitingSurface& mesh)
+{
+  const std::vector<std::pair<Id, Id>> edges = DirectedEdges(mesh);
+  bool isClosed = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+  for (const std::pair<Id, Id>& edge : edges)
+  {
+    isClosed = isClosed &&
+      std::binary_search(edges.begin(), edges.end(), std::make_pair(edge.second, edge.first));
+  }
+  return isClosed;
+}
+
+/// Vertices - edges + triangles.
+long EulerNumber(const BitingSurface& mesh)
+{
+  std::vector<std::pair<Id, Id>> edges = DirectedEdges(mesh);
+  for (std::pair<Id, Id>& edge : edges)
+  {
+    edge = { std::min(edge.first, edge.second), std::max(edge.first, edge.second) };
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return static_cast<long>(mesh.Points.size() + mesh.Corners.size() / 3) -
+    static_cast<long>(edges.size());
+}
+
+double Area(const Meshed& meshed)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < meshed.Triangles(); ++t)
+  {
+    const Point3 a = meshed.At(3 * t);
+    area += 0.5 * Length(Cross(meshed.At(3 * t + 1) - a, meshed.At(3 * t + 2) - a));
+  }
+  return area;
+}
+
+double Volume(const Meshed& meshed)
+{
+  double volume = 0.0;
+  for (std::size_t t = 0; t < meshed.Triangles(); ++t)
+  {
+    volume += Dot(meshed.At(3 * t), Cross(meshed.At(3 * t + 1), meshed.At(3 * t + 2))) / 6.0;
+  }
+  return volume;
+}
+
+double SmallestAngle(const Meshed& meshed)
+{
+  double smallest = 180.0;
+  for (std::size_t slot = 0; slot < meshed.Mesh.Corners.size(); ++slot)
+  {
+    const std::size_t base = slot - slot % 3;
+    const Point3 a = meshed.At(base + (slot + 1) % 3) - meshed.At(slot);
+    const Point3 b = meshed.At(base + (slot + 2) % 3) - meshed.At(slot);
+    smallest = std::min(smallest, std::atan2(Length(Cross(a, b)), Dot(a, b)) * 57.29577951308232);
+  }
+  return smallest;
+}
+
+double LengthOfLines(const BitingSurface& mesh)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k < mesh.EdgeEnds.size(); k += 2)
+  {
+    length += Distance(mesh.Points[static_cast<std::size_t>(mesh.EdgeEnds[k])],
+      mesh.Points[static_cast<std::size_t>(mesh.EdgeEnds[k + 1])]);
+  }
+  return length;
+}
+
+/// A prism over a triangle whose angle at the apex is given in degrees.
+Soup Wedge(double degrees)
+{
+  const double half = std::tan(0.5 * degrees / 57.29577951308232);
+  const std::array<Point3, 3> low{ Point3{ 0.0, 0.0, 0.0 }, Point3{ 1.0, -half, 0.0 },
+    Point3{ 1.0, half, 0.0 } };
+  std::array<Point3, 3> high = low;
+  for (Point3& point : high)
+  {
+    point.Z = 1.0;
+  }
+  Soup soup;
+  soup.Add(low[0], low[2], low[1]);
+  soup.Add(high[0], high[1], high[2]);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t next = (k + 1) % 3;
+    soup.Add(low[k], low[next], high[next]);
+    soup.Add(low[k], high[next], high[k]);
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST(SurfaceMesher, MeshesABoxWithItsEdgesAndCorners)
+{
+  const Meshed meshed = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.1));
+  ASSERT_TRUE(meshed.Problems.Groups().empty());
+  EXPECT_TRUE(IsClosed(meshed.Mesh));
+  EXPECT_EQ(EulerNumber(meshed.Mesh), 2);
+  EXPECT_NEAR(Volume(meshed), 1.0, 1e-12);
+  EXPECT_NEAR(Area(meshed), 6.0, 1e-11);
+  EXPECT_NEAR(LengthOfLines(meshed.Mesh), 12.0, 1e-11);
+  EXPECT_GT(SmallestAngle(meshed), 30.0);
+  std::vector<Id> originals;
+  for (std::size_t v = 0; v < meshed.Mesh.Points.size(); ++v)
+  {
+    if (meshed.Mesh.Kinds[v] == SurfaceVertexKind::Corner)
+    {
+      originals.push_back(meshed.Mesh.OriginalPoints[v]);
+    }
+  }
+  EXPECT_EQ(originals.size(), 8u);
+  EXPECT_EQ(std::count(originals.begin(), originals.end(), NoId), 0);
+}
+
+TEST(SurfaceMesher, MeshesASphereWithGoodTriangles)
+{
+  const Meshed meshed = MakeMesh(Sphere(1.0, 40), Uniform(0.15));
+  ASSERT_TRUE(meshed.Problems.Groups().empty());
+  EXPECT_TRUE(IsClosed(meshed.Mesh));
+  EXPECT_EQ(EulerNumber(meshed.Mesh), 2);
+  EXPECT_GT(SmallestAngle(meshed), 35.0);
+  EXPECT_NEAR(Volume(meshed), 4.18879, 0.1);
+  const std::vector<double>& deviations = meshed.Mesh.Deviations;
+  EXPECT_LT(*std::max_element(deviations.begin(), deviations.end()), 0.1);
+}
+
+TEST(SurfaceMesher, BitesCoverTheSurfaceAndHaveNoEarlierCentre)
+{
+  SurfaceMesherOptions options = Uniform(0.2);
+  options.KeepBites = true;
+  const Soup soup = Sphere(1.0, 20);
+  const BitingSurface mesh = MakeMesh(soup, options).Mesh;
+  ASSERT_FALSE(mesh.BiteCenters.empty());
+  const auto isNear = [&mesh](const Point3& place, std::size_t bite, double share)
+  { return Distance(place, mesh.BiteCenters[bite]) < share * mesh.BiteRadii[bite]; };
+  bool isFree = true;
+  for (std::size_t later = 0; later < mesh.BiteCenters.size(); ++later)
+  {
+    for (std::size_t bite = 0; bite < later; ++bite)
+    {
+      isFree = isFree && !isNear(mesh.BiteCenters[later], bite, 0.9 - 1e-9);
+    }
+  }
+  EXPECT_TRUE(isFree);
+  for (std::size_t t = 0; t < soup.Mesh.NumberOfTriangles(); ++t)
+  {
+    bool isCovered = false;
+    for (std::size_t bite = 0; bite < mesh.BiteCenters.size(); ++bite)
+    {
+      isCovered = isCovered || isNear(soup.Mesh.Middle(t), bite, 1.0 + 1e-9);
+    }
+    EXPECT_TRUE(isCovered) << t;
+  }
+}
+
+TEST(SurfaceMesher, MeshesThinBoxesRightOrRefusesThem)
+{
+  for (const double share : { 2.0, 1.0, 0.8, 0.6, 0.5, 0.4, 0.3, 0.2 })
+  {
+    const double thickness = 0.1 * share;
+    const Meshed meshed = MakeMesh(BoxOf({ 1.0, 1.0, thickness }), Uniform(0.1));
+    EXPECT_TRUE(!meshed.Problems.HasErrors() || share < 0.3) << share;
+    if (!meshed.Problems.HasErrors())
+    {
+      EXPECT_TRUE(IsClosed(meshed.Mesh)) << share;
+      EXPECT_EQ(EulerNumber(meshed.Mesh), 2) << share;
+      EXPECT_NEAR(Volume(meshed), thickness, 1e-12) << share;
+    }
+  }
+}
+
+TEST(SurfaceMesher, MeshesWedgesRightOrRefusesThemWithAPlace)
+{
+  for (const double degrees : { 90.0, 60.0, 45.0, 35.0, 25.0, 15.0, 5.0 })
+  {
+    const Soup soup = Wedge(degrees);
+    const Meshed meshed = MakeMesh(soup, Uniform(0.1));
+    EXPECT_TRUE(!meshed.Problems.HasErrors() || degrees < 45.0) << degrees;
+    if (!meshed.Problems.HasErrors())
+    {
+      EXPECT_TRUE(IsClosed(meshed.Mesh)) << degrees;
+      EXPECT_EQ(EulerNumber(meshed.Mesh), 2) << degrees;
+      EXPECT_NEAR(Volume(meshed), Judge(soup).Figures().Volume, 1e-12) << degrees;
+    }
+    else
+    {
+      EXPECT_TRUE(meshed.Mesh.Points.empty()) << degrees;
+      EXPECT_FALSE(meshed.Problems.Groups().front().First.front().Ids.empty()) << degrees;
+    }
+  }
+}
+
+TEST(SurfaceMesher, KeepsTheBorderOfAnOpenSurface)
+{
+  Soup soup;
+  soup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 2, true, 1);
+  soup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0, true, 1);
+  const Meshed meshed = MakeMesh(soup, Uniform(0.1));
+  ASSERT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_EQ(EulerNumber(meshed.Mesh), 1);
+  EXPECT_NEAR(Area(meshed), 2.0, 1e-12);
+  EXPECT_NEAR(LengthOfLines(meshed.Mesh), 7.0, 1e-12);
+  EXPECT_EQ(std::count(
+              meshed.Mesh.EdgeKinds.begin(), meshed.Mesh.EdgeKinds.end(), SurfaceEdgeKind::Feature),
+    10);
+}
+
+TEST(SurfaceMesher, KeepsTheBorderOfRegionsOnAPlane)
+{
+  SurfaceMesherOptions options = Uniform(0.1);
+  Soup soup;
+  soup.AddSide({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 2, true, 1);
+  options.Regions = { 4, 7 };
+  const Meshed meshed = MakeMesh(soup, options);
+  ASSERT_FALSE(meshed.Problems.HasErrors());
+  EXPECT_NEAR(LengthOfLines(meshed.Mesh), 4.0 + std::sqrt(2.0), 1e-12);
+  double area = 0.0;
+  for (std::size_t t = 0; t < meshed.Triangles(); ++t)
+  {
+    const Point3 a = meshed.At(3 * t);
+    area += meshed.Mesh.Regions[t] == 4
+      ? 0.5 * Length(Cross(meshed.At(3 * t + 1) - a, meshed.At(3 * t + 2) - a))
+      : 0.0;
+  }
+  EXPECT_NEAR(area, 0.5, 1e-12);
+}
+
+TEST(SurfaceMesher, GivesTheSameMeshAgainAndScaledByAPowerOfTwo)
+{
+  const Meshed first = MakeMesh(BoxOf({ 1.0, 2.0, 0.5 }), Uniform(0.1));
+  const Meshed again = MakeMesh(BoxOf({ 1.0, 2.0, 0.5 }), Uniform(0.1));
+  const Meshed larger = MakeMesh(BoxOf({ 1024.0, 2048.0, 512.0 }), Uniform(102.4));
+  EXPECT_EQ(first.Mesh.Points, again.Mesh.Points);
+  EXPECT_EQ(first.Mesh.Corners, again.Mesh.Corners);
+  EXPECT_EQ(first.Mesh.Corners, larger.Mesh.Corners);
+}
+
+TEST(SurfaceMesher, RefusesWhatCannotBeWithAReason)
+{
+  SurfaceMesherOptions options = Uniform(0.01);
+  options.MaximumNumberOfVertices = 1000;
+  const Meshed many = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), options);
+  EXPECT_TRUE(many.Problems.Has(ProblemCode::TooManyVertices));
+  EXPECT_TRUE(many.Mesh.Points.empty());
+  EXPECT_TRUE(MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.0)).Problems.Has(ProblemCode::BadSpacing));
+  EXPECT_TRUE(MakeMesh(Soup(), Uniform(0.1)).Problems.Groups().empty());
+}
+
+} // namespace biting
