@@ -56,19 +56,18 @@ set(biting_kernel_sources
   Biting/BiteGrid.cxx
   Biting/BiteLists.cxx
   Biting/BiteOutline.cxx
-  Biting/BiteTriangle.cxx
   Biting/BitingScheme.cxx
   Biting/BitingState.cxx
   Biting/CandidateQueue.cxx
-  Biting/DensitySamples.cxx
   Biting/EdgeDivision.cxx
   Biting/EdgeProtection.cxx
   Biting/EdgeSamples.cxx
   Biting/FrontTrace.cxx
   Biting/FrontVertices.cxx
   Biting/InteriorBiting.cxx
-  Biting/LeftOvers.cxx
   Biting/Orientation.cxx
+  Biting/LeftOvers.cxx
+  Biting/BiteTriangle.cxx
   Biting/Remains.cxx
   Biting/SharpCorners.cxx
   Biting/Spokes.cxx
@@ -143,6 +142,7 @@ set(biting_kernel_sources
   Blocks/CutRows.cxx
   Blocks/CutStrip.cxx
   Blocks/CutTree.cxx
+  Blocks/DensitySamples.cxx
   Blocks/JoinedBlocks.cxx
   Blocks/NearTouches.cxx
   Blocks/StripParts.cxx

@@ -4,9 +4,9 @@
 #include "CutPlan.h"
 
 #include "../Base/Tasks.h"
-#include "../Biting/DensitySamples.h"
 #include "CutLine.h"
 #include "CutRows.h"
+#include "DensitySamples.h"
 
 #include <algorithm> // for sort, remove_if, max
 #include <cmath>     // for log, abs
@@ -188,8 +188,8 @@ CutPlan Planner::Run()
     constexpr double Far = std::numeric_limits<double>::infinity();
     const double most = std::max(1.0, verticesPerBlock / (SamplesPerBlock * VerticesPerIntegral));
     const double mostVisits = LeastVisits + VisitsPerSample * vertices / most;
-    Samples samples = SampleDensity(this->Geometry, this->Locator, this->F,
-      { most, static_cast<std::size_t>(mostVisits) }, this->Beats);
+    Samples samples = SampleDensity(this->Geometry, this->Locator, this->F, most,
+      static_cast<std::size_t>(mostVisits), this->Beats);
     for (DensitySample& sample : samples)
     {
       sample.Place = this->Frame.To(sample.Place);

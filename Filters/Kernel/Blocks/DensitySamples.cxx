@@ -11,18 +11,20 @@ namespace biting
 namespace
 {
 
+constexpr int LeastDepth = 5;
 constexpr int GreatestDepth = 16; // a blow-up of 1/f^2 in one place ends there
 constexpr int Looks = 4;          // a row, at squares that the boundary divides
 
 class Sampler
 {
 public:
-  Sampler(const Domain& domain, const DomainLocator& locator, const Spacing& spacing,
-    const SampleLimits& limits, Pulse& pulse)
+  Sampler(const Domain& domain, const DomainLocator& locator, const Spacing& spacing, double most,
+    std::size_t mostVisits, Pulse& pulse)
     : Geometry(domain)
     , Locator(locator)
     , F(spacing)
-    , Limits(limits)
+    , Most(most)
+    , MostVisits(mostVisits)
     , Beats(pulse)
   {
   }
@@ -43,7 +45,8 @@ private:
   const Domain& Geometry;
   const DomainLocator& Locator;
   const Spacing& F;
-  const SampleLimits& Limits;
+  double Most;
+  std::size_t MostVisits;
   std::size_t Visits = 0;
   Pulse& Beats;
   std::vector<DensitySample> Samples;
@@ -60,14 +63,14 @@ void Sampler::Visit(const Point2& center, double half, int depth)
     return;
   }
   const double density = this->DensityOf(center, half);
-  const bool mayDivide = depth < GreatestDepth && this->Visits < this->Limits.MostVisits;
-  if (depth < this->Limits.LeastDepth || (density > this->Limits.Most && mayDivide))
+  const bool mayDivide = depth < GreatestDepth && this->Visits < this->MostVisits;
+  if (depth < LeastDepth || (density > this->Most && mayDivide))
   {
     this->Divide(center, half, depth);
   }
   else if (share > 0.0)
   {
-    this->Samples.push_back({ center, 4.0 * half * half * share, share * density });
+    this->Samples.push_back({ center, share * density });
   }
 }
 
@@ -114,9 +117,9 @@ double Sampler::DensityOf(const Point2& center, double half) const
 } // namespace
 
 std::vector<DensitySample> SampleDensity(const Domain& domain, const DomainLocator& locator,
-  const Spacing& spacing, const SampleLimits& limits, Pulse& pulse)
+  const Spacing& spacing, double most, std::size_t mostVisits, Pulse& pulse)
 {
-  return Sampler(domain, locator, spacing, limits, pulse).Sample();
+  return Sampler(domain, locator, spacing, most, mostVisits, pulse).Sample();
 }
 
 } // namespace biting
