@@ -38,7 +38,7 @@ constexpr double EdgesEnd = 0.05;
 constexpr double LocatorEnd = 0.2;
 constexpr double CheckEnd = 0.3;
 
-constexpr int ReleaseRounds = 4; // more free few more
+constexpr int ReleaseRounds = 4; // further rounds release few vertices more
 
 double AreaOf(const std::vector<Point2>& points, const std::vector<Id>& corners)
 {

@@ -93,32 +93,32 @@ TEST(SharedCorpus, IsMeshedAsItIs)
 
 TEST(SharedCorpus, IsMeshedTurnedByThirtyDegrees)
 {
-  JudgeSharedInputs(AnySize, Turn);
+  JudgeSharedInputs(Ordinary, Turn);
 }
 
-TEST(SharedCorpus, IsMeshedFarFromTheOrigin)
+TEST(SharedCorpus, IsMeshedFarFromTheOriginWithReversedPolylines)
 {
-  JudgeSharedInputs(Ordinary, Move);
+  JudgeSharedInputs(Ordinary,
+    [](Case& example)
+    {
+      Reverse(example);
+      Move(example);
+    });
 }
 
-TEST(SharedCorpus, IsMeshedAtTinyScale)
+TEST(SharedCorpus, IsMeshedAtTinyScaleWithUnmergedPoints)
 {
-  JudgeSharedInputs(Ordinary, [](Case& example) { Scale(example, 1e-9); });
+  JudgeSharedInputs(Ordinary,
+    [](Case& example)
+    {
+      Unmerge(example);
+      Scale(example, 1e-9);
+    });
 }
 
 TEST(SharedCorpus, IsMeshedAtHugeScale)
 {
   JudgeSharedInputs(Ordinary, [](Case& example) { Scale(example, 1e9); });
-}
-
-TEST(SharedCorpus, IsMeshedWithReversedPolylines)
-{
-  JudgeSharedInputs(Ordinary, Reverse);
-}
-
-TEST(SharedCorpus, IsMeshedWithUnmergedPoints)
-{
-  JudgeSharedInputs(Ordinary, Unmerge);
 }
 
 TEST(SharedCorpus, IsMeshedInTiltedPlanes)

@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr std::uint64_t FirstSeed = 1;
-constexpr std::uint64_t NumberOfCases = 1500;
+constexpr std::uint64_t NumberOfCases = 1000;
 
 TEST(Fuzz, MadeUpInputGivesAValidMeshOrOneClearMessage)
 {

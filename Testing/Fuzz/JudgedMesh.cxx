@@ -3,10 +3,6 @@
 
 #include "JudgedMesh.h"
 
-#include "DrawingOracle.h"
-#include "FiguresOracle.h"
-#include "TopologyOracle.h"
-
 #include <algorithm> // for lower_bound
 
 namespace biting
@@ -40,8 +36,7 @@ std::string FindMeshViolation(
   const BitingMesh& mesh, const Polylines& input, const BitingMeshOptions& options)
 {
   JudgedMesh judged(mesh, input, options);
-  (void)(TopologyOracle(judged).Holds() && DrawingOracle(judged).Holds() &&
-    FiguresOracle(judged).Holds());
+  (void)(HoldsTopology(judged) && HoldsDrawing(judged) && HoldsFigures(judged));
   return judged.Violation;
 }
 

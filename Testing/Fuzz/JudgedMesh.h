@@ -115,6 +115,16 @@ struct JudgedMesh
   std::string Violation;
 };
 
+/// Sizes, ids, places; that triangles fit together and cover their area once; regions. Fills what
+/// is sorted of the judged mesh.
+bool HoldsTopology(JudgedMesh& judged);
+
+/// That the mesh is that of the drawing: its area, its points, its segments, what lies on them.
+bool HoldsDrawing(JudgedMesh& judged);
+
+/// Delaunay, and what the mesh says of itself: figures of quality, bites.
+bool HoldsFigures(JudgedMesh& judged);
+
 /// What a mesh must be, told without any help of the kernel:
 /// - the arrays agree in size, ids are in range, places are finite;
 /// - no point twice, none unused; triangles counterclockwise; an edge has one triangle or two, and

@@ -3,7 +3,7 @@
 
 #include "SimplificationOracle.h"
 
-#include "ExactSigns.h"
+#include "JudgedMesh.h"
 #include "Predicates/Predicates.h"
 
 #include <algorithm> // for max, min, minmax
@@ -23,13 +23,6 @@ using SpacingFunction = std::function<double(const Point2&)>;
 
 constexpr Id MostSegments = 400; // all are compared with all
 constexpr double RoomForRounding = 1.0 + 1e-6;
-
-double DistanceToChord(const Point2& p, const Point2& a, const Point2& b)
-{
-  const Point2 along = b - a;
-  const double share = std::max(0.0, std::min(1.0, Dot(p - a, along) / Dot(along, along)));
-  return Distance(p, a + share * along);
-}
 
 /// Who is joined to whom.
 struct Graph
@@ -249,7 +242,7 @@ std::string SimplificationJudge::WalkPath(Id vertex, Id segment, std::map<Chord,
   {
     const Point2& p = this->Before.Vertices[between];
     const double distance =
-      DistanceToChord(p, this->Before.Vertices[vertex], this->Before.Vertices[end]);
+      DistanceTo(p, this->Before.Vertices[vertex], this->Before.Vertices[end]);
     if (!(distance <= RoomForRounding * this->Options.Tolerance * this->Spacing(p)))
     {
       return "a vertex is farther away than the tolerance";

@@ -12,7 +12,7 @@ from TestRanksProxy import HERE, RENUMBERED, answer_by, environment, mpiexec
 
 SCRIPT = os.path.join(HERE, 'RanksBlocks.py')
 ALL = ['pieces', 'drawings', 'sources', 'rules', 'filters', 'files', 'errors']
-SCENARIOS = {1: ALL, 2: ALL, 3: ['pieces', 'drawings', 'rules', 'filters'], 4: ['pieces', 'drawings']}
+SCENARIOS = {1: ALL, 2: ALL, 3: ['pieces', 'drawings', 'rules', 'filters']}
 
 
 def answer_of(ranks):

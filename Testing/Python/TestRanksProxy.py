@@ -14,11 +14,11 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 SECONDS = 300  # for all scenarios on a number of ranks, which take a minute
 
-# The time goes into starting ranks, and into what they wait for each other: fewer for many ranks.
+# The time goes into starting ranks, and into what they wait for each other: fewer for three.
 PIECES = ['drawings', 'mixed', 'redistributed', 'sources', 'rules', 'hidden_cells']
 ALL = PIECES + ['redistributed_otherwise', 'contours', 'other_filters', 'separate_blocks',
                 'writers', 'errors', 'aborts', 'upstream']
-SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters'], 4: PIECES}
+SCENARIOS = {1: ALL, 2: ALL, 3: PIECES + ['contours', 'other_filters']}
 
 # Scenarios of one form are the same drawing, whatever ranks have of it.
 SAME_DRAWING = ('Polylines', 'Segments', 'Polygons', 'Tilted', 'Composite')

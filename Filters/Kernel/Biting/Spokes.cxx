@@ -19,32 +19,24 @@ constexpr double CosineOf60 = 0.5;
 
 SpokesOfVertices::SpokesOfVertices(const Domain& domain)
   : Geometry(domain)
-  , Offsets(domain.NumberOfVertices() + 1, 0)
-  , Segments(2 * domain.NumberOfSegments())
+  , Segments(domain.Vertices.size(),
+      [&domain](const auto& add)
+      {
+        for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
+        {
+          add(domain.Starts[segment], segment);
+          add(domain.Ends[segment], segment);
+        }
+      })
 {
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    ++this->Offsets[domain.Starts[segment] + 1];
-    ++this->Offsets[domain.Ends[segment] + 1];
-  }
-  for (Id vertex = 0; vertex < domain.NumberOfVertices(); ++vertex)
-  {
-    this->Offsets[vertex + 1] += this->Offsets[vertex];
-  }
-  std::vector<Id> next(this->Offsets);
-  for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-  {
-    this->Segments[next[domain.Starts[segment]]++] = segment;
-    this->Segments[next[domain.Ends[segment]]++] = segment;
-  }
 }
 
 std::vector<Spoke> SpokesOfVertices::Around(Id vertex) const
 {
   std::vector<Spoke> spokes;
-  for (Id k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
+  for (const Id segment : this->Segments[vertex])
   {
-    spokes.push_back(this->MakeSpoke(vertex, this->Segments[k]));
+    spokes.push_back(this->MakeSpoke(vertex, segment));
   }
   const Point2 center = this->Geometry.Vertices[vertex];
   std::sort(spokes.begin(), spokes.end(),
@@ -94,14 +86,13 @@ std::vector<SharpSector> SpokesOfVertices::SharpSectorsAt(Id vertex) const
 
 bool SpokesOfVertices::MayBeSharp(Id vertex) const
 {
-  const Id first = this->Offsets[vertex];
-  const Id count = this->Offsets[vertex + 1] - first;
-  if (count != 2)
+  const IdLists::List segments = this->Segments[vertex];
+  if (segments.Size() != 2)
   {
-    return count > 2;
+    return segments.Size() > 2;
   }
-  const Point2 a = this->MakeSpoke(vertex, this->Segments[first]).Direction;
-  const Point2 b = this->MakeSpoke(vertex, this->Segments[first + 1]).Direction;
+  const Point2 a = this->MakeSpoke(vertex, segments[0]).Direction;
+  const Point2 b = this->MakeSpoke(vertex, segments[1]).Direction;
   return Dot(a, b) > CosineOf60;
 }
 

@@ -4,7 +4,7 @@
 #ifndef BitingSpokes_h
 #define BitingSpokes_h
 
-#include "../Base/Ids.h"
+#include "../Base/IdLists.h"
 #include "../Base/Point.h"
 #include "../Domain/Domain.h"
 
@@ -47,8 +47,7 @@ private:
   Spoke MakeSpoke(Id vertex, Id segment) const;
 
   const Domain& Geometry;
-  std::vector<Id> Offsets;
-  std::vector<Id> Segments;
+  IdLists Segments; ///< at each vertex
 };
 
 } // namespace biting

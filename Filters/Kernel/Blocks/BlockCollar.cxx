@@ -33,15 +33,133 @@ public:
   {
   }
 
-  BlockCollar Take();
+  BlockCollar Take()
+  {
+    this->FindTriangles();
+    this->NumberVertices();
+    this->CopyVertices();
+    this->CopyEdges();
+    this->CopyTriangles();
+    this->Collar.NumberOfVertices =
+      static_cast<Id>(this->Whole.Bites.Points.size() - this->NumberOfShared);
+    this->Collar.NumberOfTriangles = this->Whole.Triangles.NumberOfTriangles();
+    const std::vector<Id>& orders = this->Whole.Bites.BiteOrders;
+    this->Collar.Mesh.NumberOfOrders =
+      orders.empty() ? 0 : 1 + *std::max_element(orders.begin(), orders.end());
+    this->Collar.Mesh.Bitten = this->Whole.Bitten;
+    return std::move(this->Collar);
+  }
 
 private:
-  void FindTriangles();
+  void FindTriangles()
+  {
+    const Triangulation& mesh = this->Whole.Triangles;
+    std::vector<Id> atCuts;
+    for (Id vertex = 0; vertex < static_cast<Id>(this->NumberOfShared); ++vertex)
+    {
+      if (this->IsOnCut[this->Block.Vertices[vertex]] != 0)
+      {
+        atCuts.push_back(vertex);
+      }
+    }
+    Pulse pulse(NoMonitor());
+    this->TriangleNumbers.assign(mesh.Regions.size(), NoId);
+    for (const Id triangle :
+      TrianglesAround(mesh, this->Numbers.size(), atCuts, pulse, this->Steps))
+    {
+      this->TriangleNumbers[triangle] = 0;
+    }
+    for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
+    {
+      const Id vertex = mesh.Corners[slot];
+      if (this->IsShared(vertex) || this->Whole.Bites.Segments[vertex] != NoId)
+      {
+        this->TriangleNumbers[slot / 3] = 0;
+      }
+    }
+    for (std::size_t triangle = 0; triangle < this->TriangleNumbers.size(); ++triangle)
+    {
+      if (this->TriangleNumbers[triangle] != NoId)
+      {
+        this->TriangleNumbers[triangle] = static_cast<Id>(this->Collar.Triangles.size());
+        this->Collar.Triangles.push_back(static_cast<Id>(triangle));
+      }
+    }
+  }
+
   bool IsShared(Id vertex) const { return static_cast<std::size_t>(vertex) < this->NumberOfShared; }
-  void NumberVertices();
-  void CopyVertices();
-  void CopyEdges();
-  void CopyTriangles();
+
+  // In their order: those that the block shares, all of them, then those that are used.
+  void NumberVertices()
+  {
+    for (const Id triangle : this->Collar.Triangles)
+    {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+      {
+        this->Numbers[this->Whole.Triangles
+                        .Corners[3 * static_cast<std::size_t>(triangle) + corner]] = 0;
+      }
+    }
+    Id next = 0;
+    for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
+    {
+      if (vertex < this->NumberOfShared)
+      {
+        this->Numbers[vertex] = next++;
+      }
+      else if (this->Numbers[vertex] != NoId)
+      {
+        this->Numbers[vertex] = next++;
+        this->Collar.Vertices.push_back(static_cast<Id>(vertex - this->NumberOfShared));
+      }
+    }
+  }
+
+  void CopyVertices()
+  {
+    const BitingResult& from = this->Whole.Bites;
+    BitingResult& to = this->Collar.Mesh.Bites;
+    for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
+    {
+      if (this->Numbers[vertex] != NoId)
+      {
+        to.Points.push_back(from.Points[vertex]);
+        to.Spacings.push_back(from.Spacings[vertex]);
+        to.BiteOrders.push_back(from.BiteOrders[vertex]);
+        to.Segments.push_back(from.Segments[vertex]);
+      }
+    }
+  }
+
+  void CopyEdges()
+  {
+    const BitingResult& from = this->Whole.Bites;
+    BitingResult& to = this->Collar.Mesh.Bites;
+    to.EdgeSegments = from.EdgeSegments;
+    for (std::size_t edge = 0; edge < from.EdgeSegments.size(); ++edge)
+    {
+      to.EdgeStarts.push_back(this->Numbers[from.EdgeStarts[edge]]);
+      to.EdgeEnds.push_back(this->Numbers[from.EdgeEnds[edge]]);
+    }
+  }
+
+  void CopyTriangles()
+  {
+    const Triangulation& from = this->Whole.Triangles;
+    Triangulation& to = this->Collar.Mesh.Triangles;
+    for (const Id triangle : this->Collar.Triangles)
+    {
+      for (std::size_t slot = 3 * static_cast<std::size_t>(triangle);
+           slot < 3 * static_cast<std::size_t>(triangle) + 3; ++slot)
+      {
+        const Id across = from.Neighbors[slot];
+        to.Corners.push_back(this->Numbers[from.Corners[slot]]);
+        to.Neighbors.push_back(across == NoId ? NoId : this->TriangleNumbers[across]);
+        to.Constraints.push_back(from.Constraints[slot]);
+      }
+      to.Regions.push_back(from.Regions[triangle]);
+    }
+  }
 
   const BlockDomain& Block;
   const std::vector<std::uint8_t>& IsOnCut;
@@ -52,131 +170,6 @@ private:
   std::vector<Id> TriangleNumbers; ///< 0 or in the collar, or NoId
   BlockCollar Collar;
 };
-
-BlockCollar CollarTaker::Take()
-{
-  this->FindTriangles();
-  this->NumberVertices();
-  this->CopyVertices();
-  this->CopyEdges();
-  this->CopyTriangles();
-  this->Collar.NumberOfVertices =
-    static_cast<Id>(this->Whole.Bites.Points.size() - this->NumberOfShared);
-  this->Collar.NumberOfTriangles = this->Whole.Triangles.NumberOfTriangles();
-  const std::vector<Id>& orders = this->Whole.Bites.BiteOrders;
-  this->Collar.Mesh.NumberOfOrders =
-    orders.empty() ? 0 : 1 + *std::max_element(orders.begin(), orders.end());
-  this->Collar.Mesh.Bitten = this->Whole.Bitten;
-  return std::move(this->Collar);
-}
-
-void CollarTaker::FindTriangles()
-{
-  const Triangulation& mesh = this->Whole.Triangles;
-  std::vector<Id> atCuts;
-  for (Id vertex = 0; vertex < static_cast<Id>(this->NumberOfShared); ++vertex)
-  {
-    if (this->IsOnCut[this->Block.Vertices[vertex]] != 0)
-    {
-      atCuts.push_back(vertex);
-    }
-  }
-  Pulse pulse(NoMonitor());
-  this->TriangleNumbers.assign(mesh.Regions.size(), NoId);
-  for (const Id triangle : TrianglesAround(mesh, this->Numbers.size(), atCuts, pulse, this->Steps))
-  {
-    this->TriangleNumbers[triangle] = 0;
-  }
-  for (std::size_t slot = 0; slot < mesh.Corners.size(); ++slot)
-  {
-    const Id vertex = mesh.Corners[slot];
-    if (this->IsShared(vertex) || this->Whole.Bites.Segments[vertex] != NoId)
-    {
-      this->TriangleNumbers[slot / 3] = 0;
-    }
-  }
-  for (std::size_t triangle = 0; triangle < this->TriangleNumbers.size(); ++triangle)
-  {
-    if (this->TriangleNumbers[triangle] != NoId)
-    {
-      this->TriangleNumbers[triangle] = static_cast<Id>(this->Collar.Triangles.size());
-      this->Collar.Triangles.push_back(static_cast<Id>(triangle));
-    }
-  }
-}
-
-// In their order: those that the block shares, all of them, then those that are used.
-void CollarTaker::NumberVertices()
-{
-  for (const Id triangle : this->Collar.Triangles)
-  {
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      this
-        ->Numbers[this->Whole.Triangles.Corners[3 * static_cast<std::size_t>(triangle) + corner]] =
-        0;
-    }
-  }
-  Id next = 0;
-  for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
-  {
-    if (vertex < this->NumberOfShared)
-    {
-      this->Numbers[vertex] = next++;
-    }
-    else if (this->Numbers[vertex] != NoId)
-    {
-      this->Numbers[vertex] = next++;
-      this->Collar.Vertices.push_back(static_cast<Id>(vertex - this->NumberOfShared));
-    }
-  }
-}
-
-void CollarTaker::CopyVertices()
-{
-  const BitingResult& from = this->Whole.Bites;
-  BitingResult& to = this->Collar.Mesh.Bites;
-  for (std::size_t vertex = 0; vertex < this->Numbers.size(); ++vertex)
-  {
-    if (this->Numbers[vertex] != NoId)
-    {
-      to.Points.push_back(from.Points[vertex]);
-      to.Spacings.push_back(from.Spacings[vertex]);
-      to.BiteOrders.push_back(from.BiteOrders[vertex]);
-      to.Segments.push_back(from.Segments[vertex]);
-    }
-  }
-}
-
-void CollarTaker::CopyEdges()
-{
-  const BitingResult& from = this->Whole.Bites;
-  BitingResult& to = this->Collar.Mesh.Bites;
-  to.EdgeSegments = from.EdgeSegments;
-  for (std::size_t edge = 0; edge < from.EdgeSegments.size(); ++edge)
-  {
-    to.EdgeStarts.push_back(this->Numbers[from.EdgeStarts[edge]]);
-    to.EdgeEnds.push_back(this->Numbers[from.EdgeEnds[edge]]);
-  }
-}
-
-void CollarTaker::CopyTriangles()
-{
-  const Triangulation& from = this->Whole.Triangles;
-  Triangulation& to = this->Collar.Mesh.Triangles;
-  for (const Id triangle : this->Collar.Triangles)
-  {
-    for (std::size_t slot = 3 * static_cast<std::size_t>(triangle);
-         slot < 3 * static_cast<std::size_t>(triangle) + 3; ++slot)
-    {
-      const Id across = from.Neighbors[slot];
-      to.Corners.push_back(this->Numbers[from.Corners[slot]]);
-      to.Neighbors.push_back(across == NoId ? NoId : this->TriangleNumbers[across]);
-      to.Constraints.push_back(from.Constraints[slot]);
-    }
-    to.Regions.push_back(from.Regions[triangle]);
-  }
-}
 
 // All of it, which may be constant.
 template <typename Collar>

@@ -31,7 +31,19 @@ public:
   {
   }
 
-  bool Divide(Id piece);
+  bool Divide(Id piece)
+  {
+    this->Start = this->Graph.Vertices[this->Graph.Pieces[piece].Start];
+    this->End = this->Graph.Vertices[this->Graph.Pieces[piece].End];
+    const bool isFolded = this->Graph.Pieces[piece].Folded.IsFolded;
+    EdgeDivider& divider = isFolded ? this->Pairs : this->Sides;
+    if (!divider.Divide(this->Start, this->End, this->Wanted.MostVertices, this->Points))
+    {
+      return false;
+    }
+    isFolded ? this->SplitFolded(piece) : this->SplitStraight(piece);
+    return true;
+  }
 
 private:
   // A vertex on the line of the cut, and f there.
@@ -41,9 +53,51 @@ private:
     double F;
   };
 
-  void SplitStraight(Id piece);
-  void SplitFolded(Id piece);
-  Point2 FoldBetween(const PlaceOnLine& first, const PlaceOnLine& next, bool isFolded) const;
+  void SplitStraight(Id piece)
+  {
+    for (std::size_t k = 0; k < this->Points.Parameters.size(); ++k)
+    {
+      const Point2 place = PointOnSegment(
+        this->Start, this->End, this->Points.Parameters[k], this->Points.Spacings[k]);
+      piece = this->Graph.Split(piece, this->Graph.AddVertex(place, NoId));
+    }
+  }
+
+  // The points divide it into pairs of rows, of which each is divided once more.
+  void SplitFolded(Id piece)
+  {
+    const CutGraph::Fold fold = this->Graph.Pieces[piece].Folded;
+    const std::size_t pairs = this->Points.Parameters.size() + 1;
+    PlaceOnLine last{ 0.0, this->F(this->Start) };
+    for (std::size_t k = 0; k < pairs; ++k)
+    {
+      const bool isLast = k + 1 == pairs;
+      const PlaceOnLine next{ isLast ? 1.0 : this->Points.Parameters[k],
+        isLast ? this->F(this->End) : this->Points.Spacings[k] };
+      const bool isFolded = (fold.IsOpenAtStart || k >= StraightPairs) &&
+        (fold.IsOpenAtEnd || k + StraightPairs < pairs);
+      piece = this->Graph.Split(
+        piece, this->Graph.AddVertex(this->FoldBetween(last, next, isFolded), NoId));
+      if (!isLast)
+      {
+        const Point2 place = PointOnSegment(this->Start, this->End, next.Parameter, next.F);
+        piece = this->Graph.Split(piece, this->Graph.AddVertex(place, NoId));
+      }
+      last = next;
+    }
+  }
+
+  // Halves the integral of 1/f between two places, as it is where f is linear. The root is of a
+  // ratio: so it is the same in all units of length.
+  Point2 FoldBetween(const PlaceOnLine& first, const PlaceOnLine& next, bool isFolded) const
+  {
+    const double share = 1.0 / (1.0 + std::sqrt(next.F / first.F));
+    const double parameter = first.Parameter + share * (next.Parameter - first.Parameter);
+    const Point2 way = this->End - this->Start;
+    const Point2 middle = this->Start + parameter * way;
+    const double aside = isFolded ? 0.5 * this->Wanted.PartLength * this->F(middle) : 0.0;
+    return middle + aside / Length(way) * Perpendicular(way);
+  }
 
   const Spacing& F;
   const CutDivision& Wanted;
@@ -54,67 +108,6 @@ private:
   Point2 Start; ///< of the cut at hand
   Point2 End;
 };
-
-bool CutDivider::Divide(Id piece)
-{
-  this->Start = this->Graph.Vertices[this->Graph.Pieces[piece].Start];
-  this->End = this->Graph.Vertices[this->Graph.Pieces[piece].End];
-  const bool isFolded = this->Graph.Pieces[piece].Folded.IsFolded;
-  EdgeDivider& divider = isFolded ? this->Pairs : this->Sides;
-  if (!divider.Divide(this->Start, this->End, this->Wanted.MostVertices, this->Points))
-  {
-    return false;
-  }
-  isFolded ? this->SplitFolded(piece) : this->SplitStraight(piece);
-  return true;
-}
-
-void CutDivider::SplitStraight(Id piece)
-{
-  for (std::size_t k = 0; k < this->Points.Parameters.size(); ++k)
-  {
-    const Point2 place =
-      PointOnSegment(this->Start, this->End, this->Points.Parameters[k], this->Points.Spacings[k]);
-    piece = this->Graph.Split(piece, this->Graph.AddVertex(place, NoId));
-  }
-}
-
-// The points divide it into pairs of rows, of which each is divided once more.
-void CutDivider::SplitFolded(Id piece)
-{
-  const CutGraph::Fold fold = this->Graph.Pieces[piece].Folded;
-  const std::size_t pairs = this->Points.Parameters.size() + 1;
-  PlaceOnLine last{ 0.0, this->F(this->Start) };
-  for (std::size_t k = 0; k < pairs; ++k)
-  {
-    const bool isLast = k + 1 == pairs;
-    const PlaceOnLine next{ isLast ? 1.0 : this->Points.Parameters[k],
-      isLast ? this->F(this->End) : this->Points.Spacings[k] };
-    const bool isFolded =
-      (fold.IsOpenAtStart || k >= StraightPairs) && (fold.IsOpenAtEnd || k + StraightPairs < pairs);
-    piece = this->Graph.Split(
-      piece, this->Graph.AddVertex(this->FoldBetween(last, next, isFolded), NoId));
-    if (!isLast)
-    {
-      const Point2 place = PointOnSegment(this->Start, this->End, next.Parameter, next.F);
-      piece = this->Graph.Split(piece, this->Graph.AddVertex(place, NoId));
-    }
-    last = next;
-  }
-}
-
-// Halves the integral of 1/f between two places, as it is where f is linear. The root is of a
-// ratio: so it is the same in all units of length.
-Point2 CutDivider::FoldBetween(
-  const PlaceOnLine& first, const PlaceOnLine& next, bool isFolded) const
-{
-  const double share = 1.0 / (1.0 + std::sqrt(next.F / first.F));
-  const double parameter = first.Parameter + share * (next.Parameter - first.Parameter);
-  const Point2 way = this->End - this->Start;
-  const Point2 middle = this->Start + parameter * way;
-  const double aside = isFolded ? 0.5 * this->Wanted.PartLength * this->F(middle) : 0.0;
-  return middle + aside / Length(way) * Perpendicular(way);
-}
 
 } // namespace
 

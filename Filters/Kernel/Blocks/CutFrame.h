@@ -20,8 +20,8 @@ struct CutFrame
 {
   Point2 Axis{ 1.0, 0.0 }; ///< of unit length
 
-  /// Along which axis far more of the boundary runs than along the other, if it is so: the second
-  /// one where it is true. Lattices have their rows along it.
+  /// True: far more of the boundary runs along the second axis than along the first; false: along
+  /// the first; empty: neither. Rows of lattices run along that axis.
   std::optional<bool> IsMostlyVertical;
 
   /// A place of the plane in the frame, and back.
@@ -32,17 +32,17 @@ struct CutFrame
   }
 };
 
-/// The axes along which, or across, the most of the boundary runs, of the directions of its longest
-/// segments, where that is a good part of it; else those of the coordinates. Fronts that leave the
-/// boundary and those that leave cuts then make one lattice, however the drawing is turned. Depends
-/// on the domain alone. Where the monitor wants to stop the result has no meaning.
+/// Of the directions of the longest boundary segments, the one along and across which the most of
+/// the boundary runs, if that is a good part of it; else the axes of the coordinates. Fronts that
+/// leave the boundary and those that leave cuts then make one lattice, however the drawing is
+/// turned. Depends on the domain alone. Where the monitor wants to stop the result has no meaning.
 CutFrame FrameOf(const Domain& domain, Pulse& pulse);
 
 /// The box of a domain in the frame.
 Box2 BoundsIn(const CutFrame& frame, const Domain& domain);
 
-/// From where to where, along each axis, the longest segment of the boundary runs that is parallel
-/// to it, in the frame; the box of the domain along axes with none of a good part of its width.
+/// For each axis the interval of the longest boundary segment that is parallel to it, in the frame;
+/// that of the domain's box where no such segment is a good part of its width.
 Box2 LongestSidesIn(const CutFrame& frame, const Domain& domain, Pulse& pulse);
 
 } // namespace biting

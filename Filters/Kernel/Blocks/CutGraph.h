@@ -20,8 +20,8 @@ namespace biting
 /// segment have its direction.
 struct CutGraph
 {
-  /// A cut that is folded has vertices on both sides of its line. It may be so up to an end where
-  /// that is open: nothing is near but what it meets there, nearly at a right angle.
+  /// A folded cut has vertices on both sides of its line. An end is open if nothing is near it but
+  /// what the cut meets there, nearly at a right angle. Only at open ends the fold reaches the end.
   struct Fold
   {
     bool IsFolded = false;

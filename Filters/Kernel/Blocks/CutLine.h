@@ -58,8 +58,8 @@ struct CutLine
 enum class CutEffort
 {
   AsItIs,
-  /// Their ends go to vertices some f away, from which they are good; short ones are left out: the
-  /// line need not divide the domain then.
+  /// Ends of stretches that are not good go to vertices some f away from which they are. Short
+  /// stretches are left out, so the line may fail to divide the domain.
   MoveEnds
 };
 

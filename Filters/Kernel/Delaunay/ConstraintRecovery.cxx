@@ -38,7 +38,24 @@ public:
   }
 
   /// Looks at one triangle; true where the way leads along its first edge, or through it.
-  bool Step();
+  bool Step()
+  {
+    const Id edge = this->Edge;
+    const Id right = this->Mesh.Origin(edge);
+    const Id left = this->Mesh.Target(edge);
+    if (right != NoId && this->IsAlong(right))
+    {
+      this->AlongEdge = HalfEdgeMesh::Previous(edge);
+      return true;
+    }
+    if ((right | left) >= 0 && this->Side(right) < 0 && this->Side(left) > 0)
+    {
+      this->CrossedEdge = edge;
+      return true;
+    }
+    this->Edge = HalfEdgeMesh::Next(this->Mesh.Twins[HalfEdgeMesh::Next(edge)]);
+    return false;
+  }
 
   /// Half-edge from the centre along the way, NoId where the way crosses CrossedEdge.
   Id AlongEdge = NoId;
@@ -46,50 +63,28 @@ public:
   Id CrossedEdge = NoId;
 
 private:
-  bool IsAlong(Id vertex) const;
-  int Side(Id vertex) const;
+  bool IsAlong(Id vertex) const
+  {
+    if (vertex == this->Target)
+    {
+      return true;
+    }
+    return this->Side(vertex) == 0 &&
+      IsForward(this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target),
+        this->Mesh.PointAt(vertex));
+  }
+
+  int Side(Id vertex) const
+  {
+    return Orient2D(this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target),
+      this->Mesh.PointAt(vertex));
+  }
 
   const HalfEdgeMesh& Mesh;
   Id Center;
   Id Target;
   Id Edge; ///< half-edge opposite the centre in the next triangle
 };
-
-bool StarSearch::Step()
-{
-  const Id edge = this->Edge;
-  const Id right = this->Mesh.Origin(edge);
-  const Id left = this->Mesh.Target(edge);
-  if (right != NoId && this->IsAlong(right))
-  {
-    this->AlongEdge = HalfEdgeMesh::Previous(edge);
-    return true;
-  }
-  if ((right | left) >= 0 && this->Side(right) < 0 && this->Side(left) > 0)
-  {
-    this->CrossedEdge = edge;
-    return true;
-  }
-  this->Edge = HalfEdgeMesh::Next(this->Mesh.Twins[HalfEdgeMesh::Next(edge)]);
-  return false;
-}
-
-bool StarSearch::IsAlong(Id vertex) const
-{
-  if (vertex == this->Target)
-  {
-    return true;
-  }
-  return this->Side(vertex) == 0 &&
-    IsForward(this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target),
-      this->Mesh.PointAt(vertex));
-}
-
-int StarSearch::Side(Id vertex) const
-{
-  return Orient2D(
-    this->Mesh.PointAt(this->Center), this->Mesh.PointAt(this->Target), this->Mesh.PointAt(vertex));
-}
 
 /// 0 .. count - 1 in the order of their reversed digits to the base 2: each falls into one of the
 /// largest gaps between those before, as numbers of neighbors in a drawing are near each other.

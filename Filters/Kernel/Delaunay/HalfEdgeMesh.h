@@ -26,8 +26,8 @@ struct HalfEdgeMesh
   std::vector<Id> Twins;
   Id NumberOfTriangles = 0; ///< ghosts included
 
-  std::vector<Id> Marks; ///< three for each triangle that has or had one, from Twins[4t + 3] on,
-                         ///< which is NoId elsewhere
+  std::vector<Id> Marks; ///< those of triangle t, if it ever had one, are the three from
+                         ///< Twins[4t + 3] on; that is NoId for the others
 
   // Filled when constraints are recovered, empty before.
   std::vector<Id> VertexEdges; ///< a half-edge whose corner is the vertex

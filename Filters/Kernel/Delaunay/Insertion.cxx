@@ -38,20 +38,154 @@ public:
   }
 
   /// Makes the triangle of the vertices 0, 1, 2, and its three ghosts.
-  void MakeFirstTriangle();
+  void MakeFirstTriangle()
+  {
+    const auto& points = this->Mesh.Points;
+    const bool isLeft = Orient2D(points[0], points[1], points[2]) > 0;
+    this->Mesh.SetTriangle(0, 0, isLeft ? 1 : 2, isLeft ? 2 : 1);
+    for (Id k = 0; k < 3; ++k)
+    {
+      this->Mesh.SetTriangle(k + 1, NoId, this->Mesh.Target(k), this->Mesh.Origin(k));
+      this->Mesh.Link(k, HalfEdgeMesh::FirstEdge(k + 1));
+      const Id ghostBefore = (k + 2) % 3 + 1;
+      this->Mesh.Link(HalfEdgeMesh::FirstEdge(k + 1) + 1, HalfEdgeMesh::FirstEdge(ghostBefore) + 2);
+    }
+    this->Mesh.NumberOfTriangles = 4;
+  }
 
   /// Inserts the vertex, or returns the one that it coincides with.
-  Id Insert(Id vertex);
+  Id Insert(Id vertex)
+  {
+    const Location location = this->Locate(this->Mesh.Points[vertex]);
+    if (location.Vertex != NoId)
+    {
+      return location.Vertex;
+    }
+    this->Mesh.Split(location.Triangle, vertex);
+    if (location.Edge != NoId)
+    {
+      this->FlipAround(
+        HalfEdgeMesh::FirstEdge(this->CornerTriangle(location.Triangle, location.Edge)));
+    }
+    if (this->Phi < 1.0)
+    {
+      this->RestorePhi(location.Triangle);
+    }
+    else
+    {
+      this->RestoreStar(location.Triangle);
+    }
+    return vertex;
+  }
 
 private:
-  Location Locate(const Point2& point);
-  Id FirstEdgeBefore(const Point2& point) const;
-  bool IsOtherWayFirst();
+  /// A visibility walk: leave by an edge that has the point strictly beyond it. In a Delaunay
+  /// triangulation no triangle comes twice; in others chance sees to it (Devillers, Pion, Teillaud,
+  /// "Walking in a triangulation", 2002).
+  Location Locate(const Point2& point)
+  {
+    Id edge = this->FirstEdgeBefore(point);
+    while (true)
+    {
+      const bool isSwapped = this->IsOtherWayFirst();
+      const Id first = isSwapped ? HalfEdgeMesh::Previous(edge) : HalfEdgeMesh::Next(edge);
+      const Id second = isSwapped ? HalfEdgeMesh::Next(edge) : HalfEdgeMesh::Previous(edge);
+      const int firstSide = this->Mesh.Side(first, point);
+      const int secondSide = firstSide < 0 ? 0 : this->Mesh.Side(second, point);
+      if (firstSide >= 0 && secondSide >= 0)
+      {
+        const Id onEdge = firstSide == 0 ? first : (secondSide == 0 ? second : NoId);
+        const bool isCorner = firstSide == 0 && secondSide == 0;
+        return { HalfEdgeMesh::TriangleOf(edge), onEdge,
+          isCorner ? this->Mesh.Corners[edge] : NoId };
+      }
+      edge = this->Mesh.Twins[firstSide < 0 ? first : second];
+      if (this->Mesh.Corners[edge] == NoId)
+      {
+        return { HalfEdgeMesh::TriangleOf(edge), NoId, NoId };
+      }
+    }
+  }
 
-  Id CornerTriangle(Id triangle, Id edge) const;
-  void FlipAround(Id edge);
-  void RestoreStar(Id triangle);
-  void RestorePhi(Id triangle);
+  /// A half-edge of the last triangle that has the point strictly on its left: there is always one.
+  Id FirstEdgeBefore(const Point2& point) const
+  {
+    Id edge = HalfEdgeMesh::FirstEdge(this->Last);
+    if (this->Mesh.IsGhost(this->Last))
+    {
+      while (this->Mesh.Corners[edge] != NoId)
+      {
+        ++edge;
+      }
+      edge = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]));
+    }
+    while (this->Mesh.Side(edge, point) <= 0)
+    {
+      ++edge;
+    }
+    return edge;
+  }
+
+  bool IsOtherWayFirst()
+  {
+    if (this->Phi >= 1.0)
+    {
+      return false;
+    }
+    this->Generator = this->Generator * 1664525u + 1013904223u;
+    return (this->Generator >> 31) != 0u;
+  }
+
+  /// Of the three triangles that Split has just made, the one that took `edge` of `triangle`.
+  Id CornerTriangle(Id triangle, Id edge) const
+  {
+    const Id corner = edge & 3;
+    return corner == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + corner;
+  }
+
+  void FlipAround(Id edge)
+  {
+    this->Mesh.FlipAround(edge, [this](Id one, Id twin) { this->Mesh.Link(one, twin); });
+  }
+
+  /// Goes once around the new vertex, corner 0 of all its triangles, and flips what its star may
+  /// eat.
+  void RestoreStar(Id triangle)
+  {
+    const auto& corners = this->Mesh.Corners;
+    Id edge = HalfEdgeMesh::FirstEdge(triangle);
+    const Id end = corners[edge + 1];
+    while (true)
+    {
+      const Id opposite = corners[this->Mesh.Twins[edge]];
+      if (BreaksDelaunay(this->Mesh, corners[edge], corners[edge + 1], corners[edge + 2], opposite))
+      {
+        this->FlipAround(edge);
+        continue;
+      }
+      if (corners[edge + 2] == end)
+      {
+        break;
+      }
+      edge = this->Mesh.Twins[edge + 1] - 2;
+    }
+    this->Last = HalfEdgeMesh::TriangleOf(edge);
+  }
+
+  /// With phi < 1 edges at the new vertex may break the criterion too: the general flips.
+  void RestorePhi(Id triangle)
+  {
+    const Id begin = HalfEdgeMesh::FirstEdge(triangle);
+    Id edge = begin;
+    do
+    {
+      this->Stack.push_back(edge);
+      this->Stack.push_back(edge + 1);
+      edge = this->Mesh.Twins[edge + 1] - 2;
+    } while (edge != begin);
+    RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
+    this->Last = triangle;
+  }
 
   HalfEdgeMesh& Mesh;
   double Phi;
@@ -60,151 +194,6 @@ private:
   std::uint32_t Generator = 1;
   std::vector<Id> Stack;
 };
-
-void Inserter::MakeFirstTriangle()
-{
-  const auto& points = this->Mesh.Points;
-  const bool isLeft = Orient2D(points[0], points[1], points[2]) > 0;
-  this->Mesh.SetTriangle(0, 0, isLeft ? 1 : 2, isLeft ? 2 : 1);
-  for (Id k = 0; k < 3; ++k)
-  {
-    this->Mesh.SetTriangle(k + 1, NoId, this->Mesh.Target(k), this->Mesh.Origin(k));
-    this->Mesh.Link(k, HalfEdgeMesh::FirstEdge(k + 1));
-    const Id ghostBefore = (k + 2) % 3 + 1;
-    this->Mesh.Link(HalfEdgeMesh::FirstEdge(k + 1) + 1, HalfEdgeMesh::FirstEdge(ghostBefore) + 2);
-  }
-  this->Mesh.NumberOfTriangles = 4;
-}
-
-Id Inserter::Insert(Id vertex)
-{
-  const Location location = this->Locate(this->Mesh.Points[vertex]);
-  if (location.Vertex != NoId)
-  {
-    return location.Vertex;
-  }
-  this->Mesh.Split(location.Triangle, vertex);
-  if (location.Edge != NoId)
-  {
-    this->FlipAround(
-      HalfEdgeMesh::FirstEdge(this->CornerTriangle(location.Triangle, location.Edge)));
-  }
-  if (this->Phi < 1.0)
-  {
-    this->RestorePhi(location.Triangle);
-  }
-  else
-  {
-    this->RestoreStar(location.Triangle);
-  }
-  return vertex;
-}
-
-/// A visibility walk: leave by an edge that has the point strictly beyond it. In a Delaunay
-/// triangulation no triangle comes twice; in others chance sees to it (Devillers, Pion, Teillaud,
-/// "Walking in a triangulation", 2002).
-Location Inserter::Locate(const Point2& point)
-{
-  Id edge = this->FirstEdgeBefore(point);
-  while (true)
-  {
-    const bool isSwapped = this->IsOtherWayFirst();
-    const Id first = isSwapped ? HalfEdgeMesh::Previous(edge) : HalfEdgeMesh::Next(edge);
-    const Id second = isSwapped ? HalfEdgeMesh::Next(edge) : HalfEdgeMesh::Previous(edge);
-    const int firstSide = this->Mesh.Side(first, point);
-    const int secondSide = firstSide < 0 ? 0 : this->Mesh.Side(second, point);
-    if (firstSide >= 0 && secondSide >= 0)
-    {
-      const Id onEdge = firstSide == 0 ? first : (secondSide == 0 ? second : NoId);
-      const bool isCorner = firstSide == 0 && secondSide == 0;
-      return { HalfEdgeMesh::TriangleOf(edge), onEdge, isCorner ? this->Mesh.Corners[edge] : NoId };
-    }
-    edge = this->Mesh.Twins[firstSide < 0 ? first : second];
-    if (this->Mesh.Corners[edge] == NoId)
-    {
-      return { HalfEdgeMesh::TriangleOf(edge), NoId, NoId };
-    }
-  }
-}
-
-/// A half-edge of the last triangle that has the point strictly on its left: there is always one.
-Id Inserter::FirstEdgeBefore(const Point2& point) const
-{
-  Id edge = HalfEdgeMesh::FirstEdge(this->Last);
-  if (this->Mesh.IsGhost(this->Last))
-  {
-    while (this->Mesh.Corners[edge] != NoId)
-    {
-      ++edge;
-    }
-    edge = HalfEdgeMesh::FirstEdge(HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge]));
-  }
-  while (this->Mesh.Side(edge, point) <= 0)
-  {
-    ++edge;
-  }
-  return edge;
-}
-
-bool Inserter::IsOtherWayFirst()
-{
-  if (this->Phi >= 1.0)
-  {
-    return false;
-  }
-  this->Generator = this->Generator * 1664525u + 1013904223u;
-  return (this->Generator >> 31) != 0u;
-}
-
-/// Of the three triangles that Split has just made, the one that took `edge` of `triangle`.
-Id Inserter::CornerTriangle(Id triangle, Id edge) const
-{
-  const Id corner = edge & 3;
-  return corner == 0 ? triangle : this->Mesh.NumberOfTriangles - 3 + corner;
-}
-
-void Inserter::FlipAround(Id edge)
-{
-  this->Mesh.FlipAround(edge, [this](Id one, Id twin) { this->Mesh.Link(one, twin); });
-}
-
-/// Goes once around the new vertex, corner 0 of all its triangles, and flips what its star may eat.
-void Inserter::RestoreStar(Id triangle)
-{
-  const auto& corners = this->Mesh.Corners;
-  Id edge = HalfEdgeMesh::FirstEdge(triangle);
-  const Id end = corners[edge + 1];
-  while (true)
-  {
-    const Id opposite = corners[this->Mesh.Twins[edge]];
-    if (BreaksDelaunay(this->Mesh, corners[edge], corners[edge + 1], corners[edge + 2], opposite))
-    {
-      this->FlipAround(edge);
-      continue;
-    }
-    if (corners[edge + 2] == end)
-    {
-      break;
-    }
-    edge = this->Mesh.Twins[edge + 1] - 2;
-  }
-  this->Last = HalfEdgeMesh::TriangleOf(edge);
-}
-
-/// With phi < 1 edges at the new vertex may break the criterion too: the general flips.
-void Inserter::RestorePhi(Id triangle)
-{
-  const Id begin = HalfEdgeMesh::FirstEdge(triangle);
-  Id edge = begin;
-  do
-  {
-    this->Stack.push_back(edge);
-    this->Stack.push_back(edge + 1);
-    edge = this->Mesh.Twins[edge + 1] - 2;
-  } while (edge != begin);
-  RestoreDelaunay(this->Mesh, this->Phi, this->Stack, this->Beats);
-  this->Last = triangle;
-}
 
 /// Brings three vertices that are not collinear to the front; false where there are none.
 bool ChooseFirstTriangle(std::vector<Point2>& points, std::vector<Id>& order)

@@ -86,7 +86,41 @@ std::vector<BorderEdge> CollectBorder(const HalfEdgeMesh& mesh, const Constraint
 class Faces
 {
 public:
-  Faces(const HalfEdgeMesh& mesh, Pulse& pulse);
+  Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
+  {
+    const PulsePart part(pulse, 0.0, FacesEnd);
+    DisjointSets sets(static_cast<std::size_t>(mesh.NumberOfTriangles));
+    pulse.ForEach(sets.Size(),
+      [this, &mesh, &sets](std::size_t t)
+      {
+        const Id triangle = static_cast<Id>(t);
+        const bool hasMarks = mesh.HasMarks(triangle);
+        for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
+        {
+          const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
+          if (neighbor < triangle && (!hasMarks || mesh.Mark(edge) == NoId))
+          {
+            sets.Unite(triangle, neighbor);
+          }
+        }
+        if (hasMarks)
+        {
+          this->WithMarks.push_back(triangle);
+        }
+      });
+    this->OfTriangle.reserve(sets.Size());
+    pulse.ForEach(sets.Size(),
+      [this, &mesh, &sets](std::size_t t)
+      {
+        const Id triangle = static_cast<Id>(t);
+        const Id first = sets.SetOf(triangle);
+        this->OfTriangle.push_back(first == triangle ? this->Count++ : this->OfTriangle[first]);
+        if (this->Outer == NoId && mesh.IsGhost(triangle))
+        {
+          this->Outer = this->OfTriangle.back();
+        }
+      });
+  }
 
   Id Size() const { return this->Count; }
   Id FaceOf(Id triangle) const { return this->OfTriangle[triangle]; }
@@ -105,42 +139,6 @@ private:
   Id Count = 0;
   Id Outer = NoId;
 };
-
-Faces::Faces(const HalfEdgeMesh& mesh, Pulse& pulse)
-{
-  const PulsePart part(pulse, 0.0, FacesEnd);
-  DisjointSets sets(static_cast<std::size_t>(mesh.NumberOfTriangles));
-  pulse.ForEach(sets.Size(),
-    [this, &mesh, &sets](std::size_t t)
-    {
-      const Id triangle = static_cast<Id>(t);
-      const bool hasMarks = mesh.HasMarks(triangle);
-      for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
-      {
-        const Id neighbor = HalfEdgeMesh::TriangleOf(mesh.Twins[edge]);
-        if (neighbor < triangle && (!hasMarks || mesh.Mark(edge) == NoId))
-        {
-          sets.Unite(triangle, neighbor);
-        }
-      }
-      if (hasMarks)
-      {
-        this->WithMarks.push_back(triangle);
-      }
-    });
-  this->OfTriangle.reserve(sets.Size());
-  pulse.ForEach(sets.Size(),
-    [this, &mesh, &sets](std::size_t t)
-    {
-      const Id triangle = static_cast<Id>(t);
-      const Id first = sets.SetOf(triangle);
-      this->OfTriangle.push_back(first == triangle ? this->Count++ : this->OfTriangle[first]);
-      if (this->Outer == NoId && mesh.IsGhost(triangle))
-      {
-        this->Outer = this->OfTriangle.back();
-      }
-    });
-}
 
 /// A step from face to face, across a half-edge with a mark.
 struct Step
@@ -223,7 +221,13 @@ public:
   }
 
   /// Empty on abort.
-  Triangulation Write(const Regions& regions);
+  Triangulation Write(const Regions& regions)
+  {
+    this->CountTriangles(regions);
+    this->NumberTriangles();
+    this->WriteTriangles();
+    return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
+  }
 
 private:
   Id& LastCorner(std::size_t triangle)
@@ -231,13 +235,129 @@ private:
     return this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle)) + 3];
   }
 
-  void CountTriangles(const Regions& regions);
-  void TakePoints(std::size_t triangle);
-  std::vector<Id> SortByLastCorner();
-  std::vector<Id> SortByRegion(std::vector<Id> sorted);
-  void NumberTriangles();
-  void WriteTriangles();
-  void WriteTriangle(Id first, std::size_t slot);
+  /// Numbers become those of the regions.
+  void CountTriangles(const Regions& regions)
+  {
+    const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
+    this->Sizes.assign(regions.Size + 1, 0);
+    const std::size_t points = 1 + *std::max_element(this->Order.begin(), this->Order.end());
+    if (!GrowInSteps(this->Begins, points + 1, Id(0), this->Beats))
+    {
+      return;
+    }
+    this->Beats.ForEach(this->Numbers.size(),
+      [this, &regions](std::size_t triangle)
+      {
+        const Id region = regions.OfFace[this->Numbers[triangle]];
+        this->Numbers[triangle] = region;
+        if (region != NoId)
+        {
+          this->TakePoints(triangle);
+          ++this->Sizes[region + 1];
+          ++this->Begins[this->LastCorner(triangle) + 1];
+        }
+      });
+  }
+
+  /// Corners become points of the caller; the place beside them, which is free, takes the last one.
+  void TakePoints(std::size_t triangle)
+  {
+    Id* corners = &this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle))];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = this->Order[corners[k]];
+    }
+    corners[3] = std::max({ corners[0], corners[1], corners[2] });
+  }
+
+  /// The triangles inside, by counting.
+  std::vector<Id> SortByLastCorner()
+  {
+    std::vector<Id> sorted;
+    GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats);
+    this->Beats.ForEach(this->Begins.size() - 1,
+      [this](std::size_t point) { this->Begins[point + 1] += this->Begins[point]; });
+    this->Beats.ForEach(this->Numbers.size(),
+      [this, &sorted](std::size_t triangle)
+      {
+        if (this->Numbers[triangle] != NoId)
+        {
+          sorted[this->Begins[this->LastCorner(triangle)]++] = static_cast<Id>(triangle);
+        }
+      });
+    ReleaseInSteps(this->Beats, this->Begins);
+    return sorted;
+  }
+
+  /// Keeps the order within each.
+  std::vector<Id> SortByRegion(std::vector<Id> sorted)
+  {
+    std::vector<Id> inside;
+    GrowInSteps(inside, sorted.size(), NoId, this->Beats);
+    this->Beats.ForEach(sorted.size(),
+      [this, &sorted, &inside](std::size_t place)
+      { inside[this->Sizes[this->Numbers[sorted[place]]]++] = sorted[place]; });
+    return inside;
+  }
+
+  /// Region by region, within by last corners; fills Regions of the result.
+  void NumberTriangles()
+  {
+    const PulsePart part(this->Beats, CountsEnd, NumbersEnd);
+    for (std::size_t region = 0; region + 1 < this->Sizes.size(); ++region)
+    {
+      this->Result.Regions.resize(
+        this->Result.Regions.size() + this->Sizes[region + 1], static_cast<Id>(region));
+      this->Sizes[region + 1] += this->Sizes[region];
+    }
+    std::vector<Id> sorted = this->SortByLastCorner();
+    const bool isOne = this->Sizes.size() == 2;
+    this->Inside = isOne ? std::move(sorted) : this->SortByRegion(std::move(sorted));
+    this->Beats.ForEach(this->Inside.size(),
+      [this](std::size_t number)
+      { this->Numbers[this->Inside[number]] = static_cast<Id>(number); });
+  }
+
+  /// The order of the result is not that of the memory: what the next triangles need is fetched,
+  /// then what their neighbors do.
+  void WriteTriangles()
+  {
+    const PulsePart part(this->Beats, NumbersEnd, 1.0);
+    const std::size_t size = this->Inside.size();
+    GrowInSteps(this->Result.Neighbors, 3 * size, NoId, this->Beats);
+    GrowInSteps(this->Result.Constraints, 3 * size, NoId, this->Beats);
+    GrowInSteps(this->Result.Corners, 3 * size, NoId, this->Beats);
+    constexpr std::size_t FarAhead = 24;
+    constexpr std::size_t Ahead = 12;
+    this->Beats.ForEach(this->Beats.HasStopped() ? 0 : size,
+      [this, last = size - 1](std::size_t number)
+      {
+        const Id far = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + FarAhead, last)]);
+        Prefetch(&this->Mesh.Twins[far]);
+        Prefetch(&this->Mesh.Corners[far]);
+        const Id near = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + Ahead, last)]);
+        for (Id edge = near; edge < near + 3; ++edge)
+        {
+          Prefetch(&this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]);
+        }
+        this->WriteTriangle(HalfEdgeMesh::FirstEdge(this->Inside[number]), 3 * number);
+      });
+    ReleaseInSteps(
+      this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Mesh.Corners, this->Numbers);
+  }
+
+  void WriteTriangle(Id first, std::size_t slot)
+  {
+    const bool hasMarks = this->Mesh.HasMarks(HalfEdgeMesh::TriangleOf(first));
+    for (Id edge = first; edge < first + 3; ++edge, ++slot)
+    {
+      const Id mark = hasMarks ? this->Mesh.Mark(edge) : NoId;
+      this->Result.Constraints[slot] = mark == NoId ? NoId : mark / 2;
+      this->Result.Neighbors[slot] =
+        this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])];
+      this->Result.Corners[slot] = this->Mesh.Corners[edge];
+    }
+  }
 
   HalfEdgeMesh& Mesh;
   const std::vector<Id>& Order;
@@ -248,136 +368,6 @@ private:
   std::vector<Id> Begins;  ///< how many triangles have point p as their last corner: entry p + 1
   Triangulation Result;
 };
-
-Triangulation Writer::Write(const Regions& regions)
-{
-  this->CountTriangles(regions);
-  this->NumberTriangles();
-  this->WriteTriangles();
-  return this->Beats.HasStopped() ? Triangulation() : std::move(this->Result);
-}
-
-/// Numbers become those of the regions.
-void Writer::CountTriangles(const Regions& regions)
-{
-  const PulsePart part(this->Beats, RegionsEnd, CountsEnd);
-  this->Sizes.assign(regions.Size + 1, 0);
-  const std::size_t points = 1 + *std::max_element(this->Order.begin(), this->Order.end());
-  if (!GrowInSteps(this->Begins, points + 1, Id(0), this->Beats))
-  {
-    return;
-  }
-  this->Beats.ForEach(this->Numbers.size(),
-    [this, &regions](std::size_t triangle)
-    {
-      const Id region = regions.OfFace[this->Numbers[triangle]];
-      this->Numbers[triangle] = region;
-      if (region != NoId)
-      {
-        this->TakePoints(triangle);
-        ++this->Sizes[region + 1];
-        ++this->Begins[this->LastCorner(triangle) + 1];
-      }
-    });
-}
-
-/// Corners become points of the caller; the place beside them, which is free, takes the last one.
-void Writer::TakePoints(std::size_t triangle)
-{
-  Id* corners = &this->Mesh.Corners[HalfEdgeMesh::FirstEdge(static_cast<Id>(triangle))];
-  for (int k = 0; k < 3; ++k)
-  {
-    corners[k] = this->Order[corners[k]];
-  }
-  corners[3] = std::max({ corners[0], corners[1], corners[2] });
-}
-
-/// Region by region, within by last corners; fills Regions of the result.
-void Writer::NumberTriangles()
-{
-  const PulsePart part(this->Beats, CountsEnd, NumbersEnd);
-  for (std::size_t region = 0; region + 1 < this->Sizes.size(); ++region)
-  {
-    this->Result.Regions.resize(
-      this->Result.Regions.size() + this->Sizes[region + 1], static_cast<Id>(region));
-    this->Sizes[region + 1] += this->Sizes[region];
-  }
-  std::vector<Id> sorted = this->SortByLastCorner();
-  const bool isOne = this->Sizes.size() == 2;
-  this->Inside = isOne ? std::move(sorted) : this->SortByRegion(std::move(sorted));
-  this->Beats.ForEach(this->Inside.size(),
-    [this](std::size_t number) { this->Numbers[this->Inside[number]] = static_cast<Id>(number); });
-}
-
-/// The triangles inside, by counting.
-std::vector<Id> Writer::SortByLastCorner()
-{
-  std::vector<Id> sorted;
-  GrowInSteps(sorted, this->Result.Regions.size(), NoId, this->Beats);
-  this->Beats.ForEach(this->Begins.size() - 1,
-    [this](std::size_t point) { this->Begins[point + 1] += this->Begins[point]; });
-  this->Beats.ForEach(this->Numbers.size(),
-    [this, &sorted](std::size_t triangle)
-    {
-      if (this->Numbers[triangle] != NoId)
-      {
-        sorted[this->Begins[this->LastCorner(triangle)]++] = static_cast<Id>(triangle);
-      }
-    });
-  ReleaseInSteps(this->Beats, this->Begins);
-  return sorted;
-}
-
-/// Keeps the order within each.
-std::vector<Id> Writer::SortByRegion(std::vector<Id> sorted)
-{
-  std::vector<Id> inside;
-  GrowInSteps(inside, sorted.size(), NoId, this->Beats);
-  this->Beats.ForEach(sorted.size(),
-    [this, &sorted, &inside](std::size_t place)
-    { inside[this->Sizes[this->Numbers[sorted[place]]]++] = sorted[place]; });
-  return inside;
-}
-
-/// The order of the result is not that of the memory: what the next triangles need is fetched, then
-/// what their neighbors do.
-void Writer::WriteTriangles()
-{
-  const PulsePart part(this->Beats, NumbersEnd, 1.0);
-  const std::size_t size = this->Inside.size();
-  GrowInSteps(this->Result.Neighbors, 3 * size, NoId, this->Beats);
-  GrowInSteps(this->Result.Constraints, 3 * size, NoId, this->Beats);
-  GrowInSteps(this->Result.Corners, 3 * size, NoId, this->Beats);
-  constexpr std::size_t FarAhead = 24;
-  constexpr std::size_t Ahead = 12;
-  this->Beats.ForEach(this->Beats.HasStopped() ? 0 : size,
-    [this, last = size - 1](std::size_t number)
-    {
-      const Id far = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + FarAhead, last)]);
-      Prefetch(&this->Mesh.Twins[far]);
-      Prefetch(&this->Mesh.Corners[far]);
-      const Id near = HalfEdgeMesh::FirstEdge(this->Inside[std::min(number + Ahead, last)]);
-      for (Id edge = near; edge < near + 3; ++edge)
-      {
-        Prefetch(&this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])]);
-      }
-      this->WriteTriangle(HalfEdgeMesh::FirstEdge(this->Inside[number]), 3 * number);
-    });
-  ReleaseInSteps(
-    this->Beats, this->Mesh.Marks, this->Mesh.Twins, this->Mesh.Corners, this->Numbers);
-}
-
-void Writer::WriteTriangle(Id first, std::size_t slot)
-{
-  const bool hasMarks = this->Mesh.HasMarks(HalfEdgeMesh::TriangleOf(first));
-  for (Id edge = first; edge < first + 3; ++edge, ++slot)
-  {
-    const Id mark = hasMarks ? this->Mesh.Mark(edge) : NoId;
-    this->Result.Constraints[slot] = mark == NoId ? NoId : mark / 2;
-    this->Result.Neighbors[slot] = this->Numbers[HalfEdgeMesh::TriangleOf(this->Mesh.Twins[edge])];
-    this->Result.Corners[slot] = this->Mesh.Corners[edge];
-  }
-}
 
 } // namespace
 

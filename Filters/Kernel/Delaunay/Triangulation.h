@@ -51,8 +51,8 @@ struct TriangulationOptions
   double Phi = 1.0;
 };
 
-/// Constraints that cannot both be edges: they cross because their ends were rounded; or need not,
-/// as they cover the same edge.
+/// Two constraints that are in each other's way: they cross, as their ends were rounded, or they
+/// cover the same edge.
 struct ConstraintConflict
 {
   Id First = NoId;

@@ -3,6 +3,7 @@
 
 #include "HessianRecovery.h"
 
+#include "../Base/IdLists.h"
 #include "../Base/Pulse.h"
 
 #include <algorithm> // for min, max
@@ -24,37 +25,20 @@ constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 // errors of the values by more than its reciprocal.
 constexpr double LeastSine = 0.02;
 
-// The cells at each point: those of point p are in Cells from Offsets[p] on, ascending.
-struct CellsByPoint
+// The cells at each point, ascending.
+IdLists Distribute(const CellsView& view)
 {
-  std::vector<Id> Offsets;
-  std::vector<Id> Cells;
-};
-
-CellsByPoint Distribute(const CellsView& view)
-{
-  CellsByPoint result;
-  result.Offsets.assign(view.Points.size() + 1, 0);
-  result.Cells.resize(view.Corners.size());
-  for (const Id corner : view.Corners)
-  {
-    ++result.Offsets[static_cast<std::size_t>(corner)];
-  }
-  Id sum = 0;
-  for (Id& offset : result.Offsets)
-  {
-    sum += offset;
-    offset = sum;
-  }
-  for (std::size_t cell = view.Offsets.size() - 1; cell-- > 0;)
-  {
-    for (Id k = view.Offsets[cell]; k < view.Offsets[cell + 1]; ++k)
+  return IdLists(view.Points.size(),
+    [&view](const auto& add)
     {
-      const auto point = static_cast<std::size_t>(view.Corners[static_cast<std::size_t>(k)]);
-      result.Cells[static_cast<std::size_t>(--result.Offsets[point])] = static_cast<Id>(cell);
-    }
-  }
-  return result;
+      for (std::size_t cell = 0; cell + 1 < view.Offsets.size(); ++cell)
+      {
+        for (Id k = view.Offsets[cell]; k < view.Offsets[cell + 1]; ++k)
+        {
+          add(view.Corners[static_cast<std::size_t>(k)], static_cast<Id>(cell));
+        }
+      }
+    });
 }
 
 // The points around a point, ring by ring. Only those with a finite value.
@@ -72,7 +56,7 @@ private:
 
   const CellsView& View;
   const std::vector<double>& Values;
-  CellsByPoint AtPoint;
+  IdLists AtPoint;
   std::vector<Id> Patch;
   std::size_t RingBegin = 0;
   std::vector<Id> LastStart; // the point whose patch this one was last in
@@ -99,11 +83,9 @@ bool PatchWalk::Grow()
   const std::size_t ringEnd = this->Patch.size();
   for (std::size_t k = this->RingBegin; k < ringEnd; ++k)
   {
-    const auto point = static_cast<std::size_t>(this->Patch[k]);
-    const Id end = this->AtPoint.Offsets[point + 1];
-    for (Id i = this->AtPoint.Offsets[point]; i < end && this->Patch.size() < MostPatchPoints; ++i)
+    for (const Id cell : this->AtPoint[this->Patch[k]])
     {
-      this->AddCell(this->AtPoint.Cells[static_cast<std::size_t>(i)]);
+      this->AddCell(cell);
     }
   }
   this->RingBegin = ringEnd;
@@ -334,7 +316,7 @@ std::vector<Hessian2> RecoverHessians(
 std::vector<double> WithThoseAround(
   const CellsView& cells, const std::vector<double>& values, std::vector<double> norms)
 {
-  const CellsByPoint atPoint = Distribute(cells);
+  const IdLists atPoint = Distribute(cells);
   std::vector<double> found(norms.size(), Unknown); // in this ring
   std::vector<Id> ring;
   for (std::size_t point = 0; point < norms.size(); ++point)
@@ -346,11 +328,10 @@ std::vector<double> WithThoseAround(
   }
   const auto forEachCorner = [&cells, &atPoint](Id point, auto visit)
   {
-    const auto slot = static_cast<std::size_t>(point);
-    for (Id i = atPoint.Offsets[slot]; i < atPoint.Offsets[slot + 1]; ++i)
+    for (const Id cell : atPoint[point])
     {
-      const auto cell = static_cast<std::size_t>(atPoint.Cells[static_cast<std::size_t>(i)]);
-      for (Id k = cells.Offsets[cell]; k < cells.Offsets[cell + 1]; ++k)
+      const auto first = static_cast<std::size_t>(cell);
+      for (Id k = cells.Offsets[first]; k < cells.Offsets[first + 1]; ++k)
       {
         visit(static_cast<std::size_t>(cells.Corners[static_cast<std::size_t>(k)]));
       }

@@ -15,8 +15,8 @@
 namespace biting
 {
 
-/// What members of a crew that hold blocks tell each other, by way of the first, in rounds in which
-/// all of them take part.
+/// Rounds of messages between the members of a crew that hold blocks. All of them take part in each
+/// round, and all messages go to the first member and come from it.
 class CrewRounds
 {
 public:

@@ -7,7 +7,6 @@
 
 #include <algorithm> // for min, sort, unique
 #include <limits>    // for levels
-#include <numeric>   // for partial_sum
 #include <tuple>     // for lists of arrays
 #include <utility>   // for move
 
@@ -45,7 +44,14 @@ PieceDealer::PieceDealer(const DealtMesh& dealt, int levels)
   , NewTriangles(dealt.Owners.size(), NoId)
 {
   this->OwnVertices();
-  this->ListUses();
+  this->Uses = IdLists(this->Dealt.Mesh.Points.size(),
+    [this](const auto& add)
+    {
+      for (std::size_t slot = 0; slot < this->Dealt.Mesh.Corners.size(); ++slot)
+      {
+        add(this->Dealt.Mesh.Corners[slot], static_cast<Id>(slot / 3));
+      }
+    });
   for (std::size_t triangle = 0; triangle < dealt.Owners.size(); ++triangle)
   {
     this->Own[dealt.Owners[triangle]].push_back(static_cast<Id>(triangle));
@@ -60,23 +66,6 @@ void PieceDealer::OwnVertices()
   {
     Id& owner = this->Owners[corners[slot]];
     owner = std::min(owner, this->Dealt.Owners[slot / 3]);
-  }
-}
-
-void PieceDealer::ListUses()
-{
-  const std::vector<Id>& corners = this->Dealt.Mesh.Corners;
-  this->FirstUses.assign(this->Dealt.Mesh.Points.size() + 1, 0);
-  for (const Id corner : corners)
-  {
-    ++this->FirstUses[static_cast<std::size_t>(corner) + 1];
-  }
-  std::partial_sum(this->FirstUses.begin(), this->FirstUses.end(), this->FirstUses.begin());
-  Numbers next(this->FirstUses.begin(), this->FirstUses.end() - 1);
-  this->Uses.resize(corners.size());
-  for (std::size_t slot = 0; slot < corners.size(); ++slot)
-  {
-    this->Uses[next[corners[slot]]++] = static_cast<Id>(slot / 3);
   }
 }
 
@@ -131,9 +120,8 @@ void PieceDealer::AddLevel(std::uint8_t level, Numbers& front, Numbers& triangle
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       const Id vertex = this->Dealt.Mesh.Corners[3 * static_cast<std::size_t>(triangle) + corner];
-      for (Id use = this->FirstUses[vertex]; use < this->FirstUses[vertex + 1]; ++use)
+      for (const Id other : this->Uses[vertex])
       {
-        const Id other = this->Uses[use];
         if (this->LevelsSoFar[other] == 0)
         {
           this->LevelsSoFar[other] = level;

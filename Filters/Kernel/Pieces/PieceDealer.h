@@ -4,6 +4,7 @@
 #ifndef BitingPieceDealer_h
 #define BitingPieceDealer_h
 
+#include "../Base/IdLists.h"
 #include "../Base/Ids.h"
 #include "../Blocks/WholeNumbers.h"
 #include "../Mesh/BitingMesh.h"
@@ -51,7 +52,6 @@ private:
   using Numbers = std::vector<Id>;
 
   void OwnVertices();
-  void ListUses();
   Numbers TrianglesOf(Id member);
   void AddLevel(std::uint8_t level, Numbers& front, Numbers& triangles);
   Numbers VerticesOf(const Numbers& triangles) const;
@@ -61,8 +61,7 @@ private:
   const DealtMesh& Dealt;
   int Levels;
   Numbers Owners;                        ///< of the vertices
-  Numbers FirstUses;                     ///< of the vertices, in Uses
-  Numbers Uses;                          ///< triangles
+  IdLists Uses;                          ///< triangles at each vertex
   std::vector<Numbers> Own;              ///< triangles of the members
   std::vector<std::uint8_t> LevelsSoFar; ///< of the triangles in the part that is made, one more
   Numbers NewVertices;                   ///< numbers in the part that is made

@@ -20,7 +20,8 @@ namespace biting
 struct UnitedPiece
 {
   BitingMesh Mesh; ///< vertices, triangles and Piece only
-  /// Of the triangles; where the part of the collars ends, too, so that no boundary is without.
+  /// Of the triangles. Edges at which the part of the collars ends have one, too, so that each
+  /// boundary edge has one.
   std::vector<Id> Constraints;
   bool IsSound = true; ///< false: a core does not fit to its collar
 };

@@ -17,7 +17,7 @@ namespace biting
 class ExactSum
 {
 public:
-  /// The 53 bits of the term begin at a digit of 2^32, shifted by less than one: three digits.
+  /// The 53 bits of a term, shifted by less than a digit of 32 bits, cover at most three digits.
   void Add(double term)
   {
     std::uint64_t bits = 0;

@@ -38,7 +38,7 @@ struct MeshQuality
   double LargestSlope = 0.0;       ///< as the function says
   double ShareOfEdgesInBand = 0.0; ///< of edges with length within [1/sqrt(2), sqrt(2)] f, 0..1
 
-  QualitySums Sums; ///< of which the whole follows
+  QualitySums Sums; ///< from which the figures of the whole follow
 
   /// Makes the figures of the whole those of `sums`.
   void Conclude(const QualitySums& sums);
@@ -55,9 +55,8 @@ struct MeshView
   /// The spacing at EdgeMiddles, in their order; null: the mean of that at the ends.
   const std::vector<double>* MiddleSpacing = nullptr;
 
-  /// Not 0 for vertices, and for triangles, that do not count in sums: they are there for what
-  /// others need of them. An edge counts with the triangle that has the larger number. Null: all
-  /// count.
+  /// Flags of vertices, and of triangles, that do not count in sums, as ghosts do not. An edge
+  /// counts with its triangle of the larger number. Null: all count.
   const std::vector<std::uint8_t>* ForeignVertices = nullptr;
   const std::vector<std::uint8_t>* ForeignTriangles = nullptr;
 

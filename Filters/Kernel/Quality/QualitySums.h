@@ -13,7 +13,7 @@
 namespace biting
 {
 
-/// What parts of a mesh add up to: joined in any order, by the same bits.
+/// Sums over parts of a mesh. Joined in any order they have the same bits.
 struct QualitySums
 {
   std::int64_t Vertices = 0;

@@ -30,8 +30,8 @@ public:
   /// Looks at all edges.
   void RestoreAll(Pulse& pulse);
 
-  /// The same where all edges were Delaunay before corners of the marked triangles moved, with the
-  /// same flips: looks at the edges of these.
+  /// As RestoreAll, with the same flips, for a mesh that was Delaunay before corners of the marked
+  /// triangles moved: looks at the edges of marked triangles only.
   void RestoreBeside(const std::vector<std::uint8_t>& areChanged, Pulse& pulse);
 
   /// The vertices at most `rings` edges from `center`, nearest first, but none beyond vertices

@@ -30,9 +30,10 @@ public:
   HeldVertices(
     const HoldOptions& hold, Id first, const std::vector<Id>& origins, MutableMesh& mesh);
 
-  /// Releases vertices of triangles with an angle, and of edges, beyond the limits, and returns
-  /// them. Of each such triangle or edge at most one vertex is released: the one with most of them,
-  /// but one that is last only where the others are not held.
+  /// Releases vertices of triangles and edges beyond the limits, and returns them. Each such
+  /// triangle or edge is a complaint about its held vertices, and releases at most one of them: the
+  /// one with the most complaints. A vertex marked as last goes only where no other vertex of the
+  /// complaint is held.
   std::vector<Id> ReleaseThoseInTheWay(Pulse& pulse);
 
   /// A vertex that was released.
@@ -48,9 +49,9 @@ public:
   /// whether it did; the mesh may not be Delaunay around it then.
   bool TakeBack(const Released& released);
 
-  /// Moves a free vertex to the place near it that it can be held at and holds it there, if the
-  /// objective of its star is then within the limit of places, and its edges are within theirs.
-  /// Returns whether it did, as TakeBack does.
+  /// Moves a free vertex to the place that HoldOptions::FindPlace names near it, and holds it
+  /// there, if the objective of its star is then within GreatestCotangentAtPlaces and its edges are
+  /// within their limits. Returns whether it did, as TakeBack does.
   bool HoldAtPlaceNear(Id vertex);
 
 private:

@@ -89,17 +89,137 @@ private:
     step();
   }
 
-  void TryTopologies();
-  std::size_t CountPoor() const;
+  void TryTopologies()
+  {
+    if (!this->Options.TriesTopologies)
+    {
+      return;
+    }
+    const std::size_t vertices = this->Mesh.Points.size();
+    const std::size_t limit = LeastNumberOfTrials +
+      std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial;
+    if (this->Options.Hold.Count > 0 && this->CountPoor() > limit)
+    {
+      const double allowed = std::min(this->Options.Hold.GreatestCotangent, CotangentOf35Degrees);
+      this->Mesh.PoorCotangents =
+        std::max(this->Mesh.PoorCotangents, allowed / CotangentOf38Degrees);
+    }
+    this->Trials.Run(limit, this->Progress);
+  }
+
+  std::size_t CountPoor() const
+  {
+    std::size_t count = 0;
+    this->Progress.ForEach(this->Mesh.Regions.size(),
+      [this, &count](std::size_t triangle)
+      {
+        const Id id = static_cast<Id>(triangle);
+        count += this->Mesh.IsEdge(4 * id) && IsWorseThan(this->Mesh, id, CotangentOf38Degrees);
+      });
+    return count;
+  }
 
   // Where vertices are held.
-  void SplitLong();
-  void Release();
-  std::vector<Id> SmoothAround(const std::vector<Id>& released);
-  void TakeBack();
-  void HoldAtPlaces();
-  void DescendAround(const std::vector<Id>& vertices);
-  void SmoothBetweenHeld();
+  void SplitLong()
+  {
+    const HoldOptions& hold = this->Options.Hold;
+    SplitLongEdges(this->Mesh, hold.LongestEdge, hold.GreatestCotangent, this->Progress);
+  }
+
+  void Release()
+  {
+    for (int round = 0; round < this->Options.Hold.Rounds && !this->Progress.HasStopped(); ++round)
+    {
+      const std::vector<Id> released = this->Held.ReleaseThoseInTheWay(this->Progress);
+      if (released.empty())
+      {
+        return;
+      }
+      this->SmoothAround(released);
+      this->Valences.Run(1, this->Progress);
+      this->DescendAround(this->SmoothAround(released));
+    }
+  }
+
+  /// Returns the vertices that it looked at.
+  std::vector<Id> SmoothAround(const std::vector<Id>& released)
+  {
+    std::vector<Id> alive;
+    for (const Id vertex : released)
+    {
+      if (this->Mesh.IsAlive(vertex))
+      {
+        alive.push_back(vertex);
+      }
+    }
+    const std::vector<Id> near = this->Mesh.Around(alive, RingsOfReleased);
+    this->Progress.ForEach(
+      near.size(), [this, &near](std::size_t k) { SmoothVertex(this->Mesh, near[k]); });
+    return near;
+  }
+
+  /// What is beside a vertex that came back is improved, and may then make room for others.
+  void TakeBack()
+  {
+    for (int pass = 0; pass < PassesOfTakingBack; ++pass)
+    {
+      std::vector<Id> returned;
+      for (const HeldVertices::Released& released : this->Held.ListReleased())
+      {
+        if (this->Progress.Beat() && this->Held.TakeBack(released))
+        {
+          this->Mesh.RestoreAround(released.Vertex);
+          returned.push_back(released.Vertex);
+        }
+      }
+      this->DescendAround(this->Mesh.Around(returned, 1));
+    }
+  }
+
+  /// One after the other, each where the ones before have gone. A second pass finds few more.
+  void HoldAtPlaces()
+  {
+    if (!this->Options.Hold.FindPlace)
+    {
+      return;
+    }
+    std::vector<Id> held;
+    this->Progress.ForEach(this->Mesh.Points.size(),
+      [this, &held](std::size_t k)
+      {
+        const Id vertex = static_cast<Id>(k);
+        if (this->Held.HoldAtPlaceNear(vertex))
+        {
+          this->Mesh.RestoreAround(vertex);
+          held.push_back(vertex);
+        }
+      });
+    this->DescendAround(this->Mesh.Around(held, 1));
+  }
+
+  void DescendAround(const std::vector<Id>& vertices)
+  {
+    this->Descent.Wake(vertices);
+    std::vector<Id> one(1);
+    for (int pass = 0; pass < PassesOfDescent; ++pass)
+    {
+      this->Progress.ForEach(vertices.size(),
+        [this, &vertices, &one](std::size_t k)
+        {
+          one[0] = vertices[k];
+          this->Descent.Improve(one, CotangentOf45Degrees);
+        });
+    }
+  }
+
+  /// The descent cares for the worst triangles alone: the others are brought back into shape.
+  void SmoothBetweenHeld()
+  {
+    const HoldOptions& hold = this->Options.Hold;
+    const SmoothingLimits limits{ CotangentOf40Degrees, MarginOfEstimates * hold.ShortestEdge,
+      hold.LongestEdge / MarginOfEstimates };
+    SmoothWithin(this->Mesh, limits, this->Progress);
+  }
 
   DelaunayMesh& Mesh;
   const RelaxationOptions& Options;
@@ -109,136 +229,6 @@ private:
   AngleDescent Descent;
   TopologyTrials Trials;
 };
-
-void Relaxer::TryTopologies()
-{
-  if (!this->Options.TriesTopologies)
-  {
-    return;
-  }
-  const std::size_t vertices = this->Mesh.Points.size();
-  const std::size_t limit = LeastNumberOfTrials +
-    std::min(vertices / SmallVerticesPerTrial, MostSmallTrials) + vertices / VerticesPerTrial;
-  if (this->Options.Hold.Count > 0 && this->CountPoor() > limit)
-  {
-    const double allowed = std::min(this->Options.Hold.GreatestCotangent, CotangentOf35Degrees);
-    this->Mesh.PoorCotangents = std::max(this->Mesh.PoorCotangents, allowed / CotangentOf38Degrees);
-  }
-  this->Trials.Run(limit, this->Progress);
-}
-
-std::size_t Relaxer::CountPoor() const
-{
-  std::size_t count = 0;
-  this->Progress.ForEach(this->Mesh.Regions.size(),
-    [this, &count](std::size_t triangle)
-    {
-      const Id id = static_cast<Id>(triangle);
-      count += this->Mesh.IsEdge(4 * id) && IsWorseThan(this->Mesh, id, CotangentOf38Degrees);
-    });
-  return count;
-}
-
-void Relaxer::SplitLong()
-{
-  const HoldOptions& hold = this->Options.Hold;
-  SplitLongEdges(this->Mesh, hold.LongestEdge, hold.GreatestCotangent, this->Progress);
-}
-
-void Relaxer::Release()
-{
-  for (int round = 0; round < this->Options.Hold.Rounds && !this->Progress.HasStopped(); ++round)
-  {
-    const std::vector<Id> released = this->Held.ReleaseThoseInTheWay(this->Progress);
-    if (released.empty())
-    {
-      return;
-    }
-    this->SmoothAround(released);
-    this->Valences.Run(1, this->Progress);
-    this->DescendAround(this->SmoothAround(released));
-  }
-}
-
-/// Returns the vertices that it looked at.
-std::vector<Id> Relaxer::SmoothAround(const std::vector<Id>& released)
-{
-  std::vector<Id> alive;
-  for (const Id vertex : released)
-  {
-    if (this->Mesh.IsAlive(vertex))
-    {
-      alive.push_back(vertex);
-    }
-  }
-  const std::vector<Id> near = this->Mesh.Around(alive, RingsOfReleased);
-  this->Progress.ForEach(
-    near.size(), [this, &near](std::size_t k) { SmoothVertex(this->Mesh, near[k]); });
-  return near;
-}
-
-/// What is beside a vertex that came back is improved, and may then make room for others.
-void Relaxer::TakeBack()
-{
-  for (int pass = 0; pass < PassesOfTakingBack; ++pass)
-  {
-    std::vector<Id> returned;
-    for (const HeldVertices::Released& released : this->Held.ListReleased())
-    {
-      if (this->Progress.Beat() && this->Held.TakeBack(released))
-      {
-        this->Mesh.RestoreAround(released.Vertex);
-        returned.push_back(released.Vertex);
-      }
-    }
-    this->DescendAround(this->Mesh.Around(returned, 1));
-  }
-}
-
-/// One after the other, each where the ones before have gone. A second pass finds few more.
-void Relaxer::HoldAtPlaces()
-{
-  if (!this->Options.Hold.FindPlace)
-  {
-    return;
-  }
-  std::vector<Id> held;
-  this->Progress.ForEach(this->Mesh.Points.size(),
-    [this, &held](std::size_t k)
-    {
-      const Id vertex = static_cast<Id>(k);
-      if (this->Held.HoldAtPlaceNear(vertex))
-      {
-        this->Mesh.RestoreAround(vertex);
-        held.push_back(vertex);
-      }
-    });
-  this->DescendAround(this->Mesh.Around(held, 1));
-}
-
-void Relaxer::DescendAround(const std::vector<Id>& vertices)
-{
-  this->Descent.Wake(vertices);
-  std::vector<Id> one(1);
-  for (int pass = 0; pass < PassesOfDescent; ++pass)
-  {
-    this->Progress.ForEach(vertices.size(),
-      [this, &vertices, &one](std::size_t k)
-      {
-        one[0] = vertices[k];
-        this->Descent.Improve(one, CotangentOf45Degrees);
-      });
-  }
-}
-
-/// The descent cares for the worst triangles alone: the others are brought back into shape.
-void Relaxer::SmoothBetweenHeld()
-{
-  const HoldOptions& hold = this->Options.Hold;
-  const SmoothingLimits limits{ CotangentOf40Degrees, MarginOfEstimates * hold.ShortestEdge,
-    hold.LongestEdge / MarginOfEstimates };
-  SmoothWithin(this->Mesh, limits, this->Progress);
-}
 
 } // namespace
 

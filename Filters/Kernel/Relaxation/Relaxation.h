@@ -18,20 +18,21 @@
 namespace biting
 {
 
-/// Vertices that stay where they are, but for those in the way of a better mesh.
+/// Held vertices: they stay in place unless they spoil a triangle or an edge.
 struct HoldOptions
 {
-  Id Count = 0; ///< how many: those after the vertices of the domain, but for those on segments
+  Id Count = 0; ///< the first vertices after those of the domain that are on no segment
 
-  // Beside an angle whose cotangent is larger, or an edge beyond these, in units of the spacing,
-  // one is in the way.
+  // A held vertex is released beside an angle with a larger cotangent, or an edge that is shorter
+  // or longer than these, in units of f.
   double GreatestCotangent = 0.0;
   double ShortestEdge = 0.0;
   double LongestEdge = 0.0;
 
-  int Rounds = 0; ///< so often they are looked for
+  int Rounds = 0; ///< of looking for vertices to release
 
-  /// One a held vertex, or none: 1 for those that go only where none of the others does.
+  /// Flags of the held vertices, or empty. A flagged vertex is released only where no other held
+  /// vertex can be.
   std::vector<std::uint8_t> AreLast = {};
 
   /// The place nearest to `place` to hold a vertex at, or null where none is within `reach`; empty:
@@ -49,7 +50,7 @@ struct RelaxationOptions
   /// False: the last attempts at single triangles are left out.
   bool TriesTopologies = true;
 
-  /// Of the cotangents of angles that count as poor: with less than 1 more angles do.
+  /// Factor on the cotangents from which angles count as poor: below 1 more angles do.
   double PoorCotangents = 1.0;
 
   HoldOptions Hold = {};
@@ -83,10 +84,10 @@ struct RelaxationResult
 ///   lengths of edges towards the spacing.
 /// - All vertices are smoothed for the mean ratio of the triangles around them.
 /// - The worst triangles are improved one by one.
-/// - Where vertices are held, those that are in the way are then released, round by round, and what
-///   is near them is improved anew. In the end those go back for which there is a place again,
-///   others to places near them where their triangles are good enough, and what is between the held
-///   ones is smoothed once more, within the limits of the hold.
+/// - Held vertices that spoil triangles are then released, round by round, and the mesh near them
+///   is improved again. At the end each released vertex goes back to its place if its triangles
+///   allow that, and other free vertices go to a place of HoldOptions::FindPlace if theirs do. The
+///   vertices between held ones are smoothed once more, within the limits of the hold.
 ///
 /// Vertices of the domain stay, bit for bit, and come first in their order; then those that were
 /// there before, in their order; then new ones. Vertices on segments stay on them, to rounding, and

@@ -69,8 +69,8 @@ struct RelaxedMesh
     return twin == NoId ? NoId : Previous(twin);
   }
 
-  /// The first half-edge of the vertex, counterclockwise: any where its triangles surround it, as
-  /// they do where it is free.
+  /// The first half-edge of the vertex, counterclockwise from the border. Where triangles surround
+  /// the vertex, as they do a free one, it is any of its half-edges.
   Id FirstAround(Id vertex) const
   {
     return this->Freedoms[vertex] == Freedom::Free ? this->VertexEdges[vertex]
@@ -169,7 +169,7 @@ struct RelaxedMesh
   std::vector<Id> Regions;             ///< one a triangle
   std::vector<std::uint8_t> IsDivided; ///< of a segment: whether vertices on it may slide or go
   bool DividesSegments = true;         ///< whether they may come, where IsDivided
-  double PoorCotangents = 1.0;         ///< times the limits: less than 1: more angles are poor
+  double PoorCotangents = 1.0;         ///< factor on the limits: below 1 more angles are poor
 };
 
 } // namespace biting

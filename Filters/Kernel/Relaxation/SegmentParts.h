@@ -27,8 +27,9 @@ bool LeavesLongPart(const MutableMesh& mesh, Id edge);
 /// short that a half would be farther from the spacing, as a ratio.
 bool LeavesShortParts(const MutableMesh& mesh, Id edge);
 
-/// For a vertex that slides by `step` along its segment: as much of the step, in [0, 1], as leaves
-/// the lengths of both parts at it within 0.73 and 1.37, or no farther from there than they are.
+/// For a vertex that slides by `step` along its segment: the largest share of the step, in [0, 1],
+/// after which both parts at it have lengths within [0.73, 1.37], or are no farther from that range
+/// than before.
 double ShareOfSlide(const MutableMesh& mesh, Id vertex, const Star& star, const Point2& step);
 
 } // namespace biting

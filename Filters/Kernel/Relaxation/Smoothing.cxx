@@ -185,6 +185,43 @@ bool MayMove(const MutableMesh& mesh, Id vertex, Star& star)
   return mesh.Freedoms[vertex] != Freedom::Fixed && star.Read(mesh, vertex);
 }
 
+/// Whether the triangle is fine by more than rounding, so that it is from whichever corner.
+bool IsSurelyFine(const MutableMesh& mesh, Id triangle)
+{
+  constexpr double Margin = 1e-9; // far above rounding
+  bool isFine = true;
+  for (Id edge = 4 * triangle; isFine && edge < 4 * triangle + 3; ++edge)
+  {
+    const double square = mesh.SquaredRelativeLength(edge);
+    isFine = square > (1.0 + Margin) * ShortestFine * ShortestFine &&
+      square < (1.0 - Margin) * LongestFine * LongestFine;
+  }
+  const Id* corners = mesh.Corners.data() + 4 * static_cast<std::size_t>(triangle);
+  return isFine &&
+    WorstCotangent(mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]]) <
+    (1.0 - Margin) * CotangentOf52Degrees;
+}
+
+/// 1 for the vertices of triangles that are not surely fine; the stars of all others are. One look
+/// at a triangle costs less than three at stars.
+std::vector<std::uint8_t> FindCoarse(const MutableMesh& mesh, Pulse& pulse)
+{
+  std::vector<std::uint8_t> mayBeCoarse(mesh.Points.size(), 0);
+  pulse.ForEach(mesh.Regions.size(),
+    [&mesh, &mayBeCoarse](std::size_t slot)
+    {
+      const Id triangle = static_cast<Id>(slot);
+      if (mesh.IsEdge(4 * triangle) && !IsSurelyFine(mesh, triangle))
+      {
+        for (Id edge = 4 * triangle; edge < 4 * triangle + 3; ++edge)
+        {
+          mayBeCoarse[mesh.Corners[edge]] = 1;
+        }
+      }
+    });
+  return mayBeCoarse;
+}
+
 template <typename Smooth>
 void Sweep(DelaunayMesh& mesh, const Smooth& smooth, Pulse& pulse)
 {
@@ -214,16 +251,20 @@ void SmoothAll(DelaunayMesh& mesh, SweepKind kind, Pulse& pulse)
 {
   std::vector<std::uint8_t> areChanged(mesh.Regions.size(), 0); // triangles with a moved corner
   const bool isCoarse = kind == SweepKind::Coarse;
+  std::vector<std::uint8_t> mayBeCoarse =
+    isCoarse ? FindCoarse(mesh, pulse) : std::vector<std::uint8_t>(mesh.Points.size(), 1);
   Sweep(
     mesh,
-    [&mesh, &areChanged, isCoarse](Id vertex)
+    [&mesh, &areChanged, &mayBeCoarse, isCoarse](Id vertex)
     {
       Star star;
-      const bool isMoved = MayMove(mesh, vertex, star) &&
+      const bool isMoved = mayBeCoarse[vertex] != 0 && MayMove(mesh, vertex, star) &&
         !(isCoarse && IsFine(mesh, vertex, star)) && SmoothStar(mesh, vertex, star);
       for (int k = 0; isMoved && k < star.NumberOfTriangles; ++k)
       {
         areChanged[MutableMesh::TriangleOf(star.Edges[k])] = 1;
+        mayBeCoarse[star.Vertices[k]] = 1;
+        mayBeCoarse[star.Vertices[k + 1]] = 1;
       }
     },
     pulse);

@@ -40,8 +40,8 @@ struct SmoothingLimits
   double LongestEdge;       ///< in spacings
 };
 
-/// The same within the limit of angles; but no step leaves an edge farther beyond the limits of
-/// lengths than it was, as far as spacings at new places are known: they are estimates.
+/// Smooths all vertices once within `limits`: no step makes an angle beyond the limit worse, or an
+/// edge farther beyond the limits of lengths. Lengths are in units of estimates of f.
 void SmoothWithin(DelaunayMesh& mesh, const SmoothingLimits& limits, Pulse& pulse);
 
 } // namespace biting

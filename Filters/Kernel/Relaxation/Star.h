@@ -124,8 +124,8 @@ double WorstAround(const MutableMesh& mesh, Id vertex);
 /// the outer corners, best; zero where these do not tell.
 Point2 SlopeOfSpacing(const Star& star, double spacing, const double* around);
 
-/// Moves the vertex of the star. Its spacing goes along with the slope, within those of the star;
-/// where these differ by more than a factor of two it is asked for.
+/// Moves the vertex of the star. Its spacing changes by the slope and stays within the range of
+/// those of the star. Where these differ by more than a factor of two f is evaluated instead.
 void MoveWithSpacing(MutableMesh& mesh, Id vertex, const Star& star, const Point2& place);
 
 /// Whether the vertex may lie at `place` (exact, and rounded as it will be), which on a segment is

@@ -39,10 +39,11 @@ public:
   /// Where the vertex is.
   double Here() const { return this->ValueHere; }
 
-  /// Prepares At: what Here can do without.
+  /// Fits the slope of f, which At needs and Here does not.
   void FitSlope();
 
-  /// With the vertex moved by `shift`; or anything not below `limit`, where it is not below that.
+  /// The objective with the vertex moved by `shift` where that is below `limit`; else any value
+  /// that is not below `limit`.
   double At(const Point2& shift, double limit) const;
 
 private:

@@ -98,30 +98,6 @@ void ForEachEdge(const OldMesh& mesh, const ChangedRegion& region, const Visit& 
   }
 }
 
-void ListNeighbors(const OldMesh& mesh, ChangedRegion& region)
-{
-  region.Offsets.assign(region.Vertices.size() + 1, 0);
-  ForEachEdge(mesh, region,
-    [&region](Id start, Id end)
-    {
-      ++region.Offsets[start];
-      ++region.Offsets[end];
-    });
-  Id sum = 0;
-  for (Id& offset : region.Offsets)
-  {
-    sum += offset;
-    offset = sum;
-  }
-  region.Neighbors.resize(static_cast<std::size_t>(sum));
-  ForEachEdge(mesh, region,
-    [&region](Id start, Id end)
-    {
-      region.Neighbors[--region.Offsets[start]] = end;
-      region.Neighbors[--region.Offsets[end]] = start;
-    });
-}
-
 // All that follows from the triangles that are changed.
 void Describe(const OldMesh& mesh, const std::vector<double>& lengths, ChangedRegion& region)
 {
@@ -131,7 +107,16 @@ void Describe(const OldMesh& mesh, const std::vector<double>& lengths, ChangedRe
   {
     region.Lengths.push_back(lengths[vertex]);
   }
-  ListNeighbors(mesh, region);
+  region.Neighbors = IdLists(region.Vertices.size(),
+    [&mesh, &region](const auto& add)
+    {
+      ForEachEdge(mesh, region,
+        [&add](Id start, Id end)
+        {
+          add(start, end);
+          add(end, start);
+        });
+    });
 }
 
 void MarkRepaired(const OldMesh& mesh, Flags& isMarked)

@@ -4,6 +4,7 @@
 #ifndef BitingChangedRegion_h
 #define BitingChangedRegion_h
 
+#include "../Base/IdLists.h"
 #include "../Base/Ids.h"
 #include "KeepRules.h"
 #include "OldMesh.h"
@@ -27,9 +28,7 @@ struct ChangedRegion
   std::vector<std::uint8_t> IsInside; ///< 1: all of its triangles are changed, and it is not fixed
   std::vector<double> Lengths;        ///< mean length of its edges in units of f
 
-  // The vertices joined to vertex v by edges of changed triangles: Neighbors[Offsets[v]] ..
-  std::vector<Id> Offsets;
-  std::vector<Id> Neighbors;
+  IdLists Neighbors; ///< of its vertices: those that edges of changed triangles join to them
 
   bool IsEmpty() const { return this->Triangles.empty(); }
   Id NumberOfVertices() const { return static_cast<Id>(this->Vertices.size()); }

@@ -179,9 +179,8 @@ private:
     for (std::size_t next = 0; next < this->Queue.size(); ++next)
     {
       const Id vertex = this->Queue[next];
-      for (Id k = this->Region.Offsets[vertex]; k < this->Region.Offsets[vertex + 1]; ++k)
+      for (const Id near : this->Region.Neighbors[vertex])
       {
-        const Id near = this->Region.Neighbors[k];
         if (this->Stamps[near] != edge && this->DistanceTo(edge, near) <= distance)
         {
           this->Stamps[near] = edge;

@@ -30,9 +30,63 @@ public:
   {
   }
 
-  void Read();
-  std::vector<Id> UnclearFaces() const;
-  std::vector<Point2> MiddlesOf(const std::vector<Id>& faces) const;
+  void Read()
+  {
+    const Triangulation& triangles = this->Cavity.Triangles;
+    for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
+    {
+      if (triangles.Constraints[slot] != NoId)
+      {
+        const Id face = triangles.Regions[slot / 3];
+        const Id region = this->RegionBeside(slot);
+        Id& known = this->Regions[face];
+        known = known == NoId ? region : known;
+        this->AreUnclear[face] |= static_cast<std::uint8_t>(region == NoId || region != known);
+      }
+    }
+  }
+
+  std::vector<Id> UnclearFaces() const
+  {
+    std::vector<Id> faces;
+    for (Id face = 0; face < static_cast<Id>(this->Regions.size()); ++face)
+    {
+      if (this->AreUnclear[face] || this->Regions[face] == NoId)
+      {
+        faces.push_back(face);
+      }
+    }
+    return faces;
+  }
+
+  // Of the largest triangle of each: it is where rounding matters least.
+  std::vector<Point2> MiddlesOf(const std::vector<Id>& faces) const
+  {
+    const Triangulation& triangles = this->Cavity.Triangles;
+    const std::vector<Point2>& points = this->Cavity.Bites.Points;
+    std::vector<double> largest(this->Regions.size(), 0.0);
+    std::vector<Point2> middles(this->Regions.size());
+    for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
+    {
+      const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+      const Id face = triangles.Regions[triangle];
+      const double area = AreaOfTriangle(points, corners);
+      if (area > largest[face])
+      {
+        largest[face] = area;
+        middles[face] =
+          (1.0 / 3.0) * (points[corners[0]] + points[corners[1]] + points[corners[2]]);
+      }
+    }
+    std::vector<Point2> wanted;
+    wanted.reserve(faces.size());
+    for (const Id face : faces)
+    {
+      wanted.push_back(middles[face]);
+    }
+    return wanted;
+  }
+
   void Set(Id face, Id region) { this->Regions[face] = region; }
   std::vector<Id> Take() { return std::move(this->Regions); }
 
@@ -46,84 +100,27 @@ private:
     }
     return static_cast<std::size_t>(count);
   }
-  Id RegionBeside(Id slot) const;
+
+  // What the edge at a slot has on the side of the slot's triangle.
+  Id RegionBeside(Id slot) const
+  {
+    const BitingResult& bites = this->Cavity.Bites;
+    const std::vector<Id>& corners = this->Cavity.Triangles.Corners;
+    const Id constraint = this->Cavity.Triangles.Constraints[slot];
+    const Id first = slot - slot % 3;
+    const Point2 along =
+      bites.Points[corners[first + (slot + 2) % 3]] - bites.Points[corners[first + (slot + 1) % 3]];
+    const Point2 direction =
+      bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
+    const RegionEdge& edge = this->Edges.Edges[bites.EdgeSegments[constraint]];
+    return Dot(along, direction) > 0.0 ? edge.LeftRegion : edge.RightRegion;
+  }
 
   const RegionEdges& Edges;
   const CavityMesh& Cavity;
   std::vector<Id> Regions;
   std::vector<std::uint8_t> AreUnclear;
 };
-
-// What the edge at a slot has on the side of the slot's triangle.
-Id FaceReader::RegionBeside(Id slot) const
-{
-  const BitingResult& bites = this->Cavity.Bites;
-  const std::vector<Id>& corners = this->Cavity.Triangles.Corners;
-  const Id constraint = this->Cavity.Triangles.Constraints[slot];
-  const Id first = slot - slot % 3;
-  const Point2 along =
-    bites.Points[corners[first + (slot + 2) % 3]] - bites.Points[corners[first + (slot + 1) % 3]];
-  const Point2 direction =
-    bites.Points[bites.EdgeEnds[constraint]] - bites.Points[bites.EdgeStarts[constraint]];
-  const RegionEdge& edge = this->Edges.Edges[bites.EdgeSegments[constraint]];
-  return Dot(along, direction) > 0.0 ? edge.LeftRegion : edge.RightRegion;
-}
-
-void FaceReader::Read()
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
-  {
-    if (triangles.Constraints[slot] != NoId)
-    {
-      const Id face = triangles.Regions[slot / 3];
-      const Id region = this->RegionBeside(slot);
-      Id& known = this->Regions[face];
-      known = known == NoId ? region : known;
-      this->AreUnclear[face] |= static_cast<std::uint8_t>(region == NoId || region != known);
-    }
-  }
-}
-
-std::vector<Id> FaceReader::UnclearFaces() const
-{
-  std::vector<Id> faces;
-  for (Id face = 0; face < static_cast<Id>(this->Regions.size()); ++face)
-  {
-    if (this->AreUnclear[face] || this->Regions[face] == NoId)
-    {
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-// Of the largest triangle of each: it is where rounding matters least.
-std::vector<Point2> FaceReader::MiddlesOf(const std::vector<Id>& faces) const
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  const std::vector<Point2>& points = this->Cavity.Bites.Points;
-  std::vector<double> largest(this->Regions.size(), 0.0);
-  std::vector<Point2> middles(this->Regions.size());
-  for (Id triangle = 0; triangle < triangles.NumberOfTriangles(); ++triangle)
-  {
-    const Id* corners = triangles.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    const Id face = triangles.Regions[triangle];
-    const double area = AreaOfTriangle(points, corners);
-    if (area > largest[face])
-    {
-      largest[face] = area;
-      middles[face] = (1.0 / 3.0) * (points[corners[0]] + points[corners[1]] + points[corners[2]]);
-    }
-  }
-  std::vector<Point2> wanted;
-  wanted.reserve(faces.size());
-  for (const Id face : faces)
-  {
-    wanted.push_back(middles[face]);
-  }
-  return wanted;
-}
 
 using Areas = std::vector<double>; // one a region of the old mesh
 

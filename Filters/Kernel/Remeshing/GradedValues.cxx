@@ -3,12 +3,12 @@
 
 #include "GradedValues.h"
 
+#include "../Base/IdLists.h"
 #include "../Base/Pulse.h"
 #include "../Spacing/SegmentCone.h"
 
 #include <cstdint>    // for flags
 #include <functional> // for greater
-#include <numeric>    // for partial_sum
 #include <queue>      // for the order of values
 #include <utility>    // for pair, swap
 
@@ -54,97 +54,93 @@ public:
 private:
   using Entry = std::pair<double, Id>;
 
-  void FindSteep();
-  void ListSlots();
-  void HandOn(Id vertex);
-  void Lower(Id vertex, Id start, Id end);
+  // The lower ends of edges that are.
+  void FindSteep()
+  {
+    std::vector<std::uint8_t> isLow(this->Values.size(), 0);
+    this->Progress.ForEach(this->Mesh.Corners.size(),
+      [this, &isLow](std::size_t place)
+      {
+        const Id slot = static_cast<Id>(place);
+        const Id a = this->Mesh.Start(slot);
+        const Id b = this->Mesh.End(slot);
+        const double rise = this->Values[b] - this->Values[a];
+        const double most =
+          SlopeTolerance * this->Gradation * Distance(this->Mesh.Points[a], this->Mesh.Points[b]);
+        isLow[a] |= rise > most;
+        isLow[b] |= -rise > most;
+      });
+    for (std::size_t vertex = 0; vertex < isLow.size(); ++vertex)
+    {
+      if (isLow[vertex])
+      {
+        this->Waiting.emplace(this->Values[vertex], static_cast<Id>(vertex));
+      }
+    }
+  }
+
+  void ListSlots()
+  {
+    // The last slot first: the order in which values are handed on decides in the last digits.
+    this->Slots = IdLists(this->Values.size(),
+      [this](const auto& add)
+      {
+        const std::vector<Id>& corners = this->Mesh.Corners;
+        this->Progress.ForEach(corners.size(),
+          [&corners, &add](std::size_t k)
+          {
+            const std::size_t slot = corners.size() - 1 - k;
+            add(corners[slot], static_cast<Id>(slot));
+          });
+      });
+  }
+
+  void HandOn(Id vertex)
+  {
+    for (const Id slot : this->Slots[vertex])
+    {
+      const Id start = this->Mesh.Start(slot);
+      const Id end = this->Mesh.End(slot);
+      this->Lower(start, vertex, end);
+      this->Lower(end, vertex, start);
+    }
+  }
+
+  // To what the edge allows.
+  void Lower(Id vertex, Id start, Id end)
+  {
+    if (!(this->Values[start] < this->Values[vertex]))
+    {
+      return;
+    }
+    const Point2 edge = this->Mesh.Points[end] - this->Mesh.Points[start];
+    const Point2 way = this->Mesh.Points[vertex] - this->Mesh.Points[start];
+    const double length = Length(edge);
+    double along = Dot(way, edge) / length;
+    const double across = Cross(edge, way) / length;
+    if (this->Values[end] < this->Values[start])
+    {
+      std::swap(start, end);
+      along = length - along;
+    }
+    SegmentCone cone; // of an edge along the x axis
+    cone.SetValues(
+      length, this->Values[start], this->Values[end] - this->Values[start], this->Gradation);
+    const double value = cone({ along, across }, this->Gradation);
+    if (value < (1.0 - SlightShare) * this->Values[vertex])
+    {
+      this->Values[vertex] = value;
+      this->Waiting.emplace(value, vertex);
+    }
+  }
 
   const OldMesh& Mesh;
   const double Gradation;
   std::vector<double>& Values;
   Pulse& Progress;
-  std::vector<Id> Offsets; ///< of the slots at a vertex
-  std::vector<Id> Slots;
+  IdLists Slots; ///< at each vertex
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Waiting;
 };
-
-// The lower ends of edges that are.
-void Lowering::FindSteep()
-{
-  std::vector<std::uint8_t> isLow(this->Values.size(), 0);
-  this->Progress.ForEach(this->Mesh.Corners.size(),
-    [this, &isLow](std::size_t place)
-    {
-      const Id slot = static_cast<Id>(place);
-      const Id a = this->Mesh.Start(slot);
-      const Id b = this->Mesh.End(slot);
-      const double rise = this->Values[b] - this->Values[a];
-      const double most =
-        SlopeTolerance * this->Gradation * Distance(this->Mesh.Points[a], this->Mesh.Points[b]);
-      isLow[a] |= rise > most;
-      isLow[b] |= -rise > most;
-    });
-  for (std::size_t vertex = 0; vertex < isLow.size(); ++vertex)
-  {
-    if (isLow[vertex])
-    {
-      this->Waiting.emplace(this->Values[vertex], static_cast<Id>(vertex));
-    }
-  }
-}
-
-void Lowering::ListSlots()
-{
-  this->Offsets.assign(this->Values.size() + 1, 0);
-  for (const Id corner : this->Mesh.Corners)
-  {
-    ++this->Offsets[corner];
-  }
-  std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
-  this->Slots.resize(this->Mesh.Corners.size());
-  this->Progress.ForEach(this->Slots.size(),
-    [this](std::size_t slot)
-    { this->Slots[--this->Offsets[this->Mesh.Corners[slot]]] = static_cast<Id>(slot); });
-}
-
-void Lowering::HandOn(Id vertex)
-{
-  for (Id k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
-  {
-    const Id start = this->Mesh.Start(this->Slots[k]);
-    const Id end = this->Mesh.End(this->Slots[k]);
-    this->Lower(start, vertex, end);
-    this->Lower(end, vertex, start);
-  }
-}
-
-// To what the edge allows.
-void Lowering::Lower(Id vertex, Id start, Id end)
-{
-  if (!(this->Values[start] < this->Values[vertex]))
-  {
-    return;
-  }
-  const Point2 edge = this->Mesh.Points[end] - this->Mesh.Points[start];
-  const Point2 way = this->Mesh.Points[vertex] - this->Mesh.Points[start];
-  const double length = Length(edge);
-  double along = Dot(way, edge) / length;
-  const double across = Cross(edge, way) / length;
-  if (this->Values[end] < this->Values[start])
-  {
-    std::swap(start, end);
-    along = length - along;
-  }
-  SegmentCone cone; // of an edge along the x axis
-  cone.SetValues(
-    length, this->Values[start], this->Values[end] - this->Values[start], this->Gradation);
-  const double value = cone({ along, across }, this->Gradation);
-  if (value < (1.0 - SlightShare) * this->Values[vertex])
-  {
-    this->Values[vertex] = value;
-    this->Waiting.emplace(value, vertex);
-  }
-}
 
 } // namespace
 

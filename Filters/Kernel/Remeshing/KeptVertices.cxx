@@ -59,15 +59,130 @@ public:
   }
 
 private:
-  void DropThoseInTheWay();
-  void DropAlongBorders();
-  double ChangeAround(Id vertex) const;
-  bool MayBeDivided(Id vertex) const;
-  double LengthBetween(Id one, Id other) const;
-  double ShareInTheWay(Id vertex) const;
-  void Empty();
-  void Bite(Id vertex);
-  void LookAt(Id vertex, Id near);
+  void DropThoseInTheWay()
+  {
+    for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+    {
+      this->IsKept[vertex] |= !this->Region.IsInside[vertex];
+      this->IsHeld[vertex] |= !this->IsKept[vertex] &&
+        this->Rules.IsInTheWay(
+          this->Region.Lengths[vertex], this->ChangeAround(vertex), this->MayBeDivided(vertex));
+    }
+  }
+
+  // All at once: the order of vertices does not matter.
+  void DropAlongBorders()
+  {
+    std::vector<Id> dropped;
+    for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+    {
+      if (!this->IsKept[vertex] && !this->IsHeld[vertex] &&
+        this->ShareInTheWay(vertex) > this->Rules.GreatestShareInTheWay)
+      {
+        dropped.push_back(vertex);
+      }
+    }
+    for (const Id vertex : dropped)
+    {
+      this->IsHeld[vertex] = 1;
+    }
+  }
+
+  // The largest f of the vertex and its neighbors in units of the least.
+  double ChangeAround(Id vertex) const
+  {
+    double least = this->Spacings[vertex];
+    double greatest = least;
+    for (const Id near : this->Region.Neighbors[vertex])
+    {
+      least = std::min(least, this->Spacings[near]);
+      greatest = std::max(greatest, this->Spacings[near]);
+    }
+    return greatest / least;
+  }
+
+  bool MayBeDivided(Id vertex) const
+  {
+    const IdLists::List neighbors = this->Region.Neighbors[vertex];
+    return std::all_of(neighbors.begin(), neighbors.end(),
+      [this, vertex](Id near)
+      {
+        const double half = 0.5 * this->LengthBetween(vertex, near);
+        return KeepRules::IsGoodHalf(half * half);
+      });
+  }
+
+  // In units of the mean f of the two.
+  double LengthBetween(Id one, Id other) const
+  {
+    return 2.0 *
+      Distance(this->Mesh.Points[this->Region.Vertices[one]],
+        this->Mesh.Points[this->Region.Vertices[other]]) /
+      (this->Spacings[one] + this->Spacings[other]);
+  }
+
+  double ShareInTheWay(Id vertex) const
+  {
+    Id count = 0;
+    for (const Id near : this->Region.Neighbors[vertex])
+    {
+      count += this->IsHeld[near];
+    }
+    return static_cast<double>(count) / static_cast<double>(this->Region.Neighbors[vertex].Size());
+  }
+
+  void Empty()
+  {
+    while (this->NextInQueue < this->Queue.size())
+    {
+      const Id vertex = this->Queue[this->NextInQueue++];
+      if (!this->IsKept[vertex] && !this->IsHeld[vertex])
+      {
+        this->IsKept[vertex] = 1;
+        this->Bite(vertex);
+      }
+    }
+  }
+
+  void Bite(Id vertex)
+  {
+    this->Held.assign(1, vertex);
+    this->Beyond.clear();
+    this->Stamps[vertex] = vertex;
+    std::size_t next = 0;
+    while (next < this->Held.size())
+    {
+      const Id held = this->Held[next++];
+      for (const Id near : this->Region.Neighbors[held])
+      {
+        if (this->Stamps[near] != vertex)
+        {
+          this->Stamps[near] = vertex;
+          this->LookAt(vertex, near);
+        }
+      }
+    }
+    std::sort(this->Beyond.begin(), this->Beyond.end());
+    for (const auto& [distance, beyond] : this->Beyond)
+    {
+      this->Queue.push_back(beyond);
+    }
+  }
+
+  void LookAt(Id vertex, Id near)
+  {
+    const double distance = this->LengthBetween(vertex, near);
+    const bool isCrowded = this->Region.Lengths[near] < this->Rules.Lowest;
+    if (distance < (isCrowded ? RadiusOfCrowded : KeepRules::RadiusOfFitting))
+    {
+      this->IsHeld[near] = 1;
+      this->Held.push_back(near);
+    }
+    else if (!this->IsKept[near] && !this->IsHeld[near])
+    {
+      this->Beyond.emplace_back(distance, near);
+    }
+  }
 
   const OldMesh& Mesh;
   const ChangedRegion& Region;
@@ -81,136 +196,6 @@ private:
   std::vector<Id> Queue;
   std::size_t NextInQueue = 0;
 };
-
-void Front::DropThoseInTheWay()
-{
-  for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
-  {
-    this->IsKept[vertex] |= !this->Region.IsInside[vertex];
-    this->IsHeld[vertex] |= !this->IsKept[vertex] &&
-      this->Rules.IsInTheWay(
-        this->Region.Lengths[vertex], this->ChangeAround(vertex), this->MayBeDivided(vertex));
-  }
-}
-
-// All at once: the order of vertices does not matter.
-void Front::DropAlongBorders()
-{
-  std::vector<Id> dropped;
-  for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
-  {
-    if (!this->IsKept[vertex] && !this->IsHeld[vertex] &&
-      this->ShareInTheWay(vertex) > this->Rules.GreatestShareInTheWay)
-    {
-      dropped.push_back(vertex);
-    }
-  }
-  for (const Id vertex : dropped)
-  {
-    this->IsHeld[vertex] = 1;
-  }
-}
-
-double Front::ShareInTheWay(Id vertex) const
-{
-  const Id first = this->Region.Offsets[vertex];
-  const Id end = this->Region.Offsets[vertex + 1];
-  Id count = 0;
-  for (Id n = first; n < end; ++n)
-  {
-    count += this->IsHeld[this->Region.Neighbors[n]];
-  }
-  return static_cast<double>(count) / static_cast<double>(end - first);
-}
-
-// The largest f of the vertex and its neighbors in units of the least.
-double Front::ChangeAround(Id vertex) const
-{
-  double least = this->Spacings[vertex];
-  double greatest = least;
-  for (Id n = this->Region.Offsets[vertex]; n < this->Region.Offsets[vertex + 1]; ++n)
-  {
-    const double near = this->Spacings[this->Region.Neighbors[n]];
-    least = std::min(least, near);
-    greatest = std::max(greatest, near);
-  }
-  return greatest / least;
-}
-
-bool Front::MayBeDivided(Id vertex) const
-{
-  const Id first = this->Region.Offsets[vertex];
-  const Id end = this->Region.Offsets[vertex + 1];
-  return std::all_of(this->Region.Neighbors.begin() + first, this->Region.Neighbors.begin() + end,
-    [this, vertex](Id near)
-    {
-      const double half = 0.5 * this->LengthBetween(vertex, near);
-      return KeepRules::IsGoodHalf(half * half);
-    });
-}
-
-// In units of the mean f of the two.
-double Front::LengthBetween(Id one, Id other) const
-{
-  return 2.0 *
-    Distance(this->Mesh.Points[this->Region.Vertices[one]],
-      this->Mesh.Points[this->Region.Vertices[other]]) /
-    (this->Spacings[one] + this->Spacings[other]);
-}
-
-void Front::Empty()
-{
-  while (this->NextInQueue < this->Queue.size())
-  {
-    const Id vertex = this->Queue[this->NextInQueue++];
-    if (!this->IsKept[vertex] && !this->IsHeld[vertex])
-    {
-      this->IsKept[vertex] = 1;
-      this->Bite(vertex);
-    }
-  }
-}
-
-void Front::Bite(Id vertex)
-{
-  this->Held.assign(1, vertex);
-  this->Beyond.clear();
-  this->Stamps[vertex] = vertex;
-  std::size_t next = 0;
-  while (next < this->Held.size())
-  {
-    const Id held = this->Held[next++];
-    for (Id n = this->Region.Offsets[held]; n < this->Region.Offsets[held + 1]; ++n)
-    {
-      const Id near = this->Region.Neighbors[n];
-      if (this->Stamps[near] != vertex)
-      {
-        this->Stamps[near] = vertex;
-        this->LookAt(vertex, near);
-      }
-    }
-  }
-  std::sort(this->Beyond.begin(), this->Beyond.end());
-  for (const auto& [distance, beyond] : this->Beyond)
-  {
-    this->Queue.push_back(beyond);
-  }
-}
-
-void Front::LookAt(Id vertex, Id near)
-{
-  const double distance = this->LengthBetween(vertex, near);
-  const bool isCrowded = this->Region.Lengths[near] < this->Rules.Lowest;
-  if (distance < (isCrowded ? RadiusOfCrowded : KeepRules::RadiusOfFitting))
-  {
-    this->IsHeld[near] = 1;
-    this->Held.push_back(near);
-  }
-  else if (!this->IsKept[near] && !this->IsHeld[near])
-  {
-    this->Beyond.emplace_back(distance, near);
-  }
-}
 
 class Dividing
 {
@@ -256,10 +241,49 @@ private:
     return start + 0.5 * (this->Mesh.Points[this->Mesh.End(slot)] - start);
   }
 
-  bool IsLastOfInner(Id slot) const;
-  bool HasGoodHalves(Id slot) const;
-  bool HasRoom(Id slot, const Point2& middle, double room) const;
-  void Divide(Id slot, Id across);
+  // Each edge between two changed triangles once, but for marked ones: with the second triangle.
+  bool IsLastOfInner(Id slot) const
+  {
+    const Id neighbor = this->Mesh.Neighbors[slot];
+    return this->Mesh.Marks[slot] == NoId && neighbor != NoId && neighbor < slot / 3 &&
+      this->Region.IsChanged[neighbor] != 0;
+  }
+
+  bool HasGoodHalves(Id slot) const
+  {
+    const Id start = this->Mesh.Start(slot);
+    const Id end = this->Mesh.End(slot);
+    const double half = 0.5 * Distance(this->Mesh.Points[start], this->Mesh.Points[end]);
+    const double part = half / this->MeanSpacing(slot);
+    return this->IsKept[this->Region.Numbers[start]] != 0 &&
+      this->IsKept[this->Region.Numbers[end]] != 0 && KeepRules::IsGoodHalf(part * part);
+  }
+
+  // In the triangle of the slot: above the edge, and beside the middles of its other edges.
+  bool HasRoom(Id slot, const Point2& middle, double room) const
+  {
+    const Point2& start = this->Mesh.Points[this->Mesh.Start(slot)];
+    const Point2 along = this->Mesh.Points[this->Mesh.End(slot)] - start;
+    const Point2 up = this->Mesh.Points[this->Mesh.Corners[slot]] - start;
+    bool hasRoom = Cross(along, up) >= room * Length(along);
+    for (Id other = slot - slot % 3; other < slot - slot % 3 + 3; ++other)
+    {
+      hasRoom &= this->IsDivided[other] == 0 || Distance(middle, this->Middle(other)) >= room;
+    }
+    return hasRoom;
+  }
+
+  void Divide(Id slot, Id across)
+  {
+    const Point2 middle = this->Middle(slot);
+    const double room = KeepRules::RadiusOfFitting * this->MeanSpacing(slot);
+    if (this->HasRoom(slot, middle, room) && this->HasRoom(across, middle, room))
+    {
+      this->IsDivided[slot] = 1;
+      this->IsDivided[across] = 1;
+      this->Middles.push_back(middle);
+    }
+  }
 
   const OldMesh& Mesh;
   const ChangedRegion& Region;
@@ -269,50 +293,6 @@ private:
   std::vector<std::uint8_t> IsDivided;   ///< one a slot
   std::vector<Point2> Middles;
 };
-
-// Each edge between two changed triangles once, but for marked ones: with the second triangle.
-bool Dividing::IsLastOfInner(Id slot) const
-{
-  const Id neighbor = this->Mesh.Neighbors[slot];
-  return this->Mesh.Marks[slot] == NoId && neighbor != NoId && neighbor < slot / 3 &&
-    this->Region.IsChanged[neighbor] != 0;
-}
-
-bool Dividing::HasGoodHalves(Id slot) const
-{
-  const Id start = this->Mesh.Start(slot);
-  const Id end = this->Mesh.End(slot);
-  const double half = 0.5 * Distance(this->Mesh.Points[start], this->Mesh.Points[end]);
-  const double part = half / this->MeanSpacing(slot);
-  return this->IsKept[this->Region.Numbers[start]] != 0 &&
-    this->IsKept[this->Region.Numbers[end]] != 0 && KeepRules::IsGoodHalf(part * part);
-}
-
-// In the triangle of the slot: above the edge, and beside the middles of its other edges.
-bool Dividing::HasRoom(Id slot, const Point2& middle, double room) const
-{
-  const Point2& start = this->Mesh.Points[this->Mesh.Start(slot)];
-  const Point2 along = this->Mesh.Points[this->Mesh.End(slot)] - start;
-  const Point2 up = this->Mesh.Points[this->Mesh.Corners[slot]] - start;
-  bool hasRoom = Cross(along, up) >= room * Length(along);
-  for (Id other = slot - slot % 3; other < slot - slot % 3 + 3; ++other)
-  {
-    hasRoom &= this->IsDivided[other] == 0 || Distance(middle, this->Middle(other)) >= room;
-  }
-  return hasRoom;
-}
-
-void Dividing::Divide(Id slot, Id across)
-{
-  const Point2 middle = this->Middle(slot);
-  const double room = KeepRules::RadiusOfFitting * this->MeanSpacing(slot);
-  if (this->HasRoom(slot, middle, room) && this->HasRoom(across, middle, room))
-  {
-    this->IsDivided[slot] = 1;
-    this->IsDivided[across] = 1;
-    this->Middles.push_back(middle);
-  }
-}
 
 } // namespace
 

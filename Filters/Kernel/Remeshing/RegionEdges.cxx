@@ -3,6 +3,8 @@
 
 #include "RegionEdges.h"
 
+#include "../Base/IdLists.h"
+
 #include <algorithm>  // for max, minmax, sort, swap
 #include <cmath>      // for abs, round
 #include <functional> // for the choice
@@ -45,19 +47,207 @@ public:
   }
 
   /// `choose` marks what stays of a straight piece.
-  RegionEdges Read(const Choice& choose);
+  RegionEdges Read(const Choice& choose)
+  {
+    this->ReadSlots();
+    this->ListIncidences();
+    this->FindLoose();
+    this->Result.IsKept.assign(this->Region.Vertices.size(), 0);
+    this->Result.IsGone.assign(this->Region.Vertices.size(), 0);
+    this->IsWalked.assign(this->Old.size(), 0);
+    // Loops without a vertex that stays begin anywhere, so they come last.
+    for (const bool isLoop : { false, true })
+    {
+      for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+      {
+        for (const Id edge : this->Incidences[vertex])
+        {
+          if (!this->IsWalked[edge] && (isLoop || !this->AreLoose[vertex]))
+          {
+            this->AreLoose[vertex] = 0;
+            this->Reduce(this->Walk(vertex, edge), choose);
+          }
+        }
+      }
+    }
+    return std::move(this->Result);
+  }
 
 private:
-  void ReadSlots();
-  void ListIncidences();
-  void FindLoose();
-  bool IsLoose(Id vertex) const;
-  bool AreAlike(Id vertex, const RegionEdge& a, const RegionEdge& b) const;
-  Id OtherEnd(Id edge, Id vertex) const;
-  Run Walk(Id vertex, Id edge);
-  void Reduce(const Run& run, const Choice& choose);
-  void Straighten(const Run& run, std::vector<std::uint8_t>& stays) const;
-  void Emit(const Run& run, const std::vector<std::uint8_t>& stays);
+  void ReadSlots()
+  {
+    for (const Id triangle : this->Region.Triangles)
+    {
+      for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+      {
+        const Id neighbor = this->Mesh.Neighbors[slot];
+        const bool isOnRim = neighbor != NoId && !this->Region.IsChanged[neighbor];
+        const bool isFirst = isOnRim || neighbor < triangle;
+        if (isFirst && (isOnRim || this->Mesh.Marks[slot] != NoId))
+        {
+          this->Old.push_back({ this->Region.Numbers[this->Mesh.Start(slot)],
+            this->Region.Numbers[this->Mesh.End(slot)], this->Mesh.Marks[slot],
+            this->Mesh.Regions[triangle],
+            neighbor == NoId || isOnRim ? NoId : this->Mesh.Regions[neighbor],
+            isOnRim ? this->Mesh.Across(slot) : NoId });
+        }
+      }
+    }
+  }
+
+  void ListIncidences()
+  {
+    this->Incidences = IdLists(this->Region.Vertices.size(),
+      [this](const auto& add)
+      {
+        for (Id edge = 0; edge < static_cast<Id>(this->Old.size()); ++edge)
+        {
+          add(this->Old[edge].Start, edge);
+          add(this->Old[edge].End, edge);
+        }
+      });
+  }
+
+  void FindLoose()
+  {
+    this->AreLoose.assign(this->Region.Vertices.size(), 0);
+    for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
+    {
+      this->AreLoose[vertex] = this->Policy == EdgePolicy::Free &&
+        (this->Left ? (*this->Left)[vertex] == 0 : this->IsLoose(vertex));
+    }
+  }
+
+  bool IsLoose(Id vertex) const
+  {
+    const IdLists::List edges = this->Incidences[vertex];
+    if (!this->Region.IsInside[vertex] || edges.Size() != 2)
+    {
+      return false;
+    }
+    const Id one = edges[0];
+    const Id two = edges[1];
+    const Point2& before = this->Place(this->OtherEnd(one, vertex));
+    const Point2& after = this->Place(this->OtherEnd(two, vertex));
+    const Point2& place = this->Place(vertex);
+    return this->AreAlike(vertex, this->Old[one], this->Old[two]) &&
+      Dot(place - before, after - place) > 0.0 &&
+      DistanceToLine(place, before, after) <= this->Mesh.Rounding;
+  }
+
+  bool AreAlike(Id vertex, const RegionEdge& a, const RegionEdge& b) const
+  {
+    if (this->Mesh.IsFrozenEdge(a.Mark) || this->Mesh.IsFrozenEdge(b.Mark))
+    {
+      return false;
+    }
+    const bool isStraight = (a.End == vertex) == (b.Start == vertex);
+    const Id left = isStraight ? b.LeftRegion : b.RightRegion;
+    const Id right = isStraight ? b.RightRegion : b.LeftRegion;
+    return this->Mesh.HaveEqualTags(a.Mark, b.Mark) && a.LeftRegion == left &&
+      a.RightRegion == right;
+  }
+
+  Id OtherEnd(Id edge, Id vertex) const
+  {
+    return this->Old[edge].Start == vertex ? this->Old[edge].End : this->Old[edge].Start;
+  }
+
+  Run Walk(Id vertex, Id edge)
+  {
+    Run run{ { vertex }, {} };
+    while (true)
+    {
+      this->IsWalked[edge] = 1;
+      run.Edges.push_back(edge);
+      vertex = this->OtherEnd(edge, vertex);
+      run.Vertices.push_back(vertex);
+      if (!this->AreLoose[vertex])
+      {
+        return run;
+      }
+      const IdLists::List edges = this->Incidences[vertex];
+      edge = edges[0] == edge ? edges[1] : edges[0];
+    }
+  }
+
+  void Reduce(const Run& run, const Choice& choose)
+  {
+    std::vector<std::uint8_t> stays(run.Vertices.size(), 0);
+    stays.front() = 1;
+    stays.back() = 1;
+    if (!this->Left)
+    {
+      this->Straighten(run, stays);
+    }
+    std::size_t first = 0;
+    for (std::size_t last = 1; last < stays.size(); ++last)
+    {
+      if (stays[last])
+      {
+        choose(run.Vertices, first, last, stays);
+        first = last;
+      }
+    }
+    this->Emit(run, stays);
+  }
+
+  // Where small bends add up, the vertex farthest from the line stays, as in Douglas and Peucker,
+  // "Algorithms for the reduction of the number of points required to represent a digitized line",
+  // 1973.
+  void Straighten(const Run& run, std::vector<std::uint8_t>& stays) const
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> pieces{ { 0, run.Vertices.size() - 1 } };
+    while (!pieces.empty())
+    {
+      const auto [first, last] = pieces.back();
+      pieces.pop_back();
+      double farthest = this->Mesh.Rounding;
+      std::size_t middle = first;
+      for (std::size_t k = first + 1; k < last; ++k)
+      {
+        const double distance = DistanceToLine(this->Place(run.Vertices[k]),
+          this->Place(run.Vertices[first]), this->Place(run.Vertices[last]));
+        middle = distance > farthest ? k : middle;
+        farthest = std::max(farthest, distance);
+      }
+      if (middle != first)
+      {
+        stays[middle] = 1;
+        pieces.emplace_back(first, middle);
+        pieces.emplace_back(middle, last);
+      }
+    }
+  }
+
+  void Emit(const Run& run, const std::vector<std::uint8_t>& stays)
+  {
+    RegionEdge edge;
+    for (std::size_t k = 0; k < run.Vertices.size(); ++k)
+    {
+      (stays[k] ? this->Result.IsKept : this->Result.IsGone)[run.Vertices[k]] = 1;
+      if (stays[k] && k > 0)
+      {
+        edge.End = run.Vertices[k];
+        this->Result.Edges.push_back(edge);
+        this->Result.GoneOffsets.push_back(static_cast<Id>(this->Result.Gone.size()));
+      }
+      if (!stays[k])
+      {
+        this->Result.Gone.push_back(run.Vertices[k]);
+      }
+      if (stays[k] && k + 1 < run.Vertices.size())
+      {
+        edge = this->Old[run.Edges[k]];
+        if (edge.Start != run.Vertices[k])
+        {
+          std::swap(edge.Start, edge.End);
+          std::swap(edge.LeftRegion, edge.RightRegion);
+        }
+      }
+    }
+  }
+
   const Point2& Place(Id vertex) const { return this->Mesh.Points[this->Region.Vertices[vertex]]; }
 
   const OldMesh& Mesh;
@@ -65,221 +255,11 @@ private:
   EdgePolicy Policy;
   const std::vector<std::uint8_t>* Left;
   std::vector<RegionEdge> Old;
-  std::vector<Id> Offsets; ///< of the edges at a vertex
-  std::vector<Id> Incidences;
+  IdLists Incidences;                 ///< the edges at a vertex
   std::vector<std::uint8_t> AreLoose; ///< of a vertex: it may go, if its piece is straight
   std::vector<std::uint8_t> IsWalked; ///< of an edge
   RegionEdges Result;
 };
-
-RegionEdges EdgeReader::Read(const Choice& choose)
-{
-  this->ReadSlots();
-  this->ListIncidences();
-  this->FindLoose();
-  this->Result.IsKept.assign(this->Region.Vertices.size(), 0);
-  this->Result.IsGone.assign(this->Region.Vertices.size(), 0);
-  this->IsWalked.assign(this->Old.size(), 0);
-  // Loops without a vertex that stays begin anywhere, so they come last.
-  for (const bool isLoop : { false, true })
-  {
-    for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
-    {
-      for (Id k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
-      {
-        const Id edge = this->Incidences[k];
-        if (!this->IsWalked[edge] && (isLoop || !this->AreLoose[vertex]))
-        {
-          this->AreLoose[vertex] = 0;
-          this->Reduce(this->Walk(vertex, edge), choose);
-        }
-      }
-    }
-  }
-  return std::move(this->Result);
-}
-
-void EdgeReader::ReadSlots()
-{
-  for (const Id triangle : this->Region.Triangles)
-  {
-    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
-    {
-      const Id neighbor = this->Mesh.Neighbors[slot];
-      const bool isOnRim = neighbor != NoId && !this->Region.IsChanged[neighbor];
-      const bool isFirst = isOnRim || neighbor < triangle;
-      if (isFirst && (isOnRim || this->Mesh.Marks[slot] != NoId))
-      {
-        this->Old.push_back({ this->Region.Numbers[this->Mesh.Start(slot)],
-          this->Region.Numbers[this->Mesh.End(slot)], this->Mesh.Marks[slot],
-          this->Mesh.Regions[triangle],
-          neighbor == NoId || isOnRim ? NoId : this->Mesh.Regions[neighbor],
-          isOnRim ? this->Mesh.Across(slot) : NoId });
-      }
-    }
-  }
-}
-
-void EdgeReader::ListIncidences()
-{
-  this->Offsets.assign(this->Region.Vertices.size() + 1, 0);
-  for (const RegionEdge& edge : this->Old)
-  {
-    ++this->Offsets[edge.Start];
-    ++this->Offsets[edge.End];
-  }
-  Id sum = 0;
-  for (Id& offset : this->Offsets)
-  {
-    sum += offset;
-    offset = sum;
-  }
-  this->Incidences.resize(static_cast<std::size_t>(sum));
-  for (Id edge = static_cast<Id>(this->Old.size()); edge-- > 0;)
-  {
-    this->Incidences[--this->Offsets[this->Old[edge].Start]] = edge;
-    this->Incidences[--this->Offsets[this->Old[edge].End]] = edge;
-  }
-}
-
-void EdgeReader::FindLoose()
-{
-  this->AreLoose.assign(this->Region.Vertices.size(), 0);
-  for (Id vertex = 0; vertex < this->Region.NumberOfVertices(); ++vertex)
-  {
-    this->AreLoose[vertex] = this->Policy == EdgePolicy::Free &&
-      (this->Left ? (*this->Left)[vertex] == 0 : this->IsLoose(vertex));
-  }
-}
-
-bool EdgeReader::IsLoose(Id vertex) const
-{
-  const Id first = this->Offsets[vertex];
-  if (!this->Region.IsInside[vertex] || this->Offsets[vertex + 1] - first != 2)
-  {
-    return false;
-  }
-  const Id one = this->Incidences[first];
-  const Id two = this->Incidences[first + 1];
-  const Point2& before = this->Place(this->OtherEnd(one, vertex));
-  const Point2& after = this->Place(this->OtherEnd(two, vertex));
-  const Point2& place = this->Place(vertex);
-  return this->AreAlike(vertex, this->Old[one], this->Old[two]) &&
-    Dot(place - before, after - place) > 0.0 &&
-    DistanceToLine(place, before, after) <= this->Mesh.Rounding;
-}
-
-bool EdgeReader::AreAlike(Id vertex, const RegionEdge& a, const RegionEdge& b) const
-{
-  if (this->Mesh.IsFrozenEdge(a.Mark) || this->Mesh.IsFrozenEdge(b.Mark))
-  {
-    return false;
-  }
-  const bool isStraight = (a.End == vertex) == (b.Start == vertex);
-  const Id left = isStraight ? b.LeftRegion : b.RightRegion;
-  const Id right = isStraight ? b.RightRegion : b.LeftRegion;
-  return this->Mesh.HaveEqualTags(a.Mark, b.Mark) && a.LeftRegion == left && a.RightRegion == right;
-}
-
-Id EdgeReader::OtherEnd(Id edge, Id vertex) const
-{
-  return this->Old[edge].Start == vertex ? this->Old[edge].End : this->Old[edge].Start;
-}
-
-Run EdgeReader::Walk(Id vertex, Id edge)
-{
-  Run run{ { vertex }, {} };
-  while (true)
-  {
-    this->IsWalked[edge] = 1;
-    run.Edges.push_back(edge);
-    vertex = this->OtherEnd(edge, vertex);
-    run.Vertices.push_back(vertex);
-    if (!this->AreLoose[vertex])
-    {
-      return run;
-    }
-    const Id first = this->Offsets[vertex];
-    edge = this->Incidences[first] == edge ? this->Incidences[first + 1] : this->Incidences[first];
-  }
-}
-
-void EdgeReader::Reduce(const Run& run, const Choice& choose)
-{
-  std::vector<std::uint8_t> stays(run.Vertices.size(), 0);
-  stays.front() = 1;
-  stays.back() = 1;
-  if (!this->Left)
-  {
-    this->Straighten(run, stays);
-  }
-  std::size_t first = 0;
-  for (std::size_t last = 1; last < stays.size(); ++last)
-  {
-    if (stays[last])
-    {
-      choose(run.Vertices, first, last, stays);
-      first = last;
-    }
-  }
-  this->Emit(run, stays);
-}
-
-// Where small bends add up, the vertex farthest from the line stays, as in Douglas and Peucker,
-// "Algorithms for the reduction of the number of points required to represent a digitized line",
-// 1973.
-void EdgeReader::Straighten(const Run& run, std::vector<std::uint8_t>& stays) const
-{
-  std::vector<std::pair<std::size_t, std::size_t>> pieces{ { 0, run.Vertices.size() - 1 } };
-  while (!pieces.empty())
-  {
-    const auto [first, last] = pieces.back();
-    pieces.pop_back();
-    double farthest = this->Mesh.Rounding;
-    std::size_t middle = first;
-    for (std::size_t k = first + 1; k < last; ++k)
-    {
-      const double distance = DistanceToLine(this->Place(run.Vertices[k]),
-        this->Place(run.Vertices[first]), this->Place(run.Vertices[last]));
-      middle = distance > farthest ? k : middle;
-      farthest = std::max(farthest, distance);
-    }
-    if (middle != first)
-    {
-      stays[middle] = 1;
-      pieces.emplace_back(first, middle);
-      pieces.emplace_back(middle, last);
-    }
-  }
-}
-
-void EdgeReader::Emit(const Run& run, const std::vector<std::uint8_t>& stays)
-{
-  RegionEdge edge;
-  for (std::size_t k = 0; k < run.Vertices.size(); ++k)
-  {
-    (stays[k] ? this->Result.IsKept : this->Result.IsGone)[run.Vertices[k]] = 1;
-    if (stays[k] && k > 0)
-    {
-      edge.End = run.Vertices[k];
-      this->Result.Edges.push_back(edge);
-      this->Result.GoneOffsets.push_back(static_cast<Id>(this->Result.Gone.size()));
-    }
-    if (!stays[k])
-    {
-      this->Result.Gone.push_back(run.Vertices[k]);
-    }
-    if (stays[k] && k + 1 < run.Vertices.size())
-    {
-      edge = this->Old[run.Edges[k]];
-      if (edge.Start != run.Vertices[k])
-      {
-        std::swap(edge.Start, edge.End);
-        std::swap(edge.LeftRegion, edge.RightRegion);
-      }
-    }
-  }
-}
 
 /// Chooses vertices by lengths in units of f.
 class Thinning

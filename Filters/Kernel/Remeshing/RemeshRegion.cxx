@@ -34,14 +34,84 @@ public:
     this->Result.Tolerance.FeatureAngle = options.FeatureAngle;
   }
 
-  RemeshRegion Find();
+  RemeshRegion Find()
+  {
+    PartOfStage comparing(this->Whole, 0.0, FirstComparisonEnd);
+    WantedSpacing wanted(
+      this->Mesh, this->Options.Spacing, this->Options.Values, this->Problems, comparing);
+    this->Result.OldSpacings = wanted.AtVertices();
+    if (!this->IsOver())
+    {
+      this->FindRegion();
+    }
+    if (this->Result.Region.IsEmpty())
+    {
+      return std::move(this->Result);
+    }
+    if (this->Result.Tolerance.IsAsked())
+    {
+      this->Result.Tolerance.Spacings = this->Result.OldSpacings;
+    }
+    if (this->Options.LimitByFeatureSize)
+    {
+      this->Limit(wanted);
+    }
+    else
+    {
+      this->Prepare(wanted, this->Result.Region, nullptr);
+    }
+    return std::move(this->Result);
+  }
 
 private:
   bool IsOver() const { return this->Problems.HasErrors() || this->Whole.HasStopped(); }
-  void FindRegion();
-  void Limit(WantedSpacing& wanted);
-  void Prepare(WantedSpacing& wanted, const ChangedRegion& region, const RegionEdges* pieces);
-  RegionEdges FindPieces(const ChangedRegion& region);
+
+  void FindRegion()
+  {
+    const std::vector<double>& spacings = this->Result.OldSpacings;
+    const std::vector<double> lengths = MeanLengths(this->Mesh, spacings);
+    const EdgeFreedom freedom{ this->Options.Edges, this->Result.Tolerance.IsAsked() };
+    this->Result.Region = this->Options.RelaxAll
+      ? WholeRegion(this->Mesh, lengths)
+      : FindChangedRegion(this->Mesh, lengths, FindMisfits(this->Mesh, spacings, lengths, freedom),
+          this->Options.Rings);
+  }
+
+  void Limit(WantedSpacing& wanted)
+  {
+    ChangedRegion around = this->Result.Region;
+    for (int rings = 1;; rings *= 2)
+    {
+      const RegionEdges pieces = this->FindPieces(around);
+      this->Prepare(wanted, around, &pieces);
+      if (this->IsOver())
+      {
+        return;
+      }
+      this->Result.OldSpacings = wanted.AtVertices();
+      this->FindRegion();
+      if (around.Covers(this->Result.Region))
+      {
+        return;
+      }
+      around = LargerRegion(this->Mesh, around, this->Result.Region, rings);
+    }
+  }
+
+  void Prepare(WantedSpacing& wanted, const ChangedRegion& region, const RegionEdges* pieces)
+  {
+    PartOfStage preparing(this->Whole, PiecesEnd, 1.0);
+    this->Result.F = wanted.Prepare(region, pieces,
+      static_cast<double>(this->Options.MaximumNumberOfVertices), this->Problems, preparing);
+  }
+
+  RegionEdges FindPieces(const ChangedRegion& region)
+  {
+    PartOfStage finding(this->Whole, FirstComparisonEnd, PiecesEnd);
+    return this->Result.Tolerance.IsAsked()
+      ? SimplifiedPieces(this->Mesh, region, this->Result.Tolerance, finding)
+      : StraightPieces(this->Mesh, region, this->Options.Edges);
+  }
 
   const OldMesh& Mesh;
   const RemeshOptions& Options;
@@ -49,83 +119,6 @@ private:
   PartOfStage Whole;
   RemeshRegion Result;
 };
-
-RemeshRegion RegionFinder::Find()
-{
-  PartOfStage comparing(this->Whole, 0.0, FirstComparisonEnd);
-  WantedSpacing wanted(
-    this->Mesh, this->Options.Spacing, this->Options.Values, this->Problems, comparing);
-  this->Result.OldSpacings = wanted.AtVertices();
-  if (!this->IsOver())
-  {
-    this->FindRegion();
-  }
-  if (this->Result.Region.IsEmpty())
-  {
-    return std::move(this->Result);
-  }
-  if (this->Result.Tolerance.IsAsked())
-  {
-    this->Result.Tolerance.Spacings = this->Result.OldSpacings;
-  }
-  if (this->Options.LimitByFeatureSize)
-  {
-    this->Limit(wanted);
-  }
-  else
-  {
-    this->Prepare(wanted, this->Result.Region, nullptr);
-  }
-  return std::move(this->Result);
-}
-
-void RegionFinder::FindRegion()
-{
-  const std::vector<double>& spacings = this->Result.OldSpacings;
-  const std::vector<double> lengths = MeanLengths(this->Mesh, spacings);
-  const EdgeFreedom freedom{ this->Options.Edges, this->Result.Tolerance.IsAsked() };
-  this->Result.Region = this->Options.RelaxAll
-    ? WholeRegion(this->Mesh, lengths)
-    : FindChangedRegion(this->Mesh, lengths, FindMisfits(this->Mesh, spacings, lengths, freedom),
-        this->Options.Rings);
-}
-
-void RegionFinder::Limit(WantedSpacing& wanted)
-{
-  ChangedRegion around = this->Result.Region;
-  for (int rings = 1;; rings *= 2)
-  {
-    const RegionEdges pieces = this->FindPieces(around);
-    this->Prepare(wanted, around, &pieces);
-    if (this->IsOver())
-    {
-      return;
-    }
-    this->Result.OldSpacings = wanted.AtVertices();
-    this->FindRegion();
-    if (around.Covers(this->Result.Region))
-    {
-      return;
-    }
-    around = LargerRegion(this->Mesh, around, this->Result.Region, rings);
-  }
-}
-
-void RegionFinder::Prepare(
-  WantedSpacing& wanted, const ChangedRegion& region, const RegionEdges* pieces)
-{
-  PartOfStage preparing(this->Whole, PiecesEnd, 1.0);
-  this->Result.F = wanted.Prepare(region, pieces,
-    static_cast<double>(this->Options.MaximumNumberOfVertices), this->Problems, preparing);
-}
-
-RegionEdges RegionFinder::FindPieces(const ChangedRegion& region)
-{
-  PartOfStage finding(this->Whole, FirstComparisonEnd, PiecesEnd);
-  return this->Result.Tolerance.IsAsked()
-    ? SimplifiedPieces(this->Mesh, region, this->Result.Tolerance, finding)
-    : StraightPieces(this->Mesh, region, this->Options.Edges);
-}
 
 } // namespace
 

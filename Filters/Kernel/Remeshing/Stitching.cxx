@@ -89,6 +89,16 @@ void ListEdges(const std::vector<Id>& corners, const std::vector<Id>& neighbors,
   }
 }
 
+using Corners = std::array<Id, 3>;
+
+// The same for the same triangle, whichever corner comes first.
+Corners Turned(Id a, Id b, Id c)
+{
+  Corners corners{ a, b, c };
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 class Stitcher
 {
 public:
@@ -117,16 +127,204 @@ public:
 
 private:
   bool IsOldVertex(Id vertex) const { return vertex < this->Cavity.Geometry.NumberOfVertices(); }
-  const RegionEdge* EdgeOf(Id slot) const;
-  void NumberVertices();
-  void CopyVertices();
-  void AddVertex(const Point2& place, double spacing, Id order, Id original);
-  void CopyUnchanged();
-  void CopyCavity();
-  void CopySlot(Id slot, Id first);
-  void FindOriginals();
-  void SetKinds();
-  VertexKind KindOnEdge(Id vertex, const std::array<Id, 2>& ends, Id count) const;
+
+  // The edge of the region that a slot of the cavity's mesh lies on, or null.
+  const RegionEdge* EdgeOf(Id slot) const
+  {
+    const Id constraint = this->Cavity.Triangles.Constraints[slot];
+    return constraint == NoId ? nullptr
+                              : &this->Edges.Edges[this->Cavity.Bites.EdgeSegments[constraint]];
+  }
+
+  void NumberVertices()
+  {
+    this->OldNumbers.assign(this->Old.Points.size(), NoId);
+    this->Numbers.assign(this->Cavity.Bites.Points.size(), NoId);
+    for (std::size_t slot = 0; slot < this->Old.Corners.size(); ++slot)
+    {
+      if (!this->Region.IsChanged[slot / 3])
+      {
+        this->OldNumbers[this->Old.Corners[slot]] = 0;
+      }
+    }
+    for (const Id corner : this->Cavity.Triangles.Corners)
+    {
+      this->Numbers[corner] = 0;
+      if (this->IsOldVertex(corner))
+      {
+        this->OldNumbers[this->Cavity.Geometry.VertexPoints[corner]] = 0;
+      }
+    }
+  }
+
+  void CopyVertices()
+  {
+    Id next = 0;
+    for (Id vertex = 0; vertex < this->Old.NumberOfVertices(); ++vertex)
+    {
+      if (this->OldNumbers[vertex] != NoId)
+      {
+        this->OldNumbers[vertex] = next++;
+        this->AddVertex(this->Old.Points[vertex], this->Spacings[vertex], NoId, vertex);
+      }
+    }
+    const BitingResult& bites = this->Cavity.Bites;
+    for (Id vertex = 0; vertex < static_cast<Id>(this->Numbers.size()); ++vertex)
+    {
+      if (this->Numbers[vertex] == NoId)
+      {
+        continue;
+      }
+      if (this->IsOldVertex(vertex))
+      {
+        this->Numbers[vertex] = this->OldNumbers[this->Cavity.Geometry.VertexPoints[vertex]];
+        this->Result.Mesh.Spacing[this->Numbers[vertex]] = bites.Spacings[vertex];
+        this->Result.Mesh.BiteOrders[this->Numbers[vertex]] = bites.BiteOrders[vertex];
+      }
+      else
+      {
+        this->Numbers[vertex] = next++;
+        this->AddVertex(
+          bites.Points[vertex], bites.Spacings[vertex], bites.BiteOrders[vertex], NoId);
+      }
+    }
+  }
+
+  void AddVertex(const Point2& place, double spacing, Id order, Id original)
+  {
+    BitingMesh& mesh = this->Result.Mesh;
+    mesh.Points.push_back(place);
+    mesh.Spacing.push_back(spacing);
+    mesh.BiteOrders.push_back(order);
+    mesh.OriginalPoints.push_back(original);
+  }
+
+  // Across the rim the neighbors are set with the cavity.
+  void CopyUnchanged()
+  {
+    BitingMesh& mesh = this->Result.Mesh;
+    this->TriangleNumbers.assign(this->Old.Regions.size(), NoId);
+    Id next = 0;
+    for (Id triangle = 0; triangle < this->Old.NumberOfTriangles(); ++triangle)
+    {
+      if (!this->Region.IsChanged[triangle])
+      {
+        this->TriangleNumbers[triangle] = next++;
+        mesh.Regions.push_back(this->Old.Regions[triangle]);
+        this->Result.OriginalTriangles.push_back(triangle);
+      }
+    }
+    for (const Id triangle : this->Result.OriginalTriangles)
+    {
+      for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
+      {
+        const Id neighbor = this->Old.Neighbors[slot];
+        mesh.Corners.push_back(this->OldNumbers[this->Old.Corners[slot]]);
+        mesh.Neighbors.push_back(neighbor == NoId ? NoId : this->TriangleNumbers[neighbor]);
+        this->Marks.push_back(this->Old.Marks[slot]);
+      }
+    }
+  }
+
+  void CopyCavity()
+  {
+    const Triangulation& triangles = this->Cavity.Triangles;
+    const Id first = static_cast<Id>(this->Result.OriginalTriangles.size());
+    for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
+    {
+      this->CopySlot(slot, first);
+    }
+    for (const Id face : triangles.Regions)
+    {
+      this->Result.Mesh.Regions.push_back(this->Cavity.FaceRegions[face]);
+      this->Result.OriginalTriangles.push_back(NoId);
+    }
+  }
+
+  void CopySlot(Id slot, Id first)
+  {
+    BitingMesh& mesh = this->Result.Mesh;
+    const RegionEdge* edge = this->EdgeOf(slot);
+    Id neighbor = this->Cavity.Triangles.Neighbors[slot];
+    neighbor = neighbor == NoId ? NoId : first + neighbor;
+    if (edge && edge->RimSlot != NoId)
+    {
+      neighbor = this->TriangleNumbers[edge->RimSlot / 3];
+      mesh.Neighbors[3 * neighbor + edge->RimSlot % 3] = first + slot / 3;
+    }
+    mesh.Corners.push_back(this->Numbers[this->Cavity.Triangles.Corners[slot]]);
+    mesh.Neighbors.push_back(neighbor);
+    this->Marks.push_back(edge ? edge->Mark : NoId);
+  }
+
+  // Triangles that came back as they were.
+  void FindOriginals()
+  {
+    const BitingMesh& mesh = this->Result.Mesh;
+    std::vector<std::pair<Corners, Id>> old;
+    for (const Id triangle : this->Region.Triangles)
+    {
+      const Id* corners = this->Old.Corners.data() + 3 * static_cast<std::size_t>(triangle);
+      const auto number = [this, corners](int k) { return this->OldNumbers[corners[k]]; };
+      const bool isRepaired = !this->Old.IsRepaired.empty() && this->Old.IsRepaired[triangle];
+      if (number(0) != NoId && number(1) != NoId && number(2) != NoId && !isRepaired)
+      {
+        old.emplace_back(Turned(number(0), number(1), number(2)), triangle);
+      }
+    }
+    std::sort(old.begin(), old.end());
+    for (std::size_t triangle = 0; triangle < mesh.Regions.size(); ++triangle)
+    {
+      if (this->Result.OriginalTriangles[triangle] == NoId)
+      {
+        const Id* corners = mesh.Corners.data() + 3 * triangle;
+        const Corners key = Turned(corners[0], corners[1], corners[2]);
+        const auto same = std::lower_bound(old.begin(), old.end(), std::make_pair(key, NoId));
+        const bool isSame = same != old.end() && same->first == key;
+        this->Result.OriginalTriangles[triangle] = isSame ? same->second : NoId;
+      }
+    }
+  }
+
+  void SetKinds()
+  {
+    BitingMesh& mesh = this->Result.Mesh;
+    std::vector<std::array<Id, 2>> ends(mesh.Points.size());
+    std::vector<Id> counts(mesh.Points.size(), 0);
+    for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
+    {
+      const Id start = mesh.EdgeStarts[edge];
+      const Id end = mesh.EdgeEnds[edge];
+      ends[start][counts[start]++ == 0 ? 0 : 1] = end;
+      ends[end][counts[end]++ == 0 ? 0 : 1] = start;
+    }
+    for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
+    {
+      const Id original = mesh.OriginalPoints[vertex];
+      const bool isEmbedded = original != NoId && this->Old.IsFixed[original];
+      mesh.Kinds.push_back(counts[vertex] > 0
+          ? this->KindOnEdge(vertex, ends[vertex], counts[vertex])
+          : isEmbedded ? VertexKind::Embedded
+                       : VertexKind::Interior);
+    }
+  }
+
+  // Where the edges end, meet others or turn is a vertex that was given.
+  VertexKind KindOnEdge(Id vertex, const std::array<Id, 2>& ends, Id count) const
+  {
+    const std::vector<Point2>& points = this->Result.Mesh.Points;
+    if (this->Result.Mesh.OriginalPoints[vertex] == NoId)
+    {
+      return VertexKind::Boundary;
+    }
+    if (count != 2)
+    {
+      return VertexKind::Input;
+    }
+    const Point2 across = points[ends[1]] - points[ends[0]];
+    const double turn = std::abs(Cross(across, points[vertex] - points[ends[0]]));
+    return turn <= this->Old.Rounding * Length(across) ? VertexKind::Boundary : VertexKind::Input;
+  }
 
   const OldMesh& Old;
   const ChangedRegion& Region;
@@ -139,212 +337,6 @@ private:
   std::vector<Id> Marks; ///< of the new slots
   StitchedMesh Result;
 };
-
-// The edge of the region that a slot of the cavity's mesh lies on, or null.
-const RegionEdge* Stitcher::EdgeOf(Id slot) const
-{
-  const Id constraint = this->Cavity.Triangles.Constraints[slot];
-  return constraint == NoId ? nullptr
-                            : &this->Edges.Edges[this->Cavity.Bites.EdgeSegments[constraint]];
-}
-
-void Stitcher::NumberVertices()
-{
-  this->OldNumbers.assign(this->Old.Points.size(), NoId);
-  this->Numbers.assign(this->Cavity.Bites.Points.size(), NoId);
-  for (std::size_t slot = 0; slot < this->Old.Corners.size(); ++slot)
-  {
-    if (!this->Region.IsChanged[slot / 3])
-    {
-      this->OldNumbers[this->Old.Corners[slot]] = 0;
-    }
-  }
-  for (const Id corner : this->Cavity.Triangles.Corners)
-  {
-    this->Numbers[corner] = 0;
-    if (this->IsOldVertex(corner))
-    {
-      this->OldNumbers[this->Cavity.Geometry.VertexPoints[corner]] = 0;
-    }
-  }
-}
-
-void Stitcher::AddVertex(const Point2& place, double spacing, Id order, Id original)
-{
-  BitingMesh& mesh = this->Result.Mesh;
-  mesh.Points.push_back(place);
-  mesh.Spacing.push_back(spacing);
-  mesh.BiteOrders.push_back(order);
-  mesh.OriginalPoints.push_back(original);
-}
-
-void Stitcher::CopyVertices()
-{
-  Id next = 0;
-  for (Id vertex = 0; vertex < this->Old.NumberOfVertices(); ++vertex)
-  {
-    if (this->OldNumbers[vertex] != NoId)
-    {
-      this->OldNumbers[vertex] = next++;
-      this->AddVertex(this->Old.Points[vertex], this->Spacings[vertex], NoId, vertex);
-    }
-  }
-  const BitingResult& bites = this->Cavity.Bites;
-  for (Id vertex = 0; vertex < static_cast<Id>(this->Numbers.size()); ++vertex)
-  {
-    if (this->Numbers[vertex] == NoId)
-    {
-      continue;
-    }
-    if (this->IsOldVertex(vertex))
-    {
-      this->Numbers[vertex] = this->OldNumbers[this->Cavity.Geometry.VertexPoints[vertex]];
-      this->Result.Mesh.Spacing[this->Numbers[vertex]] = bites.Spacings[vertex];
-      this->Result.Mesh.BiteOrders[this->Numbers[vertex]] = bites.BiteOrders[vertex];
-    }
-    else
-    {
-      this->Numbers[vertex] = next++;
-      this->AddVertex(bites.Points[vertex], bites.Spacings[vertex], bites.BiteOrders[vertex], NoId);
-    }
-  }
-}
-
-// Across the rim the neighbors are set with the cavity.
-void Stitcher::CopyUnchanged()
-{
-  BitingMesh& mesh = this->Result.Mesh;
-  this->TriangleNumbers.assign(this->Old.Regions.size(), NoId);
-  Id next = 0;
-  for (Id triangle = 0; triangle < this->Old.NumberOfTriangles(); ++triangle)
-  {
-    if (!this->Region.IsChanged[triangle])
-    {
-      this->TriangleNumbers[triangle] = next++;
-      mesh.Regions.push_back(this->Old.Regions[triangle]);
-      this->Result.OriginalTriangles.push_back(triangle);
-    }
-  }
-  for (const Id triangle : this->Result.OriginalTriangles)
-  {
-    for (Id slot = 3 * triangle; slot < 3 * triangle + 3; ++slot)
-    {
-      const Id neighbor = this->Old.Neighbors[slot];
-      mesh.Corners.push_back(this->OldNumbers[this->Old.Corners[slot]]);
-      mesh.Neighbors.push_back(neighbor == NoId ? NoId : this->TriangleNumbers[neighbor]);
-      this->Marks.push_back(this->Old.Marks[slot]);
-    }
-  }
-}
-
-void Stitcher::CopyCavity()
-{
-  const Triangulation& triangles = this->Cavity.Triangles;
-  const Id first = static_cast<Id>(this->Result.OriginalTriangles.size());
-  for (Id slot = 0; slot < static_cast<Id>(triangles.Corners.size()); ++slot)
-  {
-    this->CopySlot(slot, first);
-  }
-  for (const Id face : triangles.Regions)
-  {
-    this->Result.Mesh.Regions.push_back(this->Cavity.FaceRegions[face]);
-    this->Result.OriginalTriangles.push_back(NoId);
-  }
-}
-
-void Stitcher::CopySlot(Id slot, Id first)
-{
-  BitingMesh& mesh = this->Result.Mesh;
-  const RegionEdge* edge = this->EdgeOf(slot);
-  Id neighbor = this->Cavity.Triangles.Neighbors[slot];
-  neighbor = neighbor == NoId ? NoId : first + neighbor;
-  if (edge && edge->RimSlot != NoId)
-  {
-    neighbor = this->TriangleNumbers[edge->RimSlot / 3];
-    mesh.Neighbors[3 * neighbor + edge->RimSlot % 3] = first + slot / 3;
-  }
-  mesh.Corners.push_back(this->Numbers[this->Cavity.Triangles.Corners[slot]]);
-  mesh.Neighbors.push_back(neighbor);
-  this->Marks.push_back(edge ? edge->Mark : NoId);
-}
-
-using Corners = std::array<Id, 3>;
-
-// The same for the same triangle, whichever corner comes first.
-Corners Turned(Id a, Id b, Id c)
-{
-  Corners corners{ a, b, c };
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
-// Triangles that came back as they were.
-void Stitcher::FindOriginals()
-{
-  const BitingMesh& mesh = this->Result.Mesh;
-  std::vector<std::pair<Corners, Id>> old;
-  for (const Id triangle : this->Region.Triangles)
-  {
-    const Id* corners = this->Old.Corners.data() + 3 * static_cast<std::size_t>(triangle);
-    const auto number = [this, corners](int k) { return this->OldNumbers[corners[k]]; };
-    const bool isRepaired = !this->Old.IsRepaired.empty() && this->Old.IsRepaired[triangle];
-    if (number(0) != NoId && number(1) != NoId && number(2) != NoId && !isRepaired)
-    {
-      old.emplace_back(Turned(number(0), number(1), number(2)), triangle);
-    }
-  }
-  std::sort(old.begin(), old.end());
-  for (std::size_t triangle = 0; triangle < mesh.Regions.size(); ++triangle)
-  {
-    if (this->Result.OriginalTriangles[triangle] == NoId)
-    {
-      const Id* corners = mesh.Corners.data() + 3 * triangle;
-      const Corners key = Turned(corners[0], corners[1], corners[2]);
-      const auto same = std::lower_bound(old.begin(), old.end(), std::make_pair(key, NoId));
-      const bool isSame = same != old.end() && same->first == key;
-      this->Result.OriginalTriangles[triangle] = isSame ? same->second : NoId;
-    }
-  }
-}
-
-void Stitcher::SetKinds()
-{
-  BitingMesh& mesh = this->Result.Mesh;
-  std::vector<std::array<Id, 2>> ends(mesh.Points.size());
-  std::vector<Id> counts(mesh.Points.size(), 0);
-  for (std::size_t edge = 0; edge < mesh.EdgeStarts.size(); ++edge)
-  {
-    const Id start = mesh.EdgeStarts[edge];
-    const Id end = mesh.EdgeEnds[edge];
-    ends[start][counts[start]++ == 0 ? 0 : 1] = end;
-    ends[end][counts[end]++ == 0 ? 0 : 1] = start;
-  }
-  for (Id vertex = 0; vertex < static_cast<Id>(mesh.Points.size()); ++vertex)
-  {
-    const Id original = mesh.OriginalPoints[vertex];
-    const bool isEmbedded = original != NoId && this->Old.IsFixed[original];
-    mesh.Kinds.push_back(counts[vertex] > 0 ? this->KindOnEdge(vertex, ends[vertex], counts[vertex])
-        : isEmbedded                        ? VertexKind::Embedded
-                                            : VertexKind::Interior);
-  }
-}
-
-// Where the edges end, meet others or turn is a vertex that was given.
-VertexKind Stitcher::KindOnEdge(Id vertex, const std::array<Id, 2>& ends, Id count) const
-{
-  const std::vector<Point2>& points = this->Result.Mesh.Points;
-  if (this->Result.Mesh.OriginalPoints[vertex] == NoId)
-  {
-    return VertexKind::Boundary;
-  }
-  if (count != 2)
-  {
-    return VertexKind::Input;
-  }
-  const Point2 across = points[ends[1]] - points[ends[0]];
-  const double turn = std::abs(Cross(across, points[vertex] - points[ends[0]]));
-  return turn <= this->Old.Rounding * Length(across) ? VertexKind::Boundary : VertexKind::Input;
-}
 
 } // namespace
 

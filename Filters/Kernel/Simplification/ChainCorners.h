@@ -28,8 +28,8 @@ struct CornerView
 /// The slots of `chains` at which they turn by Angle or more, seen from a distance of four
 /// tolerances: between where the chain left the circle around the vertex before, and where it
 /// leaves it after. At that distance a zigzag that a tolerance hides turns by less than 25 degrees.
-/// Of several on one stretch within the circle it is the one that turns most. Where other chains or
-/// tags end the boundary is followed on: a corner of the domain stays however near a junction is.
+/// Of several corners within one circle the one that turns most counts. The boundary is followed
+/// past junctions and ends of tags: so a corner of the domain stays however near a junction is.
 std::vector<Id> FindCorners(
   const Domain& domain, const DomainChains& chains, const CornerView& view, Pulse& pulse);
 

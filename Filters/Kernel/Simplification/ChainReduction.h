@@ -30,9 +30,9 @@ namespace biting
 ///
 /// A vertex goes only where the closed triangle with its neighbours holds no other vertex that is
 /// left: then no segment reaches into it either, as it could not leave, and what lies left and
-/// right of the chain stays there. It also waits for those in a triangle on the other side as high
-/// as the error: so what is left free there is no less than what was taken. A vertex that waits for
-/// another is asked again when that one goes.
+/// right of the chain stays there. It also waits for the vertices in a triangle on the other side,
+/// which is as high as the error: so the clearance that remains there is at least the distance
+/// moved. A vertex that waits for another is asked again when that one goes.
 class ChainReduction
 {
 public:

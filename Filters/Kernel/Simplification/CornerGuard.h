@@ -17,17 +17,17 @@ namespace biting
 /// Keeps chains from ending in points where the drawing is blunt: a triangle in a sharp corner of
 /// the domain is as sharp, whatever the spacing.
 ///
-/// A vertex stays while its going would make an angle at a neighbour smaller, seen through the
-/// domain, that is then below 36 degrees. Also at ends far narrower than f: two vertices there make
-/// a triangle as narrow as the end, which is less sharp than the corner along the whole sides.
+/// A vertex stays while its removal would decrease an inner angle of the domain at a neighbour to
+/// below 36 degrees. This holds at ends far narrower than f, too: two vertices there make a
+/// triangle as narrow as the end, which is less sharp than the corner along the whole sides.
 class CornerGuard
 {
 public:
   /// Refers to its arguments.
   CornerGuard(const Domain& domain, const DomainChains& chains);
 
-  /// The vertices on the other sides of the angles that would be too small. The slot may go where
-  /// there is none; where there are some it is to be asked again when one of them has gone.
+  /// The vertices on the other sides of the angles that would be too small. Where there is none the
+  /// slot may go; else it is to be asked again when one of them has gone.
   std::vector<Id> FindOtherSides(Id slot) const;
 
 private:

@@ -64,7 +64,33 @@ public:
     this->Segments.push_back({ like, start, end });
   }
 
-  Domain Make();
+  Domain Make()
+  {
+    Domain part;
+    part.Resolution = this->Whole.Resolution;
+    part.Bounds = this->Whole.Bounds;
+    const std::vector<Id> numbers = this->CopyVertices(part);
+    std::sort(this->Segments.begin(), this->Segments.end(),
+      [](const Segment& a, const Segment& b) { return a.Like < b.Like; });
+    AreaSum sum(this->Whole.Vertices.front());
+    for (const Segment& segment : this->Segments)
+    {
+      part.Starts.push_back(numbers[segment.Start]);
+      part.Ends.push_back(numbers[segment.End]);
+      part.Cells.push_back(this->Whole.Cells[segment.Like]);
+      part.IsBoundary.push_back(this->Whole.IsBoundary[segment.Like]);
+      part.LeftInside.push_back(this->Whole.LeftInside[segment.Like]);
+      part.RightInside.push_back(this->Whole.RightInside[segment.Like]);
+      if (part.IsBoundary.back())
+      {
+        const bool isLeft = part.LeftInside.back() != 0;
+        sum.Add(this->Whole.Vertices[isLeft ? segment.Start : segment.End],
+          this->Whole.Vertices[isLeft ? segment.End : segment.Start]);
+      }
+    }
+    part.Area = sum.Area();
+    return part;
+  }
 
 private:
   struct Segment
@@ -74,58 +100,28 @@ private:
     Id End;
   };
 
-  std::vector<Id> CopyVertices(Domain& part) const;
+  // Returns their new numbers.
+  std::vector<Id> CopyVertices(Domain& part) const
+  {
+    std::vector<Id> numbers(this->IsUsed.size(), NoId);
+    for (std::size_t vertex = 0; vertex < this->IsUsed.size(); ++vertex)
+    {
+      if (this->IsUsed[vertex])
+      {
+        numbers[vertex] = part.NumberOfVertices();
+        part.Vertices.push_back(this->Whole.Vertices[vertex]);
+        part.VertexPoints.push_back(this->Whole.VertexPoints[vertex]);
+        part.IsEmbedded.push_back(this->Whole.IsEmbedded[vertex]);
+        part.HasPoint.push_back(this->Whole.HasPoint[vertex]);
+      }
+    }
+    return numbers;
+  }
 
   const Domain& Whole;
   Flags IsUsed;
   std::vector<Segment> Segments;
 };
-
-Domain DomainSubset::Make()
-{
-  Domain part;
-  part.Resolution = this->Whole.Resolution;
-  part.Bounds = this->Whole.Bounds;
-  const std::vector<Id> numbers = this->CopyVertices(part);
-  std::sort(this->Segments.begin(), this->Segments.end(),
-    [](const Segment& a, const Segment& b) { return a.Like < b.Like; });
-  AreaSum sum(this->Whole.Vertices.front());
-  for (const Segment& segment : this->Segments)
-  {
-    part.Starts.push_back(numbers[segment.Start]);
-    part.Ends.push_back(numbers[segment.End]);
-    part.Cells.push_back(this->Whole.Cells[segment.Like]);
-    part.IsBoundary.push_back(this->Whole.IsBoundary[segment.Like]);
-    part.LeftInside.push_back(this->Whole.LeftInside[segment.Like]);
-    part.RightInside.push_back(this->Whole.RightInside[segment.Like]);
-    if (part.IsBoundary.back())
-    {
-      const bool isLeft = part.LeftInside.back() != 0;
-      sum.Add(this->Whole.Vertices[isLeft ? segment.Start : segment.End],
-        this->Whole.Vertices[isLeft ? segment.End : segment.Start]);
-    }
-  }
-  part.Area = sum.Area();
-  return part;
-}
-
-// Returns their new numbers.
-std::vector<Id> DomainSubset::CopyVertices(Domain& part) const
-{
-  std::vector<Id> numbers(this->IsUsed.size(), NoId);
-  for (std::size_t vertex = 0; vertex < this->IsUsed.size(); ++vertex)
-  {
-    if (this->IsUsed[vertex])
-    {
-      numbers[vertex] = part.NumberOfVertices();
-      part.Vertices.push_back(this->Whole.Vertices[vertex]);
-      part.VertexPoints.push_back(this->Whole.VertexPoints[vertex]);
-      part.IsEmbedded.push_back(this->Whole.IsEmbedded[vertex]);
-      part.HasPoint.push_back(this->Whole.HasPoint[vertex]);
-    }
-  }
-  return numbers;
-}
 
 // The domain without the loops.
 Domain WithoutLoops(

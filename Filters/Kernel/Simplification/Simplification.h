@@ -56,13 +56,14 @@ struct SimplifiedDomain
 /// - What stays: ends of chains, embedded points, at least three vertices of each loop, and corners
 ///   that turn by CornerAngle or more, seen at some Tolerances' distance (ChainCorners.h).
 /// - Corners: no angle of the inside gets sharp by it where the drawing is blunt (CornerGuard.h).
-/// - Clearance: a path moves by no more than what is left free beside it then. Vertices tell: where
-///   the distance of two segments shrinks it is that of an end of one. A channel so keeps a share
-///   of its width.
+/// - Clearance: a path moves by at most the clearance that remains beside it. It is measured to
+///   vertices, as the distance of two segments is that of an end of one of them. So a channel keeps
+///   a share of its width.
 ///
 /// Loops are left out first: closed chains without junctions whose larger extent along the axes is
-/// below MinimumLoopSize times the least f on them. Not those of an inside in which something else
-/// lies, nor those of an outside in which something stays, nor the largest of all.
+/// below MinimumLoopSize times the least f on them. A loop stays if it bounds an inside in which
+/// something else lies, if it bounds an outside in which something stays, or if it is the largest
+/// of all.
 ///
 /// The result does not depend on the order or direction of segments, nor on how they are joined to
 /// chains of the input. Cost O(n log n), in ordinary cases. Empty where the monitor wants to stop.

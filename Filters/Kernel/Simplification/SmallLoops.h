@@ -26,9 +26,9 @@ struct SmallLoop
 };
 
 /// Finds the closed chains whose larger extent along the axes is below `size` times the least f at
-/// their vertices, and that can go without a trace: those with an inside of the domain in them go
-/// only where nothing else lies there, others where all that lies there goes, too. Where all chains
-/// are closed the largest of them stays. By extent, the smallest first.
+/// their vertices. A loop around an inside of the domain counts only if nothing else lies in it, a
+/// loop around an outside only if all that lies in it goes, too. Where all chains are closed the
+/// largest of them stays. By extent, the smallest first.
 class SmallLoopFinder
 {
 public:

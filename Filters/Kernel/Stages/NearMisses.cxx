@@ -61,7 +61,18 @@ public:
   {
   }
 
-  void Run();
+  void Run()
+  {
+    this->FindReach();
+    const SegmentTree tree(
+      this->Geometry.Vertices, this->Segments, { this->Reach, ShareOfLength }, this->Beats);
+    if (!this->Beats.HasStopped())
+    {
+      tree.VisitPairs(std::vector<std::uint8_t>(this->Segments.size(), 1), *this);
+      this->AddShort();
+      this->TestTriangles();
+    }
+  }
 
   const NearMisses& Found() const { return this->Misses; }
   const std::vector<SegmentEnds>& AllSegments() const { return this->Segments; }
@@ -79,15 +90,134 @@ public:
   }
 
 private:
-  void FindReach();
-  double ReachOf(Id segment) const;
-  void TestVertex(Id vertex, Id own, Id other, double reach);
-  void AddShort();
-  void TestTriangles();
-  void TestTriangle(Id apex, const SharpSector& sector);
-  bool AreJoined(Id vertex, Id other, double most) const;
-  bool AreAlong(Id vertex, Id own, Id other, double most) const;
-  void Add(Id vertex, const NearMiss& miss);
+  void FindReach()
+  {
+    for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
+    {
+      this->Reach = std::max(this->Reach, ShareOfSpacing * this->GivenAt(this->At(vertex)));
+    }
+  }
+
+  double ReachOf(Id segment) const
+  {
+    const SegmentEnds& ends = this->Segments[segment];
+    return ends.Start == ends.End
+      ? Infinity
+      : ShareOfLength * Distance(this->At(ends.Start), this->At(ends.End));
+  }
+
+  void TestVertex(Id vertex, Id own, Id other, double reach)
+  {
+    const Point2& place = this->At(vertex);
+    const double distance = Distance(place, this->NearestOf(other, place));
+    if (distance < reach && distance < ShareOfSpacing * this->GivenAt(place) &&
+      (!this->AreJoined(vertex, other, MostWay * distance) ||
+        this->AreAlong(vertex, own, other, 0.5 * reach)))
+    {
+      this->Add(vertex, { distance, own, other });
+    }
+  }
+
+  void AddShort()
+  {
+    for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && this->Beats.Beat();
+         ++segment)
+    {
+      const Id start = this->Geometry.Starts[segment];
+      const double length = Distance(this->At(start), this->At(this->Geometry.Ends[segment]));
+      if (ShareOfSpacing * length < ShareOfShort * this->Reach &&
+        length < ShareOfShort * this->GivenAt(this->At(start)))
+      {
+        this->Add(start, { length, segment, segment });
+      }
+    }
+  }
+
+  void TestTriangles()
+  {
+    for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
+    {
+      for (const SharpSector& sector : this->Spokes.SharpSectorsAt(vertex))
+      {
+        this->TestTriangle(vertex, sector);
+      }
+    }
+  }
+
+  /// Where the end of the shorter side is joined with that of the longer one.
+  void TestTriangle(Id apex, const SharpSector& sector)
+  {
+    if (Cross(sector.First.Direction, sector.Last.Direction) >= ShareOfLength)
+    {
+      return;
+    }
+    const bool isFirst =
+      Distance(this->At(apex), sector.First.End) < Distance(this->At(apex), sector.Last.End);
+    const Spoke& side = isFirst ? sector.First : sector.Last;
+    const Spoke& base = isFirst ? sector.Last : sector.First;
+    const Id tip = OtherEnd(this->Segments[side.Segment], apex);
+    const double distance = Distance(side.End, this->NearestOf(base.Segment, side.End));
+    const double most =
+      std::min(this->ReachOf(side.Segment), ShareOfSpacing * this->GivenAt(side.End));
+    for (const Spoke& third : this->Spokes.Around(tip))
+    {
+      if (third.End == base.End && distance < std::min(most, this->ReachOf(third.Segment)))
+      {
+        this->Add(tip, { distance, side.Segment, base.Segment });
+      }
+    }
+  }
+
+  /// Whether a chain leads from the vertex to an end of the other segment, on a way no longer than
+  /// `most`.
+  bool AreJoined(Id vertex, Id other, double most) const
+  {
+    for (const Spoke& first : this->Spokes.Around(vertex))
+    {
+      Id segment = first.Segment;
+      Id place = vertex;
+      double way = 0.0;
+      for (bool goesOn = true; goesOn;)
+      {
+        const Id next = OtherEnd(this->Segments[segment], place);
+        way += Distance(this->At(place), this->At(next));
+        if (way <= most && this->Segments[other].Has(next))
+        {
+          return true;
+        }
+        const std::vector<Spoke> spokes = this->Spokes.Around(next);
+        goesOn = way <= most && spokes.size() == 2;
+        segment = goesOn && spokes[0].Segment == segment ? spokes[1].Segment : spokes[0].Segment;
+        place = next;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the middle of the shorter one is that near, through the domain: sides of a thin part.
+  bool AreAlong(Id vertex, Id own, Id other, double most) const
+  {
+    if (std::max(own, other) >= this->Geometry.NumberOfSegments())
+    {
+      return false;
+    }
+    const double way = 0.5 * std::min(this->ReachOf(own), this->ReachOf(other));
+    const Point2& start = this->At(vertex);
+    const Point2 middle =
+      start + way / this->ReachOf(own) * (this->At(OtherEnd(this->Segments[own], vertex)) - start);
+    const Point2 gap = this->NearestOf(other, middle) - middle;
+    const SegmentEnds& ends = this->Segments[own];
+    const bool isLeft = Cross(this->At(ends.End) - this->At(ends.Start), gap) > 0.0;
+    return Length(gap) < most &&
+      (isLeft ? this->Geometry.LeftInside : this->Geometry.RightInside)[own] != 0;
+  }
+
+  void Add(Id vertex, const NearMiss& miss)
+  {
+    NearMiss& nearest = this->Misses.Nearest.emplace(vertex, miss).first->second;
+    nearest = miss.Distance < nearest.Distance ? miss : nearest;
+    this->Misses.Largest = std::max(this->Misses.Largest, miss.Distance);
+  }
 
   /// f as it is given, and no more than the domain is large.
   double GivenAt(const Point2& place) const
@@ -109,147 +239,6 @@ private:
   NearMisses Misses;
   double Reach = 0.0; ///< the largest
 };
-
-void NearMissSearch::Run()
-{
-  this->FindReach();
-  const SegmentTree tree(
-    this->Geometry.Vertices, this->Segments, { this->Reach, ShareOfLength }, this->Beats);
-  if (!this->Beats.HasStopped())
-  {
-    tree.VisitPairs(std::vector<std::uint8_t>(this->Segments.size(), 1), *this);
-    this->AddShort();
-    this->TestTriangles();
-  }
-}
-
-void NearMissSearch::FindReach()
-{
-  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
-  {
-    this->Reach = std::max(this->Reach, ShareOfSpacing * this->GivenAt(this->At(vertex)));
-  }
-}
-
-double NearMissSearch::ReachOf(Id segment) const
-{
-  const SegmentEnds& ends = this->Segments[segment];
-  return ends.Start == ends.End
-    ? Infinity
-    : ShareOfLength * Distance(this->At(ends.Start), this->At(ends.End));
-}
-
-void NearMissSearch::TestVertex(Id vertex, Id own, Id other, double reach)
-{
-  const Point2& place = this->At(vertex);
-  const double distance = Distance(place, this->NearestOf(other, place));
-  if (distance < reach && distance < ShareOfSpacing * this->GivenAt(place) &&
-    (!this->AreJoined(vertex, other, MostWay * distance) ||
-      this->AreAlong(vertex, own, other, 0.5 * reach)))
-  {
-    this->Add(vertex, { distance, own, other });
-  }
-}
-
-void NearMissSearch::Add(Id vertex, const NearMiss& miss)
-{
-  NearMiss& nearest = this->Misses.Nearest.emplace(vertex, miss).first->second;
-  nearest = miss.Distance < nearest.Distance ? miss : nearest;
-  this->Misses.Largest = std::max(this->Misses.Largest, miss.Distance);
-}
-
-/// Whether a chain leads from the vertex to an end of the other segment, on a way no longer than
-/// `most`.
-bool NearMissSearch::AreJoined(Id vertex, Id other, double most) const
-{
-  for (const Spoke& first : this->Spokes.Around(vertex))
-  {
-    Id segment = first.Segment;
-    Id place = vertex;
-    double way = 0.0;
-    for (bool goesOn = true; goesOn;)
-    {
-      const Id next = OtherEnd(this->Segments[segment], place);
-      way += Distance(this->At(place), this->At(next));
-      if (way <= most && this->Segments[other].Has(next))
-      {
-        return true;
-      }
-      const std::vector<Spoke> spokes = this->Spokes.Around(next);
-      goesOn = way <= most && spokes.size() == 2;
-      segment = goesOn && spokes[0].Segment == segment ? spokes[1].Segment : spokes[0].Segment;
-      place = next;
-    }
-  }
-  return false;
-}
-
-/// Whether the middle of the shorter one is that near, through the domain: sides of a thin part.
-bool NearMissSearch::AreAlong(Id vertex, Id own, Id other, double most) const
-{
-  if (std::max(own, other) >= this->Geometry.NumberOfSegments())
-  {
-    return false;
-  }
-  const double way = 0.5 * std::min(this->ReachOf(own), this->ReachOf(other));
-  const Point2& start = this->At(vertex);
-  const Point2 middle =
-    start + way / this->ReachOf(own) * (this->At(OtherEnd(this->Segments[own], vertex)) - start);
-  const Point2 gap = this->NearestOf(other, middle) - middle;
-  const SegmentEnds& ends = this->Segments[own];
-  const bool isLeft = Cross(this->At(ends.End) - this->At(ends.Start), gap) > 0.0;
-  return Length(gap) < most &&
-    (isLeft ? this->Geometry.LeftInside : this->Geometry.RightInside)[own] != 0;
-}
-
-void NearMissSearch::AddShort()
-{
-  for (Id segment = 0; segment < this->Geometry.NumberOfSegments() && this->Beats.Beat(); ++segment)
-  {
-    const Id start = this->Geometry.Starts[segment];
-    const double length = Distance(this->At(start), this->At(this->Geometry.Ends[segment]));
-    if (ShareOfSpacing * length < ShareOfShort * this->Reach &&
-      length < ShareOfShort * this->GivenAt(this->At(start)))
-    {
-      this->Add(start, { length, segment, segment });
-    }
-  }
-}
-
-void NearMissSearch::TestTriangles()
-{
-  for (Id vertex = 0; vertex < this->Geometry.NumberOfVertices() && this->Beats.Beat(); ++vertex)
-  {
-    for (const SharpSector& sector : this->Spokes.SharpSectorsAt(vertex))
-    {
-      this->TestTriangle(vertex, sector);
-    }
-  }
-}
-
-/// Where the end of the shorter side is joined with that of the longer one.
-void NearMissSearch::TestTriangle(Id apex, const SharpSector& sector)
-{
-  if (Cross(sector.First.Direction, sector.Last.Direction) >= ShareOfLength)
-  {
-    return;
-  }
-  const bool isFirst =
-    Distance(this->At(apex), sector.First.End) < Distance(this->At(apex), sector.Last.End);
-  const Spoke& side = isFirst ? sector.First : sector.Last;
-  const Spoke& base = isFirst ? sector.Last : sector.First;
-  const Id tip = OtherEnd(this->Segments[side.Segment], apex);
-  const double distance = Distance(side.End, this->NearestOf(base.Segment, side.End));
-  const double most =
-    std::min(this->ReachOf(side.Segment), ShareOfSpacing * this->GivenAt(side.End));
-  for (const Spoke& third : this->Spokes.Around(tip))
-  {
-    if (third.End == base.End && distance < std::min(most, this->ReachOf(third.Segment)))
-    {
-      this->Add(tip, { distance, side.Segment, base.Segment });
-    }
-  }
-}
 
 /// The diagonal of the box that MergeTolerance is relative to.
 double DiagonalOf(const Polylines& input)

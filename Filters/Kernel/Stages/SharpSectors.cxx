@@ -33,10 +33,37 @@ using Corners = std::array<Id, 3>;
 class SharpCornerFinder
 {
 public:
-  SharpCornerFinder(const Domain& domain, const BitingResult& bites, Pulse& pulse);
+  SharpCornerFinder(const Domain& domain, const BitingResult& bites, Pulse& pulse)
+    : Geometry(domain)
+    , Bites(bites)
+  {
+    const SpokesOfVertices spokes(domain);
+    for (Id vertex = 0; vertex < domain.NumberOfVertices() && pulse.Beat(); ++vertex)
+    {
+      this->FirstSectors.push_back(static_cast<Id>(this->Sectors.size()));
+      for (const SharpSector& sector : spokes.SharpSectorsAt(vertex))
+      {
+        this->Sectors.push_back({ vertex, sector.First.Segment, sector.Last.Segment });
+      }
+    }
+    this->FirstSectors.push_back(static_cast<Id>(this->Sectors.size()));
+  }
 
   bool HasSectors() const { return !this->Sectors.empty(); }
-  bool IsInSharpCorner(const Corners& corners) const;
+
+  // The corner is one of the triangle's, or an end of the segment on which one of them lies.
+  bool IsInSharpCorner(const Corners& corners) const
+  {
+    return std::any_of(corners.begin(), corners.end(),
+      [this, &corners](Id vertex)
+      {
+        const Id segment = this->Bites.Segments[vertex];
+        return vertex < this->Geometry.NumberOfVertices()
+          ? this->IsWithin(corners, vertex)
+          : this->IsWithin(corners, this->Geometry.Starts[segment]) ||
+            this->IsWithin(corners, this->Geometry.Ends[segment]);
+      });
+  }
 
 private:
   // A sector between two segments.
@@ -47,64 +74,31 @@ private:
     Id Last;
   };
 
-  bool IsOn(Id vertex, Id segment) const;
-  bool IsWithin(const Corners& corners, Id vertex) const;
+  bool IsOn(Id vertex, Id segment) const
+  {
+    return this->Bites.Segments[vertex] == segment || this->Geometry.Starts[segment] == vertex ||
+      this->Geometry.Ends[segment] == vertex;
+  }
+
+  // Whether all lie on the sides of one sector of `vertex`.
+  bool IsWithin(const Corners& corners, Id vertex) const
+  {
+    const auto first = this->Sectors.begin() + this->FirstSectors[vertex];
+    const auto last = this->Sectors.begin() + this->FirstSectors[vertex + 1];
+    return std::any_of(first, last,
+      [this, &corners](const Sector& sector)
+      {
+        return std::all_of(corners.begin(), corners.end(),
+          [this, &sector](Id corner)
+          { return this->IsOn(corner, sector.First) || this->IsOn(corner, sector.Last); });
+      });
+  }
 
   const Domain& Geometry;
   const BitingResult& Bites;
   std::vector<Sector> Sectors;
   std::vector<Id> FirstSectors; ///< of each vertex, and one past the last
 };
-
-SharpCornerFinder::SharpCornerFinder(const Domain& domain, const BitingResult& bites, Pulse& pulse)
-  : Geometry(domain)
-  , Bites(bites)
-{
-  const SpokesOfVertices spokes(domain);
-  for (Id vertex = 0; vertex < domain.NumberOfVertices() && pulse.Beat(); ++vertex)
-  {
-    this->FirstSectors.push_back(static_cast<Id>(this->Sectors.size()));
-    for (const SharpSector& sector : spokes.SharpSectorsAt(vertex))
-    {
-      this->Sectors.push_back({ vertex, sector.First.Segment, sector.Last.Segment });
-    }
-  }
-  this->FirstSectors.push_back(static_cast<Id>(this->Sectors.size()));
-}
-
-// The corner is one of the triangle's, or an end of the segment on which one of them lies.
-bool SharpCornerFinder::IsInSharpCorner(const Corners& corners) const
-{
-  return std::any_of(corners.begin(), corners.end(),
-    [this, &corners](Id vertex)
-    {
-      const Id segment = this->Bites.Segments[vertex];
-      return vertex < this->Geometry.NumberOfVertices()
-        ? this->IsWithin(corners, vertex)
-        : this->IsWithin(corners, this->Geometry.Starts[segment]) ||
-          this->IsWithin(corners, this->Geometry.Ends[segment]);
-    });
-}
-
-// Whether all lie on the sides of one sector of `vertex`.
-bool SharpCornerFinder::IsWithin(const Corners& corners, Id vertex) const
-{
-  const auto first = this->Sectors.begin() + this->FirstSectors[vertex];
-  const auto last = this->Sectors.begin() + this->FirstSectors[vertex + 1];
-  return std::any_of(first, last,
-    [this, &corners](const Sector& sector)
-    {
-      return std::all_of(corners.begin(), corners.end(),
-        [this, &sector](Id corner)
-        { return this->IsOn(corner, sector.First) || this->IsOn(corner, sector.Last); });
-    });
-}
-
-bool SharpCornerFinder::IsOn(Id vertex, Id segment) const
-{
-  return this->Bites.Segments[vertex] == segment || this->Geometry.Starts[segment] == vertex ||
-    this->Geometry.Ends[segment] == vertex;
-}
 
 bool IsPoor(const BitingResult& bites, const Corners& corners)
 {

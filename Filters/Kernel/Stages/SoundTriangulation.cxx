@@ -225,13 +225,54 @@ public:
   }
 
   /// Whether it is sound; else `bites` are changed for the next one.
-  bool Run(bool isLastChance);
+  bool Run(bool isLastChance)
+  {
+    this->Triangulate();
+    PartOfStage looking(this->Part, TriangulationEnd, 1.0);
+    Pulse pulse(looking);
+    if (this->Result.Conflicts.empty())
+    {
+      this->Uncovered = FindUncovered(this->Bites, this->Result.Mesh, pulse);
+    }
+    const bool isSound = this->Result.Conflicts.empty() && this->Result.Coincidences.empty() &&
+      this->Uncovered.empty();
+    if (!isSound)
+    {
+      this->Undo(isLastChance, pulse);
+      return false;
+    }
+    const bool hasPreserved = this->Options.PreserveBoundary || !this->Geometry.IsPreserved.empty();
+    if (hasPreserved &&
+      ClearPreserved(
+        this->Geometry, this->Options.PreserveBoundary, this->Result.Mesh, this->Bites, pulse))
+    {
+      return false;
+    }
+    AdoptVertices(this->Geometry, this->Result.Mesh, this->Bites, pulse);
+    return true;
+  }
 
   Triangulation TakeMesh() { return std::move(this->Result.Mesh); }
 
 private:
-  void Triangulate();
-  void Undo(bool isLastChance, Pulse& pulse);
+  void Triangulate()
+  {
+    PartOfStage triangulating(this->Part, 0.0, TriangulationEnd);
+    ConstrainedMesh made = std::move(this->Bites.Triangulated);
+    this->Bites.Triangulated = {};
+    this->Result = made.IsWhole()
+      ? FinishTriangulation(std::move(made), triangulating)
+      : biting::Triangulate(this->Bites.Points, ConstraintsOf(this->Bites, this->Geometry),
+          { this->Options.Phi }, triangulating);
+  }
+
+  void Undo(bool isLastChance, Pulse& pulse)
+  {
+    const Flags isUndone = isLastChance
+      ? Flags(this->Geometry.NumberOfSegments(), 1)
+      : SegmentsInConflict(this->Geometry, this->Result, this->Uncovered, this->Bites, pulse);
+    UndoDivisions(this->Geometry, isUndone, this->Bites, pulse);
+  }
 
   const Domain& Geometry;
   const SoundTriangulationOptions& Options;
@@ -240,52 +281,6 @@ private:
   TriangulationResult Result;
   std::vector<Id> Uncovered;
 };
-
-bool Attempt::Run(bool isLastChance)
-{
-  this->Triangulate();
-  PartOfStage looking(this->Part, TriangulationEnd, 1.0);
-  Pulse pulse(looking);
-  if (this->Result.Conflicts.empty())
-  {
-    this->Uncovered = FindUncovered(this->Bites, this->Result.Mesh, pulse);
-  }
-  const bool isSound =
-    this->Result.Conflicts.empty() && this->Result.Coincidences.empty() && this->Uncovered.empty();
-  if (!isSound)
-  {
-    this->Undo(isLastChance, pulse);
-    return false;
-  }
-  const bool hasPreserved = this->Options.PreserveBoundary || !this->Geometry.IsPreserved.empty();
-  if (hasPreserved &&
-    ClearPreserved(
-      this->Geometry, this->Options.PreserveBoundary, this->Result.Mesh, this->Bites, pulse))
-  {
-    return false;
-  }
-  AdoptVertices(this->Geometry, this->Result.Mesh, this->Bites, pulse);
-  return true;
-}
-
-void Attempt::Triangulate()
-{
-  PartOfStage triangulating(this->Part, 0.0, TriangulationEnd);
-  ConstrainedMesh made = std::move(this->Bites.Triangulated);
-  this->Bites.Triangulated = {};
-  this->Result = made.IsWhole()
-    ? FinishTriangulation(std::move(made), triangulating)
-    : biting::Triangulate(this->Bites.Points, ConstraintsOf(this->Bites, this->Geometry),
-        { this->Options.Phi }, triangulating);
-}
-
-void Attempt::Undo(bool isLastChance, Pulse& pulse)
-{
-  const Flags isUndone = isLastChance
-    ? Flags(this->Geometry.NumberOfSegments(), 1)
-    : SegmentsInConflict(this->Geometry, this->Result, this->Uncovered, this->Bites, pulse);
-  UndoDivisions(this->Geometry, isUndone, this->Bites, pulse);
-}
 
 } // namespace
 

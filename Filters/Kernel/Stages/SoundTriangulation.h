@@ -21,11 +21,11 @@ struct SoundTriangulationOptions
 
 /// The triangulation of what was bitten, in which every segment is a union of mesh edges.
 ///
-/// Where rounded points of two close segments make their parts cross or coincide, or cut one off
-/// from the mesh, their division is taken back, in `bites` too; before the last attempt that of all
-/// segments: the segments themselves do not cross. Inner vertices that rounding put on a segment
-/// divide it; where segments are to be preserved they are removed.
-/// Where that does not help, or the monitor wants to stop, a problem is added.
+/// Rounded division points of two close segments may make their parts cross or coincide, or cut one
+/// off from the mesh. Then the division of these two is taken back, in `bites` too. Before the last
+/// attempt all divisions are taken back: undivided segments do not cross. Inner vertices that
+/// rounding put on a segment divide it; where segments are to be preserved they are removed. Where
+/// that does not help, or the monitor wants to stop, a problem is added.
 Triangulation TriangulateBites(const Domain& domain, const SoundTriangulationOptions& options,
   BitingResult& bites, ProblemList& problems, Monitor& monitor);
 

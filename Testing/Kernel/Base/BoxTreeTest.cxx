@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <limits> // for infinity
-#include <set>    // for leaves
 
 namespace
 {
@@ -63,31 +62,6 @@ double CostOf(const Item& item, const Point2& x, double slope)
 
 } // namespace
 
-TEST(BoxTree, FindsTheLeastCostWhereCostsAreNegative)
-{
-  std::vector<Item> items = MakeItems(300);
-  for (Item& item : items)
-  {
-    item.Value -= 1.0;
-  }
-  const BoxTree<Item> tree = TreeOf(items);
-  Dice dice(8);
-  for (int probe = 0; probe < 100; ++probe)
-  {
-    const Point2 x = PlaceIn(UnitBox, dice);
-    double least = Infinity;
-    for (const Item& item : items)
-    {
-      least = std::min(least, CostOf(item, x, 0.3));
-    }
-    double found = -0.5;
-    tree.Search(x, 0.3, found,
-      [&x, &found](const Item& item, double)
-      { return found = std::min(found, CostOf(item, x, 0.3)); });
-    EXPECT_EQ(found, least);
-  }
-}
-
 TEST(BoxTree, FindsTheItemOfTheLeastCost)
 {
   for (const int count : { 1, 4, 5, 300 })
@@ -134,53 +108,6 @@ TEST(BoxTree, LooksAtFewItems)
       });
   }
   EXPECT_LE(looks, 100 * 100);
-}
-
-TEST(BoxTree, StopsWhereTheLimitIsZero)
-{
-  const BoxTree<Item> tree = TreeOf(MakeItems(300));
-  int looks = 0;
-  tree.Search({ 0.5, 0.5 }, 1.0, std::numeric_limits<double>::infinity(),
-    [&looks](const Item&, double)
-    {
-      ++looks;
-      return 0.0;
-    });
-  EXPECT_EQ(looks, 1);
-}
-
-/// Libraries may leave what nth_element parts in any order: within leaves it is that of ids.
-TEST(BoxTree, HasAllItemsInAnOrderOfItsOwn)
-{
-  std::vector<int> order;
-  const BoxTree<Item> tree = TreeOf(MakeItems(7));
-  for (const Item& item : tree.Items())
-  {
-    order.push_back(item.Number);
-  }
-  ASSERT_EQ(order.size(), 7u);
-  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), 7u);
-  EXPECT_TRUE(std::is_sorted(order.begin(), order.begin() + 3));
-  EXPECT_TRUE(std::is_sorted(order.begin() + 3, order.end()));
-}
-
-TEST(BoxTree, HasItsItemsInAnOrderWithShortWays)
-{
-  std::vector<Item> items;
-  for (int k = 0; k < 3000; ++k)
-  {
-    const Point2 place{ k * 1471 % 3000 / 3000.0, 0.5 };
-    items.push_back({ k, { place, place }, 0.0 });
-  }
-  double way = 0.0;
-  Point2 last{ 0.0, 0.5 };
-  const BoxTree<Item> tree = TreeOf(items);
-  for (const Item& item : tree.Items())
-  {
-    way += Distance(last, item.Place.Low);
-    last = item.Place.Low;
-  }
-  EXPECT_LE(way, 5.0);
 }
 
 TEST(BoxTree, OfNothingFindsNothing)

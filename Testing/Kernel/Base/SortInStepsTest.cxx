@@ -47,19 +47,6 @@ TEST(SortInSteps, SortsAsStandardSortDoes)
   }
 }
 
-TEST(SortInSteps, SortsWhatIsSortedOrReversed)
-{
-  std::vector<int> expected = RandomNumbers(100000, 1u << 30);
-  std::sort(expected.begin(), expected.end());
-  std::vector<int> numbers = expected;
-  Pulse pulse(NoMonitor());
-  SortInSteps(numbers, std::less<int>(), pulse);
-  EXPECT_EQ(numbers, expected);
-  std::reverse(numbers.begin(), numbers.end());
-  SortInSteps(numbers, std::less<int>(), pulse);
-  EXPECT_EQ(numbers, expected);
-}
-
 TEST(SortInSteps, EqualItemsHaveTheSameOrderOnAnyNumberOfThreads)
 {
   struct Item

@@ -82,59 +82,6 @@ TEST(EdgeDivider, PartsHaveEqualIntegrals)
   }
 }
 
-TEST(EdgeDivider, DividesTheSameWhereTheEndsAreTold)
-{
-  const SpacingOptions options = LinearSpacing(0.02, 0.3, 1.0);
-  const Point2 low{ 0.3, 0.0 };
-  const Point2 high{ 0.3, 1.0 };
-  const Spacing spacing = SpacingAroundUnitSquare(options);
-  Pulse pulse(NoMonitor());
-  for (const bool isReversed : { false, true })
-  {
-    const Point2 a = isReversed ? high : low;
-    const Point2 b = isReversed ? low : high;
-    const DivisionPoints asked = Divide(options, 0.5, 0.7, a, b);
-    EdgeDivider divider(spacing, 0.5, 0.7, pulse);
-    DivisionPoints told;
-    divider.TellEnds(a, spacing(a), b, spacing(b));
-    EXPECT_TRUE(divider.Divide(a, b, NoLimit, told));
-    EXPECT_EQ(told.Parameters, asked.Parameters);
-    EXPECT_EQ(told.Spacings, asked.Spacings);
-  }
-}
-
-TEST(EdgeDivider, PartsAreAtLeastOneAndBelowTwoBites)
-{
-  const double low = 0.1;
-  for (double slope : { 0.05, 0.2 })
-  {
-    for (double length = 0.01; length < 2.0; length *= 1.03)
-    {
-      for (double bitingConstant : { 0.25, 0.5, 0.8 })
-      {
-        const DivisionPoints points = Divide(LinearSpacing(low, slope, 2.0), bitingConstant,
-          1.3 * bitingConstant, { 0.0, 0.0 }, { 0.0, length });
-        const double integral = std::log((low + slope * length) / low) / slope;
-        const double part = integral / static_cast<double>(points.Parameters.size() + 1);
-        EXPECT_LT(part, 2.0 * bitingConstant);
-        const bool isNarrow = integral < 2.165 * bitingConstant;
-        const double least = (isNarrow ? 1.0 : 1.0824) * bitingConstant * (1.0 - 1e-6);
-        EXPECT_TRUE(points.Parameters.empty() || part >= least) << part << " " << bitingConstant;
-      }
-    }
-  }
-}
-
-TEST(EdgeDivider, PartsAreAsNearToTheWantedLengthAsTheyCanBe)
-{
-  for (int parts = 1; parts < 40; ++parts)
-  {
-    const DivisionPoints points =
-      Divide(UniformSpacing(0.1), 0.8, 1.0, { 0.0, 0.0 }, { 0.1 * parts, 0.0 });
-    EXPECT_EQ(static_cast<int>(points.Parameters.size()) + 1, parts);
-  }
-}
-
 TEST(EdgeDivider, NoOtherNumberOfPartsIsNearerToTheWantedLengthAsARatio)
 {
   const auto ratio = [](double part) { return std::max(part, 1.0 / part); };
@@ -188,24 +135,6 @@ TEST(EdgeDivider, BitesMeetWhereSpacingJumps)
   }
 }
 
-TEST(EdgeDivider, PointsAscendHoweverSteeplyTheSpacingEnds)
-{
-  for (double top = 0.5; top < 1.5; top += 0.01)
-  {
-    auto grid = std::make_shared<GridSource>();
-    grid->XNodes = { 0.0 };
-    grid->YNodes = { 0.0, top - 0.007, top };
-    grid->Values = { 0.14, 0.14, 4e-4 };
-    SpacingOptions options;
-    options.Gradation = 0.0;
-    options.Grid = grid;
-    const std::vector<double> places =
-      Divide(options, 0.5, 1.0, { 0.0, 0.0 }, { 0.0, top }).Parameters;
-    EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << top;
-    EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end()) << top;
-  }
-}
-
 /// A value but on a line across the edge, and at its end, where it is far smaller.
 TEST(EdgeDivider, TakesFewStepsWhereTheSpacingFallsToNearlyNothing)
 {
@@ -239,64 +168,6 @@ TEST(EdgeDivider, RefusesMorePointsThanTheLimit)
   EXPECT_EQ(points.Parameters.size(), 99u);
   EXPECT_FALSE(divider.Divide({ 0.0, 0.0 }, { 1.0, 0.0 }, 80, points));
   EXPECT_FALSE(divider.Divide({ 0.0, 0.0 }, { 1e18, 0.0 }, 1000, points));
-}
-
-TEST(EdgeDivider, EdgeShorterThanABiteStaysWhole)
-{
-  EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 1e-9 }).Parameters.empty());
-  EXPECT_TRUE(Divide(UniformSpacing(1.0), 0.5, 0.65, {}, { 0.0, 0.49 }).Parameters.empty());
-}
-
-DivisionPoints DivideWithShells(
-  const SpacingOptions& options, const Point2& a, const Point2& b, const EndShells& shells)
-{
-  const Spacing spacing = SpacingAroundUnitSquare(options);
-  Pulse pulse(NoMonitor());
-  EdgeDivider divider(spacing, 0.77, 1.0, pulse);
-  DivisionPoints points;
-  EXPECT_TRUE(divider.Divide(a, b, shells, NoLimit, points));
-  return points;
-}
-
-TEST(EdgeDivider, KeepsTheShellsThatLeaveEnoughBetweenThem)
-{
-  const EndShells shells{ { 0.1, 0.2, 0.3 }, { 0.12, 0.23 } };
-  for (const double f : { 0.1, 0.13, 0.2, 0.3, 0.7 })
-  {
-    const std::vector<double> parameters =
-      DivideWithShells(UniformSpacing(f), { 0.0, 0.0 }, { 1.0, 0.0 }, shells).Parameters;
-    double last = 0.0;
-    std::size_t kept = 0;
-    for (const double parameter : parameters)
-    {
-      EXPECT_GT(parameter, last);
-      for (const double shell : { 0.1, 0.2, 0.3, 1.0 - 0.23, 1.0 - 0.12 })
-      {
-        kept += parameter == shell ? 1 : 0;
-      }
-      last = parameter;
-    }
-    EXPECT_TRUE(kept == 5 || EdgeDivider::LeastRest * f > 0.47) << f;
-    EXPECT_TRUE(kept == 0 || EdgeDivider::LeastRest * f <= 1.0) << f;
-  }
-}
-
-TEST(EdgeDivider, PlacesShellsTheSameFromBothEnds)
-{
-  const EndShells shells{ { 0.05, 0.11, 0.18 }, { 0.2 } };
-  const EndShells reversed{ { 0.2 }, { 0.05, 0.11, 0.18 } };
-  for (const SpacingOptions& options : { UniformSpacing(0.04), LinearSpacing(0.05, 0.1, 1.0) })
-  {
-    const Point2 a{ 0.1, 0.0 };
-    const Point2 b{ 0.9, 0.3 };
-    const std::vector<double> ahead = DivideWithShells(options, a, b, shells).Parameters;
-    const std::vector<double> back = DivideWithShells(options, b, a, reversed).Parameters;
-    ASSERT_EQ(ahead.size(), back.size());
-    for (std::size_t k = 0; k < ahead.size(); ++k)
-    {
-      EXPECT_EQ(1.0 - ahead[k], back[back.size() - 1 - k]);
-    }
-  }
 }
 
 } // namespace

@@ -62,44 +62,6 @@ TEST(SectorAxis, FollowsFigure7AtEveryAngle)
   }
 }
 
-TEST(SectorAxis, AlignsASideAtExactly135And225Degrees)
-{
-  const double root = std::sqrt(0.5);
-  const Point2 compass[8] = { { 1.0, 0.0 }, { root, root }, { 0.0, 1.0 }, { -root, root },
-    { -1.0, 0.0 }, { -root, -root }, { 0.0, -1.0 }, { root, -root } };
-  for (int start = 0; start < 8; ++start)
-  {
-    for (int eighths : { 3, 5 })
-    {
-      const Point2 axis = SectorAxis(compass[start], compass[(start + eighths) % 8]);
-      EXPECT_TRUE(HasSideAlong(axis, UnitVector(45.0 * start + 22.5 * eighths)))
-        << start << " + " << eighths;
-    }
-  }
-}
-
-TEST(SectorAxis, ExchangedSidesGiveTheSameSquare)
-{
-  for (int angle = 1; angle < 360; ++angle)
-  {
-    const Point2 first = UnitVector(11.0);
-    const Point2 last = UnitVector(11.0 + angle);
-    EXPECT_TRUE(HasSideAlong(SectorAxis(first, last), SectorAxis(last, first))) << angle;
-  }
-}
-
-TEST(OrientVertexBites, RightAnglesShareTheSquareOfTheirSides)
-{
-  const MadeDomain made = Make(PolylineBuilder().Loop(EllShape(2.0)));
-  Pulse pulse(NoMonitor());
-  const VertexAxes axes = OrientVertexBites(made.Domain, pulse);
-  ASSERT_EQ(axes.Axes.size(), made.Domain.Vertices.size());
-  for (const Point2& axis : axes.Axes)
-  {
-    EXPECT_TRUE(HasSideAlong(axis, { 1.0, 0.0 }));
-  }
-}
-
 TEST(OrientVertexBites, EachSectorOfAVertexAsksForItsSquare)
 {
   const Point2 apex{ 0.0, 0.0 };

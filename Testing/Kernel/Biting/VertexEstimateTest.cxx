@@ -36,38 +36,6 @@ Polylines Box(double width, double height)
   return PolylineBuilder().Box(0.0, 0.0, width, height).Lines();
 }
 
-TEST(IntegrateDensity, UniformIsAreaOverSquare)
-{
-  for (double length : { 1e-6, 0.1, 100.0 })
-  {
-    const double expected = 1.0 / (length * length);
-    const SpacingOptions spacing = UniformSpacing(length);
-    EXPECT_NEAR(Integral(Box(1.0, 1.0), spacing), expected, Tolerance * expected);
-    EXPECT_NEAR(Integral(Box(100.0, 0.01), spacing), expected, Tolerance * expected);
-    const double ring = 0.75 * 3.14159265 * expected;
-    const Polylines input = PolylineBuilder()
-                              .Loop(RegularPolygon({ 0.0, 0.0 }, 1.0, 400))
-                              .Loop(RegularPolygon({ 0.0, 0.0 }, 0.5, 200))
-                              .Lines();
-    EXPECT_NEAR(Integral(input, spacing), ring, Tolerance * ring);
-  }
-}
-
-TEST(IntegrateDensity, OfOneSpacingIsExact)
-{
-  EXPECT_DOUBLE_EQ(Integral(Box(4.0, 2.0), UniformSpacing(0.25)), 128.0);
-}
-
-TEST(IntegrateDensity, LinearHasItsClosedForm)
-{
-  for (double low : { 0.01, 0.1, 1.0 })
-  {
-    const double expected = 2.0 / (low * (low + 0.5 * 1.0));
-    EXPECT_NEAR(
-      Integral(Box(2.0, 1.0), LinearSpacing(low, 0.5, 1.0)), expected, Tolerance * expected);
-  }
-}
-
 // 2 pi (log((a + g r) / a) - g r / (a + g r)) / g^2
 TEST(IntegrateDensity, RadialHasItsClosedForm)
 {
@@ -106,25 +74,6 @@ TEST(IntegrateDensity, SeesBothSidesOfAJump)
     const double expected = 0.7 / (coarse * coarse) + 0.3 / (fine * fine);
     const double integral = Integral(Box(1.0, 1.0), JumpFrom(coarse, fine));
     EXPECT_NEAR(integral, expected, Tolerance * expected) << coarse << " " << fine;
-  }
-}
-
-double DivisionPoints(const Domain& domain, const SpacingOptions& options)
-{
-  ProblemList problems;
-  const Spacing spacing = MakeSpacing(options, domain.Bounds, problems, NoMonitor());
-  return EstimateDivisionPoints(domain, spacing, 1.0);
-}
-
-TEST(EstimateDivisionPoints, AreNotManyForOneFineCorner)
-{
-  // Of 1 / (least + r) along the two sides at the corner; the others have no point within.
-  for (const double least : { 1e-3, 1e-9, 1e-14 })
-  {
-    const Domain domain = Make(Box(1.0, 1.0)).Domain;
-    const double points = DivisionPoints(domain, RadialSpacing({ 0.0, 0.0 }, least, 1.0));
-    const double expected = 2.0 * (std::log(1.0 / least) - 1.0);
-    EXPECT_NEAR(points, expected, 0.05 * expected) << least;
   }
 }
 

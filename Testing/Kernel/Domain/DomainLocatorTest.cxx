@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set> // for what was visited
-
 namespace biting
 {
 
@@ -183,70 +181,6 @@ TEST(DomainLocator, InterfacesBoundNothing)
   EXPECT_TRUE(locator.IsInside({ 1.0, 1.0 }));
   EXPECT_TRUE(locator.IsInside({ 1.0, 2.0 }));
   EXPECT_TRUE(locator.IsInside({ 1.0, 3.0 }));
-}
-
-TEST(DomainLocator, VisitsEverySegmentThatMeetsABox)
-{
-  TestNumbers numbers(5);
-  const MadeDomain made =
-    Make(PolylineBuilder().Loop(RandomStar({ 0.0, 0.0 }, 300, 100, 400, numbers)));
-  const Domain& domain = made.Domain;
-  const DomainLocator locator(domain);
-  for (int k = 0; k < 200; ++k)
-  {
-    Box2 box;
-    box.Add({ 800.0 * numbers.Unit() - 400.0, 800.0 * numbers.Unit() - 400.0 });
-    box.Grow(40.0 * numbers.Unit() * numbers.Unit());
-    std::set<Id> visited;
-    locator.VisitSegments(box,
-      [&visited](Id segment)
-      {
-        visited.insert(segment);
-        return false;
-      });
-    EXPECT_TRUE(visited.empty() || !locator.IsClear(box));
-    const Point2 corners[4] = { box.Low, { box.High.X, box.Low.Y }, box.High,
-      { box.Low.X, box.High.Y } };
-    for (Id segment = 0; segment < domain.NumberOfSegments(); ++segment)
-    {
-      const Point2& a = domain.Vertices[domain.Starts[segment]];
-      const Point2& b = domain.Vertices[domain.Ends[segment]];
-      bool doesMeet = box.Contains(a) || box.Contains(b);
-      for (int side = 0; side < 4; ++side)
-      {
-        doesMeet = doesMeet || Meet(a, b, corners[side], corners[(side + 1) % 4]) != Meeting::None;
-      }
-      ASSERT_TRUE(!doesMeet || visited.count(segment) > 0);
-    }
-  }
-}
-
-// Thin triangles that all meet in one point.
-TEST(DomainLocator, AnswersInAFanOfTenThousandSpokes)
-{
-  constexpr int Blades = 5000;
-  PolylineBuilder builder;
-  for (int blade = 0; blade < Blades; ++blade)
-  {
-    const double degrees = DegreesPerTurn * blade / Blades;
-    builder.Loop(
-      { { 0.0, 0.0 }, UnitVector(degrees), UnitVector(degrees + 0.5 * DegreesPerTurn / Blades) });
-  }
-  const MadeDomain made = Make(builder);
-  const DomainLocator locator(made.Domain);
-  for (int k = 0; k < 2 * Blades; ++k)
-  {
-    const double degrees = DegreesPerTurn * (k + 0.5) / (2 * Blades);
-    const bool isBlade = k % 2 == 0;
-    for (double radius : { 1e-3, 0.5, 0.9 })
-    {
-      if (radius < 0.5 && k % 25 > 1)
-      {
-        continue;
-      }
-      ASSERT_EQ(locator.IsInside(radius * UnitVector(degrees)), isBlade) << k << " " << radius;
-    }
-  }
 }
 
 } // namespace

@@ -6,32 +6,30 @@
 
 #include "../Support/Dice.h"
 #include "../Support/MeshShapes.h"
+#include "../Support/SameMesh.h"
 #include "Delaunay/Triangulation.h"
 #include "Domain/DomainLocator.h"
-#include "Predicates/Predicates.h"
 #include "Quality/MeshCheck.h"
 #include "Quality/Quality.h"
-#include "Relaxation/DelaunayMesh.h"
-#include "Relaxation/MeshExchange.h"
 #include "Relaxation/Relaxation.h"
-#include "Relaxation/Star.h"
 
 #include <algorithm> // for max
-#include <cstring>   // for memcmp
 #include <string>    // for verdicts
-#include <utility>   // for move
 #include <vector>    // for the arrays
 
 namespace biting
 {
 
-constexpr double NoCotangent = 1e9; // of no angle
-
-template <typename Value>
-bool AreSameBytes(const std::vector<Value>& a, const std::vector<Value>& b)
+/// To the last byte.
+inline bool AreSame(const RelaxationMesh& a, const RelaxationMesh& b)
 {
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+  return HaveSameBytes(a.Points, b.Points) && HaveSameBytes(a.Spacings, b.Spacings) &&
+    HaveSameBytes(a.Segments, b.Segments) && HaveSameBytes(a.EdgeStarts, b.EdgeStarts) &&
+    HaveSameBytes(a.EdgeEnds, b.EdgeEnds) && HaveSameBytes(a.EdgeSegments, b.EdgeSegments) &&
+    HaveSameBytes(a.Triangles.Corners, b.Triangles.Corners) &&
+    HaveSameBytes(a.Triangles.Neighbors, b.Triangles.Neighbors) &&
+    HaveSameBytes(a.Triangles.Constraints, b.Triangles.Constraints) &&
+    HaveSameBytes(a.Triangles.Regions, b.Triangles.Regions);
 }
 
 /// What CheckMesh says about a mesh that is, or need not be, Delaunay.
@@ -223,61 +221,6 @@ inline std::vector<RawMesh> AllRawMeshes()
     PolylineBuilder().Box(0.0, 0.0, 1.0, 1.0).Lines(), UniformSpacing(0.08), 0.001, 300);
   return meshes;
 }
-
-/// A mesh at work, with the one that it was read from.
-struct Workshop
-{
-  explicit Workshop(RawMesh raw)
-    : Raw(std::move(raw))
-    , Mesh(this->Raw.Domain, this->Raw.Spacing)
-  {
-    this->Mesh.IsDivided.assign(this->Raw.Domain.NumberOfSegments(), 1);
-    SilentMonitor monitor;
-    Pulse pulse(monitor);
-    this->Rest = this->Raw.Mesh;
-    this->Origins = ReadMesh(this->Rest, this->Mesh, pulse);
-  }
-
-  Workshop(const Workshop&) = delete;
-
-  /// The mesh as it is now.
-  RelaxationMesh Written() const
-  {
-    RelaxationMesh written = this->Rest;
-    DelaunayMesh mesh = this->Mesh;
-    SilentMonitor monitor;
-    Pulse pulse(monitor);
-    WriteMesh(mesh, this->Origins, written, pulse);
-    return written;
-  }
-
-  std::string Violation(bool isDelaunay) const
-  {
-    return biting::Violation(this->Raw.Domain, this->Written(), isDelaunay);
-  }
-
-  /// Of the smallest angle of all triangles.
-  double WorstCotangentOfAll() const
-  {
-    double worst = 0.0;
-    for (Id edge = 0; edge < this->Mesh.NumberOfEdges(); edge += 4)
-    {
-      if (this->Mesh.IsEdge(edge))
-      {
-        worst = std::max(worst,
-          WorstCotangent(this->Mesh.Points[this->Mesh.Corners[edge]],
-            this->Mesh.Points[this->Mesh.Corners[edge + 1]],
-            this->Mesh.Points[this->Mesh.Corners[edge + 2]]));
-      }
-    }
-    return worst;
-  }
-
-  RawMesh Raw;
-  RelaxationMesh Rest; ///< of the mesh of Raw, once it is read
-  DelaunayMesh Mesh;
-  std::vector<Id> Origins;
-};
 
 } // namespace biting
 

@@ -1,51 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "../Support/Monitors.h"
 #include "RawMesh.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>   // for abs
-#include <numeric> // for iota
+#include <cmath> // for abs
 
 namespace biting
 {
 
 namespace
 {
-
-class StoppingMonitor : public SilentMonitor
-{
-public:
-  explicit StoppingMonitor(int calls)
-    : Left(calls)
-  {
-  }
-
-  bool Advance(double fraction) override
-  {
-    this->IsAscending = this->IsAscending && fraction >= this->Last && fraction <= 1.0;
-    this->Last = fraction;
-    return --this->Left > 0;
-  }
-
-  bool IsAscending = true;
-
-private:
-  int Left;
-  double Last = 0.0;
-};
-
-bool AreSame(const RelaxationMesh& a, const RelaxationMesh& b)
-{
-  return AreSameBytes(a.Points, b.Points) && AreSameBytes(a.Spacings, b.Spacings) &&
-    AreSameBytes(a.Segments, b.Segments) && AreSameBytes(a.EdgeStarts, b.EdgeStarts) &&
-    AreSameBytes(a.EdgeEnds, b.EdgeEnds) && AreSameBytes(a.EdgeSegments, b.EdgeSegments) &&
-    AreSameBytes(a.Triangles.Corners, b.Triangles.Corners) &&
-    AreSameBytes(a.Triangles.Neighbors, b.Triangles.Neighbors) &&
-    AreSameBytes(a.Triangles.Constraints, b.Triangles.Constraints) &&
-    AreSameBytes(a.Triangles.Regions, b.Triangles.Regions);
-}
 
 /// The parts of each segment lead from its start to its end, each begins where the last one ended,
 /// and all vertices between are on the segment to rounding.
@@ -120,23 +87,15 @@ TEST(Relax, LeavesAValidDelaunayMeshThatCoversAllSegments)
   }
 }
 
-TEST(Relax, LowersNoAngleBelow20Degrees)
+TEST(Relax, MakesAllMeshesBetterAndLowersNoAngleBelow20Degrees)
 {
   for (RawMesh& raw : AllRawMeshes())
   {
-    const double before = raw.Quality().SmallestAngle;
+    const double mean = raw.MeanMinimumAngle();
+    const double smallest = raw.Quality().SmallestAngle;
     raw.Relax();
-    EXPECT_GE(raw.Quality().SmallestAngle, std::min(before, 20.0) - 1e-9);
-  }
-}
-
-TEST(Relax, MakesAllMeshesBetter)
-{
-  for (RawMesh& raw : AllRawMeshes())
-  {
-    const double before = raw.MeanMinimumAngle();
-    raw.Relax();
-    EXPECT_GT(raw.MeanMinimumAngle(), before + 2.0);
+    EXPECT_GT(raw.MeanMinimumAngle(), mean + 2.0);
+    EXPECT_GE(raw.Quality().SmallestAngle, std::min(smallest, 20.0) - 1e-9);
   }
 }
 
@@ -150,29 +109,18 @@ TEST(Relax, MakesAGoodMeshOfASquare)
   EXPECT_GT(quality.ShareOfEdgesInBand, 0.995);
 }
 
-TEST(Relax, KeepsTheVerticesOfTheDomainBitForBitAndInOrder)
+TEST(Relax, KeepsTheVerticesOfTheDomainBitForBitThenTheOldOnesInTheirOrderThenTheNewOnes)
 {
   for (RawMesh& raw : AllRawMeshes())
   {
     const RelaxationMesh before = raw.Mesh;
     const RelaxationResult result = raw.Relax();
-    const std::size_t count = raw.Domain.Vertices.size();
-    ASSERT_GE(raw.Mesh.Points.size(), count);
-    EXPECT_TRUE(AreSameBytes(raw.Domain.Vertices,
-      std::vector<Point2>(raw.Mesh.Points.begin(), raw.Mesh.Points.begin() + count)));
     ASSERT_EQ(result.Origins.size(), raw.Mesh.Points.size());
-    std::vector<Id> first(count);
-    std::iota(first.begin(), first.end(), 0);
-    EXPECT_TRUE(std::equal(first.begin(), first.end(), result.Origins.begin()));
-  }
-}
-
-TEST(Relax, NumbersOldVerticesInTheirOrderAndNewOnesAfterThem)
-{
-  for (RawMesh& raw : AllRawMeshes())
-  {
-    const RelaxationMesh before = raw.Mesh;
-    const RelaxationResult result = raw.Relax();
+    for (std::size_t vertex = 0; vertex < raw.Domain.Vertices.size(); ++vertex)
+    {
+      EXPECT_EQ(raw.Mesh.Points[vertex], raw.Domain.Vertices[vertex]);
+      EXPECT_EQ(result.Origins[vertex], static_cast<Id>(vertex));
+    }
     Id last = -1;
     bool isNew = false;
     for (std::size_t vertex = 0; vertex < result.Origins.size(); ++vertex)
@@ -263,7 +211,6 @@ TEST(Relax, LeavesNoMeshWhenStopped)
     RawMesh raw = Plate();
     StoppingMonitor monitor(calls);
     const RelaxationResult result = Relax(raw.Domain, raw.Spacing, {}, raw.Mesh, monitor);
-    EXPECT_TRUE(monitor.IsAscending);
     EXPECT_TRUE(!result.WasAborted || AreSame(RelaxationMesh(), raw.Mesh));
   }
 }
@@ -274,7 +221,7 @@ TEST(Relax, AcceptsASingleTriangleAndNone)
     UniformSpacing(2.0), 1.0, 0);
   const RelaxationMesh before = raw.Mesh;
   raw.Relax();
-  EXPECT_TRUE(AreSameBytes(raw.Domain.Vertices,
+  EXPECT_TRUE(HaveSameBytes(raw.Domain.Vertices,
     std::vector<Point2>(raw.Mesh.Points.begin(), raw.Mesh.Points.begin() + 3)));
   EXPECT_EQ(raw.Violation(true), "");
   RawMesh none(Polylines(), UniformSpacing(1.0), 1.0, 0);

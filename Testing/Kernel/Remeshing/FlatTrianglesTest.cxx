@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm> // for sort
-#include <random>    // for places
+#include <random> // for places
 
 namespace biting
 {
@@ -39,85 +38,7 @@ void ExpectMesh(
   EXPECT_NEAR(AreaOf(points, corners), AreaOf(points, before), 1e-12 * AreaOf(points, before));
 }
 
-/// A square of n x n cells of two triangles. On each inner horizontal line, a vertex more in the
-/// middle of its cell, that only the triangles above have: a flat one below joins both sides.
-std::vector<Id> SquareWithSeams(Id n, std::vector<Point2>& points)
-{
-  const auto at = [n](Id column, Id row) { return row * (n + 1) + column; };
-  for (Id row = 0; row <= n; ++row)
-  {
-    for (Id column = 0; column <= n; ++column)
-    {
-      points.push_back({ static_cast<double>(column), static_cast<double>(row) });
-    }
-  }
-  std::vector<Id> corners;
-  for (Id row = 0; row < n; ++row)
-  {
-    for (Id column = 0; column < n; ++column)
-    {
-      const Id a = at(column, row);
-      const Id b = at(column + 1, row);
-      const Id c = at(column + 1, row + 1);
-      const Id d = at(column, row + 1);
-      corners.insert(corners.end(), { a, c, d });
-      if (row == 0)
-      {
-        corners.insert(corners.end(), { a, b, c });
-        continue;
-      }
-      const Id middle = static_cast<Id>(points.size());
-      points.push_back(Midpoint(points[a], points[b]));
-      corners.insert(corners.end(), { a, middle, c, middle, b, c, a, b, middle });
-    }
-  }
-  return corners;
-}
-
 } // namespace
-
-TEST(FlatTriangles, OfNoneNothingChanges)
-{
-  const std::vector<Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
-  std::vector<Id> corners{ 0, 1, 2, 0, 2, 3 };
-  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
-  EXPECT_EQ(corners, (std::vector<Id>{ 0, 1, 2, 0, 2, 3 }));
-  EXPECT_TRUE(repair.Flat.empty() && repair.Origins.empty() && repair.Welded.empty());
-}
-
-TEST(FlatTriangles, DivideTheTriangleAcrossTheirLongestSide)
-{
-  std::vector<Point2> points;
-  const std::vector<Id> before = SquareWithSeams(6, points);
-  std::vector<Id> corners = before;
-  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
-  EXPECT_EQ(repair.Flat.size(), 30u); // five lines of six
-  ASSERT_EQ(corners.size(), before.size());
-  ExpectMesh(points, corners, before);
-  for (std::size_t triangle = 0; triangle < repair.Origins.size(); ++triangle)
-  {
-    const bool isSame = std::equal(before.begin() + 3 * static_cast<std::ptrdiff_t>(triangle),
-      before.begin() + 3 * static_cast<std::ptrdiff_t>(triangle) + 3,
-      corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangle));
-    EXPECT_EQ(isSame, repair.IsNew[triangle] == 0);
-    EXPECT_TRUE(!isSame || repair.Origins[triangle] == static_cast<Id>(triangle));
-  }
-}
-
-TEST(FlatTriangles, AtFreeEdgesGo)
-{
-  const std::vector<Point2> points{ { 0, 0 }, { 2, 0 }, { 1, 1 }, { 1, 0 } };
-  std::vector<Id> corners{ 0, 1, 3, 0, 3, 2, 3, 1, 2 };
-  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
-  EXPECT_EQ(corners, (std::vector<Id>{ 0, 3, 2, 3, 1, 2 }));
-  EXPECT_EQ(repair.Origins, (std::vector<Id>{ 1, 2 }));
-  EXPECT_EQ(repair.IsNew, (std::vector<std::uint8_t>{ 0, 0 }));
-  ASSERT_EQ(repair.Flat.size(), 1u);
-  EXPECT_EQ(repair.Flat[0].Triangle, 0);
-  EXPECT_EQ(repair.Flat[0].Middle, (Point2{ 1, 0 }));
-  EXPECT_EQ(repair.Divided, (std::vector<DividedSide>{ { 0, 1, 3 } }));
-  EXPECT_EQ(repair.RimVertices, (std::vector<Id>{ 0, 1, 3 }));
-}
 
 // Each has the longest side of the one above it.
 TEST(FlatTriangles, GoInTurnHoweverManyLieUponEachOther)
@@ -155,32 +76,6 @@ TEST(FlatTriangles, ThatDivideEachOtherForEverAreLeft)
   const FlatTriangleRepair repair = RepairFlatTriangles(points, 1e-15, corners);
   EXPECT_EQ(repair.Flat.size(), 8U);
   EXPECT_LT(repair.Divided.size(), 1000U);
-}
-
-TEST(FlatTriangles, BesideOthersGoInTurn)
-{
-  // A fan of flat triangles between two edges of one line, from a side to its parts.
-  std::vector<Point2> points{ { 0, 0 }, { 8, 0 }, { 4, 4 }, { 4, -4 } };
-  std::vector<Id> corners{ 0, 1, 2 };
-  Id last = 1;
-  for (Id k = 1; k < 8; ++k)
-  {
-    points.push_back({ 8.0 - static_cast<double>(k), 0.0 });
-    const Id next = static_cast<Id>(points.size()) - 1;
-    corners.insert(corners.end(), { next, last, 3, 0, last, next });
-    last = next;
-  }
-  corners.insert(corners.end(), { 0, last, 3 });
-  const std::vector<Id> before = corners;
-  const FlatTriangleRepair repair = RepairFlatTriangles(points, 0.0, corners);
-  std::vector<Id> flat;
-  for (const FlatTriangle& one : repair.Flat)
-  {
-    flat.push_back(one.Triangle);
-  }
-  std::sort(flat.begin(), flat.end());
-  EXPECT_EQ(flat, (std::vector<Id>{ 2, 4, 6, 8, 10, 12, 14 })); // each once
-  ExpectMesh(points, corners, before);
 }
 
 TEST(FlatTriangles, CornersAtOnePlaceBecomeOne)
@@ -230,14 +125,6 @@ TEST(FlatTriangles, AreFoundWhateverTheOrientationsAre)
     EXPECT_EQ(repair.Flat[0].Triangle, 1);
     EXPECT_EQ(repair.IsNew, (std::vector<std::uint8_t>{ 1, 1, 0, 0 }));
   }
-}
-
-TEST(FlatTriangles, StayWhereThereIsNothingElse)
-{
-  const std::vector<Point2> points{ { 0, 0 }, { 1, 1 }, { 2, 2 } };
-  std::vector<Id> corners{ 0, 1, 2 };
-  EXPECT_TRUE(RepairFlatTriangles(points, 0.0, corners).Flat.empty());
-  EXPECT_EQ(corners.size(), 3u);
 }
 
 // Vertices of a strip are put on lines by chance, as many at one place as may be.

@@ -3,13 +3,10 @@
 
 #include "Remeshing/HangingVertices.h"
 #include "../Support/MeshShapes.h"
-#include "../Support/Monitors.h"
 #include "../Support/RemeshLaws.h"
 #include "BitingRemesh.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath> // for abs
 
 namespace biting
 {
@@ -65,51 +62,7 @@ double LengthOfBoundary(const BitingMesh& mesh)
   return length;
 }
 
-/// Two triangles at an edge along the axis; what hangs on it is up to a test.
-OldMesh Wedge()
-{
-  OldMesh mesh;
-  mesh.Points = { { 0, 0 }, { 4, 0 }, { 2, 2 }, { 1, 0 }, { 3, 0 }, { 2, -1 }, { 2, 1e-9 } };
-  mesh.Corners = { 0, 1, 2 };
-  mesh.Neighbors = { NoId, NoId, NoId };
-  return mesh;
-}
-
-void AddTriangle(const std::array<Id, 3>& corners, OldMesh& mesh)
-{
-  mesh.Corners.insert(mesh.Corners.end(), corners.begin(), corners.end());
-  mesh.Neighbors.insert(mesh.Neighbors.end(), 3, NoId);
-}
-
 } // namespace
-
-TEST(HangingVertices, AreThoseOfTrianglesOnTheOtherSide)
-{
-  OldMesh mesh = Wedge();
-  EXPECT_TRUE(FindHangingVertices(mesh, 0.0).empty());
-  AddTriangle({ 4, 3, 5 }, mesh);
-  const std::vector<HangingVertices> found = FindHangingVertices(mesh, 0.0);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].Slot, 2);
-  EXPECT_EQ(found[0].Vertices, (std::vector<Id>{ 3, 4 }));
-  EXPECT_EQ(
-    FillBeside(mesh, found[0]), (std::vector<std::array<Id, 3>>{ { 0, 3, 1 }, { 3, 4, 1 } }));
-
-  OldMesh same = Wedge();
-  AddTriangle({ 2, 4, 3 }, same); // it lies on the first
-  EXPECT_TRUE(FindHangingVertices(same, 0.0).empty());
-}
-
-TEST(HangingVertices, AreAsFarOffAsAsked)
-{
-  OldMesh mesh = Wedge();
-  AddTriangle({ 5, 6, 3 }, mesh);
-  EXPECT_EQ(FindHangingVertices(mesh, 0.0).front().Vertices, (std::vector<Id>{ 3 }));
-  EXPECT_EQ(FindHangingVertices(mesh, 2e-9).front().Vertices, (std::vector<Id>{ 3, 6 }));
-  mesh.Points[3] = { 1e-9, 0.0 };
-  EXPECT_EQ(FindHangingVertices(mesh, 0.0).front().Vertices, (std::vector<Id>{ 3 }));
-  EXPECT_EQ(FindHangingVertices(mesh, 2e-9).front().Vertices, (std::vector<Id>{ 6 }));
-}
 
 // Meshes side by side become one, where their vertices are not the same, nor their edges.
 TEST(HangingVertices, AreVerticesOfWhatIsMadeOfTheMesh)

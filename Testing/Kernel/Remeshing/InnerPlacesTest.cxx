@@ -5,7 +5,6 @@
 #include "../Support/MeshShapes.h"
 #include "../Support/RemeshLaws.h"
 #include "BitingRemesh.h"
-#include "Remeshing/ReleasedVertices.h"
 
 #include <gtest/gtest.h>
 
@@ -30,33 +29,6 @@ RemeshInput SquareInput(double spacing)
 bool IsInSquare(const Point2& point)
 {
   return std::min({ point.X, point.Y, 1.0 - point.X, 1.0 - point.Y }) > 0.0;
-}
-
-TEST(InnerPlaces, AreThoseOfVerticesWithinTheRegionButFixedOnes)
-{
-  RemeshInput input = SquareInput(0.1);
-  std::vector<std::uint8_t>& isFixed = input.IsFixed;
-  isFixed.resize(input.Points.size(), 0);
-  for (std::size_t vertex = 0; vertex < isFixed.size(); vertex += 3)
-  {
-    isFixed[vertex] = 1;
-  }
-  ProblemList problems;
-  const OldMesh mesh = ReadOldMesh(input, 0.0, problems, NoMonitor());
-  const ChangedRegion region = WholeRegion(mesh, std::vector<double>(mesh.Points.size(), 1.0));
-  const RegionEdges edges = StraightPieces(mesh, region, EdgePolicy::Frozen);
-  Pulse pulse(NoMonitor());
-  const InnerPlaces places(mesh, region, edges, pulse);
-  for (Id vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    const Point2& point = mesh.Points[vertex];
-    const bool isInner = IsInSquare(point) && isFixed[vertex] == 0;
-    EXPECT_EQ(places.FindAt(point), isInner ? vertex : NoId);
-    const Point2 beside = point + Point2{ 0.003, 0.004 };
-    EXPECT_EQ(places.FindAt(beside), NoId);
-    EXPECT_EQ(places.FindNear(beside, 0.0051) != nullptr, isInner);
-    EXPECT_FALSE(places.FindNear(beside, 0.0049));
-  }
 }
 
 /// Of the vertices within the square.

@@ -141,7 +141,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Bridge", { 11400, 62 } },
   { "IO", { 2100, 12 } },
   { "Kernel", { 850, 3 } },
-  { "Kernel/Base", { 2150, 26 } },
+  { "Kernel/Base", { 2200, 28 } },
   { "Kernel/Biting", { 5650, 49 } },
   { "Kernel/Blocks", { 5850, 60 } },
   { "Kernel/Delaunay", { 2700, 27 } },
