@@ -98,8 +98,9 @@ public:
 
   ///@{
   /**
-   * For ADCIRC and SCHISM: the tags of open boundaries, with blanks or commas between; tags may have some,
-   * too. A word that is no tag of the boundary is an error. Empty (default): none, all is land.
+   * For ADCIRC and SCHISM: the tags of open boundaries, with blanks or commas between; tags may
+   * have some, too. A word that is no tag of the boundary is an error. Empty (default): none, all
+   * is land.
    */
   vtkSetStringMacro(OpenTags);
   vtkGetStringMacro(OpenTags);
@@ -107,9 +108,9 @@ public:
 
   ///@{
   /**
-   * For ADCIRC, SCHISM and SMS: the point array of depths, positive downwards. Default `Depth`: depths are 0 where
-   * it does not exist. Any other array that does not exist, and depths that are not finite, are
-   * errors.
+   * For ADCIRC, SCHISM and SMS: the point array of depths, positive downwards. Default `Depth`:
+   * depths are 0 where it does not exist. Any other array that does not exist, and depths that are
+   * not finite, are errors.
    */
   vtkSetStringMacro(DepthArray);
   vtkGetStringMacro(DepthArray);

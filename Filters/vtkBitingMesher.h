@@ -89,9 +89,10 @@
  * two-dimensional cells of port 0, of any type: at a triangle the value of the cell that covers its
  * middle; of several, by DomainRule Union the last one, else that with the smallest area; beside a
  * simplified outline the nearest one of its region. Point data has every point array of port 1
- * (TransferSourceArrays). Arrays of the names above are left out. `MinimumAngle` is the active scalar, as are `Phase` of output 2 and
- * `ProblemKind` of output 3. Field data, one value each, marked vtkAbstractArray::GUI_HIDE so that
- * programs do not offer them to colour by: `NumberOfVertices`, `NumberOfTriangles`,
+ * (TransferSourceArrays). Arrays of the names above are left out. `MinimumAngle` is the active
+ * scalar, as are `Phase` of output 2 and `ProblemKind` of output 3. Field data, one value each,
+ * marked vtkAbstractArray::GUI_HIDE so that programs do not offer them to colour by:
+ * `NumberOfVertices`, `NumberOfTriangles`,
  * `SmallestAngle`, `LargestRadiusEdgeRatio`, `SmallestConformity`, `MeanConformity`,
  * `MeanRelativeLength` (edge length / f), `ShareOfEdgesInBand` (of [1/sqrt(2), sqrt(2)] f),
  * `GivenLipschitz` and `UsedLipschitz` (slope of the given and of the used spacing),

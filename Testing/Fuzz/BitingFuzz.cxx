@@ -6,8 +6,8 @@
 //   BitingFuzz [--cases N] [--seed S] [--seconds T] [--write FILE] [--drawings near|rules]
 //
 // With `--drawings near` they are drawings that nearly meet themselves, and the laws are those of
-// NearDrawings.h; each violation is told, and the run goes on. With `rules` they are loops over each
-// other, and the laws those of RuleDrawings.h.
+// NearDrawings.h; each violation is told, and the run goes on. With `rules` they are loops over
+// each other, and the laws those of RuleDrawings.h.
 //
 // Case k has the seed S + k, so `--cases 1 --seed K` repeats the case of seed K, whatever run it
 // was found in; `--write` then writes its input as legacy VTK. Prints how many cases a second, and

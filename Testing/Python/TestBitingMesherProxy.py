@@ -126,6 +126,22 @@ class TestBitingMesherProxy(unittest.TestCase):
             angles.append(summary.GetArray('SmallestAngle').GetValue(0))
         self.assertGreater(angles[1], angles[0] + 3)
 
+    def test_arrays_of_the_source_come_along_where_wanted(self):
+        wavelet = simple.Wavelet(WholeExtent=[0, 9, 0, 6, 0, 0])
+        mesher = BitingMesher(Input=self.square(), UniformSpacing=0.7, SpacingSource=wavelet,
+                              SourceSpacingArray=['POINTS', 'None'])
+        mesher.UpdatePipeline()
+        mesh = servermanager.Fetch(mesher)
+        mask = mesh.GetPointData().GetArray('vtkValidPointMask')
+        for point in range(mesh.GetNumberOfPoints()):
+            self.assertEqual(mask.GetValue(point), int(mesh.GetPoint(point)[1] <= 6))
+        low, high = wavelet.PointData['RTData'].GetRange()
+        found = mesh.GetPointData().GetArray('RTData').GetRange()
+        self.assertTrue(low - 1e-3 <= found[0] < found[1] <= high + 1e-3)
+        mesher.TransferSourceArrays = 0
+        mesher.UpdatePipeline()
+        self.assertIsNone(servermanager.Fetch(mesher).GetPointData().GetArray('RTData'))
+
     def test_labels_are_the_spaced_names(self):
         proxy = BitingMesher(Input=self.square()).SMProxy
         self.assertEqual(proxy.GetXMLLabel(), 'Biting Mesher')

@@ -152,14 +152,18 @@ std::vector<vtkIdType> Transfer::CellsAtMiddles() const
   }
   const std::vector<OldPlace> places =
     FindOldPlaces(this->Result.Old, this->Result.ChangedTriangles, middles, this->Beats);
-  std::vector<vtkIdType> cells;
+  std::vector<vtkIdType> cells = this->CellsOfRegions();
   std::size_t next = 0;
-  for (const Id original : this->Result.OriginalTriangles)
+  for (std::size_t triangle = 0; triangle < cells.size(); ++triangle)
   {
+    const Id original = this->Result.OriginalTriangles[triangle];
     const bool isNew = original == NoId && next < places.size();
-    cells.push_back(
-      this->Mesh
-        .CellIds[static_cast<std::size_t>(isNew ? places[next].Triangle : std::max(original, 0))]);
+    const Id cell = isNew ? places[next].Triangle : std::max(original, 0);
+    // Beside a simplified interface a middle may lie in another region.
+    if (this->Result.Old.Regions[cell] == mesh.Regions[triangle])
+    {
+      cells[triangle] = this->Mesh.CellIds[static_cast<std::size_t>(cell)];
+    }
     next += isNew;
   }
   return cells;
