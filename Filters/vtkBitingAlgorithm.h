@@ -165,7 +165,8 @@ public:
    * PLANE (default): coordinates are lengths, in a plane of space.
    * LONGITUDE_LATITUDE: x is the longitude and y the latitude, in degrees, of inputs, of the source,
    * and of the outputs; spacings, bounds and the arrays Spacing and NearestNeighborDistance are in
-   * metres on a sphere of 6,371,008.8 m, the mean radius of the Earth. The mesh is made in the
+   * metres on a sphere of 6,371,008.8 m, the mean radius of the Earth. Cells of the source are up to
+   * 10 degrees wide. The mesh is made in the
    * stereographic plane about the middle of the input, which is the direction of the mean of its
    * points' unit vectors, as all angles there are those on the globe; lengths are 2 / (1 + cos c)
    * times as large at the angle c from the middle, and f is multiplied by that. So neither poles nor
