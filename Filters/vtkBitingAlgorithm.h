@@ -163,26 +163,27 @@ public:
   ///@{
   /**
    * PLANE (default): coordinates are lengths, in a plane of space.
-   * LONGITUDE_LATITUDE: x is the longitude and y the latitude, in degrees, of inputs, of the source,
-   * and of the outputs; spacings, bounds and the arrays Spacing and NearestNeighborDistance are in
-   * metres on a sphere of 6,371,008.8 m, the mean radius of the Earth. The mesh is made in the
-   * stereographic plane about the middle of the input, which is the direction of the mean of its
-   * points' unit vectors, as all angles there are those on the globe; lengths are 2 / (1 + cos c)
-   * times as large at the angle c from the middle, and f is multiplied by that. So neither poles nor
-   * the 180th meridian are a border: all longitudes of a pole are one point, and 179.9 and -179.9
-   * are neighbors. The inside of a loop is what the stereographic plane has inside. Lengths in
-   * messages, in LeftOutArea and of tolerances that are relative to the diagonal are those of that
-   * plane. Lines of the input are straight in degrees, the shorter way around the globe, and along
-   * the meridian to a pole; they are divided, where PreserveBoundary is off, so that the mesh is less
-   * than 0.01 f from them, where parts are no longer than an edge 0.03 f (f without the feature size);
-   * points that divide have OriginalPointId -1. Gradation is a slope in that plane;
-   * on the globe it may be larger by f tan(c / 2) / 6,371 km.
-   * Longitudes of the mesh are within [-180, 180), or [0, 360) where those of the input are; of an
-   * input that jumps, as across 180 degrees, they continue beyond, within 180 degrees of the middle,
-   * and vertices of the input that lie on the other side are moved by 360 degrees. All others are
-   * those of the input, bit for bit. Around a pole a jump remains.
-   * Latitudes beyond 90 degrees, and points more than 170 degrees from the middle, are errors; where
-   * a pole is less than 170 degrees from all of them that is the middle instead. z is one level.
+   * LONGITUDE_LATITUDE: x is the longitude and y the latitude, in degrees, of inputs, of the
+   * source, and of the outputs; spacings, bounds and the arrays Spacing and NearestNeighborDistance
+   * are in metres on a sphere of 6,371,008.8 m, the mean radius of the Earth. Cells of the source
+   * are up to 10 degrees wide. The mesh is made in the stereographic plane about the middle of the
+   * input, which is the direction of the mean of its points' unit vectors, as all angles there are
+   * those on the globe; lengths are 2 / (1 + cos c) times as large at the angle c from the middle,
+   * and f is multiplied by that. So neither poles nor the 180th meridian are a border: all
+   * longitudes of a pole are one point, and 179.9 and -179.9 are neighbors. The inside of a loop is
+   * what the stereographic plane has inside. Lengths in messages, in LeftOutArea and of tolerances
+   * that are relative to the diagonal are those of that plane. Lines of the input are straight in
+   * degrees, the shorter way around the globe, and along the meridian to a pole; they are divided,
+   * where PreserveBoundary is off, so that the mesh is less than 0.01 f from them, where parts are
+   * no longer than an edge 0.03 f (f without the feature size); points that divide have
+   * OriginalPointId -1. Gradation is a slope in that plane; on the globe it may be larger by f
+   * tan(c / 2) / 6,371 km. Longitudes of the mesh are within [-180, 180), or [0, 360) where those
+   * of the input are; of an input that jumps, as across 180 degrees, they continue beyond, within
+   * 180 degrees of the middle, and vertices of the input that lie on the other side are moved by
+   * 360 degrees. All others are those of the input, bit for bit. Around a pole a jump remains.
+   * Latitudes beyond 90 degrees, and points more than 170 degrees from the middle, are errors;
+   * where a pole is less than 170 degrees from all of them that is the middle instead. z is one
+   * level.
    */
   vtkSetClampMacro(Coordinates, int, PLANE, LONGITUDE_LATITUDE);
   vtkGetMacro(Coordinates, int);

@@ -133,8 +133,8 @@ public:
   /**
    * PLANE (default), or LONGITUDE_LATITUDE: x and y of mesh and source are degrees, spacings and
    * distances metres on a sphere of 6,371,008.8 m, and angles those on the globe, measured in the
-   * stereographic plane about the middle of the mesh (vtkBitingMesher). Triangles go the shorter way
-   * around the globe. Lengths are taken with the scale at the vertex. Not for tetrahedra.
+   * stereographic plane about the middle of the mesh (vtkBitingMesher). Triangles go the shorter
+   * way around the globe. Lengths are taken with the scale at the vertex. Not for tetrahedra.
    */
   vtkSetClampMacro(Coordinates, int, PLANE, LONGITUDE_LATITUDE);
   vtkGetMacro(Coordinates, int);

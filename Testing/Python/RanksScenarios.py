@@ -223,7 +223,8 @@ def drawings(answer):
     for where in ('First', 'Dealt'):
         answer['Tilted.' + where] = mesh(drawing(where, tilt=0.3), BoundarySpacingArray='Spacing')
         answer['Globe.' + where] = mesh(
-            drawing(where), Coordinates='Longitude Latitude', UniformSpacing=1e5)
+            drawing(where), Coordinates='Longitude Latitude', UniformSpacing=1e5,
+            BoundarySpacingArray=['POINTS', 'None'])  # that is in degrees
     for where in ('First', 'Last', 'Everywhere', 'Divided', 'Dealt', 'Around'):
         blocks = producer(
             "self.GetOutput().ShallowCopy(Blocks('%s'))" % where, 'vtkMultiblockDataSet')

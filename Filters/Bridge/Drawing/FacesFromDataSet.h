@@ -43,11 +43,10 @@ struct PlanarFaces
   bool IsOnGlobe = false;          ///< x and y are degrees (Globe.h); set before it is read
 };
 
-/// Reads the faces of `data` and fits their plane, on the globe that of FitGlobe. Cells of less than two dimensions, hidden
-/// and ghost cells, and cells with a hidden point, are left out. Reads without changing anything of
-/// `data`.
-/// Returns a refusal: of the first cell that is no such face, or refers to a point that does not
-/// exist; of more points or corners than 32-bit ids can number,
+/// Reads the faces of `data` and fits their plane, on the globe that of FitGlobe. Cells of less
+/// than two dimensions, hidden and ghost cells, and cells with a hidden point, are left out. Reads
+/// without changing anything of `data`. Returns a refusal: of the first cell that is no such face,
+/// or refers to a point that does not exist; of more points or corners than 32-bit ids can number,
 /// coordinates that are not finite or beyond GreatestCoordinate, a mesh smaller than
 /// LeastCoordinate, points farther from the plane than PlanarTolerance. Where the monitor asks to
 /// stop `faces` have no meaning.

@@ -10,7 +10,8 @@
 #include "../Run/ProblemReport.h"
 #include "PolylinesFromDrawing.h"
 
-#include <algorithm>  // for max, min
+#include <algorithm>  // for max, min, reverse
+#include <array>      // for sums
 #include <cmath>      // for angles
 #include <functional> // for questions
 #include <map>        // for divided lines

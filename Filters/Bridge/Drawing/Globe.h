@@ -32,10 +32,10 @@ Point3 DirectionOf(const double* degrees);
 /// Longitude in [-180, 180) and latitude of a direction, which need not be of unit length.
 Point2 DegreesOf(const Point3& direction);
 
-/// Fits the stereographic plane to the `points` among `coordinates` (three a point, finite), between
-/// which straight lines run as `ends` say, two points a line. Its middle is the direction of the
-/// mean of their unit vectors; where that is too far from some of them, that of a pole which is
-/// not: around a whole parallel the mean is of rounding. Their order plays no part.
+/// Fits the stereographic plane to the `points` among `coordinates` (three a point, finite),
+/// between which straight lines run as `ends` say, two points a line. Its middle is the direction
+/// of the mean of their unit vectors; where that is too far from some of them, that of a pole which
+/// is not: around a whole parallel the mean is of rounding. Their order plays no part.
 ///
 /// Longitudes are mapped back as they are given: within [-180, 180) where all are, or within [0,
 /// 360) where these are. Where lines of the input jump from one end of that range to the other, or
@@ -47,16 +47,16 @@ Point2 DegreesOf(const Point3& direction);
 std::string FitGlobe(const double* coordinates, const std::vector<Id>& points,
   const std::vector<Id>& ends, PlaneFrame& frame);
 
-/// How far a line that is straight in degrees may be from one that is straight in the plane: a share
-/// of its length; and, where it is longer than LongestEdge times f, a share of f. So it is within
-/// 0.028 f anywhere, and parts are no shorter than an edge of the mesh because of f.
+/// How far a line that is straight in degrees may be from one that is straight in the plane: a
+/// share of its length; and, where it is longer than LongestEdge times f, a share of f. So it is
+/// within 0.028 f anywhere, and parts are no shorter than an edge of the mesh because of f.
 constexpr double DeviationInLength = 0.02;
 constexpr double DeviationInSpacing = 0.01;
 constexpr double LongestEdge = 1.4;
 
-/// Divides the lines of `input`, which are straight in degrees, until each part is as straight in the
-/// plane as the length of it asks for; or, where `spacing` is not null, as its f does, without the
-/// feature size. The new points have ids from the number of points of the input on
+/// Divides the lines of `input`, which are straight in degrees, until each part is as straight in
+/// the plane as the length of it asks for; or, where `spacing` is not null, as its f does, without
+/// the feature size. The new points have ids from the number of points of the input on
 /// (PlanarInput::Divisions). A line goes the shorter way around the globe, and to a pole along the
 /// meridian.
 void DivideLines(const SpacingOptions* spacing, PlanarInput& input, Monitor& monitor);

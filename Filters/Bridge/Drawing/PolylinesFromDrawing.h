@@ -57,8 +57,8 @@ constexpr double PlanarTolerance = 1e-6;
 /// block replaces the kind of lines, and makes interfaces (1) or embedded points (2) of faces. Left
 /// out are hidden and duplicated cells, cells with a hidden point, faces of less than three points,
 /// and empty cells. On the globe the plane is that of FitGlobe, whose refusals count, and lines are
-/// divided (DivideLines). Faces are of one region where the cell array `regionArray` is equal, all of one
-/// where it is empty or "None".
+/// divided (DivideLines). Faces are of one region where the cell array `regionArray` is equal, all
+/// of one where it is empty or "None".
 ///
 /// Returns a refusal, empty where the drawing can be read: of a cell with a volume or of an unknown
 /// kind, of points that do not exist, of more points or cells than 32-bit ids can number.

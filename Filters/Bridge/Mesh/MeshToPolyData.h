@@ -25,8 +25,8 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
-/// The vertices of `mesh` in space: those of the input bit for bit (on the globe up to whole turns),
-/// the others mapped back.
+/// The vertices of `mesh` in space: those of the input bit for bit (on the globe up to whole
+/// turns), the others mapped back.
 vtkSmartPointer<vtkPoints> PointsInSpace(
   const BitingMesh& mesh, const PlanarInput& input, Pulse& pulse);
 

@@ -12,9 +12,10 @@ namespace biting
 {
 
 /// Takes the grid and the triangulation of `options`, which are in degrees, into the stereographic
-/// plane `frame`, as triangles. Cells wider than 2 degrees are divided, so that what is linear in
-/// degrees stays so; what is more than 175 degrees from the middle is left out. Cells of a
-/// triangulation go the shorter way around the globe.
+/// plane `frame`, as triangles that are straight and linear there: of cells up to 10 degrees wide
+/// that is as in degrees but for about 2 % of what f changes in one, up to 90 degrees from the
+/// middle (w tan(c / 2) / 8 for the width w and the distance c, as the scale changes). Triangles
+/// with a corner more than 175 degrees from the middle are left out.
 void SourceOnGlobe(const PlaneFrame& frame, SpacingOptions& options, Pulse& pulse);
 
 } // namespace biting

@@ -278,7 +278,9 @@ std::string AddSourceSpacing(const SourceData& chosen, const PlaneFrame& frame,
     SourceOnGlobe(frame, options, pulse);
     const bool isEmpty = options.Triangulation && options.Triangulation->Triangles.empty();
     return refusal.empty() && isEmpty && !pulse.HasStopped()
-      ? "The spacing source is on the other side of the globe."
+      ? "The spacing source has no cells on this side of the globe, or they are wider than a "
+        "quarter "
+        "of it."
       : refusal;
   }
   Pulse pulse(monitor);

@@ -37,11 +37,12 @@ std::optional<PlaneGrid> GridOf(vtkDataSet* source, const PlaneFrame& frame);
 /// grids. Of any other data, cells with an area are triangulated and projected into the plane, and
 /// cells with a volume are split into tetrahedra and cut by it. Hidden and ghost cells, cells with
 /// a hidden point, and cells without area are no source. Where cells may overlap the smallest value
-/// counts. On the globe the source is in degrees, and becomes triangles (SourceOnGlobe). Values that are zero, negative or infinite where `isWanted` says no are none, as NaN:
-/// fill values outside of the domain; elsewhere zero and negative ones count as options.Minimum
-/// where that is given. Reads the source without changing it. Returns why it cannot
-/// be used, empty where it can; `places` gets the values that are no spacing. Where the monitor
-/// asks to stop nothing is refused, and the options have no meaning.
+/// counts. On the globe the source is in degrees, and becomes triangles (SourceOnGlobe). Values
+/// that are zero, negative or infinite where `isWanted` says no are none, as NaN: fill values
+/// outside of the domain; elsewhere zero and negative ones count as options.Minimum where that is
+/// given. Reads the source without changing it. Returns why it cannot be used, empty where it can;
+/// `places` gets the values that are no spacing. Where the monitor asks to stop nothing is refused,
+/// and the options have no meaning.
 std::string AddSourceSpacing(const SourceData& source, const PlaneFrame& frame,
   const std::function<bool(const Point2&)>& isWanted, SpacingOptions& options,
   ProblemPlaces& places, Monitor& monitor);

@@ -162,7 +162,8 @@ TEST(Spacing, IsScaledThenClamped)
   EXPECT_EQ(MakeGoodSpacing(options)({ 0.3, 0.3 }), 0.1);
 }
 
-// The plane touches a sphere of radius 1 at the origin: lengths at x are 1 + |x|^2 / 4 times as large.
+// The plane touches a sphere of radius 1 at the origin: lengths at x are 1 + |x|^2 / 4 times as
+// large.
 TEST(Spacing, OnASphereIsWhatIsGivenInLengthsOfTheSphere)
 {
   SpacingOptions options;
