@@ -22,7 +22,7 @@
 namespace testing_filters
 {
 
-constexpr int NumberOfKinds = vtkBitingSurfaceCheck::SURFACE_TOUCHES + 1;
+constexpr int NumberOfKinds = vtkBitingMesher::UNMATCHED_SIDES + 1;
 
 /// One point of the output, with its arrays.
 struct SeenProblem
