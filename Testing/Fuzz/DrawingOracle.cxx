@@ -175,7 +175,9 @@ bool DrawingOracle::CoversGap(const DrawnSegment& segment, double from, double t
 {
   const Point2 direction = segment.End - segment.Start;
   const double slack = this->Judged.Slack / std::hypot(direction.X, direction.Y);
-  if (to - from <= 2.0 * slack)
+  const BitingMeshOptions& options = this->Judged.Options;
+  const bool isUnknown = options.Domain.KeepCellEdges && options.Simplification.IsAsked();
+  if (to - from <= 2.0 * slack || isUnknown) // what is simplified does not tell lines from cells
   {
     return false;
   }
