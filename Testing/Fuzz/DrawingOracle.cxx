@@ -211,7 +211,9 @@ bool CoversGap(JudgedMesh& judged, const DrawnSegment& segment, double from, dou
 {
   const Point2 direction = segment.End - segment.Start;
   const double slack = judged.Slack / std::hypot(direction.X, direction.Y);
-  if (to - from <= 2.0 * slack)
+  const BitingMeshOptions& options = judged.Options;
+  const bool isUnknown = options.Domain.KeepCellEdges && options.Simplification.IsAsked();
+  if (to - from <= 2.0 * slack || isUnknown) // what is simplified does not tell lines from cells
   {
     return false;
   }

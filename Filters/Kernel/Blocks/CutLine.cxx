@@ -302,7 +302,9 @@ private:
     const bool isAtTo = IsAt(this->Scene.Graph, piece, stretch.To);
     if (isAtFrom || isAtTo)
     {
+      const bool isDivided = stretch.From.Piece == piece || stretch.To.Piece == piece;
       return !(isAtFrom && isAtTo) && this->Scene.MayEndOn(ends) &&
+        (!isDivided || this->Scene.MayDivide(ends)) &&
         (isAtFrom
             ? IsOpenAngle(this->Scene.Graph, ends, stretch.From, direction, CosineOfLeastAngle)
             : IsOpenAngle(

@@ -361,8 +361,8 @@ double Planner::CostOf(const Point2& place, const Point2& step) const
 CutScene Planner::SceneOf(Part& part) const
 {
   const CutGraph& graph = this->Plan.Graph;
-  CutScene scene{ graph, this->Locator, this->F, this->Frame, this->Plan.AreTouching, this->Tree,
-    part.Box, part.Box, {} };
+  CutScene scene{ graph, this->Locator, this->F, this->Frame, this->Plan.AreTouching,
+    this->Geometry.IsPreserved, this->Tree, part.Box, part.Box, {} };
   scene.Around.Grow(Beside * this->Geometry.Bounds.Diagonal());
   for (; part.Seen < graph.NumberOfPieces(); ++part.Seen)
   {

@@ -41,7 +41,8 @@ struct CutScene
   const DomainLocator& Locator;
   const Spacing& F;
   const CutFrame& Frame;
-  const std::vector<std::uint8_t>& AreUncut; ///< segments of the domain that no cut may meet
+  const std::vector<std::uint8_t>& AreUncut;     ///< segments of the domain that no cut may meet
+  const std::vector<std::uint8_t>& ArePreserved; ///< those that it may meet at their ends only
   const BoxTree<Filed>& Tree;
   Box2 Box;               ///< in the frame
   Box2 Around;            ///< the box, and what is beside it
@@ -50,6 +51,12 @@ struct CutScene
   bool MayEndOn(const CutGraph::Piece& piece) const
   {
     return piece.Segment == NoId || this->AreUncut[piece.Segment] == 0;
+  }
+
+  bool MayDivide(const CutGraph::Piece& piece) const
+  {
+    return piece.Segment == NoId || this->ArePreserved.empty() ||
+      this->ArePreserved[piece.Segment] == 0;
   }
 
   Box2 BoundsOf(Id piece) const
