@@ -65,8 +65,7 @@ public:
     }
     CheckBoundary(this->Ground, this->Bites, this->Result);
     constexpr int MostRounds = 3;
-    for (int round = 0; isSolid && !getenv("NOANEW") && round < MostRounds && this->LabelAnew();
-         ++round)
+    for (int round = 0; isSolid && round < MostRounds && this->LabelAnew(); ++round)
     {
       this->Result = {};
       this->TakeWalls();
