@@ -47,18 +47,21 @@ public:
     this->MakeGround();
     bool isDone = this->MayGoOn();
     std::size_t before = std::numeric_limits<std::size_t>::max();
+    std::size_t first = 0;
     for (int round = 0; isDone && round < MostRounds; ++round)
     {
       this->Bite();
       isDone = this->MayGoOn();
-      const std::size_t faults = this->CountFaults();
+      const std::size_t faults = this->Boundary.Offences.size();
       if (!isDone || this->Boundary.Offences.empty())
       {
         break;
       }
-      // Where more faults come than go smaller bites are of no help, or lines are noise.
+      // Where no faults go, lines are noise, or f never suits.
+      constexpr std::size_t MostGrowth = 4;
+      first = round == 0 ? faults : first;
       const bool isDropped = faults >= before && this->DropLostFeatures();
-      if ((faults >= before && !isDropped) || (!isDropped && !this->LowerSizes()))
+      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes()))
       {
         break;
       }
@@ -105,17 +108,6 @@ private:
       ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
     }
     this->Problems.Add({ code, std::move(ids), place, detail });
-  }
-
-  /// Those of topology.
-  std::size_t CountFaults() const
-  {
-    std::size_t count = 0;
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
-    {
-      count += offence.Fault != BoundaryFault::Turned ? 1 : 0;
-    }
-    return count;
   }
 
   /// Refuses what is no mesh of the surface.
