@@ -192,8 +192,8 @@ private:
   }
 
   /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
-  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface, which
-  /// they cover, is near the sphere only.
+  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface,
+  /// which they cover, is near the sphere only.
   int SideByNormals(Id cell) const
   {
     constexpr double LeastSlope = 0.5;
@@ -319,8 +319,8 @@ private:
         const double y = Dot(Cross(c, a), normal);
         const double z = Dot(Cross(a, b), normal);
         const double sum = x + y + z;
-        // What passes an edge passes one of its two triangles: their rounded products only differ in
-        // sign, and 0 has that of the order of the ends.
+        // What passes an edge passes one of its two triangles: their rounded products only differ
+        // in sign, and 0 has that of the order of the ends.
         const Id* ends = &this->Ground.Mesh.Corners[3 * Index(item.Triangle)];
         const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
         const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
@@ -357,8 +357,8 @@ private:
     this->Result.Triangles.push_back(this->TriangleBelow(facet, meeting.Triangle, isTurned));
   }
 
-  /// Where the dual edge meets no triangle that agrees with the facet, as near features, the nearest
-  /// one that does, if it is near; else the nearest one.
+  /// Where the dual edge meets no triangle that agrees with the facet, as near features, the
+  /// nearest one that does, if it is near; else the nearest one.
   Id TriangleBelow(Id facet, Id met, bool isTurned) const
   {
     constexpr double LeastCosine = 0.5;
