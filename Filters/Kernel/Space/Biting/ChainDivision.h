@@ -10,8 +10,8 @@ namespace biting
 {
 
 /// Adds the corners and the vertices of chains, and their pieces. Each chain is divided into pieces
-/// of equal integrals of 1/f, closed ones into at least three, and where chains have the same ends all
-/// but one into at least two.
+/// of equal integrals of 1/f, closed ones into at least three, and where chains have the same ends
+/// all but one into at least two.
 void DivideChains(const SurfaceGround& ground, SurfaceBites& bites);
 
 } // namespace biting

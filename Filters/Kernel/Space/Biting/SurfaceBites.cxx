@@ -19,8 +19,8 @@ namespace
 /// No later centre is nearer to one on the surface, in radii.
 constexpr double Tolerance = 0.9;
 
-/// A point is taken for one of a triangle up to so far beyond its sides, in its heights: a candidate
-/// on a side must not be lost by rounding, and is the same in both triangles.
+/// A point is taken for one of a triangle up to so far beyond its sides, in its heights: a
+/// candidate on a side must not be lost by rounding, and is the same in both triangles.
 constexpr double Beside = 1e-9;
 
 std::size_t At(Id id)

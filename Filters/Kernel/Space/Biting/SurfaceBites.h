@@ -12,8 +12,8 @@
 namespace biting
 {
 
-/// Bites on a surface, in their order: first the corners, then the vertices of chains, then those of
-/// the surface. A bite is the part of the surface within its ball that hangs together with its
+/// Bites on a surface, in their order: first the corners, then the vertices of chains, then those
+/// of the surface. A bite is the part of the surface within its ball that hangs together with its
 /// centre; that of a centre on no feature does not go on beyond feature lines. So opposite walls do
 /// not see each other.
 struct SurfaceBites
@@ -33,8 +33,8 @@ struct SurfaceBites
 
   Id Size() const { return static_cast<Id>(this->Centers.size()); }
 
-  /// Of the regular triangulation: vertices of features are balls, which touch along chains and keep
-  /// them.
+  /// Of the regular triangulation: vertices of features are balls, which touch along chains and
+  /// keep them.
   double WeightOf(Id bite) const
   {
     const double size = WeightShare * this->Sizes[static_cast<std::size_t>(bite)];

@@ -65,8 +65,7 @@ public:
     }
     CheckBoundary(this->Ground, this->Bites, this->Result);
     constexpr int MostRounds = 3;
-    for (int round = 0; isSolid && !getenv("NOANEW") && round < MostRounds && this->LabelAnew();
-         ++round)
+    for (int round = 0; isSolid && round < MostRounds && this->LabelAnew(); ++round)
     {
       this->Result = {};
       this->TakeWalls();
@@ -180,7 +179,8 @@ private:
         size = std::min(size, this->Bites.Sizes[Index(this->BiteOf[Index(vertex)])]);
       }
       constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
-      if (isFaulty && faults > 0 && this->NearestTo(middle, LeastDepth * size) == NoId)
+      if (isFaulty && faults > 0 &&
+        this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
         const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
         this->IsByMiddle[Index(cell)] = 1;
@@ -192,8 +192,8 @@ private:
   }
 
   /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
-  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface, which
-  /// they cover, is near the sphere only.
+  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface,
+  /// which they cover, is near the sphere only.
   int SideByNormals(Id cell) const
   {
     constexpr double LeastSlope = 0.5;
@@ -319,8 +319,8 @@ private:
         const double y = Dot(Cross(c, a), normal);
         const double z = Dot(Cross(a, b), normal);
         const double sum = x + y + z;
-        // What passes an edge passes one of its two triangles: their rounded products only differ in
-        // sign, and 0 has that of the order of the ends.
+        // What passes an edge passes one of its two triangles: their rounded products only differ
+        // in sign, and 0 has that of the order of the ends.
         const Id* ends = &this->Ground.Mesh.Corners[3 * Index(item.Triangle)];
         const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
         const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
@@ -354,9 +354,27 @@ private:
       std::swap(bites[1], bites[2]);
     }
     this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
-    this->Result.Triangles.push_back(meeting.Triangle != NoId
-        ? meeting.Triangle
-        : this->NearestTo(this->MiddleOf(facet), Infinity));
+    this->Result.Triangles.push_back(this->TriangleBelow(facet, meeting.Triangle, isTurned));
+  }
+
+  /// Where the dual edge meets no triangle that agrees with the facet, as near features, the
+  /// nearest one that does, if it is near; else the nearest one.
+  Id TriangleBelow(Id facet, Id met, bool isTurned) const
+  {
+    constexpr double LeastCosine = 0.5;
+    constexpr double Near = 0.25; // in f
+    const Point3 normal = (isTurned ? -1.0 : 1.0) * this->NormalOf(facet);
+    const auto agrees = [this, &normal](Id triangle)
+    { return Dot(normal, this->Ground.NormalOf(Index(triangle))) >= LeastCosine; };
+    if (met != NoId && agrees(met))
+    {
+      return met;
+    }
+    const Point3 middle = this->MiddleOf(facet);
+    const Id bite = this->BiteOf[Index(this->Cells.Mesh().FacetCorner(facet, 0))];
+    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[Index(bite)], agrees);
+    const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
+    return best != NoId ? best : other;
   }
 
   Point3 MiddleOf(Id facet) const
@@ -370,13 +388,19 @@ private:
     return middle;
   }
 
-  /// The triangle of the ground that is nearest to the place, and nearer than `most`; or NoId.
-  Id NearestTo(const Point3& place, double most) const
+  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
+  /// are wanted; or NoId.
+  template <typename Question>
+  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
   {
     Id nearest = NoId;
     this->Tree.Search(place, 1.0, most,
-      [this, &place, &nearest](const SurfaceItem& item, double limit)
+      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
       {
+        if (!isWanted(item.Triangle))
+        {
+          return limit;
+        }
         const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(Index(item.Triangle));
         const double distance = Distance(NearestPoint(triangle, place), place);
         nearest = distance < limit ? item.Triangle : nearest;

@@ -24,8 +24,8 @@ struct WholeVerdict
 };
 
 /// Whether the mesh has the parts of the surface, each with the same Euler number, nearly the same
-/// area and, if the surface is closed, volume. `below`: of each triangle of the mesh, the triangle of
-/// the surface.
+/// area and, if the surface is closed, volume. `below`: of each triangle of the mesh, the triangle
+/// of the surface.
 WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>& points,
   const std::vector<Id>& corners, const std::vector<Id>& below);
 

@@ -8,7 +8,7 @@
 
 #include <algorithm> // for sort, unique, binary_search
 #include <cmath>     // for cos
-#include <utility>   // for pairs
+#include <utility>   // for pairs, move
 
 namespace biting
 {
@@ -159,7 +159,15 @@ VertexPair PairOf(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// The edges of chains that are noise, sorted.
+void AddEdgesOf(const FeatureChains& chains, Id chain, std::vector<VertexPair>& edges)
+{
+  for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
+  {
+    edges.push_back(PairOf(chains.At(k - 1), chains.At(k)));
+  }
+}
+
+/// The edges of chains that are noise.
 std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
 {
   const FeatureChains& chains = ground.Chains;
@@ -184,14 +192,25 @@ std::vector<VertexPair> NoisyEdges(const SurfaceGround& ground)
     if (isOpen && chains.Kinds[static_cast<std::size_t>(chain)] == SurfaceEdgeKind::Feature &&
       length < 0.5 * (ground.Sizes[first] + ground.Sizes[last]))
     {
-      for (Id k = chains.Begin(chain) + 1; k < chains.End(chain); ++k)
-      {
-        edges.push_back(PairOf(chains.At(k - 1), chains.At(k)));
-      }
+      AddEdgesOf(chains, chain, edges);
     }
   }
-  std::sort(edges.begin(), edges.end());
   return edges;
+}
+
+void ClearFlags(SurfaceGround& ground, std::vector<VertexPair> edges)
+{
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
+  {
+    const VertexPair pair =
+      PairOf(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
+    if (ground.Flags[slot] != 0 && std::binary_search(edges.begin(), edges.end(), pair))
+    {
+      ground.Flags[slot] = 0;
+    }
+  }
+  FindChains(ground);
 }
 
 } // namespace
@@ -232,18 +251,20 @@ void DropNoise(SurfaceGround& ground)
   std::vector<VertexPair> edges = NoisyEdges(ground);
   for (int round = 0; round < MostRounds && !edges.empty(); ++round)
   {
-    for (std::size_t slot = 0; slot < ground.Flags.size(); ++slot)
-    {
-      const VertexPair pair =
-        PairOf(ground.Mesh.Corners[NextSlotOf(slot)], ground.Mesh.Corners[PreviousSlotOf(slot)]);
-      if (ground.Flags[slot] != 0 && std::binary_search(edges.begin(), edges.end(), pair))
-      {
-        ground.Flags[slot] = 0;
-      }
-    }
-    FindChains(ground);
+    ClearFlags(ground, std::move(edges));
     edges = NoisyEdges(ground);
   }
+}
+
+void DropChains(SurfaceGround& ground, const std::vector<Id>& chains, Pulse& pulse)
+{
+  std::vector<VertexPair> edges;
+  for (const Id chain : chains)
+  {
+    AddEdgesOf(ground.Chains, chain, edges);
+  }
+  ClearFlags(ground, std::move(edges));
+  LinkGround(ground, pulse);
 }
 
 } // namespace biting

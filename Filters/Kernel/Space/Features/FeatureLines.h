@@ -22,6 +22,9 @@ void FindChains(SurfaceGround& ground);
 /// noise of scans. Places and Chains follow.
 void DropNoise(SurfaceGround& ground);
 
+/// Takes away the flags of chains. Places, Chains and Across follow.
+void DropChains(SurfaceGround& ground, const std::vector<Id>& chains, Pulse& pulse);
+
 } // namespace biting
 
 #endif

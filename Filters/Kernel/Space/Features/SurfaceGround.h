@@ -14,7 +14,8 @@
 namespace biting
 {
 
-/// Lists by key, one after the other: those of key k are Items[Offsets[k]] to Items[Offsets[k + 1]].
+/// Lists by key, one after the other: those of key k are Items[Offsets[k]] to Items[Offsets[k +
+/// 1]].
 struct ListsByKey
 {
   std::vector<Id> Offsets{ 0 };
@@ -81,8 +82,8 @@ struct SurfaceGround
 constexpr double LongestEdge = 1.2;
 
 /// Divides all edges longer than LongestEdge f: in halves, round by round, all long ones at once.
-/// f at new vertices is the mean of the ends, and no more than `given` there. False where there would
-/// be more triangles than `mostTriangles`.
+/// f at new vertices is the mean of the ends, and no more than `given` there. False where there
+/// would be more triangles than `mostTriangles`.
 bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3&)>& given,
   std::size_t mostTriangles, Pulse& pulse);
 

@@ -14,6 +14,7 @@
 
 #include <algorithm> // for min, max
 #include <cmath>     // for isfinite
+#include <limits>    // for counts
 #include <utility>   // for move
 
 namespace biting
@@ -45,43 +46,32 @@ public:
     this->Listener.BeginStage("Looking for features");
     this->MakeGround();
     bool isDone = this->MayGoOn();
-    std::size_t before = this->Ground.Mesh.Points.size();
-    for (int round = 0; isDone; ++round)
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    std::size_t first = 0;
+    for (int round = 0; isDone && round < MostRounds; ++round)
     {
       this->Bite();
-      const std::size_t faults = this->CountFaults();
-      fprintf(stderr, "round %d: ground %zu tri, bites %d (%d %d), facets %zu, offences %zu\n",
-        round, this->Ground.Mesh.NumberOfTriangles(), this->Bites.Size(),
-        this->Bites.NumberOfCorners, this->Bites.NumberOnLines, this->Boundary.Triangles.size(),
-        this->Boundary.Offences.size());
-      int kinds[5] = {};
-      for (auto& o : this->Boundary.Offences)
-      {
-        ++kinds[(int)o.Fault];
-        if (getenv("SHOW"))
-        {
-          auto& c = this->Bites.Centers[At(o.Bite)];
-          fprintf(stderr, "     fault %d bite %d other %d size %g at %g %g %g\n", (int)o.Fault,
-            o.Bite, o.Other, this->Bites.Sizes[At(o.Bite)], c.X, c.Y, c.Z);
-        }
-      }
-      fprintf(stderr, "   missing %d lost %d nonmanifold %d pinched %d turned %d\n", kinds[0],
-        kinds[1], kinds[2], kinds[3], kinds[4]);
       isDone = this->MayGoOn();
-      // Where more faults come than go, smaller bites are of no help.
-      const bool isWorse = round > 1 && faults >= before;
-      before = faults;
-      if (!isDone || this->Boundary.Offences.empty() || round == MostRounds || isWorse ||
-        !this->LowerSizes())
+      const std::size_t faults = this->Boundary.Offences.size();
+      if (!isDone || this->Boundary.Offences.empty())
       {
         break;
       }
+      // Where no faults go, lines are noise, or f never suits.
+      constexpr std::size_t MostGrowth = 4;
+      first = round == 0 ? faults : first;
+      const bool isDropped = faults >= before && this->DropLostFeatures();
+      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes()))
+      {
+        break;
+      }
+      before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
     return isDone && this->IsCertified() ? this->Assemble() : BitingSurface();
   }
 
 private:
-  static constexpr int MostRounds = 4;
+  static constexpr int MostRounds = 8;
 
   void Bite()
   {
@@ -118,17 +108,6 @@ private:
       ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
     }
     this->Problems.Add({ code, std::move(ids), place, detail });
-  }
-
-  /// Those of topology.
-  std::size_t CountFaults() const
-  {
-    std::size_t count = 0;
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
-    {
-      count += offence.Fault != BoundaryFault::Turned ? 1 : 0;
-    }
-    return count;
   }
 
   /// Refuses what is no mesh of the surface.
@@ -240,6 +219,32 @@ private:
     DivideGround(ground, this->Spacing, 100000000, this->Beats);
     LinkGround(ground, this->Beats);
     FindChains(ground);
+  }
+
+  /// Gives up the turning lines that have faults. Whether there is one.
+  bool DropLostFeatures()
+  {
+    std::vector<std::uint8_t> isFaulty(this->Bites.Centers.size(), 0);
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      isFaulty[At(offence.Bite)] |= offence.Fault != BoundaryFault::Turned ? 1 : 0;
+    }
+    std::vector<Id> chains;
+    for (std::size_t k = 0; k < this->Bites.PieceChains.size(); ++k)
+    {
+      const Id chain = this->Bites.PieceChains[k];
+      const Id first = this->Bites.PieceEnds[2 * k];
+      const bool isLost =
+        (isFaulty[At(first)] | isFaulty[At(this->Bites.PieceEnds[2 * k + 1])]) != 0;
+      if (isLost && this->Ground.Chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature &&
+        (chains.empty() || chains.back() != chain))
+      {
+        chains.push_back(chain);
+        this->Problems.Add({ ProblemCode::LostFeatures, {}, this->Bites.Centers[At(first)], "" });
+      }
+    }
+    DropChains(this->Ground, chains, this->Beats);
+    return !chains.empty();
   }
 
   bool LowerSizes()

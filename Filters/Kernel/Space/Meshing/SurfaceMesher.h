@@ -83,7 +83,8 @@ struct BitingSurface
   std::vector<double> BiteRadii;
 };
 
-/// Meshes a surface. Where it cannot, `problems` has an error with its place, and the mesh is empty:
+/// Meshes a surface. Where it cannot, `problems` has an error with its place, and the mesh is
+/// empty:
 /// - TooThin: walls, or feature lines, nearer to each other than a quarter of f;
 /// - TooSharp: faces that meet at too small an angle for f;
 /// - TooManyVertices; BadSpacing: f is not positive somewhere; Aborted.

@@ -163,8 +163,8 @@ private:
     return length > 0.0 ? (1.0 / length) * normal : Point3{};
   }
 
-  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of an
-  /// old one there.
+  /// Whether a new triangle agrees with the ground under its free corners, and with the normal of
+  /// an old one there.
   bool Agrees(const Triangle& triangle, const std::array<Id, 3>& vertices, const Point3& old) const
   {
     const Point3 normal = UnitNormal(triangle);

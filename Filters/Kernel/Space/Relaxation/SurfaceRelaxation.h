@@ -26,9 +26,9 @@ struct RelaxedSurface
 /// triangles at vertices, and free vertices move to the middle of mass of their triangles, density
 /// 1/f^4, on the ground. Then the vertices of the worst triangles are moved by trial. `pieces` are
 /// edges that stay, two points each.
-/// Law: no step makes a triangle worse than the worst one about it was, but for those whose smallest
-/// angle stays above 35 degrees. Triangles stay within 50 degrees of the ground's normals, or as near
-/// to them as they were.
+/// Law: no step makes a triangle worse than the worst one about it was, but for those whose
+/// smallest angle stays above 35 degrees. Triangles stay within 50 degrees of the ground's normals,
+/// or as near to them as they were.
 void RelaxSurface(
   const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse);
 

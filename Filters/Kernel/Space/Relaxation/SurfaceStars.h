@@ -26,8 +26,8 @@ public:
   /// Puts the other diagonal in place of the edge of the slot. Precondition: something is across.
   void Flip(std::size_t slot);
 
-  /// Calls visit(slot) for the slot of the vertex in each of its triangles. Precondition: no edge of
-  /// it is kept or open.
+  /// Calls visit(slot) for the slot of the vertex in each of its triangles. Precondition: no edge
+  /// of it is kept or open.
   template <typename Visit>
   void ForStar(Id vertex, Visit visit) const
   {

@@ -312,7 +312,8 @@ TEST(SurfaceMesher, RefusesWhatCannotBeWithAReason)
   const Meshed many = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), options);
   EXPECT_TRUE(many.Problems.Has(ProblemCode::TooManyVertices));
   EXPECT_TRUE(many.Mesh.Points.empty());
-  EXPECT_TRUE(MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.0)).Problems.Has(ProblemCode::BadSpacing));
+  const Meshed none = MakeMesh(BoxOf({ 1.0, 1.0, 1.0 }), Uniform(0.0));
+  EXPECT_TRUE(none.Problems.Has(ProblemCode::BadSpacing));
   EXPECT_TRUE(MakeMesh(Soup(), Uniform(0.1)).Problems.Groups().empty());
 }
 
