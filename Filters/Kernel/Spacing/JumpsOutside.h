@@ -9,17 +9,13 @@
 namespace biting
 {
 
-/// Adds points where the values outside of triangles, those of the nearest border, are
-/// steeper than the rule's slope: beside steep borders, and where they jump from one border to
-/// another one.
-///
-/// Method: from each border point that is lower than its neighbors rays go out, as far as values
-/// along them are low. For the jumps, squares over the rule's bounds, of 3 x 3 samples
-/// each, are cut where values are not linear or a border is near, until they are 0.7 of the spacing
-/// there. In the last ones each sample that is low beside another one is a point. Jumps between the
-/// samples of large squares, far from any border, are not seen.
-void AddJumpsOutside(
-  const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& points, Pulse& pulse);
+/// Adds what limits f outside of triangles, where the value is that of the nearest place y of their
+/// border: v(y) on the whole ray from y along the normal, up to where another place of the border
+/// is as near. Rays are added from steep edges, and where the other value is another one; they are
+/// half of f apart. `most` is a bound of f at each point of the source, infinite where not known:
+/// where v(y) is above it all along a ray, that is left out.
+void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<double>& most,
+  const SteepRule& rule, SegmentSource& edges, Pulse& pulse);
 
 } // namespace biting
 
