@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "JumpsOutside.h"
+#include "TriangleInterpolator.h"
 
 #include "../Base/Tasks.h"
 
@@ -131,7 +131,6 @@ private:
   /// smaller than both values. Lists the lower value up to there, and that of steep edges.
   void Cast(Ray& ray, bool isNeeded)
   {
-    constexpr double Converged = 0.05;
     const double own = this->Rule.Range(ray.Value);
     const double most = this->LengthInBounds(ray);
     const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
@@ -154,9 +153,7 @@ private:
       other = found;
       const Point2 toFoot = found.Foot - ray.Start;
       const double length = 0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction);
-      const double least = std::min(own, found.Value);
-      isLast = !(ray.Length - length > this->ShareOf(least, Converged)) ||
-        length < this->ShareOf(least, ShortRay);
+      isLast = length < this->ShareOf(std::min(own, found.Value), ShortRay);
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }

@@ -24,6 +24,9 @@ constexpr double MostCopies = 16.0;
 
 constexpr int DeepestSquare = 24;
 
+/// The root is larger by that, so that its squares do not touch all triangles of a lattice beside.
+constexpr double OddShare = 1.0 / 300.0;
+
 /// For rounding, in sizes of a square.
 constexpr double Room = 5e-7;
 
@@ -48,6 +51,7 @@ public:
     {
       box.Add(this->Points[static_cast<std::size_t>(point)]);
     }
+    box.Grow(OddShare * std::max(box.Width(), box.Height()));
     this->Whole.Tree = Orthtree<2>::Around(box.Low, box.High);
     std::vector<Id> all(this->Corners.size() / 3);
     std::iota(all.begin(), all.end(), 0);

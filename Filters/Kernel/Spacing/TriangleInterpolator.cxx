@@ -5,7 +5,6 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "JumpsOutside.h"
 
 #include <algorithm> // for min, max, none_of, sort
 #include <cmath>     // for isfinite
