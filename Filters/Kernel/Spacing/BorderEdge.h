@@ -9,7 +9,7 @@
 namespace biting
 {
 
-/// Values given at the ends of an edge, linear between.
+/// Values given at the ends of an edge, linear between. Its triangles lie left of start -> end.
 struct BorderEdge
 {
   Point2 Start;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Biting Developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "JumpsOutside.h"
+#include "TriangleInterpolator.h"
 
 #include "../Base/Tasks.h"
 
-#include <array> // for samples
+#include <array> // for parts
 #include <cmath> // for abs
 
 namespace biting
@@ -13,267 +13,226 @@ namespace biting
 namespace
 {
 
-/// The size of squares that are not cut, as a share of the least value in them: f is off by what it
-/// grows on a quarter of that.
-constexpr double LastSize = 0.7;
+/// How far apart rays are, as a share of the value: f is too large by slope times half of that.
+constexpr double WidthOfRay = 0.35;
 
-/// By less, as a share of the least value, values are linear.
+/// A ray that ends nearer than this share of the value is not looked at closer.
+constexpr double ShortRay = 0.2;
+
+/// By less, as a share of the lower one, values do not jump.
 constexpr double Slight = 0.02;
 
-/// Squares along each side of the bounds before any is cut; each is a task.
-constexpr std::size_t TasksAlong = 8;
+/// Rays are divided this often, whatever they meet.
+constexpr int LeastDivisions = 2;
+constexpr int MostDivisions = 20;
 
-constexpr int DeepestCut = 20;
+/// Edges are dealt to so many tasks. Each lists at most MostRays rays.
+constexpr std::size_t NumberOfTasks = 64;
+constexpr std::size_t MostRays = 1 << 14;
 
-/// Of each task: then squares are not cut any more.
-constexpr std::size_t MostPoints = 1 << 18;
-
-/// Looks at a square, and those it is cut into.
-class JumpSearch
+/// From the border outward, with the value there.
+struct Ray
 {
-public:
-  struct Sample
-  {
-    Point2 At;
-    double Value = 0.0;
-    bool IsInside = true;
-  };
+  Point2 Start;
+  Point2 Direction;
+  double Value = 0.0;   ///< as given
+  double Most = 0.0;    ///< of the spacing where it starts
+  double Length = 0.0;  ///< as far as no other place of the border is nearer
+  double Least = 0.0;   ///< of the spacings on both sides of its end
+  bool HasJump = false; ///< at its end
 
-  JumpSearch(
-    const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& points, Pulse& pulse)
-    : Source(source)
-    , Rule(rule)
-    , Points(points)
-    , Beats(pulse)
-  {
-  }
-
-  void LookAt(const Box2& square)
-  {
-    const auto sample = [this, &square](double x, double y) {
-      return this->Take(square.Low + Point2{ x * square.Width(), y * square.Height() });
-    };
-    this->LookAt({ sample(0.0, 0.0), sample(1.0, 0.0), sample(0.0, 1.0), sample(1.0, 1.0) }, 0);
-  }
-
-private:
-  using Corners = std::array<Sample, 4>; // lower left, lower right, upper left, upper right
-  using Samples = std::array<Sample, 9>; // row by row
-
-  void LookAt(const Corners& corners, int depth)
-  {
-    const Samples samples = this->SamplesOf(corners);
-    const Box2 box{ corners[0].At, corners[3].At };
-    const double size = std::max(box.Width(), box.Height());
-    double least = Infinity;
-    bool isInside = true;
-    for (const Sample& sample : samples)
-    {
-      least = std::min(least, sample.Value);
-      isInside = isInside && sample.IsInside;
-    }
-    const bool isAtBorder = this->IsAtBorder(box);
-    if ((isInside && !isAtBorder) || !this->Beats.Beat(256))
-    {
-      return;
-    }
-    const double last = DistanceOfPoints(LastSize, this->Rule.Slope) * least;
-    const bool isCoarse = isAtBorder && size > 2.0 * last;
-    if (size > last && (isCoarse || IsBent(samples, Slight * least)) && depth < DeepestCut &&
-      this->Points.Points.size() < MostPoints)
-    {
-      for (const std::size_t first : { 0u, 1u, 3u, 4u })
-      {
-        this->LookAt({ samples[first], samples[first + 1], samples[first + 3], samples[first + 4] },
-          depth + 1);
-      }
-      return;
-    }
-    this->AddLow(samples);
-  }
-
-  Sample Take(const Point2& place) const
-  {
-    const std::optional<double> inside = this->Source.ValueInside(place);
-    return { place, this->Rule.Range(inside ? *inside : this->Source.ValueOutside(place)),
-      inside.has_value() };
-  }
-
-  Samples SamplesOf(const Corners& corners) const
-  {
-    const auto between = [this, &corners](std::size_t a, std::size_t b)
-    { return this->Take(Midpoint(corners[a].At, corners[b].At)); };
-    return { corners[0], between(0, 1), corners[1], between(0, 2), between(0, 3), between(1, 3),
-      corners[2], between(2, 3), corners[3] };
-  }
-
-  /// Within half of its size.
-  bool IsAtBorder(Box2 box) const
-  {
-    box.Grow(0.5 * std::max(box.Width(), box.Height()));
-    return !this->Source.BorderEdges().AllOf(box, [](const BorderEdge&) { return false; });
-  }
-
-  /// Whether a sample is not the mean of two opposite ones.
-  static bool IsBent(const Samples& samples, double tolerance)
-  {
-    constexpr std::size_t Lines[8][3] = { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 }, { 0, 3, 6 },
-      { 1, 4, 7 }, { 2, 5, 8 }, { 0, 4, 8 }, { 2, 4, 6 } };
-    for (const auto& line : Lines)
-    {
-      const double mean = 0.5 * (samples[line[0]].Value + samples[line[2]].Value);
-      if (std::abs(mean - samples[line[1]].Value) > tolerance)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Samples that are lower than another one by more than the slope, and no other one than them.
-  void AddLow(const Samples& samples)
-  {
-    for (const Sample& own : samples)
-    {
-      bool isLow = false;
-      bool isHigh = false;
-      for (const Sample& other : samples)
-      {
-        const double most = this->Rule.Slope * Distance(own.At, other.At);
-        isLow = isLow || other.Value > own.Value + most;
-        isHigh = isHigh || own.Value > other.Value + most;
-      }
-      if (isLow && !isHigh)
-      {
-        this->Points.Add(own.At, own.At, own.Value, own.Value);
-      }
-    }
-  }
-
-  const TriangleInterpolator& Source;
-  const SteepRule& Rule;
-  SegmentSource& Points;
-  Pulse& Beats;
+  Point2 At(double length) const { return this->Start + length * this->Direction; }
 };
 
-/// From a border point that is lower than its neighbors a valley of low values extends outward, as
-/// thin as its edges are short: along the normals of its edges, and halfway between these. Points
-/// along it are listed as long as they are below what the border point allows there.
+/// Lists rays from the border.
 class BorderRays
 {
 public:
-  BorderRays(const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& points)
+  BorderRays(const TriangleInterpolator& source, const std::vector<double>& most,
+    const SteepRule& rule, SegmentSource& edges)
     : Source(source)
+    , Most(most)
     , Rule(rule)
-    , Points(points)
+    , Edges(edges)
   {
   }
 
-  void List(Pulse& pulse)
+  /// From an edge, and around its end as far as the normal of the next one, if there is one.
+  void ListFrom(const BorderEdge& edge, const BorderEdge* next)
   {
-    const std::vector<BorderEdge>& edges = this->Source.BorderEdges().Items();
-    std::vector<Point2> normals;
-    normals.reserve(edges.size());
-    for (const BorderEdge& edge : edges)
+    constexpr double Slightly = 1e-3;
+    const double length = Distance(edge.Start, edge.End);
+    const Ray first{ edge.Start, OutwardOf(edge), edge.StartValue, this->MostAt(edge.StartId) };
+    const Ray last{ edge.End, first.Direction, edge.EndValue, this->MostAt(edge.EndId) };
+    if (this->Source.ValueInside(Midpoint(first.At(Slightly * length), last.At(Slightly * length))))
     {
-      pulse.Beat(16);
-      normals.push_back(this->OutwardOf(edge));
-      this->Note(edge, edge.StartId, edge.StartValue - edge.EndValue, normals.back());
-      this->Note(edge, edge.EndId, edge.EndValue - edge.StartValue, normals.back());
+      return;
     }
-    for (std::size_t k = 0; k < edges.size() && pulse.Beat(64); ++k)
+    const double rise = this->Rule.Range(last.Value) - this->Rule.Range(first.Value);
+    this->IsSteep = std::abs(rise) > this->Rule.Slope * length;
+    this->Divide(first, last, 0);
+    this->IsSteep = false;
+    if (next != nullptr && Cross(first.Direction, OutwardOf(*next)) > 0.0)
     {
-      this->ListFrom(edges[k].Start, edges[k].StartId, edges[k].StartValue, normals[k]);
-      this->ListFrom(edges[k].End, edges[k].EndId, edges[k].EndValue, normals[k]);
+      this->Divide(last, { edge.End, OutwardOf(*next), edge.EndValue, last.Most }, 0);
     }
   }
 
 private:
-  struct Vertex
+  static Point2 OutwardOf(const BorderEdge& edge)
   {
-    Point2 Outward; ///< the sum of its edges' normals
-    bool IsLow = false;
-    bool IsHigh = false;
-  };
-
-  Point2 OutwardOf(const BorderEdge& edge) const
-  {
-    constexpr double Slightly = 1e-3;
     const Point2 along = edge.End - edge.Start;
-    const Point2 normal = (1.0 / Length(along)) * Perpendicular(along);
-    const Point2 beside = Midpoint(edge.Start, edge.End) + Slightly * Perpendicular(along);
-    return this->Source.ValueInside(beside) ? -1.0 * normal : normal;
+    return (-1.0 / Length(along)) * Perpendicular(along);
   }
 
-  void Note(const BorderEdge& edge, Id id, double rise, const Point2& normal)
+  double MostAt(Id point) const { return this->Most[static_cast<std::size_t>(point)]; }
+
+  /// A share of a spacing, less where the slope is large.
+  double ShareOf(double spacing, double share) const
   {
-    const auto vertex = static_cast<std::size_t>(id);
-    this->Vertices.resize(std::max(this->Vertices.size(), vertex + 1));
-    const double most = this->Rule.Slope * Distance(edge.Start, edge.End);
-    const double scaled = this->Rule.Range.Scale * rise;
-    this->Vertices[vertex].Outward = this->Vertices[vertex].Outward + normal;
-    this->Vertices[vertex].IsLow |= scaled < -most;
-    this->Vertices[vertex].IsHigh |= scaled > most;
+    return DistanceOfPoints(share, this->Rule.Slope) * spacing;
   }
 
-  void ListFrom(const Point2& place, Id id, double value, const Point2& normal)
+  /// Casts the ray between two others, and those on both sides of it where they are far apart.
+  void Divide(Ray first, Ray last, int divisions)
   {
-    Vertex& vertex = this->Vertices[static_cast<std::size_t>(id)];
-    if (vertex.IsLow && !vertex.IsHigh)
+    const double base = Distance(first.Start, last.Start);
+    const double low = std::min(first.Value, last.Value);
+    const double least = this->Rule.Range(low);
+    const bool isLong = base > this->ShareOf(least, WidthOfRay);
+    const Point2 sum = first.Direction + last.Direction;
+    Ray middle{ Midpoint(first.Start, last.Start), (1.0 / Length(sum)) * sum,
+      isLong ? 0.5 * (first.Value + last.Value) : low,
+      std::min(first.Most, last.Most) + 0.5 * this->Rule.Slope * base };
+    this->Cast(middle, this->IsSteep || first.HasJump || last.HasJump);
+    const double width = base +
+      Distance(first.Direction, last.Direction) *
+        std::max({ first.Length, middle.Length, last.Length });
+    if (width <= this->ShareOf(std::min(least, middle.Least), WidthOfRay) ||
+      divisions == MostDivisions || this->Count > MostRays)
     {
-      this->ListAlong(place, this->Rule.Range(value), normal);
-      const double length = Length(vertex.Outward);
-      if (length > 0.0)
-      {
-        this->ListAlong(place, this->Rule.Range(value), (1.0 / length) * vertex.Outward);
-      }
-      vertex.Outward = {}; // once
+      return;
+    }
+    if (divisions == 0)
+    {
+      this->Cast(first, this->IsSteep);
+      this->Cast(last, this->IsSteep);
+    }
+    if (divisions < LeastDivisions || this->IsSteep || first.HasJump || middle.HasJump ||
+      last.HasJump)
+    {
+      this->Divide(first, middle, divisions + 1);
+      this->Divide(middle, last, divisions + 1);
     }
   }
 
-  void ListAlong(const Point2& from, double least, const Point2& direction)
+  /// Finds where a ray ends: the largest ball that touches the border where it starts, with its
+  /// center on the ray, is made smaller until no other place of the border is in it, or it is far
+  /// smaller than both values. Lists the lower value up to there, and that of steep edges.
+  void Cast(Ray& ray, bool isNeeded)
   {
-    double value = least;
-    double way = 0.0;
-    while (value < least + this->Rule.Slope * way || way == 0.0)
+    const double own = this->Rule.Range(ray.Value);
+    const double most = this->LengthInBounds(ray);
+    const double below = (own - ray.Most) / this->Rule.Slope + this->ShareOf(own, ShortRay);
+    ray.Length = std::min(std::max(this->ShareOf(own, ShortRay), below), most);
+    ray.Least = own;
+    ray.HasJump = false;
+    NearestValue found = this->NearerAt(ray);
+    if (ray.Length <= below && (found.Edge != nullptr || ray.Length == most))
     {
-      way += DistanceOfPoints(0.5 * LastSize, this->Rule.Slope) * value;
-      const Point2 place = from + way * direction;
-      if (!this->Rule.Bounds.Contains(place) || this->Source.ValueInside(place))
-      {
-        return;
-      }
-      value = this->Rule.Range(this->Source.ValueOutside(place));
-      if (value < least + this->Rule.Slope * way)
-      {
-        this->Points.Add(place, place, value, value);
-      }
+      return;
     }
+    while (found.Edge == nullptr && ray.Length < most)
+    {
+      ray.Length = std::min(4.0 * ray.Length, most);
+      found = this->NearerAt(ray);
+    }
+    NearestValue other{ 0.0, own };
+    for (bool isLast = false; found.Edge != nullptr && !isLast;)
+    {
+      other = found;
+      const Point2 toFoot = found.Foot - ray.Start;
+      const double length = 0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction);
+      isLast = length < this->ShareOf(std::min(own, found.Value), ShortRay);
+      ray.Length = std::min(length, ray.Length);
+      found = isLast ? found : this->NearerAt(ray);
+    }
+    ray.Least = std::min(own, other.Value);
+    ray.HasJump = ray.Length > 0.0 && std::abs(own - other.Value) > Slight * ray.Least;
+    const bool isLow = ray.HasJump && own < other.Value;
+    if (ray.Length > 0.0 && (isNeeded || isLow))
+    {
+      this->Add(ray.Start, ray, own);
+    }
+    if (ray.HasJump && !isLow)
+    {
+      this->Add(other.Foot, ray, other.Value);
+    }
+  }
+
+  void Add(const Point2& place, const Ray& ray, double value)
+  {
+    this->Count += 1;
+    this->Edges.Add(place, ray.At(ray.Length), value, value);
+  }
+
+  /// What is nearer to the end of a ray than its start.
+  NearestValue NearerAt(const Ray& ray) const
+  {
+    constexpr double Nearer = 1.0 - 1e-6;
+    NearestValue found =
+      Nearest(this->Source.BorderEdges(), ray.At(ray.Length), { Nearer * ray.Length, Infinity });
+    found.Value = this->Rule.Range(found.Value);
+    return found;
+  }
+
+  double LengthInBounds(const Ray& ray) const
+  {
+    double length = Infinity;
+    for (std::size_t d = 0; d < 2; ++d)
+    {
+      const Point2& limit = ray.Direction[d] < 0.0 ? this->Rule.Bounds.Low : this->Rule.Bounds.High;
+      length = ray.Direction[d] != 0.0
+        ? std::min(length, (limit[d] - ray.Start[d]) / ray.Direction[d])
+        : length;
+    }
+    return length;
   }
 
   const TriangleInterpolator& Source;
+  const std::vector<double>& Most;
   const SteepRule& Rule;
-  SegmentSource& Points;
-  std::vector<Vertex> Vertices; ///< of the source's points
+  SegmentSource& Edges;
+  bool IsSteep = false; ///< the edge that rays come from
+  std::size_t Count = 0;
 };
 
 } // namespace
 
-void AddJumpsOutside(
-  const TriangleInterpolator& source, const SteepRule& rule, SegmentSource& edges, Pulse& pulse)
+void AddJumpsOutside(const TriangleInterpolator& source, const std::vector<double>& most,
+  const SteepRule& rule, SegmentSource& edges, Pulse& pulse)
 {
-  const Point2 size = (1.0 / TasksAlong) * (rule.Bounds.High - rule.Bounds.Low);
-  std::array<SegmentSource, TasksAlong * TasksAlong> parts;
+  const std::vector<BorderEdge>& border = source.BorderEdges().Items();
+  std::vector<const BorderEdge*> edgeFrom; // of the source's points
+  for (const BorderEdge& edge : border)
+  {
+    edgeFrom.resize(
+      std::max(edgeFrom.size(), static_cast<std::size_t>(std::max(edge.StartId, edge.EndId)) + 1));
+    edgeFrom[static_cast<std::size_t>(edge.StartId)] = &edge;
+  }
+  std::array<SegmentSource, NumberOfTasks> parts;
   DoTasks(pulse, parts.size(),
-    [&source, &rule, &parts, &size](std::size_t k, Monitor& monitor)
+    [&source, &most, &rule, &parts, &border, &edgeFrom](std::size_t k, Monitor& monitor)
     {
       Pulse own(monitor);
-      const Point2 low = rule.Bounds.Low +
-        Point2{ static_cast<double>(k % TasksAlong) * size.X,
-          static_cast<double>(k / TasksAlong) * size.Y };
-      JumpSearch(source, rule, parts[k], own).LookAt({ low, low + size });
+      BorderRays rays(source, most, rule, parts[k]);
+      const std::size_t last = (k + 1) * border.size() / NumberOfTasks;
+      for (std::size_t edge = k * border.size() / NumberOfTasks; edge < last && own.Beat(64);
+           ++edge)
+      {
+        rays.ListFrom(border[edge], edgeFrom[static_cast<std::size_t>(border[edge].EndId)]);
+      }
     });
-  BorderRays(source, rule, edges).List(pulse);
   for (const SegmentSource& part : parts)
   {
     edges.Add(part);

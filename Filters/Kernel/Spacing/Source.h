@@ -6,10 +6,24 @@
 
 #include "../Base/Pulse.h"
 #include "Spacing.h"
-#include "ValueRange.h"
+
+#include <algorithm> // for min, max
 
 namespace biting
 {
+
+/// How values as given become spacing: scaled, then clamped.
+struct ValueRange
+{
+  double Scale = 1.0;
+  double Least = 0.0;
+  double Most = 0.0;
+
+  double operator()(double value) const
+  {
+    return std::min(std::max(this->Scale * value, this->Least), this->Most);
+  }
+};
 
 /// Where the spacing is too steep, and what is looked at.
 struct SteepRule

@@ -5,10 +5,10 @@
 
 #include "../Base/Box.h"
 
-#include <algorithm> // for max
-#include <array>     // for quarters
-#include <cmath>     // for abs
-#include <numeric>   // for iota
+#include <algorithm> // for min, max
+#include <cmath>     // for abs, ilogb, sqrt
+#include <numeric>   // for iota, partial_sum
+#include <utility>   // for pairs
 
 namespace biting
 {
@@ -23,6 +23,12 @@ constexpr std::size_t EntriesPerLeaf = 20;
 constexpr double MostCopies = 16.0;
 
 constexpr int DeepestSquare = 24;
+
+/// The root is larger by that, so that its squares do not touch all triangles of a lattice beside.
+constexpr double OddShare = 1.0 / 300.0;
+
+/// For rounding, in sizes of a square.
+constexpr double Room = 5e-7;
 
 } // namespace
 
@@ -45,71 +51,131 @@ public:
     {
       box.Add(this->Points[static_cast<std::size_t>(point)]);
     }
+    box.Grow(OddShare * std::max(box.Width(), box.Height()));
     this->Whole.Tree = Orthtree<2>::Around(box.Low, box.High);
     std::vector<Id> all(this->Corners.size() / 3);
     std::iota(all.begin(), all.end(), 0);
-    this->Refine(this->Whole.Tree.Root(), all, MostCopies);
+    this->Refine(this->Whole.Tree.Root(), all.data(), all.data() + all.size(), MostCopies);
     this->Whole.Tree.Finish();
   }
 
 private:
-  using Quarters = std::array<std::vector<Id>, 4>;
+  using Square = Orthtree<2>::Cube;
 
-  void Refine(const Orthtree<2>::Cube& square, const std::vector<Id>& ids, double copies)
+  /// The triangles of 4^Levels squares, row by row.
+  struct Grid
   {
-    const bool isSmall = ids.size() <= EntriesPerLeaf || square.Level == DeepestSquare;
-    const Quarters quarters = isSmall ? Quarters() : this->Deal(square, ids);
-    double sum = 0.0;
-    for (const std::vector<Id>& quarter : quarters)
+    int Levels;
+    std::vector<std::size_t> Begins;
+    std::vector<Id> Ids;
+  };
+
+  void Refine(const Square& square, const Id* first, const Id* last, double copies)
+  {
+    const auto count = static_cast<std::size_t>(last - first);
+    if (count > EntriesPerLeaf && square.Level < DeepestSquare && !this->Beats.HasStopped())
     {
-      sum += static_cast<double>(quarter.size());
+      const Grid grid = this->Deal(square, first, last);
+      const double copiesBelow =
+        copies * static_cast<double>(count) / static_cast<double>(grid.Ids.size());
+      if (copiesBelow >= 1.0)
+      {
+        this->Descend(square, grid, grid.Levels, 0, copiesBelow);
+        return;
+      }
     }
-    const double copiesBelow = copies * static_cast<double>(ids.size()) / sum;
-    if (isSmall || copiesBelow < 1.0 || this->Beats.HasStopped())
+    std::vector<Id>& lists = this->Whole.Lists;
+    this->Whole.Tree.SetLeaf(square, count == 0 ? 0 : static_cast<Id>(lists.size()));
+    lists.insert(lists.end(), count == 0 ? 0 : 1, static_cast<Id>(count));
+    lists.insert(lists.end(), first, last);
+  }
+
+  /// Down to the squares of a grid; `place` is the lower left one of those in the square.
+  void Descend(const Square& square, const Grid& grid, int levels, std::size_t place, double copies)
+  {
+    if (levels == 0)
     {
-      std::vector<Id>& lists = this->Whole.Lists;
-      this->Whole.Tree.SetLeaf(square, ids.empty() ? 0 : static_cast<Id>(lists.size()));
-      lists.insert(lists.end(), ids.empty() ? 0 : 1, static_cast<Id>(ids.size()));
-      lists.insert(lists.end(), ids.begin(), ids.end());
+      const Id* ids = grid.Ids.data();
+      this->Refine(square, ids + grid.Begins[place], ids + grid.Begins[place + 1], copies);
       return;
     }
     this->Whole.Tree.Split(square);
     for (int quarter = 0; quarter < 4; ++quarter)
     {
-      this->Refine(this->Whole.Tree.Child(square, quarter),
-        quarters[static_cast<std::size_t>(quarter)], copiesBelow);
+      const std::size_t row = quarter / 2 == 0 ? 0 : std::size_t(1) << grid.Levels;
+      const std::size_t step = (row + static_cast<std::size_t>(quarter % 2)) << (levels - 1);
+      this->Descend(
+        this->Whole.Tree.Child(square, quarter), grid, levels - 1, place + step, copies);
     }
   }
 
-  /// To each quarter the triangles that may meet it, with room for rounding: a triangle too many
-  /// costs nothing but time.
-  Quarters Deal(const Orthtree<2>::Cube& square, const std::vector<Id>& ids)
+  /// So many that a square has about EntriesPerLeaf, but no smaller than the triangles in the mean.
+  int LevelsOf(const Square& square, const Id* first, const Id* last) const
   {
-    const double half = 0.25000025 * square.Size;
-    Quarters quarters;
-    for (std::vector<Id>& quarter : quarters)
+    double sum = 0.0;
+    for (const Id* id = first; id != last; ++id)
     {
-      quarter.reserve(ids.size() / 2);
+      const Box2 box = this->BoxOf(*id);
+      sum += std::min(std::max(box.Width(), box.Height()), square.Size);
     }
-    for (const Id id : ids)
+    const auto count = static_cast<double>(last - first);
+    const double squares = std::min(std::sqrt(count / 6.0), square.Size * count / sum);
+    return std::min(std::max(std::ilogb(squares), 1), DeepestSquare - square.Level);
+  }
+
+  /// To each square of a grid the triangles that may meet it, with room for rounding: a triangle
+  /// too many costs nothing but time.
+  Grid Deal(const Square& square, const Id* first, const Id* last)
+  {
+    Grid grid{ this->LevelsOf(square, first, last), {}, {} };
+    const std::size_t side = std::size_t(1) << grid.Levels;
+    const double size = square.Size / static_cast<double>(side);
+    std::vector<std::pair<std::size_t, Id>> dealt;
+    dealt.reserve(2 * static_cast<std::size_t>(last - first));
+    for (const Id* id = first; id != last && this->Beats.Beat(1); ++id)
     {
-      this->Beats.Beat(1);
-      const Point2 corners[3] = { this->CornerOf(id, 0), this->CornerOf(id, 1),
-        this->CornerOf(id, 2) };
-      Box2 box = Box2::Around(corners[0], corners[1]);
-      box.Add(corners[2]);
-      box.Grow(half);
-      for (std::size_t quarter = 0; quarter < 4; ++quarter)
+      const Point2 corners[3] = { this->CornerOf(*id, 0), this->CornerOf(*id, 1),
+        this->CornerOf(*id, 2) };
+      const Box2 box = this->BoxOf(*id);
+      const auto numberAt = [&square, size, side](const Point2& place, std::size_t d, double room)
       {
-        const Point2 center =
-          square.At({ (quarter & 1) != 0 ? 0.75 : 0.25, (quarter & 2) != 0 ? 0.75 : 0.25 });
-        if (box.Contains(center) && MayMeet(corners, center, half))
+        const double number = (place[d] - square.Low[d]) / size + room;
+        return static_cast<std::size_t>(
+          std::min(std::max(number, 0.0), static_cast<double>(side - 1)));
+      };
+      for (std::size_t row = numberAt(box.Low, 1, -Room); row <= numberAt(box.High, 1, Room); ++row)
+      {
+        for (std::size_t column = numberAt(box.Low, 0, -Room);
+             column <= numberAt(box.High, 0, Room); ++column)
         {
-          quarters[quarter].push_back(id);
+          const Point2 center = square.Low +
+            size * Point2{ static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5 };
+          if (MayMeet(corners, center, (0.5 + Room) * size))
+          {
+            dealt.emplace_back(row * side + column, *id);
+          }
         }
       }
     }
-    return quarters;
+    grid.Begins.resize(side * side + 1, 0);
+    for (const auto& [place, id] : dealt)
+    {
+      ++grid.Begins[place];
+    }
+    std::partial_sum(grid.Begins.begin(), grid.Begins.end(), grid.Begins.begin());
+    grid.Ids.resize(dealt.size());
+    for (std::size_t k = dealt.size(); k-- > 0;)
+    {
+      grid.Ids[--grid.Begins[dealt[k].first]] = dealt[k].second;
+    }
+    return grid;
+  }
+
+  Box2 BoxOf(Id triangle) const
+  {
+    Box2 box = Box2::Around(this->CornerOf(triangle, 0), this->CornerOf(triangle, 1));
+    box.Add(this->CornerOf(triangle, 2));
+    return box;
   }
 
   /// Whether no side has all of the square on its outside.

@@ -5,7 +5,6 @@
 
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "JumpsOutside.h"
 
 #include <algorithm> // for min, max, none_of, sort
 #include <cmath>     // for isfinite
@@ -87,9 +86,11 @@ std::vector<BorderEdge> FindBorder(
         first = std::find_if(first, last, [own](Side side) { return side / 2 != own / 2; });
         if (first[-1] == own)
         {
-          const auto end = static_cast<std::size_t>(own / 2);
-          border.push_back({ source.Points[start], source.Points[end], source.Values[start],
-            source.Values[end], static_cast<Id>(start), static_cast<Id>(end) });
+          const std::size_t ends[2] = { start, static_cast<std::size_t>(own / 2) };
+          const std::size_t from = ends[1 - own % 2];
+          const std::size_t to = ends[own % 2];
+          border.push_back({ source.Points[from], source.Points[to], source.Values[from],
+            source.Values[to], static_cast<Id>(from), static_cast<Id>(to) });
         }
       }
     });
@@ -179,7 +180,7 @@ public:
     : Given(source)
     , Rule(rule)
     , Edges(edges)
-    , States(source.Points.size(), 0)
+    , Most(source.Points.size(), Infinity)
   {
   }
 
@@ -187,9 +188,9 @@ public:
   {
     const CellNode a = this->At(start);
     const CellNode b = this->At(end);
-    const double most = this->Rule.Slope * Distance(a.At, b.At);
-    this->StateOf(start) |= a.Value > b.Value + most ? IsUpper : IsListed;
-    this->StateOf(end) |= b.Value > a.Value + most ? IsUpper : IsListed;
+    const double rise = this->Rule.Slope * Distance(a.At, b.At);
+    this->Lower(start, std::min(a.Value, this->MostAt(end) + rise));
+    this->Lower(end, std::min(b.Value, this->MostAt(start) + rise));
     AddLowEdge(a, b, this->Rule, this->Edges);
   }
 
@@ -206,35 +207,40 @@ public:
     AddLevelLine(nodes, this->Rule.Range, this->Edges);
   }
 
-  /// Those that are no upper end of a steep side, when all sides are added.
+  /// Those of steep triangles from which f grows, when all sides are added.
   void AddPoints()
   {
-    for (std::size_t point = 0; point < this->States.size(); ++point)
+    for (std::size_t point = 0; point < this->Most.size(); ++point)
     {
-      if (this->States[point] == IsListed)
+      const CellNode place = this->At(static_cast<Id>(point));
+      if (this->Most[point] == place.Value)
       {
-        const CellNode place = this->At(static_cast<Id>(point));
         this->Edges.Add(place.At, place.At, place.Value, place.Value);
       }
     }
   }
 
-private:
-  static constexpr std::uint8_t IsListed = 1;
-  static constexpr std::uint8_t IsUpper = 2;
+  /// Bounds of f at the points, along the sides so far.
+  const std::vector<double>& AllMost() const { return this->Most; }
 
+private:
   CellNode At(Id point) const
   {
     const auto id = static_cast<std::size_t>(point);
     const double value = this->Given.Values[id];
     return { this->Given.Points[id], this->Rule.Range.Scale * value, this->Rule.Range(value) };
   }
-  std::uint8_t& StateOf(Id point) { return this->States[static_cast<std::size_t>(point)]; }
+  double MostAt(Id point) const { return this->Most[static_cast<std::size_t>(point)]; }
+  void Lower(Id point, double value)
+  {
+    double& most = this->Most[static_cast<std::size_t>(point)];
+    most = std::min(most, value);
+  }
 
   const TriangulatedSource& Given;
   const SteepRule& Rule;
   SegmentSource& Edges;
-  std::vector<std::uint8_t> States; ///< of points
+  std::vector<double> Most;
 };
 
 } // namespace
@@ -266,7 +272,7 @@ double TriangleInterpolator::AddLowEdges(
     low.AddPoints();
     if (!source.CoversDomain)
     {
-      AddJumpsOutside(*this, rule, edges, pulse);
+      AddJumpsOutside(*this, low.AllMost(), rule, edges, pulse);
     }
   }
   return largest;
