@@ -359,9 +359,11 @@ bool DrawingOracle::HasKind(std::size_t vertex, bool isOnEdge)
   const bool isOld = kind == VertexKind::Input || kind == VertexKind::Embedded;
   const Point2 p = original == NoId ? Point2{} : this->Judged.Input.Points[At(original)];
   const bool isTiny = std::abs(p.X) < 1e-70 || std::abs(p.Y) < 1e-70;
+  const bool mayStay =
+    kind == VertexKind::Input && this->Judged.Options.Domain.KeepCellEdges; // within triangles
   return isOld == (original != NoId) &&
     (!isOld || isTiny || p == this->Judged.Mesh.Points[vertex]) &&
-    isOnEdge == (kind == VertexKind::Input || kind == VertexKind::Boundary);
+    (mayStay || isOnEdge == (kind == VertexKind::Input || kind == VertexKind::Boundary));
 }
 
 /// With that option, new vertices on segments are where two of these meet.
