@@ -330,8 +330,10 @@ bool HasKind(JudgedMesh& judged, std::size_t vertex, bool isOnEdge)
   const bool isOld = kind == VertexKind::Input || kind == VertexKind::Embedded;
   const Point2 p = original == NoId ? Point2{} : judged.Input.Points[At(original)];
   const bool isTiny = std::abs(p.X) < 1e-70 || std::abs(p.Y) < 1e-70;
+  const bool mayStay =
+    kind == VertexKind::Input && judged.Options.Domain.KeepCellEdges; // within triangles
   return isOld == (original != NoId) && (!isOld || isTiny || p == judged.Mesh.Points[vertex]) &&
-    isOnEdge == (kind == VertexKind::Input || kind == VertexKind::Boundary);
+    (mayStay || isOnEdge == (kind == VertexKind::Input || kind == VertexKind::Boundary));
 }
 
 bool HasKinds(JudgedMesh& judged)

@@ -11,6 +11,7 @@
 #include "../Relaxation/SurfaceRelaxation.h"
 #include "../Surface/NearestOnTriangle.h"
 #include "../Surface/SurfaceCrossings.h"
+#include "ExpectedVertices.h"
 
 #include <algorithm> // for min, max
 #include <cmath>     // for isfinite
@@ -80,8 +81,7 @@ private:
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
     if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
     {
-      this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
-        "more than " + std::to_string(this->Options.MaximumNumberOfVertices));
+      this->RefuseSize();
       return;
     }
     this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
@@ -108,6 +108,12 @@ private:
       ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
     }
     this->Problems.Add({ code, std::move(ids), place, detail });
+  }
+
+  void RefuseSize()
+  {
+    this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
+      "more than " + std::to_string(this->Options.MaximumNumberOfVertices) + " vertices");
   }
 
   /// Refuses what is no mesh of the surface.
@@ -188,8 +194,14 @@ private:
       }
       ground.Given.push_back(size);
     }
+    const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
+    if (ExpectedVertices(ground.Mesh, this->Spacing, most) > most)
+    {
+      this->RefuseSize();
+      return;
+    }
     ground.Sizes = ground.Given;
-    DivideGround(ground, this->Spacing, 100000000, this->Beats);
+    this->Divide();
     LinkGround(ground, this->Beats);
     FindChains(ground);
     DropNoise(ground);
@@ -216,9 +228,19 @@ private:
   {
     SurfaceGround& ground = this->Ground;
     GradeSizes(ground, this->Options.Gradation, this->Beats);
-    DivideGround(ground, this->Spacing, 100000000, this->Beats);
+    this->Divide();
     LinkGround(ground, this->Beats);
     FindChains(ground);
+  }
+
+  /// Refuses a ground that would need several GB.
+  void Divide()
+  {
+    constexpr std::size_t MostTriangles = 40000000;
+    if (!DivideGround(this->Ground, this->Spacing, MostTriangles, this->Beats))
+    {
+      this->RefuseSize();
+    }
   }
 
   /// Gives up the turning lines that have faults. Whether there is one.
