@@ -38,8 +38,8 @@ public:
   explicit Execution(vtkBitingSurfaceMesher* filter)
     : FilterRun({ filter, &filter->ErrorCode, &filter->Summary, &filter->IsStopping,
                   filter->NumberOfThreads },
-        // Reading, the three of CheckSurface, those of MakeBitingSurface, writing.
-        { 0.05, 0.05, 0.1, 0.05, 0.1, 0.3, 0.15, 0.15, 0.05 })
+        // Reading, the three of CheckSurface, the three of MakeBitingSurface, writing.
+        { 0.05, 0.05, 0.1, 0.05, 0.15, 0.4, 0.15, 0.05 })
     , Filter(filter)
   {
   }

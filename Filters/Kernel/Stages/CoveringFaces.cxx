@@ -83,7 +83,7 @@ std::vector<Id> CoveringFaces::FacesOf(const BitingMesh& mesh, Pulse& pulse) con
     return faces;
   }
   constexpr std::size_t CheapSteps = 64; // of a query
-  std::vector<Id> ofPiece; // a piece has none
+  std::vector<Id> ofPiece;               // a piece has none
   if (mesh.Neighbors.size() != mesh.Corners.size())
   {
     ofPiece = LinkTriangles(mesh.Corners, static_cast<Id>(mesh.Points.size())).Neighbors;

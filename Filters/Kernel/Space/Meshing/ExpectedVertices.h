@@ -21,7 +21,7 @@ namespace biting
 inline double ExpectedVertices(
   const SurfaceMesh& mesh, const std::function<double(const Point3&)>& f, double most)
 {
-  constexpr double Alike = 1.5;   // values that differ by less need no halving
+  constexpr double Alike = 1.5;    // values that differ by less need no halving
   constexpr double LongEdge = 2.0; // nor do triangles whose edges are shorter, in f
   double sum = 0.0;
   std::vector<std::array<Point3, 3>> pieces;

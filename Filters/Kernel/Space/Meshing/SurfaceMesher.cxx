@@ -46,6 +46,7 @@ public:
   {
     this->Listener.BeginStage("Looking for features");
     this->MakeGround();
+    this->Listener.BeginStage("Biting");
     bool isDone = this->MayGoOn();
     std::size_t before = std::numeric_limits<std::size_t>::max();
     std::size_t first = 0;
@@ -76,7 +77,6 @@ private:
 
   void Bite()
   {
-    this->Listener.BeginStage("Biting");
     this->Bites = BiteSurface(
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
     if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
@@ -85,7 +85,6 @@ private:
       return;
     }
     this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
-    this->Listener.BeginStage("Triangulating");
     this->Boundary =
       FindBoundary(this->Ground, this->Bites, this->Tree, this->IsSolid(), this->Beats);
   }
@@ -327,13 +326,13 @@ private:
 
   void Relax(BitingSurface& mesh)
   {
+    this->Listener.BeginStage("Relaxing");
     RelaxedSurface relaxed{ this->Bites.Centers, this->Bites.Sizes, this->Bites.Triangles, {},
       this->Boundary.Corners };
     relaxed.IsFree.assign(relaxed.Points.size(), 1);
     std::fill_n(relaxed.IsFree.begin(), this->Bites.NumberOnLines, std::uint8_t{ 0 });
     if (this->Options.Relaxation)
     {
-      this->Listener.BeginStage("Relaxing");
       RelaxedSurface given = relaxed;
       RelaxSurface(this->Ground, this->Bites.PieceEnds, relaxed, this->Beats);
       if (this->CrossesItself(relaxed))
