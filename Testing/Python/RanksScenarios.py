@@ -188,8 +188,9 @@ def digests_of(data):
         if hasattr(data, cells) and data.GetNumberOfCells() > 0:
             add_array(digest, getattr(data, cells)().GetConnectivityArray())
     add_arrays(digest, ids, data.GetPointData())
+    what = '%d points, %d cells, %s, ' % (
+        data.GetNumberOfPoints(), data.GetNumberOfCells(), digest.hexdigest()[:16])
     add_arrays(digest, ids, data.GetCellData())
-    what = '%d points, %d cells, ' % (data.GetNumberOfPoints(), data.GetNumberOfCells())
     return what + digest.hexdigest()[:16], ids.hexdigest()[:16]
 
 

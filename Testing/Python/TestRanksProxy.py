@@ -106,7 +106,8 @@ class TestRanksProxy(unittest.TestCase):
         self.assertEqual(len(set(meshes)), 1)
 
     def test_lines_segments_and_polygons_that_draw_the_same_give_the_same_mesh(self):
-        meshes = [self.serial[form + '.First']['digests'][0]
+        # But for the arrays of cells, which polygons have and lines have not.
+        meshes = [self.serial[form + '.First']['digests'][0].rsplit(',', 1)[0]
                   for form in ('Polylines', 'Segments', 'Polygons', 'Composite')]
         self.assertEqual(len(set(meshes)), 1)
 
