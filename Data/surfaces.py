@@ -63,9 +63,10 @@ def drawing_of_plate():
 
 def contour():
     """Of a volume: slivers and all."""
-    given = Contour(Input=Wavelet(), ContourBy='RTData', Isosurfaces=[157.0], ComputeScalars=0)
+    volume = Wavelet(XFreq=12, YFreq=9, ZFreq=10, XMag=25, YMag=40, ZMag=15)
+    given = Contour(Input=volume, ContourBy='RTData', Isosurfaces=[157.0], ComputeScalars=0)
     mesh = BitingSurfaceMesher(Input=given, UniformSpacing=0.9)
-    return (given, mesh), [30, -50, 30], [0, 0, 0], 13
+    return (given, mesh), [30, -50, 30], [0, 0, 0], 15.5
 
 
 def terrain():
