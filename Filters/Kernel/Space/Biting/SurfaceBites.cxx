@@ -207,9 +207,10 @@ private:
     this->NumberOfMeetings = 0;
     this->Way = { {}, NoId };
     // Candidates first: the new bite is in no list yet.
-    for (std::size_t k = 0; k < this->Front.size(); ++k)
+    std::size_t next = 0;
+    while (next < this->Front.size()) // GoAcross adds some
     {
-      const Id triangle = this->Front[k];
+      const Id triangle = this->Front[next++];
       this->Meet(bite, triangle);
       for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
       {
