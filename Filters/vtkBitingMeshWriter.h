@@ -91,8 +91,8 @@ public:
 
   ///@{
   /**
-   * For Gmsh, SMS and UGRID: cell array of the mesh whose values, numbers or texts, are the groups of
-   * triangles. Empty (default), or "None": `RegionId`.
+   * For Gmsh, SMS and UGRID: cell array of the mesh whose values, numbers or texts, are the groups
+   * of triangles. Empty (default), or "None": `RegionId`.
    */
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);
@@ -111,8 +111,8 @@ public:
   ///@{
   /**
    * For ADCIRC, SCHISM, SMS and UGRID: the point array of depths, positive downwards. Default
-   * `Depth`: where it does not exist depths are 0, and UGRID has none. Any other array that does not exist, and depths that are
-   * not finite, are errors.
+   * `Depth`: where it does not exist depths are 0, and UGRID has none. Any other array that does
+   * not exist, and depths that are not finite, are errors.
    */
   vtkSetStringMacro(DepthArray);
   vtkGetStringMacro(DepthArray);

@@ -94,8 +94,8 @@ void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::os
 void WriteSMS(const MeshFile& mesh, std::ostream& file);
 
 /// UGRID 1.0 (NetCDF with 64-bit offsets): all sides of triangles as edges, with their tags, 0 for
-/// none; edges of one triangle as boundary; regions of faces; depths, where there are any. Names are
-/// the meanings of flags, with '_' for blanks. The stream fails where there are no triangles.
+/// none; edges of one triangle as boundary; regions of faces; depths, where there are any. Names
+/// are the meanings of flags, with '_' for blanks. The stream fails where there are no triangles.
 void WriteUGRID(const MeshFile& mesh, std::ostream& file);
 
 /// What came of reading a file.

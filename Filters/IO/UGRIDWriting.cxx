@@ -13,6 +13,7 @@
 #include <algorithm> // for sort, lower_bound
 #include <cctype>    // for blanks
 #include <cstdlib>   // for free
+#include <iterator>  // for back_inserter
 #include <utility>   // for pair
 
 namespace biting
@@ -182,24 +183,21 @@ Attributes DataOf(const std::string& location, const std::string& longName)
 /// Two coordinates of the vertices, and their depths, where there are any.
 std::vector<int> AddNodes(NetCDFFile& out, const MeshFile& mesh, int nodes)
 {
-  const std::string names[] = { mesh.AreDegrees ? "longitude" : "projection_x_coordinate",
-    mesh.AreDegrees ? "latitude" : "projection_y_coordinate" };
-  const std::string units[] = { mesh.AreDegrees ? "degrees_east" : "m",
-    mesh.AreDegrees ? "degrees_north" : "m" };
-  std::vector<int> variables;
-  for (const std::size_t k : { 0, 1 })
+  const auto addCoordinate = [&out, nodes](
+                               const char* name, const char* standardName, const char* units)
   {
-    variables.push_back(
-      out.AddVariable(k == 0 ? "mesh2d_node_x" : "mesh2d_node_y", NC_DOUBLE, { nodes },
-        { { "standard_name", names[k] }, { "long_name", k == 0 ? "x of nodes" : "y of nodes" },
-          { "units", units[k] }, { "mesh", MeshName }, { "location", "node" } }));
-  }
+    return out.AddVariable(name, NC_DOUBLE, { nodes },
+      { { "standard_name", standardName }, { "long_name", standardName }, { "units", units } });
+  };
+  std::vector<int> variables = mesh.AreDegrees
+    ? std::vector<int>{ addCoordinate("mesh2d_node_x", "longitude", "degrees_east"),
+        addCoordinate("mesh2d_node_y", "latitude", "degrees_north") }
+    : std::vector<int>{ addCoordinate("mesh2d_node_x", "projection_x_coordinate", "m"),
+        addCoordinate("mesh2d_node_y", "projection_y_coordinate", "m") };
   if (!mesh.Depths.empty())
   {
     Attributes attributes = DataOf("node", "depth of nodes, positive downwards");
-    attributes.insert(attributes.end(),
-      { { "units", "m" }, { "positive", "down" },
-        { "coordinates", "mesh2d_node_x mesh2d_node_y" } });
+    attributes.insert(attributes.end(), { { "units", "m" }, { "positive", "down" } });
     variables.push_back(out.AddVariable("mesh2d_node_depth", NC_DOUBLE, { nodes }, attributes));
   }
   return variables;
@@ -231,17 +229,16 @@ void PutNodes(NetCDFFile& out, const MeshFile& mesh, const std::vector<int>& var
 
 void PutFaces(NetCDFFile& out, const MeshFile& mesh, int faceNodes, int regions)
 {
-  std::vector<std::array<int, 3>> corners;
+  std::vector<int> corners;
   std::vector<int> numbers;
-  corners.reserve(mesh.Triangles.size());
+  corners.reserve(3 * mesh.Triangles.size());
   numbers.reserve(mesh.Triangles.size());
   for (std::size_t k = 0; k < mesh.Triangles.size(); ++k)
   {
-    const auto& [a, b, c] = mesh.Triangles[k];
-    corners.push_back({ static_cast<int>(a), static_cast<int>(b), static_cast<int>(c) });
+    corners.insert(corners.end(), mesh.Triangles[k].begin(), mesh.Triangles[k].end());
     numbers.push_back(static_cast<int>(mesh.Regions[mesh.RegionOfTriangle[k]].Number));
   }
-  out.Do(nc_put_var_int, faceNodes, corners.front().data());
+  out.Do(nc_put_var_int, faceNodes, corners.data());
   out.Do(nc_put_var_int, regions, numbers.data());
 }
 
