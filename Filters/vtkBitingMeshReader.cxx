@@ -45,7 +45,8 @@ ReadingResult ReadFile(const std::string& name, MeshFile& file)
     return { "The file could not be opened.", {} };
   }
   const biting::MeshFormat* format = biting::FormatOf(name);
-  return format ? format->Read(stream, file) : ReadingResult{ biting::SentenceOfEnds(), {} };
+  return format && format->Read ? format->Read(stream, file)
+                                : ReadingResult{ biting::SentenceOfEnds(true), {} };
 }
 
 //------------------------------------------------------------------------------

@@ -207,7 +207,7 @@ std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
   const biting::MeshFormat* format = biting::FormatOf(name);
   if (!format)
   {
-    return biting::SentenceOfEnds() + " It is " + name;
+    return biting::SentenceOfEnds(false) + " It is " + name;
   }
   if (!mesh)
   {
@@ -219,6 +219,7 @@ std::string vtkBitingMeshWriter::WriteMesh(vtkDataSet* mesh, vtkPolyData* edges)
     return refusal;
   }
   biting::MeshFile file;
+  file.AreDegrees = this->Coordinates == LONGITUDE_LATITUDE;
   const biting::WrittenParts parts(mesh);
   refusal = biting::ReadTriangles(
     mesh, parts, format->HasRegions ? Text(this->RegionArray) : std::string(), file);
@@ -244,7 +245,7 @@ std::string vtkBitingMeshWriter::WriteFile(const biting::MeshFile& file)
     return "No edge of the boundary has the tag " + unknown + ", which Open Tags lists.";
   }
   const std::string part = name + ".part";
-  std::ofstream stream(part);
+  std::ofstream stream(part, std::ios::binary);
   format.Write(file, areOpen, stream);
   stream.close();
   std::error_code failure;
@@ -269,6 +270,7 @@ void vtkBitingMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RegionArray: " << Text(this->RegionArray) << "\n"
      << indent << "OpenTags: " << Text(this->OpenTags) << "\n"
      << indent << "DepthArray: " << Text(this->DepthArray) << "\n"
+     << indent << "Coordinates: " << this->Coordinates << "\n"
      << indent << "GatherPieces: " << this->GatherPieces << "\n";
 }
 

@@ -10,7 +10,8 @@
  * - `.su2`, SU2: the tags of the boundary as markers; interfaces and regions are left out;
  * - `.14`, ADCIRC (fort.14), and `.gr3`, SCHISM (hgrid): open and land boundaries; islands are
  *   land around holes;
- * - `.2dm`, SMS: regions as materials, tags as node strings by their numbers, without names.
+ * - `.2dm`, SMS: regions as materials, tags as node strings by their numbers, without names;
+ * - `.nc`, UGRID 1.0 (NetCDF): tags and regions as flags of edges and faces, depths of nodes.
  *
  * Port 0 is the mesh: a vtkDataSet of triangles; other cells are passed over. Regions are the
  * values of a cell array: RegionArray, else `RegionId`, of which the physical number is the value
@@ -35,8 +36,9 @@
  * them, and so are triangles that overlap; clockwise triangles are turned. In SU2 names of markers
  * have '_' in place of blanks and other signs that end names there, with a warning. In ADCIRC and
  * SCHISM an island that is open in part is open boundary and mainland; a loop that is all open is
- * two open boundaries. In SMS z is the depth with the other sign. Numbers are written so that
- * reading gives them back bit for bit.
+ * two open boundaries. In SMS z is the depth with the other sign. In UGRID all sides of triangles
+ * are edges, with 0 where they have no tag, the edges of one triangle are the boundary, and names
+ * have '_' in place of blanks. Numbers are written so that reading gives them back bit for bit.
  *
  * Where there is an error no file is written, and one that was there stays as it was.
  */
@@ -72,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The file to write; its end chooses the format: `.msh`, `.su2`, `.14`, `.gr3` or
-   * `.2dm`.
+   * The file to write; its end chooses the format: `.msh`, `.su2`, `.14`, `.gr3`,
+   * `.2dm` or `.nc`.
    */
   vtkSetStringMacro(FileName);
   vtkGetStringMacro(FileName);
@@ -89,8 +91,8 @@ public:
 
   ///@{
   /**
-   * For Gmsh and SMS: cell array of the mesh whose values, numbers or texts, are the groups of
-   * triangles. Empty (default), or "None": `RegionId`.
+   * For Gmsh, SMS and UGRID: cell array of the mesh whose values, numbers or texts, are the groups
+   * of triangles. Empty (default), or "None": `RegionId`.
    */
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);
@@ -108,12 +110,27 @@ public:
 
   ///@{
   /**
-   * For ADCIRC, SCHISM and SMS: the point array of depths, positive downwards. Default `Depth`:
-   * depths are 0 where it does not exist. Any other array that does not exist, and depths that are
-   * not finite, are errors.
+   * For ADCIRC, SCHISM, SMS and UGRID: the point array of depths, positive downwards. Default
+   * `Depth`: where it does not exist depths are 0, and UGRID has none. Any other array that does
+   * not exist, and depths that are not finite, are errors.
    */
   vtkSetStringMacro(DepthArray);
   vtkGetStringMacro(DepthArray);
+  ///@}
+
+  enum CoordinatesType
+  {
+    PLANE = 0,
+    LONGITUDE_LATITUDE = 1
+  };
+
+  ///@{
+  /**
+   * For UGRID: what x and y are, lengths in a plane, in metres there, or degrees of longitude and
+   * latitude, as for vtkBitingMesher. Default PLANE.
+   */
+  vtkSetClampMacro(Coordinates, int, PLANE, LONGITUDE_LATITUDE);
+  vtkGetMacro(Coordinates, int);
   ///@}
 
   ///@{
@@ -160,6 +177,7 @@ private:
   char* RegionArray = nullptr;
   char* OpenTags = nullptr;
   char* DepthArray = nullptr;
+  int Coordinates = PLANE;
   bool GatherPieces = false;
 };
 VTK_ABI_NAMESPACE_END

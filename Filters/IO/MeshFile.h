@@ -13,9 +13,9 @@
 #include <vector>  // for lists
 
 /**
- * Meshes of triangles in the text formats of solvers. No VTK: plain lists in, text out. Numbers are
- * written so that reading gives them back bit for bit. Ids begin with 0 in lists and in SU2, with 1
- * in Gmsh, ADCIRC and SMS.
+ * Meshes of triangles in the formats of solvers. No VTK, but its NetCDF library for UGRID: plain
+ * lists in, files out. Numbers are written so that reading gives them back bit for bit. Ids begin
+ * with 0 in lists, in SU2 and in UGRID, with 1 in Gmsh, ADCIRC and SMS.
  */
 namespace biting
 {
@@ -45,6 +45,7 @@ struct MeshFile
   std::vector<std::array<Vertex, 2>> Edges; // on boundary and interfaces
   std::vector<std::size_t> TagOfEdge;       // index into Tags
   std::vector<MeshGroup> Tags;
+  bool AreDegrees = false; // x and y: longitude and latitude
 };
 
 /// The number of edges that are no side of a triangle, as those of another mesh with the same
@@ -91,6 +92,11 @@ void WriteADCIRC(const MeshFile& mesh, const std::vector<bool>& areOpen, std::os
 /// SMS (2dm): x, y and, as z, the depth with the other sign; regions as materials, tags as node
 /// strings with their numbers, along interfaces, too. Names of tags are left out.
 void WriteSMS(const MeshFile& mesh, std::ostream& file);
+
+/// UGRID 1.0 (NetCDF with 64-bit offsets): all sides of triangles as edges, with their tags, 0 for
+/// none; edges of one triangle as boundary; regions of faces; depths, where there are any. Names
+/// are the meanings of flags, with '_' for blanks. The stream fails where there are no triangles.
+void WriteUGRID(const MeshFile& mesh, std::ostream& file);
 
 /// What came of reading a file.
 ///

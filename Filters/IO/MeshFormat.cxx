@@ -23,6 +23,8 @@ const MeshFormat Formats[] = {
   { ".gr3", true, true, true, false, false, ReadADCIRC, WriteADCIRC },
   { ".2dm", true, true, false, true, false, ReadSMS,
     [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteSMS(mesh, file); } },
+  { ".nc", true, true, false, true, false, nullptr,
+    [](const MeshFile& mesh, const Flags&, std::ostream& file) { WriteUGRID(mesh, file); } },
 };
 
 } // namespace
@@ -34,15 +36,19 @@ const MeshFormat* FormatOf(const std::string& name)
   return format == std::end(Formats) ? nullptr : format;
 }
 
-std::string SentenceOfEnds()
+std::string SentenceOfEnds(bool areRead)
 {
   std::string ends;
+  std::string last;
   for (const MeshFormat& format : Formats)
   {
-    const bool isLast = &format + 1 == std::end(Formats);
-    ends += (ends.empty() ? "" : isLast ? " or " : ", ") + std::string(format.End);
+    if (format.Read || !areRead)
+    {
+      ends += (ends.empty() ? "" : ", ") + last;
+      last = format.End;
+    }
   }
-  return "The name of the file must end with " + ends + ".";
+  return "The name of the file must end with " + ends + " or " + last + ".";
 }
 
 } // namespace biting

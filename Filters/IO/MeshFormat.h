@@ -23,15 +23,15 @@ struct MeshFormat
   bool HasOpenTags; ///< of the boundary, other tags are land
   bool HasRegions;
   bool HasPlainNames; ///< of tags: without blanks and other signs that end names in SU2
-  ReadingResult (*Read)(std::istream& file, MeshFile& mesh);
+  ReadingResult (*Read)(std::istream& file, MeshFile& mesh); ///< null: not read
   void (*Write)(const MeshFile& mesh, const std::vector<bool>& areOpen, std::ostream& file);
 };
 
 /// Null where the name has another end.
 const MeshFormat* FormatOf(const std::string& name);
 
-/// The sentence that names the ends.
-std::string SentenceOfEnds();
+/// The sentence that names the ends of files that are read, or of all: those are written.
+std::string SentenceOfEnds(bool areRead);
 
 } // namespace biting
 

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkIONetCDF import vtkNetCDFUGRIDReader
 
 PLATE = os.path.join(os.environ['BITING_SOURCE_DIR'], 'Data', 'plate.vtk')
 
@@ -236,6 +237,20 @@ class TestMeshWritersProxy(unittest.TestCase):
         self.assertEqual([point[2] for point in points], [10 + point[0] for point in points])
         self.assertTrue(opens)
 
+    def test_ugrid_read_by_vtk_has_the_same_points_and_triangles(self):
+        # That of VTK 9.2 reads one value of arrays that have no time: they are judged in C++.
+        deep = simple.Calculator(Input=self.mesher, ResultArrayName='Depth', Function='10+coordsX')
+        reader = vtkNetCDFUGRIDReader()
+        reader.SetFileName(self.save('plate.nc', deep, Coordinates='Longitude Latitude'))
+        reader.Update()
+        back = reader.GetOutput()
+        self.assertEqual(points_of(back), [(*point[:2], 0.0) for point in points_of(self.mesh)])
+        self.assertEqual(set(triangles_of(self.mesh)), {
+            turned([back.GetCell(cell).GetPointId(k) for k in range(3)])
+            for cell in range(back.GetNumberOfCells())})
+        self.assertTrue(back.GetCellData().HasArray('mesh2d_face_region'))
+        self.assertTrue(back.GetPointData().HasArray('mesh2d_node_depth'))
+
     def test_a_mesh_made_anew_has_its_own_tags(self):
         finer = BitingRemesher(Input=self.mesher, TaggedLines=simple.OutputPort(self.mesher, 1),
                                SpacingScale=0.7)
@@ -364,6 +379,7 @@ class TestMeshWritersProxy(unittest.TestCase):
         self.refuse('depths.14', mesh, DepthArray='Bathymetry')
         self.refuse('depths.gr3', mesh, DepthArray='Bathymetry')
         self.refuse('depths.2dm', mesh, DepthArray='Bathymetry')
+        self.refuse('depths.nc', mesh, DepthArray='Bathymetry')
 
     def test_regions_that_are_not_there_are_an_error_and_no_file(self):
         self.refuse('regions.msh', self.mesh, RegionArray='Ground')
@@ -377,7 +393,7 @@ class TestMeshWritersProxy(unittest.TestCase):
         mesh.GetCellData().Initialize()
         mesh.GetPolys().InsertNextCell(self.mesh.GetCell(5).GetPointIds())
         mesh.BuildCells()
-        for name in ('twice.su2', 'twice.14', 'twice.2dm'):
+        for name in ('twice.su2', 'twice.14', 'twice.2dm', 'twice.nc'):
             self.refuse(name, mesh)
 
     def test_coordinates_that_are_not_finite_are_an_error_and_no_file(self):
