@@ -4,6 +4,7 @@
 #include "SizeCaps.h"
 
 #include "../Surface/NearestOnTriangle.h"
+#include "../Surface/SurfaceCrossings.h"
 #include "../Surface/SurfaceLinks.h"
 
 #include <algorithm>  // for min, max
@@ -29,13 +30,15 @@ void Cap(SurfaceGround& ground, Id vertex, double size)
   old = std::min(old, std::max(size, LeastShare * ground.Given[At(vertex)]));
 }
 
-/// Balls that touch the ground from one side.
+/// Balls that touch the surface from one side. Walls are the input's triangles, not the ground's,
+/// which may be hundreds of times as many.
 class ShrinkingBall
 {
 public:
-  ShrinkingBall(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
+  ShrinkingBall(const SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
     : Ground(ground)
-    , Tree(tree)
+    , Input(input)
+    , Tree(MakeSurfaceTree(input, pulse))
   {
   }
 
@@ -55,12 +58,12 @@ public:
       const double height = isLess ? side * Dot(apart, normal) : 0.0;
       isLess = height > 0.0 && Dot(apart, apart) < (2.0 - 1e-6) * height * radius;
       radius = isLess ? Dot(apart, apart) / (2.0 * height) : radius;
-      this->Wall = isLess ? this->Entered : this->Wall;
+      this->Touch = isLess ? nearest : this->Touch;
     }
     return 2.0 * radius;
   }
 
-  Id Wall = NoId; ///< the triangle that the last ball ended at
+  Point3 Touch; ///< where the last ball ended
 
 private:
   bool IsEntered(const Point3& center, double radius, const Point3& normal, Point3& nearest)
@@ -71,17 +74,16 @@ private:
       [this, &center, &normal, &nearest, &isFound](const SurfaceItem& item, double limit)
       {
         const std::size_t t = At(item.Triangle);
-        if (Dot(this->Ground.NormalOf(t), normal) > LeastOpposition)
+        if (Dot(this->Ground.Normals[t], normal) > LeastOpposition)
         {
           return limit;
         }
-        const Point3 place = NearestPoint(this->Ground.Mesh.Triangle(t), center);
+        const Point3 place = NearestPoint(this->Input.Triangle(t), center);
         const double distance = Distance(place, center);
         if (distance < limit)
         {
           nearest = place;
           isFound = true;
-          this->Entered = item.Triangle;
           return distance;
         }
         return limit;
@@ -90,8 +92,8 @@ private:
   }
 
   const SurfaceGround& Ground;
-  const BoxTree<SurfaceItem, 3>& Tree;
-  Id Entered = NoId;
+  const SurfaceMesh& Input;
+  BoxTree<SurfaceItem, 3> Tree;
 };
 
 /// A feature edge as an item of a tree.
@@ -200,39 +202,50 @@ private:
   std::vector<Id> Seen;
 };
 
-/// The wall where a ball of the diameter ends, at `place`: f grows from there. What is steeper than
-/// any gradation is left to later rounds, when the wall is divided there.
-void CapWall(SurfaceGround& ground, Id wall, const Point3& place, double diameter)
+/// The wall that a ball of the diameter touches at `place`: f grows from there. What is steeper
+/// than any gradation is left to later rounds, when the wall is divided there.
+void CapWall(
+  SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, const Point3& place, double diameter)
 {
   constexpr double Growth = 0.3;
-  for (std::size_t slot = 3 * At(wall); slot < 3 * At(wall) + 3; ++slot)
+  Id own = NoId;
+  tree.Search(place, 1.0, diameter,
+    [&ground, &place, &own](const SurfaceItem& item, double limit)
+    {
+      const double distance =
+        Distance(NearestPoint(ground.Mesh.Triangle(At(item.Triangle)), place), place);
+      own = distance < limit ? item.Triangle : own;
+      return std::min(limit, distance);
+    });
+  if (own == NoId)
+  {
+    return;
+  }
+  for (std::size_t slot = 3 * At(own); slot < 3 * At(own) + 3; ++slot)
   {
     Cap(
       ground, ground.Mesh.Corners[slot], diameter + Growth * Distance(ground.Mesh.At(slot), place));
   }
 }
 
-/// Marks the vertices that hang together with one within the distance of it.
-void MarkAround(
-  const SurfaceGround& ground, Id vertex, double most, std::vector<std::uint8_t>& isMarked)
+/// Marks the triangles of the patch that hang together with one within the distance of the place.
+void MarkAround(const SurfaceGround& ground, Id triangle, const Point3& place, double most,
+  std::vector<std::uint8_t>& isMarked)
 {
-  const Point3& place = ground.Mesh.Points[At(vertex)];
-  std::vector<Id> front{ vertex };
-  isMarked[At(vertex)] = 1;
+  std::vector<Id> front{ triangle };
+  isMarked[At(triangle)] = 1;
   while (!front.empty())
   {
-    const Id next = front.back();
+    const std::size_t base = 3 * At(front.back());
     front.pop_back();
-    for (const Id* t = ground.TrianglesAt.Begin(next); t < ground.TrianglesAt.End(next); ++t)
+    for (std::size_t slot = base; slot < base + 3; ++slot)
     {
-      for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
+      const Id other = ground.Across[slot] == NoId ? NoId : ground.Across[slot] / 3;
+      if (other != NoId && isMarked[At(other)] == 0 &&
+        Distance(ground.Mesh.Middle(At(other)), place) < most)
       {
-        const Id other = ground.Mesh.Corners[slot];
-        if (isMarked[At(other)] == 0 && Distance(ground.Mesh.At(slot), place) < most)
-        {
-          isMarked[At(other)] = 1;
-          front.push_back(other);
-        }
+        isMarked[At(other)] = 1;
+        front.push_back(other);
       }
     }
   }
@@ -283,63 +296,69 @@ void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
 
 } // namespace
 
-void CapByThickness(SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
+void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
 {
-  ShrinkingBall ball(ground, tree);
-  std::vector<std::uint8_t> isDone(ground.Mesh.Points.size(), 0);
-  const auto measure = [&ball, &ground](const Point3& place, const Point3& normal, Id vertex)
+  ShrinkingBall ball(ground, input, pulse);
+  const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, pulse);
+  std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
+  // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
+  // distance changes by less than theirs.
+  const auto measure = [&ball, &ground, &tree, &isDone](const Point3& place, const Point3& normal,
+                         Id triangle, const Id* begin, const Id* end)
   {
-    const double size = ground.Given[At(vertex)];
-    bool isFree = true;
+    double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
+    double least = Infinity;
+    for (const Id* v = begin; v < end; ++v)
+    {
+      size = std::max(size, ground.Sizes[At(*v)]);
+      least = std::min(least, LeastShare * ground.Given[At(*v)]);
+    }
+    double near = 0.3 * size;
+    if (size <= least)
+    {
+      return;
+    }
     for (const double side : { 1.0, -1.0 })
     {
       const double diameter = ball.Diameter(place, normal, side, size);
       if (diameter < size)
       {
-        isFree = false;
-        Cap(ground, vertex, diameter);
-        CapWall(ground, ball.Wall, place + (side * diameter) * normal, diameter);
+        near = std::min(near, 0.1 * std::max(diameter, least));
+        std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
+        CapWall(ground, tree, ball.Touch, diameter);
       }
     }
-    return isFree;
+    MarkAround(ground, triangle, place, near, isDone);
   };
-  // Neighbours of a vertex that sees no wall see none either, if they are near.
-  constexpr double Near = 0.3;
-  pulse.ForEach(ground.Mesh.Points.size(),
-    [&ground, &isDone, &measure](std::size_t v)
+  for (std::size_t v = 0; v < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
+  {
+    const auto vertex = static_cast<Id>(v);
+    const Id* begin = ground.TrianglesAt.Begin(vertex);
+    const Id* end = ground.TrianglesAt.End(vertex);
+    if (begin == end || isDone[At(*begin)] != 0 || ground.Places[v] != FeaturePlace::None)
     {
-      if (isDone[v] != 0 || ground.Places[v] != FeaturePlace::None)
-      {
-        return;
-      }
-      const auto vertex = static_cast<Id>(v);
-      Point3 normal{};
-      for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
-      {
-        normal = normal + ground.NormalOf(At(*t));
-      }
-      const double length = Length(normal);
-      const Point3 place = ground.Mesh.Points[v];
-      if (length == 0.0 || !measure(place, (1.0 / length) * normal, vertex))
-      {
-        return;
-      }
-      MarkAround(ground, vertex, Near * ground.Given[v], isDone);
-    });
+      continue;
+    }
+    Point3 normal{};
+    std::for_each(
+      begin, end, [&ground, &normal](Id t) { normal = normal + ground.NormalOf(At(t)); });
+    const double length = Length(normal);
+    if (length > 0.0)
+    {
+      measure(ground.Mesh.Points[v], (1.0 / length) * normal, *begin, &vertex, &vertex + 1);
+    }
+  }
   // Strips without a vertex inside.
-  pulse.ForEach(ground.Mesh.NumberOfTriangles(),
-    [&ground, &measure](std::size_t t)
+  for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
+  {
+    const Id* corners = &ground.Mesh.Corners[3 * t];
+    if (isDone[t] == 0 &&
+      std::all_of(corners, corners + 3,
+        [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; }))
     {
-      const Id* corners = &ground.Mesh.Corners[3 * t];
-      if (std::all_of(corners, corners + 3,
-            [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; }))
-      {
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          measure(ground.Mesh.Middle(t), ground.NormalOf(t), corners[k]);
-        }
-      }
-    });
+      measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t), corners, corners + 3);
+    }
+  }
 }
 
 void CapByFeatures(SurfaceGround& ground, Pulse& pulse)

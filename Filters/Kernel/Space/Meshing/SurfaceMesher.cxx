@@ -216,8 +216,7 @@ private:
     {
       before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
-      const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, this->Beats);
-      CapByThickness(ground, tree, this->Beats);
+      CapByThickness(ground, this->Surface.Mesh, this->Beats);
       this->Regrade();
     }
   }
