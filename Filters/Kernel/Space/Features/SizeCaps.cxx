@@ -294,6 +294,17 @@ void CapByTurns(SurfaceGround& ground, Id chain, double tolerance)
   }
 }
 
+/// The sum of the normals of the triangles at a vertex.
+Point3 NormalAt(const SurfaceGround& ground, Id vertex)
+{
+  Point3 normal{};
+  for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
+  {
+    normal = normal + ground.NormalOf(At(*t));
+  }
+  return normal;
+}
+
 } // namespace
 
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
@@ -308,19 +319,16 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& puls
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
     double least = Infinity;
-    for (const Id* v = begin; v < end; ++v)
-    {
-      size = std::max(size, ground.Sizes[At(*v)]);
-      least = std::min(least, LeastShare * ground.Given[At(*v)]);
-    }
-    double near = 0.3 * size;
-    if (size <= least)
-    {
-      return;
-    }
+    std::for_each(begin, end,
+      [&ground, &size, &least](Id v)
+      {
+        size = std::max(size, ground.Sizes[At(v)]);
+        least = std::min(least, LeastShare * ground.Given[At(v)]);
+      });
+    double near = size > least ? 0.3 * size : 0.0;
     for (const double side : { 1.0, -1.0 })
     {
-      const double diameter = ball.Diameter(place, normal, side, size);
+      const double diameter = near > 0.0 ? ball.Diameter(place, normal, side, size) : size;
       if (diameter < size)
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
@@ -334,27 +342,24 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& puls
   {
     const auto vertex = static_cast<Id>(v);
     const Id* begin = ground.TrianglesAt.Begin(vertex);
-    const Id* end = ground.TrianglesAt.End(vertex);
-    if (begin == end || isDone[At(*begin)] != 0 || ground.Places[v] != FeaturePlace::None)
+    if (ground.TrianglesAt.Count(vertex) == 0 || isDone[At(*begin)] != 0 ||
+      ground.Places[v] != FeaturePlace::None)
     {
       continue;
     }
-    Point3 normal{};
-    std::for_each(
-      begin, end, [&ground, &normal](Id t) { normal = normal + ground.NormalOf(At(t)); });
+    const Point3 normal = NormalAt(ground, vertex);
     const double length = Length(normal);
     if (length > 0.0)
     {
       measure(ground.Mesh.Points[v], (1.0 / length) * normal, *begin, &vertex, &vertex + 1);
     }
   }
+  const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
   // Strips without a vertex inside.
   for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
   {
     const Id* corners = &ground.Mesh.Corners[3 * t];
-    if (isDone[t] == 0 &&
-      std::all_of(corners, corners + 3,
-        [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; }))
+    if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine))
     {
       measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t), corners, corners + 3);
     }

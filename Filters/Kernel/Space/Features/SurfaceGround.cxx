@@ -202,11 +202,13 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
     {
       return false;
     }
+    pulse.Ask();
     for (std::size_t t = 0; t < triangles; ++t)
     {
       halving.Divide(t);
     }
     halving.Finish();
+    pulse.Ask();
     slots = FindLongSlots(ground);
   }
   return true;
@@ -221,6 +223,7 @@ void LinkGround(SurfaceGround& ground, Pulse& pulse)
     const bool isInner = ground.Flags[slot] == 0 && ground.Across[slot] >= 0;
     ground.Across[slot] = isInner ? ground.Across[slot] : NoId;
   }
+  pulse.Ask();
   ground.TrianglesAt.Offsets.assign(ground.Mesh.Points.size() + 1, 0);
   ground.TrianglesAt.Items.resize(corners.size());
   std::vector<Id>& offsets = ground.TrianglesAt.Offsets;

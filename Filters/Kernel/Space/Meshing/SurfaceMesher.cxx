@@ -69,7 +69,12 @@ public:
       }
       before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
     }
-    return isDone && this->IsCertified() ? this->Assemble() : BitingSurface();
+    BitingSurface mesh;
+    if (isDone && this->IsCertified())
+    {
+      mesh = this->Assemble();
+    }
+    return this->MayGoOn() ? mesh : BitingSurface();
   }
 
 private:

@@ -317,4 +317,34 @@ TEST(SurfaceMesher, RefusesWhatCannotBeWithAReason)
   EXPECT_TRUE(MakeMesh(Soup(), Uniform(0.1)).Problems.Groups().empty());
 }
 
+/// Wants to stop when it is asked for that time.
+class StopAt : public SilentMonitor
+{
+public:
+  explicit StopAt(int time)
+    : Left(time)
+  {
+  }
+  bool Advance(double) override { return --this->Left > 0; }
+
+  int Left;
+};
+
+TEST(SurfaceMesher, GivesNoMeshWhenItIsStopped)
+{
+  const CheckedSurface surface = Judge(BoxOf({ 1.0, 1.0, 1.0 })).Surface;
+  const auto most = 1000000;
+  StopAt never(most);
+  ProblemList none;
+  EXPECT_FALSE(MakeBitingSurface(surface, Uniform(0.2), none, never).Points.empty());
+  const int asked = most - never.Left;
+  for (int time = 1; time <= asked; time += 7)
+  {
+    StopAt monitor(time);
+    ProblemList problems;
+    EXPECT_TRUE(MakeBitingSurface(surface, Uniform(0.2), problems, monitor).Points.empty());
+    EXPECT_TRUE(problems.Has(ProblemCode::Aborted)) << time;
+  }
+}
+
 } // namespace biting
