@@ -305,6 +305,76 @@ Point3 NormalAt(const SurfaceGround& ground, Id vertex)
   return normal;
 }
 
+/// How far from a triangle its surface has turned.
+class TurnSearch
+{
+public:
+  TurnSearch(
+    const SurfaceMesh& mesh, SurfaceLinks links, const std::vector<Point3>& normals, double turn)
+    : Mesh(mesh)
+    , Links(std::move(links))
+    , Normals(normals)
+    , Turn(turn)
+    , Seen(mesh.NumberOfTriangles(), NoId)
+  {
+  }
+
+  /// The least distance from the middle of t to that of a triangle with another normal, by more
+  /// than Turn, to which a way leads over triangles that are nearer and over no feature; infinite
+  /// where that is `most` or more.
+  double DistanceOfTurn(std::size_t t, double most)
+  {
+    double best = most;
+    const Point3 middle = this->Mesh.Middle(t);
+    this->Seen[t] = static_cast<Id>(t);
+    this->Front.assign(1, static_cast<Id>(t));
+    while (!this->Front.empty())
+    {
+      const auto from = static_cast<std::size_t>(this->Front.back());
+      this->Front.pop_back();
+      for (std::size_t slot = 3 * from; slot < 3 * from + 3; ++slot)
+      {
+        const Id across = this->Links.Across[slot];
+        if (across < 0 || this->Seen[At(across / 3)] == static_cast<Id>(t))
+        {
+          continue;
+        }
+        const std::size_t other = At(across / 3);
+        const double distance = Distance(middle, this->Mesh.Middle(other));
+        if (distance >= best || this->Differ(from, other, MostTurn))
+        {
+          continue;
+        }
+        this->Seen[other] = static_cast<Id>(t);
+        if (this->Differ(t, other, this->Turn))
+        {
+          best = distance;
+        }
+        else
+        {
+          this->Front.push_back(static_cast<Id>(other));
+        }
+      }
+    }
+    return best < most ? best : Infinity;
+  }
+
+private:
+  static constexpr double MostTurn = 0.75; ///< of neighbors; more is a feature: above 44 degrees
+
+  bool Differ(std::size_t a, std::size_t b, double turn) const
+  {
+    return Length(this->Normals[a] - this->Normals[b]) > turn; // 2 sin(angle / 2)
+  }
+
+  const SurfaceMesh& Mesh;
+  SurfaceLinks Links;
+  const std::vector<Point3>& Normals;
+  double Turn;
+  std::vector<Id> Seen; ///< the triangle that was asked for last when it was seen
+  std::vector<Id> Front;
+};
+
 } // namespace
 
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
@@ -395,31 +465,24 @@ void CapByFeatures(SurfaceGround& ground, Pulse& pulse)
 
 void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse)
 {
-  const SurfaceLinks links = LinkSurface(input, pulse);
-  std::vector<double> sizes(input.NumberOfTriangles(), Infinity); // of triangles of the input
-  for (std::size_t slot = 0; slot < input.Corners.size(); ++slot)
+  if (tolerance == 0.0)
   {
-    const Id across = links.Across[slot];
-    if (across <= static_cast<Id>(slot))
-    {
-      continue;
-    }
-    const std::size_t t = slot / 3;
-    const std::size_t other = At(across) / 3;
-    const Point3 turn = ground.Normals[t] - ground.Normals[other]; // 2 sin(angle / 2)
-    const double side = Distance(input.At(NextSlotOf(slot)), input.At(PreviousSlotOf(slot)));
-    const double reach = 0.5 * (Length(input.Normal(t)) + Length(input.Normal(other))) / side;
-    const double angle = Length(turn);
-    constexpr double MostTurn = 0.75; // more is a feature: below 44 degrees
-    if (angle > 1e-6 && angle < MostTurn)
-    {
-      // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R; the factor
-      // leaves room for longer edges.
-      const double size = std::max(4.5 * tolerance * reach / angle, reach);
-      sizes[t] = std::min(sizes[t], size);
-      sizes[other] = std::min(sizes[other], size);
-    }
+    return;
   }
+  // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R, on which
+  // normals l apart differ by l / R; the factor leaves room for longer edges.
+  TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.5 * tolerance);
+  std::vector<double> sizes(input.NumberOfTriangles(), Infinity);
+  pulse.ForEach(sizes.size(),
+    [&ground, &input, &search, &sizes](std::size_t t)
+    {
+      double most = 0.0;
+      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+      {
+        most = std::max(most, ground.Sizes[At(input.Corners[slot])]);
+      }
+      sizes[t] = search.DistanceOfTurn(t, most);
+    });
   for (std::size_t slot = 0; slot < ground.Mesh.Corners.size(); ++slot)
   {
     const double size = sizes[At(ground.Mesh.Cells[slot / 3])];

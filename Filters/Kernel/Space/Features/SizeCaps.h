@@ -25,7 +25,8 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& puls
 void CapByFeatures(SurfaceGround& ground, Pulse& pulse);
 
 /// Caps f where the surface `input` curves, and where chains do, so that a mesh of edges f is
-/// nearer to it than `tolerance` f.
+/// nearer to it than `tolerance` f: within f the surface turns by no more than that allows, in
+/// however small triangles. 0: no cap.
 void CapByCurvature(
   SurfaceGround& ground, const SurfaceMesh& input, double tolerance, Pulse& pulse);
 

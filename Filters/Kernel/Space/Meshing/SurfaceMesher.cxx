@@ -404,6 +404,60 @@ private:
   SurfaceBoundary Boundary;
 };
 
+/// A place near the middle of the surface from which differences to its points are exact: along
+/// axes on which the surface is farther from the origin than its size, the middle, so that points
+/// and it are within a factor of two (Sterbenz); else 0.
+Point3 OriginFor(const SurfaceMesh& mesh)
+{
+  const Box3 box = mesh.Bounds();
+  Point3 origin = box.Center();
+  for (double& x : origin)
+  {
+    x = std::abs(x) > box.Diagonal() ? x : 0.0;
+  }
+  return origin;
+}
+
+void Move(std::vector<Point3>& points, const Point3& way)
+{
+  for (Point3& point : points)
+  {
+    point = point + way;
+  }
+}
+
+/// Meshes a surface far from the origin near it: what is computed there has smaller roundings.
+BitingSurface MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+  ProblemList& problems, Monitor& monitor)
+{
+  const Point3 origin = OriginFor(surface.Mesh);
+  if (origin == Point3())
+  {
+    return SurfaceMesher(surface, options, problems, monitor).Run();
+  }
+  CheckedSurface moved = surface;
+  Move(moved.Mesh.Points, -1.0 * origin);
+  SurfaceMesherOptions movedOptions = options;
+  if (options.Spacing)
+  {
+    movedOptions.Spacing = [&options, origin](const Point3& x)
+    { return options.Spacing(x + origin); };
+  }
+  ProblemList found;
+  BitingSurface mesh = SurfaceMesher(moved, movedOptions, found, monitor).Run();
+  for (const ProblemGroup& group : found.Groups())
+  {
+    for (Problem problem : group.First)
+    {
+      problem.Place = problem.Place + origin;
+      problems.Add(problem);
+    }
+  }
+  Move(mesh.Points, origin);
+  Move(mesh.BiteCenters, origin);
+  return mesh;
+}
+
 } // namespace
 
 BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
@@ -411,7 +465,7 @@ BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesh
 {
   return surface.Mesh.NumberOfTriangles() == 0
     ? BitingSurface()
-    : SurfaceMesher(surface, options, problems, monitor).Run();
+    : MeshNearOrigin(surface, options, problems, monitor);
 }
 
 } // namespace biting
