@@ -157,7 +157,7 @@ const std::map<std::string, Budget> Budgets = {
   { "Kernel/Spacing", { 3800, 47 } },
   { "Kernel/Stages", { 3600, 25 } },
   { "Kernel/Space/Delaunay", { 1450, 10 } },
-  { "Kernel/Space/Features", { 1200, 10 } },
+  { "Kernel/Space/Features", { 1250, 11 } },
   { "Kernel/Space/Biting", { 700, 7 } },
   { "Kernel/Space/Boundary", { 1100, 9 } },
   { "Kernel/Space/Relaxation", { 650, 4 } },

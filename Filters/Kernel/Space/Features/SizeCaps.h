@@ -13,9 +13,9 @@ namespace biting
 /// Caps are at least this share of what is given.
 constexpr double LeastShare = 0.25;
 
-/// Caps f by the thickness of the walls of the surface `input`, inside and outside: the diameter of the largest ball, up to f,
-/// that touches the surface at a vertex and is not entered by a wall that faces it (normals
-/// opposite within 41 degrees: so faces of wedges are no walls).
+/// Caps f by the thickness of the walls of the surface `input`, inside and outside: the diameter of
+/// the largest ball, up to f, that touches the surface at a vertex and is not entered by a wall
+/// that faces it (normals opposite within 41 degrees: so faces of wedges are no walls).
 /// Shrinking balls (Ma, Bae, Choi, "3D medial axis point approximation using nearest neighbors and
 /// the normal field", 2012).
 void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse);
