@@ -12,6 +12,7 @@
 #include "vtkFeatureEdges.h"
 #include "vtkImageData.h"
 #include "vtkMassProperties.h"
+#include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
@@ -261,6 +262,27 @@ TEST(BitingSurfaceMesher, KeepsBordersAndLinesBetweenRegions)
   double range[2];
   mesh->GetCellData()->GetArray("RegionId")->GetRange(range);
   EXPECT_EQ(range[1] - range[0], 1.0);
+}
+
+TEST(BitingSurfaceMesher, KeepsSheetsAboveEachOtherApart)
+{
+  vtkNew<vtkAppendPolyData> both;
+  for (const double z : { 0.0, 0.04 }) // of the same orientation
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(0.0, 0.0, z);
+    plane->SetPoint1(1.0, 0.0, z + 0.02);
+    plane->SetPoint2(0.0, 1.0, z);
+    plane->SetResolution(9, 7);
+    plane->Update();
+    both->AddInputData(plane->GetOutput());
+  }
+  both->Update();
+  const auto filter = Meshed(both->GetOutput(), 0.1);
+  vtkPolyData* mesh = filter->GetOutput();
+  EXPECT_EQ(Figure(mesh, "EulerNumber"), 2.0);
+  EXPECT_LT(Figure(mesh, "LargestDeviation"), 1e-6);
+  EXPECT_GT(Figure(mesh, "SmallestAngle"), 25.0);
 }
 
 TEST(BitingSurfaceMesher, RefusesWithAPlaceWhatItCannotMesh)

@@ -39,6 +39,7 @@ public:
     : Ground(ground)
     , Input(input)
     , Tree(MakeSurfaceTree(input, pulse))
+    , IsOpen(std::find(ground.Flags.begin(), ground.Flags.end(), BorderFlag) != ground.Flags.end())
   {
   }
 
@@ -53,7 +54,7 @@ public:
     {
       const Point3 center = place + (side * radius) * normal;
       Point3 nearest;
-      isLess = this->IsEntered(center, radius, normal, nearest);
+      isLess = this->IsEntered(center, place, normal, nearest);
       const Point3 apart = nearest - place;
       const double height = isLess ? side * Dot(apart, normal) : 0.0;
       isLess = height > 0.0 && Dot(apart, apart) < (2.0 - 1e-6) * height * radius;
@@ -66,21 +67,31 @@ public:
   Point3 Touch; ///< where the last ball ended
 
 private:
-  bool IsEntered(const Point3& center, double radius, const Point3& normal, Point3& nearest)
+  static constexpr EdgeFlag BorderFlag = 1 + static_cast<EdgeFlag>(SurfaceEdgeKind::Border);
+
+  /// The ball around the center that touches the place `own`. Walls of closed surfaces have
+  /// opposite normals; sheets of open ones may lie above each other in the same orientation.
+  bool IsEntered(
+    const Point3& center, const Point3& own, const Point3& normal, Point3& nearest) const
   {
-    constexpr double LeastOpposition = -0.75;
+    constexpr double LeastOpposition = 0.75;
     bool isFound = false;
-    this->Tree.Search(center, 1.0, radius,
-      [this, &center, &normal, &nearest, &isFound](const SurfaceItem& item, double limit)
+    this->Tree.Search(center, 1.0, Distance(center, own),
+      [this, &center, &own, &normal, &nearest, &isFound](const SurfaceItem& item, double limit)
       {
         const std::size_t t = At(item.Triangle);
-        if (Dot(this->Ground.Normals[t], normal) > LeastOpposition)
+        const double cosine = Dot(this->Ground.Normals[t], normal);
+        if (cosine > -LeastOpposition && !(this->IsOpen && cosine > LeastOpposition))
         {
           return limit;
         }
         const Point3 place = NearestPoint(this->Input.Triangle(t), center);
         const double distance = Distance(place, center);
-        if (distance < limit)
+        const Point3 apart = place - own;
+        const double height = std::abs(Dot(apart, normal)); // the sheet of `own` is near it
+        const bool isAcross = cosine < 0.0 ||
+          height > std::max(LeastOpposition * Length(apart), 0.25 * Distance(center, own));
+        if (distance < limit && isAcross)
         {
           nearest = place;
           isFound = true;
@@ -94,6 +105,7 @@ private:
   const SurfaceGround& Ground;
   const SurfaceMesh& Input;
   BoxTree<SurfaceItem, 3> Tree;
+  bool IsOpen; ///< the surface
 };
 
 /// A feature edge as an item of a tree.
