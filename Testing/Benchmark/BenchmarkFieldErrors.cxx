@@ -4,11 +4,11 @@
 // How exact f is, and what it takes, for sources of all kinds.
 //   BenchmarkFieldErrors [nodes along a side] [places] [part of a name]
 // A row a source: CPU seconds of preparation, nanoseconds of an evaluation, and in brackets those
-// without gradation; the error of f in per cent, of 99 % of all places and the worst.
+// without gradation; by how much f is too large in per cent, of 99 % of all places and the worst,
+// and by how much it is too small.
 //
 // The reference is min over y of given(y) + g |x - y|, over all nodes of the source, a lattice as
-// fine as these or 1/520, and a finer one around x. It is above f where that misses a place: f
-// itself is nowhere below the largest function, as each cone has a value that is given.
+// fine as these or 1/2080, and a finer one around x. It is above f where that misses a place.
 
 #include "../Kernel/Spacing/SpacingSources.h"
 
@@ -169,17 +169,18 @@ void Print(const Row& row, int nodes, int probes)
   SpacingOptions asGiven = row.Options;
   asGiven.Gradation = 0.0;
   const Timed given(asGiven);
-  const int steps = (nodes - 1) * std::max(1, 520 / nodes);
+  const int steps = (nodes - 1) * std::max(1, 2080 / nodes);
   std::vector<std::pair<Point2, double>> places;
   AddLattice({ 0.5, 0.5 }, 1.0 / steps, steps, given.F, places);
   for (std::size_t k = 0; row.Options.Triangulation && k < row.Options.Triangulation->Points.size();
        ++k)
   {
     const Point2& point = row.Options.Triangulation->Points[k];
-    places.emplace_back(point, UnitBox().Contains(point) ? given.F(point) : 1e30);
+    places.emplace_back(point, given.F(point));
   }
   Sampler sampler(34);
-  std::vector<double> errors(1, 0.0);
+  std::vector<double> above(1, 0.0);
+  std::vector<double> below(1, 0.0);
   for (int probe = 0; probe < probes; ++probe)
   {
     const Point2 x = sampler.NextIn(UnitBox());
@@ -193,12 +194,17 @@ void Print(const Row& row, int nodes, int probes)
         least = value < least ? std::min(least, value + 0.3 * Distance(place, x)) : least;
       }
     }
-    errors.push_back(100.0 * std::max(used.F(x) / least - 1.0, 0.0));
+    above.push_back(100.0 * std::max(used.F(x) / least - 1.0, 0.0));
+    below.push_back(100.0 * std::max(1.0 - used.F(x) / least, 0.0));
   }
-  std::sort(errors.begin(), errors.end());
-  std::printf("| %-15s | %5d | %7.3f (%.3f) | %5.0f (%.0f) | %5.1f %5.1f |\n", row.Name.c_str(),
-    nodes, used.Preparation, given.Preparation, 1e9 * used.Evaluation, 1e9 * given.Evaluation,
-    errors[(99 * (errors.size() - 1)) / 100], errors.back());
+  std::printf("| %-15s | %5d | %7.3f (%.3f) | %5.0f (%.0f) |", row.Name.c_str(), nodes,
+    used.Preparation, given.Preparation, 1e9 * used.Evaluation, 1e9 * given.Evaluation);
+  for (std::vector<double>* errors : { &above, &below })
+  {
+    std::sort(errors->begin(), errors->end());
+    std::printf(" %5.1f %5.1f |", (*errors)[(99 * (errors->size() - 1)) / 100], errors->back());
+  }
+  std::printf("\n");
   std::fflush(stdout);
 }
 
