@@ -8,6 +8,7 @@
 #include "../Surface/SurfaceLinks.h"
 
 #include <algorithm>  // for min, max
+#include <array>      // for corners
 #include <cmath>      // for sqrt
 #include <functional> // for greater
 #include <queue>      // for the front of the gradation
@@ -331,9 +332,9 @@ public:
   {
   }
 
-  /// The least distance from the middle of t to that of a triangle with another normal, by more
-  /// than Turn, to which a way leads over triangles that are nearer and over no feature; infinite
-  /// where that is `most` or more.
+  /// The least distance from the middle of t to a triangle with another normal, by more than Turn,
+  /// to which a way leads over triangles that are nearer and over no feature; infinite where that
+  /// is `most` or more.
   double DistanceOfTurn(std::size_t t, double most)
   {
     double best = most;
@@ -352,7 +353,7 @@ public:
           continue;
         }
         const std::size_t other = At(across / 3);
-        const double distance = Distance(middle, this->Mesh.Middle(other));
+        const double distance = this->DistanceTo(other, middle);
         if (distance >= best || this->Differ(from, other, MostTurn))
         {
           continue;
@@ -373,6 +374,16 @@ public:
 
 private:
   static constexpr double MostTurn = 0.75; ///< of neighbors; more is a feature: above 44 degrees
+
+  /// To its nearest place, and a third of its height on from there: of slivers the middle is far.
+  double DistanceTo(std::size_t triangle, const Point3& place) const
+  {
+    const std::array<Point3, 3> t = this->Mesh.Triangle(triangle);
+    const double side =
+      std::max(Distance(t[0], t[1]), std::max(Distance(t[1], t[2]), Distance(t[2], t[0])));
+    return Distance(place, NearestPoint(t, place)) +
+      Length(this->Mesh.Normal(triangle)) / (3.0 * side);
+  }
 
   bool Differ(std::size_t a, std::size_t b, double turn) const
   {
