@@ -153,7 +153,9 @@ private:
       other = found;
       const Point2 toFoot = found.Foot - ray.Start;
       const double length = 0.5 * Dot(toFoot, toFoot) / Dot(toFoot, ray.Direction);
-      isLast = length < this->ShareOf(std::min(own, found.Value), ShortRay);
+      // Where rounding leaves the ball as it was, it is the last one, too.
+      isLast =
+        !(length < ray.Length) || length < this->ShareOf(std::min(own, found.Value), ShortRay);
       ray.Length = std::min(length, ray.Length);
       found = isLast ? found : this->NearerAt(ray);
     }
