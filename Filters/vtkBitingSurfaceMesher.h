@@ -29,7 +29,7 @@
  *
  * @par Output 0, the mesh:
  * Triangles, oriented as the surface. Point data: `Spacing` (f as used), `NearestNeighborDistance`
- * (N: the shortest edge), `Conformity` (min(N/f, f/N)), `BiteOrder` (-1: of a repair),
+ * (N: the shortest edge), `Conformity` (min(N/f, f/N)), `BiteOrder`,
  * `VertexKind` (VertexKindType), `OriginalPointId` (of corners; -1: new). Cell data: all arrays of
  * the cells of the input, of the triangle below the middle, `OriginalCellId` of it, `RegionId`,
  * `Deviation` (distance of the middle from the surface, in f), `MinimumAngle`, `RadiusEdgeRatio`,

@@ -359,6 +359,16 @@ TEST(FuzzRegression, SpacingNearTheLargestNumberIsNoMoreThanOneThatCoversTheDraw
   ExpectKept(CaseOfSeed(501130240u), "501130240");
 }
 
+/// The ball at the end of a ray from the border of a source was no smaller by rounding, and was
+/// made smaller for ever.
+TEST(FuzzRegression, RaysFromTheBorderOfASourceEnd)
+{
+  for (const std::uint64_t seed : { 17011430u, 27025222u })
+  {
+    ExpectKept(CaseOfSeed(seed), std::to_string(seed));
+  }
+}
+
 } // namespace
 
 } // namespace biting

@@ -7,6 +7,7 @@
 #include "../../Kernel/Quality/Quality.h"
 #include "../Data/ArrayFromVector.h"
 #include "../Data/CarriedArrays.h"
+#include "SurfaceToPolyData.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -149,17 +150,7 @@ std::string SummaryOf(const BitingSurface& mesh, const SurfaceQuality& quality)
 std::string BitingSurfaceToPolyData(const BitingSurface& mesh, const CheckedSurface& surface,
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse)
 {
-  output->Initialize();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  pulse.ForEach(mesh.Points.size(),
-    [&points, &mesh](std::size_t point)
-    { points->SetPoint(static_cast<vtkIdType>(point), mesh.Points[point].Data()); });
-  output->SetPoints(points);
-  vtkNew<vtkCellArray> cells;
-  SetCells(cells, 3, mesh.Corners, pulse);
-  output->SetPolys(cells);
+  SetTriangles(mesh.Points, mesh.Corners, VTK_DOUBLE, output, pulse);
   const SurfaceQuality quality(mesh);
   vtkPointData* pointData = output->GetPointData();
   AddArray<vtkDoubleArray>(pointData, "Spacing", mesh.Spacing, pulse);

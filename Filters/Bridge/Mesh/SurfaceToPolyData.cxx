@@ -57,21 +57,28 @@ std::string Number(double value)
 
 } // namespace
 
+void SetTriangles(const std::vector<Point3>& places, const std::vector<Id>& corners, int type,
+  vtkPolyData* output, Pulse& pulse)
+{
+  output->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  pulse.ForEach(places.size(),
+    [&points, &places](std::size_t point)
+    { points->SetPoint(static_cast<vtkIdType>(point), places[point].Data()); });
+  output->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  SetCells(cells, 3, corners, pulse);
+  output->SetPolys(cells);
+}
+
 void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problems,
   const Drawing& drawing, vtkPolyData* output, Pulse& pulse)
 {
-  output->Initialize();
   const SurfaceMesh& mesh = surface.Mesh;
-  vtkNew<vtkPoints> points;
-  points->SetDataType(drawing.CoordinateType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  pulse.ForEach(mesh.Points.size(),
-    [&points, &mesh](std::size_t point)
-    { points->SetPoint(static_cast<vtkIdType>(point), mesh.Points[point].Data()); });
-  output->SetPoints(points);
-  vtkNew<vtkCellArray> cells;
-  SetCells(cells, 3, mesh.Corners, pulse);
-  output->SetPolys(cells);
+  SetTriangles(mesh.Points, mesh.Corners,
+    drawing.CoordinateType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE, output, pulse);
   vtkPointData* pointData = output->GetPointData();
   CarryArrays(
     drawing.Points->GetPointData(), drawing.NumberOfPoints, mesh.PointIds, pointData, pulse);

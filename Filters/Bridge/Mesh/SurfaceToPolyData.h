@@ -17,6 +17,11 @@ VTK_ABI_NAMESPACE_END
 namespace biting
 {
 
+/// Makes `output` triangles, three of `corners` each, between `places`, without arrays; `type` is
+/// VTK_FLOAT or VTK_DOUBLE.
+void SetTriangles(const std::vector<Point3>& places, const std::vector<Id>& corners, int type,
+  vtkPolyData* output, Pulse& pulse);
+
 /// The repaired surface with the arrays of the drawing and those that the documentation of
 /// vtkBitingSurfaceCheck lists for output 0.
 void SurfaceToPolyData(const CheckedSurface& surface, const ProblemList& problems,

@@ -25,6 +25,14 @@ namespace biting
 namespace
 {
 
+// A value as Uniform, SpacingScale and the bounds make it.
+double Clamped(double value, const SpacingOptions& options)
+{
+  value = options.Uniform > 0.0 ? std::min(value, options.Uniform) : value;
+  value = std::max(value * options.Scale, options.Minimum);
+  return options.Maximum > 0.0 ? std::min(value, options.Maximum) : value;
+}
+
 // A cell of the source as an item of a tree.
 struct SourceItem
 {
@@ -46,7 +54,7 @@ public:
   {
     for (double& value : this->Values)
     {
-      value = std::isnan(value) ? value : this->Clamped(value);
+      value = std::isnan(value) ? value : Clamped(value, options);
     }
   }
   virtual ~SourceOfSpace() = default;
@@ -54,15 +62,6 @@ public:
   SourceOfSpace& operator=(const SourceOfSpace&) = delete;
 
   virtual double At(const Point3& x) const = 0;
-
-  // A value as Uniform, SpacingScale and the bounds make it.
-  double Clamped(double value) const
-  {
-    const SpacingOptions& options = this->Options;
-    value = options.Uniform > 0.0 ? std::min(value, options.Uniform) : value;
-    value = std::max(value * options.Scale, options.Minimum);
-    return options.Maximum > 0.0 ? std::min(value, options.Maximum) : value;
-  }
 
   void Grade(const Box3& bounds, Monitor& monitor, Pulse& pulse);
 
@@ -323,8 +322,7 @@ SpaceSpacing UniformSpacing(const SpacingOptions& options)
   {
     return {};
   }
-  const double scaled = std::max(options.Uniform * options.Scale, options.Minimum);
-  const double value = options.Maximum > 0.0 ? std::min(scaled, options.Maximum) : scaled;
+  const double value = Clamped(options.Uniform, options);
   return [value](const Point3&) { return value; };
 }
 

@@ -23,11 +23,6 @@ constexpr double Tolerance = 0.9;
 /// candidate on a side must not be lost by rounding, and is the same in both triangles.
 constexpr double Beside = 1e-9;
 
-std::size_t At(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 /// A triangle of the ground in its plane.
 struct GroundPlane
 {

@@ -12,11 +12,6 @@ namespace biting
 namespace
 {
 
-std::size_t At(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 class BoundaryChecker
 {
 public:

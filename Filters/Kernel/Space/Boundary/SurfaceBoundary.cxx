@@ -20,11 +20,6 @@ namespace biting
 namespace
 {
 
-std::size_t Index(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 /// Where the dual edge of a facet meets the surface.
 struct DualMeeting
 {
@@ -101,7 +96,7 @@ private:
         return;
       }
       const PointInsertion made =
-        this->Cells.Insert(this->Bites.Centers[Index(bite)], this->Bites.WeightOf(bite));
+        this->Cells.Insert(this->Bites.Centers[At(bite)], this->Bites.WeightOf(bite));
       if (made.What != PointOutcome::Duplicate)
       {
         this->BiteOf.push_back(bite);
@@ -111,20 +106,20 @@ private:
 
   WeightedPoint CornerAt(Id cell, Id k) const
   {
-    const Id vertex = this->Cells.Mesh().Corners[Index(4 * cell + k)];
+    const Id vertex = this->Cells.Mesh().Corners[At(4 * cell + k)];
     return { this->Cells.Mesh().PointAt(vertex), this->Cells.Mesh().WeightAt(vertex) };
   }
 
   void FindCenters()
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    this->Centers.resize(Index(mesh.NumberOfSlots()));
+    this->Centers.resize(At(mesh.NumberOfSlots()));
     for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
     {
       if (mesh.IsTetrahedron(cell))
       {
         const WeightedPoint first = this->CornerAt(cell, 0);
-        this->Centers[Index(cell)] = first.Place +
+        this->Centers[At(cell)] = first.Place +
           PowerCenter(
             first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
       }
@@ -135,14 +130,13 @@ private:
   {
     const InsideTest test(this->Ground.Mesh, this->Tree);
     const TetMesh& mesh = this->Cells.Mesh();
-    this->IsInside.assign(Index(mesh.NumberOfSlots()), 0);
+    this->IsInside.assign(At(mesh.NumberOfSlots()), 0);
     for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(32); ++cell)
     {
       if (mesh.IsTetrahedron(cell))
       {
         const int side = this->SideByNormals(cell);
-        this->IsInside[Index(cell)] =
-          side != 0 ? side < 0 : test.IsInside(this->Centers[Index(cell)]);
+        this->IsInside[At(cell)] = side != 0 ? side < 0 : test.IsInside(this->Centers[At(cell)]);
       }
     }
   }
@@ -160,32 +154,32 @@ private:
       {
         continue;
       }
-      isAt[Index(offence.Bite)] = 1;
-      isAt[Index(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
+      isAt[At(offence.Bite)] = 1;
+      isAt[At(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
     }
     bool isChanged = false;
     this->IsByMiddle.resize(this->IsInside.size(), 0);
     for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
     {
-      bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[Index(cell)] == 0;
+      bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[At(cell)] == 0;
       Point3 middle{};
       Id faults = 0;
       double size = Infinity;
       for (Id k = 0; k < 4 && isFaulty; ++k)
       {
-        const Id vertex = mesh.Corners[Index(4 * cell + k)];
-        faults += isAt[Index(this->BiteOf[Index(vertex)])];
+        const Id vertex = mesh.Corners[At(4 * cell + k)];
+        faults += isAt[At(this->BiteOf[At(vertex)])];
         middle = middle + 0.25 * mesh.PointAt(vertex);
-        size = std::min(size, this->Bites.Sizes[Index(this->BiteOf[Index(vertex)])]);
+        size = std::min(size, this->Bites.Sizes[At(this->BiteOf[At(vertex)])]);
       }
       constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
       if (isFaulty && faults > 0 &&
         this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
         const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
-        this->IsByMiddle[Index(cell)] = 1;
-        isChanged = isChanged || label != this->IsInside[Index(cell)];
-        this->IsInside[Index(cell)] = label;
+        this->IsByMiddle[At(cell)] = 1;
+        isChanged = isChanged || label != this->IsInside[At(cell)];
+        this->IsInside[At(cell)] = label;
       }
     }
     return isChanged;
@@ -200,14 +194,13 @@ private:
     int sides = 0;
     for (Id k = 0; k < 4; ++k)
     {
-      const Id bite = this->BiteOf[Index(this->Cells.Mesh().Corners[Index(4 * cell + k)])];
+      const Id bite = this->BiteOf[At(this->Cells.Mesh().Corners[At(4 * cell + k)])];
       if (bite < this->Bites.NumberOnLines)
       {
         return 0;
       }
-      const Point3 apart = this->Centers[Index(cell)] - this->Bites.Centers[Index(bite)];
-      const double height =
-        Dot(apart, this->Ground.NormalOf(Index(this->Bites.Triangles[Index(bite)])));
+      const Point3 apart = this->Centers[At(cell)] - this->Bites.Centers[At(bite)];
+      const double height = Dot(apart, this->Ground.NormalOf(At(this->Bites.Triangles[At(bite)])));
       if (std::abs(height) < LeastSlope * Length(apart))
       {
         return 0;
@@ -222,13 +215,13 @@ private:
     const TetMesh& mesh = this->Cells.Mesh();
     for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
     {
-      if (this->IsInside[Index(cell)] == 0)
+      if (this->IsInside[At(cell)] == 0)
       {
         continue;
       }
       for (Id facet = 4 * cell; facet < 4 * cell + 4; ++facet)
       {
-        if (this->IsInside[Index(TetMesh::CellOf(mesh.Twins[Index(facet)]))] == 0)
+        if (this->IsInside[At(TetMesh::CellOf(mesh.Twins[At(facet)]))] == 0)
         {
           this->Add(facet, this->Meet(facet), false);
         }
@@ -241,7 +234,7 @@ private:
     const TetMesh& mesh = this->Cells.Mesh();
     for (Id facet = 0; facet < 4 * mesh.NumberOfSlots() && this->Beats.Beat(64); ++facet)
     {
-      const Id twin = mesh.Twins[Index(facet)];
+      const Id twin = mesh.Twins[At(facet)];
       const Id cell = TetMesh::CellOf(facet);
       if (mesh.IsTetrahedron(cell) && this->IsOfBites(facet) &&
         (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))))
@@ -250,8 +243,7 @@ private:
         if (meeting.Count % 2 == 1)
         {
           const Point3 normal = this->NormalOf(facet);
-          this->Add(
-            facet, meeting, Dot(normal, this->Ground.NormalOf(Index(meeting.Triangle))) < 0.0);
+          this->Add(facet, meeting, Dot(normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0);
         }
       }
     }
@@ -260,9 +252,9 @@ private:
   bool IsOfBites(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    return this->BiteOf[Index(mesh.FacetCorner(facet, 0))] != NoId &&
-      this->BiteOf[Index(mesh.FacetCorner(facet, 1))] != NoId &&
-      this->BiteOf[Index(mesh.FacetCorner(facet, 2))] != NoId;
+    return this->BiteOf[At(mesh.FacetCorner(facet, 0))] != NoId &&
+      this->BiteOf[At(mesh.FacetCorner(facet, 1))] != NoId &&
+      this->BiteOf[At(mesh.FacetCorner(facet, 2))] != NoId;
   }
 
   /// The unit normal of the facet, away from its cell.
@@ -280,19 +272,19 @@ private:
   {
     const TetMesh& mesh = this->Cells.Mesh();
     const Point3 normal = this->NormalOf(facet);
-    const Point3& center = this->Centers[Index(TetMesh::CellOf(facet))];
+    const Point3& center = this->Centers[At(TetMesh::CellOf(facet))];
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
-    const Id other = TetMesh::CellOf(mesh.Twins[Index(facet)]);
+    const Id other = TetMesh::CellOf(mesh.Twins[At(facet)]);
     double reach = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      const Id bite = this->BiteOf[Index(mesh.FacetCorner(facet, k))];
-      reach = std::max(reach, 1.5 * this->Bites.Sizes[Index(bite)]);
+      const Id bite = this->BiteOf[At(mesh.FacetCorner(facet, k))];
+      reach = std::max(reach, 1.5 * this->Bites.Sizes[At(bite)]);
     }
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
-    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[Index(other)]) : Infinity;
+    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[At(other)]) : Infinity;
     const double begin = std::max(std::min(low, high), -reach);
     const double end = std::min(std::max(low, high), reach);
     DualMeeting meeting;
@@ -311,7 +303,7 @@ private:
     this->Tree.AllOf(box,
       [this, &foot, &normal, begin, end, &meeting, &least](const SurfaceItem& item)
       {
-        const std::array<Point3, 3> t = this->Ground.Mesh.Triangle(Index(item.Triangle));
+        const std::array<Point3, 3> t = this->Ground.Mesh.Triangle(At(item.Triangle));
         const Point3 a = t[0] - foot;
         const Point3 b = t[1] - foot;
         const Point3 c = t[2] - foot;
@@ -321,7 +313,7 @@ private:
         const double sum = x + y + z;
         // What passes an edge passes one of its two triangles: their rounded products only differ
         // in sign, and 0 has that of the order of the ends.
-        const Id* ends = &this->Ground.Mesh.Corners[3 * Index(item.Triangle)];
+        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
         const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
         const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
           isLeft == (z > 0.0 || (z == 0.0 && ends[0] < ends[1]));
@@ -347,7 +339,7 @@ private:
     std::array<Id, 3> bites{};
     for (int k = 0; k < 3; ++k)
     {
-      bites[Index(k)] = this->BiteOf[Index(mesh.FacetCorner(facet, k))];
+      bites[At(k)] = this->BiteOf[At(mesh.FacetCorner(facet, k))];
     }
     if (isTurned)
     {
@@ -365,14 +357,14 @@ private:
     constexpr double Near = 0.25; // in f
     const Point3 normal = (isTurned ? -1.0 : 1.0) * this->NormalOf(facet);
     const auto agrees = [this, &normal](Id triangle)
-    { return Dot(normal, this->Ground.NormalOf(Index(triangle))) >= LeastCosine; };
+    { return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine; };
     if (met != NoId && agrees(met))
     {
       return met;
     }
     const Point3 middle = this->MiddleOf(facet);
-    const Id bite = this->BiteOf[Index(this->Cells.Mesh().FacetCorner(facet, 0))];
-    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[Index(bite)], agrees);
+    const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
+    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)], agrees);
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
   }
@@ -401,7 +393,7 @@ private:
         {
           return limit;
         }
-        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(Index(item.Triangle));
+        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
         const double distance = Distance(NearestPoint(triangle, place), place);
         nearest = distance < limit ? item.Triangle : nearest;
         return std::min(limit, distance);

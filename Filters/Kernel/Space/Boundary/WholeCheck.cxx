@@ -16,11 +16,6 @@ namespace biting
 namespace
 {
 
-std::size_t IndexOf(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 /// Of a part of a triangle mesh.
 struct PartFigures
 {
@@ -66,19 +61,19 @@ public:
     used.erase(std::unique(used.begin(), used.end()), used.end());
     for (const Id vertex : used)
     {
-      ++parts[IndexOf(this->RootOf(vertex))].Euler;
+      ++parts[At(this->RootOf(vertex))].Euler;
     }
     for (const std::pair<Id, Id>& edge : edges)
     {
-      --parts[IndexOf(this->RootOf(edge.first))].Euler;
+      --parts[At(this->RootOf(edge.first))].Euler;
     }
     for (std::size_t t = 0; t < this->Corners.size() / 3; ++t)
     {
-      PartFigures& part = parts[IndexOf(this->RootOf(this->Corners[3 * t]))];
+      PartFigures& part = parts[At(this->RootOf(this->Corners[3 * t]))];
       const Point3 origin = this->Points.front();
-      const Point3 a = this->Points[IndexOf(this->Corners[3 * t])];
-      const Point3 b = this->Points[IndexOf(this->Corners[3 * t + 1])];
-      const Point3 c = this->Points[IndexOf(this->Corners[3 * t + 2])];
+      const Point3 a = this->Points[At(this->Corners[3 * t])];
+      const Point3 b = this->Points[At(this->Corners[3 * t + 1])];
+      const Point3 c = this->Points[At(this->Corners[3 * t + 2])];
       ++part.Euler;
       part.Area += 0.5 * Length(Cross(b - a, c - a));
       part.Volume += Dot(a - origin, Cross(b - origin, c - origin)) / 6.0;
@@ -135,15 +130,15 @@ WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>
   {
     verdict.IsSame = false;
     verdict.Triangle = triangle;
-    verdict.Place = surface.Mesh.Middle(IndexOf(triangle));
+    verdict.Place = surface.Mesh.Middle(At(triangle));
     verdict.What = std::move(what);
   };
   // Of each part of the surface, the part of the mesh on it.
   std::vector<Id> partOn(wanted.size(), NoId);
   for (std::size_t t = 0; t < below.size(); ++t)
   {
-    const Id root = wantedMeasure.RootOf(surface.Mesh.Corners[3 * IndexOf(below[t])]);
-    Id& part = partOn[IndexOf(root)];
+    const Id root = wantedMeasure.RootOf(surface.Mesh.Corners[3 * At(below[t])]);
+    Id& part = partOn[At(root)];
     const Id own = measure.RootOf(corners[3 * t]);
     if (part != NoId && part != own)
     {
@@ -158,10 +153,10 @@ WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>
     {
       continue;
     }
-    const bool isClosed = surface.Shells.IsSolid(IndexOf(wanted[root].Triangle));
+    const bool isClosed = surface.Shells.IsSolid(At(wanted[root].Triangle));
     const std::string what = partOn[root] == NoId
       ? "a part is missing"
-      : Compare(parts[IndexOf(partOn[root])], wanted[root], isClosed);
+      : Compare(parts[At(partOn[root])], wanted[root], isClosed);
     if (!what.empty())
     {
       refuse(wanted[root].Triangle, what);

@@ -20,11 +20,6 @@ namespace biting
 namespace
 {
 
-std::size_t At(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 void Cap(SurfaceGround& ground, Id vertex, double size)
 {
   double& old = ground.Sizes[At(vertex)];

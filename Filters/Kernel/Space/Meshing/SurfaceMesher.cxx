@@ -24,11 +24,6 @@ namespace biting
 namespace
 {
 
-std::size_t At(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 class SurfaceMesher
 {
 public:

@@ -64,7 +64,7 @@ struct BitingSurface
   // Vertices.
   std::vector<Point3> Points;
   std::vector<double> Spacing; ///< f as used
-  std::vector<Id> BiteOrders;  ///< NoId: it came with a repair
+  std::vector<Id> BiteOrders;
   std::vector<SurfaceVertexKind> Kinds;
   std::vector<Id> OriginalPoints; ///< of corners, the point of the input; NoId = new
 

@@ -16,11 +16,6 @@ namespace biting
 namespace
 {
 
-std::size_t At(Id id)
-{
-  return static_cast<std::size_t>(id);
-}
-
 /// Cosines: the larger, the smaller the angle.
 constexpr double GoodCosine = 0.8191520442889918;     // 35 degrees
 constexpr double BadCosine = 0.7880107536067220;      // 38 degrees

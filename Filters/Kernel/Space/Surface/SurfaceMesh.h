@@ -15,6 +15,12 @@
 namespace biting
 {
 
+/// The place of an item in an array.
+inline std::size_t At(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
 /// A triangulated surface of space, as a structure of arrays. Slots are as in TriangleSlots.h.
 struct SurfaceMesh
 {
