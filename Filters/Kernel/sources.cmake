@@ -170,16 +170,11 @@ set(biting_kernel_sources
   Space/Boundary/WholeCheck.cxx
   Space/Relaxation/SurfaceRelaxation.cxx
   Space/Relaxation/SurfaceStars.cxx
+  Space/Interior/InteriorBites.cxx
+  Space/Finishing/BodyRelaxation.cxx
+  Space/Meshing/BodyMesher.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
-  Space/Biting/ChainDivision.cxx
-  Space/Biting/SurfaceBites.cxx
-  Space/Boundary/BoundaryCheck.cxx
-  Space/Boundary/InsideTest.cxx
-  Space/Boundary/SurfaceBoundary.cxx
-  Space/Features/FeatureLines.cxx
-  Space/Features/SizeCaps.cxx
-  Space/Features/SurfaceGround.cxx
   Space/Surface/SurfaceCheck.cxx
   Space/Surface/SurfaceCrossings.cxx
   Space/Surface/SurfaceLinks.cxx

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBodyRelaxation_h
+#define BitingBodyRelaxation_h
+
+#include "../../Base/Pulse.h"
+#include "../Features/SurfaceGround.h"
+
+#include <functional> // for f
+#include <vector>     // for the arrays
+
+namespace biting
+{
+
+/// A tetrahedral mesh of a body that is relaxed. Its vertices: first corners and those of chains,
+/// then others of the boundary, then those inside.
+struct RelaxedBody
+{
+  std::vector<Point3> Points;
+  std::vector<double> Sizes;      ///< f at points
+  Id NumberOnLines = 0;           ///< these stay
+  Id NumberOnBoundary = 0;        ///< with these; the others of them slide on their patch
+  std::vector<Id> BoundaryPlaces; ///< of vertices of the boundary: a triangle of the ground there
+
+  std::vector<Id> Corners; ///< four vertices a tetrahedron, positive by Orient3D
+  std::vector<Id> Regions; ///< of tetrahedra
+
+  /// Three vertices each: all facets with a tetrahedron on one side only, oriented away from it;
+  /// and those between different regions, once, oriented away from the lower one.
+  std::vector<Id> Facets;
+  std::vector<Id> FacetTags; ///< of facets: the patch each belongs to; 2-2 flips keep within one
+  std::vector<Id> PieceEnds; ///< edges that stay, two vertices each
+};
+
+/// Makes its tetrahedra better: vertices inside move to where the errors of interpolation are least
+/// (ODT, density of f), flips and the removal of edges take slivers away, then the vertices of the
+/// worst tetrahedra move by descent, those on the boundary on the ground. Facets change by flips of
+/// two within a patch only.
+/// Laws: the worst dihedral angle about no step gets worse; tetrahedra stay positive, exactly; the
+/// boundary stays closed and within its patches; regions keep their facets.
+/// Target: every dihedral angle at least 30 degrees where the input's are 90 and f fits.
+void RelaxBody(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
+  RelaxedBody& body, Pulse& pulse);
+
+} // namespace biting
+
+#endif
