@@ -173,6 +173,7 @@ set(biting_kernel_sources
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
   Space/Meshing/BodyMesher.cxx
+  Space/Meshing/CertifiedSurface.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
   Space/Surface/SurfaceCheck.cxx

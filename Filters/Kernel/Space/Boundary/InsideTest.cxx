@@ -36,21 +36,22 @@ bool IsBelow(const Point2& p, Point2 a, Point2 b)
 
 } // namespace
 
-bool InsideTest::IsInside(const Point3& place) const
+Id InsideTest::LabelAt(const Point3& place) const
 {
+  Id label = 0;
   if (!this->Bounds.Contains(place))
   {
-    return false;
+    return label;
   }
-  bool isInside = false;
   const Box3 ray = Box3::Around(place, { this->Bounds.High.X, place.Y, place.Z });
   this->Tree.AllOf(ray,
-    [this, &place, &isInside](const SurfaceItem& item)
+    [this, &place, &label](const SurfaceItem& item)
     {
-      isInside ^= this->IsMet(static_cast<std::size_t>(item.Triangle), place);
+      const TriangleSides& sides = this->Ground.Sides[At(this->Mesh.Cells[At(item.Triangle)])];
+      label ^= this->IsMet(At(item.Triangle), place) ? sides[0] ^ sides[1] : 0;
       return true;
     });
-  return isInside;
+  return label;
 }
 
 bool InsideTest::IsMet(std::size_t triangle, const Point3& place) const
