@@ -172,6 +172,8 @@ set(biting_kernel_sources
   Space/Relaxation/SurfaceStars.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
+  Space/Meshing/BodyCells.cxx
+  Space/Meshing/BodyCheck.cxx
   Space/Meshing/BodyMesher.cxx
   Space/Meshing/CertifiedSurface.cxx
   Space/Meshing/SurfaceMesher.cxx

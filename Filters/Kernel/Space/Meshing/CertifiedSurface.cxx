@@ -25,7 +25,7 @@ class SurfaceCertifier
 {
 public:
   SurfaceCertifier(const CheckedSurface& surface, const SurfaceMesherOptions& options,
-    CertifiedSurface& result, ProblemList& problems, Pulse& pulse)
+    CertifiedSurface& result, ProblemList& problems, Monitor& monitor)
     : Surface(surface)
     , Options(options)
     , Ground(result.Ground)
@@ -35,7 +35,7 @@ public:
     , Boundary(result.Boundary)
     , Whole(result)
     , Problems(problems)
-    , Beats(pulse)
+    , Beats(monitor)
   {
   }
 
@@ -269,7 +269,7 @@ private:
   SurfaceBoundary& Boundary;
   const CertifiedSurface& Whole; ///< these five
   ProblemList& Problems;
-  Pulse& Beats;
+  Pulse Beats;
 };
 
 /// Regions, and how far middles are from the surface.
@@ -313,10 +313,10 @@ void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& opti
 
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   std::vector<TriangleSides> sides, CertifiedSurface& result, ProblemList& problems,
-  Monitor& monitor, Pulse& pulse)
+  Monitor& monitor)
 {
   result.Ground.Sides = std::move(sides);
-  return SurfaceCertifier(surface, options, result, problems, pulse).Run(monitor);
+  return SurfaceCertifier(surface, options, result, problems, monitor).Run(monitor);
 }
 
 bool MayGoOn(ProblemList& problems, Pulse& pulse)

@@ -28,10 +28,10 @@ struct CertifiedSurface
 
 /// Finds it, in rounds: where certificates fail, f is lowered or turning lines are given up.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
-/// it bounds nothing. False where it cannot be or the pulse has stopped: problems are told.
+/// it bounds nothing. False where it cannot be or the monitor asks to stop: problems are told.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   std::vector<TriangleSides> sides, CertifiedSurface& result, ProblemList& problems,
-  Monitor& monitor, Pulse& pulse);
+  Monitor& monitor);
 
 /// Whether nothing was refused up to now; that the pulse has stopped is told.
 bool MayGoOn(ProblemList& problems, Pulse& pulse);

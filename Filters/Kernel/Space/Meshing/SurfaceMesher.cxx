@@ -54,7 +54,7 @@ BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOpti
   Pulse pulse(monitor);
   CertifiedSurface certified;
   BitingSurface mesh;
-  if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor, pulse))
+  if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
   {
     monitor.BeginStage("Relaxing");
     Relax(certified, options.Relaxation, mesh, pulse);
