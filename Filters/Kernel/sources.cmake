@@ -164,6 +164,7 @@ set(biting_kernel_sources
   Space/Features/SurfaceGround.cxx
   Space/Biting/ChainDivision.cxx
   Space/Biting/SurfaceBites.cxx
+  Space/Boundary/BodySides.cxx
   Space/Boundary/BoundaryCheck.cxx
   Space/Boundary/InsideTest.cxx
   Space/Boundary/SurfaceBoundary.cxx

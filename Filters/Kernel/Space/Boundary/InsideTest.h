@@ -10,11 +10,14 @@
 namespace biting
 {
 
+/// Whether the ray from the place along the first axis meets the triangle. Exact: it passes no
+/// edge, as if the place were moved by infinitely little along the third axis and by less along the
+/// second. Where the place is on the triangle, either.
+bool MeetsRay(const std::array<Point3, 3>& triangle, const Point3& place);
+
 /// On which side of surfaces that bound parts of space a place is: along a ray the label changes
 /// from one side of each triangle that it meets to the other, so the label of the place is the
-/// exclusive or of all of them. The ray is along the first axis. Exact: it passes no edge, as if
-/// its place were moved by infinitely little along the third axis and by less along the second.
-/// Places on a surface are on either side.
+/// exclusive or of all of them (MeetsRay). Places on a surface are on either side.
 class InsideTest
 {
 public:
@@ -30,8 +33,6 @@ public:
   Id LabelAt(const Point3& place) const;
 
 private:
-  bool IsMet(std::size_t triangle, const Point3& place) const;
-
   const SurfaceGround& Ground;
   const SurfaceMesh& Mesh;
   const BoxTree<SurfaceItem, 3>& Tree;

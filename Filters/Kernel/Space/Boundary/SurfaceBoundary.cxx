@@ -7,6 +7,7 @@
 #include "../../Delaunay/SpatialOrder.h"
 #include "../Delaunay/RegularTriangulation.h"
 #include "../Surface/NearestOnTriangle.h"
+#include "BodySides.h"
 #include "BoundaryCheck.h"
 #include "InsideTest.h"
 

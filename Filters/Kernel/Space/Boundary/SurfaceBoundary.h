@@ -44,13 +44,6 @@ struct SurfaceBoundary
   std::vector<Point3> Uncovered; ///< centres of balls larger than bites
 };
 
-/// Whether a facet between these labels has the first one behind it: it looks away from bodies,
-/// and from the lower of two.
-constexpr bool IsBehind(Id label, Id other)
-{
-  return label != 0 && (other == 0 || label < other);
-}
-
 /// Finds them. Of a solid (the ground has sides) they are the facets between cells whose power
 /// centres have different labels: closed by construction, and without self-crossings, as facets of
 /// one triangulation. Of other surfaces they are the facets whose dual edges meet the surface.

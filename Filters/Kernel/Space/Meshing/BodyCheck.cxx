@@ -4,6 +4,7 @@
 #include "BodyCheck.h"
 
 #include "../../Predicates/Predicates3.h"
+#include "../Boundary/BodySides.h"
 #include "../Delaunay/TetMesh.h"
 #include "CertifiedSurface.h"
 #include "FacetTable.h"

@@ -5,6 +5,7 @@
 
 #include "../../Base/DisjointSets.h"
 #include "../../Base/Tasks.h"
+#include "../Boundary/BodySides.h"
 #include "../Boundary/InsideTest.h"
 #include "../Boundary/WholeCheck.h"
 #include "../Delaunay/SpaceTriangulation.h"
@@ -67,21 +68,20 @@ private:
   /// What each triangle has on both sides.
   bool FindSides()
   {
-    for (std::size_t t = 0; t < this->Surface.Mesh.NumberOfTriangles(); ++t)
+    Pulse pulse(this->Listener);
+    this->Bodies = FindBodies(this->Surface.Mesh, this->Options.Surface.Regions, pulse);
+    const Id open = this->Bodies.OpenTriangle;
+    if (open != NoId && MayGoOn(this->Problems, pulse))
     {
-      if (!this->Surface.Shells.IsSolid(t))
-      {
-        return this->Refuse(
-          ProblemCode::OpenEdges, this->Surface.Mesh.Middle(t), "the surface bounds no body");
-      }
+      this->Refuse(ProblemCode::OpenEdges, this->Surface.Mesh.Middle(At(open)),
+        "it has the same part of space on both sides");
     }
-    this->Sides.assign(this->Surface.Mesh.NumberOfTriangles(), { 1, 0 });
-    return true;
+    return MayGoOn(this->Problems, pulse);
   }
 
   bool Certify()
   {
-    return CertifySurface(this->Surface, this->Options.Surface, this->Sides, this->Certified,
+    return CertifySurface(this->Surface, this->Options.Surface, this->Bodies.Sides, this->Certified,
       this->Problems, this->Listener);
   }
 
@@ -320,7 +320,7 @@ private:
   {
     this->Listener.BeginStage("Checking");
     Pulse pulse(this->Listener);
-    BodyVerdict verdict = CheckBody(this->Surface, this->Sides, this->Body, pulse);
+    BodyVerdict verdict = CheckBody(this->Surface, this->Bodies.Sides, this->Body, pulse);
     const std::size_t onBoundary = At(this->Body.NumberOnBoundary);
     BitingBody mesh;
     BitingSurface& boundary = mesh.Boundary;
@@ -353,7 +353,7 @@ private:
     mesh.Regions = std::move(this->Body.Regions);
     for (Id& region : mesh.Regions)
     {
-      region = region - 1;
+      region = this->Bodies.Regions[At(region) - 1];
     }
     if (this->Options.Surface.KeepBites)
     {
@@ -367,11 +367,11 @@ private:
     return mesh;
   }
 
-  const CheckedSurface& Surface;
+  CheckedSurface Surface; ///< turned as its bodies want
   const BodyMesherOptions& Options;
   ProblemList& Problems;
   Monitor& Listener;
-  std::vector<TriangleSides> Sides; ///< of the triangles of the surface
+  BodySides Bodies;
   CertifiedSurface Certified;
   std::vector<double> Weights; ///< of bites
   InteriorBites Inside;
