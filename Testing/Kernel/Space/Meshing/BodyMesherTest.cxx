@@ -263,8 +263,9 @@ TEST(BodyMesher, RefusesWhatCannotBeWithAReason)
   EXPECT_TRUE(refuses(box, 0.001, ProblemCode::TooManyVertices));
   EXPECT_TRUE(refuses(box, 0.03, ProblemCode::TooManyVertices)); // inside only
   EXPECT_TRUE(refuses(box, 0.0, ProblemCode::BadSpacing));
-  EXPECT_TRUE(
-    refuses(Plain(BoxBetween({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.01 })), 0.1, ProblemCode::TooThin));
+  Soup near = BoxBetween({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
+  near.AddBox({ 0.0, 0.0, 1.0001 }, { 1.0, 1.0, 2.0 });
+  EXPECT_TRUE(refuses(Plain(near), 0.5, ProblemCode::TooThin));
   EXPECT_TRUE(MakeBody({}, 0.1).Problems.Groups().empty());
 }
 
