@@ -88,7 +88,7 @@ private:
       double& guard = guards[static_cast<std::size_t>(boundary.Facets[slot])];
       guard = std::max(guard, NearShare * boundary.Balls[slot / 3].Radius);
     }
-    const auto ignore = [](Id) {};
+    const auto ignore = [](Id, const GuardedBall&) {};
     for (std::size_t k = 0; k < boundary.Centers.size() && this->Beats.Beat(4); ++k)
     {
       const double radius = BitingConstant * boundary.Sizes[k];
@@ -104,28 +104,16 @@ private:
       }
     }
     this->NumberOfWalls = this->Tree.Size();
-    this->Seen.assign(static_cast<std::size_t>(this->NumberOfWalls), NoId);
   }
 
   void StartAt(Id ball)
   {
-    const GuardedBall own = this->Tree.At(ball);
-    this->Meetings.Start(own);
-    this->Tree.VisitNear(own, [this, ball](Id other) { this->Note(other, ball); });
+    this->Meetings.Start(this->Tree.At(ball));
+    this->Tree.VisitNear(
+      ball, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([ball](Id other) { return other < ball; },
-      [this](const Point3& place, Id, Id) {
-        this->Later.push_back({ place, this->NumberOfWalls, true });
-      });
-  }
-
-  void Note(Id other, Id of)
-  {
-    Id& seen = this->Seen[static_cast<std::size_t>(other)];
-    if (seen != of && other != of)
-    {
-      seen = of;
-      this->Meetings.Add(this->Tree.At(other), other);
-    }
+      [this](const Point3& place, Id, Id)
+      { this->Later.push_back({ place, this->NumberOfWalls, true }); });
   }
 
   void Try(const Candidate& candidate)
@@ -144,9 +132,8 @@ private:
     this->Bites.Radii.push_back(radius);
     const GuardedBall own{ candidate.Place, radius, Tolerance * radius };
     this->Meetings.Start(own);
-    const Id id = this->Tree.Size();
-    this->Seen.push_back(NoId);
-    this->Tree.Add(own, [this, id](Id other) { this->Note(other, id); });
+    this->Tree.Add(
+      own, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([](Id) { return true; },
       [this](const Point3& place, Id a, Id b) {
         this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->NumberOfWalls });
@@ -159,7 +146,6 @@ private:
   Box3 Bounds;
   BallTree Tree;        ///< bites of the boundary, empty balls, bites
   Id NumberOfWalls = 0; ///< in the tree, of the boundary
-  std::vector<Id> Seen; ///< of balls: the last one whose neighbors were looked for
   SphereMeetings Meetings;
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue
