@@ -276,7 +276,7 @@ private:
   std::vector<GuardedBall> Items;
   std::vector<Id> Nodes{ LeafOf(NoId) }; ///< the first of eight children, or a leaf
   std::vector<Block> Blocks;
-  Id FirstFree = NoId; ///< of the blocks
+  Id FirstFree = NoId;     ///< of the blocks
   std::vector<Cube> Front; ///< of the walk
   std::vector<Id> Moved;
 };

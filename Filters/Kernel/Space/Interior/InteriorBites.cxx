@@ -16,7 +16,7 @@ namespace
 {
 
 /// Radius of a bite, in f: so the mean edge has the length f.
-constexpr double BitingConstant = 0.9;
+constexpr double BitingConstant = 0.885;
 
 /// No later center is nearer to a bite's, in radii.
 constexpr double Tolerance = 0.9;
@@ -36,23 +36,11 @@ public:
   InteriorBites Run()
   {
     this->AddBoundary();
-    for (Id ball = 0; ball < this->NumberOfWalls && this->Beats.Beat(64); ++ball)
+    for (Id ball = 0; ball < this->FirstInner && this->Beats.Beat(64); ++ball)
     {
-      this->StartAt(ball);
+      this->Start(ball);
     }
-    while (!this->Later.empty() && this->MayGoOn())
-    {
-      std::swap(this->Queue, this->Later);
-      this->Later.clear();
-      for (const Candidate& candidate : this->Queue)
-      {
-        if (!this->MayGoOn())
-        {
-          break;
-        }
-        this->Try(candidate);
-      }
-    }
+    this->EmptyQueue();
     return std::move(this->Bites);
   }
 
@@ -103,17 +91,32 @@ private:
         this->Tree.Add({ ball.Center, Room * ball.Radius, ball.Radius }, ignore);
       }
     }
-    this->NumberOfWalls = this->Tree.Size();
+    this->FirstInner = this->Tree.Size();
   }
 
-  void StartAt(Id ball)
+  void EmptyQueue()
+  {
+    while (!this->Later.empty() && this->MayGoOn())
+    {
+      std::swap(this->Queue, this->Later);
+      this->Later.clear();
+      for (std::size_t k = 0; k < this->Queue.size() && this->MayGoOn(); ++k)
+      {
+        this->Try(this->Queue[k]);
+      }
+    }
+  }
+
+  /// The candidates of a ball of the boundary: each meeting is found by its last ball.
+  void Start(Id ball)
   {
     this->Meetings.Start(this->Tree.At(ball));
     this->Tree.VisitNear(
       ball, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([ball](Id other) { return other < ball; },
-      [this](const Point3& place, Id, Id)
-      { this->Later.push_back({ place, this->NumberOfWalls, true }); });
+      [this](const Point3& place, Id, Id) {
+        this->Later.push_back({ place, this->FirstInner, true });
+      });
   }
 
   void Try(const Candidate& candidate)
@@ -132,11 +135,10 @@ private:
     this->Bites.Radii.push_back(radius);
     const GuardedBall own{ candidate.Place, radius, Tolerance * radius };
     this->Meetings.Start(own);
-    this->Tree.Add(
-      own, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
+    this->Tree.Add(own, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([](Id) { return true; },
       [this](const Point3& place, Id a, Id b) {
-        this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->NumberOfWalls });
+        this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->FirstInner });
       });
   }
 
@@ -144,8 +146,8 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   Box3 Bounds;
-  BallTree Tree;        ///< bites of the boundary, empty balls, bites
-  Id NumberOfWalls = 0; ///< in the tree, of the boundary
+  BallTree Tree;     ///< bites of the boundary, empty balls, bites
+  Id FirstInner = 0; ///< in the tree
   SphereMeetings Meetings;
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue

@@ -7,8 +7,8 @@
 #include "BallTree.h"
 
 #include <algorithm> // for sort
-#include <cmath>   // for sqrt
-#include <vector>  // for the arrays
+#include <cmath>     // for sqrt
+#include <vector>    // for the arrays
 
 namespace biting
 {
@@ -145,7 +145,7 @@ private:
   GuardedBall Own;
   std::vector<Circle> Circles;
   std::vector<Circle> Parents; ///< those of which a part is free
-  bool IsHidden = false; ///< another ball has all of the sphere
+  bool IsHidden = false;       ///< another ball has all of the sphere
 };
 
 } // namespace biting
