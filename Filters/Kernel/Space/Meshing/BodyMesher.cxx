@@ -9,6 +9,7 @@
 #include "../Boundary/WholeCheck.h"
 #include "../Delaunay/SpaceTriangulation.h"
 #include "../Finishing/BodyRelaxation.h"
+#include "../Interior/BodySpacing.h"
 #include "BodyCells.h"
 #include "BodyCheck.h"
 #include "CertifiedSurface.h"
@@ -22,57 +23,6 @@ namespace biting
 
 namespace
 {
-
-/// A bite of the boundary whose f was lowered, as an item of a BoxTree.
-struct SmallBite
-{
-  Point3 Center;
-  double Size;
-
-  Box3 Box() const { return Box3::Around(this->Center, this->Center); }
-  double Least() const { return this->Size; }
-};
-
-/// f in a body: as given, and no more than that of any bite of the boundary allows at its distance.
-class BodySpacing
-{
-public:
-  BodySpacing(const CertifiedSurface& surface, double gradation, Pulse& pulse)
-    : Given(surface.Spacing)
-    , Slope(gradation)
-  {
-    constexpr double Lower = 0.99; // what is linear between vertices of the ground is off by some
-    std::vector<SmallBite> small;
-    const SurfaceBites& bites = surface.Bites;
-    for (std::size_t bite = 0; bite < bites.Centers.size(); ++bite)
-    {
-      const Point3& place = bites.Centers[bite];
-      const double size = surface.Ground.SizeAt(bites.Triangles[bite], place);
-      if (size < Lower * this->Given(place))
-      {
-        small.push_back({ place, size });
-      }
-    }
-    this->Tree = BoxTree<SmallBite, 3>(small, pulse);
-  }
-
-  double operator()(const Point3& place) const
-  {
-    double size = this->Given(place);
-    this->Tree.Search(place, this->Slope, size,
-      [this, &place, &size](const SmallBite& bite, double)
-      {
-        size = std::min(size, bite.Size + this->Slope * Distance(bite.Center, place));
-        return size;
-      });
-    return size;
-  }
-
-private:
-  std::function<double(const Point3&)> Given;
-  double Slope;
-  BoxTree<SmallBite, 3> Tree;
-};
 
 class BodyMesher
 {
@@ -193,7 +143,14 @@ private:
       boundary.Balls.push_back(this->BallOf(facet));
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
-    this->Spacing = BodySpacing(this->Certified, this->Options.Surface.Gradation, pulse);
+    std::vector<double> sizes;
+    for (Id bite = 0; bite < bites.Size(); ++bite)
+    {
+      sizes.push_back(
+        this->Certified.Ground.SizeAt(bites.Triangles[At(bite)], bites.Centers[At(bite)]));
+    }
+    this->Spacing = BodySpacing(
+      this->Certified.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
     boundary.Spacing = this->Spacing;
     const auto most = static_cast<std::size_t>(
       std::max<std::int64_t>(0, this->Options.Surface.MaximumNumberOfVertices - bites.Size()));
