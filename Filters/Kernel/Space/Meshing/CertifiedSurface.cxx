@@ -78,6 +78,7 @@ private:
 
   void Bite()
   {
+    MergeCorners(this->Ground);
     this->Bites = BiteSurface(
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
     if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
