@@ -141,6 +141,7 @@ private:
     BodyBoundary boundary;
     boundary.Centers = bites.Centers;
     boundary.Sizes = bites.Sizes;
+    this->Weights.reserve(bites.Centers.size());
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       this->Weights.push_back(bites.WeightOf(bite));
@@ -153,6 +154,7 @@ private:
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
     std::vector<double> sizes;
+    sizes.reserve(bites.Centers.size());
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       sizes.push_back(

@@ -179,6 +179,12 @@ private:
     {
       LinkGround(ground, this->Beats);
     }
+    this->CapSizes();
+  }
+
+  void CapSizes()
+  {
+    SurfaceGround& ground = this->Ground;
     CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
     this->Regrade();
     if (!this->Options.LimitByFeatureSize)
