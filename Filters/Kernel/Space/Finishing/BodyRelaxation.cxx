@@ -7,6 +7,8 @@
 #include "EdgeRemoval.h"
 #include "VertexMoves.h"
 
+#include <algorithm> // for sort, unique
+
 namespace biting
 {
 
@@ -14,8 +16,11 @@ namespace
 {
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
+constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
+
+constexpr double At45 = 0.5;
 
 class BodyRelaxer
 {
@@ -39,14 +44,16 @@ public:
       this->ChangeBad(At35);
     }
     constexpr int Rounds = 8;
-    for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
+    bool isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
     {
-      const bool isMoved = this->MoveBad(At35);
-      const bool isChanged = this->ChangeBad(At38);
-      if (!isMoved && !isChanged)
-      {
-        break;
-      }
+      isChanged = this->MoveBad(At35);
+      isChanged = this->ChangeBad(At38) || isChanged;
+    }
+    isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    {
+      isChanged = this->LoosenWorst(At31);
     }
     this->Tets.GiveBack();
   }
@@ -54,7 +61,7 @@ public:
 private:
   void SmoothAll()
   {
-    for (Id vertex = this->Tets.Body.NumberOnBoundary;
+    for (Id vertex = this->Tets.Body.NumberOnLines;
          vertex < this->Tets.Mesh.NumberOfVertices() && this->Beats.Beat(64); ++vertex)
     {
       this->Moves.Smooth(vertex, At35);
@@ -84,11 +91,55 @@ private:
     bool isMoved = false;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
     {
-      for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+      isMoved = this->MoveCorners(cell, limit) || isMoved;
+    }
+    return isMoved;
+  }
+
+  /// Makes room about the worst cells: those near them get better than they need to be, or they
+  /// get a vertex more.
+  bool LoosenWorst(double limit)
+  {
+    bool isChanged = false;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    {
+      if (this->IsBad(cell, limit))
       {
-        this->Beats.Beat(256);
-        isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
+        isChanged = this->ImproveAround(cell) || isChanged;
+        isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
       }
+    }
+    return isChanged;
+  }
+
+  bool ImproveAround(Id cell)
+  {
+    this->Near.clear();
+    for (const Id vertex : this->Tets.CornersOf(cell))
+    {
+      for (const Id slot : this->Tets.StarOf(vertex))
+      {
+        this->Near.push_back(slot >> 2);
+      }
+    }
+    std::sort(this->Near.begin(), this->Near.end());
+    this->Near.erase(std::unique(this->Near.begin(), this->Near.end()), this->Near.end());
+    bool isChanged = false;
+    for (const Id other : this->Near)
+    {
+      isChanged = this->MoveCorners(other, At45) || isChanged;
+      isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+    }
+    return isChanged;
+  }
+
+  bool MoveCorners(Id cell, double limit)
+  {
+    bool isMoved = false;
+    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+    {
+      this->Beats.Beat(256);
+      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
     }
     return isMoved;
   }
@@ -98,6 +149,7 @@ private:
   VertexMoves Moves;
   EdgeRemoval Edges;
   Pulse& Beats;
+  std::vector<Id> Near;
 };
 
 } // namespace
