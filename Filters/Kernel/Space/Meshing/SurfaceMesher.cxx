@@ -3,6 +3,7 @@
 
 #include "SurfaceMesher.h"
 
+#include "../../Base/Tasks.h"
 #include "../Biting/SurfaceBites.h"
 #include "../Boundary/SurfaceBoundary.h"
 #include "../Boundary/WholeCheck.h"
@@ -369,35 +370,45 @@ private:
   /// Regions, and how far middles are from the surface.
   void Measure(BitingSurface& mesh)
   {
+    constexpr std::size_t CheapSteps = 31;
     mesh.Deviations.resize(mesh.Triangles.size());
-    for (std::size_t t = 0; t < mesh.Triangles.size() && this->Beats.Beat(8); ++t)
-    {
-      Point3 middle{};
-      double size = 0.0;
-      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    mesh.Regions.assign(mesh.Triangles.size(), 0);
+    ForRowsAtOnce(this->Beats, mesh.Triangles.size(), CheapSteps,
+      [this, &mesh](std::size_t begin, std::size_t end)
       {
-        middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
-        size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
-      }
-      Id nearest = this->Boundary.Triangles[t];
-      mesh.Deviations[t] =
-        Distance(NearestPoint(this->Ground.Mesh.Triangle(At(nearest)), middle), middle);
-      this->Tree.Search(middle, 1.0, mesh.Deviations[t],
-        [this, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
+        for (std::size_t t = begin; t < end; ++t)
         {
-          const double distance =
-            Distance(NearestPoint(this->Ground.Mesh.Triangle(At(item.Triangle)), middle), middle);
-          if (distance < limit)
-          {
-            nearest = item.Triangle;
-            mesh.Deviations[t] = distance;
-          }
-          return std::min(limit, distance);
-        });
-      mesh.Deviations[t] /= size;
-      mesh.Triangles[t] = this->Ground.Mesh.Cells[At(nearest)];
-      mesh.Regions.push_back(
-        this->Options.Regions.empty() ? 0 : this->Options.Regions[At(mesh.Triangles[t])]);
+          this->MeasureTriangle(t, mesh);
+        }
+      });
+  }
+
+  void MeasureTriangle(std::size_t t, BitingSurface& mesh) const
+  {
+    Point3 middle{};
+    double size = 0.0;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    {
+      middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+      size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+    }
+    const auto distanceOf = [this, &middle](Id triangle)
+    { return Distance(NearestPoint(this->Ground.Mesh.Triangle(At(triangle)), middle), middle); };
+    Id nearest = this->Boundary.Triangles[t];
+    double least = distanceOf(nearest);
+    this->Tree.Search(middle, 1.0, least,
+      [&distanceOf, &nearest, &least](const SurfaceItem& item, double limit)
+      {
+        const double distance = distanceOf(item.Triangle);
+        nearest = distance < limit ? item.Triangle : nearest;
+        least = std::min(limit, distance);
+        return least;
+      });
+    mesh.Deviations[t] = least / size;
+    mesh.Triangles[t] = this->Ground.Mesh.Cells[At(nearest)];
+    if (!this->Options.Regions.empty())
+    {
+      mesh.Regions[t] = this->Options.Regions[At(mesh.Triangles[t])];
     }
   }
 
