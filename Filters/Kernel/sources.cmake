@@ -160,19 +160,31 @@ set(biting_kernel_sources
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
   Space/Features/FeatureLines.cxx
+  Space/Features/GroundPatches.cxx
   Space/Features/SizeCaps.cxx
   Space/Features/SurfaceGround.cxx
   Space/Biting/ChainDivision.cxx
   Space/Biting/SurfaceBites.cxx
+  Space/Boundary/BodySides.cxx
   Space/Boundary/BoundaryCheck.cxx
   Space/Boundary/InsideTest.cxx
   Space/Boundary/SurfaceBoundary.cxx
   Space/Boundary/WholeCheck.cxx
   Space/Relaxation/SurfaceRelaxation.cxx
   Space/Relaxation/SurfaceStars.cxx
+  Space/Interior/BodySpacing.cxx
+  Space/Interior/BoundaryAxes.cxx
+  Space/Interior/CubeMeetings.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
+  Space/Finishing/BodyTets.cxx
+  Space/Finishing/EdgeRemoval.cxx
+  Space/Finishing/GroundNormals.cxx
+  Space/Finishing/VertexMoves.cxx
+  Space/Meshing/BodyCells.cxx
+  Space/Meshing/BodyCheck.cxx
   Space/Meshing/BodyMesher.cxx
+  Space/Meshing/CertifiedSurface.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
   Space/Surface/SurfaceCheck.cxx

@@ -8,6 +8,7 @@
 #include "../../Delaunay/SpatialOrder.h"
 #include "../Delaunay/RegularTriangulation.h"
 #include "../Surface/NearestOnTriangle.h"
+#include "BodySides.h"
 #include "BoundaryCheck.h"
 #include "InsideTest.h"
 
@@ -43,6 +44,10 @@ struct WallFacet
   Id Facet;
   Id Triangle; ///< of the ground, below
   bool IsTurned;
+
+  // Of solids.
+  Point3 BallCenter;
+  TriangleSides Sides;
 };
 
 class BoundaryFinder
@@ -58,8 +63,9 @@ public:
   {
   }
 
-  SurfaceBoundary Run(bool isSolid)
+  SurfaceBoundary Run()
   {
+    const bool isSolid = !this->Ground.Sides.empty();
     if (!isSolid)
     {
       this->AddFrame();
@@ -161,13 +167,13 @@ private:
 
   void LabelCells()
   {
-    const InsideTest test(this->Ground.Mesh, this->Tree);
-    this->IsInside.assign(At(this->Cells.Mesh().NumberOfSlots()), 0);
+    const InsideTest test(this->Ground, this->Tree);
+    this->Labels.assign(At(this->Cells.Mesh().NumberOfSlots()), 0);
     this->ForCells(
       [this, &test](Id cell)
       {
-        const int side = this->SideByNormals(cell);
-        this->IsInside[At(cell)] = side != 0 ? side < 0 : test.IsInside(this->Centers[At(cell)]);
+        const Id label = this->LabelByNormals(cell);
+        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(this->Centers[At(cell)]);
       });
   }
 
@@ -175,7 +181,7 @@ private:
   /// centres are beyond the other side, but middles are not. Whether a label changes.
   bool LabelAnew()
   {
-    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const InsideTest test(this->Ground, this->Tree);
     const TetMesh& mesh = this->Cells.Mesh();
     std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
     for (const BoundaryOffence& offence : this->Result.Offences)
@@ -188,7 +194,7 @@ private:
       isAt[At(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
     }
     bool isChanged = false;
-    this->IsByMiddle.resize(this->IsInside.size(), 0);
+    this->IsByMiddle.resize(this->Labels.size(), 0);
     for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
     {
       bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[At(cell)] == 0;
@@ -206,38 +212,41 @@ private:
       if (isFaulty && faults > 0 &&
         this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
-        const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
+        const Id label = test.LabelAt(middle);
         this->IsByMiddle[At(cell)] = 1;
-        isChanged = isChanged || label != this->IsInside[At(cell)];
-        this->IsInside[At(cell)] = label;
+        isChanged = isChanged || label != this->Labels[At(cell)];
+        this->Labels[At(cell)] = label;
       }
     }
     return isChanged;
   }
 
-  /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
-  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface,
-  /// which they cover, is near the sphere only.
-  int SideByNormals(Id cell) const
+  /// Where the centre is far from the planes of the surface at all corners, on the same side; else
+  /// NoId. No bite is in the sphere of the cell, so that the surface, which they cover, is near the
+  /// sphere only.
+  Id LabelByNormals(Id cell) const
   {
     constexpr double LeastSlope = 0.5;
-    int sides = 0;
+    Id label = NoId;
     for (Id k = 0; k < 4; ++k)
     {
       const Id bite = this->BiteOf[At(this->Cells.Mesh().Corners[At(4 * cell + k)])];
       if (bite < this->Bites.NumberOnLines)
       {
-        return 0;
+        return NoId;
       }
       const Point3 apart = this->Centers[At(cell)] - this->Bites.Centers[At(bite)];
-      const double height = Dot(apart, this->Ground.NormalOf(At(this->Bites.Triangles[At(bite)])));
-      if (std::abs(height) < LeastSlope * Length(apart))
+      const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
+      const double height = Dot(apart, this->Ground.NormalOf(triangle));
+      const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
+      const Id own = sides[height > 0.0 ? 1 : 0];
+      if (std::abs(height) < LeastSlope * Length(apart) || (k > 0 && own != label))
       {
-        return 0;
+        return NoId;
       }
-      sides += height > 0.0 ? 1 : -1;
+      label = own;
     }
-    return sides == 4 ? 1 : (sides == -4 ? -1 : 0);
+    return label;
   }
 
   void TakeWalls()
@@ -246,16 +255,17 @@ private:
     this->TakeFacets(
       [this, &mesh](Id facet, WallFacet& wall)
       {
-        const bool isWall = this->IsInside[At(TetMesh::CellOf(facet))] != 0 &&
-          this->IsInside[At(TetMesh::CellOf(mesh.Twins[At(facet)]))] == 0;
+        const Id label = this->Labels[At(TetMesh::CellOf(facet))];
+        const Id other = this->Labels[At(TetMesh::CellOf(mesh.Twins[At(facet)]))];
+        const bool isWall = label != other && IsBehind(label, other);
         if (isWall)
         {
           const DualEdge dual = this->DualOf(facet);
           const Id near = this->WalkTo(facet, dual);
           const bool isFound = near != NoId && this->Agree(near, dual.Normal);
-          wall = { facet,
-            isFound ? near : this->TriangleBelow(facet, this->Meet(dual).Triangle, dual.Normal),
-            false };
+          const Id met = isFound ? near : this->Meet(dual).Triangle;
+          wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
+            this->BallCenter(dual, met), { label, other } };
         }
         return isWall;
       });
@@ -279,7 +289,7 @@ private:
           const bool isTurned = Dot(dual.Normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0;
           wall = { facet,
             this->TriangleBelow(facet, meeting.Triangle, (isTurned ? -1.0 : 1.0) * dual.Normal),
-            isTurned };
+            isTurned, {}, {} };
         }
         return meeting.Count % 2 == 1;
       });
@@ -444,6 +454,18 @@ private:
     return meeting;
   }
 
+  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
+  Point3 BallCenter(const DualEdge& dual, Id triangle) const
+  {
+    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
+    if (triangle != NoId)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
+    }
+    return dual.Foot + height * dual.Normal;
+  }
+
   void Add(const WallFacet& wall)
   {
     const TetMesh& mesh = this->Cells.Mesh();
@@ -458,6 +480,8 @@ private:
     }
     this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
     this->Result.Triangles.push_back(wall.Triangle);
+    this->Result.Sides.push_back(wall.Sides);
+    this->Result.BallCenters.push_back(wall.BallCenter);
   }
 
   bool Agree(Id triangle, const Point3& normal) const
@@ -520,9 +544,9 @@ private:
   const BoxTree<SurfaceItem, 3>& Tree;
   RegularTriangulation Cells;
   Pulse& Beats;
-  std::vector<Id> BiteOf;      ///< of vertices
-  std::vector<Point3> Centers; ///< of cells
-  std::vector<std::uint8_t> IsInside;
+  std::vector<Id> BiteOf;               ///< of vertices
+  std::vector<Point3> Centers;          ///< of cells
+  std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
   std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;
 };
@@ -530,9 +554,9 @@ private:
 } // namespace
 
 SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
-  const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse)
+  const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
 {
-  return BoundaryFinder(ground, bites, tree, pulse).Run(isSolid);
+  return BoundaryFinder(ground, bites, tree, pulse).Run();
 }
 
 } // namespace biting

@@ -3,13 +3,405 @@
 
 #include "BodyMesher.h"
 
+#include "../../Base/Tasks.h"
+#include "../Boundary/BodySides.h"
+#include "../Boundary/InsideTest.h"
+#include "../Boundary/WholeCheck.h"
+#include "../Delaunay/SpaceTriangulation.h"
+#include "../Finishing/BodyRelaxation.h"
+#include "../Interior/BodySpacing.h"
+#include "../Surface/SurfaceCrossings.h"
+#include "BodyCells.h"
+#include "BodyCheck.h"
+#include "CertifiedSurface.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for sqrt
+#include <numeric>   // for iota
+#include <utility>   // for move
+
 namespace biting
 {
 
-BitingBody MakeBitingBody(const CheckedSurface& /*surface*/, const BodyMesherOptions& /*options*/,
-  ProblemList& /*problems*/, Monitor& /*monitor*/)
+namespace
 {
-  return {};
+
+class BodyMesher
+{
+public:
+  BodyMesher(const CheckedSurface& surface, const BodyMesherOptions& options, ProblemList& problems,
+    Monitor& monitor)
+    : Surface(surface)
+    , Options(options)
+    , Problems(problems)
+    , Listener(monitor)
+  {
+  }
+
+  BitingBody Run()
+  {
+    BitingBody mesh;
+    if (this->FindSides() && this->Certify() && this->FillInside() && this->FindCells() &&
+      this->Relax())
+    {
+      mesh = this->Finish();
+    }
+    return this->Problems.HasErrors() ? BitingBody() : mesh;
+  }
+
+private:
+  Id NumberOnBoundary() const { return this->Certified.Bites.Size(); }
+
+  bool Refuse(ProblemCode code, const Point3& place, const std::string& detail)
+  {
+    this->Problems.Add({ code, {}, place, detail });
+    return false;
+  }
+
+  bool RefuseSize()
+  {
+    return this->Refuse(ProblemCode::TooManyVertices, {},
+      "more than " + std::to_string(this->Options.Surface.MaximumNumberOfVertices) + " vertices");
+  }
+
+  bool FindSides()
+  {
+    this->Listener.BeginStage("Looking for bodies");
+    Pulse pulse(this->Listener);
+    this->Bodies = FindBodies(this->Surface.Mesh, this->Options.Surface.Regions, pulse);
+    const Id open = this->Bodies.OpenTriangle;
+    if (open != NoId && MayGoOn(this->Problems, pulse))
+    {
+      this->Refuse(ProblemCode::OpenEdges, this->Surface.Mesh.Middle(At(open)),
+        "it has the same part of space on both sides");
+    }
+    return MayGoOn(this->Problems, pulse) && this->FitsLimit(pulse);
+  }
+
+  /// Refuses what will surely have too many vertices: inside about the integral of sqrt(2) / f^3,
+  /// by samples.
+  bool FitsLimit(Pulse& pulse)
+  {
+    constexpr std::size_t Samples = 24; // along each side of the box
+    const Box3 box = this->Surface.Mesh.Bounds();
+    SurfaceGround ground;
+    ground.Mesh = this->Surface.Mesh;
+    std::iota(ground.Mesh.Cells.begin(), ground.Mesh.Cells.end(), 0);
+    ground.Sides = this->Bodies.Sides;
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, pulse);
+    const InsideTest test(ground, tree);
+    const auto placeOf = [&box](std::size_t k)
+    {
+      Point3 place;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        place[d] = box.Low[d] + (static_cast<double>(k % Samples) + 0.5) / Samples * box.Size(d);
+        k /= Samples;
+      }
+      return place;
+    };
+    std::vector<double> densities(Samples * Samples * Samples, 0.0);
+    ForRowsAtOnce(pulse, densities.size(), 256,
+      [this, &test, &placeOf, &densities](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          const Point3 place = placeOf(k);
+          const double size = this->Options.Surface.Spacing(place);
+          densities[k] = test.LabelAt(place) != 0 ? std::sqrt(2.0) / (size * size * size) : 0.0;
+        }
+      });
+    double expected = 0.0;
+    for (std::size_t k = 0; k < densities.size(); ++k)
+    {
+      if (!(densities[k] >= 0.0 && densities[k] < Infinity))
+      {
+        return this->Refuse(ProblemCode::BadSpacing, placeOf(k), "");
+      }
+      expected += densities[k] * box.Size(0) * box.Size(1) * box.Size(2) /
+        static_cast<double>(densities.size());
+    }
+    constexpr double Surely = 2.0; // samples of a graded f are off
+    const auto most = static_cast<double>(this->Options.Surface.MaximumNumberOfVertices);
+    return expected > Surely * most ? this->RefuseSize() : MayGoOn(this->Problems, pulse);
+  }
+
+  bool Certify()
+  {
+    return CertifySurface(this->Surface, this->Options.Surface, this->Bodies.Sides, this->Certified,
+      this->Problems, this->Listener);
+  }
+
+  bool FillInside()
+  {
+    this->Listener.BeginStage("Biting inside");
+    Pulse pulse(this->Listener);
+    const SurfaceBites& bites = this->Certified.Bites;
+    const InsideTest test(this->Certified.Ground, this->Certified.Tree);
+    BodyBoundary boundary;
+    boundary.Centers = bites.Centers;
+    boundary.Sizes = bites.Sizes;
+    for (Id bite = 0; bite < bites.Size(); ++bite)
+    {
+      this->Weights.push_back(bites.WeightOf(bite));
+    }
+    boundary.Weights = this->Weights;
+    boundary.Facets = this->Certified.Boundary.Corners;
+    for (std::size_t facet = 0; facet < this->Certified.Boundary.BallCenters.size(); ++facet)
+    {
+      boundary.Balls.push_back(this->BallOf(facet));
+    }
+    boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
+    std::vector<double> sizes;
+    for (Id bite = 0; bite < bites.Size(); ++bite)
+    {
+      sizes.push_back(
+        this->Certified.Ground.SizeAt(bites.Triangles[At(bite)], bites.Centers[At(bite)]));
+    }
+    this->Spacing = BodySpacing(
+      this->Certified.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
+    boundary.Spacing = this->Spacing;
+    const auto left = [&bites](std::int64_t limit)
+    { return static_cast<std::size_t>(std::max<std::int64_t>(0, limit - bites.Size())); };
+    const std::size_t most = left(this->Options.Surface.MaximumNumberOfVertices);
+    const std::size_t wanted =
+      this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
+    this->Inside = BiteInterior(boundary, this->Options.Shape, std::min(wanted, most), pulse);
+    this->IsCutShort = this->Inside.Centers.size() > wanted;
+    return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
+                                                                   : MayGoOn(this->Problems, pulse);
+  }
+
+  EmptyBall BallOf(std::size_t facet) const
+  {
+    constexpr double Rounding = 1.0 + 1e-7;
+    const Point3& center = this->Certified.Boundary.BallCenters[facet];
+    const Id corner = this->Certified.Boundary.Corners[3 * facet];
+    const Point3 apart = center - this->Certified.Bites.Centers[At(corner)];
+    const double power = Dot(apart, apart) - this->Weights[At(corner)];
+    return { center, Rounding * std::sqrt(std::max(0.0, power)) };
+  }
+
+  /// The tetrahedra. Where a facet is missing, bites in its ball go.
+  bool FindCells()
+  {
+    this->Listener.BeginStage("Triangulating");
+    Pulse pulse(this->Listener);
+    const SurfaceBoundary& boundary = this->Certified.Boundary;
+    constexpr int MostRounds = 8;
+    BodyCells cells;
+    for (int round = 0; round < MostRounds; ++round)
+    {
+      std::vector<Point3> points = this->Certified.Bites.Centers;
+      points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
+      this->Weights.resize(points.size(), 0.0);
+      SpaceTriangulation triangulation;
+      {
+        const PulsePart part(pulse, 0.0, 0.9);
+        PulseMonitor monitor(pulse);
+        triangulation = TriangulateSpace(points, this->Weights, monitor);
+      }
+      if (!MayGoOn(this->Problems, pulse))
+      {
+        return false;
+      }
+      cells = LabelCells(
+        triangulation, boundary.Corners, boundary.Sides, At(this->NumberOnBoundary()), pulse);
+      if (cells.Lost.empty())
+      {
+        this->MakeBody(points, std::move(cells));
+        return MayGoOn(this->Problems, pulse);
+      }
+      if (!this->ClearBalls(cells.Lost))
+      {
+        break;
+      }
+    }
+    return this->Refuse(
+      ProblemCode::TooThin, boundary.BallCenters[At(cells.Lost.front())], "a facet is missing");
+  }
+
+  /// Whether bites went.
+  bool ClearBalls(const std::vector<Id>& facets)
+  {
+    std::size_t kept = 0;
+    for (std::size_t bite = 0; bite < this->Inside.Centers.size(); ++bite)
+    {
+      bool isIn = false;
+      for (const Id facet : facets)
+      {
+        const EmptyBall ball = this->BallOf(At(facet));
+        isIn = isIn || Distance(ball.Center, this->Inside.Centers[bite]) < ball.Radius;
+      }
+      if (!isIn)
+      {
+        this->Inside.Centers[kept] = this->Inside.Centers[bite];
+        this->Inside.Sizes[kept] = this->Inside.Sizes[bite];
+        this->Inside.Radii[kept] = this->Inside.Radii[bite];
+        ++kept;
+      }
+    }
+    const bool isFewer = kept < this->Inside.Centers.size();
+    this->Inside.Centers.resize(kept);
+    this->Inside.Sizes.resize(kept);
+    this->Inside.Radii.resize(kept);
+    return isFewer;
+  }
+
+  /// Bites inside that no tetrahedron has are no vertices.
+  void MakeBody(const std::vector<Point3>& points, BodyCells cells)
+  {
+    const SurfaceBites& bites = this->Certified.Bites;
+    RelaxedBody& body = this->Body;
+    const auto onBoundary = static_cast<std::size_t>(bites.Size());
+    std::vector<Id> numbers(points.size(), NoId);
+    for (const Id corner : cells.Corners)
+    {
+      numbers[At(corner)] = 0;
+    }
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+      if (point < onBoundary || numbers[point] != NoId)
+      {
+        numbers[point] = static_cast<Id>(body.Points.size());
+        body.Points.push_back(points[point]);
+        body.Sizes.push_back(
+          point < onBoundary ? bites.Sizes[point] : this->Inside.Sizes[point - onBoundary]);
+        this->BiteOrders.push_back(static_cast<Id>(point));
+      }
+    }
+    for (Id& corner : cells.Corners)
+    {
+      corner = numbers[At(corner)];
+    }
+    body.Corners = std::move(cells.Corners);
+    body.Regions = std::move(cells.Labels);
+    body.NumberOnLines = bites.NumberOnLines;
+    body.NumberOnBoundary = bites.Size();
+    body.BoundaryPlaces = bites.Triangles;
+    body.Facets = this->Certified.Boundary.Corners;
+    body.PieceEnds = bites.PieceEnds;
+    body.FacetTags.assign(body.Facets.size() / 3, 0); // pieces, which stay, bound patches
+  }
+
+  bool Relax()
+  {
+    this->Listener.BeginStage("Relaxing");
+    Pulse pulse(this->Listener);
+    if (this->Options.Surface.Relaxation && !this->IsCutShort)
+    {
+      RelaxBody(this->Certified.Ground, this->Spacing, this->Body, pulse);
+    }
+    return MayGoOn(this->Problems, pulse);
+  }
+
+  /// The mesh, or what is wrong with it.
+  BitingBody Finish()
+  {
+    this->Listener.BeginStage("Checking");
+    Pulse pulse(this->Listener);
+    BodyVerdict verdict = CheckBody(this->Surface, this->Bodies.Sides, this->Body, pulse);
+    const std::size_t onBoundary = At(this->Body.NumberOnBoundary);
+    BitingBody mesh;
+    BitingSurface& boundary = mesh.Boundary;
+    const auto begin = this->Body.Points.begin();
+    boundary.Points.assign(begin, begin + this->Body.NumberOnBoundary);
+    std::vector<Id> below;
+    for (std::size_t slot = 0; slot < this->Body.Facets.size(); slot += 3)
+    {
+      const Id triangle = this->Body.BoundaryPlaces[At(this->Body.Facets[slot])];
+      below.push_back(this->Certified.Ground.Mesh.Cells[At(triangle)]);
+    }
+    const WholeVerdict whole = CheckWhole(this->Surface, boundary.Points, this->Body.Facets, below);
+    if (MayGoOn(this->Problems, pulse) && (!verdict.What.empty() || !whole.IsSame))
+    {
+      const bool isOwn = !verdict.What.empty();
+      this->Refuse(ProblemCode::CheckFailed, isOwn ? verdict.Place : whole.Place,
+        isOwn ? verdict.What : whole.What);
+    }
+    boundary.Spacing.assign(
+      this->Body.Sizes.begin(), this->Body.Sizes.begin() + static_cast<std::ptrdiff_t>(onBoundary));
+    boundary.Corners = std::move(this->Body.Facets);
+    DescribeMesh(this->Certified, this->Options.Surface, boundary, pulse);
+    mesh.BoundaryCells = std::move(verdict.CellsBehind);
+    mesh.OriginalPoints = boundary.OriginalPoints;
+    mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
+    mesh.Points = std::move(this->Body.Points);
+    mesh.Spacing = std::move(this->Body.Sizes);
+    mesh.BiteOrders = std::move(this->BiteOrders);
+    mesh.Corners = std::move(this->Body.Corners);
+    mesh.Regions = std::move(this->Body.Regions);
+    for (Id& region : mesh.Regions)
+    {
+      region = this->Bodies.Regions[At(region) - 1];
+    }
+    if (this->Options.Surface.KeepBites)
+    {
+      mesh.BiteCenters = boundary.BiteCenters;
+      mesh.BiteRadii = boundary.BiteRadii;
+      mesh.BiteCenters.insert(
+        mesh.BiteCenters.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
+      mesh.BiteRadii.insert(
+        mesh.BiteRadii.end(), this->Inside.Radii.begin(), this->Inside.Radii.end());
+    }
+    return mesh;
+  }
+
+  CheckedSurface Surface; ///< turned as its bodies want
+  const BodyMesherOptions& Options;
+  ProblemList& Problems;
+  Monitor& Listener;
+  BodySides Bodies;
+  CertifiedSurface Certified;
+  std::vector<double> Weights;                  ///< of bites
+  std::function<double(const Point3&)> Spacing; ///< f in the body
+  InteriorBites Inside;
+  bool IsCutShort = false; ///< bites were not to go on
+  RelaxedBody Body;
+  std::vector<Id> BiteOrders; ///< of its points
+};
+
+void MoveBody(BitingBody& mesh, const Point3& way)
+{
+  MovePoints(mesh.Points, way);
+  MovePoints(mesh.Boundary.Points, way);
+  MovePoints(mesh.BiteCenters, way);
+  MovePoints(mesh.Boundary.BiteCenters, way);
+}
+
+} // namespace
+
+BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions& options,
+  ProblemList& problems, Monitor& monitor)
+{
+  if (surface.Mesh.NumberOfTriangles() == 0)
+  {
+    return {};
+  }
+  SurfaceMesherOptions surfaceOptions = options.Surface;
+  if (!surfaceOptions.Spacing)
+  {
+    const double uniform = 0.04 * surface.Mesh.Bounds().Diagonal();
+    surfaceOptions.Spacing = [uniform](const Point3&) { return uniform; };
+  }
+  BitingBody mesh = MeshNearOrigin(
+    surface, surfaceOptions, problems,
+    [&options, &monitor](const CheckedSurface& s, const SurfaceMesherOptions& o, ProblemList& p)
+    {
+      BodyMesherOptions own = options;
+      own.Surface = o;
+      return BodyMesher(s, own, p, monitor).Run();
+    },
+    MoveBody);
+  Pulse pulse(monitor);
+  pulse.SetFraction(1.0);
+  const Id flat = FindNotPositive(mesh.Points, mesh.Corners, pulse);
+  if (flat != NoId)
+  {
+    problems.Add({ ProblemCode::CheckFailed, {}, mesh.Points[At(mesh.Corners[4 * At(flat)])],
+      "a tetrahedron that is not positive" });
+  }
+  return MayGoOn(problems, pulse) ? mesh : BitingBody();
 }
 
 } // namespace biting

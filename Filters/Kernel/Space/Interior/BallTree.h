@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBallTree_h
+#define BitingBallTree_h
+
+#include "../../Base/Box.h"
+#include "../../Base/Ids.h"
+#include "../../Base/Numbers.h"
+
+#include <algorithm> // for max
+#include <array>     // for distances
+#include <cstddef>   // for indices
+#include <vector>    // for the arrays
+
+namespace biting
+{
+
+/// What a bite takes: no later center is within its guard, and its surface has candidates.
+struct GuardedBall
+{
+  Point3 Center;
+  double Radius = 0.0; ///< of a ball; half of the diagonal of a cube
+  double Guard = 0.0;  ///< of a ball; half of the side of a cube: less than the bite
+  Id Frame = NoId;     ///< of a cube: its axes
+  Id LastVisit = NoId; ///< of the tree
+};
+
+/// Balls of any sizes, to be found by what they meet: an octree whose leaves list the balls that
+/// meet them. A leaf is no larger than LargestLeaf radii of any ball in it, so that a leaf has some
+/// 30 balls that are spread as bites. Cost: a walk down the tree for a place; constant for the
+/// neighbors of a ball.
+class BallTree
+{
+public:
+  explicit BallTree(const Box3& bounds)
+    : Root{ 0, bounds.Center(),
+      0.5 * std::max({ bounds.Size(0), bounds.Size(1), bounds.Size(2), 1e-300 }) }
+  {
+  }
+
+  const std::vector<GuardedBall>& Balls() const { return this->Items; }
+  const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
+  Id Size() const { return static_cast<Id>(this->Items.size()); }
+
+  /// Calls visit(id, other) for all that may meet it, then adds it.
+  template <typename Visit>
+  void Add(const GuardedBall& ball, const Visit& visit)
+  {
+    const Id id = this->Size();
+    this->Items.push_back(ball);
+    this->Items.back().LastVisit = id;
+    const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
+    this->VisitLeaves(ball, largest,
+      [this, id, &visit](Id node)
+      {
+        this->VisitLeaf(node, id, visit);
+        this->Prepend(node, id);
+      });
+  }
+
+  /// Calls visit(id, other) for all others that may meet the ball.
+  template <typename Visit>
+  void VisitNear(Id ball, const Visit& visit)
+  {
+    // An own number for the visit, as those of balls were used.
+    const Id number = -2 - ball;
+    this->Items[static_cast<std::size_t>(ball)].LastVisit = number;
+    this->VisitLeaves(this->At(ball), Infinity,
+      [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
+  }
+
+  /// Whether isGuarded(ball) for a ball that has the place and the number `first` or a later one.
+  template <typename IsGuarded>
+  bool HasAt(const Point3& place, Id first, const IsGuarded& isGuarded) const
+  {
+    for (Id id = this->HeadAt(place); id != NoId; id = this->BlockAt(id).Next)
+    {
+      const Block& block = this->BlockAt(id);
+      for (Id k = block.Count; k-- > 0;)
+      {
+        const Id ball = block.Balls[static_cast<std::size_t>(k)];
+        if (ball < first || isGuarded(this->At(ball)))
+        {
+          return ball >= first; // the latest are first
+        }
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr double LargestLeaf = 2.8;
+
+  /// Leaves are not cut below this share of the whole.
+  static constexpr double LeastShare = 1e-9;
+
+  struct Cube
+  {
+    Id Node;
+    Point3 Middle;
+    double HalfSide;
+  };
+
+  /// A part of the list of a leaf: a line of a cache. The latest ball is the last one of the first.
+  struct Block
+  {
+    std::array<Id, 14> Balls;
+    Id Count;
+    Id Next;
+  };
+
+  /// Leaves have the complement of 1 + their first block.
+  static Id LeafOf(Id block) { return ~(block + 1); }
+  static Id HeadOf(Id leaf) { return ~leaf - 1; }
+  const Block& BlockAt(Id block) const { return this->Blocks[static_cast<std::size_t>(block)]; }
+  Id& NodeAt(Id node) { return this->Nodes[static_cast<std::size_t>(node)]; }
+
+  Id HeadAt(const Point3& place) const
+  {
+    Id node = this->Nodes.front();
+    Point3 middle = this->Root.Middle;
+    double step = 0.5 * this->Root.HalfSide;
+    while (node >= 0)
+    {
+      Id child = 0;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        const bool isHigh = place[d] >= middle[d];
+        child += isHigh ? Id(1) << d : 0;
+        middle[d] += isHigh ? step : -step;
+      }
+      step *= 0.5;
+      node = this->Nodes[static_cast<std::size_t>(node + child)];
+    }
+    return HeadOf(node);
+  }
+
+  template <typename Visit>
+  void VisitLeaf(Id node, Id number, const Visit& visit)
+  {
+    for (Id id = HeadOf(this->NodeAt(node)); id != NoId; id = this->BlockAt(id).Next)
+    {
+      const Block& block = this->BlockAt(id);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(block.Count); ++k)
+      {
+        GuardedBall& ball = this->Items[static_cast<std::size_t>(block.Balls[k])];
+        if (ball.LastVisit != number)
+        {
+          ball.LastVisit = number;
+          visit(block.Balls[k], ball);
+        }
+      }
+    }
+  }
+
+  void Prepend(Id node, Id ball)
+  {
+    Id head = HeadOf(this->NodeAt(node));
+    if (head == NoId || this->BlockAt(head).Count == static_cast<Id>(Block().Balls.size()))
+    {
+      const Id next = head;
+      head = this->FirstFree;
+      if (head == NoId)
+      {
+        head = static_cast<Id>(this->Blocks.size());
+        this->Blocks.push_back({});
+      }
+      else
+      {
+        this->FirstFree = this->BlockAt(head).Next;
+      }
+      this->Blocks[static_cast<std::size_t>(head)].Count = 0;
+      this->Blocks[static_cast<std::size_t>(head)].Next = next;
+      this->NodeAt(node) = LeafOf(head);
+    }
+    Block& block = this->Blocks[static_cast<std::size_t>(head)];
+    block.Balls[static_cast<std::size_t>(block.Count++)] = ball;
+  }
+
+  /// Calls visit(node) for the leaves that the ball meets; those larger than `largest` are cut.
+  template <typename Visit>
+  void VisitLeaves(const GuardedBall& ball, double largest, const Visit& visit)
+  {
+    this->Front.assign(1, this->Root);
+    while (!this->Front.empty())
+    {
+      const Cube cube = this->Front.back();
+      this->Front.pop_back();
+      if (this->NodeAt(cube.Node) < 0 && 2.0 * cube.HalfSide > largest)
+      {
+        this->Split(cube);
+      }
+      const Id first = this->NodeAt(cube.Node);
+      if (first < 0)
+      {
+        visit(cube.Node);
+        continue;
+      }
+      const std::array<bool, 8> isMet = ChildrenMet(cube, ball);
+      for (Id child = 0; child < 8; ++child)
+      {
+        if (isMet[static_cast<std::size_t>(child)])
+        {
+          this->Front.push_back(Child(cube, first, child));
+        }
+      }
+    }
+  }
+
+  static Cube Child(const Cube& cube, Id first, Id child)
+  {
+    const double step = 0.5 * cube.HalfSide;
+    Point3 middle = cube.Middle;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      middle[d] += ((child >> d) & 1) != 0 ? step : -step;
+    }
+    return { first + child, middle, step };
+  }
+
+  static std::array<bool, 8> ChildrenMet(const Cube& cube, const GuardedBall& ball)
+  {
+    std::array<std::array<double, 2>, 3> apart2{}; // along axes, from the lower and upper halves
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      const double offset = ball.Center[d] - cube.Middle[d];
+      const double low = std::max({ offset, -cube.HalfSide - offset, 0.0 });
+      const double high = std::max({ -offset, offset - cube.HalfSide, 0.0 });
+      apart2[d] = { low * low, high * high };
+    }
+    std::array<bool, 8> isMet{};
+    for (std::size_t child = 0; child < 8; ++child)
+    {
+      isMet[child] = apart2[0][child & 1] + apart2[1][(child >> 1) & 1] + apart2[2][child >> 2] <=
+        ball.Radius * ball.Radius;
+    }
+    return isMet;
+  }
+
+  void Split(const Cube& cube)
+  {
+    this->Moved.clear();
+    for (Id id = HeadOf(this->NodeAt(cube.Node)); id != NoId;)
+    {
+      Block& block = this->Blocks[static_cast<std::size_t>(id)];
+      for (Id k = block.Count; k-- > 0;)
+      {
+        this->Moved.push_back(block.Balls[static_cast<std::size_t>(k)]);
+      }
+      const Id next = block.Next;
+      block.Next = this->FirstFree;
+      this->FirstFree = id;
+      id = next;
+    }
+    const Id first = static_cast<Id>(this->Nodes.size());
+    this->Nodes.resize(this->Nodes.size() + 8, LeafOf(NoId));
+    this->NodeAt(cube.Node) = first;
+    for (std::size_t k = this->Moved.size(); k-- > 0;)
+    {
+      const std::array<bool, 8> isMet = ChildrenMet(cube, this->At(this->Moved[k]));
+      for (Id child = 0; child < 8; ++child)
+      {
+        if (isMet[static_cast<std::size_t>(child)])
+        {
+          this->Prepend(first + child, this->Moved[k]);
+        }
+      }
+    }
+  }
+
+  Cube Root;
+  std::vector<GuardedBall> Items;
+  std::vector<Id> Nodes{ LeafOf(NoId) }; ///< the first of eight children, or a leaf
+  std::vector<Block> Blocks;
+  Id FirstFree = NoId;     ///< of the blocks
+  std::vector<Cube> Front; ///< of the walk
+  std::vector<Id> Moved;
+};
+
+} // namespace biting
+
+#endif
