@@ -3,7 +3,7 @@
 
 #include "CubeMeetings.h"
 
-#include <algorithm> // for any_of, max, min, sort
+#include <algorithm> // for any_of, max, min, min_element, stable_sort
 #include <cmath>     // for abs, sqrt
 
 namespace biting
@@ -14,6 +14,23 @@ namespace
 
 /// Places that near are one, in half sides; and so far beyond sides there are meetings, too.
 constexpr double Rounding = 1e-6;
+
+const CubeAxes WorldAxes{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
+
+/// Axes at a vertex whose facets have these normals: the first is an axis; that of another plane,
+/// or else that of the world which is most at right angles to the first, is nearly one.
+CubeAxes AxesOf(const Point3& first, const Point3& second)
+{
+  constexpr double OtherCosine = 0.77; // of 40 degrees: another plane
+  const Point3 across = std::abs(Dot(first, second)) < OtherCosine
+    ? second
+    : *std::min_element(WorldAxes.begin(), WorldAxes.end(),
+        [&first](const Point3& a, const Point3& b)
+        { return std::abs(Dot(a, first)) < std::abs(Dot(b, first)); });
+  const Point3 third = Cross(first, across);
+  const Point3 unit = 1.0 / Length(third) * third;
+  return { { first, Cross(unit, first), unit } };
+}
 
 /// The part of a line, from Begin to End, in units of its direction.
 struct LinePart
@@ -40,6 +57,38 @@ struct LinePart
 };
 
 } // namespace
+
+std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary)
+{
+  // Of each vertex the normal of its first facet, and that of the facet that is turned most to it.
+  std::vector<Point3> first(boundary.Centers.size());
+  std::vector<Point3> second(boundary.Centers.size());
+  for (std::size_t slot = 0; slot < boundary.Facets.size(); ++slot)
+  {
+    const auto corner = [&boundary, slot](std::size_t k)
+    { return static_cast<std::size_t>(boundary.Facets[slot - slot % 3 + k]); };
+    const Point3& origin = boundary.Centers[corner(0)];
+    const Point3 normal =
+      Cross(boundary.Centers[corner(1)] - origin, boundary.Centers[corner(2)] - origin);
+    const Point3 unit = 1.0 / Length(normal) * normal;
+    const std::size_t at = corner(slot % 3);
+    if (first[at] == Point3())
+    {
+      first[at] = second[at] = unit;
+    }
+    else if (std::abs(Dot(unit, first[at])) < std::abs(Dot(second[at], first[at])))
+    {
+      second[at] = unit;
+    }
+  }
+  std::vector<CubeAxes> axes{ WorldAxes };
+  axes.reserve(first.size() + 1);
+  for (std::size_t k = 0; k < first.size(); ++k)
+  {
+    axes.push_back(first[k] == Point3() ? WorldAxes : AxesOf(first[k], second[k]));
+  }
+  return axes;
+}
 
 bool CubeMeetings::IsGuarded(
   const GuardedBall& ball, const std::vector<CubeAxes>& axes, const Point3& place)
@@ -116,7 +165,6 @@ void CubeMeetings::FindOn(const Face& face)
   const double h = this->HalfSide;
   const std::array<Point2, 4> corners{ { { -h, -h }, { h, -h }, { h, h }, { -h, h } } };
   this->Sides.clear();
-  this->Disks.clear();
   for (std::size_t k = 0; k < 4; ++k)
   {
     this->AddSide(face, { corners[k], corners[(k + 1) % 4] });
@@ -125,16 +173,7 @@ void CubeMeetings::FindOn(const Face& face)
   {
     if (other.Ball.Frame != NoId)
     {
-      this->CutCube(face, other);
-      continue;
-    }
-    const Point3 way = other.Ball.Center - face.Origin;
-    const Point2 foot{ Dot(way, face.U), Dot(way, face.V) };
-    const double height2 = Dot(way, way) - Dot(foot, foot);
-    const double radius2 = other.Ball.Radius * other.Ball.Radius - height2;
-    if (radius2 > 0.0)
-    {
-      this->Disks.push_back({ foot, radius2 });
+      this->CutCube(face, other.Ball);
     }
   }
   for (std::size_t j = 0; j < this->Sides.size(); ++j)
@@ -146,27 +185,16 @@ void CubeMeetings::FindOn(const Face& face)
     {
       this->CrossSides(face, side, this->Sides[k]);
     }
-    for (const Disk& disk : this->Disks)
-    {
-      this->CrossCircle(face, disk, side);
-    }
-  }
-  for (std::size_t j = 0; j < this->Disks.size(); ++j)
-  {
-    for (std::size_t k = 0; k < j; ++k)
-    {
-      this->CrossCircles(face, this->Disks[j], this->Disks[k]);
-    }
   }
 }
 
 /// Each of its six planes has a line in the plane of the face: a x + b y = c.
-void CubeMeetings::CutCube(const Face& face, const Other& other)
+void CubeMeetings::CutCube(const Face& face, const GuardedBall& other)
 {
   constexpr double Parallel = 1e-9;
-  const CubeAxes& axes = this->Axes[static_cast<std::size_t>(other.Ball.Frame)];
-  const Point3 way = face.Origin - other.Ball.Center;
-  const double halfSide = HalfSideShare * other.Ball.Radius;
+  const CubeAxes& axes = this->Axes[static_cast<std::size_t>(other.Frame)];
+  const Point3 way = face.Origin - other.Center;
+  const double halfSide = HalfSideShare * other.Radius;
   for (std::size_t d = 0; d < 3; ++d)
   {
     const Point2 slope{ Dot(axes[d], face.U), Dot(axes[d], face.V) };
@@ -215,39 +243,6 @@ void CubeMeetings::CrossSides(const Face& face, const Side& a, const Side& b)
   if (turn != 0.0 && partA >= 0.0 && partA <= 1.0 && partB >= 0.0 && partB <= 1.0)
   {
     this->Keep(face, a.Tail + partA * wayA);
-  }
-}
-
-void CubeMeetings::CrossCircle(const Face& face, const Disk& disk, const Side& side)
-{
-  const Point2 way = side.Head - side.Tail;
-  const Point2 away = side.Tail - disk.Center;
-  const double way2 = Dot(way, way);
-  const double half = Dot(away, way) / way2;
-  const double rest = half * half - (Dot(away, away) - disk.Radius2) / way2;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    const double part = -half + sign * std::sqrt(std::max(0.0, rest));
-    if (rest >= 0.0 && part >= 0.0 && part <= 1.0)
-    {
-      this->Keep(face, side.Tail + part * way);
-    }
-  }
-}
-
-void CubeMeetings::CrossCircles(const Face& face, const Disk& a, const Disk& b)
-{
-  const Point2 way = b.Center - a.Center;
-  const double way2 = Dot(way, way);
-  const double part = 0.5 * (1.0 + (a.Radius2 - b.Radius2) / way2);
-  const double rise2 = a.Radius2 / way2 - part * part;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    if (rise2 >= 0.0)
-    {
-      const Point2 rise = sign * std::sqrt(rise2) * Perpendicular(way);
-      this->Keep(face, a.Center + part * way + rise);
-    }
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include "InteriorBites.h"
 
-#include "BoundaryAxes.h"
 #include "CubeMeetings.h"
 #include "SphereMeetings.h"
 
@@ -64,10 +63,10 @@ private:
   struct Candidate
   {
     Point3 Place;
-    Id Size;       ///< of the tree when it was found: what guards it is later
-    Id Frame;      ///< of a cube
-    int Layer;     ///< from the boundary
-    bool IsAtWall; ///< a parent is of the boundary
+    Id Size;      ///< of the tree when it was found: what guards it is later
+    Id Frame;     ///< of a cube
+    int Layer;    ///< from the boundary
+    bool IsAsked; ///< to be inside
   };
 
   static Box3 BoundsOf(const BodyBoundary& boundary)
@@ -155,14 +154,18 @@ private:
     }
   }
 
-  /// The candidates of a bite of the boundary: each meeting is found by its last bite.
+  /// The candidates of a bite of the boundary, or of an empty ball among spheres: each meeting of
+  /// spheres is found by its last one.
   void Start(Id wall)
   {
     const GuardedBall own = this->Tree.At(wall);
-    this->StartMeetings(own);
-    this->Tree.VisitNear(
-      wall, [this, own](Id id, const GuardedBall& other) { this->Note(own, id, other); });
-    this->FindCandidates(own, wall, this->IsCube ? std::max(own.Frame, Id(0)) : NoId, 1);
+    if (!this->IsCube || own.Frame != NoId)
+    {
+      this->StartMeetings(own);
+      this->Tree.VisitNear(
+        wall, [this](Id id, const GuardedBall& other) { this->Note(id, other); });
+      this->FindCandidates(wall, own.Frame, 1);
+    }
   }
 
   void Try(const Candidate& candidate)
@@ -171,7 +174,7 @@ private:
     { return CubeMeetings::IsGuarded(ball, this->Axes, candidate.Place); };
     if (this->Tree.HasAt(candidate.Place, candidate.Size, isGuarded) ||
       !this->Bounds.Contains(candidate.Place) ||
-      (candidate.IsAtWall && !this->Boundary.IsInside(candidate.Place)))
+      (candidate.IsAsked && !this->Boundary.IsInside(candidate.Place)))
     {
       return;
     }
@@ -191,59 +194,57 @@ private:
     const GuardedBall own =
       this->Bite(candidate.Place, radius, Tolerance * radius, candidate.Frame);
     this->StartMeetings(own);
-    this->Tree.Add(
-      own, [this, &own](Id other, const GuardedBall& ball) { this->Note(own, other, ball); });
-    this->FindCandidates(own, id,
+    this->Tree.Add(own, [this](Id other, const GuardedBall& ball) { this->Note(other, ball); });
+    this->FindCandidates(id,
       candidate.Layer < AlignedLayers ? candidate.Frame : std::min(candidate.Frame, Id(0)),
       candidate.Layer + 1);
   }
 
   void StartMeetings(const GuardedBall& own)
   {
-    if (own.Frame == NoId)
+    if (this->IsCube)
     {
-      this->Spheres.Start(own);
+      this->Cubes.Start(own);
     }
     else
     {
-      this->Cubes.Start(own);
+      this->Spheres.Start(own);
     }
   }
 
   /// A neighbor.
-  void Note(const GuardedBall& own, Id id, const GuardedBall& other)
+  void Note(Id id, const GuardedBall& other)
   {
-    if (own.Frame != NoId)
+    if (this->IsCube)
     {
       this->Cubes.Add(other);
     }
-    else if (other.Frame == NoId)
+    else
     {
       this->Spheres.Add(other, id);
     }
   }
 
-  /// The meetings of its surface. Those of balls of the boundary only may be within cubes.
-  void FindCandidates(const GuardedBall& own, Id id, Id frame, int layer)
+  /// The meetings of the surface of the bite.
+  void FindCandidates(Id id, Id frame, int layer)
   {
-    const Id first = this->IsCube && own.Frame == NoId ? 0 : std::max(id, this->FirstInner);
-    if (own.Frame == NoId)
+    const bool isWall = id < this->FirstInner;
+    const Id size = std::max(id, this->FirstInner);
+    if (this->IsCube)
     {
-      const bool isWall = id < this->FirstInner;
-      this->Spheres.Find([isWall, id](Id other) { return !isWall || other < id; },
-        [this, isWall, first, frame, layer](const Point3& place, Id a, Id b)
-        {
-          const bool isAtWall =
-            isWall || this->Constant > SphereConstant || std::min(a, b) < this->FirstInner;
-          this->Later.push_back({ place, first, frame, layer, isAtWall });
-        });
+      for (const Point3& place : this->Cubes.Find())
+      {
+        this->Later.push_back({ place, size, frame, layer, true });
+      }
       return;
     }
-    for (const Point3& meeting : this->Cubes.Find())
-    {
-      // Corners of cubes reach beyond the boundary: all of them are tested.
-      this->Later.push_back({ meeting, first, frame, layer, true });
-    }
+    const bool isAsked = isWall || this->Constant > SphereConstant;
+    this->Spheres.Find([isWall, id](Id other) { return !isWall || other < id; },
+      [this, isAsked, size, frame, layer](const Point3& place, Id a, Id b)
+      {
+        this->Later.push_back(
+          { place, size, frame, layer, isAsked || std::min(a, b) < this->FirstInner });
+      });
   }
 
   const BodyBoundary& Boundary;
