@@ -70,7 +70,8 @@ std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary)
     const Point3& origin = boundary.Centers[corner(0)];
     const Point3 normal =
       Cross(boundary.Centers[corner(1)] - origin, boundary.Centers[corner(2)] - origin);
-    const Point3 unit = 1.0 / Length(normal) * normal;
+    const double length = Length(normal);
+    const Point3 unit = length > 0.0 ? 1.0 / length * normal : WorldAxes[2];
     const std::size_t at = corner(slot % 3);
     if (first[at] == Point3())
     {
@@ -90,8 +91,7 @@ std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary)
   return axes;
 }
 
-bool CubeMeetings::IsGuarded(
-  const GuardedBall& ball, const std::vector<CubeAxes>& axes, const Point3& place)
+bool CubeMeetings::IsGuarded(const GuardedBall& ball, const Point3& place) const
 {
   const Point3 apart = place - ball.Center;
   if (ball.Frame == NoId)
@@ -99,7 +99,7 @@ bool CubeMeetings::IsGuarded(
     return Dot(apart, apart) < ball.Guard * ball.Guard;
   }
   bool isIn = true;
-  for (const Point3& axis : axes[static_cast<std::size_t>(ball.Frame)])
+  for (const Point3& axis : this->Axes[static_cast<std::size_t>(ball.Frame)])
   {
     isIn = isIn && std::abs(Dot(apart, axis)) < ball.Guard;
   }
@@ -113,37 +113,24 @@ void CubeMeetings::Start(const GuardedBall& cube)
   this->Others.clear();
 }
 
-void CubeMeetings::Add(const GuardedBall& other)
+void CubeMeetings::Add(Id /*id*/, const GuardedBall& other)
 {
   const Point3 way = other.Center - this->Own.Center;
-  const double way2 = Dot(way, way);
-  const double reach = this->Own.Radius + other.Radius;
-  bool mayMeet = way2 < reach * reach;
+  // Of cubes with the same axes half a side, else at most half the diagonal.
+  const double reach =
+    this->HalfSide + (other.Frame == this->Own.Frame ? HalfSideShare : 1.0) * other.Radius;
+  bool mayMeet = true;
   for (const Point3& axis : this->Axes[static_cast<std::size_t>(this->Own.Frame)])
   {
-    mayMeet = mayMeet && std::abs(Dot(way, axis)) < this->HalfSide + this->HalfWidth(other, axis);
+    mayMeet = mayMeet && std::abs(Dot(way, axis)) < reach;
   }
   if (mayMeet)
   {
-    this->Others.push_back({ other, way2 });
+    this->Others.push_back({ other, Dot(way, way) });
   }
 }
 
-double CubeMeetings::HalfWidth(const GuardedBall& ball, const Point3& direction) const
-{
-  if (ball.Frame == NoId)
-  {
-    return ball.Radius;
-  }
-  double width = 0.0;
-  for (const Point3& axis : this->Axes[static_cast<std::size_t>(ball.Frame)])
-  {
-    width += HalfSideShare * ball.Radius * std::abs(Dot(axis, direction));
-  }
-  return width;
-}
-
-const std::vector<Point3>& CubeMeetings::Find()
+void CubeMeetings::FindAll()
 {
   // The nearest ones have most of what they have to hide.
   std::stable_sort(this->Others.begin(), this->Others.end(),
@@ -157,7 +144,6 @@ const std::vector<Point3>& CubeMeetings::Find()
       this->FindOn({ this->Own.Center + height * axes[d], axes[(d + 1) % 3], axes[(d + 2) % 3] });
     }
   }
-  return this->Meetings;
 }
 
 void CubeMeetings::FindOn(const Face& face)
@@ -224,9 +210,8 @@ void CubeMeetings::AddSide(const Face& face, const Side& side)
   const Point3 tail = face.At(side.Tail);
   const Point3 head = face.At(side.Head);
   if (!std::any_of(this->Others.begin(), this->Others.end(),
-        [this, &tail, &head](const Other& other) {
-          return IsGuarded(other.Ball, this->Axes, tail) && IsGuarded(other.Ball, this->Axes, head);
-        }))
+        [this, &tail, &head](const Other& other)
+        { return this->IsGuarded(other.Ball, tail) && this->IsGuarded(other.Ball, head); }))
   {
     this->Sides.push_back(side);
   }
@@ -251,7 +236,7 @@ void CubeMeetings::Keep(const Face& face, const Point2& place)
   const double most = (1.0 + Rounding) * this->HalfSide;
   const Point3 inSpace = face.At(place);
   const auto hasIt = [this, &inSpace](const Other& other)
-  { return IsGuarded(other.Ball, this->Axes, inSpace); };
+  { return this->IsGuarded(other.Ball, inSpace); };
   const auto isNear = [this, &inSpace](const Point3& meeting)
   {
     const Point3 apart = inSpace - meeting;

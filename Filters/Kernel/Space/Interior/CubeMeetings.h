@@ -29,21 +29,33 @@ std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary);
 class CubeMeetings
 {
 public:
+  /// Half a side in f, so that the mean edge has the length f; and cubes of side 2 that take a large
+  /// volume of 1. Both measured.
+  static constexpr double BitingConstant = 0.7;
+  static constexpr double BitesPerVolume = 0.7;
+
   /// `axes`: of all cubes, by GuardedBall::Frame.
   explicit CubeMeetings(const std::vector<CubeAxes>& axes)
     : Axes(axes)
   {
   }
 
+  /// Whether the guard of a cube or a ball has a place.
+  bool IsGuarded(const GuardedBall& ball, const Point3& place) const;
+
   void Start(const GuardedBall& cube);
-  void Add(const GuardedBall& other);
+  void Add(Id id, const GuardedBall& other);
 
-  /// Meetings, each once.
-  const std::vector<Point3>& Find();
-
-  /// Whether the place is in the guard of a cube or a ball.
-  static bool IsGuarded(
-    const GuardedBall& ball, const std::vector<CubeAxes>& axes, const Point3& place);
+  /// Calls visit(place, 0, 0) for the meetings, each once.
+  template <typename IsParent, typename Visit>
+  void Find(const IsParent& /*isParent*/, const Visit& visit)
+  {
+    this->FindAll();
+    for (const Point3& place : this->Meetings)
+    {
+      visit(place, 0, 0);
+    }
+  }
 
 private:
   struct Other
@@ -69,8 +81,7 @@ private:
     }
   };
 
-  /// Half of the extent of a bite along a direction.
-  double HalfWidth(const GuardedBall& ball, const Point3& direction) const;
+  void FindAll();
   void FindOn(const Face& face);
   void CutCube(const Face& face, const GuardedBall& other);
   void AddSide(const Face& face, const Side& side);
