@@ -168,8 +168,8 @@ private:
     const std::size_t most = left(this->Options.Surface.MaximumNumberOfVertices);
     const std::size_t wanted =
       this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
-    this->Inside = BiteInterior(boundary, this->Options.Shape, std::min(wanted, most), pulse,
-      this->Options.BitingConstant);
+    this->Inside = BiteInterior(
+      boundary, this->Options.Shape, std::min(wanted, most), pulse, this->Options.BitingConstant);
     this->IsCutShort = this->Inside.Centers.size() > wanted;
     return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
                                                                    : MayGoOn(this->Problems, pulse);
@@ -331,6 +331,7 @@ private:
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
     mesh.Points = std::move(this->Body.Points);
     mesh.Spacing = std::move(this->Body.Sizes);
+    this->BiteOrders.resize(mesh.OriginalPoints.size(), NoId); // vertices of relaxation are none
     mesh.BiteOrders = std::move(this->BiteOrders);
     mesh.Corners = std::move(this->Body.Corners);
     mesh.Regions = std::move(this->Body.Regions);
