@@ -338,6 +338,7 @@ private:
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
     mesh.Points = std::move(this->Body.Points);
     mesh.Spacing = std::move(this->Body.Sizes);
+    this->BiteOrders.resize(mesh.OriginalPoints.size(), NoId); // vertices of relaxation are none
     mesh.BiteOrders = std::move(this->BiteOrders);
     mesh.Corners = std::move(this->Body.Corners);
     mesh.Regions = std::move(this->Body.Regions);
