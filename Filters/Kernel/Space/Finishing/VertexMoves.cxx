@@ -3,6 +3,7 @@
 
 #include "VertexMoves.h"
 
+#include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
 #include <algorithm> // for max, sort
@@ -23,9 +24,11 @@ void VertexMoves::Gather(Id vertex)
   }
 }
 
-/// Whether all tetrahedra are positive there and none is worse than the limit.
+/// Whether all tetrahedra are positive there, none is worse than the limit, and they weigh less than
+/// MostLoad.
 bool VertexMoves::Suits(const Point3& place, double limit)
 {
+  double worst = 0.0;
   for (Cone& cone : this->Star)
   {
     cone.Tried = TetShape(place, cone.A, cone.B, cone.C).Badness();
@@ -33,6 +36,7 @@ bool VertexMoves::Suits(const Point3& place, double limit)
     {
       return false;
     }
+    worst = std::max(worst, cone.Tried);
   }
   for (const Cone& cone : this->Star)
   {
@@ -41,7 +45,20 @@ bool VertexMoves::Suits(const Point3& place, double limit)
       return false;
     }
   }
-  return true;
+  return worst < limit - LeastGain || this->Load(&Cone::Tried) < this->MostLoad;
+}
+
+/// The sum of the 16th powers of badness: about what the worst have, but it falls, too, where some
+/// of several equally bad ones get better.
+double VertexMoves::Load(double Cone::*badness) const
+{
+  double sum = 0.0;
+  for (const Cone& cone : this->Star)
+  {
+    const double fourth = (cone.*badness) * (cone.*badness) * (cone.*badness) * (cone.*badness);
+    sum += fourth * fourth * fourth * fourth;
+  }
+  return sum;
 }
 
 void VertexMoves::Move(Id vertex, const Point3& place)
@@ -162,19 +179,24 @@ bool VertexMoves::Improve(Id vertex, double good)
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
   const double before = this->Worst();
   const double size = this->Tets.Body.Sizes[At(vertex)];
+  constexpr double LeastFall = 1e-3;
+  constexpr double Rounding = 1e-12;
+  this->MostLoad = (1.0 - LeastFall) * this->Load(&Cone::Badness);
   TryInSteps(0.2 * size, 0.008 * size,
     [this, vertex, good, &isWorse](const Point3& step)
     {
       const bool goes = this->Worst() > good &&
-        this->Try(vertex, this->Tets.Mesh.PointAt(vertex) + step, this->Worst() - LeastGain);
+        this->Try(vertex, this->Tets.Mesh.PointAt(vertex) + step, this->Worst() + Rounding);
       if (goes)
       {
         std::sort(this->Star.begin(), this->Star.end(), isWorse);
+        this->MostLoad = (1.0 - LeastFall) * this->Load(&Cone::Badness);
       }
       return goes;
     });
+  this->MostLoad = Infinity;
   this->Tets.TriedMoves[At(vertex)] = this->Worst() > good ? ++this->Tets.Clock : 0;
-  return this->Worst() < before;
+  return this->Worst() < before - LeastGain;
 }
 
 } // namespace biting

@@ -4,6 +4,7 @@
 #ifndef BitingVertexMoves_h
 #define BitingVertexMoves_h
 
+#include "../../Base/Numbers.h"
 #include "BodyTets.h"
 #include "GroundNormals.h"
 
@@ -49,6 +50,7 @@ private:
 
   void Gather(Id vertex);
   bool Suits(const Point3& place, double limit);
+  double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
@@ -60,6 +62,7 @@ private:
   GroundNormals& Normals;
   const std::function<double(const Point3&)>& Size;
   std::vector<Cone> Star; ///< the worst comes first
+  double MostLoad = Infinity;
 };
 
 } // namespace biting
