@@ -22,11 +22,11 @@ public:
   {
   }
 
-  void Run()
+  void Run(Pulse& pulse)
   {
     this->ListFacets();
     this->ListPieces();
-    for (Id bite = 0; bite < this->Bites.Size(); ++bite)
+    for (Id bite = 0; bite < this->Bites.Size() && pulse.Beat(8); ++bite)
     {
       if (this->FacetsAt.Count(bite) == 0)
       {
@@ -217,9 +217,9 @@ private:
 } // namespace
 
 void CheckBoundary(
-  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary)
+  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary, Pulse& pulse)
 {
-  BoundaryChecker(ground, bites, boundary).Run();
+  BoundaryChecker(ground, bites, boundary).Run(pulse);
 }
 
 } // namespace biting
