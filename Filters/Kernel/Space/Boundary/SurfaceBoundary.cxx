@@ -81,13 +81,13 @@ public:
     {
       this->TakeMeetings();
     }
-    CheckBoundary(this->Ground, this->Bites, this->Result);
+    CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
     constexpr int MostRounds = 3;
     for (int round = 0; isSolid && round < MostRounds && this->LabelAnew(); ++round)
     {
       this->Result = {};
       this->TakeWalls();
-      CheckBoundary(this->Ground, this->Bites, this->Result);
+      CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
     }
     return std::move(this->Result);
   }
@@ -195,7 +195,9 @@ private:
     }
     bool isChanged = false;
     this->IsByMiddle.resize(this->Labels.size(), 0);
-    for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
+    for (Id cell = 0;
+         cell < mesh.NumberOfSlots() && !this->Result.Offences.empty() && this->Beats.Beat();
+         ++cell)
     {
       bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[At(cell)] == 0;
       Point3 middle{};

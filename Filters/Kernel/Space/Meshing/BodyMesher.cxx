@@ -322,7 +322,8 @@ private:
       const Id triangle = this->Body.BoundaryPlaces[At(this->Body.Facets[slot])];
       below.push_back(this->Certified.Ground.Mesh.Cells[At(triangle)]);
     }
-    const WholeVerdict whole = CheckWhole(this->Surface, boundary.Points, this->Body.Facets, below);
+    const WholeVerdict whole =
+      CheckWhole(this->Surface, boundary.Points, this->Body.Facets, below, pulse);
     if (MayGoOn(this->Problems, pulse) && (!verdict.What.empty() || !whole.IsSame))
     {
       const bool isOwn = !verdict.What.empty();

@@ -132,8 +132,8 @@ private:
     {
       return false;
     }
-    const WholeVerdict verdict = CheckWhole(
-      this->Surface, this->Bites.Centers, this->Boundary.Corners, TrianglesBelow(this->Whole));
+    const WholeVerdict verdict = CheckWhole(this->Surface, this->Bites.Centers,
+      this->Boundary.Corners, TrianglesBelow(this->Whole), this->Beats);
     if (!verdict.IsSame)
     {
       this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
