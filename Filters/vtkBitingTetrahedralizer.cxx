@@ -25,9 +25,9 @@ class vtkBitingTetrahedralizer::Execution : public vtkBitingSpaceMesher::Executi
 {
 public:
   explicit Execution(vtkBitingTetrahedralizer* filter)
-    // Reading, the three of CheckSurface, those of MakeBitingBody, writing.
+    // Reading, the three of CheckSurface, the six of MakeBitingBody, writing.
     : vtkBitingSpaceMesher::Execution(
-        filter, { 0.02, 0.02, 0.04, 0.02, 0.05, 0.15, 0.05, 0.3, 0.3, 0.05 }, 0.04)
+        filter, { 0.01, 0.01, 0.02, 0.01, 0.02, 0.08, 0.35, 0.1, 0.3, 0.05, 0.05 }, 0.04)
     , Filter(filter)
   {
   }
