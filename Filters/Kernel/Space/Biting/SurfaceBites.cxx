@@ -71,7 +71,7 @@ public:
 
   SurfaceBites Run()
   {
-    DivideChains(this->Ground, this->Bites);
+    DivideChains(this->Ground, this->Bites, this->Beats);
     for (Id bite = 0; bite < this->Bites.NumberOnLines && this->Beats.Beat(); ++bite)
     {
       this->StartAtFeature(bite);

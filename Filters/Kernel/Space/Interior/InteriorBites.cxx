@@ -16,7 +16,7 @@ namespace
 {
 
 /// Radius of a bite, in f: so the mean edge has the length f.
-constexpr double BitingConstant = 0.9;
+constexpr double BitingConstant = 0.885;
 
 /// No later center is nearer to a bite's, in radii.
 constexpr double Tolerance = 0.9;
@@ -36,23 +36,11 @@ public:
   InteriorBites Run()
   {
     this->AddBoundary();
-    for (Id ball = 0; ball < this->NumberOfWalls && this->Beats.Beat(64); ++ball)
+    for (Id ball = 0; ball < this->FirstInner && this->Beats.Beat(64); ++ball)
     {
-      this->StartAt(ball);
+      this->Start(ball);
     }
-    while (!this->Later.empty() && this->MayGoOn())
-    {
-      std::swap(this->Queue, this->Later);
-      this->Later.clear();
-      for (const Candidate& candidate : this->Queue)
-      {
-        if (!this->MayGoOn())
-        {
-          break;
-        }
-        this->Try(candidate);
-      }
-    }
+    this->EmptyQueue();
     return std::move(this->Bites);
   }
 
@@ -88,7 +76,7 @@ private:
       double& guard = guards[static_cast<std::size_t>(boundary.Facets[slot])];
       guard = std::max(guard, NearShare * boundary.Balls[slot / 3].Radius);
     }
-    const auto ignore = [](Id) {};
+    const auto ignore = [](Id, const GuardedBall&) {};
     for (std::size_t k = 0; k < boundary.Centers.size() && this->Beats.Beat(4); ++k)
     {
       const double radius = BitingConstant * boundary.Sizes[k];
@@ -103,29 +91,32 @@ private:
         this->Tree.Add({ ball.Center, Room * ball.Radius, ball.Radius }, ignore);
       }
     }
-    this->NumberOfWalls = this->Tree.Size();
-    this->Seen.assign(static_cast<std::size_t>(this->NumberOfWalls), NoId);
+    this->FirstInner = this->Tree.Size();
   }
 
-  void StartAt(Id ball)
+  void EmptyQueue()
   {
-    const GuardedBall own = this->Tree.At(ball);
-    this->Meetings.Start(own);
-    this->Tree.VisitNear(own, [this, ball](Id other) { this->Note(other, ball); });
+    while (!this->Later.empty() && this->MayGoOn())
+    {
+      std::swap(this->Queue, this->Later);
+      this->Later.clear();
+      for (std::size_t k = 0; k < this->Queue.size() && this->MayGoOn(); ++k)
+      {
+        this->Try(this->Queue[k]);
+      }
+    }
+  }
+
+  /// The candidates of a ball of the boundary: each meeting is found by its last ball.
+  void Start(Id ball)
+  {
+    this->Meetings.Start(this->Tree.At(ball));
+    this->Tree.VisitNear(
+      ball, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([ball](Id other) { return other < ball; },
       [this](const Point3& place, Id, Id) {
-        this->Later.push_back({ place, this->NumberOfWalls, true });
+        this->Later.push_back({ place, this->FirstInner, true });
       });
-  }
-
-  void Note(Id other, Id of)
-  {
-    Id& seen = this->Seen[static_cast<std::size_t>(other)];
-    if (seen != of && other != of)
-    {
-      seen = of;
-      this->Meetings.Add(this->Tree.At(other), other);
-    }
   }
 
   void Try(const Candidate& candidate)
@@ -144,12 +135,10 @@ private:
     this->Bites.Radii.push_back(radius);
     const GuardedBall own{ candidate.Place, radius, Tolerance * radius };
     this->Meetings.Start(own);
-    const Id id = this->Tree.Size();
-    this->Seen.push_back(NoId);
-    this->Tree.Add(own, [this, id](Id other) { this->Note(other, id); });
+    this->Tree.Add(own, [this](Id id, const GuardedBall& other) { this->Meetings.Add(other, id); });
     this->Meetings.Find([](Id) { return true; },
       [this](const Point3& place, Id a, Id b) {
-        this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->NumberOfWalls });
+        this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->FirstInner });
       });
   }
 
@@ -157,9 +146,8 @@ private:
   const std::size_t MostBites;
   Pulse& Beats;
   Box3 Bounds;
-  BallTree Tree;        ///< bites of the boundary, empty balls, bites
-  Id NumberOfWalls = 0; ///< in the tree, of the boundary
-  std::vector<Id> Seen; ///< of balls: the last one whose neighbors were looked for
+  BallTree Tree;     ///< bites of the boundary, empty balls, bites
+  Id FirstInner = 0; ///< in the tree
   SphereMeetings Meetings;
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue
