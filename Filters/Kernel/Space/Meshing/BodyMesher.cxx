@@ -3,7 +3,6 @@
 
 #include "BodyMesher.h"
 
-#include "../../Base/DisjointSets.h"
 #include "../../Base/Tasks.h"
 #include "../Boundary/BodySides.h"
 #include "../Boundary/InsideTest.h"
@@ -38,17 +37,20 @@ struct SmallBite
 class BodySpacing
 {
 public:
-  BodySpacing(const std::function<double(const Point3&)>& given, const SurfaceBites& bites,
-    double gradation, Pulse& pulse)
-    : Given(given)
+  BodySpacing(const CertifiedSurface& surface, double gradation, Pulse& pulse)
+    : Given(surface.Spacing)
     , Slope(gradation)
   {
+    constexpr double Lower = 0.99; // what is linear between vertices of the ground is off by some
     std::vector<SmallBite> small;
+    const SurfaceBites& bites = surface.Bites;
     for (std::size_t bite = 0; bite < bites.Centers.size(); ++bite)
     {
-      if (bites.Sizes[bite] < given(bites.Centers[bite]))
+      const Point3& place = bites.Centers[bite];
+      const double size = surface.Ground.SizeAt(bites.Triangles[bite], place);
+      if (size < Lower * this->Given(place))
       {
-        small.push_back({ bites.Centers[bite], bites.Sizes[bite] });
+        small.push_back({ place, size });
       }
     }
     this->Tree = BoxTree<SmallBite, 3>(small, pulse);
@@ -191,8 +193,7 @@ private:
       boundary.Balls.push_back(this->BallOf(facet));
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
-    this->Spacing =
-      BodySpacing(this->Certified.Spacing, bites, this->Options.Surface.Gradation, pulse);
+    this->Spacing = BodySpacing(this->Certified, this->Options.Surface.Gradation, pulse);
     boundary.Spacing = this->Spacing;
     const auto most = static_cast<std::size_t>(
       std::max<std::int64_t>(0, this->Options.Surface.MaximumNumberOfVertices - bites.Size()));
@@ -311,47 +312,7 @@ private:
     body.BoundaryPlaces = bites.Triangles;
     body.Facets = this->Certified.Boundary.Corners;
     body.PieceEnds = bites.PieceEnds;
-    this->TagFacets();
-  }
-
-  /// Facets of one tag hang together by edges that are no pieces of chains.
-  void TagFacets()
-  {
-    struct Side
-    {
-      std::pair<Id, Id> Ends;
-      Id Facet; ///< NoId: a piece
-      bool operator<(const Side& other) const
-      {
-        return this->Ends != other.Ends ? this->Ends < other.Ends : this->Facet < other.Facet;
-      }
-    };
-    std::vector<Side> sides;
-    const std::vector<Id>& facets = this->Body.Facets;
-    const std::vector<Id>& pieces = this->Body.PieceEnds;
-    sides.reserve(facets.size() + pieces.size() / 2);
-    for (std::size_t k = 0; k < pieces.size(); k += 2)
-    {
-      sides.push_back({ std::minmax(pieces[k], pieces[k + 1]), NoId });
-    }
-    for (std::size_t slot = 0; slot < facets.size(); ++slot)
-    {
-      sides.push_back(
-        { std::minmax(facets[slot], facets[NextSlotOf(slot)]), static_cast<Id>(slot / 3) });
-    }
-    std::sort(sides.begin(), sides.end());
-    DisjointSets sets(facets.size() / 3);
-    for (std::size_t k = 1; k < sides.size(); ++k)
-    {
-      if (sides[k].Ends == sides[k - 1].Ends && sides[k - 1].Facet != NoId)
-      {
-        sets.Unite(sides[k - 1].Facet, sides[k].Facet);
-      }
-    }
-    for (Id facet = 0; facet < static_cast<Id>(facets.size() / 3); ++facet)
-    {
-      this->Body.FacetTags.push_back(sets.SetOf(facet));
-    }
+    body.FacetTags.assign(body.Facets.size() / 3, 0); // pieces, which stay, bound patches
   }
 
   bool Relax()
