@@ -12,7 +12,7 @@ namespace
 {
 
 /// What is better by less is no better.
-constexpr double LeastGain = 1e-4;
+constexpr double LeastGainOfMoves = 1e-4;
 
 } // namespace
 
@@ -161,7 +161,7 @@ bool VertexMoves::Step(Id vertex, double length)
     { Corner, -Corner, Corner }, { -Corner, Corner, -Corner }, { Corner, Corner, -Corner },
     { -Corner, -Corner, Corner } };
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
-  const double limit = this->Worst() - LeastGain;
+  const double limit = this->Worst() - LeastGainOfMoves;
   for (const auto& d : Directions)
   {
     const Point3 place{ old.X + length * d[0], old.Y + length * d[1], old.Z + length * d[2] };
