@@ -16,12 +16,13 @@
 namespace biting
 {
 
-/// What a ball takes: no later center is within its guard, and its sphere has candidates.
+/// What a bite takes: no later center is within its guard, and its surface has candidates.
 struct GuardedBall
 {
   Point3 Center;
-  double Radius = 0.0;
-  double Guard = 0.0;  ///< no more than the radius
+  double Radius = 0.0; ///< of a ball; half of the diagonal of a cube
+  double Guard = 0.0;  ///< of a ball; half of the side of a cube: less than the bite
+  Id Frame = NoId;     ///< of a cube: its axes
   Id LastVisit = NoId; ///< of the tree
 };
 
@@ -69,23 +70,19 @@ public:
       [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
   }
 
-  /// Whether the guard of a ball with number `first` or later has the place.
-  bool IsGuarded(const Point3& place, Id first) const
+  /// Whether isGuarded(ball) for a ball that has the place and the number `first` or a later one.
+  template <typename IsGuarded>
+  bool HasAt(const Point3& place, Id first, const IsGuarded& isGuarded) const
   {
     for (Id id = this->HeadAt(place); id != NoId; id = this->BlockAt(id).Next)
     {
       const Block& block = this->BlockAt(id);
       for (Id k = block.Count; k-- > 0;)
       {
-        if (block.Balls[static_cast<std::size_t>(k)] < first)
+        const Id ball = block.Balls[static_cast<std::size_t>(k)];
+        if (ball < first || isGuarded(this->At(ball)))
         {
-          return false; // the latest are first
-        }
-        const GuardedBall& ball = this->At(block.Balls[static_cast<std::size_t>(k)]);
-        const Point3 apart = place - ball.Center;
-        if (Dot(apart, apart) < ball.Guard * ball.Guard)
-        {
-          return true;
+          return ball >= first; // the latest are first
         }
       }
     }

@@ -24,7 +24,7 @@ struct BodyMesherOptions
 
   SpaceBiteShape Shape = SpaceBiteShape::Sphere;
   double BitingConstant = 0.0; ///< radius of a bite in f; 0: the one that gives edges of f
-  std::int64_t MaximumNumberOfBites = 0; ///< stop after so many; 0: until all is taken
+  std::int64_t MaximumNumberOfBites = 0; ///< stop after so many, and do not relax; 0: never
 };
 
 /// The mesh, as a structure of arrays.

@@ -42,13 +42,17 @@ public:
   bool Run(Monitor& monitor)
   {
     monitor.BeginStage("Looking for features");
-    this->MakeGround();
+    {
+      const PulsePart part(this->Beats, 0.0, 0.0);
+      this->MakeGround();
+    }
     monitor.BeginStage("Biting");
     bool isDone = this->MayGoOn();
     std::size_t before = std::numeric_limits<std::size_t>::max();
     std::size_t first = 0;
     for (int round = 0; isDone && round < MostRounds; ++round)
     {
+      const PulsePart part(this->Beats, 1.0 - 1.0 / (1 << round), 1.0);
       this->Bite();
       isDone = this->MayGoOn();
       const std::size_t faults = this->Boundary.Offences.size();
@@ -74,6 +78,7 @@ private:
 
   void Bite()
   {
+    MergeCorners(this->Ground);
     this->Bites = BiteSurface(
       this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
     if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
