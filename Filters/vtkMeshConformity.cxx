@@ -239,8 +239,10 @@ void vtkMeshConformity::Execution::MeasureSpace(vtkInformationVector* outputs)
     biting::MeasureTetrahedra({ mesh.Points, mesh.Spacing, mesh.Corners }, this->Progress);
   if (this->Progress.Advance(1.0))
   {
-    mesh.Write(this->Input, vtkDataSet::GetData(outputs, 0), this->Filter->NumberOfBins,
-      vtkTable::GetData(outputs, 1));
+    vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+    output->ShallowCopy(this->Input);
+    mesh.Write(output);
+    mesh.WriteHistograms(this->Filter->NumberOfBins, vtkTable::GetData(outputs, 1));
     this->Filter->Summary.insert(0, mesh.Summary());
   }
 }

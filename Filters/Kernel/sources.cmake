@@ -164,6 +164,7 @@ set(biting_kernel_sources
   Space/Features/SurfaceGround.cxx
   Space/Biting/ChainDivision.cxx
   Space/Biting/SurfaceBites.cxx
+  Space/Boundary/BodySides.cxx
   Space/Boundary/BoundaryCheck.cxx
   Space/Boundary/InsideTest.cxx
   Space/Boundary/SurfaceBoundary.cxx
@@ -172,7 +173,10 @@ set(biting_kernel_sources
   Space/Relaxation/SurfaceStars.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
+  Space/Meshing/BodyCells.cxx
+  Space/Meshing/BodyCheck.cxx
   Space/Meshing/BodyMesher.cxx
+  Space/Meshing/CertifiedSurface.cxx
   Space/Meshing/SurfaceMesher.cxx
   Space/Quality/TetQuality.cxx
   Space/Surface/SurfaceCheck.cxx

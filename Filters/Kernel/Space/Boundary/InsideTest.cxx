@@ -36,26 +36,8 @@ bool IsBelow(const Point2& p, Point2 a, Point2 b)
 
 } // namespace
 
-bool InsideTest::IsInside(const Point3& place) const
+bool MeetsRay(const std::array<Point3, 3>& corners, const Point3& place)
 {
-  if (!this->Bounds.Contains(place))
-  {
-    return false;
-  }
-  bool isInside = false;
-  const Box3 ray = Box3::Around(place, { this->Bounds.High.X, place.Y, place.Z });
-  this->Tree.AllOf(ray,
-    [this, &place, &isInside](const SurfaceItem& item)
-    {
-      isInside ^= this->IsMet(static_cast<std::size_t>(item.Triangle), place);
-      return true;
-    });
-  return isInside;
-}
-
-bool InsideTest::IsMet(std::size_t triangle, const Point3& place) const
-{
-  const std::array<Point3, 3> corners = this->Mesh.Triangle(triangle);
   const Point2 p = Shadow(place);
   bool isWithin = false;
   for (std::size_t k = 0; k < 3; ++k)
@@ -69,6 +51,25 @@ bool InsideTest::IsMet(std::size_t triangle, const Point3& place) const
   // Before or behind: the sides of the place and of a point far along the ray differ.
   const int turn = Orient2D(Shadow(corners[0]), Shadow(corners[1]), Shadow(corners[2]));
   return turn * Orient3D(corners[0], corners[1], corners[2], place) < 0;
+}
+
+Id InsideTest::LabelAt(const Point3& place) const
+{
+  Id label = 0;
+  if (!this->Bounds.Contains(place))
+  {
+    return label;
+  }
+  const Box3 ray = Box3::Around(place, { this->Bounds.High.X, place.Y, place.Z });
+  this->Tree.AllOf(ray,
+    [this, &place, &label](const SurfaceItem& item)
+    {
+      const TriangleSides& sides = this->Ground.Sides[At(this->Mesh.Cells[At(item.Triangle)])];
+      const bool isMet = MeetsRay(this->Mesh.Triangle(At(item.Triangle)), place);
+      label ^= isMet ? sides[0] ^ sides[1] : 0;
+      return true;
+    });
+  return label;
 }
 
 } // namespace biting

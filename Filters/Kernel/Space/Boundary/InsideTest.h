@@ -5,29 +5,35 @@
 #define BitingInsideTest_h
 
 #include "../../Base/BoxTree.h"
-#include "../Surface/SurfaceMesh.h"
+#include "../Features/SurfaceGround.h"
 
 namespace biting
 {
 
-/// Whether a place is inside a closed surface: an odd number of its triangles is met by the ray
-/// along the first axis. Exact: the ray passes no edge, as if its place were moved by infinitely
-/// little along the third axis and by less along the second. Places on the surface are either.
+/// Whether the ray from the place along the first axis meets the triangle. Exact: it passes no
+/// edge, as if the place were moved by infinitely little along the third axis and by less along the
+/// second. Where the place is on the triangle, either.
+bool MeetsRay(const std::array<Point3, 3>& triangle, const Point3& place);
+
+/// On which side of surfaces that bound parts of space a place is: along a ray the label changes
+/// from one side of each triangle that it meets to the other, so the label of the place is the
+/// exclusive or of all of them (MeetsRay). Places on a surface are on either side.
 class InsideTest
 {
 public:
-  InsideTest(const SurfaceMesh& mesh, const BoxTree<SurfaceItem, 3>& tree)
-    : Mesh(mesh)
+  InsideTest(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
+    : Ground(ground)
+    , Mesh(ground.Mesh)
     , Tree(tree)
-    , Bounds(mesh.Bounds())
+    , Bounds(ground.Mesh.Bounds())
   {
   }
 
-  bool IsInside(const Point3& place) const;
+  /// One of TriangleSides; 0: outside.
+  Id LabelAt(const Point3& place) const;
 
 private:
-  bool IsMet(std::size_t triangle, const Point3& place) const;
-
+  const SurfaceGround& Ground;
   const SurfaceMesh& Mesh;
   const BoxTree<SurfaceItem, 3>& Tree;
   Box3 Bounds;

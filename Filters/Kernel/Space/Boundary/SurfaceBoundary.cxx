@@ -7,6 +7,7 @@
 #include "../../Delaunay/SpatialOrder.h"
 #include "../Delaunay/RegularTriangulation.h"
 #include "../Surface/NearestOnTriangle.h"
+#include "BodySides.h"
 #include "BoundaryCheck.h"
 #include "InsideTest.h"
 
@@ -24,7 +25,7 @@ namespace
 struct DualMeeting
 {
   Id Triangle = NoId; ///< of the ground; NoId: nowhere
-  Point3 Place;
+  Point3 Place;       ///< then that of the dual edge which is nearest to the facet
   Id Count = 0;
 };
 
@@ -41,8 +42,9 @@ public:
   {
   }
 
-  SurfaceBoundary Run(bool isSolid)
+  SurfaceBoundary Run()
   {
+    const bool isSolid = !this->Ground.Sides.empty();
     if (!isSolid)
     {
       this->AddFrame();
@@ -128,15 +130,15 @@ private:
 
   void LabelCells()
   {
-    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const InsideTest test(this->Ground, this->Tree);
     const TetMesh& mesh = this->Cells.Mesh();
-    this->IsInside.assign(At(mesh.NumberOfSlots()), 0);
+    this->Labels.assign(At(mesh.NumberOfSlots()), 0);
     for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(32); ++cell)
     {
       if (mesh.IsTetrahedron(cell))
       {
-        const int side = this->SideByNormals(cell);
-        this->IsInside[At(cell)] = side != 0 ? side < 0 : test.IsInside(this->Centers[At(cell)]);
+        const Id label = this->LabelByNormals(cell);
+        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(this->Centers[At(cell)]);
       }
     }
   }
@@ -145,7 +147,7 @@ private:
   /// centres are beyond the other side, but middles are not. Whether a label changes.
   bool LabelAnew()
   {
-    const InsideTest test(this->Ground.Mesh, this->Tree);
+    const InsideTest test(this->Ground, this->Tree);
     const TetMesh& mesh = this->Cells.Mesh();
     std::vector<std::uint8_t> isAt(this->Bites.Centers.size(), 0);
     for (const BoundaryOffence& offence : this->Result.Offences)
@@ -158,7 +160,7 @@ private:
       isAt[At(offence.Other == NoId ? offence.Bite : offence.Other)] = 1;
     }
     bool isChanged = false;
-    this->IsByMiddle.resize(this->IsInside.size(), 0);
+    this->IsByMiddle.resize(this->Labels.size(), 0);
     for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
     {
       bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[At(cell)] == 0;
@@ -176,38 +178,41 @@ private:
       if (isFaulty && faults > 0 &&
         this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
-        const std::uint8_t label = test.IsInside(middle) ? 1 : 0;
+        const Id label = test.LabelAt(middle);
         this->IsByMiddle[At(cell)] = 1;
-        isChanged = isChanged || label != this->IsInside[At(cell)];
-        this->IsInside[At(cell)] = label;
+        isChanged = isChanged || label != this->Labels[At(cell)];
+        this->Labels[At(cell)] = label;
       }
     }
     return isChanged;
   }
 
-  /// -1 inside, +1 outside, 0 not known: where the centre is far from the planes of the surface at
-  /// all corners, on the same side. No bite is in the sphere of the cell, so that the surface,
-  /// which they cover, is near the sphere only.
-  int SideByNormals(Id cell) const
+  /// Where the centre is far from the planes of the surface at all corners, on the same side; else
+  /// NoId. No bite is in the sphere of the cell, so that the surface, which they cover, is near the
+  /// sphere only.
+  Id LabelByNormals(Id cell) const
   {
     constexpr double LeastSlope = 0.5;
-    int sides = 0;
+    Id label = NoId;
     for (Id k = 0; k < 4; ++k)
     {
       const Id bite = this->BiteOf[At(this->Cells.Mesh().Corners[At(4 * cell + k)])];
       if (bite < this->Bites.NumberOnLines)
       {
-        return 0;
+        return NoId;
       }
       const Point3 apart = this->Centers[At(cell)] - this->Bites.Centers[At(bite)];
-      const double height = Dot(apart, this->Ground.NormalOf(At(this->Bites.Triangles[At(bite)])));
-      if (std::abs(height) < LeastSlope * Length(apart))
+      const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
+      const double height = Dot(apart, this->Ground.NormalOf(triangle));
+      const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
+      const Id own = sides[height > 0.0 ? 1 : 0];
+      if (std::abs(height) < LeastSlope * Length(apart) || (k > 0 && own != label))
       {
-        return 0;
+        return NoId;
       }
-      sides += height > 0.0 ? 1 : -1;
+      label = own;
     }
-    return sides == 4 ? 1 : (sides == -4 ? -1 : 0);
+    return label;
   }
 
   void TakeWalls()
@@ -215,15 +220,14 @@ private:
     const TetMesh& mesh = this->Cells.Mesh();
     for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
     {
-      if (this->IsInside[At(cell)] == 0)
+      const Id label = this->Labels[At(cell)];
+      for (Id facet = 4 * cell; facet < 4 * cell + 4 && label != 0; ++facet)
       {
-        continue;
-      }
-      for (Id facet = 4 * cell; facet < 4 * cell + 4; ++facet)
-      {
-        if (this->IsInside[At(TetMesh::CellOf(mesh.Twins[At(facet)]))] == 0)
+        const Id other = this->Labels[At(TetMesh::CellOf(mesh.Twins[At(facet)]))];
+        if (label != other && IsBehind(label, other))
         {
           this->Add(facet, this->Meet(facet), false);
+          this->Result.Sides.push_back({ label, other });
         }
       }
     }
@@ -285,9 +289,12 @@ private:
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
     const double high = mesh.IsTetrahedron(other) ? height(this->Centers[At(other)]) : Infinity;
-    const double begin = std::max(std::min(low, high), -reach);
-    const double end = std::min(std::max(low, high), reach);
+    double begin = std::min(low, high);
+    double end = std::max(low, high);
     DualMeeting meeting;
+    meeting.Place = foot + std::min(std::max(0.0, begin), end) * normal;
+    begin = std::max(begin, -reach);
+    end = std::min(end, reach);
     if (begin < end)
     {
       this->MeetSegment(foot, normal, begin, end, meeting);
@@ -347,6 +354,7 @@ private:
     }
     this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
     this->Result.Triangles.push_back(this->TriangleBelow(facet, meeting.Triangle, isTurned));
+    this->Result.BallCenters.push_back(meeting.Place);
   }
 
   /// Where the dual edge meets no triangle that agrees with the facet, as near features, the
@@ -406,9 +414,9 @@ private:
   const BoxTree<SurfaceItem, 3>& Tree;
   RegularTriangulation Cells;
   Pulse& Beats;
-  std::vector<Id> BiteOf;      ///< of vertices
-  std::vector<Point3> Centers; ///< of cells
-  std::vector<std::uint8_t> IsInside;
+  std::vector<Id> BiteOf;               ///< of vertices
+  std::vector<Point3> Centers;          ///< of cells
+  std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
   std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;
 };
@@ -416,9 +424,9 @@ private:
 } // namespace
 
 SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
-  const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse)
+  const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse)
 {
-  return BoundaryFinder(ground, bites, tree, pulse).Run(isSolid);
+  return BoundaryFinder(ground, bites, tree, pulse).Run();
 }
 
 } // namespace biting

@@ -32,19 +32,24 @@ struct BoundaryOffence
 /// The facets of the regular triangulation of bites that follow the surface.
 struct SurfaceBoundary
 {
-  std::vector<Id> Corners;   ///< three bites a facet, oriented as the surface
-  std::vector<Id> Triangles; ///< of the ground, where the dual edge of the facet meets it
+  std::vector<Id> Corners;          ///< three bites a facet, oriented as the surface
+  std::vector<Id> Triangles;        ///< of the ground, where the dual edge of the facet meets it
+  std::vector<TriangleSides> Sides; ///< of facets of solids: labels behind and in front
+
+  /// Of facets: where the dual edge meets the surface, nearest to the facet. As long as no centre
+  /// comes into the ball about it that is orthogonal to the corners, the triangulation has the
+  /// facet.
+  std::vector<Point3> BallCenters;
   std::vector<BoundaryOffence> Offences;
   std::vector<Point3> Uncovered; ///< centres of balls larger than bites
 };
 
-/// Finds them. Of a solid (all shells are closed and orientable) they are the facets between cells
-/// whose power centres are on different sides of the surface: closed by construction, and without
-/// self-crossings, as facets of one triangulation. Of other surfaces they are the facets whose dual
-/// edges meet the surface.
+/// Finds them. Of a solid (the ground has sides) they are the facets between cells whose power
+/// centres have different labels: closed by construction, and without self-crossings, as facets of
+/// one triangulation. Of other surfaces they are the facets whose dual edges meet the surface.
 /// Then all certificates but those of the whole: faults are told, not repaired.
 SurfaceBoundary FindBoundary(const SurfaceGround& ground, const SurfaceBites& bites,
-  const BoxTree<SurfaceItem, 3>& tree, bool isSolid, Pulse& pulse);
+  const BoxTree<SurfaceItem, 3>& tree, Pulse& pulse);
 
 } // namespace biting
 

@@ -7,6 +7,7 @@
 #include "../../Base/Pulse.h"
 #include "../Surface/SurfaceCheck.h"
 
+#include <array>      // for sides
 #include <cstdint>    // for flags
 #include <functional> // for f
 #include <vector>     // for the arrays
@@ -53,18 +54,22 @@ enum class FeaturePlace : std::uint8_t
   Corner = 2
 };
 
+/// The labels of space behind a triangle and in front of it, where its normal goes; 0: outside.
+using TriangleSides = std::array<Id, 2>;
+
 /// A surface as it is bitten: its triangles divided until no edge is longer than LongestEdge f, so
 /// that each bite and each place has a handful of them; the patches that feature lines bound; f at
 /// the vertices, linear between. Points of the surface are no points of the input's triangles but
 /// for rounding.
 struct SurfaceGround
 {
-  SurfaceMesh Mesh;            ///< Cells: the triangle of the input that each is a part of
-  std::vector<EdgeFlag> Flags; ///< of slots
-  std::vector<Id> Across;      ///< of slots: the slot in the same patch; NoId at feature edges
-  std::vector<double> Given;   ///< f at vertices as given
-  std::vector<double> Sizes;   ///< f at vertices as used: no more than that
-  std::vector<Point3> Normals; ///< unit, of the triangles of the input
+  SurfaceMesh Mesh;                 ///< Cells: the triangle of the input that each is a part of
+  std::vector<EdgeFlag> Flags;      ///< of slots
+  std::vector<Id> Across;           ///< of slots: the slot in the same patch; NoId at feature edges
+  std::vector<double> Given;        ///< f at vertices as given
+  std::vector<double> Sizes;        ///< f at vertices as used: no more than that
+  std::vector<Point3> Normals;      ///< unit, of the triangles of the input
+  std::vector<TriangleSides> Sides; ///< of these; empty where the surface bounds nothing
   std::vector<FeaturePlace> Places;
   FeatureChains Chains;
   ListsByKey TrianglesAt; ///< of vertices

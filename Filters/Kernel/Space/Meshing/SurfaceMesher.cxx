@@ -3,19 +3,10 @@
 
 #include "SurfaceMesher.h"
 
-#include "../Biting/SurfaceBites.h"
-#include "../Boundary/SurfaceBoundary.h"
-#include "../Boundary/WholeCheck.h"
-#include "../Features/FeatureLines.h"
-#include "../Features/SizeCaps.h"
 #include "../Relaxation/SurfaceRelaxation.h"
-#include "../Surface/NearestOnTriangle.h"
-#include "../Surface/SurfaceCrossings.h"
-#include "ExpectedVertices.h"
+#include "CertifiedSurface.h"
 
-#include <algorithm> // for min, max
-#include <cmath>     // for isfinite
-#include <limits>    // for counts
+#include <algorithm> // for fill_n
 #include <utility>   // for move
 
 namespace biting
@@ -24,433 +15,52 @@ namespace biting
 namespace
 {
 
-class SurfaceMesher
+/// Of solids all triangles have the body behind them.
+std::vector<TriangleSides> SidesOf(const CheckedSurface& surface)
 {
-public:
-  SurfaceMesher(const CheckedSurface& surface, const SurfaceMesherOptions& options,
-    ProblemList& problems, Monitor& monitor)
-    : Surface(surface)
-    , Options(options)
-    , Problems(problems)
-    , Listener(monitor)
-    , Beats(monitor)
+  const std::size_t triangles = surface.Mesh.NumberOfTriangles();
+  bool isSolid = true;
+  for (std::size_t t = 0; t < triangles && isSolid; ++t)
   {
+    isSolid = surface.Shells.IsSolid(t);
   }
-
-  BitingSurface Run()
-  {
-    this->Listener.BeginStage("Looking for features");
-    this->MakeGround();
-    this->Listener.BeginStage("Biting");
-    bool isDone = this->MayGoOn();
-    std::size_t before = std::numeric_limits<std::size_t>::max();
-    std::size_t first = 0;
-    for (int round = 0; isDone && round < MostRounds; ++round)
-    {
-      this->Bite();
-      isDone = this->MayGoOn();
-      const std::size_t faults = this->Boundary.Offences.size();
-      if (!isDone || this->Boundary.Offences.empty())
-      {
-        break;
-      }
-      // Where no faults go, lines are noise, or f never suits.
-      constexpr std::size_t MostGrowth = 4;
-      first = round == 0 ? faults : first;
-      const bool isDropped = faults >= before && this->DropLostFeatures();
-      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes()))
-      {
-        break;
-      }
-      before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
-    }
-    BitingSurface mesh;
-    if (isDone && this->IsCertified())
-    {
-      mesh = this->Assemble();
-    }
-    return this->MayGoOn() ? mesh : BitingSurface();
-  }
-
-private:
-  static constexpr int MostRounds = 8;
-
-  void Bite()
-  {
-    this->Bites = BiteSurface(
-      this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
-    if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
-    {
-      this->RefuseSize();
-      return;
-    }
-    this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
-    this->Boundary =
-      FindBoundary(this->Ground, this->Bites, this->Tree, this->IsSolid(), this->Beats);
-  }
-
-  bool MayGoOn()
-  {
-    if (!this->Beats.Ask() && !this->Problems.Has(ProblemCode::Aborted))
-    {
-      this->Refuse(ProblemCode::Aborted, {}, NoId, "");
-    }
-    return !this->Problems.HasErrors();
-  }
-
-  /// `triangle`: of the surface.
-  void Refuse(ProblemCode code, const Point3& place, Id triangle, const std::string& detail)
-  {
-    std::vector<std::int64_t> ids;
-    if (triangle != NoId)
-    {
-      ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
-    }
-    this->Problems.Add({ code, std::move(ids), place, detail });
-  }
-
-  void RefuseSize()
-  {
-    this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
-      "more than " + std::to_string(this->Options.MaximumNumberOfVertices) + " vertices");
-  }
-
-  /// Refuses what is no mesh of the surface.
-  bool IsCertified()
-  {
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
-    {
-      const bool isSharp = offence.Bite < this->Bites.NumberOnLines ||
-        (offence.Other != NoId && offence.Other < this->Bites.NumberOnLines);
-      const auto bite = At(offence.Bite);
-      this->Refuse(isSharp ? ProblemCode::TooSharp : ProblemCode::TooThin,
-        this->Bites.Centers[bite], this->Ground.Mesh.Cells[At(this->Bites.Triangles[bite])],
-        "with spacing " + Figure(this->Bites.Sizes[bite]));
-    }
-    if (!this->Boundary.Offences.empty())
-    {
-      return false;
-    }
-    const WholeVerdict verdict = CheckWhole(
-      this->Surface, this->Bites.Centers, this->Boundary.Corners, this->TrianglesBelow());
-    if (!verdict.IsSame)
-    {
-      this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
-    }
-    return verdict.IsSame;
-  }
-
-  /// Of facets, the triangles of the surface.
-  std::vector<Id> TrianglesBelow() const
-  {
-    std::vector<Id> below;
-    below.reserve(this->Boundary.Triangles.size());
-    for (const Id triangle : this->Boundary.Triangles)
-    {
-      below.push_back(this->Ground.Mesh.Cells[At(triangle)]);
-    }
-    return below;
-  }
-
-  bool IsSolid() const
-  {
-    for (std::size_t t = 0; t < this->Surface.Mesh.NumberOfTriangles(); ++t)
-    {
-      if (!this->Surface.Shells.IsSolid(t))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void MakeGround()
-  {
-    SurfaceGround& ground = this->Ground;
-    ground.Mesh = this->Surface.Mesh;
-    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
-    for (std::size_t t = 0; t < triangles; ++t)
-    {
-      ground.Mesh.Cells[t] = static_cast<Id>(t);
-      const Point3 normal = ground.Mesh.Normal(t);
-      const double length = Length(normal);
-      ground.Normals.push_back(length > 0.0 ? (1.0 / length) * normal : Point3{});
-    }
-    FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
-    const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
-    this->Spacing = this->Options.Spacing;
-    if (!this->Spacing)
-    {
-      this->Spacing = [uniform](const Point3&) { return uniform; };
-    }
-    for (const Point3& place : ground.Mesh.Points)
-    {
-      const double size = this->Spacing(place);
-      if (!(size > 0.0) || !std::isfinite(size))
-      {
-        this->Refuse(ProblemCode::BadSpacing, place, NoId, "value " + Figure(size));
-        return;
-      }
-      ground.Given.push_back(size);
-    }
-    const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
-    if (ExpectedVertices(ground.Mesh, this->Spacing, most) > most)
-    {
-      this->RefuseSize();
-      return;
-    }
-    ground.Sizes = ground.Given;
-    this->Divide();
-    LinkGround(ground, this->Beats);
-    FindChains(ground);
-    DropNoise(ground);
-    LinkGround(ground, this->Beats);
-    CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
-    this->Regrade();
-    // Where caps divide the ground it sees more.
-    constexpr int MostDivisions = 3;
-    std::size_t before = 0;
-    for (int round = 0; round < MostDivisions && this->Options.LimitByFeatureSize &&
-         before < ground.Mesh.Points.size();
-         ++round)
-    {
-      before = ground.Mesh.Points.size();
-      CapByFeatures(ground, this->Beats);
-      CapByThickness(ground, this->Surface.Mesh, this->Beats);
-      this->Regrade();
-    }
-  }
-
-  /// After sizes were lowered.
-  void Regrade()
-  {
-    SurfaceGround& ground = this->Ground;
-    GradeSizes(ground, this->Options.Gradation, this->Beats);
-    this->Divide();
-    LinkGround(ground, this->Beats);
-    FindChains(ground);
-  }
-
-  /// Refuses a ground that would need several GB.
-  void Divide()
-  {
-    constexpr std::size_t MostTriangles = 40000000;
-    if (!DivideGround(this->Ground, this->Spacing, MostTriangles, this->Beats))
-    {
-      this->RefuseSize();
-    }
-  }
-
-  /// Gives up the turning lines that have faults. Whether there is one.
-  bool DropLostFeatures()
-  {
-    std::vector<std::uint8_t> isFaulty(this->Bites.Centers.size(), 0);
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
-    {
-      isFaulty[At(offence.Bite)] |= offence.Fault != BoundaryFault::Turned ? 1 : 0;
-    }
-    std::vector<Id> chains;
-    for (std::size_t k = 0; k < this->Bites.PieceChains.size(); ++k)
-    {
-      const Id chain = this->Bites.PieceChains[k];
-      const Id first = this->Bites.PieceEnds[2 * k];
-      const bool isLost =
-        (isFaulty[At(first)] | isFaulty[At(this->Bites.PieceEnds[2 * k + 1])]) != 0;
-      if (isLost && this->Ground.Chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature &&
-        (chains.empty() || chains.back() != chain))
-      {
-        chains.push_back(chain);
-        this->Problems.Add({ ProblemCode::LostFeatures, {}, this->Bites.Centers[At(first)], "" });
-      }
-    }
-    DropChains(this->Ground, chains, this->Beats);
-    return !chains.empty();
-  }
-
-  bool LowerSizes()
-  {
-    bool isLower = false;
-    for (const BoundaryOffence& offence : this->Boundary.Offences)
-    {
-      for (const Id bite : { offence.Bite, offence.Other })
-      {
-        if (bite == NoId)
-        {
-          continue;
-        }
-        const Id triangle = this->Bites.Triangles[At(bite)];
-        for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
-        {
-          double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
-          const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
-          isLower = isLower || wanted < size;
-          size = std::min(size, wanted);
-        }
-      }
-    }
-    if (isLower)
-    {
-      this->Regrade();
-    }
-    return isLower;
-  }
-
-  BitingSurface Assemble()
-  {
-    BitingSurface mesh;
-    this->Relax(mesh);
-    mesh.Triangles = this->TrianglesBelow();
-    mesh.EdgeEnds = this->Bites.PieceEnds;
-    for (const Id chain : this->Bites.PieceChains)
-    {
-      mesh.EdgeKinds.push_back(this->Ground.Chains.Kinds[At(chain)]);
-    }
-    for (Id bite = 0; bite < this->Bites.Size(); ++bite)
-    {
-      const Id vertex = this->Bites.GroundVertices[At(bite)];
-      mesh.BiteOrders.push_back(bite);
-      mesh.OriginalPoints.push_back(vertex == NoId ? NoId : this->Ground.Mesh.PointIds[At(vertex)]);
-      mesh.Kinds.push_back(bite < this->Bites.NumberOfCorners ? SurfaceVertexKind::Corner
-          : bite < this->Bites.NumberOnLines                  ? SurfaceVertexKind::Line
-                                                              : SurfaceVertexKind::Surface);
-    }
-    if (this->Options.KeepBites)
-    {
-      mesh.BiteCenters = this->Bites.Centers;
-      mesh.BiteRadii = this->Bites.Radii;
-    }
-    this->Measure(mesh);
-    return mesh;
-  }
-
-  void Relax(BitingSurface& mesh)
-  {
-    this->Listener.BeginStage("Relaxing");
-    RelaxedSurface relaxed{ this->Bites.Centers, this->Bites.Sizes, this->Bites.Triangles, {},
-      this->Boundary.Corners };
-    relaxed.IsFree.assign(relaxed.Points.size(), 1);
-    std::fill_n(relaxed.IsFree.begin(), this->Bites.NumberOnLines, std::uint8_t{ 0 });
-    if (this->Options.Relaxation)
-    {
-      RelaxedSurface given = relaxed;
-      RelaxSurface(this->Ground, this->Bites.PieceEnds, relaxed, this->Beats);
-      if (this->CrossesItself(relaxed))
-      {
-        relaxed = std::move(given); // facets of one triangulation cross nowhere
-      }
-    }
-    mesh.Points = std::move(relaxed.Points);
-    mesh.Spacing = std::move(relaxed.Sizes);
-    mesh.Corners = std::move(relaxed.Corners);
-  }
-
-  bool CrossesItself(const RelaxedSurface& relaxed)
-  {
-    SurfaceMesh mesh;
-    mesh.Points = relaxed.Points;
-    mesh.Corners = relaxed.Corners;
-    mesh.Cells.resize(relaxed.Corners.size() / 3);
-    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(mesh, this->Beats);
-    return !FindContacts(mesh, tree, this->Beats).empty();
-  }
-
-  /// Regions, and how far middles are from the surface.
-  void Measure(BitingSurface& mesh)
-  {
-    mesh.Deviations.resize(mesh.Triangles.size());
-    for (std::size_t t = 0; t < mesh.Triangles.size() && this->Beats.Beat(8); ++t)
-    {
-      Point3 middle{};
-      double size = 0.0;
-      for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
-      {
-        middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
-        size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
-      }
-      Id nearest = NoId;
-      this->Tree.Search(middle, 1.0, Infinity,
-        [this, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
-        {
-          const double distance =
-            Distance(NearestPoint(this->Ground.Mesh.Triangle(At(item.Triangle)), middle), middle);
-          if (distance < limit)
-          {
-            nearest = item.Triangle;
-            mesh.Deviations[t] = distance;
-          }
-          return std::min(limit, distance);
-        });
-      mesh.Deviations[t] /= size;
-      mesh.Triangles[t] = this->Ground.Mesh.Cells[At(nearest)];
-      mesh.Regions.push_back(
-        this->Options.Regions.empty() ? 0 : this->Options.Regions[At(mesh.Triangles[t])]);
-    }
-  }
-
-  const CheckedSurface& Surface;
-  const SurfaceMesherOptions& Options;
-  ProblemList& Problems;
-  Monitor& Listener;
-  Pulse Beats;
-  SurfaceGround Ground;
-  std::function<double(const Point3&)> Spacing;
-  SurfaceBites Bites;
-  BoxTree<SurfaceItem, 3> Tree; ///< of the ground
-  SurfaceBoundary Boundary;
-};
-
-/// A place near the middle of the surface from which differences to its points are exact: along
-/// axes on which the surface is farther from the origin than its size, the middle, so that points
-/// and it are within a factor of two (Sterbenz); else 0.
-Point3 OriginFor(const SurfaceMesh& mesh)
-{
-  const Box3 box = mesh.Bounds();
-  Point3 origin = box.Center();
-  for (double& x : origin)
-  {
-    x = std::abs(x) > box.Diagonal() ? x : 0.0;
-  }
-  return origin;
+  return std::vector<TriangleSides>(isSolid ? triangles : 0, TriangleSides{ 1, 0 });
 }
 
-void Move(std::vector<Point3>& points, const Point3& way)
+void Relax(const CertifiedSurface& certified, bool isWanted, BitingSurface& mesh, Pulse& pulse)
 {
-  for (Point3& point : points)
+  const SurfaceBites& bites = certified.Bites;
+  RelaxedSurface relaxed{ bites.Centers, bites.Sizes, bites.Triangles, {},
+    certified.Boundary.Corners };
+  relaxed.IsFree.assign(relaxed.Points.size(), 1);
+  std::fill_n(relaxed.IsFree.begin(), bites.NumberOnLines, std::uint8_t{ 0 });
+  if (isWanted)
   {
-    point = point + way;
+    RelaxedSurface given = relaxed;
+    RelaxSurface(certified.Ground, bites.PieceEnds, relaxed, pulse);
+    if (CrossesItself(relaxed.Points, relaxed.Corners, pulse))
+    {
+      relaxed = std::move(given); // facets of one triangulation cross nowhere
+    }
   }
+  mesh.Points = std::move(relaxed.Points);
+  mesh.Spacing = std::move(relaxed.Sizes);
+  mesh.Corners = std::move(relaxed.Corners);
 }
 
-/// Meshes a surface far from the origin near it: what is computed there has smaller roundings.
-BitingSurface MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+BitingSurface MeshSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   ProblemList& problems, Monitor& monitor)
 {
-  const Point3 origin = OriginFor(surface.Mesh);
-  if (origin == Point3())
+  Pulse pulse(monitor);
+  CertifiedSurface certified;
+  BitingSurface mesh;
+  if (CertifySurface(surface, options, SidesOf(surface), certified, problems, monitor))
   {
-    return SurfaceMesher(surface, options, problems, monitor).Run();
+    monitor.BeginStage("Relaxing");
+    Relax(certified, options.Relaxation, mesh, pulse);
+    DescribeMesh(certified, options, mesh, pulse);
   }
-  CheckedSurface moved = surface;
-  Move(moved.Mesh.Points, -1.0 * origin);
-  SurfaceMesherOptions movedOptions = options;
-  if (options.Spacing)
-  {
-    movedOptions.Spacing = [&options, origin](const Point3& x)
-    { return options.Spacing(x + origin); };
-  }
-  ProblemList found;
-  BitingSurface mesh = SurfaceMesher(moved, movedOptions, found, monitor).Run();
-  for (const ProblemGroup& group : found.Groups())
-  {
-    for (Problem problem : group.First)
-    {
-      problem.Place = problem.Place + origin;
-      problems.Add(problem);
-    }
-  }
-  Move(mesh.Points, origin);
-  Move(mesh.BiteCenters, origin);
-  return mesh;
+  return MayGoOn(problems, pulse) ? mesh : BitingSurface();
 }
 
 } // namespace
@@ -458,9 +68,19 @@ BitingSurface MeshNearOrigin(const CheckedSurface& surface, const SurfaceMesherO
 BitingSurface MakeBitingSurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
   ProblemList& problems, Monitor& monitor)
 {
-  return surface.Mesh.NumberOfTriangles() == 0
-    ? BitingSurface()
-    : MeshNearOrigin(surface, options, problems, monitor);
+  if (surface.Mesh.NumberOfTriangles() == 0)
+  {
+    return {};
+  }
+  return MeshNearOrigin(
+    surface, options, problems,
+    [&monitor](const CheckedSurface& s, const SurfaceMesherOptions& o, ProblemList& p)
+    { return MeshSurface(s, o, p, monitor); },
+    [](BitingSurface& mesh, const Point3& origin)
+    {
+      MovePoints(mesh.Points, origin);
+      MovePoints(mesh.BiteCenters, origin);
+    });
 }
 
 } // namespace biting

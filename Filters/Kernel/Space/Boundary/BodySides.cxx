@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BodySides.h"
+
+#include "../../Base/DisjointSets.h"
+#include "../../Base/Numbers.h"
+#include "../../Predicates/Predicates3.h"
+#include "../Surface/SurfaceCrossings.h"
+#include "../Surface/SurfaceLinks.h"
+#include "InsideTest.h"
+
+#include <algorithm> // for max, sort, find
+#include <array>     // for candidates
+#include <cmath>     // for abs
+#include <cstdint>   // for marks
+#include <utility>   // for swap
+
+namespace biting
+{
+
+namespace
+{
+
+class BodyFinder
+{
+public:
+  BodyFinder(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse)
+    : Mesh(mesh)
+    , Values(values)
+    , Beats(pulse)
+    , Triangles(mesh.NumberOfTriangles())
+    , Parts(2 * this->Triangles + 1)
+    , Shells(this->Triangles)
+    , IsOdd(this->Triangles, 0)
+  {
+  }
+
+  BodySides Run()
+  {
+    const SurfaceLinks links = LinkSurface(this->Mesh, this->Beats);
+    this->JoinAtEdges(links);
+    this->JoinAtCrowdedEdges(links);
+    this->JoinShells();
+    for (std::size_t t = 0; t < this->Triangles; ++t)
+    {
+      if (this->PartAt(t, 0) == this->PartAt(t, 1))
+      {
+        this->Result.OpenTriangle = static_cast<Id>(t);
+        return std::move(this->Result);
+      }
+    }
+    this->FindValuesOfShells();
+    this->DecideParts();
+    this->NameWalledBodies();
+    this->NumberLabels();
+    return std::move(this->Result);
+  }
+
+private:
+  enum class Kind : std::uint8_t
+  {
+    Unknown,
+    Empty,
+    Body
+  };
+
+  /// An item of Parts: side 0 is behind the triangle, side 1 in front.
+  static Id SideOf(std::size_t triangle, std::size_t side)
+  {
+    return static_cast<Id>(2 * triangle + side);
+  }
+  Id Outside() const { return static_cast<Id>(2 * this->Triangles); }
+  std::size_t PartAt(std::size_t triangle, std::size_t side)
+  {
+    return At(this->Parts.SetOf(SideOf(triangle, side)));
+  }
+  std::size_t ShellOf(std::size_t triangle)
+  {
+    return At(this->Shells.SetOf(static_cast<Id>(triangle)));
+  }
+
+  void JoinAtEdges(const SurfaceLinks& links)
+  {
+    for (std::size_t slot = 0; slot < this->Mesh.Corners.size() && this->Beats.Beat(1); ++slot)
+    {
+      const std::size_t t = slot / 3;
+      if (links.Across[slot] == OpenEdge)
+      {
+        this->Parts.Unite(SideOf(t, 0), SideOf(t, 1));
+      }
+      else if (links.Across[slot] > static_cast<Id>(slot))
+      {
+        const std::size_t other = At(links.Across[slot]) / 3;
+        const std::size_t turn = AreAlike(this->Mesh, links, slot) ? 0 : 1;
+        this->Parts.Unite(SideOf(t, 0), SideOf(other, turn));
+        this->Parts.Unite(SideOf(t, 1), SideOf(other, 1 - turn));
+        this->Shells.Unite(static_cast<Id>(t), static_cast<Id>(other));
+      }
+    }
+  }
+
+  void JoinAtCrowdedEdges(const SurfaceLinks& links)
+  {
+    std::vector<std::size_t> slots;
+    for (std::size_t edge = 0; edge < links.NumberOfCrowded(); ++edge)
+    {
+      slots.clear();
+      for (Id k = links.CrowdedOffsets[edge]; k < links.CrowdedOffsets[edge + 1]; ++k)
+      {
+        slots.push_back(At(links.CrowdedSlots[At(k)]));
+      }
+      const Id a = this->Mesh.Corners[NextSlotOf(slots[0])];
+      const Id b = this->Mesh.Corners[PreviousSlotOf(slots[0])];
+      this->SortAround(a, b, slots);
+      for (std::size_t k = 0; k < slots.size(); ++k)
+      {
+        // Triangles that run through the edge from a to b are turned as the angle grows.
+        const std::size_t next = slots[(k + 1) % slots.size()];
+        const auto runs = [this, a](std::size_t slot)
+        { return this->Mesh.Corners[NextSlotOf(slot)] == a ? 1 : 0; };
+        this->Parts.Unite(
+          SideOf(slots[k] / 3, At(runs(slots[k]))), SideOf(next / 3, At(1 - runs(next))));
+        this->Shells.Unite(static_cast<Id>(slots[k] / 3), static_cast<Id>(next / 3));
+      }
+      this->OddSlots.insert(
+        this->OddSlots.end(), slots.begin(), slots.begin() + static_cast<long>(slots.size() % 2));
+    }
+    for (const std::size_t slot : this->OddSlots)
+    {
+      this->IsOdd[this->ShellOf(slot / 3)] = 1;
+    }
+  }
+
+  /// By the angle around the edge from a to b, from the first slot on.
+  void SortAround(Id a, Id b, std::vector<std::size_t>& slots) const
+  {
+    const Point3& from = this->Mesh.Points[At(a)];
+    const Point3& to = this->Mesh.Points[At(b)];
+    const Point3 first = this->Mesh.At(slots[0]);
+    const Point3 normal = Cross(to - from, first - from);
+    const auto half = [&from, &to, &first, &normal](const Point3& p)
+    {
+      const int side = Orient3D(from, to, first, p);
+      const bool isOpposite = Dot(normal, Cross(to - from, p - from)) < 0.0;
+      return side > 0 ? 1 : side < 0 ? 3 : isOpposite ? 2 : 0;
+    };
+    std::sort(slots.begin() + 1, slots.end(),
+      [this, &from, &to, &half](std::size_t one, std::size_t other)
+      {
+        const int own = half(this->Mesh.At(one));
+        const int its = half(this->Mesh.At(other));
+        const int turn =
+          own == its ? Orient3D(from, to, this->Mesh.At(one), this->Mesh.At(other)) : its - own;
+        return turn > 0 || (turn == 0 && one < other);
+      });
+  }
+
+  /// What is around each shell, by a line along the first axis through its triangle that is seen
+  /// largest from there: the part beyond its last triangle is before the next one of another shell.
+  void JoinShells()
+  {
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Mesh, this->Beats);
+    std::vector<Id> largest(this->Triangles, NoId); // of shells
+    for (std::size_t t = 0; t < this->Triangles; ++t)
+    {
+      Id& best = largest[this->ShellOf(t)];
+      best =
+        best == NoId || std::abs(this->Mesh.Normal(At(best)).X) < std::abs(this->Mesh.Normal(t).X)
+        ? static_cast<Id>(t)
+        : best;
+    }
+    const double begin = this->Mesh.Bounds().Low.X - this->Mesh.Bounds().Diagonal();
+    for (std::size_t shell = 0; shell < this->Triangles && this->Beats.Beat(); ++shell)
+    {
+      if (largest[shell] != NoId)
+      {
+        Point3 place = this->Mesh.Middle(At(largest[shell]));
+        place.X = begin;
+        this->JoinAlong(tree, place, shell);
+      }
+    }
+  }
+
+  struct LineMeeting
+  {
+    double X;
+    Id Triangle;
+    bool operator<(const LineMeeting& other) const
+    {
+      return this->X != other.X ? this->X < other.X : this->Triangle < other.Triangle;
+    }
+  };
+
+  void JoinAlong(const BoxTree<SurfaceItem, 3>& tree, const Point3& place, std::size_t shell)
+  {
+    std::vector<LineMeeting> met;
+    tree.AllOf(Box3::Around(place, { Infinity, place.Y, place.Z }),
+      [this, &place, &met](const SurfaceItem& item)
+      {
+        const std::array<Point3, 3> triangle = this->Mesh.Triangle(At(item.Triangle));
+        if (MeetsRay(triangle, place))
+        {
+          const Point3 normal = this->Mesh.Normal(At(item.Triangle));
+          const Point3 way = triangle[0] - place;
+          met.push_back(
+            { place.X + way.X + (normal.Y * way.Y + normal.Z * way.Z) / normal.X, item.Triangle });
+        }
+        return true;
+      });
+    std::sort(met.begin(), met.end());
+    std::size_t last = met.size();
+    for (std::size_t k = 0; k < met.size(); ++k)
+    {
+      last = this->ShellOf(At(met[k].Triangle)) == shell ? k : last;
+    }
+    if (last < met.size())
+    {
+      const auto side = [this, &met](std::size_t k, bool isBeyond)
+      {
+        const std::size_t t = At(met[k].Triangle);
+        return SideOf(t, (this->Mesh.Normal(t).X > 0.0) == isBeyond ? 1 : 0);
+      };
+      this->Parts.Unite(
+        side(last, true), last + 1 < met.size() ? side(last + 1, false) : this->Outside());
+    }
+  }
+
+  /// Values count where each shell without walls has one.
+  void FindValuesOfShells()
+  {
+    this->ValueOf.assign(this->Triangles, NoId);
+    this->HasValues = !this->Values.empty();
+    std::vector<std::uint8_t> isSet(this->Triangles, 0);
+    for (std::size_t t = 0; t < this->Triangles && this->HasValues; ++t)
+    {
+      const std::size_t shell = this->ShellOf(t);
+      this->HasValues =
+        isSet[shell] == 0 || this->IsOdd[shell] != 0 || this->ValueOf[shell] == this->Values[t];
+      this->ValueOf[shell] = this->Values[t];
+      isSet[shell] = 1;
+    }
+  }
+
+  /// From outside inwards, across one triangle after the other.
+  void DecideParts()
+  {
+    this->Kinds.assign(2 * this->Triangles + 1, Kind::Unknown);
+    this->Names.assign(this->Kinds.size(), 0);
+    this->IsNamed.assign(this->Kinds.size(), 0);
+    this->Kinds[At(this->Parts.SetOf(this->Outside()))] = Kind::Empty;
+    bool isChanged = true;
+    while (isChanged && this->Beats.Ask())
+    {
+      isChanged = false;
+      for (std::size_t t = 0; t < this->Triangles; ++t)
+      {
+        const std::size_t behind = this->PartAt(t, 0);
+        const std::size_t front = this->PartAt(t, 1);
+        const bool isKnown = this->Kinds[behind] != Kind::Unknown;
+        if (isKnown != (this->Kinds[front] != Kind::Unknown))
+        {
+          this->Decide(isKnown ? front : behind, isKnown ? behind : front, this->ShellOf(t));
+          isChanged = true;
+        }
+      }
+    }
+  }
+
+  void Decide(std::size_t part, std::size_t around, std::size_t shell)
+  {
+    const bool isAround = this->Kinds[around] == Kind::Body;
+    const bool hasValue = this->HasValues && this->IsOdd[shell] == 0;
+    const bool isSame = isAround && (!hasValue || this->Names[around] == this->ValueOf[shell]);
+    this->Kinds[part] = isSame && this->IsOdd[shell] == 0 ? Kind::Empty : Kind::Body;
+    this->Names[part] = hasValue ? this->ValueOf[shell] : 0;
+    this->IsNamed[part] = hasValue ? 1 : 0;
+  }
+
+  /// A value of a shell with walls, and the parts on both sides of all of its triangles.
+  struct WallValue
+  {
+    std::size_t Shell;
+    Id Value;
+    std::array<std::size_t, 2> Parts;
+
+    bool IsOfSame(const WallValue& other) const
+    {
+      return this->Shell == other.Shell && this->Value == other.Value;
+    }
+  };
+
+  std::vector<WallValue> ValuesOfWalls()
+  {
+    std::vector<WallValue> values;
+    for (std::size_t t = 0; t < this->Triangles && this->HasValues; ++t)
+    {
+      if (this->IsOdd[this->ShellOf(t)] != 0)
+      {
+        values.push_back(
+          { this->ShellOf(t), this->Values[t], { this->PartAt(t, 0), this->PartAt(t, 1) } });
+      }
+    }
+    std::stable_sort(values.begin(), values.end(),
+      [](const WallValue& a, const WallValue& b)
+      { return a.Shell != b.Shell ? a.Shell < b.Shell : a.Value < b.Value; });
+    std::size_t end = 0;
+    for (const WallValue& value : values)
+    {
+      const bool isFirst = end == 0 || !values[end - 1].IsOfSame(value);
+      values[end] = isFirst ? value : values[end - 1];
+      end += isFirst ? 1 : 0;
+      for (std::size_t& part : values[end - 1].Parts)
+      {
+        const bool isThere = part == value.Parts[0] || part == value.Parts[1];
+        part = isThere ? part : At(this->Parts.SetOf(this->Outside()));
+      }
+    }
+    values.resize(end);
+    return values;
+  }
+
+  /// First by the values that one part alone can have, then by those that are left one. Values do
+  /// not count where a body stays without.
+  void NameWalledBodies()
+  {
+    const std::vector<WallValue> values = this->ValuesOfWalls();
+    const auto isOpen = [this](std::size_t part)
+    { return this->Kinds[part] == Kind::Body && this->IsNamed[part] == 0; };
+    for (const bool isUnique : { true, false })
+    {
+      for (const WallValue& value : values)
+      {
+        const bool isFirst = isOpen(value.Parts[0]);
+        const bool isSecond = isOpen(value.Parts[1]) && value.Parts[0] != value.Parts[1];
+        if (isUnique ? isFirst != isSecond : isFirst || isSecond)
+        {
+          const std::size_t part = value.Parts[isFirst ? 0 : 1];
+          this->Names[part] = value.Value;
+          this->IsNamed[part] = 1;
+        }
+      }
+    }
+    for (std::size_t part = 0; part < this->Kinds.size(); ++part)
+    {
+      this->HasValues = this->HasValues && !isOpen(part);
+    }
+  }
+
+  void NumberLabels()
+  {
+    struct Body
+    {
+      Id Region;
+      Id Order;
+      std::size_t Part;
+    };
+    std::vector<Body> bodies;
+    std::vector<Id> labels(this->Kinds.size(), NoId);
+    for (std::size_t side = 0; side < 2 * this->Triangles; ++side)
+    {
+      const std::size_t part = At(this->Parts.SetOf(static_cast<Id>(side)));
+      if (labels[part] == NoId)
+      {
+        labels[part] = 0;
+        if (this->Kinds[part] == Kind::Body)
+        {
+          const Id order = static_cast<Id>(bodies.size());
+          bodies.push_back({ this->HasValues ? this->Names[part] : order, order, part });
+        }
+      }
+    }
+    std::sort(bodies.begin(), bodies.end(),
+      [](const Body& a, const Body& b)
+      { return a.Region != b.Region ? a.Region < b.Region : a.Order < b.Order; });
+    for (const Body& body : bodies)
+    {
+      this->Result.Regions.push_back(body.Region);
+      labels[body.Part] = static_cast<Id>(this->Result.Regions.size());
+    }
+    for (std::size_t t = 0; t < this->Triangles; ++t)
+    {
+      TriangleSides sides{ labels[this->PartAt(t, 0)], labels[this->PartAt(t, 1)] };
+      if (!IsBehind(sides[0], sides[1]))
+      {
+        std::swap(sides[0], sides[1]);
+        std::swap(this->Mesh.Corners[3 * t + 1], this->Mesh.Corners[3 * t + 2]);
+      }
+      this->Result.Sides.push_back(sides);
+    }
+  }
+
+  SurfaceMesh& Mesh;
+  const std::vector<Id>& Values;
+  Pulse& Beats;
+  std::size_t Triangles;
+  DisjointSets Parts;  ///< of sides of triangles, and of what is outside: parts of space
+  DisjointSets Shells; ///< of triangles that hang together by edges
+  std::vector<std::uint8_t> IsOdd; ///< of shells: they have edges of an odd number of triangles
+  std::vector<std::size_t> OddSlots;
+  std::vector<Id> ValueOf; ///< of shells
+  bool HasValues = false;
+  std::vector<Kind> Kinds; ///< of parts
+  std::vector<Id> Names;   ///< of parts: their values
+  std::vector<std::uint8_t> IsNamed;
+  BodySides Result;
+};
+
+} // namespace
+
+BodySides FindBodies(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse)
+{
+  return BodyFinder(mesh, values, pulse).Run();
+}
+
+} // namespace biting

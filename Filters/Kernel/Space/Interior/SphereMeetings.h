@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingSphereMeetings_h
+#define BitingSphereMeetings_h
+
+#include "BallTree.h"
+
+#include <cmath>   // for sqrt
+#include <utility> // for swap
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The places of one sphere where two others meet it and no guard has them.
+///
+/// In units of its radius, about its center: the circle of another ball lies in the plane
+/// u . x = h, and x is within its guard where u . x > g. Two circles meet at
+/// x = a u + b v +- c u x v where a + b u.v = h, b + a u.v = k, |x| = 1.
+class SphereMeetings
+{
+public:
+  void Start(const GuardedBall& ball)
+  {
+    this->Own = ball;
+    this->Circles.clear();
+    this->IsHidden = false;
+  }
+
+  /// Others, those first whose circles count: `isParent`.
+  void Add(const GuardedBall& other, Id id)
+  {
+    const Point3 way = other.Center - this->Own.Center;
+    const double way2 = Dot(way, way);
+    const double reach = this->Own.Radius + other.Radius;
+    if (!(way2 < reach * reach) || !(way2 > 0.0))
+    {
+      return;
+    }
+    const double distance = std::sqrt(way2);
+    const double both = way2 + this->Own.Radius * this->Own.Radius;
+    const double scale = 0.5 / (distance * this->Own.Radius);
+    const double height = scale * (both - other.Radius * other.Radius);
+    this->IsHidden = this->IsHidden || height <= -1.0;
+    if (height < 1.0)
+    {
+      this->Circles.push_back(
+        { (1.0 / distance) * way, height, scale * (both - other.Guard * other.Guard), id });
+    }
+  }
+
+  /// Calls visit(place, a, b) for the meetings of circles of balls a and b for which isParent.
+  template <typename IsParent, typename Visit>
+  void Find(const IsParent& isParent, const Visit& visit)
+  {
+    for (std::size_t j = 0; j < this->Circles.size() && !this->IsHidden; ++j)
+    {
+      for (std::size_t k = 0; k < j && isParent(this->Circles[j].Ball); ++k)
+      {
+        if (isParent(this->Circles[k].Ball))
+        {
+          this->Meet(this->Circles[j], this->Circles[k], visit);
+        }
+      }
+    }
+  }
+
+private:
+  struct Circle
+  {
+    Point3 Way;
+    double Height;
+    double Guard;
+    Id Ball;
+  };
+
+  template <typename Visit>
+  void Meet(const Circle& a, const Circle& b, const Visit& visit)
+  {
+    const double cosine = Dot(a.Way, b.Way);
+    const double rest = 1.0 - cosine * cosine;
+    const double rise2 =
+      rest - a.Height * a.Height - b.Height * b.Height + 2.0 * cosine * a.Height * b.Height;
+    constexpr double LeastRest = 1e-12; // of parallel planes
+    if (!(rise2 >= 0.0) || rest < LeastRest)
+    {
+      return;
+    }
+    const double scale = 1.0 / rest;
+    const Point3 foot = scale * (a.Height - cosine * b.Height) * a.Way +
+      scale * (b.Height - cosine * a.Height) * b.Way;
+    const Point3 rise = scale * std::sqrt(rise2) * Cross(a.Way, b.Way);
+    for (const Point3& place : { foot + rise, foot - rise })
+    {
+      if (!this->IsGuarded(place))
+      {
+        visit(this->Own.Center + this->Own.Radius * place, a.Ball, b.Ball);
+      }
+    }
+  }
+
+  bool IsGuarded(const Point3& place)
+  {
+    for (std::size_t k = 0; k < this->Circles.size(); ++k)
+    {
+      if (Dot(place, this->Circles[k].Way) > this->Circles[k].Guard)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  GuardedBall Own;
+  std::vector<Circle> Circles;
+  bool IsHidden = false; ///< another ball has all of the sphere
+};
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBodyCells_h
+#define BitingBodyCells_h
+
+#include "../../Base/Pulse.h"
+#include "../Delaunay/SpaceTriangulation.h"
+#include "../Features/SurfaceGround.h"
+
+#include <vector> // for the arrays
+
+namespace biting
+{
+
+/// The tetrahedra of a triangulation that bodies consist of.
+struct BodyCells
+{
+  std::vector<Id> Corners; ///< four points each, positive by Orient3D
+  std::vector<Id> Labels;  ///< of tetrahedra, not 0
+  std::vector<Id> Lost;    ///< facets that the triangulation has not, or with other labels beside
+};
+
+/// Labels cells by a flood fill that facets stop; what they are beside says the label. `facets`:
+/// three points each, of the first `boundaryPoints`; `sides`: labels behind and in front of each.
+BodyCells LabelCells(const SpaceTriangulation& triangulation, const std::vector<Id>& facets,
+  const std::vector<TriangleSides>& sides, std::size_t boundaryPoints, Pulse& pulse);
+
+} // namespace biting
+
+#endif

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CertifiedSurface.h"
+
+#include "../Boundary/WholeCheck.h"
+#include "../Features/FeatureLines.h"
+#include "../Features/SizeCaps.h"
+#include "../Surface/NearestOnTriangle.h"
+#include "../Surface/SurfaceCrossings.h"
+#include "ExpectedVertices.h"
+
+#include <algorithm> // for min, max
+#include <cmath>     // for isfinite
+#include <limits>    // for counts
+#include <utility>   // for move
+
+namespace biting
+{
+
+namespace
+{
+
+class SurfaceCertifier
+{
+public:
+  SurfaceCertifier(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+    CertifiedSurface& result, ProblemList& problems, Monitor& monitor)
+    : Surface(surface)
+    , Options(options)
+    , Ground(result.Ground)
+    , Spacing(result.Spacing)
+    , Bites(result.Bites)
+    , Tree(result.Tree)
+    , Boundary(result.Boundary)
+    , Whole(result)
+    , Problems(problems)
+    , Beats(monitor)
+  {
+  }
+
+  bool Run(Monitor& monitor)
+  {
+    monitor.BeginStage("Looking for features");
+    this->MakeGround();
+    monitor.BeginStage("Biting");
+    bool isDone = this->MayGoOn();
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    std::size_t first = 0;
+    for (int round = 0; isDone && round < MostRounds; ++round)
+    {
+      this->Bite();
+      isDone = this->MayGoOn();
+      const std::size_t faults = this->Boundary.Offences.size();
+      if (!isDone || this->Boundary.Offences.empty())
+      {
+        break;
+      }
+      // Where no faults go, lines are noise, or f never suits.
+      constexpr std::size_t MostGrowth = 4;
+      first = round == 0 ? faults : first;
+      const bool isDropped = faults >= before && this->DropLostFeatures();
+      if (!isDropped && (faults > MostGrowth * first || !this->LowerSizes()))
+      {
+        break;
+      }
+      before = isDropped ? std::numeric_limits<std::size_t>::max() : faults;
+    }
+    return isDone && this->IsCertified() && this->MayGoOn();
+  }
+
+private:
+  static constexpr int MostRounds = 8;
+
+  void Bite()
+  {
+    this->Bites = BiteSurface(
+      this->Ground, static_cast<std::size_t>(this->Options.MaximumNumberOfVertices), this->Beats);
+    if (this->Bites.Size() > this->Options.MaximumNumberOfVertices)
+    {
+      this->RefuseSize();
+      return;
+    }
+    this->Tree = MakeSurfaceTree(this->Ground.Mesh, this->Beats);
+    this->Boundary = FindBoundary(this->Ground, this->Bites, this->Tree, this->Beats);
+  }
+
+  bool MayGoOn() { return biting::MayGoOn(this->Problems, this->Beats); }
+
+  /// `triangle`: of the surface.
+  void Refuse(ProblemCode code, const Point3& place, Id triangle, const std::string& detail)
+  {
+    std::vector<std::int64_t> ids;
+    if (triangle != NoId)
+    {
+      ids.push_back(this->Surface.Mesh.Cells[At(triangle)]);
+    }
+    this->Problems.Add({ code, std::move(ids), place, detail });
+  }
+
+  void RefuseSize()
+  {
+    this->Refuse(ProblemCode::TooManyVertices, {}, NoId,
+      "more than " + std::to_string(this->Options.MaximumNumberOfVertices) + " vertices");
+  }
+
+  /// Refuses what is no mesh of the surface.
+  bool IsCertified()
+  {
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      const bool isSharp = offence.Bite < this->Bites.NumberOnLines ||
+        (offence.Other != NoId && offence.Other < this->Bites.NumberOnLines);
+      const auto bite = At(offence.Bite);
+      this->Refuse(isSharp ? ProblemCode::TooSharp : ProblemCode::TooThin,
+        this->Bites.Centers[bite], this->Ground.Mesh.Cells[At(this->Bites.Triangles[bite])],
+        "with spacing " + Figure(this->Bites.Sizes[bite]));
+    }
+    if (!this->Boundary.Offences.empty())
+    {
+      return false;
+    }
+    const WholeVerdict verdict = CheckWhole(
+      this->Surface, this->Bites.Centers, this->Boundary.Corners, TrianglesBelow(this->Whole));
+    if (!verdict.IsSame)
+    {
+      this->Refuse(ProblemCode::TooThin, verdict.Place, verdict.Triangle, verdict.What);
+    }
+    return verdict.IsSame;
+  }
+
+  void MakeGround()
+  {
+    SurfaceGround& ground = this->Ground;
+    ground.Mesh = this->Surface.Mesh;
+    const std::size_t triangles = ground.Mesh.NumberOfTriangles();
+    for (std::size_t t = 0; t < triangles; ++t)
+    {
+      ground.Mesh.Cells[t] = static_cast<Id>(t);
+      const Point3 normal = ground.Mesh.Normal(t);
+      const double length = Length(normal);
+      ground.Normals.push_back(length > 0.0 ? (1.0 / length) * normal : Point3{});
+    }
+    FlagFeatures(ground, this->Options.Regions, this->Options.FeatureAngle, this->Beats);
+    const double uniform = 0.02 * this->Surface.Mesh.Bounds().Diagonal();
+    this->Spacing = this->Options.Spacing;
+    if (!this->Spacing)
+    {
+      this->Spacing = [uniform](const Point3&) { return uniform; };
+    }
+    for (const Point3& place : ground.Mesh.Points)
+    {
+      const double size = this->Spacing(place);
+      if (!(size > 0.0) || !std::isfinite(size))
+      {
+        this->Refuse(ProblemCode::BadSpacing, place, NoId, "value " + Figure(size));
+        return;
+      }
+      ground.Given.push_back(size);
+    }
+    const auto most = static_cast<double>(this->Options.MaximumNumberOfVertices);
+    if (ExpectedVertices(ground.Mesh, this->Spacing, most) > most)
+    {
+      this->RefuseSize();
+      return;
+    }
+    ground.Sizes = ground.Given;
+    this->Divide();
+    LinkGround(ground, this->Beats);
+    FindChains(ground);
+    DropNoise(ground);
+    LinkGround(ground, this->Beats);
+    CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
+    this->Regrade();
+    // Where caps divide the ground it sees more.
+    constexpr int MostDivisions = 3;
+    std::size_t before = 0;
+    for (int round = 0; round < MostDivisions && this->Options.LimitByFeatureSize &&
+         before < ground.Mesh.Points.size();
+         ++round)
+    {
+      before = ground.Mesh.Points.size();
+      CapByFeatures(ground, this->Beats);
+      CapByThickness(ground, this->Surface.Mesh, this->Beats);
+      this->Regrade();
+    }
+  }
+
+  /// After sizes were lowered.
+  void Regrade()
+  {
+    SurfaceGround& ground = this->Ground;
+    GradeSizes(ground, this->Options.Gradation, this->Beats);
+    this->Divide();
+    LinkGround(ground, this->Beats);
+    FindChains(ground);
+  }
+
+  /// Refuses a ground that would need several GB.
+  void Divide()
+  {
+    constexpr std::size_t MostTriangles = 40000000;
+    if (!DivideGround(this->Ground, this->Spacing, MostTriangles, this->Beats))
+    {
+      this->RefuseSize();
+    }
+  }
+
+  /// Gives up the turning lines that have faults. Whether there is one.
+  bool DropLostFeatures()
+  {
+    std::vector<std::uint8_t> isFaulty(this->Bites.Centers.size(), 0);
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      isFaulty[At(offence.Bite)] |= offence.Fault != BoundaryFault::Turned ? 1 : 0;
+    }
+    std::vector<Id> chains;
+    for (std::size_t k = 0; k < this->Bites.PieceChains.size(); ++k)
+    {
+      const Id chain = this->Bites.PieceChains[k];
+      const Id first = this->Bites.PieceEnds[2 * k];
+      const bool isLost =
+        (isFaulty[At(first)] | isFaulty[At(this->Bites.PieceEnds[2 * k + 1])]) != 0;
+      if (isLost && this->Ground.Chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature &&
+        (chains.empty() || chains.back() != chain))
+      {
+        chains.push_back(chain);
+        this->Problems.Add({ ProblemCode::LostFeatures, {}, this->Bites.Centers[At(first)], "" });
+      }
+    }
+    DropChains(this->Ground, chains, this->Beats);
+    return !chains.empty();
+  }
+
+  bool LowerSizes()
+  {
+    bool isLower = false;
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      for (const Id bite : { offence.Bite, offence.Other })
+      {
+        if (bite == NoId)
+        {
+          continue;
+        }
+        const Id triangle = this->Bites.Triangles[At(bite)];
+        for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
+        {
+          double& size = this->Ground.Sizes[At(this->Ground.Mesh.Corners[slot])];
+          const double wanted = 0.5 * this->Bites.Sizes[At(bite)];
+          isLower = isLower || wanted < size;
+          size = std::min(size, wanted);
+        }
+      }
+    }
+    if (isLower)
+    {
+      this->Regrade();
+    }
+    return isLower;
+  }
+
+  const CheckedSurface& Surface;
+  const SurfaceMesherOptions& Options;
+  SurfaceGround& Ground;
+  std::function<double(const Point3&)>& Spacing;
+  SurfaceBites& Bites;
+  BoxTree<SurfaceItem, 3>& Tree;
+  SurfaceBoundary& Boundary;
+  const CertifiedSurface& Whole; ///< these five
+  ProblemList& Problems;
+  Pulse Beats;
+};
+
+/// Regions, and how far middles are from the surface.
+void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
+  BitingSurface& mesh, Pulse& pulse)
+{
+  const SurfaceMesh& ground = certified.Ground.Mesh;
+  const std::size_t triangles = mesh.Corners.size() / 3;
+  mesh.Deviations.resize(triangles);
+  mesh.Triangles.resize(triangles, 0);
+  mesh.Regions.resize(triangles, 0);
+  for (std::size_t t = 0; t < triangles && pulse.Beat(8); ++t)
+  {
+    Point3 middle{};
+    double size = 0.0;
+    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+    {
+      middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+      size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+    }
+    Id nearest = 0;
+    certified.Tree.Search(middle, 1.0, Infinity,
+      [&ground, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
+      {
+        const double distance =
+          Distance(NearestPoint(ground.Triangle(At(item.Triangle)), middle), middle);
+        if (distance < limit)
+        {
+          nearest = item.Triangle;
+          mesh.Deviations[t] = distance;
+        }
+        return std::min(limit, distance);
+      });
+    mesh.Deviations[t] /= size;
+    mesh.Triangles[t] = ground.Cells[At(nearest)];
+    mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
+  }
+}
+
+} // namespace
+
+bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,
+  std::vector<TriangleSides> sides, CertifiedSurface& result, ProblemList& problems,
+  Monitor& monitor)
+{
+  result.Ground.Sides = std::move(sides);
+  return SurfaceCertifier(surface, options, result, problems, monitor).Run(monitor);
+}
+
+bool MayGoOn(ProblemList& problems, Pulse& pulse)
+{
+  if (!pulse.Ask() && !problems.Has(ProblemCode::Aborted))
+  {
+    problems.Add({ ProblemCode::Aborted, {}, {}, "" });
+  }
+  return !problems.HasErrors();
+}
+
+void DescribeMesh(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
+  BitingSurface& mesh, Pulse& pulse)
+{
+  const SurfaceBites& bites = certified.Bites;
+  const SurfaceGround& ground = certified.Ground;
+  mesh.EdgeEnds = bites.PieceEnds;
+  for (const Id chain : bites.PieceChains)
+  {
+    mesh.EdgeKinds.push_back(ground.Chains.Kinds[At(chain)]);
+  }
+  for (Id bite = 0; bite < bites.Size(); ++bite)
+  {
+    const Id vertex = bites.GroundVertices[At(bite)];
+    mesh.BiteOrders.push_back(bite);
+    mesh.OriginalPoints.push_back(vertex == NoId ? NoId : ground.Mesh.PointIds[At(vertex)]);
+    mesh.Kinds.push_back(bite < bites.NumberOfCorners ? SurfaceVertexKind::Corner
+        : bite < bites.NumberOnLines                  ? SurfaceVertexKind::Line
+                                                      : SurfaceVertexKind::Surface);
+  }
+  if (options.KeepBites)
+  {
+    mesh.BiteCenters = bites.Centers;
+    mesh.BiteRadii = bites.Radii;
+  }
+  Measure(certified, options, mesh, pulse);
+}
+
+std::vector<Id> TrianglesBelow(const CertifiedSurface& certified)
+{
+  std::vector<Id> below;
+  below.reserve(certified.Boundary.Triangles.size());
+  for (const Id triangle : certified.Boundary.Triangles)
+  {
+    below.push_back(certified.Ground.Mesh.Cells[At(triangle)]);
+  }
+  return below;
+}
+
+bool CrossesItself(const std::vector<Point3>& points, const std::vector<Id>& corners, Pulse& pulse)
+{
+  SurfaceMesh mesh;
+  mesh.Points = points;
+  mesh.Corners = corners;
+  mesh.Cells.resize(corners.size() / 3);
+  const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(mesh, pulse);
+  return !FindContacts(mesh, tree, pulse).empty();
+}
+
+Point3 OriginFor(const SurfaceMesh& mesh)
+{
+  const Box3 box = mesh.Bounds();
+  Point3 origin = box.Center();
+  for (double& x : origin)
+  {
+    x = std::abs(x) > box.Diagonal() ? x : 0.0;
+  }
+  return origin;
+}
+
+void MovePoints(std::vector<Point3>& points, const Point3& way)
+{
+  for (Point3& point : points)
+  {
+    point = point + way;
+  }
+}
+
+} // namespace biting
