@@ -160,6 +160,7 @@ set(biting_kernel_sources
   Pieces/PieceUnion.cxx
   Pieces/SpreadMesh.cxx
   Space/Features/FeatureLines.cxx
+  Space/Features/GroundPatches.cxx
   Space/Features/SizeCaps.cxx
   Space/Features/SurfaceGround.cxx
   Space/Biting/ChainDivision.cxx
@@ -173,6 +174,10 @@ set(biting_kernel_sources
   Space/Relaxation/SurfaceStars.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
+  Space/Finishing/BodyTets.cxx
+  Space/Finishing/EdgeRemoval.cxx
+  Space/Finishing/GroundNormals.cxx
+  Space/Finishing/VertexMoves.cxx
   Space/Meshing/BodyCells.cxx
   Space/Meshing/BodyCheck.cxx
   Space/Meshing/BodyMesher.cxx

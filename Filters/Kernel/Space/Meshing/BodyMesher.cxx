@@ -24,6 +24,54 @@ namespace biting
 namespace
 {
 
+/// A bite of the boundary whose f was lowered, as an item of a BoxTree.
+struct SmallBite
+{
+  Point3 Center;
+  double Size;
+
+  Box3 Box() const { return Box3::Around(this->Center, this->Center); }
+  double Least() const { return this->Size; }
+};
+
+/// f in a body: as given, and no more than that of any bite of the boundary allows at its distance.
+class BodySpacing
+{
+public:
+  BodySpacing(const std::function<double(const Point3&)>& given, const SurfaceBites& bites,
+    double gradation, Pulse& pulse)
+    : Given(given)
+    , Slope(gradation)
+  {
+    std::vector<SmallBite> small;
+    for (std::size_t bite = 0; bite < bites.Centers.size(); ++bite)
+    {
+      if (bites.Sizes[bite] < given(bites.Centers[bite]))
+      {
+        small.push_back({ bites.Centers[bite], bites.Sizes[bite] });
+      }
+    }
+    this->Tree = BoxTree<SmallBite, 3>(small, pulse);
+  }
+
+  double operator()(const Point3& place) const
+  {
+    double size = this->Given(place);
+    this->Tree.Search(place, this->Slope, size,
+      [this, &place, &size](const SmallBite& bite, double)
+      {
+        size = std::min(size, bite.Size + this->Slope * Distance(bite.Center, place));
+        return size;
+      });
+    return size;
+  }
+
+private:
+  std::function<double(const Point3&)> Given;
+  double Slope;
+  BoxTree<SmallBite, 3> Tree;
+};
+
 class BodyMesher
 {
 public:
@@ -143,7 +191,9 @@ private:
       boundary.Balls.push_back(this->BallOf(facet));
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
-    boundary.Spacing = this->Certified.Spacing;
+    this->Spacing =
+      BodySpacing(this->Certified.Spacing, bites, this->Options.Surface.Gradation, pulse);
+    boundary.Spacing = this->Spacing;
     const auto most = static_cast<std::size_t>(
       std::max<std::int64_t>(0, this->Options.Surface.MaximumNumberOfVertices - bites.Size()));
     const auto wanted = static_cast<std::size_t>(
@@ -310,7 +360,7 @@ private:
     Pulse pulse(this->Listener);
     if (this->Options.Surface.Relaxation)
     {
-      RelaxBody(this->Certified.Ground, this->Certified.Spacing, this->Body, pulse);
+      RelaxBody(this->Certified.Ground, this->Spacing, this->Body, pulse);
     }
     return MayGoOn(this->Problems, pulse);
   }
@@ -373,7 +423,8 @@ private:
   Monitor& Listener;
   BodySides Bodies;
   CertifiedSurface Certified;
-  std::vector<double> Weights; ///< of bites
+  std::vector<double> Weights;                  ///< of bites
+  std::function<double(const Point3&)> Spacing; ///< f in the body
   InteriorBites Inside;
   RelaxedBody Body;
   std::vector<Id> BiteOrders; ///< of its points

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingBodyTets_h
+#define BitingBodyTets_h
+
+#include "../../Base/IdLists.h"
+#include "../Delaunay/TetMesh.h"
+#include "../Surface/SurfaceMesh.h"
+#include "BodyRelaxation.h"
+#include "TetShape.h"
+
+#include <array>   // for corners
+#include <cstdint> // for stamps
+#include <vector>  // for the arrays
+
+namespace biting
+{
+
+/// The tetrahedra of a body at work. Mesh is as TetMesh says, with regions as labels, but has no
+/// ghosts: facets of the boundary and of interfaces have records, numbered as RelaxedBody::Facets,
+/// and Twins is CodeOf(record) at each slot that has one.
+class BodyTets
+{
+public:
+  /// Takes points, corners and regions of the body until GiveBack.
+  BodyTets(RelaxedBody& body, Pulse& pulse);
+
+  /// Gives them back with the facets.
+  void GiveBack();
+
+  using Tetrahedron = std::array<Id, 4>;
+
+  /// A facet that takes the place of another one.
+  struct NewFacet
+  {
+    Id Record;
+    std::array<Id, 3> Corners;
+  };
+
+  /// Cells, and what fills the space that they took. Facets of the records named are not facets
+  /// any more; others stay.
+  struct Change
+  {
+    std::vector<Id> Cells;
+    std::vector<Tetrahedron> Filling;
+    std::vector<Id> Regions; ///< of the filling
+    std::vector<NewFacet> Facets;
+
+    void Clear();
+  };
+
+  void Apply(const Change& change);
+
+  /// The slots of the vertex in its cells. Good until the next call.
+  const std::vector<Id>& StarOf(Id vertex);
+
+  Id VertexAt(Id slot) const { return this->Mesh.Corners[At(slot)]; }
+  const Point3& PointOf(Id slot) const { return this->Mesh.PointAt(this->VertexAt(slot)); }
+
+  /// The slot of the same facet in the other cell, if there is one; else NoId.
+  Id Across(Id slot) const;
+
+  static Id CodeOf(Id record) { return -2 - record; }
+  /// The record of the facet of the slot; below 0 where it has none.
+  Id RecordOf(Id slot) const { return -2 - this->Mesh.Twins[At(slot)]; }
+  bool IsInterface(Id record) const { return this->FacetSlots[At(2 * record + 1)] != NoId; }
+  Id TagOf(Id record) const { return this->Body.FacetTags[At(record)]; }
+
+  /// Whether the edge is one of those that stay.
+  bool IsKept(Id a, Id b) const;
+
+  bool IsPositive(const Tetrahedron& t) const
+  {
+    return Orient3D(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),
+             this->Mesh.PointAt(t[3])) > 0;
+  }
+
+  double BadnessOf(const Tetrahedron& t) const
+  {
+    return TetShape(this->Mesh.PointAt(t[0]), this->Mesh.PointAt(t[1]), this->Mesh.PointAt(t[2]),
+      this->Mesh.PointAt(t[3]))
+      .Badness();
+  }
+
+  Tetrahedron CornersOf(Id cell) const
+  {
+    const Id* c = &this->Mesh.Corners[At(4 * cell)];
+    return { c[0], c[1], c[2], c[3] };
+  }
+
+  RelaxedBody& Body;
+  TetMesh Mesh;
+  std::vector<double> Badness; ///< of cells
+
+private:
+  /// A facet of a cavity's border or filling: by its corners in ascending order.
+  struct Side
+  {
+    std::array<Id, 3> Corners;
+    Id Slot;   ///< NoId where there is none
+    Id Record; ///< NoId where there is none
+    Id Half;   ///< of the record that this is; NoId: both are anew
+  };
+
+  void LinkAll(Pulse& pulse);
+  void LinkBucket(const IdLists::List& items);
+  /// Of a code of a record, or a slot that has no twin yet.
+  bool IsOpen(Id item) const { return item < 0 || this->Mesh.Twins[At(item)] == NoId; }
+  std::array<Id, 3> SortedCorners(Id item) const;
+  void AddWalls(const Change& change);
+  void AddFilling(const Change& change);
+  void LinkSides();
+  void Attach(Id record, Id half, Id slot);
+
+  std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
+  IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
+  std::vector<Side> Sides;
+  std::vector<Id> Star;
+  std::vector<std::uint32_t> Stamps; ///< of cells
+  std::uint32_t Stamp = 0;
+};
+
+} // namespace biting
+
+#endif

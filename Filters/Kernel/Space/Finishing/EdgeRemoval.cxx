@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "EdgeRemoval.h"
+
+#include "../../Base/Numbers.h"
+
+#include <algorithm> // for max
+
+namespace biting
+{
+
+namespace
+{
+
+/// What is better by less is no better.
+constexpr double LeastGain = 1e-4;
+
+} // namespace
+
+bool EdgeRemoval::Improve(Id cell)
+{
+  for (std::size_t edge = 0; edge < 6; ++edge)
+  {
+    if (this->Remove(cell, edge))
+    {
+      return true;
+    }
+  }
+  for (Id slot = 4 * cell; slot < 4 * cell + 4; ++slot)
+  {
+    if (this->Flip(slot))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Id EdgeRemoval::SlotOf(Id cell, Id vertex) const
+{
+  Id slot = 4 * cell;
+  while (this->Tets.VertexAt(slot) != vertex)
+  {
+    ++slot;
+  }
+  return slot;
+}
+
+bool EdgeRemoval::Remove(Id cell, std::size_t edge)
+{
+  if (!this->FindLinks(cell, edge) || (this->NumberOfRecords > 0 && !this->IsFlippable()))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < this->NumberOfLinks; ++k)
+  {
+    if (!this->Triangulate(this->Links[k], this->Before - LeastGain))
+    {
+      return false;
+    }
+  }
+  this->Change.Filling.clear();
+  this->Change.Regions.clear();
+  this->Change.Facets.clear();
+  if (this->NumberOfRecords > 0 && !this->FlipFacets())
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < this->NumberOfLinks; ++k)
+  {
+    this->Fill(this->Links[k], 0, this->Links[k].Size - 1);
+  }
+  this->Tets.Apply(this->Change);
+  return true;
+}
+
+/// Sets the edge, the cells about it and its links. False where it cannot be taken away.
+bool EdgeRemoval::FindLinks(Id cell, std::size_t edge)
+{
+  const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+  const auto corner = [&corners, edge](int k)
+  { return corners[static_cast<std::size_t>(EdgeCorners[edge][k])]; };
+  this->A = corner(0);
+  this->B = corner(1);
+  Id p = corner(2);
+  Id q = corner(3);
+  if (this->Tets.IsKept(this->A, this->B))
+  {
+    return false;
+  }
+  const Id first = this->Rewind(cell, p, q);
+  return first != NoId && this->Wind(first, p, q);
+}
+
+/// The cell about the edge behind the first facet with a record, going back; the cell itself where
+/// there is no such facet; NoId where there are too many cells. (A, B, p, q) are its corners.
+Id EdgeRemoval::Rewind(Id cell, Id& p, Id& q) const
+{
+  Id current = cell;
+  for (std::size_t count = 0; count < MostOfLink; ++count)
+  {
+    const Id slot = this->SlotOf(current, q);
+    if (this->Tets.RecordOf(slot) >= 0)
+    {
+      return current;
+    }
+    const Id across = this->Tets.Mesh.Twins[At(slot)];
+    current = TetMesh::CellOf(across);
+    q = p;
+    p = this->Tets.VertexAt(across);
+    if (current == cell)
+    {
+      return current;
+    }
+  }
+  return NoId;
+}
+
+/// Collects what is about the edge.
+bool EdgeRemoval::Wind(Id first, Id p, Id q)
+{
+  this->Change.Cells.clear();
+  this->NumberOfLinks = 0;
+  this->NumberOfRecords = 0;
+  this->Before = 0.0;
+  const Id begin = this->Tets.RecordOf(this->SlotOf(first, q));
+  if (begin >= 0)
+  {
+    this->Records[this->NumberOfRecords++] = begin;
+  }
+  Id current = first;
+  bool isEnd = false;
+  while (!isEnd)
+  {
+    if (this->NumberOfLinks == 2)
+    {
+      return false;
+    }
+    Link& link = this->Links[this->NumberOfLinks++];
+    link.Region = this->Tets.Mesh.Labels[At(current)];
+    link.Vertices[0] = p;
+    link.Size = 1;
+    Id record = NoId;
+    while (!isEnd && record < 0)
+    {
+      if (link.Size == MostOfLink)
+      {
+        return false;
+      }
+      this->Change.Cells.push_back(current);
+      this->Before = std::max(this->Before, this->Tets.Badness[At(current)]);
+      link.Vertices[link.Size++] = q;
+      const Id slot = this->SlotOf(current, p);
+      record = this->Tets.RecordOf(slot);
+      const Id across = this->Tets.Across(slot);
+      current = across == NoId ? NoId : TetMesh::CellOf(across);
+      p = q;
+      q = across == NoId ? NoId : this->Tets.VertexAt(across);
+      isEnd = current == NoId || current == first;
+    }
+    if (record >= 0 && record != begin)
+    {
+      if (this->NumberOfRecords == 2)
+      {
+        return false;
+      }
+      this->Records[this->NumberOfRecords++] = record;
+    }
+  }
+  // A closed link has come back to its first vertex.
+  this->Links[0].Size -= begin < 0 ? 1 : 0;
+  return true;
+}
+
+/// Whether the facets at the edge lie in one patch, and there are no others.
+bool EdgeRemoval::IsFlippable() const
+{
+  if (this->NumberOfRecords != 2)
+  {
+    return false;
+  }
+  const Id first = this->Records[0];
+  const Id second = this->Records[1];
+  const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
+  return this->Tets.TagOf(first) == this->Tets.TagOf(second) && this->Tets.TagOf(first) != NoId &&
+    this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
+    sides == this->NumberOfLinks &&
+    (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);
+}
+
+/// Finds the best triangulation. False where its worst tetrahedron is not better than the limit.
+bool EdgeRemoval::Triangulate(Link& link, double limit)
+{
+  const std::size_t n = link.Size;
+  for (std::size_t i = 0; i + 1 < n; ++i)
+  {
+    link.Costs[i][i + 1] = -1.0;
+  }
+  for (std::size_t span = 2; span < n; ++span)
+  {
+    for (std::size_t i = 0; i + span < n; ++i)
+    {
+      const std::size_t j = i + span;
+      double least = limit;
+      for (std::size_t k = i + 1; k < j; ++k)
+      {
+        const double sides = std::max(link.Costs[i][k], link.Costs[k][j]);
+        if (sides < least)
+        {
+          const double cost = std::max(
+            sides, this->Cost({ link.Vertices[i], link.Vertices[k], link.Vertices[j] }, least));
+          link.Apexes[i][j] = cost < least ? k : link.Apexes[i][j];
+          least = std::min(least, cost);
+        }
+      }
+      link.Costs[i][j] = least < limit ? least : Infinity;
+    }
+  }
+  return link.Costs[0][n - 1] < limit;
+}
+
+/// The badness of the worse of the tetrahedra at a triangle of a link; infinite where it is not
+/// below the limit, or one is not positive.
+double EdgeRemoval::Cost(const std::array<Id, 3>& triangle, double limit) const
+{
+  const BodyTets::Tetrahedron above{ triangle[0], triangle[1], triangle[2], this->B };
+  const BodyTets::Tetrahedron below{ this->A, triangle[0], triangle[1], triangle[2] };
+  double cost = this->Tets.BadnessOf(above);
+  cost = cost < limit ? std::max(cost, this->Tets.BadnessOf(below)) : cost;
+  return cost < limit && this->Tets.IsPositive(above) && this->Tets.IsPositive(below) ? cost
+                                                                                      : Infinity;
+}
+
+void EdgeRemoval::Fill(const Link& link, std::size_t i, std::size_t j)
+{
+  if (j < i + 2)
+  {
+    return;
+  }
+  const std::size_t k = link.Apexes[i][j];
+  const Id p = link.Vertices[i];
+  const Id q = link.Vertices[k];
+  const Id r = link.Vertices[j];
+  this->Change.Filling.push_back({ p, q, r, this->B });
+  this->Change.Filling.push_back({ this->A, p, q, r });
+  this->Change.Regions.insert(this->Change.Regions.end(), 2, link.Region);
+  this->Fill(link, i, k);
+  this->Fill(link, k, j);
+}
+
+/// The facets (A, B, p) and (B, A, q) become (p, q, B) and (q, p, A). False where that is not
+/// allowed.
+bool EdgeRemoval::FlipFacets()
+{
+  const Id p = this->Links[0].Vertices[0];
+  const Id q = this->Links[0].Vertices[this->Links[0].Size - 1];
+  const Id a = this->A;
+  const Id b = this->B;
+  const bool isInCell =
+    this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
+  if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
+    !this->Normals.AllowsFlip(
+      this->Tets, { { { a, b, p }, { b, a, q }, { p, b, q }, { q, a, p } } }))
+  {
+    return false;
+  }
+  this->Change.Facets.push_back({ this->Records[0], { p, b, q } });
+  this->Change.Facets.push_back({ this->Records[1], { q, a, p } });
+  return true;
+}
+
+/// Whether no cell has the edge; with `isInCell`, no facet with a record.
+bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
+{
+  for (const Id own : this->Tets.StarOf(p))
+  {
+    const Id base = own & ~3;
+    bool has = false;
+    for (Id slot = base; slot < base + 4; ++slot)
+    {
+      has = has || this->Tets.VertexAt(slot) == q;
+    }
+    for (Id slot = base; slot < base + 4 && has; ++slot)
+    {
+      const Id corner = this->Tets.VertexAt(slot);
+      if (!isInCell || (corner != p && corner != q && this->Tets.RecordOf(slot) >= 0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool EdgeRemoval::Flip(Id slot)
+{
+  const Id twin = this->Tets.Mesh.Twins[At(slot)];
+  if (twin < 0)
+  {
+    return false;
+  }
+  const Id d = this->Tets.VertexAt(slot);
+  const Id e = this->Tets.VertexAt(twin);
+  const double limit =
+    std::max(this->Tets.Badness[At(slot >> 2)], this->Tets.Badness[At(twin >> 2)]) - LeastGain;
+  this->Change.Clear();
+  for (int k = 0; k < 3; ++k)
+  {
+    const BodyTets::Tetrahedron filling{ d, e, this->Tets.Mesh.FacetCorner(slot, k),
+      this->Tets.Mesh.FacetCorner(slot, (k + 1) % 3) };
+    if (!(this->Tets.BadnessOf(filling) < limit) || !this->Tets.IsPositive(filling))
+    {
+      return false;
+    }
+    this->Change.Filling.push_back(filling);
+  }
+  this->Change.Cells = { slot >> 2, twin >> 2 };
+  this->Change.Regions.assign(3, this->Tets.Mesh.Labels[At(slot >> 2)]);
+  this->Tets.Apply(this->Change);
+  return true;
+}
+
+} // namespace biting

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BitingVertexMoves_h
+#define BitingVertexMoves_h
+
+#include "BodyTets.h"
+#include "GroundNormals.h"
+
+#include <functional> // for f
+#include <vector>     // for scratch
+
+namespace biting
+{
+
+/// Moves of single vertices of a body. Each keeps the tetrahedra at the vertex positive, exactly.
+class VertexMoves
+{
+public:
+  VertexMoves(BodyTets& tets, GroundNormals& normals, const std::function<double(const Point3&)>& f)
+    : Tets(tets)
+    , Normals(normals)
+    , Size(f)
+  {
+  }
+
+  /// Moves a vertex inside to the mean of the centres of the spheres of its tetrahedra, weighted by
+  /// volume / f^3: where piecewise linear interpolation of |x|^2 has the least error (L. Chen, J.
+  /// Xu, "Optimal Delaunay triangulations", 2004; P. Alliez et al., "Variational tetrahedral
+  /// meshing", 2005); or half the way. Not where the worst of them were worse than it was, and than
+  /// `good`.
+  bool Smooth(Id vertex, double good);
+
+  /// Moves a vertex so that the worst of its tetrahedra gets better, by trial in directions with
+  /// steps that get smaller, until it is better than `good`: inside, or on its patch of the ground.
+  /// Those on lines stay.
+  bool Improve(Id vertex, double good);
+
+private:
+  /// A tetrahedron at the vertex: the corners of the facet opposite.
+  struct Cone
+  {
+    double Badness;
+    double Tried; ///< Badness at the place that is tried
+    Id Slot;
+    Point3 A, B, C;
+  };
+
+  void Gather(Id vertex);
+  bool Suits(const Point3& place, double limit);
+  void Move(Id vertex, const Point3& place);
+  bool TryFree(Id vertex, const Point3& place, double limit);
+  bool TryOnGround(Id vertex, const Point3& place, double limit);
+  bool Step(Id vertex, double length);
+
+  double Worst() const { return this->Star.front().Badness; }
+
+  BodyTets& Tets;
+  GroundNormals& Normals;
+  const std::function<double(const Point3&)>& Size;
+  std::vector<Cone> Star; ///< the worst comes first
+};
+
+} // namespace biting
+
+#endif
