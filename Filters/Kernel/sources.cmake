@@ -172,6 +172,9 @@ set(biting_kernel_sources
   Space/Boundary/WholeCheck.cxx
   Space/Relaxation/SurfaceRelaxation.cxx
   Space/Relaxation/SurfaceStars.cxx
+  Space/Interior/BodySpacing.cxx
+  Space/Interior/BoundaryAxes.cxx
+  Space/Interior/CubeMeetings.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx
   Space/Finishing/BodyTets.cxx

@@ -8,6 +8,7 @@
 
 #include <algorithm> // for sort, unique, binary_search
 #include <cmath>     // for cos
+#include <map>       // for chains at corners
 #include <utility>   // for pairs, move
 
 namespace biting
@@ -152,6 +153,123 @@ private:
   std::vector<std::uint8_t> IsUsed;
 };
 
+/// Makes corners one at short chains between them.
+class CornerMerger
+{
+public:
+  explicit CornerMerger(SurfaceGround& ground)
+    : Ground(ground)
+  {
+    const FeatureChains& chains = ground.Chains;
+    for (Id chain = 0; chain < chains.Size(); ++chain)
+    {
+      const Id* first = chains.Vertices.data() + chains.Begin(chain);
+      this->Paths.emplace_back(first, chains.Vertices.data() + chains.End(chain));
+      this->ChainsAt[this->Paths.back().front()].push_back(At(chain));
+      this->ChainsAt[this->Paths.back().back()].push_back(At(chain));
+    }
+  }
+
+  void Run()
+  {
+    std::vector<std::pair<double, std::size_t>> chains;
+    for (std::size_t chain = 0; chain < this->Paths.size(); ++chain)
+    {
+      if (this->IsShort(chain, 1.0))
+      {
+        chains.push_back({ this->LengthOf(chain), chain });
+      }
+    }
+    std::sort(chains.begin(), chains.end());
+    for (const std::pair<double, std::size_t>& entry : chains)
+    {
+      const std::vector<Id>& path = this->Paths[entry.second];
+      if (path.front() != path.back() && this->IsShort(entry.second, 1.0))
+      {
+        this->Contract(entry.second);
+      }
+      // A loop around a face that is no larger than that.
+      if (!path.empty() && path.front() == path.back() && this->IsCorner(path.front()) &&
+        this->IsShort(entry.second, 3.0))
+      {
+        this->Paths[entry.second].clear();
+      }
+    }
+    this->TakeBack();
+  }
+
+private:
+  bool IsCorner(Id vertex) const { return this->Ground.Places[At(vertex)] == FeaturePlace::Corner; }
+
+  double LengthOf(std::size_t chain) const
+  {
+    const std::vector<Id>& path = this->Paths[chain];
+    double length = 0.0;
+    for (std::size_t k = 1; k < path.size(); ++k)
+    {
+      length +=
+        Distance(this->Ground.Mesh.Points[At(path[k - 1])], this->Ground.Mesh.Points[At(path[k])]);
+    }
+    return length;
+  }
+
+  bool IsShort(std::size_t chain, double times) const
+  {
+    const Id end = this->Paths[chain].front();
+    return this->LengthOf(chain) < times * MergedShare * this->Ground.Given[At(end)];
+  }
+
+  /// The end with more chains stays; those at the other one go on along the chain.
+  void Contract(std::size_t chain)
+  {
+    std::vector<Id> way = std::move(this->Paths[chain]);
+    this->Paths[chain].clear();
+    if (this->ChainsAt[way.front()].size() > this->ChainsAt[way.back()].size())
+    {
+      std::reverse(way.begin(), way.end());
+    }
+    const Id gone = way.front();
+    this->Ground.Places[At(gone)] = FeaturePlace::Line;
+    std::vector<std::size_t>& kept = this->ChainsAt[way.back()];
+    for (const std::size_t other : this->ChainsAt[gone])
+    {
+      std::vector<Id>& path = this->Paths[other];
+      if (!path.empty() && path.back() == gone)
+      {
+        path.insert(path.end(), way.begin() + 1, way.end());
+        kept.push_back(other);
+      }
+      if (!path.empty() && path.front() == gone)
+      {
+        path.insert(path.begin(), way.rbegin(), way.rend() - 1);
+        kept.push_back(other);
+      }
+    }
+  }
+
+  void TakeBack()
+  {
+    FeatureChains chains;
+    for (std::size_t chain = 0; chain < this->Paths.size(); ++chain)
+    {
+      const std::vector<Id>& path = this->Paths[chain];
+      if (!path.empty())
+      {
+        chains.Vertices.insert(chains.Vertices.end(), path.begin(), path.end());
+        chains.Offsets.push_back(static_cast<Id>(chains.Vertices.size()));
+        chains.Kinds.push_back(this->Ground.Chains.Kinds[chain]);
+      }
+    }
+    this->Ground.Chains = std::move(chains);
+  }
+
+  static constexpr double MergedShare = 0.1;
+
+  SurfaceGround& Ground;
+  std::vector<std::vector<Id>> Paths; ///< of chains; those that are gone are empty
+  std::map<Id, std::vector<std::size_t>> ChainsAt;
+};
+
 using VertexPair = std::pair<Id, Id>;
 
 VertexPair PairOf(Id a, Id b)
@@ -243,6 +361,11 @@ void FlagFeatures(SurfaceGround& ground, const std::vector<Id>& regions, double 
 void FindChains(SurfaceGround& ground)
 {
   ChainWalk(ground).Run();
+}
+
+void MergeCorners(SurfaceGround& ground)
+{
+  CornerMerger(ground).Run();
 }
 
 void DropNoise(SurfaceGround& ground)

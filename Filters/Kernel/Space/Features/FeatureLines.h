@@ -18,6 +18,10 @@ void FlagFeatures(
 /// kinds do, or a chain turns by more than 50 degrees.
 void FindChains(SurfaceGround& ground);
 
+/// Makes corners one between which a chain is shorter than a tenth of f as given. The other chains
+/// of the one that goes lead on along that chain, to the one that stays.
+void MergeCorners(SurfaceGround& ground);
+
 /// Takes away the flags of chains of turning edges that are shorter than f and end in nothing:
 /// noise of scans. Places and Chains follow.
 void DropNoise(SurfaceGround& ground);

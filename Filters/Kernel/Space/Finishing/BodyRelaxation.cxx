@@ -14,10 +14,8 @@ namespace
 {
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
-constexpr double At30 = 0.75;
-constexpr double At31 = 0.7347; // a margin
-constexpr double At35 = 0.6710;
-constexpr double At40 = 0.5868;
+constexpr double At35 = 0.6710100716628343;
+constexpr double At38 = 0.6209609477998338;
 
 class BodyRelaxer
 {
@@ -43,8 +41,8 @@ public:
     constexpr int Rounds = 8;
     for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
     {
-      const bool isMoved = this->MoveBad(At31);
-      const bool isChanged = this->ChangeBad(At31);
+      const bool isMoved = this->MoveBad(At35);
+      const bool isChanged = this->ChangeBad(At38);
       if (!isMoved && !isChanged)
       {
         break;

@@ -57,8 +57,8 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->Mesh.Twins.assign(this->Mesh.Corners.size(), NoId);
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
   this->LinkAll(pulse);
-  this->Stamps.assign(At(this->Mesh.NumberOfSlots()), 0);
-  this->Badness.resize(At(this->Mesh.NumberOfSlots()));
+  this->Touched.assign(this->Mesh.Points.size(), 0);
+  this->ResizeCells();
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
   {
     const Tetrahedron corners = this->CornersOf(cell);
@@ -69,6 +69,14 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
     }
     pulse.Beat(1);
   }
+}
+
+void BodyTets::ResizeCells()
+{
+  const std::size_t count = At(this->Mesh.NumberOfSlots());
+  this->Badness.resize(count);
+  this->Tried.resize(count, 0);
+  this->Stamps.resize(count, 0);
 }
 
 /// Facets with the same lowest vertex are found together: slots, and codes of records.
@@ -133,10 +141,8 @@ void BodyTets::LinkBucket(const IdLists::List& items)
 std::array<Id, 3> BodyTets::SortedCorners(Id item) const
 {
   const Id* facet = item < 0 ? &this->Body.Facets[At(3 * (-2 - item))] : nullptr;
-  std::array<Id, 3> corners = item < 0
-    ? std::array<Id, 3>{ facet[0], facet[1], facet[2] }
-    : std::array<Id, 3>{ this->Mesh.FacetCorner(item, 0), this->Mesh.FacetCorner(item, 1),
-        this->Mesh.FacetCorner(item, 2) };
+  std::array<Id, 3> corners =
+    facet == nullptr ? this->FacetCorners(item) : std::array<Id, 3>{ facet[0], facet[1], facet[2] };
   SortThree(corners);
   return corners;
 }
@@ -210,6 +216,7 @@ const std::vector<Id>& BodyTets::StarOf(Id vertex)
 void BodyTets::Apply(const Change& change)
 {
   this->Sides.clear();
+  ++this->Clock;
   this->AddWalls(change);
   for (const NewFacet& facet : change.Facets)
   {
@@ -236,6 +243,7 @@ void BodyTets::AddWalls(const Change& change)
     for (const Id corner : this->CornersOf(cell))
     {
       this->Mesh.VertexCells[At(corner)] = NoId;
+      this->Touched[At(corner)] = this->Clock;
     }
   }
   const auto isGiven = [&change](Id record)
@@ -276,8 +284,8 @@ void BodyTets::AddFilling(const Change& change)
   {
     const Tetrahedron& corners = change.Filling[k];
     const Id cell = this->Mesh.NewCell();
-    this->Badness.resize(At(this->Mesh.NumberOfSlots()));
-    this->Stamps.resize(At(this->Mesh.NumberOfSlots()), 0);
+    this->ResizeCells();
+    this->Tried[At(cell)] = 0;
     std::copy(corners.begin(), corners.end(), &this->Mesh.Corners[At(4 * cell)]);
     this->Mesh.Labels[At(cell)] = change.Regions[k];
     this->Badness[At(cell)] = this->BadnessOf(corners);

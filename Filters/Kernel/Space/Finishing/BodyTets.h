@@ -89,9 +89,21 @@ public:
     return { c[0], c[1], c[2], c[3] };
   }
 
+  std::array<Id, 3> FacetCorners(Id slot) const
+  {
+    return { this->Mesh.FacetCorner(slot, 0), this->Mesh.FacetCorner(slot, 1),
+      this->Mesh.FacetCorner(slot, 2) };
+  }
+
   RelaxedBody& Body;
   TetMesh Mesh;
   std::vector<double> Badness; ///< of cells
+
+  // When a cell at a vertex was changed last, and when a change of a cell was tried in vain: no
+  // use to try again before one at its corners was.
+  std::uint32_t Clock = 0;
+  std::vector<std::uint32_t> Touched; ///< of vertices
+  std::vector<std::uint32_t> Tried;   ///< of cells
 
 private:
   /// A facet of a cavity's border or filling: by its corners in ascending order.
@@ -103,6 +115,7 @@ private:
     Id Half;   ///< of the record that this is; NoId: both are anew
   };
 
+  void ResizeCells();
   void LinkAll(Pulse& pulse);
   void LinkBucket(const IdLists::List& items);
   /// Of a code of a record, or a slot that has no twin yet.

@@ -20,6 +20,16 @@ constexpr double LeastGain = 1e-4;
 
 bool EdgeRemoval::Improve(Id cell)
 {
+  std::uint32_t touched = 0;
+  for (const Id vertex : this->Tets.CornersOf(cell))
+  {
+    touched = std::max(touched, this->Tets.Touched[At(vertex)]);
+  }
+  if (this->Tets.Tried[At(cell)] > touched)
+  {
+    return false;
+  }
+  this->Tets.Tried[At(cell)] = ++this->Tets.Clock;
   for (std::size_t edge = 0; edge < 6; ++edge)
   {
     if (this->Remove(cell, edge))
@@ -261,7 +271,7 @@ bool EdgeRemoval::FlipFacets()
     this->Links[0].Size == 2 || (this->NumberOfLinks == 2 && this->Links[1].Size == 2);
   if (this->Tets.IsKept(p, q) || !this->IsNewEdge(p, q, isInCell) ||
     !this->Normals.AllowsFlip(
-      this->Tets, { { { a, b, p }, { b, a, q }, { p, b, q }, { q, a, p } } }))
+      this->Tets, { { { a, b, p }, { b, a, q } } }, { { { p, b, q }, { q, a, p } } }))
   {
     return false;
   }

@@ -3,7 +3,9 @@
 
 #include "GroundNormals.h"
 
-#include <algorithm> // for min
+#include <algorithm> // for all_of, find, min
+#include <cmath>     // for abs
+#include <iterator>  // for begin, end
 
 namespace biting
 {
@@ -13,27 +15,40 @@ namespace
 
 constexpr double LeastAgreement = 0.8; // the cosine of 37 degrees
 
-Point3 UnitNormal(const std::array<Point3, 3>& t)
+} // namespace
+
+Point3 GroundNormals::Facet::Normal() const
 {
-  const Point3 normal = Cross(t[1] - t[0], t[2] - t[0]);
+  const Point3 normal = Cross(this->Places[1] - this->Places[0], this->Places[2] - this->Places[0]);
   const double length = Length(normal);
   return length > 0.0 ? (1.0 / length) * normal : Point3{};
 }
 
-} // namespace
-
-/// The least cosine between the normal and those of the ground at corners that lie on no line, of
-/// either side; 1 where there is no such corner. `triangles`: of the ground, NoId at lines.
-double GroundNormals::Agreement(
-  const std::array<Point3, 3>& places, const std::array<Id, 3>& triangles) const
+GroundNormals::Facet GroundNormals::FacetOf(
+  const BodyTets& tets, const std::array<Id, 3>& corners) const
 {
-  const Point3 normal = UnitNormal(places);
-  double least = 1.0;
-  for (const Id triangle : triangles)
+  Facet facet;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    least = triangle == NoId
-      ? least
-      : std::min(least, std::abs(Dot(normal, this->Ground.NormalOf(At(triangle)))));
+    const Id corner = corners[k];
+    facet.Places[k] = tets.Mesh.PointAt(corner);
+    facet.Triangles[k] =
+      corner < this->Body.NumberOnLines ? NoId : this->Body.BoundaryPlaces[At(corner)];
+  }
+  return facet;
+}
+
+/// The least cosine between the normal and those of the ground at corners, of either side; 1 where
+/// all are on lines.
+double GroundNormals::Agreement(const Facet& facet) const
+{
+  const Point3 normal = facet.Normal();
+  double least = 1.0;
+  for (const Id triangle : facet.Triangles)
+  {
+    const double cosine =
+      triangle == NoId ? 1.0 : std::abs(Dot(normal, this->Ground.NormalOf(At(triangle))));
+    least = std::min(least, cosine);
   }
   return least;
 }
@@ -49,22 +64,15 @@ bool GroundNormals::AllowsMove(
       {
         continue;
       }
-      std::array<Point3, 3> before;
-      std::array<Point3, 3> after;
-      std::array<Id, 3> triangles{ NoId, NoId, NoId };
-      std::array<Id, 3> newTriangles{ NoId, NoId, NoId };
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Id corner = tets.Mesh.FacetCorner(slot, static_cast<int>(k));
-        const bool isFree = corner >= this->Body.NumberOnLines;
-        before[k] = tets.Mesh.PointAt(corner);
-        after[k] = corner == vertex ? place.Place : before[k];
-        triangles[k] = isFree ? this->Body.BoundaryPlaces[At(corner)] : NoId;
-        newTriangles[k] = corner == vertex ? place.Triangle : triangles[k];
-      }
-      if (Dot(UnitNormal(before), UnitNormal(after)) < LeastAgreement ||
-        this->Agreement(after, newTriangles) <
-          std::min(LeastAgreement, this->Agreement(before, triangles)))
+      const std::array<Id, 3> corners = tets.FacetCorners(slot);
+      const Facet before = this->FacetOf(tets, corners);
+      Facet after = before;
+      const auto k = static_cast<std::size_t>(
+        std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+      after.Places[k] = place.Place;
+      after.Triangles[k] = place.Triangle;
+      if (Dot(before.Normal(), after.Normal()) < LeastAgreement ||
+        this->Agreement(after) < std::min(LeastAgreement, this->Agreement(before)))
       {
         return false;
       }
@@ -73,30 +81,20 @@ bool GroundNormals::AllowsMove(
   return true;
 }
 
-bool GroundNormals::AllowsFlip(
-  const BodyTets& tets, const std::array<std::array<Id, 3>, 4>& facets) const
+bool GroundNormals::AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 2>& before,
+  const std::array<std::array<Id, 3>, 2>& after) const
 {
-  std::array<double, 4> agreements{};
-  std::array<Point3, 4> normals;
-  for (std::size_t f = 0; f < 4; ++f)
-  {
-    std::array<Point3, 3> places;
-    std::array<Id, 3> triangles{ NoId, NoId, NoId };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Id corner = facets[f][k];
-      places[k] = tets.Mesh.PointAt(corner);
-      triangles[k] =
-        corner >= this->Body.NumberOnLines ? this->Body.BoundaryPlaces[At(corner)] : NoId;
-    }
-    normals[f] = UnitNormal(places);
-    agreements[f] = this->Agreement(places, triangles);
-  }
-  const double between = std::min(Dot(normals[2], normals[3]),
-    std::min(Dot(normals[0], normals[2]), Dot(normals[1], normals[3])));
-  return between > LeastAgreement &&
-    std::min(agreements[2], agreements[3]) >=
-    std::min(LeastAgreement, std::min(agreements[0], agreements[1]));
+  const Facet old[2] = { this->FacetOf(tets, before[0]), this->FacetOf(tets, before[1]) };
+  const double limit =
+    std::min(LeastAgreement, std::min(this->Agreement(old[0]), this->Agreement(old[1])));
+  const Facet facets[2] = { this->FacetOf(tets, after[0]), this->FacetOf(tets, after[1]) };
+  return Dot(facets[0].Normal(), facets[1].Normal()) > LeastAgreement &&
+    std::all_of(std::begin(facets), std::end(facets),
+      [this, &old, limit](const Facet& facet)
+      {
+        return this->Agreement(facet) >= limit && Dot(facet.Normal(), old[0].Normal()) > 0.0 &&
+          Dot(facet.Normal(), old[1].Normal()) > 0.0;
+      });
 }
 
 } // namespace biting

@@ -34,8 +34,9 @@ public:
   bool AllowsMove(
     const BodyTets& tets, const std::vector<Id>& star, Id vertex, const GroundPlace& place) const;
 
-  /// `facets`: two before, two after.
-  bool AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 4>& facets) const;
+  /// Of two facets that become two others.
+  bool AllowsFlip(const BodyTets& tets, const std::array<std::array<Id, 3>, 2>& before,
+    const std::array<std::array<Id, 3>, 2>& after) const;
 
   void Move(Id vertex, const GroundPlace& place)
   {
@@ -44,7 +45,17 @@ public:
   }
 
 private:
-  double Agreement(const std::array<Point3, 3>& places, const std::array<Id, 3>& triangles) const;
+  /// Corners of a facet, and the triangle of the ground at each, NoId on lines.
+  struct Facet
+  {
+    std::array<Point3, 3> Places;
+    std::array<Id, 3> Triangles;
+
+    Point3 Normal() const;
+  };
+
+  Facet FacetOf(const BodyTets& tets, const std::array<Id, 3>& corners) const;
+  double Agreement(const Facet& facet) const;
 
   const SurfaceGround& Ground;
   GroundPatches Patches;

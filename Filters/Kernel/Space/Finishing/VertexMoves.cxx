@@ -53,10 +53,15 @@ bool VertexMoves::Suits(const Point3& place, double limit)
 void VertexMoves::Move(Id vertex, const Point3& place)
 {
   this->Tets.Mesh.Points[At(vertex)] = place;
+  ++this->Tets.Clock;
   for (Cone& cone : this->Star)
   {
     cone.Badness = cone.Tried;
     this->Tets.Badness[At(cone.Slot >> 2)] = cone.Tried;
+    for (const Id corner : this->Tets.CornersOf(cone.Slot >> 2))
+    {
+      this->Tets.Touched[At(corner)] = this->Tets.Clock;
+    }
   }
 }
 
@@ -118,7 +123,8 @@ bool VertexMoves::Smooth(Id vertex, double good)
 
 bool VertexMoves::Improve(Id vertex, double good)
 {
-  if (vertex < this->Tets.Body.NumberOnLines)
+  if (vertex < this->Tets.Body.NumberOnLines ||
+    this->Tried[At(vertex)] > this->Tets.Touched[At(vertex)])
   {
     return false;
   }
@@ -141,6 +147,7 @@ bool VertexMoves::Improve(Id vertex, double good)
       length *= 0.5;
     }
   }
+  this->Tried[At(vertex)] = ++this->Tets.Clock;
   return this->Worst() < before;
 }
 

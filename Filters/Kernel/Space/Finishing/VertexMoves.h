@@ -21,6 +21,7 @@ public:
     : Tets(tets)
     , Normals(normals)
     , Size(f)
+    , Tried(tets.Mesh.Points.size(), 0)
   {
   }
 
@@ -58,7 +59,8 @@ private:
   BodyTets& Tets;
   GroundNormals& Normals;
   const std::function<double(const Point3&)>& Size;
-  std::vector<Cone> Star; ///< the worst comes first
+  std::vector<Cone> Star;           ///< the worst comes first
+  std::vector<std::uint32_t> Tried; ///< of vertices: when Improve was tried (BodyTets::Clock)
 };
 
 } // namespace biting

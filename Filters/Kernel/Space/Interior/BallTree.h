@@ -6,6 +6,7 @@
 
 #include "../../Base/Box.h"
 #include "../../Base/Ids.h"
+#include "../../Base/Numbers.h"
 
 #include <algorithm> // for max
 #include <array>     // for distances
@@ -15,12 +16,14 @@
 namespace biting
 {
 
-/// What a ball takes: no later center is within its guard, and its sphere has candidates.
+/// What a bite takes: no later center is within its guard, and its surface has candidates.
 struct GuardedBall
 {
   Point3 Center;
-  double Radius = 0.0;
-  double Guard = 0.0; ///< no more than the radius
+  double Radius = 0.0; ///< of a ball; half of the diagonal of a cube
+  double Guard = 0.0;  ///< of a ball; half of the side of a cube: less than the bite
+  Id Frame = NoId;     ///< of a cube: its axes
+  Id LastVisit = NoId; ///< of the tree
 };
 
 /// Balls of any sizes, to be found by what they meet: an octree whose leaves list the balls that
@@ -40,51 +43,54 @@ public:
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
   Id Size() const { return static_cast<Id>(this->Items.size()); }
 
-  /// Calls visit(other) for all that may meet it, some more than once, then adds it.
+  /// Calls visit(id, other) for all that may meet it, then adds it.
   template <typename Visit>
   void Add(const GuardedBall& ball, const Visit& visit)
   {
     const Id id = this->Size();
     this->Items.push_back(ball);
+    this->Items.back().LastVisit = id;
     const double largest = std::max(LargestLeaf * ball.Radius, LeastShare * this->Root.HalfSide);
     this->VisitLeaves(ball, largest,
       [this, id, &visit](Id node)
       {
-        this->VisitLeaf(node, visit);
+        this->VisitLeaf(node, id, visit);
         this->Prepend(node, id);
       });
   }
 
-  /// Calls visit(other) for all that may meet it, some more than once.
+  /// Calls visit(id, other) for all others that may meet the ball.
   template <typename Visit>
-  void VisitNear(const GuardedBall& ball, const Visit& visit)
+  void VisitNear(Id ball, const Visit& visit)
   {
-    this->VisitLeaves(ball, 2.0 * this->Root.HalfSide * (1.0 + LeastShare),
-      [this, &visit](Id node) { this->VisitLeaf(node, visit); });
+    // An own number for the visit, as those of balls were used.
+    const Id number = -2 - ball;
+    this->Items[static_cast<std::size_t>(ball)].LastVisit = number;
+    this->VisitLeaves(this->At(ball), Infinity,
+      [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
   }
 
-  /// Whether the guard of a ball with number `first` or later has the place.
-  bool IsGuarded(const Point3& place, Id first) const
+  /// Whether isGuarded(ball) for a ball that has the place and the number `first` or a later one.
+  template <typename IsGuarded>
+  bool HasAt(const Point3& place, Id first, const IsGuarded& isGuarded) const
   {
-    for (Id entry = this->HeadAt(place); entry != NoId; entry = this->Next(entry))
+    for (Id id = this->HeadAt(place); id != NoId; id = this->BlockAt(id).Next)
     {
-      const Id id = this->Entries[static_cast<std::size_t>(entry)].Ball;
-      if (id < first)
+      const Block& block = this->BlockAt(id);
+      for (Id k = block.Count; k-- > 0;)
       {
-        return false; // the latest are first in lists
-      }
-      const GuardedBall& ball = this->At(id);
-      const Point3 apart = place - ball.Center;
-      if (Dot(apart, apart) < ball.Guard * ball.Guard)
-      {
-        return true;
+        const Id ball = block.Balls[static_cast<std::size_t>(k)];
+        if (ball < first || isGuarded(this->At(ball)))
+        {
+          return ball >= first; // the latest are first
+        }
       }
     }
     return false;
   }
 
 private:
-  static constexpr double LargestLeaf = 1.4;
+  static constexpr double LargestLeaf = 2.8;
 
   /// Leaves are not cut below this share of the whole.
   static constexpr double LeastShare = 1e-9;
@@ -96,16 +102,18 @@ private:
     double HalfSide;
   };
 
-  struct Entry
+  /// A part of the list of a leaf: a line of a cache. The latest ball is the last one of the first.
+  struct Block
   {
-    Id Ball;
+    std::array<Id, 14> Balls;
+    Id Count;
     Id Next;
   };
 
-  /// Leaves have the complement of 1 + their first entry.
-  static Id LeafOf(Id entry) { return ~(entry + 1); }
+  /// Leaves have the complement of 1 + their first block.
+  static Id LeafOf(Id block) { return ~(block + 1); }
   static Id HeadOf(Id leaf) { return ~leaf - 1; }
-  Id Next(Id entry) const { return this->Entries[static_cast<std::size_t>(entry)].Next; }
+  const Block& BlockAt(Id block) const { return this->Blocks[static_cast<std::size_t>(block)]; }
   Id& NodeAt(Id node) { return this->Nodes[static_cast<std::size_t>(node)]; }
 
   Id HeadAt(const Point3& place) const
@@ -129,19 +137,45 @@ private:
   }
 
   template <typename Visit>
-  void VisitLeaf(Id node, const Visit& visit) const
+  void VisitLeaf(Id node, Id number, const Visit& visit)
   {
-    for (Id entry = HeadOf(this->Nodes[static_cast<std::size_t>(node)]); entry != NoId;
-         entry = this->Next(entry))
+    for (Id id = HeadOf(this->NodeAt(node)); id != NoId; id = this->BlockAt(id).Next)
     {
-      visit(this->Entries[static_cast<std::size_t>(entry)].Ball);
+      const Block& block = this->BlockAt(id);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(block.Count); ++k)
+      {
+        GuardedBall& ball = this->Items[static_cast<std::size_t>(block.Balls[k])];
+        if (ball.LastVisit != number)
+        {
+          ball.LastVisit = number;
+          visit(block.Balls[k], ball);
+        }
+      }
     }
   }
 
   void Prepend(Id node, Id ball)
   {
-    this->Entries.push_back({ ball, HeadOf(this->NodeAt(node)) });
-    this->NodeAt(node) = LeafOf(static_cast<Id>(this->Entries.size()) - 1);
+    Id head = HeadOf(this->NodeAt(node));
+    if (head == NoId || this->BlockAt(head).Count == static_cast<Id>(Block().Balls.size()))
+    {
+      const Id next = head;
+      head = this->FirstFree;
+      if (head == NoId)
+      {
+        head = static_cast<Id>(this->Blocks.size());
+        this->Blocks.push_back({});
+      }
+      else
+      {
+        this->FirstFree = this->BlockAt(head).Next;
+      }
+      this->Blocks[static_cast<std::size_t>(head)].Count = 0;
+      this->Blocks[static_cast<std::size_t>(head)].Next = next;
+      this->NodeAt(node) = LeafOf(head);
+    }
+    Block& block = this->Blocks[static_cast<std::size_t>(head)];
+    block.Balls[static_cast<std::size_t>(block.Count++)] = ball;
   }
 
   /// Calls visit(node) for the leaves that the ball meets; those larger than `largest` are cut.
@@ -207,7 +241,18 @@ private:
   void Split(const Cube& cube)
   {
     this->Moved.clear();
-    this->VisitLeaf(cube.Node, [this](Id ball) { this->Moved.push_back(ball); });
+    for (Id id = HeadOf(this->NodeAt(cube.Node)); id != NoId;)
+    {
+      Block& block = this->Blocks[static_cast<std::size_t>(id)];
+      for (Id k = block.Count; k-- > 0;)
+      {
+        this->Moved.push_back(block.Balls[static_cast<std::size_t>(k)]);
+      }
+      const Id next = block.Next;
+      block.Next = this->FirstFree;
+      this->FirstFree = id;
+      id = next;
+    }
     const Id first = static_cast<Id>(this->Nodes.size());
     this->Nodes.resize(this->Nodes.size() + 8, LeafOf(NoId));
     this->NodeAt(cube.Node) = first;
@@ -227,7 +272,8 @@ private:
   Cube Root;
   std::vector<GuardedBall> Items;
   std::vector<Id> Nodes{ LeafOf(NoId) }; ///< the first of eight children, or a leaf
-  std::vector<Entry> Entries;
+  std::vector<Block> Blocks;
+  Id FirstFree = NoId;     ///< of the blocks
   std::vector<Cube> Front; ///< of the walk
   std::vector<Id> Moved;
 };

@@ -3,6 +3,8 @@
 
 #include "InteriorBites.h"
 
+#include "BoundaryAxes.h"
+#include "CubeMeetings.h"
 #include "SphereMeetings.h"
 
 #include <algorithm> // for max, min
@@ -15,8 +17,12 @@ namespace biting
 namespace
 {
 
-/// Radius of a bite, in f: so the mean edge has the length f.
-constexpr double BitingConstant = 0.9;
+/// Radius of a sphere, and half the side of a cube, in f: so the mean edge has the length f.
+constexpr double SphereConstant = 0.885;
+constexpr double CubeConstant = 0.7;
+
+/// So many layers from the boundary cubes have its axes.
+constexpr int AlignedLayers = 3;
 
 /// No later center is nearer to a bite's, in radii.
 constexpr double Tolerance = 0.9;
@@ -24,35 +30,27 @@ constexpr double Tolerance = 0.9;
 class InteriorBiter
 {
 public:
-  InteriorBiter(const BodyBoundary& boundary, std::size_t mostBites, Pulse& pulse)
+  InteriorBiter(
+    const BodyBoundary& boundary, SpaceBiteShape shape, std::size_t mostBites, Pulse& pulse)
     : Boundary(boundary)
+    , IsCube(shape == SpaceBiteShape::Cube)
     , MostBites(mostBites)
     , Beats(pulse)
     , Bounds(BoundsOf(boundary))
     , Tree(Bounds)
+    , Axes(IsCube ? AxesOfBoundary(boundary) : std::vector<CubeAxes>())
+    , Cubes(Axes)
   {
   }
 
   InteriorBites Run()
   {
     this->AddBoundary();
-    for (Id ball = 0; ball < this->NumberOfWalls && this->Beats.Beat(64); ++ball)
+    for (Id ball = 0; ball < this->FirstInner && this->Beats.Beat(64); ++ball)
     {
-      this->StartAt(ball);
+      this->Start(ball);
     }
-    while (!this->Later.empty() && this->MayGoOn())
-    {
-      std::swap(this->Queue, this->Later);
-      this->Later.clear();
-      for (const Candidate& candidate : this->Queue)
-      {
-        if (!this->MayGoOn())
-        {
-          break;
-        }
-        this->Try(candidate);
-      }
-    }
+    this->EmptyQueue();
     return std::move(this->Bites);
   }
 
@@ -61,6 +59,8 @@ private:
   {
     Point3 Place;
     Id Size;       ///< of the tree when it was found: what guards it is later
+    Id Frame;      ///< of a cube
+    int Layer;     ///< from the boundary
     bool IsAtWall; ///< a parent is of the boundary
   };
 
@@ -88,49 +88,69 @@ private:
       double& guard = guards[static_cast<std::size_t>(boundary.Facets[slot])];
       guard = std::max(guard, NearShare * boundary.Balls[slot / 3].Radius);
     }
-    const auto ignore = [](Id) {};
     for (std::size_t k = 0; k < boundary.Centers.size() && this->Beats.Beat(4); ++k)
     {
-      const double radius = BitingConstant * boundary.Sizes[k];
+      const double weightRadius = std::sqrt(boundary.Weights[k]);
+      const double radius = this->Constant() * boundary.Sizes[k];
       const double guard =
-        std::max({ guards[k], std::sqrt(boundary.Weights[k]), Tolerance * radius });
-      this->Tree.Add({ boundary.Centers[k], std::max(radius, Room * guard), guard }, ignore);
+        std::max({ guards[k], Tolerance * radius, this->IsCube ? 0.0 : weightRadius });
+      this->AddWall(boundary.Centers[k], std::max(radius, Room * guard), guard,
+        this->IsCube ? static_cast<Id>(k) + 1 : NoId);
+      if (this->IsCube && weightRadius > 0.0)
+      {
+        this->AddWall(boundary.Centers[k], Room * weightRadius, weightRadius, NoId);
+      }
     }
     for (const EmptyBall& ball : boundary.Balls)
     {
       if (ball.Radius > 0.0 && this->Beats.Beat(4))
       {
-        this->Tree.Add({ ball.Center, Room * ball.Radius, ball.Radius }, ignore);
+        this->AddWall(ball.Center, Room * ball.Radius, ball.Radius, NoId);
       }
     }
-    this->NumberOfWalls = this->Tree.Size();
-    this->Seen.assign(static_cast<std::size_t>(this->NumberOfWalls), NoId);
+    this->FirstInner = this->Tree.Size();
   }
 
-  void StartAt(Id ball)
+  double Constant() const { return this->IsCube ? CubeConstant : SphereConstant; }
+
+  void AddWall(const Point3& center, double radius, double guard, Id frame)
   {
-    const GuardedBall own = this->Tree.At(ball);
-    this->Meetings.Start(own);
-    this->Tree.VisitNear(own, [this, ball](Id other) { this->Note(other, ball); });
-    this->Meetings.Find([ball](Id other) { return other < ball; },
-      [this](const Point3& place, Id, Id) {
-        this->Later.push_back({ place, this->NumberOfWalls, true });
-      });
+    this->Tree.Add(this->Bite(center, radius, guard, frame), [](Id, const GuardedBall&) {});
   }
 
-  void Note(Id other, Id of)
+  static GuardedBall Bite(const Point3& center, double radius, double guard, Id frame)
   {
-    Id& seen = this->Seen[static_cast<std::size_t>(other)];
-    if (seen != of && other != of)
+    return { center, frame == NoId ? radius : radius / HalfSideShare, guard, frame, NoId };
+  }
+
+  void EmptyQueue()
+  {
+    while (!this->Later.empty() && this->MayGoOn())
     {
-      seen = of;
-      this->Meetings.Add(this->Tree.At(other), other);
+      std::swap(this->Queue, this->Later);
+      this->Later.clear();
+      for (std::size_t k = 0; k < this->Queue.size() && this->MayGoOn(); ++k)
+      {
+        this->Try(this->Queue[k]);
+      }
     }
+  }
+
+  /// The candidates of a bite of the boundary: each meeting is found by its last bite.
+  void Start(Id wall)
+  {
+    const GuardedBall own = this->Tree.At(wall);
+    this->StartMeetings(own);
+    this->Tree.VisitNear(
+      wall, [this, own](Id id, const GuardedBall& other) { this->Note(own, id, other); });
+    this->FindCandidates(own, wall, own.Frame, 1);
   }
 
   void Try(const Candidate& candidate)
   {
-    if (this->Tree.IsGuarded(candidate.Place, candidate.Size) ||
+    const auto isGuarded = [this, &candidate](const GuardedBall& ball)
+    { return CubeMeetings::IsGuarded(ball, this->Axes, candidate.Place); };
+    if (this->Tree.HasAt(candidate.Place, candidate.Size, isGuarded) ||
       !this->Bounds.Contains(candidate.Place) ||
       (candidate.IsAtWall && !this->Boundary.IsInside(candidate.Place)))
     {
@@ -138,29 +158,78 @@ private:
     }
     this->Beats.Beat(64);
     const double size = this->Boundary.Spacing(candidate.Place);
-    const double radius = BitingConstant * size;
+    const double radius = this->Constant() * size;
     this->Bites.Centers.push_back(candidate.Place);
     this->Bites.Sizes.push_back(size);
     this->Bites.Radii.push_back(radius);
-    const GuardedBall own{ candidate.Place, radius, Tolerance * radius };
-    this->Meetings.Start(own);
     const Id id = this->Tree.Size();
-    this->Seen.push_back(NoId);
-    this->Tree.Add(own, [this, id](Id other) { this->Note(other, id); });
-    this->Meetings.Find([](Id) { return true; },
-      [this](const Point3& place, Id a, Id b) {
-        this->Later.push_back({ place, this->Tree.Size(), std::min(a, b) < this->NumberOfWalls });
-      });
+    const GuardedBall own =
+      this->Bite(candidate.Place, radius, Tolerance * radius, candidate.Frame);
+    this->StartMeetings(own);
+    this->Tree.Add(
+      own, [this, &own](Id other, const GuardedBall& ball) { this->Note(own, other, ball); });
+    this->FindCandidates(own, id,
+      candidate.Layer < AlignedLayers ? candidate.Frame : std::min(candidate.Frame, Id(0)),
+      candidate.Layer + 1);
+  }
+
+  void StartMeetings(const GuardedBall& own)
+  {
+    if (own.Frame == NoId)
+    {
+      this->Spheres.Start(own);
+    }
+    else
+    {
+      this->Cubes.Start(own);
+    }
+  }
+
+  /// A neighbor.
+  void Note(const GuardedBall& own, Id id, const GuardedBall& other)
+  {
+    if (own.Frame != NoId)
+    {
+      this->Cubes.Add(other, id);
+    }
+    else if (other.Frame == NoId)
+    {
+      this->Spheres.Add(other, id);
+    }
+  }
+
+  /// The meetings of its surface. Those of balls of the boundary only may be within cubes.
+  void FindCandidates(const GuardedBall& own, Id id, Id frame, int layer)
+  {
+    const Id first = this->IsCube && own.Frame == NoId ? 0 : std::max(id, this->FirstInner);
+    if (own.Frame == NoId)
+    {
+      const bool isWall = id < this->FirstInner;
+      this->Spheres.Find([isWall, id](Id other) { return !isWall || other < id; },
+        [this, isWall, first, frame, layer](const Point3& place, Id a, Id b)
+        {
+          const bool isAtWall = isWall || std::min(a, b) < this->FirstInner;
+          this->Later.push_back({ place, first, frame, layer, isAtWall });
+        });
+      return;
+    }
+    for (const Point3& meeting : this->Cubes.Find())
+    {
+      // Corners of cubes reach beyond the boundary: all of them are tested.
+      this->Later.push_back({ meeting, first, frame, layer, true });
+    }
   }
 
   const BodyBoundary& Boundary;
+  const bool IsCube;
   const std::size_t MostBites;
   Pulse& Beats;
   Box3 Bounds;
-  BallTree Tree;        ///< bites of the boundary, empty balls, bites
-  Id NumberOfWalls = 0; ///< in the tree, of the boundary
-  std::vector<Id> Seen; ///< of balls: the last one whose neighbors were looked for
-  SphereMeetings Meetings;
+  BallTree Tree;     ///< bites of the boundary, empty balls, bites
+  Id FirstInner = 0; ///< in the tree
+  std::vector<CubeAxes> Axes;
+  SphereMeetings Spheres;
+  CubeMeetings Cubes;
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue
   InteriorBites Bites;
@@ -169,10 +238,10 @@ private:
 } // namespace
 
 InteriorBites BiteInterior(
-  const BodyBoundary& boundary, SpaceBiteShape /*shape*/, std::size_t mostBites, Pulse& pulse)
+  const BodyBoundary& boundary, SpaceBiteShape shape, std::size_t mostBites, Pulse& pulse)
 {
   return boundary.Centers.empty() ? InteriorBites()
-                                  : InteriorBiter(boundary, mostBites, pulse).Run();
+                                  : InteriorBiter(boundary, shape, mostBites, pulse).Run();
 }
 
 } // namespace biting

@@ -6,9 +6,9 @@
 
 #include "BallTree.h"
 
-#include <cmath>   // for sqrt
-#include <utility> // for swap
-#include <vector>  // for the arrays
+#include <algorithm> // for sort
+#include <cmath>     // for sqrt
+#include <vector>    // for the arrays
 
 namespace biting
 {
@@ -45,8 +45,9 @@ public:
     this->IsHidden = this->IsHidden || height <= -1.0;
     if (height < 1.0)
     {
+      const double guard = scale * (both - other.Guard * other.Guard);
       this->Circles.push_back(
-        { (1.0 / distance) * way, height, scale * (both - other.Guard * other.Guard), id });
+        { (1.0 / distance) * way, height, guard, SineOf(height), SineOf(guard), id });
     }
   }
 
@@ -54,13 +55,19 @@ public:
   template <typename IsParent, typename Visit>
   void Find(const IsParent& isParent, const Visit& visit)
   {
-    for (std::size_t j = 0; j < this->Circles.size() && !this->IsHidden; ++j)
+    // Large guards first: they have most of what they have to hide.
+    std::sort(this->Circles.begin(), this->Circles.end(),
+      [](const Circle& a, const Circle& b)
+      { return a.Guard < b.Guard || (a.Guard == b.Guard && a.Ball < b.Ball); });
+    this->Parents.clear();
+    for (const Circle& circle : this->Circles)
     {
-      for (std::size_t k = 0; k < j && isParent(this->Circles[j].Ball); ++k)
+      if (!this->IsHidden && isParent(circle.Ball) && !this->IsGuarded(circle))
       {
-        if (isParent(this->Circles[k].Ball))
+        this->Parents.push_back(circle);
+        for (std::size_t k = 0; k + 1 < this->Parents.size(); ++k)
         {
-          this->Meet(this->Circles[j], this->Circles[k], visit);
+          this->Meet(this->Parents.back(), this->Parents[k], visit);
         }
       }
     }
@@ -72,8 +79,12 @@ private:
     Point3 Way;
     double Height;
     double Guard;
+    double HeightSine; ///< sqrt(1 - Height^2)
+    double GuardSine;
     Id Ball;
   };
+
+  static double SineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
   template <typename Visit>
   void Meet(const Circle& a, const Circle& b, const Visit& visit)
@@ -100,11 +111,30 @@ private:
     }
   }
 
-  bool IsGuarded(const Point3& place)
+  /// Whether one guard has all of the circle: the angle between the ways and that of the circle are
+  /// together less than that of the guard.
+  bool IsGuarded(const Circle& circle) const
   {
-    for (std::size_t k = 0; k < this->Circles.size(); ++k)
+    for (const Circle& other : this->Circles)
     {
-      if (Dot(place, this->Circles[k].Way) > this->Circles[k].Guard)
+      if (other.Guard >= circle.Height)
+      {
+        return false; // nor has any of the others
+      }
+      if (Dot(circle.Way, other.Way) >
+        other.Guard * circle.Height + other.GuardSine * circle.HeightSine)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool IsGuarded(const Point3& place) const
+  {
+    for (const Circle& other : this->Circles)
+    {
+      if (Dot(place, other.Way) > other.Guard)
       {
         return true;
       }
@@ -114,7 +144,8 @@ private:
 
   GuardedBall Own;
   std::vector<Circle> Circles;
-  bool IsHidden = false; ///< another ball has all of the sphere
+  std::vector<Circle> Parents; ///< those of which a part is free
+  bool IsHidden = false;       ///< another ball has all of the sphere
 };
 
 } // namespace biting

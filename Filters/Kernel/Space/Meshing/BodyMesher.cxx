@@ -3,74 +3,28 @@
 
 #include "BodyMesher.h"
 
-#include "../../Base/DisjointSets.h"
 #include "../../Base/Tasks.h"
 #include "../Boundary/BodySides.h"
 #include "../Boundary/InsideTest.h"
 #include "../Boundary/WholeCheck.h"
 #include "../Delaunay/SpaceTriangulation.h"
 #include "../Finishing/BodyRelaxation.h"
+#include "../Interior/BodySpacing.h"
+#include "../Surface/SurfaceCrossings.h"
 #include "BodyCells.h"
 #include "BodyCheck.h"
 #include "CertifiedSurface.h"
 
-#include <algorithm> // for min, max, sort
+#include <algorithm> // for min, max
 #include <cmath>     // for sqrt
-#include <utility>   // for move, pairs
+#include <numeric>   // for iota
+#include <utility>   // for move
 
 namespace biting
 {
 
 namespace
 {
-
-/// A bite of the boundary whose f was lowered, as an item of a BoxTree.
-struct SmallBite
-{
-  Point3 Center;
-  double Size;
-
-  Box3 Box() const { return Box3::Around(this->Center, this->Center); }
-  double Least() const { return this->Size; }
-};
-
-/// f in a body: as given, and no more than that of any bite of the boundary allows at its distance.
-class BodySpacing
-{
-public:
-  BodySpacing(const std::function<double(const Point3&)>& given, const SurfaceBites& bites,
-    double gradation, Pulse& pulse)
-    : Given(given)
-    , Slope(gradation)
-  {
-    std::vector<SmallBite> small;
-    for (std::size_t bite = 0; bite < bites.Centers.size(); ++bite)
-    {
-      if (bites.Sizes[bite] < given(bites.Centers[bite]))
-      {
-        small.push_back({ bites.Centers[bite], bites.Sizes[bite] });
-      }
-    }
-    this->Tree = BoxTree<SmallBite, 3>(small, pulse);
-  }
-
-  double operator()(const Point3& place) const
-  {
-    double size = this->Given(place);
-    this->Tree.Search(place, this->Slope, size,
-      [this, &place, &size](const SmallBite& bite, double)
-      {
-        size = std::min(size, bite.Size + this->Slope * Distance(bite.Center, place));
-        return size;
-      });
-    return size;
-  }
-
-private:
-  std::function<double(const Point3&)> Given;
-  double Slope;
-  BoxTree<SmallBite, 3> Tree;
-};
 
 class BodyMesher
 {
@@ -87,18 +41,15 @@ public:
   BitingBody Run()
   {
     BitingBody mesh;
-    if (this->FindSides() && this->Certify() && this->FitsLimit() && this->FillInside() &&
-      this->FindCells() && this->Relax())
+    if (this->FindSides() && this->Certify() && this->FillInside() && this->FindCells() &&
+      this->Relax())
     {
       mesh = this->Finish();
     }
-    Pulse pulse(this->Listener);
-    return MayGoOn(this->Problems, pulse) ? mesh : BitingBody();
+    return this->Problems.HasErrors() ? BitingBody() : mesh;
   }
 
 private:
-  static constexpr double LargestOfTetrahedra = 1.4142135623730951; ///< vertices in f^3, about
-
   Id NumberOnBoundary() const { return this->Certified.Bites.Size(); }
 
   bool Refuse(ProblemCode code, const Point3& place, const std::string& detail)
@@ -113,9 +64,9 @@ private:
       "more than " + std::to_string(this->Options.Surface.MaximumNumberOfVertices) + " vertices");
   }
 
-  /// What each triangle has on both sides.
   bool FindSides()
   {
+    this->Listener.BeginStage("Looking for bodies");
     Pulse pulse(this->Listener);
     this->Bodies = FindBodies(this->Surface.Mesh, this->Options.Surface.Regions, pulse);
     const Id open = this->Bodies.OpenTriangle;
@@ -124,51 +75,61 @@ private:
       this->Refuse(ProblemCode::OpenEdges, this->Surface.Mesh.Middle(At(open)),
         "it has the same part of space on both sides");
     }
-    return MayGoOn(this->Problems, pulse);
+    return MayGoOn(this->Problems, pulse) && this->FitsLimit(pulse);
+  }
+
+  /// Refuses what will surely have too many vertices: inside about the integral of sqrt(2) / f^3,
+  /// by samples.
+  bool FitsLimit(Pulse& pulse)
+  {
+    constexpr std::size_t Samples = 24; // along each side of the box
+    const Box3 box = this->Surface.Mesh.Bounds();
+    SurfaceGround ground;
+    ground.Mesh = this->Surface.Mesh;
+    std::iota(ground.Mesh.Cells.begin(), ground.Mesh.Cells.end(), 0);
+    ground.Sides = this->Bodies.Sides;
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, pulse);
+    const InsideTest test(ground, tree);
+    const auto placeOf = [&box](std::size_t k)
+    {
+      Point3 place;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        place[d] = box.Low[d] + (static_cast<double>(k % Samples) + 0.5) / Samples * box.Size(d);
+        k /= Samples;
+      }
+      return place;
+    };
+    std::vector<double> densities(Samples * Samples * Samples, 0.0);
+    ForRowsAtOnce(pulse, densities.size(), 256,
+      [this, &test, &placeOf, &densities](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          const Point3 place = placeOf(k);
+          const double size = this->Options.Surface.Spacing(place);
+          densities[k] = test.LabelAt(place) != 0 ? std::sqrt(2.0) / (size * size * size) : 0.0;
+        }
+      });
+    double expected = 0.0;
+    for (std::size_t k = 0; k < densities.size(); ++k)
+    {
+      if (!(densities[k] >= 0.0 && densities[k] < Infinity))
+      {
+        return this->Refuse(ProblemCode::BadSpacing, placeOf(k), "");
+      }
+      expected += densities[k] * box.Size(0) * box.Size(1) * box.Size(2) /
+        static_cast<double>(densities.size());
+    }
+    constexpr double Surely = 2.0; // samples of a graded f are off
+    const auto most = static_cast<double>(this->Options.Surface.MaximumNumberOfVertices);
+    return expected > Surely * most ? this->RefuseSize() : MayGoOn(this->Problems, pulse);
   }
 
   bool Certify()
   {
     return CertifySurface(this->Surface, this->Options.Surface, this->Bodies.Sides, this->Certified,
       this->Problems, this->Listener);
-  }
-
-  /// About how many vertices there will be inside: the integral of sqrt(2) / f^3, by samples.
-  bool FitsLimit()
-  {
-    constexpr std::size_t Samples = 24; // along each side of the box
-    const Box3 box = this->Surface.Mesh.Bounds();
-    const InsideTest test(this->Certified.Ground, this->Certified.Tree);
-    std::vector<double> densities(Samples * Samples * Samples, 0.0);
-    Pulse pulse(this->Listener);
-    ForRowsAtOnce(pulse, Samples * Samples, 256 * Samples,
-      [this, &box, &test, &densities](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t k = begin * Samples; k < end * Samples; ++k)
-        {
-          const std::array<std::size_t, 3> steps{ k % Samples, k / Samples % Samples,
-            k / Samples / Samples };
-          Point3 place;
-          for (std::size_t d = 0; d < 3; ++d)
-          {
-            const double share = (static_cast<double>(steps[d]) + 0.5) / Samples;
-            place[d] = box.Low[d] + share * box.Size(d);
-          }
-          const double size = this->Certified.Spacing(place);
-          densities[k] = test.LabelAt(place) != 0 ? 1.0 / (size * size * size) : 0.0;
-        }
-      });
-    const double cell =
-      box.Size(0) * box.Size(1) * box.Size(2) / static_cast<double>(densities.size());
-    double expected = 0.0;
-    for (const double density : densities)
-    {
-      expected += LargestOfTetrahedra * cell * density;
-    }
-    // Samples of a graded f are off.
-    constexpr double Surely = 2.0;
-    const auto most = static_cast<double>(this->Options.Surface.MaximumNumberOfVertices);
-    return expected > Surely * most ? this->RefuseSize() : MayGoOn(this->Problems, pulse);
   }
 
   bool FillInside()
@@ -191,19 +152,24 @@ private:
       boundary.Balls.push_back(this->BallOf(facet));
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
-    this->Spacing =
-      BodySpacing(this->Certified.Spacing, bites, this->Options.Surface.Gradation, pulse);
+    std::vector<double> sizes;
+    for (Id bite = 0; bite < bites.Size(); ++bite)
+    {
+      sizes.push_back(
+        this->Certified.Ground.SizeAt(bites.Triangles[At(bite)], bites.Centers[At(bite)]));
+    }
+    this->Spacing = BodySpacing(
+      this->Certified.Spacing, bites.Centers, sizes, this->Options.Surface.Gradation, pulse);
     boundary.Spacing = this->Spacing;
-    const auto most = static_cast<std::size_t>(
-      std::max<std::int64_t>(0, this->Options.Surface.MaximumNumberOfVertices - bites.Size()));
-    const auto wanted = static_cast<std::size_t>(
-      std::max<std::int64_t>(0, this->Options.MaximumNumberOfBites - bites.Size()));
-    const bool isLimited = this->Options.MaximumNumberOfBites > 0;
-    this->Inside =
-      BiteInterior(boundary, this->Options.Shape, isLimited ? std::min(wanted, most) : most, pulse);
-    return this->Inside.Centers.size() > most && !(isLimited && wanted < most)
-      ? this->RefuseSize()
-      : MayGoOn(this->Problems, pulse);
+    const auto left = [&bites](std::int64_t limit)
+    { return static_cast<std::size_t>(std::max<std::int64_t>(0, limit - bites.Size())); };
+    const std::size_t most = left(this->Options.Surface.MaximumNumberOfVertices);
+    const std::size_t wanted =
+      this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
+    this->Inside = BiteInterior(boundary, this->Options.Shape, std::min(wanted, most), pulse);
+    this->IsCutShort = this->Inside.Centers.size() > wanted;
+    return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
+                                                                   : MayGoOn(this->Problems, pulse);
   }
 
   EmptyBall BallOf(std::size_t facet) const
@@ -229,8 +195,12 @@ private:
       std::vector<Point3> points = this->Certified.Bites.Centers;
       points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
       this->Weights.resize(points.size(), 0.0);
-      const SpaceTriangulation triangulation =
-        TriangulateSpace(points, this->Weights, this->Listener);
+      SpaceTriangulation triangulation;
+      {
+        const PulsePart part(pulse, 0.0, 0.9);
+        PulseMonitor monitor(pulse);
+        triangulation = TriangulateSpace(points, this->Weights, monitor);
+      }
       if (!MayGoOn(this->Problems, pulse))
       {
         return false;
@@ -311,54 +281,14 @@ private:
     body.BoundaryPlaces = bites.Triangles;
     body.Facets = this->Certified.Boundary.Corners;
     body.PieceEnds = bites.PieceEnds;
-    this->TagFacets();
-  }
-
-  /// Facets of one tag hang together by edges that are no pieces of chains.
-  void TagFacets()
-  {
-    struct Side
-    {
-      std::pair<Id, Id> Ends;
-      Id Facet; ///< NoId: a piece
-      bool operator<(const Side& other) const
-      {
-        return this->Ends != other.Ends ? this->Ends < other.Ends : this->Facet < other.Facet;
-      }
-    };
-    std::vector<Side> sides;
-    const std::vector<Id>& facets = this->Body.Facets;
-    const std::vector<Id>& pieces = this->Body.PieceEnds;
-    sides.reserve(facets.size() + pieces.size() / 2);
-    for (std::size_t k = 0; k < pieces.size(); k += 2)
-    {
-      sides.push_back({ std::minmax(pieces[k], pieces[k + 1]), NoId });
-    }
-    for (std::size_t slot = 0; slot < facets.size(); ++slot)
-    {
-      sides.push_back(
-        { std::minmax(facets[slot], facets[NextSlotOf(slot)]), static_cast<Id>(slot / 3) });
-    }
-    std::sort(sides.begin(), sides.end());
-    DisjointSets sets(facets.size() / 3);
-    for (std::size_t k = 1; k < sides.size(); ++k)
-    {
-      if (sides[k].Ends == sides[k - 1].Ends && sides[k - 1].Facet != NoId)
-      {
-        sets.Unite(sides[k - 1].Facet, sides[k].Facet);
-      }
-    }
-    for (Id facet = 0; facet < static_cast<Id>(facets.size() / 3); ++facet)
-    {
-      this->Body.FacetTags.push_back(sets.SetOf(facet));
-    }
+    body.FacetTags.assign(body.Facets.size() / 3, 0); // pieces, which stay, bound patches
   }
 
   bool Relax()
   {
     this->Listener.BeginStage("Relaxing");
     Pulse pulse(this->Listener);
-    if (this->Options.Surface.Relaxation)
+    if (this->Options.Surface.Relaxation && !this->IsCutShort)
     {
       RelaxBody(this->Certified.Ground, this->Spacing, this->Body, pulse);
     }
@@ -426,6 +356,7 @@ private:
   std::vector<double> Weights;                  ///< of bites
   std::function<double(const Point3&)> Spacing; ///< f in the body
   InteriorBites Inside;
+  bool IsCutShort = false; ///< bites were not to go on
   RelaxedBody Body;
   std::vector<Id> BiteOrders; ///< of its points
 };
@@ -463,6 +394,7 @@ BitingBody MakeBitingBody(const CheckedSurface& surface, const BodyMesherOptions
     },
     MoveBody);
   Pulse pulse(monitor);
+  pulse.SetFraction(1.0);
   const Id flat = FindNotPositive(mesh.Points, mesh.Corners, pulse);
   if (flat != NoId)
   {

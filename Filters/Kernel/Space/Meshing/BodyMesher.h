@@ -18,12 +18,13 @@ struct BodyMesherOptions
   /// As for the surface; Spacing is asked in the whole of space, and is 4 % of the diagonal where
   /// it is empty. Regions, of each triangle: a closed shell with one value all over encloses the
   /// region of that value; a shell within another of the same value is a cavity of it. Without
-  /// values, or where a shell has several, insides are found by even-odd.
+  /// values, or where a shell has several, insides are found by even-odd. Walls that bodies share:
+  /// FindBodies.
   SurfaceMesherOptions Surface;
 
   SpaceBiteShape Shape = SpaceBiteShape::Sphere;
   double BitingConstant = 0.0; ///< radius of a bite in f; 0: the one that gives edges of f
-  std::int64_t MaximumNumberOfBites = 0; ///< stop after so many; 0: until all is taken
+  std::int64_t MaximumNumberOfBites = 0; ///< stop after so many, and do not relax; 0: never
 };
 
 /// The mesh, as a structure of arrays.

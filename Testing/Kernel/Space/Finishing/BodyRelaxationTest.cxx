@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) The Biting Developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Space/Finishing/BodyRelaxation.h"
+
+#include "Space/Delaunay/SpaceTriangulation.h"
+#include "Space/Features/FeatureLines.h"
+#include "Space/Features/GroundPatches.h"
+#include "Space/Quality/TetQuality.h"
+#include "Space/Surface/NearestOnTriangle.h"
+#include "Space/Surface/SurfaceShapes.h"
+#include "Support/Dice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm> // for sort, min_element
+#include <array>     // for corners
+#include <cmath>     // for abs
+#include <map>       // for facets
+#include <utility>   // for pairs
+
+namespace biting
+{
+
+namespace
+{
+
+using Facet = std::array<Id, 3>;
+
+Facet Sorted(Id a, Id b, Id c)
+{
+  Facet facet{ a, b, c };
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
+/// The unit cube, halved at x = 1 / 2 into two regions if that is wanted; about n points an edge.
+class Cube
+{
+public:
+  Cube(int n, int regions, double unevenness)
+    : Random(5)
+    , Step(1.0 / n)
+    , IsHalved(regions == 2)
+    , Unevenness(unevenness)
+  {
+    this->MakeGround();
+    for (int places = 3; places >= 0; --places)
+    {
+      this->AddPoints(n, places);
+    }
+    this->Body.Sizes.assign(this->Body.Points.size(), this->Step);
+    this->AddCells();
+    this->AddFacets();
+    this->AddPieces();
+  }
+
+  void Relax(Monitor& monitor = NoMonitor())
+  {
+    Pulse pulse(monitor);
+    RelaxBody(
+      this->Ground, [this](const Point3&) { return this->Step; }, this->Body, pulse);
+  }
+
+  RelaxedBody Body;
+  SurfaceGround Ground;
+
+private:
+  void MakeGround()
+  {
+    Soup soup;
+    soup.AddBox({ 0.0, 0.0, 0.0 }, { this->IsHalved ? 0.5 : 1.0, 1.0, 1.0 });
+    for (std::size_t side = this->IsHalved ? 1 : 6; side < 6; ++side)
+    {
+      soup.AddSide({ 0.5, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, side / 2, side % 2 == 1, 1);
+    }
+    this->Ground.Mesh = Judge(soup).Surface.Mesh;
+    Pulse pulse(NoMonitor());
+    for (std::size_t t = 0; t < this->Ground.Mesh.NumberOfTriangles(); ++t)
+    {
+      const Point3 normal = this->Ground.Mesh.Normal(t);
+      this->Ground.Mesh.Cells[t] = static_cast<Id>(t);
+      this->Ground.Normals.push_back((1.0 / Length(normal)) * normal);
+    }
+    this->Ground.Sizes.assign(this->Ground.Mesh.Points.size(), this->Step);
+    FlagFeatures(this->Ground, {}, 40.0, pulse);
+    LinkGround(this->Ground, pulse);
+  }
+
+  /// How many of the planes of the surface a point of the lattice is on.
+  int NumberOfPlanes(const std::array<int, 3>& at, int n) const
+  {
+    int planes = this->IsHalved && 2 * at[0] == n ? 1 : 0;
+    for (const int i : at)
+    {
+      planes += i == 0 || i == n ? 1 : 0;
+    }
+    return planes;
+  }
+
+  /// Those of the lattice on so many planes; all but corners and points of lines are moved on them.
+  /// Inside, some are left away, and those next to planes are not moved far.
+  void AddPoints(int n, int planes)
+  {
+    for (int k = 0; k < (n + 1) * (n + 1) * (n + 1); ++k)
+    {
+      const std::array<int, 3> at{ k % (n + 1), k / (n + 1) % (n + 1), k / (n + 1) / (n + 1) };
+      if (this->NumberOfPlanes(at, n) != planes || (planes == 0 && this->Random.Below(9) == 0))
+      {
+        continue;
+      }
+      Point3 point;
+      for (std::size_t d = 0; d < 3; ++d)
+      {
+        const bool isOnPlane =
+          at[d] == 0 || at[d] == n || (d == 0 && this->IsHalved && 2 * at[d] == n);
+        const double most = isOnPlane || planes > 1 ? 0.0 : planes == 1 ? 0.2 : this->Unevenness;
+        point[d] = this->Step * (at[d] + most * this->Random.Between(-1.0, 1.0));
+      }
+      this->Body.Points.push_back(point);
+      this->Body.NumberOnLines += planes > 1 ? 1 : 0;
+      this->Body.NumberOnBoundary += planes > 0 ? 1 : 0;
+      if (planes > 0)
+      {
+        this->Body.BoundaryPlaces.push_back(this->TriangleAt(point));
+      }
+    }
+  }
+
+  Id TriangleAt(const Point3& point) const
+  {
+    Id nearest = 0;
+    double least = 1.0;
+    for (std::size_t t = 0; t < this->Ground.Mesh.NumberOfTriangles(); ++t)
+    {
+      const double distance = Distance(NearestPoint(this->Ground.Mesh.Triangle(t), point), point);
+      nearest = distance < least ? static_cast<Id>(t) : nearest;
+      least = std::min(least, distance);
+    }
+    return nearest;
+  }
+
+  void AddCells()
+  {
+    const SpaceTriangulation all = TriangulateSpace(this->Body.Points, {}, NoMonitor());
+    for (Id cell = 0; cell < all.Mesh.NumberOfSlots(); ++cell)
+    {
+      double x = 0.0;
+      for (Id slot = 4 * cell; slot < 4 * cell + 4 && all.Mesh.IsTetrahedron(cell); ++slot)
+      {
+        const Id vertex = all.Order[At(all.Mesh.Corners[At(slot)])];
+        this->Body.Corners.push_back(vertex);
+        x += 0.25 * this->Body.Points[At(vertex)].X;
+      }
+      if (all.Mesh.IsTetrahedron(cell))
+      {
+        this->Body.Regions.push_back(this->IsHalved && x > 0.5 ? 1 : 0);
+      }
+    }
+  }
+
+  void AddFacets()
+  {
+    const GroundPatches patches(this->Ground);
+    std::map<Facet, Id> open; // with one cell up to now: its slot
+    for (Id slot = 0; slot < static_cast<Id>(this->Body.Corners.size()); ++slot)
+    {
+      const Facet corners = this->FacetAt(slot);
+      const auto [place, isNew] = open.insert({ Sorted(corners[0], corners[1], corners[2]), slot });
+      if (!isNew)
+      {
+        const Id other = place->second;
+        open.erase(place);
+        const Id regions[2] = { this->Body.Regions[At(slot / 4)],
+          this->Body.Regions[At(other / 4)] };
+        if (regions[0] != regions[1])
+        {
+          this->AddFacet(patches, this->FacetAt(regions[0] < regions[1] ? slot : other));
+        }
+      }
+    }
+    for (const auto& [corners, slot] : open)
+    {
+      this->AddFacet(patches, this->FacetAt(slot));
+    }
+  }
+
+  Facet FacetAt(Id slot) const
+  {
+    const int* order = TetMesh::FacetCorners[slot % 4];
+    const auto corner = [this, slot, order](int k)
+    { return this->Body.Corners[At(slot - slot % 4 + order[k])]; };
+    return { corner(0), corner(1), corner(2) };
+  }
+
+  void AddFacet(const GroundPatches& patches, const Facet& facet)
+  {
+    Point3 middle{};
+    for (const Id corner : facet)
+    {
+      middle = middle + (1.0 / 3.0) * this->Body.Points[At(corner)];
+    }
+    this->Body.Facets.insert(this->Body.Facets.end(), facet.begin(), facet.end());
+    this->Body.FacetTags.push_back(patches.PatchOf(this->TriangleAt(middle)));
+  }
+
+  /// Edges where patches meet.
+  void AddPieces()
+  {
+    std::map<std::pair<Id, Id>, std::vector<Id>> tags;
+    for (std::size_t k = 0; k < this->Body.Facets.size(); ++k)
+    {
+      const Id a = this->Body.Facets[k];
+      const Id b = this->Body.Facets[NextSlotOf(k)];
+      tags[std::minmax(a, b)].push_back(this->Body.FacetTags[k / 3]);
+    }
+    for (const auto& [ends, tagsThere] : tags)
+    {
+      if (tagsThere.size() != 2 || tagsThere[0] != tagsThere[1])
+      {
+        this->Body.PieceEnds.insert(this->Body.PieceEnds.end(), { ends.first, ends.second });
+      }
+    }
+  }
+
+  Dice Random;
+  double Step;
+  bool IsHalved;
+  double Unevenness;
+};
+
+double SmallestAngle(const RelaxedBody& body)
+{
+  return MeasureTetrahedra({ body.Points, body.Sizes, body.Corners }).SmallestDihedralAngle;
+}
+
+double VolumeOf(const RelaxedBody& body, Id region)
+{
+  double volume = 0.0;
+  for (std::size_t t = 0; t < body.Regions.size(); ++t)
+  {
+    const auto at = [&body, t](std::size_t k) { return body.Points[At(body.Corners[4 * t + k])]; };
+    const double six = Dot(at(1) - at(0), Cross(at(2) - at(0), at(3) - at(0)));
+    volume += body.Regions[t] == region ? six / 6.0 : 0.0;
+  }
+  return volume;
+}
+
+/// What RelaxedBody says, exactly.
+void ExpectBody(const RelaxedBody& body)
+{
+  std::map<Facet, std::vector<std::pair<Id, Facet>>> cells; // regions, corners from there
+  for (std::size_t t = 0; t < body.Regions.size(); ++t)
+  {
+    const Id* c = &body.Corners[4 * t];
+    EXPECT_GT(Orient3D(body.Points[At(c[0])], body.Points[At(c[1])], body.Points[At(c[2])],
+                body.Points[At(c[3])]),
+      0);
+    for (const auto& order : TetMesh::FacetCorners)
+    {
+      const Facet facet{ c[order[0]], c[order[1]], c[order[2]] };
+      cells[Sorted(facet[0], facet[1], facet[2])].push_back({ body.Regions[t], facet });
+    }
+  }
+  std::map<Facet, int> facets;
+  for (std::size_t k = 0; k < body.Facets.size(); k += 3)
+  {
+    const Facet facet{ body.Facets[k], body.Facets[k + 1], body.Facets[k + 2] };
+    ++facets[Sorted(facet[0], facet[1], facet[2])];
+    const auto& sides = cells[Sorted(facet[0], facet[1], facet[2])];
+    ASSERT_FALSE(sides.empty());
+    const auto& lower = *std::min_element(sides.begin(), sides.end());
+    const auto turn = static_cast<std::size_t>(
+      std::find(facet.begin(), facet.end(), lower.second[0]) - facet.begin());
+    EXPECT_EQ(facet[(turn + 1) % 3], lower.second[1]);
+  }
+  for (const auto& [facet, sides] : cells)
+  {
+    const bool isFacet = sides.size() == 1 || sides[0].first != sides[1].first;
+    EXPECT_LE(sides.size(), 2u);
+    EXPECT_EQ(facets.count(facet) == 1 ? facets[facet] : 0, isFacet ? 1 : 0);
+  }
+}
+
+/// Edges that patches, or nothing, bound are those they were; facets lie in the planes of patches.
+void ExpectPatches(const Cube& cube)
+{
+  const RelaxedBody& body = cube.Body;
+  std::map<std::pair<Id, Id>, int> edges;
+  for (std::size_t k = 0; k < body.Facets.size(); ++k)
+  {
+    ++edges[std::minmax(body.Facets[k], body.Facets[NextSlotOf(k)])];
+    const Point3 off =
+      body.Points[At(body.Facets[k])] - cube.Ground.Mesh.At(3 * At(body.FacetTags[k / 3]));
+    EXPECT_EQ(Dot(off, cube.Ground.NormalOf(At(body.FacetTags[k / 3]))), 0.0);
+  }
+  for (std::size_t k = 0; k < body.PieceEnds.size(); k += 2)
+  {
+    EXPECT_GE(edges[std::minmax(body.PieceEnds[k], body.PieceEnds[k + 1])], 2);
+  }
+}
+
+} // namespace
+
+TEST(BodyRelaxation, MakesAllAnglesOfACubeAtLeastThirtyDegrees)
+{
+  Cube cube(12, 1, 0.45);
+  ExpectBody(cube.Body);
+  EXPECT_LT(SmallestAngle(cube.Body), 10.0);
+  cube.Relax();
+  EXPECT_GE(SmallestAngle(cube.Body), 30.0);
+  ExpectBody(cube.Body);
+  ExpectPatches(cube);
+  EXPECT_NEAR(VolumeOf(cube.Body, 0), 1.0, 1e-12);
+}
+
+TEST(BodyRelaxation, KeepsRegionsAndTheirInterface)
+{
+  Cube cube(12, 2, 0.2);
+  ExpectBody(cube.Body);
+  const std::vector<Point3> before(
+    cube.Body.Points.begin(), cube.Body.Points.begin() + cube.Body.NumberOnLines);
+  cube.Relax();
+  EXPECT_GE(SmallestAngle(cube.Body), 30.0);
+  ExpectBody(cube.Body);
+  ExpectPatches(cube);
+  EXPECT_NEAR(VolumeOf(cube.Body, 0), 0.5, 1e-12);
+  EXPECT_NEAR(VolumeOf(cube.Body, 1), 0.5, 1e-12);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), cube.Body.Points.begin()));
+}
+
+TEST(BodyRelaxation, NeverMakesTheWorstAngleWorseAndGivesTheSameAgain)
+{
+  for (const double unevenness : { 0.0, 0.1, 0.6 })
+  {
+    Cube cube(6, 1, unevenness);
+    Cube again(6, 1, unevenness);
+    const double before = SmallestAngle(cube.Body);
+    cube.Relax();
+    again.Relax();
+    EXPECT_GE(SmallestAngle(cube.Body), before);
+    EXPECT_EQ(cube.Body.Points, again.Body.Points);
+    EXPECT_EQ(cube.Body.Corners, again.Body.Corners);
+  }
+}
+
+/// Wants to stop when it is asked for that time.
+class StopAfter : public SilentMonitor
+{
+public:
+  explicit StopAfter(int times)
+    : Left(times)
+  {
+  }
+  bool Advance(double) override { return --this->Left > 0; }
+
+  int Left;
+};
+
+TEST(BodyRelaxation, LeavesABodyWhenItIsStopped)
+{
+  constexpr int Most = 1000000;
+  StopAfter never(Most);
+  Cube(8, 2, 0.2).Relax(never);
+  const int asked = Most - never.Left;
+  EXPECT_GT(asked, 20);
+  for (int times = 1; times < asked; times += 1 + asked / 12)
+  {
+    Cube cube(8, 2, 0.2);
+    StopAfter stop(times);
+    cube.Relax(stop);
+    EXPECT_EQ(stop.Left, 0);
+    ExpectBody(cube.Body);
+  }
+}
+
+} // namespace biting
