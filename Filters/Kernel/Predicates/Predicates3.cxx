@@ -149,26 +149,41 @@ auto PowerNumerator(const std::array<Vector, 3>& v, const std::array<Lift, 3>& l
   { return term(0, first, second) + term(1, first, second) + term(2, first, second); };
 }
 
-/// The exact vector, rounded.
-Point3 ExactPowerCenter(const std::array<WeightedPoint, 4>& p)
+DoubleDouble Rounded(const DoubleDouble& x)
 {
-  using Number = Expansion<2>;
+  return x;
+}
+
+template <int Capacity>
+DoubleDouble Rounded(const Expansion<Capacity>& x)
+{
+  return x.Rounded();
+}
+
+/// The quotient in the numbers. False where the determinant is not above `least`.
+template <class Number>
+bool WidePowerCenter(const std::array<WeightedPoint, 4>& p, double least, Point3& center)
+{
   using Vector = WideVector3<Number>;
   std::array<Vector, 3> v;
-  std::array<Expansion<26>, 3> lifts;
+  std::array<decltype(LiftOf(v[0], 0.0, 0.0)), 3> lifts;
   for (std::size_t k = 0; k < 3; ++k)
   {
     v[k] = WideVectorTo<Number>(p[k + 1].Place, p[0].Place);
     lifts[k] = LiftOf(v[k], p[k + 1].Weight, p[0].Weight);
   }
-  const auto determinant =
-    VolumeDeterminant<Number>(p[0].Place, p[1].Place, p[2].Place, p[3].Place);
-  const DoubleDouble denominator = determinant.Rounded();
+  const DoubleDouble denominator =
+    Rounded(VolumeDeterminant<Number>(p[0].Place, p[1].Place, p[2].Place, p[3].Place));
+  if (!(std::abs(denominator.High) > least))
+  {
+    return false;
+  }
   const auto numerator = PowerNumerator(v, lifts);
-  return 0.5 *
-    Point3{ Quotient(numerator(&Vector::Y, &Vector::Z).Rounded(), denominator),
-      Quotient(numerator(&Vector::Z, &Vector::X).Rounded(), denominator),
-      Quotient(numerator(&Vector::X, &Vector::Y).Rounded(), denominator) };
+  center = 0.5 *
+    Point3{ Quotient(Rounded(numerator(&Vector::Y, &Vector::Z)), denominator),
+      Quotient(Rounded(numerator(&Vector::Z, &Vector::X)), denominator),
+      Quotient(Rounded(numerator(&Vector::X, &Vector::Y)), denominator) };
+  return true;
 }
 
 /// Whether all vectors from the origin to the points are exact and whole multiples of one number,
@@ -341,11 +356,13 @@ int TieInSphere(const Point3& a, const Point3& b, const Point3& c, const Point3&
 
 // With m the greatest difference along an axis, a determinant above 2^-10 m^3 is off by 2^-37 of
 // its value. A lift is at most 4 m^2, a numerator off by less than 2^-43 m^4: the quotient by
-// 2^-33 m.
+// 2^-33 m. In DoubleDouble one above 2^-40 m^3 is off by 2^-58 of its value (Orient3DWideBound), a
+// numerator by less than 2^-95 m^4 (InSphereWideBound): the quotient by 2^-56 m and its rounding.
 Point3 PowerCenter(
   const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d)
 {
   constexpr double LeastShare = 1.0 / 1024.0;
+  constexpr double LeastWideShare = LeastShare * LeastShare * LeastShare * LeastShare;
   const std::array<Point3, 3> v{ b.Place - a.Place, c.Place - a.Place, d.Place - a.Place };
   const std::array<double, 3> lifts{ Dot(v[0], v[0]) - (b.Weight - a.Weight),
     Dot(v[1], v[1]) - (c.Weight - a.Weight), Dot(v[2], v[2]) - (d.Weight - a.Weight) };
@@ -356,9 +373,15 @@ Point3 PowerCenter(
   }
   const double determinant = Dot(v[0], Cross(v[1], v[2]));
   const double largest = std::max(extents.X, std::max(extents.Y, extents.Z));
-  if (!(std::abs(determinant) > LeastShare * largest * largest * largest))
+  const double cube = largest * largest * largest;
+  if (!(std::abs(determinant) > LeastShare * cube))
   {
-    return ExactPowerCenter({ a, b, c, d });
+    Point3 center;
+    if (!WidePowerCenter<DoubleDouble>({ a, b, c, d }, LeastWideShare * cube, center))
+    {
+      WidePowerCenter<Expansion<2>>({ a, b, c, d }, -1.0, center);
+    }
+    return center;
   }
   return 0.5 / determinant *
     (lifts[0] * Cross(v[1], v[2]) + lifts[1] * Cross(v[2], v[0]) + lifts[2] * Cross(v[0], v[1]));

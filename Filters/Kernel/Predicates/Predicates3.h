@@ -58,9 +58,8 @@ int TieInSphere(
 
 /// The centre of the sphere that is orthogonal to a, b, c, d (through them, without weights), as a
 /// vector from a. Precondition: Orient3D is not 0.
-/// Where the four are nearly coplanar it is rounded from the exact fraction, so each coordinate is
-/// right within two units in its last place; elsewhere it is off by less than 1e-10 of the
-/// greatest distance between two of the four, if their weights are not larger than its square.
+/// Off by less than 1e-10 of the greatest distance between two of the four and 1e-15 of its length,
+/// if their weights are not larger than the square of that distance; however flat the four are.
 Point3 PowerCenter(
   const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, const WeightedPoint& d);
 

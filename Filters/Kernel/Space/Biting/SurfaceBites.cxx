@@ -200,7 +200,6 @@ private:
       this->Seen[At(triangle)] = bite;
     }
     this->NumberOfMeetings = 0;
-    this->Way = { {}, NoId };
     // Candidates first: the new bite is in no list yet.
     std::size_t next = 0;
     while (next < this->Front.size()) // GoAcross adds some
@@ -209,7 +208,9 @@ private:
       this->Meet(bite, triangle);
       for (std::size_t slot = 3 * At(triangle); slot < 3 * At(triangle) + 3; ++slot)
       {
-        if (this->Distance2(slot, center) <= radius2)
+        const Id across = this->Ground.Across[slot];
+        const bool isSeen = across != NoId && this->Seen[At(across / 3)] == bite;
+        if (!isSeen && this->Distance2(slot, center) <= radius2)
         {
           this->GoAcross(bite, slot);
         }
@@ -220,10 +221,14 @@ private:
       this->Entries.push_back({ bite, this->Heads[At(triangle)] });
       this->Heads[At(triangle)] = static_cast<Id>(this->Entries.size()) - 1;
     }
-    if (this->NumberOfMeetings == 0 && this->Way.Triangle != NoId &&
-      !this->IsTaken(this->Way.Triangle, this->Way.Place))
+    Candidate way{ {}, NoId };
+    for (std::size_t k = 0; this->NumberOfMeetings == 0 && k < this->Front.size(); ++k)
     {
-      this->Queue.push_back(this->Way);
+      this->FindWay(bite, this->Front[k], way);
+    }
+    if (way.Triangle != NoId && !this->IsTaken(way.Triangle, way.Place))
+    {
+      this->Queue.push_back(way);
     }
   }
 
@@ -263,25 +268,41 @@ private:
   /// The candidates in a triangle.
   void Meet(Id bite, Id triangle)
   {
-    const GroundPlane plane(this->Ground.Mesh.Triangle(At(triangle)));
-    if (!(plane.Twice > 0.0))
-    {
-      return;
-    }
-    PlaneDisk own{};
-    if (!this->DiskOf(bite, plane, own))
-    {
-      return;
-    }
-    this->NoteWay(own, plane, triangle);
+    this->Near.clear();
     for (Id entry = this->Heads[At(triangle)]; entry != NoId; entry = this->Entries[At(entry)].Next)
     {
+      const Id other = this->Entries[At(entry)].Bite;
+      if (!this->AreApart(bite, other))
+      {
+        this->Near.push_back(other);
+      }
+    }
+    if (this->Near.empty())
+    {
+      return;
+    }
+    const GroundPlane plane(this->Ground.Mesh.Triangle(At(triangle)));
+    PlaneDisk own{};
+    if (!(plane.Twice > 0.0) || !this->DiskOf(bite, plane, own))
+    {
+      return;
+    }
+    for (const Id near : this->Near)
+    {
       PlaneDisk other{};
-      if (this->DiskOf(this->Entries[At(entry)].Bite, plane, other))
+      if (this->DiskOf(near, plane, other))
       {
         this->MeetDisk(own, other, plane, triangle);
       }
     }
+  }
+
+  bool AreApart(Id a, Id b) const
+  {
+    constexpr double Beyond = 1.0 + 1e-9;
+    const Point3 way = this->Bites.Centers[At(b)] - this->Bites.Centers[At(a)];
+    const double reach = Beyond * (this->Bites.Radii[At(a)] + this->Bites.Radii[At(b)]);
+    return Dot(way, way) > reach * reach;
   }
 
   bool DiskOf(Id bite, const GroundPlane& plane, PlaneDisk& disk) const
@@ -320,9 +341,15 @@ private:
   }
 
   /// A point of the sphere on a side of the triangle, for a bite that meets no other.
-  void NoteWay(const PlaneDisk& disk, const GroundPlane& plane, Id triangle)
+  void FindWay(Id bite, Id triangle, Candidate& way) const
   {
-    for (std::size_t k = 0; k < 3 && this->Way.Triangle == NoId; ++k)
+    const GroundPlane plane(this->Ground.Mesh.Triangle(At(triangle)));
+    PlaneDisk disk{};
+    if (!(plane.Twice > 0.0) || !this->DiskOf(bite, plane, disk))
+    {
+      return;
+    }
+    for (std::size_t k = 0; k < 3 && way.Triangle == NoId; ++k)
     {
       const Point3& tail = plane.Corners[k];
       const Point3 side = plane.Corners[(k + 1) % 3] - tail;
@@ -334,7 +361,7 @@ private:
       {
         if (rest >= 0.0 && part >= 0.0 && part <= 1.0)
         {
-          this->Way = { tail + part * side, triangle };
+          way = { tail + part * side, triangle };
         }
       }
     }
@@ -351,7 +378,7 @@ private:
   std::vector<Candidate> Queue;
   std::size_t First = 0;
   std::size_t NumberOfMeetings = 0;
-  Candidate Way{ {}, NoId };
+  std::vector<Id> Near; ///< bites in a triangle that the new one may meet
 };
 
 } // namespace

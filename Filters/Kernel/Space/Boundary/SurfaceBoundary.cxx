@@ -4,6 +4,7 @@
 #include "SurfaceBoundary.h"
 
 #include "../../Base/Numbers.h"
+#include "../../Base/Tasks.h"
 #include "../../Delaunay/SpatialOrder.h"
 #include "../Delaunay/RegularTriangulation.h"
 #include "../Surface/NearestOnTriangle.h"
@@ -24,9 +25,29 @@ namespace
 /// Where the dual edge of a facet meets the surface.
 struct DualMeeting
 {
-  Id Triangle = NoId; ///< of the ground; NoId: nowhere
-  Point3 Place;       ///< then that of the dual edge which is nearest to the facet
+  Id Triangle = NoId; ///< of the ground, nearest to the facet; NoId: nowhere
   Id Count = 0;
+};
+
+/// The dual edge of a facet: foot + h normal, for h from Begin to End, near the facet.
+struct DualEdge
+{
+  Point3 Normal; ///< of the facet, away from its cell, unit
+  Point3 Foot;   ///< in its plane
+  double Begin;
+  double End;
+};
+
+/// A facet of the boundary.
+struct WallFacet
+{
+  Id Facet;
+  Id Triangle; ///< of the ground, below
+  bool IsTurned;
+
+  // Of solids.
+  Point3 BallCenter;
+  TriangleSides Sides;
 };
 
 class BoundaryFinder
@@ -112,35 +133,48 @@ private:
     return { this->Cells.Mesh().PointAt(vertex), this->Cells.Mesh().WeightAt(vertex) };
   }
 
+  /// Does step(cell) for all tetrahedra, on all threads.
+  template <typename Step>
+  void ForCells(const Step& step)
+  {
+    constexpr std::size_t CheapSteps = 31;
+    const TetMesh& mesh = this->Cells.Mesh();
+    ForRowsAtOnce(this->Beats, At(mesh.NumberOfSlots()), CheapSteps,
+      [&mesh, &step](std::size_t begin, std::size_t end)
+      {
+        for (Id cell = static_cast<Id>(begin); cell < static_cast<Id>(end); ++cell)
+        {
+          if (mesh.IsTetrahedron(cell))
+          {
+            step(cell);
+          }
+        }
+      });
+  }
+
   void FindCenters()
   {
-    const TetMesh& mesh = this->Cells.Mesh();
-    this->Centers.resize(At(mesh.NumberOfSlots()));
-    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
-    {
-      if (mesh.IsTetrahedron(cell))
+    this->Centers.resize(At(this->Cells.Mesh().NumberOfSlots()));
+    this->ForCells(
+      [this](Id cell)
       {
         const WeightedPoint first = this->CornerAt(cell, 0);
         this->Centers[At(cell)] = first.Place +
           PowerCenter(
             first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
-      }
-    }
+      });
   }
 
   void LabelCells()
   {
     const InsideTest test(this->Ground, this->Tree);
-    const TetMesh& mesh = this->Cells.Mesh();
-    this->Labels.assign(At(mesh.NumberOfSlots()), 0);
-    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(32); ++cell)
-    {
-      if (mesh.IsTetrahedron(cell))
+    this->Labels.assign(At(this->Cells.Mesh().NumberOfSlots()), 0);
+    this->ForCells(
+      [this, &test](Id cell)
       {
         const Id label = this->LabelByNormals(cell);
         this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(this->Centers[At(cell)]);
-      }
-    }
+      });
   }
 
   /// Labels cells at bites with faults by their middles. In a wedge or a wall too thin for f power
@@ -218,37 +252,76 @@ private:
   void TakeWalls()
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    for (Id cell = 0; cell < mesh.NumberOfSlots() && this->Beats.Beat(8); ++cell)
-    {
-      const Id label = this->Labels[At(cell)];
-      for (Id facet = 4 * cell; facet < 4 * cell + 4 && label != 0; ++facet)
+    this->TakeFacets(
+      [this, &mesh](Id facet, WallFacet& wall)
       {
+        const Id label = this->Labels[At(TetMesh::CellOf(facet))];
         const Id other = this->Labels[At(TetMesh::CellOf(mesh.Twins[At(facet)]))];
-        if (label != other && IsBehind(label, other))
+        const bool isWall = label != other && IsBehind(label, other);
+        if (isWall)
         {
-          this->Add(facet, this->Meet(facet), false);
-          this->Result.Sides.push_back({ label, other });
+          const DualEdge dual = this->DualOf(facet);
+          const Id near = this->WalkTo(facet, dual);
+          const bool isFound = near != NoId && this->Agree(near, dual.Normal);
+          const Id met = isFound ? near : this->Meet(dual).Triangle;
+          wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
+            this->BallCenter(dual, met), { label, other } };
         }
-      }
-    }
+        return isWall;
+      });
   }
 
   void TakeMeetings()
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    for (Id facet = 0; facet < 4 * mesh.NumberOfSlots() && this->Beats.Beat(64); ++facet)
-    {
-      const Id twin = mesh.Twins[At(facet)];
-      const Id cell = TetMesh::CellOf(facet);
-      if (mesh.IsTetrahedron(cell) && this->IsOfBites(facet) &&
-        (facet < twin || mesh.IsGhost(TetMesh::CellOf(twin))))
+    this->TakeFacets(
+      [this, &mesh](Id facet, WallFacet& wall)
       {
-        const DualMeeting meeting = this->Meet(facet);
+        const Id twin = mesh.Twins[At(facet)];
+        if (!this->IsOfBites(facet) || (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
+        {
+          return false;
+        }
+        const DualEdge dual = this->DualOf(facet);
+        const DualMeeting meeting = this->Meet(dual);
         if (meeting.Count % 2 == 1)
         {
-          const Point3 normal = this->NormalOf(facet);
-          this->Add(facet, meeting, Dot(normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0);
+          const bool isTurned = Dot(dual.Normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0;
+          wall = { facet,
+            this->TriangleBelow(facet, meeting.Triangle, (isTurned ? -1.0 : 1.0) * dual.Normal),
+            isTurned, {}, {} };
         }
+        return meeting.Count % 2 == 1;
+      });
+  }
+
+  /// Takes the facets of tetrahedra for which isWall(facet, wall), in their order.
+  template <typename Question>
+  void TakeFacets(const Question& isWall)
+  {
+    constexpr std::size_t CellsPerTask = 512;
+    const TetMesh& mesh = this->Cells.Mesh();
+    const std::size_t cells = At(mesh.NumberOfSlots());
+    std::vector<std::vector<WallFacet>> parts((cells + CellsPerTask - 1) / CellsPerTask);
+    DoTasks(this->Beats, parts.size(),
+      [&mesh, &isWall, &parts, cells](std::size_t k, Monitor&)
+      {
+        const std::size_t end = std::min(cells, (k + 1) * CellsPerTask);
+        for (Id facet = static_cast<Id>(4 * k * CellsPerTask); facet < static_cast<Id>(4 * end);
+             ++facet)
+        {
+          WallFacet wall{};
+          if (mesh.IsTetrahedron(TetMesh::CellOf(facet)) && isWall(facet, wall))
+          {
+            parts[k].push_back(wall);
+          }
+        }
+      });
+    for (const std::vector<WallFacet>& part : parts)
+    {
+      for (const WallFacet& wall : part)
+      {
+        this->Add(wall);
       }
     }
   }
@@ -271,8 +344,8 @@ private:
     return (1.0 / Length(normal)) * normal;
   }
 
-  /// Along the dual edge, which begins at the centre of the cell of the facet; near the facet.
-  DualMeeting Meet(Id facet) const
+  /// It begins at the centre of the cell of the facet.
+  DualEdge DualOf(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
     const Point3 normal = this->NormalOf(facet);
@@ -289,90 +362,147 @@ private:
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
     const double high = mesh.IsTetrahedron(other) ? height(this->Centers[At(other)]) : Infinity;
-    double begin = std::min(low, high);
-    double end = std::max(low, high);
-    DualMeeting meeting;
-    meeting.Place = foot + std::min(std::max(0.0, begin), end) * normal;
-    begin = std::max(begin, -reach);
-    end = std::min(end, reach);
-    if (begin < end)
-    {
-      this->MeetSegment(foot, normal, begin, end, meeting);
-    }
-    return meeting;
+    return { normal, foot, std::max(std::min(low, high), -reach),
+      std::min(std::max(low, high), reach) };
   }
 
-  void MeetSegment(
-    const Point3& foot, const Point3& normal, double begin, double end, DualMeeting& meeting) const
+  /// Twice the areas of the triangle's parts opposite its corners, as cut by the line of the dual
+  /// edge; and the line's height where it meets its plane, times their sum.
+  struct LineMeeting
   {
-    const Box3 box = Box3::Around(foot + begin * normal, foot + end * normal);
+    LineMeeting(const std::array<Point3, 3>& t, const DualEdge& dual)
+    {
+      const Point3 a = t[0] - dual.Foot;
+      const Point3 b = t[1] - dual.Foot;
+      const Point3 c = t[2] - dual.Foot;
+      this->Parts = { Dot(Cross(b, c), dual.Normal), Dot(Cross(c, a), dual.Normal),
+        Dot(Cross(a, b), dual.Normal) };
+      this->Sum = this->Parts[0] + this->Parts[1] + this->Parts[2];
+      this->Rise = this->Parts[0] * Dot(a, dual.Normal) + this->Parts[1] * Dot(b, dual.Normal) +
+        this->Parts[2] * Dot(c, dual.Normal);
+    }
+
+    std::array<double, 3> Parts;
+    double Sum;
+    double Rise;
+  };
+
+  /// The triangle that the dual edge meets, by a walk over the patch of a bite of the facet; NoId
+  /// where it leaves the patch, or meets the plane of the last triangle elsewhere.
+  Id WalkTo(Id facet, const DualEdge& dual) const
+  {
+    constexpr int MostSteps = 32;
+    Id bite = NoId;
+    for (int k = 0; k < 3; ++k)
+    {
+      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
+    }
+    Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
+    for (int step = 0; step < MostSteps && triangle != NoId; ++step)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      std::size_t worst = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        worst = line.Parts[k] * line.Sum < line.Parts[worst] * line.Sum ? k : worst;
+      }
+      const double height = line.Rise / line.Sum;
+      if (line.Parts[worst] * line.Sum >= 0.0)
+      {
+        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
+      }
+      const Id across = this->Ground.Across[3 * At(triangle) + worst];
+      triangle = across == NoId ? NoId : across / 3;
+    }
+    return NoId;
+  }
+
+  DualMeeting Meet(const DualEdge& dual) const
+  {
+    DualMeeting meeting;
+    if (!(dual.Begin < dual.End))
+    {
+      return meeting;
+    }
+    const Box3 box =
+      Box3::Around(dual.Foot + dual.Begin * dual.Normal, dual.Foot + dual.End * dual.Normal);
     double least = Infinity;
     this->Tree.AllOf(box,
-      [this, &foot, &normal, begin, end, &meeting, &least](const SurfaceItem& item)
+      [this, &dual, &meeting, &least](const SurfaceItem& item)
       {
-        const std::array<Point3, 3> t = this->Ground.Mesh.Triangle(At(item.Triangle));
-        const Point3 a = t[0] - foot;
-        const Point3 b = t[1] - foot;
-        const Point3 c = t[2] - foot;
-        const double x = Dot(Cross(b, c), normal);
-        const double y = Dot(Cross(c, a), normal);
-        const double z = Dot(Cross(a, b), normal);
-        const double sum = x + y + z;
+        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
         // What passes an edge passes one of its two triangles: their rounded products only differ
         // in sign, and 0 has that of the order of the ends.
         const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
-        const bool isLeft = x > 0.0 || (x == 0.0 && ends[1] < ends[2]);
-        const bool isMet = sum != 0.0 && isLeft == (y > 0.0 || (y == 0.0 && ends[2] < ends[0])) &&
-          isLeft == (z > 0.0 || (z == 0.0 && ends[0] < ends[1]));
-        const double height =
-          isMet ? (x * Dot(a, normal) + y * Dot(b, normal) + z * Dot(c, normal)) / sum : Infinity;
-        if (height >= begin && height <= end)
+        const auto isLeft = [&line, ends](std::size_t k) {
+          return line.Parts[k] > 0.0 ||
+            (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
+        };
+        const bool isMet = line.Sum != 0.0 && isLeft(0) == isLeft(1) && isLeft(0) == isLeft(2);
+        const double height = isMet ? line.Rise / line.Sum : Infinity;
+        if (height >= dual.Begin && height <= dual.End)
         {
           ++meeting.Count;
           if (std::abs(height) < least)
           {
             least = std::abs(height);
             meeting.Triangle = item.Triangle;
-            meeting.Place = foot + height * normal;
           }
         }
         return true;
       });
+    return meeting;
   }
 
-  void Add(Id facet, const DualMeeting& meeting, bool isTurned)
+  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
+  Point3 BallCenter(const DualEdge& dual, Id triangle) const
+  {
+    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
+    if (triangle != NoId)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
+    }
+    return dual.Foot + height * dual.Normal;
+  }
+
+  void Add(const WallFacet& wall)
   {
     const TetMesh& mesh = this->Cells.Mesh();
     std::array<Id, 3> bites{};
     for (int k = 0; k < 3; ++k)
     {
-      bites[At(k)] = this->BiteOf[At(mesh.FacetCorner(facet, k))];
+      bites[At(k)] = this->BiteOf[At(mesh.FacetCorner(wall.Facet, k))];
     }
-    if (isTurned)
+    if (wall.IsTurned)
     {
       std::swap(bites[1], bites[2]);
     }
     this->Result.Corners.insert(this->Result.Corners.end(), bites.begin(), bites.end());
-    this->Result.Triangles.push_back(this->TriangleBelow(facet, meeting.Triangle, isTurned));
-    this->Result.BallCenters.push_back(meeting.Place);
+    this->Result.Triangles.push_back(wall.Triangle);
+    this->Result.Sides.push_back(wall.Sides);
+    this->Result.BallCenters.push_back(wall.BallCenter);
   }
 
-  /// Where the dual edge meets no triangle that agrees with the facet, as near features, the
-  /// nearest one that does, if it is near; else the nearest one.
-  Id TriangleBelow(Id facet, Id met, bool isTurned) const
+  bool Agree(Id triangle, const Point3& normal) const
   {
     constexpr double LeastCosine = 0.5;
+    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
+  }
+
+  /// Where the dual edge meets no triangle that agrees with the facet's normal, as near features,
+  /// the nearest one that does, if it is near; else the nearest one.
+  Id TriangleBelow(Id facet, Id met, const Point3& normal) const
+  {
     constexpr double Near = 0.25; // in f
-    const Point3 normal = (isTurned ? -1.0 : 1.0) * this->NormalOf(facet);
-    const auto agrees = [this, &normal](Id triangle)
-    { return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine; };
-    if (met != NoId && agrees(met))
+    if (met != NoId && this->Agree(met, normal))
     {
       return met;
     }
     const Point3 middle = this->MiddleOf(facet);
     const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
-    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)], agrees);
+    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
+      [this, &normal](Id triangle) { return this->Agree(triangle, normal); });
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
   }

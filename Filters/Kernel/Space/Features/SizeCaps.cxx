@@ -31,10 +31,11 @@ void Cap(SurfaceGround& ground, Id vertex, double size)
 class ShrinkingBall
 {
 public:
-  ShrinkingBall(const SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
+  ShrinkingBall(
+    const SurfaceGround& ground, const SurfaceMesh& input, const BoxTree<SurfaceItem, 3>& tree)
     : Ground(ground)
     , Input(input)
-    , Tree(MakeSurfaceTree(input, pulse))
+    , Tree(tree)
     , IsOpen(std::find(ground.Flags.begin(), ground.Flags.end(), BorderFlag) != ground.Flags.end())
   {
   }
@@ -100,8 +101,8 @@ private:
 
   const SurfaceGround& Ground;
   const SurfaceMesh& Input;
-  BoxTree<SurfaceItem, 3> Tree;
-  bool IsOpen; ///< the surface
+  const BoxTree<SurfaceItem, 3>& Tree; ///< of the input
+  bool IsOpen;                         ///< the surface
 };
 
 /// A feature edge as an item of a tree.
@@ -395,15 +396,16 @@ private:
 
 } // namespace
 
-void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& pulse)
+void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
+  const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse)
 {
-  ShrinkingBall ball(ground, input, pulse);
-  const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(ground.Mesh, pulse);
+  ShrinkingBall ball(ground, input, inputTree);
+  BoxTree<SurfaceItem, 3> tree; // of the ground, once a wall is met
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
-  const auto measure = [&ball, &ground, &tree, &isDone](const Point3& place, const Point3& normal,
-                         Id triangle, const Id* begin, const Id* end)
+  const auto measure = [&ball, &ground, &tree, &isDone, &pulse](const Point3& place,
+                         const Point3& normal, Id triangle, const Id* begin, const Id* end)
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
     double least = Infinity;
@@ -421,12 +423,13 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& puls
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
         std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
+        tree = tree.Items().empty() ? MakeSurfaceTree(ground.Mesh, pulse) : std::move(tree);
         CapWall(ground, tree, ball.Touch, diameter);
       }
     }
     MarkAround(ground, triangle, place, near, isDone);
   };
-  for (std::size_t v = 0; v < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
+  for (std::size_t v = firstVertex; v < ground.Mesh.Points.size() && pulse.Beat(64); ++v)
   {
     const auto vertex = static_cast<Id>(v);
     const Id* begin = ground.TrianglesAt.Begin(vertex);
@@ -443,11 +446,13 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input, Pulse& puls
     }
   }
   const auto isOnLine = [&ground](Id v) { return ground.Places[At(v)] != FeaturePlace::None; };
+  const auto isNew = [firstVertex](Id v) { return At(v) >= firstVertex; };
   // Strips without a vertex inside.
   for (std::size_t t = 0; t < isDone.size() && pulse.Beat(64); ++t)
   {
     const Id* corners = &ground.Mesh.Corners[3 * t];
-    if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine))
+    if (isDone[t] == 0 && std::all_of(corners, corners + 3, isOnLine) &&
+      std::any_of(corners, corners + 3, isNew))
     {
       measure(ground.Mesh.Middle(t), ground.NormalOf(t), static_cast<Id>(t), corners, corners + 3);
     }
@@ -518,35 +523,37 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
 void GradeSizes(SurfaceGround& ground, double gradation, Pulse& pulse)
 {
   using Entry = std::pair<double, Id>;
-  std::vector<Entry> entries;
-  entries.reserve(ground.Sizes.size());
-  for (std::size_t v = 0; v < ground.Sizes.size(); ++v)
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  const auto lower = [&ground, &front, gradation](Id from, Id other)
   {
-    entries.push_back({ ground.Sizes[v], static_cast<Id>(v) });
+    const double size = ground.Sizes[At(from)] +
+      gradation * Distance(ground.Mesh.Points[At(other)], ground.Mesh.Points[At(from)]);
+    if (size < ground.Sizes[At(other)])
+    {
+      ground.Sizes[At(other)] = size;
+      front.push({ size, other });
+    }
+  };
+  const std::vector<Id>& corners = ground.Mesh.Corners;
+  for (std::size_t slot = 0; slot < corners.size() && pulse.Beat(1); ++slot)
+  {
+    lower(corners[slot], corners[NextSlotOf(slot)]);
+    lower(corners[slot], corners[PreviousSlotOf(slot)]);
   }
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front(
-    std::greater<>(), std::move(entries));
   while (!front.empty() && pulse.Beat())
   {
     const Entry entry = front.top();
     front.pop();
-    const Id vertex = entry.second;
-    if (entry.first > ground.Sizes[At(vertex)])
+    if (entry.first > ground.Sizes[At(entry.second)])
     {
       continue;
     }
-    for (const Id* t = ground.TrianglesAt.Begin(vertex); t < ground.TrianglesAt.End(vertex); ++t)
+    for (const Id* t = ground.TrianglesAt.Begin(entry.second);
+         t < ground.TrianglesAt.End(entry.second); ++t)
     {
       for (std::size_t slot = 3 * At(*t); slot < 3 * At(*t) + 3; ++slot)
       {
-        const Id other = ground.Mesh.Corners[slot];
-        const double size =
-          entry.first + gradation * Distance(ground.Mesh.At(slot), ground.Mesh.Points[At(vertex)]);
-        if (size < ground.Sizes[At(other)])
-        {
-          ground.Sizes[At(other)] = size;
-          front.push({ size, other });
-        }
+        lower(entry.second, corners[slot]);
       }
     }
   }

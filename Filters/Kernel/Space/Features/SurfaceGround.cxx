@@ -5,7 +5,7 @@
 
 #include "../Surface/SurfaceLinks.h"
 
-#include <algorithm> // for sort, min, max
+#include <algorithm> // for count, min, max, rotate, sort
 #include <array>     // for triangles
 #include <utility>   // for pairs, move
 
@@ -58,21 +58,91 @@ std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground)
   return slots;
 }
 
+/// Whether the way a, b, c turns to the left by more than half a degree, as seen from the normal.
+bool TurnsLeft(const Point3& a, const Point3& b, const Point3& c, const Point3& normal)
+{
+  constexpr double LeastSine = 0.01;
+  const Point3 in = b - a;
+  const Point3 out = c - b;
+  return Dot(Cross(in, out), normal) > LeastSine * Length(in) * Length(out) * Length(normal);
+}
+
+/// Marks the long slots in `middles`, but no diagonal of a quad of which two opposite sides are
+/// long and nothing else: it is halved by the line between the middles of these. Else strips would
+/// be divided across, too: k rounds would make 3^k triangles of a needle, not 2^k.
+/// Returns for triangles of such quads the slot of the diagonal in the other one, else NoId.
+std::vector<Id> FindQuads(
+  const SurfaceGround& ground, const std::vector<LongSlot>& slots, std::vector<Id>& middles)
+{
+  const SurfaceMesh& mesh = ground.Mesh;
+  std::vector<Id> quads(mesh.NumberOfTriangles(), NoId);
+  middles.assign(mesh.Corners.size(), NoId);
+  for (const LongSlot& slot : slots)
+  {
+    middles[slot.Slot] = 0;
+  }
+  const auto isLong = [&middles](std::size_t slot) { return middles[slot] != NoId; };
+  const auto hasTwo = [&isLong](std::size_t slot)
+  { return isLong(NextSlotOf(slot)) != isLong(PreviousSlotOf(slot)); };
+  for (std::size_t k = 1; k < slots.size(); ++k)
+  {
+    const std::size_t own = slots[k - 1].Slot;
+    const std::size_t other = slots[k].Slot;
+    if (slots[k].IsSameEdge(slots[k - 1]) && mesh.Cells[own / 3] == mesh.Cells[other / 3] &&
+      quads[own / 3] == NoId && quads[other / 3] == NoId && hasTwo(own) && hasTwo(other) &&
+      isLong(NextSlotOf(own)) == isLong(NextSlotOf(other)) &&
+      TurnsLeft(mesh.At(own), mesh.At(NextSlotOf(own)), mesh.At(other), mesh.Normal(own / 3)) &&
+      TurnsLeft(mesh.At(other), mesh.At(NextSlotOf(other)), mesh.At(own), mesh.Normal(own / 3)))
+    {
+      quads[own / 3] = static_cast<Id>(other);
+      quads[other / 3] = static_cast<Id>(own);
+      middles[own] = NoId;
+      middles[other] = NoId;
+    }
+  }
+  return quads;
+}
+
 /// Makes the triangles of a round of halving.
 class Halving
 {
 public:
-  Halving(SurfaceGround& ground, const std::vector<Id>& middles)
+  Halving(SurfaceGround& ground, const std::vector<Id>& middles, const std::vector<Id>& quads)
     : Ground(ground)
     , Middles(middles)
+    , Quads(quads)
   {
-    const std::size_t slots = ground.Mesh.Corners.size() + 4 * middles.size();
-    this->Corners.reserve(slots);
-    this->Flags.reserve(slots);
-    this->Cells.reserve(slots / 3);
+    const auto kept = std::count(middles.begin(), middles.end(), NoId);
+    const std::size_t triangles =
+      middles.size() / 3 + middles.size() - static_cast<std::size_t>(kept);
+    this->Corners.reserve(3 * triangles);
+    this->Flags.reserve(3 * triangles);
+    this->Cells.reserve(triangles);
   }
 
   void Divide(std::size_t triangle)
+  {
+    const Id other = this->Quads[triangle];
+    if (other == NoId)
+    {
+      this->DivideTriangle(triangle);
+    }
+    else if (static_cast<std::size_t>(other) > 3 * triangle)
+    {
+      const Id own = this->Quads[static_cast<std::size_t>(other) / 3];
+      this->DivideQuad(static_cast<std::size_t>(own), static_cast<std::size_t>(other));
+    }
+  }
+
+  void Finish()
+  {
+    this->Ground.Mesh.Corners = std::move(this->Corners);
+    this->Ground.Mesh.Cells = std::move(this->Cells);
+    this->Ground.Flags = std::move(this->Flags);
+  }
+
+private:
+  void DivideTriangle(std::size_t triangle)
   {
     const std::size_t base = 3 * triangle;
     std::size_t turn = 0;
@@ -80,11 +150,12 @@ public:
     for (std::size_t k = 0; k < 3; ++k)
     {
       count += this->Middles[base + k] != NoId ? 1 : 0;
+      turn = this->Side2(base + k) > this->Side2(base + turn) ? k : turn;
     }
-    // One long edge comes first, one that is not long of two long ones, too.
+    // The longest of three long edges comes first, one long edge, too, or one that is not of two.
     while (count % 3 != 0 && (this->Middles[base + turn] != NoId) != (count == 1))
     {
-      ++turn;
+      turn = (turn + 1) % 3;
     }
     const std::array<std::size_t, 3> slot{ base + turn, base + (turn + 1) % 3,
       base + (turn + 2) % 3 };
@@ -104,34 +175,52 @@ public:
     else if (count == 2)
     {
       this->Add({ corner(0), middle(2), middle(1) }, { 0, flag(1), flag(2) }, cell);
-      if (this->Length2(middle(2), corner(2)) < this->Length2(corner(1), middle(1)))
-      {
-        this->Add({ middle(2), corner(1), corner(2) }, { flag(0), 0, flag(2) }, cell);
-        this->Add({ middle(2), corner(2), middle(1) }, { flag(1), 0, 0 }, cell);
-      }
-      else
-      {
-        this->Add({ corner(1), corner(2), middle(1) }, { flag(1), 0, flag(0) }, cell);
-        this->Add({ corner(1), middle(1), middle(2) }, { 0, flag(2), 0 }, cell);
-      }
+      this->AddQuad(
+        { middle(2), corner(1), corner(2), middle(1) }, { flag(2), flag(0), flag(1), 0 }, cell);
     }
     else
     {
-      this->Add({ corner(0), middle(2), middle(1) }, { 0, flag(1), flag(2) }, cell);
       this->Add({ middle(2), corner(1), middle(0) }, { flag(0), 0, flag(2) }, cell);
       this->Add({ middle(1), middle(0), corner(2) }, { flag(0), flag(1), 0 }, cell);
-      this->Add({ middle(0), middle(1), middle(2) }, { 0, 0, 0 }, cell);
+      this->AddQuad(
+        { corner(0), middle(2), middle(0), middle(1) }, { flag(2), 0, 0, flag(1) }, cell);
     }
   }
 
-  void Finish()
+  /// Of two triangles at a diagonal, whose slots are given.
+  void DivideQuad(std::size_t own, std::size_t other)
   {
-    this->Ground.Mesh.Corners = std::move(this->Corners);
-    this->Ground.Mesh.Cells = std::move(this->Cells);
-    this->Ground.Flags = std::move(this->Flags);
+    std::array<std::size_t, 4> side{ PreviousSlotOf(own), NextSlotOf(other), PreviousSlotOf(other),
+      NextSlotOf(own) };
+    if (this->Middles[side[0]] == NoId)
+    {
+      std::rotate(side.begin(), side.begin() + 1, side.end());
+    }
+    const auto from = [this, &side](std::size_t k)
+    { return this->Ground.Mesh.Corners[NextSlotOf(side[k])]; };
+    const auto flag = [this, &side](std::size_t k) { return this->Ground.Flags[side[k]]; };
+    const Id first = this->Middles[side[0]];
+    const Id second = this->Middles[side[2]];
+    const Id cell = this->Ground.Mesh.Cells[own / 3];
+    this->AddQuad({ from(0), first, second, from(3) }, { flag(0), 0, flag(2), flag(3) }, cell);
+    this->AddQuad({ first, from(1), from(2), second }, { flag(0), flag(1), flag(2), 0 }, cell);
   }
 
-private:
+  /// Two triangles at the shorter diagonal. Flags are of the sides from the corners on.
+  void AddQuad(const std::array<Id, 4>& c, const std::array<EdgeFlag, 4>& flags, Id cell)
+  {
+    if (this->Length2(c[0], c[2]) < this->Length2(c[1], c[3]))
+    {
+      this->Add({ c[0], c[1], c[2] }, { flags[1], 0, flags[0] }, cell);
+      this->Add({ c[0], c[2], c[3] }, { flags[2], flags[3], 0 }, cell);
+    }
+    else
+    {
+      this->Add({ c[1], c[2], c[3] }, { flags[2], 0, flags[1] }, cell);
+      this->Add({ c[1], c[3], c[0] }, { flags[3], flags[0], 0 }, cell);
+    }
+  }
+
   /// Flags are of the edges opposite the corners.
   void Add(const std::array<Id, 3>& corners, const std::array<EdgeFlag, 3>& flags, Id cell)
   {
@@ -147,8 +236,15 @@ private:
     return Dot(side, side);
   }
 
+  double Side2(std::size_t slot) const
+  {
+    return this->Length2(
+      this->Ground.Mesh.Corners[NextSlotOf(slot)], this->Ground.Mesh.Corners[PreviousSlotOf(slot)]);
+  }
+
   SurfaceGround& Ground;
   const std::vector<Id>& Middles;
+  const std::vector<Id>& Quads; ///< of triangles: FindQuads
   std::vector<Id> Corners;
   std::vector<Id> Cells;
   std::vector<EdgeFlag> Flags;
@@ -180,9 +276,13 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
   std::vector<LongSlot> slots = FindLongSlots(ground);
   while (!slots.empty() && pulse.Ask())
   {
-    middles.assign(ground.Mesh.Corners.size(), NoId);
+    const std::vector<Id> quads = FindQuads(ground, slots, middles);
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
+      if (middles[slots[k].Slot] == NoId)
+      {
+        continue;
+      }
       const auto low = static_cast<std::size_t>(slots[k].Low);
       const auto high = static_cast<std::size_t>(slots[k].High);
       if (k == 0 || !slots[k].IsSameEdge(slots[k - 1]))
@@ -196,7 +296,7 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
       }
       middles[slots[k].Slot] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
     }
-    Halving halving(ground, middles);
+    Halving halving(ground, middles, quads);
     const std::size_t triangles = ground.Mesh.NumberOfTriangles();
     if (triangles > mostTriangles)
     {

@@ -7,6 +7,8 @@
 #include "EdgeRemoval.h"
 #include "VertexMoves.h"
 
+#include <algorithm> // for sort, unique
+
 namespace biting
 {
 
@@ -14,8 +16,11 @@ namespace
 {
 
 /// Badness (TetShape): the square of the cosine of the smallest angle.
+constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
+
+constexpr double At45 = 0.5;
 
 class BodyRelaxer
 {
@@ -39,11 +44,15 @@ public:
       this->ChangeBad(At35);
     }
     constexpr int Rounds = 8;
+    bool isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    {
+      isChanged = this->MoveBad(At35);
+      isChanged = this->ChangeBad(At38) || isChanged;
+    }
     for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
     {
-      const bool isMoved = this->MoveBad(At35);
-      const bool isChanged = this->ChangeBad(At38);
-      if (!isMoved && !isChanged)
+      if (!this->LoosenWorst(At31))
       {
         break;
       }
@@ -54,7 +63,7 @@ public:
 private:
   void SmoothAll()
   {
-    for (Id vertex = this->Tets.Body.NumberOnBoundary;
+    for (Id vertex = this->Tets.Body.NumberOnLines;
          vertex < this->Tets.Mesh.NumberOfVertices() && this->Beats.Beat(64); ++vertex)
     {
       this->Moves.Smooth(vertex, At35);
@@ -91,6 +100,40 @@ private:
       }
     }
     return isMoved;
+  }
+
+  /// Makes room about the worst cells: those near them get better than they need to be.
+  bool LoosenWorst(double limit)
+  {
+    bool isChanged = false;
+    std::vector<Id> near;
+    for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
+    {
+      if (!this->IsBad(cell, limit))
+      {
+        continue;
+      }
+      near.clear();
+      for (const Id vertex : this->Tets.CornersOf(cell))
+      {
+        for (const Id slot : this->Tets.StarOf(vertex))
+        {
+          near.push_back(slot >> 2);
+        }
+      }
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+      for (const Id other : near)
+      {
+        for (Id slot = 4 * other; slot < 4 * other + 4 && this->IsBad(other, At45); ++slot)
+        {
+          this->Beats.Beat(256);
+          isChanged = this->Moves.Improve(this->Tets.VertexAt(slot), At45) || isChanged;
+        }
+        isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+      }
+    }
+    return isChanged;
   }
 
   BodyTets Tets;

@@ -65,41 +65,60 @@ void VertexMoves::Move(Id vertex, const Point3& place)
   }
 }
 
-bool VertexMoves::TryFree(Id vertex, const Point3& place, double limit)
+/// Moves the vertex there, or to the nearest place of its patch, if that suits.
+bool VertexMoves::Try(Id vertex, const Point3& place, double limit)
 {
-  if (!this->Suits(place, limit))
+  if (vertex >= this->Tets.Body.NumberOnBoundary)
   {
-    return false;
+    const bool suits = this->Suits(place, limit);
+    if (suits)
+    {
+      this->Move(vertex, place);
+      this->Tets.Body.Sizes[At(vertex)] = this->Size(place);
+    }
+    return suits;
   }
-  this->Move(vertex, place);
-  this->Tets.Body.Sizes[At(vertex)] = this->Size(place);
-  return true;
-}
-
-bool VertexMoves::TryOnGround(Id vertex, const Point3& place, double limit)
-{
   const GroundPlace onGround = this->Normals.Project(vertex, place);
-  if (!this->Suits(onGround.Place, limit) ||
-    !this->Normals.AllowsMove(this->Tets, this->Tets.StarOf(vertex), vertex, onGround))
+  const bool suits = this->Suits(onGround.Place, limit) &&
+    this->Normals.AllowsMove(this->Tets, this->Tets.StarOf(vertex), vertex, onGround);
+  if (suits)
   {
-    return false;
+    this->Move(vertex, onGround.Place);
+    this->Normals.Move(vertex, onGround);
   }
-  this->Move(vertex, onGround.Place);
-  this->Normals.Move(vertex, onGround);
-  return true;
+  return suits;
 }
 
 bool VertexMoves::Smooth(Id vertex, double good)
 {
-  const std::vector<double>& sizes = this->Tets.Body.Sizes;
+  const bool isInside = vertex >= this->Tets.Body.NumberOnBoundary;
   const Point3 old = this->Tets.Mesh.PointAt(vertex);
   this->Gather(vertex);
-  Point3 sum{};
-  double mass = 0.0;
+  const Point3 way = isInside ? this->WayInside(old) : this->WayOnGround(vertex);
   double worst = 0.0;
   for (const Cone& cone : this->Star)
   {
-    const TetShape shape(old, cone.A, cone.B, cone.C);
+    worst = std::max(worst, cone.Badness);
+  }
+  for (const double share : { 1.0, 0.5 })
+  {
+    if (this->Try(vertex, old + share * way, std::max(worst, good)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// To the mean of the centres of spheres, weighted by volume / f^3.
+Point3 VertexMoves::WayInside(const Point3& place) const
+{
+  const std::vector<double>& sizes = this->Tets.Body.Sizes;
+  Point3 sum{};
+  double mass = 0.0;
+  for (const Cone& cone : this->Star)
+  {
+    const TetShape shape(place, cone.A, cone.B, cone.C);
     const Id* c = &this->Tets.Mesh.Corners[At(cone.Slot & ~3)];
     const double size = sizes[At(c[0])] + sizes[At(c[1])] + sizes[At(c[2])] + sizes[At(c[3])];
     const double density = 1.0 / (size * size * size);
@@ -108,17 +127,33 @@ bool VertexMoves::Smooth(Id vertex, double good)
     sum.Y += density * center.Y;
     sum.Z += density * center.Z;
     mass += 2.0 * density * shape.SixVolumes();
-    worst = std::max(worst, cone.Badness);
   }
-  const double limit = std::max(worst, good);
-  for (const double share : { 1.0, 0.5 })
+  return mass > 0.0 ? (1.0 / mass) * sum : Point3{};
+}
+
+/// To the mean of the middles of facets, weighted by area / f^4.
+Point3 VertexMoves::WayOnGround(Id vertex) const
+{
+  Point3 sum{};
+  double mass = 0.0;
+  for (const Cone& cone : this->Star)
   {
-    if (mass > 0.0 && this->TryFree(vertex, old + (share / mass) * sum, limit))
+    for (Id slot = cone.Slot & ~3; slot < (cone.Slot & ~3) + 4; ++slot)
     {
-      return true;
+      if (slot == cone.Slot || this->Tets.RecordOf(slot) < 0)
+      {
+        continue;
+      }
+      const std::array<Id, 3> c = this->Tets.FacetCorners(slot);
+      const auto at = [this, &c](std::size_t k) { return this->Tets.Mesh.PointAt(c[k]); };
+      const std::vector<double>& sizes = this->Tets.Body.Sizes;
+      const double size = sizes[At(c[0])] + sizes[At(c[1])] + sizes[At(c[2])];
+      const double own = Length(Cross(at(1) - at(0), at(2) - at(0))) / (size * size * size * size);
+      sum = sum + (own / 3.0) * (at(0) + at(1) + at(2));
+      mass += own;
     }
   }
-  return false;
+  return mass > 0.0 ? (1.0 / mass) * sum - this->Tets.Mesh.PointAt(vertex) : Point3{};
 }
 
 bool VertexMoves::Improve(Id vertex, double good)
@@ -147,7 +182,7 @@ bool VertexMoves::Improve(Id vertex, double good)
       length *= 0.5;
     }
   }
-  this->Tried[At(vertex)] = ++this->Tets.Clock;
+  this->Tried[At(vertex)] = this->Worst() > good ? ++this->Tets.Clock : 0;
   return this->Worst() < before;
 }
 
@@ -165,8 +200,7 @@ bool VertexMoves::Step(Id vertex, double length)
   for (const auto& d : Directions)
   {
     const Point3 place{ old.X + length * d[0], old.Y + length * d[1], old.Z + length * d[2] };
-    if (vertex < this->Tets.Body.NumberOnBoundary ? this->TryOnGround(vertex, place, limit)
-                                                  : this->TryFree(vertex, place, limit))
+    if (this->Try(vertex, place, limit))
     {
       return true;
     }

@@ -25,11 +25,12 @@ public:
   {
   }
 
-  /// Moves a vertex inside to the mean of the centres of the spheres of its tetrahedra, weighted by
-  /// volume / f^3: where piecewise linear interpolation of |x|^2 has the least error (L. Chen, J.
-  /// Xu, "Optimal Delaunay triangulations", 2004; P. Alliez et al., "Variational tetrahedral
-  /// meshing", 2005); or half the way. Not where the worst of them were worse than it was, and than
-  /// `good`.
+  /// Moves a vertex to a mean, or half the way. Inside, of the centres of the spheres of its
+  /// tetrahedra, weighted by volume / f^3: where piecewise linear interpolation of |x|^2 has the
+  /// least error (L. Chen, J. Xu, "Optimal Delaunay triangulations", 2004; P. Alliez et al.,
+  /// "Variational tetrahedral meshing", 2005). On the boundary, of the middles of its facets,
+  /// weighted by area / f^4, on the ground. Not where the worst of its tetrahedra were worse than
+  /// it was, and than `good`. Precondition: it is on no line.
   bool Smooth(Id vertex, double good);
 
   /// Moves a vertex so that the worst of its tetrahedra gets better, by trial in directions with
@@ -50,8 +51,9 @@ private:
   void Gather(Id vertex);
   bool Suits(const Point3& place, double limit);
   void Move(Id vertex, const Point3& place);
-  bool TryFree(Id vertex, const Point3& place, double limit);
-  bool TryOnGround(Id vertex, const Point3& place, double limit);
+  bool Try(Id vertex, const Point3& place, double limit);
+  Point3 WayInside(const Point3& place) const;
+  Point3 WayOnGround(Id vertex) const;
   bool Step(Id vertex, double length);
 
   double Worst() const { return this->Star.front().Badness; }

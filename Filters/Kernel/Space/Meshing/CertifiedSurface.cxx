@@ -173,20 +173,28 @@ private:
     this->Divide();
     LinkGround(ground, this->Beats);
     FindChains(ground);
+    const Id chains = ground.Chains.Size();
     DropNoise(ground);
-    LinkGround(ground, this->Beats);
+    if (ground.Chains.Size() < chains)
+    {
+      LinkGround(ground, this->Beats);
+    }
     CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
     this->Regrade();
-    // Where caps divide the ground it sees more.
-    constexpr int MostDivisions = 3;
-    std::size_t before = 0;
-    for (int round = 0; round < MostDivisions && this->Options.LimitByFeatureSize &&
-         before < ground.Mesh.Points.size();
-         ++round)
+    if (!this->Options.LimitByFeatureSize)
     {
-      before = ground.Mesh.Points.size();
+      return;
+    }
+    // Where caps divide the ground it sees more: from its new vertices.
+    const BoxTree<SurfaceItem, 3> tree = MakeSurfaceTree(this->Surface.Mesh, this->Beats);
+    constexpr int MostDivisions = 3;
+    std::size_t seen = 0;
+    for (int round = 0; round < MostDivisions && seen < ground.Mesh.Points.size(); ++round)
+    {
+      const std::size_t before = ground.Mesh.Points.size();
       CapByFeatures(ground, this->Beats);
-      CapByThickness(ground, this->Surface.Mesh, this->Beats);
+      CapByThickness(ground, this->Surface.Mesh, tree, seen, this->Beats);
+      seen = before;
       this->Regrade();
     }
   }
@@ -196,9 +204,13 @@ private:
   {
     SurfaceGround& ground = this->Ground;
     GradeSizes(ground, this->Options.Gradation, this->Beats);
+    const std::size_t before = ground.Mesh.Points.size();
     this->Divide();
-    LinkGround(ground, this->Beats);
-    FindChains(ground);
+    if (ground.Mesh.Points.size() > before)
+    {
+      LinkGround(ground, this->Beats);
+      FindChains(ground);
+    }
   }
 
   /// Refuses a ground that would need several GB.
@@ -295,8 +307,9 @@ void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& opti
       middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
       size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
     }
-    Id nearest = 0;
-    certified.Tree.Search(middle, 1.0, Infinity,
+    Id nearest = certified.Bites.Triangles[At(mesh.Corners[3 * t])]; // not far
+    mesh.Deviations[t] = Distance(NearestPoint(ground.Triangle(At(nearest)), middle), middle);
+    certified.Tree.Search(middle, 1.0, mesh.Deviations[t],
       [&ground, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
       {
         const double distance =
