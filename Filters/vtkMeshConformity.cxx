@@ -284,7 +284,7 @@ bool vtkMeshConformity::Execution::ReadSpacing()
   {
     return false;
   }
-  if (options.Grid || options.Triangulation)
+  if (!options.Sources.empty())
   {
     return this->Compare(options);
   }
