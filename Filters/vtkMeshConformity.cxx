@@ -286,7 +286,7 @@ bool vtkMeshConformity::Execution::ReadSpacing()
   {
     return false;
   }
-  if (options.Grid || options.Triangulation)
+  if (!options.Sources.empty())
   {
     return this->Compare(options);
   }
