@@ -51,7 +51,6 @@ set(biting_kernel_sources
   Simplification/DomainChains.cxx
   Simplification/Simplification.cxx
   Simplification/SmallLoops.cxx
-  Simplification/VertexTree.cxx
   Biting/Bisectors.cxx
   Biting/BiteFrame.cxx
   Biting/BiteGrid.cxx
