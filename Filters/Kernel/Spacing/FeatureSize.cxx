@@ -6,7 +6,7 @@
 #include "../Base/DistanceToSegment.h"
 #include "../Base/Numbers.h"
 #include "../Base/Tasks.h"
-#include "SegmentExtension.h"
+#include "SegmentCone.h"
 
 #include <atomic> // for what tasks count together
 #include <cmath>  // for expm1
