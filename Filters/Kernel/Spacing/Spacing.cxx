@@ -11,7 +11,7 @@
 #include "ConeTree.h"
 #include "FeatureSize.h"
 #include "GridInterpolator.h"
-#include "SegmentExtension.h"
+#include "SegmentCone.h"
 #include "SourceCheck.h"
 #include "TriangleInterpolator.h"
 

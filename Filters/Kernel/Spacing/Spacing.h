@@ -185,9 +185,8 @@ struct SpacingOptions
 /// given is nowhere steeper than g, f is as given.
 /// Tolerance: f is within 5 % of the largest g-Lipschitz function below what is given at 99 % of
 /// all places, and within 10 % anywhere in the bounds it was prepared for. What is given changes
-/// within less than f/2 is seen by its lowest value. Outside of triangles whose border values are
-/// steep f may be off by more at a few places, up to a third below, as low values within f/3 of the
-/// border count for all of it, and up to a fifth above; further above with a Gradation above 1.
+/// within less than f/2 is seen by its lowest value. Where Gradation is
+/// above 1, f may be further above.
 /// Preparation: MakeSpacing.
 class Spacing
 {

@@ -5,7 +5,7 @@
 
 #include "../Base/PartOfStage.h"
 #include "../Base/Pulse.h"
-#include "../Spacing/SegmentExtension.h"
+#include "../Spacing/SegmentCone.h"
 #include "../Spacing/SourceCheck.h"
 
 #include <algorithm> // for min, transform
