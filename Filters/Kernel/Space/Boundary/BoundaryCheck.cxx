@@ -22,11 +22,11 @@ public:
   {
   }
 
-  void Run()
+  void Run(Pulse& pulse)
   {
     this->ListFacets();
     this->ListPieces();
-    for (Id bite = 0; bite < this->Bites.Size(); ++bite)
+    for (Id bite = 0; bite < this->Bites.Size() && pulse.Beat(8); ++bite)
     {
       if (this->FacetsAt.Count(bite) == 0)
       {
@@ -76,23 +76,32 @@ private:
     const std::vector<Id>& ends = this->Bites.PieceEnds;
     for (std::size_t k = 0; k < ends.size(); k += 2)
     {
-      this->Pieces.push_back({ std::min(ends[k], ends[k + 1]), std::max(ends[k], ends[k + 1]) });
+      const std::pair<Id, Id> piece = std::minmax(ends[k], ends[k + 1]);
+      this->Pieces.push_back(piece);
+      if (this->Ground.Chains.Kinds[At(this->Bites.PieceChains[k / 2])] == SurfaceEdgeKind::Feature)
+      {
+        this->Turning.push_back(piece);
+      }
     }
     std::sort(this->Pieces.begin(), this->Pieces.end());
+    std::sort(this->Turning.begin(), this->Turning.end());
   }
 
-  bool IsPiece(Id a, Id b) const
+  bool IsPiece(Id a, Id b) const { return this->IsAmong(this->Pieces, a, b); }
+
+  bool IsAmong(const std::vector<std::pair<Id, Id>>& pieces, Id a, Id b) const
   {
     return a < this->Bites.NumberOnLines && b < this->Bites.NumberOnLines &&
-      std::binary_search(this->Pieces.begin(), this->Pieces.end(),
-        std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
+      std::binary_search(
+        pieces.begin(), pieces.end(), std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
   }
 
   Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
   Id Previous(Id slot) const { return this->Boundary.Corners[PreviousSlotOf(At(slot))]; }
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn. At a vertex of
-  /// features that is asked of solids only in all, and for other edges than pieces.
+  /// features that is asked of solids only in all, and for other edges than pieces; pieces that
+  /// turn have two facets.
   void CheckFan(Id bite)
   {
     const Id* begin = this->FacetsAt.Begin(bite);
@@ -110,7 +119,8 @@ private:
         beside += this->Next(*other) == this->Next(*slot) ? 1 : 0;
       }
       const bool isPiece = this->IsPiece(bite, this->Next(*slot));
-      if (!isPiece && (before != 1 || beside != 1))
+      if ((!isPiece && (before != 1 || beside != 1)) ||
+        (before + beside != 2 && this->IsAmong(this->Turning, bite, this->Next(*slot))))
       {
         this->Tell(BoundaryFault::NonManifold, bite, this->Next(*slot));
         return;
@@ -201,14 +211,15 @@ private:
   SurfaceBoundary& Boundary;
   ListsByKey FacetsAt; ///< of bites: the slots of facets
   std::vector<std::pair<Id, Id>> Pieces;
+  std::vector<std::pair<Id, Id>> Turning; ///< those of turning edges
 };
 
 } // namespace
 
 void CheckBoundary(
-  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary)
+  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary, Pulse& pulse)
 {
-  BoundaryChecker(ground, bites, boundary).Run();
+  BoundaryChecker(ground, bites, boundary).Run(pulse);
 }
 
 } // namespace biting

@@ -13,7 +13,7 @@ namespace biting
 /// edge has two facets, the facets of a vertex are one fan (at features those between chains), and
 /// are within 60 degrees of the surface. Offences get what is not so.
 void CheckBoundary(
-  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary);
+  const SurfaceGround& ground, const SurfaceBites& bites, SurfaceBoundary& boundary, Pulse& pulse);
 
 } // namespace biting
 

@@ -50,6 +50,31 @@ struct WallFacet
   TriangleSides Sides;
 };
 
+/// The unit normal of the facet, away from its cell.
+Point3 NormalOf(const TetMesh& mesh, Id facet)
+{
+  const Point3& first = mesh.PointAt(mesh.FacetCorner(facet, 0));
+  const Point3 normal = Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - first,
+    mesh.PointAt(mesh.FacetCorner(facet, 2)) - first);
+  return (1.0 / Length(normal)) * normal;
+}
+
+Point3 MiddleOf(const TetMesh& mesh, Id facet)
+{
+  Point3 middle{};
+  for (int k = 0; k < 3; ++k)
+  {
+    middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
+  }
+  return middle;
+}
+
+bool Agree(const SurfaceGround& ground, Id triangle, const Point3& normal)
+{
+  constexpr double LeastCosine = 0.5;
+  return Dot(normal, ground.NormalOf(At(triangle))) >= LeastCosine;
+}
+
 class BoundaryFinder
 {
 public:
@@ -81,13 +106,13 @@ public:
     {
       this->TakeMeetings();
     }
-    CheckBoundary(this->Ground, this->Bites, this->Result);
+    CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
     constexpr int MostRounds = 3;
     for (int round = 0; isSolid && round < MostRounds && this->LabelAnew(); ++round)
     {
       this->Result = {};
       this->TakeWalls();
-      CheckBoundary(this->Ground, this->Bites, this->Result);
+      CheckBoundary(this->Ground, this->Bites, this->Result, this->Beats);
     }
     return std::move(this->Result);
   }
@@ -195,7 +220,9 @@ private:
     }
     bool isChanged = false;
     this->IsByMiddle.resize(this->Labels.size(), 0);
-    for (Id cell = 0; cell < mesh.NumberOfSlots() && !this->Result.Offences.empty(); ++cell)
+    for (Id cell = 0;
+         cell < mesh.NumberOfSlots() && !this->Result.Offences.empty() && this->Beats.Beat();
+         ++cell)
     {
       bool isFaulty = mesh.IsTetrahedron(cell) && this->IsByMiddle[At(cell)] == 0;
       Point3 middle{};
@@ -262,7 +289,7 @@ private:
         {
           const DualEdge dual = this->DualOf(facet);
           const Id near = this->WalkTo(facet, dual);
-          const bool isFound = near != NoId && this->Agree(near, dual.Normal);
+          const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
           const Id met = isFound ? near : this->Meet(dual).Triangle;
           wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
             this->BallCenter(dual, met), { label, other } };
@@ -278,7 +305,10 @@ private:
       [this, &mesh](Id facet, WallFacet& wall)
       {
         const Id twin = mesh.Twins[At(facet)];
-        if (!this->IsOfBites(facet) || (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
+        const auto isOfFrame = [this, &mesh, facet](int k)
+        { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
+        if (isOfFrame(0) || isOfFrame(1) || isOfFrame(2) ||
+          (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
         {
           return false;
         }
@@ -326,29 +356,11 @@ private:
     }
   }
 
-  bool IsOfBites(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    return this->BiteOf[At(mesh.FacetCorner(facet, 0))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 1))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 2))] != NoId;
-  }
-
-  /// The unit normal of the facet, away from its cell.
-  Point3 NormalOf(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal =
-      Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - mesh.PointAt(mesh.FacetCorner(facet, 0)),
-        mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
-    return (1.0 / Length(normal)) * normal;
-  }
-
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal = this->NormalOf(facet);
+    const Point3 normal = NormalOf(mesh, facet);
     const Point3& center = this->Centers[At(TetMesh::CellOf(facet))];
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
@@ -484,38 +496,21 @@ private:
     this->Result.BallCenters.push_back(wall.BallCenter);
   }
 
-  bool Agree(Id triangle, const Point3& normal) const
-  {
-    constexpr double LeastCosine = 0.5;
-    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
-  }
-
   /// Where the dual edge meets no triangle that agrees with the facet's normal, as near features,
   /// the nearest one that does, if it is near; else the nearest one.
   Id TriangleBelow(Id facet, Id met, const Point3& normal) const
   {
     constexpr double Near = 0.25; // in f
-    if (met != NoId && this->Agree(met, normal))
+    if (met != NoId && Agree(this->Ground, met, normal))
     {
       return met;
     }
-    const Point3 middle = this->MiddleOf(facet);
+    const Point3 middle = MiddleOf(this->Cells.Mesh(), facet);
     const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
     const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
-      [this, &normal](Id triangle) { return this->Agree(triangle, normal); });
+      [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
     const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
-  }
-
-  Point3 MiddleOf(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    Point3 middle{};
-    for (int k = 0; k < 3; ++k)
-    {
-      middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
-    }
-    return middle;
   }
 
   /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that

@@ -5,11 +5,13 @@
 
 #include "../../Base/DisjointSets.h"
 #include "../../Base/Problem.h"
+#include "../../Base/SortInSteps.h"
 
-#include <algorithm> // for sort, unique, max
-#include <cmath>     // for abs
-#include <cstdint>   // for marks
-#include <utility>   // for pairs
+#include <algorithm>  // for unique, max, min
+#include <cmath>      // for abs
+#include <cstdint>    // for marks
+#include <functional> // for less
+#include <utility>    // for pairs
 
 namespace biting
 {
@@ -44,7 +46,7 @@ public:
   Id RootOf(Id vertex) { return this->Parts.SetOf(vertex); }
 
   /// By roots: those of others are empty.
-  std::vector<PartFigures> Measure()
+  std::vector<PartFigures> Measure(Pulse& pulse)
   {
     std::vector<PartFigures> parts(this->Points.size());
     std::vector<std::pair<Id, Id>> edges;
@@ -58,12 +60,13 @@ public:
       parts[At(this->RootOf(a))].Euler += isUsed[At(a)] == 0 ? 1 : 0;
       isUsed[At(a)] = 1;
     }
-    std::sort(edges.begin(), edges.end());
+    SortInSteps(edges, std::less<>(), pulse);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const std::pair<Id, Id>& edge : edges)
     {
       --parts[At(this->RootOf(edge.first))].Euler;
     }
+    pulse.Ask();
     for (std::size_t t = 0; t < this->Corners.size() / 3; ++t)
     {
       PartFigures& part = parts[At(this->RootOf(this->Corners[3 * t]))];
@@ -112,7 +115,7 @@ std::string Compare(const PartFigures& part, const PartFigures& wanted, bool isC
 } // namespace
 
 WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& below)
+  const std::vector<Id>& corners, const std::vector<Id>& below, Pulse& pulse)
 {
   WholeVerdict verdict;
   if (points.empty())
@@ -120,9 +123,9 @@ WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>
     return verdict;
   }
   PartMeasure wantedMeasure(surface.Mesh.Points, surface.Mesh.Corners);
-  const std::vector<PartFigures> wanted = wantedMeasure.Measure();
+  const std::vector<PartFigures> wanted = wantedMeasure.Measure(pulse);
   PartMeasure measure(points, corners);
-  const std::vector<PartFigures> parts = measure.Measure();
+  const std::vector<PartFigures> parts = measure.Measure(pulse);
   const auto refuse = [&verdict, &surface](Id triangle, std::string what)
   {
     verdict.IsSame = false;

@@ -27,7 +27,7 @@ struct WholeVerdict
 /// area and, if the surface is closed, volume. `below`: of each triangle of the mesh, the triangle
 /// of the surface.
 WholeVerdict CheckWhole(const CheckedSurface& surface, const std::vector<Point3>& points,
-  const std::vector<Id>& corners, const std::vector<Id>& below);
+  const std::vector<Id>& corners, const std::vector<Id>& below, Pulse& pulse);
 
 } // namespace biting
 

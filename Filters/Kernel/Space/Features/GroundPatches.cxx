@@ -5,6 +5,8 @@
 
 #include "../Surface/NearestOnTriangle.h"
 
+#include <algorithm> // for find_first_of
+
 namespace biting
 {
 
@@ -56,9 +58,16 @@ GroundPlace GroundPatches::Project(Id triangle, const Point3& place) const
       const Id vertex = mesh.Corners[slot];
       for (const Id* t = trianglesAt.Begin(vertex); t < trianglesAt.End(vertex); ++t)
       {
+        const auto corners = mesh.Corners.begin() + 3 * *t;
+        const bool isSeen = std::find_first_of(corners, corners + 3, mesh.Corners.begin() + base,
+                              mesh.Corners.begin() + slot) != corners + 3; // at an earlier vertex
+        if (isSeen || this->PatchOf(*t) != patch)
+        {
+          continue;
+        }
         const Point3 foot = NearestPoint(mesh.Triangle(At(*t)), place);
         const double distance = Distance(foot, place);
-        if (this->PatchOf(*t) == patch && distance < (1.0 - 1e-12) * least)
+        if (distance < (1.0 - 1e-12) * least)
         {
           least = distance;
           best = { *t, foot };

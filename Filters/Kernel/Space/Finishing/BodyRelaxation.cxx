@@ -19,7 +19,6 @@ namespace
 constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
-
 constexpr double At45 = 0.5;
 
 class BodyRelaxer
@@ -38,29 +37,33 @@ public:
   void Run()
   {
     constexpr int Sweeps = 4;
-    for (int sweep = 0; sweep < Sweeps && this->Beats.Ask(); ++sweep)
+    constexpr int Rounds = 8;
+    for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
     {
       this->SmoothAll();
       this->ChangeBad(At35);
     }
-    constexpr int Rounds = 8;
     bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
     {
       isChanged = this->MoveBad(At35);
       isChanged = this->ChangeBad(At38) || isChanged;
     }
-    for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
+    isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.02 * round); ++round)
     {
-      if (!this->LoosenWorst(At31))
-      {
-        break;
-      }
+      isChanged = this->LoosenWorst(At31);
     }
     this->Tets.GiveBack();
   }
 
 private:
+  bool GoOn(double fraction)
+  {
+    this->Beats.SetFraction(fraction);
+    return this->Beats.Ask();
+  }
+
   void SmoothAll()
   {
     for (Id vertex = this->Tets.Body.NumberOnLines;
@@ -93,47 +96,75 @@ private:
     bool isMoved = false;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
     {
-      for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
-      {
-        this->Beats.Beat(256);
-        isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
-      }
+      isMoved = this->MoveCorners(cell, limit) || isMoved;
     }
     return isMoved;
   }
 
-  /// Makes room about the worst cells: those near them get better than they need to be.
+  /// Makes room about the worst cells: those near them get better than they need to be, or
+  /// there is a vertex less, or one more.
   bool LoosenWorst(double limit)
   {
     bool isChanged = false;
-    std::vector<Id> near;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
     {
-      if (!this->IsBad(cell, limit))
+      if (this->IsBad(cell, limit))
       {
-        continue;
-      }
-      near.clear();
-      for (const Id vertex : this->Tets.CornersOf(cell))
-      {
-        for (const Id slot : this->Tets.StarOf(vertex))
-        {
-          near.push_back(slot >> 2);
-        }
-      }
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
-      for (const Id other : near)
-      {
-        for (Id slot = 4 * other; slot < 4 * other + 4 && this->IsBad(other, At45); ++slot)
-        {
-          this->Beats.Beat(256);
-          isChanged = this->Moves.Improve(this->Tets.VertexAt(slot), At45) || isChanged;
-        }
-        isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+        isChanged = this->ImproveAround(cell) || isChanged;
+        isChanged = (this->IsBad(cell, limit) && this->MergeCorners(cell)) || isChanged;
+        isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
       }
     }
     return isChanged;
+  }
+
+  bool MergeCorners(Id cell)
+  {
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    for (const Id vertex : corners)
+    {
+      for (const Id other : corners)
+      {
+        if (vertex >= this->Tets.Body.NumberOnBoundary && vertex != other &&
+          this->Moves.Merge(vertex, other))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool ImproveAround(Id cell)
+  {
+    this->Near.clear();
+    for (const Id vertex : this->Tets.CornersOf(cell))
+    {
+      for (const Id slot : this->Tets.StarOf(vertex))
+      {
+        this->Near.push_back(slot >> 2);
+      }
+    }
+    std::sort(this->Near.begin(), this->Near.end());
+    this->Near.erase(std::unique(this->Near.begin(), this->Near.end()), this->Near.end());
+    bool isChanged = false;
+    for (const Id other : this->Near)
+    {
+      isChanged = this->MoveCorners(other, At45) || isChanged;
+      isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+    }
+    return isChanged;
+  }
+
+  bool MoveCorners(Id cell, double limit)
+  {
+    bool isMoved = false;
+    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+    {
+      this->Beats.Beat(256);
+      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
+    }
+    return isMoved;
   }
 
   BodyTets Tets;
@@ -141,6 +172,7 @@ private:
   VertexMoves Moves;
   EdgeRemoval Edges;
   Pulse& Beats;
+  std::vector<Id> Near;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #ifndef BitingVertexMoves_h
 #define BitingVertexMoves_h
 
+#include "../../Base/Numbers.h"
 #include "BodyTets.h"
 #include "GroundNormals.h"
 
@@ -21,7 +22,6 @@ public:
     : Tets(tets)
     , Normals(normals)
     , Size(f)
-    , Tried(tets.Mesh.Points.size(), 0)
   {
   }
 
@@ -38,6 +38,10 @@ public:
   /// Those on lines stay.
   bool Improve(Id vertex, double good);
 
+  /// Merges a vertex inside with another of a common cell: that takes its place in its cells. If
+  /// that is inside, too, it moves to where the worst of all about both is best.
+  bool Merge(Id vertex, Id other);
+
 private:
   /// A tetrahedron at the vertex: the corners of the facet opposite.
   struct Cone
@@ -49,20 +53,23 @@ private:
   };
 
   void Gather(Id vertex);
+  void GatherBut(Id vertex, Id other);
   bool Suits(const Point3& place, double limit);
+  double WorstAt(const Point3& place, double limit);
+  double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
   Point3 WayOnGround(Id vertex) const;
-  bool Step(Id vertex, double length);
 
   double Worst() const { return this->Star.front().Badness; }
 
   BodyTets& Tets;
   GroundNormals& Normals;
   const std::function<double(const Point3&)>& Size;
-  std::vector<Cone> Star;           ///< the worst comes first
-  std::vector<std::uint32_t> Tried; ///< of vertices: when Improve was tried (BodyTets::Clock)
+  std::vector<Cone> Star; ///< the worst comes first
+  double MostLoad = Infinity;
+  BodyTets::Change Change;
 };
 
 } // namespace biting

@@ -3,7 +3,7 @@
 
 #include "SurfaceRelaxation.h"
 
-#include "../Surface/NearestOnTriangle.h"
+#include "../Features/GroundPatches.h"
 #include "SurfaceStars.h"
 
 #include <algorithm> // for min, max
@@ -21,13 +21,6 @@ constexpr double GoodCosine = 0.8191520442889918;     // 35 degrees
 constexpr double BadCosine = 0.7880107536067220;      // 38 degrees
 constexpr double LeastAgreement = 0.6427876096865394; // 50 degrees
 
-/// A place on the ground.
-struct GroundPlace
-{
-  Id Triangle;
-  Point3 Place;
-};
-
 class SurfaceRelaxer
 {
 public:
@@ -35,14 +28,13 @@ public:
     const SurfaceGround& ground, const std::vector<Id>& pieces, RelaxedSurface& mesh, Pulse& pulse)
     : Ground(ground)
     , Mesh(mesh)
-    , Stars(mesh.Corners, mesh.Points.size(), pieces)
+    , Stars(mesh.Corners, mesh.Points.size(), pieces, pulse)
     , Beats(pulse)
     , Ideal(mesh.Points.size(), 6)
     , Changes(mesh.Points.size(), 0)
     , Trials(mesh.Corners.size(), NoId)
-    , Patches(ground.Mesh.NumberOfTriangles(), NoId)
+    , Patches(ground)
   {
-    this->FindPatches();
     this->FindIdeals();
   }
 
@@ -75,35 +67,6 @@ public:
   }
 
 private:
-  /// Of the ground, bounded by features.
-  void FindPatches()
-  {
-    std::vector<Id> front;
-    for (std::size_t t = 0; t < this->Patches.size(); ++t)
-    {
-      if (this->Patches[t] != NoId)
-      {
-        continue;
-      }
-      this->Patches[t] = static_cast<Id>(t);
-      front.assign(1, static_cast<Id>(t));
-      while (!front.empty())
-      {
-        const std::size_t base = 3 * At(front.back());
-        front.pop_back();
-        for (std::size_t slot = base; slot < base + 3; ++slot)
-        {
-          const Id across = this->Ground.Across[slot];
-          if (across != NoId && this->Patches[At(across / 3)] == NoId)
-          {
-            this->Patches[At(across / 3)] = static_cast<Id>(t);
-            front.push_back(across / 3);
-          }
-        }
-      }
-    }
-  }
-
   /// Numbers of triangles: 6 at free vertices; at others the angle that they have in all, by 60
   /// degrees, which flips do not change much.
   void FindIdeals()
@@ -279,42 +242,6 @@ private:
     return isEdge;
   }
 
-  /// The nearest place of the patch, by going downhill from a triangle.
-  GroundPlace Project(Id triangle, const Point3& place) const
-  {
-    GroundPlace best{ triangle, NearestPoint(this->Ground.Mesh.Triangle(At(triangle)), place) };
-    double least = Distance(best.Place, place);
-    const Id patch = this->Patches[At(triangle)];
-    constexpr int MostSteps = 64;
-    bool isNearer = true;
-    for (int step = 0; step < MostSteps && isNearer && least > 0.0; ++step)
-    {
-      isNearer = false;
-      const std::size_t base = 3 * At(best.Triangle);
-      for (std::size_t slot = base; slot < base + 3; ++slot)
-      {
-        const Id vertex = this->Ground.Mesh.Corners[slot];
-        for (const Id* t = this->Ground.TrianglesAt.Begin(vertex);
-             t < this->Ground.TrianglesAt.End(vertex); ++t)
-        {
-          if (this->Patches[At(*t)] != patch)
-          {
-            continue;
-          }
-          const Point3 foot = NearestPoint(this->Ground.Mesh.Triangle(At(*t)), place);
-          const double distance = Distance(foot, place);
-          if (distance < (1.0 - 1e-12) * least)
-          {
-            least = distance;
-            best = { *t, foot };
-            isNearer = true;
-          }
-        }
-      }
-    }
-    return best;
-  }
-
   void Smooth(Id vertex)
   {
     Point3 sum{};
@@ -342,7 +269,7 @@ private:
   /// worst one was, or than `good`.
   bool TryMove(Id vertex, const Point3& wanted, double good)
   {
-    const GroundPlace place = this->Project(this->Mesh.Triangles[At(vertex)], wanted);
+    const GroundPlace place = this->Patches.Project(this->Mesh.Triangles[At(vertex)], wanted);
     double before = 0.0;
     double after = 0.0;
     bool agrees = true;
@@ -420,8 +347,8 @@ private:
   std::vector<Id> Ideal;   ///< numbers of triangles
   std::vector<Id> Changes; ///< of vertices: the number of their last change
   std::vector<Id> Trials;  ///< of slots: the number of changes before the last trial of a flip
-  std::vector<Id> Patches; ///< of triangles of the ground
-  Id Now = 0;              ///< the number of changes
+  GroundPatches Patches;
+  Id Now = 0; ///< the number of changes
   bool AreByDegrees = false;
 };
 

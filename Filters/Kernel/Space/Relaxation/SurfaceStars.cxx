@@ -3,14 +3,17 @@
 
 #include "SurfaceStars.h"
 
-#include <algorithm> // for sort, min, max
-#include <utility>   // for pairs
+#include "../../Base/SortInSteps.h"
+
+#include <algorithm>  // for min, max
+#include <functional> // for less
+#include <utility>    // for pairs
 
 namespace biting
 {
 
 SurfaceStars::SurfaceStars(
-  std::vector<Id>& corners, std::size_t points, const std::vector<Id>& keptEdges)
+  std::vector<Id>& corners, std::size_t points, const std::vector<Id>& keptEdges, Pulse& pulse)
   : Corners(corners)
   , Twins(corners.size(), NoId)
   , Slots(points, NoId)
@@ -33,7 +36,11 @@ SurfaceStars::SurfaceStars(
   {
     add(keptEdges[k], keptEdges[k + 1], NoId);
   }
-  std::sort(edges.begin(), edges.end());
+  SortInSteps(edges, std::less<>(), pulse);
+  if (pulse.HasStopped())
+  {
+    return;
+  }
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < edges.size(); begin = end)
   {

@@ -5,6 +5,7 @@
 #define BitingSurfaceStars_h
 
 #include "../../Base/Ids.h"
+#include "../../Base/Pulse.h"
 #include "../../Base/TriangleSlots.h"
 
 #include <cstddef> // for slots
@@ -18,7 +19,8 @@ namespace biting
 class SurfaceStars
 {
 public:
-  SurfaceStars(std::vector<Id>& corners, std::size_t points, const std::vector<Id>& keptEdges);
+  SurfaceStars(
+    std::vector<Id>& corners, std::size_t points, const std::vector<Id>& keptEdges, Pulse& pulse);
 
   /// The slot across, or NoId.
   Id Across(std::size_t slot) const { return this->Twins[slot]; }
