@@ -38,6 +38,142 @@ struct DualEdge
   double End;
 };
 
+/// Twice the areas of the triangle's parts opposite its corners, as cut by the line of the dual
+/// edge; and the line's height where it meets its plane, times their sum.
+struct LineMeeting
+{
+  LineMeeting(const std::array<Point3, 3>& t, const DualEdge& dual)
+  {
+    const Point3 a = t[0] - dual.Foot;
+    const Point3 b = t[1] - dual.Foot;
+    const Point3 c = t[2] - dual.Foot;
+    this->Parts = { Dot(Cross(b, c), dual.Normal), Dot(Cross(c, a), dual.Normal),
+      Dot(Cross(a, b), dual.Normal) };
+    this->Sum = this->Parts[0] + this->Parts[1] + this->Parts[2];
+    this->Rise = this->Parts[0] * Dot(a, dual.Normal) + this->Parts[1] * Dot(b, dual.Normal) +
+      this->Parts[2] * Dot(c, dual.Normal);
+  }
+
+  std::array<double, 3> Parts;
+  double Sum;
+  double Rise;
+};
+
+/// Looks for triangles of the ground at facets.
+class GroundSearch
+{
+public:
+  GroundSearch(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
+    : Ground(ground)
+    , Tree(tree)
+  {
+  }
+
+  /// The triangle that the dual edge meets, by a walk over the patch of one nearby, or NoId; NoId
+  /// where it leaves the patch, or meets the plane of the last triangle elsewhere.
+  Id WalkFrom(Id triangle, const DualEdge& dual) const
+  {
+    constexpr int MostSteps = 32;
+    for (int step = 0; step < MostSteps && triangle != NoId; ++step)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      std::size_t worst = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        worst = line.Parts[k] * line.Sum < line.Parts[worst] * line.Sum ? k : worst;
+      }
+      const double height = line.Rise / line.Sum;
+      if (line.Parts[worst] * line.Sum >= 0.0)
+      {
+        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
+      }
+      const Id across = this->Ground.Across[3 * At(triangle) + worst];
+      triangle = across == NoId ? NoId : across / 3;
+    }
+    return NoId;
+  }
+
+  DualMeeting Meet(const DualEdge& dual) const
+  {
+    DualMeeting meeting;
+    if (!(dual.Begin < dual.End))
+    {
+      return meeting;
+    }
+    const Box3 box =
+      Box3::Around(dual.Foot + dual.Begin * dual.Normal, dual.Foot + dual.End * dual.Normal);
+    double least = Infinity;
+    this->Tree.AllOf(box,
+      [this, &dual, &meeting, &least](const SurfaceItem& item)
+      {
+        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
+        // What passes an edge passes one of its two triangles: their rounded products only differ
+        // in sign, and 0 has that of the order of the ends.
+        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
+        const auto isLeft = [&line, ends](std::size_t k) {
+          return line.Parts[k] > 0.0 ||
+            (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
+        };
+        const bool isMet = line.Sum != 0.0 && isLeft(0) == isLeft(1) && isLeft(0) == isLeft(2);
+        const double height = isMet ? line.Rise / line.Sum : Infinity;
+        if (height >= dual.Begin && height <= dual.End)
+        {
+          ++meeting.Count;
+          if (std::abs(height) < least)
+          {
+            least = std::abs(height);
+            meeting.Triangle = item.Triangle;
+          }
+        }
+        return true;
+      });
+    return meeting;
+  }
+
+  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
+  Point3 BallCenter(const DualEdge& dual, Id triangle) const
+  {
+    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
+    if (triangle != NoId)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
+    }
+    return dual.Foot + height * dual.Normal;
+  }
+
+  bool Agree(Id triangle, const Point3& normal) const
+  {
+    constexpr double LeastCosine = 0.5;
+    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
+  }
+
+  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
+  /// are wanted; or NoId.
+  template <typename Question>
+  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
+  {
+    Id nearest = NoId;
+    this->Tree.Search(place, 1.0, most,
+      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
+      {
+        if (!isWanted(item.Triangle))
+        {
+          return limit;
+        }
+        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
+        const double distance = Distance(NearestPoint(triangle, place), place);
+        nearest = distance < limit ? item.Triangle : nearest;
+        return std::min(limit, distance);
+      });
+    return nearest;
+  }
+
+private:
+  const SurfaceGround& Ground;
+  const BoxTree<SurfaceItem, 3>& Tree;
+};
+
 /// A facet of the boundary.
 struct WallFacet
 {
@@ -58,6 +194,7 @@ public:
     : Ground(ground)
     , Bites(bites)
     , Tree(tree)
+    , Below(ground, tree)
     , Cells(bites.NumberOnLines > 0)
     , Beats(pulse)
   {
@@ -207,7 +344,7 @@ private:
       }
       constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
       if (isFaulty && faults > 0 &&
-        this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
+        this->Below.NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
         const Id label = test.LabelAt(middle);
         this->IsByMiddle[At(cell)] = 1;
@@ -258,11 +395,11 @@ private:
         if (isWall)
         {
           const DualEdge dual = this->DualOf(facet);
-          const Id near = this->WalkTo(facet, dual);
-          const bool isFound = near != NoId && this->Agree(near, dual.Normal);
-          const Id met = isFound ? near : this->Meet(dual).Triangle;
+          const Id near = this->Below.WalkFrom(this->TriangleOf(facet), dual);
+          const bool isFound = near != NoId && this->Below.Agree(near, dual.Normal);
+          const Id met = isFound ? near : this->Below.Meet(dual).Triangle;
           wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
-            this->BallCenter(dual, met), { label, other } };
+            this->Below.BallCenter(dual, met), { label, other } };
         }
         return isWall;
       });
@@ -280,7 +417,7 @@ private:
           return false;
         }
         const DualEdge dual = this->DualOf(facet);
-        const DualMeeting meeting = this->Meet(dual);
+        const DualMeeting meeting = this->Below.Meet(dual);
         if (meeting.Count % 2 == 1)
         {
           const bool isTurned = Dot(dual.Normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0;
@@ -351,6 +488,17 @@ private:
     return (1.0 / Length(normal)) * normal;
   }
 
+  /// Of a bite of the facet that is on no line; else NoId.
+  Id TriangleOf(Id facet) const
+  {
+    Id bite = NoId;
+    for (int k = 0; k < 3; ++k)
+    {
+      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
+    }
+    return bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
+  }
+
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
@@ -373,106 +521,6 @@ private:
       std::min(std::max(low, high), reach) };
   }
 
-  /// Twice the areas of the triangle's parts opposite its corners, as cut by the line of the dual
-  /// edge; and the line's height where it meets its plane, times their sum.
-  struct LineMeeting
-  {
-    LineMeeting(const std::array<Point3, 3>& t, const DualEdge& dual)
-    {
-      const Point3 a = t[0] - dual.Foot;
-      const Point3 b = t[1] - dual.Foot;
-      const Point3 c = t[2] - dual.Foot;
-      this->Parts = { Dot(Cross(b, c), dual.Normal), Dot(Cross(c, a), dual.Normal),
-        Dot(Cross(a, b), dual.Normal) };
-      this->Sum = this->Parts[0] + this->Parts[1] + this->Parts[2];
-      this->Rise = this->Parts[0] * Dot(a, dual.Normal) + this->Parts[1] * Dot(b, dual.Normal) +
-        this->Parts[2] * Dot(c, dual.Normal);
-    }
-
-    std::array<double, 3> Parts;
-    double Sum;
-    double Rise;
-  };
-
-  /// The triangle that the dual edge meets, by a walk over the patch of a bite of the facet; NoId
-  /// where it leaves the patch, or meets the plane of the last triangle elsewhere.
-  Id WalkTo(Id facet, const DualEdge& dual) const
-  {
-    constexpr int MostSteps = 32;
-    Id bite = NoId;
-    for (int k = 0; k < 3; ++k)
-    {
-      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
-    }
-    Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
-    for (int step = 0; step < MostSteps && triangle != NoId; ++step)
-    {
-      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
-      std::size_t worst = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        worst = line.Parts[k] * line.Sum < line.Parts[worst] * line.Sum ? k : worst;
-      }
-      const double height = line.Rise / line.Sum;
-      if (line.Parts[worst] * line.Sum >= 0.0)
-      {
-        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
-      }
-      const Id across = this->Ground.Across[3 * At(triangle) + worst];
-      triangle = across == NoId ? NoId : across / 3;
-    }
-    return NoId;
-  }
-
-  DualMeeting Meet(const DualEdge& dual) const
-  {
-    DualMeeting meeting;
-    if (!(dual.Begin < dual.End))
-    {
-      return meeting;
-    }
-    const Box3 box =
-      Box3::Around(dual.Foot + dual.Begin * dual.Normal, dual.Foot + dual.End * dual.Normal);
-    double least = Infinity;
-    this->Tree.AllOf(box,
-      [this, &dual, &meeting, &least](const SurfaceItem& item)
-      {
-        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
-        // What passes an edge passes one of its two triangles: their rounded products only differ
-        // in sign, and 0 has that of the order of the ends.
-        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
-        const auto isLeft = [&line, ends](std::size_t k) {
-          return line.Parts[k] > 0.0 ||
-            (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
-        };
-        const bool isMet = line.Sum != 0.0 && isLeft(0) == isLeft(1) && isLeft(0) == isLeft(2);
-        const double height = isMet ? line.Rise / line.Sum : Infinity;
-        if (height >= dual.Begin && height <= dual.End)
-        {
-          ++meeting.Count;
-          if (std::abs(height) < least)
-          {
-            least = std::abs(height);
-            meeting.Triangle = item.Triangle;
-          }
-        }
-        return true;
-      });
-    return meeting;
-  }
-
-  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
-  Point3 BallCenter(const DualEdge& dual, Id triangle) const
-  {
-    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
-    if (triangle != NoId)
-    {
-      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
-      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
-    }
-    return dual.Foot + height * dual.Normal;
-  }
-
   void Add(const WallFacet& wall)
   {
     const TetMesh& mesh = this->Cells.Mesh();
@@ -491,26 +539,21 @@ private:
     this->Result.BallCenters.push_back(wall.BallCenter);
   }
 
-  bool Agree(Id triangle, const Point3& normal) const
-  {
-    constexpr double LeastCosine = 0.5;
-    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
-  }
-
   /// Where the dual edge meets no triangle that agrees with the facet's normal, as near features,
   /// the nearest one that does, if it is near; else the nearest one.
   Id TriangleBelow(Id facet, Id met, const Point3& normal) const
   {
     constexpr double Near = 0.25; // in f
-    if (met != NoId && this->Agree(met, normal))
+    if (met != NoId && this->Below.Agree(met, normal))
     {
       return met;
     }
     const Point3 middle = this->MiddleOf(facet);
     const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
-    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
-      [this, &normal](Id triangle) { return this->Agree(triangle, normal); });
-    const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
+    const Id best = this->Below.NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
+      [this, &normal](Id triangle) { return this->Below.Agree(triangle, normal); });
+    const Id other =
+      met != NoId ? met : this->Below.NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
   }
 
@@ -525,30 +568,10 @@ private:
     return middle;
   }
 
-  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
-  /// are wanted; or NoId.
-  template <typename Question>
-  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
-  {
-    Id nearest = NoId;
-    this->Tree.Search(place, 1.0, most,
-      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
-      {
-        if (!isWanted(item.Triangle))
-        {
-          return limit;
-        }
-        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
-        const double distance = Distance(NearestPoint(triangle, place), place);
-        nearest = distance < limit ? item.Triangle : nearest;
-        return std::min(limit, distance);
-      });
-    return nearest;
-  }
-
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
   const BoxTree<SurfaceItem, 3>& Tree;
+  GroundSearch Below;
   RegularTriangulation Cells;
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
