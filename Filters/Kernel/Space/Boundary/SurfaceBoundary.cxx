@@ -38,142 +38,6 @@ struct DualEdge
   double End;
 };
 
-/// Twice the areas of the triangle's parts opposite its corners, as cut by the line of the dual
-/// edge; and the line's height where it meets its plane, times their sum.
-struct LineMeeting
-{
-  LineMeeting(const std::array<Point3, 3>& t, const DualEdge& dual)
-  {
-    const Point3 a = t[0] - dual.Foot;
-    const Point3 b = t[1] - dual.Foot;
-    const Point3 c = t[2] - dual.Foot;
-    this->Parts = { Dot(Cross(b, c), dual.Normal), Dot(Cross(c, a), dual.Normal),
-      Dot(Cross(a, b), dual.Normal) };
-    this->Sum = this->Parts[0] + this->Parts[1] + this->Parts[2];
-    this->Rise = this->Parts[0] * Dot(a, dual.Normal) + this->Parts[1] * Dot(b, dual.Normal) +
-      this->Parts[2] * Dot(c, dual.Normal);
-  }
-
-  std::array<double, 3> Parts;
-  double Sum;
-  double Rise;
-};
-
-/// Looks for triangles of the ground at facets.
-class GroundSearch
-{
-public:
-  GroundSearch(const SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree)
-    : Ground(ground)
-    , Tree(tree)
-  {
-  }
-
-  /// The triangle that the dual edge meets, by a walk over the patch of one nearby, or NoId; NoId
-  /// where it leaves the patch, or meets the plane of the last triangle elsewhere.
-  Id WalkFrom(Id triangle, const DualEdge& dual) const
-  {
-    constexpr int MostSteps = 32;
-    for (int step = 0; step < MostSteps && triangle != NoId; ++step)
-    {
-      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
-      std::size_t worst = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        worst = line.Parts[k] * line.Sum < line.Parts[worst] * line.Sum ? k : worst;
-      }
-      const double height = line.Rise / line.Sum;
-      if (line.Parts[worst] * line.Sum >= 0.0)
-      {
-        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
-      }
-      const Id across = this->Ground.Across[3 * At(triangle) + worst];
-      triangle = across == NoId ? NoId : across / 3;
-    }
-    return NoId;
-  }
-
-  DualMeeting Meet(const DualEdge& dual) const
-  {
-    DualMeeting meeting;
-    if (!(dual.Begin < dual.End))
-    {
-      return meeting;
-    }
-    const Box3 box =
-      Box3::Around(dual.Foot + dual.Begin * dual.Normal, dual.Foot + dual.End * dual.Normal);
-    double least = Infinity;
-    this->Tree.AllOf(box,
-      [this, &dual, &meeting, &least](const SurfaceItem& item)
-      {
-        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
-        // What passes an edge passes one of its two triangles: their rounded products only differ
-        // in sign, and 0 has that of the order of the ends.
-        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
-        const auto isLeft = [&line, ends](std::size_t k) {
-          return line.Parts[k] > 0.0 ||
-            (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
-        };
-        const bool isMet = line.Sum != 0.0 && isLeft(0) == isLeft(1) && isLeft(0) == isLeft(2);
-        const double height = isMet ? line.Rise / line.Sum : Infinity;
-        if (height >= dual.Begin && height <= dual.End)
-        {
-          ++meeting.Count;
-          if (std::abs(height) < least)
-          {
-            least = std::abs(height);
-            meeting.Triangle = item.Triangle;
-          }
-        }
-        return true;
-      });
-    return meeting;
-  }
-
-  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
-  Point3 BallCenter(const DualEdge& dual, Id triangle) const
-  {
-    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
-    if (triangle != NoId)
-    {
-      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
-      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
-    }
-    return dual.Foot + height * dual.Normal;
-  }
-
-  bool Agree(Id triangle, const Point3& normal) const
-  {
-    constexpr double LeastCosine = 0.5;
-    return Dot(normal, this->Ground.NormalOf(At(triangle))) >= LeastCosine;
-  }
-
-  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
-  /// are wanted; or NoId.
-  template <typename Question>
-  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
-  {
-    Id nearest = NoId;
-    this->Tree.Search(place, 1.0, most,
-      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
-      {
-        if (!isWanted(item.Triangle))
-        {
-          return limit;
-        }
-        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
-        const double distance = Distance(NearestPoint(triangle, place), place);
-        nearest = distance < limit ? item.Triangle : nearest;
-        return std::min(limit, distance);
-      });
-    return nearest;
-  }
-
-private:
-  const SurfaceGround& Ground;
-  const BoxTree<SurfaceItem, 3>& Tree;
-};
-
 /// A facet of the boundary.
 struct WallFacet
 {
@@ -186,6 +50,31 @@ struct WallFacet
   TriangleSides Sides;
 };
 
+/// The unit normal of the facet, away from its cell.
+Point3 NormalOf(const TetMesh& mesh, Id facet)
+{
+  const Point3& first = mesh.PointAt(mesh.FacetCorner(facet, 0));
+  const Point3 normal = Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - first,
+    mesh.PointAt(mesh.FacetCorner(facet, 2)) - first);
+  return (1.0 / Length(normal)) * normal;
+}
+
+Point3 MiddleOf(const TetMesh& mesh, Id facet)
+{
+  Point3 middle{};
+  for (int k = 0; k < 3; ++k)
+  {
+    middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
+  }
+  return middle;
+}
+
+bool Agree(const SurfaceGround& ground, Id triangle, const Point3& normal)
+{
+  constexpr double LeastCosine = 0.5;
+  return Dot(normal, ground.NormalOf(At(triangle))) >= LeastCosine;
+}
+
 class BoundaryFinder
 {
 public:
@@ -194,7 +83,6 @@ public:
     : Ground(ground)
     , Bites(bites)
     , Tree(tree)
-    , Below(ground, tree)
     , Cells(bites.NumberOnLines > 0)
     , Beats(pulse)
   {
@@ -344,7 +232,7 @@ private:
       }
       constexpr double LeastDepth = 0.03; // flatter cells lie along the surface
       if (isFaulty && faults > 0 &&
-        this->Below.NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
+        this->NearestTo(middle, LeastDepth * size, [](Id) { return true; }) == NoId)
       {
         const Id label = test.LabelAt(middle);
         this->IsByMiddle[At(cell)] = 1;
@@ -395,11 +283,11 @@ private:
         if (isWall)
         {
           const DualEdge dual = this->DualOf(facet);
-          const Id near = this->Below.WalkFrom(this->TriangleOf(facet), dual);
-          const bool isFound = near != NoId && this->Below.Agree(near, dual.Normal);
-          const Id met = isFound ? near : this->Below.Meet(dual).Triangle;
+          const Id near = this->WalkTo(facet, dual);
+          const bool isFound = near != NoId && Agree(this->Ground, near, dual.Normal);
+          const Id met = isFound ? near : this->Meet(dual).Triangle;
           wall = { facet, isFound ? near : this->TriangleBelow(facet, met, dual.Normal), false,
-            this->Below.BallCenter(dual, met), { label, other } };
+            this->BallCenter(dual, met), { label, other } };
         }
         return isWall;
       });
@@ -412,12 +300,15 @@ private:
       [this, &mesh](Id facet, WallFacet& wall)
       {
         const Id twin = mesh.Twins[At(facet)];
-        if (!this->IsOfBites(facet) || (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
+        const auto isOfFrame = [this, &mesh, facet](int k)
+        { return this->BiteOf[At(mesh.FacetCorner(facet, k))] == NoId; };
+        if (isOfFrame(0) || isOfFrame(1) || isOfFrame(2) ||
+          (facet > twin && !mesh.IsGhost(TetMesh::CellOf(twin))))
         {
           return false;
         }
         const DualEdge dual = this->DualOf(facet);
-        const DualMeeting meeting = this->Below.Meet(dual);
+        const DualMeeting meeting = this->Meet(dual);
         if (meeting.Count % 2 == 1)
         {
           const bool isTurned = Dot(dual.Normal, this->Ground.NormalOf(At(meeting.Triangle))) < 0.0;
@@ -470,40 +361,11 @@ private:
     }
   }
 
-  bool IsOfBites(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    return this->BiteOf[At(mesh.FacetCorner(facet, 0))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 1))] != NoId &&
-      this->BiteOf[At(mesh.FacetCorner(facet, 2))] != NoId;
-  }
-
-  /// The unit normal of the facet, away from its cell.
-  Point3 NormalOf(Id facet) const
-  {
-    const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal =
-      Cross(mesh.PointAt(mesh.FacetCorner(facet, 1)) - mesh.PointAt(mesh.FacetCorner(facet, 0)),
-        mesh.PointAt(mesh.FacetCorner(facet, 2)) - mesh.PointAt(mesh.FacetCorner(facet, 0)));
-    return (1.0 / Length(normal)) * normal;
-  }
-
-  /// Of a bite of the facet that is on no line; else NoId.
-  Id TriangleOf(Id facet) const
-  {
-    Id bite = NoId;
-    for (int k = 0; k < 3; ++k)
-    {
-      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
-    }
-    return bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
-  }
-
   /// It begins at the centre of the cell of the facet.
   DualEdge DualOf(Id facet) const
   {
     const TetMesh& mesh = this->Cells.Mesh();
-    const Point3 normal = this->NormalOf(facet);
+    const Point3 normal = NormalOf(mesh, facet);
     const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
@@ -519,6 +381,106 @@ private:
     const double high = mesh.IsTetrahedron(other) ? height(this->CenterOf(other)) : Infinity;
     return { normal, foot, std::max(std::min(low, high), -reach),
       std::min(std::max(low, high), reach) };
+  }
+
+  /// Twice the areas of the triangle's parts opposite its corners, as cut by the line of the dual
+  /// edge; and the line's height where it meets its plane, times their sum.
+  struct LineMeeting
+  {
+    LineMeeting(const std::array<Point3, 3>& t, const DualEdge& dual)
+    {
+      const Point3 a = t[0] - dual.Foot;
+      const Point3 b = t[1] - dual.Foot;
+      const Point3 c = t[2] - dual.Foot;
+      this->Parts = { Dot(Cross(b, c), dual.Normal), Dot(Cross(c, a), dual.Normal),
+        Dot(Cross(a, b), dual.Normal) };
+      this->Sum = this->Parts[0] + this->Parts[1] + this->Parts[2];
+      this->Rise = this->Parts[0] * Dot(a, dual.Normal) + this->Parts[1] * Dot(b, dual.Normal) +
+        this->Parts[2] * Dot(c, dual.Normal);
+    }
+
+    std::array<double, 3> Parts;
+    double Sum;
+    double Rise;
+  };
+
+  /// The triangle that the dual edge meets, by a walk over the patch of a bite of the facet; NoId
+  /// where it leaves the patch, or meets the plane of the last triangle elsewhere.
+  Id WalkTo(Id facet, const DualEdge& dual) const
+  {
+    constexpr int MostSteps = 32;
+    Id bite = NoId;
+    for (int k = 0; k < 3; ++k)
+    {
+      bite = std::max(bite, this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, k))]);
+    }
+    Id triangle = bite < this->Bites.NumberOnLines ? NoId : this->Bites.Triangles[At(bite)];
+    for (int step = 0; step < MostSteps && triangle != NoId; ++step)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      std::size_t worst = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        worst = line.Parts[k] * line.Sum < line.Parts[worst] * line.Sum ? k : worst;
+      }
+      const double height = line.Rise / line.Sum;
+      if (line.Parts[worst] * line.Sum >= 0.0)
+      {
+        return height >= dual.Begin && height <= dual.End ? triangle : NoId;
+      }
+      const Id across = this->Ground.Across[3 * At(triangle) + worst];
+      triangle = across == NoId ? NoId : across / 3;
+    }
+    return NoId;
+  }
+
+  DualMeeting Meet(const DualEdge& dual) const
+  {
+    DualMeeting meeting;
+    if (!(dual.Begin < dual.End))
+    {
+      return meeting;
+    }
+    const Box3 box =
+      Box3::Around(dual.Foot + dual.Begin * dual.Normal, dual.Foot + dual.End * dual.Normal);
+    double least = Infinity;
+    this->Tree.AllOf(box,
+      [this, &dual, &meeting, &least](const SurfaceItem& item)
+      {
+        const LineMeeting line(this->Ground.Mesh.Triangle(At(item.Triangle)), dual);
+        // What passes an edge passes one of its two triangles: their rounded products only differ
+        // in sign, and 0 has that of the order of the ends.
+        const Id* ends = &this->Ground.Mesh.Corners[3 * At(item.Triangle)];
+        const auto isLeft = [&line, ends](std::size_t k) {
+          return line.Parts[k] > 0.0 ||
+            (line.Parts[k] == 0.0 && ends[(k + 1) % 3] < ends[(k + 2) % 3]);
+        };
+        const bool isMet = line.Sum != 0.0 && isLeft(0) == isLeft(1) && isLeft(0) == isLeft(2);
+        const double height = isMet ? line.Rise / line.Sum : Infinity;
+        if (height >= dual.Begin && height <= dual.End)
+        {
+          ++meeting.Count;
+          if (std::abs(height) < least)
+          {
+            least = std::abs(height);
+            meeting.Triangle = item.Triangle;
+          }
+        }
+        return true;
+      });
+    return meeting;
+  }
+
+  /// Where the dual edge meets the triangle; NoId: its place nearest to the facet.
+  Point3 BallCenter(const DualEdge& dual, Id triangle) const
+  {
+    double height = dual.Begin > 0.0 ? dual.Begin : std::min(dual.End, 0.0);
+    if (triangle != NoId)
+    {
+      const LineMeeting line(this->Ground.Mesh.Triangle(At(triangle)), dual);
+      height = std::min(std::max(line.Rise / line.Sum, dual.Begin), dual.End);
+    }
+    return dual.Foot + height * dual.Normal;
   }
 
   void Add(const WallFacet& wall)
@@ -544,34 +506,42 @@ private:
   Id TriangleBelow(Id facet, Id met, const Point3& normal) const
   {
     constexpr double Near = 0.25; // in f
-    if (met != NoId && this->Below.Agree(met, normal))
+    if (met != NoId && Agree(this->Ground, met, normal))
     {
       return met;
     }
-    const Point3 middle = this->MiddleOf(facet);
+    const Point3 middle = MiddleOf(this->Cells.Mesh(), facet);
     const Id bite = this->BiteOf[At(this->Cells.Mesh().FacetCorner(facet, 0))];
-    const Id best = this->Below.NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
-      [this, &normal](Id triangle) { return this->Below.Agree(triangle, normal); });
-    const Id other =
-      met != NoId ? met : this->Below.NearestTo(middle, Infinity, [](Id) { return true; });
+    const Id best = this->NearestTo(middle, Near * this->Bites.Sizes[At(bite)],
+      [this, &normal](Id triangle) { return Agree(this->Ground, triangle, normal); });
+    const Id other = met != NoId ? met : this->NearestTo(middle, Infinity, [](Id) { return true; });
     return best != NoId ? best : other;
   }
 
-  Point3 MiddleOf(Id facet) const
+  /// The triangle of the ground that is nearest to the place, and nearer than `most`, of those that
+  /// are wanted; or NoId.
+  template <typename Question>
+  Id NearestTo(const Point3& place, double most, const Question& isWanted) const
   {
-    const TetMesh& mesh = this->Cells.Mesh();
-    Point3 middle{};
-    for (int k = 0; k < 3; ++k)
-    {
-      middle = middle + (1.0 / 3.0) * mesh.PointAt(mesh.FacetCorner(facet, k));
-    }
-    return middle;
+    Id nearest = NoId;
+    this->Tree.Search(place, 1.0, most,
+      [this, &place, &nearest, &isWanted](const SurfaceItem& item, double limit)
+      {
+        if (!isWanted(item.Triangle))
+        {
+          return limit;
+        }
+        const std::array<Point3, 3> triangle = this->Ground.Mesh.Triangle(At(item.Triangle));
+        const double distance = Distance(NearestPoint(triangle, place), place);
+        nearest = distance < limit ? item.Triangle : nearest;
+        return std::min(limit, distance);
+      });
+    return nearest;
   }
 
   const SurfaceGround& Ground;
   const SurfaceBites& Bites;
   const BoxTree<SurfaceItem, 3>& Tree;
-  GroundSearch Below;
   RegularTriangulation Cells;
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices

@@ -358,19 +358,21 @@ public:
   {
   }
 
-  /// The least distance from the middle of t to a triangle with another normal, by more than Turn,
-  /// to which a way leads over triangles that are nearer and over no feature; infinite where that
-  /// is `most` or more.
-  double DistanceOfTurn(std::size_t t, double most)
+  /// Raises sizes to the least distance from the middle of t to a triangle whose normal differs by
+  /// more than Turn, to which a way leads over nearer triangles and over no feature; to infinity
+  /// where that is `most` or more. Those of all triangles with their middles in the ball of that
+  /// radius: at an edge where faces turn the cap is the width of the faces, in however small
+  /// triangles.
+  void Raise(std::size_t t, double most, std::vector<double>& sizes)
   {
     double best = most;
     const Point3 middle = this->Mesh.Middle(t);
     this->Seen[t] = static_cast<Id>(t);
     this->Front.assign(1, static_cast<Id>(t));
-    while (!this->Front.empty())
+    std::size_t next = 0;
+    while (next < this->Front.size()) // it grows
     {
-      const auto from = static_cast<std::size_t>(this->Front.back());
-      this->Front.pop_back();
+      const auto from = static_cast<std::size_t>(this->Front[next++]);
       for (std::size_t slot = 3 * from; slot < 3 * from + 3; ++slot)
       {
         const Id across = this->Links.Across[slot];
@@ -395,7 +397,14 @@ public:
         }
       }
     }
-    return best < most ? best : Infinity;
+    for (const Id other : this->Front)
+    {
+      if (Distance(this->Mesh.Middle(At(other)), middle) < best)
+      {
+        double& size = sizes[At(other)];
+        size = std::max(size, best < most ? best : Infinity);
+      }
+    }
   }
 
 private:
@@ -523,7 +532,7 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
   // A triangle of circumradius l / sqrt 3 is l^2 / (6 R) from a sphere of radius R, on which
   // normals l apart differ by l / R; the factor leaves room for longer edges.
   TurnSearch search(input, LinkSurface(input, pulse), ground.Normals, 4.5 * tolerance);
-  std::vector<double> sizes(input.NumberOfTriangles(), Infinity);
+  std::vector<double> sizes(input.NumberOfTriangles(), 0.0);
   pulse.ForEach(sizes.size(),
     [&ground, &input, &search, &sizes](std::size_t t)
     {
@@ -532,7 +541,7 @@ void CapByCurvature(SurfaceGround& ground, const SurfaceMesh& input, double tole
       {
         most = std::max(most, ground.Sizes[At(input.Corners[slot])]);
       }
-      sizes[t] = search.DistanceOfTurn(t, most);
+      search.Raise(t, most, sizes);
     });
   for (std::size_t slot = 0; slot < ground.Mesh.Corners.size(); ++slot)
   {

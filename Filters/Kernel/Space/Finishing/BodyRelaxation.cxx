@@ -19,7 +19,6 @@ namespace
 constexpr double At31 = 0.7347368398357183;
 constexpr double At35 = 0.6710100716628343;
 constexpr double At38 = 0.6209609477998338;
-
 constexpr double At45 = 0.5;
 
 class BodyRelaxer
@@ -38,20 +37,20 @@ public:
   void Run()
   {
     constexpr int Sweeps = 4;
-    for (int sweep = 0; sweep < Sweeps && this->Beats.Ask(); ++sweep)
+    constexpr int Rounds = 8;
+    for (int sweep = 0; sweep < Sweeps && this->GoOn(0.15 * sweep); ++sweep)
     {
       this->SmoothAll();
       this->ChangeBad(At35);
     }
-    constexpr int Rounds = 8;
     bool isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.6 + 0.03 * round); ++round)
     {
       isChanged = this->MoveBad(At35);
       isChanged = this->ChangeBad(At38) || isChanged;
     }
     isChanged = true;
-    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
+    for (int round = 0; round < Rounds && isChanged && this->GoOn(0.84 + 0.02 * round); ++round)
     {
       isChanged = this->LoosenWorst(At31);
     }
@@ -59,6 +58,12 @@ public:
   }
 
 private:
+  bool GoOn(double fraction)
+  {
+    this->Beats.SetFraction(fraction);
+    return this->Beats.Ask();
+  }
+
   void SmoothAll()
   {
     for (Id vertex = this->Tets.Body.NumberOnLines;
@@ -96,8 +101,8 @@ private:
     return isMoved;
   }
 
-  /// Makes room about the worst cells: those near them get better than they need to be, or they
-  /// get a vertex more.
+  /// Makes room about the worst cells: those near them get better than they need to be, or
+  /// there is a vertex less, or one more.
   bool LoosenWorst(double limit)
   {
     bool isChanged = false;
@@ -106,10 +111,28 @@ private:
       if (this->IsBad(cell, limit))
       {
         isChanged = this->ImproveAround(cell) || isChanged;
+        isChanged = (this->IsBad(cell, limit) && this->MergeCorners(cell)) || isChanged;
         isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
       }
     }
     return isChanged;
+  }
+
+  bool MergeCorners(Id cell)
+  {
+    const BodyTets::Tetrahedron corners = this->Tets.CornersOf(cell);
+    for (const Id vertex : corners)
+    {
+      for (const Id other : corners)
+      {
+        if (vertex >= this->Tets.Body.NumberOnBoundary && vertex != other &&
+          this->Moves.Merge(vertex, other))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   bool ImproveAround(Id cell)

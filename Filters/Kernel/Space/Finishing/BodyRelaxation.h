@@ -31,13 +31,16 @@ struct RelaxedBody
   std::vector<Id> Facets;
   std::vector<Id> FacetTags; ///< of facets: the patch each belongs to; 2-2 flips keep within one
   std::vector<Id> PieceEnds; ///< edges that stay, two vertices each
+
+  /// Set when it is relaxed, of vertices: their numbers before; NoId of new ones.
+  std::vector<Id> Origins;
 };
 
 /// Makes its tetrahedra better: vertices move to where the errors of interpolation are least (ODT,
 /// density of f), those on the boundary on the ground; flips and the removal of edges take slivers
 /// away; then the vertices of the worst tetrahedra move by trial. Where angles below 31 degrees
-/// remain, what is about them gets better than it needs to be, and gets vertices inside, which come
-/// last. Facets change by flips of two within a patch only.
+/// remain, what is about them gets better than it needs to be, vertices inside are merged with
+/// others, or are added, which come last. Facets change by flips of two within a patch only.
 /// Laws: no step makes the worst dihedral angle about it worse, but for those that stay above 35
 /// degrees; tetrahedra stay positive, exactly; the boundary stays closed and within its patches;
 /// regions keep their facets. When it is stopped the body is one, too, of those laws.

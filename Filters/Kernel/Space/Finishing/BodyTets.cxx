@@ -40,6 +40,7 @@ void BodyTets::Change::Clear()
 
 BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   : Body(body)
+  , NumberOfGiven(static_cast<Id>(body.Points.size()))
   , FacetSlots(2 * body.FacetTags.size(), NoId)
   , KeptEnds(body.Points.size(),
       [&body](const auto& add)
@@ -105,14 +106,14 @@ void BodyTets::LinkAll(Pulse& pulse)
         add(this->SortedCorners(slot)[0], slot);
       }
     });
-  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
+  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices() && pulse.Beat(64); ++vertex)
   {
     this->LinkBucket(buckets[vertex]);
-    pulse.Beat();
   }
+  this->IsLinked = !pulse.HasStopped();
 }
 
-/// Records come first in a bucket. A facet of one tetrahedron without a record gets one, of no patch.
+/// Records come first in a bucket.
 void BodyTets::LinkBucket(const IdLists::List& items)
 {
   for (const Id* item = items.begin(); item < items.end(); ++item)
@@ -138,13 +139,6 @@ void BodyTets::LinkBucket(const IdLists::List& items)
         this->Mesh.Link(*item, *other);
         half = 2;
       }
-    }
-    if (*item >= 0 && half == 0)
-    {
-      this->FacetSlots.insert(this->FacetSlots.end(), 2, NoId);
-      this->Body.Facets.insert(this->Body.Facets.end(), corners.begin(), corners.end());
-      this->Body.FacetTags.push_back(NoId);
-      this->Attach(static_cast<Id>(this->Body.FacetTags.size()) - 1, 0, *item);
     }
   }
 }
@@ -327,25 +321,48 @@ void BodyTets::LinkSides()
   }
 }
 
+/// Takes vertices inside away that no cell has. The new numbers of the others.
+std::vector<Id> BodyTets::DropUnused()
+{
+  std::vector<Id> numbers(this->Mesh.Points.size(), NoId);
+  this->Body.Origins.clear();
+  for (Id vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
+  {
+    if (vertex < this->Body.NumberOnBoundary || !this->IsLinked ||
+      this->Mesh.VertexCells[At(vertex)] != NoId)
+    {
+      numbers[At(vertex)] = static_cast<Id>(this->Body.Origins.size());
+      this->Mesh.Points[this->Body.Origins.size()] = this->Mesh.PointAt(vertex);
+      this->Body.Sizes[this->Body.Origins.size()] = this->Body.Sizes[At(vertex)];
+      this->Body.Origins.push_back(vertex < this->NumberOfGiven ? vertex : NoId);
+    }
+  }
+  this->Mesh.Points.resize(this->Body.Origins.size());
+  this->Body.Sizes.resize(this->Body.Origins.size());
+  return numbers;
+}
+
 void BodyTets::GiveBack()
 {
-  for (std::size_t record = 0; record < this->Body.FacetTags.size(); ++record)
+  const std::vector<Id> numbers = this->DropUnused();
+  for (std::size_t record = 0; this->IsLinked && record < this->Body.FacetTags.size(); ++record)
   {
-    Id* halves = &this->FacetSlots[2 * record];
+    const Id* halves = &this->FacetSlots[2 * record];
     const auto regionOf = [this](Id slot) { return this->Mesh.Labels[At(slot >> 2)]; };
     const bool isSecond = halves[1] != NoId && regionOf(halves[1]) < regionOf(halves[0]);
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Body.Facets[3 * record + static_cast<std::size_t>(k)] =
-        this->Mesh.FacetCorner(halves[isSecond ? 1 : 0], k);
-    }
+    const std::array<Id, 3> corners = this->FacetCorners(halves[isSecond ? 1 : 0]);
+    std::copy(corners.begin(), corners.end(), &this->Body.Facets[3 * record]);
   }
   std::size_t kept = 0;
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
   {
     if (!this->Mesh.IsFree(cell))
     {
-      std::copy_n(&this->Mesh.Corners[At(4 * cell)], 4, &this->Mesh.Corners[4 * kept]);
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const Id corner = this->Mesh.Corners[At(4 * cell) + k];
+        this->Mesh.Corners[4 * kept + k] = numbers[At(corner)];
+      }
       this->Mesh.Labels[kept++] = this->Mesh.Labels[At(cell)];
     }
   }

@@ -120,6 +120,7 @@ private:
     Id Half;   ///< of the record that this is; NoId: both are anew
   };
 
+  std::vector<Id> DropUnused();
   void ResizeCells();
   void LinkAll(Pulse& pulse);
   void LinkBucket(const IdLists::List& items);
@@ -131,6 +132,8 @@ private:
   void LinkSides();
   void Attach(Id record, Id half, Id slot);
 
+  Id NumberOfGiven;           ///< vertices
+  bool IsLinked = false;      ///< not where it was stopped before
   std::vector<Id> FacetSlots; ///< two a record: of the cells on its sides, NoId beyond the boundary
   IdLists KeptEnds;           ///< of vertices on lines: the greater ends of edges that stay
   std::vector<Side> Sides;

@@ -186,7 +186,7 @@ bool EdgeRemoval::IsFlippable() const
   const Id first = this->Records[0];
   const Id second = this->Records[1];
   const std::size_t sides = this->Tets.IsInterface(first) ? 2 : 1;
-  return this->Tets.TagOf(first) == this->Tets.TagOf(second) && this->Tets.TagOf(first) != NoId &&
+  return this->Tets.TagOf(first) == this->Tets.TagOf(second) &&
     this->Tets.IsInterface(first) == this->Tets.IsInterface(second) &&
     sides == this->NumberOfLinks &&
     (this->Links[0].Size > 2 || this->Links[1].Size > 2 || sides == 1);

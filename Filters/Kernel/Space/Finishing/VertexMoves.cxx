@@ -3,9 +3,10 @@
 
 #include "VertexMoves.h"
 
+#include "../../Base/Numbers.h"
 #include "TrialSteps.h"
 
-#include <algorithm> // for max, sort
+#include <algorithm> // for find, max, sort
 
 namespace biting
 {
@@ -13,19 +14,29 @@ namespace biting
 void VertexMoves::Gather(Id vertex)
 {
   this->Star.clear();
+  this->GatherBut(vertex, NoId);
+}
+
+/// The cells of the vertex that do not have the other one.
+void VertexMoves::GatherBut(Id vertex, Id other)
+{
   for (const Id slot : this->Tets.StarOf(vertex))
   {
-    const Id base = slot & ~3;
-    const int* order = TetMesh::FacetCorners[slot & 3];
-    const double badness = this->Tets.Badness[At(slot >> 2)];
-    this->Star.push_back({ badness, badness, slot, this->Tets.PointOf(base + order[0]),
-      this->Tets.PointOf(base + order[1]), this->Tets.PointOf(base + order[2]) });
+    const std::array<Id, 3> c = this->Tets.FacetCorners(slot);
+    if (std::find(c.begin(), c.end(), other) == c.end())
+    {
+      const double badness = this->Tets.Badness[At(slot >> 2)];
+      const auto at = [this, &c](std::size_t k) { return this->Tets.Mesh.PointAt(c[k]); };
+      this->Star.push_back({ badness, badness, slot, at(0), at(1), at(2) });
+    }
   }
 }
 
-/// Whether all tetrahedra are positive there and none is worse than the limit.
+/// Whether all tetrahedra are positive there and none is worse than the limit; all are better than
+/// it, or weigh less than MostLoad.
 bool VertexMoves::Suits(const Point3& place, double limit)
 {
+  double worst = 0.0;
   for (Cone& cone : this->Star)
   {
     cone.Tried = TetShape(place, cone.A, cone.B, cone.C).Badness();
@@ -33,6 +44,7 @@ bool VertexMoves::Suits(const Point3& place, double limit)
     {
       return false;
     }
+    worst = std::max(worst, cone.Tried);
   }
   for (const Cone& cone : this->Star)
   {
@@ -41,7 +53,21 @@ bool VertexMoves::Suits(const Point3& place, double limit)
       return false;
     }
   }
-  return true;
+  return this->MostLoad == Infinity || worst < limit - LeastGain ||
+    this->Load(&Cone::Tried) < this->MostLoad;
+}
+
+/// The sum of the 16th powers of badness: about what the worst have, but it falls, too, where some
+/// of several equally bad ones get better.
+double VertexMoves::Load(double Cone::*badness) const
+{
+  double sum = 0.0;
+  for (const Cone& cone : this->Star)
+  {
+    const double fourth = (cone.*badness) * (cone.*badness) * (cone.*badness) * (cone.*badness);
+    sum += fourth * fourth * fourth * fourth;
+  }
+  return sum;
 }
 
 void VertexMoves::Move(Id vertex, const Point3& place)
@@ -162,19 +188,87 @@ bool VertexMoves::Improve(Id vertex, double good)
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
   const double before = this->Worst();
   const double size = this->Tets.Body.Sizes[At(vertex)];
+  constexpr double LeastFall = 1e-3;
+  constexpr double Rounding = 1e-12;
+  this->MostLoad = (1.0 - LeastFall) * this->Load(&Cone::Badness);
   TryInSteps(0.2 * size, 0.008 * size,
     [this, vertex, good, &isWorse](const Point3& step)
     {
       const bool goes = this->Worst() > good &&
-        this->Try(vertex, this->Tets.Mesh.PointAt(vertex) + step, this->Worst() - LeastGain);
+        this->Try(vertex, this->Tets.Mesh.PointAt(vertex) + step, this->Worst() + Rounding);
       if (goes)
       {
         std::sort(this->Star.begin(), this->Star.end(), isWorse);
+        this->MostLoad = (1.0 - LeastFall) * this->Load(&Cone::Badness);
       }
       return goes;
     });
+  this->MostLoad = Infinity;
   this->Tets.TriedMoves[At(vertex)] = this->Worst() > good ? ++this->Tets.Clock : 0;
-  return this->Worst() < before;
+  return this->Worst() < before - LeastGain;
+}
+
+bool VertexMoves::Merge(Id vertex, Id other)
+{
+  this->Change.Clear();
+  double before = 0.0;
+  for (const Id slot : this->Tets.StarOf(vertex))
+  {
+    this->Change.Cells.push_back(slot >> 2);
+    before = std::max(before, this->Tets.Badness[At(slot >> 2)]);
+  }
+  this->Star.clear();
+  this->GatherBut(vertex, other);
+  const std::size_t fillings = this->Star.size();
+  const bool isFree = other >= this->Tets.Body.NumberOnBoundary;
+  Point3 place = this->Tets.Mesh.PointAt(other);
+  if (isFree)
+  {
+    this->GatherBut(other, vertex);
+    place = Midpoint(place, this->Tets.Mesh.PointAt(vertex));
+  }
+  double worst = this->WorstAt(place, 1.0);
+  const double size = this->Tets.Body.Sizes[At(other)];
+  TryInSteps(isFree ? 0.1 * size : 0.0, 0.01 * size,
+    [this, &place, &worst](const Point3& step)
+    {
+      const double tried = this->WorstAt(place + step, worst - LeastGain);
+      const bool goes = tried < worst;
+      place = goes ? place + step : place;
+      worst = std::min(worst, tried);
+      return goes;
+    });
+  if (!(this->WorstAt(place, before - LeastGain) < before))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < fillings; ++k)
+  {
+    const Id slot = this->Star[k].Slot;
+    BodyTets::Tetrahedron corners = this->Tets.CornersOf(slot >> 2);
+    corners[At(slot & 3)] = other;
+    this->Change.Filling.push_back(corners);
+    this->Change.Regions.push_back(this->Tets.Mesh.Labels[At(slot >> 2)]);
+  }
+  this->Move(other, place);
+  this->Tets.Apply(this->Change);
+  return true;
+}
+
+/// The badness of the worst of the star with the vertex there; infinite where it is not below the
+/// limit, or one is not positive.
+double VertexMoves::WorstAt(const Point3& place, double limit)
+{
+  double worst = Infinity;
+  if (this->Suits(place, limit))
+  {
+    worst = 0.0;
+    for (const Cone& cone : this->Star)
+    {
+      worst = std::max(worst, cone.Tried);
+    }
+  }
+  return worst;
 }
 
 } // namespace biting

@@ -4,6 +4,7 @@
 #ifndef BitingVertexMoves_h
 #define BitingVertexMoves_h
 
+#include "../../Base/Numbers.h"
 #include "BodyTets.h"
 #include "GroundNormals.h"
 
@@ -37,6 +38,10 @@ public:
   /// Those on lines stay.
   bool Improve(Id vertex, double good);
 
+  /// Merges a vertex inside with another of a common cell: that takes its place in its cells. If
+  /// that is inside, too, it moves to where the worst of all about both is best.
+  bool Merge(Id vertex, Id other);
+
 private:
   /// A tetrahedron at the vertex: the corners of the facet opposite.
   struct Cone
@@ -48,7 +53,10 @@ private:
   };
 
   void Gather(Id vertex);
+  void GatherBut(Id vertex, Id other);
   bool Suits(const Point3& place, double limit);
+  double WorstAt(const Point3& place, double limit);
+  double Load(double Cone::*badness) const;
   void Move(Id vertex, const Point3& place);
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
@@ -60,6 +68,8 @@ private:
   GroundNormals& Normals;
   const std::function<double(const Point3&)>& Size;
   std::vector<Cone> Star; ///< the worst comes first
+  double MostLoad = Infinity;
+  BodyTets::Change Change;
 };
 
 } // namespace biting

@@ -126,15 +126,17 @@ void CubeMeetings::Add(Id /*id*/, const GuardedBall& other)
   }
   if (mayMeet)
   {
-    this->Others.push_back({ other, Dot(way, way) });
+    this->Others.push_back(other);
   }
 }
 
 void CubeMeetings::FindAll()
 {
   // The nearest ones have most of what they have to hide.
+  const Point3& center = this->Own.Center;
   std::stable_sort(this->Others.begin(), this->Others.end(),
-    [](const Other& a, const Other& b) { return a.Distance2 < b.Distance2; });
+    [&center](const GuardedBall& a, const GuardedBall& b)
+    { return Distance(a.Center, center) < Distance(b.Center, center); });
   this->Meetings.clear();
   const CubeAxes& axes = this->Axes[static_cast<std::size_t>(this->Own.Frame)];
   for (std::size_t d = 0; d < 3; ++d)
@@ -155,11 +157,11 @@ void CubeMeetings::FindOn(const Face& face)
   {
     this->AddSide(face, { corners[k], corners[(k + 1) % 4] });
   }
-  for (const Other& other : this->Others)
+  for (const GuardedBall& other : this->Others)
   {
-    if (other.Ball.Frame != NoId)
+    if (other.Frame != NoId)
     {
-      this->CutCube(face, other.Ball);
+      this->CutCube(face, other);
     }
   }
   for (std::size_t j = 0; j < this->Sides.size(); ++j)
@@ -210,8 +212,8 @@ void CubeMeetings::AddSide(const Face& face, const Side& side)
   const Point3 tail = face.At(side.Tail);
   const Point3 head = face.At(side.Head);
   if (!std::any_of(this->Others.begin(), this->Others.end(),
-        [this, &tail, &head](const Other& other)
-        { return this->IsGuarded(other.Ball, tail) && this->IsGuarded(other.Ball, head); }))
+        [this, &tail, &head](const GuardedBall& other)
+        { return this->IsGuarded(other, tail) && this->IsGuarded(other, head); }))
   {
     this->Sides.push_back(side);
   }
@@ -235,8 +237,8 @@ void CubeMeetings::Keep(const Face& face, const Point2& place)
 {
   const double most = (1.0 + Rounding) * this->HalfSide;
   const Point3 inSpace = face.At(place);
-  const auto hasIt = [this, &inSpace](const Other& other)
-  { return this->IsGuarded(other.Ball, inSpace); };
+  const auto hasIt = [this, &inSpace](const GuardedBall& other)
+  { return this->IsGuarded(other, inSpace); };
   const auto isNear = [this, &inSpace](const Point3& meeting)
   {
     const Point3 apart = inSpace - meeting;

@@ -29,8 +29,8 @@ std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary);
 class CubeMeetings
 {
 public:
-  /// Half a side in f, so that the mean edge has the length f; and cubes of side 2 that take a large
-  /// volume of 1. Both measured.
+  /// Half a side in f, so that the mean edge has the length f; and cubes of side 2 that take a
+  /// large volume of 1. Both measured.
   static constexpr double BitingConstant = 0.7;
   static constexpr double BitesPerVolume = 0.7;
 
@@ -58,12 +58,6 @@ public:
   }
 
 private:
-  struct Other
-  {
-    GuardedBall Ball;
-    double Distance2;
-  };
-
   /// In the plane of a face, in its axes.
   struct Side
   {
@@ -91,7 +85,7 @@ private:
   const std::vector<CubeAxes>& Axes;
   GuardedBall Own;
   double HalfSide = 0.0;
-  std::vector<Other> Others;
+  std::vector<GuardedBall> Others;
   std::vector<Side> Sides;
   std::vector<Point3> Meetings;
 };

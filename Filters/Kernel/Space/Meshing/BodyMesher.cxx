@@ -339,8 +339,12 @@ private:
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
     mesh.Points = std::move(this->Body.Points);
     mesh.Spacing = std::move(this->Body.Sizes);
-    this->BiteOrders.resize(mesh.OriginalPoints.size(), NoId); // vertices of relaxation are none
-    mesh.BiteOrders = std::move(this->BiteOrders);
+    mesh.BiteOrders = this->Body.Origins.empty() ? std::move(this->BiteOrders) : this->Body.Origins;
+    for (std::size_t v = 0; v < this->Body.Origins.size(); ++v)
+    {
+      const Id origin = this->Body.Origins[v];
+      mesh.BiteOrders[v] = origin == NoId ? NoId : this->BiteOrders[At(origin)];
+    }
     mesh.Corners = std::move(this->Body.Corners);
     mesh.Regions = std::move(this->Body.Regions);
     for (Id& region : mesh.Regions)

@@ -178,10 +178,8 @@ void Bite(BittenBody& body, SpaceBiteShape shape, double constant = 0.0)
   body.Bites = BiteInterior(body.Boundary, shape, 1000000, pulse, constant);
 }
 
-BittenBody BiteBody(BodyKind kind, SpaceBiteShape shape,
-  const std::function<double(const Point3&)>& spacing, double constant = 0.0)
+BittenBody BiteBody(BittenBody body, SpaceBiteShape shape, double constant = 0.0)
 {
-  BittenBody body = BodyOf(kind, spacing);
   Bite(body, shape, constant);
   body.Boundary.IsInside = nullptr; // it refers to this body
   return body;
@@ -233,16 +231,13 @@ const std::vector<CaseOfBody>& AllBodies()
     std::vector<CaseOfBody> made;
     for (const BodyKind kind : { BodyKind::Box, BodyKind::Ball })
     {
-      for (const SpaceBiteShape shape : { SpaceBiteShape::Sphere, SpaceBiteShape::Cube })
+      for (const double slope : { 0.0, 0.06, 0.2, 0.3 })
       {
-        for (const double slope : { 0.0, 0.06, 0.2, 0.3 })
-        {
-          const double h = kind == BodyKind::Box ? 0.16 : 0.35;
-          made.push_back({ BiteBody(kind, shape, Graded(h, slope)), slope,
-            std::string(kind == BodyKind::Box ? "box" : "ball") +
-              (shape == SpaceBiteShape::Cube ? " by cubes" : "") + " slope " +
-              std::to_string(slope) });
-        }
+        const BittenBody body = BodyOf(kind, Graded(kind == BodyKind::Box ? 0.16 : 0.35, slope));
+        const std::string name =
+          (kind == BodyKind::Box ? "box, slope " : "ball, slope ") + std::to_string(slope);
+        made.push_back({ BiteBody(body, SpaceBiteShape::Sphere), slope, name });
+        made.push_back({ BiteBody(body, SpaceBiteShape::Cube), slope, name + ", cubes" });
       }
     }
     return made;
@@ -361,8 +356,8 @@ TEST(InteriorBites, LeaveAllFacetsOfTheBoundary)
 }
 
 /// As lemma 4.10. The centre of a cell is within c f(p) of a bite p, so that R <= c f(p); the
-/// earlier end e of an edge is within 2 c f(p) of p, so that f(p) (1 - 2 s c) <= f(e); and l >= .9 c
-/// f(e). Bites of this boundary are larger, and its empty balls smaller.
+/// earlier end e of an edge is within 2 c f(p) of p, so that f(p) (1 - 2 s c) <= f(e); and
+/// l >= .9 c f(e). Bites of this boundary are larger, and its empty balls smaller.
 TEST(InteriorBites, BoundTheRadiusOverTheShortestEdge)
 {
   for (const CaseOfBody& one : AllBodies())
@@ -382,10 +377,10 @@ TEST(InteriorBites, MakeEdgesOfF)
 {
   for (const BodyKind kind : { BodyKind::Box, BodyKind::Ball })
   {
+    const BittenBody bare = BodyOf(kind, Graded(kind == BodyKind::Box ? 0.09 : 0.17, 0.0));
     for (const SpaceBiteShape shape : { SpaceBiteShape::Sphere, SpaceBiteShape::Cube })
     {
-      const double h = kind == BodyKind::Box ? 0.09 : 0.18;
-      const BittenBody body = BiteBody(kind, shape, Graded(h, 0.0));
+      const BittenBody body = BiteBody(bare, shape);
       const TetQuality quality =
         MeasureTetrahedra({ body.Points(), body.Sizes(), Triangulate(body).Corners });
       EXPECT_NEAR(quality.MeanRelativeLength, 1.0, 0.04);
@@ -400,7 +395,7 @@ TEST(InteriorBites, OfAnyConstantTakeAllOfTheInside)
   for (const double constant : { 0.4, 1.5 })
   {
     const BittenBody body =
-      BiteBody(BodyKind::Box, SpaceBiteShape::Sphere, Graded(0.2, 0.0), constant);
+      BiteBody(BodyOf(BodyKind::Box, Graded(0.2, 0.0)), SpaceBiteShape::Sphere, constant);
     Dice dice(3);
     for (int k = 0; k < 1000; ++k)
     {
