@@ -96,7 +96,6 @@ public:
       this->AddFrame();
     }
     this->Triangulate();
-    this->FindCenters();
     if (isSolid)
     {
       this->LabelCells();
@@ -177,17 +176,12 @@ private:
       });
   }
 
-  void FindCenters()
+  /// The power center of a tetrahedron.
+  Point3 CenterOf(Id cell) const
   {
-    this->Centers.resize(At(this->Cells.Mesh().NumberOfSlots()));
-    this->ForCells(
-      [this](Id cell)
-      {
-        const WeightedPoint first = this->CornerAt(cell, 0);
-        this->Centers[At(cell)] = first.Place +
-          PowerCenter(
-            first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
-      });
+    const WeightedPoint first = this->CornerAt(cell, 0);
+    return first.Place +
+      PowerCenter(first, this->CornerAt(cell, 1), this->CornerAt(cell, 2), this->CornerAt(cell, 3));
   }
 
   void LabelCells()
@@ -197,8 +191,9 @@ private:
     this->ForCells(
       [this, &test](Id cell)
       {
-        const Id label = this->LabelByNormals(cell);
-        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(this->Centers[At(cell)]);
+        const Point3 center = this->CenterOf(cell);
+        const Id label = this->LabelByNormals(cell, center);
+        this->Labels[At(cell)] = label != NoId ? label : test.LabelAt(center);
       });
   }
 
@@ -251,7 +246,7 @@ private:
   /// Where the centre is far from the planes of the surface at all corners, on the same side; else
   /// NoId. No bite is in the sphere of the cell, so that the surface, which they cover, is near the
   /// sphere only.
-  Id LabelByNormals(Id cell) const
+  Id LabelByNormals(Id cell, const Point3& center) const
   {
     constexpr double LeastSlope = 0.5;
     Id label = NoId;
@@ -262,7 +257,7 @@ private:
       {
         return NoId;
       }
-      const Point3 apart = this->Centers[At(cell)] - this->Bites.Centers[At(bite)];
+      const Point3 apart = center - this->Bites.Centers[At(bite)];
       const std::size_t triangle = At(this->Bites.Triangles[At(bite)]);
       const double height = Dot(apart, this->Ground.NormalOf(triangle));
       const TriangleSides& sides = this->Ground.Sides[At(this->Ground.Mesh.Cells[triangle])];
@@ -347,12 +342,22 @@ private:
           }
         }
       });
+    std::size_t facets = 0;
     for (const std::vector<WallFacet>& part : parts)
+    {
+      facets += part.size();
+    }
+    this->Result.Corners.reserve(3 * facets);
+    this->Result.Triangles.reserve(facets);
+    this->Result.Sides.reserve(facets);
+    this->Result.BallCenters.reserve(facets);
+    for (std::vector<WallFacet>& part : parts)
     {
       for (const WallFacet& wall : part)
       {
         this->Add(wall);
       }
+      std::vector<WallFacet>().swap(part);
     }
   }
 
@@ -361,7 +366,7 @@ private:
   {
     const TetMesh& mesh = this->Cells.Mesh();
     const Point3 normal = NormalOf(mesh, facet);
-    const Point3& center = this->Centers[At(TetMesh::CellOf(facet))];
+    const Point3 center = this->CenterOf(TetMesh::CellOf(facet));
     const Id first = mesh.FacetCorner(facet, 0);
     const Point3 foot = center + Dot(mesh.PointAt(first) - center, normal) * normal;
     const Id other = TetMesh::CellOf(mesh.Twins[At(facet)]);
@@ -373,7 +378,7 @@ private:
     }
     const auto height = [&normal, &foot](const Point3& place) { return Dot(place - foot, normal); };
     const double low = height(center);
-    const double high = mesh.IsTetrahedron(other) ? height(this->Centers[At(other)]) : Infinity;
+    const double high = mesh.IsTetrahedron(other) ? height(this->CenterOf(other)) : Infinity;
     return { normal, foot, std::max(std::min(low, high), -reach),
       std::min(std::max(low, high), reach) };
   }
@@ -540,7 +545,6 @@ private:
   RegularTriangulation Cells;
   Pulse& Beats;
   std::vector<Id> BiteOf;               ///< of vertices
-  std::vector<Point3> Centers;          ///< of cells
   std::vector<Id> Labels;               ///< of cells: the side of the surface they are on
   std::vector<std::uint8_t> IsByMiddle; ///< of cells: labelled by their middles
   SurfaceBoundary Result;
