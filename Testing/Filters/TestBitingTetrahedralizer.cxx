@@ -355,6 +355,11 @@ TEST(BitingTetrahedralizer, BitesCubesAndStopsEarly)
   filter->Update();
   EXPECT_NEAR(VolumesOf(filter->GetOutput())[0], 1.0, 1e-9);
   EXPECT_NEAR(Figure(filter->GetOutput(), "MeanRelativeLength"), 1.0, 0.15);
+  const vtkIdType all = filter->GetOutput()->GetNumberOfPoints();
+  filter->SetMaximumNumberOfBites(all - 100);
+  filter->Update();
+  EXPECT_LE(filter->GetOutput()->GetNumberOfPoints(), all - 100);
+  EXPECT_NEAR(VolumesOf(filter->GetOutput())[0], 1.0, 1e-9);
 }
 
 TEST(BitingTetrahedralizer, LeavesNothingWhenItIsAbortedAndWorksAgain)
