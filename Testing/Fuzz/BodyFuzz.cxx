@@ -95,7 +95,7 @@ int RunBodyFuzz(int count, char** texts)
   for (std::uint64_t k = 0; k < cases && SecondsSince(begin) <= arguments.Number("--seconds"); ++k)
   {
     RunCase(arguments.Count("--seed") + k, arguments.Text("--write"), counts);
-    if ((k + 1) % 500 == 0)
+    if ((k + 1) % 100 == 0)
     {
       counts.Print(SecondsSince(begin));
     }
