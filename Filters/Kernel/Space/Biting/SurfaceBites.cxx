@@ -8,6 +8,7 @@
 #include <algorithm> // for find, max, min
 #include <array>     // for corners
 #include <cmath>     // for sqrt
+#include <cstddef>   // for ptrdiff_t
 #include <utility>   // for move
 
 namespace biting
@@ -113,6 +114,13 @@ private:
       if (!this->IsTaken(candidate.Triangle, candidate.Place))
       {
         this->AddBite(candidate.Place, candidate.Triangle);
+      }
+      constexpr std::size_t MostDone = 4096; // memory is that of those that wait, doubled
+      if (this->First > std::max(MostDone, this->Queue.size() / 2))
+      {
+        this->Queue.erase(
+          this->Queue.begin(), this->Queue.begin() + static_cast<std::ptrdiff_t>(this->First));
+        this->First = 0;
       }
     }
     this->Queue.clear();

@@ -33,6 +33,8 @@ public:
     , Parts(2 * this->Triangles + 1)
     , Shells(this->Triangles)
     , IsOdd(this->Triangles, 0)
+    , IsCrowded(this->Triangles, 0)
+    , IsMixed(this->Triangles, 0)
   {
   }
 
@@ -123,12 +125,14 @@ private:
           SideOf(slots[k] / 3, At(runs(slots[k]))), SideOf(next / 3, At(1 - runs(next))));
         this->Shells.Unite(static_cast<Id>(slots[k] / 3), static_cast<Id>(next / 3));
       }
-      this->OddSlots.insert(
-        this->OddSlots.end(), slots.begin(), slots.begin() + static_cast<long>(slots.size() % 2));
+      this->CrowdedSlots.push_back(slots[0]);
+      this->IsOddSlot.push_back(slots.size() % 2 == 1 ? 1 : 0);
     }
-    for (const std::size_t slot : this->OddSlots)
+    for (std::size_t k = 0; k < this->CrowdedSlots.size(); ++k)
     {
-      this->IsOdd[this->ShellOf(slot / 3)] = 1;
+      const std::size_t shell = this->ShellOf(this->CrowdedSlots[k] / 3);
+      this->IsOdd[shell] |= this->IsOddSlot[k];
+      this->IsCrowded[shell] = 1;
     }
   }
 
@@ -226,7 +230,7 @@ private:
     }
   }
 
-  /// Values count where each shell without walls has one.
+  /// Values count where each shell has one, but for those that may have walls between bodies.
   void FindValuesOfShells()
   {
     this->ValueOf.assign(this->Triangles, NoId);
@@ -235,8 +239,9 @@ private:
     for (std::size_t t = 0; t < this->Triangles && this->HasValues; ++t)
     {
       const std::size_t shell = this->ShellOf(t);
-      this->HasValues =
-        isSet[shell] == 0 || this->IsOdd[shell] != 0 || this->ValueOf[shell] == this->Values[t];
+      const bool isOther = isSet[shell] != 0 && this->ValueOf[shell] != this->Values[t];
+      this->IsMixed[shell] |= isOther ? 1 : 0;
+      this->HasValues = !isOther || this->IsCrowded[shell] != 0;
       this->ValueOf[shell] = this->Values[t];
       isSet[shell] = 1;
     }
@@ -247,8 +252,9 @@ private:
   {
     this->Kinds.assign(2 * this->Triangles + 1, Kind::Unknown);
     this->Names.assign(this->Kinds.size(), 0);
-    this->IsNamed.assign(this->Kinds.size(), 0);
+    this->IsFixed.assign(this->Kinds.size(), 0);
     this->Kinds[At(this->Parts.SetOf(this->Outside()))] = Kind::Empty;
+    this->IsFixed[At(this->Parts.SetOf(this->Outside()))] = 1;
     bool isChanged = true;
     while (isChanged && this->Beats.Ask())
     {
@@ -269,81 +275,59 @@ private:
 
   void Decide(std::size_t part, std::size_t around, std::size_t shell)
   {
-    const bool isAround = this->Kinds[around] == Kind::Body;
-    const bool hasValue = this->HasValues && this->IsOdd[shell] == 0;
-    const bool isSame = isAround && (!hasValue || this->Names[around] == this->ValueOf[shell]);
-    this->Kinds[part] = isSame && this->IsOdd[shell] == 0 ? Kind::Empty : Kind::Body;
-    this->Names[part] = hasValue ? this->ValueOf[shell] : 0;
-    this->IsNamed[part] = hasValue ? 1 : 0;
+    const bool isMixed = this->HasValues && this->IsMixed[shell] != 0;
+    const bool hasOwn = this->HasValues && !isMixed;
+    const bool isSame =
+      this->Kinds[around] == Kind::Body && (!hasOwn || this->Names[around] == this->ValueOf[shell]);
+    const bool isEmpty = isSame && this->IsOdd[shell] == 0 && !isMixed;
+    this->Kinds[part] = isEmpty ? Kind::Empty : Kind::Body;
+    this->Names[part] = hasOwn ? this->ValueOf[shell] : 0;
+    this->IsFixed[part] = isEmpty || hasOwn ? 1 : 0;
   }
 
-  /// A value of a shell with walls, and the parts on both sides of all of its triangles.
-  struct WallValue
-  {
-    std::size_t Shell;
-    Id Value;
-    std::array<std::size_t, 2> Parts;
-
-    bool IsOfSame(const WallValue& other) const
-    {
-      return this->Shell == other.Shell && this->Value == other.Value;
-    }
-  };
-
-  std::vector<WallValue> ValuesOfWalls()
-  {
-    std::vector<WallValue> values;
-    for (std::size_t t = 0; t < this->Triangles && this->HasValues; ++t)
-    {
-      if (this->IsOdd[this->ShellOf(t)] != 0)
-      {
-        values.push_back(
-          { this->ShellOf(t), this->Values[t], { this->PartAt(t, 0), this->PartAt(t, 1) } });
-      }
-    }
-    std::stable_sort(values.begin(), values.end(),
-      [](const WallValue& a, const WallValue& b)
-      { return a.Shell != b.Shell ? a.Shell < b.Shell : a.Value < b.Value; });
-    std::size_t end = 0;
-    for (const WallValue& value : values)
-    {
-      const bool isFirst = end == 0 || !values[end - 1].IsOfSame(value);
-      values[end] = isFirst ? value : values[end - 1];
-      end += isFirst ? 1 : 0;
-      for (std::size_t& part : values[end - 1].Parts)
-      {
-        const bool isThere = part == value.Parts[0] || part == value.Parts[1];
-        part = isThere ? part : At(this->Parts.SetOf(this->Outside()));
-      }
-    }
-    values.resize(end);
-    return values;
-  }
-
-  /// First by the values that one part alone can have, then by those that are left one. Values do
-  /// not count where a body stays without.
+  /// Of shells of several values: each triangle belongs to the body on one of its sides that has
+  /// its value. Where one side has another value, or is no body, it is the other. Parts without
+  /// triangles of their own are cavities. Values do not count where that does not go.
   void NameWalledBodies()
   {
-    const std::vector<WallValue> values = this->ValuesOfWalls();
-    const auto isOpen = [this](std::size_t part)
-    { return this->Kinds[part] == Kind::Body && this->IsNamed[part] == 0; };
-    for (const bool isUnique : { true, false })
+    bool isChanged = true;
+    bool isOpen = true;
+    while (isChanged && this->HasValues && this->Beats.Ask())
     {
-      for (const WallValue& value : values)
+      isChanged = false;
+      isOpen = false;
+      for (std::size_t t = 0; t < this->Triangles; ++t)
       {
-        const bool isFirst = isOpen(value.Parts[0]);
-        const bool isSecond = isOpen(value.Parts[1]) && value.Parts[0] != value.Parts[1];
-        if (isUnique ? isFirst != isSecond : isFirst || isSecond)
+        if (this->IsMixed[this->ShellOf(t)] == 0)
         {
-          const std::size_t part = value.Parts[isFirst ? 0 : 1];
-          this->Names[part] = value.Value;
-          this->IsNamed[part] = 1;
+          continue;
+        }
+        const std::array<std::size_t, 2> parts{ this->PartAt(t, 0), this->PartAt(t, 1) };
+        const auto isFixed = [this, &parts](std::size_t k) { return this->IsFixed[parts[k]] != 0; };
+        const auto isOwner = [this, &parts, &isFixed, t](std::size_t k)
+        {
+          return isFixed(k) && this->Kinds[parts[k]] == Kind::Body &&
+            this->Names[parts[k]] == this->Values[t];
+        };
+        if (!isOwner(0) && !isOwner(1))
+        {
+          const std::size_t part = parts[isFixed(0) ? 1 : 0];
+          this->HasValues = this->HasValues && !(isFixed(0) && isFixed(1));
+          isOpen = true;
+          if (isFixed(0) != isFixed(1))
+          {
+            this->Names[part] = this->Values[t];
+            this->IsFixed[part] = 1;
+            isChanged = true;
+          }
         }
       }
     }
-    for (std::size_t part = 0; part < this->Kinds.size(); ++part)
+    this->HasValues = this->HasValues && !isOpen;
+    for (std::size_t part = 0; part < this->Kinds.size() && this->HasValues; ++part)
     {
-      this->HasValues = this->HasValues && !isOpen(part);
+      const bool isCavity = this->Kinds[part] == Kind::Body && this->IsFixed[part] == 0;
+      this->Kinds[part] = isCavity ? Kind::Empty : this->Kinds[part];
     }
   }
 
@@ -396,13 +380,16 @@ private:
   std::size_t Triangles;
   DisjointSets Parts;  ///< of sides of triangles, and of what is outside: parts of space
   DisjointSets Shells; ///< of triangles that hang together by edges
-  std::vector<std::uint8_t> IsOdd; ///< of shells: they have edges of an odd number of triangles
-  std::vector<std::size_t> OddSlots;
-  std::vector<Id> ValueOf; ///< of shells
+  std::vector<std::uint8_t> IsOdd;     ///< of shells: they have edges of an odd number of triangles
+  std::vector<std::uint8_t> IsCrowded; ///< of shells: they have edges of more than two
+  std::vector<std::uint8_t> IsMixed;   ///< of shells: they have several values
+  std::vector<std::size_t> CrowdedSlots;
+  std::vector<std::uint8_t> IsOddSlot; ///< of these
+  std::vector<Id> ValueOf;             ///< of shells
   bool HasValues = false;
-  std::vector<Kind> Kinds; ///< of parts
-  std::vector<Id> Names;   ///< of parts: their values
-  std::vector<std::uint8_t> IsNamed;
+  std::vector<Kind> Kinds;           ///< of parts
+  std::vector<Id> Names;             ///< of parts: their values
+  std::vector<std::uint8_t> IsFixed; ///< of parts: kind and value are known
   BodySides Result;
 };
 

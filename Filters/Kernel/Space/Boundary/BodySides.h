@@ -22,14 +22,14 @@ struct BodySides
 /// Parts of space are what hangs together without crossing a triangle: sides of triangles meet
 /// around their edges (exact order), shells along rays. The outermost part is no body.
 ///
-/// Within a shell of edges of an even number of triangles: with a value of its own a body that has
-/// this region, or, where the part around has the same, a cavity; without values, or where some
-/// shell has several, a body where the part around is none (even-odd). A shell with edges of an odd
-/// number of triangles has walls between bodies: all that it closes in are bodies; their regions
-/// are the values of walls, where each body has a value of which all triangles are its own (walls
-/// that are given twice have one value only, of the first).
-/// Without values, or where these rules give none, regions count bodies from 0 in the order of
-/// their first triangles.
+/// What a shell closes in, without values: a body where the part around is none (even-odd); all
+/// parts are bodies where an edge has an odd number of triangles, as walls between bodies have.
+/// With values: a shell of one value closes in a body of this region; a cavity where the part
+/// around has the same. In a shell of several each triangle belongs to a body of its value on one
+/// of its sides; parts that no triangle belongs to are cavities (walls that are given twice have
+/// the first value only). Where that does not go, or where a shell of several values has no edge of
+/// more than two triangles, it is as without values.
+/// Without values regions count bodies from 0 in the order of their first triangles.
 /// Triangles are turned so that IsBehind(label behind, label in front).
 BodySides FindBodies(SurfaceMesh& mesh, const std::vector<Id>& values, Pulse& pulse);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm> // for sort, unique, max
 #include <cmath>     // for abs
+#include <cstdint>   // for marks
 #include <utility>   // for pairs
 
 namespace biting
@@ -47,22 +48,18 @@ public:
   {
     std::vector<PartFigures> parts(this->Points.size());
     std::vector<std::pair<Id, Id>> edges;
-    std::vector<Id> used = this->Corners;
+    std::vector<std::uint8_t> isUsed(this->Points.size(), 0);
     edges.reserve(this->Corners.size());
     for (std::size_t slot = 0; slot < this->Corners.size(); ++slot)
     {
       const Id a = this->Corners[slot];
       const Id b = this->Corners[slot % 3 == 2 ? slot - 2 : slot + 1];
       edges.push_back({ std::min(a, b), std::max(a, b) });
+      parts[At(this->RootOf(a))].Euler += isUsed[At(a)] == 0 ? 1 : 0;
+      isUsed[At(a)] = 1;
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (const Id vertex : used)
-    {
-      ++parts[At(this->RootOf(vertex))].Euler;
-    }
     for (const std::pair<Id, Id>& edge : edges)
     {
       --parts[At(this->RootOf(edge.first))].Euler;

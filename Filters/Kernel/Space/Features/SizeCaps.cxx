@@ -51,17 +51,21 @@ public:
     {
       const Point3 center = place + (side * radius) * normal;
       Point3 nearest;
-      isLess = this->IsEntered(center, place, normal, nearest);
+      Id wall = NoId;
+      isLess = this->IsEntered(center, place, normal, nearest, wall);
       const Point3 apart = nearest - place;
       const double height = isLess ? side * Dot(apart, normal) : 0.0;
       isLess = height > 0.0 && Dot(apart, apart) < (2.0 - 1e-6) * height * radius;
       radius = isLess ? Dot(apart, apart) / (2.0 * height) : radius;
       this->Touch = isLess ? nearest : this->Touch;
+      this->Wall = isLess ? wall : this->Wall;
     }
     return 2.0 * radius;
   }
 
-  Point3 Touch; ///< where the last ball ended
+  // Where the last ball ended.
+  Point3 Touch;
+  Id Wall = NoId; ///< the triangle of the input
 
 private:
   static constexpr EdgeFlag BorderFlag = 1 + static_cast<EdgeFlag>(SurfaceEdgeKind::Border);
@@ -69,12 +73,11 @@ private:
   /// The ball around the center that touches the place `own`. Walls of closed surfaces have
   /// opposite normals; sheets of open ones may lie above each other in the same orientation.
   bool IsEntered(
-    const Point3& center, const Point3& own, const Point3& normal, Point3& nearest) const
+    const Point3& center, const Point3& own, const Point3& normal, Point3& nearest, Id& wall) const
   {
     constexpr double LeastOpposition = 0.75;
-    bool isFound = false;
     this->Tree.Search(center, 1.0, Distance(center, own),
-      [this, &center, &own, &normal, &nearest, &isFound](const SurfaceItem& item, double limit)
+      [this, &center, &own, &normal, &nearest, &wall](const SurfaceItem& item, double limit)
       {
         const std::size_t t = At(item.Triangle);
         const double cosine = Dot(this->Ground.Normals[t], normal);
@@ -91,12 +94,12 @@ private:
         if (distance < limit && isAcross)
         {
           nearest = place;
-          isFound = true;
+          wall = item.Triangle;
           return distance;
         }
         return limit;
       });
-    return isFound;
+    return wall != NoId;
   }
 
   const SurfaceGround& Ground;
@@ -211,26 +214,40 @@ private:
   std::vector<Id> Seen;
 };
 
-/// The wall that a ball of the diameter touches at `place`: f grows from there. What is steeper
-/// than any gradation is left to later rounds, when the wall is divided there.
-void CapWall(
-  SurfaceGround& ground, const BoxTree<SurfaceItem, 3>& tree, const Point3& place, double diameter)
+/// The piece of a triangle of the input at the place, by a walk from another one.
+Id PieceAt(const SurfaceGround& ground, Id piece, const Point3& place)
+{
+  constexpr double Beside = 1e-9;
+  constexpr int MostSteps = 1000;
+  Id next = piece;
+  for (int step = 0; step < MostSteps && next != NoId; ++step)
+  {
+    piece = next;
+    next = NoId;
+    double least = 0.0;
+    for (std::size_t slot = 3 * At(piece); slot < 3 * At(piece) + 3; ++slot)
+    {
+      const Point3& tail = ground.Mesh.At(NextSlotOf(slot));
+      const Point3 side = ground.Mesh.At(PreviousSlotOf(slot)) - tail;
+      const double left = Dot(Cross(side, place - tail), ground.NormalOf(At(piece)));
+      const Id other = ground.Across[slot] == NoId ? NoId : ground.Across[slot] / 3;
+      if (left < std::min(least, -Beside * Dot(side, side)) && other != NoId &&
+        ground.Mesh.Cells[At(other)] == ground.Mesh.Cells[At(piece)])
+      {
+        least = left;
+        next = other;
+      }
+    }
+  }
+  return piece;
+}
+
+/// The piece of a wall that a ball of the diameter touches at `place`: f grows from there. What is
+/// steeper than any gradation is left to later rounds, when the wall is divided there.
+void CapWall(SurfaceGround& ground, Id piece, const Point3& place, double diameter)
 {
   constexpr double Growth = 0.3;
-  Id own = NoId;
-  tree.Search(place, 1.0, diameter,
-    [&ground, &place, &own](const SurfaceItem& item, double limit)
-    {
-      const double distance =
-        Distance(NearestPoint(ground.Mesh.Triangle(At(item.Triangle)), place), place);
-      own = distance < limit ? item.Triangle : own;
-      return std::min(limit, distance);
-    });
-  if (own == NoId)
-  {
-    return;
-  }
-  for (std::size_t slot = 3 * At(own); slot < 3 * At(own) + 3; ++slot)
+  for (std::size_t slot = 3 * At(piece); slot < 3 * At(piece) + 3; ++slot)
   {
     Cap(
       ground, ground.Mesh.Corners[slot], diameter + Growth * Distance(ground.Mesh.At(slot), place));
@@ -400,12 +417,16 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
   const BoxTree<SurfaceItem, 3>& inputTree, std::size_t firstVertex, Pulse& pulse)
 {
   ShrinkingBall ball(ground, input, inputTree);
-  BoxTree<SurfaceItem, 3> tree; // of the ground, once a wall is met
+  std::vector<Id> pieces(input.NumberOfTriangles(), NoId); // one of each triangle of the input
+  for (std::size_t t = 0; t < ground.Mesh.NumberOfTriangles(); ++t)
+  {
+    pieces[At(ground.Mesh.Cells[t])] = static_cast<Id>(t);
+  }
   std::vector<std::uint8_t> isDone(ground.Mesh.NumberOfTriangles(), 0);
   // Triangles near a place are not measured: where it sees no wall they see none, and a wall's
   // distance changes by less than theirs.
-  const auto measure = [&ball, &ground, &tree, &isDone, &pulse](const Point3& place,
-                         const Point3& normal, Id triangle, const Id* begin, const Id* end)
+  const auto measure = [&ball, &ground, &pieces, &isDone](const Point3& place, const Point3& normal,
+                         Id triangle, const Id* begin, const Id* end)
   {
     double size = 0.0; // no larger ball matters, nor any where f is as small as it may be
     double least = Infinity;
@@ -423,8 +444,9 @@ void CapByThickness(SurfaceGround& ground, const SurfaceMesh& input,
       {
         near = std::min(near, 0.1 * std::max(diameter, least));
         std::for_each(begin, end, [&ground, diameter](Id v) { Cap(ground, v, diameter); });
-        tree = tree.Items().empty() ? MakeSurfaceTree(ground.Mesh, pulse) : std::move(tree);
-        CapWall(ground, tree, ball.Touch, diameter);
+        Id& piece = pieces[At(ball.Wall)];
+        piece = PieceAt(ground, piece, ball.Touch);
+        CapWall(ground, piece, ball.Touch, diameter);
       }
     }
     MarkAround(ground, triangle, place, near, isDone);

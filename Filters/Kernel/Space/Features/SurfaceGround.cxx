@@ -3,11 +3,14 @@
 
 #include "SurfaceGround.h"
 
+#include "../../Base/SortInSteps.h"
+#include "../../Base/Tasks.h"
 #include "../Surface/SurfaceLinks.h"
 
-#include <algorithm> // for count, min, max, rotate, sort
-#include <array>     // for triangles
-#include <utility>   // for pairs, move
+#include <algorithm>  // for count, min, max, rotate
+#include <array>      // for triangles
+#include <functional> // for less
+#include <utility>    // for pairs, move
 
 namespace biting
 {
@@ -35,7 +38,7 @@ struct LongSlot
   }
 };
 
-std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground)
+std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground, Pulse& pulse)
 {
   std::vector<LongSlot> slots;
   slots.reserve(ground.Mesh.Corners.size() / 4);
@@ -54,7 +57,7 @@ std::vector<LongSlot> FindLongSlots(const SurfaceGround& ground)
       slots.push_back({ low, high, slot });
     }
   }
-  std::sort(slots.begin(), slots.end());
+  SortInSteps(slots, std::less<>(), pulse);
   return slots;
 }
 
@@ -273,10 +276,11 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
   std::size_t mostTriangles, Pulse& pulse)
 {
   std::vector<Id> middles;
-  std::vector<LongSlot> slots = FindLongSlots(ground);
+  std::vector<LongSlot> slots = FindLongSlots(ground, pulse);
   while (!slots.empty() && pulse.Ask())
   {
     const std::vector<Id> quads = FindQuads(ground, slots, middles);
+    const std::size_t before = ground.Mesh.Points.size();
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
       if (middles[slots[k].Slot] == NoId)
@@ -287,14 +291,26 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
       const auto high = static_cast<std::size_t>(slots[k].High);
       if (k == 0 || !slots[k].IsSameEdge(slots[k - 1]))
       {
-        const Point3 place = Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]);
-        const double mean = 0.5 * (ground.Sizes[low] + ground.Sizes[high]);
-        ground.Mesh.Points.push_back(place);
+        ground.Mesh.Points.push_back(Midpoint(ground.Mesh.Points[low], ground.Mesh.Points[high]));
         ground.Mesh.PointIds.push_back(NoId);
-        ground.Given.push_back(given(place));
-        ground.Sizes.push_back(std::min(mean, ground.Given.back()));
+        ground.Sizes.push_back(0.5 * (ground.Sizes[low] + ground.Sizes[high]));
       }
       middles[slots[k].Slot] = static_cast<Id>(ground.Mesh.Points.size()) - 1;
+    }
+    constexpr std::size_t CheapSteps = 31;
+    ground.Given.resize(ground.Mesh.Points.size());
+    ForRowsAtOnce(pulse, ground.Mesh.Points.size() - before, CheapSteps,
+      [&ground, &given, before](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t v = before + begin; v < before + end; ++v)
+        {
+          ground.Given[v] = given(ground.Mesh.Points[v]);
+          ground.Sizes[v] = std::min(ground.Sizes[v], ground.Given[v]);
+        }
+      });
+    if (pulse.HasStopped())
+    {
+      break;
     }
     Halving halving(ground, middles, quads);
     const std::size_t triangles = ground.Mesh.NumberOfTriangles();
@@ -309,7 +325,7 @@ bool DivideGround(SurfaceGround& ground, const std::function<double(const Point3
     }
     halving.Finish();
     pulse.Ask();
-    slots = FindLongSlots(ground);
+    slots = FindLongSlots(ground, pulse);
   }
   return true;
 }

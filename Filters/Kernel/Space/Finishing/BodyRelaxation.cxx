@@ -50,12 +50,10 @@ public:
       isChanged = this->MoveBad(At35);
       isChanged = this->ChangeBad(At38) || isChanged;
     }
-    for (int round = 0; round < Rounds && this->Beats.Ask(); ++round)
+    isChanged = true;
+    for (int round = 0; round < Rounds && isChanged && this->Beats.Ask(); ++round)
     {
-      if (!this->LoosenWorst(At31))
-      {
-        break;
-      }
+      isChanged = this->LoosenWorst(At31);
     }
     this->Tets.GiveBack();
   }
@@ -93,47 +91,57 @@ private:
     bool isMoved = false;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
     {
-      for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
-      {
-        this->Beats.Beat(256);
-        isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
-      }
+      isMoved = this->MoveCorners(cell, limit) || isMoved;
     }
     return isMoved;
   }
 
-  /// Makes room about the worst cells: those near them get better than they need to be.
+  /// Makes room about the worst cells: those near them get better than they need to be, or they
+  /// get a vertex more.
   bool LoosenWorst(double limit)
   {
     bool isChanged = false;
-    std::vector<Id> near;
     for (Id cell = 0; cell < this->Tets.Mesh.NumberOfSlots() && !this->Beats.HasStopped(); ++cell)
     {
-      if (!this->IsBad(cell, limit))
+      if (this->IsBad(cell, limit))
       {
-        continue;
-      }
-      near.clear();
-      for (const Id vertex : this->Tets.CornersOf(cell))
-      {
-        for (const Id slot : this->Tets.StarOf(vertex))
-        {
-          near.push_back(slot >> 2);
-        }
-      }
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
-      for (const Id other : near)
-      {
-        for (Id slot = 4 * other; slot < 4 * other + 4 && this->IsBad(other, At45); ++slot)
-        {
-          this->Beats.Beat(256);
-          isChanged = this->Moves.Improve(this->Tets.VertexAt(slot), At45) || isChanged;
-        }
-        isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+        isChanged = this->ImproveAround(cell) || isChanged;
+        isChanged = (this->IsBad(cell, limit) && this->Edges.Split(cell)) || isChanged;
       }
     }
     return isChanged;
+  }
+
+  bool ImproveAround(Id cell)
+  {
+    this->Near.clear();
+    for (const Id vertex : this->Tets.CornersOf(cell))
+    {
+      for (const Id slot : this->Tets.StarOf(vertex))
+      {
+        this->Near.push_back(slot >> 2);
+      }
+    }
+    std::sort(this->Near.begin(), this->Near.end());
+    this->Near.erase(std::unique(this->Near.begin(), this->Near.end()), this->Near.end());
+    bool isChanged = false;
+    for (const Id other : this->Near)
+    {
+      isChanged = this->MoveCorners(other, At45) || isChanged;
+      isChanged = (this->IsBad(other, At45) && this->Edges.Improve(other)) || isChanged;
+    }
+    return isChanged;
+  }
+
+  bool MoveCorners(Id cell, double limit)
+  {
+    bool isMoved = false;
+    for (Id slot = 4 * cell; slot < 4 * cell + 4 && this->IsBad(cell, limit); ++slot)
+    {
+      this->Beats.Beat(256);
+      isMoved = this->Moves.Improve(this->Tets.VertexAt(slot), limit) || isMoved;
+    }
+    return isMoved;
   }
 
   BodyTets Tets;
@@ -141,6 +149,7 @@ private:
   VertexMoves Moves;
   EdgeRemoval Edges;
   Pulse& Beats;
+  std::vector<Id> Near;
 };
 
 } // namespace

@@ -58,6 +58,7 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
   this->Mesh.VertexCells.assign(this->Mesh.Points.size(), NoId);
   this->LinkAll(pulse);
   this->Touched.assign(this->Mesh.Points.size(), 0);
+  this->TriedMoves.assign(this->Mesh.Points.size(), 0);
   this->ResizeCells();
   for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
   {
@@ -69,6 +70,16 @@ BodyTets::BodyTets(RelaxedBody& body, Pulse& pulse)
     }
     pulse.Beat(1);
   }
+}
+
+Id BodyTets::AddVertex(const Point3& place, double size)
+{
+  this->Mesh.Points.push_back(place);
+  this->Mesh.VertexCells.push_back(NoId);
+  this->Body.Sizes.push_back(size);
+  this->Touched.push_back(0);
+  this->TriedMoves.push_back(0);
+  return this->Mesh.NumberOfVertices() - 1;
 }
 
 void BodyTets::ResizeCells()
@@ -166,14 +177,12 @@ Id BodyTets::Across(Id slot) const
 
 bool BodyTets::IsKept(Id a, Id b) const
 {
-  for (const Id end : this->KeptEnds[std::min(a, b)])
+  if (std::max(a, b) >= this->Body.NumberOnLines)
   {
-    if (end == std::max(a, b))
-    {
-      return true;
-    }
+    return false;
   }
-  return false;
+  const IdLists::List ends = this->KeptEnds[std::min(a, b)];
+  return std::find(ends.begin(), ends.end(), std::max(a, b)) != ends.end();
 }
 
 const std::vector<Id>& BodyTets::StarOf(Id vertex)

@@ -52,6 +52,9 @@ public:
 
   void Apply(const Change& change);
 
+  /// A vertex inside, of no cell as yet.
+  Id AddVertex(const Point3& place, double size);
+
   /// The slots of the vertex in its cells. Good until the next call.
   const std::vector<Id>& StarOf(Id vertex);
 
@@ -99,11 +102,13 @@ public:
   TetMesh Mesh;
   std::vector<double> Badness; ///< of cells
 
-  // When a cell at a vertex was changed last, and when a change of a cell was tried in vain: no
+  // When a cell at a vertex was changed last, and when a move, or a change of
+  // a cell, was tried in vain: no
   // use to try again before one at its corners was.
   std::uint32_t Clock = 0;
-  std::vector<std::uint32_t> Touched; ///< of vertices
-  std::vector<std::uint32_t> Tried;   ///< of cells
+  std::vector<std::uint32_t> Touched;    ///< of vertices
+  std::vector<std::uint32_t> TriedMoves; ///< of vertices
+  std::vector<std::uint32_t> Tried;      ///< of cells
 
 private:
   /// A facet of a cavity's border or filling: by its corners in ascending order.

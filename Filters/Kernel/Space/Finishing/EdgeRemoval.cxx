@@ -4,19 +4,12 @@
 #include "EdgeRemoval.h"
 
 #include "../../Base/Numbers.h"
+#include "TrialSteps.h"
 
 #include <algorithm> // for max
 
 namespace biting
 {
-
-namespace
-{
-
-/// What is better by less is no better.
-constexpr double LeastGain = 1e-4;
-
-} // namespace
 
 bool EdgeRemoval::Improve(Id cell)
 {
@@ -301,6 +294,77 @@ bool EdgeRemoval::IsNewEdge(Id p, Id q, bool isInCell)
     }
   }
   return true;
+}
+
+bool EdgeRemoval::Split(Id cell)
+{
+  for (std::size_t edge = 0; edge < 6; ++edge)
+  {
+    if (this->FindLinks(cell, edge) && this->NumberOfRecords == 0 && this->FillFromInside())
+    {
+      this->Tets.Apply(this->Change);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Looks for the place of a new vertex at which the worst of the halves of the cells about the edge
+/// is best, from the middle of the edge on.
+bool EdgeRemoval::FillFromInside()
+{
+  const Point3& a = this->Tets.Mesh.PointAt(this->A);
+  const Point3& b = this->Tets.Mesh.PointAt(this->B);
+  Point3 place = Midpoint(a, b);
+  double worst = this->WorstAround(place, 1.0);
+  const double length = Distance(a, b);
+  TryInSteps(0.1 * length, 0.01 * length,
+    [this, &place, &worst](const Point3& step)
+    {
+      const double tried = this->WorstAround(place + step, worst - LeastGain);
+      place = tried < worst ? place + step : place;
+      const bool goes = tried < worst;
+      worst = std::min(worst, tried);
+      return goes;
+    });
+  if (!(worst < this->Before - LeastGain))
+  {
+    return false;
+  }
+  const Link& link = this->Links[0];
+  const Id vertex = this->Tets.AddVertex(
+    place, 0.5 * (this->Tets.Body.Sizes[At(this->A)] + this->Tets.Body.Sizes[At(this->B)]));
+  this->Change.Filling.clear();
+  this->Change.Facets.clear();
+  for (std::size_t k = 0; k < link.Size; ++k)
+  {
+    const Id p = link.Vertices[k];
+    const Id q = link.Vertices[(k + 1) % link.Size];
+    this->Change.Filling.push_back({ this->A, vertex, p, q });
+    this->Change.Filling.push_back({ vertex, this->B, p, q });
+  }
+  this->Change.Regions.assign(2 * link.Size, link.Region);
+  return true;
+}
+
+/// The badness of the worst of the halves; infinite where it is not below the limit, or one is not
+/// positive.
+double EdgeRemoval::WorstAround(const Point3& place, double limit) const
+{
+  const Link& link = this->Links[0];
+  double worst = 0.0;
+  for (std::size_t k = 0; k < 2 * link.Size && worst < limit; ++k)
+  {
+    const Point3& a = this->Tets.Mesh.PointAt(this->A);
+    const Point3& b = this->Tets.Mesh.PointAt(this->B);
+    const Point3& p = this->Tets.Mesh.PointAt(link.Vertices[k / 2]);
+    const Point3& q = this->Tets.Mesh.PointAt(link.Vertices[(k / 2 + 1) % link.Size]);
+    const Point3& first = k % 2 == 0 ? a : place;
+    const Point3& second = k % 2 == 0 ? place : b;
+    worst = std::max(worst, TetShape(first, second, p, q).Badness());
+    worst = Orient3D(first, second, p, q) > 0 ? worst : Infinity;
+  }
+  return worst < limit ? worst : Infinity;
 }
 
 bool EdgeRemoval::Flip(Id slot)

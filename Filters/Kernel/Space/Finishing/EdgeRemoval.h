@@ -36,6 +36,10 @@ public:
   /// `edge`: 0 to 5, a row of EdgeCorners.
   bool Remove(Id cell, std::size_t edge);
 
+  /// Puts a vertex inside on one of the edges that no facet with a record has, or off it; the cells
+  /// about the edge are halved.
+  bool Split(Id cell);
+
   /// Takes a facet away: two tetrahedra become three about the edge between their apexes.
   bool Flip(Id slot);
 
@@ -63,6 +67,8 @@ private:
   double Cost(const std::array<Id, 3>& triangle, double limit) const;
   void Fill(const Link& link, std::size_t i, std::size_t j);
   bool FlipFacets();
+  bool FillFromInside();
+  double WorstAround(const Point3& place, double limit) const;
   bool IsNewEdge(Id p, Id q, bool isInCell);
   Id SlotOf(Id cell, Id vertex) const;
 

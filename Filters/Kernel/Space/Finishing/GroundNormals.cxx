@@ -13,7 +13,7 @@ namespace biting
 namespace
 {
 
-constexpr double LeastAgreement = 0.8; // the cosine of 37 degrees
+constexpr double LeastAgreement = 0.7071067811865476; // the cosine of 45 degrees
 
 } // namespace
 

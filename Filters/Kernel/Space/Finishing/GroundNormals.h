@@ -13,7 +13,7 @@ namespace biting
 {
 
 /// What changes of the boundary the ground allows: new facets turn from the ground's normals at
-/// their vertices by no more than 37 degrees, or than those before them did.
+/// their vertices by no more than 45 degrees, or than those before them did.
 class GroundNormals
 {
 public:

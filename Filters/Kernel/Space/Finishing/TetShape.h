@@ -12,6 +12,9 @@
 namespace biting
 {
 
+/// By how much Badness falls at least where something gets better.
+constexpr double LeastGain = 1e-4;
+
 /// A tetrahedron seen from its first corner v: the sides to the others, and the normals of the
 /// faces opposite the corners, inwards where it is positive, as long as twice the areas.
 struct TetShape

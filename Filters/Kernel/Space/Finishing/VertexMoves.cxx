@@ -3,18 +3,12 @@
 
 #include "VertexMoves.h"
 
+#include "TrialSteps.h"
+
 #include <algorithm> // for max, sort
 
 namespace biting
 {
-
-namespace
-{
-
-/// What is better by less is no better.
-constexpr double LeastGain = 1e-4;
-
-} // namespace
 
 void VertexMoves::Gather(Id vertex)
 {
@@ -159,7 +153,7 @@ Point3 VertexMoves::WayOnGround(Id vertex) const
 bool VertexMoves::Improve(Id vertex, double good)
 {
   if (vertex < this->Tets.Body.NumberOnLines ||
-    this->Tried[At(vertex)] > this->Tets.Touched[At(vertex)])
+    this->Tets.TriedMoves[At(vertex)] > this->Tets.Touched[At(vertex)])
   {
     return false;
   }
@@ -168,44 +162,19 @@ bool VertexMoves::Improve(Id vertex, double good)
   std::sort(this->Star.begin(), this->Star.end(), isWorse);
   const double before = this->Worst();
   const double size = this->Tets.Body.Sizes[At(vertex)];
-  constexpr double Longest = 0.2;
-  constexpr double Shortest = 0.008;
-  double length = Longest * size;
-  while (length > Shortest * size && this->Worst() > good)
-  {
-    if (this->Step(vertex, length))
+  TryInSteps(0.2 * size, 0.008 * size,
+    [this, vertex, good, &isWorse](const Point3& step)
     {
-      std::sort(this->Star.begin(), this->Star.end(), isWorse);
-    }
-    else
-    {
-      length *= 0.5;
-    }
-  }
-  this->Tried[At(vertex)] = this->Worst() > good ? ++this->Tets.Clock : 0;
+      const bool goes = this->Worst() > good &&
+        this->Try(vertex, this->Tets.Mesh.PointAt(vertex) + step, this->Worst() - LeastGain);
+      if (goes)
+      {
+        std::sort(this->Star.begin(), this->Star.end(), isWorse);
+      }
+      return goes;
+    });
+  this->Tets.TriedMoves[At(vertex)] = this->Worst() > good ? ++this->Tets.Clock : 0;
   return this->Worst() < before;
-}
-
-/// Tries the directions of a cube's faces and corners.
-bool VertexMoves::Step(Id vertex, double length)
-{
-  constexpr double Corner = 0.5773502691896258;
-  static constexpr double Directions[14][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 },
-    { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { Corner, Corner, Corner },
-    { -Corner, -Corner, -Corner }, { -Corner, Corner, Corner }, { Corner, -Corner, -Corner },
-    { Corner, -Corner, Corner }, { -Corner, Corner, -Corner }, { Corner, Corner, -Corner },
-    { -Corner, -Corner, Corner } };
-  const Point3 old = this->Tets.Mesh.PointAt(vertex);
-  const double limit = this->Worst() - LeastGain;
-  for (const auto& d : Directions)
-  {
-    const Point3 place{ old.X + length * d[0], old.Y + length * d[1], old.Z + length * d[2] };
-    if (this->Try(vertex, place, limit))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 } // namespace biting

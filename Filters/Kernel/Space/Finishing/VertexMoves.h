@@ -21,7 +21,6 @@ public:
     : Tets(tets)
     , Normals(normals)
     , Size(f)
-    , Tried(tets.Mesh.Points.size(), 0)
   {
   }
 
@@ -54,15 +53,13 @@ private:
   bool Try(Id vertex, const Point3& place, double limit);
   Point3 WayInside(const Point3& place) const;
   Point3 WayOnGround(Id vertex) const;
-  bool Step(Id vertex, double length);
 
   double Worst() const { return this->Star.front().Badness; }
 
   BodyTets& Tets;
   GroundNormals& Normals;
   const std::function<double(const Point3&)>& Size;
-  std::vector<Cone> Star;           ///< the worst comes first
-  std::vector<std::uint32_t> Tried; ///< of vertices: when Improve was tried (BodyTets::Clock)
+  std::vector<Cone> Star; ///< the worst comes first
 };
 
 } // namespace biting

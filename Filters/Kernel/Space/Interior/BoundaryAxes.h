@@ -4,7 +4,6 @@
 #ifndef BitingBoundaryAxes_h
 #define BitingBoundaryAxes_h
 
-#include "CubeMeetings.h"
 #include "InteriorBites.h"
 
 namespace biting

@@ -64,23 +64,41 @@ void CubeMeetings::Start(const GuardedBall& cube)
   this->Others.clear();
 }
 
-void CubeMeetings::Add(const GuardedBall& other, Id id)
+void CubeMeetings::Add(const GuardedBall& other)
 {
   const Point3 way = other.Center - this->Own.Center;
-  const double reach = this->Own.Radius + other.Radius;
   const double way2 = Dot(way, way);
-  if (way2 < reach * reach)
+  const double reach = this->Own.Radius + other.Radius;
+  bool mayMeet = way2 < reach * reach;
+  for (const Point3& axis : this->Axes[static_cast<std::size_t>(this->Own.Frame)])
   {
-    this->Others.push_back({ other, id, way2 });
+    mayMeet = mayMeet && std::abs(Dot(way, axis)) < this->HalfSide + this->HalfWidth(other, axis);
   }
+  if (mayMeet)
+  {
+    this->Others.push_back({ other, way2 });
+  }
+}
+
+double CubeMeetings::HalfWidth(const GuardedBall& ball, const Point3& direction) const
+{
+  if (ball.Frame == NoId)
+  {
+    return ball.Radius;
+  }
+  double width = 0.0;
+  for (const Point3& axis : this->Axes[static_cast<std::size_t>(ball.Frame)])
+  {
+    width += HalfSideShare * ball.Radius * std::abs(Dot(axis, direction));
+  }
+  return width;
 }
 
 const std::vector<Point3>& CubeMeetings::Find()
 {
   // The nearest ones have most of what they have to hide.
-  std::sort(this->Others.begin(), this->Others.end(),
-    [](const Other& a, const Other& b)
-    { return a.Distance2 < b.Distance2 || (a.Distance2 == b.Distance2 && a.Number < b.Number); });
+  std::stable_sort(this->Others.begin(), this->Others.end(),
+    [](const Other& a, const Other& b) { return a.Distance2 < b.Distance2; });
   this->Meetings.clear();
   const CubeAxes& axes = this->Axes[static_cast<std::size_t>(this->Own.Frame)];
   for (std::size_t d = 0; d < 3; ++d)

@@ -5,17 +5,13 @@
 #define BitingCubeMeetings_h
 
 #include "BallTree.h"
+#include "InteriorBites.h"
 
-#include <array>      // for axes
-#include <cstddef>    // for indices
-#include <functional> // for questions
-#include <vector>     // for the arrays
+#include <cstddef> // for indices
+#include <vector>  // for the arrays
 
 namespace biting
 {
-
-/// Unit, at right angles to each other.
-using CubeAxes = std::array<Point3, 3>;
 
 /// Half of the side of a cube, in that of half its diagonal.
 constexpr double HalfSideShare = 0.57735026918962576;
@@ -36,7 +32,7 @@ public:
   }
 
   void Start(const GuardedBall& cube);
-  void Add(const GuardedBall& other, Id id);
+  void Add(const GuardedBall& other);
 
   /// Meetings, each once.
   const std::vector<Point3>& Find();
@@ -49,7 +45,6 @@ private:
   struct Other
   {
     GuardedBall Ball;
-    Id Number;
     double Distance2;
   };
 
@@ -76,6 +71,8 @@ private:
     }
   };
 
+  /// Half of the extent of a bite along a direction.
+  double HalfWidth(const GuardedBall& ball, const Point3& direction) const;
   void FindOn(const Face& face);
   void CutCube(const Face& face, const Other& other);
   void AddSide(const Face& face, const Side& side);

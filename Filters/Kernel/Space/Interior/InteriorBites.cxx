@@ -8,7 +8,7 @@
 #include "SphereMeetings.h"
 
 #include <algorithm> // for max, min
-#include <cmath>     // for sqrt
+#include <cmath>     // for abs, sqrt
 #include <utility>   // for move, swap
 
 namespace biting
@@ -27,13 +27,18 @@ constexpr int AlignedLayers = 3;
 /// No later center is nearer to a bite's, in radii.
 constexpr double Tolerance = 0.9;
 
+/// Bites in a large body of volume 1, of radius 1 or side 2, measured: to tell how far it is.
+constexpr double SpheresPerVolume = 1.3;
+constexpr double CubesPerVolume = 0.7;
+
 class InteriorBiter
 {
 public:
-  InteriorBiter(
-    const BodyBoundary& boundary, SpaceBiteShape shape, std::size_t mostBites, Pulse& pulse)
+  InteriorBiter(const BodyBoundary& boundary, SpaceBiteShape shape, double constant,
+    std::size_t mostBites, Pulse& pulse)
     : Boundary(boundary)
     , IsCube(shape == SpaceBiteShape::Cube)
+    , Constant(constant > 0.0 ? constant : this->WallConstant())
     , MostBites(mostBites)
     , Beats(pulse)
     , Bounds(BoundsOf(boundary))
@@ -45,6 +50,7 @@ public:
 
   InteriorBites Run()
   {
+    this->Volume = VolumeOf(this->Boundary);
     this->AddBoundary();
     for (Id ball = 0; ball < this->FirstInner && this->Beats.Beat(64); ++ball)
     {
@@ -74,6 +80,19 @@ private:
     return box;
   }
 
+  /// Of the body, from its facets.
+  static double VolumeOf(const BodyBoundary& boundary)
+  {
+    double volume = 0.0;
+    for (std::size_t slot = 0; slot < boundary.Facets.size(); slot += 3)
+    {
+      const auto at = [&boundary, slot](std::size_t k)
+      { return boundary.Centers[static_cast<std::size_t>(boundary.Facets[slot + k])]; };
+      volume += Dot(at(0) - boundary.Centers.front(), Cross(at(1) - at(0), at(2) - at(0)));
+    }
+    return std::abs(volume) / 6.0;
+  }
+
   bool MayGoOn() { return this->Beats.Beat(1) && this->Bites.Centers.size() <= this->MostBites; }
 
   /// Bites of the boundary, then the empty balls.
@@ -91,7 +110,7 @@ private:
     for (std::size_t k = 0; k < boundary.Centers.size() && this->Beats.Beat(4); ++k)
     {
       const double weightRadius = std::sqrt(boundary.Weights[k]);
-      const double radius = this->Constant() * boundary.Sizes[k];
+      const double radius = this->WallConstant() * boundary.Sizes[k];
       const double guard =
         std::max({ guards[k], Tolerance * radius, this->IsCube ? 0.0 : weightRadius });
       this->AddWall(boundary.Centers[k], std::max(radius, Room * guard), guard,
@@ -111,7 +130,7 @@ private:
     this->FirstInner = this->Tree.Size();
   }
 
-  double Constant() const { return this->IsCube ? CubeConstant : SphereConstant; }
+  double WallConstant() const { return this->IsCube ? CubeConstant : SphereConstant; }
 
   void AddWall(const Point3& center, double radius, double guard, Id frame)
   {
@@ -143,7 +162,7 @@ private:
     this->StartMeetings(own);
     this->Tree.VisitNear(
       wall, [this, own](Id id, const GuardedBall& other) { this->Note(own, id, other); });
-    this->FindCandidates(own, wall, own.Frame, 1);
+    this->FindCandidates(own, wall, this->IsCube ? std::max(own.Frame, Id(0)) : NoId, 1);
   }
 
   void Try(const Candidate& candidate)
@@ -158,10 +177,16 @@ private:
     }
     this->Beats.Beat(64);
     const double size = this->Boundary.Spacing(candidate.Place);
-    const double radius = this->Constant() * size;
+    const double radius = this->Constant * size;
     this->Bites.Centers.push_back(candidate.Place);
     this->Bites.Sizes.push_back(size);
     this->Bites.Radii.push_back(radius);
+    if (this->IsCube)
+    {
+      this->Bites.Axes.push_back(this->Axes[static_cast<std::size_t>(candidate.Frame)]);
+    }
+    this->Taken += radius * radius * radius / (this->IsCube ? CubesPerVolume : SpheresPerVolume);
+    this->Beats.SetFraction(std::min(1.0, this->Taken / this->Volume));
     const Id id = this->Tree.Size();
     const GuardedBall own =
       this->Bite(candidate.Place, radius, Tolerance * radius, candidate.Frame);
@@ -190,7 +215,7 @@ private:
   {
     if (own.Frame != NoId)
     {
-      this->Cubes.Add(other, id);
+      this->Cubes.Add(other);
     }
     else if (other.Frame == NoId)
     {
@@ -208,7 +233,8 @@ private:
       this->Spheres.Find([isWall, id](Id other) { return !isWall || other < id; },
         [this, isWall, first, frame, layer](const Point3& place, Id a, Id b)
         {
-          const bool isAtWall = isWall || std::min(a, b) < this->FirstInner;
+          const bool isAtWall =
+            isWall || this->Constant > SphereConstant || std::min(a, b) < this->FirstInner;
           this->Later.push_back({ place, first, frame, layer, isAtWall });
         });
       return;
@@ -222,6 +248,7 @@ private:
 
   const BodyBoundary& Boundary;
   const bool IsCube;
+  const double Constant; ///< of bites inside
   const std::size_t MostBites;
   Pulse& Beats;
   Box3 Bounds;
@@ -233,15 +260,18 @@ private:
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue
   InteriorBites Bites;
+  double Volume = 0.0; ///< of the body
+  double Taken = 0.0;  ///< of it
 };
 
 } // namespace
 
-InteriorBites BiteInterior(
-  const BodyBoundary& boundary, SpaceBiteShape shape, std::size_t mostBites, Pulse& pulse)
+InteriorBites BiteInterior(const BodyBoundary& boundary, SpaceBiteShape shape,
+  std::size_t mostBites, Pulse& pulse, double constant)
 {
-  return boundary.Centers.empty() ? InteriorBites()
-                                  : InteriorBiter(boundary, shape, mostBites, pulse).Run();
+  return boundary.Centers.empty()
+    ? InteriorBites()
+    : InteriorBiter(boundary, shape, constant, mostBites, pulse).Run();
 }
 
 } // namespace biting

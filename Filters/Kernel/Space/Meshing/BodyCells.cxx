@@ -3,6 +3,7 @@
 
 #include "BodyCells.h"
 
+#include "../../Base/DisjointSets.h"
 #include "FacetTable.h"
 
 #include <array>   // for corners
@@ -25,6 +26,7 @@ public:
     , BoundaryPoints(static_cast<Id>(boundaryPoints))
     , Facets(facets, boundaryPoints)
     , Seen(sides.size(), 0)
+    , Parts(At(this->Mesh.NumberOfSlots()))
     , Labels(At(this->Mesh.NumberOfSlots()), NoId)
   {
   }
@@ -32,11 +34,16 @@ public:
   BodyCells Run(Pulse& pulse)
   {
     BodyCells result;
-    for (Id cell = 0; cell < this->Mesh.NumberOfSlots() && pulse.Beat(); ++cell)
+    this->JoinCells(pulse);
+    for (const Wall& wall : this->Walls)
     {
-      if (!this->Mesh.IsFree(cell) && this->Labels[At(cell)] == NoId)
+      Id& label = this->Labels[At(this->Parts.SetOf(wall.Cell))];
+      const Id own = this->Sides[At(wall.Facet)][wall.Place];
+      label = label == NoId ? own : label;
+      this->Seen[At(wall.Facet)] |= static_cast<std::uint8_t>(1u << wall.Place);
+      if (own != label)
       {
-        this->Fill(cell, result.Lost, pulse);
+        result.Lost.push_back(wall.Facet);
       }
     }
     // Where facets are missing parts of space run into each other: these are what is wrong.
@@ -55,44 +62,35 @@ public:
   }
 
 private:
-  /// The cells that hang together with `first`, and facets beside them that say another label.
-  void Fill(Id first, std::vector<Id>& lost, Pulse& pulse)
+  /// A facet of the boundary as a cell has it.
+  struct Wall
   {
-    Id label = NoId;
-    this->Part.assign(1, first);
-    this->Labels[At(first)] = 0;
-    std::size_t next = 0;
-    while (next < this->Part.size() && pulse.Beat()) // Part grows
+    Id Cell;
+    Id Facet;
+    std::size_t Place; ///< 0: the cell is behind it, 1: in front
+  };
+
+  void JoinCells(Pulse& pulse)
+  {
+    for (Id side = 0; side < 4 * this->Mesh.NumberOfSlots() && pulse.Beat(1); ++side)
     {
-      const Id cell = this->Part[next++];
-      for (Id side = 4 * cell; side < 4 * cell + 4; ++side)
+      const Id cell = TetMesh::CellOf(side);
+      if (this->Mesh.IsFree(cell))
       {
-        const std::array<Id, 3> corners = this->CornersOf(side);
-        const Id facet = this->FacetOf(corners);
-        const Id other = TetMesh::CellOf(this->Mesh.Twins[At(side)]);
-        if (facet == NoId)
-        {
-          if (this->Labels[At(other)] == NoId)
-          {
-            this->Labels[At(other)] = 0;
-            this->Part.push_back(other);
-          }
-          continue;
-        }
-        // The corners of a side are oriented away from its cell.
-        const std::size_t place = this->Facets.CornersOf(facet) == corners ? 0 : 1;
-        this->Seen[At(facet)] |= static_cast<std::uint8_t>(1u << place);
-        const Id own = this->Sides[At(facet)][place];
-        label = label == NoId ? own : label;
-        if (own != label)
-        {
-          lost.push_back(facet);
-        }
+        continue;
       }
-    }
-    for (const Id cell : this->Part)
-    {
-      this->Labels[At(cell)] = label == NoId ? 0 : label;
+      const std::array<Id, 3> corners = this->CornersOf(side);
+      const Id facet = this->FacetOf(corners);
+      if (facet == NoId)
+      {
+        this->Parts.Unite(cell, TetMesh::CellOf(this->Mesh.Twins[At(side)]));
+      }
+      else
+      {
+        // The corners of a side are oriented away from its cell.
+        this->Walls.push_back(
+          { cell, facet, this->Facets.CornersOf(facet) == corners ? std::size_t{ 0 } : 1 });
+      }
     }
   }
 
@@ -114,13 +112,14 @@ private:
     return isOfBoundary ? this->Facets.Find(corners) : NoId;
   }
 
-  void TakeCells(BodyCells& result) const
+  void TakeCells(BodyCells& result)
   {
     for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
     {
-      if (this->Labels[At(cell)] > 0 && this->Mesh.IsTetrahedron(cell))
+      const Id label = this->Labels[At(this->Parts.SetOf(cell))];
+      if (label > 0 && this->Mesh.IsTetrahedron(cell))
       {
-        result.Labels.push_back(this->Labels[At(cell)]);
+        result.Labels.push_back(label);
         for (Id corner = 4 * cell; corner < 4 * cell + 4; ++corner)
         {
           result.Corners.push_back(this->Order[At(this->Mesh.Corners[At(corner)])]);
@@ -135,8 +134,9 @@ private:
   Id BoundaryPoints;
   FacetTable Facets;
   std::vector<std::uint8_t> Seen; ///< of facets: from behind 1, from the front 2
-  std::vector<Id> Labels;         ///< of cells
-  std::vector<Id> Part;           ///< that hangs together
+  std::vector<Wall> Walls;
+  DisjointSets Parts;     ///< of cells that no wall divides
+  std::vector<Id> Labels; ///< of parts
 };
 
 } // namespace

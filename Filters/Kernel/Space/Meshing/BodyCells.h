@@ -21,7 +21,7 @@ struct BodyCells
   std::vector<Id> Lost;    ///< facets that the triangulation has not, or with other labels beside
 };
 
-/// Labels cells by a flood fill that facets stop; what they are beside says the label. `facets`:
+/// Labels parts of space that facets divide by what they are beside. `facets`:
 /// three points each, of the first `boundaryPoints`; `sides`: labels behind and in front of each.
 BodyCells LabelCells(const SpaceTriangulation& triangulation, const std::vector<Id>& facets,
   const std::vector<TriangleSides>& sides, std::size_t boundaryPoints, Pulse& pulse);

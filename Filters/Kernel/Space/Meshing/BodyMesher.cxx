@@ -15,7 +15,7 @@
 #include "BodyCheck.h"
 #include "CertifiedSurface.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for any_of, max, min
 #include <cmath>     // for sqrt
 #include <numeric>   // for iota
 #include <utility>   // for move
@@ -141,6 +141,7 @@ private:
     BodyBoundary boundary;
     boundary.Centers = bites.Centers;
     boundary.Sizes = bites.Sizes;
+    this->Weights.reserve(bites.Centers.size());
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       this->Weights.push_back(bites.WeightOf(bite));
@@ -153,6 +154,7 @@ private:
     }
     boundary.IsInside = [&test](const Point3& place) { return test.LabelAt(place) != 0; };
     std::vector<double> sizes;
+    sizes.reserve(bites.Centers.size());
     for (Id bite = 0; bite < bites.Size(); ++bite)
     {
       sizes.push_back(
@@ -166,7 +168,8 @@ private:
     const std::size_t most = left(this->Options.Surface.MaximumNumberOfVertices);
     const std::size_t wanted =
       this->Options.MaximumNumberOfBites > 0 ? left(this->Options.MaximumNumberOfBites) : most + 1;
-    this->Inside = BiteInterior(boundary, this->Options.Shape, std::min(wanted, most), pulse);
+    this->Inside = BiteInterior(
+      boundary, this->Options.Shape, std::min(wanted, most), pulse, this->Options.BitingConstant);
     this->IsCutShort = this->Inside.Centers.size() > wanted;
     return this->Inside.Centers.size() > most && !this->IsCutShort ? this->RefuseSize()
                                                                    : MayGoOn(this->Problems, pulse);
@@ -224,28 +227,28 @@ private:
   /// Whether bites went.
   bool ClearBalls(const std::vector<Id>& facets)
   {
-    std::size_t kept = 0;
-    for (std::size_t bite = 0; bite < this->Inside.Centers.size(); ++bite)
+    const InteriorBites given = std::move(this->Inside);
+    this->Inside = {};
+    for (std::size_t bite = 0; bite < given.Centers.size(); ++bite)
     {
-      bool isIn = false;
-      for (const Id facet : facets)
-      {
-        const EmptyBall ball = this->BallOf(At(facet));
-        isIn = isIn || Distance(ball.Center, this->Inside.Centers[bite]) < ball.Radius;
-      }
+      const bool isIn = std::any_of(facets.begin(), facets.end(),
+        [this, &given, bite](Id facet)
+        {
+          const EmptyBall ball = this->BallOf(At(facet));
+          return Distance(ball.Center, given.Centers[bite]) < ball.Radius;
+        });
       if (!isIn)
       {
-        this->Inside.Centers[kept] = this->Inside.Centers[bite];
-        this->Inside.Sizes[kept] = this->Inside.Sizes[bite];
-        this->Inside.Radii[kept] = this->Inside.Radii[bite];
-        ++kept;
+        this->Inside.Centers.push_back(given.Centers[bite]);
+        this->Inside.Sizes.push_back(given.Sizes[bite]);
+        this->Inside.Radii.push_back(given.Radii[bite]);
+        if (!given.Axes.empty())
+        {
+          this->Inside.Axes.push_back(given.Axes[bite]);
+        }
       }
     }
-    const bool isFewer = kept < this->Inside.Centers.size();
-    this->Inside.Centers.resize(kept);
-    this->Inside.Sizes.resize(kept);
-    this->Inside.Radii.resize(kept);
-    return isFewer;
+    return this->Inside.Centers.size() < given.Centers.size();
   }
 
   /// Bites inside that no tetrahedron has are no vertices.
@@ -343,6 +346,7 @@ private:
         mesh.BiteCenters.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
       mesh.BiteRadii.insert(
         mesh.BiteRadii.end(), this->Inside.Radii.begin(), this->Inside.Radii.end());
+      mesh.BiteAxes = std::move(this->Inside.Axes);
     }
     return mesh;
   }

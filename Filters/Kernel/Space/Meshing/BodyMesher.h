@@ -45,9 +45,10 @@ struct BitingBody
   std::vector<Id> Corners;
   std::vector<Id> Regions; ///< the value of the shell; or numbers of bodies from 0
 
-  // Only with KeepBites: of all bites.
+  // Only with KeepBites: of all bites, those of the boundary first.
   std::vector<Point3> BiteCenters;
   std::vector<double> BiteRadii;
+  std::vector<CubeAxes> BiteAxes; ///< of cubes; the boundary has spheres
 };
 
 /// Meshes a body. Where it cannot, `problems` has an error with its place, and the mesh is empty:

@@ -3,6 +3,7 @@
 
 #include "CertifiedSurface.h"
 
+#include "../../Base/Tasks.h"
 #include "../Boundary/WholeCheck.h"
 #include "../Features/FeatureLines.h"
 #include "../Features/SizeCaps.h"
@@ -179,6 +180,12 @@ private:
     {
       LinkGround(ground, this->Beats);
     }
+    this->CapSizes();
+  }
+
+  void CapSizes()
+  {
+    SurfaceGround& ground = this->Ground;
     CapByCurvature(ground, this->Surface.Mesh, this->Options.BoundaryTolerance, this->Beats);
     this->Regrade();
     if (!this->Options.LimitByFeatureSize)
@@ -289,42 +296,51 @@ private:
   Pulse Beats;
 };
 
-/// Regions, and how far middles are from the surface.
+/// Its region, and how far its middle is from the surface.
+void MeasureTriangle(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
+  std::size_t t, BitingSurface& mesh)
+{
+  const SurfaceMesh& ground = certified.Ground.Mesh;
+  Point3 middle{};
+  double size = 0.0;
+  for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+  {
+    middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
+    size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
+  }
+  const auto distanceOf = [&ground, &middle](Id triangle)
+  { return Distance(NearestPoint(ground.Triangle(At(triangle)), middle), middle); };
+  Id nearest = certified.Bites.Triangles[At(mesh.Corners[3 * t])]; // not far
+  double least = distanceOf(nearest);
+  certified.Tree.Search(middle, 1.0, least,
+    [&distanceOf, &nearest, &least](const SurfaceItem& item, double limit)
+    {
+      const double distance = distanceOf(item.Triangle);
+      nearest = distance < limit ? item.Triangle : nearest;
+      least = std::min(limit, distance);
+      return least;
+    });
+  mesh.Deviations[t] = least / size;
+  mesh.Triangles[t] = ground.Cells[At(nearest)];
+  mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
+}
+
 void Measure(const CertifiedSurface& certified, const SurfaceMesherOptions& options,
   BitingSurface& mesh, Pulse& pulse)
 {
-  const SurfaceMesh& ground = certified.Ground.Mesh;
+  constexpr std::size_t CheapSteps = 31;
   const std::size_t triangles = mesh.Corners.size() / 3;
   mesh.Deviations.resize(triangles);
   mesh.Triangles.resize(triangles, 0);
   mesh.Regions.resize(triangles, 0);
-  for (std::size_t t = 0; t < triangles && pulse.Beat(8); ++t)
-  {
-    Point3 middle{};
-    double size = 0.0;
-    for (std::size_t slot = 3 * t; slot < 3 * t + 3; ++slot)
+  ForRowsAtOnce(pulse, triangles, CheapSteps,
+    [&certified, &options, &mesh](std::size_t begin, std::size_t end)
     {
-      middle = middle + (1.0 / 3.0) * mesh.Points[At(mesh.Corners[slot])];
-      size += mesh.Spacing[At(mesh.Corners[slot])] / 3.0;
-    }
-    Id nearest = certified.Bites.Triangles[At(mesh.Corners[3 * t])]; // not far
-    mesh.Deviations[t] = Distance(NearestPoint(ground.Triangle(At(nearest)), middle), middle);
-    certified.Tree.Search(middle, 1.0, mesh.Deviations[t],
-      [&ground, &middle, &nearest, &mesh, t](const SurfaceItem& item, double limit)
+      for (std::size_t t = begin; t < end; ++t)
       {
-        const double distance =
-          Distance(NearestPoint(ground.Triangle(At(item.Triangle)), middle), middle);
-        if (distance < limit)
-        {
-          nearest = item.Triangle;
-          mesh.Deviations[t] = distance;
-        }
-        return std::min(limit, distance);
-      });
-    mesh.Deviations[t] /= size;
-    mesh.Triangles[t] = ground.Cells[At(nearest)];
-    mesh.Regions[t] = options.Regions.empty() ? 0 : options.Regions[At(mesh.Triangles[t])];
-  }
+        MeasureTriangle(certified, options, t, mesh);
+      }
+    });
 }
 
 } // namespace

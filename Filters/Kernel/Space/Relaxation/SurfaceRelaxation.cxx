@@ -38,6 +38,8 @@ public:
     , Stars(mesh.Corners, mesh.Points.size(), pieces)
     , Beats(pulse)
     , Ideal(mesh.Points.size(), 6)
+    , Changes(mesh.Points.size(), 0)
+    , Trials(mesh.Corners.size(), NoId)
     , Patches(ground.Mesh.NumberOfTriangles(), NoId)
   {
     this->FindPatches();
@@ -58,8 +60,8 @@ public:
         }
       }
     }
-    constexpr int Trials = 12;
-    for (int round = 0; round < Trials && this->Beats.Ask(); ++round)
+    constexpr int MostTrials = 12;
+    for (int round = 0; round < MostTrials && this->Beats.Ask(); ++round)
     {
       if (round % 3 == 0)
       {
@@ -178,18 +180,33 @@ private:
   {
     constexpr int MostSweeps = 2;
     bool isChanged = true;
+    if (byDegrees != this->AreByDegrees)
+    {
+      this->Trials.assign(this->Trials.size(), NoId);
+      this->AreByDegrees = byDegrees;
+    }
     for (int sweep = 0; sweep < MostSweeps && isChanged; ++sweep)
     {
       isChanged = false;
       for (std::size_t slot = 0; slot < this->Mesh.Corners.size(); ++slot)
       {
         const Id across = this->Stars.Across(slot);
-        if (across > static_cast<Id>(slot) && this->Beats.Beat(4) && this->TryFlip(slot, byDegrees))
+        if (across > static_cast<Id>(slot) && this->Beats.Beat(4) && !this->WasTried(slot))
         {
-          isChanged = true;
+          this->Trials[slot] = this->Now;
+          isChanged = this->TryFlip(slot, byDegrees) || isChanged;
         }
       }
     }
+  }
+
+  /// Whether nothing at the four vertices has changed since the flip was tried.
+  bool WasTried(std::size_t slot) const
+  {
+    const auto changed = [this](std::size_t s) { return this->Changes[At(this->Mesh.Corners[s])]; };
+    return std::max(std::max(changed(slot), changed(At(this->Stars.Across(slot)))),
+             std::max(changed(NextSlotOf(slot)), changed(PreviousSlotOf(slot)))) <=
+      this->Trials[slot];
   }
 
   /// How much better the numbers of triangles at the four vertices are after a flip.
@@ -236,6 +253,11 @@ private:
       return false;
     }
     this->Stars.Flip(slot);
+    ++this->Now;
+    for (const Id vertex : { a, b, c, d })
+    {
+      this->Changes[At(vertex)] = this->Now;
+    }
     return true;
   }
 
@@ -343,6 +365,7 @@ private:
     constexpr double Better = 1e-9;
     if (agrees && after < std::max(before - Better, good))
     {
+      this->Changes[At(vertex)] = ++this->Now;
       this->Mesh.Points[At(vertex)] = place.Place;
       this->Mesh.Sizes[At(vertex)] = this->Ground.SizeAt(place.Triangle, place.Place);
       return true;
@@ -395,7 +418,11 @@ private:
   SurfaceStars Stars;
   Pulse& Beats;
   std::vector<Id> Ideal;   ///< numbers of triangles
+  std::vector<Id> Changes; ///< of vertices: the number of their last change
+  std::vector<Id> Trials;  ///< of slots: the number of changes before the last trial of a flip
   std::vector<Id> Patches; ///< of triangles of the ground
+  Id Now = 0;              ///< the number of changes
+  bool AreByDegrees = false;
 };
 
 } // namespace
