@@ -17,6 +17,8 @@ import views
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SIZE = [420, 380]
+ANGLES = [0, 0.5, 0, 0.15, 15, 0.85, 0.1, 0.1, 30, 0.98, 0.75, 0.35, 50, 0.95, 0.97, 0.88,
+    70, 0.6, 0.82, 0.92]  # the colours of the plugin
 
 
 def main(plugin, folder):
@@ -29,8 +31,8 @@ def main(plugin, folder):
 def bracket():
     given = LegacyVTKReader(FileNames=[os.path.join(HERE, 'bracket.vtk')])
     mesh = BitingTetrahedralizer(Input=given, UniformSpacing=2.5)
-    view = views.space_view([150, -130, 110], [28, 20, 23], 34, SIZE)
-    show_half(mesh, view, [0, 11, 0], [0.35, 1, 0])
+    view = views.space_view([150, -130, 110], [28, 20, 23], 39, SIZE)
+    show_half(mesh, view, [0, 11, 0], [0, 1, 0])
     return view
 
 
@@ -40,8 +42,7 @@ def shell(folder):
     ColorBy(shown, ('CELLS', 'RegionId'))
     shown.SetScalarBarVisibility(view, False)
     colors = GetColorTransferFunction('RegionId')
-    colors.ColorSpace = 'RGB'
-    colors.RGBPoints = [0, 0.93, 0.76, 0.45, 1, 0.62, 0.75, 0.88]
+    colors.ColorSpace, colors.RGBPoints = 'RGB', [0, 0.93, 0.76, 0.45, 1, 0.62, 0.75, 0.88]
     return view
 
 
@@ -58,6 +59,8 @@ def show_half(mesh, view, origin, normal):
     shown = Show(half, view, Representation='Surface With Edges', EdgeColor=views.EDGES)
     ColorBy(shown, ('CELLS', 'MinimumDihedralAngle'))
     shown.SetScalarBarVisibility(view, False)
+    colors = GetColorTransferFunction('MinimumDihedralAngle')
+    colors.ColorSpace, colors.RGBPoints = 'RGB', ANGLES
     return shown
 
 

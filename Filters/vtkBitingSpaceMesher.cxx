@@ -144,7 +144,7 @@ bool vtkBitingSpaceMesher::Execution::Check()
   this->Surface = biting::CheckSurface(std::move(this->Given.Mesh), options, found, this->Progress);
   for (const biting::ProblemGroup& group : found.Groups())
   {
-    const bool isMeshed = group.Code == biting::ProblemCode::OpenEdges ||
+    const bool isMeshed = (this->TakesOpen() && group.Code == biting::ProblemCode::OpenEdges) ||
       group.Code == biting::ProblemCode::NonManifoldEdges;
     for (const biting::Problem& problem : group.First)
     {

@@ -37,6 +37,9 @@ protected:
   /// Refuses what is wrong with the parameters of the one filter.
   virtual bool ReadOwnParameters() { return true; }
 
+  /// Whether an open surface can be meshed.
+  virtual bool TakesOpen() const { return false; }
+
   /// Makes a mesh of Surface with Options; what is wrong goes to Problems.
   virtual void MakeMesh() = 0;
 

@@ -24,6 +24,7 @@ public:
   }
 
 private:
+  bool TakesOpen() const override { return true; }
   void MakeMesh() override
   {
     this->Mesh =

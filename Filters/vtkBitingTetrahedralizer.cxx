@@ -10,7 +10,6 @@
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,9 +24,9 @@ class vtkBitingTetrahedralizer::Execution : public vtkBitingSpaceMesher::Executi
 {
 public:
   explicit Execution(vtkBitingTetrahedralizer* filter)
-    // Reading, the three of CheckSurface, those of MakeBitingBody, writing.
+    // Reading, the three of CheckSurface, the six of MakeBitingBody, writing.
     : vtkBitingSpaceMesher::Execution(
-        filter, { 0.02, 0.02, 0.04, 0.02, 0.05, 0.15, 0.05, 0.3, 0.3, 0.05 }, 0.04)
+        filter, { 0.01, 0.01, 0.02, 0.01, 0.02, 0.08, 0.35, 0.1, 0.3, 0.05, 0.05 }, 0.04)
     , Filter(filter)
   {
   }
@@ -58,24 +57,6 @@ vtkUnstructuredGrid* vtkBitingTetrahedralizer::GetOutput()
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetBoundary()
-{
-  return this->Superclass::GetOutput(BOUNDARY_EDGES);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetBites()
-{
-  return this->Superclass::GetOutput(BITES);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetProblems()
-{
-  return this->Superclass::GetOutput(PROBLEMS);
-}
-
-//------------------------------------------------------------------------------
 std::unique_ptr<vtkBitingSpaceMesher::Execution> vtkBitingTetrahedralizer::NewExecution()
 {
   return std::make_unique<Execution>(this);
@@ -98,6 +79,7 @@ bool vtkBitingTetrahedralizer::Execution::ReadOwnParameters()
 void vtkBitingTetrahedralizer::Execution::MakeMesh()
 {
   this->Own.Surface = this->Options;
+  this->Own.Surface.Relaxation = this->Options.Relaxation && this->Own.MaximumNumberOfBites == 0;
   if (this->RegionNumbers.empty())
   {
     this->Own.Surface.Regions.clear(); // a part in another one bounds a cavity

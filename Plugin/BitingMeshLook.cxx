@@ -15,7 +15,7 @@ constexpr const char* ColorsOfArrays = R"({ "array_lookup_tables" : {
       30, 0.98, 0.75, 0.35, 45, 0.95, 0.97, 0.88, 60, 0.6, 0.82, 0.92 ] } },
   "MinimumDihedralAngle" : { "PVLookupTable" : { "ColorSpace" : 0, "AutomaticRescaleRangeMode" : -1,
     "ScalarRangeInitialized" : 1, "RGBPoints" : [ 0, 0.5, 0, 0.15, 15, 0.85, 0.1, 0.1,
-      30, 0.98, 0.75, 0.35, 50, 0.95, 0.97, 0.88, 70.53, 0.6, 0.82, 0.92 ] } },
+      30, 0.98, 0.75, 0.35, 50, 0.95, 0.97, 0.88, 70, 0.6, 0.82, 0.92 ] } },
   "Conformity" : { "PVLookupTable" : { "ColorSpace" : 0, "AutomaticRescaleRangeMode" : -1,
     "ScalarRangeInitialized" : 1, "RGBPoints" : [ 0, 0.5, 0, 0.15, 0.4, 0.85, 0.1, 0.1,
       0.7, 0.98, 0.75, 0.35, 0.85, 0.95, 0.97, 0.88, 1, 0.6, 0.82, 0.92 ] } },
