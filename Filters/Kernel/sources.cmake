@@ -173,7 +173,6 @@ set(biting_kernel_sources
   Space/Relaxation/SurfaceRelaxation.cxx
   Space/Relaxation/SurfaceStars.cxx
   Space/Interior/BodySpacing.cxx
-  Space/Interior/BoundaryAxes.cxx
   Space/Interior/CubeMeetings.cxx
   Space/Interior/InteriorBites.cxx
   Space/Finishing/BodyRelaxation.cxx

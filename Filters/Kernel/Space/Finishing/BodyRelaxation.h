@@ -33,13 +33,16 @@ struct RelaxedBody
   std::vector<Id> PieceEnds; ///< edges that stay, two vertices each
 };
 
-/// Makes its tetrahedra better: vertices inside move to where the errors of interpolation are least
-/// (ODT, density of f), flips and the removal of edges take slivers away, then the vertices of the
-/// worst tetrahedra move by descent, those on the boundary on the ground. Facets change by flips of
-/// two within a patch only.
-/// Laws: the worst dihedral angle about no step gets worse; tetrahedra stay positive, exactly; the
-/// boundary stays closed and within its patches; regions keep their facets.
+/// Makes its tetrahedra better: vertices move to where the errors of interpolation are least (ODT,
+/// density of f), those on the boundary on the ground; flips and the removal of edges take slivers
+/// away; then the vertices of the worst tetrahedra move by trial. Where angles below 31 degrees
+/// remain, what is about them gets better than it needs to be, and gets vertices inside, which come
+/// last. Facets change by flips of two within a patch only.
+/// Laws: no step makes the worst dihedral angle about it worse, but for those that stay above 35
+/// degrees; tetrahedra stay positive, exactly; the boundary stays closed and within its patches;
+/// regions keep their facets. When it is stopped the body is one, too, of those laws.
 /// Target: every dihedral angle at least 30 degrees where the input's are 90 and f fits.
+/// Does not depend on the number of threads.
 void RelaxBody(const SurfaceGround& ground, const std::function<double(const Point3&)>& f,
   RelaxedBody& body, Pulse& pulse);
 

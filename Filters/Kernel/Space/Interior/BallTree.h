@@ -11,6 +11,7 @@
 #include <algorithm> // for max
 #include <array>     // for distances
 #include <cstddef>   // for indices
+#include <cstdint>   // for counts
 #include <vector>    // for the arrays
 
 namespace biting
@@ -39,7 +40,6 @@ public:
   {
   }
 
-  const std::vector<GuardedBall>& Balls() const { return this->Items; }
   const GuardedBall& At(Id ball) const { return this->Items[static_cast<std::size_t>(ball)]; }
   Id Size() const { return static_cast<Id>(this->Items.size()); }
 
@@ -63,8 +63,7 @@ public:
   template <typename Visit>
   void VisitNear(Id ball, const Visit& visit)
   {
-    // An own number for the visit, as those of balls were used.
-    const Id number = -2 - ball;
+    const Id number = -2 - ball; // the number of no visit by Add
     this->Items[static_cast<std::size_t>(ball)].LastVisit = number;
     this->VisitLeaves(this->At(ball), Infinity,
       [this, number, &visit](Id node) { this->VisitLeaf(node, number, visit); });
@@ -74,15 +73,14 @@ public:
   template <typename IsGuarded>
   bool HasAt(const Point3& place, Id first, const IsGuarded& isGuarded) const
   {
-    for (Id id = this->HeadAt(place); id != NoId; id = this->BlockAt(id).Next)
+    for (Id id = this->LeafAt(place); id != 0; id = this->BlockAt(id).Next)
     {
       const Block& block = this->BlockAt(id);
-      for (Id k = block.Count; k-- > 0;)
+      for (std::size_t k = block.Count; k-- > 0;)
       {
-        const Id ball = block.Balls[static_cast<std::size_t>(k)];
-        if (ball < first || isGuarded(this->At(ball)))
+        if (block.Balls[k] < first || isGuarded(this->At(block.Balls[k])))
         {
-          return ball >= first; // the latest are first
+          return block.Balls[k] >= first; // the latest are first
         }
       }
     }
@@ -102,21 +100,20 @@ private:
     double HalfSide;
   };
 
-  /// A part of the list of a leaf: a line of a cache. The latest ball is the last one of the first.
+  /// A part of the list of a leaf: a line of a cache. The latest ball is the last one of the first
+  /// block.
   struct Block
   {
     std::array<Id, 14> Balls;
-    Id Count;
-    Id Next;
+    std::uint32_t Count;
+    Id Next; ///< 0: none
   };
 
-  /// Leaves have the complement of 1 + their first block.
-  static Id LeafOf(Id block) { return ~(block + 1); }
-  static Id HeadOf(Id leaf) { return ~leaf - 1; }
   const Block& BlockAt(Id block) const { return this->Blocks[static_cast<std::size_t>(block)]; }
   Id& NodeAt(Id node) { return this->Nodes[static_cast<std::size_t>(node)]; }
 
-  Id HeadAt(const Point3& place) const
+  /// The first block of the leaf of a place.
+  Id LeafAt(const Point3& place) const
   {
     Id node = this->Nodes.front();
     Point3 middle = this->Root.Middle;
@@ -133,16 +130,16 @@ private:
       step *= 0.5;
       node = this->Nodes[static_cast<std::size_t>(node + child)];
     }
-    return HeadOf(node);
+    return ~node;
   }
 
   template <typename Visit>
   void VisitLeaf(Id node, Id number, const Visit& visit)
   {
-    for (Id id = HeadOf(this->NodeAt(node)); id != NoId; id = this->BlockAt(id).Next)
+    for (Id id = ~this->NodeAt(node); id != 0; id = this->BlockAt(id).Next)
     {
       const Block& block = this->BlockAt(id);
-      for (std::size_t k = 0; k < static_cast<std::size_t>(block.Count); ++k)
+      for (std::size_t k = 0; k < block.Count; ++k)
       {
         GuardedBall& ball = this->Items[static_cast<std::size_t>(block.Balls[k])];
         if (ball.LastVisit != number)
@@ -154,28 +151,17 @@ private:
     }
   }
 
+  /// To the list of a leaf.
   void Prepend(Id node, Id ball)
   {
-    Id head = HeadOf(this->NodeAt(node));
-    if (head == NoId || this->BlockAt(head).Count == static_cast<Id>(Block().Balls.size()))
+    const Id head = ~this->NodeAt(node);
+    if (head == 0 || this->BlockAt(head).Count == Block().Balls.size())
     {
-      const Id next = head;
-      head = this->FirstFree;
-      if (head == NoId)
-      {
-        head = static_cast<Id>(this->Blocks.size());
-        this->Blocks.push_back({});
-      }
-      else
-      {
-        this->FirstFree = this->BlockAt(head).Next;
-      }
-      this->Blocks[static_cast<std::size_t>(head)].Count = 0;
-      this->Blocks[static_cast<std::size_t>(head)].Next = next;
-      this->NodeAt(node) = LeafOf(head);
+      this->NodeAt(node) = ~static_cast<Id>(this->Blocks.size());
+      this->Blocks.push_back({ {}, 0, head });
     }
-    Block& block = this->Blocks[static_cast<std::size_t>(head)];
-    block.Balls[static_cast<std::size_t>(block.Count++)] = ball;
+    Block& block = this->Blocks[static_cast<std::size_t>(~this->NodeAt(node))];
+    block.Balls[block.Count++] = ball;
   }
 
   /// Calls visit(node) for the leaves that the ball meets; those larger than `largest` are cut.
@@ -241,20 +227,13 @@ private:
   void Split(const Cube& cube)
   {
     this->Moved.clear();
-    for (Id id = HeadOf(this->NodeAt(cube.Node)); id != NoId;)
+    for (Id id = ~this->NodeAt(cube.Node); id != 0; id = this->BlockAt(id).Next)
     {
-      Block& block = this->Blocks[static_cast<std::size_t>(id)];
-      for (Id k = block.Count; k-- > 0;)
-      {
-        this->Moved.push_back(block.Balls[static_cast<std::size_t>(k)]);
-      }
-      const Id next = block.Next;
-      block.Next = this->FirstFree;
-      this->FirstFree = id;
-      id = next;
+      const Block& block = this->BlockAt(id);
+      this->Moved.insert(this->Moved.end(), block.Balls.rend() - block.Count, block.Balls.rend());
     }
     const Id first = static_cast<Id>(this->Nodes.size());
-    this->Nodes.resize(this->Nodes.size() + 8, LeafOf(NoId));
+    this->Nodes.resize(this->Nodes.size() + 8, ~0);
     this->NodeAt(cube.Node) = first;
     for (std::size_t k = this->Moved.size(); k-- > 0;)
     {
@@ -271,10 +250,9 @@ private:
 
   Cube Root;
   std::vector<GuardedBall> Items;
-  std::vector<Id> Nodes{ LeafOf(NoId) }; ///< the first of eight children, or a leaf
-  std::vector<Block> Blocks;
-  Id FirstFree = NoId;     ///< of the blocks
-  std::vector<Cube> Front; ///< of the walk
+  std::vector<Id> Nodes{ ~0 };    ///< the first of eight children, or a leaf: ~ its first block
+  std::vector<Block> Blocks{ 1 }; ///< the first one stands for none
+  std::vector<Cube> Front;        ///< of the walk
   std::vector<Id> Moved;
 };
 

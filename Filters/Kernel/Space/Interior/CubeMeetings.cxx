@@ -3,7 +3,7 @@
 
 #include "CubeMeetings.h"
 
-#include <algorithm> // for any_of, max, min, sort
+#include <algorithm> // for any_of, max, min, min_element, stable_sort
 #include <cmath>     // for abs, sqrt
 
 namespace biting
@@ -14,6 +14,23 @@ namespace
 
 /// Places that near are one, in half sides; and so far beyond sides there are meetings, too.
 constexpr double Rounding = 1e-6;
+
+const CubeAxes WorldAxes{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
+
+/// Axes at a vertex whose facets have these normals: the first is an axis; that of another plane,
+/// or else that of the world which is most at right angles to the first, is nearly one.
+CubeAxes AxesOf(const Point3& first, const Point3& second)
+{
+  constexpr double OtherCosine = 0.77; // of 40 degrees: another plane
+  const Point3 across = std::abs(Dot(first, second)) < OtherCosine
+    ? second
+    : *std::min_element(WorldAxes.begin(), WorldAxes.end(),
+        [&first](const Point3& a, const Point3& b)
+        { return std::abs(Dot(a, first)) < std::abs(Dot(b, first)); });
+  const Point3 third = Cross(first, across);
+  const Point3 unit = 1.0 / Length(third) * third;
+  return { { first, Cross(unit, first), unit } };
+}
 
 /// The part of a line, from Begin to End, in units of its direction.
 struct LinePart
@@ -41,8 +58,40 @@ struct LinePart
 
 } // namespace
 
-bool CubeMeetings::IsGuarded(
-  const GuardedBall& ball, const std::vector<CubeAxes>& axes, const Point3& place)
+std::vector<CubeAxes> AxesOfBoundary(const BodyBoundary& boundary)
+{
+  // Of each vertex the normal of its first facet, and that of the facet that is turned most to it.
+  std::vector<Point3> first(boundary.Centers.size());
+  std::vector<Point3> second(boundary.Centers.size());
+  for (std::size_t slot = 0; slot < boundary.Facets.size(); ++slot)
+  {
+    const auto corner = [&boundary, slot](std::size_t k)
+    { return static_cast<std::size_t>(boundary.Facets[slot - slot % 3 + k]); };
+    const Point3& origin = boundary.Centers[corner(0)];
+    const Point3 normal =
+      Cross(boundary.Centers[corner(1)] - origin, boundary.Centers[corner(2)] - origin);
+    const double length = Length(normal);
+    const Point3 unit = length > 0.0 ? 1.0 / length * normal : WorldAxes[2];
+    const std::size_t at = corner(slot % 3);
+    if (first[at] == Point3())
+    {
+      first[at] = second[at] = unit;
+    }
+    else if (std::abs(Dot(unit, first[at])) < std::abs(Dot(second[at], first[at])))
+    {
+      second[at] = unit;
+    }
+  }
+  std::vector<CubeAxes> axes{ WorldAxes };
+  axes.reserve(first.size() + 1);
+  for (std::size_t k = 0; k < first.size(); ++k)
+  {
+    axes.push_back(first[k] == Point3() ? WorldAxes : AxesOf(first[k], second[k]));
+  }
+  return axes;
+}
+
+bool CubeMeetings::IsGuarded(const GuardedBall& ball, const Point3& place) const
 {
   const Point3 apart = place - ball.Center;
   if (ball.Frame == NoId)
@@ -50,7 +99,7 @@ bool CubeMeetings::IsGuarded(
     return Dot(apart, apart) < ball.Guard * ball.Guard;
   }
   bool isIn = true;
-  for (const Point3& axis : axes[static_cast<std::size_t>(ball.Frame)])
+  for (const Point3& axis : this->Axes[static_cast<std::size_t>(ball.Frame)])
   {
     isIn = isIn && std::abs(Dot(apart, axis)) < ball.Guard;
   }
@@ -64,37 +113,24 @@ void CubeMeetings::Start(const GuardedBall& cube)
   this->Others.clear();
 }
 
-void CubeMeetings::Add(const GuardedBall& other)
+void CubeMeetings::Add(Id /*id*/, const GuardedBall& other)
 {
   const Point3 way = other.Center - this->Own.Center;
-  const double way2 = Dot(way, way);
-  const double reach = this->Own.Radius + other.Radius;
-  bool mayMeet = way2 < reach * reach;
+  // Of cubes with the same axes half a side, else at most half the diagonal.
+  const double reach =
+    this->HalfSide + (other.Frame == this->Own.Frame ? HalfSideShare : 1.0) * other.Radius;
+  bool mayMeet = true;
   for (const Point3& axis : this->Axes[static_cast<std::size_t>(this->Own.Frame)])
   {
-    mayMeet = mayMeet && std::abs(Dot(way, axis)) < this->HalfSide + this->HalfWidth(other, axis);
+    mayMeet = mayMeet && std::abs(Dot(way, axis)) < reach;
   }
   if (mayMeet)
   {
-    this->Others.push_back({ other, way2 });
+    this->Others.push_back({ other, Dot(way, way) });
   }
 }
 
-double CubeMeetings::HalfWidth(const GuardedBall& ball, const Point3& direction) const
-{
-  if (ball.Frame == NoId)
-  {
-    return ball.Radius;
-  }
-  double width = 0.0;
-  for (const Point3& axis : this->Axes[static_cast<std::size_t>(ball.Frame)])
-  {
-    width += HalfSideShare * ball.Radius * std::abs(Dot(axis, direction));
-  }
-  return width;
-}
-
-const std::vector<Point3>& CubeMeetings::Find()
+void CubeMeetings::FindAll()
 {
   // The nearest ones have most of what they have to hide.
   std::stable_sort(this->Others.begin(), this->Others.end(),
@@ -108,7 +144,6 @@ const std::vector<Point3>& CubeMeetings::Find()
       this->FindOn({ this->Own.Center + height * axes[d], axes[(d + 1) % 3], axes[(d + 2) % 3] });
     }
   }
-  return this->Meetings;
 }
 
 void CubeMeetings::FindOn(const Face& face)
@@ -116,7 +151,6 @@ void CubeMeetings::FindOn(const Face& face)
   const double h = this->HalfSide;
   const std::array<Point2, 4> corners{ { { -h, -h }, { h, -h }, { h, h }, { -h, h } } };
   this->Sides.clear();
-  this->Disks.clear();
   for (std::size_t k = 0; k < 4; ++k)
   {
     this->AddSide(face, { corners[k], corners[(k + 1) % 4] });
@@ -125,16 +159,7 @@ void CubeMeetings::FindOn(const Face& face)
   {
     if (other.Ball.Frame != NoId)
     {
-      this->CutCube(face, other);
-      continue;
-    }
-    const Point3 way = other.Ball.Center - face.Origin;
-    const Point2 foot{ Dot(way, face.U), Dot(way, face.V) };
-    const double height2 = Dot(way, way) - Dot(foot, foot);
-    const double radius2 = other.Ball.Radius * other.Ball.Radius - height2;
-    if (radius2 > 0.0)
-    {
-      this->Disks.push_back({ foot, radius2 });
+      this->CutCube(face, other.Ball);
     }
   }
   for (std::size_t j = 0; j < this->Sides.size(); ++j)
@@ -146,27 +171,16 @@ void CubeMeetings::FindOn(const Face& face)
     {
       this->CrossSides(face, side, this->Sides[k]);
     }
-    for (const Disk& disk : this->Disks)
-    {
-      this->CrossCircle(face, disk, side);
-    }
-  }
-  for (std::size_t j = 0; j < this->Disks.size(); ++j)
-  {
-    for (std::size_t k = 0; k < j; ++k)
-    {
-      this->CrossCircles(face, this->Disks[j], this->Disks[k]);
-    }
   }
 }
 
 /// Each of its six planes has a line in the plane of the face: a x + b y = c.
-void CubeMeetings::CutCube(const Face& face, const Other& other)
+void CubeMeetings::CutCube(const Face& face, const GuardedBall& other)
 {
   constexpr double Parallel = 1e-9;
-  const CubeAxes& axes = this->Axes[static_cast<std::size_t>(other.Ball.Frame)];
-  const Point3 way = face.Origin - other.Ball.Center;
-  const double halfSide = HalfSideShare * other.Ball.Radius;
+  const CubeAxes& axes = this->Axes[static_cast<std::size_t>(other.Frame)];
+  const Point3 way = face.Origin - other.Center;
+  const double halfSide = HalfSideShare * other.Radius;
   for (std::size_t d = 0; d < 3; ++d)
   {
     const Point2 slope{ Dot(axes[d], face.U), Dot(axes[d], face.V) };
@@ -196,9 +210,8 @@ void CubeMeetings::AddSide(const Face& face, const Side& side)
   const Point3 tail = face.At(side.Tail);
   const Point3 head = face.At(side.Head);
   if (!std::any_of(this->Others.begin(), this->Others.end(),
-        [this, &tail, &head](const Other& other) {
-          return IsGuarded(other.Ball, this->Axes, tail) && IsGuarded(other.Ball, this->Axes, head);
-        }))
+        [this, &tail, &head](const Other& other)
+        { return this->IsGuarded(other.Ball, tail) && this->IsGuarded(other.Ball, head); }))
   {
     this->Sides.push_back(side);
   }
@@ -218,45 +231,12 @@ void CubeMeetings::CrossSides(const Face& face, const Side& a, const Side& b)
   }
 }
 
-void CubeMeetings::CrossCircle(const Face& face, const Disk& disk, const Side& side)
-{
-  const Point2 way = side.Head - side.Tail;
-  const Point2 away = side.Tail - disk.Center;
-  const double way2 = Dot(way, way);
-  const double half = Dot(away, way) / way2;
-  const double rest = half * half - (Dot(away, away) - disk.Radius2) / way2;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    const double part = -half + sign * std::sqrt(std::max(0.0, rest));
-    if (rest >= 0.0 && part >= 0.0 && part <= 1.0)
-    {
-      this->Keep(face, side.Tail + part * way);
-    }
-  }
-}
-
-void CubeMeetings::CrossCircles(const Face& face, const Disk& a, const Disk& b)
-{
-  const Point2 way = b.Center - a.Center;
-  const double way2 = Dot(way, way);
-  const double part = 0.5 * (1.0 + (a.Radius2 - b.Radius2) / way2);
-  const double rise2 = a.Radius2 / way2 - part * part;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    if (rise2 >= 0.0)
-    {
-      const Point2 rise = sign * std::sqrt(rise2) * Perpendicular(way);
-      this->Keep(face, a.Center + part * way + rise);
-    }
-  }
-}
-
 void CubeMeetings::Keep(const Face& face, const Point2& place)
 {
   const double most = (1.0 + Rounding) * this->HalfSide;
   const Point3 inSpace = face.At(place);
   const auto hasIt = [this, &inSpace](const Other& other)
-  { return IsGuarded(other.Ball, this->Axes, inSpace); };
+  { return this->IsGuarded(other.Ball, inSpace); };
   const auto isNear = [this, &inSpace](const Point3& meeting)
   {
     const Point3 apart = inSpace - meeting;

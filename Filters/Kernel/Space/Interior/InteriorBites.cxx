@@ -3,7 +3,6 @@
 
 #include "InteriorBites.h"
 
-#include "BoundaryAxes.h"
 #include "CubeMeetings.h"
 #include "SphereMeetings.h"
 
@@ -17,34 +16,27 @@ namespace biting
 namespace
 {
 
-/// Radius of a sphere, and half the side of a cube, in f: so the mean edge has the length f.
-constexpr double SphereConstant = 0.885;
-constexpr double CubeConstant = 0.7;
-
 /// So many layers from the boundary cubes have its axes.
 constexpr int AlignedLayers = 3;
 
 /// No later center is nearer to a bite's, in radii.
 constexpr double Tolerance = 0.9;
 
-/// Bites in a large body of volume 1, of radius 1 or side 2, measured: to tell how far it is.
-constexpr double SpheresPerVolume = 1.3;
-constexpr double CubesPerVolume = 0.7;
-
+/// Bites by the meetings of spheres, or of cubes: these have axes.
+template <typename Meetings>
 class InteriorBiter
 {
 public:
-  InteriorBiter(const BodyBoundary& boundary, SpaceBiteShape shape, double constant,
+  InteriorBiter(const BodyBoundary& boundary, std::vector<CubeAxes> axes, double constant,
     std::size_t mostBites, Pulse& pulse)
     : Boundary(boundary)
-    , IsCube(shape == SpaceBiteShape::Cube)
-    , Constant(constant > 0.0 ? constant : this->WallConstant())
+    , Axes(std::move(axes))
+    , Constant(constant > 0.0 ? constant : Meetings::BitingConstant)
     , MostBites(mostBites)
     , Beats(pulse)
     , Bounds(BoundsOf(boundary))
     , Tree(Bounds)
-    , Axes(IsCube ? AxesOfBoundary(boundary) : std::vector<CubeAxes>())
-    , Cubes(Axes)
+    , Surface(this->Axes)
   {
   }
 
@@ -64,10 +56,10 @@ private:
   struct Candidate
   {
     Point3 Place;
-    Id Size;       ///< of the tree when it was found: what guards it is later
-    Id Frame;      ///< of a cube
-    int Layer;     ///< from the boundary
-    bool IsAtWall; ///< a parent is of the boundary
+    Id Size;      ///< of the tree when it was found: what guards it is later
+    Id Frame;     ///< of a cube
+    int Layer;    ///< from the boundary
+    bool IsAsked; ///< to be inside
   };
 
   static Box3 BoundsOf(const BodyBoundary& boundary)
@@ -99,7 +91,6 @@ private:
   void AddBoundary()
   {
     constexpr double NearShare = 0.15; // of the radius of a ball: no vertex is nearer to its own
-    constexpr double Room = 1.02;      // between guard and sphere
     const BodyBoundary& boundary = this->Boundary;
     std::vector<double> guards(boundary.Centers.size(), 0.0);
     for (std::size_t slot = 0; slot < boundary.Facets.size(); ++slot)
@@ -109,32 +100,35 @@ private:
     }
     for (std::size_t k = 0; k < boundary.Centers.size() && this->Beats.Beat(4); ++k)
     {
-      const double weightRadius = std::sqrt(boundary.Weights[k]);
-      const double radius = this->WallConstant() * boundary.Sizes[k];
-      const double guard =
-        std::max({ guards[k], Tolerance * radius, this->IsCube ? 0.0 : weightRadius });
-      this->AddWall(boundary.Centers[k], std::max(radius, Room * guard), guard,
-        this->IsCube ? static_cast<Id>(k) + 1 : NoId);
-      if (this->IsCube && weightRadius > 0.0)
+      const Point3& center = boundary.Centers[k];
+      const double radius = Meetings::BitingConstant * boundary.Sizes[k];
+      const double ofWeight = std::sqrt(boundary.Weights[k]);
+      const double guard = std::max(guards[k], Tolerance * radius);
+      if (this->Axes.empty())
       {
-        this->AddWall(boundary.Centers[k], Room * weightRadius, weightRadius, NoId);
+        this->AddWall(center, radius, std::max(guard, ofWeight), NoId);
+      }
+      else
+      {
+        this->AddWall(center, radius, guard, static_cast<Id>(k) + 1);
+        this->AddWall(center, 0.0, ofWeight, NoId);
       }
     }
     for (const EmptyBall& ball : boundary.Balls)
     {
-      if (ball.Radius > 0.0 && this->Beats.Beat(4))
-      {
-        this->AddWall(ball.Center, Room * ball.Radius, ball.Radius, NoId);
-      }
+      this->AddWall(ball.Center, 0.0, ball.Radius, NoId);
     }
     this->FirstInner = this->Tree.Size();
   }
 
-  double WallConstant() const { return this->IsCube ? CubeConstant : SphereConstant; }
-
   void AddWall(const Point3& center, double radius, double guard, Id frame)
   {
-    this->Tree.Add(this->Bite(center, radius, guard, frame), [](Id, const GuardedBall&) {});
+    constexpr double Room = 1.02; // between guard and sphere
+    if (guard > 0.0)
+    {
+      this->Tree.Add(this->Bite(center, std::max(radius, Room * guard), guard, frame),
+        [](Id, const GuardedBall&) {});
+    }
   }
 
   static GuardedBall Bite(const Point3& center, double radius, double guard, Id frame)
@@ -155,23 +149,26 @@ private:
     }
   }
 
-  /// The candidates of a bite of the boundary: each meeting is found by its last bite.
+  /// The candidates of a bite of the boundary, or of an empty ball among spheres.
   void Start(Id wall)
   {
     const GuardedBall own = this->Tree.At(wall);
-    this->StartMeetings(own);
-    this->Tree.VisitNear(
-      wall, [this, own](Id id, const GuardedBall& other) { this->Note(own, id, other); });
-    this->FindCandidates(own, wall, this->IsCube ? std::max(own.Frame, Id(0)) : NoId, 1);
+    if ((own.Frame == NoId) == this->Axes.empty())
+    {
+      this->Surface.Start(own);
+      this->Tree.VisitNear(
+        wall, [this](Id id, const GuardedBall& other) { this->Surface.Add(id, other); });
+      this->FindCandidates(wall, own.Frame, 1);
+    }
   }
 
   void Try(const Candidate& candidate)
   {
     const auto isGuarded = [this, &candidate](const GuardedBall& ball)
-    { return CubeMeetings::IsGuarded(ball, this->Axes, candidate.Place); };
-    if (this->Tree.HasAt(candidate.Place, candidate.Size, isGuarded) ||
-      !this->Bounds.Contains(candidate.Place) ||
-      (candidate.IsAtWall && !this->Boundary.IsInside(candidate.Place)))
+    { return this->Surface.IsGuarded(ball, candidate.Place); };
+    if (!this->Bounds.Contains(candidate.Place) ||
+      this->Tree.HasAt(candidate.Place, candidate.Size, isGuarded) ||
+      (candidate.IsAsked && !this->Boundary.IsInside(candidate.Place)))
     {
       return;
     }
@@ -181,82 +178,44 @@ private:
     this->Bites.Centers.push_back(candidate.Place);
     this->Bites.Sizes.push_back(size);
     this->Bites.Radii.push_back(radius);
-    if (this->IsCube)
+    const bool isAligned = candidate.Frame == NoId || candidate.Layer < AlignedLayers;
+    if (candidate.Frame != NoId)
     {
       this->Bites.Axes.push_back(this->Axes[static_cast<std::size_t>(candidate.Frame)]);
     }
-    this->Taken += radius * radius * radius / (this->IsCube ? CubesPerVolume : SpheresPerVolume);
+    this->Taken += radius * radius * radius / Meetings::BitesPerVolume;
     this->Beats.SetFraction(std::min(1.0, this->Taken / this->Volume));
-    const Id id = this->Tree.Size();
     const GuardedBall own =
       this->Bite(candidate.Place, radius, Tolerance * radius, candidate.Frame);
-    this->StartMeetings(own);
-    this->Tree.Add(
-      own, [this, &own](Id other, const GuardedBall& ball) { this->Note(own, other, ball); });
-    this->FindCandidates(own, id,
-      candidate.Layer < AlignedLayers ? candidate.Frame : std::min(candidate.Frame, Id(0)),
-      candidate.Layer + 1);
+    this->Surface.Start(own);
+    this->Tree.Add(own, [this](Id id, const GuardedBall& other) { this->Surface.Add(id, other); });
+    this->FindCandidates(
+      this->Tree.Size() - 1, isAligned ? candidate.Frame : 0, candidate.Layer + 1);
   }
 
-  void StartMeetings(const GuardedBall& own)
+  /// The meetings of the surface of a bite. Those of the boundary are found by their last one.
+  void FindCandidates(Id id, Id frame, int layer)
   {
-    if (own.Frame == NoId)
-    {
-      this->Spheres.Start(own);
-    }
-    else
-    {
-      this->Cubes.Start(own);
-    }
-  }
-
-  /// A neighbor.
-  void Note(const GuardedBall& own, Id id, const GuardedBall& other)
-  {
-    if (own.Frame != NoId)
-    {
-      this->Cubes.Add(other);
-    }
-    else if (other.Frame == NoId)
-    {
-      this->Spheres.Add(other, id);
-    }
-  }
-
-  /// The meetings of its surface. Those of balls of the boundary only may be within cubes.
-  void FindCandidates(const GuardedBall& own, Id id, Id frame, int layer)
-  {
-    const Id first = this->IsCube && own.Frame == NoId ? 0 : std::max(id, this->FirstInner);
-    if (own.Frame == NoId)
-    {
-      const bool isWall = id < this->FirstInner;
-      this->Spheres.Find([isWall, id](Id other) { return !isWall || other < id; },
-        [this, isWall, first, frame, layer](const Point3& place, Id a, Id b)
-        {
-          const bool isAtWall =
-            isWall || this->Constant > SphereConstant || std::min(a, b) < this->FirstInner;
-          this->Later.push_back({ place, first, frame, layer, isAtWall });
-        });
-      return;
-    }
-    for (const Point3& meeting : this->Cubes.Find())
-    {
-      // Corners of cubes reach beyond the boundary: all of them are tested.
-      this->Later.push_back({ meeting, first, frame, layer, true });
-    }
+    const bool isWall = id < this->FirstInner;
+    const bool areAsked = isWall || this->Constant > Meetings::BitingConstant;
+    const Id size = std::max(id, this->FirstInner);
+    this->Surface.Find([isWall, id](Id other) { return !isWall || other < id; },
+      [this, areAsked, size, frame, layer](const Point3& place, Id a, Id b)
+      {
+        const bool isAsked = areAsked || std::min(a, b) < this->FirstInner;
+        this->Later.push_back({ place, size, frame, layer, isAsked });
+      });
   }
 
   const BodyBoundary& Boundary;
-  const bool IsCube;
-  const double Constant; ///< of bites inside
+  const std::vector<CubeAxes> Axes; ///< of cubes: those of the world, of vertices of the boundary
+  const double Constant;            ///< of bites inside
   const std::size_t MostBites;
   Pulse& Beats;
   Box3 Bounds;
-  BallTree Tree;     ///< bites of the boundary, empty balls, bites
-  Id FirstInner = 0; ///< in the tree
-  std::vector<CubeAxes> Axes;
-  SphereMeetings Spheres;
-  CubeMeetings Cubes;
+  BallTree Tree;                ///< bites of the boundary, empty balls, bites
+  Id FirstInner = 0;            ///< in the tree
+  Meetings Surface;             ///< of the bite at hand
   std::vector<Candidate> Queue; ///< found together
   std::vector<Candidate> Later; ///< found by the bites of Queue
   InteriorBites Bites;
@@ -269,9 +228,14 @@ private:
 InteriorBites BiteInterior(const BodyBoundary& boundary, SpaceBiteShape shape,
   std::size_t mostBites, Pulse& pulse, double constant)
 {
-  return boundary.Centers.empty()
-    ? InteriorBites()
-    : InteriorBiter(boundary, shape, constant, mostBites, pulse).Run();
+  if (boundary.Centers.empty())
+  {
+    return {};
+  }
+  return shape == SpaceBiteShape::Cube
+    ? InteriorBiter<CubeMeetings>(boundary, AxesOfBoundary(boundary), constant, mostBites, pulse)
+        .Run()
+    : InteriorBiter<SphereMeetings>(boundary, {}, constant, mostBites, pulse).Run();
 }
 
 } // namespace biting

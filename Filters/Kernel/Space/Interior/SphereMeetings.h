@@ -5,6 +5,7 @@
 #define BitingSphereMeetings_h
 
 #include "BallTree.h"
+#include "InteriorBites.h"
 
 #include <algorithm> // for sort
 #include <cmath>     // for sqrt
@@ -21,6 +22,20 @@ namespace biting
 class SphereMeetings
 {
 public:
+  /// Radius in f, so that the mean edge has the length f; and spheres of radius 1 that take a large
+  /// volume of 1. Both measured.
+  static constexpr double BitingConstant = 0.885;
+  static constexpr double BitesPerVolume = 1.3;
+
+  explicit SphereMeetings(const std::vector<CubeAxes>& /*axes*/) {}
+
+  /// Whether the guard of a ball has a place.
+  bool IsGuarded(const GuardedBall& ball, const Point3& place) const
+  {
+    const Point3 apart = place - ball.Center;
+    return Dot(apart, apart) < ball.Guard * ball.Guard;
+  }
+
   void Start(const GuardedBall& ball)
   {
     this->Own = ball;
@@ -28,8 +43,8 @@ public:
     this->IsHidden = false;
   }
 
-  /// Others, those first whose circles count: `isParent`.
-  void Add(const GuardedBall& other, Id id)
+  /// Another one.
+  void Add(Id id, const GuardedBall& other)
   {
     const Point3 way = other.Center - this->Own.Center;
     const double way2 = Dot(way, way);

@@ -114,16 +114,25 @@ private:
 
   void TakeCells(BodyCells& result)
   {
+    const auto labelOf = [this](Id cell)
+    { return this->Mesh.IsTetrahedron(cell) ? this->Labels[At(this->Parts.SetOf(cell))] : 0; };
+    std::size_t count = 0;
     for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
     {
-      const Id label = this->Labels[At(this->Parts.SetOf(cell))];
-      if (label > 0 && this->Mesh.IsTetrahedron(cell))
+      count += labelOf(cell) > 0 ? 1 : 0;
+    }
+    result.Labels.reserve(count);
+    result.Corners.reserve(4 * count);
+    for (Id cell = 0; cell < this->Mesh.NumberOfSlots(); ++cell)
+    {
+      const Id label = labelOf(cell);
+      for (Id corner = 4 * cell; corner < 4 * cell + 4 && label > 0; ++corner)
+      {
+        result.Corners.push_back(this->Order[At(this->Mesh.Corners[At(corner)])]);
+      }
+      if (label > 0)
       {
         result.Labels.push_back(label);
-        for (Id corner = 4 * cell; corner < 4 * cell + 4; ++corner)
-        {
-          result.Corners.push_back(this->Order[At(this->Mesh.Corners[At(corner)])]);
-        }
       }
     }
   }

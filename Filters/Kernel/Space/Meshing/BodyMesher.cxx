@@ -198,18 +198,11 @@ private:
       std::vector<Point3> points = this->Certified.Bites.Centers;
       points.insert(points.end(), this->Inside.Centers.begin(), this->Inside.Centers.end());
       this->Weights.resize(points.size(), 0.0);
-      SpaceTriangulation triangulation;
-      {
-        const PulsePart part(pulse, 0.0, 0.9);
-        PulseMonitor monitor(pulse);
-        triangulation = TriangulateSpace(points, this->Weights, monitor);
-      }
+      cells = this->TriangulateAll(points, pulse);
       if (!MayGoOn(this->Problems, pulse))
       {
         return false;
       }
-      cells = LabelCells(
-        triangulation, boundary.Corners, boundary.Sides, At(this->NumberOnBoundary()), pulse);
       if (cells.Lost.empty())
       {
         this->MakeBody(points, std::move(cells));
@@ -222,6 +215,20 @@ private:
     }
     return this->Refuse(
       ProblemCode::TooThin, boundary.BallCenters[At(cells.Lost.front())], "a facet is missing");
+  }
+
+  BodyCells TriangulateAll(const std::vector<Point3>& points, Pulse& pulse)
+  {
+    SpaceTriangulation triangulation;
+    {
+      const PulsePart part(pulse, 0.0, 0.9);
+      PulseMonitor monitor(pulse);
+      triangulation = TriangulateSpace(points, this->Weights, monitor);
+    }
+    const SurfaceBoundary& boundary = this->Certified.Boundary;
+    return pulse.Ask() ? LabelCells(triangulation, boundary.Corners, boundary.Sides,
+                           At(this->NumberOnBoundary()), pulse)
+                       : BodyCells();
   }
 
   /// Whether bites went.
@@ -335,6 +342,7 @@ private:
     mesh.OriginalPoints.resize(this->Body.Points.size(), NoId);
     mesh.Points = std::move(this->Body.Points);
     mesh.Spacing = std::move(this->Body.Sizes);
+    this->BiteOrders.resize(mesh.OriginalPoints.size(), NoId); // vertices of relaxation are none
     mesh.BiteOrders = std::move(this->BiteOrders);
     mesh.Corners = std::move(this->Body.Corners);
     mesh.Regions = std::move(this->Body.Regions);

@@ -37,8 +37,8 @@ struct BitingBody
 
   // Vertices.
   std::vector<Point3> Points;
-  std::vector<double> Spacing; ///< f as used
-  std::vector<Id> BiteOrders;
+  std::vector<double> Spacing;    ///< f as used
+  std::vector<Id> BiteOrders;     ///< NoId of vertices that relaxation added
   std::vector<Id> OriginalPoints; ///< of corners, the point of the input; NoId = new
 
   // Tetrahedra: four vertices each, positive by Orient3D.

@@ -11,7 +11,7 @@
 #include "../Surface/SurfaceCrossings.h"
 #include "ExpectedVertices.h"
 
-#include <algorithm> // for min, max
+#include <algorithm> // for all_of, fill_n, max, min
 #include <cmath>     // for isfinite
 #include <limits>    // for counts
 #include <utility>   // for move
@@ -61,6 +61,11 @@ public:
       {
         break;
       }
+      if (round >= RoundsForSoft && this->AreSoft())
+      {
+        this->GiveUpSoft();
+        break;
+      }
       // Where no faults go, lines are noise, or f never suits.
       constexpr std::size_t MostGrowth = 4;
       first = round == 0 ? faults : first;
@@ -76,6 +81,7 @@ public:
 
 private:
   static constexpr int MostRounds = 8;
+  static constexpr int RoundsForSoft = 2; ///< in which f was lowered or lines were given up
 
   void Bite()
   {
@@ -228,6 +234,83 @@ private:
     {
       this->RefuseSize();
     }
+  }
+
+  /// Whether the boundary is sound but for turned facets, and bites that are none of its vertices
+  /// though one is nearer than half of the given f: edges too sharp for f are cut off there.
+  bool AreSoft() const
+  {
+    const std::vector<BoundaryOffence>& offences = this->Boundary.Offences;
+    const std::vector<std::uint8_t> isUsed = this->FindUsed();
+    const auto isNear = [this, &isUsed](Id bite)
+    {
+      const Id triangle = this->Bites.Triangles[At(bite)];
+      const double reach =
+        0.5 * this->Ground.Given[At(this->Ground.Mesh.Corners[3 * At(triangle)])];
+      bool isSo = false;
+      for (std::size_t k = 0; k < isUsed.size() && !isSo; ++k)
+      {
+        isSo =
+          isUsed[k] != 0 && Distance(this->Bites.Centers[k], this->Bites.Centers[At(bite)]) < reach;
+      }
+      return isSo;
+    };
+    return std::all_of(offences.begin(), offences.end(),
+      [this, &isNear](const BoundaryOffence& offence)
+      {
+        return offence.Fault == BoundaryFault::Turned ||
+          (offence.Fault == BoundaryFault::Missing && offence.Bite >= this->Bites.NumberOnLines &&
+            isNear(offence.Bite));
+      });
+  }
+
+  /// Of bites: vertices of the boundary, or of lines.
+  std::vector<std::uint8_t> FindUsed() const
+  {
+    std::vector<std::uint8_t> isUsed(this->Bites.Centers.size(), 0);
+    std::fill_n(isUsed.begin(), this->Bites.NumberOnLines, std::uint8_t{ 1 });
+    for (const Id bite : this->Boundary.Corners)
+    {
+      isUsed[At(bite)] = 1;
+    }
+    return isUsed;
+  }
+
+  /// Takes the boundary as it is, and the bites away that are none of its vertices.
+  void GiveUpSoft()
+  {
+    for (const BoundaryOffence& offence : this->Boundary.Offences)
+    {
+      this->Problems.Add(
+        { ProblemCode::LostFeatures, {}, this->Bites.Centers[At(offence.Bite)], "" });
+    }
+    this->Boundary.Offences.clear();
+    const std::vector<std::uint8_t> isUsed = this->FindUsed();
+    const auto keep = [&isUsed](auto& list)
+    {
+      std::size_t next = 0;
+      for (std::size_t k = 0; k < isUsed.size(); ++k)
+      {
+        list[next] = list[k];
+        next += isUsed[k];
+      }
+      list.resize(next);
+    };
+    std::vector<Id> numbers(isUsed.size(), 0);
+    for (std::size_t k = 1; k < numbers.size(); ++k)
+    {
+      numbers[k] = numbers[k - 1] + isUsed[k - 1];
+    }
+    for (Id& bite : this->Boundary.Corners)
+    {
+      bite = numbers[At(bite)];
+    }
+    keep(this->Bites.Centers);
+    keep(this->Bites.Sizes);
+    keep(this->Bites.Radii);
+    keep(this->Bites.Guards);
+    keep(this->Bites.Triangles);
+    keep(this->Bites.GroundVertices);
   }
 
   /// Gives up the turning lines that have faults. Whether there is one.

@@ -26,7 +26,9 @@ struct CertifiedSurface
   SurfaceBoundary Boundary;     ///< without offences
 };
 
-/// Finds it, in rounds: where certificates fail, f is lowered or turning lines are given up.
+/// Finds it, in rounds: where certificates fail, f is lowered or turning lines are given up. Where
+/// edges stay too sharp for f, facets may be turned and points of the surface be up to f / 2 from
+/// the mesh: told as LostFeatures.
 /// `sides`: of each triangle of the surface, the labels of space behind and in front; empty where
 /// it bounds nothing. False where it cannot be or the monitor asks to stop: problems are told.
 bool CertifySurface(const CheckedSurface& surface, const SurfaceMesherOptions& options,

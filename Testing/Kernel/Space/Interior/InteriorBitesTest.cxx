@@ -3,7 +3,7 @@
 
 #include "Space/Interior/InteriorBites.h"
 #include "Space/Interior/BodySpacing.h"
-#include "Space/Interior/BoundaryAxes.h"
+#include "Space/Interior/CubeMeetings.h"
 
 #include "Space/Delaunay/SpaceTriangulation.h"
 #include "Space/Meshing/SurfaceMesher.h"
