@@ -183,7 +183,7 @@ std::string JudgeFacets(const BitingBody& mesh)
   const auto isWall = [&facets](const Facet& facet)
   {
     const auto has = [&facets](const Facet& one) {
-      return std::binary_search(facets.begin(), facets.end(), CellFacet{ corners, 0 });
+      return std::binary_search(facets.begin(), facets.end(), CellFacet{ one, 0 });
     };
     return has(facet) && has({ facet[0], facet[2], facet[1] });
   };
