@@ -305,8 +305,7 @@ TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
   filter->SetRegionArray("Nothing");
   EXPECT_TRUE(Has(ReasonOf(filter), "Nothing"));
   filter->SetRegionArray("");
-  filter->SetUniformSpacing(0.05);
-  filter->SetMaximumNumberOfVertices(1000);
+  filter->SetUniformSpacing(1e-3);
   EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
 }
 
