@@ -186,20 +186,24 @@ def fine_mesh_in_a_coarse_one(folder):
         DomainRule='Union', KeepCellEdges=1)
 
 
-def bracket_for_a_solver(folder):
+def stl_to_tetrahedra(folder):
     """A body with holes, from an STL file to tetrahedra; a Clip with Crinkleclip looks inside."""
     path = os.path.join(folder, 'bracket.stl')
-    drawing = LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')])
-    SaveData(path, proxy=drawing)
+    SaveData(path, proxy=LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')]))
     mesh = BitingTetrahedralizer(Input=STLReader(FileNames=[path]), UniformSpacing=4)
     SaveData(os.path.join(folder, 'bracket.vtu'), proxy=OutputPort(mesh, 0))
     return mesh
 
 
-def tags_of_a_body(folder):
-    """The boundary of a body as triangles with the tags of the surface, beside its tetrahedra."""
-    drawing = LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')])
-    mesh = BitingTetrahedralizer(Input=drawing, UniformSpacing=4)
+def body_with_tags_for_a_solver(folder):
+    """Tetrahedra, and the triangles of the boundary with the array Tag of the surface: SU2, Gmsh.
+
+    The triangles of one tag alone, as a filter behind would take them: Threshold.
+    """
+    surface = LegacyVTKReader(FileNames=[os.path.join(here, 'bracket.vtk')])
+    mesh = BitingTetrahedralizer(Input=surface, UniformSpacing=4)
+    for ending in ['msh', 'su2']:
+        SaveData(os.path.join(folder, 'bracket.' + ending), proxy=OutputPort(mesh, 0))
     bolts = Threshold(Input=OutputPort(mesh, 1), Scalars=['CELLS', 'Tag'], LowerThreshold=2,
         UpperThreshold=2)
     SaveData(os.path.join(folder, 'bolts.vtk'), proxy=bolts)
@@ -235,8 +239,8 @@ def ball_with_a_spacing_field(folder):
 tasks = [contour_to_mesh, coast_with_spacing_by_depth, courant_number_of_a_coast,
     adcirc_grid_with_depths, airfoil, plate_with_regions, export_with_tags, size_by_tag, judge_a_mesh,
     mesh_for_a_solution, nested_refinement_regions, a_town_of_houses, periodic_cell,
-    fine_mesh_in_a_coarse_one, bracket_for_a_solver, tags_of_a_body, shell_of_two_materials,
-    ball_with_a_spacing_field]
+    fine_mesh_in_a_coarse_one, stl_to_tetrahedra, body_with_tags_for_a_solver,
+    shell_of_two_materials, ball_with_a_spacing_field]
 
 
 def main(plugin, folder):

@@ -10,7 +10,6 @@
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -58,24 +57,6 @@ vtkUnstructuredGrid* vtkBitingTetrahedralizer::GetOutput()
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetBoundary()
-{
-  return this->Superclass::GetOutput(BOUNDARY_EDGES);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetBites()
-{
-  return this->Superclass::GetOutput(BITES);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkBitingTetrahedralizer::GetProblems()
-{
-  return this->Superclass::GetOutput(PROBLEMS);
-}
-
-//------------------------------------------------------------------------------
 std::unique_ptr<vtkBitingSpaceMesher::Execution> vtkBitingTetrahedralizer::NewExecution()
 {
   return std::make_unique<Execution>(this);
@@ -98,6 +79,7 @@ bool vtkBitingTetrahedralizer::Execution::ReadOwnParameters()
 void vtkBitingTetrahedralizer::Execution::MakeMesh()
 {
   this->Own.Surface = this->Options;
+  this->Own.Surface.Relaxation = this->Options.Relaxation && this->Own.MaximumNumberOfBites == 0;
   if (this->RegionNumbers.empty())
   {
     this->Own.Surface.Regions.clear(); // a part in another one bounds a cavity

@@ -11,8 +11,8 @@
  * section of their follow-up). No bite inside comes into a ball of a boundary triangle, so that all
  * of these are facets of the regular triangulation of the bites. Then vertices move to where the
  * error of interpolation is least (L. Chen, 2004), flips and the removal of edges take slivers
- * away (L. A. Freitag, C. Ollivier-Gooch, 1997), and vertices of what is still poor move by descent,
- * those of the boundary along the surface.
+ * away (L. A. Freitag, C. Ollivier-Gooch, 1997), and the vertices of the worst tetrahedra move by
+ * trial, those of the boundary along the surface.
  *
  * @par Input 0, the surfaces:
  * As of vtkBitingSurfaceMesher, closed. What an odd number of closed surfaces encloses is filled:
@@ -57,6 +57,8 @@
 
 #include "vtkBitingSpaceMesher.h"
 
+#include "vtkPolyData.h" // for the return value
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkUnstructuredGrid;
 
@@ -96,8 +98,9 @@ public:
 
   ///@{
   /**
-   * Biting inside ends after so many bites, >= 1, to see how it goes on: the tetrahedra are those
-   * between the bites until then, without relaxation. -1 (default): when nothing is left.
+   * Biting ends after so many bites, >= 1, to see how it goes on; those of the boundary, which is
+   * covered in any case, are counted. The tetrahedra are those between the bites until then, and
+   * not relaxed. -1 (default): when nothing is left.
    */
   vtkSetMacro(MaximumNumberOfBites, vtkIdType);
   vtkGetMacro(MaximumNumberOfBites, vtkIdType);
@@ -108,9 +111,9 @@ public:
    * The outputs.
    */
   vtkUnstructuredGrid* GetOutput();
-  vtkPolyData* GetBoundary();
-  vtkPolyData* GetBites();
-  vtkPolyData* GetProblems();
+  vtkPolyData* GetBoundary() { return this->Superclass::GetOutput(BOUNDARY_EDGES); }
+  vtkPolyData* GetBites() { return this->Superclass::GetOutput(BITES); }
+  vtkPolyData* GetProblems() { return this->Superclass::GetOutput(PROBLEMS); }
   ///@}
 
 protected:

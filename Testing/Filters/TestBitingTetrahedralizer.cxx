@@ -241,15 +241,15 @@ TEST(BitingTetrahedralizer, KeepsCornersAndTagsOfACube)
 
 TEST(BitingTetrahedralizer, LeavesCavitiesEmptyAndFillsTwoMaterialsWithAWallBetween)
 {
-  const double ball = VolumesOf(Filled(Sphere(0.25), 0.1)->GetOutput())[0];
-  const auto cavity = Filled(Together({ Cube(), Sphere(0.25) }), 0.1);
+  const double ball = VolumesOf(Filled(Sphere(0.25, 30), 0.12)->GetOutput())[0];
+  const auto cavity = Filled(Together({ Cube(), Sphere(0.25, 30) }), 0.12);
   EXPECT_EQ(Figure(cavity->GetOutput(), "EulerNumber"), 4.0);
   EXPECT_NEAR(VolumesOf(cavity->GetOutput())[0], 1.0 - ball, 0.005);
   CheckBoundary(cavity);
 
   auto both = vtkSmartPointer<vtkBitingTetrahedralizer>::New();
-  both->SetInputData(Together({ WithMaterial(Cube(), 3.0), WithMaterial(Sphere(0.25), 7.0) }));
-  both->SetUniformSpacing(0.1);
+  both->SetInputData(Together({ WithMaterial(Cube(), 3.0), WithMaterial(Sphere(0.25, 30), 7.0) }));
+  both->SetUniformSpacing(0.12);
   both->SetRegionArray("Material");
   both->Update();
   std::map<int, double> volumes = VolumesOf(both->GetOutput());
@@ -305,8 +305,7 @@ TEST(BitingTetrahedralizer, RefusesWithAPlaceWhatItCannotFill)
   filter->SetRegionArray("Nothing");
   EXPECT_TRUE(Has(ReasonOf(filter), "Nothing"));
   filter->SetRegionArray("");
-  filter->SetUniformSpacing(0.05);
-  filter->SetMaximumNumberOfVertices(1000);
+  filter->SetUniformSpacing(1e-3);
   EXPECT_TRUE(Has(ReasonOf(filter), "Maximum Number Of Vertices"));
 }
 
@@ -322,8 +321,8 @@ TEST(BitingTetrahedralizer, HasNothingToSayOfNothing)
 
 TEST(BitingTetrahedralizer, IsTheSameWithAnyNumberOfThreadsAndForAnyKindOfInput)
 {
-  auto sphere = Sphere();
-  auto filter = Filled(sphere, 0.12);
+  auto sphere = Sphere(0.5, 30);
+  auto filter = Filled(sphere, 0.15);
   const auto first = CopyOf(filter->GetOutput());
   for (const int threads : { 1, 2, 8 })
   {
@@ -334,16 +333,16 @@ TEST(BitingTetrahedralizer, IsTheSameWithAnyNumberOfThreadsAndForAnyKindOfInput)
   filter->SetGenerateBites(true);
   filter->Update();
   EXPECT_TRUE(AreSameGrids(first, filter->GetOutput()));
-  EXPECT_GE(filter->GetBites()->GetNumberOfPoints(), 300);
+  EXPECT_GE(filter->GetBites()->GetNumberOfPoints(), 200);
   EXPECT_TRUE(filter->GetBites()->GetPointData()->GetArray("Radius"));
 
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(sphere->GetPoints());
   grid->SetCells(VTK_TRIANGLE, sphere->GetPolys());
-  EXPECT_TRUE(AreSameGrids(first, Filled(grid, 0.12)->GetOutput()));
+  EXPECT_TRUE(AreSameGrids(first, Filled(grid, 0.15)->GetOutput()));
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, sphere);
-  EXPECT_TRUE(AreSameGrids(first, Filled(blocks, 0.12)->GetOutput()));
+  EXPECT_TRUE(AreSameGrids(first, Filled(blocks, 0.15)->GetOutput()));
 }
 
 TEST(BitingTetrahedralizer, BitesCubesAndStopsEarly)
@@ -355,11 +354,16 @@ TEST(BitingTetrahedralizer, BitesCubesAndStopsEarly)
   filter->Update();
   EXPECT_NEAR(VolumesOf(filter->GetOutput())[0], 1.0, 1e-9);
   EXPECT_NEAR(Figure(filter->GetOutput(), "MeanRelativeLength"), 1.0, 0.15);
+  const vtkIdType all = filter->GetOutput()->GetNumberOfPoints();
+  filter->SetMaximumNumberOfBites(all - 100);
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), all - 90);
+  EXPECT_NEAR(Figure(filter->GetOutput(), "Volume"), 1.0, 1e-9);
 }
 
 TEST(BitingTetrahedralizer, LeavesNothingWhenItIsAbortedAndWorksAgain)
 {
-  auto filter = Filled(Sphere(), 0.12);
+  auto filter = Filled(Sphere(0.5, 30), 0.12);
   const auto first = CopyOf(filter->GetOutput());
   for (const double at : { 0.0, 0.05, 0.2, 0.5, 0.8 })
   {

@@ -44,12 +44,14 @@ struct BodyCounts
 {
   std::array<long long, 4> Stages{};
   long long Violations = 0;
-  long long Slivers = 0; ///< bodies with a dihedral angle below 15 degrees
+  long long Fair = 0;    ///< relaxed bodies of fair surfaces
+  long long Slivers = 0; ///< of these with a dihedral angle below 25 degrees
 
   void Print(double seconds) const
   {
-    std::cout << seconds << " s: " << this->Stages[2] << " bodies (" << this->Slivers
-              << " with a dihedral angle below 15 degrees), " << this->Stages[1]
+    std::cout << seconds << " s: " << this->Stages[2] << " bodies (" << this->Fair
+              << " fair and relaxed, " << this->Slivers
+              << " of these with a dihedral angle below 25 degrees), " << this->Stages[1]
               << " surfaces only, refused by the check " << this->Stages[0] << ", by the mesher "
               << this->Stages[3] << ", " << this->Violations << " violations" << std::endl;
   }
@@ -68,9 +70,13 @@ void RunCase(std::uint64_t seed, const std::string& file, BodyCounts& counts)
   const BodyOutcome outcome = RunSurfaceCase(surface);
   EndCase();
   ++counts.Stages[static_cast<std::size_t>(outcome.Reached)];
-  counts.Slivers += outcome.SmallestDihedral < 15.0 ? 1 : 0;
+  const bool isFair = surface.IsFair && surface.Options.Surface.Relaxation &&
+    surface.Options.MaximumNumberOfBites == 0 && outcome.Reached == BodyOutcome::Stage::Filled;
+  const bool isSliver = isFair && outcome.SmallestDihedral < 25.0;
+  counts.Fair += isFair ? 1 : 0;
+  counts.Slivers += isSliver ? 1 : 0;
   counts.Violations += outcome.Violation.empty() ? 0 : 1;
-  if (!outcome.Violation.empty() || !file.empty())
+  if (!outcome.Violation.empty() || isSliver || !file.empty())
   {
     std::cout << "seed " << seed << " (" << surface.Words << "f " << surface.LargestSize
               << "): " << outcome.Violation << " [" << outcome.Refusal << "] smallest dihedral "
@@ -95,7 +101,7 @@ int RunBodyFuzz(int count, char** texts)
   for (std::uint64_t k = 0; k < cases && SecondsSince(begin) <= arguments.Number("--seconds"); ++k)
   {
     RunCase(arguments.Count("--seed") + k, arguments.Text("--write"), counts);
-    if ((k + 1) % 500 == 0)
+    if ((k + 1) % 100 == 0)
     {
       counts.Print(SecondsSince(begin));
     }

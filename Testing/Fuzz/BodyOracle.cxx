@@ -5,7 +5,7 @@
 
 #include "Predicates/Predicates3.h"
 
-#include <algorithm> // for all_of, count, min, rotate, sort
+#include <algorithm> // for all_of, binary_search, count, min, remove_if, rotate, sort
 #include <array>     // for facets
 #include <cmath>     // for angles
 #include <utility>   // for edges
@@ -179,6 +179,19 @@ std::string JudgeFacets(const BitingBody& mesh)
     boundary.push_back(Turned({ corners[slot], corners[slot + 1], corners[slot + 2] }));
   }
   std::sort(boundary.begin(), boundary.end());
+  // Bodies of one region may share a wall.
+  const auto isWall = [&facets](const Facet& facet)
+  {
+    const auto has = [&facets](const Facet& one) {
+      return std::binary_search(facets.begin(), facets.end(), CellFacet{ one, 0 });
+    };
+    return has(facet) && has({ facet[0], facet[2], facet[1] });
+  };
+  boundary.erase(std::remove_if(boundary.begin(), boundary.end(),
+                   [&outer, &isWall](const Facet& facet) {
+                     return !std::binary_search(outer.begin(), outer.end(), facet) && isWall(facet);
+                   }),
+    boundary.end());
   return boundary == outer ? "" : "the boundary is not that of the tetrahedra";
 }
 

@@ -440,7 +440,7 @@ SurfaceCase MakeSurfaceCase(FuzzNumbers& numbers)
 {
   SurfaceCase made;
   Shape shape = Composed(numbers, made.Words);
-  const double size = 1.0 / (3.0 + 8.0 * numbers.Unit());
+  const double size = 1.0 / (2.0 + (numbers.OneIn(8) ? 10.0 : 4.0) * numbers.Unit());
   made.IsFair = shape.Thinnest >= 3.0 * size && shape.Sharpest >= 60.0;
   if (numbers.OneIn(3))
   {

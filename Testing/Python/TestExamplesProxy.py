@@ -20,10 +20,11 @@ SMALLEST_ANGLES = {'contour_to_mesh': 30, 'coast_with_spacing_by_depth': 15,
                    'plate_with_regions': 30, 'export_with_tags': 30, 'size_by_tag': 30,
                    'judge_a_mesh': 0, 'mesh_for_a_solution': 35,
                    'nested_refinement_regions': 30, 'a_town_of_houses': 25, 'periodic_cell': 35,
-                   'fine_mesh_in_a_coarse_one': 25, 'bracket_for_a_solver': 20, 'tags_of_a_body': 20,
-                   'shell_of_two_materials': 30, 'ball_with_a_spacing_field': 30}
-FILES = ['airfoil.su2', 'bolts.vtk', 'bracket.vtu', 'coast.14', 'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh',
-         'plate.su2']
+                   'fine_mesh_in_a_coarse_one': 25, 'stl_to_tetrahedra': 20,
+                   'body_with_tags_for_a_solver': 20, 'shell_of_two_materials': 30,
+                   'ball_with_a_spacing_field': 30}
+FILES = ['airfoil.su2', 'bolts.vtk', 'bracket.msh', 'bracket.su2', 'bracket.vtu', 'coast.14',
+         'courant_number.vtp', 'left_of_the_weld.vtk', 'plate.msh', 'plate.su2']
 
 
 class TestExamplesProxy(unittest.TestCase):

@@ -201,7 +201,7 @@ double AspectRatio(const std::array<Point3, 4>& tetrahedron)
     const Point3& a = tetrahedron[k];
     area += 0.5 * Length(Cross(tetrahedron[(k + 1) % 4] - a, tetrahedron[(k + 2) % 4] - a));
   }
-  // The faces' pyramids over the middle of the inscribed sphere fill it: volume = area * radius / 3.
+  // Pyramids from the faces to the middle of the inscribed sphere: volume = area * radius / 3.
   const double volume = std::abs(VolumeOf(tetrahedron));
   return volume > 0.0 ? Circumradius(tetrahedron) * area / (3.0 * volume) : Infinity;
 }
