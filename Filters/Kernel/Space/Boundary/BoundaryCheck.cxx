@@ -76,23 +76,32 @@ private:
     const std::vector<Id>& ends = this->Bites.PieceEnds;
     for (std::size_t k = 0; k < ends.size(); k += 2)
     {
-      this->Pieces.push_back({ std::min(ends[k], ends[k + 1]), std::max(ends[k], ends[k + 1]) });
+      const std::pair<Id, Id> piece = std::minmax(ends[k], ends[k + 1]);
+      this->Pieces.push_back(piece);
+      const Id chain = this->Bites.PieceChains[k / 2];
+      if (this->Ground.Chains.Kinds[At(chain)] == SurfaceEdgeKind::Feature)
+      {
+        this->Folds.push_back(piece);
+      }
     }
     std::sort(this->Pieces.begin(), this->Pieces.end());
+    std::sort(this->Folds.begin(), this->Folds.end());
   }
 
-  bool IsPiece(Id a, Id b) const
+  bool IsPiece(Id a, Id b) const { return this->IsAmong(this->Pieces, a, b); }
+
+  bool IsAmong(const std::vector<std::pair<Id, Id>>& pieces, Id a, Id b) const
   {
     return a < this->Bites.NumberOnLines && b < this->Bites.NumberOnLines &&
-      std::binary_search(this->Pieces.begin(), this->Pieces.end(),
-        std::pair<Id, Id>(std::min(a, b), std::max(a, b)));
+      std::binary_search(pieces.begin(), pieces.end(), std::pair<Id, Id>(std::minmax(a, b)));
   }
 
   Id Next(Id slot) const { return this->Boundary.Corners[NextSlotOf(At(slot))]; }
   Id Previous(Id slot) const { return this->Boundary.Corners[PreviousSlotOf(At(slot))]; }
 
   /// Follows the fan from each facet at the bite; all of them must come in one turn. At a vertex of
-  /// features that is asked of solids only in all, and for other edges than pieces.
+  /// features that is asked of solids only in all. Edges have two facets but for pieces of borders
+  /// and of edges where the surface has more.
   void CheckFan(Id bite)
   {
     const Id* begin = this->FacetsAt.Begin(bite);
@@ -110,7 +119,8 @@ private:
         beside += this->Next(*other) == this->Next(*slot) ? 1 : 0;
       }
       const bool isPiece = this->IsPiece(bite, this->Next(*slot));
-      if (!isPiece && (before != 1 || beside != 1))
+      const bool hasTwo = !isPiece || this->IsAmong(this->Folds, bite, this->Next(*slot));
+      if (hasTwo && (before != 1 || beside != 1))
       {
         this->Tell(BoundaryFault::NonManifold, bite, this->Next(*slot));
         return;
@@ -201,6 +211,7 @@ private:
   SurfaceBoundary& Boundary;
   ListsByKey FacetsAt; ///< of bites: the slots of facets
   std::vector<std::pair<Id, Id>> Pieces;
+  std::vector<std::pair<Id, Id>> Folds; ///< those where two triangles of the surface meet
 };
 
 } // namespace
