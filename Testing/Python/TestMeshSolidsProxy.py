@@ -193,6 +193,21 @@ class TestMeshSolidsProxy(unittest.TestCase):
         expected = simple.FetchData(mesher)[0]
         self.assertEqual(cells_of(mesh, 'RegionId'), cells_of(expected, 'RegionId'))
 
+    def test_bodies_have_the_tags_of_their_surfaces_or_are_one_marker(self):
+        tagged = simple.Calculator(Input=simple.Box(), AttributeType='Cell Data',
+                                   ResultArrayName='Wall', Function='10')
+        for source, name in ((tagged, '10'), (simple.Box(), 'boundary')):
+            body = BitingTetrahedralizer(Input=source, UniformSpacing=0.4)
+            mesh, sides = (simple.FetchData(simple.OutputPort(body, port))[0] for port in (0, 1))
+            for end in ('msh', 'su2'):
+                path = os.path.join(self.folder.name, 'body.' + end)
+                simple.SaveData(path, proxy=body)
+                found, found_sides = self.read(path)
+                self.assertEqual(found.GetNumberOfCells(), mesh.GetNumberOfCells())
+                self.assertEqual(
+                    cells_of(found_sides, 'TagName'),
+                    [(places, name) for places, _ in cells_of(sides, 'MeshCellId')])
+
     def expect_groups(self, path):
         """What meshio reads of a file of Gmsh."""
         found = meshio.read(path)
